@@ -1,0 +1,36 @@
+#include "clip/back_face.h"
+
+namespace displayfile {
+
+Point3 newell_normal(std::span<const Point3> vertices) {
+  Point3 sum(0.0);
+  if (vertices.empty()) return sum;
+  const Point3 origin = vertices.front();
+  Point3 p = vertices.back() - origin;
+  for (const Point3& vertex : vertices) {
+    const Point3 q = vertex - origin;
+    sum.x += (p.y - q.y) * (p.z + q.z);
+    sum.y += (p.z - q.z) * (p.x + q.x);
+    sum.z += (p.x - q.x) * (p.y + q.y);
+    p = q;
+  }
+  return sum;
+}
+
+double newell_c(std::span<const Point3> vertices) {
+  double c = 0.0;
+  if (vertices.empty()) return c;
+  const Point3 origin = vertices.front();
+  double px = vertices.back().x - origin.x, py = vertices.back().y - origin.y;
+  for (const Point3& vertex : vertices) {
+    const double qx = vertex.x - origin.x, qy = vertex.y - origin.y;
+    c += (px - qx) * (py + qy);
+    px = qx;
+    py = qy;
+  }
+  return c;
+}
+
+bool is_back_face(std::span<const Point3> vertices) { return newell_c(vertices) <= 0.0; }
+
+}  // namespace displayfile

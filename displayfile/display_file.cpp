@@ -1,0 +1,64 @@
+#include "displayfile/display_file.h"
+
+#include <fmt/format.h>
+
+#include "clip/error.h"
+
+namespace displayfile {
+
+void DisplayFile::require_new_name(int name) const {
+  if (name < 1) throw Error(fmt::format("invalid segment name {}: expected 1 or more", name));
+  if (contains(name)) throw Error(fmt::format("segment name {} in use", name));
+}
+
+Segment& DisplayFile::create(int name) {
+  require_new_name(name);
+  segments_.emplace_back(name);
+  place_[name] = segments_.size() - 1;
+  return segments_.back();
+}
+
+void DisplayFile::remove(int name) {
+  const Segment& segment = this->segment(name);
+  const auto place = static_cast<std::size_t>(&segment - segments_.data());
+  segments_.erase(segments_.begin() + static_cast<std::ptrdiff_t>(place));
+  place_.erase(name);
+  for (std::size_t i = place; i < segments_.size(); ++i) place_[segments_[i].name()] = i;
+}
+
+void DisplayFile::remove_all() {
+  segments_.clear();
+  place_.clear();
+}
+
+void DisplayFile::rename(int from, int to) {
+  Segment& segment = this->segment(from);
+  require_new_name(to);
+  place_[to] = place_[from];
+  place_.erase(from);
+  segment.rename(to);
+}
+
+Segment& DisplayFile::segment(int name) {
+  return const_cast<Segment&>(static_cast<const DisplayFile&>(*this).segment(name));
+}
+
+const Segment& DisplayFile::segment(int name) const {
+  const auto found = place_.find(name);
+  if (found == place_.end()) throw Error(fmt::format("no segment named {}", name));
+  return segments_[found->second];
+}
+
+std::size_t DisplayFile::polygons() const {
+  std::size_t n = 0;
+  for (const Segment& s : segments_) n += s.polygons();
+  return n;
+}
+
+std::size_t DisplayFile::bytes() const {
+  std::size_t n = 0;
+  for (const Segment& s : segments_) n += s.bytes();
+  return n;
+}
+
+}  // namespace displayfile

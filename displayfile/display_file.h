@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <unordered_map>
+#include <vector>
+
+#include "displayfile/segment.h"
+
+namespace displayfile {
+
+/// The display file: the segments, in order of creation.
+class DisplayFile {
+ public:
+  /// Throws Error if the name is not positive or in use.
+  Segment& create(int name);
+  /// Throws Error if there is no such segment.
+  void remove(int name);
+  void remove_all();
+  /// Throws Error if there is no `from`, or `to` is not positive or in use.
+  void rename(int from, int to);
+
+  /// Throws Error if there is no such segment.
+  Segment& segment(int name);
+  const Segment& segment(int name) const;
+  bool contains(int name) const { return place_.contains(name); }
+
+  const std::vector<Segment>& segments() const { return segments_; }
+  std::size_t polygons() const;
+  std::size_t bytes() const;
+
+ private:
+  void require_new_name(int name) const;
+
+  std::vector<Segment> segments_;
+  std::unordered_map<int, std::size_t> place_;
+};
+
+}  // namespace displayfile

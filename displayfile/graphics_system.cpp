@@ -1,0 +1,449 @@
+#include "displayfile/graphics_system.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "clip/back_face.h"
+#include "clip/error.h"
+
+namespace displayfile {
+
+namespace {
+
+void require_finite(std::initializer_list<double> values, const char* what) {
+  for (double v : values) {
+    if (!(std::abs(v) <= kCoordinateLimit)) {
+      throw Error(fmt::format("{} is {}: expected a finite number of magnitude at most 1e100", what,
+                              v));
+    }
+  }
+}
+
+void require_colour(const Colour& c) {
+  for (int i = 0; i < 3; ++i) {
+    if (!(c[i] >= 0.0 && c[i] <= 1.0)) {
+      throw Error(fmt::format("colour component {} out of range: expected 0 to 1", c[i]));
+    }
+  }
+}
+
+}  // namespace
+
+// ---- View parameters -------------------------------------------------------------------
+
+void GraphicsSystem::require_view_may_change() const {
+  if (open_) {
+    throw Error(fmt::format(
+        "segment {} is open: view parameters are set before a segment is opened", *open_));
+  }
+}
+
+void GraphicsSystem::set_view_reference_point(const Point3& p) {
+  require_view_may_change();
+  view_.set_reference_point(p);
+  view_was_set_ = true;
+  record("set-view-reference-point", {p.x, p.y, p.z});
+}
+
+void GraphicsSystem::set_view_plane_normal(const Point3& n) {
+  require_view_may_change();
+  view_.set_plane_normal(n);
+  view_was_set_ = true;
+  record("set-view-plane-normal", {n.x, n.y, n.z});
+}
+
+void GraphicsSystem::set_view_distance(double d) {
+  require_view_may_change();
+  view_.set_distance(d);
+  view_was_set_ = true;
+  record("set-view-distance", {d});
+}
+
+void GraphicsSystem::set_view_up(const Point3& up) {
+  require_view_may_change();
+  view_.set_up(up);
+  view_was_set_ = true;
+  record("set-view-up", {up.x, up.y, up.z});
+}
+
+void GraphicsSystem::set_parallel(const Point3& direction) {
+  require_view_may_change();
+  view_.set_parallel(direction);
+  view_was_set_ = true;
+  record("set-parallel", {direction.x, direction.y, direction.z});
+}
+
+void GraphicsSystem::set_perspective(const Point3& centre) {
+  require_view_may_change();
+  view_.set_perspective(centre);
+  view_was_set_ = true;
+  record("set-perspective", {centre.x, centre.y, centre.z});
+}
+
+void GraphicsSystem::set_view_depth(double front, double back) {
+  require_view_may_change();
+  view_.set_depth(front, back);
+  view_was_set_ = true;
+  record("set-view-depth", {front, back});
+}
+
+void GraphicsSystem::set_front_plane_clipping(bool on) {
+  require_view_may_change();
+  view_.front_clipping = on;
+  view_was_set_ = true;
+  record("set-front-plane-clipping", {on});
+}
+
+void GraphicsSystem::set_back_plane_clipping(bool on) {
+  require_view_may_change();
+  view_.back_clipping = on;
+  view_was_set_ = true;
+  record("set-back-plane-clipping", {on});
+}
+
+void GraphicsSystem::set_window(double x_min, double x_max, double y_min, double y_max) {
+  require_view_may_change();
+  view_.set_window({x_min, x_max, y_min, y_max});
+  view_was_set_ = true;
+  record("set-window", {x_min, x_max, y_min, y_max});
+}
+
+void GraphicsSystem::set_viewport(double x_min, double x_max, double y_min, double y_max) {
+  require_view_may_change();
+  view_.set_viewport({x_min, x_max, y_min, y_max});
+  view_was_set_ = true;
+  record("set-viewport", {x_min, x_max, y_min, y_max});
+}
+
+// ---- The modelling transformation ------------------------------------------------------
+
+void GraphicsSystem::create_transformation_3() {
+  modelling_.create();
+  record("create-transformation-3", {});
+}
+
+void GraphicsSystem::translate_3(double tx, double ty, double tz) {
+  require_finite({tx, ty, tz}, "translation");
+  modelling_.translate({tx, ty, tz});
+  record("translate-3", {tx, ty, tz});
+}
+
+void GraphicsSystem::scale_3(double sx, double sy, double sz) {
+  require_finite({sx, sy, sz}, "scale");
+  modelling_.scale({sx, sy, sz});
+  record("scale-3", {sx, sy, sz});
+}
+
+void GraphicsSystem::rotate_x_3(double angle) {
+  require_finite({angle}, "angle");
+  modelling_.rotate_x(angle);
+  record("rotate-x-3", {angle});
+}
+
+void GraphicsSystem::rotate_y_3(double angle) {
+  require_finite({angle}, "angle");
+  modelling_.rotate_y(angle);
+  record("rotate-y-3", {angle});
+}
+
+void GraphicsSystem::rotate_z_3(double angle) {
+  require_finite({angle}, "angle");
+  modelling_.rotate_z(angle);
+  record("rotate-z-3", {angle});
+}
+
+// ---- Segments --------------------------------------------------------------------------
+
+void GraphicsSystem::open_segment(int name) {
+  if (open_) throw Error(fmt::format("segment already open: segment {}; close it first", *open_));
+  const ViewVolume volume(view_);
+  display_file_.create(name);
+  pipeline_.emplace(volume);
+  open_ = name;
+  record("open-segment", {name});
+}
+
+/// Algorithm 9.5, CLOSE-SEGMENT. Here the polygons are already in the display file; methods
+/// that sort collect them and are called from here.
+void GraphicsSystem::close_segment() {
+  if (!open_) throw Error("no segment open");
+  open_.reset();
+  record("close-segment", {});
+}
+
+void GraphicsSystem::delete_segment(int name) {
+  if (open_ == name) throw Error(fmt::format("segment {} still open: close it first", name));
+  display_file_.remove(name);
+  record("delete-segment", {name});
+}
+
+void GraphicsSystem::delete_all_segments() {
+  if (open_) throw Error(fmt::format("segment {} still open: close it first", *open_));
+  display_file_.remove_all();
+  record("delete-all-segments", {});
+}
+
+void GraphicsSystem::rename_segment(int from, int to) {
+  if (open_ == from) throw Error(fmt::format("segment {} still open: close it first", from));
+  display_file_.rename(from, to);
+  record("rename-segment", {from, to});
+}
+
+void GraphicsSystem::set_visibility(int name, bool on) {
+  display_file_.segment(name).visible = on;
+  record("set-visibility", {name, on});
+}
+
+void GraphicsSystem::set_image_translation(int name, double tx, double ty) {
+  require_finite({tx, ty}, "image translation");
+  display_file_.segment(name).image.translation = {tx, ty};
+  record("set-image-translation", {name, tx, ty});
+}
+
+void GraphicsSystem::set_image_scale(int name, double sx, double sy) {
+  require_finite({sx, sy}, "image scale");
+  display_file_.segment(name).image.scale = {sx, sy};
+  record("set-image-scale", {name, sx, sy});
+}
+
+void GraphicsSystem::set_image_rotation(int name, double angle) {
+  require_finite({angle}, "angle");
+  display_file_.segment(name).image.rotation = angle;
+  record("set-image-rotation", {name, angle});
+}
+
+// ---- Primitives ------------------------------------------------------------------------
+
+void GraphicsSystem::require_open() const {
+  if (!open_) throw Error("no segment open");
+}
+
+Point3 GraphicsSystem::to_world(const Point3& object) const {
+  if (!in_range(object)) {
+    throw Error(fmt::format(
+        "coordinates {} {} {}: expected finite numbers of magnitude at most 1e100", object.x,
+        object.y, object.z));
+  }
+  const Point3 world = modelling_.apply(object);
+  if (!in_range(world)) throw Error("coordinate out of range after the modelling transformation");
+  return world;
+}
+
+void GraphicsSystem::move_to(const Point3& object) {
+  require_open();
+  pen_ = {object, to_world(object)};
+}
+
+void GraphicsSystem::line_to(const Point3& object) {
+  require_open();
+  const Pen end{object, to_world(object)};
+  Point3 a, b;
+  if (line_.kind != LineStyle::Kind::none &&
+      pipeline_->clip_line(pen_.world, end.world, a, b)) {
+    Segment& segment = display_file_.segment(*open_);
+    segment.set_style(line_);
+    segment.enter_line(a, b);
+  }
+  pen_ = end;
+}
+
+void GraphicsSystem::move_abs_3(double x, double y, double z) {
+  move_to({x, y, z});
+  record("move-abs-3", {x, y, z});
+}
+
+void GraphicsSystem::line_abs_3(double x, double y, double z) {
+  line_to({x, y, z});
+  record("line-abs-3", {x, y, z});
+}
+
+void GraphicsSystem::move_rel_3(double dx, double dy, double dz) {
+  move_to(pen_.object + Point3(dx, dy, dz));
+  record("move-rel-3", {dx, dy, dz});
+}
+
+void GraphicsSystem::line_rel_3(double dx, double dy, double dz) {
+  line_to(pen_.object + Point3(dx, dy, dz));
+  record("line-rel-3", {dx, dy, dz});
+}
+
+void GraphicsSystem::move_abs_2(double x, double y) {
+  move_to({x, y, pen_.object.z});
+  record("move-abs-2", {x, y});
+}
+
+void GraphicsSystem::line_abs_2(double x, double y) {
+  line_to({x, y, pen_.object.z});
+  record("line-abs-2", {x, y});
+}
+
+void GraphicsSystem::move_rel_2(double dx, double dy) {
+  move_to(pen_.object + Point3(dx, dy, 0.0));
+  record("move-rel-2", {dx, dy});
+}
+
+void GraphicsSystem::line_rel_2(double dx, double dy) {
+  line_to(pen_.object + Point3(dx, dy, 0.0));
+  record("line-rel-2", {dx, dy});
+}
+
+void GraphicsSystem::polygon_abs_3(std::span<const Point3> vertices) {
+  polygon(vertices);
+  if (recorder_ != nullptr) recorder_->write("polygon-abs-3", vertices, 3);
+}
+
+void GraphicsSystem::polygon_rel_3(std::span<const Point3> steps) {
+  object_points_.clear();
+  Point3 p = pen_.object;
+  for (const Point3& step : steps) object_points_.push_back(p += step);
+  polygon(object_points_);
+  if (recorder_ != nullptr) recorder_->write("polygon-rel-3", steps, 3);
+}
+
+void GraphicsSystem::polygon_abs_2(std::span<const Point2> vertices) {
+  object_points_.clear();
+  for (const Point2& v : vertices) object_points_.emplace_back(v, pen_.object.z);
+  polygon(object_points_);
+  if (recorder_ != nullptr) recorder_->write("polygon-abs-2", object_points_, 2);
+}
+
+void GraphicsSystem::polygon_rel_2(std::span<const Point2> steps) {
+  object_points_.clear();
+  Point3 p = pen_.object;
+  for (const Point2& step : steps) object_points_.push_back(p += Point3(step, 0.0));
+  polygon(object_points_);
+  if (recorder_ == nullptr) return;
+  object_points_.clear();
+  for (const Point2& step : steps) object_points_.emplace_back(step, 0.0);
+  recorder_->write("polygon-rel-2", object_points_, 2);
+}
+
+/// The way of one polygon: to world coordinates, to triangles if it is not flat, and each
+/// piece through the pipeline into the display file.
+void GraphicsSystem::polygon(std::span<const Point3> object) {
+  require_open();
+  if (object.size() < 3) {
+    throw Error(fmt::format("polygon of {} sides: expected at least 3", object.size()));
+  }
+  world_points_.resize(object.size());
+  for (std::size_t i = 0; i < object.size(); ++i) world_points_[i] = to_world(object[i]);
+  const int pick = pick_ >= 0 ? pick_ : static_cast<int>(ordinal_);
+  const Point3 normal = light_ ? newell_normal(world_points_) : Point3(0.0);
+  if (is_flat(world_points_)) {
+    enter(world_points_, {}, normal, pick);
+  } else {
+    for (const auto& [vertex, edge_visible] : triangulation_.triangulate(world_points_)) {
+      enter(std::array{world_points_[vertex[0]], world_points_[vertex[1]],
+                       world_points_[vertex[2]]},
+            edge_visible, normal, pick);
+    }
+    ++triangulated_;
+  }
+  ++ordinal_;
+  pen_ = {object.back(), world_points_.back()};
+}
+
+/// Clips, checks for a back face (algorithm 9.2's end), and enters what is left.
+void GraphicsSystem::enter(std::span<const Point3> world,
+                           std::span<const std::uint8_t> edge_visible, const Point3& normal,
+                           int pick) {
+  const ClippedPolygon clipped = pipeline_->clip_polygon(world, edge_visible);
+  if (clipped.vertices.size() < 3) return;
+  const double c = back_face_removal_ || light_ ? newell_c(clipped.vertices) : 1.0;
+  if (back_face_removal_ && c <= 0.0) return;
+  Segment& segment = display_file_.segment(*open_);
+  segment.set_style(light_ ? lit(normal, c < 0.0) : fill_);
+  segment.set_style(line_);
+  segment.set_pick(pick);
+  segment.enter_polygon(clipped.vertices, clipped.edge_visible);
+}
+
+FillStyle GraphicsSystem::lit(const Point3& normal, bool turned_away) const {
+  if (fill_.kind == FillStyle::Kind::hollow) return fill_;
+  double cosine = normal == Point3(0.0) ? 0.0 : glm::dot(unit(normal), *light_);
+  if (turned_away) cosine = -cosine;  // the dark face is the one that is seen
+  const double intensity =
+      std::min(1.0, ambient_ + (1.0 - ambient_) * std::max(0.0, cosine));
+  return {FillStyle::Kind::solid, fill_.colour * intensity};
+}
+
+// ---- Attributes ------------------------------------------------------------------------
+
+void GraphicsSystem::set_fill_style(const FillStyle& style) {
+  if (style.kind == FillStyle::Kind::hollow) {
+    fill_ = style;
+    return record("set-fill-style", {"hollow"});
+  }
+  require_colour(style.colour);
+  fill_ = style;
+  record("set-fill-style", {"solid", style.colour.r, style.colour.g, style.colour.b});
+}
+
+void GraphicsSystem::set_line_style(const LineStyle& style) {
+  if (style.kind == LineStyle::Kind::none) {
+    line_ = style;
+    return record("set-line-style", {"none"});
+  }
+  require_colour(style.colour);
+  const bool dashed = style.kind == LineStyle::Kind::dashed;
+  for (double length : {style.width, style.dash, style.gap}) {
+    if (!(length > 0.0 && length <= 1e6)) {
+      throw Error(fmt::format("line width or dash {}: expected more than 0 pixels and at most 1e6",
+                              length));
+    }
+  }
+  line_ = style;
+  const Colour& c = style.colour;
+  if (dashed) {
+    record("set-line-style", {"dashed", c.r, c.g, c.b, style.width, style.dash, style.gap});
+  } else {
+    line_.dash = LineStyle{}.dash;  // of no meaning here: one style, one representation
+    line_.gap = LineStyle{}.gap;
+    record("set-line-style", {"solid", c.r, c.g, c.b, style.width});
+  }
+}
+
+void GraphicsSystem::set_light(const Point3& toward, double ambient) {
+  require_finite({toward.x, toward.y, toward.z}, "light direction");
+  if (toward == Point3(0.0)) throw Error("light direction is zero: expected a direction");
+  if (!(ambient >= 0.0 && ambient <= 1.0)) {
+    throw Error(fmt::format("ambient light {}: expected 0 to 1", ambient));
+  }
+  light_ = unit(toward);
+  ambient_ = ambient;
+  record("set-light", {toward.x, toward.y, toward.z, ambient});
+}
+
+void GraphicsSystem::set_pick_id(int id) {
+  if (id < -1) throw Error(fmt::format("pick identifier {}: expected 0 or more, or -1", id));
+  pick_ = id;
+  record("set-pick-id", {id});
+}
+
+// ---- Hidden surfaces -------------------------------------------------------------------
+
+void GraphicsSystem::set_hidden_line_removal(bool on) {
+  hidden_ = on;
+  back_face_removal_ = on;
+  record("set-hidden-line-removal", {on});
+}
+
+void GraphicsSystem::set_back_face_removal(bool on) {
+  back_face_removal_ = on;
+  record("set-back-face-removal", {on});
+}
+
+void GraphicsSystem::set_hidden_method(HiddenMethod method) {
+  method_ = method;
+  record("set-hidden-method", {name_of(method)});
+}
+
+void GraphicsSystem::set_z_buffer(bool on) {
+  z_buffer_ = on;
+  record("set-z-buffer", {on});
+}
+
+}  // namespace displayfile

@@ -1,0 +1,170 @@
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "clip/clip_pipeline.h"
+#include "clip/planarity.h"
+#include "clip/transformation.h"
+#include "clip/view.h"
+#include "displayfile/display_file.h"
+#include "displayfile/recorder.h"
+#include "displayfile/style.h"
+#include "hidden/hidden_method.h"
+
+namespace displayfile {
+
+/// The application API: the textbook's user routines, under their names in drawing programs
+/// with underscores for hyphens. One object that the caller owns; no globals.
+///
+/// Every routine throws Error for a call that cannot be carried out; the state is then what
+/// it was before the call. Coordinates are world coordinates (before the modelling
+/// transformation) unless said otherwise, angles degrees, colours in [0,1].
+class GraphicsSystem {
+ public:
+  // View parameters (clip/view.h says what each means and refuses). They take effect when a
+  // segment is opened; setting one while a segment is open is an error.
+  void set_view_reference_point(const Point3& p);
+  void set_view_plane_normal(const Point3& n);
+  void set_view_distance(double d);
+  void set_view_up(const Point3& up);
+  void set_parallel(const Point3& direction);
+  void set_perspective(const Point3& centre);
+  void set_view_depth(double front, double back);
+  void set_front_plane_clipping(bool on);
+  void set_back_plane_clipping(bool on);
+  void set_window(double x_min, double x_max, double y_min, double y_max);
+  void set_viewport(double x_min, double x_max, double y_min, double y_max);
+
+  // The modelling transformation (clip/transformation.h).
+  void create_transformation_3();
+  void translate_3(double tx, double ty, double tz);
+  void scale_3(double sx, double sy, double sz);
+  void rotate_x_3(double angle);
+  void rotate_y_3(double angle);
+  void rotate_z_3(double angle);
+
+  // Segments. Names are positive integers.
+  /// CREATE-SEGMENT. Errors: a segment is open, the name is in use or not positive, the view
+  /// parameters do not fit together (clip/view_volume.h).
+  void open_segment(int name);
+  /// Error: no segment open.
+  void close_segment();
+  /// Errors: no such segment, segment still open.
+  void delete_segment(int name);
+  /// Error: segment still open.
+  void delete_all_segments();
+  /// Errors: no such segment, new name in use, segment still open.
+  void rename_segment(int from, int to);
+  /// Error: no such segment; so for the image transformation.
+  void set_visibility(int name, bool on);
+  /// The image transformation, in normalised device coordinates: scale about the origin, then
+  /// rotate about it, then translate. Each routine sets its own part.
+  void set_image_translation(int name, double tx, double ty);
+  void set_image_scale(int name, double sx, double sy);
+  void set_image_rotation(int name, double angle);
+
+  // Primitives. Error: no segment open; a coordinate that is not finite or exceeds
+  // kCoordinateLimit in world coordinates. The 2D routines keep the current position's z.
+  void move_abs_3(double x, double y, double z);
+  void line_abs_3(double x, double y, double z);
+  void move_rel_3(double dx, double dy, double dz);
+  void line_rel_3(double dx, double dy, double dz);
+  void move_abs_2(double x, double y);
+  void line_abs_2(double x, double y);
+  void move_rel_2(double dx, double dy);
+  void line_rel_2(double dx, double dy);
+  /// A polygon of 3 or more sides, concave or self-crossing (filled even-odd). It starts, and
+  /// leaves the current position, at its last vertex. In the _rel routines each vertex is
+  /// given relative to the one before, the first to the current position. Error: fewer than
+  /// 3 sides.
+  void polygon_abs_3(std::span<const Point3> vertices);
+  void polygon_abs_3(std::initializer_list<Point3> vertices) { polygon_abs_3(span(vertices)); }
+  void polygon_rel_3(std::span<const Point3> steps);
+  void polygon_rel_3(std::initializer_list<Point3> steps) { polygon_rel_3(span(steps)); }
+  void polygon_abs_2(std::span<const Point2> vertices);
+  void polygon_abs_2(std::initializer_list<Point2> vertices) { polygon_abs_2(span(vertices)); }
+  void polygon_rel_2(std::span<const Point2> steps);
+  void polygon_rel_2(std::initializer_list<Point2> steps) { polygon_rel_2(span(steps)); }
+
+  // Attributes of the primitives that follow.
+  void set_fill_style(const FillStyle& style);  ///< Error: a colour outside of [0,1].
+  /// Errors: a colour outside of [0,1], width, dash or gap not positive.
+  void set_line_style(const LineStyle& style);
+  /// Toward the light, a world direction of any length but zero; ambient in [0,1]. A polygon's
+  /// fill colour is multiplied by ambient + (1 - ambient) max(0, cosine of the angle between
+  /// the light and the side of it that is seen).
+  void set_light(const Point3& toward, double ambient = 0.2);
+  /// The pick identifier of the polygons that follow, 0 or more; -1 gives each its ordinal in
+  /// the program again.
+  void set_pick_id(int id);
+
+  // Hidden surfaces.
+  /// Also turns back-face removal on or off, as in the textbook.
+  void set_hidden_line_removal(bool on);
+  void set_back_face_removal(bool on);
+  void set_hidden_method(HiddenMethod method);
+  void set_z_buffer(bool on);
+
+  // What the application and the interpreter may ask.
+  const DisplayFile& display_file() const { return display_file_; }
+  const View& view() const { return view_; }
+  bool view_was_set() const { return view_was_set_; }  ///< by any view-parameter routine
+  std::optional<int> open_segment_name() const { return open_; }
+  bool hidden_line_removal() const { return hidden_; }
+  bool back_face_removal() const { return back_face_removal_; }
+  HiddenMethod hidden_method() const { return method_; }
+  bool z_buffer() const { return z_buffer_; }
+  std::int64_t polygons_entered() const { return ordinal_; }  ///< calls of the polygon routines
+  std::int64_t polygons_triangulated() const { return triangulated_; }  ///< for not being flat
+
+  /// Records every routine that succeeds from now on; null stops. The recorder must live on.
+  void set_recorder(Recorder* recorder) { recorder_ = recorder; }
+
+ private:
+  struct Pen {
+    Point3 object{0.0};  ///< the current position as the application gave it
+    Point3 world{0.0};   ///< the same after the modelling transformation of that time
+  };
+
+  template <class T>
+  static std::span<const T> span(std::initializer_list<T> list) {
+    return {list.begin(), list.size()};
+  }
+  void record(std::string_view routine, std::initializer_list<Recorder::Argument> arguments) {
+    if (recorder_ != nullptr) recorder_->write(routine, arguments);
+  }
+  void require_open() const;
+  void require_view_may_change() const;
+  Point3 to_world(const Point3& object) const;
+  void move_to(const Point3& object);
+  void line_to(const Point3& object);
+  void polygon(std::span<const Point3> object);
+  void enter(std::span<const Point3> world, std::span<const std::uint8_t> edge_visible,
+             const Point3& normal, int pick);
+  FillStyle lit(const Point3& normal, bool turned_away) const;
+  View view_;
+  bool view_was_set_ = false;
+  ModellingTransformation modelling_;
+  DisplayFile display_file_;
+  std::optional<int> open_;
+  std::optional<ClipPipeline> pipeline_;  // of the open segment
+  Pen pen_;
+  FillStyle fill_;
+  LineStyle line_;
+  std::optional<Point3> light_;  // unit, toward it
+  double ambient_ = 0.2;
+  std::int32_t pick_ = -1;
+  std::int64_t ordinal_ = 0, triangulated_ = 0;
+  bool hidden_ = false, back_face_removal_ = false, z_buffer_ = false;
+  HiddenMethod method_ = HiddenMethod::automatic;
+  Recorder* recorder_ = nullptr;
+
+  Triangulation triangulation_;
+  std::vector<Point3> object_points_, world_points_;  // of the polygon being entered
+};
+
+}  // namespace displayfile

@@ -1,0 +1,37 @@
+#include "displayfile/recorder.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <ostream>
+
+namespace displayfile {
+
+namespace {
+
+struct Append {
+  std::string& line;
+  void operator()(double v) const { fmt::format_to(std::back_inserter(line), " {}", v); }
+  void operator()(int v) const { fmt::format_to(std::back_inserter(line), " {}", v); }
+  void operator()(bool v) const { line += v ? " on" : " off"; }
+  void operator()(std::string_view v) const { (line += ' ') += v; }
+};
+
+}  // namespace
+
+void Recorder::write(std::string_view routine, std::initializer_list<Argument> arguments) {
+  line_ = routine;
+  for (const Argument& a : arguments) std::visit(Append{line_}, a);
+  out_ << (line_ += '\n');
+}
+
+void Recorder::write(std::string_view routine, std::span<const Point3> points, int coordinates) {
+  line_ = routine;
+  for (const Point3& p : points) {
+    if (points.size() > 1) line_ += ' ';  // two blanks between points
+    for (int i = 0; i < coordinates; ++i) Append{line_}(p[i]);
+  }
+  out_ << (line_ += '\n');
+}
+
+}  // namespace displayfile

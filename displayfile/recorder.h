@@ -1,0 +1,33 @@
+#pragma once
+
+#include <initializer_list>
+#include <iosfwd>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "clip/point.h"
+
+namespace displayfile {
+
+/// Writes what is called through the application API as a drawing program. Replayed, the
+/// program makes the same display file, bit for bit: numbers are written in the shortest
+/// form that reads back to the same double.
+class Recorder {
+ public:
+  explicit Recorder(std::ostream& out) : out_(out) {}
+
+  using Argument = std::variant<double, int, bool, std::string_view>;  ///< bool: on or off
+
+  /// One line: the routine's name in drawing programs and its arguments.
+  void write(std::string_view routine, std::initializer_list<Argument> arguments);
+  /// One line of points, `coordinates` (2 or 3) of each.
+  void write(std::string_view routine, std::span<const Point3> points, int coordinates);
+
+ private:
+  std::ostream& out_;
+  std::string line_;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+
+namespace displayfile {
+
+/// Red, green and blue, each in [0,1].
+using Colour = glm::dvec3;
+
+/// How a polygon's inside is drawn.
+struct FillStyle {
+  enum class Kind { solid, hollow };
+  Kind kind = Kind::solid;
+  Colour colour{0.8, 0.8, 0.8};
+  bool operator==(const FillStyle&) const = default;
+};
+
+/// How lines, and the edges of polygons, are drawn. Width and dashes are in pixels.
+struct LineStyle {
+  enum class Kind { solid, dashed, none };
+  Kind kind = Kind::solid;
+  Colour colour{0.0, 0.0, 0.0};
+  double width = 1.0;
+  double dash = 6.0, gap = 4.0;  ///< lengths drawn and left out in turn, if dashed
+  bool operator==(const LineStyle&) const = default;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,60 @@
+#include "hidden/hidden_method.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "clip/error.h"
+
+namespace displayfile {
+
+namespace {
+
+using enum HiddenMethod;
+constexpr std::array kMethods{
+    HiddenMethodEntry{automatic, "auto", true},
+    HiddenMethodEntry{none, "none", true},
+    HiddenMethodEntry{back_face, "back-face", true},
+    HiddenMethodEntry{z_buffer, "z-buffer", true},
+    HiddenMethodEntry{bsp, "bsp", false},
+    HiddenMethodEntry{depth_sort, "depth-sort", false},
+    HiddenMethodEntry{scan_line, "scan-line", false},
+    HiddenMethodEntry{scan_line_z, "scan-line-z", false},
+    HiddenMethodEntry{ray_cast, "ray-cast", false},
+    HiddenMethodEntry{warnock, "warnock", false},
+    HiddenMethodEntry{roberts, "roberts", false},
+    HiddenMethodEntry{appel, "appel", false},
+    HiddenMethodEntry{franklin, "franklin", false},
+    HiddenMethodEntry{colour_rule, "colour-rule", false},
+};
+
+std::string available_names() {
+  std::string names;
+  for (const auto& entry : kMethods) {
+    if (entry.available) names += (names.empty() ? "" : ", ") + std::string(entry.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+std::span<const HiddenMethodEntry> hidden_methods() { return kMethods; }
+
+HiddenMethod hidden_method(std::string_view name) {
+  const auto entry = std::ranges::find(kMethods, name, &HiddenMethodEntry::name);
+  if (entry == kMethods.end()) {
+    throw Error("unknown hidden-surface method '" + std::string(name) + "': expected one of " +
+                available_names());
+  }
+  if (!entry->available) {
+    throw Error("hidden-surface method '" + std::string(name) +
+                "' is not in this version: expected one of " + available_names());
+  }
+  return entry->method;
+}
+
+std::string_view name_of(HiddenMethod method) {
+  return std::ranges::find(kMethods, method, &HiddenMethodEntry::method)->name;
+}
+
+}  // namespace displayfile

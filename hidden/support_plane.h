@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "clip/point.h"
+
+namespace displayfile {
+
+/// The three vertices whose plane is the polygon's depth everywhere (the support plane of
+/// the design's definition of truth): a triangle's own; otherwise the first vertex p, the
+/// one farthest from p in the projection, and the one farthest from the line through both
+/// in the projection, first of equals. Device coordinates.
+struct SupportVertices {
+  std::array<std::uint32_t, 3> index;
+  bool edge_on;  ///< the three are in line in the projection: the polygon covers nothing
+};
+SupportVertices support_vertices(std::span<const Point3> vertices);
+
+/// Depth over the projection, z = z0 + dz_dx (x - x0) + dz_dy (y - y0): the slides'
+/// plane equation with dz_dx = -A/C and dz_dy = -B/C, in doubles.
+struct DepthPlane {
+  double x0, y0, z0, dz_dx, dz_dy;
+  double at(double x, double y) const { return z0 + dz_dx * (x - x0) + dz_dy * (y - y0); }
+};
+
+/// The plane through three points that are not in line in the projection.
+DepthPlane depth_plane(const Point3& p, const Point3& q, const Point3& r);
+
+}  // namespace displayfile

@@ -1,0 +1,43 @@
+#include "interp/interpreter.h"
+
+namespace displayfile {
+
+namespace {
+
+/// One segment's instructions, with the styles and the pen position in force.
+struct Interpretation {
+  OutputDevice& device;
+  Pass pass;
+  FillStyle fill_style;
+  LineStyle style;
+  std::int32_t pick_id = -1;
+  Point3 pen{0.0};
+
+  void fill(const FillStyle& s) { fill_style = s; }
+  void line_style(const LineStyle& s) { style = s; }
+  void pick(int id) { pick_id = id; }
+  void move(const Point3& p) { pen = p; }
+  void line(const Point3& p) {
+    if (pass != Pass::fills && style.kind != LineStyle::Kind::none) device.line({pen, p, style});
+    pen = p;
+  }
+  void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
+    const DrawnPolygon polygon{vertices, sides, fill_style, style, pick_id};
+    if (pass != Pass::lines && fill_style.kind == FillStyle::Kind::solid) device.fill(polygon);
+    if (pass != Pass::fills && style.kind != LineStyle::Kind::none) device.edges(polygon);
+    pen = vertices.back();
+  }
+};
+
+}  // namespace
+
+void interpret(const DisplayFile& display_file, OutputDevice& device, Pass pass) {
+  for (const Segment& segment : display_file.segments()) {
+    if (!segment.visible) continue;
+    device.begin_segment(segment.name());
+    segment.walk_drawn(Interpretation{device, pass, {}, {}});
+    device.end_segment();
+  }
+}
+
+}  // namespace displayfile

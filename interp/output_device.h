@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "clip/point.h"
+#include "displayfile/segment.h"
+
+namespace displayfile {
+
+/// A polygon as the interpreter meets it: normalised device coordinates (x, y in [0,1] over
+/// the picture, y up; nearer is larger z) after the image transformation. sides[i] is op::line
+/// if the edge that ends at vertex i is drawn, op::move if not.
+struct DrawnPolygon {
+  std::span<const Point3> vertices;
+  std::span<const std::int32_t> sides;
+  const FillStyle& fill;
+  const LineStyle& line;
+  std::int32_t pick;
+};
+
+/// A line as the interpreter meets it; never in line style none.
+struct DrawnLine {
+  Point3 from, to;
+  const LineStyle& style;
+};
+
+/// Where the interpreter draws: the one interface every output device has.
+class OutputDevice {
+ public:
+  virtual ~OutputDevice() = default;
+  /// The instructions that follow, up to end_segment, are the segment's.
+  virtual void begin_segment(int /*name*/) {}
+  virtual void end_segment() {}
+  virtual void fill(const DrawnPolygon& polygon) = 0;   ///< the inside, in the fill style
+  virtual void edges(const DrawnPolygon& polygon) = 0;  ///< the visible edges, in the line style
+  virtual void line(const DrawnLine& line) = 0;
+};
+
+}  // namespace displayfile

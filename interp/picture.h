@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace displayfile {
+
+/// A raster picture, top row first. ids and depth are empty unless they were asked for.
+struct Picture {
+  int width = 0, height = 0;
+  std::vector<std::uint32_t> pixels;  ///< 0xAABBGGRR: bytes R, G, B, A in memory; opaque
+  std::vector<std::int32_t> ids;      ///< item buffer: pick identifier of the fill seen, -1 for none
+  std::vector<double> depth;          ///< of the fill seen; minus infinity for none
+};
+
+/// What to draw of a display file, and how large.
+struct RasterRequest {
+  int width = 512, height = 512;
+  bool z_buffer = false;  ///< nearest fill seen; otherwise in order, the last one
+  bool ids = false, depth = false;
+  int threads = 1;
+};
+
+/// The limits of a picture's size that the devices state and keep.
+inline constexpr int kLargestSide = 65535;
+
+}  // namespace displayfile

@@ -39,7 +39,8 @@ double turn(const Point2& a, const Point2& b, const Point2& c) {
 /// Counterclockwise when seen against the normal: the axis of its largest component dropped.
 Point2 flatten(const Point3& p, const Point3& normal) {
   const Point3 size(std::abs(normal.x), std::abs(normal.y), std::abs(normal.z));
-  if (size.z >= size.x && size.z >= size.y) return normal.z > 0 ? Point2(p.x, p.y) : Point2(p.y, p.x);
+  if (size.z >= size.x && size.z >= size.y)
+    return normal.z > 0 ? Point2(p.x, p.y) : Point2(p.y, p.x);
   if (size.x >= size.y) return normal.x > 0 ? Point2(p.y, p.z) : Point2(p.z, p.y);
   return normal.y > 0 ? Point2(p.z, p.x) : Point2(p.x, p.z);
 }
@@ -50,8 +51,7 @@ bool within(const Point2& p, const Point2& a, const Point2& b, const Point2& c) 
 
 }  // namespace
 
-std::span<const Triangulation::Triangle> Triangulation::triangulate(
-    std::span<const Point3> world) {
+std::span<const Triangulation::Triangle> Triangulation::triangulate(std::span<const Point3> world) {
   const Point3 normal = newell_normal(world);
   triangles_.clear();
   flattened_.clear();

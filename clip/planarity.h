@@ -21,8 +21,9 @@ bool is_flat(std::span<const Point3> world);
 class Triangulation {
  public:
   struct Triangle {
-    std::array<std::uint32_t, 3> vertex;       ///< indices into the polygon
-    std::array<std::uint8_t, 3> edge_visible;  ///< of the side that ends at that vertex; 0 for a diagonal
+    std::array<std::uint32_t, 3> vertex;  ///< indices into the polygon
+    std::array<std::uint8_t, 3>
+        edge_visible;  ///< of the side that ends at that vertex; 0 for a diagonal
   };
 
   /// Triangles that tile the polygon, seen along its Newell normal, by cutting off ears; each

@@ -16,8 +16,8 @@ namespace {
 void require_finite(std::initializer_list<double> values, const char* what) {
   for (double v : values) {
     if (!(std::abs(v) <= kCoordinateLimit)) {
-      throw Error(fmt::format("{} is {}: expected a finite number of magnitude at most 1e100", what,
-                              v));
+      throw Error(
+          fmt::format("{} is {}: expected a finite number of magnitude at most 1e100", what, v));
     }
   }
 }
@@ -26,6 +26,16 @@ void require_colour(const Colour& c) {
   for (int i = 0; i < 3; ++i) {
     if (!(c[i] >= 0.0 && c[i] <= 1.0)) {
       throw Error(fmt::format("colour component {} out of range: expected 0 to 1", c[i]));
+    }
+  }
+}
+
+/// Device coordinates stay within what the interpreter's predicates are proven for.
+void require_image_part(std::initializer_list<double> values, const char* what) {
+  for (double v : values) {
+    if (!(std::abs(v) <= 1e90)) {
+      throw Error(fmt::format("{} is {}: expected a finite number of magnitude at most 1e90", what,
+                              v));
     }
   }
 }
@@ -198,13 +208,13 @@ void GraphicsSystem::set_visibility(int name, bool on) {
 }
 
 void GraphicsSystem::set_image_translation(int name, double tx, double ty) {
-  require_finite({tx, ty}, "image translation");
+  require_image_part({tx, ty}, "image translation");
   display_file_.segment(name).image.translation = {tx, ty};
   record("set-image-translation", {name, tx, ty});
 }
 
 void GraphicsSystem::set_image_scale(int name, double sx, double sy) {
-  require_finite({sx, sy}, "image scale");
+  require_image_part({sx, sy}, "image scale");
   display_file_.segment(name).image.scale = {sx, sy};
   record("set-image-scale", {name, sx, sy});
 }
@@ -223,9 +233,9 @@ void GraphicsSystem::require_open() const {
 
 Point3 GraphicsSystem::to_world(const Point3& object) const {
   if (!in_range(object)) {
-    throw Error(fmt::format(
-        "coordinates {} {} {}: expected finite numbers of magnitude at most 1e100", object.x,
-        object.y, object.z));
+    throw Error(
+        fmt::format("coordinates {} {} {}: expected finite numbers of magnitude at most 1e100",
+                    object.x, object.y, object.z));
   }
   const Point3 world = modelling_.apply(object);
   if (!in_range(world)) throw Error("coordinate out of range after the modelling transformation");
@@ -241,8 +251,7 @@ void GraphicsSystem::line_to(const Point3& object) {
   require_open();
   const Pen end{object, to_world(object)};
   Point3 a, b;
-  if (line_.kind != LineStyle::Kind::none &&
-      pipeline_->clip_line(pen_.world, end.world, a, b)) {
+  if (line_.kind != LineStyle::Kind::none && pipeline_->clip_line(pen_.world, end.world, a, b)) {
     Segment& segment = display_file_.segment(*open_);
     segment.set_style(line_);
     segment.enter_line(a, b);
@@ -336,9 +345,9 @@ void GraphicsSystem::polygon(std::span<const Point3> object) {
     enter(world_points_, {}, normal, pick);
   } else {
     for (const auto& [vertex, edge_visible] : triangulation_.triangulate(world_points_)) {
-      enter(std::array{world_points_[vertex[0]], world_points_[vertex[1]],
-                       world_points_[vertex[2]]},
-            edge_visible, normal, pick);
+      enter(
+          std::array{world_points_[vertex[0]], world_points_[vertex[1]], world_points_[vertex[2]]},
+          edge_visible, normal, pick);
     }
     ++triangulated_;
   }
@@ -365,8 +374,7 @@ FillStyle GraphicsSystem::lit(const Point3& normal, bool turned_away) const {
   if (fill_.kind == FillStyle::Kind::hollow) return fill_;
   double cosine = normal == Point3(0.0) ? 0.0 : glm::dot(unit(normal), *light_);
   if (turned_away) cosine = -cosine;  // the dark face is the one that is seen
-  const double intensity =
-      std::min(1.0, ambient_ + (1.0 - ambient_) * std::max(0.0, cosine));
+  const double intensity = std::min(1.0, ambient_ + (1.0 - ambient_) * std::max(0.0, cosine));
   return {FillStyle::Kind::solid, fill_.colour * intensity};
 }
 
@@ -374,7 +382,7 @@ FillStyle GraphicsSystem::lit(const Point3& normal, bool turned_away) const {
 
 void GraphicsSystem::set_fill_style(const FillStyle& style) {
   if (style.kind == FillStyle::Kind::hollow) {
-    fill_ = style;
+    fill_ = {FillStyle::Kind::hollow};  // a colour has no meaning here: one representation
     return record("set-fill-style", {"hollow"});
   }
   require_colour(style.colour);
@@ -384,7 +392,7 @@ void GraphicsSystem::set_fill_style(const FillStyle& style) {
 
 void GraphicsSystem::set_line_style(const LineStyle& style) {
   if (style.kind == LineStyle::Kind::none) {
-    line_ = style;
+    line_ = {LineStyle::Kind::none};
     return record("set-line-style", {"none"});
   }
   require_colour(style.colour);
@@ -437,7 +445,7 @@ void GraphicsSystem::set_back_face_removal(bool on) {
 }
 
 void GraphicsSystem::set_hidden_method(HiddenMethod method) {
-  method_ = method;
+  method_ = displayfile::hidden_method(name_of(method));  // refuses what is not built yet
   record("set-hidden-method", {name_of(method)});
 }
 

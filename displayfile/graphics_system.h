@@ -106,7 +106,7 @@ class GraphicsSystem {
   /// Also turns back-face removal on or off, as in the textbook.
   void set_hidden_line_removal(bool on);
   void set_back_face_removal(bool on);
-  void set_hidden_method(HiddenMethod method);
+  void set_hidden_method(HiddenMethod method);  ///< Error: a method that is not built yet.
   void set_z_buffer(bool on);
 
   // What the application and the interpreter may ask.

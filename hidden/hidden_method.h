@@ -9,11 +9,19 @@ namespace displayfile {
 /// How hidden surfaces are found. `automatic` lets the system pick.
 enum class HiddenMethod {
   automatic,
-  none,        ///< the heedless painter: polygons in the order they were entered
-  back_face,   ///< the back-face check alone: right for a single convex object
-  z_buffer,    ///< in image space, pixel by pixel
-  bsp, depth_sort, scan_line, scan_line_z, ray_cast, warnock,  // surfaces, not built yet
-  roberts, appel, franklin, colour_rule,                       // lines, not built yet
+  none,       ///< the heedless painter: polygons in the order they were entered
+  back_face,  ///< the back-face check alone: right for a single convex object
+  z_buffer,   ///< in image space, pixel by pixel
+  bsp,
+  depth_sort,
+  scan_line,
+  scan_line_z,
+  ray_cast,
+  warnock,  // surfaces, not built yet
+  roberts,
+  appel,
+  franklin,
+  colour_rule,  // lines, not built yet
 };
 
 /// One line a method: the name in drawing programs and on the command line, and whether

@@ -7,8 +7,7 @@ namespace displayfile {
 SupportVertices support_vertices(std::span<const Point3> v) {
   if (v.size() < 3) return {{0, 0, 0}, true};
   const auto twice_area = [&](std::size_t q, std::size_t i) {
-    return std::abs((v[q].x - v[0].x) * (v[i].y - v[0].y) -
-                    (v[q].y - v[0].y) * (v[i].x - v[0].x));
+    return std::abs((v[q].x - v[0].x) * (v[i].y - v[0].y) - (v[q].y - v[0].y) * (v[i].x - v[0].x));
   };
   if (v.size() == 3) return {{0, 1, 2}, twice_area(1, 2) == 0.0};
   std::size_t q = 0, r = 0;

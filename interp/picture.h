@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace displayfile {
@@ -9,8 +10,8 @@ namespace displayfile {
 struct Picture {
   int width = 0, height = 0;
   std::vector<std::uint32_t> pixels;  ///< 0xAABBGGRR: bytes R, G, B, A in memory; opaque
-  std::vector<std::int32_t> ids;      ///< item buffer: pick identifier of the fill seen, -1 for none
-  std::vector<double> depth;          ///< of the fill seen; minus infinity for none
+  std::vector<std::int32_t> ids;  ///< item buffer: pick identifier of the fill seen, -1 for none
+  std::vector<double> depth;      ///< of the fill seen; minus infinity for none
 };
 
 /// What to draw of a display file, and how large.
@@ -19,6 +20,8 @@ struct RasterRequest {
   bool z_buffer = false;  ///< nearest fill seen; otherwise in order, the last one
   bool ids = false, depth = false;
   int threads = 1;
+  /// Depths closer than this count as equal (the textbook's ROUNDOFF); none: exact.
+  std::optional<double> roundoff = std::nullopt;
 };
 
 /// The limits of a picture's size that the devices state and keep.

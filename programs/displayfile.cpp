@@ -1,1 +1,147 @@
-int main() {}
+// The command `displayfile`: draws, dumps, checks and compares drawing programs and meshes.
+// Exit status: 0 done, 1 a difference was found, 2 the input or the command line was wrong.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <functional>
+#include <iostream>
+#include <new>
+#include <optional>
+#include <string_view>
+#include <thread>
+
+#include "clip/error.h"
+#include "interp/software.h"
+#include "programs/commands.h"
+
+namespace displayfile {
+namespace {
+
+void parse_size(const std::string& text, DrawOptions& options) {
+  long long width = 0, height = 0;
+  const char *p = text.data(), *end = p + text.size();
+  const auto w = std::from_chars(p, end, width);
+  const bool cross = w.ec == std::errc{} && w.ptr != end && (*w.ptr == 'x' || *w.ptr == 'X');
+  const auto h = cross ? std::from_chars(w.ptr + 1, end, height) : w;
+  if (!cross || h.ec != std::errc{} || h.ptr != end) {
+    throw Error(fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, such as 512x512", text));
+  }
+  require_picture_size(width, height);
+  options.width = static_cast<int>(width);
+  options.height = static_cast<int>(height);
+}
+
+/// The ROUNDOFF of `roundoff` alone: more than what rounding does to coordinates in [0,1].
+constexpr double kRoundoff = 1e-9;
+
+std::optional<double> parse_precision(std::string_view text) {
+  if (text == "exact") return std::nullopt;
+  if (text == "roundoff") return kRoundoff;
+  if (text.starts_with("roundoff=")) {
+    const std::string_view number = text.substr(9);
+    double epsilon = 0.0;
+    const auto read = std::from_chars(number.data(), number.data() + number.size(), epsilon);
+    if (read.ec == std::errc{} && read.ptr == number.data() + number.size() && epsilon >= 0.0 &&
+        epsilon < 1.0) {
+      return epsilon;
+    }
+  }
+  throw Error(fmt::format(
+      "--precision {}: expected exact, roundoff or roundoff=EPS with EPS from 0 to less than 1",
+      text));
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("A display-file, retained-mode 3D graphics system in the textbook style.",
+               "displayfile");
+  app.require_subcommand(1);
+  std::function<int()> chosen;
+
+  DrawCommand draw;
+  std::string size = "512x512", hidden, precision = "exact", device = "software";
+  draw.options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  auto* command = app.add_subcommand("draw", "Draw drawing programs and meshes");
+  command
+      ->add_option("INPUT", draw.inputs,
+                   "drawing programs (.draw, or - for standard input) and meshes")
+      ->required();
+  command->add_option("-o,--output", draw.output, "the picture: .png .ppm .svg .pdf")->required();
+  command->add_option("--size", size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+  command->add_option(
+      "--hidden", hidden,
+      "hidden-surface method in place of the program's: auto none back-face z-buffer");
+  command->add_option("--precision", precision, "exact, roundoff or roundoff=EPS")
+      ->capture_default_str();
+  command->add_option("--device", device, "software or osmesa")->capture_default_str();
+  command->add_option("--threads", draw.options.threads, "the picture is the same for any number")
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--ids", draw.options.ids,
+                      "item buffer as .npy: the pick identifier seen, -1 for none");
+  command->add_option("--depth", draw.options.depth,
+                      "depth as .npy: of the fill seen, -inf for none");
+  command->add_flag("--stats", draw.stats, "print what was drawn");
+  command->callback([&] {
+    parse_size(size, draw.options);
+    draw.options.roundoff = parse_precision(precision);
+    if (!hidden.empty()) draw.options.hidden = hidden_method(hidden);
+    if (device != "software" && device != "osmesa") {
+      throw Error(fmt::format("--device {}: expected software or osmesa", device));
+    }
+    if (device == "osmesa") draw.options.device = RasterDevice::osmesa;
+    chosen = [&] { return draw.run(); };
+  });
+
+  DumpCommand dump;
+  command = app.add_subcommand("dump", "Every segment's instructions, as canonical text");
+  command->add_option("INPUT", dump.inputs, "drawing programs and meshes")->required();
+  command->add_option("-o,--output", dump.output, "file to write; standard output if not given");
+  command->callback([&] { chosen = [&] { return dump.run(); }; });
+
+  CheckCommand check;
+  command = app.add_subcommand(
+      "check", "Compare each input's dump with a golden file; exit 1 and the first difference");
+  command->add_option("INPUT", check.inputs, "drawing programs and meshes")->required();
+  command
+      ->add_option("--golden", check.golden_folder,
+                   "folder of golden dumps, NAME.txt for NAME.draw")
+      ->required();
+  command->add_flag("--update", check.update, "write the golden files");
+  command->callback([&] { chosen = [&] { return check.run(); }; });
+
+  CompareCommand compare;
+  command = app.add_subcommand("compare",
+                               "Wrong pixels and largest difference of two pictures or .npy files, "
+                               "or the first difference of two dumps; exit 1 if they differ");
+  command->add_option("A", compare.a)->required();
+  command->add_option("B", compare.b)->required();
+  command->callback([&] { chosen = [&] { return compare.run(); }; });
+
+  ImportCommand import;
+  command = app.add_subcommand("import", "Write a drawing program from meshes");
+  command->add_option("MESH", import.meshes)->required();
+  command->add_option("-o,--output", import.output, "the drawing program, .draw")->required();
+  command->callback([&] { chosen = [&] { return import.run(); }; });
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : 2;
+  }
+  return chosen();
+}
+
+}  // namespace
+}  // namespace displayfile
+
+int main(int argc, char** argv) {
+  try {
+    return displayfile::run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::cerr << "displayfile: out of memory\n";
+  } catch (const std::exception& e) {
+    std::cerr << "displayfile: " << e.what() << '\n';
+  }
+  return 2;
+}

@@ -1,0 +1,83 @@
+#include "displayfile/dump.h"
+
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include <ostream>
+#include <sstream>
+
+namespace displayfile {
+
+namespace {
+
+/// Writes one line an instruction; gathers them in a buffer, as streams are slow.
+class Dumper {
+ public:
+  explicit Dumper(std::ostream& out) : out_(out) {}
+
+  template <class... Value>
+  void write_line(const Value&... values) {
+    fmt::format_to(fmt::appender(buffer_), values...);
+    buffer_.push_back('\n');
+    if (buffer_.size() > kFlushAt) flush();
+  }
+  void flush() {
+    out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    buffer_.clear();
+  }
+
+  void fill(const FillStyle& style) {
+    if (style.kind == FillStyle::Kind::hollow) return write_line(FMT_COMPILE("fill hollow"));
+    const Colour& c = style.colour;
+    write_line(FMT_COMPILE("fill solid {} {} {}"), c.r, c.g, c.b);
+  }
+  void line_style(const LineStyle& style) {
+    const Colour& c = style.colour;
+    switch (style.kind) {
+      case LineStyle::Kind::none:
+        return write_line(FMT_COMPILE("line-style none"));
+      case LineStyle::Kind::solid:
+        return write_line(FMT_COMPILE("line-style solid {} {} {} {}"), c.r, c.g, c.b, style.width);
+      case LineStyle::Kind::dashed:
+        return write_line(FMT_COMPILE("line-style dashed {} {} {} {} {} {}"), c.r, c.g, c.b,
+                          style.width, style.dash, style.gap);
+    }
+  }
+  void pick(int id) { write_line(FMT_COMPILE("pick {}"), id); }
+  void move(const Point3& p) { write_line(FMT_COMPILE("move {} {} {}"), p.x, p.y, p.z); }
+  void line(const Point3& p) { write_line(FMT_COMPILE("line {} {} {}"), p.x, p.y, p.z); }
+  void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
+    const Point3& start = vertices.back();
+    write_line(FMT_COMPILE("polygon {} {} {} {}"), vertices.size(), start.x, start.y, start.z);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      sides[i] == op::line ? line(vertices[i]) : move(vertices[i]);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kFlushAt = std::size_t{1} << 16;
+  std::ostream& out_;
+  fmt::memory_buffer buffer_;
+};
+
+}  // namespace
+
+void dump(const DisplayFile& display_file, std::ostream& out) {
+  Dumper dumper(out);
+  dumper.write_line(FMT_COMPILE("displayfile-dump 1"));
+  for (const Segment& segment : display_file.segments()) {
+    dumper.write_line(FMT_COMPILE("segment {} {}"), segment.name(),
+                      segment.visible ? "visible" : "invisible");
+    segment.walk_drawn(dumper);
+  }
+  dumper.write_line(FMT_COMPILE("end"));
+  dumper.flush();
+}
+
+std::string dump(const DisplayFile& display_file) {
+  std::ostringstream text;
+  dump(display_file, text);
+  return std::move(text).str();
+}
+
+}  // namespace displayfile

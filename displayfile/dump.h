@@ -1,0 +1,29 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "displayfile/display_file.h"
+
+namespace displayfile {
+
+/// Writes the canonical dump: the instructions of every segment as the interpreter meets them,
+/// one a line, points after the image transformation (normalised device coordinates), numbers
+/// in the shortest form that reads back to the same double.
+///
+///   displayfile-dump 1
+///   segment NAME visible|invisible       (per segment, in order of creation)
+///   fill solid R G B | fill hollow
+///   line-style solid R G B WIDTH | line-style dashed R G B WIDTH DASH GAP | line-style none
+///   pick N
+///   move X Y Z
+///   line X Y Z
+///   polygon SIDES X Y Z                  (its last vertex, where it starts; then SIDES lines)
+///   line X Y Z | move X Y Z              (a side to that vertex; move: an invisible edge)
+///   end                                  (of the dump)
+///
+/// The stream tells by its state if it could not be written.
+void dump(const DisplayFile& display_file, std::ostream& out);
+std::string dump(const DisplayFile& display_file);
+
+}  // namespace displayfile

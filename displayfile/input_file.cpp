@@ -1,0 +1,50 @@
+#include "displayfile/input_file.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "clip/error.h"
+
+namespace displayfile {
+
+namespace {
+
+constexpr std::size_t kBlock = std::size_t{1} << 20;
+
+struct Close {
+  void operator()(std::FILE* file) const {
+    if (file != stdin) std::fclose(file);
+  }
+};
+
+[[noreturn]] void fail(const std::string& path) {
+  throw Error(fmt::format("{}: cannot be read: {}", input_name(path), std::strerror(errno)));
+}
+
+}  // namespace
+
+std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }
+
+std::string read_text_file(const std::string& path) {
+  const std::unique_ptr<std::FILE, Close> file(path == "-" ? stdin
+                                                           : std::fopen(path.c_str(), "rb"));
+  if (!file) fail(path);
+  std::string text;
+  for (std::size_t used = 0;;) {
+    text.resize(used + kBlock);
+    const std::size_t count = std::fread(text.data() + used, 1, kBlock, file.get());
+    if (std::ferror(file.get()) != 0) fail(path);
+    const bool binary = std::memchr(text.data() + used, 0, count) != nullptr;
+    used += count;
+    if (count < kBlock || binary) {
+      text.resize(used);
+      return text;
+    }
+  }
+}
+
+}  // namespace displayfile

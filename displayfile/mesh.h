@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "clip/point.h"
+#include "displayfile/graphics_system.h"
+
+namespace displayfile {
+
+/// A mesh in plain arrays, in world coordinates. Faces are polygons of any number of sides
+/// from 3 up, as in the file: nothing is triangulated and no vertices are joined.
+struct Mesh {
+  struct Object {
+    std::string name;
+    std::size_t first_face, faces;
+  };
+  /// What a file held and the mesh leaves out.
+  struct Skipped {
+    std::size_t points_and_lines = 0;
+    std::size_t degenerate_faces = 0;  ///< of fewer than 3 different positions
+  };
+
+  std::vector<Object> objects;  ///< in the order of the faces; each has some
+  std::vector<Point3> vertices;
+  std::vector<std::uint32_t> corners;     ///< indices into vertices, face after face
+  std::vector<std::size_t> first_corner;  ///< of each face; one more at the end
+  Skipped skipped;
+
+  std::size_t faces() const { return first_corner.empty() ? 0 : first_corner.size() - 1; }
+  std::span<const std::uint32_t> face(std::size_t i) const {
+    return std::span(corners).subspan(first_corner[i], first_corner[i + 1] - first_corner[i]);
+  }
+};
+
+/// Reads any mesh that Assimp reads. An object is a node of the file's scene that has faces; its
+/// transformation is applied, and one that mirrors keeps faces turned outward. Coordinates come
+/// rounded to single precision, as Assimp keeps them. Throws Error, naming the file and, where
+/// known, line and column: unreadable, unknown format, truncated, an index out of range, a
+/// coordinate that is not finite, more announced than the file can hold, no faces.
+Mesh read_mesh(const std::string& path);
+
+/// True if the mesh bounds solids and turns its light faces out: in each object by itself, or
+/// else in all taken together, every edge is used exactly twice, once in each direction (vertices
+/// of equal position are the same), and every connected part encloses a positive volume.
+bool closed_and_consistently_oriented(const Mesh& mesh);
+
+/// One segment an object, named first_segment_name and up, in the view and the styles in force.
+/// Throws Error if a segment is open or one of the names is in use; then nothing was entered.
+void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name);
+
+/// Reads meshes and enters them, in segments named from the first number that follows all in use.
+///
+/// If no view was set before, they are bare: they get a fitted camera and light (fitted_view.h)
+/// for a picture of the given aspect ratio, width over height; a new modelling transformation;
+/// neutral styles; hidden-line removal on, with back-face removal for those meshes that are
+/// closed_and_consistently_oriented. All this stays set. If a view was set, the program's view,
+/// styles and settings hold.
+///
+/// Returns what was left out. Throws Error as read_mesh does, or if a segment is open or the
+/// aspect ratio is not positive; then nothing was changed.
+Mesh::Skipped import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
+                            double aspect = 1.0);
+Mesh::Skipped import_mesh(const std::string& path, GraphicsSystem& system, double aspect = 1.0);
+
+}  // namespace displayfile

@@ -1,0 +1,114 @@
+#include "displayfile/output_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include "clip/error.h"
+
+namespace displayfile {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kNamesToTry = 1000;
+constexpr std::size_t kLongestStem = 200;  // of a name of 255 bytes at most
+
+bool may_write(const std::string& path) {
+  return ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0;
+}
+
+/// A name beside the target, of this process.
+std::string temporary_name(const fs::path& target, int attempt) {
+  return (target.parent_path() / fmt::format(".{}.{}-{}{}",
+                                             target.stem().string().substr(0, kLongestStem),
+                                             ::getpid(), attempt, target.extension().string()))
+      .string();
+}
+
+}  // namespace
+
+void OutputFile::fail(const std::string& what) const { throw Error(path_ + ": " + what); }
+
+void OutputFile::fail_to_write() const {
+  fail(fmt::format("cannot be written: {}", std::strerror(errno)));
+}
+
+OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_) {
+  if (path_.empty()) throw Error("the output file has no name");
+  std::error_code error;
+  const fs::file_status status = fs::status(path_, error);
+  if (fs::is_directory(status)) fail("is a folder: expected a file name");
+  if (fs::exists(status) && !may_write(path_)) fail_to_write();
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    direct_ = true;
+    temporary_ = path_;
+    return;
+  }
+  if (fs::is_symlink(fs::symlink_status(path_, error))) {
+    if (const fs::path real = fs::weakly_canonical(path_, error); !error) target_ = real.string();
+  }
+  create_temporary();
+  if (fs::exists(status)) fs::permissions(temporary_, status.permissions(), error);
+}
+
+void OutputFile::create_temporary() {
+  for (int attempt = 0; attempt < kNamesToTry; ++attempt) {
+    temporary_ = temporary_name(target_, attempt);
+    const int descriptor =
+        ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);  // less umask
+    if (descriptor >= 0) {
+      ::close(descriptor);
+      pending_ = true;
+      return;
+    }
+    if (errno != EEXIST) fail_to_write();
+  }
+  fail("cannot be written: every temporary name beside it is taken");
+}
+
+OutputFile::~OutputFile() { remove_temporary(); }
+
+void OutputFile::remove_temporary() {
+  if (!pending_) return;
+  std::error_code ignored;
+  fs::remove(temporary_, ignored);
+  pending_ = false;
+}
+
+std::ostream& OutputFile::stream() {
+  if (!stream_.is_open()) {
+    stream_.open(temporary_, std::ios::binary | std::ios::trunc);
+    if (!stream_) fail_to_write();
+  }
+  return stream_;
+}
+
+void OutputFile::commit() {
+  if (stream_.is_open()) {
+    errno = 0;
+    stream_.close();  // sets failbit if a buffered write fails, and keeps an earlier one
+    if (!stream_) {
+      const int reason = errno;
+      remove_temporary();
+      fail(fmt::format("not all could be written{}{}", reason != 0 ? ": " : "",
+                       reason != 0 ? std::strerror(reason) : ""));
+    }
+  }
+  if (direct_) return;
+  std::error_code error;
+  fs::rename(temporary_, target_, error);
+  if (error) {
+    remove_temporary();
+    fail("cannot be replaced: " + error.message());
+  }
+  pending_ = false;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <fstream>
+#include <string>
+
+namespace displayfile {
+
+/// A file that appears whole or not at all. What is written goes to a temporary file beside
+/// the target, and commit() renames it over the target; without commit() the destructor
+/// removes it and the target is what it was.
+///
+///   OutputFile out("picture.svg");
+///   out.stream() << ...;          // or hand out.temporary_path() to a library that writes
+///   out.commit();
+class OutputFile {
+ public:
+  /// Creates the temporary file. Throws Error, naming the path, if the folder does not exist
+  /// or cannot be written to, or the path is a folder. A target that is not a regular file
+  /// (/dev/null, a pipe) is written to directly.
+  explicit OutputFile(std::string path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  const std::string& path() const { return path_; }  ///< of the target
+  /// What to open for a writer that takes a path; the file exists and is empty. It is in the
+  /// target's folder and ends in the target's extension. Do not use stream() then.
+  const std::string& temporary_path() const { return temporary_; }
+  /// Binary; the first call opens it.
+  std::ostream& stream();
+
+  /// Throws Error, naming the path, if anything could not be written (a full disk) or the
+  /// rename fails; the temporary file is then gone. To be called once, with every other
+  /// writer of temporary_path() closed.
+  void commit();
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const;
+  [[noreturn]] void fail_to_write() const;  // with the reason in errno
+  void create_temporary();
+  void remove_temporary();
+
+  std::string path_, target_, temporary_;  // target_: path_ with a symbolic link followed
+  bool direct_ = false;                    // the target is written to in place
+  bool pending_ = false;                   // the temporary file is ours to remove
+  std::ofstream stream_;
+};
+
+}  // namespace displayfile

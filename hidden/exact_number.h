@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+namespace displayfile {
+
+/// An integer times a power of two, of any size: every finite double is one, and sums,
+/// differences and products of them are exact. The exact stage of the predicates; the digits
+/// are handled by GMP's low-level functions, in place while they are few, so that no memory
+/// is allocated for coordinates of ordinary size.
+class ExactNumber {
+ public:
+  ExactNumber() = default;
+  /// The double itself; it must be finite.
+  explicit ExactNumber(double value);
+  explicit ExactNumber(std::int64_t value);
+  ExactNumber(const ExactNumber& other);
+  ExactNumber(ExactNumber&& other) noexcept;
+  ExactNumber& operator=(const ExactNumber& other);
+  ExactNumber& operator=(ExactNumber&& other) noexcept;
+  ~ExactNumber() = default;
+
+  int sign() const { return sign_; }
+
+  ExactNumber operator-() const;
+  friend ExactNumber operator+(const ExactNumber& a, const ExactNumber& b) {
+    return sum(a, b, b.sign_);
+  }
+  friend ExactNumber operator-(const ExactNumber& a, const ExactNumber& b) {
+    return sum(a, b, -b.sign_);
+  }
+  friend ExactNumber operator*(const ExactNumber& a, const ExactNumber& b);
+
+  /// The double nearest to a / b, of two equally near the one with an even last digit, whatever
+  /// the rounding mode; b must not be zero. Throws Error if it exceeds every double.
+  friend double rounded_quotient(const ExactNumber& a, const ExactNumber& b);
+
+ private:
+  static constexpr int kInPlace = 20;  ///< limbs: 1280 bits
+
+  static ExactNumber sum(const ExactNumber& a, const ExactNumber& b, int sign_of_b);
+  std::uint64_t* reserve(int limbs);
+  const std::uint64_t* limbs() const { return large_ ? large_.get() : in_place_.data(); }
+  std::uint64_t* limbs() { return large_ ? large_.get() : in_place_.data(); }
+  void set_magnitude(std::uint64_t magnitude);
+  void drop_leading_zeros();
+  void copy_limbs(const ExactNumber& other);
+
+  int sign_ = 0;   ///< -1, 0, 1
+  int count_ = 0;  ///< of limbs in use, the highest not zero; 0 for zero
+  std::int64_t exponent_ = 0;
+  std::array<std::uint64_t, kInPlace> in_place_;  ///< least significant first
+  std::unique_ptr<std::uint64_t[]> large_;        ///< instead, where more are needed
+};
+
+}  // namespace displayfile

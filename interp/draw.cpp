@@ -1,0 +1,125 @@
+#include "interp/draw.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "clip/error.h"
+#include "displayfile/output_file.h"
+#include "interp/npy_file.h"
+#include "interp/osmesa.h"
+#include "interp/pdf_device.h"
+#include "interp/png_file.h"
+#include "interp/ppm_file.h"
+#include "interp/software.h"
+#include "interp/svg_device.h"
+
+namespace displayfile {
+
+namespace {
+
+struct VectorRequest {
+  int width, height;
+  bool z_buffer;
+};
+
+/// One line a format: how it is written, from pixels or from the display file itself.
+struct PictureFormat {
+  std::string_view extension;
+  void (*write_pixels)(const Picture&, const std::filesystem::path&);
+  void (*write_vectors)(const DisplayFile&, const VectorRequest&, const std::filesystem::path&);
+};
+
+constexpr std::array kFormats{
+    PictureFormat{".png", [](const Picture& p, const std::filesystem::path& f) { write_png(p, f); },
+                  nullptr},
+    PictureFormat{".ppm", [](const Picture& p, const std::filesystem::path& f) { write_ppm(p, f); },
+                  nullptr},
+    PictureFormat{".svg", nullptr,
+                  [](const DisplayFile& d, const VectorRequest& r, const std::filesystem::path& f) {
+                    write_svg(d, r.width, r.height, r.z_buffer, f);
+                  }},
+    PictureFormat{".pdf", nullptr,
+                  [](const DisplayFile& d, const VectorRequest& r, const std::filesystem::path& f) {
+                    write_pdf(d, r.width, r.height, r.z_buffer, f);
+                  }},
+};
+
+constexpr auto kExtensions = [] {
+  std::array<std::string_view, kFormats.size()> extensions;
+  std::ranges::transform(kFormats, extensions.begin(), &PictureFormat::extension);
+  return extensions;
+}();
+
+const PictureFormat& format_of(const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  const auto format = std::ranges::find(kFormats, extension, &PictureFormat::extension);
+  if (format == kFormats.end()) {
+    throw Error(fmt::format("{}: unknown picture format '{}': expected one of {}", file.string(),
+                            extension, fmt::join(kExtensions, " ")));
+  }
+  return *format;
+}
+
+}  // namespace
+
+HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& options) {
+  HiddenMethod method = HiddenMethod::none;
+  if (options.hidden) {
+    method = *options.hidden;
+  } else if (system.z_buffer()) {
+    method = HiddenMethod::z_buffer;
+  } else if (system.hidden_line_removal()) {
+    method = system.hidden_method();
+  }
+  return method == HiddenMethod::automatic ? HiddenMethod::z_buffer : method;
+}
+
+Picture draw(const GraphicsSystem& system, const DrawOptions& options) {
+  RasterRequest request;
+  request.width = options.width;
+  request.height = options.height;
+  request.z_buffer = drawing_method(system, options) == HiddenMethod::z_buffer;
+  request.ids = !options.ids.empty();
+  request.depth = !options.depth.empty();
+  request.threads = options.threads;
+  request.roundoff = options.roundoff;
+  require_picture_size(options.width, options.height);
+  return options.device == RasterDevice::osmesa
+             ? draw_with_osmesa(system.display_file(), request)
+             : draw_with_software(system.display_file(), request);
+}
+
+void draw(const GraphicsSystem& system, const std::filesystem::path& file,
+          const DrawOptions& options) {
+  const PictureFormat& format = format_of(file);
+  require_picture_size(options.width, options.height);
+  if (format.write_vectors != nullptr && options.device == RasterDevice::osmesa) {
+    throw Error(
+        fmt::format("{}: the osmesa device draws pixels: expected .png or .ppm", file.string()));
+  }
+  // Every output must be writable before any is written.
+  OutputFile{file.string()};
+  if (!options.ids.empty()) OutputFile{options.ids.string()};
+  if (!options.depth.empty()) OutputFile{options.depth.string()};
+  const bool pixels =
+      format.write_pixels != nullptr || !options.ids.empty() || !options.depth.empty();
+  const Picture picture = pixels ? draw(system, options) : Picture{};
+  if (format.write_pixels != nullptr) {
+    format.write_pixels(picture, file);
+  } else {
+    format.write_vectors(
+        system.display_file(),
+        {options.width, options.height, drawing_method(system, options) == HiddenMethod::z_buffer},
+        file);
+  }
+  if (!options.ids.empty()) write_npy(picture.ids, picture.width, picture.height, options.ids);
+  if (!options.depth.empty())
+    write_npy(picture.depth, picture.width, picture.height, options.depth);
+}
+
+std::span<const std::string_view> picture_extensions() { return kExtensions; }
+
+}  // namespace displayfile

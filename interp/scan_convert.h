@@ -1,0 +1,152 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "clip/point.h"
+#include "hidden/pixel_centre.h"
+
+namespace displayfile {
+
+/// Scan conversion of polygons (the textbook's chapter 3): an edge table, an active edge
+/// list, and even-odd filling between pairs of edges. The decisions are exact
+/// (interp/scan_convert.md).
+///
+/// Pixel (i, j) has its centre at (i + 1/2, j + 1/2) in pixel units, j counted from the bottom.
+/// An edge crosses the rows with min y < j + 1/2 <= max y; a pixel is covered if an odd number
+/// of edges cross its row at or left of its centre. So a centre on a left or top edge belongs
+/// to the polygon, one on a right or bottom edge does not, and of two polygons that share an
+/// edge exactly one covers a centre on it.
+class ScanConverter {
+ public:
+  /// The rows that are converted, of a picture of this size.
+  struct Region {
+    PictureSize size;
+    int row_begin, row_end;
+  };
+
+  /// Calls fill_span(row, first, end) for each run of covered pixels first <= i < end, row by
+  /// row from the bottom, left to right. Device coordinates. Any number of vertices; the
+  /// polygon may be concave or cross itself.
+  template <class FillSpan>
+  void scan_convert(std::span<const Point3> polygon, const Region& region, FillSpan&& fill_span);
+
+ private:
+  /// A side of the polygon that crosses the rows first_row to last_row, in pixel units.
+  struct Edge {
+    int first_row, last_row;
+    double x, y, dx_dy;  ///< the lower end, and the change of x for each row
+    double error;        ///< bounds that of a crossing
+    Point2 low, high;    ///< the ends in device coordinates
+
+    /// The first column whose centre lies at or right of where the edge crosses the row.
+    int column(int row, const PictureSize& size) const;
+  };
+
+  void build_edge_table(std::span<const Point3> polygon, const Region& region);
+
+  std::vector<Edge> edges_;  // the edge table, by first row
+  std::vector<Edge> active_;
+  std::vector<int> columns_;
+};
+
+/// The first row whose centre is above y (device), no less than 0 and no more than the height.
+inline int first_row_above(double y, int height) {
+  const double t = y * height - 0.5;
+  if (t < -0.5) return 0;
+  if (!(t < height)) return height;
+  const int row = static_cast<int>(t + 1.0) - 1;  // t's floor
+  // The rounded product can be off by less than a row.
+  if (row >= 0 && compare_with_centres(y, height, row) < 0) return row;
+  return compare_with_centres(y, height, row + 1) < 0 ? row + 1 : std::min(row + 2, height);
+}
+
+/// The textbook adds dx_dy row by row; one product from the edge's lower end gives the same
+/// crossing without the error that adding gathers, in whatever row one starts. Where a centre
+/// is too close to the crossing for the rounded one to tell, exact arithmetic does.
+inline int ScanConverter::Edge::column(int row, const PictureSize& size) const {
+  if (!(error < 0.25)) [[unlikely]] return first_column_after_crossing(low, high, row, size);
+  const double t = x + (row + 0.5 - y) * dx_dy - 0.5;
+  if (t < -error) return 0;
+  if (t > size.width + error) return size.width;
+  const int floor = static_cast<int>(t + 1.0) - 1;
+  const double fraction = t - floor;
+  if (!(fraction > error && fraction < 1.0 - error)) [[unlikely]] {
+    return first_column_after_crossing(low, high, row, size);
+  }
+  return std::min(floor + 1, size.width);
+}
+
+inline void ScanConverter::build_edge_table(std::span<const Point3> polygon,
+                                            const Region& region) {
+  const auto& [width, height] = region.size;
+  edges_.clear();
+  Point2 from(polygon.back());
+  int from_row = first_row_above(from.y, height);
+  for (const Point3& vertex : polygon) {
+    const Point2 to(vertex);
+    const int to_row = first_row_above(to.y, height);
+    const int first = std::max(std::min(from_row, to_row), region.row_begin);
+    const int last = std::min(std::max(from_row, to_row), region.row_end) - 1;
+    if (first <= last) {
+      const Point2& low = from_row < to_row ? from : to;
+      const Point2& high = from_row < to_row ? to : from;
+      const Point2 a(low.x * width, low.y * height), b(high.x * width, high.y * height);
+      const double rise = b.y - a.y, slope = (b.x - a.x) / rise;
+      const double heights = std::abs(a.y) + std::abs(b.y);
+      // interp/scan_convert.md derives the bound.
+      const double error =
+          rise > 8.0 * kUnit * heights
+              ? 16.0 * kUnit * (std::abs(a.x) + std::abs(b.x) + std::abs(slope) * heights)
+              : std::numeric_limits<double>::infinity();
+      edges_.push_back({first, last, a.x, a.y, slope, error, low, high});
+    }
+    from = to;
+    from_row = to_row;
+  }
+  if (edges_.size() <= 8) {
+    for (std::size_t i = 1; i < edges_.size(); ++i) {
+      for (std::size_t k = i; k > 0 && edges_[k].first_row < edges_[k - 1].first_row; --k) {
+        std::swap(edges_[k], edges_[k - 1]);
+      }
+    }
+  } else {
+    std::ranges::sort(edges_, {}, &Edge::first_row);
+  }
+}
+
+template <class FillSpan>
+void ScanConverter::scan_convert(std::span<const Point3> polygon, const Region& region,
+                                 FillSpan&& fill_span) {
+  build_edge_table(polygon, region);
+  active_.clear();
+  std::size_t next = 0;  // in the edge table
+  int row = 0;
+  while (next < edges_.size() || !active_.empty()) {
+    // Bring the active edge list up to this row; it then holds until `last`.
+    if (active_.empty()) row = edges_[next].first_row;
+    while (next < edges_.size() && edges_[next].first_row == row) active_.push_back(edges_[next++]);
+    int last = next < edges_.size() ? edges_[next].first_row - 1 : region.row_end - 1;
+    for (const Edge& edge : active_) last = std::min(last, edge.last_row);
+
+    for (; row <= last; ++row) {
+      if (active_.size() == 2) {
+        const int a = active_[0].column(row, region.size), b = active_[1].column(row, region.size);
+        if (a != b) fill_span(row, std::min(a, b), std::max(a, b));
+        continue;
+      }
+      columns_.clear();
+      for (const Edge& edge : active_) columns_.push_back(edge.column(row, region.size));
+      std::ranges::sort(columns_);
+      for (std::size_t k = 0; k + 1 < columns_.size(); k += 2) {
+        if (columns_[k] < columns_[k + 1]) fill_span(row, columns_[k], columns_[k + 1]);
+      }
+    }
+    std::erase_if(active_, [&](const Edge& edge) { return edge.last_row < row; });
+  }
+}
+
+}  // namespace displayfile

@@ -1,0 +1,249 @@
+#include "interp/software.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <limits>
+#include <optional>
+
+#include "clip/error.h"
+#include "hidden/support_plane.h"
+#include "interp/interpreter.h"
+#include "interp/line_draw.h"
+#include "interp/scan_convert.h"
+#include "interp/z_buffer.h"
+
+namespace displayfile {
+
+namespace {
+
+constexpr std::uint32_t kBackground = 0xFFFFFFFF;
+constexpr double kFarthest = -std::numeric_limits<double>::infinity();
+
+/// Fills and lines into a band of the picture's rows.
+class SoftwareDevice : public OutputDevice {
+ public:
+  SoftwareDevice(Picture& picture, std::vector<ZBuffer::Owner>& owners,
+                 const RasterRequest& request, int row_begin, int row_end)
+      : picture_(picture),
+        owners_(owners),
+        width_(picture.width),
+        height_(picture.height),
+        z_buffer_on_(request.z_buffer),
+        ids_(request.ids),
+        region_{{picture.width, picture.height}, row_begin, row_end},
+        z_buffer_(region_.size, request.roundoff) {}
+
+  void fill(const DrawnPolygon& polygon) override {
+    if (!reaches_a_row(polygon.vertices)) return;
+    const SupportVertices support = support_vertices(polygon.vertices);
+    if (support.edge_on) return;
+    const std::uint32_t colour = pixel_of(polygon.fill.colour);
+    if (z_buffer_on_) {
+      fill_nearest(polygon, support, colour);
+    } else {
+      fill_over(polygon, support, colour);
+    }
+  }
+
+  void edges(const DrawnPolygon& polygon) override {
+    const SupportVertices support = support_vertices(polygon.vertices);
+    std::optional<PixelDepth> depth;
+    if (z_buffer_on_ && !support.edge_on) depth.emplace(polygon.vertices, support, width_, height_);
+    const auto [nearest, farthest] = depth_range(polygon.vertices);
+    const double slack = 1e-6 * (nearest - farthest) + 1e-12;
+    const std::uint32_t colour = pixel_of(polygon.line.colour);
+    DashPhase phase;
+    Point3 from = pixel(polygon.vertices.back());
+    for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
+      const Point3 to = pixel(polygon.vertices[i]);
+      if (polygon.sides[i] == op::line) {
+        draw_line(from, to, polygon.line, width_, height_, phase, [&](int x, int y, double z) {
+          if (depth) {
+            // The polygon's plane, but half a pixel beyond a polygon seen nearly edge-on
+            // that plane is anywhere: no nearer or farther than the polygon itself.
+            const double at_centre = depth->at(depth->row(y), x);
+            z = std::clamp(at_centre, farthest - slack, nearest + slack);
+          }
+          plot(x, y, z, colour);
+        });
+      } else {
+        phase = {};
+      }
+      from = to;
+    }
+  }
+
+  void line(const DrawnLine& line) override {
+    if (pixel(line.from) != dash_end_) dash_phase_ = {};
+    const std::uint32_t colour = pixel_of(line.style.colour);
+    draw_line(pixel(line.from), pixel(line.to), line.style, width_, height_, dash_phase_,
+              [&](int x, int y, double z) { plot(x, y, z, colour); });
+    dash_end_ = pixel(line.to);
+  }
+
+ private:
+  Point3 pixel(const Point3& device) const {
+    return {device.x * width_, device.y * height_, device.z};
+  }
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(height_ - 1 - y) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(x);
+  }
+
+  /// False if no row of centres in the region lies within the polygon's height.
+  bool reaches_a_row(std::span<const Point3> vertices) const {
+    double low = vertices[0].y, high = low;
+    for (const Point3& p : vertices) {
+      low = std::min(low, p.y);
+      high = std::max(high, p.y);
+    }
+    return std::max(first_row_above(low, height_), region_.row_begin) <
+           std::min(first_row_above(high, height_), region_.row_end);
+  }
+
+  static std::pair<double, double> depth_range(std::span<const Point3> vertices) {
+    double nearest = vertices[0].z, farthest = nearest;
+    for (const Point3& v : vertices) {
+      nearest = std::max(nearest, v.z);
+      farthest = std::min(farthest, v.z);
+    }
+    return {nearest, farthest};
+  }
+
+  void fill_nearest(const DrawnPolygon& polygon, const SupportVertices& support,
+                    std::uint32_t colour) {
+    z_buffer_.begin_polygon(polygon.vertices, support);
+    converter_.scan_convert(polygon.vertices, region_, [&](int row, int first, int end) {
+      const std::size_t start = index(0, row);
+      std::uint32_t* pixels = picture_.pixels.data() + start;
+      std::int32_t* ids = ids_ ? picture_.ids.data() + start : nullptr;
+      z_buffer_.draw_span(row, first, end, picture_.depth.data() + start, owners_.data() + start,
+                          [&](int i) {
+                            pixels[i] = colour;
+                            if (ids != nullptr) ids[i] = polygon.pick;
+                          });
+    });
+  }
+
+  void fill_over(const DrawnPolygon& polygon, const SupportVertices& support,
+                 std::uint32_t colour) {
+    std::optional<PixelDepth> depth;
+    if (!picture_.depth.empty()) depth.emplace(polygon.vertices, support, width_, height_);
+    converter_.scan_convert(polygon.vertices, region_, [&](int row, int first, int end) {
+      const std::size_t start = index(0, row);
+      std::uint32_t* pixels = picture_.pixels.data() + start;
+      std::fill(pixels + first, pixels + end, colour);
+      if (ids_) {
+        std::int32_t* ids = picture_.ids.data() + start;
+        std::fill(ids + first, ids + end, polygon.pick);
+      }
+      if (!depth) return;
+      const double row_depth = depth->row(row);
+      for (int i = first; i < end; ++i) {
+        picture_.depth[start + static_cast<std::size_t>(i)] = depth->at(row_depth, i);
+      }
+    });
+  }
+
+  void plot(int x, int y, double z, std::uint32_t colour) {
+    if (y < region_.row_begin || y >= region_.row_end) return;
+    const std::size_t at = index(x, y);
+    if (z_buffer_on_) {
+      if (z < picture_.depth[at]) return;
+      picture_.depth[at] = z;
+    }
+    picture_.pixels[at] = colour;
+  }
+
+  Picture& picture_;
+  std::vector<ZBuffer::Owner>& owners_;
+  int width_, height_;
+  bool z_buffer_on_, ids_;
+  ScanConverter::Region region_;
+  ZBuffer z_buffer_;
+  ScanConverter converter_;
+  DashPhase dash_phase_;
+  Point3 dash_end_{kFarthest};
+};
+
+bool has_lines(const DisplayFile& display_file) {
+  struct Lines {
+    bool found = false;
+    void fill(const FillStyle&) {}
+    void line_style(const LineStyle& style) { found |= style.kind != LineStyle::Kind::none; }
+    void pick(int) {}
+    void move(const Point3&) {}
+    void line(const Point3&) {}
+    void polygon(std::span<const Point3>, std::span<const std::int32_t>) {}
+  } lines;
+  for (const Segment& segment : display_file.segments()) {
+    if (segment.visible && !lines.found) segment.walk(lines);
+  }
+  return lines.found;
+}
+
+}  // namespace
+
+void require_picture_size(long long width, long long height) {
+  if (width < 1 || height < 1 || width > kLargestSide || height > kLargestSide) {
+    throw Error(fmt::format("picture size {}x{}: expected 1x1 to {}x{} pixels", width, height,
+                            kLargestSide, kLargestSide));
+  }
+}
+
+std::uint32_t pixel_of(const Colour& colour) {
+  const auto byte = [](double c) { return static_cast<std::uint32_t>(c * 255.0 + 0.5); };
+  return 0xFF000000u | byte(colour.b) << 16 | byte(colour.g) << 8 | byte(colour.r);
+}
+
+/// Each thread interprets the display file for a band of rows of its own.
+void SoftwareRenderer::interpret_in_bands(const DisplayFile& display_file,
+                                          const RasterRequest& request, Pass pass) {
+  const int bands = std::clamp(request.threads, 1, request.height);
+  const auto interpret_band = [&](int band) {
+    const auto row = [&](long long b) { return static_cast<int>(b * request.height / bands); };
+    SoftwareDevice device(picture_, owners_, request, row(band), row(band + 1));
+    interpret(display_file, device, pass);
+  };
+  if (bands == 1) return interpret_band(0);
+  tbb::task_arena(std::min(bands, tbb::this_task_arena::max_concurrency())).execute([&] {
+    tbb::parallel_for(0, bands, interpret_band);
+  });
+}
+
+const Picture& SoftwareRenderer::draw(const DisplayFile& display_file,
+                                      const RasterRequest& request) {
+  require_picture_size(request.width, request.height);
+  const auto size =
+      static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height);
+  picture_.width = request.width;
+  picture_.height = request.height;
+  picture_.pixels.assign(size, kBackground);
+  picture_.ids.assign(request.ids ? size : 0, -1);
+  picture_.depth.assign(request.z_buffer || request.depth ? size : 0, kFarthest);
+  owners_.resize(request.z_buffer && !request.roundoff ? size : 0);
+
+  if (!request.z_buffer) {
+    interpret_in_bands(display_file, request, Pass::everything);
+    return picture_;
+  }
+  interpret_in_bands(display_file, request, Pass::fills);
+  if (!has_lines(display_file)) return picture_;
+  std::vector<double> of_fills;
+  if (request.depth) of_fills = picture_.depth;
+  interpret_in_bands(display_file, request, Pass::lines);
+  if (request.depth) picture_.depth = std::move(of_fills);
+  return picture_;
+}
+
+Picture draw_with_software(const DisplayFile& display_file, const RasterRequest& request) {
+  SoftwareRenderer renderer;
+  renderer.draw(display_file, request);
+  Picture picture = renderer.take_picture();
+  if (!request.depth) picture.depth = {};
+  return picture;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "interp/output_device.h"
+
+namespace displayfile {
+
+/// A rectangle of whole pixels, first <= i < end, rows counted from the bottom.
+struct PixelBlock {
+  int first_column, end_column, first_row, end_row;
+};
+
+/// The width, in pixels, of the line in its own colour that a fill gets where no edge is drawn.
+///
+/// Without it, faces that share an edge show the background through it: a renderer that
+/// antialiases lays two partly covered pixels over each other, and (1 - t)(1 - (1 - t)) of the
+/// background is left where one face covers t of a pixel, a quarter at worst. A line of width w
+/// along the edge covers s of the pixel too, and t(1 - t)(1 - s)^2 is left: 1/16 at worst for
+/// w = 0.5, 1/35 for 0.75, 1/64 for 1. But every outline grows by w / 2. 0.75 is where the
+/// seams can no longer be seen and outlines grow by little more than a third of a pixel.
+inline constexpr double kSeamWidth = 0.75;
+
+/// What the devices that draw lines and areas share: pixel coordinates with y down, from the
+/// picture's top left corner; nothing far outside of the picture; lines that continue each other
+/// joined into one path; seams closed.
+class VectorDevice : public OutputDevice {
+ public:
+  /// Throws Error unless both sides are 1 to kLargestSide.
+  VectorDevice(int width, int height);
+
+  void begin_segment(int name) final;
+  void end_segment() final;
+  void fill(const DrawnPolygon& polygon) final;
+  void edges(const DrawnPolygon& polygon) final;
+  void line(const DrawnLine& line) final;
+  /// The inside, but only within these pixels, which do not overlap: for a polygon that was
+  /// covered where it must be seen, since no order of whole polygons is right.
+  void fill_within(const DrawnPolygon& polygon, std::span<const PixelBlock> pixels);
+
+ protected:
+  /// Points of lines; each run starts at its own first point and is closed or open.
+  struct Path {
+    struct Run {
+      std::size_t first;
+      bool closed;
+    };
+    std::vector<Point2> points;
+    std::vector<Run> runs;
+
+    bool empty() const { return runs.empty(); }
+    void clear();
+    void start(bool closed) { runs.push_back({points.size(), closed}); }
+    std::span<const Point2> run(std::size_t i) const;
+  };
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  /// To be called by the derived class when all is drawn.
+  void finish_lines();
+
+  virtual void open_group(int segment_name) = 0;
+  virtual void close_group() = 0;
+  /// Even-odd; within pixel blocks if there are any; with the line that closes the seams if asked.
+  virtual void paint_fill(const Path& path, const Colour& colour, bool seam,
+                          std::span<const PixelBlock> within) = 0;
+  virtual void paint_lines(const Path& path, const LineStyle& style) = 0;
+
+ private:
+  Point2 to_page(const Point3& device) const;
+  bool near_the_page(const Point2& p) const;
+  bool clip_to_neighbourhood(Point2& a, Point2& b) const;
+  void clip_polygon_to_neighbourhood();
+  void paint_inside(const DrawnPolygon& polygon, std::span<const PixelBlock> within);
+
+  int width_, height_;
+  double reach_;  // how far outside of the picture anything is drawn
+  Path path_;
+  Path lines_;  // that continue each other, not painted yet
+  Point3 lines_end_{0.0};
+  LineStyle lines_style_;
+  std::vector<Point2> clipped_;
+};
+
+}  // namespace displayfile

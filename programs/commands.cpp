@@ -1,0 +1,165 @@
+#include "programs/commands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <set>
+
+#include "clip/error.h"
+#include "displayfile/dump.h"
+#include "displayfile/dump_compare.h"
+#include "displayfile/input_file.h"
+#include "displayfile/mesh.h"
+#include "displayfile/output_file.h"
+#include "interp/npy_file.h"
+#include "interp/picture_compare.h"
+#include "interp/png_file.h"
+#include "interp/ppm_file.h"
+#include "programs/inputs.h"
+#include "programs/progress.h"
+
+namespace displayfile {
+
+namespace {
+
+std::string statistics(const GraphicsSystem& system, const DrawOptions& options) {
+  const DisplayFile& file = system.display_file();
+  std::size_t lines = 0, visible = 0;
+  for (const Segment& segment : file.segments()) {
+    lines += segment.lines();
+    visible += segment.visible ? 1 : 0;
+  }
+  const std::size_t polygons = file.polygons();
+  return fmt::format(
+      "segments           {} ({} visible)\n"
+      "polygons entered   {} ({} not flat, triangulated)\n"
+      "polygons stored    {}\n"
+      "lines stored       {}\n"
+      "display file       {} bytes ({:.1f} a polygon)\n"
+      "picture            {} x {}, hidden surfaces by {}\n",
+      file.segments().size(), visible, system.polygons_entered(), system.polygons_triangulated(),
+      polygons, lines, file.bytes(),
+      polygons == 0 ? 0.0 : static_cast<double>(file.bytes()) / static_cast<double>(polygons),
+      options.width, options.height, name_of(drawing_method(system, options)));
+}
+
+/// Prints what was found; the exit status.
+int report(const PictureDifference& d) {
+  if (!d.same_size) {
+    std::cout << "the sizes differ\n";
+  } else {
+    std::cout << fmt::format("{} wrong pixels of {}, largest difference {}\n", d.wrong_pixels,
+                             d.pixels, d.largest);
+    if (d.background_and_polygon + d.polygon_and_polygon > 0) {
+      std::cout << fmt::format("  {} between background and polygon, {} between polygons\n",
+                               d.background_and_polygon, d.polygon_and_polygon);
+    }
+  }
+  return d.differs() ? 1 : 0;
+}
+
+std::string golden_name(const std::string& input) {
+  if (input == "-") throw Error("check needs files: the name of a golden file is its input's");
+  return std::filesystem::path(input).stem().string() + ".txt";
+}
+
+}  // namespace
+
+int DrawCommand::run() const {
+  GraphicsSystem system;
+  DrawOptions drawing = options;
+  enter_inputs(inputs, system, static_cast<double>(options.width) / options.height);
+  if (!drawing.hidden && std::ranges::none_of(inputs, is_drawing_program)) {
+    drawing.hidden = HiddenMethod::automatic;
+  }
+  {
+    const Progress progress(fmt::format("drawing {} polygons", system.display_file().polygons()));
+    draw(system, output, drawing);
+  }
+  if (stats) std::cout << statistics(system, drawing);
+  return 0;
+}
+
+int DumpCommand::run() const {
+  GraphicsSystem system;
+  enter_inputs(inputs, system);
+  if (output.empty()) {
+    dump(system.display_file(), std::cout);
+    std::cout.flush();
+    if (!std::cout) throw Error("standard output cannot be written");
+    return 0;
+  }
+  OutputFile file(output);
+  dump(system.display_file(), file.stream());
+  file.commit();
+  return 0;
+}
+
+int CheckCommand::run() const {
+  std::set<std::string> names;
+  for (const std::string& input : inputs) {
+    if (!names.insert(golden_name(input)).second) {
+      throw Error(fmt::format("{}: two inputs have the golden file {}", input, golden_name(input)));
+    }
+  }
+  if (update) std::filesystem::create_directories(golden_folder);
+  int status = 0;
+  for (const std::string& input : inputs) {
+    GraphicsSystem system;
+    enter_inputs(std::span(&input, 1), system);
+    const std::string golden = (std::filesystem::path(golden_folder) / golden_name(input)).string();
+    if (update) {
+      update_golden(system.display_file(), golden);
+    } else if (const auto difference = check_golden(system.display_file(), golden)) {
+      std::cout << input << ": " << *difference << '\n';
+      status = 1;
+    }
+  }
+  return status;
+}
+
+int CompareCommand::run() const {
+  const auto extension = [](const std::string& name) {
+    return std::filesystem::path(name).extension().string();
+  };
+  const auto read_picture = [&](const std::string& name) {
+    return extension(name) == ".png" ? read_png(name) : read_ppm(name);
+  };
+  const auto is_picture = [&](const std::string& name) {
+    return extension(name) == ".png" || extension(name) == ".ppm";
+  };
+  if (is_picture(a) != is_picture(b) || (extension(a) == ".npy") != (extension(b) == ".npy")) {
+    throw Error(fmt::format("{} and {}: expected two pictures, two .npy files or two dumps", a, b));
+  }
+  if (is_picture(a)) {
+    return report(compare(read_picture(a), read_picture(b)));
+  }
+  if (extension(a) == ".npy") {
+    return report(compare(read_npy(a), read_npy(b)));
+  }
+  const auto difference = first_difference(read_text_file(a), read_text_file(b));
+  std::cout << (difference ? *difference : std::string("no difference")) << '\n';
+  return difference ? 1 : 0;
+}
+
+int ImportCommand::run() const {
+  OutputFile file(output);
+  GraphicsSystem system;
+  Recorder recorder(file.stream());
+  system.set_recorder(&recorder);
+  for (const std::string& mesh : meshes) {
+    if (is_drawing_program(mesh)) throw Error(mesh + " is a drawing program: expected a mesh");
+  }
+  const Progress progress("importing " + meshes.front());
+  const Mesh::Skipped skipped = import_meshes(meshes, system);
+  file.commit();
+  if (skipped.points_and_lines + skipped.degenerate_faces > 0) {
+    std::cerr << fmt::format("left out: {} points and lines, {} faces of fewer than 3 positions\n",
+                             skipped.points_and_lines, skipped.degenerate_faces);
+  }
+  return 0;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "interp/draw.h"
+
+namespace displayfile {
+
+// The subcommands of `displayfile`. Each returns the exit status, 0 or 1 (a difference was
+// found), and throws Error, with nothing written, if its input or an output is wrong.
+
+struct DrawCommand {
+  std::vector<std::string> inputs;
+  std::string output;
+  DrawOptions options;
+  bool stats = false;
+  int run() const;
+};
+
+struct DumpCommand {
+  std::vector<std::string> inputs;
+  std::string output;  ///< standard output if empty
+  int run() const;
+};
+
+struct CheckCommand {
+  std::vector<std::string> inputs;
+  std::string golden_folder;
+  bool update = false;
+  int run() const;
+};
+
+struct CompareCommand {
+  std::string a, b;
+  int run() const;
+};
+
+struct ImportCommand {
+  std::vector<std::string> meshes;
+  std::string output;
+  int run() const;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "displayfile/graphics_system.h"
+
+namespace displayfile {
+
+/// True for a drawing program: a file that ends in .draw, or "-", standard input. Anything
+/// else is a mesh.
+bool is_drawing_program(const std::string& input);
+
+/// Replays drawing programs and imports meshes, in order, into one system. Meshes that no
+/// program before them gave a view get a fitted one, for a picture of this aspect ratio (width
+/// over height). Throws Error, naming the file and the place.
+void enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system, double aspect = 1.0);
+
+}  // namespace displayfile

@@ -1,0 +1,238 @@
+// The command `displayfile` as its users meet it: outputs, messages, exit statuses.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+class Command : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / ("displayfile_command_" + std::string(info->name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+
+  /// Runs the command in the test's folder; standard output and error go to out_ and err_.
+  int run(const std::string& arguments, const std::string& input = "/dev/null") {
+    const std::string line = "cd '" + folder_.string() + "' && '" DISPLAYFILE_COMMAND "' " +
+                             arguments + " <" + input + " >.out 2>.err";
+    const int status = std::system(line.c_str());
+    out_ = read(folder_ / ".out");
+    err_ = read(folder_ / ".err");
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  /// Exit status 2, a message of one line that holds the words, nothing printed, and no file
+  /// but those that were there.
+  void expect_error(const std::string& arguments, const std::string& words,
+                    const std::string& input = "/dev/null") {
+    const auto files = [&] {
+      std::vector<std::string> names;
+      for (const auto& entry : fs::recursive_directory_iterator(folder_)) {
+        const std::string name = entry.path().filename().string();
+        if (name != ".out" && name != ".err") names.push_back(name);
+      }
+      std::ranges::sort(names);
+      return names;
+    };
+    const auto before = files();
+    EXPECT_EQ(run(arguments, input), 2) << arguments;
+    EXPECT_NE(err_.find(words), std::string::npos) << arguments << "\n" << err_;
+    EXPECT_EQ(std::ranges::count(err_, '\n'), 1) << err_;
+    EXPECT_EQ(out_, "");
+    EXPECT_EQ(files(), before) << arguments;
+  }
+
+  fs::path folder_;
+  std::string out_, err_;
+};
+
+const std::string kTriangle =
+    "set-window 0 1 0 1\nset-line-style none\nopen-segment 1\n"
+    "polygon-abs-3 0 0 0  1 0 0  0 1 0\nclose-segment\n";
+
+TEST_F(Command, DrawsEveryFormatWithIdsAndDepth) {
+  write("t.draw", kTriangle);
+  for (const char* format : {"png", "ppm", "svg", "pdf"}) {
+    const std::string out = std::string("t.") + format;
+    EXPECT_EQ(run("draw t.draw -o " + out + " --size 64x32 --ids ids.npy --depth z.npy"), 0)
+        << err_;
+    EXPECT_GT(fs::file_size(folder_ / out), 100u);
+    EXPECT_EQ(err_, "");  // no progress where there is no terminal
+    const std::string ids = read(folder_ / "ids.npy");
+    EXPECT_EQ(ids.substr(1, 5), "NUMPY");
+    EXPECT_NE(ids.find("'shape': (32, 64)"), std::string::npos);
+    EXPECT_EQ(ids.size(), 128u + 64 * 32 * 4);
+    EXPECT_EQ(read(folder_ / "z.npy").size(), 128u + 64 * 32 * 8);
+  }
+  EXPECT_EQ(read(folder_ / "t.ppm").substr(0, 13), "P6\n64 32\n255\n");
+}
+
+TEST_F(Command, ReadsStandardInput) {
+  write("t.draw", kTriangle);
+  EXPECT_EQ(run("draw - -o a.png", "t.draw"), 0) << err_;
+  EXPECT_EQ(run("draw t.draw -o b.png"), 0);
+  EXPECT_EQ(run("compare a.png b.png"), 0);
+}
+
+TEST_F(Command, DumpCheckAndCompareTellDifferences) {
+  write("t.draw", kTriangle);
+  EXPECT_EQ(run("dump t.draw"), 0);
+  EXPECT_EQ(out_.substr(0, 20), "displayfile-dump 1\ns");
+  const std::string dumped = out_;
+  EXPECT_EQ(run("dump t.draw -o t.txt"), 0);
+  EXPECT_EQ(read(folder_ / "t.txt"), dumped);
+  EXPECT_EQ(run("check t.draw --golden gold --update"), 0);
+  EXPECT_EQ(read(folder_ / "gold/t.txt"), dumped);
+  EXPECT_EQ(run("check t.draw --golden gold"), 0);
+  EXPECT_EQ(out_, "");
+  write("t.draw", "set-window 0 1 0 1\nset-line-style none\nopen-segment 1\n"
+                  "polygon-abs-3 0 0 0  1 0 0  0 0.5 0\nclose-segment\n");
+  EXPECT_EQ(run("check t.draw --golden gold"), 1);
+  EXPECT_NE(out_.find("segment 1"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("0.5"), std::string::npos) << out_;
+  EXPECT_EQ(run("dump t.draw -o u.txt"), 0);
+  EXPECT_EQ(run("compare t.txt u.txt"), 1);
+  EXPECT_EQ(run("compare t.txt t.txt"), 0);
+}
+
+TEST_F(Command, CompareCountsWrongPixels) {
+  write("t.draw", kTriangle);
+  EXPECT_EQ(run("draw t.draw -o a.png --size 8x8 --ids a.npy"), 0);
+  write("u.draw", "set-window 0 1 0 1\nset-line-style none\nopen-segment 1\nset-pick-id 5\n"
+                  "polygon-abs-3 0 0 0  1 0 0  1 1 0  0 1 0\nclose-segment\n");
+  EXPECT_EQ(run("draw u.draw -o b.png --size 8x8 --ids b.npy"), 0);
+  EXPECT_EQ(run("compare a.png b.png"), 1);
+  EXPECT_NE(out_.find("36 wrong pixels of 64"), std::string::npos) << out_;
+  EXPECT_EQ(run("compare a.npy b.npy"), 1);
+  EXPECT_NE(out_.find("64 wrong pixels of 64"), std::string::npos) << out_;
+  EXPECT_EQ(run("draw u.draw -o c.png --size 9x8"), 0);
+  EXPECT_EQ(run("compare b.png c.png"), 1);
+}
+
+TEST_F(Command, ImportedMeshDrawsTheSamePicture) {
+  write("m.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
+  EXPECT_EQ(run("import m.obj -o m.draw"), 0) << err_;
+  EXPECT_EQ(run("draw m.obj -o a.png --ids a.npy"), 0) << err_;
+  EXPECT_EQ(run("draw m.draw -o b.png --ids b.npy"), 0) << err_;
+  EXPECT_EQ(run("compare a.png b.png"), 0);
+  EXPECT_EQ(run("compare a.npy b.npy"), 0);
+  EXPECT_EQ(run("dump m.obj -o a.txt"), 0);
+  EXPECT_EQ(run("dump m.draw -o b.txt"), 0);
+  EXPECT_EQ(run("compare a.txt b.txt"), 0);
+}
+
+TEST_F(Command, HiddenMethodReplacesTheProgramsOwn) {
+  write("t.draw",
+        "set-window 0 1 0 1\nset-line-style none\nset-z-buffer on\nopen-segment 1\n"
+        "set-pick-id 1\npolygon-abs-3 0 0 1  1 0 1  1 1 1  0 1 1\n"
+        "set-pick-id 2\npolygon-abs-3 0 0 0  1 0 0  1 1 0  0 1 0\nclose-segment\n");
+  const auto id = [&] { return static_cast<int>(read(folder_ / "i.npy")[128]); };
+  EXPECT_EQ(run("draw t.draw -o t.png --size 1x1 --ids i.npy"), 0);
+  EXPECT_EQ(id(), 1);
+  EXPECT_EQ(run("draw t.draw -o t.png --size 1x1 --ids i.npy --hidden none"), 0);
+  EXPECT_EQ(id(), 2);
+  EXPECT_EQ(run("draw t.draw -o t.png --size 1x1 --ids i.npy --hidden auto"), 0);
+  EXPECT_EQ(id(), 1);
+}
+
+TEST_F(Command, StatsSayWhatWasDrawn) {
+  write("t.draw", kTriangle);
+  EXPECT_EQ(run("draw t.draw -o t.png --stats"), 0);
+  EXPECT_NE(out_.find("polygons entered   1"), std::string::npos) << out_;
+}
+
+TEST_F(Command, BadInputGivesOneMessageWithItsPlace) {
+  write("t.draw", kTriangle);
+  write("bad.draw", "open-segment 1\npolygon-abs-3 0 0 0  1 0 0\nclose-segment\n");
+  expect_error("draw bad.draw -o x.png", "bad.draw:2:");
+  write("unknown.draw", "\n\n  polygon-abs-9 1 2 3\n");
+  expect_error("draw unknown.draw -o x.png", "unknown.draw:3:3: unknown routine");
+  write("arguments.draw", "set-window 0 1 0\n");
+  expect_error("dump arguments.draw -o x.txt", "arguments.draw:1:");
+  write("close.draw", "close-segment\n");
+  expect_error("draw close.draw -o x.svg", "close.draw:1:1: no segment open");
+  write("nan.draw", "open-segment 1\nmove-abs-3 0 nan 0\n");
+  expect_error("draw nan.draw -o x.pdf", "nan.draw:2:14:");
+  write("open.draw", "open-segment 1\nmove-abs-2 0 0\n");
+  expect_error("draw open.draw -o x.png", "open.draw:");
+  write("binary.draw", std::string("\x7f" "ELF\0\1\2\3", 8));
+  expect_error("draw binary.draw -o x.png", "binary.draw");
+  expect_error("draw missing.draw -o x.png", "missing.draw");
+  expect_error("draw . -o x.png", ".");
+  write("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+  expect_error("draw index.obj -o x.png", "index.obj");
+  write("nan.obj", "v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n");
+  expect_error("draw nan.obj -o x.png", "nan.obj");
+  write("inf.obj", "v 0 0 0\nv 1 1e999 0\nv 0 1 0\nf 1 2 3\n");
+  expect_error("draw inf.obj -o x.png", "inf.obj");
+  write("huge.ply", "ply\nformat ascii 1.0\nelement vertex 1000000000\nproperty float x\n"
+                    "property float y\nproperty float z\nelement face 1\n"
+                    "property list uchar int vertex_indices\nend_header\n0 0 0\n");
+  expect_error("draw huge.ply -o x.png", "huge.ply");
+  write("empty.obj", "");
+  expect_error("import empty.obj -o x.draw", "empty.obj");
+  write("text.xyzzy", "hello");
+  expect_error("draw text.xyzzy -o x.png", "text.xyzzy");
+}
+
+TEST_F(Command, BadCommandLinesAndOutputs) {
+  write("t.draw", kTriangle);
+  expect_error("draw t.draw -o x.png --size 0x0", "0x0");
+  expect_error("draw t.draw -o x.png --size 1000000x1000000", "1000000x1000000");
+  expect_error("draw t.draw -o x.png --size 12", "WIDTHxHEIGHT");
+  expect_error("draw t.draw -o x.png --size 12x-5", "12x-5");
+  expect_error("draw t.draw -o x.gif", ".gif");
+  expect_error("draw t.draw -o nowhere/x.png", "nowhere/x.png");
+  expect_error("draw t.draw -o .", ".");
+  expect_error("draw t.draw -o x.png --ids nowhere/i.npy", "nowhere/i.npy");
+  expect_error("draw t.draw -o x.png --depth nowhere/z.npy", "nowhere/z.npy");
+  expect_error("draw t.draw -o x.png --hidden warnock", "warnock");
+  expect_error("draw t.draw -o x.png --hidden nonsense", "nonsense");
+  expect_error("draw t.draw -o x.png --device plotter", "plotter");
+  expect_error("draw t.draw -o x.svg --device osmesa", "osmesa");
+  expect_error("draw t.draw -o x.png --precision fuzzy", "fuzzy");
+  expect_error("dump t.draw -o nowhere/x.txt", "nowhere/x.txt");
+  expect_error("check t.draw --golden nowhere", "nowhere");
+  expect_error("compare t.draw missing.txt", "missing.txt");
+  write("broken.png", "\x89PNG\r\n");
+  expect_error("compare broken.png broken.png", "broken.png");
+  expect_error("import t.draw -o x.draw", "t.draw");
+  EXPECT_EQ(run("fly"), 2);
+  EXPECT_EQ(run(""), 2);
+  EXPECT_EQ(run("draw"), 2);
+  EXPECT_EQ(run("--help"), 0);
+}
+
+TEST_F(Command, AFailedRunLeavesTheOldOutput) {
+  write("t.draw", kTriangle);
+  EXPECT_EQ(run("draw t.draw -o x.png"), 0);
+  const std::string before = read(folder_ / "x.png");
+  write("t.draw", "nonsense\n");
+  EXPECT_EQ(run("draw t.draw -o x.png"), 2);
+  EXPECT_EQ(read(folder_ / "x.png"), before);
+}
+
+}  // namespace

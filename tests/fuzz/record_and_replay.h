@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include "clip/error.h"
+#include "displayfile/drawing_program.h"
+#include "displayfile/dump.h"
+#include "displayfile/dump_compare.h"
+
+namespace displayfile {
+
+/// Replays a program, which may be wrong, as far as it goes while recording it; replays the
+/// recording, and tells the first difference between the two display files. An Error from the
+/// recording is not caught: what was recorded must replay.
+inline std::optional<std::string> difference_after_record_and_replay(std::string_view program) {
+  std::ostringstream recording;
+  Recorder recorder(recording);
+  GraphicsSystem first, second;
+  first.set_recorder(&recorder);
+  try {
+    replay(program, "program", first);
+  } catch (const Error&) {  // what it drew before stands
+    if (first.open_segment_name()) first.close_segment();
+  }
+  replay(recording.str(), "recording", second);
+  return first_difference(dump(second.display_file()), dump(first.display_file()));
+}
+
+}  // namespace displayfile

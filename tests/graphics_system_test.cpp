@@ -1,0 +1,323 @@
+#include "displayfile/graphics_system.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <sstream>
+#include <string>
+
+#include "clip/error.h"
+
+namespace displayfile {
+namespace {
+
+/// Instructions as short text, to hold against what the application called.
+struct Listing {
+  std::ostringstream out;
+  void fill(const FillStyle& s) {
+    if (s.kind == FillStyle::Kind::hollow) {
+      out << "hollow;";
+    } else {
+      out << "fill " << s.colour.r << ' ' << s.colour.g << ' ' << s.colour.b << ';';
+    }
+  }
+  void line_style(const LineStyle& s) {
+    out << (s.kind == LineStyle::Kind::none    ? "none;"
+            : s.kind == LineStyle::Kind::solid ? "solid;"
+                                               : "dashed;");
+  }
+  void pick(int id) { out << "pick " << id << ';'; }
+  void point(const Point3& p) { out << p.x << ' ' << p.y << ' ' << p.z << ';'; }
+  void move(const Point3& p) {
+    out << "move ";
+    point(p);
+  }
+  void line(const Point3& p) {
+    out << "line ";
+    point(p);
+  }
+  void polygon(std::span<const Point3> vertices, std::span<const std::int32_t>) {
+    out << "polygon " << vertices.size() << ';';
+    for (const Point3& p : vertices) point(p);
+  }
+};
+
+std::string listing(const GraphicsSystem& g, int name) {
+  Listing l;
+  g.display_file().segment(name).walk_drawn(l);
+  return l.out.str();
+}
+
+/// A system whose display coordinates are its world coordinates.
+GraphicsSystem unit_square() {
+  GraphicsSystem g;
+  g.set_window(0, 1, 0, 1);
+  g.set_view_depth(-1, 0);
+  return g;
+}
+
+void expect_error(const std::function<void()>& call, const std::string& words) {
+  try {
+    call();
+    ADD_FAILURE() << "expected an error: " << words;
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find(words), std::string::npos) << e.what();
+  }
+}
+
+TEST(GraphicsSystem, EntersPolygonsWithStylesAndPickIdentifiers) {
+  GraphicsSystem g = unit_square();
+  g.set_fill_style({FillStyle::Kind::solid, {1, 0.5, 0}});
+  g.set_line_style({LineStyle::Kind::none});
+  g.open_segment(7);
+  g.polygon_abs_3({{0, 0, 0.5}, {1, 0, 0.5}, {0, 1, 0.25}});
+  g.polygon_abs_3({{0, 0, 0.5}, {0.5, 0, 0.5}, {0, 0.5, 0.5}, {0.25, 0.125, 0.5}});
+  g.close_segment();
+  EXPECT_EQ(listing(g, 7),
+            "fill 1 0.5 0;none;pick 0;polygon 3;0 0 0.5;1 0 0.5;0 1 0.25;"
+            "pick 1;polygon 4;0 0 0.5;0.5 0 0.5;0 0.5 0.5;0.25 0.125 0.5;");
+}
+
+TEST(GraphicsSystem, PickIdentifiersCountPolygonCallsOverAllSegments) {
+  GraphicsSystem g = unit_square();
+  g.set_line_style({LineStyle::Kind::none});
+  const auto small = [&] { g.polygon_abs_2({{0, 0}, {1, 0}, {0, 1}}); };
+  g.open_segment(1);
+  small();
+  g.polygon_abs_2({{5, 5}, {6, 5}, {5, 6}});  // clipped away, but called
+  g.close_segment();
+  g.open_segment(2);
+  small();
+  g.set_pick_id(40);
+  small();
+  small();
+  g.set_pick_id(-1);
+  small();
+  g.close_segment();
+  EXPECT_NE(listing(g, 2).find("pick 2;polygon"), std::string::npos);
+  EXPECT_NE(listing(g, 2).find("pick 40;polygon 3;0 0 0;1 0 0;0 1 0;polygon"), std::string::npos);
+  EXPECT_NE(listing(g, 2).find("pick 5;polygon"), std::string::npos);
+}
+
+TEST(GraphicsSystem, AbsoluteAndRelativeAreTheSame) {
+  GraphicsSystem a = unit_square(), r = unit_square();
+  a.open_segment(1);
+  r.open_segment(1);
+  a.move_abs_3(0.25, 0.25, 0.5);
+  r.move_abs_3(0.125, 0, 0);
+  r.move_rel_3(0.125, 0.25, 0.5);
+  a.line_abs_3(0.5, 0.25, 0.75);
+  r.line_rel_3(0.25, 0, 0.25);
+  a.polygon_abs_3({{0.5, 0.5, 0.75}, {1, 0.5, 0.75}, {1, 1, 0.75}});
+  r.polygon_rel_3({{0, 0.25, 0}, {0.5, 0, 0}, {0, 0.5, 0}});
+  a.line_abs_2(0.5, 0.5);  // from the polygon's last vertex, at its z
+  r.line_rel_2(-0.5, -0.5);
+  a.move_abs_2(0.125, 0.125);
+  r.move_rel_2(-0.375, -0.375);
+  a.polygon_abs_2({{0.5, 0}, {1, 0}, {1, 0.5}});
+  r.polygon_rel_2({{0.375, -0.125}, {0.5, 0}, {0, 0.5}});
+  a.close_segment();
+  r.close_segment();
+  EXPECT_EQ(listing(a, 1), listing(r, 1));
+  EXPECT_NE(listing(a, 1).find("line 0.5 0.5 0.75"), std::string::npos);
+}
+
+TEST(GraphicsSystem, ModellingTransformationsActInTheOrderOfTheCalls) {
+  GraphicsSystem g = unit_square();
+  g.open_segment(1);
+  g.translate_3(0.5, 0, 0);
+  g.rotate_z_3(90);  // turns the moved point about the origin, exactly
+  g.move_abs_3(0, 0, 0);
+  g.create_transformation_3();
+  g.line_abs_3(0.25, 0.25, 0);
+  g.scale_3(2, 4, 1);
+  g.line_abs_3(0.25, 0.25, 0);
+  g.close_segment();
+  EXPECT_EQ(listing(g, 1), "solid;move 0 0.5 0;line 0.25 0.25 0;line 0.5 1 0;");
+}
+
+TEST(GraphicsSystem, ImageTransformationScalesThenRotatesThenTranslates) {
+  GraphicsSystem g = unit_square();
+  g.open_segment(1);
+  g.move_abs_2(0, 0);
+  g.line_abs_2(0.5, 0.25);
+  g.close_segment();
+  g.set_image_translation(1, 0.5, 0.125);
+  g.set_image_rotation(1, 90);
+  g.set_image_scale(1, 2, 1);
+  EXPECT_EQ(listing(g, 1), "solid;move 0.5 0.125 0;line 0.25 1.125 0;");
+}
+
+TEST(GraphicsSystem, ZIsStoredOnlyWhereItIsNeeded) {
+  GraphicsSystem g;
+  g.open_segment(1);
+  for (int i = 0; i < 100; ++i) g.polygon_abs_2({{0, 0}, {0.5, 0}, {0, 0.5}});
+  EXPECT_FALSE(g.display_file().segment(1).stores_z());
+  const std::string flat = listing(g, 1);
+  g.line_abs_3(0, 0, 0.5);
+  EXPECT_TRUE(g.display_file().segment(1).stores_z());
+  EXPECT_EQ(listing(g, 1).substr(0, flat.size()), flat);
+}
+
+TEST(GraphicsSystem, AtMost160BytesATriangle) {
+  GraphicsSystem g;
+  g.set_light({1, 2, 3});
+  g.open_segment(1);
+  for (int i = 0; i < 1000; ++i) {
+    g.polygon_abs_3({{-0.9, -0.9, i * 1e-3}, {0.9, -0.8, 0}, {0, 0.8, 0.1}});
+  }
+  g.close_segment();
+  EXPECT_EQ(g.display_file().polygons(), 1000u);
+  EXPECT_LE(g.display_file().bytes(), 160u * 1000u);
+}
+
+TEST(GraphicsSystem, BackFaceRemovalAloneAndWithHiddenLines) {
+  const auto polygons = [](const std::function<void(GraphicsSystem&)>& set) {
+    GraphicsSystem g;
+    set(g);
+    g.open_segment(1);
+    g.polygon_abs_3({{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}});  // light face to the viewer
+    g.polygon_abs_3({{0, 0, 0}, {0, 0.5, 0}, {0.5, 0, 0}});
+    g.close_segment();
+    return g.display_file().polygons();
+  };
+  EXPECT_EQ(polygons([](auto&) {}), 2u);
+  EXPECT_EQ(polygons([](auto& g) { g.set_back_face_removal(true); }), 1u);
+  EXPECT_EQ(polygons([](auto& g) { g.set_hidden_line_removal(true); }), 1u);
+  EXPECT_EQ(polygons([](auto& g) {
+              g.set_hidden_line_removal(true);
+              g.set_back_face_removal(false);
+            }),
+            2u);
+}
+
+TEST(GraphicsSystem, LightShadesTheSideThatIsSeen) {
+  GraphicsSystem g = unit_square();
+  g.set_fill_style({FillStyle::Kind::solid, {1, 1, 1}});
+  g.set_line_style({LineStyle::Kind::none});
+  g.set_light({0, 0, 2}, 0.25);
+  g.open_segment(1);
+  g.polygon_abs_3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});               // faces the light
+  g.polygon_abs_3({{0, 0, 0}, {0, 1, 0}, {1, 0, 0}});               // its dark face: the same
+  g.polygon_abs_3({{0.25, 0, 0}, {0.25, 0.5, 0}, {0.5, 0, 0.25}});  // at 45 degrees
+  g.set_light({0, 0, -1}, 0.25);
+  g.polygon_abs_3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});  // the light is behind it
+  g.close_segment();
+  const std::string text = listing(g, 1);
+  EXPECT_EQ(text.find("fill 1 1 1;"), 0u);
+  EXPECT_NE(text.find("pick 1;polygon"), std::string::npos);  // no new fill for the dark face
+  EXPECT_NE(text.find("fill 0.78033 0.78033 0.78033;"), std::string::npos) << text;
+  EXPECT_NE(text.find("fill 0.25 0.25 0.25;"), std::string::npos);
+}
+
+TEST(GraphicsSystem, PolygonThatIsNotFlatIsTriangulatedAndCounted) {
+  GraphicsSystem g = unit_square();
+  g.set_line_style({LineStyle::Kind::none});
+  g.open_segment(1);
+  g.polygon_abs_3({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5}, {0, 1, 0}});
+  g.close_segment();
+  EXPECT_EQ(g.display_file().polygons(), 2u);
+  EXPECT_EQ(g.polygons_triangulated(), 1);
+  EXPECT_EQ(g.polygons_entered(), 1);  // one polygon, one pick identifier
+  EXPECT_EQ(listing(g, 1).find("pick 1"), std::string::npos);
+}
+
+TEST(GraphicsSystem, SegmentsAreEditedWithoutTouchingOthers) {
+  GraphicsSystem g = unit_square();
+  for (int name : {3, 1, 2}) {
+    g.open_segment(name);
+    g.move_abs_2(0, 0);
+    g.line_abs_2(1.0 / name, 1);
+    g.close_segment();
+  }
+  const std::string two = listing(g, 2);
+  g.rename_segment(3, 9);
+  g.delete_segment(1);
+  g.set_visibility(9, false);
+  EXPECT_EQ(listing(g, 2), two);
+  ASSERT_EQ(g.display_file().segments().size(), 2u);
+  EXPECT_EQ(g.display_file().segments()[0].name(), 9);  // order of creation
+  EXPECT_FALSE(g.display_file().segments()[0].visible);
+  g.open_segment(1);  // the name is free again
+  g.close_segment();
+  g.delete_all_segments();
+  EXPECT_TRUE(g.display_file().segments().empty());
+}
+
+/// The textbook's errors; after each the system is as it was.
+TEST(GraphicsSystem, ErrorsLeaveEverythingAsItWas) {
+  GraphicsSystem g = unit_square();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double inf = std::numeric_limits<double>::infinity();
+  expect_error([&] { g.close_segment(); }, "no segment open");
+  expect_error([&] { g.move_abs_3(0, 0, 0); }, "no segment open");
+  expect_error([&] { g.line_abs_2(0, 0); }, "no segment open");
+  expect_error([&] { g.polygon_abs_3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}); }, "no segment open");
+  expect_error([&] { g.open_segment(0); }, "invalid segment name");
+  expect_error([&] { g.delete_segment(5); }, "no segment named 5");
+  expect_error([&] { g.set_visibility(5, true); }, "no segment named 5");
+  expect_error([&] { g.set_image_scale(5, 1, 1); }, "no segment named 5");
+  g.open_segment(1);
+  g.polygon_abs_3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  g.move_abs_3(0.5, 0.5, 0);
+  const std::string before = listing(g, 1);
+  expect_error([&] { g.open_segment(2); }, "segment already open");
+  expect_error([&] { g.delete_segment(1); }, "still open");
+  expect_error([&] { g.delete_all_segments(); }, "still open");
+  expect_error([&] { g.rename_segment(1, 2); }, "still open");
+  expect_error([&] { g.set_window(0, 1, 0, 1); }, "segment 1 is open");
+  expect_error([&] { g.polygon_abs_3({{0, 0, 0}, {1, 0, 0}}); }, "polygon of 2 sides");
+  expect_error([&] { g.polygon_abs_2({}); }, "polygon of 0 sides");
+  expect_error([&] { g.polygon_abs_3({{0, 0, 0}, {1, 0, nan}, {0, 1, 0}}); }, "finite");
+  expect_error([&] { g.line_abs_3(inf, 0, 0); }, "finite");
+  expect_error([&] { g.line_rel_3(1e101, 0, 0); }, "magnitude at most 1e100");
+  expect_error([&] { g.scale_3(nan, 1, 1); }, "scale");
+  expect_error([&] { g.rotate_x_3(inf); }, "angle");
+  expect_error([&] { g.set_fill_style({FillStyle::Kind::solid, {0, 2, 0}}); }, "colour");
+  expect_error([&] { g.set_line_style({LineStyle::Kind::solid, {0, 0, 0}, 0.0}); }, "width");
+  expect_error([&] { g.set_light({0, 0, 0}); }, "light direction is zero");
+  expect_error([&] { g.set_light({0, 0, 1}, 1.5); }, "ambient");
+  expect_error([&] { g.set_pick_id(-2); }, "pick identifier");
+  EXPECT_EQ(listing(g, 1), before);
+  EXPECT_EQ(g.polygons_entered(), 1);
+  EXPECT_EQ(g.open_segment_name(), 1);
+  g.line_abs_3(0.75, 0.5, 0);  // from where the pen was before the errors
+  EXPECT_EQ(listing(g, 1), before + "move 0.5 0.5 0;line 0.75 0.5 0;");
+  g.close_segment();
+  expect_error([&] { g.open_segment(1); }, "segment name 1 in use");
+  g.open_segment(2);
+  g.close_segment();
+  expect_error([&] { g.rename_segment(1, 2); }, "segment name 2 in use");
+  expect_error([&] { g.set_view_plane_normal({0, 0, 0}); }, "view plane normal is zero");
+  expect_error([&] { g.set_view_depth(3, 2); }, "front plane behind back plane");
+  expect_error([&] { g.set_window(0, 0, 0, 1); }, "window has no area");
+  g.set_view_up({0, 0, 1});
+  expect_error([&] { g.open_segment(3); }, "view up along the view plane normal");
+  EXPECT_FALSE(g.open_segment_name());
+  EXPECT_FALSE(g.display_file().contains(3));
+  g.set_view_up({0, 1, 0});
+  g.set_perspective({0, 0, -2});
+  expect_error([&] { g.open_segment(3); }, "centre of projection on the wrong side");
+  g.set_parallel({0, 0, 1});
+  g.open_segment(3);
+}
+
+TEST(GraphicsSystem, OverflowInTheModellingTransformationIsAnError) {
+  GraphicsSystem g = unit_square();
+  g.open_segment(1);
+  g.scale_3(1e60, 1, 1);
+  expect_error([&] { g.move_abs_3(1e60, 0, 0); }, "out of range after the modelling");
+}
+
+TEST(GraphicsSystem, LineStyleNoneDrawsNoLines) {
+  GraphicsSystem g = unit_square();
+  g.set_line_style({LineStyle::Kind::none});
+  g.open_segment(1);
+  g.line_abs_2(1, 1);
+  g.close_segment();
+  EXPECT_EQ(g.display_file().segment(1).lines(), 0u);
+}
+
+}  // namespace
+}  // namespace displayfile

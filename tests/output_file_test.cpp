@@ -1,0 +1,177 @@
+#include "displayfile/output_file.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "clip/error.h"
+
+namespace displayfile {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OutputFileTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / (std::string("output_file_") + test->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    target_ = (folder_ / "picture.png").string();
+  }
+  void TearDown() override {
+    fs::permissions(folder_, fs::perms::owner_all);
+    fs::remove_all(folder_);
+  }
+
+  static std::string content(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  static void write(const std::string& path, const std::string& text) {
+    std::ofstream(path, std::ios::binary) << text;
+  }
+  static std::string error_of(const std::string& path) {
+    try {
+      OutputFile file(path);
+      file.stream() << "text";
+      file.commit();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+  std::ptrdiff_t files() const {
+    return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
+  }
+
+  fs::path folder_;
+  std::string target_;
+};
+
+TEST_F(OutputFileTest, AppearsAtCommitAndNotBefore) {
+  OutputFile file(target_);
+  file.stream() << "one\r\n" << '\0';
+  file.stream().flush();
+  EXPECT_FALSE(fs::exists(target_));
+  file.commit();
+  EXPECT_EQ(content(target_), std::string("one\r\n\0", 6));
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(OutputFileTest, WithoutCommitTheOldFileStays) {
+  write(target_, "old");
+  {
+    OutputFile file(target_);
+    file.stream() << "new";
+  }
+  EXPECT_EQ(content(target_), "old");
+  EXPECT_EQ(files(), 1);
+  {
+    OutputFile file(target_);
+    file.stream() << "new";
+    file.commit();
+  }
+  EXPECT_EQ(content(target_), "new");
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(OutputFileTest, TemporaryPathIsForWritersThatTakeAPath) {
+  OutputFile file(target_);
+  EXPECT_EQ(fs::path(file.temporary_path()).parent_path(), folder_);
+  EXPECT_EQ(fs::path(file.temporary_path()).extension(), ".png");
+  write(file.temporary_path(), "written elsewhere");
+  file.commit();
+  EXPECT_EQ(content(target_), "written elsewhere");
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(OutputFileTest, TwoFilesOfOneNameDoNotMix) {
+  OutputFile first(target_), second(target_);
+  first.stream() << "first";
+  second.stream() << "second";
+  second.commit();
+  first.commit();
+  EXPECT_EQ(content(target_), "first");
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(OutputFileTest, PermissionsAreKept) {
+  write(target_, "old");
+  fs::permissions(target_, fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_EQ(error_of(target_), "");
+  EXPECT_EQ(fs::status(target_).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST_F(OutputFileTest, SymbolicLinkIsFollowed) {
+  const std::string link = (folder_ / "link.png").string();
+  write(target_, "old");
+  fs::create_symlink("picture.png", link);
+  EXPECT_EQ(error_of(link), "");
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(content(target_), "text");
+}
+
+TEST_F(OutputFileTest, LongNameIsFine) {
+  const std::string path = (folder_ / (std::string(250, 'x') + ".svg")).string();
+  EXPECT_EQ(error_of(path), "");
+  EXPECT_EQ(content(path), "text");
+}
+
+TEST_F(OutputFileTest, FolderOrMissingFolderOrNoNameIsAnError) {
+  EXPECT_EQ(error_of(folder_.string()), folder_.string() + ": is a folder: expected a file name");
+  const std::string nowhere = (folder_ / "missing" / "p.png").string();
+  EXPECT_EQ(error_of(nowhere), nowhere + ": cannot be written: No such file or directory");
+  EXPECT_EQ(error_of(""), "the output file has no name");
+  EXPECT_EQ(files(), 0);
+}
+
+/// Root may write everywhere: for the length of a test it is somebody else.
+class NotRoot {
+ public:
+  NotRoot() { EXPECT_EQ(::geteuid() == 0 ? ::seteuid(65534) : 0, 0); }
+  ~NotRoot() { EXPECT_EQ(::getuid() == 0 ? ::seteuid(0) : 0, 0); }
+};
+
+TEST_F(OutputFileTest, UnwritableFolderOrFileIsAnError) {
+  write(target_, "old");
+  const std::string other = (folder_ / "other.png").string();
+  {
+    fs::permissions(folder_, fs::perms::all);
+    const NotRoot not_root;
+    EXPECT_EQ(error_of(other), "");
+  }
+  fs::permissions(target_, static_cast<fs::perms>(0444));
+  fs::permissions(folder_, static_cast<fs::perms>(0555));
+  const std::string third = (folder_ / "third.png").string();
+  {
+    const NotRoot not_root;
+    EXPECT_EQ(error_of(target_), target_ + ": cannot be written: Permission denied");
+    EXPECT_EQ(error_of(third), third + ": cannot be written: Permission denied");
+  }
+  EXPECT_EQ(files(), 2);
+}
+
+/// Devices are written to in place; one that is full is noticed at commit at the latest.
+TEST_F(OutputFileTest, FullDiskIsNoticed) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  EXPECT_EQ(error_of("/dev/full"), "/dev/full: not all could be written: No space left on device");
+  EXPECT_EQ(error_of("/dev/null"), "");
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST_F(OutputFileTest, TargetThatBecameAFolderIsAnErrorAtCommit) {
+  OutputFile file(target_);
+  file.stream() << "text";
+  fs::create_directories(fs::path(target_) / "inside");
+  EXPECT_THROW(file.commit(), Error);
+  EXPECT_EQ(files(), 1);  // the temporary file is gone
+}
+
+}  // namespace
+}  // namespace displayfile

@@ -1,0 +1,280 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <random>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "clip/error.h"
+#include "displayfile/drawing_program.h"
+#include "displayfile/dump.h"
+#include "displayfile/dump_compare.h"
+#include "tests/fuzz/record_and_replay.h"
+
+namespace displayfile {
+namespace {
+
+/// An application that calls whatever routine comes to its mind, most calls sensible, some not.
+class RandomApplication {
+ public:
+  RandomApplication(std::uint64_t seed, GraphicsSystem& system) : random_(seed), system_(system) {}
+
+  /// Makes one call; one that the system refuses does nothing.
+  void call() {
+    try {
+      if (system_.open_segment_name() && chance(80)) {
+        call_primitive();
+      } else {
+        call_any();
+      }
+    } catch (const Error&) {
+      ++refused_;
+    }
+  }
+
+  int refused() const { return refused_; }
+
+ private:
+  std::uint64_t below(std::uint64_t n) { return random_() % n; }
+  bool chance(std::uint64_t percent) { return below(100) < percent; }
+  double uniform(double low, double high) {
+    return low + (high - low) * (static_cast<double>(random_() >> 11) * 0x1p-53);
+  }
+  double coordinate() {
+    constexpr std::array kOdd{0.0,       -0.0,   1.0,     -1.0,
+                              1.0 / 3.0, 0.1,    5e-324,  1e-17,
+                              1e100,     -1e100, 12345.0, 0x1p-30,
+                              1e22,      -1e16,  2e100,   std::numeric_limits<double>::quiet_NaN()};
+    return chance(4) ? kOdd[below(kOdd.size())] : uniform(-1.5, 1.5);
+  }
+  Point2 point_2() { return {coordinate(), coordinate()}; }
+  Point3 point_3() { return {coordinate(), coordinate(), coordinate()}; }
+  template <class Point>
+  std::vector<Point> points() {
+    std::vector<Point> result(chance(5) ? below(3) : 3 + below(6));
+    const double z = uniform(-1, 1);
+    const bool flat = chance(60);
+    for (Point& p : result) {
+      if constexpr (Point::length() == 2) {
+        p = point_2();
+      } else {
+        p = flat ? Point3(point_2(), z) : point_3();
+      }
+    }
+    return result;
+  }
+  int name() { return static_cast<int>(below(6)); }
+  double angle() {
+    return chance(30) ? 90.0 * static_cast<double>(below(9)) - 360.0 : uniform(-400, 400);
+  }
+  Colour colour() {
+    return {uniform(0, 1), chance(2) ? 1.5 : uniform(0, 1), static_cast<double>(below(2))};
+  }
+  FillStyle fill_style() {
+    return {chance(70) ? FillStyle::Kind::solid : FillStyle::Kind::hollow, colour()};
+  }
+  LineStyle line_style() {
+    constexpr std::array kKinds{LineStyle::Kind::solid, LineStyle::Kind::dashed,
+                                LineStyle::Kind::none};
+    return {kKinds[below(3)], colour(), uniform(-0.1, 9), uniform(0.1, 9), uniform(0.1, 9)};
+  }
+
+  void call_primitive() {
+    switch (below(20)) {
+      case 0: return system_.move_abs_3(coordinate(), coordinate(), coordinate());
+      case 1: return system_.line_abs_3(coordinate(), coordinate(), coordinate());
+      case 2: return system_.move_rel_3(coordinate(), coordinate(), coordinate());
+      case 3: return system_.line_rel_3(coordinate(), coordinate(), coordinate());
+      case 4: return system_.move_abs_2(coordinate(), coordinate());
+      case 5: return system_.line_abs_2(coordinate(), coordinate());
+      case 6: return system_.move_rel_2(coordinate(), coordinate());
+      case 7: return system_.line_rel_2(coordinate(), coordinate());
+      case 8: return system_.polygon_rel_3(points<Point3>());
+      case 9: return system_.polygon_abs_2(points<Point2>());
+      case 10: return system_.polygon_rel_2(points<Point2>());
+      case 11: return system_.set_fill_style(fill_style());
+      case 12: return system_.set_line_style(line_style());
+      case 13: return system_.set_light(point_3(), uniform(-0.05, 1));
+      case 14: return system_.set_pick_id(static_cast<int>(below(1000)) - 10);
+      default: return system_.polygon_abs_3(points<Point3>());
+    }
+  }
+
+  void call_any() {
+    switch (below(40)) {
+      case 0: return system_.set_view_reference_point(0.1 * point_3());
+      case 1: return system_.set_view_plane_normal(point_3());
+      case 2: return system_.set_view_distance(0.1 * coordinate());
+      case 3: return system_.set_view_up(point_3());
+      case 4: return system_.set_parallel({0.1 * coordinate(), 0.1 * coordinate(), 1});
+      case 5: return system_.set_perspective({coordinate(), coordinate(), uniform(1, 9)});
+      case 6: return system_.set_view_depth(uniform(-2, 0), uniform(-0.1, 2));
+      case 7: return system_.set_front_plane_clipping(chance(50));
+      case 8: return system_.set_back_plane_clipping(chance(50));
+      case 9:
+        return system_.set_window(uniform(-2, 0), uniform(0, 2), uniform(-2, 0), uniform(0, 2));
+      case 10:
+        return system_.set_viewport(uniform(0, 0.5), uniform(0.5, 1), uniform(0, 0.5),
+                                    uniform(0.5, 1.1));
+      case 11: return system_.create_transformation_3();
+      case 12: return system_.translate_3(0.1 * coordinate(), 0.1 * coordinate(), coordinate());
+      case 13: return system_.scale_3(uniform(0.5, 1.5), uniform(0.5, 1.5), uniform(-1.5, 1.5));
+      case 14: return system_.rotate_x_3(angle());
+      case 15: return system_.rotate_y_3(angle());
+      case 16: return system_.rotate_z_3(angle());
+      case 17: return system_.delete_segment(name());
+      case 18:
+        if (chance(90)) return;  // now and then
+        return system_.delete_all_segments();
+      case 19: return system_.rename_segment(name(), name());
+      case 20: return system_.set_visibility(name(), chance(50));
+      case 21: return system_.set_image_translation(name(), coordinate(), coordinate());
+      case 22: return system_.set_image_scale(name(), coordinate(), coordinate());
+      case 23: return system_.set_image_rotation(name(), angle());
+      case 24: return system_.set_hidden_line_removal(chance(50));
+      case 25: return system_.set_back_face_removal(chance(30));
+      case 26: {
+        const auto methods = hidden_methods();
+        return system_.set_hidden_method(methods[below(methods.size())].method);
+      }
+      case 27: return system_.set_z_buffer(chance(50));
+      case 28: return system_.close_segment();
+      default: return system_.open_segment(name());
+    }
+  }
+
+  std::mt19937_64 random_;
+  GraphicsSystem& system_;
+  int refused_ = 0;
+};
+
+/// What a drawing program sets beside the display file.
+void expect_same_state(const GraphicsSystem& a, const GraphicsSystem& b) {
+  EXPECT_EQ(a.hidden_line_removal(), b.hidden_line_removal());
+  EXPECT_EQ(a.back_face_removal(), b.back_face_removal());
+  EXPECT_EQ(a.hidden_method(), b.hidden_method());
+  EXPECT_EQ(a.z_buffer(), b.z_buffer());
+  EXPECT_EQ(a.polygons_entered(), b.polygons_entered());
+  EXPECT_EQ(a.polygons_triangulated(), b.polygons_triangulated());
+  EXPECT_EQ(a.view_was_set(), b.view_was_set());
+}
+
+/// Whatever the application called, its recording makes the same display file, bit for bit
+/// (numbers in dumps read back to the same doubles), and records to the same text again.
+TEST(RecordReplay, RandomApplications) {
+  constexpr int kApplications = 300, kCalls = 300;
+  std::set<std::string> routines;
+  std::size_t instructions = 0;
+  int refused = 0;
+  for (int seed = 0; seed < kApplications; ++seed) {
+    SCOPED_TRACE(seed);
+    std::ostringstream recording, again;
+    Recorder recorder(recording), recorder_again(again);
+    GraphicsSystem first, second;
+    first.set_recorder(&recorder);
+    second.set_recorder(&recorder_again);
+    RandomApplication application(static_cast<std::uint64_t>(seed), first);
+    for (int i = 0; i < kCalls; ++i) application.call();
+    if (first.open_segment_name()) first.close_segment();
+    refused += application.refused();
+
+    ASSERT_NO_THROW(replay(recording.str(), "recording", second));
+    const std::string expected = dump(first.display_file()), actual = dump(second.display_file());
+    ASSERT_EQ(first_difference(actual, expected), std::nullopt);
+    ASSERT_EQ(again.str(), recording.str());
+    expect_same_state(first, second);
+
+    std::istringstream lines(recording.str());
+    for (std::string line; std::getline(lines, line);) {
+      routines.insert(line.substr(0, line.find(' ')));
+    }
+    instructions += static_cast<std::size_t>(std::ranges::count(expected, '\n'));
+  }
+  // The applications did something: every routine, and pictures of some size.
+  EXPECT_EQ(routines.size(), 46u);
+  EXPECT_GT(instructions, 100000u);
+  EXPECT_GT(refused, 1000);
+}
+
+/// A style's parts that have no meaning make no difference between the two display files.
+TEST(RecordReplay, StylesWithPartsOfNoMeaning) {
+  std::ostringstream recording;
+  Recorder recorder(recording);
+  GraphicsSystem first, second;
+  first.set_recorder(&recorder);
+  first.open_segment(1);
+  for (double shade : {0.25, 0.5}) {
+    first.set_fill_style({FillStyle::Kind::hollow, {shade, 0, 0}});
+    first.set_line_style({LineStyle::Kind::none, {shade, 0, 0}, 1.0 + shade});
+    first.polygon_abs_2({{0, 0}, {0.5, 0}, {0.5, 0.5}});
+    first.set_line_style({LineStyle::Kind::solid, {0, 0, 0}, 1.0, shade, shade});
+    first.polygon_abs_2({{0, 0}, {0.5, 0}, {0.5, 0.5}});
+  }
+  first.close_segment();
+  replay(recording.str(), "recording", second);
+  EXPECT_EQ(dump(second.display_file()), dump(first.display_file()));
+}
+
+/// The text that applications and users read: the routine's words, shortest numbers, two blanks
+/// between points.
+TEST(RecordReplay, LinesOfTheRecording) {
+  std::ostringstream recording;
+  Recorder recorder(recording);
+  GraphicsSystem system;
+  system.set_recorder(&recorder);
+  system.set_window(-1, 0.1, -0.0, 1e22);
+  system.set_hidden_method(HiddenMethod::z_buffer);
+  system.open_segment(12);
+  system.set_light({0, 0, 2});
+  system.set_line_style({LineStyle::Kind::dashed, {1, 0, 0}, 2, 3, 4});
+  system.polygon_abs_3({{0, 0, 0}, {0.1, 0, 0}, {0, 1.0 / 3.0, 5e-324}});
+  system.polygon_rel_2({{0, 0}, {0.5, 0}, {0, 0.5}});
+  system.close_segment();
+  system.set_visibility(12, false);
+  EXPECT_EQ(recording.str(),
+            "set-window -1 0.1 -0 1e+22\n"
+            "set-hidden-method z-buffer\n"
+            "open-segment 12\n"
+            "set-light 0 0 2 0.2\n"
+            "set-line-style dashed 1 0 0 2 3 4\n"
+            "polygon-abs-3  0 0 0  0.1 0 0  0 0.3333333333333333 5e-324\n"
+            "polygon-rel-2  0 0  0.5 0  0 0.5\n"
+            "close-segment\n"
+            "set-visibility 12 off\n");
+}
+
+/// Refused calls are not recorded, and a recorder that is taken away records no more.
+TEST(RecordReplay, OnlyCallsThatSucceedAreRecorded) {
+  std::ostringstream recording;
+  Recorder recorder(recording);
+  GraphicsSystem system;
+  system.set_recorder(&recorder);
+  EXPECT_THROW(system.close_segment(), Error);
+  EXPECT_THROW(system.set_view_up({0, 0, 0}), Error);
+  system.set_z_buffer(true);
+  system.set_recorder(nullptr);
+  system.set_z_buffer(false);
+  EXPECT_EQ(recording.str(), "set-z-buffer on\n");
+}
+
+/// The fuzzer's corpus: programs right and wrong, as far as they go.
+TEST(RecordReplay, FuzzCorpus) {
+  int programs = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(DRAWING_PROGRAM_CORPUS)) {
+    SCOPED_TRACE(entry.path().filename().string());
+    std::ifstream in(entry.path(), std::ios::binary);
+    const std::string program{std::istreambuf_iterator<char>(in), {}};
+    EXPECT_EQ(difference_after_record_and_replay(program), std::nullopt);
+    ++programs;
+  }
+  EXPECT_GT(programs, 5);
+}
+
+}  // namespace
+}  // namespace displayfile

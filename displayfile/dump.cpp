@@ -34,8 +34,7 @@ class Dumper {
   void line_style(const LineStyle& style) {
     const Colour& c = style.colour;
     switch (style.kind) {
-      case LineStyle::Kind::none:
-        return write_line(FMT_COMPILE("line-style none"));
+      case LineStyle::Kind::none: return write_line(FMT_COMPILE("line-style none"));
       case LineStyle::Kind::solid:
         return write_line(FMT_COMPILE("line-style solid {} {} {} {}"), c.r, c.g, c.b, style.width);
       case LineStyle::Kind::dashed:

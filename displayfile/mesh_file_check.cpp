@@ -45,24 +45,24 @@ class Text {
   std::string_view field() {
     while (at_ < text_.size() && (is_blank(text_[at_]) || joins_lines())) ++at_;
     const std::size_t start = at_;
-    if (at_ < text_.size() && text_[at_] == '#') return {};
     while (at_ < text_.size() && !is_blank(text_[at_]) && text_[at_] != '\n') ++at_;
     return text_.substr(start, at_ - start);
   }
 
-  /// The next field on this line or a later one; empty at the end of the file.
+  /// The next field on this line or a later one, comments passed over; empty at the end of the
+  /// file.
   std::string_view field_on_any_line() {
     for (;;) {
-      if (const std::string_view f = field(); !f.empty()) return f;
+      if (const std::string_view f = field(); is_content(f)) return f;
       if (!next_line()) return {};
     }
   }
 
-  /// Moves to the start of the next line that is not blank; false if there is none.
+  /// Moves to the start of the next line that is not blank or a comment; false if there is none.
   bool next_filled_line() {
     while (next_line()) {
       const std::size_t start = at_;
-      const bool filled = !field().empty();
+      const bool filled = is_content(field());
       at_ = start;
       if (filled) return true;
     }
@@ -119,6 +119,8 @@ class Text {
   }
 
  private:
+  static bool is_content(std::string_view f) { return !f.empty() && f[0] != '#'; }
+
   bool joins_lines() {
     if (text_[at_] != '\\') return false;
     std::size_t next = at_ + 1;

@@ -132,7 +132,9 @@ int compare(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b
     return (at_a > at_b) - (at_a < at_b);
   }
   const double difference = at_a - at_b;
-  if (std::abs(difference) > (a.radius + b.radius) * kInflate + kTiny) return sign_of(difference);
+  if (std::abs(difference) > (a.radius + b.radius) * kInflate + kTiny) {
+    return decided_sign(difference);
+  }
   count_exact(Predicate::compare);
   const ExactPoint p = exact_point(all, a), q = exact_point(all, b);
   const ExactNumber across = coordinate(p.xyz) * q.w - coordinate(q.xyz) * p.w;
@@ -210,7 +212,7 @@ int orientation(const Definitions& all, const DefinedPoint& a, const DefinedPoin
                 const DefinedPoint& c) {
   const BallPoint p = near_balls(a), q = near_balls(b), r = near_balls(c);
   const Ball determinant = (p.x - r.x) * (q.y - r.y) - (p.y - r.y) * (q.x - r.x);
-  if (decided(determinant)) return sign_of(determinant.middle);
+  if (decided(determinant)) return decided_sign(determinant.middle);
   count_exact(Predicate::side_of_line);
   return exact_orientation(exact_point(all, a), exact_point(all, b), exact_point(all, c));
 }

@@ -57,7 +57,7 @@ int exact_side_of_plane(const Definitions& all, const DefinedPoint& v, const Pla
 inline int side_of_plane(const Definitions& all, const DefinedPoint& v, const Plane& plane) {
   const auto [value, bound] = plane_value(v.near, plane);
   if (std::abs(value) > bound + plane.reach * v.radius * kInflate) [[likely]] {
-    return sign_of(value);
+    return decided_sign(value);
   }
   return exact_side_of_plane(all, v, plane);
 }

@@ -50,7 +50,9 @@ int facing(std::span<const Point3> vertices) {
   const auto sides = static_cast<double>(vertices.size());
   const double per_side = (sides + 4.0) * kUnit * kInflate;
   const double own = 1.0 + (sides + 4.0) * 4.0 * kUnit;  // the bound's own sum
-  if (std::abs(sum) > per_side * products * own + sides * kTiny) return sign_of(sum);
+  if (std::abs(sum) > per_side * products * own + sides * kTiny) {
+    return decided_sign(sum);
+  }
   return exact_facing(vertices);
 }
 

@@ -24,9 +24,9 @@ inline int orientation(const Point2& a, const Point2& b, const Point2& c) {
   const double left = (a.x - c.x) * (b.y - c.y);
   const double right = (a.y - c.y) * (b.x - c.x);
   const double determinant = left - right;
-  const double bound = kBound * (std::abs(left) + std::abs(right)) + kTiny;
+  const double bound = kBound * std::abs(left + right) + kTiny;
   if (std::abs(determinant) > bound) [[likely]]
-    return sign_of(determinant);
+    return decided_sign(determinant);
   return exact_orientation(a, b, c);
 }
 
@@ -50,7 +50,7 @@ inline int orientation(const Point3& a, const Point3& b, const Point3& c, const 
   const double z = std::max(std::max(std::abs(uz), std::abs(vz)), std::abs(wz));
   const double bound = kBound * (x * (y * z)) + kUnderflow;
   if (std::abs(determinant) > bound) [[likely]]
-    return sign_of(determinant);
+    return decided_sign(determinant);
   return exact_orientation(a, b, c, d);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -22,11 +23,13 @@ struct PixelCentre {
         row(row_),
         size(size_),
         x((2.0 * column_ + 1.0) / (2.0 * size_.width)),
-        y((2.0 * row_ + 1.0) / (2.0 * size_.height)) {}
+        y((2.0 * row_ + 1.0) / (2.0 * size_.height)),
+        error(kUnit * std::max(std::abs(x), std::abs(y)) * kInflate) {}
 
   std::int32_t column, row;
   PictureSize size;
   double x, y;
+  double error;  ///< of x and of y, at most
 };
 
 // Every predicate here returns the true sign, -1, 0 or 1, for coordinates up to
@@ -51,16 +54,15 @@ inline int compare_with_centres(double coordinate, std::int32_t pixels, std::int
 /// centre's x: the crossing is at or left of the centre where this is not 1. Device
 /// coordinates; a.y and b.y must differ, in either order.
 inline int crossing(const Point2& a, const Point2& b, const PixelCentre& centre) {
-  constexpr double kOfProducts = 4.0 * kUnit * kInflate;
-  constexpr double kOfCentre = kUnit * kInflate;
+  constexpr double kBound = 4.0 * kUnit * kInflate;
   const double run = b.x - a.x, rise = b.y - a.y;
   const double left = (a.x - centre.x) * rise;
   const double right = (a.y - centre.y) * run;
   const double determinant = left - right;
-  const double bound = kOfProducts * (std::abs(left) + std::abs(right)) +
-                       kOfCentre * (std::abs(centre.x * rise) + std::abs(centre.y * run)) + kTiny;
+  const double bound = kBound * std::abs(left + right) +
+                       centre.error * (std::abs(rise) + std::abs(run)) * kInflate + kTiny;
   if (std::abs(determinant) > bound) [[likely]] {
-    return a.y < b.y ? sign_of(determinant) : -sign_of(determinant);
+    return decided_sign(determinant) * decided_sign(rise);
   }
   return exact_crossing(a, b, centre);
 }

@@ -47,14 +47,14 @@ inline PlaneValue plane_value(const Point3& v, const Plane& plane) {
 inline int side_of_plane(const Point3& v, const Plane& plane) {
   const auto [value, bound] = plane_value(v, plane);
   if (std::abs(value) > bound) [[likely]]
-    return sign_of(value);
+    return decided_sign(value);
   return exact_side_of_plane(v, plane);
 }
 
 /// The sign of C: 1 if the plane turns its positive side to the viewer, 0 if it is edge-on.
 inline int facing(const Plane& plane) {
   if (std::abs(plane.normal.z) > plane.bound.z) [[likely]]
-    return sign_of(plane.normal.z);
+    return decided_sign(plane.normal.z);
   return orientation(plane.p, plane.q, plane.r);
 }
 

@@ -27,4 +27,7 @@ struct RasterRequest {
 /// The limits of a picture's size that the devices state and keep.
 inline constexpr int kLargestSide = 65535;
 
+/// Throws Error unless both sides are 1 to kLargestSide.
+void require_picture_size(long long width, long long height);
+
 }  // namespace displayfile

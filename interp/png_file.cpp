@@ -120,6 +120,10 @@ void write_png(const Picture& picture, const std::filesystem::path& path) {
     png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(picture.width),
                  static_cast<png_uint_32>(picture.height), 8, PNG_COLOR_TYPE_RGB,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    // Flat faces repeat from row to row. About a third of the time of libpng's own choice, for
+    // files of about the same length.
+    png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+    png_set_compression_level(writer.png, 3);
     png_write_info(writer.png, writer.info);
     const auto* rgba = reinterpret_cast<const std::uint8_t*>(picture.pixels.data());
     for (int y = 0; y < picture.height; ++y) {
@@ -154,8 +158,6 @@ Picture read_png(const std::filesystem::path& path) {
     width = png_get_image_width(reader.png, reader.info);
     height = png_get_image_height(reader.png, reader.info);
     row_bytes = png_get_rowbytes(reader.png, reader.info);
-    ask_for_rgba(reader.png);
-    png_read_update_info(reader.png, reader.info);
   });
   if (!header_read) fail();
   if (width > kLargestSide || height > kLargestSide) {
@@ -175,6 +177,8 @@ Picture read_png(const std::filesystem::path& path) {
   std::vector<png_bytep> rows(height);
   for (std::size_t y = 0; y < height; ++y) rows[y] = bytes + 4 * y * width;
   const bool pixels_read = carry_out(reader.png, [&] {
+    ask_for_rgba(reader.png);
+    png_read_update_info(reader.png, reader.info);  // takes memory for a row
     png_read_image(reader.png, rows.data());
     png_read_end(reader.png, nullptr);
   });

@@ -1,13 +1,11 @@
 #include "interp/software.h"
 
-#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <limits>
 #include <optional>
 
-#include "clip/error.h"
 #include "hidden/support_plane.h"
 #include "interp/interpreter.h"
 #include "interp/line_draw.h"
@@ -185,13 +183,6 @@ bool has_lines(const DisplayFile& display_file) {
 }
 
 }  // namespace
-
-void require_picture_size(long long width, long long height) {
-  if (width < 1 || height < 1 || width > kLargestSide || height > kLargestSide) {
-    throw Error(fmt::format("picture size {}x{}: expected 1x1 to {}x{} pixels", width, height,
-                            kLargestSide, kLargestSide));
-  }
-}
 
 std::uint32_t pixel_of(const Colour& colour) {
   const auto byte = [](double c) { return static_cast<std::uint32_t>(c * 255.0 + 0.5); };

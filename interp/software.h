@@ -31,9 +31,6 @@ class SoftwareRenderer {
 /// One picture by a renderer of its own.
 Picture draw_with_software(const DisplayFile& display_file, const RasterRequest& request);
 
-/// Throws Error unless both sides are 1 to kLargestSide.
-void require_picture_size(long long width, long long height);
-
 /// A colour as a pixel: each component rounded to the nearest of 0 to 255.
 std::uint32_t pixel_of(const Colour& colour);
 

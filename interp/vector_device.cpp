@@ -10,9 +10,9 @@ namespace displayfile {
 
 namespace {
 
-/// Points farther from the picture than this many pixels are cut off first: Cairo, and so
-/// librsvg, keeps coordinates as 24 bits of whole pixels. More than half of any line width.
-constexpr double kReach = 600'000.0;
+/// What lies farther outside of the picture than this many pixels (and half a line's width) is cut
+/// off first: renderers keep coordinates in fixed point, some with 16 bits for whole pixels.
+constexpr double kReach = 10'000.0;
 
 /// A path of more points is slow to draw; a solid line loses nothing by being drawn in parts.
 constexpr std::size_t kLongestPath = 1000;
@@ -37,7 +37,7 @@ std::span<const Point2> VectorDevice::Path::run(std::size_t i) const {
   return std::span(points).subspan(runs[i].first, end - runs[i].first);
 }
 
-VectorDevice::VectorDevice(int width, int height) : width_(width), height_(height), reach_(kReach) {
+VectorDevice::VectorDevice(int width, int height) : width_(width), height_(height), kReach(kReach) {
   require_picture_size(width, height);
 }
 
@@ -45,8 +45,8 @@ Point2 VectorDevice::to_page(const Point3& device) const {
   return {device.x * width_, height_ - device.y * height_};
 }
 
-bool VectorDevice::near_the_page(const Point2& p) const {
-  return p.x >= -reach_ && p.x <= width_ + reach_ && p.y >= -reach_ && p.y <= height_ + reach_;
+bool VectorDevice::near_the_page(const Point2& p, double reach) const {
+  return p.x >= -reach && p.x <= width_ + reach && p.y >= -reach && p.y <= height_ + reach;
 }
 
 void VectorDevice::begin_segment(int name) {
@@ -75,7 +75,8 @@ void VectorDevice::paint_inside(const DrawnPolygon& polygon, std::span<const Pix
     path_.points.push_back(to_page(v));
   }
   if (!std::ranges::all_of(path_.points, finite)) return;
-  if (!std::ranges::all_of(path_.points, [&](const Point2& p) { return near_the_page(p); })) {
+  if (!std::ranges::all_of(path_.points,
+                           [&](const Point2& p) { return near_the_page(p, kReach); })) {
     clip_polygon_to_neighbourhood();
     if (path_.points.size() < 3) return;
   }
@@ -99,22 +100,22 @@ void VectorDevice::clip_polygon_to_neighbourhood() {
     }
     path_.points.swap(clipped_);
   };
-  clip(0, -reach_, 1.0);
-  if (!path_.points.empty()) clip(0, width_ + reach_, -1.0);
-  if (!path_.points.empty()) clip(1, -reach_, 1.0);
-  if (!path_.points.empty()) clip(1, height_ + reach_, -1.0);
+  clip(0, -kReach, 1.0);
+  if (!path_.points.empty()) clip(0, width_ + kReach, -1.0);
+  if (!path_.points.empty()) clip(1, -kReach, 1.0);
+  if (!path_.points.empty()) clip(1, height_ + kReach, -1.0);
 }
 
 /// Liang and Barsky, "A new concept and method for line clipping", ACM TOG 3 (1984).
-bool VectorDevice::clip_to_neighbourhood(Point2& a, Point2& b) const {
+bool VectorDevice::clip_to_neighbourhood(Point2& a, Point2& b, double reach) const {
   if (!finite(a) || !finite(b)) return false;
-  if (near_the_page(a) && near_the_page(b)) return true;
+  if (near_the_page(a, reach) && near_the_page(b, reach)) return true;
   double enter = 0.0, leave = 1.0;
   const Point2 d = b - a;
   const double size[2] = {static_cast<double>(width_), static_cast<double>(height_)};
   for (int axis = 0; axis < 2; ++axis) {
     for (const double sign : {1.0, -1.0}) {
-      const double bound = sign > 0.0 ? -reach_ : size[axis] + reach_;
+      const double bound = sign > 0.0 ? -reach : size[axis] + reach;
       const double inside = sign * (a[axis] - bound), change = sign * d[axis];
       if (change == 0.0 && inside < 0.0) return false;
       if (change > 0.0) enter = std::max(enter, -inside / change);
@@ -130,12 +131,13 @@ bool VectorDevice::clip_to_neighbourhood(Point2& a, Point2& b) const {
 
 void VectorDevice::edges(const DrawnPolygon& polygon) {
   finish_lines();
+  const double reach = kReach + polygon.line.width / 2;
   const auto& v = polygon.vertices;
   const std::size_t n = v.size();
   // A side that is not drawn, or too far out, ends a run; without one the path is closed.
   const auto drawn = [&](std::size_t i) { return polygon.sides[i] == op::line; };
   std::size_t start = 0;
-  while (start < n && drawn(start) && near_the_page(to_page(v[start]))) ++start;
+  while (start < n && drawn(start) && near_the_page(to_page(v[start]), reach)) ++start;
   path_.clear();
   if (start == n) {
     path_.start(true);
@@ -148,7 +150,7 @@ void VectorDevice::edges(const DrawnPolygon& polygon) {
     const std::size_t i = (start + k) % n;
     Point2 a = to_page(v[(i + n - 1) % n]), b = to_page(v[i]);
     const Point2 whole_a = a, whole_b = b;
-    if (!drawn(i) || !clip_to_neighbourhood(a, b)) {
+    if (!drawn(i) || !clip_to_neighbourhood(a, b, reach)) {
       joined = false;
       continue;
     }
@@ -163,9 +165,10 @@ void VectorDevice::edges(const DrawnPolygon& polygon) {
 }
 
 void VectorDevice::line(const DrawnLine& line) {
+  const double reach = kReach + line.style.width / 2;
   Point2 a = to_page(line.from), b = to_page(line.to);
   const Point2 whole_a = a, whole_b = b;
-  if (!clip_to_neighbourhood(a, b)) return finish_lines();
+  if (!clip_to_neighbourhood(a, b, reach)) return finish_lines();
   const bool full =
       lines_.points.size() >= kLongestPath && line.style.kind == LineStyle::Kind::solid;
   if (lines_.empty() || full || lines_end_ != line.from || lines_style_ != line.style ||

@@ -70,13 +70,12 @@ class VectorDevice : public OutputDevice {
 
  private:
   Point2 to_page(const Point3& device) const;
-  bool near_the_page(const Point2& p) const;
-  bool clip_to_neighbourhood(Point2& a, Point2& b) const;
+  bool near_the_page(const Point2& p, double reach) const;
+  bool clip_to_neighbourhood(Point2& a, Point2& b, double reach) const;
   void clip_polygon_to_neighbourhood();
   void paint_inside(const DrawnPolygon& polygon, std::span<const PixelBlock> within);
 
   int width_, height_;
-  double reach_;  // how far outside of the picture anything is drawn
   Path path_;
   Path lines_;  // that continue each other, not painted yet
   Point3 lines_end_{0.0};

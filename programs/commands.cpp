@@ -155,10 +155,7 @@ int ImportCommand::run() const {
   const Progress progress("importing " + meshes.front());
   const Mesh::Skipped skipped = import_meshes(meshes, system);
   file.commit();
-  if (skipped.points_and_lines + skipped.degenerate_faces > 0) {
-    std::cerr << fmt::format("left out: {} points and lines, {} faces of fewer than 3 positions\n",
-                             skipped.points_and_lines, skipped.degenerate_faces);
-  }
+  report_skipped(skipped);
   return 0;
 }
 

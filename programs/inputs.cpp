@@ -1,13 +1,22 @@
 #include "programs/inputs.h"
 
+#include <fmt/format.h>
+
+#include <iostream>
+
 #include "displayfile/drawing_program.h"
-#include "displayfile/mesh.h"
 #include "programs/progress.h"
 
 namespace displayfile {
 
 bool is_drawing_program(const std::string& input) {
   return input == "-" || input.ends_with(".draw");
+}
+
+void report_skipped(const Mesh::Skipped& skipped) {
+  if (skipped.points_and_lines + skipped.degenerate_faces == 0) return;
+  std::cerr << fmt::format("left out: {} points and lines, {} faces of fewer than 3 positions\n",
+                           skipped.points_and_lines, skipped.degenerate_faces);
 }
 
 void enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system, double aspect) {
@@ -20,7 +29,7 @@ void enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system, d
     std::size_t end = i;  // meshes that follow each other share a fitted view
     while (end < inputs.size() && !is_drawing_program(inputs[end])) ++end;
     const Progress progress("reading " + inputs[i] + (end - i > 1 ? " and others" : ""));
-    import_meshes(inputs.subspan(i, end - i), system, aspect);
+    report_skipped(import_meshes(inputs.subspan(i, end - i), system, aspect));
     i = end;
   }
 }

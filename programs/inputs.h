@@ -4,6 +4,7 @@
 #include <string>
 
 #include "displayfile/graphics_system.h"
+#include "displayfile/mesh.h"
 
 namespace displayfile {
 
@@ -15,5 +16,8 @@ bool is_drawing_program(const std::string& input);
 /// program before them gave a view get a fitted one, for a picture of this aspect ratio (width
 /// over height). Throws Error, naming the file and the place.
 void enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system, double aspect = 1.0);
+
+/// Says on standard error what of the meshes was left out, if anything was.
+void report_skipped(const Mesh::Skipped& skipped);
 
 }  // namespace displayfile

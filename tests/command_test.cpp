@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -108,8 +110,9 @@ TEST_F(Command, DumpCheckAndCompareTellDifferences) {
   EXPECT_EQ(read(folder_ / "gold/t.txt"), dumped);
   EXPECT_EQ(run("check t.draw --golden gold"), 0);
   EXPECT_EQ(out_, "");
-  write("t.draw", "set-window 0 1 0 1\nset-line-style none\nopen-segment 1\n"
-                  "polygon-abs-3 0 0 0  1 0 0  0 0.5 0\nclose-segment\n");
+  write("t.draw",
+        "set-window 0 1 0 1\nset-line-style none\nopen-segment 1\n"
+        "polygon-abs-3 0 0 0  1 0 0  0 0.5 0\nclose-segment\n");
   EXPECT_EQ(run("check t.draw --golden gold"), 1);
   EXPECT_NE(out_.find("segment 1"), std::string::npos) << out_;
   EXPECT_NE(out_.find("0.5"), std::string::npos) << out_;
@@ -121,8 +124,9 @@ TEST_F(Command, DumpCheckAndCompareTellDifferences) {
 TEST_F(Command, CompareCountsWrongPixels) {
   write("t.draw", kTriangle);
   EXPECT_EQ(run("draw t.draw -o a.png --size 8x8 --ids a.npy"), 0);
-  write("u.draw", "set-window 0 1 0 1\nset-line-style none\nopen-segment 1\nset-pick-id 5\n"
-                  "polygon-abs-3 0 0 0  1 0 0  1 1 0  0 1 0\nclose-segment\n");
+  write("u.draw",
+        "set-window 0 1 0 1\nset-line-style none\nopen-segment 1\nset-pick-id 5\n"
+        "polygon-abs-3 0 0 0  1 0 0  1 1 0  0 1 0\nclose-segment\n");
   EXPECT_EQ(run("draw u.draw -o b.png --size 8x8 --ids b.npy"), 0);
   EXPECT_EQ(run("compare a.png b.png"), 1);
   EXPECT_NE(out_.find("36 wrong pixels of 64"), std::string::npos) << out_;
@@ -133,7 +137,8 @@ TEST_F(Command, CompareCountsWrongPixels) {
 }
 
 TEST_F(Command, ImportedMeshDrawsTheSamePicture) {
-  write("m.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
+  write("m.obj",
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
   EXPECT_EQ(run("import m.obj -o m.draw"), 0) << err_;
   EXPECT_EQ(run("draw m.obj -o a.png --ids a.npy"), 0) << err_;
   EXPECT_EQ(run("draw m.draw -o b.png --ids b.npy"), 0) << err_;
@@ -178,7 +183,9 @@ TEST_F(Command, BadInputGivesOneMessageWithItsPlace) {
   expect_error("draw nan.draw -o x.pdf", "nan.draw:2:14:");
   write("open.draw", "open-segment 1\nmove-abs-2 0 0\n");
   expect_error("draw open.draw -o x.png", "open.draw:");
-  write("binary.draw", std::string("\x7f" "ELF\0\1\2\3", 8));
+  write("binary.draw", std::string("\x7f"
+                                   "ELF\0\1\2\3",
+                                   8));
   expect_error("draw binary.draw -o x.png", "binary.draw");
   expect_error("draw missing.draw -o x.png", "missing.draw");
   expect_error("draw . -o x.png", ".");
@@ -188,9 +195,10 @@ TEST_F(Command, BadInputGivesOneMessageWithItsPlace) {
   expect_error("draw nan.obj -o x.png", "nan.obj");
   write("inf.obj", "v 0 0 0\nv 1 1e999 0\nv 0 1 0\nf 1 2 3\n");
   expect_error("draw inf.obj -o x.png", "inf.obj");
-  write("huge.ply", "ply\nformat ascii 1.0\nelement vertex 1000000000\nproperty float x\n"
-                    "property float y\nproperty float z\nelement face 1\n"
-                    "property list uchar int vertex_indices\nend_header\n0 0 0\n");
+  write("huge.ply",
+        "ply\nformat ascii 1.0\nelement vertex 1000000000\nproperty float x\n"
+        "property float y\nproperty float z\nelement face 1\n"
+        "property list uchar int vertex_indices\nend_header\n0 0 0\n");
   expect_error("draw huge.ply -o x.png", "huge.ply");
   write("empty.obj", "");
   expect_error("import empty.obj -o x.draw", "empty.obj");

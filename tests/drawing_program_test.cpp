@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -347,7 +348,7 @@ TEST(DrawingProgram, BinaryInputIsRefusedBeforeAnyLineIsCarriedOut) {
 /// The text is checked in blocks: a character may lie across two, and an error anywhere in one.
 TEST(DrawingProgram, BinaryInputIsFoundAtEveryPlace) {
   for (std::size_t length = 0; length < 200; ++length) {
-    const std::string comment = "#" + std::string(length, '-');
+    const std::string comment(length + 1, '#');
     EXPECT_EQ(error_of(comment + "\u2192\U0001F4D0\u00e9" + comment), "");
     EXPECT_EQ(error_of(comment + '\x01' + comment),
               "scene.draw:1:" + std::to_string(length + 2) +

@@ -33,22 +33,55 @@ using Real = long double;
 
 constexpr Real kEdgeDistance = 1.0L / 256;  // pixels
 
-// llvmpipe's depth at a pixel's centre, in units of 2^-24 of the mapped range of z, differs from
-// the plane's by at most 2, for the rounding of what is stored and of the vertices' own depths,
-// and 6 for each range by which the plane rises over the width and the height of the picture
-// together, for it works with x and y in single precision. Measured: see the test
-// OpenGlsDepthErrorIsWithinTheStatedBound, which holds the bound to be kept and nearly reached.
-constexpr Real kDepthUnits = 2, kDepthUnitsForSlope = 6;
-const Real kDepthUnit = std::exp2(Real(-24));
+// llvmpipe's depth at a pixel's centre differs from the plane's by no more than the sum of three
+// terms, all in units of 2^-24, the unit of its depth format and of single precision:
+//   - the mapped range of z, for what is stored and the depths of the vertices;
+//   - the rise of the plane over the picture's width and height together, for it works with x
+//     and y in single precision;
+//   - the triangle's own range of z times its longest side over its height, for the plane of
+//     a thin triangle comes from differences of products that nearly cancel.
+// The factors are measured: OpenGlsDepthErrorIsWithinTheStatedBound asserts that the bound holds
+// at every pixel, and that it is reached within a factor of 2.
+constexpr Real kUnitsForRange = 3, kUnitsForRise = 4, kUnitsForThinness = 3;
+const Real kUnit = std::exp2(Real(-24));
 
-/// A polygon as it is drawn: vertices in pixels, j upward; depth z0 + dz_di (i - i0) + dz_dj ...
+using Pixels = std::array<Real, 2>;
+
+Real cross(const Pixels& a, const Pixels& b, const Pixels& c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+/// A polygon as it is drawn: vertices in pixels, j upward, and its support plane.
 struct Drawn {
   std::int32_t id;
-  std::vector<std::array<Real, 2>> vertices;
+  std::vector<Pixels> vertices;
   Real i0, j0, z0, dz_di, dz_dj;
   Real i_min, i_max, j_min, j_max;
 
   Real depth(Real i, Real j) const { return z0 + dz_di * (i - i0) + dz_dj * (j - j0); }
+
+  /// Of the triangles of the polygon's fan that hold the point, or all but hold it, the largest
+  /// of their range of z times longest side over height.
+  Real thinness(Real i, Real j) const {
+    Real largest = 0;
+    for (std::size_t k = 2; k < vertices.size(); ++k) {
+      const std::array<Pixels, 3> corner = {vertices[0], vertices[k - 1], vertices[k]};
+      const Real area = cross(corner[0], corner[1], corner[2]);
+      if (area == 0) continue;
+      Real longest = 0, farthest_out = 0;
+      for (std::size_t n = 0; n < 3; ++n) {
+        const Pixels &a = corner[n], &b = corner[(n + 1) % 3];
+        const Real side = std::hypot(b[0] - a[0], b[1] - a[1]);
+        longest = std::max(longest, side);
+        farthest_out = std::max(farthest_out, -std::copysign(1, area) * cross(a, b, {i, j}) / side);
+      }
+      if (farthest_out > kEdgeDistance) continue;
+      const auto z = [&](std::size_t n) { return depth(corner[n][0], corner[n][1]); };
+      const auto [low, high] = std::minmax({z(0), z(1), z(2)});
+      largest = std::max(largest, (high - low) * longest * longest / std::abs(area));
+    }
+    return largest;
+  }
 
   bool covers(Real i, Real j) const {
     bool inside = false;
@@ -142,14 +175,16 @@ struct Collector final : OutputDevice {
   void edges(const DrawnPolygon&) override {}
   void line(const DrawnLine&) override {}
 
-  Real depth_error(const Drawn& polygon) const {
+  Real depth_error(const Drawn& polygon, Real i, Real j) const {
     const Real rise = std::abs(polygon.dz_di) * width + std::abs(polygon.dz_dj) * height;
-    return kDepthUnit * (kDepthUnits * (z_max - z_min) + kDepthUnitsForSlope * rise);
+    return kUnit * (kUnitsForRange * (z_max - z_min) + kUnitsForRise * rise +
+                    kUnitsForThinness * polygon.thinness(i, j));
   }
 };
 
 struct Count {
-  std::size_t pixels = 0, covered = 0, near_edge = 0, near_depth = 0, unexplained = 0;
+  std::size_t covered = 0, near_edge = 0, near_depth = 0, unexplained = 0;
+  std::string first_unexplained;
 };
 
 /// What may be seen at one pixel, given OpenGL's precision.
@@ -169,20 +204,22 @@ class OpenPixel {
     }
   }
 
-  bool near_edge() const { return !perhaps_.empty(); }
+  enum class Answer { no, perhaps, surely };
 
-  /// True if a polygon of that identifier covers the pixel, or may, and none that surely does
-  /// is nearer by more than the error of both depths; background, if none surely covers it.
-  bool may_show(std::int32_t id) const {
-    if (id < 0) return surely_.empty();
+  /// Whether a polygon of that identifier covers the pixel and none that surely does is nearer
+  /// by more than the error of both depths; surely, if no edge of it is near. Background, if
+  /// no polygon surely covers the pixel.
+  Answer shows(std::int32_t id) const {
+    if (id < 0) return surely_.empty() ? Answer::perhaps : Answer::no;
     const auto is_seen = [&](const Drawn* polygon) {
       return polygon->id == id && std::ranges::all_of(surely_, [&](const Drawn* other) {
-               return polygon->depth(i_, j_) + scene_.depth_error(*polygon) +
-                          scene_.depth_error(*other) >=
+               return polygon->depth(i_, j_) + scene_.depth_error(*polygon, i_, j_) +
+                          scene_.depth_error(*other, i_, j_) >=
                       other->depth(i_, j_);
              });
     };
-    return std::ranges::any_of(surely_, is_seen) || std::ranges::any_of(perhaps_, is_seen);
+    if (std::ranges::any_of(surely_, is_seen)) return Answer::surely;
+    return std::ranges::any_of(perhaps_, is_seen) ? Answer::perhaps : Answer::no;
   }
 
   std::string text() const {
@@ -191,7 +228,7 @@ class OpenPixel {
       for (const Drawn* p : *list) {
         text += fmt::format("\n  {} {}: depth {:.12g} +- {:.3g}, edge {:.3g} pixels away", kind,
                             p->id, static_cast<double>(p->depth(i_, j_)),
-                            static_cast<double>(scene_.depth_error(*p)),
+                            static_cast<double>(scene_.depth_error(*p, i_, j_)),
                             static_cast<double>(p->distance_to_edge(i_, j_)));
       }
     }
@@ -204,29 +241,31 @@ class OpenPixel {
   std::vector<const Drawn*> surely_, perhaps_;
 };
 
-Count compare(const DisplayFile& file, int width, int height) {
+/// Compares our picture of a display file with OpenGL's of one that should look the same.
+Count compare(const DisplayFile& file, const DisplayFile& drawn_by_opengl, int width, int height) {
   const RasterRequest request{.width = width, .height = height, .z_buffer = true, .ids = true};
   const Picture ours = draw_with_software(file, request);
-  const Picture theirs = draw_with_osmesa(file, request);
+  const Picture theirs = draw_with_osmesa(drawn_by_opengl, request);
   Collector scene(width, height);
   interpret(file, scene, Pass::fills);
   Count count;
   for (int row = 0; row < height; ++row) {
     for (int i = 0; i < width; ++i) {
       const auto k = static_cast<std::size_t>(row * width + i);
-      ++count.pixels;
       count.covered += ours.ids[k] >= 0;
       if (ours.ids[k] == theirs.ids[k]) continue;
+      using enum OpenPixel::Answer;
       const OpenPixel pixel(scene, i + 0.5L, height - 1 - row + 0.5L);
-      if (!pixel.may_show(ours.ids[k]) || !pixel.may_show(theirs.ids[k])) {
-        ++count.unexplained;
-        if (count.unexplained > 3) continue;
-        ADD_FAILURE() << fmt::format("pixel ({}, {}), {}x{}: ours {}, OSMesa's {}{}", i, row, width,
-                                     height, ours.ids[k], theirs.ids[k], pixel.text());
-      } else if (pixel.near_edge()) {
-        ++count.near_edge;
-      } else {
+      const auto our_answer = pixel.shows(ours.ids[k]), their_answer = pixel.shows(theirs.ids[k]);
+      if (our_answer == no || their_answer == no) {
+        if (count.unexplained++ > 0) continue;
+        count.first_unexplained =
+            fmt::format("pixel ({}, {}), {}x{}: ours {}, OSMesa's {}{}", i, row, width, height,
+                        ours.ids[k], theirs.ids[k], pixel.text());
+      } else if (our_answer == surely && their_answer == surely) {
         ++count.near_depth;
+      } else {
+        ++count.near_edge;
       }
     }
   }
@@ -236,12 +275,12 @@ Count compare(const DisplayFile& file, int width, int height) {
 void expect_agreement(const std::string& name, const DisplayFile& file) {
   SCOPED_TRACE(name);
   for (const auto& [width, height] : {std::pair{512, 512}, {333, 251}}) {
-    const Count count = compare(file, width, height);
+    const Count count = compare(file, file, width, height);
     fmt::print(
         "{:34} {:3}x{:3}: {:6} covered, {:4} differ near an edge, {:4} near in depth, {} "
         "unexplained\n",
         name, width, height, count.covered, count.near_edge, count.near_depth, count.unexplained);
-    EXPECT_EQ(count.unexplained, 0u);
+    EXPECT_EQ(count.unexplained, 0u) << count.first_unexplained;
     EXPECT_LE(count.near_edge, 8 + count.covered / 100);
     EXPECT_LE(count.near_depth, 8 + count.covered / 100);
   }
@@ -331,7 +370,7 @@ void needles(GraphicsSystem& system) {
 void stars(GraphicsSystem& system) {
   for (int k = 0; k < 60; ++k) {
     const int rays = 5 + 2 * (k % 4), step = k % 3 == 0 ? 1 : 2;
-    const double tilt = kTurn * k / 60;
+    const double tilt = kTurn * k / 127;
     const Point3 u(std::cos(tilt), 0.3 * std::sin(3 * tilt), std::sin(tilt)), v(-0.2, 1, 0.1);
     std::vector<Point3> corners;
     for (int i = 0; i < rays; ++i) {
@@ -411,8 +450,9 @@ TEST_F(ItemBuffer, OpenGlsDepthErrorIsWithinTheStatedBound) {
         if (picture.ids[k] < 0 || by_id.at(picture.ids[k]) == nullptr) continue;
         const Drawn& polygon = *by_id.at(picture.ids[k]);
         const auto i = static_cast<Real>(k % size), row = static_cast<Real>(k / size);
-        const Real z = polygon.depth(i + 0.5L, size - 0.5L - row);
-        here = std::max(here, std::abs(z - picture.depth[k]) / scene.depth_error(polygon));
+        const Real x = i + 0.5L, y = size - 0.5L - row;
+        here = std::max(here, std::abs(polygon.depth(x, y) - picture.depth[k]) /
+                                  scene.depth_error(polygon, x, y));
       }
       fmt::print("{:34} depth error {:.2f} of the bound\n",
                  fmt::format("{}, {}", name, direction.name), static_cast<double>(here));
@@ -430,6 +470,29 @@ TEST_F(ItemBuffer, OfMeshesAgreesWithOpenGl) {
                        drawn(surface, direction).display_file());
     }
   }
+}
+
+TEST_F(ItemBuffer, ASmallDisplacementWouldBeNoticed) {
+  const GraphicsSystem system = drawn(sphere, kDirections[1]);
+  DisplayFile aside = system.display_file(), nearer = system.display_file();
+  aside.segment(1).image.translation = {0.03 / 512, 0.0};  // 0.03 of a pixel
+  EXPECT_GT(compare(system.display_file(), aside, 512, 512).unexplained, 10u);
+
+  // Two planes that cross, one of them then moved nearer by 4e-6 of the range of z.
+  const auto crossing = [](double z) {
+    DisplayFile file;
+    Segment& segment = file.create(1);
+    const std::vector<std::uint8_t> all(4, 1);
+    segment.set_style(FillStyle{});
+    segment.set_pick(1);
+    segment.enter_polygon({{{0, 0, 0}, {1, 0, 1}, {1, 1, 1}, {0, 1, 0}}}, all);
+    segment.set_pick(2);
+    segment.enter_polygon(
+        {{{0, 0, 0.1 + z}, {1, 0, 0.999 + z}, {1, 1, 0.9 + z}, {0, 1, 0.001 + z}}}, all);
+    return file;
+  };
+  EXPECT_EQ(compare(crossing(0), crossing(0), 512, 512).unexplained, 0u);
+  EXPECT_GT(compare(crossing(0), crossing(4e-6), 512, 512).unexplained, 0u);
 }
 
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder,

@@ -5,9 +5,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <chrono>
 #include <cmath>
 #include <random>
 #include <string_view>
@@ -19,6 +16,7 @@
 #include "hidden/pixel_centre.h"
 #include "hidden/plane.h"
 #include "hidden/predicate_counts.h"
+#include "tests/bench/side_by_side.h"
 
 namespace {
 
@@ -26,8 +24,8 @@ using namespace displayfile;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 constexpr std::size_t kTuples = 1 << 12;  // in the caches, so that arithmetic is what is timed
-constexpr int kPasses = 64;
-constexpr int kTurns = 41;
+constexpr int kPasses = 8;
+constexpr int kTurns = 301;
 
 std::vector<Point3> random_points(std::size_t count) {
   std::mt19937_64 random(1);
@@ -41,11 +39,10 @@ std::vector<Point3> random_points(std::size_t count) {
   return points;
 }
 
-/// Seconds for a method over all tuples, one sign after the other. What it adds up is kept,
-/// and the loop is not to be run on several tuples at once: a sort asks for one sign at a time.
+/// A method over all tuples, one sign after the other, and not on several tuples at once: a
+/// sort asks for one sign at a time.
 template <class Sign>
-double seconds(const Sign& sign_of_tuple, long& sum) {
-  const auto start = std::chrono::steady_clock::now();
+void add_signs(const Sign& sign_of_tuple, long& sum) {
   for (int pass = 0; pass < kPasses; ++pass) {
     for (std::size_t k = 0; k < kTuples; ++k) {
       int sign = sign_of_tuple(k);
@@ -53,21 +50,16 @@ double seconds(const Sign& sign_of_tuple, long& sum) {
       sum += sign;
     }
   }
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The median over the turns of the second method's time over the first's.
+/// The second method's time over the first's.
 template <class First, class Second>
 double ratio(const First& first, const Second& second) {
-  std::array<double, kTurns> ratios;
   long sum = 0;
-  for (double& r : ratios) {
-    const double before = seconds(first, sum);
-    r = seconds(second, sum) / before;
-  }
+  const bench::Spread times = bench::times_faster(
+      kTurns, [&] { add_signs(first, sum); }, [&] { add_signs(second, sum); });
   asm volatile("" : : "r"(sum));
-  std::nth_element(ratios.begin(), ratios.begin() + kTurns / 2, ratios.end());
-  return ratios[kTurns / 2];
+  return times.median;
 }
 
 void line(std::string_view what, double measured, std::string_view against) {

@@ -1,0 +1,147 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string_view>
+
+#include "hidden/defined_point.h"
+#include "hidden/depth_order.h"
+
+namespace displayfile {
+
+/// What the command and the programs may ask for: `exact`, or `roundoff` with ROUNDOFF as a
+/// part of the scene's size.
+struct Precision {
+  static constexpr double kUsualRoundoff = 1e-9;
+  bool exact = true;
+  double roundoff = kUsualRoundoff;
+};
+
+/// Reads `exact`, `roundoff` or `roundoff=EPS`; throws Error for anything else, and unless
+/// 0 <= EPS < 1.
+Precision precision(std::string_view text);
+
+/// What a side of a piece lies on: an edge of its polygon, from stored point a to b, or the
+/// plane a that cut it off.
+struct SideLine {
+  static constexpr std::uint32_t kCut = std::numeric_limits<std::uint32_t>::max();
+  static SideLine edge(std::uint32_t from, std::uint32_t to) { return {from, to}; }
+  static SideLine cut_by(std::uint32_t plane) { return {plane, kCut}; }
+  bool made_by_cut() const { return b == kCut; }
+
+  std::uint32_t a, b;
+};
+
+// A precision policy: what an algorithm that splits polygons may ask, with one meaning and two
+// ways to decide it. Exact and Roundoff have the same members, so that each algorithm is
+// written once:
+//
+//   Vertex                                a vertex of a piece
+//   vertex(point, own)                    stored point `point` of a polygon in plane `own`
+//   side(v, plane)                        1 in front of the plane, -1 behind, 0 on it
+//   cut(from, to, line, own, plane)       where the side between two vertices, which lies on
+//                                         `line` in plane `own`, meets a plane that has them on
+//                                         opposite sides
+//   turn(a, b, c)                         1 if c is left of a to b in the projection, -1, 0
+//   compare_xy(a, b)                      order in the projection by x, then y; 0 if the same
+//   depth_order(p, q, at)                 1 if plane p is nearer than q at the vertex, -1, 0
+//   coordinates(v)                        doubles, for the display file
+//
+// Planes and points are indices into the Definitions.
+
+/// Every sign is the true one, of vertices kept as what they are.
+class Exact {
+ public:
+  using Vertex = DefinedPoint;
+
+  /// In device coordinates a vertex off its polygon's support plane counts as moved along z on
+  /// to it (`lift`), and no polygon's plane may be edge-on. In world coordinates, before
+  /// viewing, vertices stay where they are.
+  explicit Exact(const Definitions& all, bool lift = true) : all_(all), lift_(lift) {}
+
+  Vertex vertex(std::uint32_t point, std::uint32_t own) const {
+    return lift_ ? lifted_point(all_, point, own) : stored_point(all_.points[point]);
+  }
+  int side(const Vertex& v, std::uint32_t plane) const {
+    return side_of_plane(all_, v, all_.planes[plane]);
+  }
+  Vertex cut(const Vertex&, const Vertex&, const SideLine& line, std::uint32_t own,
+             std::uint32_t plane) const {
+    if (line.made_by_cut()) return plane_cut(all_, own, line.a, plane);
+    return lift_ ? lifted_edge_cut(all_, line.a, line.b, own, plane)
+                 : edge_cut(all_, line.a, line.b, plane);
+  }
+  int turn(const Vertex& a, const Vertex& b, const Vertex& c) const {
+    return orientation(all_, a, b, c);
+  }
+  int compare_xy(const Vertex& a, const Vertex& b) const {
+    return displayfile::compare_xy(all_, a, b);
+  }
+  int depth_order(std::uint32_t p, std::uint32_t q, const Vertex& at) const {
+    return displayfile::depth_order(all_, all_.planes[p], all_.planes[q], at);
+  }
+  Point3 coordinates(const Vertex& v) const { return rounded(all_, v); }
+
+ private:
+  Definitions all_;
+  bool lift_;
+};
+
+/// The textbook's: plain doubles, and SIGNOF with ROUNDOFF (algorithm 9.13). A plane's
+/// coefficients are taken as scaled to |A| + |B| + |C| = 1 and a line's likewise, so that
+/// ROUNDOFF is a length, whatever the polygon's size.
+class Roundoff {
+ public:
+  using Vertex = Point3;
+
+  /// roundoff: a length, 0 or more, in the points' coordinates.
+  Roundoff(const Definitions& all, double roundoff) : all_(all), roundoff_(roundoff) {}
+
+  /// A ROUNDOFF relative to the scene: `part` of the longest side of the points' bounding box.
+  static Roundoff relative(const Definitions& all, double part);
+
+  double roundoff() const { return roundoff_; }
+
+  /// SIGNOF (algorithm 9.13).
+  int signof(double x) const { return (x > roundoff_) - (x < -roundoff_); }
+
+  Vertex vertex(std::uint32_t point, std::uint32_t) const { return all_.points[point]; }
+  int side(const Vertex& v, std::uint32_t plane) const {
+    const Plane& p = all_.planes[plane];
+    return signof(plane_value(v, p).value / p.reach);
+  }
+  /// The intersection as COMPARE-POLYS finds it (algorithm 9.10).
+  Vertex cut(const Vertex& from, const Vertex& to, const SideLine&, std::uint32_t,
+             std::uint32_t plane) const {
+    const Plane& p = all_.planes[plane];
+    const double u = plane_value(from, p).value, v = plane_value(to, p).value;
+    const double w = u / (u - v);
+    return (to - from) * w + from;
+  }
+  int turn(const Vertex& a, const Vertex& b, const Vertex& c) const {
+    const double dx = b.x - a.x, dy = b.y - a.y;
+    const double size = std::abs(dx) + std::abs(dy);
+    return size == 0.0 ? 0 : signof((dx * (c.y - a.y) - dy * (c.x - a.x)) / size);
+  }
+  int compare_xy(const Vertex& a, const Vertex& b) const {
+    const int by_x = signof(a.x - b.x);
+    return by_x != 0 ? by_x : signof(a.y - b.y);
+  }
+  int depth_order(std::uint32_t p, std::uint32_t q, const Vertex& at) const {
+    return signof(depth(all_.planes[p], at) - depth(all_.planes[q], at));
+  }
+  Point3 coordinates(const Vertex& v) const { return v; }
+
+ private:
+  static double depth(const Plane& plane, const Vertex& at) {
+    return plane.p.z - (plane.normal.x * (at.x - plane.p.x) + plane.normal.y * (at.y - plane.p.y)) /
+                           plane.normal.z;
+  }
+
+  Definitions all_;
+  double roundoff_;
+};
+
+}  // namespace displayfile

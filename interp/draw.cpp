@@ -85,7 +85,7 @@ Picture draw(const GraphicsSystem& system, const DrawOptions& options) {
   request.ids = !options.ids.empty();
   request.depth = !options.depth.empty();
   request.threads = options.threads;
-  request.roundoff = options.roundoff;
+  if (!options.precision.exact) request.roundoff = options.precision.roundoff;
   require_picture_size(options.width, options.height);
   return options.device == RasterDevice::osmesa
              ? draw_with_osmesa(system.display_file(), request)

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "displayfile/graphics_system.h"
+#include "hidden/precision.h"
 #include "interp/picture.h"
 
 namespace displayfile {
@@ -19,7 +20,7 @@ struct DrawOptions {
   std::optional<HiddenMethod> hidden;  ///< in place of what the application set
   RasterDevice device = RasterDevice::software;
   int threads = 1;
-  std::optional<double> roundoff;      ///< ROUNDOFF in place of exact decisions
+  Precision precision;
   std::filesystem::path ids;    ///< item buffer as int32 .npy, if not empty
   std::filesystem::path depth;  ///< depth of the fills seen as float64 .npy, if not empty
 };

@@ -96,9 +96,21 @@ struct Stroke {
       std::swap(a.x, a.y);
       std::swap(b.x, b.y);
     }
+    if (line_width <= 1.0) {
+      a.y = within_a_pixel(a.y);
+      b.y = within_a_pixel(b.y);
+    }
     run = b.x - a.x;
     length = std::hypot(run, b.y - a.y);
     upright = line_width <= 1.0 ? 1.0 : line_width * (run == 0.0 ? 1.0 : length / std::abs(run));
+  }
+
+  /// A line of one pixel that runs along a border between pixels takes those above, by the rule
+  /// for polygons, or those on the right, where that rule would say left; on the picture's own
+  /// border it takes the last.
+  double within_a_pixel(double v) const {
+    if (v == (steep ? width : height)) return v - 0.5;
+    return steep ? v + 1.0 / 256 : v;
   }
 
   double low() const { return std::min(a.x, b.x); }

@@ -37,7 +37,7 @@ std::span<const Point2> VectorDevice::Path::run(std::size_t i) const {
   return std::span(points).subspan(runs[i].first, end - runs[i].first);
 }
 
-VectorDevice::VectorDevice(int width, int height) : width_(width), height_(height), kReach(kReach) {
+VectorDevice::VectorDevice(int width, int height) : width_(width), height_(height) {
   require_picture_size(width, height);
 }
 
@@ -123,9 +123,14 @@ bool VectorDevice::clip_to_neighbourhood(Point2& a, Point2& b, double reach) con
     }
   }
   if (!(enter <= leave)) return false;
-  const Point2 start = a;
-  a = start + enter * d;
-  b = start + leave * d;
+  const auto at = [&,
+                   start = a](double t) {  // clamped: far out, rounding is larger than the picture
+    const Point2 p = start + t * d;
+    return Point2(std::clamp(p.x, -reach, size[0] + reach),
+                  std::clamp(p.y, -reach, size[1] + reach));
+  };
+  if (enter > 0.0) a = at(enter);
+  if (leave < 1.0) b = at(leave);
   return true;
 }
 

@@ -8,11 +8,10 @@
 #include <functional>
 #include <iostream>
 #include <new>
-#include <optional>
-#include <string_view>
 #include <thread>
 
 #include "clip/error.h"
+#include "hidden/precision.h"
 #include "interp/software.h"
 #include "programs/commands.h"
 
@@ -31,26 +30,6 @@ void parse_size(const std::string& text, DrawOptions& options) {
   require_picture_size(width, height);
   options.width = static_cast<int>(width);
   options.height = static_cast<int>(height);
-}
-
-/// The ROUNDOFF of `roundoff` alone: more than what rounding does to coordinates in [0,1].
-constexpr double kRoundoff = 1e-9;
-
-std::optional<double> parse_precision(std::string_view text) {
-  if (text == "exact") return std::nullopt;
-  if (text == "roundoff") return kRoundoff;
-  if (text.starts_with("roundoff=")) {
-    const std::string_view number = text.substr(9);
-    double epsilon = 0.0;
-    const auto read = std::from_chars(number.data(), number.data() + number.size(), epsilon);
-    if (read.ec == std::errc{} && read.ptr == number.data() + number.size() && epsilon >= 0.0 &&
-        epsilon < 1.0) {
-      return epsilon;
-    }
-  }
-  throw Error(fmt::format(
-      "--precision {}: expected exact, roundoff or roundoff=EPS with EPS from 0 to less than 1",
-      text));
 }
 
 int run(int argc, char** argv) {
@@ -84,7 +63,7 @@ int run(int argc, char** argv) {
   command->add_flag("--stats", draw.stats, "print what was drawn");
   command->callback([&] {
     parse_size(size, draw.options);
-    draw.options.roundoff = parse_precision(precision);
+    draw.options.precision = displayfile::precision(precision);
     if (!hidden.empty()) draw.options.hidden = hidden_method(hidden);
     if (device != "software" && device != "osmesa") {
       throw Error(fmt::format("--device {}: expected software or osmesa", device));

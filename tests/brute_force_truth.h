@@ -56,7 +56,8 @@ class BruteForceTruth {
       const double other =
           std::nextafter(value.get_d(), direction * std::numeric_limits<double>::infinity());
       if (!std::isfinite(other)) continue;
-      const Rational from_best = abs(Rational(best) - value), from_other = abs(Rational(other) - value);
+      const Rational from_best = abs(Rational(best) - value),
+                     from_other = abs(Rational(other) - value);
       if (from_other < from_best || (from_other == from_best && is_even(other))) best = other;
     }
     return best;
@@ -101,8 +102,7 @@ class BruteForceTruth {
     if (value_for_r(r) == 0.0) return;
     Polygon polygon{{}, {}, 0, 0, pick};
     for (const Point3& v : drawn) {
-      polygon.vertices.push_back(
-          {Rational(v.x) * width_, Rational(v.y) * height_, Rational(v.z)});
+      polygon.vertices.push_back({Rational(v.x) * width_, Rational(v.y) * height_, Rational(v.z)});
     }
     // z - zp = dz_dx (x - xp) + dz_dy (y - yp) at q and r, by Cramer's rule.
     const Vertex &P = polygon.vertices[p], &Q = polygon.vertices[q], &R = polygon.vertices[r];

@@ -358,6 +358,16 @@ TEST_F(OsmesaTest, LinesCoverTheSamePixelsAsOurOwn) {
   }
 }
 
+TEST_F(OsmesaTest, LinesOnBordersBetweenPixelsTakeTheSamePixelsAsOurOwn) {
+  segment().set_style(LineStyle{});
+  for (double at : {0.0, 0.25, 0.5, 1.0}) {
+    segment().enter_line({at, 0, 0.5}, {at, 1, 0.5});
+    segment().enter_line({0, at, 0.5}, {1, at, 0.5});
+  }
+  const RasterRequest request{.width = 16, .height = 24};
+  EXPECT_EQ(draw_with_osmesa(file, request).pixels, draw_with_software(file, request).pixels);
+}
+
 TEST_F(OsmesaTest, LinesBeyondThePictureAreLeftOutAndLongDashedOnesEnd) {
   segment().set_style(LineStyle{.kind = LineStyle::Kind::dashed, .dash = 1e-3, .gap = 1.0});
   segment().enter_line({-1e90, 0.5, 0.5}, {1e90, 0.5, 0.5});

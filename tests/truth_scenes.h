@@ -56,19 +56,21 @@ struct SceneFamily {
 namespace scenes {
 
 /// A step of n from -n/4 to 5n/4 over n: on the picture and around it.
-inline double step(Dice& dice, int n) { return static_cast<double>(dice.from(-n / 4, n + n / 4)) / n; }
+inline double step(Dice& dice, int n) {
+  return static_cast<double>(dice.from(-n / 4, n + n / 4)) / n;
+}
 
 inline Vertices on_a_grid(Dice& dice) {
   return polygon(dice.from(3, 9), [&] {
     const double x = step(dice, 8), y = step(dice, 8);
-    return Point3(x, y, dice.from(0, 4) / 4.0);
+    return Point3{x, y, dice.from(0, 4) / 4.0};
   });
 }
 
 inline Vertices on_pixel_centres(Dice& dice) {  // of 32 x 32
   return polygon(dice.from(3, 7), [&] {
     const double x = (2 * dice.from(-2, 33) + 1) / 64.0, y = (2 * dice.from(-2, 33) + 1) / 64.0;
-    return Point3(x, y, dice.from(0, 2) / 2.0);
+    return Point3{x, y, dice.from(0, 2) / 2.0};
   });
 }
 
@@ -76,7 +78,7 @@ inline Vertices on_thirds_and_tenths(Dice& dice) {  // coordinates and products 
   const int n = dice.of(std::array{3, 7, 10, 13});
   return polygon(dice.from(3, 6), [&] {
     const double x = step(dice, n), y = step(dice, n);
-    return Point3(x, y, dice.from(0, 5) / 10.0);
+    return Point3{x, y, dice.from(0, 5) / 10.0};
   });
 }
 
@@ -84,12 +86,18 @@ inline Vertices degenerate(Dice& dice) {
   Vertices v = on_a_grid(dice);
   switch (dice.from(0, 4)) {
     case 0: v.insert(v.begin() + dice.from(0, 2), v[1]); break;  // repeated
-    case 1: v.resize(3); v[2] = v[0]; break;                     // zero area
-    case 2:                                                      // edge-on
+    case 1:
+      v.resize(3);
+      v[2] = v[0];
+      break;  // zero area
+    case 2:   // edge-on
       for (Point3& p : v) p.y = 2.0 * p.x - 0.5;
       break;
     case 3: v.insert(v.end(), v.rbegin(), v.rend()); break;  // there and back
-    default: v.push_back(v[0]); v.push_back(v[1]); break;
+    default:
+      v.push_back(v[0]);
+      v.push_back(v[1]);
+      break;
   }
   return v;
 }
@@ -99,7 +107,7 @@ inline Vertices coplanar(Dice& dice) {  // all on one tilted plane, or an ulp ab
   return polygon(dice.from(3, 6), [&] {
     const double x = step(dice, 8), y = step(dice, 8);
     const double z = 0.25 + 0.25 * x + 0.125 * y;
-    return Point3(x, y, above ? std::nextafter(z, 2.0) : z);
+    return Point3{x, y, above ? std::nextafter(z, 2.0) : z};
   });
 }
 
@@ -107,7 +115,7 @@ inline Vertices nearly_coplanar(Dice& dice) {
   const double slope_x = 0.3, slope_y = 1.0 / 7, gap = std::pow(10.0, -dice.from(3, 17));
   return polygon(3, [&] {
     const double x = step(dice, 10), y = step(dice, 10);
-    return Point3(x, y, 0.3 + slope_x * x + slope_y * y + gap * dice.from(-1, 1));
+    return Point3{x, y, 0.3 + slope_x * x + slope_y * y + gap * dice.from(-1, 1)};
   });
 }
 
@@ -115,7 +123,7 @@ inline Vertices interpenetrating(Dice& dice) {  // planes through one axis
   const double slope = dice.from(-4, 4) / 4.0;
   return polygon(dice.from(3, 5), [&] {
     const double x = step(dice, 16), y = step(dice, 16);
-    return Point3(x, y, 0.5 + slope * (x - 0.5));
+    return Point3{x, y, 0.5 + slope * (x - 0.5)};
   });
 }
 
@@ -123,7 +131,7 @@ inline Vertices sheets_an_ulp_apart(Dice& dice) {
   const double z = 0.5 + dice.from(0, 5) * 0x1p-53;
   return polygon(dice.from(3, 6), [&] {
     const double x = step(dice, 9), y = step(dice, 9);
-    return Point3(x, y, z);
+    return Point3{x, y, z};
   });
 }
 
@@ -152,21 +160,21 @@ inline Vertices tiny(Dice& dice) {  // depths far below 1, and polygons between 
   const double unit = dice.of(std::array{0x1p-1074, 0x1p-1022, 0x1p-500});
   return polygon(dice.from(3, 5), [&] {
     const double near = dice.one_in(3) ? 0x1p-60 : 1.0;
-    return Point3(step(dice, 6) * near, step(dice, 6) * near, dice.from(-5, 5) * unit);
+    return Point3{step(dice, 6) * near, step(dice, 6) * near, dice.from(-5, 5) * unit};
   });
 }
 
 inline Vertices far_apart_in_depth(Dice& dice) {
   const double depth = dice.of(std::array{1e-9, 1.0, 1e9, 1e90});
   return polygon(dice.from(3, 5), [&] {
-    return Point3(step(dice, 5), step(dice, 5), dice.from(-3, 3) * depth);
+    return Point3{step(dice, 5), step(dice, 5), dice.from(-3, 3) * depth};
   });
 }
 
 inline Vertices anything(Dice& dice) {
   return polygon(dice.from(3, 9), [&] {
     const double x = 1.5 * dice.part() - 0.25, y = 1.5 * dice.part() - 0.25;
-    return Point3(x, y, dice.part());
+    return Point3{x, y, dice.part()};
   });
 }
 
@@ -184,11 +192,13 @@ inline void turned_and_moved(Dice& dice, ImageTransformation& image) {
 
 inline Vertices far_from_the_origin(Dice& dice) {  // brought back by the transformation
   Vertices v = on_a_grid(dice);
-  for (Point3& p : v) p += Point3(1e6, -1e6, 0);
+  for (Point3& p : v) p += Point3{1e6, -1e6, 0};
   return v;
 }
 
-inline void back_to_the_origin(Dice&, ImageTransformation& image) { image.translation = {-1e6, 1e6}; }
+inline void back_to_the_origin(Dice&, ImageTransformation& image) {
+  image.translation = {-1e6, 1e6};
+}
 
 }  // namespace scenes
 
@@ -240,7 +250,7 @@ inline DisplayFile scene(const SceneFamily& family, std::uint32_t seed, int poly
 struct PictureShape {
   int width, height;
 };
-inline constexpr std::array kSmallShapes = {PictureShape{32, 32}, {7, 13}, {33, 1}, {1, 1},
-                                            {32, 17},             {31, 33}, {1, 32}};
+inline constexpr std::array kSmallShapes = {
+    PictureShape{32, 32}, {7, 13}, {33, 1}, {1, 1}, {32, 17}, {31, 33}, {1, 32}};
 
 }  // namespace displayfile::test

@@ -5,8 +5,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "clip/error.h"
@@ -83,10 +87,9 @@ TEST(Truth, CentresOnLeftAndTopEdgesBelong) {
 }
 
 TEST(Truth, EvenOddForConcaveAndSelfCrossingPolygons) {
-  const Vertices with_hole = {{0, 0, 0},       {1, 0, 0},       {1, 1, 0},
-                              {0, 1, 0},       {0, 0, 0},       {0.25, 0.25, 0},
-                              {0.75, 0.25, 0}, {0.75, 0.75, 0}, {0.25, 0.75, 0},
-                              {0.25, 0.25, 0}};
+  const Vertices with_hole = {{0, 0, 0},       {1, 0, 0},       {1, 1, 0},       {0, 1, 0},
+                              {0, 0, 0},       {0.25, 0.25, 0}, {0.75, 0.25, 0}, {0.75, 0.75, 0},
+                              {0.25, 0.75, 0}, {0.25, 0.25, 0}};
   EXPECT_EQ(rows(truth(file_of({with_hole}), 4, 4, false)),
             "aaaa\n"
             "a..a\n"
@@ -174,13 +177,16 @@ TEST(Truth, TheSupportPlaneIsTheDepthOfAVertexOffIt) {
 }
 
 TEST(Truth, EdgeOnPolygonsCoverNothing) {
-  EXPECT_EQ(rows(truth(file_of({{{0, 0.5, 0}, {1, 0.5, 0}, {1, 0.5, 1}, {0, 0.5, 1}}}), 1, 1, true)),
-            ".\n");
-  // In line, although r's value in doubles is not 0: y = 3x for p, q and r, and the fourth vertex
-  // is too close to the line to be r. The sliver covers the centre (1/8, 3/8), but has no plane.
-  const double x = 0.25 + 0x1p-52, low = 0x1p-60;
-  const Vertices sliver = {{low, 3 * low, 0}, {x, 3 * x, 1}, {x / 2, 3 * (x / 2), 0}, {0.2, 0.1, 0}};
-  (void)sliver;
+  EXPECT_EQ(
+      rows(truth(file_of({{{0, 0.5, 0}, {1, 0.5, 0}, {1, 0.5, 1}, {0, 0.5, 1}}}), 1, 1, true)),
+      ".\n");
+  // p, q and r lie in line (y = 3x), although r's value in doubles is 2^-52, so that there is no
+  // plane. The fourth vertex is an ulp beside the line, and the centre (1/8, 3/8) is on it.
+  const double p = -0x1.f3f5f786b8a40p-2, q = 0x1.d6c126d0047a0p-3, r = 0x1.812d0ba1fa748p-3;
+  const Vertices sliver = {
+      {p, 3 * p, 0}, {q, 3 * q, 1}, {r, 3 * r, 0}, {0x1.669e6b68d4351p-4, 0x1.0cf6d08e9f27cp-2, 0}};
+  EXPECT_EQ(rows(truth(file_of({sliver}), 4, 4, true)), "....\n....\n....\n....\n");
+  EXPECT_EQ(rows(test::brute_force_truth(file_of({sliver}), 4, 4)), "....\n....\n....\n....\n");
 }
 
 TEST(Truth, DepthIsRoundedOnceToTheNearestDouble) {
@@ -245,7 +251,8 @@ TEST(Truth, ProgressCountsEveryVisiblePolygon) {
 TEST(Truth, ManySides) {
   test::Dice dice(1);
   Vertices v;
-  for (int k = 0; k < 2000; ++k) v.emplace_back(dice.from(0, 8) / 8.0, dice.from(0, 8) / 8.0, 0.5);
+  for (int k = 0; k < 2000; ++k)
+    v.push_back(Point3{dice.from(0, 8) / 8.0, dice.from(0, 8) / 8.0, 0.5});
   const DisplayFile file = file_of({v});
   EXPECT_EQ(truth(file, 16, 16, false).ids, test::brute_force_truth(file, 16, 16).ids);
 }

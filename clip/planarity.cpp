@@ -53,40 +53,51 @@ bool within(const Point2& p, const Point2& a, const Point2& b, const Point2& c) 
 
 std::span<const Triangulation::Triangle> Triangulation::triangulate(std::span<const Point3> world) {
   const Point3 normal = newell_normal(world);
+  const auto sides = static_cast<std::uint32_t>(world.size());
   triangles_.clear();
   flattened_.clear();
-  remaining_.clear();
-  for (std::uint32_t i = 0; i < world.size(); ++i) {
+  ring_.resize(sides);
+  for (std::uint32_t i = 0; i < sides; ++i) {
     flattened_.push_back(flatten(world[i], normal));
-    remaining_.push_back(i);
+    ring_[i] = {(i + sides - 1) % sides, (i + 1) % sides};
   }
-  const auto is_ear = [&](std::size_t k) {
-    const std::size_t m = remaining_.size();
-    const std::uint32_t a = remaining_[(k + m - 1) % m], b = remaining_[k],
-                        c = remaining_[(k + 1) % m];
-    if (turn(flattened_[a], flattened_[b], flattened_[c]) <= 0.0) return false;
-    return std::ranges::none_of(remaining_, [&](std::uint32_t v) {
-      return v != a && v != b && v != c &&
-             within(flattened_[v], flattened_[a], flattened_[b], flattened_[c]);
-    });
+  const auto is_ear = [&](std::uint32_t b) {
+    const auto [a, c] = ring_[b];
+    const Point2 &p = flattened_[a], &q = flattened_[b], &r = flattened_[c];
+    if (turn(p, q, r) <= 0.0) return false;
+    for (std::uint32_t v = ring_[c].next; v != a; v = ring_[v].next) {
+      const Point2& other = flattened_[v];  // the polygon may pass through a vertex again
+      if (other != p && other != q && other != r && within(other, p, q, r)) return false;
+    }
+    return true;
   };
   // A side of the polygon joins neighbours in its order; anything else is a diagonal.
   const auto is_side = [&](std::uint32_t from, std::uint32_t to) {
-    return static_cast<std::uint8_t>((from + 1) % world.size() == to);
+    return static_cast<std::uint8_t>((from + 1) % sides == to);
   };
-  while (remaining_.size() >= 3) {
-    std::size_t k = 1;  // where no ear is left, the polygon crosses itself: fan
-    for (std::size_t i = 0; i < remaining_.size(); ++i) {
-      if (is_ear((i + 1) % remaining_.size())) {
-        k = (i + 1) % remaining_.size();
-        break;
-      }
-    }
-    const std::size_t m = remaining_.size();
-    const std::uint32_t a = remaining_[(k + m - 1) % m], b = remaining_[k],
-                        c = remaining_[(k + 1) % m];
+  const auto cut_off = [&](std::uint32_t b) {
+    const auto [a, c] = ring_[b];
     triangles_.push_back({{a, b, c}, {is_side(c, a), is_side(a, b), is_side(b, c)}});
-    remaining_.erase(remaining_.begin() + static_cast<std::ptrdiff_t>(k));
+    ring_[a].next = c;
+    ring_[c].previous = a;
+  };
+  std::uint32_t vertex = 1, tried = 0;
+  for (std::uint32_t left = sides; left >= 3;) {
+    // Once round without an ear: the polygon crosses itself. Fan what is left.
+    if (tried < left && !is_ear(vertex)) {
+      ++tried;
+      vertex = ring_[vertex].next;
+      continue;
+    }
+    const std::uint32_t next = ring_[vertex].next;
+    cut_off(vertex);
+    if (tried < left--) {
+      tried = 0;
+      vertex = ring_[next].next;  // not the neighbour: that would cut slivers round one vertex
+    } else {
+      tried = left;
+      vertex = next;
+    }
   }
   return triangles_;
 }

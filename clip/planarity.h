@@ -29,12 +29,15 @@ class Triangulation {
   /// Triangles that tile the polygon, seen along its Newell normal, by cutting off ears; each
   /// keeps the polygon's own turning direction. A polygon that crosses itself has no such
   /// tiling; it is cut where ears are found and fanned from there. Quadratic in the number of
-  /// sides. Valid until the next call.
+  /// sides for usual polygons. Valid until the next call.
   std::span<const Triangle> triangulate(std::span<const Point3> world);
 
  private:
   std::vector<Triangle> triangles_;
-  std::vector<std::uint32_t> remaining_;
+  struct Neighbours {
+    std::uint32_t previous, next;
+  };
+  std::vector<Neighbours> ring_;  // of the vertices that are left
   std::vector<Point2> flattened_;
 };
 

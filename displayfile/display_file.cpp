@@ -20,10 +20,10 @@ Segment& DisplayFile::create(int name) {
 
 void DisplayFile::remove(int name) {
   const Segment& segment = this->segment(name);
-  const auto place = static_cast<std::size_t>(&segment - segments_.data());
-  segments_.erase(segments_.begin() + static_cast<std::ptrdiff_t>(place));
+  const auto gap = static_cast<std::size_t>(&segment - segments_.data());
+  segments_.erase(segments_.begin() + static_cast<std::ptrdiff_t>(gap));
   place_.erase(name);
-  for (std::size_t i = place; i < segments_.size(); ++i) place_[segments_[i].name()] = i;
+  for (std::size_t i = gap; i < segments_.size(); ++i) place_[segments_[i].name()] = i;
 }
 
 void DisplayFile::remove_all() {
@@ -40,13 +40,18 @@ void DisplayFile::rename(int from, int to) {
 }
 
 Segment& DisplayFile::segment(int name) {
-  return const_cast<Segment&>(static_cast<const DisplayFile&>(*this).segment(name));
+  if (last_found_ >= segments_.size() || segments_[last_found_].name() != name) {
+    last_found_ = place(name);
+  }
+  return segments_[last_found_];
 }
 
-const Segment& DisplayFile::segment(int name) const {
+const Segment& DisplayFile::segment(int name) const { return segments_[place(name)]; }
+
+std::size_t DisplayFile::place(int name) const {
   const auto found = place_.find(name);
   if (found == place_.end()) throw Error(fmt::format("no segment named {}", name));
-  return segments_[found->second];
+  return found->second;
 }
 
 std::size_t DisplayFile::polygons() const {

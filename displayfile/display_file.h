@@ -30,9 +30,11 @@ class DisplayFile {
 
  private:
   void require_new_name(int name) const;
+  std::size_t place(int name) const;
 
   std::vector<Segment> segments_;
   std::unordered_map<int, std::size_t> place_;
+  std::size_t last_found_ = 0;  // primitives are entered into one segment after another
 };
 
 }  // namespace displayfile

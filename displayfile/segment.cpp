@@ -50,8 +50,12 @@ void Segment::enter_line(const Point3& from, const Point3& to) {
 
 void Segment::enter_polygon(std::span<const Point3> vertices,
                             std::span<const std::uint8_t> edge_visible) {
-  op_.push_back(static_cast<std::int32_t>(vertices.size()));
-  for (std::uint8_t drawn : edge_visible) op_.push_back(drawn != 0 ? op::line : op::move);
+  const std::size_t start = op_.size();
+  op_.resize(start + 1 + vertices.size());
+  op_[start] = static_cast<std::int32_t>(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    op_[start + 1 + i] = edge_visible[i] != 0 ? op::line : op::move;
+  }
   enter_points(vertices);
   pen_ = vertices.back();
   ++polygons_;

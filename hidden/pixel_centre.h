@@ -59,10 +59,10 @@ inline int crossing(const Point2& a, const Point2& b, const PixelCentre& centre)
   const double left = (a.x - centre.x) * rise;
   const double right = (a.y - centre.y) * run;
   const double determinant = left - right;
-  const double bound = kBound * std::abs(left + right) +
-                       centre.error * (std::abs(rise) + std::abs(run)) * kInflate + kTiny;
+  const double bound =
+      kBound * std::abs(left + right) + centre.error * (std::abs(rise) + std::abs(run)) + kTiny;
   if (std::abs(determinant) > bound) [[likely]] {
-    return decided_sign(determinant) * decided_sign(rise);
+    return decided_sign(determinant, rise);
   }
   return exact_crossing(a, b, centre);
 }

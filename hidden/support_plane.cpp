@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "hidden/orientation.h"
+
 namespace displayfile {
 
 SupportVertices support_vertices(std::span<const Point3> v) {
@@ -9,7 +11,12 @@ SupportVertices support_vertices(std::span<const Point3> v) {
   const auto twice_area = [&](std::size_t q, std::size_t i) {
     return std::abs((v[q].x - v[0].x) * (v[i].y - v[0].y) - (v[q].y - v[0].y) * (v[i].x - v[0].x));
   };
-  if (v.size() == 3) return {{0, 1, 2}, twice_area(1, 2) == 0.0};
+  // In doubles, as the definition says; but three points that are in line although that value is
+  // not 0 have no plane either.
+  const auto in_line = [&](std::size_t q, std::size_t r) {
+    return twice_area(q, r) == 0.0 || orientation(v[0], v[q], v[r]) == 0;
+  };
+  if (v.size() == 3) return {{0, 1, 2}, in_line(1, 2)};
   std::size_t q = 0, r = 0;
   double farthest = -1.0;
   for (std::size_t i = 0; i < v.size(); ++i) {
@@ -26,7 +33,7 @@ SupportVertices support_vertices(std::span<const Point3> v) {
       r = i;
     }
   }
-  return {{0, static_cast<std::uint32_t>(q), static_cast<std::uint32_t>(r)}, farthest == 0.0};
+  return {{0, static_cast<std::uint32_t>(q), static_cast<std::uint32_t>(r)}, in_line(q, r)};
 }
 
 DepthPlane depth_plane(const Point3& p, const Point3& q, const Point3& r) {

@@ -1,7 +1,6 @@
 #include "interp/seen_band.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace displayfile {
 
@@ -12,22 +11,20 @@ void SeenBand::find(int first_row, int end_row, std::span<const std::uint32_t> p
   end_kept_ = std::min(drawing_.height, end_row + kMargin);
   const std::size_t size =
       static_cast<std::size_t>(end_kept_ - first_kept_) * static_cast<std::size_t>(drawing_.width);
-  seen_.assign(size, kBackground);
-  depth_.assign(size, -std::numeric_limits<double>::infinity());
+  owners_.resize(size);
+  depth_.assign(size, kFarthest);
+  begun_.clear();
   for (const std::uint32_t polygon : polygons) {
-    const CollectedDrawing::Polygon& p = drawing_.polygons[polygon];
-    if (!p.filled) continue;
+    if (drawing_.polygons[polygon].filled) begun_.push_back(polygon);
+  }
+  std::ranges::sort(begun_);  // the z-buffer takes what comes later to be entered later
+  ZBuffer z_buffer({drawing_.width, drawing_.height}, {});
+  for (const std::uint32_t polygon : begun_) {
+    const auto vertices = drawing_.vertices_of(drawing_.polygons[polygon]);
+    z_buffer.begin_polygon(vertices, support_vertices(vertices));
     scan_convert(polygon, first_kept_, end_kept_, [&](int row, int first, int end) {
-      const double row_depth = p.depth.row(row);
-      std::size_t at = index(first, row);
-      for (int i = first; i < end; ++i, ++at) {
-        const double z = p.depth.at(row_depth, i);
-        const bool nearer = z > depth_[at] ||
-                            (z == depth_[at] && (seen_[at] == kBackground || polygon > seen_[at]));
-        if (!nearer) continue;
-        depth_[at] = z;
-        seen_[at] = polygon;
-      }
+      const std::size_t start = index(0, row);
+      z_buffer.draw_span(row, first, end, &depth_[start], &owners_[start], [](int) {});
     });
   }
 }

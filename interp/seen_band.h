@@ -1,17 +1,19 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "interp/collected_drawing.h"
 #include "interp/scan_convert.h"
+#include "interp/z_buffer.h"
 
 namespace displayfile {
 
 /// Which polygon is seen at each pixel centre, for a band of the picture's rows and some rows
-/// more on either side: a z-buffer that keeps the polygon's index. Of equal depths the polygon
-/// entered later is seen.
+/// more on either side: the exact z-buffer's owners. Of equal depths the polygon entered later is
+/// seen.
 class SeenBand {
  public:
   static constexpr std::uint32_t kBackground = CollectedDrawing::kNone;
@@ -21,14 +23,17 @@ class SeenBand {
   explicit SeenBand(const CollectedDrawing& drawing) : drawing_(drawing) {}
 
   /// Fills the band's rows first_row <= j < end_row (and the margins) from these polygons, by
-  /// index; those that are not filled are passed over.
+  /// index, in any order; those that are not filled are passed over.
   void find(int first_row, int end_row, std::span<const std::uint32_t> polygons);
 
   int first_row() const { return first_row_; }
   int end_row() const { return end_row_; }
 
   /// Within the band and its margins.
-  std::uint32_t seen(int column, int row) const { return seen_[index(column, row)]; }
+  std::uint32_t seen(int column, int row) const {
+    const std::size_t at = index(column, row);
+    return depth_[at] == kFarthest ? kBackground : begun_[owners_[at]];
+  }
   /// Of the polygon seen; minus infinity for the background.
   double depth(int column, int row) const { return depth_[index(column, row)]; }
   int first_row_kept() const { return first_kept_; }
@@ -42,6 +47,8 @@ class SeenBand {
   }
 
  private:
+  static constexpr double kFarthest = -std::numeric_limits<double>::infinity();
+
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row - first_kept_) * static_cast<std::size_t>(drawing_.width) +
            static_cast<std::size_t>(column);
@@ -54,8 +61,9 @@ class SeenBand {
 
   const CollectedDrawing& drawing_;
   int first_row_ = 0, end_row_ = 0, first_kept_ = 0, end_kept_ = 0;
-  std::vector<std::uint32_t> seen_;
+  std::vector<ZBuffer::Owner> owners_;
   std::vector<double> depth_;
+  std::vector<std::uint32_t> begun_;  // the polygon of each owner
   ScanConverter converter_;
 };
 

@@ -49,8 +49,7 @@ class SoftwareDevice : public OutputDevice {
     const SupportVertices support = support_vertices(polygon.vertices);
     std::optional<PixelDepth> depth;
     if (z_buffer_on_ && !support.edge_on) depth.emplace(polygon.vertices, support, width_, height_);
-    const auto [nearest, farthest] = depth_range(polygon.vertices);
-    const double slack = 1e-6 * (nearest - farthest) + 1e-12;
+    const DepthRange range = depth_range(polygon.vertices);
     const std::uint32_t colour = pixel_of(polygon.line.colour);
     DashPhase phase;
     Point3 from = pixel(polygon.vertices.back());
@@ -62,7 +61,7 @@ class SoftwareDevice : public OutputDevice {
             // The polygon's plane, but half a pixel beyond a polygon seen nearly edge-on
             // that plane is anywhere: no nearer or farther than the polygon itself.
             const double at_centre = depth->at(depth->row(y), x);
-            z = std::clamp(at_centre, farthest - slack, nearest + slack);
+            z = std::clamp(at_centre, range.farthest, range.nearest);
           }
           plot(x, y, z, colour);
         });
@@ -101,13 +100,18 @@ class SoftwareDevice : public OutputDevice {
            std::min(first_row_above(high, height_), region_.row_end);
   }
 
-  static std::pair<double, double> depth_range(std::span<const Point3> vertices) {
+  struct DepthRange {
+    double nearest, farthest;
+  };
+  /// Of the vertices, and a little more: rounding may put the polygon's own fill there.
+  static DepthRange depth_range(std::span<const Point3> vertices) {
     double nearest = vertices[0].z, farthest = nearest;
     for (const Point3& v : vertices) {
       nearest = std::max(nearest, v.z);
       farthest = std::min(farthest, v.z);
     }
-    return {nearest, farthest};
+    const double slack = 1e-6 * (nearest - farthest) + 1e-12;
+    return {nearest + slack, farthest - slack};
   }
 
   void fill_nearest(const DrawnPolygon& polygon, const SupportVertices& support,

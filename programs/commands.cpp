@@ -17,6 +17,7 @@
 #include "interp/picture_compare.h"
 #include "interp/png_file.h"
 #include "interp/ppm_file.h"
+#include "interp/truth.h"
 #include "programs/inputs.h"
 #include "programs/progress.h"
 
@@ -45,19 +46,31 @@ std::string statistics(const GraphicsSystem& system, const DrawOptions& options)
       options.width, options.height, name_of(drawing_method(system, options)));
 }
 
-/// Prints what was found; the exit status.
-int report(const PictureDifference& d) {
-  if (!d.same_size) {
-    std::cout << "the sizes differ\n";
-  } else {
-    std::cout << fmt::format("{} wrong pixels of {}, largest difference {}\n", d.wrong_pixels,
-                             d.pixels, d.largest);
-    if (d.background_and_polygon + d.polygon_and_polygon > 0) {
-      std::cout << fmt::format("  {} between background and polygon, {} between polygons\n",
-                               d.background_and_polygon, d.polygon_and_polygon);
-    }
+std::string measures(const PictureDifference& d) {
+  if (!d.same_size) return "the sizes differ\n";
+  std::string text = fmt::format("{} wrong pixels of {}, largest difference {}\n", d.wrong_pixels,
+                                 d.pixels, d.largest);
+  if (d.background_and_polygon + d.polygon_and_polygon > 0) {
+    text += fmt::format(
+        "  {} show the background in the first only, {} in the second only, {} two polygons\n",
+        d.background_in_first, d.background_and_polygon - d.background_in_first,
+        d.polygon_and_polygon);
   }
-  return d.differs() ? 1 : 0;
+  if (d.finite_in_both + d.finite_in_one > 0) {
+    text += fmt::format("  depth error: largest {}, mean {}, over {} pixels finite in both\n",
+                        d.largest_error, d.mean_error, d.finite_in_both);
+    text += fmt::format("  {} pixels finite in only one\n", d.finite_in_one);
+  }
+  return text;
+}
+
+/// Marks the wrong pixels if that is asked for, and prints what was found; the exit status.
+template <class Raster>
+int report(const Raster& a, const Raster& b, const std::string& marks) {
+  const PictureDifference difference = compare(a, b);
+  if (!marks.empty()) write_png(marked(a, b), marks);
+  std::cout << measures(difference);
+  return difference.differs() ? 1 : 0;
 }
 
 std::string golden_name(const std::string& input) {
@@ -120,6 +133,24 @@ int CheckCommand::run() const {
   return status;
 }
 
+int TruthCommand::run() const {
+  GraphicsSystem system;
+  enter_inputs(inputs, system, static_cast<double>(width) / height);
+  // Every output must be writable before the long work, and any is written.
+  OutputFile{ids};
+  if (!depth.empty()) OutputFile{depth};
+  Picture picture;
+  {
+    Progress progress(fmt::format("the truth of {} polygons", system.display_file().polygons()));
+    picture =
+        truth(system.display_file(), width, height, !depth.empty(),
+              [&](std::size_t done, std::size_t polygons) { progress.update(done, polygons); });
+  }
+  write_npy(picture.ids, width, height, ids);
+  if (!depth.empty()) write_npy(picture.depth, width, height, depth);
+  return 0;
+}
+
 int CompareCommand::run() const {
   const auto extension = [](const std::string& name) {
     return std::filesystem::path(name).extension().string();
@@ -133,12 +164,12 @@ int CompareCommand::run() const {
   if (is_picture(a) != is_picture(b) || (extension(a) == ".npy") != (extension(b) == ".npy")) {
     throw Error(fmt::format("{} and {}: expected two pictures, two .npy files or two dumps", a, b));
   }
-  if (is_picture(a)) {
-    return report(compare(read_picture(a), read_picture(b)));
+  if (!marks.empty() && extension(marks) != ".png") {
+    throw Error(fmt::format("{}: expected a .png file for the marks", marks));
   }
-  if (extension(a) == ".npy") {
-    return report(compare(read_npy(a), read_npy(b)));
-  }
+  if (is_picture(a)) return report(read_picture(a), read_picture(b), marks);
+  if (extension(a) == ".npy") return report(read_npy(a), read_npy(b), marks);
+  if (!marks.empty()) throw Error(fmt::format("{} and {}: dumps have no pixels to mark", a, b));
   const auto difference = first_difference(read_text_file(a), read_text_file(b));
   std::cout << (difference ? *difference : std::string("no difference")) << '\n';
   return difference ? 1 : 0;

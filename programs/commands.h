@@ -31,8 +31,17 @@ struct CheckCommand {
   int run() const;
 };
 
+struct TruthCommand {
+  std::vector<std::string> inputs;
+  int width = 512, height = 512;
+  std::string ids;
+  std::string depth;  ///< not written if empty
+  int run() const;
+};
+
 struct CompareCommand {
   std::string a, b;
+  std::string marks;  ///< picture of the wrong pixels; not written if empty
   int run() const;
 };
 

@@ -18,7 +18,7 @@
 namespace displayfile {
 namespace {
 
-void parse_size(const std::string& text, DrawOptions& options) {
+void parse_size(const std::string& text, int& pixels_across, int& pixels_up) {
   long long width = 0, height = 0;
   const char *p = text.data(), *end = p + text.size();
   const auto w = std::from_chars(p, end, width);
@@ -28,8 +28,8 @@ void parse_size(const std::string& text, DrawOptions& options) {
     throw Error(fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, such as 512x512", text));
   }
   require_picture_size(width, height);
-  options.width = static_cast<int>(width);
-  options.height = static_cast<int>(height);
+  pixels_across = static_cast<int>(width);
+  pixels_up = static_cast<int>(height);
 }
 
 int run(int argc, char** argv) {
@@ -62,7 +62,7 @@ int run(int argc, char** argv) {
                       "depth as .npy: of the fill seen, -inf for none");
   command->add_flag("--stats", draw.stats, "print what was drawn");
   command->callback([&] {
-    parse_size(size, draw.options);
+    parse_size(size, draw.options.width, draw.options.height);
     draw.options.precision = displayfile::precision(precision);
     if (!hidden.empty()) draw.options.hidden = hidden_method(hidden);
     if (device != "software" && device != "osmesa") {
@@ -89,12 +89,29 @@ int run(int argc, char** argv) {
   command->add_flag("--update", check.update, "write the golden files");
   command->callback([&] { chosen = [&] { return check.run(); }; });
 
+  TruthCommand truth;
+  command = app.add_subcommand(
+      "truth", "What is seen at each pixel, by exact arithmetic alone, whatever the methods do");
+  command->add_option("INPUT", truth.inputs, "drawing programs and meshes")->required();
+  command->add_option("--size", size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+  command
+      ->add_option("--ids", truth.ids, "item buffer as .npy: the pick identifier seen, -1 for none")
+      ->required();
+  command->add_option("--depth", truth.depth,
+                      "depth as .npy: of the fill seen, rounded once, -inf for none");
+  command->callback([&] {
+    parse_size(size, truth.width, truth.height);
+    chosen = [&] { return truth.run(); };
+  });
+
   CompareCommand compare;
   command = app.add_subcommand("compare",
                                "Wrong pixels and largest difference of two pictures or .npy files, "
                                "or the first difference of two dumps; exit 1 if they differ");
   command->add_option("A", compare.a)->required();
   command->add_option("B", compare.b)->required();
+  command->add_option("--marks", compare.marks,
+                      "picture (.png) of where: wrong pixels red, the rest light grey");
   command->callback([&] { chosen = [&] { return compare.run(); }; });
 
   ImportCommand import;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace displayfile {
@@ -13,8 +14,13 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  /// How much of the work is done, of all: shown in per cent.
+  void update(std::size_t done, std::size_t all);
+
  private:
+  std::string what_;
   bool terminal_;
+  std::size_t percent_ = 0;
 };
 
 }  // namespace displayfile

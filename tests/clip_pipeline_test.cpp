@@ -260,5 +260,19 @@ TEST(Planarity, TrianglesTileThePolygonWithHiddenDiagonals) {
   EXPECT_EQ(sides, 6);  // each side of the polygon once, no diagonal
 }
 
+// A polygon that crosses itself everywhere has few ears; it must not take cubic time.
+TEST(Planarity, ATangleOfManyVerticesIsCutToo) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> u(-1, 1);
+  Polygon tangle;
+  for (int i = 0; i < 5000; ++i) tangle.emplace_back(u(random), u(random), u(random));
+  Triangulation triangulation;
+  const auto triangles = triangulation.triangulate(tangle);
+  EXPECT_EQ(triangles.size(), 4998u);
+  std::ptrdiff_t sides = 0;
+  for (const auto& t : triangles) sides += std::ranges::count(t.edge_visible, 1);
+  EXPECT_EQ(sides, 5000);
+}
+
 }  // namespace
 }  // namespace displayfile

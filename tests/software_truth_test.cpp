@@ -51,5 +51,19 @@ TEST(SoftwareTruth, NoWrongPixelsWithManyPolygons) {
   }
 }
 
+/// r's value in doubles is 2^-52, but the three vertices of the support plane lie in line (y = 3x):
+/// there is no plane, and the polygon covers nothing, although its edges enclose (1/8, 3/8).
+TEST(SoftwareTruth, NoPlaneWhereExactlyInLine) {
+  const double p = -0x1.f3f5f786b8a40p-2, q = 0x1.d6c126d0047a0p-3, r = 0x1.812d0ba1fa748p-3;
+  DisplayFile file;
+  Segment& segment = file.create(1);
+  segment.set_pick(0);
+  test::enter(segment, {{p, 3 * p, 0},
+                        {q, 3 * q, 1},
+                        {r, 3 * r, 0},
+                        {0x1.669e6b68d4351p-4, 0x1.0cf6d08e9f27cp-2, 0}});
+  EXPECT_EQ(wrong_pixels(file, 4, 4, 1), "");
+}
+
 }  // namespace
 }  // namespace displayfile

@@ -22,7 +22,7 @@ class Dice {
     return low + static_cast<int>(random_() % static_cast<std::uint32_t>(high - low + 1));
   }
   bool one_in(int n) { return from(1, n) == 1; }
-  double part() { return random_() / 4294967296.0; }
+  double part() { return static_cast<double>(random_()) / 4294967296.0; }
   template <class T, std::size_t n>
   T of(const std::array<T, n>& choices) {
     return choices[random_() % n];
@@ -250,7 +250,7 @@ inline DisplayFile scene(const SceneFamily& family, std::uint32_t seed, int poly
 struct PictureShape {
   int width, height;
 };
-inline constexpr std::array kSmallShapes = {
-    PictureShape{32, 32}, {7, 13}, {33, 1}, {1, 1}, {32, 17}, {31, 33}, {1, 32}};
+inline constexpr std::array<PictureShape, 7> kSmallShapes = {
+    {{32, 32}, {7, 13}, {33, 1}, {1, 1}, {32, 17}, {31, 33}, {1, 32}}};
 
 }  // namespace displayfile::test

@@ -53,7 +53,7 @@ Vertices rectangle(double x0, double y0, double x1, double y1, double z) {
 class TruthOfFamily : public testing::TestWithParam<test::SceneFamily> {};
 
 TEST_P(TruthOfFamily, IsThatOfBruteForceInRationals) {
-  constexpr std::uint32_t kScenes = 35;
+  constexpr std::uint32_t kScenes = 140;
   std::size_t covered = 0;
   for (std::uint32_t seed = 0; seed < kScenes; ++seed) {
     const DisplayFile file = test::scene(GetParam(), seed, 2 + static_cast<int>(seed % 6));

@@ -247,9 +247,10 @@ TEST_F(VectorFile, FarCoordinatesAreCutOffOutsideOfThePicture) {
 TEST_F(VectorFile, BadSizesAndPathsAreErrorsAndLeaveNothing) {
   GraphicsSystem g = unit_square();
   const DisplayFile& d = g.display_file();
-  for (const auto& [width, height] : {std::pair{0, 0}, {0, 5}, {5, -1}, {70000, 5}, {5, 1000000}}) {
-    EXPECT_FALSE(error_of([&] { write_svg(d, width, height, true, file("a.svg")); }).empty());
-    EXPECT_FALSE(error_of([&] { write_pdf(d, width, height, false, file("a.pdf")); }).empty());
+  for (const auto& size : {std::pair{0, 0}, {0, 5}, {5, -1}, {70000, 5}, {5, 1000000}}) {
+    const int w = size.first, h = size.second;
+    EXPECT_FALSE(error_of([&] { write_svg(d, w, h, true, file("a.svg")); }).empty());
+    EXPECT_FALSE(error_of([&] { write_pdf(d, w, h, false, file("a.pdf")); }).empty());
   }
   const fs::path nowhere = file("no-such-folder") / "a";
   EXPECT_NE(error_of([&] { write_svg(d, 9, 9, false, nowhere); }).find(nowhere), std::string::npos);

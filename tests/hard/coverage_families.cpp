@@ -67,12 +67,12 @@ Scene ulp_off_centres(std::size_t n, double pixels, std::uint64_t seed) {
   Random random(seed);
   Scene scene;
   for (std::size_t i = 0; i < n; ++i) {
-    Polygon polygon;
-    for (std::size_t k = 0; k < 3 + random.below(3); ++k) {
-      const auto off = [&] { return static_cast<int>(random.below(3)) - 1; };
-      const double x = nudged(any_centre(random, pixels), off());
-      polygon.push_back({x, nudged(any_centre(random, pixels), off()), 0.5});
-    }
+    Polygon polygon(3 + random.below(3));
+    const auto off_centre = [&] {
+      const double centre = any_centre(random, pixels);
+      return nudged(centre, static_cast<int>(random.below(3)) - 1);
+    };
+    for (Point3& p : polygon) p = {off_centre(), off_centre(), 0.5};
     scene.add(polygon);
   }
   return scene;
@@ -83,7 +83,8 @@ Scene edges_past_centres(std::size_t n, double pixels, std::uint64_t seed) {
   Scene scene;
   for (std::size_t i = 0; i < n; ++i) {  // long edges that pass a centre by their rounding
     const Point3 centre = any_pixel(random, pixels);
-    const Point2 along = random.between(0.1, 0.7) * on_circle(random.unit());
+    const double length = random.between(0.1, 0.7);
+    const Point2 along = length * on_circle(random.unit());
     const double beyond = random.between(0.1, 2.0);
     const Point3 from(centre.x - along.x, centre.y - along.y, centre.z);
     const Point3 to(centre.x + beyond * along.x, centre.y + beyond * along.y, centre.z);
@@ -182,8 +183,8 @@ Scene ill_conditioned_planes(std::size_t n, double severity, std::uint64_t seed)
     const Point2 along = 0.4 * on_circle(random.unit());
     const Point2 off = random_place(random, {-1.0, 1.0});
     const Point2 middle = Point2(centre) + off * gap(severity);
-    scene.add({Point3(Point2(centre) - along, random.unit()),
-               Point3(Point2(centre) + along, 0.5), Point3(middle, centre.z)});
+    scene.add({Point3(Point2(centre) - along, random.unit()), Point3(Point2(centre) + along, 0.5),
+               Point3(middle, centre.z)});
   }
   return scene;
 }

@@ -88,8 +88,7 @@ Scene crossing_at_centres(std::size_t n, double pixels, std::uint64_t seed) {
   Scene scene;
   std::vector<Polygon> all;
   for (std::size_t i = 0; i < n; ++i) {  // z = 1/2 at a whole column, or row, of centres
-    const double line =
-        centre_of_pixel(random.below(static_cast<std::size_t>(pixels)), pixels);
+    const double line = centre_of_pixel(random.below(static_cast<std::size_t>(pixels)), pixels);
     const double slope = random.dyadic(8) - 0.5;
     const Sheet along_x{0.5 - slope * line, slope, 0.0}, along_y{0.5 - slope * line, 0.0, slope};
     all.push_back(rectangle(0.0, 0.0, 1.0, 1.0, i % 2 == 0 ? along_x : along_y));

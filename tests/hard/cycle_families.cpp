@@ -5,26 +5,6 @@
 
 namespace displayfile {
 
-namespace {
-
-/// Bars around a circle, each over the next one's start and under the end of the one before.
-/// `rise` is what the bar's depth changes by along it, `roll` across it.
-std::vector<Polygon> ring_of_bars(std::size_t n, const Point2& centre, double radius, double rise,
-                                  double roll, double z, double turn) {
-  std::vector<Polygon> bars;
-  const auto corner = [&](std::size_t i) {
-    return centre + radius * on_circle(turn + static_cast<double>(i) / static_cast<double>(n));
-  };
-  for (std::size_t i = 0; i < n; ++i) {
-    const Point2 from = corner(i), to = corner(i + 1), beyond = 0.25 * (to - from);
-    bars.push_back(bar(Point3(from - beyond, z + rise), Point3(to + beyond, z - rise),
-                       radius * 0.9 / static_cast<double>(n), roll));
-  }
-  return bars;
-}
-
-}  // namespace
-
 Scene cycle(std::size_t n, double severity, std::uint64_t seed) {
   Random random(seed);
   Scene scene;
@@ -66,8 +46,8 @@ Scene nested_cycles(std::size_t n, double severity, std::uint64_t seed) {
 Scene piercing_cycle(std::size_t n, double severity, std::uint64_t seed) {
   Random random(seed);
   Scene scene;
-  auto bars = ring_of_bars(n, {0.5, 0.5}, 0.4, gap(severity), 3.0 * gap(severity), 0.5,
-                           random.unit());
+  auto bars =
+      ring_of_bars(n, {0.5, 0.5}, 0.4, gap(severity), 3.0 * gap(severity), 0.5, random.unit());
   random.shuffle(bars);
   scene.add(bars);
   return scene;

@@ -56,7 +56,8 @@ Scene ulp_interleaved(std::size_t n, double ulps, std::uint64_t seed) {
   for (std::size_t i = 0; i < n; ++i) {
     Polygon sheet = base;
     for (Point3& p : sheet) {
-      p.z = nudged(p.z, static_cast<int>(random.below(2 * static_cast<std::size_t>(ulps) + 1)) - range);
+      p.z = nudged(p.z,
+                   static_cast<int>(random.below(2 * static_cast<std::size_t>(ulps) + 1)) - range);
     }
     scene.add(begun_at(sheet, random.below(3)));
   }

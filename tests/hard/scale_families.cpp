@@ -95,7 +95,8 @@ Scene shrunken_images(std::size_t n, double severity, std::uint64_t seed) {
     image.scale = {gap(severity), gap(severity)};
     image.translation = Point2(x, y) - gap(severity) * Point2(0.5, 0.5);
     scene.open_segment(image);
-    for (int k = 0; k < 4; ++k) scene.add(random_regular(random, 4, {0.4, 0.6}, {0.1, 0.6}, {0.5, 0.1, 0.1}));
+    for (int k = 0; k < 4; ++k)
+      scene.add(random_regular(random, 4, {0.4, 0.6}, {0.1, 0.6}, {0.5, 0.1, 0.1}));
   }
   return scene;
 }
@@ -110,11 +111,11 @@ Scene giant_images(std::size_t n, double bits, std::uint64_t seed) {
   scene.open_segment(image);
   for (std::size_t i = 0; i < n; ++i) {
     // Edges that pass near the picture's middle, which is that of the large square.
-    const Point2 along = 0.5 * on_circle(random.unit());
+    const Point2 along = 0.4 * on_circle(random.unit());
     const Point2 through = Point2(0.5, 0.5) + random_place(random, {-0.5, 0.5}) / scale;
     const Point2 third = random_place(random);
-    scene.add({Point3(0.5 * (through + along) + 0.25, random.unit()),
-               Point3(0.5 * (through - along) + 0.25, random.unit()), Point3(third, 0.5)});
+    scene.add({Point3(through + along, random.unit()), Point3(through - along, random.unit()),
+               Point3(third, 0.5)});
   }
   return scene;
 }

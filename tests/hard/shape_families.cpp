@@ -20,7 +20,8 @@ Scene repeated_vertices(std::size_t n, double times, std::uint64_t seed) {
   for (std::size_t i = 0; i < n; ++i) {
     const Polygon plain = random_triangle(random, any_sheet(random));
     Polygon repeated;
-    for (const Point3& p : plain) repeated.insert(repeated.end(), 1 + random.below(static_cast<std::size_t>(times)), p);
+    for (const Point3& p : plain)
+      repeated.insert(repeated.end(), 1 + random.below(static_cast<std::size_t>(times)), p);
     scene.add(begun_at(repeated, random.below(repeated.size())));
   }
   return scene;
@@ -224,7 +225,8 @@ Scene not_flat(std::size_t n, double severity, std::uint64_t seed) {
   Random random(seed);
   Scene scene;
   for (std::size_t i = 0; i < n; ++i) {
-    Polygon bent = random_regular(random, 4 + random.below(4), {}, {0.3, 0.6}, any_sheet(random));
+    const Sheet sheet = any_sheet(random);
+    Polygon bent = random_regular(random, 4 + random.below(4), {}, {0.3, 0.6}, sheet);
     for (Point3& p : bent) p.z += gap(severity) * (random.unit() - 0.5);
     scene.add(bent);
   }

@@ -108,6 +108,20 @@ std::vector<Polygon> box(const Point3& low, const Point3& high, const Point2& sh
           face(2, 6, 7, 3), face(0, 4, 6, 2), face(1, 3, 7, 5)};
 }
 
+std::vector<Polygon> ring_of_bars(std::size_t n, const Point2& centre, double radius, double rise,
+                                  double roll, double z, double turn) {
+  std::vector<Polygon> bars;
+  const auto corner = [&](std::size_t i) {
+    return centre + radius * on_circle(turn + static_cast<double>(i) / static_cast<double>(n));
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point2 from = corner(i), to = corner(i + 1), beyond = 0.25 * (to - from);
+    bars.push_back(bar(Point3(from - beyond, z + rise), Point3(to + beyond, z - rise),
+                       radius * 0.9 / static_cast<double>(n), roll));
+  }
+  return bars;
+}
+
 Polygon begun_at(const Polygon& polygon, std::size_t first) {
   Polygon turned = polygon;
   std::ranges::rotate(turned, turned.begin() + static_cast<std::ptrdiff_t>(first % turned.size()));

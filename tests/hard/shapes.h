@@ -58,6 +58,11 @@ Sheet random_sheet(Random& random, double z0, double slope);
 /// of z, so that the sides show.
 std::vector<Polygon> box(const Point3& low, const Point3& high, const Point2& shear = {0.0, 0.0});
 
+/// Bars around a circle, each over the next one's start and under the end of the one before.
+/// `rise` is half of what z changes by along a bar, `roll` what it changes by across it.
+std::vector<Polygon> ring_of_bars(std::size_t n, const Point2& centre, double radius, double rise,
+                                  double roll, double z, double turn);
+
 /// The polygon begun at another vertex, or run through backwards.
 Polygon begun_at(const Polygon& polygon, std::size_t first);
 Polygon backwards(const Polygon& polygon);

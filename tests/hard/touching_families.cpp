@@ -90,9 +90,8 @@ Scene vertex_on_plane(std::size_t n, double reach, std::uint64_t seed) {
     };
     Polygon triangle{on_plane(), on_plane(), on_plane()};
     // One or two of the vertices stay on the plane.
-    for (std::size_t k = 0; k < 1 + random.below(2); ++k) {
-      triangle[k].z += reach * (random.dyadic(3) - 0.5);
-    }
+    const std::size_t moved = 1 + random.below(2);
+    for (std::size_t k = 0; k < moved; ++k) triangle[k].z += reach * (random.dyadic(3) - 0.5);
     all.push_back(triangle);
   }
   random.shuffle(all);
@@ -193,8 +192,9 @@ Scene quads_rounded_off_plane(std::size_t n, double slope, std::uint64_t seed) {
     for (std::size_t k = 0; k < m; ++k) {
       all.push_back({corner(i, k), corner(i + 1, k), corner(i + 1, k + 1), corner(i, k + 1)});
       // And one of twice the size in the same plane, begun elsewhere.
-      all.push_back(begun_at({corner(i, k), corner(i + 2, k), corner(i + 2, k + 2),
-                              corner(i, k + 2)}, random.below(4)));
+      all.push_back(
+          begun_at({corner(i, k), corner(i + 2, k), corner(i + 2, k + 2), corner(i, k + 2)},
+                   random.below(4)));
     }
   }
   random.shuffle(all);

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hard/tally.h"
+
+namespace displayfile {
+
+/// A table of gaps for some families.
+struct Sweep {
+  std::string families;
+  std::vector<TableRow> rows;
+};
+
+/// tests/hard/README.md: the table, a paragraph a family, and the sweeps.
+std::string document(std::span<const TableRow> rows, std::span<const Sweep> sweeps,
+                     std::span<const Method> methods, int size, int seeds);
+
+/// A line for each method: the largest gap at which more than a hundredth of the pixels is wrong.
+std::string where_each_breaks(std::span<const TableRow> sweep, std::span<const Method> methods);
+
+/// What OSMesa granted for each depth that is among the methods.
+std::string osmesa_note(std::span<const Method> methods);
+
+}  // namespace displayfile

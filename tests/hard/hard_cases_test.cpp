@@ -1,0 +1,192 @@
+#include "hard/hard_cases.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "brute_force_truth.h"
+#include "hard/generated_scenes.h"
+#include "hard/methods.h"
+#include "hard/random_scenes.h"
+#include "interp/plain_z_buffer.h"
+#include "interp/truth.h"
+
+namespace displayfile {
+namespace {
+
+/// One scene of a family, as a test's parameter.
+struct Case {
+  const HardCase* family;
+  double severity;
+};
+
+std::vector<Case> all_cases() {
+  std::vector<Case> cases;
+  for (const HardCase& family : hard_cases()) {
+    for (double severity : family.severities) cases.push_back({&family, severity});
+  }
+  return cases;
+}
+
+void PrintTo(const Case& c, std::ostream* out) { *out << c.family->name << ' ' << c.severity; }
+
+std::string test_name(const ::testing::TestParamInfo<Case>& info) {
+  return std::string(info.param.family->name) + "_" + std::to_string(info.index);
+}
+
+class EveryHardCase : public ::testing::TestWithParam<Case> {
+ protected:
+  Scene make(std::uint64_t seed) const {
+    const auto& [family, severity] = GetParam();
+    return family->make(family->size, severity, seed);
+  }
+};
+
+TEST_P(EveryHardCase, OracleAgreesWithBruteForce) {
+  const GraphicsSystem system = entered(make(1));
+  const Picture oracle = truth(system.display_file(), 32, 32, true);
+  const Picture naive = test::brute_force_truth(system.display_file(), 32, 32);
+  EXPECT_EQ(oracle.ids, naive.ids);
+  EXPECT_EQ(oracle.depth, naive.depth);
+}
+
+TEST_P(EveryHardCase, ExactMethodsHaveNoWrongPixel) {
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    const GraphicsSystem system = entered(make(seed));
+    for (int size : {32, 45}) {
+      const Picture right = truth(system.display_file(), size, size, false);
+      for (const Method& method : methods()) {
+        if (!method.exact) continue;
+        EXPECT_EQ(wrong_pixels(method.draw(system.display_file(), size), right), 0)
+            << method.name << ", seed " << seed << ", " << size << " pixels";
+      }
+    }
+  }
+}
+
+TEST_P(EveryHardCase, SameSeedSameScene) {
+  const Scene a = make(3), b = make(3);
+  EXPECT_EQ(a.points, b.points);
+  EXPECT_EQ(a.sides, b.sides);
+}
+
+INSTANTIATE_TEST_SUITE_P(HardCases, EveryHardCase, ::testing::ValuesIn(all_cases()), test_name);
+
+TEST(HardCases, NamesAreDifferent) {
+  std::set<std::string_view> names;
+  for (const HardCase& family : hard_cases()) names.insert(family.name);
+  EXPECT_EQ(names.size(), hard_cases().size());
+  EXPECT_GE(names.size(), 40u);
+}
+
+// A suite whose pictures are empty, or that any method draws right, would judge nothing.
+TEST(HardCases, AreHard) {
+  const auto all = methods();
+  std::size_t painter_wrong = 0, float_wrong = 0;
+  for (const HardCase& family : hard_cases()) {
+    bool painter = false, single = false, empty = true;
+    for (double severity : family.severities) {
+      const GraphicsSystem system = entered(family.make(family.size, severity, 1));
+      const Picture right = truth(system.display_file(), 32, 32, false);
+      for (std::int32_t id : right.ids) empty = empty && id < 0;
+      for (const Method& method : all) {
+        if (method.column != "painter" && method.column != "float") continue;
+        const bool wrong = wrong_pixels(method.draw(system.display_file(), 32), right) > 0;
+        (method.column == "painter" ? painter : single) |= wrong;
+      }
+    }
+    EXPECT_FALSE(empty) << family.name << ": no pixel of any severity shows a polygon";
+    painter_wrong += painter;
+    float_wrong += single;
+  }
+  EXPECT_GT(painter_wrong, hard_cases().size() / 2);
+  EXPECT_GT(float_wrong, hard_cases().size() / 2);
+}
+
+TEST(RandomDegenerateScenes, OracleAgreesWithBruteForce) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const GraphicsSystem system = entered(random_degenerate_scene(seed));
+    ASSERT_EQ(truth(system.display_file(), 32, 32, true).ids,
+              test::brute_force_truth(system.display_file(), 32, 32).ids)
+        << "seed " << seed;
+  }
+}
+
+TEST(RandomDegenerateScenes, ExactMethodsHaveNoWrongPixel) {
+  for (std::uint64_t seed = 0; seed < 20000; ++seed) {
+    const GraphicsSystem system = entered(random_degenerate_scene(seed));
+    const Picture right = truth(system.display_file(), 32, 32, false);
+    for (const Method& method : methods()) {
+      if (!method.exact) continue;
+      ASSERT_EQ(wrong_pixels(method.draw(system.display_file(), 32), right), 0)
+          << method.name << ", seed " << seed;
+    }
+  }
+}
+
+TEST(GeneratedScenes, HaveTheSizeAskedForAndAreSeen) {
+  for (const GeneratedScene& scene : generated_scenes()) {
+    for (std::size_t n : {12u, 1000u, 20000u}) {
+      const Scene made = scene.make(n, 1);
+      EXPECT_LE(made.polygons(), n) << scene.name;
+      EXPECT_GE(2 * made.polygons(), n) << scene.name;
+      EXPECT_NE(made.points, scene.make(n, 2).points) << scene.name;
+    }
+    const GraphicsSystem system = entered(scene.make(1000, 1));
+    const Picture right = truth(system.display_file(), 32, 32, false);
+    long long seen = 0;
+    for (std::int32_t id : right.ids) seen += id >= 0;
+    EXPECT_GT(seen, 32 * 32 / 4) << scene.name;
+    EXPECT_EQ(wrong_pixels(methods().front().draw(system.display_file(), 32), right), 0)
+        << scene.name;
+  }
+}
+
+GraphicsSystem two_sheets(double distance) {
+  GraphicsSystem system;
+  Scene scene;
+  const double near = 0.5 + distance;
+  scene.add({{0, 0, near}, {1, 0, near}, {1, 1, near}, {0, 1, near}});  // nearer, entered first
+  scene.add({{0, 0, 0.5}, {1, 0, 0.5}, {1, 1, 0.5}, {0, 1, 0.5}});
+  enter(scene, system);
+  return system;
+}
+
+// Each depth format tells sheets apart down to its own step, and not below it.
+TEST(PlainZBuffer, DepthFormatsHaveTheirSteps) {
+  const auto shows_the_near_one = [](DepthFormat format, double distance) {
+    RasterRequest request;
+    request.width = request.height = 4;
+    request.ids = true;
+    const GraphicsSystem system = two_sheets(distance);
+    return draw_with_plain_z_buffer(system.display_file(), request, format).ids[5] == 0;
+  };
+  const std::pair<DepthFormat, double> steps[] = {{DepthFormat::float_64, 0x1p-53},
+                                                  {DepthFormat::float_32, 0x1p-24},
+                                                  {DepthFormat::integer_32, 0x1p-32},
+                                                  {DepthFormat::integer_24, 0x1p-24},
+                                                  {DepthFormat::integer_16, 0x1p-16}};
+  for (const auto& [format, step] : steps) {
+    EXPECT_TRUE(shows_the_near_one(format, 2.0 * step)) << static_cast<int>(format);
+    EXPECT_FALSE(shows_the_near_one(format, 0.25 * step)) << static_cast<int>(format);
+  }
+}
+
+TEST(PlainZBuffer, DrawsWhatIsTrueWhereNothingIsClose) {
+  const GraphicsSystem system = entered(generated_scene("soup").make(60, 5));
+  const Picture right = truth(system.display_file(), 64, 64, true);
+  RasterRequest request;
+  request.width = request.height = 64;
+  request.ids = request.depth = true;
+  const Picture plain =
+      draw_with_plain_z_buffer(system.display_file(), request, DepthFormat::float_64);
+  EXPECT_EQ(plain.ids, right.ids);
+  for (std::size_t i = 0; i < right.depth.size(); ++i) {
+    if (right.ids[i] >= 0) EXPECT_NEAR(plain.depth[i], right.depth[i], 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace displayfile

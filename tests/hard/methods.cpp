@@ -1,0 +1,78 @@
+#include "hard/methods.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "interp/osmesa.h"
+#include "interp/plain_z_buffer.h"
+#include "interp/software.h"
+
+namespace displayfile {
+
+namespace {
+
+RasterRequest request_ids(int size, bool z_buffer) {
+  RasterRequest request;
+  request.width = request.height = size;
+  request.z_buffer = z_buffer;
+  request.ids = true;
+  return request;
+}
+
+Picture painter(const DisplayFile& display_file, int size) {
+  return draw_with_software(display_file, request_ids(size, false));
+}
+
+auto z_buffer(std::optional<double> roundoff) {
+  return [roundoff](const DisplayFile& display_file, int size) {
+    RasterRequest request = request_ids(size, true);
+    request.roundoff = roundoff;
+    return draw_with_software(display_file, request);
+  };
+}
+
+auto plain(DepthFormat format) {
+  return [format](const DisplayFile& display_file, int size) {
+    return draw_with_plain_z_buffer(display_file, request_ids(size, true), format);
+  };
+}
+
+auto osmesa(int depth_bits) {
+  return [depth_bits](const DisplayFile& display_file, int size) {
+    return draw_with_osmesa(display_file, request_ids(size, true), depth_bits);
+  };
+}
+
+}  // namespace
+
+std::vector<Method> methods() {
+  std::vector<Method> all{
+      {"z-buffer, exact", "exact", true, z_buffer(std::nullopt)},
+      {"z-buffer, roundoff=0", "ro 0", false, z_buffer(0.0)},
+      {"z-buffer, roundoff=1e-12", "ro 1e-12", false, z_buffer(1e-12)},
+      {"z-buffer, roundoff=1e-9", "ro 1e-9", false, z_buffer(1e-9)},
+      {"z-buffer, roundoff=1e-6", "ro 1e-6", false, z_buffer(1e-6)},
+      {"z-buffer, roundoff=1e-3", "ro 1e-3", false, z_buffer(1e-3)},
+      {"painter in program order", "painter", false, painter},
+      {"plain z-buffer, depth as double", "double", false, plain(DepthFormat::float_64)},
+      {"plain z-buffer, depth as float", "float", false, plain(DepthFormat::float_32)},
+      {"plain z-buffer, depth in 32 bits", "int 32", false, plain(DepthFormat::integer_32)},
+      {"plain z-buffer, depth in 24 bits", "int 24", false, plain(DepthFormat::integer_24)},
+      {"plain z-buffer, depth in 16 bits", "int 16", false, plain(DepthFormat::integer_16)},
+  };
+  if (!osmesa_available()) return all;
+  for (int bits : {32, 24, 16}) {
+    all.push_back({fmt::format("OSMesa, {} depth bits asked for", bits),
+                   fmt::format("osmesa {}", bits), false, osmesa(bits)});
+  }
+  return all;
+}
+
+long long wrong_pixels(const Picture& picture, const Picture& truth) {
+  long long wrong = 0;
+  for (std::size_t i = 0; i < truth.ids.size(); ++i) wrong += picture.ids[i] != truth.ids[i];
+  return wrong;
+}
+
+}  // namespace displayfile

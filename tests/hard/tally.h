@@ -1,0 +1,41 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hard/methods.h"
+#include "hard/scene.h"
+
+namespace displayfile {
+
+/// What a row of a table counts.
+struct Tally {
+  long long scenes = 0, polygons = 0, pixels = 0;
+  std::vector<long long> wrong;  ///< pixels, for each method
+
+  Tally& operator+=(const Tally& other);
+};
+
+/// One scene, drawn by each method with size x size pixels, against the exact truth.
+Tally judge(const Scene& scene, int size, std::span<const Method> methods);
+
+/// A table to print: a name for each row, and its counts.
+struct TableRow {
+  std::string name;
+  Tally tally;
+};
+
+/// For people: rows and columns aligned, with the total.
+std::string text_table(std::span<const TableRow> rows, std::span<const Method> methods,
+                       const std::string& first_column);
+/// The same in Markdown.
+std::string markdown_table(std::span<const TableRow> rows, std::span<const Method> methods,
+                           const std::string& first_column);
+/// For programs: comma-separated, one line a row, without the total.
+std::string csv_table(std::span<const TableRow> rows, std::span<const Method> methods,
+                      const std::string& first_column);
+
+Tally total(std::span<const TableRow> rows);
+
+}  // namespace displayfile

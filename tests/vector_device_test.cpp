@@ -480,6 +480,18 @@ TEST(VisibleOrder, OfEquallyNearPolygonsTheLaterIsSeen) {
   EXPECT_EQ(canvas.fills, 2);  // nothing is seen of the others
 }
 
+TEST(VisibleOrder, APolygonOnAnothersPlaneIsDrawnOverItWhole) {
+  GraphicsSystem g = unit_square();
+  g.open_segment(1);
+  const auto on_plane = [](double x, double y) { return Point3(x, y, .1 + x / 2 + y / 4); };
+  enter(g, 1, {on_plane(0, 0), on_plane(1, 0), on_plane(1, 1), on_plane(0, 1)});
+  enter(g, 2, {on_plane(.25, .125), on_plane(.875, .25), on_plane(.5, .75)});
+  g.close_segment();
+  const Canvas canvas = drawn(g, 100, 100);
+  EXPECT_EQ(wrong_pixels(g, canvas, 100, 100), 0u);
+  EXPECT_EQ(canvas.fills, 2);
+}
+
 /// Three bars, each over the next.
 GraphicsSystem cyclic_overlap() {
   GraphicsSystem g = unit_square();

@@ -15,7 +15,7 @@ namespace displayfile {
 
 namespace {
 
-/// Of the z-buffer at one time, 12 bytes each.
+/// Of the z-buffer at one time.
 constexpr int kPixelsPerBand = 1 << 22;
 
 /// A polygon that reaches no centre is compared with the pixels it touches if these are few.
@@ -30,50 +30,73 @@ struct Visibility {
   std::vector<Overlap> overlaps;
 };
 
-/// Calls use(band) for one band after the other, from the bottom.
-template <class Use>
-void for_each_band(const CollectedDrawing& drawing, Use&& use) {
-  std::vector<ItemsByRow::Rows> rows;
-  rows.reserve(drawing.polygons.size());
-  for (const auto& p : drawing.polygons) {
-    rows.push_back(p.filled ? ItemsByRow::Rows{p.first_row, p.last_row} : ItemsByRow::Rows{1, 0});
+/// The picture's rows, band by band from the bottom.
+class Bands {
+ public:
+  explicit Bands(const CollectedDrawing& drawing) : drawing_(drawing), band_(drawing) {
+    rows_.reserve(drawing.polygons.size());
+    for (const auto& p : drawing.polygons) {
+      rows_.push_back(p.filled ? ItemsByRow::Rows{p.first_row, p.last_row}
+                               : ItemsByRow::Rows{1, 0});
+    }
   }
-  ItemsByRow polygons(std::move(rows));
-  SeenBand band(drawing);
-  const int step = std::max(SeenBand::kMargin, kPixelsPerBand / drawing.width);
-  for (int row = 0; row < drawing.height; row += step) {
-    const int end = std::min(drawing.height, row + step);
-    const auto reaching = polygons.reaching(row - SeenBand::kMargin, end + SeenBand::kMargin);
-    band.find(row, end, reaching);
-    use(band, reaching);
-  }
-}
 
-/// Which polygons hide which, at the pixel centres of one band, and who is seen.
+  /// Calls use(band, polygons that reach it). A picture of one band keeps it for the next time.
+  template <class Use>
+  void for_each(Use&& use) {
+    ItemsByRow polygons(rows_);
+    const int step = std::max(SeenBand::kMargin, kPixelsPerBand / drawing_.width);
+    for (int row = 0; row < drawing_.height; row += step) {
+      const int end = std::min(drawing_.height, row + step);
+      const auto reaching = polygons.reaching(row - SeenBand::kMargin, end + SeenBand::kMargin);
+      if (band_.first_row() != row || band_.end_row() != end) band_.find(row, end, reaching);
+      use(band_, reaching);
+    }
+  }
+
+ private:
+  const CollectedDrawing& drawing_;
+  std::vector<ItemsByRow::Rows> rows_;
+  SeenBand band_;
+};
+
+/// Who is seen, and which polygons hide which of these.
 class OverlapFinder {
  public:
   OverlapFinder(const CollectedDrawing& drawing, Visibility& visibility)
       : drawing_(drawing), visibility_(visibility) {}
 
-  void look(SeenBand& band, std::span<const std::uint32_t> polygons) {
+  void find_seen(SeenBand& band, std::span<const std::uint32_t> polygons) {
+    for (int row = band.first_row(); row < band.end_row(); ++row) {
+      for (int i = 0; i < drawing_.width; ++i) {
+        if (const std::uint32_t seen = band.seen(i, row); seen != SeenBand::kBackground) {
+          visibility_.drawn[seen] = 1;
+        }
+      }
+    }
     for (const std::uint32_t polygon : polygons) {
-      if (!drawing_.polygons[polygon].filled) continue;
-      const bool reaches_a_centre = compare_at_centres(band, polygon);
+      if (visibility_.drawn[polygon] != 0) continue;
+      bool reaches_a_centre = false;
+      band.for_each_run(polygon, [&](int, int, int) { reaches_a_centre = true; });
       if (!reaches_a_centre) compare_between_centres(band, polygon);
     }
   }
 
+  /// To be called when all that is drawn was found: there may be many polygons of which nothing
+  /// is seen, and what hides them does not matter.
+  void find_overlaps(SeenBand& band, std::span<const std::uint32_t> polygons) {
+    for (const std::uint32_t polygon : polygons) {
+      if (visibility_.drawn[polygon] != 0) compare_at_centres(band, polygon);
+    }
+  }
+
  private:
-  bool compare_at_centres(SeenBand& band, std::uint32_t polygon) {
+  void compare_at_centres(SeenBand& band, std::uint32_t polygon) {
     hiders_.clear();
-    bool any = false;
     band.for_each_run(polygon, [&](int row, int first, int end) {
-      any = true;
       for (int i = first; i < end; ++i) {
         const std::uint32_t seen = band.seen(i, row);
-        if (seen == polygon) {
-          visibility_.drawn[polygon] = 1;
-        } else if (hiders_.empty() || hiders_.back() != seen) {
+        if (seen != polygon && (hiders_.empty() || hiders_.back() != seen)) {
           hiders_.push_back(seen);
         }
       }
@@ -81,7 +104,6 @@ class OverlapFinder {
     std::ranges::sort(hiders_);
     hiders_.erase(std::unique(hiders_.begin(), hiders_.end()), hiders_.end());
     for (const std::uint32_t seen : hiders_) visibility_.overlaps.push_back({polygon, seen});
-    return any;
   }
 
   /// A polygon that lies between the centres is left out only if it is small and what is seen
@@ -203,21 +225,24 @@ class SegmentSwitch {
   std::uint32_t current_ = CollectedDrawing::kNone;
 };
 
-Visibility find_visibility(const CollectedDrawing& drawing, VisibleLines& lines) {
+Visibility find_visibility(const CollectedDrawing& drawing, Bands& bands, VisibleLines& lines) {
   Visibility visibility;
   visibility.drawn.assign(drawing.polygons.size(), 0);
   OverlapFinder overlaps(drawing, visibility);
   ItemsByRow line_rows(lines.rows());
-  for_each_band(drawing, [&](SeenBand& band, std::span<const std::uint32_t> polygons) {
-    overlaps.look(band, polygons);
+  bands.for_each([&](SeenBand& band, std::span<const std::uint32_t> polygons) {
+    overlaps.find_seen(band, polygons);
     lines.look(band, line_rows.reaching(band.first_row(), band.end_row()));
   });
   lines.finish();
+  bands.for_each([&](SeenBand& band, std::span<const std::uint32_t> polygons) {
+    overlaps.find_overlaps(band, polygons);
+  });
   return visibility;
 }
 
-void draw_fills(const CollectedDrawing& drawing, Visibility visibility, VectorDevice& device,
-                SegmentSwitch& segments) {
+void draw_fills(const CollectedDrawing& drawing, Bands& bands, Visibility visibility,
+                VectorDevice& device, SegmentSwitch& segments) {
   std::vector<double> farthest;
   farthest.reserve(drawing.polygons.size());
   for (const auto& p : drawing.polygons) farthest.push_back(p.farthest);
@@ -225,7 +250,7 @@ void draw_fills(const CollectedDrawing& drawing, Visibility visibility, VectorDe
       drawing_order(std::move(visibility.overlaps), farthest, visibility.drawn);
   SeenPixels seen(steps);
   if (!seen.empty()) {
-    for_each_band(drawing, [&](SeenBand& band, std::span<const std::uint32_t> polygons) {
+    bands.for_each([&](SeenBand& band, std::span<const std::uint32_t> polygons) {
       seen.look(band, polygons);
     });
   }
@@ -315,10 +340,11 @@ void draw_in_visible_order(const DisplayFile& display_file, int width, int heigh
                            VectorDevice& device) {
   require_picture_size(width, height);
   const CollectedDrawing drawing = collect(display_file, width, height);
+  Bands bands(drawing);
   VisibleLines lines(drawing);
-  Visibility visibility = find_visibility(drawing, lines);
+  Visibility visibility = find_visibility(drawing, bands, lines);
   SegmentSwitch segments(drawing, device);
-  draw_fills(drawing, std::move(visibility), device, segments);
+  draw_fills(drawing, bands, std::move(visibility), device, segments);
   draw_lines(drawing, lines, device, segments);
   segments.leave();
 }

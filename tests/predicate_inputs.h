@@ -20,7 +20,7 @@ namespace displayfile::test {
 /// How many of each kind, for each predicate.
 inline long trials() {
   const char* set = std::getenv("DISPLAYFILE_PREDICATE_TRIALS");
-  return set != nullptr ? std::atol(set) : 40000;
+  return set != nullptr ? std::atol(set) : 30000;
 }
 
 enum class Input { random, near_zero };
@@ -61,15 +61,20 @@ struct Style {
   }
 };
 
-/// Whole-numbered constructions, put exactly on to doubles and nudged by a few ulps.
+/// Whole-numbered constructions, put exactly on to doubles and nudged by a few ulps. Each axis
+/// may have a unit of its own: what is in line or in a plane stays so.
 struct Grid {
-  int exponent;
+  std::array<int, 3> exponent;  ///< the units are these powers of two
   std::array<std::int64_t, 3> offset{};
   int nudged_of_8;  ///< of how many coordinates in eight
 
   explicit Grid(Source& s) : nudged_of_8(s.below(4) == 0 ? 0 : s.between(1, 8)) {
-    constexpr std::array<int, 9> kExponents = {-1074, -1060, -700, -60, -10, 0, 20, 90, 300};
-    exponent = s.below(3) == 0 ? kExponents[static_cast<std::size_t>(s.below(9))] : -10;
+    // Some for which the products are among the smallest doubles, of two factors or of three.
+    constexpr std::array<int, 12> kExponents = {-1074, -1060, -700, -540, -525, -360,
+                                                -352,  -60,   0,    20,   90,   300};
+    const auto any = [&] { return kExponents[static_cast<std::size_t>(s.below(12))]; };
+    exponent.fill(s.below(3) == 0 ? any() : -10);
+    if (s.below(12) == 0) exponent = {any(), any(), any()};
     if (s.below(2) == 0) {
       for (std::int64_t& o : offset) o = s.between(-1, 1) * (std::int64_t{1} << s.below(30));
     }
@@ -86,7 +91,7 @@ struct Grid {
     Point3 p;
     for (int k = 0; k < 3; ++k) {
       const auto i = static_cast<std::size_t>(k);
-      p[k] = nudge(s, std::ldexp(static_cast<double>(g[i] + offset[i]), exponent));
+      p[k] = nudge(s, std::ldexp(static_cast<double>(g[i] + offset[i]), exponent[i]));
     }
     return p;
   }

@@ -51,6 +51,16 @@ TEST(SoftwareTruth, NoWrongPixelsWithManyPolygons) {
   }
 }
 
+/// The differences round to those of three points in line: by the definition the triangle is
+/// edge-on, although it has an area and the centre is on its edge.
+TEST(SoftwareTruth, EdgeOnIsDecidedInDoublesAsTheDefinitionSays) {
+  DisplayFile file;
+  Segment& segment = file.create(1);
+  segment.set_pick(0);
+  test::enter(segment, {{0x1p-60, 0, 0}, {1, 1, 0}, {0.25, 0.25, 0}});
+  EXPECT_EQ(wrong_pixels(file, 1, 1, 1), "");
+}
+
 /// r's value in doubles is 2^-52, but the three vertices of the support plane lie in line (y = 3x):
 /// there is no plane, and the polygon covers nothing, although its edges enclose (1/8, 3/8).
 TEST(SoftwareTruth, NoPlaneWhereExactlyInLine) {

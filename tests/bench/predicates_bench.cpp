@@ -26,6 +26,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 constexpr std::size_t kTuples = 1 << 12;  // in the caches, so that arithmetic is what is timed
 constexpr int kPasses = 8;
 constexpr int kTurns = 301;
+constexpr int kTurnsOfExact = 9;  // slow, and so less often interrupted in proportion
 
 std::vector<Point3> random_points(std::size_t count) {
   std::mt19937_64 random(1);
@@ -54,10 +55,10 @@ void add_signs(const Sign& sign_of_tuple, long& sum) {
 
 /// The second method's time over the first's.
 template <class First, class Second>
-double ratio(const First& first, const Second& second) {
+double ratio(const First& first, const Second& second, int turns = kTurns) {
   long sum = 0;
   const bench::Spread times = bench::times_faster(
-      kTurns, [&] { add_signs(first, sum); }, [&] { add_signs(second, sum); });
+      turns, [&] { add_signs(first, sum); }, [&] { add_signs(second, sum); });
   asm volatile("" : : "r"(sum));
   return times.median;
 }
@@ -203,6 +204,19 @@ int main() {
     return rounded_depth_order(planes[k], planes[other(k)], centre);
   };
 
+  const auto exact_2 = [=](std::size_t k) {
+    return exact_orientation(q[4 * k], q[4 * k + 1], q[4 * k + 2]);
+  };
+  const auto exact_3 = [=](std::size_t k) {
+    return exact_orientation(p[4 * k], p[4 * k + 1], p[4 * k + 2], p[4 * k + 3]);
+  };
+  const auto exact_defined = [=](std::size_t k) {
+    return exact_side_of_plane(all, cuts[k], planes[other(k)]);
+  };
+  const auto exact_depth = [=](std::size_t k) {
+    return exact_depth_order(planes[k], planes[other(k)], centre);
+  };
+
   reset_predicate_counts();
   fmt::print("time of the filtered predicate on random input, as a ratio\n");
   fmt::print("against the naive determinant of the points (the aim: at most 1.5)\n");
@@ -221,4 +235,9 @@ int main() {
   line("orientation, four points", ratio(cgal_3, ours_3));
   line("stored point against a plane", ratio(cgal_3, ours_plane));
   print_counts();
+  fmt::print("the exact stage alone, against the filtered predicate\n");
+  line("orientation, three points of the projection", ratio(ours_2, exact_2, kTurnsOfExact));
+  line("orientation, four points", ratio(ours_3, exact_3, kTurnsOfExact));
+  line("defined point against a plane", ratio(ours_defined, exact_defined, kTurnsOfExact));
+  line("two planes at a pixel centre", ratio(ours_depth, exact_depth, kTurnsOfExact));
 }

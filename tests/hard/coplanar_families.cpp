@@ -95,10 +95,14 @@ Scene decals(std::size_t n, double levels, std::uint64_t seed) {
   Random random(seed);
   Scene scene;
   for (std::size_t i = 0; i < n; ++i) {
-    const double x = random.dyadic(6), y = random.dyadic(6);
-    double half = 0.5;
-    for (int level = 0; level < static_cast<int>(levels); ++level, half /= 2.0) {
-      scene.add(rectangle(x - half, y - half, x + half, y + half, kExactSheet));
+    Polygon decal;
+    for (int k = 0; k < 3; ++k) {
+      const double x = random.dyadic(20);
+      decal.push_back(kExactSheet.point(x, random.dyadic(20)));
+    }
+    for (int level = 0; level < static_cast<int>(levels); ++level) {
+      scene.add(decal);
+      for (Point3& p : decal) p = decal[0] + (p - decal[0]) * 0.5;  // exact
     }
   }
   return scene;

@@ -164,12 +164,14 @@ Scene nearly_edge_on(std::size_t n, double ulps, std::uint64_t seed) {
   Random random(seed);
   Scene scene;
   scene.add(rectangle(0.0, 0.0, 1.0, 1.0, {0.5}));
+  const auto lean = [&] {
+    return 1 + static_cast<int>(random.below(static_cast<std::size_t>(ulps)));
+  };
   for (std::size_t i = 0; i < n; ++i) {  // walls that lean by some ulps, through centres
-    const double x = any_centre(random, 32.0);
-    const double left = nudged(x, -static_cast<int>(ulps));
-    scene.add({{left, 0.0, 0.0}, {left, 1.0, 0.0}, {x, 1.0, 1.0}, {x, 0.0, 1.0}});
-    const double low = nudged(x, -static_cast<int>(ulps));
-    scene.add({{0.0, low, 0.0}, {1.0, low, 0.0}, {1.0, x, 1.0}, {0.0, x, 1.0}});
+    const double middle = (static_cast<double>(random.below(8)) + 16.5) / 32.0;
+    const double low = nudged(middle, -lean()), high = nudged(middle, lean());
+    scene.add({{low, 0.0, 0.0}, {low, 1.0, 0.0}, {high, 1.0, 1.0}, {high, 0.0, 1.0}});
+    scene.add({{0.0, low, 1.0}, {1.0, low, 1.0}, {1.0, high, 0.0}, {0.0, high, 0.0}});
   }
   return scene;
 }

@@ -170,6 +170,7 @@ Scene interlocked_links(std::size_t n, double severity, std::uint64_t seed) {
 Scene moebius_strip(std::size_t n, double twist, std::uint64_t seed) {
   Random random(seed);
   Scene scene;
+  std::vector<Polygon> all;
   const double turn = random.unit();
   const auto rim = [&](std::size_t i, double side) {
     const double turns = static_cast<double>(i) / static_cast<double>(n);
@@ -178,9 +179,11 @@ Scene moebius_strip(std::size_t n, double twist, std::uint64_t seed) {
     return Point3(0.5 + r * out.x, 0.5 + r * out.y * 0.6, 0.5 + 0.12 * side * roll.y + 0.3 * out.y);
   };
   for (std::size_t i = 0; i < n; ++i) {
-    scene.add({rim(i, -1.0), rim(i + 1, -1.0), rim(i + 1, 1.0)});
-    scene.add({rim(i, -1.0), rim(i + 1, 1.0), rim(i, 1.0)});
+    all.push_back({rim(i, -1.0), rim(i + 1, -1.0), rim(i + 1, 1.0)});
+    all.push_back({rim(i, -1.0), rim(i + 1, 1.0), rim(i, 1.0)});
   }
+  random.shuffle(all);
+  scene.add(all);
   return scene;
 }
 
@@ -188,6 +191,7 @@ Scene self_crossing_surface(std::size_t n, double /*severity*/, std::uint64_t se
   Random random(seed);
   Scene scene;
   const double shift = random.unit();
+  std::vector<Polygon> all;
   const std::size_t m = side_of_square(n);
   const auto at = [&](std::size_t i, std::size_t k) {  // a figure-of-eight tube closed in a ring
     const double u = static_cast<double>(i) / static_cast<double>(m);
@@ -198,10 +202,12 @@ Scene self_crossing_surface(std::size_t n, double /*severity*/, std::uint64_t se
   };
   for (std::size_t i = 0; i < m; ++i) {
     for (std::size_t k = 0; k < m; ++k) {
-      scene.add({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
-      scene.add({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
+      all.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
+      all.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
     }
   }
+  random.shuffle(all);
+  scene.add(all);
   return scene;
 }
 

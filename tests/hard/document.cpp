@@ -2,10 +2,84 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "hard/hard_cases.h"
 #include "interp/osmesa.h"
 
 namespace displayfile {
+
+namespace {
+
+constexpr std::string_view kIntroduction = R"(# Hard cases
+
+What the methods make of scenes that break published implementations, counted in wrong pixels: pixels
+whose identifier in the item buffer is not the one that exact arithmetic gives
+(`interp/truth.h`). Everything here was printed by one command:
+
+    hard_table --document --size {0} --seeds {1} --random {2} > tests/hard/README.md
+
+Without `--document` the same table goes to the terminal; `--csv FILE` writes it for programs,
+`--families A,B` picks rows, `--without osmesa` columns, `--severity S` sets one severity for all,
+and `--severity sweep` shows what a gap that shrinks does. It exits 1 if a method that claims to
+be exact has a wrong pixel anywhere. `hard_table --list` prints the families with their sizes and
+severities. `ctest -R -i hard` runs a smaller one, and compares the exact truth with a brute
+force in rationals on every family.
+
+Each family has a generator `Scene make(n, severity, seed)` (`hard/hard_cases.h`); a method is one
+line in `hard/methods.cpp`. Scenes are the same, bit for bit, on every machine.
+
+## The methods
+
+{3}
+The plain z-buffer (`interp/plain_z_buffer.cpp`) steps x and z by adding, as textbooks do, and so
+can be wrong about coverage as well as about depth; its integer formats spread [0,1] over all their
+values and clamp what lies outside. OSMesa draws triangles whose vertices are rounded to 1/256 pixel,
+and its depth range is fitted to each scene. What it gave:
+
+{4}
+## The table
+
+{5} scenes of {0} x {0} pixels: for each family all its severities, with {1} seeds each; {2} random
+degenerate scenes, with coordinates from a tiny grid. A cell is a sum of wrong pixels.
+
+)";
+
+/// Sum of the wrong pixels in a hundred of the row's pixels.
+std::string percentage(long long wrong, long long pixels) {
+  const double percent = 100.0 * static_cast<double>(wrong) / static_cast<double>(pixels);
+  return percent < 0.1 ? "below 0.1" : fmt::format("{:.1f}", percent);
+}
+
+/// Which methods are right on the row, and how wrong the others are.
+std::string what_each_does(const Tally& tally, std::span<const Method> methods) {
+  std::string right, wrong;
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    std::string& list = tally.wrong[i] == 0 ? right : wrong;
+    if (!list.empty()) list += ", ";
+    list += methods[i].column;
+    if (tally.wrong[i] != 0) list += ' ' + percentage(tally.wrong[i], tally.pixels);
+  }
+  if (wrong.empty()) return "Right in every pixel: all methods.";
+  return fmt::format("Right in every pixel: {}. Wrong pixels in a hundred: {}.", right, wrong);
+}
+
+std::string paragraph(const HardCase& family, const Tally& tally, std::span<const Method> methods) {
+  std::string severities;
+  for (double severity : family.severities) severities += fmt::format(" {:g}", severity);
+  return fmt::format("**{}** ({}; n = {}; {}:{}). {} {}\n\n", family.name, family.what, family.size,
+                     family.severity_means, severities, family.hard,
+                     what_each_does(tally, methods));
+}
+
+constexpr std::string_view kRandomParagraph =
+    "**random degenerate** (2 to 12 polygons of 3 to 6 sides, coordinates multiples of 1/8, 1/6, "
+    "1/7 or 1/64, three to five levels of depth). Everything touches everything: vertices on "
+    "vertices, edges on edges and on pixel centres, planes that coincide or cross at centres. "
+    "{}\n\n";
+
+}  // namespace
 
 std::string where_each_breaks(std::span<const TableRow> sweep, std::span<const Method> methods) {
   std::string text;
@@ -38,11 +112,35 @@ std::string osmesa_note(std::span<const Method> methods) {
 }
 
 std::string document(std::span<const TableRow> rows, std::span<const Sweep> sweeps,
-                     std::span<const Method> methods, int size, int seeds) {
-  (void)sweeps;
-  (void)size;
-  (void)seeds;
-  return markdown_table(rows, methods, "family");
+                     std::span<const Method> methods, int size, int seeds, int random) {
+  std::string list;
+  for (const Method& method : methods)
+    list += fmt::format("- `{}`: {}\n", method.column, method.name);
+  const std::string osmesa = osmesa_note(methods);
+  std::string text =
+      fmt::format(kIntroduction, size, seeds, random, list,
+                  osmesa.empty() ? "- nothing: this build has none\n" : osmesa, total(rows).scenes);
+  text += markdown_table(rows, methods, "family");
+  text += "\n## What is hard, and what each method does with it\n\n";
+  for (const TableRow& row : rows) {
+    const auto family =
+        std::ranges::find(hard_cases(), std::string_view(row.name), &HardCase::name);
+    text += family != hard_cases().end()
+                ? paragraph(*family, row.tally, methods)
+                : fmt::format(kRandomParagraph, what_each_does(row.tally, methods));
+  }
+  text +=
+      "## How the error grows as a gap shrinks\n\nSheets a gap apart, from a tenth of the depth "
+      "range to less than a double can hold. Below about 1e-16 the gap vanishes in the rounding of "
+      "the vertices themselves: the sheets are then one plane, the later one is rightly seen, and "
+      "the counts fall.\n\n";
+  for (const Sweep& sweep : sweeps) {
+    text += fmt::format("### {}\n\n{}\n{}\n", sweep.families,
+                        markdown_table(sweep.rows, methods, "gap"),
+                        where_each_breaks(sweep.rows, methods));
+  }
+  text.pop_back();
+  return text;
 }
 
 }  // namespace displayfile

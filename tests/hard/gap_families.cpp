@@ -12,7 +12,7 @@ Scene parallel_sheets(std::size_t n, double severity, std::uint64_t seed) {
   Scene scene;
   std::vector<Polygon> sheets;
   for (std::size_t i = 0; i < n; ++i) {
-    const Sheet sheet{0.3 + static_cast<double>(i) * gap(severity), 0.25, 0.125};
+    const Sheet sheet{0.1 + static_cast<double>(i) * gap(severity), 0.125, 0.0625};
     sheets.push_back(random_regular(random, 3 + random.below(4), {}, {0.7, 0.7}, sheet));
   }
   random.shuffle(sheets);
@@ -150,7 +150,7 @@ Scene hinged_pages(std::size_t n, double severity, std::uint64_t seed) {
   const Point3 top(0.1, 0.95, 0.3), bottom(0.2, 0.05, 0.5);  // the spine
   for (std::size_t i = 0; i < n; ++i) {
     const double lift = static_cast<double>(i) * gap(severity);
-    pages.push_back({bottom, {0.9, 0.1, 0.4 + lift}, top});
+    pages.push_back({bottom, {0.9, 0.1, 0.2 + lift}, top});
   }
   random.shuffle(pages);
   scene.add(pages);

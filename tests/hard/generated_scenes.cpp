@@ -14,7 +14,7 @@ namespace {
 View view_from_above(double height, double distance) {
   View view;
   view.set_perspective({0.0, height, distance});
-  view.set_window({-1.0, 1.0, -0.5, 1.5});
+  view.set_window({-0.6, 0.6, 0.0, 1.2});
   view.set_depth(-0.5, 4.0);
   return view;
 }

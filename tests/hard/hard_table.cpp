@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <iostream>
 #include <string>
 #include <vector>
 
@@ -17,6 +16,7 @@
 #include "hard/random_scenes.h"
 #include "hard/tally.h"
 #include "interp/osmesa.h"
+#include "mesa_leaks.h"
 
 // One table: family x method x precision, wrong pixels against the exact truth.
 
@@ -165,7 +165,7 @@ int run(const Options& options) {
     }
     gaps.families = {};
     sweeps.push_back({"all families with a gap", sweep_rows(gaps, methods)});
-    fmt::print("{}", document(rows, sweeps, methods, options.size, options.seeds));
+    fmt::print("{}", document(rows, sweeps, methods, options.size, options.seeds, options.random));
     return exact_methods_are_right(rows, methods) ? 0 : 1;
   }
   const auto start = std::chrono::steady_clock::now();

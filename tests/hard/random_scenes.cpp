@@ -16,10 +16,9 @@ Scene random_degenerate_scene(std::uint64_t seed) {
   };
   const std::size_t polygons = 2 + random.below(11);
   for (std::size_t i = 0; i < polygons; ++i) {
-    // Not all three vertices of a triangle at one level, nor a polygon off its plane by levels.
     const std::size_t sides = 3 + random.below(4);
-    const Sheet sheet{on_grid(levels - 1) / 2.0, (on_grid(2) - 0.5) / 2.0,
-                      (on_grid(2) - 0.5) / 2.0};
+    const double z0 = 0.25 + on_grid(levels - 1) / 2.0;
+    const Sheet sheet{z0, (on_grid(2) - 0.5) / 4.0, (on_grid(2) - 0.5) / 4.0};
     const bool free_levels = sides == 3 && random.below(2) == 0;
     Polygon polygon(sides);
     for (Point3& p : polygon) {

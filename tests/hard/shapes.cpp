@@ -117,7 +117,7 @@ std::vector<Polygon> ring_of_bars(std::size_t n, const Point2& centre, double ra
   for (std::size_t i = 0; i < n; ++i) {
     const Point2 from = corner(i), to = corner(i + 1), beyond = 0.25 * (to - from);
     bars.push_back(bar(Point3(from - beyond, z + rise), Point3(to + beyond, z - rise),
-                       radius * 0.9 / static_cast<double>(n), roll));
+                       radius * 1.6 / static_cast<double>(n), roll));
   }
   return bars;
 }

@@ -5,18 +5,22 @@
 
 namespace displayfile {
 
-Scene t_junctions(std::size_t n, double slope, std::uint64_t seed) {
+Scene t_junctions(std::size_t n, double pixels, std::uint64_t seed) {
   Random random(seed);
   Scene scene;
-  const Sheet sheet = random_sheet(random, 0.5, slope);
-  const double step = 1.0 / static_cast<double>(n);
-  for (std::size_t row = 0; row < n; ++row) {  // a wall of bricks, each row of another width
-    const double low = static_cast<double>(row) * step, high = static_cast<double>(row + 1) * step;
-    const std::size_t bricks = 1 + random.below(2 * n);
-    for (std::size_t i = 0; i < bricks; ++i) {
-      const double left = static_cast<double>(i) / static_cast<double>(bricks);
-      const double right = static_cast<double>(i + 1) / static_cast<double>(bricks);
-      scene.add(rectangle(left, low, right, high, sheet));
+  // A wall of bricks of unlike lengths, turned so that corners lie on pixel centres and edges run
+  // through others; where bricks meet, a corner of one lies exactly on an edge of another.
+  const auto corner = [&](std::size_t along, std::size_t up, double z) {
+    const double u = static_cast<double>(along), v = static_cast<double>(up);
+    return Point3((3.0 * u - v + 4.5) / pixels, (u + 3.0 * v - 3.5) / pixels, z);
+  };
+  for (std::size_t row = 0; row < n; ++row) {
+    for (std::size_t left = 0; left < n;) {
+      const std::size_t right = left + 1 + random.below(4);
+      const double z = random.unit();
+      scene.add({corner(left, row, z), corner(right, row, z), corner(right, row + 1, z),
+                 corner(left, row + 1, z)});
+      left = right;
     }
   }
   return scene;
@@ -31,7 +35,10 @@ Scene shared_edges(std::size_t n, double roughness, std::uint64_t seed) {
     const double x = static_cast<double>(k % (m + 1)) + 0.8 * (random.unit() - 0.5);
     const double y = static_cast<double>(k / (m + 1)) + 0.8 * (random.unit() - 0.5);
     const auto side = static_cast<double>(m);
-    grid.emplace_back(x / side, y / side, 0.5 + roughness * (random.unit() - 0.5));
+    const auto snapped = [&](double t) {  // to centres, borders and quarters of pixels
+      return static_cast<double>(static_cast<int>((t / side + 1.0) * 128.0 + 0.5)) / 128.0 - 1.0;
+    };
+    grid.emplace_back(snapped(x), snapped(y), 0.5 + roughness * (random.unit() - 0.5));
   }
   for (std::size_t row = 0; row < m; ++row) {
     for (std::size_t column = 0; column < m; ++column) {
@@ -52,7 +59,7 @@ Scene tiles_on_centres(std::size_t n, double pixels, std::uint64_t seed) {
   };
   for (std::size_t i = 0; i < n; ++i) {  // four triangles around a centre, edges through others
     const double x = centre(), y = centre(), r = 8.0 / pixels;
-    const Sheet sheet{0.5 + static_cast<double>(i) / 1024.0, 0.125, 0.25};
+    const Sheet sheet{random.dyadic(4) / 2.0, 0.125, 0.25};
     const Polygon corners = rectangle(x - r, y - r, x + r, y + r, sheet);
     for (std::size_t k = 0; k < 4; ++k) {
       scene.add({sheet.point(x, y), corners[k], corners[(k + 1) % 4]});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hidden/depth_order.h"
 
@@ -10,6 +11,7 @@ namespace displayfile {
 namespace {
 
 constexpr ZBuffer::Owner kNone = ~ZBuffer::Owner{0};
+constexpr double kBackground = -std::numeric_limits<double>::infinity();
 
 /// The greatest distance, in pixels, from `origin` to the part of [low, high] on the picture.
 double reach(double low, double high, double origin, int pixels) {
@@ -47,22 +49,48 @@ void ZBuffer::begin_polygon(std::span<const Point3> vertices, const SupportVerti
 }
 
 /// What the rounded depths do not tell.
-bool ZBuffer::nearer_or_equal(double nearer, double old_depth, const Owner* owner, int column,
-                              int row) {
+bool ZBuffer::nearer_or_equal(double nearer, const Rest& rest, const double* depth,
+                              const Owner* owner) {
   if (roundoff_) return true;  // within ROUNDOFF: equal, and later
-  if (old_depth == -std::numeric_limits<double>::infinity()) return true;  // the background
-  const Polygon& a = polygons_[current_];
-  const Polygon& b = polygons_[owner[column]];
-  const double margin = 2.0 * (a.error + b.error);
+  if (rest.column < run_.end) return run_.nearer_or_equal;
+  if (depth[rest.column] == kBackground) return true;
+  const Owner other = owner[rest.column];
+  const double margin = 2.0 * (polygons_[current_].error + polygons_[other].error);
   if (nearer > margin) return true;
   if (nearer < -margin) return false;
-  const Plane plane_a(a.p, a.q, a.r), plane_b(b.p, b.q, b.r);
-  if (compared_ != owner[column]) {
-    compared_ = owner[column];
-    coplanar_ = side_of_plane(a.p, plane_b) == 0 && side_of_plane(a.q, plane_b) == 0 &&
-                side_of_plane(a.r, plane_b) == 0;
+  if (compared_ != other) compare_planes(other);
+  return coplanar_ || decide_run(rest, depth, owner);
+}
+
+void ZBuffer::compare_planes(Owner other) {
+  const Polygon& a = polygons_[current_];
+  const Polygon& b = polygons_[other];
+  plane_ = Plane(a.p, a.q, a.r);
+  compared_plane_ = Plane(b.p, b.q, b.r);
+  compared_ = other;
+  coplanar_ = side_of_plane(a.p, compared_plane_) == 0 &&
+              side_of_plane(a.q, compared_plane_) == 0 && side_of_plane(a.r, compared_plane_) == 0;
+}
+
+/// Along a row the difference of two depths is linear: if it has one sign at both ends of a run
+/// of pixels that show the same polygon, it has that sign between them; if not, it changes once.
+bool ZBuffer::decide_run(const Rest& rest, const double* depth, const Owner* owner) {
+  const auto later_is_seen = [&](int column) {
+    return depth_order(plane_, compared_plane_, PixelCentre(column, rest.row, size_)) >= 0;
+  };
+  int last = rest.column;
+  while (last + 1 < rest.end && owner[last + 1] == compared_ && depth[last + 1] != kBackground) {
+    ++last;
   }
-  return coplanar_ || depth_order(plane_a, plane_b, PixelCentre(column, row, size_)) >= 0;
+  const bool seen = later_is_seen(rest.column);
+  if (last - rest.column < 4) return seen;  // as soon asked one by one
+  int same = rest.column;
+  for (int different = last + 1; different - same > 1;) {
+    const int middle = different == last + 1 ? last : same + (different - same) / 2;
+    (later_is_seen(middle) == seen ? same : different) = middle;
+  }
+  run_ = {same + 1, seen};
+  return seen;
 }
 
 }  // namespace displayfile

@@ -34,11 +34,14 @@ class ZBuffer {
   template <class Write>
   void draw_span(int row, int first, int end, double* depth, Owner* owner, Write&& write) {
     const double row_depth = depth_.row(row);
+    run_.end = first;
     for (int i = first; i < end; ++i) {
       const double z = depth_.at(row_depth, i);
       const double nearer = z - depth[i];
       if (nearer < -margin_) continue;
-      if (!(nearer > margin_) && !nearer_or_equal(nearer, depth[i], owner, i, row)) continue;
+      if (!(nearer > margin_) && !nearer_or_equal(nearer, {row, i, end}, depth, owner)) {
+        continue;
+      }
       depth[i] = z;
       if (!roundoff_) owner[i] = current_;
       write(i);
@@ -51,7 +54,13 @@ class ZBuffer {
     double error;    ///< bounds that of its depths
   };
 
-  bool nearer_or_equal(double nearer, double old_depth, const Owner* owner, int column, int row);
+  /// Pixels of a row from `column` to the end of the span.
+  struct Rest {
+    int row, column, end;
+  };
+  bool nearer_or_equal(double nearer, const Rest& rest, const double* depth, const Owner* owner);
+  void compare_planes(Owner other);
+  bool decide_run(const Rest& rest, const double* depth, const Owner* owner);
 
   PictureSize size_;
   std::optional<double> roundoff_;
@@ -61,9 +70,17 @@ class ZBuffer {
   Owner current_ = 0;
   std::vector<Polygon> polygons_;
 
-  // The polygon that was last compared with the current one, and whether they are coplanar.
+  // The polygon that was last compared with the current one.
   Owner compared_ = 0;
   bool coplanar_ = false;
+  Plane plane_, compared_plane_;
+
+  /// Pixels of the current span for which the same was decided together.
+  struct Run {
+    int end;
+    bool nearer_or_equal;
+  };
+  Run run_{0, false};
 };
 
 }  // namespace displayfile

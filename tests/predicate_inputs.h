@@ -70,8 +70,8 @@ struct Grid {
 
   explicit Grid(Source& s) : nudged_of_8(s.below(4) == 0 ? 0 : s.between(1, 8)) {
     // Some for which the products are among the smallest doubles, of two factors or of three.
-    constexpr std::array<int, 12> kExponents = {-1074, -1060, -700, -540, -525, -360,
-                                                -352,  -60,   0,    20,   90,   300};
+    constexpr std::array<int, 12> kExponents = {-1074, -1060, -700, -540, -537, -525,
+                                                -358,  -352,  0,    20,   90,   300};
     const auto any = [&] { return kExponents[static_cast<std::size_t>(s.below(12))]; };
     exponent.fill(s.below(3) == 0 ? any() : -10);
     if (s.below(12) == 0) exponent = {any(), any(), any()};
@@ -79,9 +79,11 @@ struct Grid {
       for (std::int64_t& o : offset) o = s.between(-1, 1) * (std::int64_t{1} << s.below(30));
     }
   }
-  double nudge(Source& s, double value) const {
+  /// A few ulps of the value; of a zero, of the unit, a hair that differences round away.
+  double nudge(Source& s, double value, int unit = 0) const {
     if (s.below(8) >= nudged_of_8) return value;
     const int ulps = s.between(-3, 3);
+    if (value == 0.0 && s.below(2) == 0) return std::ldexp(ulps, unit - 54);
     for (int k = 0; k < std::abs(ulps); ++k) {
       value = std::nextafter(value, ulps > 0 ? 1e300 : -1e300);
     }
@@ -91,7 +93,7 @@ struct Grid {
     Point3 p;
     for (int k = 0; k < 3; ++k) {
       const auto i = static_cast<std::size_t>(k);
-      p[k] = nudge(s, std::ldexp(static_cast<double>(g[i] + offset[i]), exponent[i]));
+      p[k] = nudge(s, std::ldexp(static_cast<double>(g[i] + offset[i]), exponent[i]), exponent[i]);
     }
     return p;
   }

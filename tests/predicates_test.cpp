@@ -37,7 +37,7 @@ struct OrientationCase {
       return true;
     }
     const Grid grid(s);
-    const Step g = step(s, 100), d = step(s, step_size(s));
+    const Step g = step(s, s.below(2) == 0 ? 100 : 1), d = step(s, step_size(s));
     p = {grid.place(s, g), grid.place(s, g + factor(s) * d), grid.place(s, g + factor(s) * d)};
     return true;
   }
@@ -70,7 +70,7 @@ struct FourPoints {
     }
     const Grid grid(s);
     const int size = step_size(s);
-    const Step g = step(s, 100), u = step(s, size), v = step(s, size);
+    const Step g = step(s, s.below(2) == 0 ? 100 : 1), u = step(s, size), v = step(s, size);
     for (Point3& w : p) w = grid.place(s, g + factor(s) * u + factor(s) * v);
     return true;
   }
@@ -108,7 +108,8 @@ struct FacingCase {
       return true;
     }
     const Grid grid(s);
-    const Step g = step(s, 100), u = step(s, step_size(s)), v = step(s, step_size(s));
+    const Step g = step(s, s.below(2) == 0 ? 100 : 1), u = step(s, step_size(s)),
+               v = step(s, step_size(s));
     if (s.below(2) == 0) {  // a bow tie of two equal wings
       for (const Step& corner : {g, g + u, g + v, g + u + v}) p.push_back(grid.place(s, corner));
       return true;

@@ -164,10 +164,10 @@ Scene shingles(std::size_t n, double severity, std::uint64_t seed) {
   const double step = 1.0 / static_cast<double>(n);
   for (std::size_t i = 0; i < n; ++i) {  // each lies on the next one's lower edge
     const double y = static_cast<double>(i) * step;
-    all.push_back({{0.0, y, 0.5},
-                   {1.0, y, 0.5},
-                   {1.0, y + 1.5 * step, 0.5 - gap(severity)},
-                   {0.0, y + 1.5 * step, 0.5 - gap(severity)}});
+    all.push_back({{0.0, y, 0.4},
+                   {1.0, y, 0.4},
+                   {1.0, y + 1.5 * step, 0.4 - gap(severity)},
+                   {0.0, y + 1.5 * step, 0.4 - gap(severity)}});
   }
   random.shuffle(all);
   scene.add(all);

@@ -96,7 +96,7 @@ Scene terrain(std::size_t n, std::uint64_t seed) {
 Scene soup(std::size_t n, std::uint64_t seed) {
   Random random(seed);
   Scene scene;
-  const double size = 3.0 / std::sqrt(static_cast<double>(n));
+  const double size = 7.0 / std::sqrt(static_cast<double>(n));
   for (std::size_t i = 0; i < n; ++i) {
     const Point3 middle = random_point(random);
     Polygon triangle;
@@ -151,7 +151,7 @@ constexpr GeneratedScene kGeneratedScenes[] = {
     {"city", "boxes behind boxes, seen from above", city},
     {"terrain", "a triangulated height field, seen from above", terrain},
     {"soup", "small random triangles", soup},
-    {"planes", "large polygons that all pass through each other", planes},
+    {"planes", "large polygons that all pass through each other; n cover each pixel", planes},
     {"cycles", "rings of 3 to 8 bars that overlap in a cycle", cycles},
     {"needles", "thin slivers, 1e-2 to 1e-5 wide", needles},
 };

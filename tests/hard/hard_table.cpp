@@ -15,7 +15,6 @@
 #include "hard/hard_cases.h"
 #include "hard/random_scenes.h"
 #include "hard/tally.h"
-#include "interp/osmesa.h"
 #include "mesa_leaks.h"
 
 // One table: family x method x precision, wrong pixels against the exact truth.
@@ -175,7 +174,7 @@ int run(const Options& options) {
   fmt::print("Wrong pixels against the exact truth, {0} x {0} pixels\n\n{1}", options.size,
              text_table(rows, methods, first));
   if (sweep) fmt::print("\n{}", where_each_breaks(rows, methods));
-  fmt::print("\n{}", osmesa_note(methods));
+  fmt::print("\n{}", notes(methods));
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   fmt::print("{:.1f} s\n", seconds.count());
   if (!options.csv.empty()) write_file(options.csv, csv_table(rows, methods, first));

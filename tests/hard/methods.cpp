@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+#include <memory>
 #include <optional>
 
 #include "interp/osmesa.h"
@@ -38,10 +40,25 @@ auto plain(DepthFormat format) {
   };
 }
 
-auto osmesa(int depth_bits) {
-  return [depth_bits](const DisplayFile& display_file, int size) {
-    return draw_with_osmesa(display_file, request_ids(size, true), depth_bits);
+/// How often OSMesa granted each depth.
+using Granted = std::map<int, int>;
+
+Method osmesa(int depth_bits) {
+  const auto granted = std::make_shared<Granted>();
+  const auto draw = [=](const DisplayFile& display_file, int size) {
+    OsmesaScene scene(display_file, request_ids(size, true), depth_bits);
+    ++(*granted)[scene.depth_bits()];
+    return scene.picture();
   };
+  const auto note = [=] {
+    std::string text = osmesa_description(depth_bits);
+    for (const auto& [bits, scenes] : *granted) {
+      text += fmt::format("; granted {} bits in {} drawings", bits, scenes);
+    }
+    return text;
+  };
+  return {fmt::format("OSMesa, {} depth bits asked for", depth_bits),
+          fmt::format("osmesa {}", depth_bits), false, draw, note};
 }
 
 }  // namespace
@@ -62,10 +79,7 @@ std::vector<Method> methods() {
       {"plain z-buffer, depth in 16 bits", "int 16", false, plain(DepthFormat::integer_16)},
   };
   if (!osmesa_available()) return all;
-  for (int bits : {32, 24, 16}) {
-    all.push_back({fmt::format("OSMesa, {} depth bits asked for", bits),
-                   fmt::format("osmesa {}", bits), false, osmesa(bits)});
-  }
+  for (int bits : {32, 24, 16}) all.push_back(osmesa(bits));
   return all;
 }
 

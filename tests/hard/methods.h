@@ -16,6 +16,8 @@ struct Method {
   bool exact;          ///< claims that no pixel is wrong
   /// Width and height in pixels; ids are drawn.
   std::function<Picture(const DisplayFile&, int size)> draw;
+  /// What it gave so far, if that is not what was asked for: empty for most.
+  std::function<std::string()> note = nullptr;
 };
 
 /// All that are built. OSMesa's if this build has it, at each depth that it can be asked for.

@@ -107,17 +107,13 @@ DefinedPoint with_near(DefinedPoint v, const BallPoint& point) {
 bool on_by_definition(const Definitions& all, const DefinedPoint& v, const Plane& plane) {
   const auto is_plane = [&](std::uint32_t k) { return all.planes[k].same_points(plane); };
   switch (v.kind) {
-    case DefinedPoint::Kind::stored:
-      return plane.goes_through(v.near);
-    case DefinedPoint::Kind::lifted:
-      return is_plane(v.own);
+    case DefinedPoint::Kind::stored: return plane.goes_through(v.near);
+    case DefinedPoint::Kind::lifted: return is_plane(v.own);
     case DefinedPoint::Kind::edge_cut:
       return is_plane(v.cut) ||
              (plane.goes_through(all.points[v.a]) && plane.goes_through(all.points[v.b]));
-    case DefinedPoint::Kind::lifted_edge_cut:
-      return is_plane(v.own) || is_plane(v.cut);
-    case DefinedPoint::Kind::plane_cut:
-      return is_plane(v.own) || is_plane(v.a) || is_plane(v.cut);
+    case DefinedPoint::Kind::lifted_edge_cut: return is_plane(v.own) || is_plane(v.cut);
+    case DefinedPoint::Kind::plane_cut: return is_plane(v.own) || is_plane(v.a) || is_plane(v.cut);
   }
   return false;
 }

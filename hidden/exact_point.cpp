@@ -39,10 +39,8 @@ ExactPoint meeting(const Plane& first, const Plane& second, const Plane& third) 
 
 ExactPoint from_definition(const Definitions& all, const DefinedPoint& v) {
   switch (v.kind) {
-    case DefinedPoint::Kind::stored:
-      break;
-    case DefinedPoint::Kind::lifted:
-      return lifted(all.points[v.a], all.planes[v.own]);
+    case DefinedPoint::Kind::stored: break;
+    case DefinedPoint::Kind::lifted: return lifted(all.points[v.a], all.planes[v.own]);
     case DefinedPoint::Kind::edge_cut:
       return met_by(exact_point(all.points[v.a]), exact_point(all.points[v.b]), all.planes[v.cut]);
     case DefinedPoint::Kind::lifted_edge_cut:

@@ -205,6 +205,14 @@ struct CrossingCase {
         const double t = 1.0 + s.unit();
         a = style.point(s);
         b = {a.x + t * (centre.x - a.x), a.y + t * (centre.y - a.y), 0.0};
+      } else if (s.below(3) == 0) {  // so short that the centre's own rounding decides
+        const double ulp = std::ldexp(1.0, -s.between(44, 53));
+        const auto close = [&](double k) {
+          return Point3(centre.x + k * ulp * static_cast<double>(dx),
+                        centre.y + k * ulp * static_cast<double>(dy), 0.0);
+        };
+        a = close(static_cast<double>(m));
+        b = close(static_cast<double>(n));
       }
     }
     return a.y != b.y;
@@ -265,9 +273,15 @@ struct DepthAtPixelCase {
     const Grid by_ulps(s);
     const int z_exponent = s.between(-30, 0);
     const std::int64_t z = s.between(-1000, 1000);
+    // On the grid, or so small that the centre's own rounding decides.
+    const double ulp = s.below(4) == 0 ? std::ldexp(1.0, -s.between(44, 53)) : 0.0;
     const auto place = [&](const Step& d) {
-      return Point3(by_ulps.nudge(s, static_cast<double>(grid.x + d[0]) * grid.x_step),
-                    by_ulps.nudge(s, static_cast<double>(grid.y + d[1]) * grid.y_step),
+      const auto dx = static_cast<double>(d[0]), dy = static_cast<double>(d[1]);
+      const double x =
+          ulp > 0.0 ? centre.x + dx * ulp : (static_cast<double>(grid.x) + dx) * grid.x_step;
+      const double y =
+          ulp > 0.0 ? centre.y + dy * ulp : (static_cast<double>(grid.y) + dy) * grid.y_step;
+      return Point3(by_ulps.nudge(s, x), by_ulps.nudge(s, y),
                     by_ulps.nudge(s, std::ldexp(static_cast<double>(z + d[2]), z_exponent)));
     };
     for (std::size_t k = 0; k < 6; k += 3) {

@@ -321,8 +321,8 @@ const std::vector<HardCase> kHardCases{
      12,
      {0.5},
      touching_points,
-     "Triangles touch in one point, some exactly coplanar in pairs: nothing crosses, but a "
-     "tolerance thinks so."},
+     "Nothing crosses: triangles touch in one point, where all depths tie, and coordinates on a "
+     "coarse grid put edges through centres."},
     {"touching_edges",
      "roofs and gutters on one ridge",
      "slope",
@@ -592,7 +592,7 @@ const std::vector<HardCase> kHardCases{
      {3, 9, 15},
      offset_depth,
      "The detail is in the last digits of z: single precision has none left, and integers are "
-     "clamped."},
+     "clamped. OSMesa is given a depth range that starts at the offset, and so loses nothing."},
     {"extreme_depth_range",
      "depths of all sizes in one scene",
      "10^-s to 10^s",

@@ -136,6 +136,10 @@ struct CentreGrid {
     axis(s, size.height, row, y, y_step);
   }
   PixelCentre centre() const { return {column, row, size}; }
+  /// Any of the picture, as a rule none that doubles can hold.
+  PixelCentre any_centre(Source& s) const {
+    return {s.below(size.width), s.below(size.height), size};
+  }
 
  private:
   static void axis(Source& s, std::int32_t pixels, std::int32_t& index, std::int64_t& at,

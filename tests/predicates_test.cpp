@@ -206,10 +206,11 @@ struct CrossingCase {
         a = style.point(s);
         b = {a.x + t * (centre.x - a.x), a.y + t * (centre.y - a.y), 0.0};
       } else if (s.below(3) == 0) {  // so short that the centre's own rounding decides
+        centre = grid.any_centre(s);
         const double ulp = std::ldexp(1.0, -s.between(44, 53));
         const auto close = [&](double k) {
-          return Point3(centre.x + k * ulp * static_cast<double>(dx),
-                        centre.y + k * ulp * static_cast<double>(dy), 0.0);
+          return Point3(by_ulps.nudge(s, centre.x + k * ulp * static_cast<double>(dx)),
+                        by_ulps.nudge(s, centre.y + k * ulp * static_cast<double>(dy)), 0.0);
         };
         a = close(static_cast<double>(m));
         b = close(static_cast<double>(n));
@@ -275,6 +276,7 @@ struct DepthAtPixelCase {
     const std::int64_t z = s.between(-1000, 1000);
     // On the grid, or so small that the centre's own rounding decides.
     const double ulp = s.below(4) == 0 ? std::ldexp(1.0, -s.between(44, 53)) : 0.0;
+    if (ulp > 0.0) centre = grid.any_centre(s);
     const auto place = [&](const Step& d) {
       const auto dx = static_cast<double>(d[0]), dy = static_cast<double>(d[1]);
       const double x =

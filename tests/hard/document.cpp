@@ -23,7 +23,7 @@ Without `--document` the same table goes to the terminal; `--csv FILE` writes it
 `--families A,B` picks rows, `--without osmesa` columns, `--severity S` sets one severity for all,
 and `--severity sweep` shows what a gap that shrinks does. It exits 1 if a method that claims to
 be exact has a wrong pixel anywhere. `hard_table --list` prints the families with their sizes and
-severities. `ctest -R -i hard` runs a smaller one, and compares the exact truth with a brute
+severities. `ctest -R hard` runs a smaller one, and compares the exact truth with a brute
 force in rationals on every family.
 
 Each family has a generator `Scene make(n, severity, seed)` (`hard/hard_cases.h`); a method is one

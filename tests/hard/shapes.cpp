@@ -124,7 +124,8 @@ std::vector<Polygon> ring_of_bars(std::size_t n, const Point2& centre, double ra
 
 Polygon begun_at(const Polygon& polygon, std::size_t first) {
   Polygon turned = polygon;
-  std::ranges::rotate(turned, turned.begin() + static_cast<std::ptrdiff_t>(first % turned.size()));
+  const auto offset = static_cast<std::ptrdiff_t>(first % turned.size());
+  std::rotate(turned.begin(), turned.begin() + offset, turned.end());
   return turned;
 }
 

@@ -11,8 +11,7 @@ void SeenBand::find(int first_row, int end_row, std::span<const std::uint32_t> p
   end_kept_ = std::min(drawing_.height, end_row + kMargin);
   const std::size_t size =
       static_cast<std::size_t>(end_kept_ - first_kept_) * static_cast<std::size_t>(drawing_.width);
-  owners_.resize(size);
-  depth_.assign(size, kFarthest);
+  cells_.assign(size, {});
   begun_.clear();
   for (const std::uint32_t polygon : polygons) {
     if (drawing_.polygons[polygon].filled) begun_.push_back(polygon);
@@ -23,8 +22,7 @@ void SeenBand::find(int first_row, int end_row, std::span<const std::uint32_t> p
     const auto vertices = drawing_.vertices_of(drawing_.polygons[polygon]);
     z_buffer.begin_polygon(vertices, support_vertices(vertices));
     scan_convert(polygon, first_kept_, end_kept_, [&](int row, int first, int end) {
-      const std::size_t start = index(0, row);
-      z_buffer.draw_span(row, first, end, &depth_[start], &owners_[start], [](int) {});
+      z_buffer.draw_span(row, first, end, &cells_[index(0, row)]);
     });
   }
 }

@@ -31,11 +31,11 @@ class SeenBand {
 
   /// Within the band and its margins.
   std::uint32_t seen(int column, int row) const {
-    const std::size_t at = index(column, row);
-    return depth_[at] == kFarthest ? kBackground : begun_[owners_[at]];
+    const auto& cell = cells_[index(column, row)];
+    return cell.is_background() ? kBackground : begun_[cell.owner];
   }
   /// Of the polygon seen; minus infinity for the background.
-  double depth(int column, int row) const { return depth_[index(column, row)]; }
+  double depth(int column, int row) const { return cells_[index(column, row)].z; }
   int first_row_kept() const { return first_kept_; }
   int end_row_kept() const { return end_kept_; }
 
@@ -47,8 +47,6 @@ class SeenBand {
   }
 
  private:
-  static constexpr double kFarthest = -std::numeric_limits<double>::infinity();
-
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row - first_kept_) * static_cast<std::size_t>(drawing_.width) +
            static_cast<std::size_t>(column);
@@ -61,8 +59,7 @@ class SeenBand {
 
   const CollectedDrawing& drawing_;
   int first_row_ = 0, end_row_ = 0, first_kept_ = 0, end_kept_ = 0;
-  std::vector<ZBuffer::Owner> owners_;
-  std::vector<double> depth_;
+  std::vector<ZBuffer::Cell<double>> cells_;
   std::vector<std::uint32_t> begun_;  // the polygon of each owner
   ScanConverter converter_;
 };

@@ -17,15 +17,16 @@ namespace displayfile {
 namespace {
 
 constexpr std::uint32_t kBackground = 0xFFFFFFFF;
+constexpr int kRowsFetched = 32;
 constexpr double kFarthest = -std::numeric_limits<double>::infinity();
 
 /// Fills and lines into a band of the picture's rows.
 class SoftwareDevice : public OutputDevice {
  public:
-  SoftwareDevice(Picture& picture, std::vector<ZBuffer::Owner>& owners,
-                 const RasterRequest& request, int row_begin, int row_end)
+  SoftwareDevice(Picture& picture, SoftwareCells& cells, const RasterRequest& request,
+                 int row_begin, int row_end)
       : picture_(picture),
-        owners_(owners),
+        cells_(cells),
         width_(picture.width),
         height_(picture.height),
         z_buffer_on_(request.z_buffer),
@@ -80,7 +81,53 @@ class SoftwareDevice : public OutputDevice {
     dash_end_ = pixel(line.to);
   }
 
+  /// After all fills: colours, identifiers and depths of the polygons that the pixels show.
+  void show_nearest() {
+    if (cells_.roundoff.empty()) {
+      show(cells_.exact);
+    } else {
+      show(cells_.roundoff);
+    }
+  }
+
  private:
+  template <class Depth>
+  void show(const std::vector<ZBuffer::Cell<Depth>>& cells) {
+    const std::size_t first = index(0, region_.row_end - 1);  // the top row is first
+    const std::size_t end = index(0, region_.row_begin) + static_cast<std::size_t>(width_);
+    for (std::size_t i = first; i < end; ++i) {
+      const auto& cell = cells[i];
+      picture_.pixels[i] = cell.is_background() ? kBackground : colours_[cell.owner];
+    }
+    if (ids_) {
+      for (std::size_t i = first; i < end; ++i) {
+        picture_.ids[i] = cells[i].is_background() ? -1 : picks_[cells[i].owner];
+      }
+    }
+    if (!picture_.depth.empty()) {
+      for (int row = region_.row_begin; row < region_.row_end; ++row) show_depth(row, cells);
+    }
+  }
+
+  template <class Depth>
+  void show_depth(int row, const std::vector<ZBuffer::Cell<Depth>>& cells) {
+    PixelDepth depth;
+    std::optional<ZBuffer::Owner> owner;
+    for (int column = 0; column < width_; ++column) {
+      const auto& cell = cells[index(column, row)];
+      double& z = picture_.depth[index(column, row)];
+      if (cell.is_background()) {
+        z = kFarthest;
+        continue;
+      }
+      if (owner != cell.owner) {
+        owner = cell.owner;
+        depth = z_buffer_.depth_of(*owner);
+      }
+      z = depth.at(depth.row(row), column);
+    }
+  }
+
   Point3 pixel(const Point3& device) const {
     return {device.x * width_, device.y * height_, device.z};
   }
@@ -90,14 +137,15 @@ class SoftwareDevice : public OutputDevice {
   }
 
   /// False if no row of centres in the region lies within the polygon's height.
-  bool reaches_a_row(std::span<const Point3> vertices) const {
+  bool reaches_a_row(std::span<const Point3> vertices) {
     double low = vertices[0].y, high = low;
     for (const Point3& p : vertices) {
       low = std::min(low, p.y);
       high = std::max(high, p.y);
     }
-    return std::max(first_row_above(low, height_), region_.row_begin) <
-           std::min(first_row_above(high, height_), region_.row_end);
+    rows_ = {std::max(first_row_above(low, height_), region_.row_begin),
+             std::min(first_row_above(high, height_), region_.row_end)};
+    return rows_.first < rows_.end;
   }
 
   struct DepthRange {
@@ -116,17 +164,29 @@ class SoftwareDevice : public OutputDevice {
 
   void fill_nearest(const DrawnPolygon& polygon, const SupportVertices& support,
                     std::uint32_t colour) {
+    fetch_cells(polygon.vertices);
     z_buffer_.begin_polygon(polygon.vertices, support);
+    colours_.push_back(colour);
+    if (ids_) picks_.push_back(polygon.pick);
     converter_.scan_convert(polygon.vertices, region_, [&](int row, int first, int end) {
-      const std::size_t start = index(0, row);
-      std::uint32_t* pixels = picture_.pixels.data() + start;
-      std::int32_t* ids = ids_ ? picture_.ids.data() + start : nullptr;
-      z_buffer_.draw_span(row, first, end, picture_.depth.data() + start, owners_.data() + start,
-                          [&](int i) {
-                            pixels[i] = colour;
-                            if (ids != nullptr) ids[i] = polygon.pick;
-                          });
+      if (cells_.roundoff.empty()) {
+        z_buffer_.draw_span(row, first, end, cells_.exact.data() + index(0, row));
+      } else {
+        z_buffer_.draw_span(row, first, end, cells_.roundoff.data() + index(0, row));
+      }
     });
+  }
+
+  /// A small polygon's rows lie a picture's width apart in memory: asked for together before the
+  /// first is needed, they do not have to be waited for one after another.
+  void fetch_cells(std::span<const Point3> vertices) const {
+    double left = vertices[0].x;
+    for (const Point3& v : vertices) left = std::min(left, v.x);
+    const int column = static_cast<int>(std::clamp(left * width_, 0.0, width_ - 1.0));
+    const int end = std::min(rows_.end, rows_.first + kRowsFetched);
+    for (int row = rows_.first; row < end; ++row) {
+      if (!cells_.exact.empty()) __builtin_prefetch(&cells_.exact[index(column, row)], 1);
+    }
   }
 
   void fill_over(const DrawnPolygon& polygon, const SupportVertices& support,
@@ -160,11 +220,17 @@ class SoftwareDevice : public OutputDevice {
   }
 
   Picture& picture_;
-  std::vector<ZBuffer::Owner>& owners_;
+  SoftwareCells& cells_;
   int width_, height_;
   bool z_buffer_on_, ids_;
   ScanConverter::Region region_;
+  struct Rows {
+    int first, end;
+  };
+  Rows rows_{0, 0};  // that the current polygon reaches
   ZBuffer z_buffer_;
+  std::vector<std::uint32_t> colours_;  // of the polygons that the z-buffer has begun
+  std::vector<std::int32_t> picks_;
   ScanConverter converter_;
   DashPhase dash_phase_;
   Point3 dash_end_{kFarthest};
@@ -199,8 +265,9 @@ void SoftwareRenderer::interpret_in_bands(const DisplayFile& display_file,
   const int bands = std::clamp(request.threads, 1, request.height);
   const auto interpret_band = [&](int band) {
     const auto row = [&](long long b) { return static_cast<int>(b * request.height / bands); };
-    SoftwareDevice device(picture_, owners_, request, row(band), row(band + 1));
+    SoftwareDevice device(picture_, cells_, request, row(band), row(band + 1));
     interpret(display_file, device, pass);
+    if (pass == Pass::fills) device.show_nearest();
   };
   if (bands == 1) return interpret_band(0);
   tbb::task_arena(std::min(bands, tbb::this_task_arena::max_concurrency())).execute([&] {
@@ -215,17 +282,25 @@ const Picture& SoftwareRenderer::draw(const DisplayFile& display_file,
       static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height);
   picture_.width = request.width;
   picture_.height = request.height;
-  picture_.pixels.assign(size, kBackground);
-  picture_.ids.assign(request.ids ? size : 0, -1);
-  picture_.depth.assign(request.z_buffer || request.depth ? size : 0, kFarthest);
-  owners_.resize(request.z_buffer && !request.roundoff ? size : 0);
+  const bool lines = request.z_buffer && has_lines(display_file);
+  if (request.z_buffer) {  // every pixel is written in the end
+    picture_.pixels.resize(size);
+    picture_.ids.resize(request.ids ? size : 0);
+    picture_.depth.resize(request.depth || lines ? size : 0);
+  } else {
+    picture_.pixels.assign(size, kBackground);
+    picture_.ids.assign(request.ids ? size : 0, -1);
+    picture_.depth.assign(request.depth ? size : 0, kFarthest);
+  }
+  cells_.exact.assign(request.z_buffer && !request.roundoff ? size : 0, {});
+  cells_.roundoff.assign(request.z_buffer && request.roundoff ? size : 0, {});
 
   if (!request.z_buffer) {
     interpret_in_bands(display_file, request, Pass::everything);
     return picture_;
   }
   interpret_in_bands(display_file, request, Pass::fills);
-  if (!has_lines(display_file)) return picture_;
+  if (!lines) return picture_;
   std::vector<double> of_fills;
   if (request.depth) of_fills = picture_.depth;
   interpret_in_bands(display_file, request, Pass::lines);

@@ -10,6 +10,12 @@
 
 namespace displayfile {
 
+/// What the z-buffer stores for the pixels: of one kind, the other is empty.
+struct SoftwareCells {
+  std::vector<ZBuffer::Cell<float>> exact;
+  std::vector<ZBuffer::Cell<double>> roundoff;
+};
+
 /// Draws display files by our own scan conversion, on a white background. With the z-buffer
 /// the nearest fill is seen, of equally near ones the one entered later, and a line where no
 /// fill is nearer; without it, whatever is drawn last. Coverage and, unless roundoff is asked
@@ -25,7 +31,7 @@ class SoftwareRenderer {
   void interpret_in_bands(const DisplayFile& display_file, const RasterRequest& request, Pass pass);
 
   Picture picture_;
-  std::vector<ZBuffer::Owner> owners_;
+  SoftwareCells cells_;
 };
 
 /// One picture by a renderer of its own.

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "hidden/depth_order.h"
 #include "hidden/pixel_centre.h"
 #include "interp/pixel_depth.h"
 
@@ -13,13 +16,21 @@ namespace displayfile {
 /// The depth comparisons of a z-buffer (Catmull), for the rows that one thread draws.
 ///
 /// Exact: where two depths are too close for rounded ones to tell, the planes are compared by
-/// exact arithmetic at the pixel's centre (interp/z_buffer.md). Roundoff: doubles are compared
-/// as the textbook's SIGNOF does; closer than the given ROUNDOFF counts as equal. Of equally
-/// near polygons the later one is seen in both.
+/// exact arithmetic at the pixel's centre (interp/z_buffer.md); so a float is all that a pixel
+/// need store. Roundoff: doubles are compared as the textbook's SIGNOF does; closer than the
+/// given ROUNDOFF counts as equal. Of equally near polygons the later one is seen in both.
 class ZBuffer {
  public:
   /// The polygon that a pixel shows, as an index into those begun.
   using Owner = std::uint32_t;
+
+  /// What is stored for a pixel; float if exact, double for roundoff.
+  template <class Depth>
+  struct Cell {
+    Depth z = -std::numeric_limits<Depth>::infinity();
+    Owner owner = 0;
+    bool is_background() const { return z == -std::numeric_limits<Depth>::infinity(); }
+  };
 
   /// No roundoff: exact.
   ZBuffer(const PictureSize& size, std::optional<double> roundoff)
@@ -28,39 +39,51 @@ class ZBuffer {
   /// Starts the next polygon (device coordinates), which is not edge-on.
   void begin_polygon(std::span<const Point3> vertices, const SupportVertices& support);
 
-  /// Draws covered pixels first <= i < end of a row: where the polygon begun last is seen, its
-  /// depth and owner are stored and write(i) is called. The arrays are the picture's row;
-  /// depth starts as minus infinity, owner as anything, and is not touched in roundoff.
-  template <class Write>
-  void draw_span(int row, int first, int end, double* depth, Owner* owner, Write&& write) {
+  /// Draws covered pixels first <= i < end of a row's cells: where the polygon begun last is
+  /// seen, its depth and owner are stored.
+  template <class Depth>
+  void draw_span(int row, int first, int end, Cell<Depth>* cells) {
     const double row_depth = depth_.row(row);
     run_.end = first;
     for (int i = first; i < end; ++i) {
       const double z = depth_.at(row_depth, i);
-      const double nearer = z - depth[i];
+      const double nearer = z - cells[i].z;
       if (nearer < -margin_) continue;
-      if (!(nearer > margin_) && !nearer_or_equal(nearer, {row, i, end}, depth, owner)) {
-        continue;
-      }
-      depth[i] = z;
-      if (!roundoff_) owner[i] = current_;
-      write(i);
+      if (!(nearer > margin_) && !nearer_or_equal(nearer, {row, i, end}, cells)) continue;
+      cells[i] = {stored<Depth>(z), current_};
     }
+  }
+
+  /// The depth of a polygon over pixels, as it was drawn.
+  PixelDepth depth_of(Owner polygon) const {
+    const Polygon& a = polygons_[polygon];
+    return {Plane(a.p, a.q, a.r), static_cast<double>(size_.width),
+            static_cast<double>(size_.height)};
   }
 
  private:
   struct Polygon {
     Point3 p, q, r;  ///< of the support plane
-    double error;    ///< bounds that of its depths
+    double error;    ///< bounds that of its depths, as stored
   };
-
   /// Pixels of a row from `column` to the end of the span.
   struct Rest {
     int row, column, end;
   };
-  bool nearer_or_equal(double nearer, const Rest& rest, const double* depth, const Owner* owner);
+
+  template <class Depth>
+  static Depth stored(double z) {
+    constexpr double kLargest = std::numeric_limits<Depth>::max();  // infinity is the background
+    return static_cast<Depth>(std::clamp(z, -kLargest, kLargest));
+  }
+  template <class Depth>
+  bool nearer_or_equal(double nearer, const Rest& rest, const Cell<Depth>* cells);
+  template <class Depth>
+  bool decide_run(const Rest& rest, const Cell<Depth>* cells);
   void compare_planes(Owner other);
-  bool decide_run(const Rest& rest, const double* depth, const Owner* owner);
+  bool later_is_seen(int column, int row) const {
+    return depth_order(plane_, compared_plane_, PixelCentre(column, row, size_)) >= 0;
+  }
 
   PictureSize size_;
   std::optional<double> roundoff_;
@@ -82,5 +105,39 @@ class ZBuffer {
   };
   Run run_{0, false};
 };
+
+/// What the rounded depths do not tell.
+template <class Depth>
+bool ZBuffer::nearer_or_equal(double nearer, const Rest& rest, const Cell<Depth>* cells) {
+  if (roundoff_) return true;  // within ROUNDOFF: equal, and later
+  if (rest.column < run_.end) return run_.nearer_or_equal;
+  const auto& cell = cells[rest.column];
+  if (cell.is_background()) return true;
+  const double margin = 2.0 * (polygons_[current_].error + polygons_[cell.owner].error);
+  if (nearer > margin) return true;
+  if (nearer < -margin) return false;
+  if (compared_ != cell.owner) compare_planes(cell.owner);
+  return coplanar_ || decide_run(rest, cells);
+}
+
+/// Along a row the difference of two depths is linear: if it has one sign at both ends of a run
+/// of pixels that show the same polygon, it has that sign between them; if not, it changes once.
+template <class Depth>
+bool ZBuffer::decide_run(const Rest& rest, const Cell<Depth>* cells) {
+  int last = rest.column;
+  while (last + 1 < rest.end && cells[last + 1].owner == compared_ &&
+         !cells[last + 1].is_background()) {
+    ++last;
+  }
+  const bool seen = later_is_seen(rest.column, rest.row);
+  if (last - rest.column < 4) return seen;  // as soon asked one by one
+  int same = rest.column;
+  for (int different = last + 1; different - same > 1;) {
+    const int middle = different == last + 1 ? last : same + (different - same) / 2;
+    (later_is_seen(middle, rest.row) == seen ? same : different) = middle;
+  }
+  run_ = {same + 1, seen};
+  return seen;
+}
 
 }  // namespace displayfile

@@ -24,11 +24,11 @@ struct PixelDepth {
             width, height) {}
   /// Of a plane in normalised device coordinates.
   PixelDepth(const Plane& plane, double width, double height)
-      : x0(plane.p.x * width),
-        y0(plane.p.y * height),
-        z0(plane.p.z),
-        dz_dx(-plane.normal.x / plane.normal.z / width),
-        dz_dy(-plane.normal.y / plane.normal.z / height) {}
+      : x0(plane.p.x * width), y0(plane.p.y * height), z0(plane.p.z) {
+    const double per_c = -1.0 / plane.normal.z;
+    dz_dx = plane.normal.x * per_c / width;
+    dz_dy = plane.normal.y * per_c / height;
+  }
 
   double row(int j) const { return z0 + dz_dy * (j + 0.5 - y0); }
   double at(double row_depth, int i) const { return row_depth + dz_dx * (i + 0.5 - x0); }
@@ -42,11 +42,12 @@ struct PixelDepth {
     const double c = std::abs(plane.normal.z) - plane.bound.z;
     if (!(c > 0.0)) return std::numeric_limits<double>::infinity();
     const double slope_x = std::abs(dz_dx), slope_y = std::abs(dz_dy);
-    const double error_x = (plane.bound.x / width + slope_x * plane.bound.z) / c;
-    const double error_y = (plane.bound.y / height + slope_y * plane.bound.z) / c;
+    const double error = ((plane.bound.x / width + slope_x * plane.bound.z) * dx +
+                          (plane.bound.y / height + slope_y * plane.bound.z) * dy) /
+                         c;
     const double rounding = slope_x * (std::abs(x0) + 6.0 * dx) +
                             slope_y * (std::abs(y0) + 6.0 * dy) + 2.0 * std::abs(z0);
-    return 2.0 * (error_x * dx + error_y * dy + kUnit * rounding) + kTiny;
+    return 2.0 * (error + kUnit * rounding) + kTiny;
   }
 };
 

@@ -28,11 +28,26 @@ class ScanConverter {
     int row_begin, row_end;
   };
 
-  /// Calls fill_span(row, first, end) for each run of covered pixels first <= i < end, row by
-  /// row from the bottom, left to right. Device coordinates. Any number of vertices; the
-  /// polygon may be concave or cross itself.
+  /// The rows that a polygon crosses within a region; none if first == end.
+  struct Rows {
+    int first, end;
+  };
+
+  /// Takes up a polygon (device coordinates) of any number of vertices; it may be concave or
+  /// cross itself.
+  Rows begin(std::span<const Point3> polygon, const Region& region);
+
+  /// Calls fill_span(row, first, end) for each run of covered pixels of the polygon begun, row by
+  /// row from the bottom, left to right.
   template <class FillSpan>
-  void scan_convert(std::span<const Point3> polygon, const Region& region, FillSpan&& fill_span);
+  void scan(FillSpan&& fill_span);
+
+  /// Both in one.
+  template <class FillSpan>
+  void scan_convert(std::span<const Point3> polygon, const Region& region, FillSpan&& fill_span) {
+    begin(polygon, region);
+    scan(fill_span);
+  }
 
  private:
   /// A side of the polygon that crosses the rows first_row to last_row, in pixel units.
@@ -46,10 +61,9 @@ class ScanConverter {
     int column(int row, const PictureSize& size) const;
   };
 
-  void build_edge_table(std::span<const Point3> polygon, const Region& region);
-
+  Region region_{};
   std::vector<Edge> edges_;  // the edge table, by first row
-  std::vector<Edge> active_;
+  std::vector<const Edge*> active_;
   std::vector<int> columns_;
 };
 
@@ -68,7 +82,8 @@ inline int first_row_above(double y, int height) {
 /// crossing without the error that adding gathers, in whatever row one starts. Where a centre
 /// is too close to the crossing for the rounded one to tell, exact arithmetic does.
 inline int ScanConverter::Edge::column(int row, const PictureSize& size) const {
-  if (!(error < 0.25)) [[unlikely]] return first_column_after_crossing(low, high, row, size);
+  if (!(error < 0.25)) [[unlikely]]
+    return first_column_after_crossing(low, high, row, size);
   const double t = x + (row + 0.5 - y) * dx_dy - 0.5;
   if (t < -error) return 0;
   if (t > size.width + error) return size.width;
@@ -80,10 +95,12 @@ inline int ScanConverter::Edge::column(int row, const PictureSize& size) const {
   return std::min(floor + 1, size.width);
 }
 
-inline void ScanConverter::build_edge_table(std::span<const Point3> polygon,
-                                            const Region& region) {
+inline ScanConverter::Rows ScanConverter::begin(std::span<const Point3> polygon,
+                                                const Region& region) {
   const auto& [width, height] = region.size;
+  region_ = region;
   edges_.clear();
+  Rows rows{region.row_end, region.row_begin};
   Point2 from(polygon.back());
   int from_row = first_row_above(from.y, height);
   for (const Point3& vertex : polygon) {
@@ -92,6 +109,7 @@ inline void ScanConverter::build_edge_table(std::span<const Point3> polygon,
     const int first = std::max(std::min(from_row, to_row), region.row_begin);
     const int last = std::min(std::max(from_row, to_row), region.row_end) - 1;
     if (first <= last) {
+      rows = {std::min(rows.first, first), std::max(rows.end, last + 1)};
       const Point2& low = from_row < to_row ? from : to;
       const Point2& high = from_row < to_row ? to : from;
       const Point2 a(low.x * width, low.y * height), b(high.x * width, high.y * height);
@@ -116,36 +134,37 @@ inline void ScanConverter::build_edge_table(std::span<const Point3> polygon,
   } else {
     std::ranges::sort(edges_, {}, &Edge::first_row);
   }
+  return edges_.empty() ? Rows{0, 0} : rows;
 }
 
 template <class FillSpan>
-void ScanConverter::scan_convert(std::span<const Point3> polygon, const Region& region,
-                                 FillSpan&& fill_span) {
-  build_edge_table(polygon, region);
+void ScanConverter::scan(FillSpan&& fill_span) {
   active_.clear();
   std::size_t next = 0;  // in the edge table
   int row = 0;
   while (next < edges_.size() || !active_.empty()) {
     // Bring the active edge list up to this row; it then holds until `last`.
     if (active_.empty()) row = edges_[next].first_row;
-    while (next < edges_.size() && edges_[next].first_row == row) active_.push_back(edges_[next++]);
-    int last = next < edges_.size() ? edges_[next].first_row - 1 : region.row_end - 1;
-    for (const Edge& edge : active_) last = std::min(last, edge.last_row);
+    while (next < edges_.size() && edges_[next].first_row == row)
+      active_.push_back(&edges_[next++]);
+    int last = next < edges_.size() ? edges_[next].first_row - 1 : region_.row_end - 1;
+    for (const Edge* edge : active_) last = std::min(last, edge->last_row);
 
     for (; row <= last; ++row) {
       if (active_.size() == 2) {
-        const int a = active_[0].column(row, region.size), b = active_[1].column(row, region.size);
+        const int a = active_[0]->column(row, region_.size),
+                  b = active_[1]->column(row, region_.size);
         if (a != b) fill_span(row, std::min(a, b), std::max(a, b));
         continue;
       }
       columns_.clear();
-      for (const Edge& edge : active_) columns_.push_back(edge.column(row, region.size));
+      for (const Edge* edge : active_) columns_.push_back(edge->column(row, region_.size));
       std::ranges::sort(columns_);
       for (std::size_t k = 0; k + 1 < columns_.size(); k += 2) {
         if (columns_[k] < columns_[k + 1]) fill_span(row, columns_[k], columns_[k + 1]);
       }
     }
-    std::erase_if(active_, [&](const Edge& edge) { return edge.last_row < row; });
+    std::erase_if(active_, [&](const Edge* edge) { return edge->last_row < row; });
   }
 }
 

@@ -35,12 +35,13 @@ class SoftwareDevice : public OutputDevice {
         z_buffer_(region_.size, request.roundoff) {}
 
   void fill(const DrawnPolygon& polygon) override {
-    if (!reaches_a_row(polygon.vertices)) return;
+    const ScanConverter::Rows rows = converter_.begin(polygon.vertices, region_);
+    if (rows.first == rows.end) return;
     const SupportVertices support = support_vertices(polygon.vertices);
     if (support.edge_on) return;
     const std::uint32_t colour = pixel_of(polygon.fill.colour);
     if (z_buffer_on_) {
-      fill_nearest(polygon, support, colour);
+      fill_nearest(polygon, support, rows, colour);
     } else {
       fill_over(polygon, support, colour);
     }
@@ -136,18 +137,6 @@ class SoftwareDevice : public OutputDevice {
            static_cast<std::size_t>(x);
   }
 
-  /// False if no row of centres in the region lies within the polygon's height.
-  bool reaches_a_row(std::span<const Point3> vertices) {
-    double low = vertices[0].y, high = low;
-    for (const Point3& p : vertices) {
-      low = std::min(low, p.y);
-      high = std::max(high, p.y);
-    }
-    rows_ = {std::max(first_row_above(low, height_), region_.row_begin),
-             std::min(first_row_above(high, height_), region_.row_end)};
-    return rows_.first < rows_.end;
-  }
-
   struct DepthRange {
     double nearest, farthest;
   };
@@ -163,12 +152,12 @@ class SoftwareDevice : public OutputDevice {
   }
 
   void fill_nearest(const DrawnPolygon& polygon, const SupportVertices& support,
-                    std::uint32_t colour) {
-    fetch_cells(polygon.vertices);
+                    const ScanConverter::Rows& rows, std::uint32_t colour) {
+    fetch_cells(polygon.vertices, rows);
     z_buffer_.begin_polygon(polygon.vertices, support);
     colours_.push_back(colour);
     if (ids_) picks_.push_back(polygon.pick);
-    converter_.scan_convert(polygon.vertices, region_, [&](int row, int first, int end) {
+    converter_.scan([&](int row, int first, int end) {
       if (cells_.roundoff.empty()) {
         z_buffer_.draw_span(row, first, end, cells_.exact.data() + index(0, row));
       } else {
@@ -179,12 +168,12 @@ class SoftwareDevice : public OutputDevice {
 
   /// A small polygon's rows lie a picture's width apart in memory: asked for together before the
   /// first is needed, they do not have to be waited for one after another.
-  void fetch_cells(std::span<const Point3> vertices) const {
+  void fetch_cells(std::span<const Point3> vertices, const ScanConverter::Rows& rows) const {
     double left = vertices[0].x;
     for (const Point3& v : vertices) left = std::min(left, v.x);
     const int column = static_cast<int>(std::clamp(left * width_, 0.0, width_ - 1.0));
-    const int end = std::min(rows_.end, rows_.first + kRowsFetched);
-    for (int row = rows_.first; row < end; ++row) {
+    const int end = std::min(rows.end, rows.first + kRowsFetched);
+    for (int row = rows.first; row < end; ++row) {
       if (!cells_.exact.empty()) __builtin_prefetch(&cells_.exact[index(column, row)], 1);
     }
   }
@@ -193,7 +182,7 @@ class SoftwareDevice : public OutputDevice {
                  std::uint32_t colour) {
     std::optional<PixelDepth> depth;
     if (!picture_.depth.empty()) depth.emplace(polygon.vertices, support, width_, height_);
-    converter_.scan_convert(polygon.vertices, region_, [&](int row, int first, int end) {
+    converter_.scan([&](int row, int first, int end) {
       const std::size_t start = index(0, row);
       std::uint32_t* pixels = picture_.pixels.data() + start;
       std::fill(pixels + first, pixels + end, colour);
@@ -224,10 +213,6 @@ class SoftwareDevice : public OutputDevice {
   int width_, height_;
   bool z_buffer_on_, ids_;
   ScanConverter::Region region_;
-  struct Rows {
-    int first, end;
-  };
-  Rows rows_{0, 0};  // that the current polygon reaches
   ZBuffer z_buffer_;
   std::vector<std::uint32_t> colours_;  // of the polygons that the z-buffer has begun
   std::vector<std::int32_t> picks_;

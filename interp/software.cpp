@@ -92,21 +92,25 @@ class SoftwareDevice : public OutputDevice {
   }
 
  private:
+  /// The cells are cleared for the next picture while they are at hand.
   template <class Depth>
-  void show(const std::vector<ZBuffer::Cell<Depth>>& cells) {
-    const std::size_t first = index(0, region_.row_end - 1);  // the top row is first
-    const std::size_t end = index(0, region_.row_begin) + static_cast<std::size_t>(width_);
-    for (std::size_t i = first; i < end; ++i) {
-      const auto& cell = cells[i];
-      picture_.pixels[i] = cell.is_background() ? kBackground : colours_[cell.owner];
-    }
-    if (ids_) {
-      for (std::size_t i = first; i < end; ++i) {
-        picture_.ids[i] = cells[i].is_background() ? -1 : picks_[cells[i].owner];
+  void show(std::vector<ZBuffer::Cell<Depth>>& cells) {
+    for (int row = region_.row_begin; row < region_.row_end; ++row) {
+      const std::size_t start = index(0, row), end = start + static_cast<std::size_t>(width_);
+      if (ids_) {
+        for (std::size_t i = start; i < end; ++i) {
+          picture_.ids[i] = cells[i].is_background() ? -1 : picks_[cells[i].owner];
+        }
       }
-    }
-    if (!picture_.depth.empty()) {
-      for (int row = region_.row_begin; row < region_.row_end; ++row) show_depth(row, cells);
+      if (!picture_.depth.empty()) show_depth(row, cells);
+      for (std::size_t i = start; i < end; ++i) {
+        if (cells[i].is_background()) {
+          picture_.pixels[i] = kBackground;
+        } else {
+          picture_.pixels[i] = colours_[cells[i].owner];
+          cells[i] = {};
+        }
+      }
     }
   }
 
@@ -244,18 +248,42 @@ std::uint32_t pixel_of(const Colour& colour) {
   return 0xFF000000u | byte(colour.b) << 16 | byte(colour.g) << 8 | byte(colour.r);
 }
 
+namespace {
+
+/// At least one band a thread. Every band costs a walk over all polygons; where they are few for
+/// the picture's size, more bands share the work evenly.
+int bands_for(const RasterRequest& request, std::size_t polygons) {
+  if (request.threads <= 1) return 1;
+  constexpr std::size_t kPixelsForEachPolygon = 64;
+  constexpr int kRowsOfABand = 64;
+  const auto pixels =
+      static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height);
+  const std::size_t worth_it = pixels / (kPixelsForEachPolygon * (polygons + 1));
+  const int most = std::max(request.threads, request.height / kRowsOfABand);
+  const int bands = worth_it < static_cast<std::size_t>(most) ? static_cast<int>(worth_it) : most;
+  return std::clamp(std::max(bands, request.threads), 1, request.height);
+}
+
+}  // namespace
+
+void SoftwareCells::make_clear(std::size_t exact_cells, std::size_t roundoff_cells) {
+  if (!clear || exact.size() != exact_cells) exact.assign(exact_cells, {});
+  if (!clear || roundoff.size() != roundoff_cells) roundoff.assign(roundoff_cells, {});
+}
+
 /// Each thread interprets the display file for a band of rows of its own.
 void SoftwareRenderer::interpret_in_bands(const DisplayFile& display_file,
                                           const RasterRequest& request, Pass pass) {
-  const int bands = std::clamp(request.threads, 1, request.height);
+  const int bands = bands_for(request, display_file.polygons());
   const auto interpret_band = [&](int band) {
     const auto row = [&](long long b) { return static_cast<int>(b * request.height / bands); };
     SoftwareDevice device(picture_, cells_, request, row(band), row(band + 1));
     interpret(display_file, device, pass);
     if (pass == Pass::fills) device.show_nearest();
   };
+  const int threads = std::min(request.threads, tbb::this_task_arena::max_concurrency());
   if (bands == 1) return interpret_band(0);
-  tbb::task_arena(std::min(bands, tbb::this_task_arena::max_concurrency())).execute([&] {
+  tbb::task_arena(std::max(1, threads)).execute([&] {
     tbb::parallel_for(0, bands, interpret_band);
   });
 }
@@ -277,14 +305,16 @@ const Picture& SoftwareRenderer::draw(const DisplayFile& display_file,
     picture_.ids.assign(request.ids ? size : 0, -1);
     picture_.depth.assign(request.depth ? size : 0, kFarthest);
   }
-  cells_.exact.assign(request.z_buffer && !request.roundoff ? size : 0, {});
-  cells_.roundoff.assign(request.z_buffer && request.roundoff ? size : 0, {});
+  cells_.make_clear(request.z_buffer && !request.roundoff ? size : 0,
+                    request.z_buffer && request.roundoff ? size : 0);
 
   if (!request.z_buffer) {
     interpret_in_bands(display_file, request, Pass::everything);
     return picture_;
   }
+  cells_.clear = false;
   interpret_in_bands(display_file, request, Pass::fills);
+  cells_.clear = true;
   if (!lines) return picture_;
   std::vector<double> of_fills;
   if (request.depth) of_fills = picture_.depth;

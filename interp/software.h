@@ -14,6 +14,10 @@ namespace displayfile {
 struct SoftwareCells {
   std::vector<ZBuffer::Cell<float>> exact;
   std::vector<ZBuffer::Cell<double>> roundoff;
+  bool clear = true;  ///< all show the background, as they do between pictures
+
+  /// Makes them as many, all clear.
+  void make_clear(std::size_t exact_cells, std::size_t roundoff_cells);
 };
 
 /// Draws display files by our own scan conversion, on a white background. With the z-buffer

@@ -43,13 +43,14 @@ class ZBuffer {
   /// seen, its depth and owner are stored.
   template <class Depth>
   void draw_span(int row, int first, int end, Cell<Depth>* cells) {
-    const double row_depth = depth_.row(row);
+    const PixelDepth depth = depth_;  // the loop's own: its stores cannot change them
+    const double row_depth = depth.row(row), margin = margin_;
     run_.end = first;
     for (int i = first; i < end; ++i) {
-      const double z = depth_.at(row_depth, i);
+      const double z = depth.at(row_depth, i);
       const double nearer = z - cells[i].z;
-      if (nearer < -margin_) continue;
-      if (!(nearer > margin_) && !nearer_or_equal(nearer, {row, i, end}, cells)) continue;
+      if (nearer < -margin) continue;
+      if (!(nearer > margin) && !nearer_or_equal(nearer, {row, i, end}, cells)) continue;
       cells[i] = {stored<Depth>(z), current_};
     }
   }

@@ -13,6 +13,7 @@
 #include "displayfile/input_file.h"
 #include "displayfile/mesh.h"
 #include "displayfile/output_file.h"
+#include "hidden/predicate_counts.h"
 #include "interp/npy_file.h"
 #include "interp/picture_compare.h"
 #include "interp/png_file.h"
@@ -24,6 +25,19 @@
 namespace displayfile {
 
 namespace {
+
+/// How often the predicates' filters were undecided.
+std::string exact_stage_counts() {
+  std::string text;
+  const PredicateCounts counts = predicate_counts();
+  for (std::size_t i = 0; i < kPredicates; ++i) {
+    const StageCounts& count = counts[i];
+    if (count.exact + count.by_definition == 0) continue;
+    text += fmt::format("exact stage        {}: {} times, and {} zero by definition\n",
+                        name_of(static_cast<Predicate>(i)), count.exact, count.by_definition);
+  }
+  return text.empty() ? "exact stage        never asked\n" : text;
+}
 
 std::string statistics(const GraphicsSystem& system, const DrawOptions& options) {
   const DisplayFile& file = system.display_file();
@@ -92,7 +106,7 @@ int DrawCommand::run() const {
     const Progress progress(fmt::format("drawing {} polygons", system.display_file().polygons()));
     draw(system, output, drawing);
   }
-  if (stats) std::cout << statistics(system, drawing);
+  if (stats) std::cout << statistics(system, drawing) << exact_stage_counts();
   return 0;
 }
 

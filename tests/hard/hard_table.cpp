@@ -11,6 +11,7 @@
 
 #include "clip/error.h"
 #include "displayfile/output_file.h"
+#include "hidden/predicate_counts.h"
 #include "hard/document.h"
 #include "hard/hard_cases.h"
 #include "hard/random_scenes.h"
@@ -148,6 +149,17 @@ bool exact_methods_are_right(const std::vector<TableRow>& rows,
   return right;
 }
 
+/// Of all methods and scenes together.
+void print_exact_stage_counts() {
+  fmt::print("The predicates' exact stage was asked:\n");
+  const PredicateCounts counts = predicate_counts();
+  for (std::size_t i = 0; i < kPredicates; ++i) {
+    if (counts[i].exact + counts[i].by_definition == 0) continue;
+    fmt::print("  {:<16} {:>9} times, and {} zero by definition\n",
+               name_of(static_cast<Predicate>(i)), counts[i].exact, counts[i].by_definition);
+  }
+}
+
 int run(const Options& options) {
   if (options.list) {
     print_list();
@@ -175,6 +187,7 @@ int run(const Options& options) {
              text_table(rows, methods, first));
   if (sweep) fmt::print("\n{}", where_each_breaks(rows, methods));
   fmt::print("\n{}", notes(methods));
+  print_exact_stage_counts();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   fmt::print("{:.1f} s\n", seconds.count());
   if (!options.csv.empty()) write_file(options.csv, csv_table(rows, methods, first));

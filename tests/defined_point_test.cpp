@@ -321,7 +321,8 @@ struct RoundedCase : SceneCase {
 TEST(DefinedPoints, RoundedCoordinatesAreTheNearest) {
   for (const Input input : {Input::random, Input::near_zero}) {
     Source s(7);
-    for (long done = 0; done < trials() / 4;) {
+    const long count = trials_are_set() ? trials() : trials() / 4;
+    for (long done = 0; done < count;) {
       RoundedCase c;
       c.make(s, input);
       if (!c.truth()) continue;

@@ -18,10 +18,9 @@
 namespace displayfile::test {
 
 /// How many of each kind, for each predicate.
-inline long trials() {
-  const char* set = std::getenv("DISPLAYFILE_PREDICATE_TRIALS");
-  return set != nullptr ? std::atol(set) : 30000;
-}
+inline const char* trials_as_set() { return std::getenv("DISPLAYFILE_PREDICATE_TRIALS"); }
+inline bool trials_are_set() { return trials_as_set() != nullptr; }
+inline long trials() { return trials_are_set() ? std::atol(trials_as_set()) : 30000; }
 
 enum class Input { random, near_zero };
 

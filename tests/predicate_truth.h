@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <optional>
 #include <string>
 
@@ -125,11 +128,57 @@ inline std::string text_of(const PixelCentre& c) {
   return out.str();
 }
 
+/// What the rationals said of one test's cases, kept for the next build to be held against the
+/// same: judging takes far longer than the predicates do. Off unless
+/// DISPLAYFILE_PREDICATE_VERDICTS names a folder; a test's first run writes, later ones read.
+class Verdicts {
+ public:
+  Verdicts() {
+    const char* const folder = std::getenv("DISPLAYFILE_PREDICATE_VERDICTS");
+    if (folder == nullptr) return;
+    const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
+    path_ = std::filesystem::path(folder) /
+            (std::string(test->name()) + "." + std::to_string(trials()) + ".verdicts");
+    kept_.open(path_, std::ios::binary);
+    if (!kept_.is_open()) fresh_.open(part(), std::ios::binary);
+  }
+  /// Once all of the test's cases have agreed.
+  void keep() {
+    if (!fresh_.is_open()) return;
+    fresh_.close();
+    std::filesystem::rename(part(), path_);
+  }
+  /// The sign of the truth, or nothing where there is none.
+  template <class Case>
+  std::optional<int> of(Case& c) {
+    if (kept_.is_open()) {
+      char verdict = 0;
+      EXPECT_TRUE(kept_.get(verdict)) << path_ << " ends early";
+      return verdict == kNone ? std::nullopt : std::optional<int>(verdict - kZero);
+    }
+    const std::optional<Q> truth = c.truth();
+    const std::optional<int> sign = truth ? std::optional<int>(sgn(*truth)) : std::nullopt;
+    if (fresh_.is_open()) fresh_.put(static_cast<char>(sign ? *sign + kZero : kNone));
+    return sign;
+  }
+
+ private:
+  static constexpr char kNone = 'n', kZero = '1';
+  std::filesystem::path part() const { return path_.string() + ".part"; }
+
+  std::filesystem::path path_;
+  std::ifstream kept_;
+  std::ofstream fresh_;
+};
+
 /// A Case makes itself from a Source (false: no such case), says the truth by rationals and
-/// what the predicate says, and describes itself.
+/// what the predicate says, and describes itself. `share` is of the trials, so that a test
+/// stays short; it is not taken where the number of trials was asked for.
 template <class Case>
 void agrees(Predicate predicate, double share = 1.0) {
   reset_predicate_counts();
+  Verdicts verdicts;
+  if (trials_are_set()) share = 1.0;
   for (const Input input : {Input::random, Input::near_zero}) {
     Source s(input == Input::random ? 1 : 2);
     const auto count = static_cast<long>(static_cast<double>(trials()) * share);
@@ -138,9 +187,9 @@ void agrees(Predicate predicate, double share = 1.0) {
       ASSERT_LT(tries, 20 * count + 1000) << "the generator finds no cases";
       Case c;
       if (!c.make(s, input)) continue;
-      const std::optional<Q> truth = c.truth();
+      const std::optional<int> truth = verdicts.of(c);
       if (!truth) continue;
-      const int expected = sgn(*truth);
+      const int expected = *truth;
       const int mode = kModes[static_cast<std::size_t>(done % 4)];
       const int found = in_mode(mode, [&c] { return c.predicate(); });
       ++seen[static_cast<std::size_t>(expected + 1)];
@@ -151,6 +200,7 @@ void agrees(Predicate predicate, double share = 1.0) {
       for (const long of_sign : seen) EXPECT_GT(of_sign, count / 100) << "too few of a sign";
     }
   }
+  verdicts.keep();
   const StageCounts stages = predicate_counts()[static_cast<std::size_t>(predicate)];
   EXPECT_GT(stages.exact, 0u) << "the exact stage was never asked";
 }

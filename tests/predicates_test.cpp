@@ -1,6 +1,8 @@
 // The predicates of stored points and planes against their definitions in GMP rationals, on
 // random input and on exact zeros nudged by a few ulps, in every rounding mode.
-// DISPLAYFILE_PREDICATE_TRIALS sets how many of each kind, for each predicate.
+// DISPLAYFILE_PREDICATE_TRIALS sets how many of each kind, for each predicate;
+// DISPLAYFILE_PREDICATE_VERDICTS a folder where what the rationals say is kept for the next
+// build to be held against.
 
 #include <gtest/gtest.h>
 
@@ -231,13 +233,20 @@ TEST(Predicates, CentreAgainstAnEdge) { agrees<CrossingCase>(Predicate::crossing
 struct FirstColumnCase : CrossingCase {
   // Zero where the column is the one of the definition; told apart by one either way.
   std::int32_t expected = 0;
-  std::optional<Q> truth() {
+  bool make(Source& s, Input input) {
+    if (!CrossingCase::make(s, input)) return false;
+    find_expected();
+    return true;
+  }
+  void find_expected() {
     const Q from_centre = crossing_x() * Q(centre.size.width) - Q(1, 2);
     mpz_class column;
     mpz_cdiv_q(column.get_mpz_t(), from_centre.get_num_mpz_t(), from_centre.get_den_mpz_t());
     const mpz_class width = centre.size.width;
     expected = static_cast<std::int32_t>(
         (column < 0 ? mpz_class(0) : (column > width ? width : column)).get_si());
+  }
+  std::optional<Q> truth() const {
     return Q(expected == 0 ? -1 : (expected == centre.size.width ? 1 : 0));
   }
   int predicate() const {

@@ -9,11 +9,11 @@ namespace displayfile {
 /// How hidden surfaces are found. `automatic` lets the system pick.
 enum class HiddenMethod {
   automatic,
-  none,       ///< the heedless painter: polygons in the order they were entered
-  back_face,  ///< the back-face check alone: right for a single convex object
-  z_buffer,   ///< in image space, pixel by pixel
-  bsp,
-  depth_sort,
+  none,        ///< the heedless painter: polygons in the order they were entered
+  back_face,   ///< the back-face check alone: right for a single convex object
+  z_buffer,    ///< in image space, pixel by pixel
+  bsp,         ///< in object space: a tree of the polygons' planes (hidden/bsp.md)
+  depth_sort,  ///< in object space: a graph of what must be drawn first (hidden/depth_sort.md)
   scan_line,
   scan_line_z,
   ray_cast,

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "hidden/defined_point.h"
 #include "hidden/depth_order.h"
@@ -45,11 +47,16 @@ struct SideLine {
 //                                         `line` in plane `own`, meets a plane that has them on
 //                                         opposite sides
 //   turn(a, b, c)                         1 if c is left of a to b in the projection, -1, 0
+//                                         (side and turn take stored points too)
 //   compare_xy(a, b)                      order in the projection by x, then y; 0 if the same
 //   depth_order(p, q, at)                 1 if plane p is nearer than q at the vertex, -1, 0
 //   coordinates(v)                        doubles, for the display file
+//   stored(point), near(v)                a stored point as a vertex; doubles close to a vertex,
+//                                         and a bound of how close
+//   use(all)                              the definitions have grown or moved
 //
-// Planes and points are indices into the Definitions.
+// Planes and points are indices into the Definitions; plane kNoPlane is a line's own.
+inline constexpr std::uint32_t kNoPlane = std::numeric_limits<std::uint32_t>::max();
 
 /// Every sign is the true one, of vertices kept as what they are.
 class Exact {
@@ -61,21 +68,27 @@ class Exact {
   /// viewing, vertices stay where they are.
   explicit Exact(const Definitions& all, bool lift = true) : all_(all), lift_(lift) {}
 
+  void use(const Definitions& all) { all_ = all; }
   Vertex vertex(std::uint32_t point, std::uint32_t own) const {
-    return lift_ ? lifted_point(all_, point, own) : stored_point(all_.points[point]);
+    return lift_ && own != kNoPlane ? lifted_point(all_, point, own)
+                                    : stored_point(all_.points[point]);
   }
   int side(const Vertex& v, std::uint32_t plane) const {
     return side_of_plane(all_, v, all_.planes[plane]);
   }
+  int side(const Point3& v, std::uint32_t plane) const {
+    return side_of_plane(v, all_.planes[plane]);
+  }
   Vertex cut(const Vertex&, const Vertex&, const SideLine& line, std::uint32_t own,
              std::uint32_t plane) const {
     if (line.made_by_cut()) return plane_cut(all_, own, line.a, plane);
-    return lift_ ? lifted_edge_cut(all_, line.a, line.b, own, plane)
-                 : edge_cut(all_, line.a, line.b, plane);
+    return lift_ && own != kNoPlane ? lifted_edge_cut(all_, line.a, line.b, own, plane)
+                                    : edge_cut(all_, line.a, line.b, plane);
   }
   int turn(const Vertex& a, const Vertex& b, const Vertex& c) const {
     return orientation(all_, a, b, c);
   }
+  int turn(const Point3& a, const Point3& b, const Point3& c) const { return orientation(a, b, c); }
   int compare_xy(const Vertex& a, const Vertex& b) const {
     return displayfile::compare_xy(all_, a, b);
   }
@@ -83,6 +96,8 @@ class Exact {
     return displayfile::depth_order(all_, all_.planes[p], all_.planes[q], at);
   }
   Point3 coordinates(const Vertex& v) const { return rounded(all_, v); }
+  static Vertex stored(const Point3& p) { return stored_point(p); }
+  static std::pair<Point3, double> near(const Vertex& v) { return {v.near, v.radius}; }
 
  private:
   Definitions all_;
@@ -107,14 +122,18 @@ class Roundoff {
   /// SIGNOF (algorithm 9.13).
   int signof(double x) const { return (x > roundoff_) - (x < -roundoff_); }
 
+  void use(const Definitions& all) { all_ = all; }
   Vertex vertex(std::uint32_t point, std::uint32_t) const { return all_.points[point]; }
   int side(const Vertex& v, std::uint32_t plane) const {
     const Plane& p = all_.planes[plane];
     return signof(plane_value(v, p).value / p.reach);
   }
-  /// The intersection as COMPARE-POLYS finds it (algorithm 9.10).
-  Vertex cut(const Vertex& from, const Vertex& to, const SideLine&, std::uint32_t,
+  /// The intersection as COMPARE-POLYS finds it (algorithm 9.10), always from the same end, so
+  /// that an edge and its reverse are cut at the same point.
+  Vertex cut(const Vertex& start, const Vertex& end, const SideLine&, std::uint32_t,
              std::uint32_t plane) const {
+    const bool reverse = std::array{end.x, end.y, end.z} < std::array{start.x, start.y, start.z};
+    const Vertex &from = reverse ? end : start, &to = reverse ? start : end;
     const Plane& p = all_.planes[plane];
     const double u = plane_value(from, p).value, v = plane_value(to, p).value;
     const double w = u / (u - v);
@@ -133,6 +152,8 @@ class Roundoff {
     return signof(depth(all_.planes[p], at) - depth(all_.planes[q], at));
   }
   Point3 coordinates(const Vertex& v) const { return v; }
+  static Vertex stored(const Point3& p) { return p; }
+  static std::pair<Point3, double> near(const Vertex& v) { return {v, 0.0}; }
 
  private:
   static double depth(const Plane& plane, const Vertex& at) {

@@ -6,11 +6,14 @@
 #include <queue>
 #include <utility>
 
+#include "hidden/drawing_graph.h"
+
 namespace displayfile {
 
 namespace {
 
-using Node = std::uint32_t;
+using Graph = DrawingGraph;
+using Node = Graph::Node;
 constexpr Node kUnvisited = std::numeric_limits<Node>::max();
 
 /// Polygons by the place they take in the free order: node 0 reaches farthest back. Sorting
@@ -32,18 +35,6 @@ Ranking rank(std::span<const double> farthest, std::span<const std::uint8_t> dra
   return ranking;
 }
 
-/// Who is to be drawn after whom: the nodes that hide node i are
-/// hiders[first[i]] to hiders[first[i + 1]].
-struct Graph {
-  std::vector<std::size_t> first;
-  std::vector<Node> hiders;
-
-  Node size() const { return static_cast<Node>(first.size() - 1); }
-  std::span<const Node> hiders_of(Node i) const {
-    return std::span(hiders).subspan(first[i], first[i + 1] - first[i]);
-  }
-};
-
 Graph build_graph(std::vector<Overlap>& overlaps, const Ranking& ranking) {
   for (Overlap& o : overlaps) o = {ranking.node_of[o.hidden], ranking.node_of[o.seen]};
   std::erase_if(overlaps, [](const Overlap& o) {
@@ -53,68 +44,13 @@ Graph build_graph(std::vector<Overlap>& overlaps, const Ranking& ranking) {
   overlaps.erase(std::unique(overlaps.begin(), overlaps.end()), overlaps.end());
   Graph graph;
   graph.first.assign(ranking.polygon_of.size() + 1, 0);
-  graph.hiders.reserve(overlaps.size());
+  graph.later.reserve(overlaps.size());
   for (const Overlap& o : overlaps) {
     ++graph.first[o.hidden + 1];
-    graph.hiders.push_back(o.seen);
+    graph.later.push_back(o.seen);
   }
   for (std::size_t i = 1; i < graph.first.size(); ++i) graph.first[i] += graph.first[i - 1];
   return graph;
-}
-
-/// The cycle (strongly connected component) that each node belongs to, numbered from 0; most
-/// have one node. Tarjan's algorithm with its recursion on a stack of our own.
-struct Cycles {
-  std::vector<Node> of;
-  Node count = 0;
-};
-
-Cycles find_cycles(const Graph& graph) {
-  struct Visit {
-    Node node;
-    std::size_t next_hider;
-  };
-  const Node n = graph.size();
-  Cycles cycles{std::vector<Node>(n, kUnvisited), 0};
-  std::vector<Node> number(n, kUnvisited), low(n), stack;
-  std::vector<Visit> visits;
-  Node visited = 0;
-  const auto enter = [&](Node node) {
-    number[node] = low[node] = visited++;
-    stack.push_back(node);
-    visits.push_back({node, graph.first[node]});
-  };
-  const auto leave = [&](Node node) {
-    if (low[node] == number[node]) {
-      Node member;
-      do {
-        member = stack.back();
-        stack.pop_back();
-        cycles.of[member] = cycles.count;
-      } while (member != node);
-      ++cycles.count;
-    }
-    visits.pop_back();
-    if (!visits.empty()) low[visits.back().node] = std::min(low[visits.back().node], low[node]);
-  };
-  for (Node root = 0; root < n; ++root) {
-    if (number[root] != kUnvisited) continue;
-    enter(root);
-    while (!visits.empty()) {
-      Visit& visit = visits.back();
-      if (visit.next_hider == graph.first[visit.node + 1]) {
-        leave(visit.node);
-        continue;
-      }
-      const Node hider = graph.hiders[visit.next_hider++];
-      if (number[hider] == kUnvisited) {
-        enter(hider);
-      } else if (cycles.of[hider] == kUnvisited) {  // still on the stack
-        low[visit.node] = std::min(low[visit.node], number[hider]);
-      }
-    }
-  }
-  return cycles;
 }
 
 using NearestLast = std::priority_queue<Node, std::vector<Node>, std::greater<>>;
@@ -138,7 +74,7 @@ class Order {
       ready.pop();
       draw_cycle(c);
       for (const Node member : members(c)) {
-        for (const Node hider : graph_.hiders_of(member)) {
+        for (const Node hider : graph_.later_than(member)) {
           const Node other = cycles_.of[hider];
           if (other != c && --waiting_of_cycle_[other] == 0) ready.push(members(other).front());
         }
@@ -168,7 +104,7 @@ class Order {
     waiting_of_cycle_.assign(cycles_.count, 0);
     waiting_.assign(graph_.size(), 0);
     for (Node i = 0; i < graph_.size(); ++i) {
-      for (const Node hider : graph_.hiders_of(i)) {
+      for (const Node hider : graph_.later_than(i)) {
         if (cycles_.of[i] == cycles_.of[hider]) {
           ++waiting_[hider];
         } else {
@@ -199,7 +135,7 @@ class Order {
       }
       draw(node);
       waiting_[node] = kDrawn;
-      for (const Node hider : graph_.hiders_of(node)) {
+      for (const Node hider : graph_.later_than(node)) {
         if (cycles_.of[hider] != cycle || waiting_[hider] == kDrawn) continue;
         if (--waiting_[hider] == 0) ready.push(hider);
       }
@@ -211,7 +147,7 @@ class Order {
 
   const Graph& graph_;
   const Ranking& ranking_;
-  Cycles cycles_;
+  DrawingCycles cycles_;
   std::vector<std::size_t> first_member_;
   std::vector<Node> members_;  // cycle after cycle, each in the free order
   std::vector<std::size_t> waiting_of_cycle_;

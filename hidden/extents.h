@@ -1,0 +1,104 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "clip/point.h"
+
+namespace displayfile {
+
+/// The box around a polygon, for the minimax (boxing) test; floats rounded outward, so that
+/// boxes that are apart enclose polygons that are apart.
+struct Extent {
+  float x_min, x_max, y_min, y_max, z_min, z_max;
+
+  static Extent nothing();
+  /// Takes in a box of that radius around the point.
+  void include(const Point3& p, double radius = 0.0);
+  void include(const Extent& other);
+
+  bool meets_in_projection(const Extent& o) const {
+    return x_min <= o.x_max && o.x_min <= x_max && y_min <= o.y_max && o.y_min <= y_max;
+  }
+};
+
+/// Finds all pairs of boxes that meet in the projection, without comparing all: a binary tree over
+/// the boxes, halved at the median along the longer side. n log n to build, and for each box the
+/// cost of those it meets and of the way to them.
+class ExtentIndex {
+ public:
+  using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+  explicit ExtentIndex(std::span<const Extent> extents);
+
+  /// Calls found(i, j), i < j, once for each pair that meets, one of which is in the leaves of
+  /// the tree numbered from `from` to before `to`; for all pairs, from 0 to leaves().
+  template <class Found>
+  void pairs(std::uint32_t from, std::uint32_t to, Found&& found) const;
+
+  std::uint32_t leaves() const { return static_cast<std::uint32_t>(leaves_.size()); }
+
+ private:
+  static constexpr std::uint32_t kLeaf = 8;  ///< boxes
+
+  struct Box {
+    float x_min, x_max, y_min, y_max;
+    bool meets(const Box& o) const {
+      return x_min <= o.x_max && o.x_min <= x_max && y_min <= o.y_max && o.y_min <= y_max;
+    }
+  };
+  struct Node {
+    Box box;
+    std::uint32_t first, end;  ///< positions in the order
+    std::uint32_t right;       ///< the second half's node; the first half's follows; 0: a leaf
+  };
+
+  template <class Found>
+  void pairs_of_leaves(const Node& a, const Node& b, Found&& found) const;
+
+  std::vector<std::uint32_t> order_;
+  std::vector<Box> boxes_;  ///< in that order
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> leaves_;  ///< nodes, in order
+};
+
+template <class Found>
+void ExtentIndex::pairs(std::uint32_t from, std::uint32_t to, Found&& found) const {
+  std::array<std::uint32_t, 128> stack;
+  for (std::uint32_t leaf = from; leaf < to; ++leaf) {
+    const Node& own = nodes_[leaves_[leaf]];
+    std::size_t waiting = 0;
+    stack[waiting++] = 0;
+    while (waiting > 0) {
+      const std::uint32_t at = stack[--waiting];
+      const Node& node = nodes_[at];
+      // The later of two leaves is found from the earlier.
+      if (node.end <= own.first || !node.box.meets(own.box)) continue;
+      if (node.right != 0) {
+        stack[waiting++] = node.right;
+        stack[waiting++] = at + 1;
+      } else {
+        pairs_of_leaves(own, node, found);
+      }
+    }
+  }
+}
+
+template <class Found>
+void ExtentIndex::pairs_of_leaves(const Node& a, const Node& b, Found&& found) const {
+  for (std::uint32_t p = a.first; p < a.end; ++p) {
+    const Box& box = boxes_[p];
+    if (!box.meets(b.box)) continue;
+    for (std::uint32_t q = std::max(b.first, p + 1); q < b.end; ++q) {
+      if (!box.meets(boxes_[q])) continue;
+      const std::uint32_t i = order_[p], j = order_[q];
+      found(std::min(i, j), std::max(i, j));
+    }
+  }
+}
+
+}  // namespace displayfile

@@ -49,11 +49,16 @@ Ball value_at(const Plane& plane, const BallPoint& v) {
   return dot(normal_of(plane), v - exactly(plane.p));
 }
 
-BallPoint lifted(const Point3& p, const Plane& own) {
-  const BallPoint normal = normal_of(own);
-  const Ball slope =
-      normal.x * ball_of_difference(p.x, own.p.x) + normal.y * ball_of_difference(p.y, own.p.y);
-  return {exactly(p.x), exactly(p.y), exactly(own.p.z) - slope / normal.z};
+BallPoint lifted(const Point3& p, const Plane& own, int axis) {
+  const auto difference = [&](int i) { return ball_of_difference(p[i], own.p[i]); };
+  const auto normal = [&](int i) { return Ball{own.normal[i], own.bound[i]}; };
+  const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+  const Ball slope = normal(i) * difference(i) + normal(j) * difference(j);
+  BallPoint point = exactly(p);
+  (axis == 0   ? point.x
+   : axis == 1 ? point.y
+               : point.z) = exactly(own.p[axis]) - slope / normal(axis);
+  return point;
 }
 
 /// From the end that is nearer to the plane, where the rounding of the step is smaller.
@@ -148,14 +153,17 @@ int exact_orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint
 
 DefinedPoint stored_point(const Point3& p) { return {.near = p}; }
 
-DefinedPoint lifted_point(const Definitions& all, std::uint32_t a, std::uint32_t own) {
-  const DefinedPoint v{.kind = DefinedPoint::Kind::lifted, .a = a, .own = own};
+DefinedPoint lifted_point(const Definitions& all, std::uint32_t a, std::uint32_t own, int axis) {
+  const DefinedPoint v{.kind = DefinedPoint::Kind::lifted,
+                       .axis = static_cast<std::uint8_t>(axis),
+                       .a = a,
+                       .own = own};
   const Plane& plane = all.planes[own];
   if (plane.goes_through(all.points[a])) return stored_point(all.points[a]);
   if (!within(all.points[a], kLargestForBalls) || !within(plane, kLargestForBalls)) {
     return without_near(v);
   }
-  return with_near(v, lifted(all.points[a], plane));
+  return with_near(v, lifted(all.points[a], plane, axis));
 }
 
 DefinedPoint edge_cut(const Definitions& all, std::uint32_t a, std::uint32_t b, std::uint32_t cut) {
@@ -169,17 +177,21 @@ DefinedPoint edge_cut(const Definitions& all, std::uint32_t a, std::uint32_t b, 
 }
 
 DefinedPoint lifted_edge_cut(const Definitions& all, std::uint32_t a, std::uint32_t b,
-                             std::uint32_t own, std::uint32_t cut) {
+                             std::uint32_t own, std::uint32_t cut, int axis) {
   const Point3 &p = all.points[a], &q = all.points[b];
   const Plane& plane = all.planes[own];
   if (plane.goes_through(p) && plane.goes_through(q)) return edge_cut(all, a, b, cut);
-  const DefinedPoint v{
-      .kind = DefinedPoint::Kind::lifted_edge_cut, .a = a, .b = b, .own = own, .cut = cut};
+  const DefinedPoint v{.kind = DefinedPoint::Kind::lifted_edge_cut,
+                       .axis = static_cast<std::uint8_t>(axis),
+                       .a = a,
+                       .b = b,
+                       .own = own,
+                       .cut = cut};
   if (!within(p, kLargestForBalls) || !within(q, kLargestForBalls) ||
       !within(plane, kLargestForBalls) || !within(all.planes[cut], kLargestForBalls)) {
     return without_near(v);
   }
-  return with_near(v, met_by(lifted(p, plane), lifted(q, plane), all.planes[cut]));
+  return with_near(v, met_by(lifted(p, plane, axis), lifted(q, plane, axis), all.planes[cut]));
 }
 
 DefinedPoint plane_cut(const Definitions& all, std::uint32_t own, std::uint32_t first,

@@ -19,32 +19,34 @@ struct Definitions {
 /// its plane cut by two.
 ///
 /// A polygon's depth is that of its support plane everywhere, and a vertex off that plane
-/// counts as moved along z on to it: the lifted kinds say so exactly.
+/// counts as moved along z on to it: the lifted kinds say so exactly. In world coordinates, where
+/// a plane may be parallel to z, it is moved along the axis that the plane faces (facing_axis).
 ///
 /// Beside the definition stand doubles close to the point: the filter's, never the answer's.
 struct DefinedPoint {
-  enum class Kind : std::uint32_t {
+  enum class Kind : std::uint8_t {
     stored,           ///< `near` itself
-    lifted,           ///< point a moved along z on to plane own
+    lifted,           ///< point a moved along the axis on to plane own
     edge_cut,         ///< the line through points a and b, met by plane cut
-    lifted_edge_cut,  ///< the same line moved along z on to plane own, met by plane cut
+    lifted_edge_cut,  ///< the same line moved along the axis on to plane own, met by plane cut
     plane_cut,        ///< planes own, a and cut
   };
   Point3 near{0.0};
   double radius = 0.0;  ///< no coordinate is farther than this from near's; may be infinite
   Kind kind = Kind::stored;
+  std::uint8_t axis = 2;           ///< of the lifted kinds: 0, 1, 2 for x, y, z
   std::uint32_t a = 0, b = 0;      ///< points; a is a plane in a plane_cut
   std::uint32_t own = 0, cut = 0;  ///< planes
 };
 
 DefinedPoint stored_point(const Point3& p);
-/// Plane own must not be edge-on; nor in lifted_edge_cut.
-DefinedPoint lifted_point(const Definitions& all, std::uint32_t a, std::uint32_t own);
+/// Plane own must not be parallel to the axis; nor in lifted_edge_cut.
+DefinedPoint lifted_point(const Definitions& all, std::uint32_t a, std::uint32_t own, int axis = 2);
 /// The line and the plane must meet in one point; where they do not, a predicate that comes to
 /// its exact stage throws Error. So for the other cuts.
 DefinedPoint edge_cut(const Definitions& all, std::uint32_t a, std::uint32_t b, std::uint32_t cut);
 DefinedPoint lifted_edge_cut(const Definitions& all, std::uint32_t a, std::uint32_t b,
-                             std::uint32_t own, std::uint32_t cut);
+                             std::uint32_t own, std::uint32_t cut, int axis = 2);
 DefinedPoint plane_cut(const Definitions& all, std::uint32_t own, std::uint32_t first,
                        std::uint32_t second);
 

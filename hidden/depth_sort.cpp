@@ -26,7 +26,8 @@ class DepthSort {
 
   SortedPieces sorted() {
     const std::size_t most = kPairsOfAPolygon * std::size_t{table_.free()} + 4096;
-    auto pairs = overlapping_pairs(scene_, most, options_.threads);
+    auto [extents, pairs] = overlapping_pairs(scene_, most, options_.threads);
+    extents_ = std::move(extents);
     if (pairs) {
       order_pairs(*pairs);
       draw_in_order(*pairs);
@@ -67,11 +68,7 @@ class DepthSort {
   /// through each other are listed apart.
   void order_pairs(std::vector<Overlaps::Pair>& pairs) {
     std::vector<DrawnFirst> orders(pairs.size());
-    extents_.resize(table_.free());
     constexpr std::uint32_t kPart = 4096;
-    in_parts(table_.free(), kPart, options_.threads, [&](std::uint32_t, Index from, Index to) {
-      for (Index i = from; i < to; ++i) extents_[i] = scene_.extent(i);
-    });
     in_parts(static_cast<std::uint32_t>(pairs.size()), kPart, options_.threads,
              [&](std::uint32_t, std::uint32_t from, std::uint32_t to) {
                for (std::uint32_t k = from; k < to; ++k) {

@@ -10,14 +10,17 @@ ExactVector exact_vector(const Point3& p) {
   return {ExactNumber(p.x), ExactNumber(p.y), ExactNumber(p.z)};
 }
 
-/// p moved along z on to the plane: the plane's equation, solved for z.
-ExactPoint lifted(const Point3& p, const Plane& own) {
-  const ExactPlane plane(own);
-  const ExactVector from = exact_difference(p, own.p);
-  const ExactNumber& c = plane.normal.z;
-  return {{ExactNumber(p.x) * c, ExactNumber(p.y) * c,
-           plane.through.z * c - plane.normal.x * from.x - plane.normal.y * from.y},
-          c};
+ExactNumber& component(ExactVector& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+
+/// p moved along the axis on to the plane: the plane's equation, solved for that coordinate.
+ExactPoint lifted(const Point3& p, const Plane& own, int axis) {
+  ExactPlane plane(own);
+  ExactVector from = exact_difference(p, own.p);
+  const ExactNumber c = component(plane.normal, axis);
+  component(from, axis) = ExactNumber();
+  ExactPoint point{exact_vector(p) * c, c};
+  component(point.xyz, axis) = component(plane.through, axis) * c - dot(plane.normal, from);
+  return point;
 }
 
 /// The point of the line through a and b at which the plane's value, linear along it, is zero.
@@ -40,12 +43,12 @@ ExactPoint meeting(const Plane& first, const Plane& second, const Plane& third) 
 ExactPoint from_definition(const Definitions& all, const DefinedPoint& v) {
   switch (v.kind) {
     case DefinedPoint::Kind::stored: break;
-    case DefinedPoint::Kind::lifted: return lifted(all.points[v.a], all.planes[v.own]);
+    case DefinedPoint::Kind::lifted: return lifted(all.points[v.a], all.planes[v.own], v.axis);
     case DefinedPoint::Kind::edge_cut:
       return met_by(exact_point(all.points[v.a]), exact_point(all.points[v.b]), all.planes[v.cut]);
     case DefinedPoint::Kind::lifted_edge_cut:
-      return met_by(lifted(all.points[v.a], all.planes[v.own]),
-                    lifted(all.points[v.b], all.planes[v.own]), all.planes[v.cut]);
+      return met_by(lifted(all.points[v.a], all.planes[v.own], v.axis),
+                    lifted(all.points[v.b], all.planes[v.own], v.axis), all.planes[v.cut]);
     case DefinedPoint::Kind::plane_cut:
       return meeting(all.planes[v.own], all.planes[v.a], all.planes[v.cut]);
   }

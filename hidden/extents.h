@@ -35,11 +35,13 @@ class ExtentIndex {
 
   explicit ExtentIndex(std::span<const Extent> extents);
 
-  /// Calls found(i, j), i < j, once for each pair that meets, one of which is in the leaves of
-  /// the tree numbered from `from` to before `to`; for all pairs, from 0 to leaves().
+  /// Calls found(p, q) once for each pair of boxes that meets, one of which is in the leaves of
+  /// the tree numbered from `from` to before `to`; for all pairs, from 0 to leaves(). p < q are
+  /// positions: order()[p] is the box. Boxes at close positions are close to each other.
   template <class Found>
   void pairs(std::uint32_t from, std::uint32_t to, Found&& found) const;
 
+  std::span<const std::uint32_t> order() const { return order_; }
   std::uint32_t leaves() const { return static_cast<std::uint32_t>(leaves_.size()); }
 
  private:
@@ -94,9 +96,7 @@ void ExtentIndex::pairs_of_leaves(const Node& a, const Node& b, Found&& found) c
     const Box& box = boxes_[p];
     if (!box.meets(b.box)) continue;
     for (std::uint32_t q = std::max(b.first, p + 1); q < b.end; ++q) {
-      if (!box.meets(boxes_[q])) continue;
-      const std::uint32_t i = order_[p], j = order_[q];
-      found(std::min(i, j), std::max(i, j));
+      if (box.meets(boxes_[q])) found(p, q);
     }
   }
 }

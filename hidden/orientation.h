@@ -17,16 +17,22 @@ int exact_orientation(const Point2& a, const Point2& b, const Point2& c);
 int exact_orientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
 int exact_facing(std::span<const Point3> vertices);
 
-/// Which way a, b, c turn: 1 counterclockwise (c is left of the line from a to b), -1
-/// clockwise, 0 in line.
-inline int orientation(const Point2& a, const Point2& b, const Point2& c) {
+/// The filter: 0 where it is undecided.
+inline int filtered_orientation(const Point2& a, const Point2& b, const Point2& c) {
   constexpr double kBound = 4.0 * kUnit * kInflate;
   const double left = (a.x - c.x) * (b.y - c.y);
   const double right = (a.y - c.y) * (b.x - c.x);
   const double determinant = left - right;
   const double bound = kBound * std::abs(left + right) + kTiny;
-  if (std::abs(determinant) > bound) [[likely]]
-    return decided_sign(determinant);
+  return std::abs(determinant) > bound ? decided_sign(determinant) : 0;
+}
+
+/// Which way a, b, c turn: 1 counterclockwise (c is left of the line from a to b), -1
+/// clockwise, 0 in line.
+inline int orientation(const Point2& a, const Point2& b, const Point2& c) {
+  const int filtered = filtered_orientation(a, b, c);
+  if (filtered != 0) [[likely]]
+    return filtered;
   return exact_orientation(a, b, c);
 }
 

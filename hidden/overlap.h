@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <span>
 
 #include "hidden/vertex_table.h"
@@ -73,21 +72,21 @@ bool separated_by_side_of(const VertexTable<Policy>& table, const Outline& a, co
   return false;
 }
 
-/// The points of three vertices as entered.
+/// A triangle of points as entered, in the projection; turning is 0 for what is none.
 struct EnteredTriangle {
-  std::array<Point3, 3> p;
-  int turning;
+  std::array<Point2, 3> p{};
+  int turning = 0;
 };
 template <class Policy>
-std::optional<EnteredTriangle> entered_triangle(const VertexTable<Policy>& table,
-                                                const Outline& a) {
-  if (a.vertices.size() != 3 || a.turning == 0) return std::nullopt;
-  for (const std::uint32_t v : a.vertices) {
-    if (!table.is_entered(v)) return std::nullopt;
+EnteredTriangle entered_triangle(const VertexTable<Policy>& table, const Outline& a) {
+  EnteredTriangle triangle;
+  if (a.vertices.size() != 3 || a.turning == 0) return triangle;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!table.is_entered(a.vertices[k])) return triangle;
+    triangle.p[k] = table.entered(a.vertices[k]);
   }
-  return EnteredTriangle{
-      {table.entered(a.vertices[0]), table.entered(a.vertices[1]), table.entered(a.vertices[2])},
-      a.turning};
+  triangle.turning = a.turning;
+  return triangle;
 }
 
 /// separated_by_side_of for what most meshes are made of.
@@ -95,7 +94,7 @@ template <class Policy>
 bool separated_by_side_of(const VertexTable<Policy>& table, const EnteredTriangle& a,
                           const EnteredTriangle& b) {
   for (std::size_t i = 0; i < 3; ++i) {
-    const Point3 &from = a.p[i], &to = a.p[i == 2 ? 0 : i + 1];
+    const Point2 &from = a.p[i], &to = a.p[i == 2 ? 0 : i + 1];
     if (table.turn(from, to, b.p[0]) != a.turning && table.turn(from, to, b.p[1]) != a.turning &&
         table.turn(from, to, b.p[2]) != a.turning) {
       return true;
@@ -103,17 +102,17 @@ bool separated_by_side_of(const VertexTable<Policy>& table, const EnteredTriangl
   }
   return false;
 }
+template <class Policy>
+bool overlap_in_projection(const VertexTable<Policy>& table, const EnteredTriangle& a,
+                           const EnteredTriangle& b) {
+  return !separated_by_side_of(table, a, b) && !separated_by_side_of(table, b, a);
+}
 
 /// False only if no point of the projection lies inside both. Polygons of so many sides that
 /// comparing would take too long, and such as are not convex but could only be told apart by more
 /// than one straight line, are taken to overlap.
 template <class Policy>
 bool overlap_in_projection(const VertexTable<Policy>& table, const Outline& a, const Outline& b) {
-  if (const auto p = entered_triangle(table, a)) {
-    if (const auto q = entered_triangle(table, b)) {
-      return !separated_by_side_of(table, *p, *q) && !separated_by_side_of(table, *q, *p);
-    }
-  }
   constexpr std::size_t kMostComparisons = 1 << 16;
   const std::size_t na = a.vertices.size(), nb = b.vertices.size();
   const std::size_t work_a = na * (a.turning != 0 ? nb : na + nb);

@@ -47,23 +47,43 @@ void in_parts(std::uint32_t size, std::uint32_t part, int threads, const Work& w
   tbb::task_arena(threads).execute([&] { tbb::parallel_for(std::uint32_t{0}, parts, run); });
 }
 
-/// The pairs that overlap; nothing if they are more than `most`, which would take too much memory.
+/// The extents of all entries, and the pairs that overlap.
+struct OverlappingPairs {
+  std::vector<Extent> extents;
+  /// Nothing if they are more than was allowed, which would take too much memory.
+  std::optional<std::vector<Overlaps::Pair>> pairs;
+};
+
 template <class Policy>
-std::optional<std::vector<Overlaps::Pair>> overlapping_pairs(const SortScene<Policy>& scene,
-                                                             std::size_t most, int threads) {
+OverlappingPairs overlapping_pairs(const SortScene<Policy>& scene, std::size_t most, int threads) {
   using Index = PolygonTable::Index;
   const Index entries = scene.table.free();
-  std::vector<Extent> extents(entries);
-  std::vector<std::int8_t> turning(entries);
+  OverlappingPairs result{std::vector<Extent>(entries), {}};
   constexpr std::uint32_t kPart = 2048;
   in_parts(entries, kPart, threads, [&](std::uint32_t, Index from, Index to) {
-    for (Index i = from; i < to; ++i) {
-      extents[i] = scene.extent(i);
-      turning[i] =
-          static_cast<std::int8_t>(scene.table[i].sides == 0 ? 0 : scene.outline(i).turning);
+    for (Index i = from; i < to; ++i) result.extents[i] = scene.extent(i);
+  });
+  const ExtentIndex index(result.extents);
+  const auto order = index.order();
+  // What is compared with each other lies close together.
+  std::vector<EnteredTriangle> triangles(entries);
+  std::vector<std::int8_t> turning(entries);
+  in_parts(entries, kPart, threads, [&](std::uint32_t, std::uint32_t from, std::uint32_t to) {
+    for (std::uint32_t p = from; p < to; ++p) {
+      if (scene.table[order[p]].sides == 0) continue;
+      const Outline outline = scene.outline(order[p]);
+      turning[p] = static_cast<std::int8_t>(outline.turning);
+      triangles[p] = entered_triangle(scene.vertices, outline);
     }
   });
-  const ExtentIndex index(extents);
+  const auto overlap = [&](std::uint32_t p, std::uint32_t q) {
+    if (triangles[p].turning != 0 && triangles[q].turning != 0) {
+      return overlap_in_projection(scene.vertices, triangles[p], triangles[q]);
+    }
+    return overlap_in_projection(scene.vertices,
+                                 Outline{scene.table.vertices(order[p]), turning[p]},
+                                 Outline{scene.table.vertices(order[q]), turning[q]});
+  };
   constexpr std::uint32_t kLeaves = 256;
   std::vector<std::vector<Overlaps::Pair>> found((index.leaves() + kLeaves - 1) / kLeaves);
   std::atomic<std::size_t> count = 0;
@@ -72,24 +92,23 @@ std::optional<std::vector<Overlaps::Pair>> overlapping_pairs(const SortScene<Pol
              auto& here = found[part];
              for (std::uint32_t leaf = from; leaf < to && count <= most; ++leaf) {
                const std::size_t before = here.size();
-               index.pairs(leaf, leaf + 1, [&](Index i, Index j) {
+               index.pairs(leaf, leaf + 1, [&](std::uint32_t p, std::uint32_t q) {
+                 const Index i = std::min(order[p], order[q]), j = std::max(order[p], order[q]);
                  if (!scene.hides(i) && !scene.hides(j)) return;
                  if (here.size() - before > most) return;
-                 const Outline a{scene.table.vertices(i), turning[i]},
-                     b{scene.table.vertices(j), turning[j]};
-                 if (overlap_in_projection(scene.vertices, a, b)) here.emplace_back(i, j);
+                 if (overlap(p, q)) here.emplace_back(i, j);
                });
                count += here.size() - before;
              }
            });
-  if (count > most) return std::nullopt;
-  std::vector<Overlaps::Pair> all;
+  if (count > most) return result;
+  auto& all = result.pairs.emplace();
   all.reserve(count);
   for (auto& here : found) {
     all.insert(all.end(), here.begin(), here.end());
     std::vector<Overlaps::Pair>().swap(here);
   }
-  return all;
+  return result;
 }
 
 }  // namespace displayfile

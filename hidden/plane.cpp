@@ -34,6 +34,17 @@ Plane::Plane(const Point3& p_, const Point3& q_, const Point3& r_) : p(p_), q(q_
       kInflate;
 }
 
+int facing_axis(const Plane& plane) {
+  const auto size = [&](int i) { return std::abs(plane.normal[i]); };
+  const int most = size(0) > size(1) ? (size(0) > size(2) ? 0 : 2) : (size(1) > size(2) ? 1 : 2);
+  if (size(most) > plane.bound[most]) [[likely]]
+    return most;
+  const ExactVector normal =
+      cross(exact_difference(plane.q, plane.p), exact_difference(plane.r, plane.p));
+  if (normal.z.sign() != 0) return 2;
+  return normal.y.sign() != 0 ? 1 : 0;
+}
+
 int exact_side_of_plane(const Point3& v, const Plane& plane) {
   if (plane.goes_through(v)) {
     count_by_definition(Predicate::side_of_plane);

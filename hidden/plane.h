@@ -51,6 +51,10 @@ inline int side_of_plane(const Point3& v, const Plane& plane) {
   return exact_side_of_plane(v, plane);
 }
 
+/// The axis that the plane faces most, 0, 1 or 2 for x, y or z, by the normal in doubles; never one
+/// that is parallel to the plane.
+int facing_axis(const Plane& plane);
+
 /// The sign of C: 1 if the plane turns its positive side to the viewer, 0 if it is edge-on.
 inline int facing(const Plane& plane) {
   if (std::abs(plane.normal.z) > plane.bound.z) [[likely]]

@@ -47,7 +47,8 @@ struct SideLine {
 //                                         `line` in plane `own`, meets a plane that has them on
 //                                         opposite sides
 //   turn(a, b, c)                         1 if c is left of a to b in the projection, -1, 0
-//                                         (side and turn take stored points too)
+//                                         (side takes stored points too, turn
+//                                         points of the projection)
 //   compare_xy(a, b)                      order in the projection by x, then y; 0 if the same
 //   depth_order(p, q, at)                 1 if plane p is nearer than q at the vertex, -1, 0
 //   coordinates(v)                        doubles, for the display file
@@ -63,15 +64,17 @@ class Exact {
  public:
   using Vertex = DefinedPoint;
 
-  /// In device coordinates a vertex off its polygon's support plane counts as moved along z on
-  /// to it (`lift`), and no polygon's plane may be edge-on. In world coordinates, before
-  /// viewing, vertices stay where they are.
-  explicit Exact(const Definitions& all, bool lift = true) : all_(all), lift_(lift) {}
+  /// Along which axis a vertex off its polygon's plane counts as moved on to it: in device
+  /// coordinates along z, and then no polygon's plane may be edge-on; in world coordinates, before
+  /// viewing, along the one that the plane faces most.
+  enum class Lift : std::uint8_t { along_z, along_facing_axis };
+
+  explicit Exact(const Definitions& all, Lift lift = Lift::along_z) : all_(all), lift_(lift) {}
 
   void use(const Definitions& all) { all_ = all; }
   Vertex vertex(std::uint32_t point, std::uint32_t own) const {
-    return lift_ && own != kNoPlane ? lifted_point(all_, point, own)
-                                    : stored_point(all_.points[point]);
+    return own == kNoPlane ? stored_point(all_.points[point])
+                           : lifted_point(all_, point, own, axis(own));
   }
   int side(const Vertex& v, std::uint32_t plane) const {
     return side_of_plane(all_, v, all_.planes[plane]);
@@ -82,13 +85,19 @@ class Exact {
   Vertex cut(const Vertex&, const Vertex&, const SideLine& line, std::uint32_t own,
              std::uint32_t plane) const {
     if (line.made_by_cut()) return plane_cut(all_, own, line.a, plane);
-    return lift_ && own != kNoPlane ? lifted_edge_cut(all_, line.a, line.b, own, plane)
-                                    : edge_cut(all_, line.a, line.b, plane);
+    return own == kNoPlane ? edge_cut(all_, line.a, line.b, plane)
+                           : lifted_edge_cut(all_, line.a, line.b, own, plane, axis(own));
   }
   int turn(const Vertex& a, const Vertex& b, const Vertex& c) const {
     return orientation(all_, a, b, c);
   }
-  int turn(const Point3& a, const Point3& b, const Point3& c) const { return orientation(a, b, c); }
+  int turn(const Point2& a, const Point2& b, const Point2& c) const {
+    const int filtered = filtered_orientation(a, b, c);
+    if (filtered != 0) [[likely]]
+      return filtered;
+    if (a == c || b == c) return 0;  // polygons share vertices
+    return exact_orientation(a, b, c);
+  }
   int compare_xy(const Vertex& a, const Vertex& b) const {
     return displayfile::compare_xy(all_, a, b);
   }
@@ -100,8 +109,12 @@ class Exact {
   static std::pair<Point3, double> near(const Vertex& v) { return {v.near, v.radius}; }
 
  private:
+  int axis(std::uint32_t own) const {
+    return lift_ == Lift::along_z ? 2 : facing_axis(all_.planes[own]);
+  }
+
   Definitions all_;
-  bool lift_;
+  Lift lift_;
 };
 
 /// The textbook's: plain doubles, and SIGNOF with ROUNDOFF (algorithm 9.13). A plane's
@@ -140,6 +153,9 @@ class Roundoff {
     return (to - from) * w + from;
   }
   int turn(const Vertex& a, const Vertex& b, const Vertex& c) const {
+    return turn(Point2(a), Point2(b), Point2(c));
+  }
+  int turn(const Point2& a, const Point2& b, const Point2& c) const {
     const double dx = b.x - a.x, dy = b.y - a.y;
     const double size = std::abs(dx) + std::abs(dy);
     return size == 0.0 ? 0 : signof((dx * (c.y - a.y) - dy * (c.x - a.x)) / size);

@@ -39,6 +39,7 @@ class SortPolygons {
   }
 
   std::span<const Index> order() const { return order_; }
+  Index root() const { return tree_; }  ///< of the tree in the table
   std::uint32_t depth() const { return depth_; }
 
  private:
@@ -104,7 +105,12 @@ class SortPolygons {
       case PlaneSide::back: link(table_[root].back, test, false); break;
       case PlaneSide::both: {
         const auto [front, back] = scene_.comparing.split(test, plane);
-        if (overlaps_) origin_.push_back(origin_[test]);
+        if (overlaps_) {
+          origin_.push_back(origin_[test]);
+          extents_.resize(table_.free());
+          extents_[front] = scene_.extent(front);
+          extents_[back] = scene_.extent(back);
+        }
         link(table_[root].front, front, false);
         link(table_[root].back, back, false);
       }
@@ -118,7 +124,10 @@ class SortPolygons {
   /// A node that holds no polygon: a plane that divides, or kNoPlane.
   Index add_node(std::uint32_t plane) {
     table_.entries.push_back({0, 0, 0, plane});
-    if (overlaps_) origin_.push_back(0);
+    if (overlaps_) {
+      origin_.push_back(0);
+      extents_.push_back(Extent::nothing());
+    }
     return table_.free() - 1;
   }
 
@@ -126,8 +135,9 @@ class SortPolygons {
 
   void find_overlaps() {
     const std::size_t most = 64 * std::size_t{table_.free()} + 4096;
-    auto pairs = overlapping_pairs(scene_, most, options_.threads);
+    auto [extents, pairs] = overlapping_pairs(scene_, most, options_.threads);
     if (!pairs) return;
+    extents_ = std::move(extents);
     overlaps_.emplace(std::move(*pairs), table_.free());
     origin_.resize(table_.free());
     for (Index i = 0; i < table_.free(); ++i) origin_[i] = i;
@@ -164,32 +174,39 @@ class SortPolygons {
         if (x != y) island_[std::max(x, y)] = std::min(x, y);
       }
     }
-    // Sorted by island, each island is one list.
     by_island_.clear();
-    for (const Index i : members_) by_island_.emplace_back(island_of(origin_[i]), i);
-    if (by_island_.size() > 1 && std::ranges::all_of(by_island_, [&](const auto& member) {
-          return member.first == by_island_.front().first && has_company(member.second);
-        })) {
-      return false;
+    alone_.clear();
+    for (const Index i : members_) {
+      if (has_company(i)) {
+        by_island_.emplace_back(island_of(origin_[i]), i);
+      } else {
+        alone_.push_back(i);
+      }
     }
     std::ranges::sort(by_island_);
+    const bool one_island =
+        !by_island_.empty() && by_island_.front().first == by_island_.back().first;
+    if (one_island && alone_.empty() && by_island_.size() > 1) return false;
     // One node holds all that are alone; from it hangs a chain of nodes, one for each island.
-    const Index alone = add_node(kNoPlane);
-    attach(task, alone);
-    Index chain = alone;
+    const Index node = add_node(kNoPlane);
+    attach(task, node);
+    for (const Index i : alone_) link(table_[node].on, i, true);
+    Index chain = node;
     for (std::size_t first = 0; first < by_island_.size();) {
       std::size_t end = first;
-      while (end < by_island_.size() && by_island_[end].first == by_island_[first].first) ++end;
-      if (end - first == 1 || !has_company(by_island_[first].second)) {
-        for (; first < end; ++first) link(table_[alone].on, by_island_[first].second, true);
-        continue;
-      }
-      const Index node = add_node(kNoPlane);
-      table_[chain].front = node;
-      chain = node;
       Index list = kNone;
-      for (; first < end; ++first) link(list, by_island_[first].second, false);
-      unsorted_.push_back({list, node, Branch::back, task.depth + 1});
+      for (; end < by_island_.size() && by_island_[end].first == by_island_[first].first; ++end) {
+        link(list, by_island_[end].second, false);
+      }
+      if (end - first == 1) {
+        link(table_[node].on, by_island_[first].second, true);
+      } else {
+        const Index island = add_node(kNoPlane);
+        table_[chain].front = island;
+        chain = island;
+        unsorted_.push_back({list, island, Branch::back, task.depth + 1});
+      }
+      first = end;
     }
     return true;
   }
@@ -204,7 +221,7 @@ class SortPolygons {
     if (list_of_[origin] != list_) return false;
     const Index other = member_of_[origin];
     if ((table_[i].whole && table_[other].whole) || several_[origin] != 0) return true;
-    return scene_.extent(i).meets_in_projection(scene_.extent(other));
+    return extents_[i].meets_in_projection(extents_[other]);
   }
 
   // ---- The choice of a root -------------------------------------------------------------------
@@ -232,9 +249,47 @@ class SortPolygons {
         least = cost;
       }
     }
-    return best;
+    if (members_.size() < kFewestToDivide) return best;
+    const std::optional<Plane> plane = choose_plane(least);
+    return plane ? add_node(scene_.vertices.add_plane(*plane)) : best;
   }
 
+  /// A plane that belongs to no polygon, across one of the axes where the middle of those tested
+  /// lies, if it costs less: a tree of the polygons' own planes over a convex surface would be a
+  /// chain.
+  std::optional<Plane> choose_plane(double least) {
+    if (trial_plane_ == kNoPlane) trial_plane_ = scene_.vertices.add_plane(Plane());
+    std::optional<Plane> best;
+    for (int axis = 0; axis < 3; ++axis) {
+      middles_.clear();
+      for (const Index i : tested_) {
+        middles_.push_back(scene_.vertices.near(table_.vertices(i).front()).first[axis]);
+      }
+      const auto middle = middles_.begin() + static_cast<std::ptrdiff_t>(middles_.size() / 2);
+      std::nth_element(middles_.begin(), middle, middles_.end());
+      const Plane plane = across(axis, *middle);
+      scene_.vertices.set_plane(trial_plane_, plane);
+      const double cost = cost_of(trial_plane_);
+      if (cost >= least || !divides()) continue;
+      best = plane;
+      least = cost;
+    }
+    return best;
+  }
+  /// Some lie wholly on either side.
+  bool divides() const {
+    return std::ranges::find(sides_, PlaneSide::front) != sides_.end() &&
+           std::ranges::find(sides_, PlaneSide::back) != sides_.end();
+  }
+  static Plane across(int axis, double at) {
+    Point3 p(0.0), q(0.0), r(0.0);
+    p[axis] = q[axis] = r[axis] = at;
+    q[(axis + 1) % 3] = 1.0;
+    r[(axis + 2) % 3] = 1.0;
+    return {p, q, r};
+  }
+
+  static constexpr std::size_t kFewestToDivide = 32;
   static constexpr std::size_t kCandidates = 16, kTested = 24;
   /// Evenly spaced ones, so that the choice is the same each time.
   static void thin_out(std::vector<Index>& list, std::size_t most) {
@@ -315,13 +370,17 @@ class SortPolygons {
   std::vector<Index> order_;
 
   std::optional<Overlaps> overlaps_;
+  std::vector<Extent> extents_;
   std::vector<Index> origin_;           // the entry that a piece was cut from
   std::vector<std::uint32_t> list_of_;  // in which list an origin was last seen
   std::uint32_t list_ = 0;
   std::vector<Index> island_, member_of_;  // of an origin: its island, and a piece of it
   std::vector<std::uint8_t> several_;      // whether there are more pieces of it in the list
   std::vector<std::pair<Index, Index>> by_island_;
+  std::vector<Index> alone_;
 
+  std::uint32_t trial_plane_ = kNoPlane;
+  std::vector<double> middles_;
   std::vector<Index> candidates_, tested_;
   std::vector<PlaneSide> sides_;  // of those tested
 };

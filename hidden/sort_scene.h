@@ -11,18 +11,23 @@
 
 namespace displayfile {
 
-/// What the object-space methods work on: the items as entries of the polygon table, with their
-/// planes turned so that the front is the viewer's side.
+/// Where the items lie: as they are viewed, or in world coordinates, before viewing.
+enum class SortSpace : std::uint8_t { device, world };
+
+/// What the object-space methods work on: the items as entries of the polygon table. In device
+/// coordinates the planes are turned so that the front is the viewer's side; in world coordinates
+/// there is no viewer yet.
 template <class Policy>
 struct SortScene {
   using Index = PolygonTable::Index;
 
-  SortScene(const SortItems& items_, const Policy& policy)
-      : items(items_), vertices(items_.points, planes_of(items_), policy) {
+  SortScene(const SortItems& items_, const Policy& policy, SortSpace space_ = SortSpace::device)
+      : items(items_), space(space_), vertices(items_.points, planes_of(items_, space_), policy) {
     save_items();
   }
 
   const SortItems& items;
+  SortSpace space;
   PolygonTable table;
   VertexTable<Policy> vertices;
   ComparePolys<Policy> comparing{table, vertices};
@@ -56,18 +61,23 @@ struct SortScene {
     return all.points.subspan(item.first, item.sides);
   }
 
-  /// One for each polygon that is not edge-on, in order of entry.
-  static std::vector<Plane> planes_of(const SortItems& all) {
+  /// Of a polygon that is edge-on, or in world coordinates in line, there is no plane.
+  static SupportVertices plane_vertices(std::span<const Point3> points, SortSpace space) {
+    return space == SortSpace::device ? support_vertices(points) : spread_vertices(points);
+  }
+
+  /// One for each polygon that has one, in order of entry.
+  static std::vector<Plane> planes_of(const SortItems& all, SortSpace space) {
     std::vector<Plane> planes;
     planes.reserve(all.items.size());
     for (const SortItems::Item& item : all.items) {
       if (item.kind == SortItems::Kind::line) continue;
       const auto points = points_of(all, item);
-      const SupportVertices support = support_vertices(points);
+      const SupportVertices support = plane_vertices(points, space);
       if (support.edge_on) continue;
       const auto& [p, q, r] = support.index;
       Plane plane(points[p], points[q], points[r]);
-      if (facing(plane) < 0) plane = Plane(points[p], points[r], points[q]);
+      if (space == SortSpace::device && facing(plane) < 0) plane = Plane(points[p], points[r], points[q]);
       planes.push_back(plane);
     }
     return planes;
@@ -81,7 +91,7 @@ struct SortScene {
       const SortItems::Item& item = items.items[i];
       if (item.kind == SortItems::Kind::line) {
         save_line(i, item.first, item.first + 1, true);
-      } else if (support_vertices(points_of(items, item)).edge_on) {
+      } else if (plane_vertices(points_of(items, item), space).edge_on) {
         save_outline(i);
       } else {
         save_poly_for_hsc(i, next_plane++);
@@ -134,6 +144,17 @@ SortedPieces sorted_pieces(const SortScene<Policy>& scene,
   const auto whole = [&](std::uint32_t item) {
     sorted.pieces.push_back({item, SortedPiece::kWhole, scene.items.items[item].sides});
   };
+  // Pieces share the points of a cut; rounding is the dear part.
+  std::vector<std::pair<bool, Point3>> rounded(scene.vertices.made());
+  const auto coordinates = [&](std::uint32_t v) {
+    if (scene.vertices.is_entered(v)) return scene.vertices.entered(v);
+    auto& [known, point] = rounded[scene.vertices.number_made(v)];
+    if (!known) {
+      known = true;
+      point = scene.vertices.coordinates(v);
+    }
+    return point;
+  };
   for (const PolygonTable::Index i : scene.degenerate) whole(scene.table[i].item);
   for (const PolygonTable::Index i : order) {
     const PolygonTable::Entry& entry = scene.table[i];
@@ -145,7 +166,7 @@ SortedPieces sorted_pieces(const SortScene<Policy>& scene,
         {entry.item, static_cast<std::uint32_t>(sorted.points.size()), entry.sides});
     for (std::uint32_t k = 0; k < entry.sides; ++k) {
       const SideBuffer::Side side = scene.table.d[entry.start + k];
-      sorted.points.push_back(scene.vertices.coordinates(side.vertex));
+      sorted.points.push_back(coordinates(side.vertex));
       sorted.visible.push_back(side.visible ? 1 : 0);
     }
   }

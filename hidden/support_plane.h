@@ -18,6 +18,11 @@ struct SupportVertices {
 };
 SupportVertices support_vertices(std::span<const Point3> vertices);
 
+/// Before viewing, in world coordinates, no direction is special: the first vertex, the one
+/// farthest from it in space, and the one farthest from the line through both, first of equals.
+/// `edge_on` then says that all vertices are in line in space, and have no plane.
+SupportVertices spread_vertices(std::span<const Point3> world);
+
 /// Depth over the projection, z = z0 + dz_dx (x - x0) + dz_dy (y - y0): the slides'
 /// plane equation with dz_dx = -A/C and dz_dy = -B/C, in doubles.
 struct DepthPlane {

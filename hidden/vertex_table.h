@@ -37,6 +37,9 @@ class VertexTable {
     return static_cast<std::uint32_t>(planes_.size() - 1);
   }
 
+  /// For a plane that no vertex is defined by.
+  void set_plane(std::uint32_t i, const Plane& plane) { planes_[i] = plane; }
+
   int side(std::uint32_t v, std::uint32_t plane) const {
     if (v < points_.size()) [[likely]]
       return policy_.side(points_[v], plane);
@@ -46,14 +49,16 @@ class VertexTable {
     if (a == b || b == c || a == c) return 0;
     const std::size_t n = points_.size();
     if (a < n && b < n && c < n) [[likely]]
-      return policy_.turn(points_[a], points_[b], points_[c]);
+      return policy_.turn(Point2(points_[a]), Point2(points_[b]), Point2(points_[c]));
     return policy_.turn(at(a), at(b), at(c));
   }
-  /// The same for points as entered.
-  int turn(const Point3& a, const Point3& b, const Point3& c) const {
+  /// The same for points as entered, in the projection.
+  int turn(const Point2& a, const Point2& b, const Point2& c) const {
     return policy_.turn(a, b, c);
   }
   bool is_entered(std::uint32_t v) const { return v < points_.size(); }
+  std::size_t made() const { return made_.size(); }
+  std::size_t number_made(std::uint32_t v) const { return v - points_.size(); }
   const Point3& entered(std::uint32_t v) const { return points_[v]; }
   /// Of the way from a to b in the projection: 1 to the right, or straight up; 0 if they are the
   /// same point there.

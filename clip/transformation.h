@@ -44,6 +44,7 @@ struct ImageTransformation {
   bool is_identity() const {
     return scale == Point2(1.0, 1.0) && rotation == 0.0 && translation == Point2(0.0, 0.0);
   }
+  bool operator==(const ImageTransformation&) const = default;
 };
 
 /// An image transformation made ready to apply to many points.

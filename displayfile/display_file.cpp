@@ -13,6 +13,7 @@ void DisplayFile::require_new_name(int name) const {
 
 Segment& DisplayFile::create(int name) {
   require_new_name(name);
+  sorted_.reset();
   segments_.emplace_back(name);
   place_[name] = segments_.size() - 1;
   return segments_.back();
@@ -27,6 +28,7 @@ void DisplayFile::remove(int name) {
 }
 
 void DisplayFile::remove_all() {
+  sorted_.reset();
   segments_.clear();
   place_.clear();
 }
@@ -43,6 +45,7 @@ Segment& DisplayFile::segment(int name) {
   if (last_found_ >= segments_.size() || segments_[last_found_].name() != name) {
     last_found_ = place(name);
   }
+  sorted_.reset();
   return segments_[last_found_];
 }
 
@@ -63,7 +66,7 @@ std::size_t DisplayFile::polygons() const {
 std::size_t DisplayFile::bytes() const {
   std::size_t n = 0;
   for (const Segment& s : segments_) n += s.bytes();
-  return n;
+  return sorted_ != nullptr ? n + sorted_->instructions.bytes() : n;
 }
 
 }  // namespace displayfile

@@ -1,14 +1,17 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "displayfile/segment.h"
 
 namespace displayfile {
 
-/// The display file: the segments, in order of creation.
+/// The display file: the segments, in order of creation. Copies share the instructions of closed
+/// segments.
 class DisplayFile {
  public:
   /// Throws Error if the name is not positive or in use.
@@ -25,8 +28,14 @@ class DisplayFile {
   bool contains(int name) const { return place_.contains(name); }
 
   const std::vector<Segment>& segments() const { return segments_; }
-  std::size_t polygons() const;
-  std::size_t bytes() const;
+  std::size_t polygons() const;  ///< as entered
+  std::size_t bytes() const;     ///< of the instruction arrays, as used
+
+  /// All visible segments sorted together, back to front, points after the image
+  /// transformations: drawn in place of the segments' own orders. Null if they were not, or if a
+  /// segment was created, removed, renamed or asked for to be changed since.
+  const std::shared_ptr<const SortedInstructions>& sorted() const { return sorted_; }
+  void set_sorted(std::shared_ptr<const SortedInstructions> sorted) { sorted_ = std::move(sorted); }
 
  private:
   void require_new_name(int name) const;
@@ -35,6 +44,7 @@ class DisplayFile {
   std::vector<Segment> segments_;
   std::unordered_map<int, std::size_t> place_;
   std::size_t last_found_ = 0;  // primitives are entered into one segment after another
+  std::shared_ptr<const SortedInstructions> sorted_;
 };
 
 }  // namespace displayfile

@@ -147,14 +147,29 @@ bool Line::take<bool>() {
   throw ErrorAt(word.data(), "expected on or off, not " + quoted(word));
 }
 
-template <>
-HiddenMethod Line::take<HiddenMethod>() {
-  const std::string_view word = words_[taken_++];
+/// What `read` makes of a word; its Error, at the word.
+template <class Value>
+Value understood(std::string_view word, Value (*read)(std::string_view)) {
   try {
-    return hidden_method(word);
+    return read(word);
   } catch (const Error& error) {
     throw ErrorAt(word.data(), error.what());
   }
+}
+
+template <>
+HiddenMethod Line::take<HiddenMethod>() {
+  return understood(words_[taken_++], hidden_method);
+}
+
+template <>
+HiddenScope Line::take<HiddenScope>() {
+  return understood(words_[taken_++], hidden_scope);
+}
+
+template <>
+Precision Line::take<Precision>() {
+  return understood(words_[taken_++], precision);
 }
 
 // ---- The routines ------------------------------------------------------------------------
@@ -326,6 +341,8 @@ constexpr auto kRoutines = std::to_array<Routine>({
     fixed<&G::set_hidden_line_removal>("set-hidden-line-removal", "on|off"),
     fixed<&G::set_back_face_removal>("set-back-face-removal", "on|off"),
     fixed<&G::set_hidden_method>("set-hidden-method", "method"),
+    fixed<&G::set_hidden_scope>("set-hidden-scope", "segment|all"),
+    fixed<&G::set_precision>("set-precision", "exact|roundoff[=EPS]"),
     fixed<&G::set_z_buffer>("set-z-buffer", "on|off"),
 });
 

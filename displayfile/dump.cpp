@@ -5,6 +5,7 @@
 
 #include <ostream>
 #include <sstream>
+#include <unordered_set>
 
 namespace displayfile {
 
@@ -26,6 +27,8 @@ class Dumper {
     buffer_.clear();
   }
 
+  bool has_met(int segment) const { return met_.contains(segment); }
+
   void fill(const FillStyle& style) {
     if (style.kind == FillStyle::Kind::hollow) return write_line(FMT_COMPILE("fill hollow"));
     const Colour& c = style.colour;
@@ -42,6 +45,10 @@ class Dumper {
                           style.width, style.dash, style.gap);
     }
   }
+  void segment(int name, bool visible = true) {
+    met_.insert(name);
+    write_line(FMT_COMPILE("segment {} {}"), name, visible ? "visible" : "invisible");
+  }
   void pick(int id) { write_line(FMT_COMPILE("pick {}"), id); }
   void move(const Point3& p) { write_line(FMT_COMPILE("move {} {} {}"), p.x, p.y, p.z); }
   void line(const Point3& p) { write_line(FMT_COMPILE("line {} {} {}"), p.x, p.y, p.z); }
@@ -57,17 +64,32 @@ class Dumper {
   static constexpr std::size_t kFlushAt = std::size_t{1} << 16;
   std::ostream& out_;
   fmt::memory_buffer buffer_;
+  std::unordered_set<int> met_;  // segments
 };
+
+/// The visible segments in their shared order. One of which nothing is drawn, and the invisible
+/// ones, follow.
+void dump_sorted_together(const DisplayFile& display_file, Dumper& dumper) {
+  display_file.sorted()->instructions.walk(dumper);
+  for (const Segment& segment : display_file.segments()) {
+    if (dumper.has_met(segment.name())) continue;
+    dumper.segment(segment.name(), segment.visible);
+    if (!segment.visible) segment.walk_drawn(dumper);
+  }
+}
 
 }  // namespace
 
 void dump(const DisplayFile& display_file, std::ostream& out) {
   Dumper dumper(out);
   dumper.write_line(FMT_COMPILE("displayfile-dump 1"));
-  for (const Segment& segment : display_file.segments()) {
-    dumper.write_line(FMT_COMPILE("segment {} {}"), segment.name(),
-                      segment.visible ? "visible" : "invisible");
-    segment.walk_drawn(dumper);
+  if (display_file.sorted() != nullptr) {
+    dump_sorted_together(display_file, dumper);
+  } else {
+    for (const Segment& segment : display_file.segments()) {
+      dumper.segment(segment.name(), segment.visible);
+      segment.walk_drawn(dumper);
+    }
   }
   dumper.write_line(FMT_COMPILE("end"));
   dumper.flush();

@@ -22,6 +22,10 @@ namespace displayfile {
 ///   line X Y Z | move X Y Z              (a side to that vertex; move: an invisible edge)
 ///   end                                  (of the dump)
 ///
+/// Sorted segments are dumped back to front. Where all visible segments were sorted together, a
+/// segment line stands wherever the segment changes, styles stay in force across it, and the
+/// segments of which nothing is drawn follow at the end.
+///
 /// The stream tells by its state if it could not be written.
 void dump(const DisplayFile& display_file, std::ostream& out);
 std::string dump(const DisplayFile& display_file);

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <string>
 
 #include "clip/back_face.h"
 #include "clip/error.h"
+#include "displayfile/hidden_surface_check.h"
 
 namespace displayfile {
 
@@ -34,8 +36,8 @@ void require_colour(const Colour& c) {
 void require_image_part(std::initializer_list<double> values, const char* what) {
   for (double v : values) {
     if (!(std::abs(v) <= 1e90)) {
-      throw Error(fmt::format("{} is {}: expected a finite number of magnitude at most 1e90", what,
-                              v));
+      throw Error(
+          fmt::format("{} is {}: expected a finite number of magnitude at most 1e90", what, v));
     }
   }
 }
@@ -165,6 +167,13 @@ void GraphicsSystem::rotate_z_3(double angle) {
   record("rotate-z-3", {angle});
 }
 
+void GraphicsSystem::retain(RetainedScene* scene) {
+  if (scene != nullptr && !display_file_.segments().empty()) {
+    throw Error("there are segments already: expected to retain from the first one on");
+  }
+  retained_ = scene;
+}
+
 // ---- Segments --------------------------------------------------------------------------
 
 void GraphicsSystem::open_segment(int name) {
@@ -173,13 +182,21 @@ void GraphicsSystem::open_segment(int name) {
   display_file_.create(name);
   pipeline_.emplace(volume);
   open_ = name;
+  if (retained_ != nullptr) retained_->open_segment(name, view_);
   record("open-segment", {name});
 }
 
-/// Algorithm 9.5, CLOSE-SEGMENT. Here the polygons are already in the display file; methods
-/// that sort collect them and are called from here.
+/// Algorithm 9.5, CLOSE-SEGMENT. The polygons are already in the display file, in order of entry;
+/// if hidden surfaces are to be sorted they are added back to front.
 void GraphicsSystem::close_segment() {
   if (!open_) throw Error("no segment open");
+  Segment& segment = display_file_.segment(*open_);
+  const bool each_on_its_own = scope_.value_or(HiddenScope::segment) == HiddenScope::segment;
+  if (hidden_ && sorts(method_) && each_on_its_own) {
+    segment.set_sorted(std::make_shared<SortedInstructions>(
+        hidden_surface_check(*segment.entered(), {}, method_, sort_options_)));
+  }
+  segment.close();
   open_.reset();
   record("close-segment", {});
 }
@@ -187,18 +204,21 @@ void GraphicsSystem::close_segment() {
 void GraphicsSystem::delete_segment(int name) {
   if (open_ == name) throw Error(fmt::format("segment {} still open: close it first", name));
   display_file_.remove(name);
+  if (retained_ != nullptr) retained_->remove(name);
   record("delete-segment", {name});
 }
 
 void GraphicsSystem::delete_all_segments() {
   if (open_) throw Error(fmt::format("segment {} still open: close it first", *open_));
   display_file_.remove_all();
+  if (retained_ != nullptr) retained_->remove_all();
   record("delete-all-segments", {});
 }
 
 void GraphicsSystem::rename_segment(int from, int to) {
   if (open_ == from) throw Error(fmt::format("segment {} still open: close it first", from));
   display_file_.rename(from, to);
+  if (retained_ != nullptr) retained_->rename(from, to);
   record("rename-segment", {from, to});
 }
 
@@ -250,6 +270,9 @@ void GraphicsSystem::move_to(const Point3& object) {
 void GraphicsSystem::line_to(const Point3& object) {
   require_open();
   const Pen end{object, to_world(object)};
+  if (retained_ != nullptr && line_.kind != LineStyle::Kind::none) {
+    retained_->enter_line(pen_.world, end.world, attributes());
+  }
   Point3 a, b;
   if (line_.kind != LineStyle::Kind::none && pipeline_->clip_line(pen_.world, end.world, a, b)) {
     Segment& segment = display_file_.segment(*open_);
@@ -359,23 +382,18 @@ void GraphicsSystem::polygon(std::span<const Point3> object) {
 void GraphicsSystem::enter(std::span<const Point3> world,
                            std::span<const std::uint8_t> edge_visible, const Point3& normal,
                            int pick) {
+  if (retained_ != nullptr) {
+    retained_->enter_polygon(world, edge_visible, attributes(), normal, pick);
+  }
   const ClippedPolygon clipped = pipeline_->clip_polygon(world, edge_visible);
   if (clipped.vertices.size() < 3) return;
   const double c = back_face_removal_ || light_ ? newell_c(clipped.vertices) : 1.0;
   if (back_face_removal_ && c <= 0.0) return;
   Segment& segment = display_file_.segment(*open_);
-  segment.set_style(light_ ? lit(normal, c < 0.0) : fill_);
+  segment.set_style(light_ ? lit(fill_, *light_, normal, c < 0.0) : fill_);
   segment.set_style(line_);
   segment.set_pick(pick);
   segment.enter_polygon(clipped.vertices, clipped.edge_visible);
-}
-
-FillStyle GraphicsSystem::lit(const Point3& normal, bool turned_away) const {
-  if (fill_.kind == FillStyle::Kind::hollow) return fill_;
-  double cosine = normal == Point3(0.0) ? 0.0 : glm::dot(unit(normal), *light_);
-  if (turned_away) cosine = -cosine;  // the dark face is the one that is seen
-  const double intensity = std::min(1.0, ambient_ + (1.0 - ambient_) * std::max(0.0, cosine));
-  return {FillStyle::Kind::solid, fill_.colour * intensity};
 }
 
 // ---- Attributes ------------------------------------------------------------------------
@@ -420,8 +438,7 @@ void GraphicsSystem::set_light(const Point3& toward, double ambient) {
   if (!(ambient >= 0.0 && ambient <= 1.0)) {
     throw Error(fmt::format("ambient light {}: expected 0 to 1", ambient));
   }
-  light_ = unit(toward);
-  ambient_ = ambient;
+  light_ = {unit(toward), ambient};
   record("set-light", {toward.x, toward.y, toward.z, ambient});
 }
 
@@ -447,6 +464,21 @@ void GraphicsSystem::set_back_face_removal(bool on) {
 void GraphicsSystem::set_hidden_method(HiddenMethod method) {
   method_ = displayfile::hidden_method(name_of(method));  // refuses what is not built yet
   record("set-hidden-method", {name_of(method)});
+}
+
+void GraphicsSystem::set_hidden_scope(HiddenScope scope) {
+  scope_ = scope;
+  record("set-hidden-scope", {name_of(scope)});
+}
+
+void GraphicsSystem::set_precision(const Precision& precision) {
+  const double roundoff = precision.roundoff;
+  if (!precision.exact && !(roundoff >= 0.0 && roundoff < 1.0)) {
+    throw Error(fmt::format("ROUNDOFF {}: expected 0 or more and less than 1", roundoff));
+  }
+  sort_options_.precision = precision;
+  const std::string text = precision.exact ? "exact" : fmt::format("roundoff={}", roundoff);
+  record("set-precision", {std::string_view(text)});
 }
 
 void GraphicsSystem::set_z_buffer(bool on) {

@@ -11,9 +11,13 @@
 #include "clip/transformation.h"
 #include "clip/view.h"
 #include "displayfile/display_file.h"
+#include "displayfile/hidden_scope.h"
 #include "displayfile/recorder.h"
+#include "displayfile/retained_scene.h"
 #include "displayfile/style.h"
 #include "hidden/hidden_method.h"
+#include "hidden/hidden_surface_sort.h"
+#include "hidden/precision.h"
 
 namespace displayfile {
 
@@ -51,7 +55,8 @@ class GraphicsSystem {
   /// CREATE-SEGMENT. Errors: a segment is open, the name is in use or not positive, the view
   /// parameters do not fit together (clip/view_volume.h).
   void open_segment(int name);
-  /// Error: no segment open.
+  /// Sorts the segment's hidden surfaces if hidden-line removal is on, by a method that sorts
+  /// and with a scope that is not `all`. Error: no segment open.
   void close_segment();
   /// Errors: no such segment, segment still open.
   void delete_segment(int name);
@@ -107,6 +112,10 @@ class GraphicsSystem {
   void set_hidden_line_removal(bool on);
   void set_back_face_removal(bool on);
   void set_hidden_method(HiddenMethod method);  ///< Error: a method that is not built yet.
+  /// Not set, it is `segment` for segments as they are closed.
+  void set_hidden_scope(HiddenScope scope);
+  /// Of the method that finds hidden surfaces. Error: a ROUNDOFF outside of [0,1).
+  void set_precision(const Precision& precision);
   void set_z_buffer(bool on);
 
   // What the application and the interpreter may ask.
@@ -117,12 +126,21 @@ class GraphicsSystem {
   bool hidden_line_removal() const { return hidden_; }
   bool back_face_removal() const { return back_face_removal_; }
   HiddenMethod hidden_method() const { return method_; }
+  std::optional<HiddenScope> hidden_scope() const { return scope_; }  ///< if it was set
+  const Precision& precision() const { return sort_options_.precision; }
   bool z_buffer() const { return z_buffer_; }
   std::int64_t polygons_entered() const { return ordinal_; }  ///< calls of the polygon routines
   std::int64_t polygons_triangulated() const { return triangulated_; }  ///< for not being flat
 
+  /// For close_segment's sort, whose result is the same for any number of threads.
+  void set_threads(int threads) { sort_options_.threads = threads; }
+
   /// Records every routine that succeeds from now on; null stops. The recorder must live on.
   void set_recorder(Recorder* recorder) { recorder_ = recorder; }
+
+  /// Keeps what is drawn in world coordinates too, from now on; null stops. The scene must live
+  /// on. Error: there are segments already.
+  void retain(RetainedScene* scene);
 
  private:
   struct Pen {
@@ -145,7 +163,7 @@ class GraphicsSystem {
   void polygon(std::span<const Point3> object);
   void enter(std::span<const Point3> world, std::span<const std::uint8_t> edge_visible,
              const Point3& normal, int pick);
-  FillStyle lit(const Point3& normal, bool turned_away) const;
+  RetainedScene::Attributes attributes() const { return {fill_, line_, light_, back_face_removal_}; }
   View view_;
   bool view_was_set_ = false;
   ModellingTransformation modelling_;
@@ -155,13 +173,15 @@ class GraphicsSystem {
   Pen pen_;
   FillStyle fill_;
   LineStyle line_;
-  std::optional<Point3> light_;  // unit, toward it
-  double ambient_ = 0.2;
+  std::optional<Light> light_;
   std::int32_t pick_ = -1;
   std::int64_t ordinal_ = 0, triangulated_ = 0;
   bool hidden_ = false, back_face_removal_ = false, z_buffer_ = false;
   HiddenMethod method_ = HiddenMethod::automatic;
+  std::optional<HiddenScope> scope_;
+  SortOptions sort_options_;
   Recorder* recorder_ = nullptr;
+  RetainedScene* retained_ = nullptr;
 
   Triangulation triangulation_;
   std::vector<Point3> object_points_, world_points_;  // of the polygon being entered

@@ -2,100 +2,32 @@
 
 namespace displayfile {
 
-void Segment::set_style(const FillStyle& fill) {
-  if (fill_ == fill) return;
-  if (fill.kind == FillStyle::Kind::solid) {
-    op_.push_back(op::fill_solid);
-    style_operands_.insert(style_operands_.end(), {fill.colour.r, fill.colour.g, fill.colour.b});
-  } else {
-    op_.push_back(op::fill_hollow);
-  }
-  fill_ = fill;
+/// More may still be entered into an open segment, so its copy has instructions of its own.
+Segment::Segment(const Segment& other)
+    : visible(other.visible),
+      image(other.image),
+      name_(other.name_),
+      entered_(other.closed_ ? other.entered_ : std::make_shared<Instructions>(*other.entered_)),
+      closed_(other.closed_),
+      sorted_(other.sorted_) {}
+
+Segment& Segment::operator=(const Segment& other) {
+  if (this != &other) *this = Segment(other);
+  return *this;
 }
 
-void Segment::set_style(const LineStyle& line) {
-  if (line_ == line) return;
-  switch (line.kind) {
-    case LineStyle::Kind::none: op_.push_back(op::line_none); break;
-    case LineStyle::Kind::solid: op_.push_back(op::line_solid); break;
-    case LineStyle::Kind::dashed: op_.push_back(op::line_dashed); break;
+/// Instructions that no copy shares.
+Instructions& Segment::writable() {
+  if (closed_) {
+    entered_ = std::make_shared<Instructions>(*entered_);
+    closed_ = false;
   }
-  if (line.kind != LineStyle::Kind::none) {
-    style_operands_.insert(style_operands_.end(),
-                           {line.colour.r, line.colour.g, line.colour.b, line.width});
-  }
-  if (line.kind == LineStyle::Kind::dashed) {
-    style_operands_.insert(style_operands_.end(), {line.dash, line.gap});
-  }
-  line_ = line;
-}
-
-void Segment::set_pick(std::int32_t id) {
-  if (pick_ == id) return;
-  op_.push_back(op::pick);
-  op_.push_back(id);
-  pick_ = id;
-}
-
-void Segment::enter_line(const Point3& from, const Point3& to) {
-  if (pen_ != from) {
-    op_.push_back(op::move);
-    enter_points({&from, 1});
-  }
-  op_.push_back(op::line);
-  enter_points({&to, 1});
-  pen_ = to;
-  ++lines_;
-}
-
-void Segment::enter_polygon(std::span<const Point3> vertices,
-                            std::span<const std::uint8_t> edge_visible) {
-  const std::size_t start = op_.size();
-  op_.resize(start + 1 + vertices.size());
-  op_[start] = static_cast<std::int32_t>(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    op_[start + 1 + i] = edge_visible[i] != 0 ? op::line : op::move;
-  }
-  enter_points(vertices);
-  pen_ = vertices.back();
-  ++polygons_;
-}
-
-void Segment::enter_points(std::span<const Point3> points) {
-  if (!stores_z_) {
-    if (flat_points_.empty()) flat_z_ = points.front().z;
-    for (const Point3& p : points) {
-      if (p.z != flat_z_) {
-        add_z();
-        break;
-      }
-    }
-  }
-  if (stores_z_) {
-    points_.insert(points_.end(), points.begin(), points.end());
-  } else {
-    for (const Point3& p : points) flat_points_.emplace_back(p);
-  }
-}
-
-void Segment::add_z() {
-  points_.reserve(flat_points_.size());
-  for (const Point2& p : flat_points_) points_.emplace_back(p, flat_z_);
-  std::vector<Point2>().swap(flat_points_);
-  stores_z_ = true;
+  sorted_.reset();
+  return *entered_;
 }
 
 std::size_t Segment::bytes() const {
-  return op_.size() * sizeof(op_[0]) + points_.size() * sizeof(points_[0]) +
-         flat_points_.size() * sizeof(flat_points_[0]) +
-         style_operands_.size() * sizeof(style_operands_[0]);
-}
-
-void Segment::shrink_to_fit() {
-  op_.shrink_to_fit();
-  points_.shrink_to_fit();
-  flat_points_.shrink_to_fit();
-  style_operands_.shrink_to_fit();
+  return entered_->bytes() + (sorted_ != nullptr ? sorted_->instructions.bytes() : 0);
 }
 
 }  // namespace displayfile

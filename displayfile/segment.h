@@ -1,37 +1,33 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <span>
-#include <vector>
+#include <utility>
 
 #include "clip/transformation.h"
+#include "displayfile/instructions.h"
+#include "displayfile/sorted_instructions.h"
 #include "displayfile/style.h"
 
 namespace displayfile {
 
-/// Operation codes of display-file instructions. A code of 3 or more is the textbook's
-/// polygon instruction: the number of sides, followed by that many moves (invisible
-/// edges) and lines. The polygon starts at its last vertex, which is therefore not stored.
-namespace op {
-inline constexpr std::int32_t move = 1;
-inline constexpr std::int32_t line = 2;
-inline constexpr std::int32_t line_solid = -1;
-inline constexpr std::int32_t line_dashed = -2;
-inline constexpr std::int32_t line_none = -3;
-inline constexpr std::int32_t fill_solid = -16;
-inline constexpr std::int32_t fill_hollow = -17;
-inline constexpr std::int32_t pick = -32;  ///< the next code is the pick identifier
-}  // namespace op
-
 /// One segment: a name, attributes, and its instructions in arrays of their own, so that
 /// it is edited or deleted without touching another segment's storage.
 ///
-/// Points are normalised device coordinates before the image transformation. While all of
-/// a segment lies at one depth only x and y are stored; z is added when it is first needed.
+/// It keeps its instructions as they were entered and, if its hidden surfaces were sorted, also
+/// back to front. What is drawn is the sorted order, if there is one; what needs every polygon
+/// whole and in order of entry - the truth, the z-buffers - walks the entered one.
+///
+/// Points are normalised device coordinates before the image transformation. Copies of a closed
+/// segment share their instructions.
 class Segment {
  public:
-  explicit Segment(int name) : name_(name) {}
+  explicit Segment(int name) : name_(name), entered_(std::make_shared<Instructions>()) {}
+  Segment(const Segment& other);
+  Segment& operator=(const Segment& other);
+  Segment(Segment&&) = default;
+  Segment& operator=(Segment&&) = default;
 
   int name() const { return name_; }
   void rename(int name) { name_ = name; }
@@ -39,117 +35,66 @@ class Segment {
   bool visible = true;
   ImageTransformation image;
 
-  /// Entering instructions. Styles and the pick identifier are entered only when they
-  /// differ from those in force, and each segment starts with none in force.
-  void set_style(const FillStyle& fill);
-  void set_style(const LineStyle& line);
-  void set_pick(std::int32_t id);
-  void enter_line(const Point3& from, const Point3& to);  ///< a move first, if the pen is elsewhere
-  void enter_polygon(std::span<const Point3> vertices, std::span<const std::uint8_t> edge_visible);
+  // Entering instructions (displayfile/instructions.h). A sorted order is dropped.
+  void set_style(const FillStyle& fill) { writable().set_style(fill); }
+  void set_style(const LineStyle& line) { writable().set_style(line); }
+  void set_pick(std::int32_t id) { writable().set_pick(id); }
+  void enter_line(const Point3& from, const Point3& to) { writable().enter_line(from, to); }
+  void enter_polygon(std::span<const Point3> vertices, std::span<const std::uint8_t> edge_visible) {
+    writable().enter_polygon(vertices, edge_visible);
+  }
+  /// No more instructions are to come: copies may share them.
+  void close() { closed_ = true; }
 
-  /// Calls the visitor for each instruction in order, with points as stored:
-  ///   fill(FillStyle), line_style(LineStyle), pick(int), move(Point3), line(Point3),
-  ///   polygon(span<const Point3> vertices, span<const int32_t> sides) - sides holds op::line
-  ///   or op::move for the edge that ends at the vertex of the same index.
+  /// Closed segments whose pointers are the same have the same instructions.
+  std::shared_ptr<const Instructions> entered() const { return entered_; }
+  /// Null if the hidden surfaces were not sorted.
+  const std::shared_ptr<const SortedInstructions>& sorted() const { return sorted_; }
+  void set_sorted(std::shared_ptr<const SortedInstructions> sorted) { sorted_ = std::move(sorted); }
+  /// True if it was sorted with the image transformation that it has now.
+  bool sorted_as_drawn() const { return sorted_ != nullptr && sorted_->image == image; }
+
+  /// Calls the visitor for each instruction in the order of drawing, with points as stored.
   template <class Visitor>
-  void walk(Visitor&& visit) const;
-
-  /// The same with points after the image transformation: what is drawn, dumped and judged.
+  void walk(Visitor&& visit) const {
+    drawn().walk(visit);
+  }
+  /// The same with points after the image transformation: what is drawn and dumped.
   template <class Visitor>
-  void walk_drawn(Visitor&& visit) const;
+  void walk_drawn(Visitor&& visit) const {
+    if (sorted_as_drawn()) return sorted_->instructions.walk(visit);
+    drawn().walk_transformed(image, visit);
+  }
+  /// In order of entry, with points as stored.
+  template <class Visitor>
+  void walk_entered(Visitor&& visit) const {
+    entered_->walk(visit);
+  }
+  /// In order of entry, with points after the image transformation: what is judged.
+  template <class Visitor>
+  void walk_entered_drawn(Visitor&& visit) const {
+    entered_->walk_transformed(image, visit);
+  }
 
-  std::size_t polygons() const { return polygons_; }
-  std::size_t lines() const { return lines_; }
-  bool stores_z() const { return stores_z_; }
-  std::size_t bytes() const;  ///< of the instruction arrays, as used
-  void shrink_to_fit();
+  // Of the instructions as entered.
+  std::size_t polygons() const { return entered_->polygons(); }
+  std::size_t lines() const { return entered_->lines(); }
+  bool stores_z() const { return entered_->stores_z(); }
+  std::size_t bytes() const;  ///< of the instruction arrays of both orders, as used
 
  private:
-  void enter_points(std::span<const Point3> points);
-  void add_z();
+  Instructions& writable();
+  /// The sorted order, unless it was made for an image transformation that the segment no longer
+  /// has; one made for none is drawn transformed.
+  const Instructions& drawn() const {
+    const bool usable = sorted_as_drawn() || (sorted_ != nullptr && sorted_->image.is_identity());
+    return usable ? sorted_->instructions : *entered_;
+  }
 
   int name_;
-  std::vector<std::int32_t> op_;
-  std::vector<Point3> points_;       // if stores_z_
-  std::vector<Point2> flat_points_;  // otherwise, all at depth flat_z_
-  std::vector<double> style_operands_;
-  double flat_z_ = 0.0;
-  bool stores_z_ = false;
-  std::size_t polygons_ = 0, lines_ = 0;
-
-  std::optional<FillStyle> fill_;
-  std::optional<LineStyle> line_;
-  std::optional<std::int32_t> pick_;
-  std::optional<Point3> pen_;
+  std::shared_ptr<Instructions> entered_;
+  bool closed_ = false;
+  std::shared_ptr<const SortedInstructions> sorted_;
 };
-
-template <class Visitor>
-void Segment::walk(Visitor&& visit) const {
-  std::vector<Point3> with_z;  // of one polygon of a flat segment
-  const Point3* next_point = points_.data();
-  const Point2* next_flat = flat_points_.data();
-  const double* operand = style_operands_.data();
-  const auto take = [&](std::size_t n) -> std::span<const Point3> {
-    if (stores_z_) {
-      next_point += n;
-      return {next_point - n, n};
-    }
-    with_z.clear();
-    for (std::size_t i = 0; i < n; ++i) with_z.emplace_back(next_flat[i], flat_z_);
-    next_flat += n;
-    return with_z;
-  };
-  const auto take_colour = [&] {
-    operand += 3;
-    return Colour(operand[-3], operand[-2], operand[-1]);
-  };
-  for (std::size_t i = 0; i < op_.size(); ++i) {
-    switch (op_[i]) {
-      case op::move: visit.move(take(1)[0]); break;
-      case op::line: visit.line(take(1)[0]); break;
-      case op::line_solid:
-      case op::line_dashed: {
-        LineStyle style{op_[i] == op::line_solid ? LineStyle::Kind::solid : LineStyle::Kind::dashed,
-                        take_colour(), *operand++};
-        if (style.kind == LineStyle::Kind::dashed) {
-          style.dash = *operand++;
-          style.gap = *operand++;
-        }
-        visit.line_style(style);
-        break;
-      }
-      case op::line_none: visit.line_style(LineStyle{LineStyle::Kind::none}); break;
-      case op::fill_solid: visit.fill(FillStyle{FillStyle::Kind::solid, take_colour()}); break;
-      case op::fill_hollow: visit.fill(FillStyle{FillStyle::Kind::hollow}); break;
-      case op::pick: visit.pick(op_[++i]); break;
-      default: {
-        const auto sides = static_cast<std::size_t>(op_[i]);
-        visit.polygon(take(sides), std::span<const std::int32_t>(&op_[i + 1], sides));
-        i += sides;
-      }
-    }
-  }
-}
-
-template <class Visitor>
-void Segment::walk_drawn(Visitor&& visit) const {
-  if (image.is_identity()) return walk(visit);
-  struct Transformed {
-    Visitor& visit;
-    ImageMatrix matrix;
-    std::vector<Point3> moved;
-    void fill(const FillStyle& s) { visit.fill(s); }
-    void line_style(const LineStyle& s) { visit.line_style(s); }
-    void pick(int id) { visit.pick(id); }
-    void move(const Point3& p) { visit.move(matrix.apply(p)); }
-    void line(const Point3& p) { visit.line(matrix.apply(p)); }
-    void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
-      moved.clear();
-      for (const Point3& p : vertices) moved.push_back(matrix.apply(p));
-      visit.polygon(moved, sides);
-    }
-  };
-  walk(Transformed{visit, ImageMatrix(image), {}});
-}
 
 }  // namespace displayfile

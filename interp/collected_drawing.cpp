@@ -154,7 +154,7 @@ bool CollectedDrawing::covers(const Polygon& p, double x, double y) const {
 CollectedDrawing collect(const DisplayFile& display_file, int width, int height) {
   CollectedDrawing drawing{width, height, {}, {}, {}, {}, {}, {}, {}};
   Collector collector(drawing);
-  interpret(display_file, collector);
+  interpret(display_file, collector, Pass::everything, Order::entered);
   return drawing;
 }
 

@@ -63,61 +63,87 @@ const PictureFormat& format_of(const std::filesystem::path& file) {
   return *format;
 }
 
-}  // namespace
-
-HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& options) {
-  HiddenMethod method = HiddenMethod::none;
-  if (options.hidden) {
-    method = *options.hidden;
-  } else if (system.z_buffer()) {
-    method = HiddenMethod::z_buffer;
-  } else if (system.hidden_line_removal()) {
-    method = system.hidden_method();
-  }
-  return method == HiddenMethod::automatic ? HiddenMethod::z_buffer : method;
-}
-
-Picture draw(const GraphicsSystem& system, const DrawOptions& options) {
+/// The display file has been brought up to date for the picture.
+Picture draw_pixels(const GraphicsSystem& system, const DisplayFile& file,
+                    const DrawOptions& options) {
   RasterRequest request;
   request.width = options.width;
   request.height = options.height;
   request.z_buffer = drawing_method(system, options) == HiddenMethod::z_buffer;
+  request.sorted = has_exact_order(file);
   request.ids = !options.ids.empty();
   request.depth = !options.depth.empty();
   request.threads = options.threads;
-  if (!options.precision.exact) request.roundoff = options.precision.roundoff;
+  const Precision precision = precision_in_force(system, hidden_surface_options(options));
+  if (!precision.exact) request.roundoff = precision.roundoff;
+  return options.device == RasterDevice::osmesa ? draw_with_osmesa(file, request)
+                                                : draw_with_software(file, request);
+}
+
+/// Every output must be writable before any is written.
+void require_writable(const std::filesystem::path& file, const DrawOptions& options) {
+  OutputFile{file.string()};
+  if (!options.ids.empty()) OutputFile{options.ids.string()};
+  if (!options.depth.empty()) OutputFile{options.depth.string()};
+}
+
+}  // namespace
+
+HiddenSurfaceOptions hidden_surface_options(const DrawOptions& options) {
+  return {options.hidden, options.scope, options.precision, options.threads};
+}
+
+PictureKind picture_kind(const std::filesystem::path& file) {
+  return format_of(file).write_vectors != nullptr ? PictureKind::vector : PictureKind::raster;
+}
+
+HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& options,
+                            PictureKind kind) {
+  const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
+  if (method != HiddenMethod::automatic) return method;
+  return kind == PictureKind::vector ? HiddenMethod::depth_sort : HiddenMethod::z_buffer;
+}
+
+Picture draw(const GraphicsSystem& system, const DrawOptions& options, SortedDisplayFile& kept) {
   require_picture_size(options.width, options.height);
-  return options.device == RasterDevice::osmesa
-             ? draw_with_osmesa(system.display_file(), request)
-             : draw_with_software(system.display_file(), request);
+  const HiddenMethod method = drawing_method(system, options);
+  return draw_pixels(system, kept.update(system, method, hidden_surface_options(options)), options);
+}
+
+Picture draw(const GraphicsSystem& system, const DrawOptions& options) {
+  SortedDisplayFile kept;
+  return draw(system, options, kept);
 }
 
 void draw(const GraphicsSystem& system, const std::filesystem::path& file,
-          const DrawOptions& options) {
+          const DrawOptions& options, SortedDisplayFile& kept) {
   const PictureFormat& format = format_of(file);
   require_picture_size(options.width, options.height);
   if (format.write_vectors != nullptr && options.device == RasterDevice::osmesa) {
     throw Error(
         fmt::format("{}: the osmesa device draws pixels: expected .png or .ppm", file.string()));
   }
-  // Every output must be writable before any is written.
-  OutputFile{file.string()};
-  if (!options.ids.empty()) OutputFile{options.ids.string()};
-  if (!options.depth.empty()) OutputFile{options.depth.string()};
+  require_writable(file, options);
+  const HiddenMethod method = drawing_method(system, options, picture_kind(file));
+  const DisplayFile& sorted = kept.update(system, method, hidden_surface_options(options));
   const bool pixels =
       format.write_pixels != nullptr || !options.ids.empty() || !options.depth.empty();
-  const Picture picture = pixels ? draw(system, options) : Picture{};
+  const Picture picture = pixels ? draw_pixels(system, sorted, options) : Picture{};
   if (format.write_pixels != nullptr) {
     format.write_pixels(picture, file);
   } else {
-    format.write_vectors(
-        system.display_file(),
-        {options.width, options.height, drawing_method(system, options) == HiddenMethod::z_buffer},
-        file);
+    format.write_vectors(sorted, {options.width, options.height, method == HiddenMethod::z_buffer},
+                         file);
   }
   if (!options.ids.empty()) write_npy(picture.ids, picture.width, picture.height, options.ids);
   if (!options.depth.empty())
     write_npy(picture.depth, picture.width, picture.height, options.depth);
+}
+
+void draw(const GraphicsSystem& system, const std::filesystem::path& file,
+          const DrawOptions& options) {
+  SortedDisplayFile kept;
+  draw(system, file, options, kept);
 }
 
 std::span<const std::string_view> picture_extensions() { return kExtensions; }

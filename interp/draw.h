@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "displayfile/graphics_system.h"
+#include "displayfile/sorted_display_file.h"
 #include "hidden/precision.h"
 #include "interp/picture.h"
 
@@ -17,24 +18,38 @@ enum class RasterDevice { software, osmesa };
 /// How a display file becomes a picture.
 struct DrawOptions {
   int width = 512, height = 512;       ///< pixels; of a PDF, points
-  std::optional<HiddenMethod> hidden;  ///< in place of what the application set
+  std::optional<HiddenMethod> hidden;  ///< these three in place of what the application set
+  std::optional<HiddenScope> scope;
+  std::optional<Precision> precision;
   RasterDevice device = RasterDevice::software;
   int threads = 1;
-  Precision precision;
   std::filesystem::path ids;    ///< item buffer as int32 .npy, if not empty
   std::filesystem::path depth;  ///< depth of the fills seen as float64 .npy, if not empty
 };
 
-/// The method that draws the picture: that of the options, or else what the application set
-/// with set_hidden_line_removal, set_hidden_method and set_z_buffer; never `automatic`.
-HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& options);
+/// The part of the options that says how hidden surfaces are found.
+HiddenSurfaceOptions hidden_surface_options(const DrawOptions& options);
 
-/// Draws the visible segments into a picture in memory.
+/// What becomes of a display file: pixels, or the vectors of a .svg or .pdf file.
+enum class PictureKind { raster, vector };
+PictureKind picture_kind(const std::filesystem::path& file);  ///< Error: an unknown extension
+
+/// The method that draws the picture: that of the options, or else what the application set
+/// with set_hidden_line_removal, set_hidden_method and set_z_buffer; never `automatic`, which
+/// is the z-buffer for pixels and depth sort for vectors.
+HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& options,
+                            PictureKind kind = PictureKind::raster);
+
+/// Draws the visible segments into a picture in memory. `kept` is what earlier calls sorted, used
+/// again and brought up to date (displayfile/sorted_display_file.h).
+Picture draw(const GraphicsSystem& system, const DrawOptions& options, SortedDisplayFile& kept);
 Picture draw(const GraphicsSystem& system, const DrawOptions& options = {});
 
 /// Draws the visible segments into a file whose extension says its format. It appears whole
 /// or not at all. Throws Error for an unknown extension, a size that a device cannot draw, or
 /// a file that cannot be written.
+void draw(const GraphicsSystem& system, const std::filesystem::path& file,
+          const DrawOptions& options, SortedDisplayFile& kept);
 void draw(const GraphicsSystem& system, const std::filesystem::path& file,
           const DrawOptions& options = {});
 

@@ -4,7 +4,7 @@ namespace displayfile {
 
 namespace {
 
-/// One segment's instructions, with the styles and the pen position in force.
+/// Instructions in order, with the styles and the pen position in force.
 struct Interpretation {
   OutputDevice& device;
   Pass pass;
@@ -12,7 +12,17 @@ struct Interpretation {
   LineStyle style;
   std::int32_t pick_id = -1;
   Point3 pen{0.0};
+  bool in_segment = false;
 
+  void segment(int name) {
+    end_segment();
+    device.begin_segment(name);
+    in_segment = true;
+  }
+  void end_segment() {
+    if (in_segment) device.end_segment();
+    in_segment = false;
+  }
   void fill(const FillStyle& s) { fill_style = s; }
   void line_style(const LineStyle& s) { style = s; }
   void pick(int id) { pick_id = id; }
@@ -31,12 +41,18 @@ struct Interpretation {
 
 }  // namespace
 
-void interpret(const DisplayFile& display_file, OutputDevice& device, Pass pass) {
+void interpret(const DisplayFile& display_file, OutputDevice& device, Pass pass, Order order) {
+  if (order == Order::drawn && display_file.sorted() != nullptr) {
+    Interpretation all{device, pass, {}, {}};
+    display_file.sorted()->instructions.walk(all);
+    return all.end_segment();
+  }
   for (const Segment& segment : display_file.segments()) {
     if (!segment.visible) continue;
-    device.begin_segment(segment.name());
-    segment.walk_drawn(Interpretation{device, pass, {}, {}});
-    device.end_segment();
+    Interpretation one{device, pass, {}, {}};
+    one.segment(segment.name());
+    order == Order::drawn ? segment.walk_drawn(one) : segment.walk_entered_drawn(one);
+    one.end_segment();
   }
 }
 

@@ -10,8 +10,14 @@ namespace displayfile {
 /// is drawn in order.
 enum class Pass { everything, fills, lines };
 
+/// Which order of the instructions: that of drawing, back to front where hidden surfaces were
+/// sorted, or that of entry, every polygon whole, for a method that finds hidden surfaces itself.
+enum class Order { drawn, entered };
+
 /// Walks the visible segments in order of creation, applies their image transformations and
-/// hands each instruction to the device.
-void interpret(const DisplayFile& display_file, OutputDevice& device, Pass pass = Pass::everything);
+/// hands each instruction to the device. Where all visible segments were sorted together, a
+/// segment may begin and end several times.
+void interpret(const DisplayFile& display_file, OutputDevice& device, Pass pass = Pass::everything,
+               Order order = Order::drawn);
 
 }  // namespace displayfile

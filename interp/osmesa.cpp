@@ -262,8 +262,9 @@ class OsmesaScene::Drawing {
                               request.width, request.height, renderer(), largest_side(),
                               largest_side()));
     }
+    const Order order = request.z_buffer ? Order::entered : Order::drawn;
     const auto list = [&](Pass pass) {
-      return triangle_list(display_file, pass, request.width, request.height);
+      return triangle_list(display_file, pass, order, request.width, request.height);
     };
     TriangleList fills, others;
     if (request.z_buffer || request.ids || request.depth) fills = list(Pass::fills);

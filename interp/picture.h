@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -12,12 +13,18 @@ struct Picture {
   std::vector<std::uint32_t> pixels;  ///< 0xAABBGGRR: bytes R, G, B, A in memory; opaque
   std::vector<std::int32_t> ids;  ///< item buffer: pick identifier of the fill seen, -1 for none
   std::vector<double> depth;      ///< of the fill seen; minus infinity for none
+  /// Pixel centres that a sorted display file's painting left to be decided
+  /// (RasterRequest::sorted).
+  std::size_t undecided_centres = 0;
 };
 
 /// What to draw of a display file, and how large.
 struct RasterRequest {
   int width = 512, height = 512;
   bool z_buffer = false;  ///< nearest fill seen; otherwise in order, the last one
+  /// Without the z-buffer: the order drawn is an exact back-to-front order, so what is nearest is
+  /// to be seen also where cuts were rounded and where polygons touch.
+  bool sorted = false;
   bool ids = false, depth = false;
   int threads = 1;
   /// Depths closer than this count as equal (the textbook's ROUNDOFF); none: exact.

@@ -162,7 +162,7 @@ Picture draw(const DisplayFile& display_file, const RasterRequest& request) {
   picture.pixels.assign(size, 0xFFFFFFFF);
   picture.ids.assign(request.ids ? size : 0, -1);
   PlainZBuffer<Depth> z_buffer(picture, request.ids);
-  interpret(display_file, z_buffer, Pass::fills);
+  interpret(display_file, z_buffer, Pass::fills, Order::entered);
   if (request.depth) picture.depth = z_buffer.depths();
   return picture;
 }

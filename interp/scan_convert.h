@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "clip/point.h"
@@ -37,10 +38,20 @@ class ScanConverter {
   /// cross itself.
   Rows begin(std::span<const Point3> polygon, const Region& region);
 
+  /// Of the polygon begun, scan() shall also tell which centres may lie this close (in pixels,
+  /// along x and along y) to a side that crosses their row.
+  void watch(const Point2& distance);
+
+  /// Does nothing with the centres that are close to a side.
+  struct Unwatched {
+    void operator()(int, int, int) const {}
+  };
+
   /// Calls fill_span(row, first, end) for each run of covered pixels of the polygon begun, row by
-  /// row from the bottom, left to right.
-  template <class FillSpan>
-  void scan(FillSpan&& fill_span);
+  /// row from the bottom, left to right; if it is watched, close(row, first, end) for each run of
+  /// close ones, in any order and more than once.
+  template <class FillSpan, class Close = Unwatched>
+  void scan(FillSpan&& fill_span, Close&& close = {});
 
   /// Both in one.
   template <class FillSpan>
@@ -54,14 +65,21 @@ class ScanConverter {
   struct Edge {
     int first_row, last_row;
     double x, y, dx_dy;  ///< the lower end, and the change of x for each row
-    double error;        ///< bounds that of a crossing
+    double error;        ///< bounds that of a crossing; what is watched, added
     Point2 low, high;    ///< the ends in device coordinates
 
-    /// The first column whose centre lies at or right of where the edge crosses the row.
-    int column(int row, const PictureSize& size) const;
+    /// The first column whose centre lies at or right of where the edge crosses the row. Calls
+    /// close(*this, row) if a centre is closer to the crossing than its error.
+    template <class Close>
+    int column(int row, const PictureSize& size, Close&& close) const;
   };
 
+  /// Calls close(row, first, end) with the centres within the edge's error of its crossing.
+  template <class Close>
+  void tell_close(const Edge& edge, int row, Close&& close) const;
+
   Region region_{};
+  Point2 watched_{0.0};
   std::vector<Edge> edges_;  // the edge table, by first row
   std::vector<const Edge*> active_;
   std::vector<int> columns_;
@@ -81,15 +99,19 @@ inline int first_row_above(double y, int height) {
 /// The textbook adds dx_dy row by row; one product from the edge's lower end gives the same
 /// crossing without the error that adding gathers, in whatever row one starts. Where a centre
 /// is too close to the crossing for the rounded one to tell, exact arithmetic does.
-inline int ScanConverter::Edge::column(int row, const PictureSize& size) const {
-  if (!(error < 0.25)) [[unlikely]]
+template <class Close>
+int ScanConverter::Edge::column(int row, const PictureSize& size, Close&& close) const {
+  if (!(error < 0.25)) [[unlikely]] {
+    close(*this, row);
     return first_column_after_crossing(low, high, row, size);
+  }
   const double t = x + (row + 0.5 - y) * dx_dy - 0.5;
   if (t < -error) return 0;
   if (t > size.width + error) return size.width;
   const int floor = static_cast<int>(t + 1.0) - 1;
   const double fraction = t - floor;
   if (!(fraction > error && fraction < 1.0 - error)) [[unlikely]] {
+    close(*this, row);
     return first_column_after_crossing(low, high, row, size);
   }
   return std::min(floor + 1, size.width);
@@ -137,8 +159,40 @@ inline ScanConverter::Rows ScanConverter::begin(std::span<const Point3> polygon,
   return edges_.empty() ? Rows{0, 0} : rows;
 }
 
-template <class FillSpan>
-void ScanConverter::scan(FillSpan&& fill_span) {
+/// Where a crossing is told from a centre only by what is watched, exact arithmetic is asked too:
+/// rows that are filled without a doubt pay nothing.
+inline void ScanConverter::watch(const Point2& distance) {
+  watched_ = distance;
+  const auto& [width, height] = region_.size;
+  for (Edge& edge : edges_) {
+    const double rise = edge.high.y * height - edge.y;
+    edge.error = rise > 8.0 * distance.y
+                     ? edge.error + distance.x + 2.0 * std::abs(edge.dx_dy) * distance.y
+                     : std::numeric_limits<double>::infinity();
+  }
+}
+
+template <class Close>
+void ScanConverter::tell_close(const Edge& edge, int row, Close&& close) const {
+  const double width = region_.size.width;
+  const auto [left, right] = std::minmax(edge.low.x, edge.high.x);
+  const double crossing = edge.x + (row + 0.5 - edge.y) * edge.dx_dy - 0.5;
+  // The ends first: the crossing may not be a number.
+  const double from = std::max(left * width - 0.5 - watched_.x, crossing - edge.error);
+  const double to = std::min(right * width - 0.5 + watched_.x, crossing + edge.error);
+  close(row, static_cast<int>(std::clamp(std::ceil(from), 0.0, width)),
+        static_cast<int>(std::clamp(std::floor(to) + 1.0, 0.0, width)));
+}
+
+template <class FillSpan, class Close>
+void ScanConverter::scan(FillSpan&& fill_span, Close&& close) {
+  const auto column_of = [&](const Edge& edge, int at_row) {
+    return edge.column(at_row, region_.size, [&](const Edge& crossed, int crossed_row) {
+      if constexpr (!std::is_same_v<std::remove_cvref_t<Close>, Unwatched>) {
+        tell_close(crossed, crossed_row, close);
+      }
+    });
+  };
   active_.clear();
   std::size_t next = 0;  // in the edge table
   int row = 0;
@@ -152,13 +206,12 @@ void ScanConverter::scan(FillSpan&& fill_span) {
 
     for (; row <= last; ++row) {
       if (active_.size() == 2) {
-        const int a = active_[0]->column(row, region_.size),
-                  b = active_[1]->column(row, region_.size);
+        const int a = column_of(*active_[0], row), b = column_of(*active_[1], row);
         if (a != b) fill_span(row, std::min(a, b), std::max(a, b));
         continue;
       }
       columns_.clear();
-      for (const Edge* edge : active_) columns_.push_back(edge->column(row, region_.size));
+      for (const Edge* edge : active_) columns_.push_back(column_of(*edge, row));
       std::ranges::sort(columns_);
       for (std::size_t k = 0; k + 1 < columns_.size(); k += 2) {
         if (columns_[k] < columns_[k + 1]) fill_span(row, columns_[k], columns_[k + 1]);

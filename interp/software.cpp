@@ -3,13 +3,16 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <atomic>
 #include <limits>
 #include <optional>
 
 #include "hidden/support_plane.h"
 #include "interp/interpreter.h"
 #include "interp/line_draw.h"
+#include "interp/pixel_set.h"
 #include "interp/scan_convert.h"
+#include "interp/undecided_centres.h"
 #include "interp/z_buffer.h"
 
 namespace displayfile {
@@ -20,21 +23,100 @@ constexpr std::uint32_t kBackground = 0xFFFFFFFF;
 constexpr int kRowsFetched = 32;
 constexpr double kFarthest = -std::numeric_limits<double>::infinity();
 
+/// The rows of a picture that one thread draws.
+struct Band {
+  int row_begin, row_end;
+};
+
+/// The fills as entered, to judge some pixel centres by. Segments that were sorted together are
+/// one layer.
+class EnteredFills : public OutputDevice {
+ public:
+  EnteredFills(const DisplayFile& display_file, NearestAtCentres& nearest)
+      : display_file_(display_file), nearest_(nearest) {
+    nearest_.begin_layer(NearestAtCentres::Layer::nearest);
+  }
+  void begin_segment(int name) override {
+    if (display_file_.sorted()) return;
+    nearest_.begin_layer(display_file_.segment(name).sorted() ? NearestAtCentres::Layer::nearest
+                                                              : NearestAtCentres::Layer::painted);
+  }
+  void fill(const DrawnPolygon& polygon) override {
+    nearest_.enter(polygon.vertices, pixel_of(polygon.fill.colour), polygon.pick);
+  }
+  void edges(const DrawnPolygon&) override {}
+  void line(const DrawnLine&) override {}
+
+ private:
+  const DisplayFile& display_file_;
+  NearestAtCentres& nearest_;
+};
+
+/// Of the fills of a segment, the centres whose nearest polygon the order of drawing may not show.
+enum class Undecided {
+  none,           ///< it was not sorted exactly: what is drawn last is meant to be seen
+  at_boundaries,  ///< of fills
+  all,            ///< it was moved after it was sorted, and all its points rounded anew
+};
+
+Undecided undecided_of(const DisplayFile& display_file, int segment_name) {
+  if (const auto& together = display_file.sorted()) {
+    return together->precision.exact ? Undecided::at_boundaries : Undecided::none;
+  }
+  const Segment& segment = display_file.segment(segment_name);
+  if (!segment.sorted() || !segment.sorted()->precision.exact) return Undecided::none;
+  return segment.sorted_as_drawn() ? Undecided::at_boundaries : Undecided::all;
+}
+
+/// Adds the centres that a segment's solid polygons cover.
+struct Coverage {
+  PixelSet& centres;
+  ScanConverter& converter;
+  const ScanConverter::Region& region;
+  bool solid = true;
+
+  void fill(const FillStyle& style) { solid = style.kind == FillStyle::Kind::solid; }
+  void line_style(const LineStyle&) {}
+  void pick(int) {}
+  void move(const Point3&) {}
+  void line(const Point3&) {}
+  void polygon(std::span<const Point3> vertices, std::span<const std::int32_t>) {
+    if (!solid) return;
+    converter.scan_convert(vertices, region,
+                           [&](int row, int first, int end) { centres.add(row, first, end); });
+  }
+};
+
 /// Fills and lines into a band of the picture's rows.
 class SoftwareDevice : public OutputDevice {
  public:
-  SoftwareDevice(Picture& picture, SoftwareCells& cells, const RasterRequest& request,
-                 int row_begin, int row_end)
-      : picture_(picture),
+  SoftwareDevice(const DisplayFile& display_file, Picture& picture, SoftwareCells& cells,
+                 const RasterRequest& request, const Band& band)
+      : display_file_(display_file),
+        picture_(picture),
         cells_(cells),
         width_(picture.width),
         height_(picture.height),
         z_buffer_on_(request.z_buffer),
         ids_(request.ids),
-        region_{{picture.width, picture.height}, row_begin, row_end},
-        z_buffer_(region_.size, request.roundoff) {}
+        region_{{picture.width, picture.height}, band.row_begin, band.row_end},
+        z_buffer_(region_.size, request.roundoff),
+        sorted_(request.sorted && !request.z_buffer),
+        undecided_(width_, band.row_begin, band.row_end),
+        covered_(undecided_),
+        lines_on_top_(undecided_) {}
+
+  void begin_segment(int name) override {
+    if (!sorted_) return;
+    undecided_fills_ = undecided_of(display_file_, name);
+    if (undecided_fills_ == Undecided::all) {
+      // Its pieces may leave gaps as wide as the coordinates before the move were rounded.
+      display_file_.segment(name).walk_entered_drawn(Coverage{undecided_, converter_, region_});
+    }
+  }
 
   void fill(const DrawnPolygon& polygon) override {
+    if (sorted_) return fill_sorted(polygon);
     const ScanConverter::Rows rows = converter_.begin(polygon.vertices, region_);
     if (rows.first == rows.end) return;
     const SupportVertices support = support_vertices(polygon.vertices);
@@ -80,6 +162,21 @@ class SoftwareDevice : public OutputDevice {
     draw_line(pixel(line.from), pixel(line.to), line.style, width_, height_, dash_phase_,
               [&](int x, int y, double z) { plot(x, y, z, colour); });
     dash_end_ = pixel(line.to);
+  }
+
+  /// After all instructions of a sorted display file: what is seen where painting does not tell.
+  /// Returns the number of centres so decided. A line painted over a fill stays.
+  std::size_t decide_centres() {
+    if (!undecided_.empty()) {
+      for_each_nearest(undecided_, [&](int row, int column, const NearestAtCentres::Seen* seen) {
+        const std::size_t at = index(column, row);
+        if (ids_) picture_.ids[at] = seen ? seen->pick : -1;
+        if (lines_on_top_.contains(row, column)) return;
+        picture_.pixels[at] = seen ? seen->colour : kBackground;
+      });
+    }
+    if (!picture_.depth.empty()) show_depth_of_whole_polygons();
+    return undecided_.size();
   }
 
   /// After all fills: colours, identifiers and depths of the polygons that the pixels show.
@@ -182,19 +279,71 @@ class SoftwareDevice : public OutputDevice {
     }
   }
 
+  /// Back to front. Close to its boundary, and so where it is too narrow to have a plane or to
+  /// cover a centre, it does not matter what is painted.
+  void fill_sorted(const DrawnPolygon& polygon) {
+    const bool at_boundaries = undecided_fills_ == Undecided::at_boundaries;
+    Point2 error(0.0);
+    if (at_boundaries) {
+      error = boundary_error(polygon.vertices, region_.size);
+      note_rows_of_vertices(polygon.vertices, error, region_.size, undecided_);
+    }
+    const ScanConverter::Rows rows = converter_.begin(polygon.vertices, region_);
+    if (rows.first == rows.end) return;
+    if (at_boundaries) {
+      converter_.watch(error);
+    } else if (support_vertices(polygon.vertices).edge_on) {
+      return;
+    }
+    const std::uint32_t colour = pixel_of(polygon.fill.colour);
+    converter_.scan(
+        [&](int row, int first, int end) {
+          paint(row, first, end, colour, polygon.pick);
+          lines_on_top_.remove(row, first, end);
+          if (undecided_fills_ == Undecided::all) undecided_.add(row, first, end);
+          if (!picture_.depth.empty()) covered_.add(row, first, end);
+        },
+        [&](int row, int first, int end) {
+          if (at_boundaries) undecided_.add(row, first, end);
+        });
+  }
+
+  /// A cut polygon's own plane is anywhere where rounding has moved its vertices: the depth of
+  /// what is seen is that of the polygon as entered.
+  void show_depth_of_whole_polygons() {
+    undecided_.for_each([&](int row, int column) { covered_.add(row, column, column + 1); });
+    for_each_nearest(covered_, [&](int row, int column, const NearestAtCentres::Seen* seen) {
+      if (!seen) return;
+      const PixelDepth depth(seen->plane, width_, height_);
+      picture_.depth[index(column, row)] = depth.at(depth.row(row), column);
+    });
+  }
+
+  template <class Show>
+  void for_each_nearest(const PixelSet& centres, Show&& show) const {
+    NearestAtCentres nearest(centres, region_.size);
+    EnteredFills entered(display_file_, nearest);
+    interpret(display_file_, entered, Pass::fills, Order::entered);
+    nearest.show(show);
+  }
+
+  void paint(int row, int first, int end, std::uint32_t colour, std::int32_t pick) {
+    const std::size_t start = index(0, row);
+    std::uint32_t* pixels = picture_.pixels.data() + start;
+    std::fill(pixels + first, pixels + end, colour);
+    if (!ids_) return;
+    std::int32_t* ids = picture_.ids.data() + start;
+    std::fill(ids + first, ids + end, pick);
+  }
+
   void fill_over(const DrawnPolygon& polygon, const SupportVertices& support,
                  std::uint32_t colour) {
     std::optional<PixelDepth> depth;
     if (!picture_.depth.empty()) depth.emplace(polygon.vertices, support, width_, height_);
     converter_.scan([&](int row, int first, int end) {
-      const std::size_t start = index(0, row);
-      std::uint32_t* pixels = picture_.pixels.data() + start;
-      std::fill(pixels + first, pixels + end, colour);
-      if (ids_) {
-        std::int32_t* ids = picture_.ids.data() + start;
-        std::fill(ids + first, ids + end, polygon.pick);
-      }
+      paint(row, first, end, colour, polygon.pick);
       if (!depth) return;
+      const std::size_t start = index(0, row);
       const double row_depth = depth->row(row);
       for (int i = first; i < end; ++i) {
         picture_.depth[start + static_cast<std::size_t>(i)] = depth->at(row_depth, i);
@@ -209,9 +358,11 @@ class SoftwareDevice : public OutputDevice {
       if (z < picture_.depth[at]) return;
       picture_.depth[at] = z;
     }
+    if (sorted_) lines_on_top_.add(y, x, x + 1);
     picture_.pixels[at] = colour;
   }
 
+  const DisplayFile& display_file_;
   Picture& picture_;
   SoftwareCells& cells_;
   int width_, height_;
@@ -223,6 +374,11 @@ class SoftwareDevice : public OutputDevice {
   ScanConverter converter_;
   DashPhase dash_phase_;
   Point3 dash_end_{kFarthest};
+  bool sorted_;
+  Undecided undecided_fills_ = Undecided::none;  // of the segment
+  PixelSet undecided_;                           // centres that the order does not decide
+  PixelSet covered_;                             // whose depth is asked for
+  PixelSet lines_on_top_;  // pixels that a line was painted on after all fills
 };
 
 bool has_lines(const DisplayFile& display_file) {
@@ -236,7 +392,7 @@ bool has_lines(const DisplayFile& display_file) {
     void polygon(std::span<const Point3>, std::span<const std::int32_t>) {}
   } lines;
   for (const Segment& segment : display_file.segments()) {
-    if (segment.visible && !lines.found) segment.walk(lines);
+    if (segment.visible && !lines.found) segment.walk_entered(lines);
   }
   return lines.found;
 }
@@ -275,17 +431,23 @@ void SoftwareCells::make_clear(std::size_t exact_cells, std::size_t roundoff_cel
 void SoftwareRenderer::interpret_in_bands(const DisplayFile& display_file,
                                           const RasterRequest& request, Pass pass) {
   const int bands = bands_for(request, display_file.polygons());
+  std::atomic<std::size_t> undecided = 0;
   const auto interpret_band = [&](int band) {
     const auto row = [&](long long b) { return static_cast<int>(b * request.height / bands); };
-    SoftwareDevice device(picture_, cells_, request, row(band), row(band + 1));
-    interpret(display_file, device, pass);
+    SoftwareDevice device(display_file, picture_, cells_, request, {row(band), row(band + 1)});
+    interpret(display_file, device, pass, request.z_buffer ? Order::entered : Order::drawn);
     if (pass == Pass::fills) device.show_nearest();
+    if (pass == Pass::everything && request.sorted) undecided += device.decide_centres();
   };
   const int threads = std::min(request.threads, tbb::this_task_arena::max_concurrency());
-  if (bands == 1) return interpret_band(0);
-  tbb::task_arena(std::max(1, threads)).execute([&] {
-    tbb::parallel_for(0, bands, interpret_band);
-  });
+  if (bands == 1) {
+    interpret_band(0);
+  } else {
+    tbb::task_arena(std::max(1, threads)).execute([&] {
+      tbb::parallel_for(0, bands, interpret_band);
+    });
+  }
+  picture_.undecided_centres = undecided;
 }
 
 const Picture& SoftwareRenderer::draw(const DisplayFile& display_file,

@@ -280,11 +280,12 @@ class TriangleCollector final : public OutputDevice {
 
 }  // namespace
 
-TriangleList triangle_list(const DisplayFile& display_file, Pass pass, int width, int height) {
+TriangleList triangle_list(const DisplayFile& display_file, Pass pass, Order order, int width,
+                           int height) {
   TriangleList list;
   if (pass != Pass::lines) list.vertices.reserve(3 * display_file.polygons());
   TriangleCollector collector(list, width, height);
-  interpret(display_file, collector, pass);
+  interpret(display_file, collector, pass, order);
   return list;
 }
 

@@ -47,6 +47,7 @@ struct TriangleList {
 /// The size is in pixels; the width of lines and the length of dashes depend on it.
 /// Throws Error for a coordinate that is not finite or exceeds kCoordinateLimit after the image
 /// transformation.
-TriangleList triangle_list(const DisplayFile& display_file, Pass pass, int width, int height);
+TriangleList triangle_list(const DisplayFile& display_file, Pass pass, Order order, int width,
+                           int height);
 
 }  // namespace displayfile

@@ -456,7 +456,7 @@ Picture truth(const DisplayFile& display_file, int width, int height, bool depth
   }
   for (const Segment& segment : display_file.segments()) {
     if (!segment.visible) continue;
-    segment.walk_drawn(SegmentWalk{picture, segment.name(), progress, done, polygons});
+    segment.walk_entered_drawn(SegmentWalk{picture, segment.name(), progress, done, polygons});
   }
   return picture.take(depth);
 }

@@ -39,15 +39,29 @@ std::string exact_stage_counts() {
   return text.empty() ? "exact stage        never asked\n" : text;
 }
 
-std::string statistics(const GraphicsSystem& system, const DrawOptions& options) {
-  const DisplayFile& file = system.display_file();
-  std::size_t lines = 0, visible = 0;
+/// What sorting the hidden surfaces cost; nothing if none were sorted.
+std::string sort_counts(const DisplayFile& file, std::size_t polygons_and_lines) {
+  const SortCounts counts = counts_of_sorts(file);
+  if (counts.pieces == 0) return "";
+  return fmt::format(
+      "pieces             {} ({:.4f} a polygon or line)\n"
+      "cuts               {}\n"
+      "comparisons        {}\n"
+      "depth of the tree  {}\n",
+      counts.pieces, static_cast<double>(counts.pieces) / static_cast<double>(polygons_and_lines),
+      counts.cuts, counts.comparisons, counts.depth);
+}
+
+std::string statistics(const GraphicsSystem& system, const DisplayFile& file,
+                       const DrawOptions& options, PictureKind kind) {
+  std::size_t lines = 0, visible = 0, drawn = 0;
   for (const Segment& segment : file.segments()) {
     lines += segment.lines();
     visible += segment.visible ? 1 : 0;
+    drawn += segment.visible ? segment.polygons() + segment.lines() : 0;
   }
   const std::size_t polygons = file.polygons();
-  return fmt::format(
+  std::string text = fmt::format(
       "segments           {} ({} visible)\n"
       "polygons entered   {} ({} not flat, triangulated)\n"
       "polygons stored    {}\n"
@@ -57,7 +71,8 @@ std::string statistics(const GraphicsSystem& system, const DrawOptions& options)
       file.segments().size(), visible, system.polygons_entered(), system.polygons_triangulated(),
       polygons, lines, file.bytes(),
       polygons == 0 ? 0.0 : static_cast<double>(file.bytes()) / static_cast<double>(polygons),
-      options.width, options.height, name_of(drawing_method(system, options)));
+      options.width, options.height, name_of(drawing_method(system, options, kind)));
+  return text + sort_counts(file, drawn);
 }
 
 std::string measures(const PictureDifference& d) {
@@ -93,35 +108,47 @@ std::string golden_name(const std::string& input) {
   return std::filesystem::path(input).stem().string() + ".txt";
 }
 
+/// The inputs' display file, in the order that is drawn.
+DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options) {
+  GraphicsSystem system;
+  system.set_threads(options.threads);
+  enter_inputs(inputs, system);
+  return SortedDisplayFile{}.update(system, method_in_force(system, options), options);
+}
+
 }  // namespace
 
 int DrawCommand::run() const {
   GraphicsSystem system;
+  system.set_threads(options.threads);
   DrawOptions drawing = options;
   enter_inputs(inputs, system, static_cast<double>(options.width) / options.height);
   if (!drawing.hidden && std::ranges::none_of(inputs, is_drawing_program)) {
     drawing.hidden = HiddenMethod::automatic;
   }
+  SortedDisplayFile sorted;
   {
     const Progress progress(fmt::format("drawing {} polygons", system.display_file().polygons()));
-    draw(system, output, drawing);
+    draw(system, output, drawing, sorted);
   }
-  if (stats) std::cout << statistics(system, drawing) << exact_stage_counts();
+  if (stats) {
+    std::cout << statistics(system, sorted.display_file(), drawing, picture_kind(output))
+              << exact_stage_counts();
+  }
   return 0;
 }
 
 int DumpCommand::run() const {
-  GraphicsSystem system;
-  enter_inputs(inputs, system);
+  const DisplayFile file = as_drawn(inputs, options);
   if (output.empty()) {
-    dump(system.display_file(), std::cout);
+    dump(file, std::cout);
     std::cout.flush();
     if (!std::cout) throw Error("standard output cannot be written");
     return 0;
   }
-  OutputFile file(output);
-  dump(system.display_file(), file.stream());
-  file.commit();
+  OutputFile written(output);
+  dump(file, written.stream());
+  written.commit();
   return 0;
 }
 
@@ -135,12 +162,11 @@ int CheckCommand::run() const {
   if (update) std::filesystem::create_directories(golden_folder);
   int status = 0;
   for (const std::string& input : inputs) {
-    GraphicsSystem system;
-    enter_inputs(std::span(&input, 1), system);
+    const DisplayFile file = as_drawn(std::span(&input, 1), options);
     const std::string golden = (std::filesystem::path(golden_folder) / golden_name(input)).string();
     if (update) {
-      update_golden(system.display_file(), golden);
-    } else if (const auto difference = check_golden(system.display_file(), golden)) {
+      update_golden(file, golden);
+    } else if (const auto difference = check_golden(file, golden)) {
       std::cout << input << ": " << *difference << '\n';
       status = 1;
     }

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "clip/error.h"
+#include "displayfile/sorted_display_file.h"
 #include "hidden/precision.h"
 #include "interp/software.h"
 #include "programs/commands.h"
@@ -32,6 +33,32 @@ void parse_size(const std::string& text, int& pixels_across, int& pixels_up) {
   pixels_up = static_cast<int>(height);
 }
 
+/// The options of commands that sort hidden surfaces, as words.
+struct HiddenSurfaceWords {
+  std::string hidden, scope, precision;
+
+  void add_to(CLI::App& command) {
+    std::string methods;
+    for (const auto& entry : hidden_methods()) {
+      if (entry.available) methods += " " + std::string(entry.name);
+    }
+    command.add_option("--hidden", hidden,
+                       "hidden-surface method in place of the program's:" + methods);
+    command.add_option("--scope", scope,
+                       "sort each segment, or all visible ones together: segment all");
+    command.add_option("--precision", precision,
+                       "exact, roundoff or roundoff=EPS; exact unless a program sets another");
+  }
+  HiddenSurfaceOptions options(int threads) const {
+    HiddenSurfaceOptions read;
+    read.threads = threads;
+    if (!hidden.empty()) read.method = hidden_method(hidden);
+    if (!scope.empty()) read.scope = hidden_scope(scope);
+    if (!precision.empty()) read.precision = displayfile::precision(precision);
+    return read;
+  }
+};
+
 int run(int argc, char** argv) {
   CLI::App app("A display-file, retained-mode 3D graphics system in the textbook style.",
                "displayfile");
@@ -39,8 +66,10 @@ int run(int argc, char** argv) {
   std::function<int()> chosen;
 
   DrawCommand draw;
-  std::string size = "512x512", hidden, precision = "exact", device = "software";
-  draw.options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  std::string size = "512x512", device = "software";
+  HiddenSurfaceWords words;
+  const int processors = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  draw.options.threads = processors;
   auto* command = app.add_subcommand("draw", "Draw drawing programs and meshes");
   command
       ->add_option("INPUT", draw.inputs,
@@ -48,11 +77,7 @@ int run(int argc, char** argv) {
       ->required();
   command->add_option("-o,--output", draw.output, "the picture: .png .ppm .svg .pdf")->required();
   command->add_option("--size", size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-  command->add_option(
-      "--hidden", hidden,
-      "hidden-surface method in place of the program's: auto none back-face z-buffer");
-  command->add_option("--precision", precision, "exact, roundoff or roundoff=EPS")
-      ->capture_default_str();
+  words.add_to(*command);
   command->add_option("--device", device, "software or osmesa")->capture_default_str();
   command->add_option("--threads", draw.options.threads, "the picture is the same for any number")
       ->check(CLI::Range(1, 1024));
@@ -63,8 +88,10 @@ int run(int argc, char** argv) {
   command->add_flag("--stats", draw.stats, "print what was drawn");
   command->callback([&] {
     parse_size(size, draw.options.width, draw.options.height);
-    draw.options.precision = displayfile::precision(precision);
-    if (!hidden.empty()) draw.options.hidden = hidden_method(hidden);
+    const HiddenSurfaceOptions sorting = words.options(draw.options.threads);
+    draw.options.hidden = sorting.method;
+    draw.options.scope = sorting.scope;
+    draw.options.precision = sorting.precision;
     if (device != "software" && device != "osmesa") {
       throw Error(fmt::format("--device {}: expected software or osmesa", device));
     }
@@ -76,7 +103,11 @@ int run(int argc, char** argv) {
   command = app.add_subcommand("dump", "Every segment's instructions, as canonical text");
   command->add_option("INPUT", dump.inputs, "drawing programs and meshes")->required();
   command->add_option("-o,--output", dump.output, "file to write; standard output if not given");
-  command->callback([&] { chosen = [&] { return dump.run(); }; });
+  words.add_to(*command);
+  command->callback([&] {
+    dump.options = words.options(processors);
+    chosen = [&] { return dump.run(); };
+  });
 
   CheckCommand check;
   command = app.add_subcommand(
@@ -87,7 +118,11 @@ int run(int argc, char** argv) {
                    "folder of golden dumps, NAME.txt for NAME.draw")
       ->required();
   command->add_flag("--update", check.update, "write the golden files");
-  command->callback([&] { chosen = [&] { return check.run(); }; });
+  words.add_to(*command);
+  command->callback([&] {
+    check.options = words.options(processors);
+    chosen = [&] { return check.run(); };
+  });
 
   TruthCommand truth;
   command = app.add_subcommand(

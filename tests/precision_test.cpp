@@ -142,10 +142,47 @@ TEST(Precision, VerticesOffTheSupportPlaneAreLifted) {
   const std::vector<Point3> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1e-9}};
   const std::vector<Plane> planes = {Plane(points[0], points[1], points[2])};
   const Definitions all{points, planes};
-  const Exact lifting(all), staying(all, false);
+  const Exact lifting(all);
   EXPECT_EQ(lifting.side(lifting.vertex(3, 0), 0), 0);
   EXPECT_EQ(lifting.coordinates(lifting.vertex(3, 0)), Point3(1, 1, 0));
-  EXPECT_EQ(staying.side(staying.vertex(3, 0), 0), 1);
+}
+
+TEST(Precision, BeforeViewingTheyAreLiftedAlongTheAxisThatThePlaneFaces) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto turned = [&](const Point3& p) {
+      Point3 q;
+      for (int i = 0; i < 3; ++i) q[(i + axis + 1) % 3] = p[i];
+      return q;
+    };
+    // The last two are off the plane z = x / 2, before turning; z is the axis that it faces.
+    std::vector<Point3> points = {{0, 0, 0}, {1, 0, 0.5}, {0, 1, 0}, {3, 1, 2}, {5, 1, 2}};
+    for (Point3& p : points) p = turned(p);
+    const std::vector<Plane> planes = {
+        Plane(points[0], points[1], points[2]),
+        Plane(turned({4, 0, 0}), turned({4, 1, 0}), turned({4, 0, 1}))};
+    const Definitions all{points, planes};
+    const Exact lifting(all, Exact::Lift::along_facing_axis);
+    const DefinedPoint a = lifting.vertex(3, 0), b = lifting.vertex(4, 0);
+    EXPECT_EQ(facing_axis(planes[0]), axis);
+    EXPECT_EQ(lifting.coordinates(a), turned({3, 1, 1.5}));
+    EXPECT_EQ(lifting.side(a, 0), 0);
+    const DefinedPoint cut = lifting.cut(a, b, SideLine::edge(3, 4), 0, 1);
+    EXPECT_EQ(lifting.coordinates(cut), turned({4, 1, 2}));
+    EXPECT_EQ(lifting.side(cut, 0), 0);
+    EXPECT_EQ(lifting.side(cut, 1), 0);
+  }
+}
+
+TEST(Precision, ThePlaneOfASliverFacesAnAxisToo) {
+  for (int i = 1; i <= 200; ++i) {
+    // In line but for rounding, so that the normal in doubles is nothing but its error.
+    const Point3 p(0.0), q(0.1 * i, 0.7 / i, 1.0 / 3), r = q * (1.0 / 7);
+    const Plane plane(p, q, r);
+    const int axis = facing_axis(plane);
+    Point3 step(0.0);
+    step[axis] = 1.0;
+    EXPECT_NE(side_of_plane(step, plane), 0) << i << ", axis " << axis;
+  }
 }
 
 }  // namespace

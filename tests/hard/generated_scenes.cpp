@@ -19,8 +19,9 @@ View view_from_above(double height, double distance) {
   return view;
 }
 
-/// Buildings on a square of blocks: walls, roof and floor.
-Scene city(std::size_t n, std::uint64_t seed) {
+/// Buildings on a square of blocks: walls, roof and floor. `height` of a building is given the
+/// side of a block.
+Scene buildings(std::size_t n, std::uint64_t seed, double (*height)(Random&, double)) {
   Random random(seed);
   Scene scene;
   scene.view = view_from_above(1.4, 2.5);
@@ -33,11 +34,21 @@ Scene city(std::size_t n, std::uint64_t seed) {
       const double z = -static_cast<double>(row) * size;
       const double width = size * random.between(0.4, 0.95),
                    depth = size * random.between(0.4, 0.95);
-      const double height = random.between(0.05, 0.6) * random.unit();
-      scene.add(box({x, 0.0, z - depth}, {x + width, height, z}));
+      scene.add(box({x, 0.0, z - depth}, {x + width, height(random, size), z}));
     }
   }
   return scene;
+}
+
+Scene city(std::size_t n, std::uint64_t seed) {
+  return buildings(
+      n, seed, [](Random& random, double) { return random.between(0.05, 0.6) * random.unit(); });
+}
+
+/// As high as keeps the number of polygons before a pixel about the same for every n.
+Scene village(std::size_t n, std::uint64_t seed) {
+  return buildings(n, seed,
+                   [](Random& random, double size) { return size * random.between(0.3, 1.5); });
 }
 
 /// Value noise: heights at whole points, joined smoothly, summed over octaves.
@@ -149,6 +160,7 @@ Scene needles(std::size_t n, std::uint64_t seed) {
 /// One line a scene.
 constexpr GeneratedScene kGeneratedScenes[] = {
     {"city", "boxes behind boxes, seen from above", city},
+    {"village", "low boxes, seen from above; each overlaps a few others, however many", village},
     {"terrain", "a triangulated height field, seen from above", terrain},
     {"soup", "small random triangles", soup},
     {"planes", "large polygons that all pass through each other; n cover each pixel", planes},

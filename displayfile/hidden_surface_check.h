@@ -1,0 +1,28 @@
+#pragma once
+
+#include "displayfile/display_file.h"
+#include "displayfile/sorted_instructions.h"
+#include "hidden/hidden_surface_sort.h"
+
+namespace displayfile {
+
+/// True for the methods that sort polygons in object space, which HIDDEN-SURFACE-CHECK runs.
+bool sorts(HiddenMethod method);
+
+/// HIDDEN-SURFACE-CHECK (algorithm 9.8): a segment's polygons and lines back to front, by `bsp`
+/// or `depth_sort`. Points are those after the image transformation, and so are those of the
+/// result. Each piece of a polygon that was cut keeps its styles and its pick identifier; sides
+/// that cuts made are invisible. A polygon that draws nothing, hollow and of line style none, is
+/// left out.
+///
+/// Throws Error for another method, and for more than 2^32 - 1 points.
+SortedInstructions hidden_surface_check(const Instructions& entered,
+                                        const ImageTransformation& image, HiddenMethod method,
+                                        const SortOptions& options);
+
+/// The same for all visible segments together, with a segment instruction wherever the segment
+/// changes. Of coplanar polygons the one of the segment created later is seen.
+SortedInstructions hidden_surface_check(const DisplayFile& display_file, HiddenMethod method,
+                                        const SortOptions& options);
+
+}  // namespace displayfile

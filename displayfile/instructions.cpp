@@ -1,0 +1,112 @@
+#include "displayfile/instructions.h"
+
+namespace displayfile {
+
+void Instructions::set_style(const FillStyle& fill) {
+  if (fill_ == fill) return;
+  if (fill.kind == FillStyle::Kind::solid) {
+    op_.push_back(op::fill_solid);
+    style_operands_.insert(style_operands_.end(), {fill.colour.r, fill.colour.g, fill.colour.b});
+  } else {
+    op_.push_back(op::fill_hollow);
+  }
+  fill_ = fill;
+}
+
+void Instructions::set_style(const LineStyle& line) {
+  if (line_ == line) return;
+  switch (line.kind) {
+    case LineStyle::Kind::none: op_.push_back(op::line_none); break;
+    case LineStyle::Kind::solid: op_.push_back(op::line_solid); break;
+    case LineStyle::Kind::dashed: op_.push_back(op::line_dashed); break;
+  }
+  if (line.kind != LineStyle::Kind::none) {
+    style_operands_.insert(style_operands_.end(),
+                           {line.colour.r, line.colour.g, line.colour.b, line.width});
+  }
+  if (line.kind == LineStyle::Kind::dashed) {
+    style_operands_.insert(style_operands_.end(), {line.dash, line.gap});
+  }
+  line_ = line;
+}
+
+void Instructions::set_pick(std::int32_t id) {
+  if (pick_ == id) return;
+  op_.push_back(op::pick);
+  op_.push_back(id);
+  pick_ = id;
+}
+
+void Instructions::enter_segment(int name) {
+  op_.push_back(op::segment);
+  op_.push_back(name);
+  pen_.reset();
+}
+
+void Instructions::enter_line(const Point3& from, const Point3& to) {
+  if (pen_ != from) {
+    op_.push_back(op::move);
+    enter_points({&from, 1});
+  }
+  op_.push_back(op::line);
+  enter_points({&to, 1});
+  pen_ = to;
+  ++lines_;
+}
+
+void Instructions::enter_polygon(std::span<const Point3> vertices,
+                                 std::span<const std::uint8_t> edge_visible) {
+  const std::size_t start = op_.size();
+  op_.resize(start + 1 + vertices.size());
+  op_[start] = static_cast<std::int32_t>(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    op_[start + 1 + i] = edge_visible[i] != 0 ? op::line : op::move;
+  }
+  enter_points(vertices);
+  pen_ = vertices.back();
+  ++polygons_;
+}
+
+void Instructions::enter_points(std::span<const Point3> points) {
+  if (!stores_z_) {
+    if (flat_points_.empty()) flat_z_ = points.front().z;
+    for (const Point3& p : points) {
+      if (p.z != flat_z_) {
+        add_z();
+        break;
+      }
+    }
+  }
+  if (stores_z_) {
+    points_.insert(points_.end(), points.begin(), points.end());
+  } else {
+    for (const Point3& p : points) flat_points_.emplace_back(p);
+  }
+}
+
+void Instructions::add_z() {
+  points_.reserve(flat_points_.size());
+  for (const Point2& p : flat_points_) points_.emplace_back(p, flat_z_);
+  std::vector<Point2>().swap(flat_points_);
+  stores_z_ = true;
+}
+
+std::size_t Instructions::bytes() const {
+  return op_.size() * sizeof(op_[0]) + points_.size() * sizeof(points_[0]) +
+         flat_points_.size() * sizeof(flat_points_[0]) +
+         style_operands_.size() * sizeof(style_operands_[0]);
+}
+
+void Instructions::reserve(std::size_t codes, std::size_t points) {
+  op_.reserve(codes);
+  points_.reserve(points);
+}
+
+void Instructions::shrink_to_fit() {
+  op_.shrink_to_fit();
+  points_.shrink_to_fit();
+  flat_points_.shrink_to_fit();
+  style_operands_.shrink_to_fit();
+}
+
+}  // namespace displayfile

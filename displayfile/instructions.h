@@ -1,0 +1,161 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "clip/transformation.h"
+#include "displayfile/style.h"
+
+namespace displayfile {
+
+/// Operation codes of display-file instructions. A code of 3 or more is the textbook's
+/// polygon instruction: the number of sides, followed by that many moves (invisible
+/// edges) and lines. The polygon starts at its last vertex, which is therefore not stored.
+namespace op {
+inline constexpr std::int32_t move = 1;
+inline constexpr std::int32_t line = 2;
+inline constexpr std::int32_t line_solid = -1;
+inline constexpr std::int32_t line_dashed = -2;
+inline constexpr std::int32_t line_none = -3;
+inline constexpr std::int32_t fill_solid = -16;
+inline constexpr std::int32_t fill_hollow = -17;
+inline constexpr std::int32_t pick = -32;  ///< the next code is the pick identifier
+/// What follows is the segment's whose name is the next code. Only in instructions that several
+/// segments share (displayfile/sorted_instructions.h).
+inline constexpr std::int32_t segment = -48;
+}  // namespace op
+
+/// Display-file instructions in arrays of their own, in the order in which they were entered.
+/// While all points lie at one depth only x and y are stored; z is added when it is first needed.
+class Instructions {
+ public:
+  /// Entering instructions. Styles and the pick identifier are entered only when they differ
+  /// from those in force; at the start there are none in force.
+  void set_style(const FillStyle& fill);
+  void set_style(const LineStyle& line);
+  void set_pick(std::int32_t id);
+  void enter_segment(int name);                           ///< styles stay in force
+  void enter_line(const Point3& from, const Point3& to);  ///< a move first, if the pen is elsewhere
+  /// 3 vertices or more; edge_visible is of the edge that ends at the vertex.
+  void enter_polygon(std::span<const Point3> vertices, std::span<const std::uint8_t> edge_visible);
+
+  /// Calls the visitor for each instruction in order, with points as stored:
+  ///   fill(FillStyle), line_style(LineStyle), pick(int), move(Point3), line(Point3),
+  ///   polygon(span<const Point3> vertices, span<const int32_t> sides) - sides holds op::line
+  ///   or op::move for the edge that ends at the vertex of the same index - and, if the visitor
+  ///   has it, segment(int name).
+  template <class Visitor>
+  void walk(Visitor&& visit) const;
+
+  /// The same with points after an image transformation.
+  template <class Visitor>
+  void walk_transformed(const ImageTransformation& image, Visitor&& visit) const;
+
+  std::size_t polygons() const { return polygons_; }
+  std::size_t lines() const { return lines_; }
+  std::size_t points() const { return points_.size() + flat_points_.size(); }
+  bool stores_z() const { return stores_z_; }
+  /// All points in order of entry: of a line the one it ends at, preceded, whatever was entered
+  /// before, by the one it starts at; of a polygon its vertices. Empty unless z is stored.
+  std::span<const Point3> stored_points() const { return points_; }
+  std::size_t bytes() const;  ///< of the instruction arrays, as used
+  void reserve(std::size_t codes, std::size_t points);
+  void shrink_to_fit();
+
+ private:
+  template <class Visitor>
+  static void visit_segment(Visitor& visit, int name) {
+    if constexpr (requires { visit.segment(name); }) visit.segment(name);
+  }
+  void enter_points(std::span<const Point3> points);
+  void add_z();
+
+  std::vector<std::int32_t> op_;
+  std::vector<Point3> points_;       // if stores_z_
+  std::vector<Point2> flat_points_;  // otherwise, all at depth flat_z_
+  std::vector<double> style_operands_;
+  double flat_z_ = 0.0;
+  bool stores_z_ = false;
+  std::size_t polygons_ = 0, lines_ = 0;
+
+  std::optional<FillStyle> fill_;
+  std::optional<LineStyle> line_;
+  std::optional<std::int32_t> pick_;
+  std::optional<Point3> pen_;  // always the point entered last
+};
+
+template <class Visitor>
+void Instructions::walk(Visitor&& visit) const {
+  std::vector<Point3> with_z;  // of one polygon of a flat segment
+  const Point3* next_point = points_.data();
+  const Point2* next_flat = flat_points_.data();
+  const double* operand = style_operands_.data();
+  const auto take = [&](std::size_t n) -> std::span<const Point3> {
+    if (stores_z_) {
+      next_point += n;
+      return {next_point - n, n};
+    }
+    with_z.clear();
+    for (std::size_t i = 0; i < n; ++i) with_z.emplace_back(next_flat[i], flat_z_);
+    next_flat += n;
+    return with_z;
+  };
+  const auto take_colour = [&] {
+    operand += 3;
+    return Colour(operand[-3], operand[-2], operand[-1]);
+  };
+  for (std::size_t i = 0; i < op_.size(); ++i) {
+    switch (op_[i]) {
+      case op::move: visit.move(take(1)[0]); break;
+      case op::line: visit.line(take(1)[0]); break;
+      case op::line_solid:
+      case op::line_dashed: {
+        LineStyle style{op_[i] == op::line_solid ? LineStyle::Kind::solid : LineStyle::Kind::dashed,
+                        take_colour(), *operand++};
+        if (style.kind == LineStyle::Kind::dashed) {
+          style.dash = *operand++;
+          style.gap = *operand++;
+        }
+        visit.line_style(style);
+        break;
+      }
+      case op::line_none: visit.line_style(LineStyle{LineStyle::Kind::none}); break;
+      case op::fill_solid: visit.fill(FillStyle{FillStyle::Kind::solid, take_colour()}); break;
+      case op::fill_hollow: visit.fill(FillStyle{FillStyle::Kind::hollow}); break;
+      case op::pick: visit.pick(op_[++i]); break;
+      case op::segment: visit_segment(visit, op_[++i]); break;
+      default: {
+        const auto sides = static_cast<std::size_t>(op_[i]);
+        visit.polygon(take(sides), std::span<const std::int32_t>(&op_[i + 1], sides));
+        i += sides;
+      }
+    }
+  }
+}
+
+template <class Visitor>
+void Instructions::walk_transformed(const ImageTransformation& image, Visitor&& visit) const {
+  if (image.is_identity()) return walk(visit);
+  struct Transformed {
+    Visitor& visit;
+    ImageMatrix matrix;
+    std::vector<Point3> moved;
+    void fill(const FillStyle& s) { visit.fill(s); }
+    void line_style(const LineStyle& s) { visit.line_style(s); }
+    void pick(int id) { visit.pick(id); }
+    void segment(int name) { visit_segment(visit, name); }
+    void move(const Point3& p) { visit.move(matrix.apply(p)); }
+    void line(const Point3& p) { visit.line(matrix.apply(p)); }
+    void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
+      moved.clear();
+      for (const Point3& p : vertices) moved.push_back(matrix.apply(p));
+      visit.polygon(moved, sides);
+    }
+  };
+  walk(Transformed{visit, ImageMatrix(image), {}});
+}
+
+}  // namespace displayfile

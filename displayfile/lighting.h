@@ -1,0 +1,20 @@
+#pragma once
+
+#include "clip/point.h"
+#include "displayfile/style.h"
+
+namespace displayfile {
+
+/// A light from far away, and what there is without it.
+struct Light {
+  Point3 toward;   ///< unit, world coordinates
+  double ambient;  ///< in [0,1]
+  bool operator==(const Light&) const = default;
+};
+
+/// The fill of a polygon of that normal (of any length, out of its light face; zero if it has
+/// none): the colour times ambient + (1 - ambient) max(0, cosine of the angle between the light and
+/// the side that is seen). Hollow stays hollow.
+FillStyle lit(const FillStyle& fill, const Light& light, const Point3& normal, bool turned_away);
+
+}  // namespace displayfile

@@ -1,0 +1,137 @@
+#include "displayfile/sorted_display_file.h"
+
+#include <algorithm>
+#include <memory>
+#include <ranges>
+#include <utility>
+
+#include "displayfile/hidden_surface_check.h"
+
+namespace displayfile {
+
+namespace {
+
+bool same(const Precision& a, const Precision& b) {
+  return a.exact == b.exact && (a.exact || a.roundoff == b.roundoff);
+}
+
+bool is_of(const SortedInstructions& sorted, HiddenMethod method, const Precision& precision) {
+  return sorted.method == method && same(sorted.precision, precision);
+}
+
+auto visible(const DisplayFile& file) {
+  return file.segments() | std::views::filter(&Segment::visible);
+}
+
+/// Instructions of closed segments do not change: the same pointer, the same instructions.
+bool draw_the_same(const Segment& a, const Segment& b) {
+  return a.name() == b.name() && a.entered() == b.entered() && a.image == b.image;
+}
+
+}  // namespace
+
+HiddenMethod method_in_force(const GraphicsSystem& system, const HiddenSurfaceOptions& options) {
+  if (options.method) return *options.method;
+  if (system.z_buffer()) return HiddenMethod::z_buffer;
+  return system.hidden_line_removal() ? system.hidden_method() : HiddenMethod::none;
+}
+
+Precision precision_in_force(const GraphicsSystem& system, const HiddenSurfaceOptions& options) {
+  return options.precision.value_or(system.precision());
+}
+
+const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, HiddenMethod method,
+                                             const HiddenSurfaceOptions& options) {
+  last_ = std::exchange(file_, system.display_file());
+  const bool applications = !options.method && method_in_force(system, options) == method;
+  const auto usual = applications ? HiddenScope::segment : HiddenScope::all;
+  const HiddenScope set = system.hidden_scope().value_or(usual);
+  const HiddenScope scope = options.scope.value_or(set);
+  SortOptions sort;
+  sort.precision = precision_in_force(system, options);
+  sort.threads = options.threads;
+  if (sorts(method) && scope == HiddenScope::all) {
+    sort_together(method, sort);
+  } else if (sorts(method) && !(applications && set == HiddenScope::segment)) {
+    sort_segments(method, sort);
+  } else if (options.method && !sorts(method)) {
+    unsort();
+  } else {
+    sort_as_closed(options.precision, options.threads);
+  }
+  last_ = {};
+  return file_;
+}
+
+void SortedDisplayFile::sort_as_closed(const std::optional<Precision>& precision, int threads) {
+  for (const Segment& segment : visible(file_)) {
+    const auto sorted = segment.sorted();
+    if (sorted == nullptr) continue;
+    SortOptions options;
+    options.precision = precision.value_or(sorted->precision);
+    options.threads = threads;
+    sort_segment(segment, sorted->method, options);
+  }
+}
+
+void SortedDisplayFile::sort_segments(HiddenMethod method, const SortOptions& options) {
+  for (const Segment& segment : visible(file_)) sort_segment(segment, method, options);
+}
+
+/// Takes the order of the segment itself or of the last update, if one of them will do.
+void SortedDisplayFile::sort_segment(const Segment& segment, HiddenMethod method,
+                                     const SortOptions& options) {
+  const auto will_do = [&](const Segment& s) {
+    return s.sorted_as_drawn() && is_of(*s.sorted(), method, options.precision);
+  };
+  if (will_do(segment)) return;
+  const int name = segment.name();
+  if (last_.contains(name)) {
+    const Segment& before = std::as_const(last_).segment(name);
+    if (draw_the_same(before, segment) && will_do(before)) {
+      return file_.segment(name).set_sorted(before.sorted());
+    }
+  }
+  file_.segment(name).set_sorted(std::make_shared<SortedInstructions>(
+      hidden_surface_check(*segment.entered(), segment.image, method, options)));
+}
+
+void SortedDisplayFile::sort_together(HiddenMethod method, const SortOptions& options) {
+  const auto before = last_.sorted();
+  const bool unchanged = before != nullptr && is_of(*before, method, options.precision) &&
+                         std::ranges::equal(visible(last_), visible(file_), draw_the_same);
+  file_.set_sorted(unchanged ? before
+                             : std::make_shared<SortedInstructions>(
+                                   hidden_surface_check(file_, method, options)));
+}
+
+void SortedDisplayFile::unsort() {
+  for (const Segment& segment : file_.segments()) file_.segment(segment.name()).set_sorted(nullptr);
+}
+
+SortCounts counts_of_sorts(const DisplayFile& display_file) {
+  SortCounts sum;
+  const auto add = [&](const SortedInstructions& sorted) {
+    sum.pieces += sorted.counts.pieces;
+    sum.cuts += sorted.counts.cuts;
+    sum.comparisons += sorted.counts.comparisons;
+    sum.depth = std::max(sum.depth, sorted.counts.depth);
+  };
+  if (display_file.sorted() != nullptr) {
+    add(*display_file.sorted());
+    return sum;
+  }
+  for (const Segment& segment : visible(display_file)) {
+    if (segment.sorted() != nullptr) add(*segment.sorted());
+  }
+  return sum;
+}
+
+bool has_exact_order(const DisplayFile& display_file) {
+  if (display_file.sorted() != nullptr) return display_file.sorted()->precision.exact;
+  return std::ranges::any_of(visible(display_file), [](const Segment& segment) {
+    return segment.sorted() != nullptr && segment.sorted()->precision.exact;
+  });
+}
+
+}  // namespace displayfile

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+
+#include "displayfile/graphics_system.h"
+#include "hidden/hidden_surface_sort.h"
+
+namespace displayfile {
+
+/// What may be asked for in place of what the application set.
+struct HiddenSurfaceOptions {
+  std::optional<HiddenMethod> method;
+  std::optional<HiddenScope> scope;
+  std::optional<Precision> precision;
+  int threads = 1;  ///< the result is the same for any number
+};
+
+/// The method in force: that of the options, or else what the application set with
+/// set_z_buffer, set_hidden_line_removal and set_hidden_method.
+HiddenMethod method_in_force(const GraphicsSystem& system, const HiddenSurfaceOptions& options);
+Precision precision_in_force(const GraphicsSystem& system, const HiddenSurfaceOptions& options);
+
+/// A display file with its hidden surfaces sorted as the next drawing needs it. Kept from one
+/// drawing to the next, it sorts only what has changed since.
+class SortedDisplayFile {
+ public:
+  /// Brings it up to date with the application's display file.
+  ///
+  /// `method` is the method in force, `automatic` replaced by what it means. If it sorts,
+  ///  - a method that the application set leaves the segments as close-segment left them, unless
+  ///    the scope is all; only a segment that has an image transformation since, or is asked for
+  ///    in another precision, is sorted again, as its transformed points are others;
+  ///  - a method of the options, or one that `automatic` means, sorts all visible segments
+  ///    together, or each on its own if the options or the application set that scope.
+  /// If it does not sort, a method of the options is drawn from the polygons as they were entered
+  /// and one that the application set from what close-segment left. Invisible segments stay as
+  /// they are.
+  const DisplayFile& update(const GraphicsSystem& system, HiddenMethod method,
+                            const HiddenSurfaceOptions& options = {});
+
+  /// As of the last update.
+  const DisplayFile& display_file() const { return file_; }
+
+ private:
+  void sort_as_closed(const std::optional<Precision>& precision, int threads);
+  void sort_segments(HiddenMethod method, const SortOptions& options);
+  void sort_together(HiddenMethod method, const SortOptions& options);
+  void sort_segment(const Segment& segment, HiddenMethod method, const SortOptions& options);
+  void unsort();
+
+  DisplayFile file_;
+  DisplayFile last_;  // of the update before, while file_ is being made
+};
+
+/// Of the sorts that are drawn: the sums, and the deepest tree.
+SortCounts counts_of_sorts(const DisplayFile& display_file);
+
+/// True if something is drawn in an order that is exactly back to front.
+bool has_exact_order(const DisplayFile& display_file);
+
+}  // namespace displayfile

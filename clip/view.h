@@ -45,6 +45,8 @@ class View {
   bool front_clipping = false, back_clipping = false;
   Rectangle window{-1.0, 1.0, -1.0, 1.0};
   Rectangle viewport{0.0, 1.0, 0.0, 1.0};
+
+  bool operator==(const View&) const = default;
 };
 
 }  // namespace displayfile

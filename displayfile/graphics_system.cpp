@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <string>
 
 #include "clip/back_face.h"

@@ -9,9 +9,9 @@ namespace displayfile {
 
 /// What may be asked for in place of what the application set.
 struct HiddenSurfaceOptions {
-  std::optional<HiddenMethod> method;
-  std::optional<HiddenScope> scope;
-  std::optional<Precision> precision;
+  std::optional<HiddenMethod> method = std::nullopt;
+  std::optional<HiddenScope> scope = std::nullopt;
+  std::optional<Precision> precision = std::nullopt;
   int threads = 1;  ///< the result is the same for any number
 };
 

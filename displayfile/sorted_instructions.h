@@ -25,6 +25,9 @@ struct SortedInstructions {
   HiddenMethod method;        ///< that sorted them
   Precision precision;
   SortCounts counts;
+  /// How far a boundary may lie from where the polygons as entered have it, beyond the rounding of
+  /// a cut's own coordinates: where the cuts were made before viewing. Device coordinates.
+  double boundary_error = 0.0;
 };
 
 }  // namespace displayfile

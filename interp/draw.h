@@ -17,14 +17,15 @@ enum class RasterDevice { software, osmesa };
 
 /// How a display file becomes a picture.
 struct DrawOptions {
-  int width = 512, height = 512;       ///< pixels; of a PDF, points
-  std::optional<HiddenMethod> hidden;  ///< these three in place of what the application set
-  std::optional<HiddenScope> scope;
-  std::optional<Precision> precision;
+  int width = 512, height = 512;  ///< pixels; of a PDF, points
+  std::optional<HiddenMethod> hidden =
+      std::nullopt;  ///< these three in place of what the application set
+  std::optional<HiddenScope> scope = std::nullopt;
+  std::optional<Precision> precision = std::nullopt;
   RasterDevice device = RasterDevice::software;
   int threads = 1;
-  std::filesystem::path ids;    ///< item buffer as int32 .npy, if not empty
-  std::filesystem::path depth;  ///< depth of the fills seen as float64 .npy, if not empty
+  std::filesystem::path ids = {};    ///< item buffer as int32 .npy, if not empty
+  std::filesystem::path depth = {};  ///< depth of the fills seen as float64 .npy, if not empty
 };
 
 /// The part of the options that says how hidden surfaces are found.

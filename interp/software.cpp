@@ -68,6 +68,13 @@ Undecided undecided_of(const DisplayFile& display_file, int segment_name) {
   return segment.sorted_as_drawn() ? Undecided::at_boundaries : Undecided::all;
 }
 
+/// How far the segment's boundaries may be off besides (SortedInstructions::boundary_error).
+double sort_boundary_error(const DisplayFile& display_file, int segment_name) {
+  if (display_file.sorted()) return display_file.sorted()->boundary_error;
+  const Segment& segment = display_file.segment(segment_name);
+  return segment.sorted() ? segment.sorted()->boundary_error : 0.0;
+}
+
 /// Adds the centres that a segment's solid polygons cover.
 struct Coverage {
   PixelSet& centres;
@@ -109,6 +116,7 @@ class SoftwareDevice : public OutputDevice {
   void begin_segment(int name) override {
     if (!sorted_) return;
     undecided_fills_ = undecided_of(display_file_, name);
+    boundary_error_ = Point2(width_, height_) * sort_boundary_error(display_file_, name);
     if (undecided_fills_ == Undecided::all) {
       // Its pieces may leave gaps as wide as the coordinates before the move were rounded.
       display_file_.segment(name).walk_entered_drawn(Coverage{undecided_, converter_, region_});
@@ -285,7 +293,7 @@ class SoftwareDevice : public OutputDevice {
     const bool at_boundaries = undecided_fills_ == Undecided::at_boundaries;
     Point2 error(0.0);
     if (at_boundaries) {
-      error = boundary_error(polygon.vertices, region_.size);
+      error = boundary_error(polygon.vertices, region_.size) + boundary_error_;
       note_rows_of_vertices(polygon.vertices, error, region_.size, undecided_);
     }
     const ScanConverter::Rows rows = converter_.begin(polygon.vertices, region_);
@@ -376,6 +384,7 @@ class SoftwareDevice : public OutputDevice {
   Point3 dash_end_{kFarthest};
   bool sorted_;
   Undecided undecided_fills_ = Undecided::none;  // of the segment
+  Point2 boundary_error_{0.0};                   // of the segment's sort, in pixels
   PixelSet undecided_;                           // centres that the order does not decide
   PixelSet covered_;                             // whose depth is asked for
   PixelSet lines_on_top_;  // pixels that a line was painted on after all fills

@@ -449,10 +449,8 @@ TEST_P(HiddenSurfaceCheck, OnlyWhatChangedIsSortedAgain) {
     enter_triangles(g, 20, static_cast<unsigned>(name));
     g.close_segment();
   }
-  const HiddenSurfaceOptions each{
-      .method = GetParam(), .scope = HiddenScope::segment, .precision = std::nullopt};
-  const HiddenSurfaceOptions all{
-      .method = GetParam(), .scope = HiddenScope::all, .precision = std::nullopt};
+  const HiddenSurfaceOptions each{.method = GetParam(), .scope = HiddenScope::segment};
+  const HiddenSurfaceOptions all{.method = GetParam(), .scope = HiddenScope::all};
   SortedDisplayFile kept;
   const DisplayFile first = kept.update(g, GetParam(), each);
   const DisplayFile again = kept.update(g, GetParam(), each);
@@ -496,8 +494,7 @@ TEST_P(HiddenSurfaceCheck, AnOpenSegmentIsDrawnAsItIs) {
   g.open_segment(1);
   enter_square(g, 0.2, 0.8, 0.5);
   SortedDisplayFile kept;
-  const HiddenSurfaceOptions all{
-      .method = GetParam(), .scope = std::nullopt, .precision = std::nullopt};
+  const HiddenSurfaceOptions all{.method = GetParam()};
   const DisplayFile before = kept.update(g, GetParam(), all);
   enter_square(g, 0.3, 0.7, 0.25);
   EXPECT_EQ(before.polygons(), 1u);

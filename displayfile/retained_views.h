@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <memory>
+#include <vector>
+
+#include "clip/view.h"
+#include "displayfile/display_file.h"
+#include "displayfile/hidden_scope.h"
+#include "displayfile/retained_scene.h"
+#include "displayfile/sorted_instructions.h"
+#include "hidden/precision.h"
+
+namespace displayfile {
+
+/// One tree, many views: the hidden surfaces of a retained scene sorted once, in world coordinates,
+/// and put in order for each view by a walk of the tree (hidden/world_tree.md).
+class RetainedViews {
+ public:
+  struct Options {
+    HiddenScope scope = HiddenScope::all;  ///< one tree for all segments, or one for each
+    Precision precision;
+  };
+
+  /// Takes the visible segments of the scene, as they now are; `attributes` is the display file of
+  /// the system that retained them and says which are visible, and their image transformations.
+  /// Throws Error for more than 2^32 - 1 points, and if segments with different image
+  /// transformations are to be sorted together: those act after viewing.
+  RetainedViews(const RetainedScene& scene, const DisplayFile& attributes, const Options& options);
+  RetainedViews(RetainedViews&&) noexcept;
+  RetainedViews& operator=(RetainedViews&&) noexcept;
+  ~RetainedViews();
+
+  /// What the scene is in this view, as if the application had drawn it there: the polygons clipped
+  /// and checked for back faces, whole and in order of entry; and sorted. Lights are turned by
+  /// `lights_turned`, a rotation. Throws Error as ViewVolume does.
+  DisplayFile view(const View& view, const glm::dmat3& lights_turned = glm::dmat3(1.0));
+
+  /// Of the trees, for all views. Comparisons are those of building them.
+  const SortCounts& counts() const { return counts_; }
+  std::uint64_t walks() const;   ///< of a tree
+  std::uint64_t reused() const;  ///< orders that needed no walk, since the eye crossed no plane
+
+ private:
+  class Part;
+  std::vector<std::unique_ptr<Part>> parts_;
+  Options options_;
+  SortCounts counts_;
+};
+
+}  // namespace displayfile

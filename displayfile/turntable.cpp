@@ -1,0 +1,104 @@
+#include "displayfile/turntable.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "clip/error.h"
+#include "clip/transformation.h"
+#include "clip/view_volume.h"
+
+namespace displayfile {
+
+namespace {
+
+constexpr double kMargin = 0.05;  // of the window, at each side where the scene is widest
+
+/// Rodrigues' formula; counterclockwise, seen from where the axis (a unit vector) points to.
+glm::dmat3 rotation_about(const Point3& axis, double degrees) {
+  const auto [sine, cosine] = sine_cosine_of_degrees(degrees);
+  glm::dmat3 turn;
+  for (int i = 0; i < 3; ++i) {
+    Point3 e(0.0);
+    e[i] = 1.0;
+    turn[i] = e * cosine + glm::cross(axis, e) * sine + axis * (axis[i] * (1.0 - cosine));
+  }
+  return turn;
+}
+
+struct Bounds {
+  Point3 low{std::numeric_limits<double>::infinity()};
+  Point3 high{-std::numeric_limits<double>::infinity()};
+  void include(const Point3& p) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  Point3 middle() const { return low + 0.5 * (high - low); }
+};
+
+}  // namespace
+
+Turntable::Turntable(const RetainedScene& scene, const DisplayFile& attributes,
+                     const View& otherwise)
+    : view_(otherwise) {
+  const RetainedScene::Segment* first = nullptr;
+  Bounds bounds;
+  for (const RetainedScene::Segment& segment : scene.segments()) {
+    if (!attributes.segment(segment.name).visible || segment.primitives.empty()) continue;
+    if (first == nullptr) {
+      first = &segment;
+      view_ = segment.view;
+    } else if (segment.view != first->view) {
+      throw Error(fmt::format(
+          "segments {} and {} are drawn in different views: expected one view to turn before",
+          first->name, segment.name));
+    }
+    for (const Point3& p : segment.points) bounds.include(p);
+    points_.insert(points_.end(), segment.points.begin(), segment.points.end());
+  }
+  axis_ = unit(view_.up);
+  middle_ = points_.empty() ? view_.reference_point : bounds.middle();
+}
+
+Turntable::Turn Turntable::at(double degrees) const {
+  if (degrees == 0.0) return {view_, glm::dmat3(1.0)};
+  const glm::dmat3 turn = rotation_about(axis_, -degrees);
+  const auto about_middle = [&](const Point3& p) { return middle_ + turn * (p - middle_); };
+  View view = view_;
+  view.set_reference_point(about_middle(view_.reference_point));
+  view.set_plane_normal(turn * view_.plane_normal);
+  if (view_.projection == View::Projection::perspective) {
+    view.set_perspective(about_middle(view_.centre_of_projection));
+  } else {
+    view.set_parallel(turn * view_.direction_of_projection);
+  }
+  return {view, turn};
+}
+
+void Turntable::fit_window(int views) {
+  if (points_.empty()) return;
+  const Rectangle window = view_.window;
+  const double width = window.x_max - window.x_min, height = window.y_max - window.y_min;
+  Bounds seen;
+  for (int k = 0; k < views; ++k) {
+    const ViewVolume volume(at(360.0 * k / views).view);
+    for (const Point3& point : points_) {
+      const HomogeneousPoint p = volume.transform(point);
+      if (!(p.w > 0.0)) continue;
+      seen.include({window.x_min + width * (p.x / p.w), window.y_min + height * (p.y / p.w), 0.0});
+    }
+  }
+  if (!(seen.low.x <= seen.high.x)) return;
+  const Point3 size = seen.high - seen.low, middle = seen.middle();
+  const double aspect = width / height;
+  const double half_height = 0.5 * std::max(size.x / aspect, size.y) / (1.0 - 2.0 * kMargin);
+  if (!(half_height > 0.0)) return;
+  const double half_width = aspect * half_height;
+  view_.set_window({middle.x - half_width, middle.x + half_width, middle.y - half_height,
+                    middle.y + half_height});
+}
+
+}  // namespace displayfile

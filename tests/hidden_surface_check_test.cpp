@@ -112,8 +112,8 @@ Walked walked(const GraphicsSystem& g, int segment) {
 class HiddenSurfaceCheck : public testing::TestWithParam<HiddenMethod> {};
 INSTANTIATE_TEST_SUITE_P(, HiddenSurfaceCheck,
                          testing::Values(HiddenMethod::bsp, HiddenMethod::depth_sort),
-                         [](const auto& info) {
-                           return info.param == HiddenMethod::bsp ? "Bsp" : "DepthSort";
+                         [](const auto& parameter) {
+                           return parameter.param == HiddenMethod::bsp ? "Bsp" : "DepthSort";
                          });
 
 // ---- The order, and what is in it --------------------------------------------------------

@@ -105,14 +105,14 @@ class ComparePolys {
     return first_side;
   }
 
-  /// A line has two halves of two points.
+  /// A line has two halves of two points, each drawn at the second.
   int cut_line(Index test, std::uint32_t plane) {
     const auto [start, sides, item, own, front, back, on, whole] = table_[test];
     const Side a = table_.d[start], b = table_.d[start + 1];
     const std::uint32_t crossing = vertices_.cut(a.vertex, b.vertex, b.line, own, plane);
     put(true, a);
     put(true, {crossing, b.line, b.visible});
-    put(false, {crossing, b.line, b.visible});
+    put(false, {crossing, b.line, false});
     put(false, b);
     return signs_[0];
   }

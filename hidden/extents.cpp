@@ -22,6 +22,12 @@ float rounded_up(double v) {
   return static_cast<double>(f) >= v ? f : std::nextafter(f, kInfinity);
 }
 
+/// 0 for what has no bounds, or holds nothing.
+float twice_centre(float min, float max) {
+  const float sum = min + max;
+  return std::isnan(sum) ? 0.0f : sum;
+}
+
 }  // namespace
 
 Extent Extent::nothing() {
@@ -61,7 +67,10 @@ ExtentIndex::ExtentIndex(std::span<const Extent> extents) : order_(extents.size(
   std::vector<Placed> placed(extents.size());
   for (std::uint32_t i = 0; i < placed.size(); ++i) {
     const Extent& e = extents[i];
-    placed[i] = {{e.x_min, e.x_max, e.y_min, e.y_max}, e.x_min + e.x_max, e.y_min + e.y_max, i};
+    placed[i] = {{e.x_min, e.x_max, e.y_min, e.y_max},
+                 twice_centre(e.x_min, e.x_max),
+                 twice_centre(e.y_min, e.y_max),
+                 i};
   }
   nodes_.reserve(placed.size() / 2);
   std::vector<Range> waiting{{0, static_cast<std::uint32_t>(placed.size()), 0, false}};

@@ -16,6 +16,7 @@ namespace displayfile {
 struct Extent {
   float x_min, x_max, y_min, y_max, z_min, z_max;
 
+  /// Holds nothing, and meets only what has no bounds.
   static Extent nothing();
   /// Takes in a box of that radius around the point.
   void include(const Point3& p, double radius = 0.0);

@@ -100,7 +100,15 @@ class SortPolygons {
     const std::uint32_t plane = table_[root].plane;
     if (plane == kNoPlane) return link(table_[root].on, test, true);
     switch (scene_.comparing.compare(test, plane)) {
-      case PlaneSide::on: link(table_[root].on, test, true); break;
+      case PlaneSide::on:
+        // Seen from the front, a line is drawn after what touches it from behind; what touches it
+        // from the front it meets again.
+        if (table_[test].sides == 2 && scene_.space == SortSpace::device) {
+          link(table_[root].front, test, false);
+        } else {
+          link(table_[root].on, test, true);
+        }
+        break;
       case PlaneSide::front: link(table_[root].front, test, false); break;
       case PlaneSide::back: link(table_[root].back, test, false); break;
       case PlaneSide::both: {

@@ -259,6 +259,7 @@ TEST_P(HiddenSurfaceCheck, FlatSegment) {
   GraphicsSystem g = sorting_system(GetParam());
   g.open_segment(1);
   g.set_line_style({});
+  g.set_fill_style(green());
   enter_square(g, 0.25, 0.75, 0.5);
   enter_square(g, 0.5, 0.8, 0.5);
   g.move_abs_2(0.1, 0.1);

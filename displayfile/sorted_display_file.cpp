@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <memory>
-#include <ranges>
 #include <utility>
+#include <vector>
 
 #include "displayfile/hidden_surface_check.h"
 
@@ -19,13 +19,17 @@ bool is_of(const SortedInstructions& sorted, HiddenMethod method, const Precisio
   return sorted.method == method && same(sorted.precision, precision);
 }
 
-auto visible(const DisplayFile& file) {
-  return file.segments() | std::views::filter(&Segment::visible);
+std::vector<const Segment*> visible(const DisplayFile& file) {
+  std::vector<const Segment*> visible;
+  for (const Segment& segment : file.segments()) {
+    if (segment.visible) visible.push_back(&segment);
+  }
+  return visible;
 }
 
 /// Instructions of closed segments do not change: the same pointer, the same instructions.
-bool draw_the_same(const Segment& a, const Segment& b) {
-  return a.name() == b.name() && a.entered() == b.entered() && a.image == b.image;
+bool draw_the_same(const Segment* a, const Segment* b) {
+  return a->name() == b->name() && a->entered() == b->entered() && a->image == b->image;
 }
 
 }  // namespace
@@ -64,18 +68,18 @@ const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, Hidde
 }
 
 void SortedDisplayFile::sort_as_closed(const std::optional<Precision>& precision, int threads) {
-  for (const Segment& segment : visible(file_)) {
-    const auto sorted = segment.sorted();
+  for (const Segment* segment : visible(file_)) {
+    const auto sorted = segment->sorted();
     if (sorted == nullptr) continue;
     SortOptions options;
     options.precision = precision.value_or(sorted->precision);
     options.threads = threads;
-    sort_segment(segment, sorted->method, options);
+    sort_segment(*segment, sorted->method, options);
   }
 }
 
 void SortedDisplayFile::sort_segments(HiddenMethod method, const SortOptions& options) {
-  for (const Segment& segment : visible(file_)) sort_segment(segment, method, options);
+  for (const Segment* segment : visible(file_)) sort_segment(*segment, method, options);
 }
 
 /// Takes the order of the segment itself or of the last update, if one of them will do.
@@ -88,7 +92,7 @@ void SortedDisplayFile::sort_segment(const Segment& segment, HiddenMethod method
   const int name = segment.name();
   if (last_.contains(name)) {
     const Segment& before = std::as_const(last_).segment(name);
-    if (draw_the_same(before, segment) && will_do(before)) {
+    if (draw_the_same(&before, &segment) && will_do(before)) {
       return file_.segment(name).set_sorted(before.sorted());
     }
   }
@@ -121,16 +125,16 @@ SortCounts counts_of_sorts(const DisplayFile& display_file) {
     add(*display_file.sorted());
     return sum;
   }
-  for (const Segment& segment : visible(display_file)) {
-    if (segment.sorted() != nullptr) add(*segment.sorted());
+  for (const Segment* segment : visible(display_file)) {
+    if (segment->sorted() != nullptr) add(*segment->sorted());
   }
   return sum;
 }
 
 bool has_exact_order(const DisplayFile& display_file) {
   if (display_file.sorted() != nullptr) return display_file.sorted()->precision.exact;
-  return std::ranges::any_of(visible(display_file), [](const Segment& segment) {
-    return segment.sorted() != nullptr && segment.sorted()->precision.exact;
+  return std::ranges::any_of(visible(display_file), [](const Segment* segment) {
+    return segment->sorted() != nullptr && segment->sorted()->precision.exact;
   });
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "displayfile/hidden_surface_check.h"
 #include "interp/osmesa.h"
 #include "interp/plain_z_buffer.h"
 #include "interp/software.h"
@@ -31,6 +32,20 @@ auto z_buffer(std::optional<double> roundoff) {
     RasterRequest request = request_ids(size, true);
     request.roundoff = roundoff;
     return draw_with_software(display_file, request);
+  };
+}
+
+/// All segments sorted together, and painted back to front.
+auto sorted(HiddenMethod method, const Precision& precision) {
+  return [=](const DisplayFile& display_file, int size) {
+    SortOptions options;
+    options.precision = precision;
+    DisplayFile file = display_file;
+    file.set_sorted(std::make_shared<SortedInstructions>(
+        hidden_surface_check(display_file, method, options)));
+    RasterRequest request = request_ids(size, false);
+    request.sorted = precision.exact;
+    return draw_with_software(file, request);
   };
 }
 
@@ -64,6 +79,7 @@ Method osmesa(int depth_bits) {
 }  // namespace
 
 std::vector<Method> methods() {
+  constexpr auto kBsp = HiddenMethod::bsp, kDepthSort = HiddenMethod::depth_sort;
   std::vector<Method> all{
       {"z-buffer, exact", "exact", true, z_buffer(std::nullopt)},
       {"z-buffer, roundoff=0", "ro 0", false, z_buffer(0.0)},
@@ -71,6 +87,18 @@ std::vector<Method> methods() {
       {"z-buffer, roundoff=1e-9", "ro 1e-9", false, z_buffer(1e-9)},
       {"z-buffer, roundoff=1e-6", "ro 1e-6", false, z_buffer(1e-6)},
       {"z-buffer, roundoff=1e-3", "ro 1e-3", false, z_buffer(1e-3)},
+      {"BSP, exact", "bsp", true, sorted(kBsp, {})},
+      {"BSP, roundoff=1e-15", "bsp 1e-15", false, sorted(kBsp, {false, 1e-15})},
+      {"BSP, roundoff=1e-12", "bsp 1e-12", false, sorted(kBsp, {false, 1e-12})},
+      {"BSP, roundoff=1e-9", "bsp 1e-9", false, sorted(kBsp, {false, 1e-9})},
+      {"BSP, roundoff=1e-6", "bsp 1e-6", false, sorted(kBsp, {false, 1e-6})},
+      {"BSP, roundoff=1e-3", "bsp 1e-3", false, sorted(kBsp, {false, 1e-3})},
+      {"depth sort, exact", "depth", true, sorted(kDepthSort, {})},
+      {"depth sort, roundoff=1e-15", "depth 1e-15", false, sorted(kDepthSort, {false, 1e-15})},
+      {"depth sort, roundoff=1e-12", "depth 1e-12", false, sorted(kDepthSort, {false, 1e-12})},
+      {"depth sort, roundoff=1e-9", "depth 1e-9", false, sorted(kDepthSort, {false, 1e-9})},
+      {"depth sort, roundoff=1e-6", "depth 1e-6", false, sorted(kDepthSort, {false, 1e-6})},
+      {"depth sort, roundoff=1e-3", "depth 1e-3", false, sorted(kDepthSort, {false, 1e-3})},
       {"painter in program order", "painter", false, painter},
       {"plain z-buffer, depth as double", "double", false, plain(DepthFormat::float_64)},
       {"plain z-buffer, depth as float", "float", false, plain(DepthFormat::float_32)},

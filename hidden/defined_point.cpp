@@ -1,6 +1,7 @@
 #include "hidden/defined_point.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "hidden/ball.h"
@@ -123,6 +124,72 @@ bool on_by_definition(const Definitions& all, const DefinedPoint& v, const Plane
   return false;
 }
 
+bool is_edge_cut(const DefinedPoint& v) {
+  return v.kind == DefinedPoint::Kind::edge_cut || v.kind == DefinedPoint::Kind::lifted_edge_cut;
+}
+bool same_edge(const DefinedPoint& v, const DefinedPoint& w) {
+  return (v.a == w.a && v.b == w.b) || (v.a == w.b && v.b == w.a);
+}
+
+/// True if the definitions alone say that a and b are one point.
+bool same_by_definition(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b) {
+  if (a.kind != b.kind) return false;
+  switch (a.kind) {
+    case DefinedPoint::Kind::stored: return a.near == b.near;
+    case DefinedPoint::Kind::lifted: return a.a == b.a && a.own == b.own;
+    case DefinedPoint::Kind::edge_cut: return a.cut == b.cut && same_edge(a, b);
+    case DefinedPoint::Kind::lifted_edge_cut:
+      return a.cut == b.cut && a.own == b.own && same_edge(a, b);
+    case DefinedPoint::Kind::plane_cut:
+      return on_by_definition(all, a, all.planes[b.own]) &&
+             on_by_definition(all, a, all.planes[b.a]) &&
+             on_by_definition(all, a, all.planes[b.cut]);
+  }
+  return false;
+}
+
+/// The line through two planes, or along an edge, that a point was defined to be on.
+class DefiningLines {
+ public:
+  DefiningLines(const Definitions& all, const DefinedPoint& v) : all_(all), v_(v) {
+    if (v.kind == DefinedPoint::Kind::plane_cut) take(v.a);
+    if (v.kind == DefinedPoint::Kind::plane_cut || v.kind == DefinedPoint::Kind::lifted_edge_cut) {
+      take(v.own);
+    }
+    if (v.kind == DefinedPoint::Kind::plane_cut || is_edge_cut(v)) take(v.cut);
+  }
+  /// True if the definitions say that the two others are on the edge, or on the same two planes.
+  bool hold(const DefinedPoint& b, const DefinedPoint& c) const {
+    if (v_.kind == DefinedPoint::Kind::edge_cut && on_edge(b) && on_edge(c)) return true;
+    int common = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      common += on_by_definition(all_, b, *planes_[i]) && on_by_definition(all_, c, *planes_[i]);
+    }
+    return common >= 2;
+  }
+
+ private:
+  void take(std::uint32_t plane) { planes_[count_++] = &all_.planes[plane]; }
+  bool on_edge(const DefinedPoint& w) const {
+    if (w.kind == DefinedPoint::Kind::stored) {
+      return w.near == all_.points[v_.a] || w.near == all_.points[v_.b];
+    }
+    return w.kind == DefinedPoint::Kind::edge_cut && same_edge(v_, w);
+  }
+
+  const Definitions& all_;
+  const DefinedPoint& v_;
+  std::array<const Plane*, 3> planes_{};
+  std::size_t count_ = 0;
+};
+
+bool in_line_by_definition(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b,
+                           const DefinedPoint& c) {
+  return same_by_definition(all, a, b) || same_by_definition(all, b, c) ||
+         same_by_definition(all, a, c) || DefiningLines(all, a).hold(b, c) ||
+         DefiningLines(all, b).hold(a, c) || DefiningLines(all, c).hold(a, b);
+}
+
 /// The sign of a - b by one coordinate: rounding keeps order, so a rounded difference beyond
 /// both radii is one in truth.
 template <class Coordinate>
@@ -135,6 +202,10 @@ int compare(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b
   const double difference = at_a - at_b;
   if (std::abs(difference) > (a.radius + b.radius) * kInflate + kTiny) {
     return decided_sign(difference);
+  }
+  if (same_by_definition(all, a, b)) {
+    count_by_definition(Predicate::compare);
+    return 0;
   }
   count_exact(Predicate::compare);
   const ExactPoint p = exact_point(all, a), q = exact_point(all, b);
@@ -221,6 +292,10 @@ int orientation(const Definitions& all, const DefinedPoint& a, const DefinedPoin
   const BallPoint p = near_balls(a), q = near_balls(b), r = near_balls(c);
   const Ball determinant = (p.x - r.x) * (q.y - r.y) - (p.y - r.y) * (q.x - r.x);
   if (decided(determinant)) return decided_sign(determinant.middle);
+  if (in_line_by_definition(all, a, b, c)) {
+    count_by_definition(Predicate::side_of_line);
+    return 0;
+  }
   count_exact(Predicate::side_of_line);
   return exact_orientation(exact_point(all, a), exact_point(all, b), exact_point(all, c));
 }
@@ -245,6 +320,14 @@ int compare_xy(const Definitions& all, const DefinedPoint& a, const DefinedPoint
 int compare_xyz(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b) {
   const int by_xy = compare_xy(all, a, b);
   return by_xy != 0 ? by_xy : compare_z(all, a, b);
+}
+
+DefinedPoint refined(const Definitions& all, DefinedPoint v) {
+  const Point3 p = rounded(all, v);
+  if (!within(p, kCoordinateLimit)) return v;
+  v.near = p;
+  v.radius = kUnit * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) * kInflate + kTiny;
+  return v;
 }
 
 Point3 rounded(const Definitions& all, const DefinedPoint& v) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -78,6 +80,17 @@ int compare_z(const Definitions& all, const DefinedPoint& a, const DefinedPoint&
 int compare_xy(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b);
 /// By x, then y, then z: 0 if they are the same point.
 int compare_xyz(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b);
+
+/// The point with the closest doubles there are beside its definition, so that the filters decide
+/// all they can: worth its price once for a point that is badly defined, such as a cut by nearly
+/// parallel planes, since it is asked about many times.
+DefinedPoint refined(const Definitions& all, DefinedPoint v);
+
+/// True if the doubles beside the definition are so far off that filters would fail.
+inline bool is_badly_known(const DefinedPoint& v) {
+  const double largest = std::max({std::abs(v.near.x), std::abs(v.near.y), std::abs(v.near.z)});
+  return !(v.radius <= 0x1p-44 * largest);
+}
 
 /// The point's coordinates, each rounded once, to the nearest double whatever the rounding
 /// mode: the same bits however the point is defined. Throws Error if the point does not exist

@@ -166,15 +166,21 @@ class DepthSort {
 
   // ---- Cycles ---------------------------------------------------------------------------------
 
-  /// Pieces that overlap in cycles, or nothing of that sort any more; and how often more than
-  /// their number they may still be cut before a tree takes over.
+  /// Pieces that overlap in cycles, or nothing of that sort any more. Pairs are of places among
+  /// the pieces.
   struct Group {
     std::vector<Index> pieces;
-    std::size_t cuts_left;
+    std::vector<std::uint8_t> fresh;  ///< pieces that have not been compared with the others
+    std::vector<Overlaps::Pair> before, through;
+    std::size_t cuts_left;  ///< how often they may still be cut before a tree takes over
   };
 
   void draw_cycle(std::span<const Index> cycle) {
-    groups_.push_back({{cycle.begin(), cycle.end()}, 8 * cycle.size() + 64});
+    groups_.push_back({{cycle.begin(), cycle.end()},
+                       std::vector<std::uint8_t>(cycle.size(), 1),
+                       {},
+                       {},
+                       8 * cycle.size() + 64});
     while (!groups_.empty()) {
       Group group = std::move(groups_.back());
       groups_.pop_back();
@@ -182,8 +188,8 @@ class DepthSort {
         order_.push_back(group.pieces[0]);
         continue;
       }
-      compare_group(group.pieces);
-      const DrawingGraph graph = graph_of(before_, through_, group.pieces.size());
+      compare_fresh(group);
+      const DrawingGraph graph = graph_of(group.before, group.through, group.pieces.size());
       const DrawingCycles cycles = find_cycles(graph);
       if (cycles.count > 1) {
         part(group, cycles);
@@ -196,6 +202,7 @@ class DepthSort {
         continue;
       }
       group.cuts_left -= cuts;
+      forget_fresh(group);
       groups_.push_back(std::move(group));
     }
   }
@@ -204,22 +211,35 @@ class DepthSort {
   void part(const Group& group, const DrawingCycles& cycles) {
     const std::size_t first = groups_.size();
     groups_.resize(first + cycles.count);
-    for (std::size_t k = 0; k < group.pieces.size(); ++k) {
-      groups_[first + cycles.of[k]].pieces.push_back(group.pieces[k]);
+    const std::size_t n = group.pieces.size();
+    place_in_part_.resize(n);
+    for (std::size_t k = 0; k < n; ++k) {
+      Group& its = groups_[first + cycles.of[k]];
+      place_in_part_[k] = static_cast<std::uint32_t>(its.pieces.size());
+      its.pieces.push_back(group.pieces[k]);
+      its.fresh.push_back(0);
     }
+    const auto share_out = [&](std::vector<Overlaps::Pair> Group::*pairs) {
+      for (const auto& [k, m] : group.*pairs) {
+        if (cycles.of[k] != cycles.of[m]) continue;
+        (groups_[first + cycles.of[k]].*pairs).emplace_back(place_in_part_[k], place_in_part_[m]);
+      }
+    };
+    share_out(&Group::before);
+    share_out(&Group::through);
     for (std::size_t c = first; c < groups_.size(); ++c) {
       groups_[c].cuts_left = std::min(group.cuts_left, 8 * groups_[c].pieces.size() + 64);
     }
   }
 
-  /// before_ and through_ by places in the group, for all pieces whose origins overlap.
-  void compare_group(std::span<const Index> pieces) {
-    before_.clear();
-    through_.clear();
+  /// Compares the fresh pieces with all whose origins overlap theirs.
+  void compare_fresh(Group& group) {
+    const std::vector<Index>& pieces = group.pieces;
     ++group_;
     by_origin_.clear();
-    for (std::uint32_t k = 0; k < pieces.size(); ++k)
+    for (std::uint32_t k = 0; k < pieces.size(); ++k) {
       by_origin_.emplace_back(origin_[pieces[k]], k);
+    }
     std::ranges::sort(by_origin_);
     for (std::uint32_t at = 0; at < by_origin_.size(); ++at) {
       const Index origin = by_origin_[at].first;
@@ -228,28 +248,43 @@ class DepthSort {
       place_of_[origin] = at;
     }
     for (const auto& [origin, k] : by_origin_) {
+      if (group.fresh[k] == 0) continue;
       for (const Index other : overlaps_->with(origin)) {
-        if (other <= origin || group_of_[other] != group_) continue;
+        if (group_of_[other] != group_) continue;
         for (std::uint32_t at = place_of_[other];
              at < by_origin_.size() && by_origin_[at].first == other; ++at) {
-          compare_pieces(pieces, k, by_origin_[at].second);
+          const std::uint32_t m = by_origin_[at].second;
+          if (group.fresh[m] != 0 && other < origin) continue;  // each pair once
+          compare_pieces(group, k, m);
         }
       }
     }
+    std::ranges::fill(group.fresh, std::uint8_t{0});
   }
 
-  void compare_pieces(std::span<const Index> pieces, std::uint32_t k, std::uint32_t m) {
-    const Index a = pieces[k], b = pieces[m];
+  void compare_pieces(Group& group, std::uint32_t k, std::uint32_t m) {
+    const Index a = group.pieces[k], b = group.pieces[m];
     if (!(table_[a].whole && table_[b].whole)) {
       if (!extents_[a].meets_in_projection(extents_[b])) return;
       if (!overlap_in_projection(scene_.vertices, scene_.outline(a), scene_.outline(b))) return;
     }
     switch (order_of(a, b)) {
       case DrawnFirst::either: break;
-      case DrawnFirst::first: before_.emplace_back(k, m); break;
-      case DrawnFirst::second: before_.emplace_back(m, k); break;
-      case DrawnFirst::neither: before_.emplace_back(k, m); through_.emplace_back(k, m);
+      case DrawnFirst::first: group.before.emplace_back(k, m); break;
+      case DrawnFirst::second: group.before.emplace_back(m, k); break;
+      case DrawnFirst::neither:
+        group.before.emplace_back(k, m);
+        group.through.emplace_back(k, m);
     }
+  }
+
+  /// What was found out of pieces that have been cut since.
+  void forget_fresh(Group& group) {
+    const auto is_fresh = [&](const Overlaps::Pair& pair) {
+      return group.fresh[pair.first] != 0 || group.fresh[pair.second] != 0;
+    };
+    std::erase_if(group.before, is_fresh);
+    std::erase_if(group.through, is_fresh);
   }
 
   /// Cuts what goes through another; if nothing does, one or more that lie in short cycles. How
@@ -257,7 +292,7 @@ class DepthSort {
   std::size_t cut(Group& group, const DrawingGraph& graph) {
     touched_.assign(group.pieces.size(), 0);
     std::size_t cuts = 0;
-    for (const auto& [k, m] : through_) {
+    for (const auto& [k, m] : group.through) {
       if (touched_[k] != 0 || touched_[m] != 0) continue;
       cuts += cut_one_of(group, k, m) ? 1 : 0;
     }
@@ -294,7 +329,8 @@ class DepthSort {
     extents_[front] = scene_.extent(front);
     extents_[back] = scene_.extent(back);
     group.pieces.push_back(front == piece ? back : front);
-    touched_[k] = 1;
+    group.fresh[k] = touched_[k] = 1;
+    group.fresh.push_back(1);
     touched_.push_back(1);
     return true;
   }
@@ -385,8 +421,7 @@ class DepthSort {
   std::uint64_t compared_ = 0;
   std::uint32_t tree_depth_ = 0;
 
-  // Of all entries, and then of the group being compared.
-  std::vector<Overlaps::Pair> before_, through_;
+  std::vector<Overlaps::Pair> through_;  // of all entries
 
   const Overlaps* overlaps_ = nullptr;
   std::vector<Index> origin_;                       // the entry that a piece was cut from
@@ -395,6 +430,7 @@ class DepthSort {
   std::vector<std::pair<Index, std::uint32_t>> by_origin_;
   std::vector<Group> groups_;
   std::vector<std::uint8_t> touched_;
+  std::vector<std::uint32_t> place_in_part_;
   std::vector<Node> came_from_, queue_, cycle_;
 };
 

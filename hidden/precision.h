@@ -84,9 +84,8 @@ class Exact {
   }
   Vertex cut(const Vertex&, const Vertex&, const SideLine& line, std::uint32_t own,
              std::uint32_t plane) const {
-    if (line.made_by_cut()) return plane_cut(all_, own, line.a, plane);
-    return own == kNoPlane ? edge_cut(all_, line.a, line.b, plane)
-                           : lifted_edge_cut(all_, line.a, line.b, own, plane, axis(own));
+    const Vertex v = defined_cut(line, own, plane);
+    return is_badly_known(v) ? refined(all_, v) : v;
   }
   int turn(const Vertex& a, const Vertex& b, const Vertex& c) const {
     return orientation(all_, a, b, c);
@@ -109,6 +108,11 @@ class Exact {
   static std::pair<Point3, double> near(const Vertex& v) { return {v.near, v.radius}; }
 
  private:
+  Vertex defined_cut(const SideLine& line, std::uint32_t own, std::uint32_t plane) const {
+    if (line.made_by_cut()) return plane_cut(all_, own, line.a, plane);
+    return own == kNoPlane ? edge_cut(all_, line.a, line.b, plane)
+                           : lifted_edge_cut(all_, line.a, line.b, own, plane, axis(own));
+  }
   int axis(std::uint32_t own) const {
     return lift_ == Lift::along_z ? 2 : facing_axis(all_.planes[own]);
   }

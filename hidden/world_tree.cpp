@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "hidden/exact_vector.h"
@@ -14,23 +15,60 @@ namespace {
 
 using Index = WorldTree::Index;
 
-/// The plane's value at the eye, or for one at infinity its normal's product with the direction,
-/// and the bound: plane_value for both kinds of eye.
-PlaneValue value_for(const Point3& p, const Point3& normal, const Point3& bound, const Eye& eye) {
-  const Point3 v = eye.at_infinity ? eye.place : eye.place - p;
-  return {normal.x * v.x + normal.y * v.y + normal.z * v.z,
-          bound.x * std::abs(v.x) + bound.y * std::abs(v.y) + bound.z * std::abs(v.z) + kTiny};
-}
+double sum(const Point3& v) { return v.x + v.y + v.z; }
+double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+double largest(const Point3& v) { return std::max({v.x, v.y, v.z}); }
 
-/// At most 1 / |normal|, whatever the plane's true normal within the bounds.
-double per_length(const Plane& plane) {
-  const Point3 most = glm::abs(plane.normal) + plane.bound;
-  const double length = glm::length(most);
-  return length > 0.0 && length < std::numeric_limits<double>::max() ? 1.0 / (length * kInflate)
-                                                                     : 0.0;
+/// |x| + |y| + |z|, or a little more.
+double size_of(const Eye& eye) { return sum(glm::abs(eye.place)) * kInflate; }
+
+/// The polygons in a node's plane, in order of entry, lines last.
+template <class Scene>
+void add_pieces(const Scene& scene, Index node, std::vector<Index>& pieces) {
+  const auto first = static_cast<std::ptrdiff_t>(pieces.size());
+  if (scene.table[node].sides > 0) pieces.push_back(node);
+  for (Index i = scene.table[node].on; i != PolygonTable::kNone; i = scene.table[i].on) {
+    pieces.push_back(i);
+  }
+  std::sort(pieces.begin() + first, pieces.end(),
+            [&](Index a, Index b) { return scene.entered_before(a, b); });
 }
 
 }  // namespace
+
+/// A node of the tree in the polygon table, and where it hangs; the parents by their place.
+struct WorldTree::Placed {
+  Index entry, parent;
+  bool in_front;
+
+  /// In the order of a walk that takes the front first.
+  static std::vector<Placed> front_first(const PolygonTable& table, Index root) {
+    std::vector<Placed> placed, waiting;
+    if (root != PolygonTable::kNone) waiting.push_back({root, 0, false});
+    while (!waiting.empty()) {
+      const Placed next = waiting.back();
+      waiting.pop_back();
+      const auto place = static_cast<Index>(placed.size());
+      placed.push_back(next);
+      const auto& entry = table[next.entry];
+      if (entry.back != PolygonTable::kNone) waiting.push_back({entry.back, place, false});
+      if (entry.front != PolygonTable::kNone) waiting.push_back({entry.front, place, true});
+    }
+    return placed;
+  }
+};
+
+/// hidden/world_tree.md, "The filter".
+WorldTree::NodePlane::NodePlane(const Plane& plane) : normal(plane.normal) {
+  const Point3 size = glm::abs(plane.normal), p = glm::abs(plane.p);
+  offset = -dot(plane.normal, plane.p);
+  error_of_normal = (largest(plane.bound) + 5.0 * kUnit * largest(size)) * kInflate;
+  error_of_offset =
+      (dot(plane.bound, p) + 5.0 * kUnit * (dot(size, p) + std::abs(offset))) * kInflate + kTiny;
+  const double length = glm::length(size + plane.bound);
+  const bool usable = length > 0.0 && length < std::numeric_limits<double>::max();
+  per_length = usable ? 1.0 / (length * kInflate) : 0.0;
+}
 
 WorldTree::WorldTree(const SortItems& world, const SortOptions& options) {
   const Definitions points{world.points, {}};
@@ -48,138 +86,104 @@ void WorldTree::build(const SortItems& world, const Policy& policy) {
   SortScene scene(world, policy, SortSpace::world);
   SortPolygons sorting(scene, options);
   sorting.sort_all();
-  pieces_ = sorted_pieces(scene, sorting.order());
+  const std::vector<Placed> placed = Placed::front_first(scene.table, sorting.root());
+  add_nodes(scene, placed);
+  std::vector<Index> pieces;
+  pieces.reserve(sorting.order().size());
+  for (const Placed& node : placed) add_pieces(scene, node.entry, pieces);
+  pieces_ = sorted_pieces(scene, pieces);
   pieces_.depth = sorting.depth();
   degenerate_ = static_cast<Index>(scene.degenerate.size());
-  compact(scene, sorting.root());
 }
 
-/// The nodes, numbered front first. Their pieces stand in pieces_ as the sort saved them: what is
-/// in back of a node, what is in its plane, what is in front.
 template <class Scene>
-void WorldTree::compact(const Scene& scene, Index root) {
-  const PolygonTable& table = scene.table;
-  struct Waiting {
-    Index entry, back_of;  // the node that this is in back of, or kNone
-  };
-  std::vector<Waiting> waiting;
-  std::vector<Index> node_of(table.free(), kNone);
-  if (root != PolygonTable::kNone) waiting.push_back({root, kNone});
-  while (!waiting.empty()) {
-    const auto [entry, back_of] = waiting.back();
-    waiting.pop_back();
-    const auto number = static_cast<Index>(nodes_.size());
-    node_of[entry] = number;
-    if (back_of != kNone) nodes_[back_of].back = number;
-    Node node;
-    Plane plane;
-    if (table[entry].plane != kNoPlane) {
-      plane = scene.vertices.plane(table[entry].plane);
-      node.p = plane.p;
-      node.normal = plane.normal;
-      node.bound = plane.bound;
-      node.per_length = per_length(plane);
+void WorldTree::add_nodes(const Scene& scene, std::span<const Placed> placed) {
+  nodes_.resize(placed.size());
+  std::vector<Index> pieces;
+  for (std::size_t i = placed.size(); i-- > 0;) {  // children stand after their parents
+    const auto& entry = scene.table[placed[i].entry];
+    Node& node = nodes_[i];
+    pieces.clear();
+    add_pieces(scene, placed[i].entry, pieces);
+    node.here = static_cast<Index>(pieces.size());
+    if (!node.is_leaf()) {
+      const Plane& plane = scene.vertices.plane(entry.plane);
+      node.plane = NodePlane(plane);
+      node.exact_plane = static_cast<Index>(planes_.size());
+      planes_.push_back(plane);
     }
-    node.count = table[entry].sides > 0 ? 1 : 0;
-    for (Index i = table[entry].on; i != PolygonTable::kNone; i = table[i].on) ++node.count;
-    node.has_front = table[entry].front != PolygonTable::kNone ? 1 : 0;
-    nodes_.push_back(node);
-    planes_.push_back(plane);
-    if (table[entry].back != PolygonTable::kNone) waiting.push_back({table[entry].back, number});
-    if (node.has_front) waiting.push_back({table[entry].front, kNone});
-  }
-  // Where each node's pieces are: the walk of save_polygons_in_order.
-  Index first = degenerate_;
-  std::vector<Index> path;
-  for (Index entry = root; entry != PolygonTable::kNone || !path.empty();) {
-    for (; entry != PolygonTable::kNone; entry = table[entry].back) path.push_back(entry);
-    entry = path.back();
-    path.pop_back();
-    Node& node = nodes_[node_of[entry]];
-    node.first = first;
-    first += node.count;
-    entry = table[entry].front;
+    if (i == 0) break;
+    Node& parent = nodes_[placed[i].parent];
+    (placed[i].in_front ? parent.front : parent.back) += node.front + node.here + node.back;
   }
 }
 
 /// Which side of the node's plane the eye is on: 1, -1, or 0 on it, where any order is right.
-int WorldTree::side(Index node, const Eye& eye) const {
-  const auto [value, bound] =
-      value_for(nodes_[node].p, nodes_[node].normal, nodes_[node].bound, eye);
-  if (std::abs(value) > bound) [[likely]]
-    return decided_sign(value);
-  return exact_side(node, eye);
-}
-
-int WorldTree::exact_side(Index node, const Eye& eye) const {
-  const Plane& plane = planes_[node];
-  if (!eye.at_infinity) return exact_side_of_plane(eye.place, plane);
+int WorldTree::exact_side(const Node& node, const Eye& eye) const {
+  const Plane& plane = planes_[node.exact_plane];
+  if (!eye.at_infinity) return side_of_plane(eye.place, plane);
   count_exact(Predicate::side_of_plane);
   const ExactVector normal =
       cross(exact_difference(plane.q, plane.p), exact_difference(plane.r, plane.p));
-  return dot(normal, exact_difference(eye.place, Point3(0.0))).sign();
+  return displayfile::dot(normal, exact_difference(eye.place, Point3(0.0))).sign();
 }
 
-/// Algorithm 9.16 as the lecture gives it for an eye on either side. Its recursion is a stack: of
-/// the nodes whose far half is being walked, what is left to do.
-template <class Visitor>
-void WorldTree::walk(bool far_first, const Eye& eye, Visitor&& visit) const {
-  struct Rest {
-    Index first, count, then;
+/// Algorithm 9.16 as the lecture gives it for an eye on either side. Where a node's pieces go is
+/// where its tree's begin, and after them what comes before: so the nodes are met in the order in
+/// which they stand, whatever the eye, and nothing recurs. `visit` gets each node that has a side,
+/// the plane's value at the eye, and its error.
+template <bool far_first, class Visitor>
+void WorldTree::walk(const Eye& eye, std::vector<Index>& order, const Visitor& visit) const {
+  order.resize(size());
+  const double size = size_of(eye), w = eye.at_infinity ? 0.0 : 1.0;
+  const auto put = [&](Index at, Index first, Index count) {
+    for (Index k = 0; k < count; ++k) order[at + k] = far_first ? first + k : first + count - 1 - k;
   };
-  std::vector<Rest> path;
-  Index at = nodes_.empty() ? kNone : 0;
-  while (true) {
-    while (at != kNone) {
-      const Node& node = nodes_[at];
-      const Index front = node.has_front ? at + 1 : kNone;
-      if (front == kNone && node.back == kNone) {
-        visit(node.first, node.count);
-        break;
-      }
-      const bool front_first = (side(at, eye) < 0) == far_first;
-      path.push_back({node.first, node.count, front_first ? node.back : front});
-      at = front_first ? front : node.back;
+  put(far_first ? 0 : static_cast<Index>(order.size()) - degenerate_, 0, degenerate_);
+  std::vector<Index> begins(pieces_.depth + 2);  // of the trees still to come, in back of nodes
+  std::size_t waiting = 1;                       // the first is nobody's
+  Index begin = far_first ? degenerate_ : 0, first = degenerate_;
+  for (const Node& node : nodes_) {
+    const NodePlane& plane = node.plane;
+    const double value = dot(plane.normal, eye.place) + plane.offset * w;
+    const double error = plane.error_of_normal * size + plane.error_of_offset * w;
+    bool eye_in_front = value > 0.0;
+    if (!(std::abs(value) > error) && !node.is_leaf()) [[unlikely]] {
+      eye_in_front = exact_side(node, eye) >= 0;
     }
-    if (path.empty()) return;
-    const auto [first, count, then] = path.back();
-    path.pop_back();
-    visit(first, count);
-    at = then;
+    visit(node, value, error);
+    const bool back_first = eye_in_front == far_first;
+    const Index at = begin + (back_first ? node.back : node.front);
+    put(at, first, node.here);
+    first += node.here;
+    const Index after = at + node.here;
+    const Index begin_of_front = back_first ? after : begin;
+    const Index begin_of_back = back_first ? begin : after;
+    // Next stand the nodes in front; if there are none, those in back of the last that has any.
+    begins[waiting] = begin_of_back;
+    waiting += node.back != 0 ? 1 : 0;
+    const bool has_front = node.front != 0;
+    waiting -= has_front ? 0 : 1;
+    begin = has_front ? begin_of_front : begins[waiting];
   }
 }
 
 void WorldTree::far_to_near(const Eye& eye, std::vector<Index>& order) const {
-  order.resize(size());
-  Index* next = order.data();
-  const auto put = [&](Index first, Index end) {
-    while (first < end) *next++ = first++;
-  };
-  put(0, degenerate_);
-  walk(true, eye, [&](Index first, Index count) { put(first, first + count); });
+  walk<true>(eye, order, [](const Node&, double, double) {});
 }
 
 void WorldTree::near_to_far(const Eye& eye, std::vector<Index>& order) const {
-  order.resize(size());
-  Index* next = order.data();
-  const auto put = [&](Index first, Index end) {
-    while (end > first) *next++ = --end;
-  };
-  walk(false, eye, [&](Index first, Index count) { put(first, first + count); });
-  put(0, degenerate_);
+  walk<false>(eye, order, [](const Node&, double, double) {});
 }
 
 double WorldTree::far_to_near_until(const Eye& eye, std::vector<Index>& order) const {
-  far_to_near(eye, order);
   double nearest = std::numeric_limits<double>::infinity();
-  for (Index i = 0; i < nodes_.size(); ++i) {
-    const Node& node = nodes_[i];
-    if (!node.has_front && node.back == kNone) continue;
-    const auto [value, bound] = value_for(node.p, node.normal, node.bound, eye);
-    const double distance = (std::abs(value) - bound) * node.per_length;
-    nearest = std::min(nearest, distance > 0.0 ? distance * (1.0 - 8.0 * kUnit) : 0.0);
-  }
-  return nearest;
+  walk<true>(eye, order, [&](const Node& node, double value, double error) {
+    if (node.is_leaf()) return;
+    const double distance = (std::abs(value) - error) * node.plane.per_length;
+    nearest = std::min(nearest, std::max(distance, 0.0));
+  });
+  return nearest * (1.0 - 16.0 * kUnit);
 }
 
 bool MovingEye::is_still_right(const Eye& eye) const {

@@ -42,38 +42,50 @@ class WorldTree {
   std::size_t size() const { return pieces_.pieces.size(); }
 
   /// Indices of all pieces, each once: what hides comes after what it hides, for an eye anywhere,
-  /// also among the pieces. Coplanar ones are in order of entry, lines last.
+  /// also among the pieces. Coplanar ones are in order of entry, lines last. The eye's coordinates
+  /// are up to kCoordinateLimit.
   void far_to_near(const Eye& eye, std::vector<Index>& order) const;
   /// The reverse.
   void near_to_far(const Eye& eye, std::vector<Index>& order) const;
 
-  /// The same, and how far the eye may move, at the least, before the order can change: until it
-  /// comes to the nearest plane. Of an eye at infinity the vector's end may move that far.
+  /// The same as far_to_near, and how far the eye may move, at the least, before the order can
+  /// change: until it comes to the nearest plane. Of an eye at infinity the vector's end may move
+  /// that far.
   double far_to_near_until(const Eye& eye, std::vector<Index>& order) const;
 
  private:
-  /// In the order of a walk that takes the front first.
-  struct Node {
-    Point3 p{0.0}, normal{0.0}, bound{0.0};  // as in Plane
-    double per_length = 0.0;                 // 1 / |normal|, or less
-    Index back = kNone;                      // the front is the next node, if there is one
-    Index first = 0;                         // piece
-    Index count : 31 = 0;                    // of pieces in the plane
-    Index has_front : 1 = 0;
+  /// A x + B y + C z + D w at an eye, w being 0 at infinity and otherwise 1; with a bound of its
+  /// error, and of that of the doubles that it is made of: error_of_normal (|x| + |y| + |z|)
+  /// + error_of_offset w.
+  struct NodePlane {
+    NodePlane() = default;
+    explicit NodePlane(const Plane& plane);
+    Point3 normal{0.0};
+    double offset = 0.0;
+    double error_of_normal = 0.0, error_of_offset = 0.0;
+    double per_length = 0.0;  // 1 / |normal|, or less
   };
-  static constexpr Index kNone = std::numeric_limits<Index>::max();
+  /// Nodes stand in the order of a walk that takes the front first, and pieces in the order of
+  /// their nodes. Numbers of pieces are all that it takes to find one's way.
+  struct Node {
+    NodePlane plane;
+    Index front = 0, back = 0;  // pieces in front of the plane and in back of it
+    Index here = 0;             // pieces in the plane
+    Index exact_plane = 0;      // index in planes_, unless both sides are empty
+    bool is_leaf() const { return front == 0 && back == 0; }
+  };
+  struct Placed;
 
   template <class Policy>
   void build(const SortItems& world, const Policy& policy);
   template <class Scene>
-  void compact(const Scene& scene, Index root);
-  int side(Index node, const Eye& eye) const;
-  int exact_side(Index node, const Eye& eye) const;
-  template <class Visitor>
-  void walk(bool far_first, const Eye& eye, Visitor&& visit) const;
+  void add_nodes(const Scene& scene, std::span<const Placed> placed);
+  int exact_side(const Node& node, const Eye& eye) const;
+  template <bool far_first, class Visitor>
+  void walk(const Eye& eye, std::vector<Index>& order, const Visitor& visit) const;
 
   std::vector<Node> nodes_;
-  std::vector<Plane> planes_;  // of the nodes, for what the filter leaves undecided
+  std::vector<Plane> planes_;  // for what the filter leaves undecided
   Index degenerate_ = 0;       // the first pieces, of which nothing is seen
   SortedPieces pieces_;
 };

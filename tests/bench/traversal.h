@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+
+#include "tests/bench/device_scene.h"
+#include "tests/bench/side_by_side.h"
+
+namespace displayfile::bench {
+
+/// What a tree in world coordinates (hidden/world_tree.h) gives: polygons put in order a second, of
+/// those entered and of the pieces that the tree made of them.
+struct Traversal {
+  std::size_t polygons, pieces;
+  Spread polygons_a_second, pieces_a_second;  ///< over the eyes
+};
+
+/// One tree of the scene, taken as a world, walked far to near for eyes all around and among the
+/// polygons, every other one at infinity. One thread.
+Traversal traversal(const DeviceScene& scene, int eyes);
+
+}  // namespace displayfile::bench

@@ -22,6 +22,8 @@ struct Extent {
   void include(const Point3& p, double radius = 0.0);
   void include(const Extent& other);
 
+  float low(int axis) const { return axis == 0 ? x_min : axis == 1 ? y_min : z_min; }
+  float high(int axis) const { return axis == 0 ? x_max : axis == 1 ? y_max : z_max; }
   bool meets_in_projection(const Extent& o) const {
     return x_min <= o.x_max && o.x_min <= x_max && y_min <= o.y_max && o.y_min <= y_max;
   }

@@ -49,6 +49,7 @@ struct SideLine {
 //   turn(a, b, c)                         1 if c is left of a to b in the projection, -1, 0
 //                                         (side takes stored points too, turn
 //                                         points of the projection)
+//   tolerance()                           how far from a plane a vertex may be and count as on it
 //   compare_xy(a, b)                      order in the projection by x, then y; 0 if the same
 //   depth_order(p, q, at)                 1 if plane p is nearer than q at the vertex, -1, 0
 //   coordinates(v)                        doubles, for the display file
@@ -82,6 +83,7 @@ class Exact {
   int side(const Point3& v, std::uint32_t plane) const {
     return side_of_plane(v, all_.planes[plane]);
   }
+  static double tolerance() { return 0.0; }
   Vertex cut(const Vertex&, const Vertex&, const SideLine& line, std::uint32_t own,
              std::uint32_t plane) const {
     const Vertex v = defined_cut(line, own, plane);
@@ -135,6 +137,7 @@ class Roundoff {
   static Roundoff relative(const Definitions& all, double part);
 
   double roundoff() const { return roundoff_; }
+  double tolerance() const { return roundoff_; }
 
   /// SIGNOF (algorithm 9.13).
   int signof(double x) const { return (x > roundoff_) - (x < -roundoff_); }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -99,7 +101,7 @@ class SortPolygons {
   void compare_polys(Index root, Index test) {
     const std::uint32_t plane = table_[root].plane;
     if (plane == kNoPlane) return link(table_[root].on, test, true);
-    switch (scene_.comparing.compare(test, plane)) {
+    switch (compare(test, plane)) {
       case PlaneSide::on:
         // Seen from the front, a line is drawn after what touches it from behind; what touches it
         // from the front it meets again.
@@ -114,7 +116,7 @@ class SortPolygons {
       case PlaneSide::both: {
         const auto [front, back] = scene_.comparing.split(test, plane);
         if (overlaps_) {
-          origin_.push_back(origin_[test]);
+          origin_of_.push_back(origin_of_[test]);
           extents_.resize(table_.free());
           extents_[front] = scene_.extent(front);
           extents_[back] = scene_.extent(back);
@@ -123,6 +125,15 @@ class SortPolygons {
         link(table_[root].back, back, false);
       }
     }
+  }
+  /// Against a plane across an axis the extents mostly decide.
+  PlaneSide compare(Index test, std::uint32_t plane) {
+    if (across_ && overlaps_) {
+      const Extent& box = extents_[test];
+      if (box.low(across_->axis) > across_->at + across_->tolerance) return PlaneSide::front;
+      if (box.high(across_->axis) < across_->at - across_->tolerance) return PlaneSide::back;
+    }
+    return scene_.comparing.compare(test, plane);
   }
   void link(Index& list, Index polygon, bool on) {
     (on ? table_[polygon].on : table_[polygon].front) = list;
@@ -133,7 +144,7 @@ class SortPolygons {
   Index add_node(std::uint32_t plane) {
     table_.entries.push_back({0, 0, 0, plane});
     if (overlaps_) {
-      origin_.push_back(0);
+      origin_of_.push_back(0);
       extents_.push_back(Extent::nothing());
     }
     return table_.free() - 1;
@@ -147,18 +158,16 @@ class SortPolygons {
     if (!pairs) return;
     extents_ = std::move(extents);
     overlaps_.emplace(std::move(*pairs), table_.free());
-    origin_.resize(table_.free());
-    for (Index i = 0; i < table_.free(); ++i) origin_[i] = i;
-    list_of_.assign(table_.free(), 0);
-    island_.resize(table_.free());
-    member_of_.resize(table_.free());
-    several_.resize(table_.free());
+    origin_of_.resize(table_.free());
+    for (Index i = 0; i < table_.free(); ++i) origin_of_[i] = i;
+    origins_.resize(table_.free());
   }
 
   Index island_of(Index origin) {
-    while (island_[origin] != origin) {
-      island_[origin] = island_[island_[origin]];
-      origin = island_[origin];
+    while (origins_[origin].island != origin) {
+      Index& island = origins_[origin].island;
+      island = origins_[island].island;
+      origin = island;
     }
     return origin;
   }
@@ -168,25 +177,23 @@ class SortPolygons {
   bool separate_islands(const Unsorted& task) {
     ++list_;
     for (const Index i : members_) {
-      const Index origin = origin_[i];
-      several_[origin] = list_of_[origin] == list_ ? 1 : 0;
-      list_of_[origin] = list_;
-      island_[origin] = origin;
-      member_of_[origin] = i;
+      Origin& origin = origins_[origin_of_[i]];
+      origin = {list_, origin_of_[i], i, origin.list == list_, false};
     }
     for (const Index i : members_) {
-      const Index a = origin_[i];
+      const Index a = origin_of_[i];
       for (const Index b : overlaps_->with(a)) {
-        if (!still_overlaps(i, b)) continue;
+        if (b < a || !still_overlaps(i, b)) continue;  // each pair once
+        origins_[a].has_company = origins_[b].has_company = true;
         const Index x = island_of(a), y = island_of(b);
-        if (x != y) island_[std::max(x, y)] = std::min(x, y);
+        if (x != y) origins_[std::max(x, y)].island = std::min(x, y);
       }
     }
     by_island_.clear();
     alone_.clear();
     for (const Index i : members_) {
       if (has_company(i)) {
-        by_island_.emplace_back(island_of(origin_[i]), i);
+        by_island_.emplace_back(island_of(origin_of_[i]), i);
       } else {
         alone_.push_back(i);
       }
@@ -219,22 +226,25 @@ class SortPolygons {
     return true;
   }
   bool has_company(Index i) const {
-    for (const Index b : overlaps_->with(origin_[i])) {
+    const Origin& origin = origins_[origin_of_[i]];
+    if (!origin.has_company || !origin.several) return origin.has_company;
+    for (const Index b : overlaps_->with(origin_of_[i])) {
       if (still_overlaps(i, b)) return true;
     }
     return false;
   }
   /// Whether a member and what is in the list of an origin that overlapped its own still do.
   bool still_overlaps(Index i, Index origin) const {
-    if (list_of_[origin] != list_) return false;
-    const Index other = member_of_[origin];
-    if ((table_[i].whole && table_[other].whole) || several_[origin] != 0) return true;
-    return extents_[i].meets_in_projection(extents_[other]);
+    const Origin& its = origins_[origin];
+    if (its.list != list_) return false;
+    if (its.several || (table_[i].whole && table_[its.member].whole)) return true;
+    return extents_[i].meets_in_projection(extents_[its.member]);
   }
 
   // ---- The choice of a root -------------------------------------------------------------------
 
   Index choose_root() {
+    across_.reset();
     if (options_.root == RootChoice::last) {
       for (const Index i : members_) {
         if (table_[i].plane != kNoPlane) return i;
@@ -249,25 +259,40 @@ class SortPolygons {
     thin_out(candidates_, kCandidates);
     choose_tested();
     Index best = kNone;
-    double least = 0.0;
+    double least = std::numeric_limits<double>::infinity();
     for (const Index candidate : candidates_) {
-      const double cost = cost_of(table_[candidate].plane);
-      if (best == kNone || cost < least) {
+      const double cost = cost_of(table_[candidate].plane, least);
+      if (cost < least) {
         best = candidate;
         least = cost;
       }
     }
     if (members_.size() < kFewestToDivide) return best;
-    const std::optional<Plane> plane = choose_plane(least);
-    return plane ? add_node(scene_.vertices.add_plane(*plane)) : best;
+    across_ = choose_plane(least);
+    return across_ ? add_node(scene_.vertices.add_plane(across_->plane())) : best;
   }
+
+  /// A plane across an axis; its front is where the coordinate is larger.
+  struct Across {
+    int axis;
+    double at;
+    double tolerance;  ///< no vertex farther than this from it counts as on it
+
+    Plane plane() const {
+      Point3 p(0.0), q(0.0), r(0.0);
+      p[axis] = q[axis] = r[axis] = at;
+      q[(axis + 1) % 3] = 1.0;
+      r[(axis + 2) % 3] = 1.0;
+      return {p, q, r};
+    }
+  };
 
   /// A plane that belongs to no polygon, across one of the axes where the middle of those tested
   /// lies, if it costs less: a tree of the polygons' own planes over a convex surface would be a
   /// chain.
-  std::optional<Plane> choose_plane(double least) {
+  std::optional<Across> choose_plane(double least) {
     if (trial_plane_ == kNoPlane) trial_plane_ = scene_.vertices.add_plane(Plane());
-    std::optional<Plane> best;
+    std::optional<Across> best;
     for (int axis = 0; axis < 3; ++axis) {
       middles_.clear();
       for (const Index i : tested_) {
@@ -275,28 +300,15 @@ class SortPolygons {
       }
       const auto middle = middles_.begin() + static_cast<std::ptrdiff_t>(middles_.size() / 2);
       std::nth_element(middles_.begin(), middle, middles_.end());
-      const Plane plane = across(axis, *middle);
-      scene_.vertices.set_plane(trial_plane_, plane);
-      const double cost = cost_of(trial_plane_);
-      if (cost >= least || !divides()) continue;
-      best = plane;
+      across_ = {axis, *middle, scene_.vertices.tolerance()};
+      scene_.vertices.set_plane(trial_plane_, across_->plane());
+      const double cost = cost_of(trial_plane_, least);
+      if (cost >= least || !(divides_[0] && divides_[1])) continue;
+      best = across_;
       least = cost;
     }
     return best;
   }
-  /// Some lie wholly on either side.
-  bool divides() const {
-    return std::ranges::find(sides_, PlaneSide::front) != sides_.end() &&
-           std::ranges::find(sides_, PlaneSide::back) != sides_.end();
-  }
-  static Plane across(int axis, double at) {
-    Point3 p(0.0), q(0.0), r(0.0);
-    p[axis] = q[axis] = r[axis] = at;
-    q[(axis + 1) % 3] = 1.0;
-    r[(axis + 2) % 3] = 1.0;
-    return {p, q, r};
-  }
-
   static constexpr std::size_t kFewestToDivide = 32;
   static constexpr std::size_t kCandidates = 16, kTested = 24;
   /// Evenly spaced ones, so that the choice is the same each time.
@@ -306,39 +318,56 @@ class SortPolygons {
     list.resize(most);
   }
 
-  /// Some members; where the overlaps are known, members and for each one that it overlaps.
+  /// Some members; where the overlaps are known, each followed by one that it overlaps.
   void choose_tested() {
     tested_ = members_;
     thin_out(tested_, kTested);
     if (!overlaps_) return;
-    const std::size_t some = tested_.size();
-    for (std::size_t k = 0; k < some; ++k) {
-      const auto others = overlaps_->with(origin_[tested_[k]]);
+    const std::vector<Index> some = tested_;
+    tested_.clear();
+    for (const Index i : some) {
+      const auto others = overlaps_->with(origin_of_[i]);
       const auto near_by =
-          std::ranges::find_if(others, [&](Index b) { return still_overlaps(tested_[k], b); });
-      tested_.push_back(near_by == others.end() ? tested_[k] : member_of_[*near_by]);
+          std::ranges::find_if(others, [&](Index b) { return still_overlaps(i, b); });
+      tested_.push_back(i);
+      tested_.push_back(near_by == others.end() ? i : origins_[*near_by].member);
     }
   }
 
-  double cost_of(std::uint32_t plane) {
-    int front = 0, back = 0, both = 0;
-    sides_.clear();
-    for (const Index i : tested_) {
-      const PlaneSide side = scene_.comparing.compare(i, plane);
-      sides_.push_back(side);
+  /// What dividing by the plane would cost, by the members that are tested; anything not less than
+  /// `least` if it is not.
+  double cost_of(std::uint32_t plane, double least) {
+    return overlaps_ ? cost_by_pairs(plane, least) : cost_by_balance(plane, least);
+  }
+  /// What counts is how many that overlap stay together.
+  double cost_by_pairs(std::uint32_t plane, double least) {
+    divides_.fill(false);
+    double cost = 0.0;
+    for (std::size_t k = 0; k < tested_.size() && cost < least; k += 2) {
+      const PlaneSide a = tested_side(tested_[k], plane), b = tested_side(tested_[k + 1], plane);
+      if (a == PlaneSide::both) cost += kCostOfACut;
+      if (b == PlaneSide::both) cost += kCostOfACut;
+      if (a == b && a != PlaneSide::on) cost += kCostOfAPair;
+    }
+    return cost;
+  }
+  double cost_by_balance(std::uint32_t plane, double least) {
+    divides_.fill(false);
+    int front = 0, back = 0;
+    double cuts = 0.0;
+    for (std::size_t k = 0; k < tested_.size() && cuts < least; ++k) {
+      const PlaneSide side = tested_side(tested_[k], plane);
       front += side == PlaneSide::front ? 1 : 0;
       back += side == PlaneSide::back ? 1 : 0;
-      both += side == PlaneSide::both ? 1 : 0;
+      cuts += side == PlaneSide::both ? kCostOfACut : 0.0;
     }
-    if (!overlaps_) return kCostOfACut * both + std::abs(front - back);
-    // What counts is how many that overlap stay together.
-    int together = 0;
-    const std::size_t some = tested_.size() / 2;
-    for (std::size_t k = 0; k < some; ++k) {
-      const PlaneSide a = sides_[k], b = sides_[some + k];
-      together += (a == b && a != PlaneSide::on) ? 1 : 0;
-    }
-    return kCostOfACut * both + kCostOfAPair * together;
+    return cuts + std::abs(front - back);
+  }
+  PlaneSide tested_side(Index i, std::uint32_t plane) {
+    const PlaneSide side = compare(i, plane);
+    divides_[0] = divides_[0] || side == PlaneSide::front;
+    divides_[1] = divides_[1] || side == PlaneSide::back;
+    return side;
   }
   static constexpr double kCostOfACut = 8.0, kCostOfAPair = 4.0;
 
@@ -379,18 +408,24 @@ class SortPolygons {
 
   std::optional<Overlaps> overlaps_;
   std::vector<Extent> extents_;
-  std::vector<Index> origin_;           // the entry that a piece was cut from
-  std::vector<std::uint32_t> list_of_;  // in which list an origin was last seen
+  std::vector<Index> origin_of_;  // the entry that a piece was cut from
+  struct Origin {
+    std::uint32_t list = 0;  // in which it was last seen
+    Index island = 0;
+    Index member = 0;      // a piece of it in the list
+    bool several = false;  // there are more
+    bool has_company = false;
+  };
+  std::vector<Origin> origins_;
   std::uint32_t list_ = 0;
-  std::vector<Index> island_, member_of_;  // of an origin: its island, and a piece of it
-  std::vector<std::uint8_t> several_;      // whether there are more pieces of it in the list
   std::vector<std::pair<Index, Index>> by_island_;
   std::vector<Index> alone_;
 
   std::uint32_t trial_plane_ = kNoPlane;
+  std::optional<Across> across_;  // the plane compared with, if it is one
   std::vector<double> middles_;
   std::vector<Index> candidates_, tested_;
-  std::vector<PlaneSide> sides_;  // of those tested
+  std::array<bool, 2> divides_{};  // whether some of those tested lie in front, and in back
 };
 
 }  // namespace displayfile

@@ -40,6 +40,7 @@ class VertexTable {
   /// For a plane that no vertex is defined by.
   void set_plane(std::uint32_t i, const Plane& plane) { planes_[i] = plane; }
 
+  double tolerance() const { return policy_.tolerance(); }
   int side(std::uint32_t v, std::uint32_t plane) const {
     if (v < points_.size()) [[likely]]
       return policy_.side(points_[v], plane);

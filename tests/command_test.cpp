@@ -216,6 +216,51 @@ TEST_F(Command, StatsSayWhatWasDrawn) {
   EXPECT_NE(out_.find("polygons entered   1"), std::string::npos) << out_;
 }
 
+TEST_F(Command, TurntableDrawsNumberedViews) {
+  write("t.draw", "set-window -1 1 -1 1\nset-line-style none\nopen-segment 1\n"
+                  "polygon-abs-3 -0.5 -0.5 0  0.5 -0.5 0  0 0.5 0\n"
+                  "polygon-abs-3 0 -0.5 -0.5  0 0.5 0  0 -0.5 0.5\nclose-segment\n");
+  EXPECT_EQ(run("draw t.draw --turntable 4 -o t.png --size 32x32 --ids i.npy --depth z.npy "
+                "--stats"),
+            0)
+      << err_;
+  EXPECT_NE(out_.find("views              4, from 1 tree"), std::string::npos) << out_;
+  for (const char* file : {"t-000.png", "t-003.png", "i-002.npy", "z-001.npy"}) {
+    EXPECT_TRUE(fs::exists(folder_ / file)) << file;
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "t-004.png"));
+  EXPECT_FALSE(fs::exists(folder_ / "t.png"));
+  // The first view is the program's own; half a turn later it is another.
+  EXPECT_EQ(run("draw t.draw -o t.png --size 32x32 --ids i.npy --hidden bsp"), 0) << err_;
+  EXPECT_EQ(run("compare t.png t-000.png"), 0);
+  EXPECT_EQ(run("compare i.npy i-000.npy"), 0);
+  EXPECT_EQ(run("compare i.npy i-001.npy"), 1);
+  for (const char* format : {"ppm", "svg", "pdf"}) {
+    const std::string name = std::string("u.") + format;
+    EXPECT_EQ(run("draw t.draw --turntable 2 -o " + name), 0) << err_;
+    EXPECT_GT(fs::file_size(folder_ / (std::string("u-001.") + format)), 100u);
+  }
+  EXPECT_EQ(run("draw t.draw --turntable 1001 --size 1x1 -o v.ppm"), 0) << err_;
+  EXPECT_TRUE(fs::exists(folder_ / "v-0000.ppm"));
+  EXPECT_TRUE(fs::exists(folder_ / "v-1000.ppm"));
+}
+
+TEST_F(Command, TurntableRefuses) {
+  write("t.draw", kTriangle);
+  for (const char* views : {"0", "-1", "10001", "99999999999999999999", "nan", "1e2", "4.5", "''"}) {
+    expect_error(std::string("draw t.draw -o t.png --turntable ") + views,
+                 "expected a number of views, 1 to 10000");
+  }
+  expect_error("draw t.draw -o t.png --turntable 3 --hidden depth-sort", "from one BSP tree");
+  expect_error("draw t.draw -o t.gif --turntable 3", "t.gif");
+  expect_error("draw t.draw -o nowhere/t.png --turntable 3", "nowhere/t-000.png");
+  fs::create_directories(folder_ / "t-002.png");
+  expect_error("draw t.draw -o t.png --turntable 3", "t-002.png");
+  write("two.draw", kTriangle + "set-window 0 2 0 2\nopen-segment 2\n"
+                                "polygon-abs-3 0 0 0  1 0 0  0 1 0\nclose-segment\n");
+  expect_error("draw two.draw -o two.png --turntable 3", "different views");
+}
+
 TEST_F(Command, BadInputGivesOneMessageWithItsPlace) {
   write("t.draw", kTriangle);
   write("bad.draw", "open-segment 1\npolygon-abs-3 0 0 0  1 0 0\nclose-segment\n");

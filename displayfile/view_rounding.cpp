@@ -39,7 +39,7 @@ double ViewRounding::per_w(double device_z) const { return per_w_at_0_ + per_w_r
 
 double ViewRounding::of(std::span<const Point3> world, std::span<const Point3> device,
                         double off_plane) const {
-  constexpr double kRoundings = 32.0;
+  constexpr double kRoundings = 64.0;
   constexpr double kLift = 2.0;  // along the axis that the plane faces, of the distance from it
   double largest = 0.0, nearest = 0.0;
   for (const Point3& p : world) largest = std::max(largest, size_of(p));

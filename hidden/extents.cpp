@@ -107,10 +107,13 @@ ExtentIndex::ExtentIndex(std::span<const Extent> extents) : order_(extents.size(
     waiting.push_back({middle, end, at, true});
     waiting.push_back({first, middle, at, false});
   }
-  boxes_.reserve(placed.size());
+  for (auto* bound : {&x_min_, &x_max_, &y_min_, &y_max_}) bound->resize(placed.size() + kLeaf);
   for (std::size_t p = 0; p < placed.size(); ++p) {
     order_[p] = placed[p].index;
-    boxes_.push_back(placed[p].box);
+    x_min_[p] = placed[p].box.x_min;
+    x_max_[p] = placed[p].box.x_max;
+    y_min_[p] = placed[p].box.y_min;
+    y_max_[p] = placed[p].box.y_max;
   }
 }
 

@@ -66,7 +66,7 @@ class ExtentIndex {
   void pairs_of_leaves(const Node& a, const Node& b, Found&& found) const;
 
   std::vector<std::uint32_t> order_;
-  std::vector<Box> boxes_;  ///< in that order
+  std::vector<float> x_min_, x_max_, y_min_, y_max_;  ///< in that order, and room for a leaf
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> leaves_;  ///< nodes, in order
 };
@@ -96,10 +96,20 @@ void ExtentIndex::pairs(std::uint32_t from, std::uint32_t to, Found&& found) con
 template <class Found>
 void ExtentIndex::pairs_of_leaves(const Node& a, const Node& b, Found&& found) const {
   for (std::uint32_t p = a.first; p < a.end; ++p) {
-    const Box& box = boxes_[p];
+    const Box box{x_min_[p], x_max_[p], y_min_[p], y_max_[p]};
     if (!box.meets(b.box)) continue;
+    // All at once, without branches; beyond the leaf's end what is found is not used.
+    std::array<std::int32_t, kLeaf> meets;
+    const float *x_min = &x_min_[b.first], *x_max = &x_max_[b.first];
+    const float *y_min = &y_min_[b.first], *y_max = &y_max_[b.first];
+    for (std::uint32_t k = 0; k < kLeaf; ++k) {
+      meets[k] = static_cast<std::int32_t>(box.x_min <= x_max[k]) &
+                 static_cast<std::int32_t>(x_min[k] <= box.x_max) &
+                 static_cast<std::int32_t>(box.y_min <= y_max[k]) &
+                 static_cast<std::int32_t>(y_min[k] <= box.y_max);
+    }
     for (std::uint32_t q = std::max(b.first, p + 1); q < b.end; ++q) {
-      if (box.meets(boxes_[q])) found(p, q);
+      if (meets[q - b.first] != 0) found(p, q);
     }
   }
 }

@@ -17,13 +17,21 @@ int exact_orientation(const Point2& a, const Point2& b, const Point2& c);
 int exact_orientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
 int exact_facing(std::span<const Point3> vertices);
 
-/// The filter: 0 where it is undecided.
-inline int filtered_orientation(const Point2& a, const Point2& b, const Point2& c) {
+/// The determinant whose sign is asked, in doubles: as large as it is beyond the bound, it has the
+/// true sign.
+struct OrientationValue {
+  double determinant, bound;
+};
+inline OrientationValue orientation_value(const Point2& a, const Point2& b, const Point2& c) {
   constexpr double kBound = 4.0 * kUnit * kInflate;
   const double left = (a.x - c.x) * (b.y - c.y);
   const double right = (a.y - c.y) * (b.x - c.x);
-  const double determinant = left - right;
-  const double bound = kBound * std::abs(left + right) + kTiny;
+  return {left - right, kBound * std::abs(left + right) + kTiny};
+}
+
+/// The filter: 0 where it is undecided.
+inline int filtered_orientation(const Point2& a, const Point2& b, const Point2& c) {
+  const auto [determinant, bound] = orientation_value(a, b, c);
   return std::abs(determinant) > bound ? decided_sign(determinant) : 0;
 }
 

@@ -94,11 +94,7 @@ template <class Policy>
 bool separated_by_side_of(const VertexTable<Policy>& table, const EnteredTriangle& a,
                           const EnteredTriangle& b) {
   for (std::size_t i = 0; i < 3; ++i) {
-    const Point2 &from = a.p[i], &to = a.p[i == 2 ? 0 : i + 1];
-    if (table.turn(from, to, b.p[0]) != a.turning && table.turn(from, to, b.p[1]) != a.turning &&
-        table.turn(from, to, b.p[2]) != a.turning) {
-      return true;
-    }
+    if (table.none_turns(a.p[i], a.p[i == 2 ? 0 : i + 1], b.p, a.turning)) return true;
   }
   return false;
 }

@@ -68,9 +68,11 @@ OverlappingPairs overlapping_pairs(const SortScene<Policy>& scene, std::size_t m
   // What is compared with each other lies close together.
   std::vector<EnteredTriangle> triangles(entries);
   std::vector<std::int8_t> turning(entries);
+  std::vector<std::uint8_t> hides(entries);
   in_parts(entries, kPart, threads, [&](std::uint32_t, std::uint32_t from, std::uint32_t to) {
     for (std::uint32_t p = from; p < to; ++p) {
       if (scene.table[order[p]].sides == 0) continue;
+      hides[p] = scene.hides(order[p]) ? 1 : 0;
       const Outline outline = scene.outline(order[p]);
       turning[p] = static_cast<std::int8_t>(outline.turning);
       triangles[p] = entered_triangle(scene.vertices, outline);
@@ -93,10 +95,9 @@ OverlappingPairs overlapping_pairs(const SortScene<Policy>& scene, std::size_t m
              for (std::uint32_t leaf = from; leaf < to && count <= most; ++leaf) {
                const std::size_t before = here.size();
                index.pairs(leaf, leaf + 1, [&](std::uint32_t p, std::uint32_t q) {
-                 const Index i = std::min(order[p], order[q]), j = std::max(order[p], order[q]);
-                 if (!scene.hides(i) && !scene.hides(j)) return;
+                 if (hides[p] == 0 && hides[q] == 0) return;
                  if (here.size() - before > most) return;
-                 if (overlap(p, q)) here.emplace_back(i, j);
+                 if (overlap(p, q)) here.push_back(std::minmax({order[p], order[q]}));
                });
                count += here.size() - before;
              }

@@ -49,6 +49,7 @@ struct SideLine {
 //   turn(a, b, c)                         1 if c is left of a to b in the projection, -1, 0
 //                                         (side takes stored points too, turn
 //                                         points of the projection)
+//   none_turns(a, b, c, way)              whether none of three points c turns that way
 //   tolerance()                           how far from a plane a vertex may be and count as on it
 //   compare_xy(a, b)                      order in the projection by x, then y; 0 if the same
 //   depth_order(p, q, at)                 1 if plane p is nearer than q at the vertex, -1, 0
@@ -98,6 +99,21 @@ class Exact {
       return filtered;
     if (a == c || b == c) return 0;  // polygons share vertices
     return exact_orientation(a, b, c);
+  }
+  /// Mostly one of the three does, or all are far on the other side or, since polygons share
+  /// vertices, at an end: then no more is asked.
+  bool none_turns(const Point2& a, const Point2& b, const std::array<Point2, 3>& c,
+                  int way) const {
+    bool one_does = false, all_do_not = true;
+    for (const Point2& p : c) {
+      const auto [determinant, bound] = orientation_value(a, b, p);
+      const double value = way * determinant;
+      one_does |= value > bound;
+      const bool at_an_end = ((p.x == a.x) & (p.y == a.y)) | ((p.x == b.x) & (p.y == b.y));
+      all_do_not &= (value < -bound) | at_an_end;
+    }
+    if (one_does || all_do_not) return !one_does;
+    return turn(a, b, c[0]) != way && turn(a, b, c[1]) != way && turn(a, b, c[2]) != way;
   }
   int compare_xy(const Vertex& a, const Vertex& b) const {
     return displayfile::compare_xy(all_, a, b);
@@ -166,6 +182,10 @@ class Roundoff {
     const double dx = b.x - a.x, dy = b.y - a.y;
     const double size = std::abs(dx) + std::abs(dy);
     return size == 0.0 ? 0 : signof((dx * (c.y - a.y) - dy * (c.x - a.x)) / size);
+  }
+  bool none_turns(const Point2& a, const Point2& b, const std::array<Point2, 3>& c,
+                  int way) const {
+    return turn(a, b, c[0]) != way && turn(a, b, c[1]) != way && turn(a, b, c[2]) != way;
   }
   int compare_xy(const Vertex& a, const Vertex& b) const {
     const int by_x = signof(a.x - b.x);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <utility>
 #include <vector>
@@ -56,6 +57,11 @@ class VertexTable {
   /// The same for points as entered, in the projection.
   int turn(const Point2& a, const Point2& b, const Point2& c) const {
     return policy_.turn(a, b, c);
+  }
+  /// True if none of the three turns that way from a to b.
+  bool none_turns(const Point2& a, const Point2& b, const std::array<Point2, 3>& c,
+                  int way) const {
+    return policy_.none_turns(a, b, c, way);
   }
   bool is_entered(std::uint32_t v) const { return v < points_.size(); }
   std::size_t made() const { return made_.size(); }

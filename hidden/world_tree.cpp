@@ -107,7 +107,8 @@ void WorldTree::add_nodes(const Scene& scene, std::span<const Placed> placed) {
     add_pieces(scene, placed[i].entry, pieces);
     node.here = static_cast<Index>(pieces.size());
     if (!node.is_leaf()) {
-      const Plane& plane = scene.vertices.plane(entry.plane);
+      const Plane plane =  // none where the branches need no order
+          entry.plane == kNoPlane ? Plane() : scene.vertices.plane(entry.plane);
       node.plane = NodePlane(plane);
       node.exact_plane = static_cast<Index>(planes_.size());
       planes_.push_back(plane);
@@ -130,8 +131,8 @@ int WorldTree::exact_side(const Node& node, const Eye& eye) const {
 
 /// Algorithm 9.16 as the lecture gives it for an eye on either side. Where a node's pieces go is
 /// where its tree's begin, and after them what comes before: so the nodes are met in the order in
-/// which they stand, whatever the eye, and nothing recurs. `visit` gets each node that has a side,
-/// the plane's value at the eye, and its error.
+/// which they stand, whatever the eye, and nothing recurs. `visit` gets each node with its plane's
+/// value at the eye, and how far off that may be.
 template <bool far_first, class Visitor>
 void WorldTree::walk(const Eye& eye, std::vector<Index>& order, const Visitor& visit) const {
   order.resize(size());

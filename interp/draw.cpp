@@ -63,19 +63,30 @@ const PictureFormat& format_of(const std::filesystem::path& file) {
   return *format;
 }
 
-/// The display file has been brought up to date for the picture.
-Picture draw_pixels(const GraphicsSystem& system, const DisplayFile& file,
-                    const DrawOptions& options) {
+/// Of what is drawn in the order that the display file has.
+RasterRequest raster_request(const DisplayFile& file, const DrawOptions& options) {
   RasterRequest request;
   request.width = options.width;
   request.height = options.height;
-  request.z_buffer = drawing_method(system, options) == HiddenMethod::z_buffer;
   request.sorted = has_exact_order(file);
   request.ids = !options.ids.empty();
   request.depth = !options.depth.empty();
   request.threads = options.threads;
+  return request;
+}
+
+/// The display file has been brought up to date for the picture.
+RasterRequest raster_request(const GraphicsSystem& system, const DisplayFile& file,
+                             const DrawOptions& options) {
+  RasterRequest request = raster_request(file, options);
+  request.z_buffer = drawing_method(system, options) == HiddenMethod::z_buffer;
   const Precision precision = precision_in_force(system, hidden_surface_options(options));
   if (!precision.exact) request.roundoff = precision.roundoff;
+  return request;
+}
+
+Picture draw_pixels(const DisplayFile& file, const RasterRequest& request,
+                    const DrawOptions& options) {
   return options.device == RasterDevice::osmesa ? draw_with_osmesa(file, request)
                                                 : draw_with_software(file, request);
 }
@@ -85,6 +96,30 @@ void require_writable(const std::filesystem::path& file, const DrawOptions& opti
   OutputFile{file.string()};
   if (!options.ids.empty()) OutputFile{options.ids.string()};
   if (!options.depth.empty()) OutputFile{options.depth.string()};
+}
+
+void require_drawable(const std::filesystem::path& file, const DrawOptions& options) {
+  const PictureFormat& format = format_of(file);
+  require_picture_size(options.width, options.height);
+  if (format.write_vectors != nullptr && options.device == RasterDevice::osmesa) {
+    throw Error(
+        fmt::format("{}: the osmesa device draws pixels: expected .png or .ppm", file.string()));
+  }
+  require_writable(file, options);
+}
+
+void write_picture(const DisplayFile& drawn, const RasterRequest& request, bool vectors_by_depth,
+                   const std::filesystem::path& file, const DrawOptions& options) {
+  const PictureFormat& format = format_of(file);
+  const bool pixels = format.write_pixels != nullptr || request.ids || request.depth;
+  const Picture picture = pixels ? draw_pixels(drawn, request, options) : Picture{};
+  if (format.write_pixels != nullptr) {
+    format.write_pixels(picture, file);
+  } else {
+    format.write_vectors(drawn, {options.width, options.height, vectors_by_depth}, file);
+  }
+  if (request.ids) write_npy(picture.ids, picture.width, picture.height, options.ids);
+  if (request.depth) write_npy(picture.depth, picture.width, picture.height, options.depth);
 }
 
 }  // namespace
@@ -107,7 +142,8 @@ HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& opt
 Picture draw(const GraphicsSystem& system, const DrawOptions& options, SortedDisplayFile& kept) {
   require_picture_size(options.width, options.height);
   const HiddenMethod method = drawing_method(system, options);
-  return draw_pixels(system, kept.update(system, method, hidden_surface_options(options)), options);
+  const DisplayFile& sorted = kept.update(system, method, hidden_surface_options(options));
+  return draw_pixels(sorted, raster_request(system, sorted, options), options);
 }
 
 Picture draw(const GraphicsSystem& system, const DrawOptions& options) {
@@ -117,27 +153,17 @@ Picture draw(const GraphicsSystem& system, const DrawOptions& options) {
 
 void draw(const GraphicsSystem& system, const std::filesystem::path& file,
           const DrawOptions& options, SortedDisplayFile& kept) {
-  const PictureFormat& format = format_of(file);
-  require_picture_size(options.width, options.height);
-  if (format.write_vectors != nullptr && options.device == RasterDevice::osmesa) {
-    throw Error(
-        fmt::format("{}: the osmesa device draws pixels: expected .png or .ppm", file.string()));
-  }
-  require_writable(file, options);
+  require_drawable(file, options);
   const HiddenMethod method = drawing_method(system, options, picture_kind(file));
   const DisplayFile& sorted = kept.update(system, method, hidden_surface_options(options));
-  const bool pixels =
-      format.write_pixels != nullptr || !options.ids.empty() || !options.depth.empty();
-  const Picture picture = pixels ? draw_pixels(system, sorted, options) : Picture{};
-  if (format.write_pixels != nullptr) {
-    format.write_pixels(picture, file);
-  } else {
-    format.write_vectors(sorted, {options.width, options.height, method == HiddenMethod::z_buffer},
-                         file);
-  }
-  if (!options.ids.empty()) write_npy(picture.ids, picture.width, picture.height, options.ids);
-  if (!options.depth.empty())
-    write_npy(picture.depth, picture.width, picture.height, options.depth);
+  write_picture(sorted, raster_request(system, sorted, options), method == HiddenMethod::z_buffer,
+                file, options);
+}
+
+void draw(const DisplayFile& display_file, const std::filesystem::path& file,
+          const DrawOptions& options) {
+  require_drawable(file, options);
+  write_picture(display_file, raster_request(display_file, options), false, file, options);
 }
 
 void draw(const GraphicsSystem& system, const std::filesystem::path& file,

@@ -54,6 +54,11 @@ void draw(const GraphicsSystem& system, const std::filesystem::path& file,
 void draw(const GraphicsSystem& system, const std::filesystem::path& file,
           const DrawOptions& options = {});
 
+/// Draws a display file that is ready: the visible segments in the order that it has. Of the
+/// options those that say how hidden surfaces are found have no meaning. Otherwise the same.
+void draw(const DisplayFile& display_file, const std::filesystem::path& file,
+          const DrawOptions& options);
+
 /// One line a format: the extension with its dot.
 std::span<const std::string_view> picture_extensions();
 

@@ -21,6 +21,7 @@
 #include "interp/truth.h"
 #include "programs/inputs.h"
 #include "programs/progress.h"
+#include "programs/turntable_command.h"
 
 namespace displayfile {
 
@@ -119,6 +120,10 @@ DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOpt
 }  // namespace
 
 int DrawCommand::run() const {
+  if (turntable) {
+    draw_turntable(inputs, output, options, *turntable, stats);
+    return 0;
+  }
   GraphicsSystem system;
   system.set_threads(options.threads);
   DrawOptions drawing = options;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct DrawCommand {
   std::string output;
   DrawOptions options;
   bool stats = false;
+  std::optional<int> turntable;  ///< so many views of it (programs/turntable_command.h)
   int run() const;
 };
 

@@ -8,6 +8,7 @@
 #include <functional>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <thread>
 
 #include "clip/error.h"
@@ -15,6 +16,7 @@
 #include "hidden/precision.h"
 #include "interp/software.h"
 #include "programs/commands.h"
+#include "programs/turntable_command.h"
 
 namespace displayfile {
 namespace {
@@ -31,6 +33,17 @@ void parse_size(const std::string& text, int& pixels_across, int& pixels_up) {
   require_picture_size(width, height);
   pixels_across = static_cast<int>(width);
   pixels_up = static_cast<int>(height);
+}
+
+int turntable_views(const std::string& text) {
+  int views = 0;
+  const auto [stop, failure] = std::from_chars(text.data(), text.data() + text.size(), views);
+  const bool whole = failure == std::errc{} && stop == text.data() + text.size();
+  if (!whole || views < 1 || views > kMostTurntableViews) {
+    throw Error(fmt::format("--turntable {}: expected a number of views, 1 to {}", text,
+                            kMostTurntableViews));
+  }
+  return views;
 }
 
 /// The options of commands that sort hidden surfaces, as words.
@@ -67,6 +80,7 @@ int run(int argc, char** argv) {
 
   DrawCommand draw;
   std::string size = "512x512", device = "software";
+  std::optional<std::string> turntable;
   HiddenSurfaceWords words;
   const int processors = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   draw.options.threads = processors;
@@ -85,6 +99,9 @@ int run(int argc, char** argv) {
                       "item buffer as .npy: the pick identifier seen, -1 for none");
   command->add_option("--depth", draw.options.depth,
                       "depth as .npy: of the fill seen, -inf for none");
+  command->add_option("--turntable", turntable,
+                      "N views, turned evenly all around the view-up axis, from one BSP tree: "
+                      "OUT.png becomes OUT-000.png, OUT-001.png, ..., --ids and --depth likewise");
   command->add_flag("--stats", draw.stats, "print what was drawn");
   command->callback([&] {
     parse_size(size, draw.options.width, draw.options.height);
@@ -96,6 +113,7 @@ int run(int argc, char** argv) {
       throw Error(fmt::format("--device {}: expected software or osmesa", device));
     }
     if (device == "osmesa") draw.options.device = RasterDevice::osmesa;
+    if (turntable) draw.turntable = turntable_views(*turntable);
     chosen = [&] { return draw.run(); };
   });
 

@@ -217,9 +217,10 @@ TEST_F(Command, StatsSayWhatWasDrawn) {
 }
 
 TEST_F(Command, TurntableDrawsNumberedViews) {
-  write("t.draw", "set-window -1 1 -1 1\nset-line-style none\nopen-segment 1\n"
-                  "polygon-abs-3 -0.5 -0.5 0  0.5 -0.5 0  0 0.5 0\n"
-                  "polygon-abs-3 0 -0.5 -0.5  0 0.5 0  0 -0.5 0.5\nclose-segment\n");
+  write("t.draw",
+        "set-window -1 1 -1 1\nset-line-style none\nopen-segment 1\n"
+        "polygon-abs-3 -0.5 -0.5 0  0.5 -0.5 0  0 0.5 0\n"
+        "polygon-abs-3 0 -0.5 -0.5  0 0.5 0  0 -0.5 0.5\nclose-segment\n");
   EXPECT_EQ(run("draw t.draw --turntable 4 -o t.png --size 32x32 --ids i.npy --depth z.npy "
                 "--stats"),
             0)
@@ -247,7 +248,8 @@ TEST_F(Command, TurntableDrawsNumberedViews) {
 
 TEST_F(Command, TurntableRefuses) {
   write("t.draw", kTriangle);
-  for (const char* views : {"0", "-1", "10001", "99999999999999999999", "nan", "1e2", "4.5", "''"}) {
+  for (const char* views :
+       {"0", "-1", "10001", "99999999999999999999", "nan", "1e2", "4.5", "''"}) {
     expect_error(std::string("draw t.draw -o t.png --turntable ") + views,
                  "expected a number of views, 1 to 10000");
   }
@@ -256,8 +258,9 @@ TEST_F(Command, TurntableRefuses) {
   expect_error("draw t.draw -o nowhere/t.png --turntable 3", "nowhere/t-000.png");
   fs::create_directories(folder_ / "t-002.png");
   expect_error("draw t.draw -o t.png --turntable 3", "t-002.png");
-  write("two.draw", kTriangle + "set-window 0 2 0 2\nopen-segment 2\n"
-                                "polygon-abs-3 0 0 0  1 0 0  0 1 0\nclose-segment\n");
+  write("two.draw", kTriangle +
+                        "set-window 0 2 0 2\nopen-segment 2\n"
+                        "polygon-abs-3 0 0 0  1 0 0  0 1 0\nclose-segment\n");
   expect_error("draw two.draw -o two.png --turntable 3", "different views");
 }
 

@@ -1,0 +1,101 @@
+#include "programs/turntable_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "clip/error.h"
+#include "displayfile/output_file.h"
+#include "displayfile/retained_views.h"
+#include "displayfile/turntable.h"
+#include "programs/inputs.h"
+#include "programs/progress.h"
+
+namespace displayfile {
+
+namespace {
+
+void require_turntable_options(const DrawOptions& options, int views) {
+  if (views < 1 || views > kMostTurntableViews) {
+    throw Error(fmt::format("--turntable {}: expected a number of views, 1 to {}", views,
+                            kMostTurntableViews));
+  }
+  const HiddenMethod method = options.hidden.value_or(HiddenMethod::automatic);
+  if (method != HiddenMethod::bsp && method != HiddenMethod::automatic) {
+    throw Error(fmt::format(
+        "--turntable draws all views from one BSP tree, not by {}: expected --hidden bsp or none",
+        name_of(method)));
+  }
+}
+
+/// With the outputs of one view.
+DrawOptions options_of_view(const DrawOptions& options, int number, int views) {
+  DrawOptions of_view = options;
+  if (!options.ids.empty()) of_view.ids = numbered(options.ids, number, views);
+  if (!options.depth.empty()) of_view.depth = numbered(options.depth, number, views);
+  return of_view;
+}
+
+/// Every output must be writable before the long work, and any is written.
+void require_writable(const std::filesystem::path& output, const DrawOptions& options, int views) {
+  picture_kind(output);
+  for (int k = 0; k < views; ++k) {
+    const DrawOptions of_view = options_of_view(options, k, views);
+    OutputFile{numbered(output, k, views).string()};
+    if (!of_view.ids.empty()) OutputFile{of_view.ids.string()};
+    if (!of_view.depth.empty()) OutputFile{of_view.depth.string()};
+  }
+}
+
+RetainedViews::Options tree_options(const GraphicsSystem& system, const DrawOptions& options) {
+  return {options.scope.value_or(system.hidden_scope().value_or(HiddenScope::all)),
+          options.precision.value_or(system.precision())};
+}
+
+std::string statistics(const GraphicsSystem& system, const RetainedViews& trees, int views) {
+  const SortCounts& counts = trees.counts();
+  return fmt::format(
+      "polygons entered   {} ({} not flat, triangulated)\n"
+      "views              {}, from {} tree{} in world coordinates\n"
+      "pieces             {}\n"
+      "cuts               {}\n"
+      "comparisons        {}\n"
+      "depth of the tree  {}\n"
+      "walks              {}, and {} needless: the eye crossed no plane\n",
+      system.polygons_entered(), system.polygons_triangulated(), views, trees.trees(),
+      trees.trees() == 1 ? "" : "s", counts.pieces, counts.cuts, counts.comparisons, counts.depth,
+      trees.walks(), trees.reused());
+}
+
+}  // namespace
+
+std::filesystem::path numbered(const std::filesystem::path& file, int number, int views) {
+  const std::size_t digits = std::max<std::size_t>(3, std::to_string(views - 1).size());
+  const std::string name =
+      fmt::format("{}-{:0{}}{}", file.stem().string(), number, digits, file.extension().string());
+  return file.parent_path() / name;
+}
+
+void draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
+                    const DrawOptions& options, int views, bool stats) {
+  require_turntable_options(options, views);
+  require_writable(output, options, views);
+  GraphicsSystem system;
+  RetainedScene scene;
+  system.set_threads(options.threads);
+  system.retain(&scene);
+  enter_inputs(inputs, system, static_cast<double>(options.width) / options.height);
+  Turntable turntable(scene, system.display_file(), system.view());
+  if (std::ranges::none_of(inputs, is_drawing_program)) turntable.fit_window(views);
+  RetainedViews trees(scene, system.display_file(), tree_options(system, options));
+  Progress progress(fmt::format("drawing {} views", views));
+  for (int k = 0; k < views; ++k) {
+    const auto [view, lights] = turntable.at(360.0 * k / views);
+    draw(trees.view(view, lights), numbered(output, k, views), options_of_view(options, k, views));
+    progress.update(static_cast<std::size_t>(k) + 1, static_cast<std::size_t>(views));
+  }
+  if (stats) std::cout << statistics(system, trees, views);
+}
+
+}  // namespace displayfile

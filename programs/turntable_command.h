@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "interp/draw.h"
+
+namespace displayfile {
+
+/// As many views as a turntable draws.
+inline constexpr int kMostTurntableViews = 10000;
+
+/// Draws the inputs turned about the view-up axis through their middle, before a camera and lights
+/// that stay, in `views` views evenly around, all from one BSP tree in world coordinates
+/// (hidden/world_tree.md). A bare mesh's window is fitted to all views.
+///
+/// The files are numbered: OUT-000.png, OUT-001.png and so on for OUT.png, and likewise the item
+/// buffers and depths of the options. Each appears whole or not at all, and none if one of them
+/// could not be written at the start. Throws Error for a number of views outside of 1 to
+/// kMostTurntableViews, for a hidden-surface method other than bsp, and if the segments were drawn
+/// in several views.
+void draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
+                    const DrawOptions& options, int views, bool stats);
+
+/// The name of one of `views` files: with a number of three digits or more before the extension.
+std::filesystem::path numbered(const std::filesystem::path& file, int number, int views);
+
+}  // namespace displayfile

@@ -6,6 +6,7 @@
 #include <pthread.h>
 
 #include <algorithm>
+#include <array>
 #include <climits>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -261,6 +262,50 @@ TEST(WorldTree, OrdersAreRightForEyesAHairOffPlanes) {
   }
   const StageCounts stages = predicate_counts()[static_cast<std::size_t>(Predicate::side_of_plane)];
   EXPECT_GT(stages.exact, 100u) << "the filter decided what it cannot know";
+}
+
+/// Two parallel sheets: one's plane divides, and the order tells on which side of it the eye is
+/// taken to be. That must be the true side, also where the doubles' error is larger than the value.
+TEST(WorldTree, EverySideIsTrue) {
+  Source s(17);
+  std::size_t judged = 0;
+  for (int trial = 0; trial < 4000; ++trial) {
+    const double size = std::pow(10.0, s.between(-2, 3)), out = std::pow(10.0, s.between(-3, 9));
+    const Point3 p = out * test::any_direction(s);
+    const Point3 u = size * test::any_direction(s), v = size * test::any_direction(s);
+    const Point3 apart = size * glm::cross(glm::normalize(u), glm::normalize(v));
+    const std::array<Point3, 3> sheet = {p, p + u, p + v};
+    ItemList list;
+    list.solid({sheet[0], sheet[1], sheet[2]});
+    list.solid({sheet[0] + apart, sheet[1] + apart, sheet[2] + apart});
+    const WorldTree tree = tree_of(list);
+    if (tree.pieces().cuts > 0) continue;
+    const auto first_item = [&](const Eye& eye) {
+      return tree.pieces().pieces[far_to_near(tree, eye)[0]].item;
+    };
+    // From between the two the one that divides is first.
+    const std::uint32_t divides = first_item(Eye::at(p + 0.1 * u + 0.1 * v + 0.5 * apart));
+    const auto d = list.points_of(divides);
+    const auto rational = [](const Point3& q) { return QPoint{Q(q.x), Q(q.y), Q(q.z)}; };
+    const QPlane plane(rational(d[0]), rational(d[1]), rational(d[2]));
+    const int other = sgn(plane.at(rational(list.points_of(1 - divides)[0])));
+    // In the plane but for the rounding: anywhere, where it is nearest to the origin, and
+    // directions.
+    const double a = s.unit(), b = s.unit();
+    const Point3 along = a * u + b * v, normal = glm::normalize(glm::cross(u, v));
+    for (const Eye& eye :
+         {Eye::at(d[0] + along), Eye::at(glm::dot(d[0], normal) * normal), Eye::toward(along)}) {
+      Q value = plane.at(rational(eye.place));
+      if (eye.at_infinity) value -= plane.d;
+      if (sgn(value) == 0) continue;
+      const bool beyond_it = sgn(value) == other;  // the eye is on the other's side: that is nearer
+      EXPECT_EQ(first_item(eye), beyond_it ? divides : 1 - divides)
+          << trial << ", " << text_of(eye) << "\n"
+          << list.text();
+      ++judged;
+    }
+  }
+  EXPECT_GT(judged, 9000u);
 }
 
 TEST(WorldTree, NearToFarIsTheReverse) {

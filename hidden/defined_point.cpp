@@ -194,9 +194,9 @@ bool in_line_by_definition(const Definitions& all, const DefinedPoint& a, const 
 /// both radii is one in truth.
 template <class Coordinate>
 int compare(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b,
-            Coordinate coordinate) {
+            int axis, Coordinate coordinate) {
   const double at_a = coordinate(a.near), at_b = coordinate(b.near);
-  if (a.kind == DefinedPoint::Kind::stored && b.kind == DefinedPoint::Kind::stored) {
+  if (is_known(a, axis) && is_known(b, axis)) {
     return (at_a > at_b) - (at_a < at_b);
   }
   const double difference = at_a - at_b;
@@ -225,7 +225,8 @@ int exact_orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint
 DefinedPoint stored_point(const Point3& p) { return {.near = p}; }
 
 DefinedPoint lifted_point(const Definitions& all, std::uint32_t a, std::uint32_t own, int axis) {
-  const DefinedPoint v{.kind = DefinedPoint::Kind::lifted,
+  const DefinedPoint v{.near = all.points[a],
+                       .kind = DefinedPoint::Kind::lifted,
                        .axis = static_cast<std::uint8_t>(axis),
                        .a = a,
                        .own = own};
@@ -289,6 +290,9 @@ int exact_side_of_plane(const Definitions& all, const DefinedPoint& v, const Pla
 
 int orientation(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b,
                 const DefinedPoint& c) {
+  if (is_known_in_projection(a) && is_known_in_projection(b) && is_known_in_projection(c)) {
+    return orientation(a.near, b.near, c.near);
+  }
   const BallPoint p = near_balls(a), q = near_balls(b), r = near_balls(c);
   const Ball determinant = (p.x - r.x) * (q.y - r.y) - (p.y - r.y) * (q.x - r.x);
   if (decided(determinant)) return decided_sign(determinant.middle);
@@ -301,15 +305,15 @@ int orientation(const Definitions& all, const DefinedPoint& a, const DefinedPoin
 }
 
 int compare_x(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b) {
-  return compare(all, a, b, [](const auto& p) { return p.x; });
+  return compare(all, a, b, 0, [](const auto& p) { return p.x; });
 }
 
 int compare_y(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b) {
-  return compare(all, a, b, [](const auto& p) { return p.y; });
+  return compare(all, a, b, 1, [](const auto& p) { return p.y; });
 }
 
 int compare_z(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b) {
-  return compare(all, a, b, [](const auto& p) { return p.z; });
+  return compare(all, a, b, 2, [](const auto& p) { return p.z; });
 }
 
 int compare_xy(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b) {

@@ -33,13 +33,21 @@ struct DefinedPoint {
     lifted_edge_cut,  ///< the same line moved along the axis on to plane own, met by plane cut
     plane_cut,        ///< planes own, a and cut
   };
-  Point3 near{0.0};
+  Point3 near{0.0};     ///< of a lifted point the other coordinates are its own
   double radius = 0.0;  ///< no coordinate is farther than this from near's; may be infinite
   Kind kind = Kind::stored;
   std::uint8_t axis = 2;           ///< of the lifted kinds: 0, 1, 2 for x, y, z
   std::uint32_t a = 0, b = 0;      ///< points; a is a plane in a plane_cut
   std::uint32_t own = 0, cut = 0;  ///< planes
 };
+
+/// True if near's coordinate along that axis is the point's own: lifting changes only one.
+inline bool is_known(const DefinedPoint& v, int axis) {
+  return v.kind == DefinedPoint::Kind::stored ||
+         (v.kind == DefinedPoint::Kind::lifted && v.axis != axis);
+}
+/// The same of both coordinates of the projection.
+inline bool is_known_in_projection(const DefinedPoint& v) { return is_known(v, 0) && is_known(v, 1); }
 
 DefinedPoint stored_point(const Point3& p);
 /// Plane own must not be parallel to the axis; nor in lifted_edge_cut.

@@ -82,8 +82,9 @@ EnteredTriangle entered_triangle(const VertexTable<Policy>& table, const Outline
   EnteredTriangle triangle;
   if (a.vertices.size() != 3 || a.turning == 0) return triangle;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (!table.is_entered(a.vertices[k])) return triangle;
-    triangle.p[k] = table.entered(a.vertices[k]);
+    const Point3* p = table.in_projection(a.vertices[k]);
+    if (p == nullptr) return triangle;
+    triangle.p[k] = *p;
   }
   triangle.turning = a.turning;
   return triangle;

@@ -56,6 +56,7 @@ struct SideLine {
 //   coordinates(v)                        doubles, for the display file
 //   stored(point), near(v)                a stored point as a vertex; doubles close to a vertex,
 //                                         and a bound of how close
+//   in_projection(v)                      doubles whose x and y are exactly v's, or null
 //   use(all)                              the definitions have grown or moved
 //
 // Planes and points are indices into the Definitions; plane kNoPlane is a line's own.
@@ -123,6 +124,9 @@ class Exact {
   }
   Point3 coordinates(const Vertex& v) const { return rounded(all_, v); }
   static Vertex stored(const Point3& p) { return stored_point(p); }
+  static const Point3* in_projection(const Vertex& v) {
+    return is_known_in_projection(v) ? &v.near : nullptr;
+  }
   static std::pair<Point3, double> near(const Vertex& v) { return {v.near, v.radius}; }
 
  private:
@@ -196,6 +200,7 @@ class Roundoff {
   }
   Point3 coordinates(const Vertex& v) const { return v; }
   static Vertex stored(const Point3& p) { return p; }
+  static const Point3* in_projection(const Vertex& v) { return &v; }
   static std::pair<Point3, double> near(const Vertex& v) { return {v, 0.0}; }
 
  private:

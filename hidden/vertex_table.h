@@ -49,9 +49,9 @@ class VertexTable {
   }
   int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     if (a == b || b == c || a == c) return 0;
-    const std::size_t n = points_.size();
-    if (a < n && b < n && c < n) [[likely]]
-      return policy_.turn(Point2(points_[a]), Point2(points_[b]), Point2(points_[c]));
+    const Point3 *p = in_projection(a), *q = in_projection(b), *r = in_projection(c);
+    if (p != nullptr && q != nullptr && r != nullptr) [[likely]]
+      return policy_.turn(Point2(*p), Point2(*q), Point2(*r));
     return policy_.turn(at(a), at(b), at(c));
   }
   /// The same for points as entered, in the projection.
@@ -62,6 +62,12 @@ class VertexTable {
   bool none_turns(const Point2& a, const Point2& b, const std::array<Point2, 3>& c,
                   int way) const {
     return policy_.none_turns(a, b, c, way);
+  }
+  /// What has exactly the vertex's x and y, if that is known; valid until the next vertex is made.
+  const Point3* in_projection(std::uint32_t v) const {
+    if (v < points_.size()) [[likely]]
+      return &points_[v];
+    return Policy::in_projection(made_[v - points_.size()]);
   }
   bool is_entered(std::uint32_t v) const { return v < points_.size(); }
   std::size_t made() const { return made_.size(); }

@@ -488,6 +488,35 @@ TEST(ViewRounding, BoundsWhatTheTransformationRounds) {
   EXPECT_GT(most_of_bound, 1e-3) << "the bound says next to nothing";
 }
 
+/// Quadrangles that are flat within the tolerance only, seen from so near that it shows: a piece's
+/// vertices are in the plane, the whole polygon's are not.
+TEST(ViewRounding, CountsWhatIsNotQuiteFlat) {
+  Retained retained;
+  GraphicsSystem& g = retained.system;
+  g.set_line_style({LineStyle::Kind::none});
+  constexpr double kBent = 1e-6;
+  g.open_segment(1);
+  g.polygon_abs_3({{-1, -1, 0}, {0, -1, 0}, {0, 1, kBent}, {-1, 1, 0}});
+  g.polygon_abs_3({{0, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0, 1, kBent}});
+  for (const double y : {-0.2, -0.1, 0.0, 0.1, 0.2}) {  // so many that they cut, and are not cut
+    g.polygon_abs_3({{-1, y, -0.5}, {1, y, -0.5}, {1, y, 0.5}, {-1, y, 0.5}});
+  }
+  g.close_segment();
+  ASSERT_EQ(g.polygons_triangulated(), 0);
+  RetainedViews views(retained.scene, g.display_file(), {});
+  EXPECT_GT(views.counts().cuts, 0u);
+  View view = test::looking({0.8, 0.3, -0.6});
+  view.set_parallel(view.plane_normal);
+  constexpr double kWindow = 1e-5;
+  view.set_window({-kWindow, kWindow, -kWindow, kWindow});
+  for (const Point2 at :
+       {Point2(-1.0, 0.9), Point2(-0.2, -1.0), Point2(0.0, -0.9), Point2(0.2, -1)}) {
+    view.set_reference_point({at.x, at.y, 0.5 * kBent});
+    const Judged picture = judged(views.view(view), 64);
+    EXPECT_TRUE(picture.wrong.empty()) << picture.wrong.size() << " at " << at.x << " " << at.y;
+  }
+}
+
 // ---- The turntable -----------------------------------------------------------------------
 
 TEST(Turntable, AtZeroDegreesNothingHasMoved) {

@@ -198,7 +198,7 @@ TEST(ConvexTurning, SolvedCases) {
   for (const auto& c : cases) {
     for (std::size_t first = 0; first < c.loop.size(); ++first) {
       Loop loop = c.loop;
-      std::ranges::rotate(loop, loop.begin() + static_cast<std::ptrdiff_t>(first));
+      std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(first), loop.end());
       EXPECT_EQ(flat({loop}).turning(0), c.turning) << loop.size() << " begun at " << first;
       EXPECT_EQ(flat({reversed(loop)}).turning(0), -c.turning) << loop.size();
     }

@@ -224,7 +224,7 @@ inline ItemList coplanar(Source& s) {
       const auto again =
           list.points_of(static_cast<std::size_t>(s.below(static_cast<int>(list.items.size()))));
       Loop loop(again.begin(), again.end());
-      std::ranges::rotate(loop, loop.begin() + s.below(static_cast<int>(loop.size())));
+      std::rotate(loop.begin(), loop.begin() + s.below(static_cast<int>(loop.size())), loop.end());
       if (s.below(2) == 0) std::ranges::reverse(loop);
       list.solid(loop);
       continue;

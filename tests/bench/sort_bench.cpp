@@ -233,7 +233,8 @@ void growth_of(const GrowthScene& kind, const Options& options, std::vector<Resu
   std::vector<double> sizes, overlaps;
   // The seconds of each method in each run, a figure a size.
   std::array<std::array<std::vector<double>, kRuns>, kMethods.size()> times;
-  for (const std::size_t n : sizes_of_growth(3, options.quick ? 5 : 6)) {
+  const int high = options.quick || !kind.sparse ? 5 : 6;
+  for (const std::size_t n : sizes_of_growth(3, high)) {
     const DeviceScene scene = generated(std::string(kind.name), n);
     sizes.push_back(static_cast<double>(scene.size()));
     overlaps.push_back(overlaps_per_polygon(scene));
@@ -249,7 +250,7 @@ void growth_of(const GrowthScene& kind, const Options& options, std::vector<Resu
     for (const auto& run : times[m]) exponents.push_back(fitted_exponent(sizes, run));
     const Spread exponent = spread(exponents);
     results.push_back({fmt::format("{}: growth from 10^3 to 10^{} polygons, {}", kind.name,
-                                   options.quick ? 5 : 6, name_of(kMethods[m])),
+                                   high, name_of(kMethods[m])),
                        kind.sparse ? "exponent at most 1.15" : "", two(exponent.median),
                        spread_text(exponent),
                        fmt::format("extents overlapped by each: {:.1f} to {:.1f}", overlaps.front(),

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "hidden/predicate_counts.h"
 #include "hard/document.h"
 #include "hard/hard_cases.h"
+#include "hard/mesh_scenes.h"
 #include "hard/random_scenes.h"
 #include "hard/tally.h"
 #include "mesa_leaks.h"
@@ -27,7 +29,7 @@ struct Options {
   int size = 32;
   int seeds = 3;
   int random = 200;
-  std::vector<std::string> families, without;
+  std::vector<std::string> families, without, meshes;
   std::string severity = "table", csv;
   bool document = false, list = false;
 };
@@ -104,6 +106,22 @@ std::vector<TableRow> family_rows(const Options& options, const std::vector<Meth
   return rows;
 }
 
+/// One row a mesh, over all directions.
+std::vector<TableRow> mesh_rows(const Options& options, const std::vector<Method>& methods) {
+  const Progress progress;
+  std::vector<TableRow> rows;
+  for (const std::string& file : options.meshes) {
+    const Mesh mesh = read_mesh(file);
+    TableRow row{std::filesystem::path(file).stem().string(), {}};
+    for (const MeshDirection& direction : mesh_directions()) {
+      progress.show(row.name + ", " + std::string(direction.name));
+      row.tally += judge(mesh_scene(mesh, direction), options.size, methods);
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
 /// One row a gap, from 1e-1 to 1e-17, summed over the families that have one.
 std::vector<TableRow> sweep_rows(const Options& options, const std::vector<Method>& methods) {
   const Progress progress;
@@ -117,6 +135,11 @@ std::vector<TableRow> sweep_rows(const Options& options, const std::vector<Metho
     rows.push_back(row);
   }
   return rows;
+}
+
+std::vector<TableRow> rows_of(const Options& options, const std::vector<Method>& methods) {
+  if (!options.meshes.empty()) return mesh_rows(options, methods);
+  return options.severity == "sweep" ? sweep_rows(options, methods) : family_rows(options, methods);
 }
 
 void print_list() {
@@ -181,8 +204,8 @@ int run(const Options& options) {
   }
   const auto start = std::chrono::steady_clock::now();
   const bool sweep = options.severity == "sweep";
-  const auto rows = sweep ? sweep_rows(options, methods) : family_rows(options, methods);
-  const std::string first = sweep ? "gap" : "family";
+  const auto rows = rows_of(options, methods);
+  const std::string first = !options.meshes.empty() ? "mesh" : sweep ? "gap" : "family";
   fmt::print("Wrong pixels against the exact truth, {0} x {0} pixels\n\n{1}", options.size,
              text_table(rows, methods, first));
   if (sweep) fmt::print("\n{}", where_each_breaks(rows, methods));
@@ -212,6 +235,10 @@ int main(int argc, char** argv) {
   app.add_option("--severity", options.severity,
                  "table: each family's own; sweep: gaps of 1e-1 to 1e-17; or a number")
       ->check(CLI::IsMember({"table", "sweep"}) | CLI::Number);
+  app.add_option("--meshes", options.meshes,
+                 "these meshes, each from six directions, in place of the families")
+      ->delimiter(',')
+      ->check(CLI::ExistingFile);
   app.add_option("--csv", options.csv, "write the table to this file too");
   app.add_flag("--document", options.document, "print tests/hard/README.md");
   app.add_flag("--list", options.list, "the families");

@@ -136,20 +136,18 @@ SavedPolygons saved(const Source& source) {
   return saved;
 }
 
-SavedPolygons saved(const DisplayFile& display_file) {
+SavedPolygons saved(std::span<const Segment* const> segments) {
   std::size_t points = 0, items = 0;
-  for (const Segment& segment : display_file.segments()) {
-    if (!segment.visible) continue;
-    points += segment.entered()->points();
-    items += segment.polygons() + segment.lines();
+  for (const Segment* segment : segments) {
+    points += segment->entered()->points();
+    items += segment->polygons() + segment->lines();
   }
   SavedPolygons saved;
   reserve(saved, points, items);
   saved.own_points.reserve(points);
-  for (const Segment& segment : display_file.segments()) {
-    if (!segment.visible) continue;
-    saved.segments.push_back({segment.name(), saved.items.size()});
-    segment.walk_entered_drawn(Saver(saved, false));
+  for (const Segment* segment : segments) {
+    saved.segments.push_back({segment->name(), saved.items.size()});
+    segment->walk_entered_drawn(Saver(saved, false));
   }
   saved.points = saved.own_points;
   return saved;
@@ -259,9 +257,18 @@ SortedInstructions hidden_surface_check(const Instructions& entered,
   return sorted_from(saved({entered, image}), image, method, options);
 }
 
+SortedInstructions hidden_surface_check(std::span<const Segment* const> segments,
+                                        HiddenMethod method, const SortOptions& options) {
+  return sorted_from(saved(segments), {}, method, options);
+}
+
 SortedInstructions hidden_surface_check(const DisplayFile& display_file, HiddenMethod method,
                                         const SortOptions& options) {
-  return sorted_from(saved(display_file), {}, method, options);
+  std::vector<const Segment*> visible;
+  for (const Segment& segment : display_file.segments()) {
+    if (segment.visible) visible.push_back(&segment);
+  }
+  return hidden_surface_check(visible, method, options);
 }
 
 }  // namespace displayfile

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "displayfile/display_file.h"
 #include "displayfile/sorted_instructions.h"
 #include "hidden/hidden_surface_sort.h"
@@ -20,8 +22,11 @@ SortedInstructions hidden_surface_check(const Instructions& entered,
                                         const ImageTransformation& image, HiddenMethod method,
                                         const SortOptions& options);
 
-/// The same for all visible segments together, with a segment instruction wherever the segment
-/// changes. Of coplanar polygons the one of the segment created later is seen.
+/// The same for several segments together, in order of creation, with a segment instruction
+/// wherever the segment changes. Of coplanar polygons the one of the segment created later is seen.
+SortedInstructions hidden_surface_check(std::span<const Segment* const> segments,
+                                        HiddenMethod method, const SortOptions& options);
+/// For all visible ones.
 SortedInstructions hidden_surface_check(const DisplayFile& display_file, HiddenMethod method,
                                         const SortOptions& options);
 

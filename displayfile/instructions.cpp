@@ -109,4 +109,28 @@ void Instructions::shrink_to_fit() {
   style_operands_.shrink_to_fit();
 }
 
+void Instructions::append(const Instructions& other) {
+  struct Enter {
+    Instructions& into;
+    Point3 pen{0.0};
+    std::vector<std::uint8_t> visible;
+    void fill(const FillStyle& s) { into.set_style(s); }
+    void line_style(const LineStyle& s) { into.set_style(s); }
+    void pick(std::int32_t id) { into.set_pick(id); }
+    void segment(int name) { into.enter_segment(name); }
+    void move(const Point3& p) { pen = p; }
+    void line(const Point3& p) {
+      into.enter_line(pen, p);
+      pen = p;
+    }
+    void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
+      visible.clear();
+      for (const std::int32_t side : sides) visible.push_back(side == op::line ? 1 : 0);
+      into.enter_polygon(vertices, visible);
+      pen = vertices.back();
+    }
+  };
+  other.walk(Enter{*this, Point3(0.0), {}});
+}
+
 }  // namespace displayfile

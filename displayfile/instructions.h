@@ -42,6 +42,9 @@ class Instructions {
   /// 3 vertices or more; edge_visible is of the edge that ends at the vertex.
   void enter_polygon(std::span<const Point3> vertices, std::span<const std::uint8_t> edge_visible);
 
+  /// Enters all that the other holds, in its order.
+  void append(const Instructions& other);
+
   /// Calls the visitor for each instruction in order, with points as stored:
   ///   fill(FillStyle), line_style(LineStyle), pick(int), move(Point3), line(Point3),
   ///   polygon(span<const Point3> vertices, span<const int32_t> sides) - sides holds op::line
@@ -56,6 +59,7 @@ class Instructions {
 
   std::size_t polygons() const { return polygons_; }
   std::size_t lines() const { return lines_; }
+  std::size_t codes() const { return op_.size(); }
   std::size_t points() const { return points_.size() + flat_points_.size(); }
   bool stores_z() const { return stores_z_; }
   /// All points in order of entry: of a line the one it ends at, preceded, whatever was entered

@@ -28,8 +28,25 @@ std::vector<const Segment*> visible(const DisplayFile& file) {
 }
 
 /// Instructions of closed segments do not change: the same pointer, the same instructions.
-bool draw_the_same(const Segment* a, const Segment* b) {
-  return a->name() == b->name() && a->entered() == b->entered() && a->image == b->image;
+bool draw_the_same(const Segment& a, const Segment& b) {
+  return a.name() == b.name() && a.entered() == b.entered() && a.image == b.image;
+}
+
+/// One order for all, whose groups do not overlap.
+SortedInstructions joined(std::span<const std::shared_ptr<const SortedInstructions>> groups,
+                          HiddenMethod method, const Precision& precision) {
+  SortedInstructions all{{}, {}, method, precision, {}};
+  std::size_t codes = 0, points = 0;
+  for (const auto& group : groups) {
+    codes += group->instructions.codes();
+    points += group->instructions.points();
+  }
+  all.instructions.reserve(codes, points);
+  for (const auto& group : groups) {
+    all.instructions.append(group->instructions);
+    all.counts += group->counts;
+  }
+  return all;
 }
 
 }  // namespace
@@ -92,7 +109,7 @@ void SortedDisplayFile::sort_segment(const Segment& segment, HiddenMethod method
   const int name = segment.name();
   if (last_.contains(name)) {
     const Segment& before = std::as_const(last_).segment(name);
-    if (draw_the_same(&before, &segment) && will_do(before)) {
+    if (draw_the_same(before, segment) && will_do(before)) {
       return file_.segment(name).set_sorted(before.sorted());
     }
   }
@@ -101,12 +118,40 @@ void SortedDisplayFile::sort_segment(const Segment& segment, HiddenMethod method
 }
 
 void SortedDisplayFile::sort_together(HiddenMethod method, const SortOptions& options) {
+  std::vector<SortedGroup> groups;
+  work_ = {};
+  for (const SegmentGroup& group : overlapping_groups(visible(file_))) {
+    groups.push_back(sorted_group(group, method, options));
+  }
+  work_.groups = groups.size();
   const auto before = last_.sorted();
   const bool unchanged = before != nullptr && is_of(*before, method, options.precision) &&
-                         std::ranges::equal(visible(last_), visible(file_), draw_the_same);
-  file_.set_sorted(unchanged ? before
-                             : std::make_shared<SortedInstructions>(
-                                   hidden_surface_check(file_, method, options)));
+                         work_.sorted == 0 && groups.size() == groups_.size();
+  groups_ = std::move(groups);
+  if (unchanged) return file_.set_sorted(before);
+  if (groups_.size() == 1) return file_.set_sorted(groups_.front().sorted);
+  std::vector<std::shared_ptr<const SortedInstructions>> orders;
+  for (const SortedGroup& group : groups_) orders.push_back(group.sorted);
+  file_.set_sorted(std::make_shared<SortedInstructions>(joined(orders, method, options.precision)));
+}
+
+/// Sorts the group, unless the last update did.
+SortedDisplayFile::SortedGroup SortedDisplayFile::sorted_group(const SegmentGroup& group,
+                                                               HiddenMethod method,
+                                                               const SortOptions& options) {
+  for (const SortedGroup& before : groups_) {
+    if (is_of(*before.sorted, method, options.precision) &&
+        std::ranges::equal(before.segments, group, [](const Segment& a, const Segment* b) {
+          return draw_the_same(a, *b);
+        })) {
+      return before;
+    }
+  }
+  ++work_.sorted;
+  SortedGroup now;
+  for (const Segment* segment : group) now.segments.push_back(*segment);
+  now.sorted = std::make_shared<SortedInstructions>(hidden_surface_check(group, method, options));
+  return now;
 }
 
 void SortedDisplayFile::unsort() {
@@ -114,19 +159,10 @@ void SortedDisplayFile::unsort() {
 }
 
 SortCounts counts_of_sorts(const DisplayFile& display_file) {
+  if (display_file.sorted() != nullptr) return display_file.sorted()->counts;
   SortCounts sum;
-  const auto add = [&](const SortedInstructions& sorted) {
-    sum.pieces += sorted.counts.pieces;
-    sum.cuts += sorted.counts.cuts;
-    sum.comparisons += sorted.counts.comparisons;
-    sum.depth = std::max(sum.depth, sorted.counts.depth);
-  };
-  if (display_file.sorted() != nullptr) {
-    add(*display_file.sorted());
-    return sum;
-  }
   for (const Segment* segment : visible(display_file)) {
-    if (segment->sorted() != nullptr) add(*segment->sorted());
+    if (segment->sorted() != nullptr) sum += segment->sorted()->counts;
   }
   return sum;
 }

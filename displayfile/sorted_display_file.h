@@ -1,8 +1,12 @@
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "displayfile/graphics_system.h"
+#include "displayfile/segment_groups.h"
 #include "hidden/hidden_surface_sort.h"
 
 namespace displayfile {
@@ -31,7 +35,7 @@ class SortedDisplayFile {
   ///    the scope is all; only a segment that has an image transformation since, or is asked for
   ///    in another precision, is sorted again, as its transformed points are others;
   ///  - a method of the options, or one that `automatic` means, sorts all visible segments
-  ///    together, or each on its own if the options or the application set that scope.
+  ///    together, each group that overlaps by itself (displayfile/segment_groups.h), or each on its own if the options or the application set that scope.
   /// If it does not sort, a method of the options is drawn from the polygons as they were entered
   /// and one that the application set from what close-segment left. Invisible segments stay as
   /// they are.
@@ -41,7 +45,21 @@ class SortedDisplayFile {
   /// As of the last update.
   const DisplayFile& display_file() const { return file_; }
 
+  /// Of the last update with scope all: how many groups of segments that overlap there are, and
+  /// how many of them had to be sorted, since one of their segments changed.
+  struct Work {
+    std::size_t groups = 0, sorted = 0;
+  };
+  const Work& work() const { return work_; }
+
  private:
+  /// Copies of segments share their instructions.
+  struct SortedGroup {
+    std::vector<Segment> segments;
+    std::shared_ptr<const SortedInstructions> sorted;
+  };
+  SortedGroup sorted_group(const SegmentGroup& group, HiddenMethod method,
+                           const SortOptions& options);
   void sort_as_closed(const std::optional<Precision>& precision, int threads);
   void sort_segments(HiddenMethod method, const SortOptions& options);
   void sort_together(HiddenMethod method, const SortOptions& options);
@@ -50,6 +68,8 @@ class SortedDisplayFile {
 
   DisplayFile file_;
   DisplayFile last_;  // of the update before, while file_ is being made
+  std::vector<SortedGroup> groups_;
+  Work work_;
 };
 
 /// Of the sorts that are drawn: the sums, and the deepest tree.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "clip/transformation.h"
@@ -15,6 +16,14 @@ struct SortCounts {
   std::uint64_t cuts = 0;    ///< one piece in two
   std::uint64_t comparisons = 0;
   std::uint32_t depth = 0;  ///< of the deepest tree; 0 where there is none
+
+  SortCounts& operator+=(const SortCounts& other) {
+    pieces += other.pieces;
+    cuts += other.cuts;
+    comparisons += other.comparisons;
+    depth = std::max(depth, other.depth);
+    return *this;
+  }
 };
 
 /// The instructions of one segment, or of several with a segment instruction wherever the

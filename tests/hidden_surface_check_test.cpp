@@ -488,6 +488,45 @@ TEST_P(HiddenSurfaceCheck, OnlyWhatChangedIsSortedAgain) {
   EXPECT_EQ(kept.update(g, GetParam(), rounded).sorted()->precision.exact, false);
 }
 
+/// Sorted together, only the segments that overlap what changed are sorted again.
+TEST_P(HiddenSurfaceCheck, OnlyGroupsThatChangedAreSortedAgain) {
+  GraphicsSystem g = sorting_system(HiddenMethod::automatic);
+  for (int name = 1; name <= 4; ++name) {  // in a row, apart from each other
+    const double x = 0.25 * name - 0.2;
+    g.open_segment(name);
+    g.set_fill_style(name % 2 == 0 ? red() : green());
+    for (const double z : {0.5, 0.25}) {
+      g.polygon_abs_3({{x, 0.1, z}, {x + 0.1, 0.1, 1.0 - z}, {x + 0.1, 0.9, z}});
+    }
+    g.close_segment();
+  }
+  const HiddenSurfaceOptions all{.method = GetParam(), .scope = HiddenScope::all};
+  SortedDisplayFile kept;
+  DrawOptions draw_all;
+  draw_all.hidden = GetParam();
+  const auto expect_work = [&](std::size_t groups, std::size_t sorted) {
+    kept.update(g, GetParam(), all);
+    EXPECT_EQ(kept.work().groups, groups);
+    EXPECT_EQ(kept.work().sorted, sorted);
+    draw_all.width = draw_all.height = kSize;
+    draw_all.ids = "in memory";
+    EXPECT_EQ(draw(g, draw_all, kept).ids, true_ids(g));
+    EXPECT_EQ(kept.work().sorted, 0u);
+  };
+  expect_work(4, 4);
+  expect_work(4, 0);
+  g.set_image_translation(4, 0, 0.05);  // still alone
+  expect_work(4, 1);
+  g.set_image_translation(2, 0.22, 0.03);  // on to the third
+  expect_work(3, 1);
+  g.set_visibility(1, false);
+  expect_work(2, 0);
+  g.set_image_translation(2, 0, 0);
+  expect_work(3, 2);
+  g.set_visibility(1, true);
+  expect_work(4, 1);
+}
+
 /// What is entered while the segment is open belongs to the segment alone, not to copies made
 /// for drawing.
 TEST_P(HiddenSurfaceCheck, AnOpenSegmentIsDrawnAsItIs) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numeric>
 #include <set>
 #include <string>
@@ -27,6 +28,12 @@ constexpr int kSlower = 10;
 #else
 constexpr int kSlower = 1;
 #endif
+
+/// The largest scenes are that much larger with DISPLAYFILE_LARGER=10, or any other number.
+int larger(int size) {
+  const char* times = std::getenv("DISPLAYFILE_LARGER");
+  return times == nullptr ? size : size * std::max(1, std::atoi(times));
+}
 
 // ---- Random scenes ------------------------------------------------------------------------------
 
@@ -614,7 +621,7 @@ TEST_P(EveryWay, AllDegenerate) {
 }
 
 TEST_P(EveryWay, ManyCoincident) {
-  const int n = 100000 / (kSlower * kSlower);
+  const int n = larger(100000) / (kSlower * kSlower);
   ItemList list;
   for (int k = 0; k < n; ++k) list.solid({{0, 0, 0.25}, {1, 0, 0.5}, {0.5, 1, 0.25}});
   const SortedPieces pieces = sorted(list, GetParam());
@@ -628,7 +635,7 @@ TEST_P(EveryWay, ManyCoincident) {
 
 TEST_P(EveryWay, ADeepStackOfSheets) {
   const bool chain = GetParam().root == RootChoice::last && GetParam().method == HiddenMethod::bsp;
-  const int n = (chain ? 4000 : 200000) / (kSlower * (chain ? 1 : kSlower));
+  const int n = (chain ? 4000 : larger(200000)) / (kSlower * (chain ? 1 : kSlower));
   ItemList list;
   for (int k = 0; k < n; ++k) {
     const double z = static_cast<double>(std::int64_t{k} * 7919 % n) * 0x1p-20;
@@ -647,7 +654,7 @@ TEST_P(EveryWay, ADeepStackOfSheets) {
 
 TEST_P(EveryWay, AChainAsDeepAsItsPolygonsAreMany) {  // entered in order: nothing to balance
   const bool chain = GetParam().root == RootChoice::last && GetParam().method == HiddenMethod::bsp;
-  const int n = (chain ? 4000 : 50000) / (kSlower * (chain ? 1 : kSlower));
+  const int n = (chain ? 4000 : larger(50000)) / (kSlower * (chain ? 1 : kSlower));
   ItemList list;
   for (int k = 0; k < n; ++k) {
     const double z = k * 0x1p-20, x = 1e-7 * k;
@@ -678,7 +685,7 @@ Loop comb(int teeth, const Slope& slope, double y0, double y1) {
 }
 
 TEST_P(EveryWay, PolygonsOfManySides) {
-  const int teeth = 25000 / kSlower;
+  const int teeth = larger(25000) / kSlower;
   ItemList list;
   list.solid(comb(teeth, {0.0, 1.0, 0.0}, 0.0, 1.0));
   list.solid(comb(teeth, {0.5, 0.0, 0.0}, 0.001, 0.999));

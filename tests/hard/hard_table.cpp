@@ -31,7 +31,7 @@ struct Options {
   int random = 200;
   std::vector<std::string> families, without, meshes;
   std::string severity = "table", csv;
-  bool document = false, list = false;
+  bool document = false, list = false, exact = false;
 };
 
 const std::string kRandom = "random degenerate";
@@ -44,7 +44,7 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
 std::vector<Method> chosen_methods(const Options& options) {
   std::vector<Method> chosen = methods();
   std::erase_if(chosen, [&](const Method& method) {
-    return contains(options.without, method.column) ||
+    return (options.exact && !method.exact) || contains(options.without, method.column) ||
            contains(options.without, method.column.substr(0, method.column.find(' ')));
   });
   return chosen;
@@ -232,6 +232,7 @@ int main(int argc, char** argv) {
   app.add_option("--families", options.families, "only these (see --list)")->delimiter(',');
   app.add_option("--without", options.without, "leave methods out: osmesa, ro, painter, ...")
       ->delimiter(',');
+  app.add_flag("--exact", options.exact, "only methods that claim to have no wrong pixel");
   app.add_option("--severity", options.severity,
                  "table: each family's own; sweep: gaps of 1e-1 to 1e-17; or a number")
       ->check(CLI::IsMember({"table", "sweep"}) | CLI::Number);

@@ -249,7 +249,7 @@ Half normal(Half half) {
   const auto before = [](const Side& a, const Side& b) {
     return std::pair(a.x, a.y) < std::pair(b.x, b.y);
   };
-  std::ranges::rotate(half, std::ranges::min_element(half, before));
+  std::rotate(half.begin(), std::ranges::min_element(half, before), half.end());
   return half;
 }
 
@@ -315,7 +315,7 @@ class ComparePolysTest : public testing::Test {
     // From whichever vertex it begins, the halves are the same.
     for (std::size_t first = 0; first < corners.size(); ++first) {
       std::vector<Point2> begun = corners;
-      std::ranges::rotate(begun, begun.begin() + static_cast<std::ptrdiff_t>(first));
+      std::rotate(begun.begin(), begun.begin() + static_cast<std::ptrdiff_t>(first), begun.end());
       const auto halves = AgainstPlane<Policy>(level(begun)).split();
       EXPECT_EQ(halves.first, normal(front)) << "begun at " << first;
       EXPECT_EQ(halves.second, normal(back)) << "begun at " << first;
@@ -364,7 +364,7 @@ TYPED_TEST(ComparePolysTest, AnEdgeInThePlaneIsDrawnOnce) {
   const std::vector<Point2> corners = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
   for (std::size_t first = 0; first < corners.size(); ++first) {
     std::vector<Point2> begun = corners;
-    std::ranges::rotate(begun, begun.begin() + static_cast<std::ptrdiff_t>(first));
+    std::rotate(begun.begin(), begun.begin() + static_cast<std::ptrdiff_t>(first), begun.end());
     const auto [front, back] = AgainstPlane<TypeParam>(this->level(begun)).split();
     const auto drawn = [](const Half& half) {
       double length = 0.0;

@@ -57,6 +57,14 @@ std::size_t DisplayFile::place(int name) const {
   return found->second;
 }
 
+std::vector<const Segment*> DisplayFile::visible_segments() const {
+  std::vector<const Segment*> visible;
+  for (const Segment& segment : segments_) {
+    if (segment.visible) visible.push_back(&segment);
+  }
+  return visible;
+}
+
 std::size_t DisplayFile::polygons() const {
   std::size_t n = 0;
   for (const Segment& s : segments_) n += s.polygons();

@@ -11,6 +11,7 @@
 #include "clip/error.h"
 #include "clip/transformation.h"
 #include "clip/view_volume.h"
+#include "displayfile/bounds.h"
 
 namespace displayfile {
 
@@ -29,16 +30,6 @@ void for_each_corner(std::span<const Mesh> meshes, Visitor&& visit) {
     for (const std::uint32_t corner : mesh.corners) visit(mesh.vertices[corner]);
   }
 }
-
-struct Bounds {
-  Point3 low{std::numeric_limits<double>::infinity()};
-  Point3 high{-std::numeric_limits<double>::infinity()};
-  void include(const Point3& p) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  Point3 middle() const { return low + 0.5 * (high - low); }
-};
 
 Point3 toward_viewer() {
   const auto [sine_right, cosine_right] = sine_cosine_of_degrees(kFromTheRight);
@@ -61,7 +52,7 @@ void fit_view(std::span<const Mesh> meshes, GraphicsSystem& system, double aspec
   }
   Bounds scene;
   for_each_corner(meshes, [&](const Point3& p) { scene.include(p); });
-  if (!(scene.low.x <= scene.high.x)) throw Error("no faces to fit the view to");
+  if (scene.empty()) throw Error("no faces to fit the view to");
 
   const Point3 centre = scene.middle();
   const double diagonal = glm::length(scene.high - scene.low);

@@ -163,7 +163,9 @@ class GraphicsSystem {
   void polygon(std::span<const Point3> object);
   void enter(std::span<const Point3> world, std::span<const std::uint8_t> edge_visible,
              const Point3& normal, int pick);
-  RetainedScene::Attributes attributes() const { return {fill_, line_, light_, back_face_removal_}; }
+  RetainedScene::Attributes attributes() const {
+    return {fill_, line_, light_, back_face_removal_};
+  }
   View view_;
   bool view_was_set_ = false;
   ModellingTransformation modelling_;

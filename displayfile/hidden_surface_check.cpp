@@ -262,13 +262,4 @@ SortedInstructions hidden_surface_check(std::span<const Segment* const> segments
   return sorted_from(saved(segments), {}, method, options);
 }
 
-SortedInstructions hidden_surface_check(const DisplayFile& display_file, HiddenMethod method,
-                                        const SortOptions& options) {
-  std::vector<const Segment*> visible;
-  for (const Segment& segment : display_file.segments()) {
-    if (segment.visible) visible.push_back(&segment);
-  }
-  return hidden_surface_check(visible, method, options);
-}
-
 }  // namespace displayfile

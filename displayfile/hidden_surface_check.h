@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "displayfile/display_file.h"
+#include "displayfile/segment.h"
 #include "displayfile/sorted_instructions.h"
 #include "hidden/hidden_surface_sort.h"
 
@@ -26,8 +26,5 @@ SortedInstructions hidden_surface_check(const Instructions& entered,
 /// wherever the segment changes. Of coplanar polygons the one of the segment created later is seen.
 SortedInstructions hidden_surface_check(std::span<const Segment* const> segments,
                                         HiddenMethod method, const SortOptions& options);
-/// For all visible ones.
-SortedInstructions hidden_surface_check(const DisplayFile& display_file, HiddenMethod method,
-                                        const SortOptions& options);
 
 }  // namespace displayfile

@@ -210,13 +210,7 @@ RetainedViews::RetainedViews(const RetainedScene& scene, const DisplayFile& attr
     parts_.push_back(std::make_unique<Part>(visible, image_of(visible.front()), options.scope,
                                             options.precision));
   }
-  for (const auto& part : parts_) {
-    const SortCounts counts = part->counts();
-    counts_.pieces += counts.pieces;
-    counts_.cuts += counts.cuts;
-    counts_.comparisons += counts.comparisons;
-    counts_.depth = std::max(counts_.depth, counts.depth);
-  }
+  for (const auto& part : parts_) counts_ += part->counts();
 }
 
 RetainedViews::RetainedViews(RetainedViews&&) noexcept = default;

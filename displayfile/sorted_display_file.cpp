@@ -19,14 +19,6 @@ bool is_of(const SortedInstructions& sorted, HiddenMethod method, const Precisio
   return sorted.method == method && same(sorted.precision, precision);
 }
 
-std::vector<const Segment*> visible(const DisplayFile& file) {
-  std::vector<const Segment*> visible;
-  for (const Segment& segment : file.segments()) {
-    if (segment.visible) visible.push_back(&segment);
-  }
-  return visible;
-}
-
 /// Instructions of closed segments do not change: the same pointer, the same instructions.
 bool draw_the_same(const Segment& a, const Segment& b) {
   return a.name() == b.name() && a.entered() == b.entered() && a.image == b.image;
@@ -85,7 +77,7 @@ const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, Hidde
 }
 
 void SortedDisplayFile::sort_as_closed(const std::optional<Precision>& precision, int threads) {
-  for (const Segment* segment : visible(file_)) {
+  for (const Segment* segment : file_.visible_segments()) {
     const auto sorted = segment->sorted();
     if (sorted == nullptr) continue;
     SortOptions options;
@@ -96,7 +88,7 @@ void SortedDisplayFile::sort_as_closed(const std::optional<Precision>& precision
 }
 
 void SortedDisplayFile::sort_segments(HiddenMethod method, const SortOptions& options) {
-  for (const Segment* segment : visible(file_)) sort_segment(*segment, method, options);
+  for (const Segment* segment : file_.visible_segments()) sort_segment(*segment, method, options);
 }
 
 /// Takes the order of the segment itself or of the last update, if one of them will do.
@@ -118,20 +110,20 @@ void SortedDisplayFile::sort_segment(const Segment& segment, HiddenMethod method
 }
 
 void SortedDisplayFile::sort_together(HiddenMethod method, const SortOptions& options) {
-  std::vector<SortedGroup> groups;
-  work_ = {};
-  for (const SegmentGroup& group : overlapping_groups(visible(file_))) {
-    groups.push_back(sorted_group(group, method, options));
+  const auto groups = overlapping_groups(file_.visible_segments());
+  std::unordered_map<int, SortedGroup> kept;
+  std::vector<std::shared_ptr<const SortedInstructions>> orders;
+  work_ = {.groups = groups.size()};
+  for (const SegmentGroup& group : groups) {
+    const int name = group.front()->name();
+    orders.push_back(kept.emplace(name, sorted_group(group, method, options)).first->second.sorted);
   }
-  work_.groups = groups.size();
   const auto before = last_.sorted();
   const bool unchanged = before != nullptr && is_of(*before, method, options.precision) &&
-                         work_.sorted == 0 && groups.size() == groups_.size();
-  groups_ = std::move(groups);
+                         work_.sorted == 0 && kept.size() == groups_.size();
+  groups_ = std::move(kept);
   if (unchanged) return file_.set_sorted(before);
-  if (groups_.size() == 1) return file_.set_sorted(groups_.front().sorted);
-  std::vector<std::shared_ptr<const SortedInstructions>> orders;
-  for (const SortedGroup& group : groups_) orders.push_back(group.sorted);
+  if (orders.size() == 1) return file_.set_sorted(orders.front());
   file_.set_sorted(std::make_shared<SortedInstructions>(joined(orders, method, options.precision)));
 }
 
@@ -139,13 +131,11 @@ void SortedDisplayFile::sort_together(HiddenMethod method, const SortOptions& op
 SortedDisplayFile::SortedGroup SortedDisplayFile::sorted_group(const SegmentGroup& group,
                                                                HiddenMethod method,
                                                                const SortOptions& options) {
-  for (const SortedGroup& before : groups_) {
-    if (is_of(*before.sorted, method, options.precision) &&
-        std::ranges::equal(before.segments, group, [](const Segment& a, const Segment* b) {
-          return draw_the_same(a, *b);
-        })) {
-      return before;
-    }
+  const auto before = groups_.find(group.front()->name());
+  if (before != groups_.end() && is_of(*before->second.sorted, method, options.precision) &&
+      std::ranges::equal(before->second.segments, group,
+                         [](const Segment& a, const Segment* b) { return draw_the_same(a, *b); })) {
+    return before->second;
   }
   ++work_.sorted;
   SortedGroup now;
@@ -161,7 +151,7 @@ void SortedDisplayFile::unsort() {
 SortCounts counts_of_sorts(const DisplayFile& display_file) {
   if (display_file.sorted() != nullptr) return display_file.sorted()->counts;
   SortCounts sum;
-  for (const Segment* segment : visible(display_file)) {
+  for (const Segment* segment : display_file.visible_segments()) {
     if (segment->sorted() != nullptr) sum += segment->sorted()->counts;
   }
   return sum;
@@ -169,7 +159,7 @@ SortCounts counts_of_sorts(const DisplayFile& display_file) {
 
 bool has_exact_order(const DisplayFile& display_file) {
   if (display_file.sorted() != nullptr) return display_file.sorted()->precision.exact;
-  return std::ranges::any_of(visible(display_file), [](const Segment* segment) {
+  return std::ranges::any_of(display_file.visible_segments(), [](const Segment* segment) {
     return segment->sorted() != nullptr && segment->sorted()->precision.exact;
   });
 }

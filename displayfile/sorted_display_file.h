@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "displayfile/graphics_system.h"
@@ -35,7 +36,8 @@ class SortedDisplayFile {
   ///    the scope is all; only a segment that has an image transformation since, or is asked for
   ///    in another precision, is sorted again, as its transformed points are others;
   ///  - a method of the options, or one that `automatic` means, sorts all visible segments
-  ///    together, each group that overlaps by itself (displayfile/segment_groups.h), or each on its own if the options or the application set that scope.
+  ///    together, each group that overlaps by itself (displayfile/segment_groups.h), or each on its
+  ///    own if the options or the application set that scope.
   /// If it does not sort, a method of the options is drawn from the polygons as they were entered
   /// and one that the application set from what close-segment left. Invisible segments stay as
   /// they are.
@@ -67,8 +69,8 @@ class SortedDisplayFile {
   void unsort();
 
   DisplayFile file_;
-  DisplayFile last_;  // of the update before, while file_ is being made
-  std::vector<SortedGroup> groups_;
+  DisplayFile last_;                             // of the update before, while file_ is being made
+  std::unordered_map<int, SortedGroup> groups_;  // by the name of the first segment
   Work work_;
 };
 

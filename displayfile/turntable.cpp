@@ -10,6 +10,7 @@
 #include "clip/error.h"
 #include "clip/transformation.h"
 #include "clip/view_volume.h"
+#include "displayfile/bounds.h"
 
 namespace displayfile {
 
@@ -28,16 +29,6 @@ glm::dmat3 rotation_about(const Point3& axis, double degrees) {
   }
   return turn;
 }
-
-struct Bounds {
-  Point3 low{std::numeric_limits<double>::infinity()};
-  Point3 high{-std::numeric_limits<double>::infinity()};
-  void include(const Point3& p) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  Point3 middle() const { return low + 0.5 * (high - low); }
-};
 
 }  // namespace
 

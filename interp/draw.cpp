@@ -98,16 +98,6 @@ void require_writable(const std::filesystem::path& file, const DrawOptions& opti
   if (!options.depth.empty()) OutputFile{options.depth.string()};
 }
 
-void require_drawable(const std::filesystem::path& file, const DrawOptions& options) {
-  const PictureFormat& format = format_of(file);
-  require_picture_size(options.width, options.height);
-  if (format.write_vectors != nullptr && options.device == RasterDevice::osmesa) {
-    throw Error(
-        fmt::format("{}: the osmesa device draws pixels: expected .png or .ppm", file.string()));
-  }
-  require_writable(file, options);
-}
-
 void write_picture(const DisplayFile& drawn, const RasterRequest& request, bool vectors_by_depth,
                    const std::filesystem::path& file, const DrawOptions& options) {
   const PictureFormat& format = format_of(file);
@@ -137,6 +127,16 @@ HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& opt
   const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
   if (method != HiddenMethod::automatic) return method;
   return kind == PictureKind::vector ? HiddenMethod::depth_sort : HiddenMethod::z_buffer;
+}
+
+void require_drawable(const std::filesystem::path& file, const DrawOptions& options) {
+  const PictureFormat& format = format_of(file);
+  require_picture_size(options.width, options.height);
+  if (format.write_vectors != nullptr && options.device == RasterDevice::osmesa) {
+    throw Error(
+        fmt::format("{}: the osmesa device draws pixels: expected .png or .ppm", file.string()));
+  }
+  require_writable(file, options);
 }
 
 Picture draw(const GraphicsSystem& system, const DrawOptions& options, SortedDisplayFile& kept) {

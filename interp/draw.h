@@ -41,6 +41,10 @@ PictureKind picture_kind(const std::filesystem::path& file);  ///< Error: an unk
 HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& options,
                             PictureKind kind = PictureKind::raster);
 
+/// Throws the Errors that draw into that file would throw before it draws anything: an unknown
+/// extension, a size that a device cannot draw, a file that cannot be written.
+void require_drawable(const std::filesystem::path& file, const DrawOptions& options);
+
 /// Draws the visible segments into a picture in memory. `kept` is what earlier calls sorted, used
 /// again and brought up to date (displayfile/sorted_display_file.h).
 Picture draw(const GraphicsSystem& system, const DrawOptions& options, SortedDisplayFile& kept);

@@ -35,17 +35,6 @@ void parse_size(const std::string& text, int& pixels_across, int& pixels_up) {
   pixels_up = static_cast<int>(height);
 }
 
-int turntable_views(const std::string& text) {
-  int views = 0;
-  const auto [stop, failure] = std::from_chars(text.data(), text.data() + text.size(), views);
-  const bool whole = failure == std::errc{} && stop == text.data() + text.size();
-  if (!whole || views < 1 || views > kMostTurntableViews) {
-    throw Error(fmt::format("--turntable {}: expected a number of views, 1 to {}", text,
-                            kMostTurntableViews));
-  }
-  return views;
-}
-
 /// The options of commands that sort hidden surfaces, as words.
 struct HiddenSurfaceWords {
   std::string hidden, scope, precision;

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <iostream>
 
 #include "clip/error.h"
-#include "displayfile/output_file.h"
 #include "displayfile/retained_views.h"
 #include "displayfile/turntable.h"
 #include "programs/inputs.h"
@@ -16,16 +16,13 @@ namespace displayfile {
 
 namespace {
 
-void require_turntable_options(const DrawOptions& options, int views) {
-  if (views < 1 || views > kMostTurntableViews) {
-    throw Error(fmt::format("--turntable {}: expected a number of views, 1 to {}", views,
-                            kMostTurntableViews));
-  }
+void require_tree(const DrawOptions& options) {
   const HiddenMethod method = options.hidden.value_or(HiddenMethod::automatic);
   if (method != HiddenMethod::bsp && method != HiddenMethod::automatic) {
-    throw Error(fmt::format(
-        "--turntable draws all views from one BSP tree, not by {}: expected --hidden bsp or none",
-        name_of(method)));
+    throw Error(
+        fmt::format("--turntable draws all views from one BSP tree, not by {}: expected --hidden "
+                    "bsp, or no --hidden",
+                    name_of(method)));
   }
 }
 
@@ -37,14 +34,12 @@ DrawOptions options_of_view(const DrawOptions& options, int number, int views) {
   return of_view;
 }
 
-/// Every output must be writable before the long work, and any is written.
-void require_writable(const std::filesystem::path& output, const DrawOptions& options, int views) {
-  picture_kind(output);
+/// Before the long work, and before any file is written.
+void require_all_drawable(const std::filesystem::path& output, const DrawOptions& options,
+                          int views) {
+  picture_kind(output);  // an unknown extension is told with the name as given
   for (int k = 0; k < views; ++k) {
-    const DrawOptions of_view = options_of_view(options, k, views);
-    OutputFile{numbered(output, k, views).string()};
-    if (!of_view.ids.empty()) OutputFile{of_view.ids.string()};
-    if (!of_view.depth.empty()) OutputFile{of_view.depth.string()};
+    require_drawable(numbered(output, k, views), options_of_view(options, k, views));
   }
 }
 
@@ -70,6 +65,17 @@ std::string statistics(const GraphicsSystem& system, const RetainedViews& trees,
 
 }  // namespace
 
+int turntable_views(const std::string& text) {
+  constexpr int kMost = 10000;
+  int views = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, failure] = std::from_chars(text.data(), end, views);
+  if (failure != std::errc{} || stop != end || views < 1 || views > kMost) {
+    throw Error(fmt::format("--turntable {}: expected a number of views, 1 to {}", text, kMost));
+  }
+  return views;
+}
+
 std::filesystem::path numbered(const std::filesystem::path& file, int number, int views) {
   const std::size_t digits = std::max<std::size_t>(3, std::to_string(views - 1).size());
   const std::string name =
@@ -79,8 +85,8 @@ std::filesystem::path numbered(const std::filesystem::path& file, int number, in
 
 void draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
                     const DrawOptions& options, int views, bool stats) {
-  require_turntable_options(options, views);
-  require_writable(output, options, views);
+  require_tree(options);
+  require_all_drawable(output, options, views);
   GraphicsSystem system;
   RetainedScene scene;
   system.set_threads(options.threads);

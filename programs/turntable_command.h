@@ -8,8 +8,8 @@
 
 namespace displayfile {
 
-/// As many views as a turntable draws.
-inline constexpr int kMostTurntableViews = 10000;
+/// The number of views of a turntable. Throws Error for anything but an integer from 1 to 10000.
+int turntable_views(const std::string& text);
 
 /// Draws the inputs turned about the view-up axis through their middle, before a camera and lights
 /// that stay, in `views` views evenly around, all from one BSP tree in world coordinates
@@ -17,9 +17,8 @@ inline constexpr int kMostTurntableViews = 10000;
 ///
 /// The files are numbered: OUT-000.png, OUT-001.png and so on for OUT.png, and likewise the item
 /// buffers and depths of the options. Each appears whole or not at all, and none if one of them
-/// could not be written at the start. Throws Error for a number of views outside of 1 to
-/// kMostTurntableViews, for a hidden-surface method other than bsp, and if the segments were drawn
-/// in several views.
+/// could not be written at the start. Throws Error for a hidden-surface method other than bsp, and if
+/// the segments were drawn in several views.
 void draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
                     const DrawOptions& options, int views, bool stats);
 

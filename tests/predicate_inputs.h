@@ -49,8 +49,14 @@ struct Style {
     switch (kind) {
       case 0: return s.unit();
       case 3: return static_cast<float>(2.0 * s.unit() - 1.0);
-      case 4: return std::ldexp(2.0 * s.unit() - 1.0, s.between(-1074, 330));
-      case 5: return std::ldexp(s.between(-9, 9), -1074 + s.below(3));
+      case 4: {
+        const int exponent = s.between(-1074, 330);
+        return std::ldexp(2.0 * s.unit() - 1.0, exponent);
+      }
+      case 5: {
+        const int exponent = -1074 + s.below(3);
+        return std::ldexp(s.between(-9, 9), exponent);
+      }
       default: return offset + scale * (2.0 * s.unit() - 1.0);
     }
   }
@@ -75,7 +81,10 @@ struct Grid {
     exponent.fill(s.below(3) == 0 ? any() : -10);
     if (s.below(12) == 0) exponent = {any(), any(), any()};
     if (s.below(2) == 0) {
-      for (std::int64_t& o : offset) o = s.between(-1, 1) * (std::int64_t{1} << s.below(30));
+      for (std::int64_t& o : offset) {
+        const int sign = s.between(-1, 1);
+        o = sign * (std::int64_t{1} << s.below(30));
+      }
     }
   }
   /// A few ulps of the value; of a zero, of the unit, a hair that differences round away.

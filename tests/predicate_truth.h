@@ -138,7 +138,7 @@ class Verdicts {
     if (folder == nullptr) return;
     const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
     path_ = std::filesystem::path(folder) /
-            (std::string(test->name()) + "." + std::to_string(trials()) + kCompiler + ".verdicts");
+            (std::string(test->name()) + "." + std::to_string(trials()) + ".verdicts");
     kept_.open(path_, std::ios::binary);
     if (!kept_.is_open()) fresh_.open(part(), std::ios::binary);
   }
@@ -164,12 +164,6 @@ class Verdicts {
 
  private:
   static constexpr char kNone = 'n', kZero = '1';
-  // The cases depend on the order in which a compiler evaluates arguments.
-#ifdef __clang__
-  static constexpr const char* kCompiler = ".clang";
-#else
-  static constexpr const char* kCompiler = ".gcc";
-#endif
   std::filesystem::path part() const { return path_.string() + ".part"; }
 
   std::filesystem::path path_;

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <vector>
+
+#include "displayfile/bounds.h"
 
 namespace displayfile {
 
@@ -30,13 +31,10 @@ const std::array<MeshDirection, 6>& mesh_directions() {
 }
 
 Scene mesh_scene(const Mesh& mesh, const MeshDirection& direction) {
-  Point3 low(std::numeric_limits<double>::max()), high(-low);
-  for (const Point3& v : mesh.vertices) {
-    low = glm::min(low, v);
-    high = glm::max(high, v);
-  }
-  const Point3 middle = 0.5 * (low + high);
-  const double scale = 0.98 / std::max(glm::length(high - low), 1e-300);
+  Bounds bounds;
+  for (const Point3& v : mesh.vertices) bounds.include(v);
+  const Point3 middle = bounds.middle();
+  const double scale = 0.98 / std::max(glm::length(bounds.high - bounds.low), 1e-300);
   Scene scene;
   std::vector<Point3> polygon;
   for (std::size_t i = 0; i < mesh.faces(); ++i) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "displayfile/hidden_surface_check.h"
 #include "interp/osmesa.h"
@@ -42,7 +43,7 @@ auto sorted(HiddenMethod method, const Precision& precision) {
     options.precision = precision;
     DisplayFile file = display_file;
     file.set_sorted(std::make_shared<SortedInstructions>(
-        hidden_surface_check(display_file, method, options)));
+        hidden_surface_check(display_file.visible_segments(), method, options)));
     RasterRequest request = request_ids(size, false);
     request.sorted = precision.exact;
     return draw_with_software(file, request);
@@ -76,29 +77,26 @@ Method osmesa(int depth_bits) {
           fmt::format("osmesa {}", depth_bits), false, draw, note};
 }
 
+void add_sorts(const char* name, const char* column, HiddenMethod method,
+               std::vector<Method>& all) {
+  all.push_back({fmt::format("{}, exact", name), column, true, sorted(method, {})});
+  for (const char* eps : {"1e-15", "1e-12", "1e-9", "1e-6", "1e-3"}) {
+    all.push_back({fmt::format("{}, roundoff={}", name, eps), fmt::format("{} {}", column, eps),
+                   false, sorted(method, {false, std::stod(eps)})});
+  }
+}
+
 }  // namespace
 
 std::vector<Method> methods() {
-  constexpr auto kBsp = HiddenMethod::bsp, kDepthSort = HiddenMethod::depth_sort;
-  std::vector<Method> all{
-      {"z-buffer, exact", "exact", true, z_buffer(std::nullopt)},
-      {"z-buffer, roundoff=0", "ro 0", false, z_buffer(0.0)},
-      {"z-buffer, roundoff=1e-12", "ro 1e-12", false, z_buffer(1e-12)},
-      {"z-buffer, roundoff=1e-9", "ro 1e-9", false, z_buffer(1e-9)},
-      {"z-buffer, roundoff=1e-6", "ro 1e-6", false, z_buffer(1e-6)},
-      {"z-buffer, roundoff=1e-3", "ro 1e-3", false, z_buffer(1e-3)},
-      {"BSP, exact", "bsp", true, sorted(kBsp, {})},
-      {"BSP, roundoff=1e-15", "bsp 1e-15", false, sorted(kBsp, {false, 1e-15})},
-      {"BSP, roundoff=1e-12", "bsp 1e-12", false, sorted(kBsp, {false, 1e-12})},
-      {"BSP, roundoff=1e-9", "bsp 1e-9", false, sorted(kBsp, {false, 1e-9})},
-      {"BSP, roundoff=1e-6", "bsp 1e-6", false, sorted(kBsp, {false, 1e-6})},
-      {"BSP, roundoff=1e-3", "bsp 1e-3", false, sorted(kBsp, {false, 1e-3})},
-      {"depth sort, exact", "depth", true, sorted(kDepthSort, {})},
-      {"depth sort, roundoff=1e-15", "depth 1e-15", false, sorted(kDepthSort, {false, 1e-15})},
-      {"depth sort, roundoff=1e-12", "depth 1e-12", false, sorted(kDepthSort, {false, 1e-12})},
-      {"depth sort, roundoff=1e-9", "depth 1e-9", false, sorted(kDepthSort, {false, 1e-9})},
-      {"depth sort, roundoff=1e-6", "depth 1e-6", false, sorted(kDepthSort, {false, 1e-6})},
-      {"depth sort, roundoff=1e-3", "depth 1e-3", false, sorted(kDepthSort, {false, 1e-3})},
+  std::vector<Method> all{{"z-buffer, exact", "exact", true, z_buffer(std::nullopt)}};
+  for (const char* eps : {"0", "1e-12", "1e-9", "1e-6", "1e-3"}) {
+    all.push_back({fmt::format("z-buffer, roundoff={}", eps), fmt::format("ro {}", eps), false,
+                   z_buffer(std::stod(eps))});
+  }
+  add_sorts("BSP", "bsp", HiddenMethod::bsp, all);
+  add_sorts("depth sort", "depth", HiddenMethod::depth_sort, all);
+  const std::vector<Method> others{
       {"painter in program order", "painter", false, painter},
       {"plain z-buffer, depth as double", "double", false, plain(DepthFormat::float_64)},
       {"plain z-buffer, depth as float", "float", false, plain(DepthFormat::float_32)},
@@ -106,6 +104,7 @@ std::vector<Method> methods() {
       {"plain z-buffer, depth in 24 bits", "int 24", false, plain(DepthFormat::integer_24)},
       {"plain z-buffer, depth in 16 bits", "int 16", false, plain(DepthFormat::integer_16)},
   };
+  all.insert(all.end(), others.begin(), others.end());
   if (!osmesa_available()) return all;
   for (int bits : {32, 24, 16}) all.push_back(osmesa(bits));
   return all;

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 
 #include "clip/error.h"
 #include "clip/transformation.h"

@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 
 #include "clip/error.h"
 #include "clip/transformation.h"

@@ -12,6 +12,7 @@ namespace displayfile {
 /// A picture's size in pixels, each from 1 to 2^30.
 struct PictureSize {
   std::int32_t width, height;
+  bool operator==(const PictureSize&) const = default;
 };
 
 /// The centre of pixel (column, row), rows counted from the bottom: the point

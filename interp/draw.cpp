@@ -8,6 +8,7 @@
 
 #include "clip/error.h"
 #include "displayfile/output_file.h"
+#include "interp/image_space.h"
 #include "interp/npy_file.h"
 #include "interp/osmesa.h"
 #include "interp/pdf_device.h"
@@ -79,7 +80,7 @@ RasterRequest raster_request(const DisplayFile& file, const DrawOptions& options
 RasterRequest raster_request(const GraphicsSystem& system, const DisplayFile& file,
                              const DrawOptions& options) {
   RasterRequest request = raster_request(file, options);
-  request.z_buffer = drawing_method(system, options) == HiddenMethod::z_buffer;
+  request.method = drawing_method(system, options);
   const Precision precision = precision_in_force(system, hidden_surface_options(options));
   if (!precision.exact) request.roundoff = precision.roundoff;
   return request;
@@ -156,8 +157,8 @@ void draw(const GraphicsSystem& system, const std::filesystem::path& file,
   require_drawable(file, options);
   const HiddenMethod method = drawing_method(system, options, picture_kind(file));
   const DisplayFile& sorted = kept.update(system, method, hidden_surface_options(options));
-  write_picture(sorted, raster_request(system, sorted, options), method == HiddenMethod::z_buffer,
-                file, options);
+  write_picture(sorted, raster_request(system, sorted, options), is_image_space(method), file,
+                options);
 }
 
 void draw(const DisplayFile& display_file, const std::filesystem::path& file,

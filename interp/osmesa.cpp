@@ -262,13 +262,13 @@ class OsmesaScene::Drawing {
                               request.width, request.height, renderer(), largest_side(),
                               largest_side()));
     }
-    const Order order = request.z_buffer ? Order::entered : Order::drawn;
+    const Order order = is_image_space(request.method) ? Order::entered : Order::drawn;
     const auto list = [&](Pass pass) {
       return triangle_list(display_file, pass, order, request.width, request.height);
     };
     TriangleList fills, others;
-    if (request.z_buffer || request.ids || request.depth) fills = list(Pass::fills);
-    others = list(request.z_buffer ? Pass::lines : Pass::everything);
+    if (is_image_space(request.method) || request.ids || request.depth) fills = list(Pass::fills);
+    others = list(is_image_space(request.method) ? Pass::lines : Pass::everything);
     mapping_ = DepthMapping(fills, others);
     depth_bits_ = bind_framebuffer(request.width, request.height, depth_bits,
                                    has_even_odd(fills) || has_even_odd(others));
@@ -296,7 +296,7 @@ class OsmesaScene::Drawing {
   }
 
   std::size_t triangles() const {
-    return others_.triangles() + (request_.z_buffer ? fills_.triangles() : 0);
+    return others_.triangles() + (is_image_space(request_.method) ? fills_.triangles() : 0);
   }
   int depth_bits() const { return depth_bits_; }
   const RasterRequest& request() const { return request_; }
@@ -327,7 +327,7 @@ class OsmesaScene::Drawing {
 
   void draw_colours() const {
     clear(1.0f);
-    if (!request_.z_buffer) return others_.draw(Paint::colours, GL_ALWAYS);
+    if (!is_image_space(request_.method)) return others_.draw(Paint::colours, GL_ALWAYS);
     fills_.draw(Paint::colours, GL_GEQUAL);
     glEnable(GL_POLYGON_OFFSET_FILL);
     others_.draw(Paint::colours, GL_GEQUAL);
@@ -337,7 +337,7 @@ class OsmesaScene::Drawing {
   /// A pixel's 32 bits are the pick identifier's own; all ones, white, is the background's -1.
   void measure(Picture& picture) const {
     clear(1.0f);
-    fills_.draw(Paint::ids, request_.z_buffer ? GL_GEQUAL : GL_ALWAYS);
+    fills_.draw(Paint::ids, is_image_space(request_.method) ? GL_GEQUAL : GL_ALWAYS);
     if (request_.ids) read(picture, GL_RGBA, GL_UNSIGNED_BYTE, picture.ids);
     if (!request_.depth) return;
     std::vector<float> depth;

@@ -5,6 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "displayfile/style.h"
+#include "hidden/hidden_method.h"
+
 namespace displayfile {
 
 /// A raster picture, top row first. ids and depth are empty unless they were asked for.
@@ -21,15 +24,20 @@ struct Picture {
 /// What to draw of a display file, and how large.
 struct RasterRequest {
   int width = 512, height = 512;
-  bool z_buffer = false;  ///< nearest fill seen; otherwise in order, the last one
-  /// Without the z-buffer: the order drawn is an exact back-to-front order, so what is nearest is
-  /// to be seen also where cuts were rounded and where polygons touch.
+  /// An image-space method (interp/image_space.h): the nearest fill is seen, wherever it stands in
+  /// the order; any other: what is drawn last.
+  HiddenMethod method = HiddenMethod::none;
+  /// Of what is drawn in order: the order drawn is an exact back-to-front order, so what is nearest
+  /// is to be seen also where cuts were rounded and where polygons touch.
   bool sorted = false;
   bool ids = false, depth = false;
   int threads = 1;
   /// Depths closer than this count as equal (the textbook's ROUNDOFF); none: exact.
   std::optional<double> roundoff = std::nullopt;
 };
+
+/// A colour as a pixel: each component rounded to the nearest of 0 to 255.
+std::uint32_t pixel_of(const Colour& colour);
 
 /// The limits of a picture's size that the devices state and keep.
 inline constexpr int kLargestSide = 65535;

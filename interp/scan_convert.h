@@ -9,6 +9,7 @@
 
 #include "clip/point.h"
 #include "hidden/pixel_centre.h"
+#include "interp/scan_edge.h"
 
 namespace displayfile {
 
@@ -61,61 +62,16 @@ class ScanConverter {
   }
 
  private:
-  /// A side of the polygon that crosses the rows first_row to last_row, in pixel units.
-  struct Edge {
-    int first_row, last_row;
-    double x, y, dx_dy;  ///< the lower end, and the change of x for each row
-    double error;        ///< bounds that of a crossing; what is watched, added
-    Point2 low, high;    ///< the ends in device coordinates
-
-    /// The first column whose centre lies at or right of where the edge crosses the row. Calls
-    /// close(*this, row) if a centre is closer to the crossing than its error.
-    template <class Close>
-    int column(int row, const PictureSize& size, Close&& close) const;
-  };
-
   /// Calls close(row, first, end) with the centres within the edge's error of its crossing.
   template <class Close>
-  void tell_close(const Edge& edge, int row, Close&& close) const;
+  void tell_close(const ScanEdge& edge, int row, Close&& close) const;
 
   Region region_{};
   Point2 watched_{0.0};
-  std::vector<Edge> edges_;  // the edge table, by first row
-  std::vector<const Edge*> active_;
+  std::vector<ScanEdge> edges_;  // the edge table, by first row
+  std::vector<const ScanEdge*> active_;
   std::vector<int> columns_;
 };
-
-/// The first row whose centre is above y (device), no less than 0 and no more than the height.
-inline int first_row_above(double y, int height) {
-  const double t = y * height - 0.5;
-  if (t < -0.5) return 0;
-  if (!(t < height)) return height;
-  const int row = static_cast<int>(t + 1.0) - 1;  // t's floor
-  // The rounded product can be off by less than a row.
-  if (row >= 0 && compare_with_centres(y, height, row) < 0) return row;
-  return compare_with_centres(y, height, row + 1) < 0 ? row + 1 : std::min(row + 2, height);
-}
-
-/// The textbook adds dx_dy row by row; one product from the edge's lower end gives the same
-/// crossing without the error that adding gathers, in whatever row one starts. Where a centre
-/// is too close to the crossing for the rounded one to tell, exact arithmetic does.
-template <class Close>
-int ScanConverter::Edge::column(int row, const PictureSize& size, Close&& close) const {
-  if (!(error < 0.25)) [[unlikely]] {
-    close(*this, row);
-    return first_column_after_crossing(low, high, row, size);
-  }
-  const double t = x + (row + 0.5 - y) * dx_dy - 0.5;
-  if (t < -error) return 0;
-  if (t > size.width + error) return size.width;
-  const int floor = static_cast<int>(t + 1.0) - 1;
-  const double fraction = t - floor;
-  if (!(fraction > error && fraction < 1.0 - error)) [[unlikely]] {
-    close(*this, row);
-    return first_column_after_crossing(low, high, row, size);
-  }
-  return std::min(floor + 1, size.width);
-}
 
 inline ScanConverter::Rows ScanConverter::begin(std::span<const Point3> polygon,
                                                 const Region& region) {
@@ -134,15 +90,7 @@ inline ScanConverter::Rows ScanConverter::begin(std::span<const Point3> polygon,
       rows = {std::min(rows.first, first), std::max(rows.end, last + 1)};
       const Point2& low = from_row < to_row ? from : to;
       const Point2& high = from_row < to_row ? to : from;
-      const Point2 a(low.x * width, low.y * height), b(high.x * width, high.y * height);
-      const double rise = b.y - a.y, slope = (b.x - a.x) / rise;
-      const double heights = std::abs(a.y) + std::abs(b.y);
-      // interp/scan_convert.md derives the bound.
-      const double error =
-          rise > 8.0 * kUnit * heights
-              ? 16.0 * kUnit * (std::abs(a.x) + std::abs(b.x) + std::abs(slope) * heights)
-              : std::numeric_limits<double>::infinity();
-      edges_.push_back({first, last, a.x, a.y, slope, error, low, high});
+      edges_.emplace_back(low, high, first, last, region.size);
     }
     from = to;
     from_row = to_row;
@@ -154,7 +102,7 @@ inline ScanConverter::Rows ScanConverter::begin(std::span<const Point3> polygon,
       }
     }
   } else {
-    std::ranges::sort(edges_, {}, &Edge::first_row);
+    std::ranges::sort(edges_, {}, &ScanEdge::first_row);
   }
   return edges_.empty() ? Rows{0, 0} : rows;
 }
@@ -164,7 +112,7 @@ inline ScanConverter::Rows ScanConverter::begin(std::span<const Point3> polygon,
 inline void ScanConverter::watch(const Point2& distance) {
   watched_ = distance;
   const auto& [width, height] = region_.size;
-  for (Edge& edge : edges_) {
+  for (ScanEdge& edge : edges_) {
     const double rise = edge.high.y * height - edge.y;
     edge.error = rise > 8.0 * distance.y
                      ? edge.error + distance.x + 2.0 * std::abs(edge.dx_dy) * distance.y
@@ -173,7 +121,7 @@ inline void ScanConverter::watch(const Point2& distance) {
 }
 
 template <class Close>
-void ScanConverter::tell_close(const Edge& edge, int row, Close&& close) const {
+void ScanConverter::tell_close(const ScanEdge& edge, int row, Close&& close) const {
   const double width = region_.size.width;
   const auto [left, right] = std::minmax(edge.low.x, edge.high.x);
   const double crossing = edge.x + (row + 0.5 - edge.y) * edge.dx_dy - 0.5;
@@ -186,8 +134,8 @@ void ScanConverter::tell_close(const Edge& edge, int row, Close&& close) const {
 
 template <class FillSpan, class Close>
 void ScanConverter::scan(FillSpan&& fill_span, Close&& close) {
-  const auto column_of = [&](const Edge& edge, int at_row) {
-    return edge.column(at_row, region_.size, [&](const Edge& crossed, int crossed_row) {
+  const auto column_of = [&](const ScanEdge& edge, int at_row) {
+    return edge.column(at_row, region_.size, [&](const ScanEdge& crossed, int crossed_row) {
       if constexpr (!std::is_same_v<std::remove_cvref_t<Close>, Unwatched>) {
         tell_close(crossed, crossed_row, close);
       }
@@ -202,7 +150,7 @@ void ScanConverter::scan(FillSpan&& fill_span, Close&& close) {
     while (next < edges_.size() && edges_[next].first_row == row)
       active_.push_back(&edges_[next++]);
     int last = next < edges_.size() ? edges_[next].first_row - 1 : region_.row_end - 1;
-    for (const Edge* edge : active_) last = std::min(last, edge->last_row);
+    for (const ScanEdge* edge : active_) last = std::min(last, edge->last_row);
 
     for (; row <= last; ++row) {
       if (active_.size() == 2) {
@@ -211,13 +159,13 @@ void ScanConverter::scan(FillSpan&& fill_span, Close&& close) {
         continue;
       }
       columns_.clear();
-      for (const Edge* edge : active_) columns_.push_back(column_of(*edge, row));
+      for (const ScanEdge* edge : active_) columns_.push_back(column_of(*edge, row));
       std::ranges::sort(columns_);
       for (std::size_t k = 0; k + 1 < columns_.size(); k += 2) {
         if (columns_[k] < columns_[k + 1]) fill_span(row, columns_[k], columns_[k + 1]);
       }
     }
-    std::erase_if(active_, [&](const Edge* edge) { return edge->last_row < row; });
+    std::erase_if(active_, [&](const ScanEdge* edge) { return edge->last_row < row; });
   }
 }
 

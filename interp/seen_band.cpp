@@ -20,7 +20,8 @@ void SeenBand::find(int first_row, int end_row, std::span<const std::uint32_t> p
   ZBuffer z_buffer({drawing_.width, drawing_.height}, {});
   for (const std::uint32_t polygon : begun_) {
     const auto vertices = drawing_.vertices_of(drawing_.polygons[polygon]);
-    z_buffer.begin_polygon(vertices, support_vertices(vertices));
+    const auto [p, q, r] = support_vertices(vertices).index;
+    z_buffer.begin_polygon(vertices, Plane(vertices[p], vertices[q], vertices[r]));
     scan_convert(polygon, first_kept_, end_kept_, [&](int row, int first, int end) {
       z_buffer.draw_span(row, first, end, &cells_[index(0, row)]);
     });

@@ -1,29 +1,23 @@
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <utility>
-#include <vector>
 
 #include "displayfile/display_file.h"
-#include "interp/interpreter.h"
+#include "interp/fill_scene.h"
+#include "interp/image_space.h"
 #include "interp/picture.h"
-#include "interp/z_buffer.h"
 
 namespace displayfile {
 
-/// What the z-buffer stores for the pixels: of one kind, the other is empty.
-struct SoftwareCells {
-  std::vector<ZBuffer::Cell<float>> exact;
-  std::vector<ZBuffer::Cell<double>> roundoff;
-  bool clear = true;  ///< all show the background, as they do between pictures
-
-  /// Makes them as many, all clear.
-  void make_clear(std::size_t exact_cells, std::size_t roundoff_cells);
-};
-
-/// Draws display files by our own scan conversion, on a white background. With the z-buffer
-/// the nearest fill is seen, of equally near ones the one entered later, and a line where no
-/// fill is nearer; without it, whatever is drawn last. Coverage and, unless roundoff is asked
+/// Draws display files by our own scan conversion, on a white background. With an image-space
+/// method the nearest fill is seen, of equally near ones the one entered later, and a line where
+/// no fill is nearer; without one, whatever is drawn last. Coverage and, unless roundoff is asked
 /// for, nearness are decided exactly. The picture is the same for any number of threads.
+///
+/// What was made ready for a picture is used again while the display file's fills, the size and
+/// the method are the same.
 class SoftwareRenderer {
  public:
   /// The picture stays until the next call; its memory is used again. Throws Error for a size
@@ -32,16 +26,24 @@ class SoftwareRenderer {
   Picture take_picture() { return std::move(picture_); }
 
  private:
-  void interpret_in_bands(const DisplayFile& display_file, const RasterRequest& request, Pass pass);
+  /// An image-space method that has taken up the scene.
+  struct Prepared {
+    HiddenMethod method;
+    PictureSize size;
+    std::optional<double> roundoff;
+    std::unique_ptr<ImageSpaceMethod> finder;
+  };
+  void paint_in_order(const DisplayFile& display_file, const RasterRequest& request);
+  void prepare(const DisplayFile& display_file, const RasterRequest& request);
+  void find_fills_seen(const RasterRequest& request);
+  void draw_lines_over_fills(const DisplayFile& display_file, const RasterRequest& request);
 
   Picture picture_;
-  SoftwareCells cells_;
+  std::unique_ptr<FillScene> scene_;
+  std::optional<Prepared> prepared_;
 };
 
 /// One picture by a renderer of its own.
 Picture draw_with_software(const DisplayFile& display_file, const RasterRequest& request);
-
-/// A colour as a pixel: each component rounded to the nearest of 0 to 255.
-std::uint32_t pixel_of(const Colour& colour);
 
 }  // namespace displayfile

@@ -36,8 +36,8 @@ class ZBuffer {
   ZBuffer(const PictureSize& size, std::optional<double> roundoff)
       : size_(size), roundoff_(roundoff) {}
 
-  /// Starts the next polygon (device coordinates), which is not edge-on.
-  void begin_polygon(std::span<const Point3> vertices, const SupportVertices& support);
+  /// Starts the next polygon (device coordinates) and its support plane, which is not edge-on.
+  void begin_polygon(std::span<const Point3> vertices, const Plane& plane);
 
   /// Draws covered pixels first <= i < end of a row's cells: where the polygon begun last is
   /// seen, its depth and owner are stored.
@@ -53,13 +53,6 @@ class ZBuffer {
       if (!(nearer > margin) && !nearer_or_equal(nearer, {row, i, end}, cells)) continue;
       cells[i] = {stored<Depth>(z), current_};
     }
-  }
-
-  /// The depth of a polygon over pixels, as it was drawn.
-  PixelDepth depth_of(Owner polygon) const {
-    const Polygon& a = polygons_[polygon];
-    return {Plane(a.p, a.q, a.r), static_cast<double>(size_.width),
-            static_cast<double>(size_.height)};
   }
 
  private:

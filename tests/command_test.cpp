@@ -148,8 +148,9 @@ TEST_F(Command, TruthIsTheItemBufferWhateverTheMethod) {
   EXPECT_EQ(run("compare dz.npy tz.npy"), 0) << out_;
   EXPECT_EQ(run("draw t.draw --size 9x7 -o p.png --ids p.npy --depth pz.npy --hidden none"), 0);
   EXPECT_EQ(run("compare p.npy t.npy --marks marks.png"), 1);
-  EXPECT_NE(out_.find("0 show the background in the first only, 0 in the second only, 32 different"),
-            std::string::npos)
+  EXPECT_NE(
+      out_.find("0 show the background in the first only, 0 in the second only, 32 different"),
+      std::string::npos)
       << out_;
   EXPECT_TRUE(fs::exists(folder_ / "marks.png"));
   EXPECT_EQ(run("compare pz.npy tz.npy"), 1);

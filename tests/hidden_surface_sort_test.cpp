@@ -517,7 +517,8 @@ TEST(DepthSortCuts, NoneForOneThatCrossesThePlaneOnlyBesideTheOther) {
   for (const double side : {0.25, 0.375}) {  // before the crossing, and up to it
     ItemList list;
     list.solid({{0, 0, 0.5}, {side, 0, 0.5}, {side, 0.5, 0.5}, {0, 0.5, 0.5}});
-    list.solid({{0.125, 0.125, 0.625}, {1, 0.125, 0.1875}, {1, 0.25, 0.1875}, {0.125, 0.25, 0.625}});
+    list.solid(
+        {{0.125, 0.125, 0.625}, {1, 0.125, 0.1875}, {1, 0.25, 0.1875}, {0.125, 0.25, 0.625}});
     EXPECT_EQ(sorted(list, depth_sort()).cuts, 0u) << side;
     list.solid({{0.25, 0, 0.5}, {0.5, 0, 0.5}, {0.5, 0.5, 0.5}, {0.25, 0.5, 0.5}});
     EXPECT_EQ(sorted(list, depth_sort()).cuts, 1u) << side;

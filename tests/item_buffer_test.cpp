@@ -243,7 +243,8 @@ class OpenPixel {
 
 /// Compares our picture of a display file with OpenGL's of one that should look the same.
 Count compare(const DisplayFile& file, const DisplayFile& drawn_by_opengl, int width, int height) {
-  const RasterRequest request{.width = width, .height = height, .z_buffer = true, .ids = true};
+  const RasterRequest request{
+      .width = width, .height = height, .method = HiddenMethod::z_buffer, .ids = true};
   const Picture ours = draw_with_software(file, request);
   const Picture theirs = draw_with_osmesa(drawn_by_opengl, request);
   Collector scene(width, height);
@@ -437,9 +438,12 @@ TEST_F(ItemBuffer, OpenGlsDepthErrorIsWithinTheStatedBound) {
     for (const Direction& direction : kDirections) {
       constexpr int size = 400;
       const GraphicsSystem system = drawn(surface, direction);
-      const Picture picture = draw_with_osmesa(
-          system.display_file(),
-          {.width = size, .height = size, .z_buffer = true, .ids = true, .depth = true});
+      const Picture picture =
+          draw_with_osmesa(system.display_file(), {.width = size,
+                                                   .height = size,
+                                                   .method = HiddenMethod::z_buffer,
+                                                   .ids = true,
+                                                   .depth = true});
       Collector scene(size, size);
       interpret(system.display_file(), scene, Pass::fills);
       std::map<std::int32_t, const Drawn*> by_id;

@@ -49,9 +49,13 @@ class OsmesaTest : public testing::Test {
     return static_cast<std::size_t>(std::ranges::count(picture.pixels, colour));
   }
   Picture draw(bool z_buffer = true, int depth_bits = 24) const {
-    return draw_with_osmesa(
-        file, {.width = 16, .height = 16, .z_buffer = z_buffer, .ids = true, .depth = true},
-        depth_bits);
+    return draw_with_osmesa(file,
+                            {.width = 16,
+                             .height = 16,
+                             .method = z_buffer ? HiddenMethod::z_buffer : HiddenMethod::none,
+                             .ids = true,
+                             .depth = true},
+                            depth_bits);
   }
 
   DisplayFile file;
@@ -95,7 +99,8 @@ TEST_F(OsmesaTest, ATriangleCoversThePixelsWhoseCentresAreInside) {
 TEST_F(OsmesaTest, TheUnitSquareIsTheWholePictureAndTheTopRowComesFirst) {
   square(0, 0, 1, 0.5, red);
   polygon({{0, 0.5, 0.6}, {0.25, 0.5, 0.6}, {0.25, 1, 0.6}, {0, 1, 0.6}}, green);
-  const Picture picture = draw_with_osmesa(file, {.width = 8, .height = 4, .z_buffer = true});
+  const Picture picture =
+      draw_with_osmesa(file, {.width = 8, .height = 4, .method = HiddenMethod::z_buffer});
   const std::vector<std::uint32_t> upper = {kGreen, kGreen, kRed, kRed, kRed, kRed, kRed, kRed};
   const std::vector<std::uint32_t> lower(8, kRed);
   for (std::size_t row = 0; row < 4; ++row) {
@@ -174,8 +179,8 @@ TEST_F(OsmesaTest, SelfCrossingPolygonsAreFilledEvenOdd) {
     segment().set_style(n == 0 ? green : red);
     segment().enter_polygon(star, all);
   }
-  const Picture picture =
-      draw_with_osmesa(file, {.width = 64, .height = 64, .z_buffer = true, .ids = true});
+  const Picture picture = draw_with_osmesa(
+      file, {.width = 64, .height = 64, .method = HiddenMethod::z_buffer, .ids = true});
   EXPECT_EQ(picture.pixels[at(picture, 32, 32)], kWhite);  // the pentagon in the middle
   EXPECT_EQ(picture.pixels[at(picture, 32, 55)], kRed);    // the upper ray
   EXPECT_EQ(count(picture, kGreen), 0u);
@@ -236,7 +241,7 @@ TEST_F(OsmesaTest, DepthMayLeaveTheUnitRange) {
 
 TEST_F(OsmesaTest, DepthBitsAreReportedAsGranted) {
   square(0, 0, 1, 0.5, red);
-  const RasterRequest request{.width = 16, .height = 16, .z_buffer = true};
+  const RasterRequest request{.width = 16, .height = 16, .method = HiddenMethod::z_buffer};
   EXPECT_EQ(OsmesaScene(file, request, 16).depth_bits(), 16);
   EXPECT_EQ(OsmesaScene(file, request, 24).depth_bits(), 24);
   EXPECT_EQ(OsmesaScene(file, request, 32).depth_bits(), 32);
@@ -390,9 +395,11 @@ TEST_F(OsmesaTest, InvisibleSegmentsAndImageTransformations) {
 
 TEST_F(OsmesaTest, AResidentSceneDrawsAgainAndAgainBesideOthers) {
   square(0, 0, 0.5, 0.5, red, 1);
-  OsmesaScene first(file, {.width = 16, .height = 16, .z_buffer = true, .ids = true});
+  OsmesaScene first(file,
+                    {.width = 16, .height = 16, .method = HiddenMethod::z_buffer, .ids = true});
   square(0.5, 0.5, 0.5, 0.5, green, 2);
-  OsmesaScene second(file, {.width = 8, .height = 8, .z_buffer = true, .ids = true});
+  OsmesaScene second(file,
+                     {.width = 8, .height = 8, .method = HiddenMethod::z_buffer, .ids = true});
   EXPECT_EQ(first.triangles(), 2u);
   EXPECT_EQ(second.triangles(), 4u);
   for (int n = 0; n < 3; ++n) {
@@ -414,7 +421,8 @@ TEST_F(OsmesaTest, ManyTrianglesGoInOneRunWithTheRightDepths) {
     }
   }
   const Picture picture = draw_with_osmesa(
-      file, {.width = n, .height = n, .z_buffer = true, .ids = true, .depth = true});
+      file,
+      {.width = n, .height = n, .method = HiddenMethod::z_buffer, .ids = true, .depth = true});
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < n; ++i) {
       ASSERT_EQ(picture.ids[at(picture, i, j)] / 2, j * n + i);

@@ -27,7 +27,7 @@ RasterRequest request(int width, int height, bool z_buffer) {
   RasterRequest r;
   r.width = width;
   r.height = height;
-  r.z_buffer = z_buffer;
+  r.method = z_buffer ? HiddenMethod::z_buffer : HiddenMethod::none;
   r.ids = r.depth = true;
   return r;
 }

@@ -1,4 +1,4 @@
-// The picture of the software z-buffer is the oracle's, to the last pixel: no tolerance.
+// The picture of every image-space method is the oracle's, to the last pixel: no tolerance.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "interp/image_space.h"
 #include "interp/software.h"
 #include "interp/truth.h"
 #include "tests/truth_scenes.h"
@@ -15,9 +16,10 @@ namespace displayfile {
 namespace {
 
 /// Where the two differ first; empty if nowhere.
-std::string wrong_pixels(const DisplayFile& file, int width, int height, int threads) {
+std::string wrong_pixels(const DisplayFile& file, int width, int height, int threads,
+                         HiddenMethod method = HiddenMethod::z_buffer) {
   const RasterRequest request{
-      .width = width, .height = height, .z_buffer = true, .ids = true, .threads = threads};
+      .width = width, .height = height, .method = method, .ids = true, .threads = threads};
   const Picture drawn = draw_with_software(file, request);
   const Picture expected = truth(file, width, height, false);
   std::size_t wrong = 0;
@@ -32,22 +34,38 @@ std::string wrong_pixels(const DisplayFile& file, int width, int height, int thr
   return wrong == 0 ? std::string() : fmt::format("{} wrong pixels; {}", wrong, first);
 }
 
-TEST(SoftwareTruth, NoWrongPixelsInAnyFamily) {
+class EveryMethod : public testing::TestWithParam<ImageSpaceEntry> {
+ protected:
+  static std::string wrong(const DisplayFile& file, int width, int height, int threads) {
+    return wrong_pixels(file, width, height, threads, GetParam().method);
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(ImageSpace, EveryMethod,
+                         testing::ValuesIn(image_space_methods().begin(),
+                                           image_space_methods().end()),
+                         [](const auto& entry) {
+                           std::string name(name_of(entry.param.method));
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+TEST_P(EveryMethod, NoWrongPixelsInAnyFamily) {
   constexpr std::uint32_t kScenes = 400;
   for (const test::SceneFamily& family : test::scene_families()) {
     for (std::uint32_t seed = 0; seed < kScenes; ++seed) {
       const DisplayFile file = test::scene(family, seed, 2 + static_cast<int>(seed % 11));
       const auto [width, height] = test::kSmallShapes[seed % test::kSmallShapes.size()];
-      ASSERT_EQ(wrong_pixels(file, width, height, 1 + static_cast<int>(seed % 3)), "")
+      ASSERT_EQ(wrong(file, width, height, 1 + static_cast<int>(seed % 3)), "")
           << fmt::format("{}, seed {}, {}x{}", family.name, seed, width, height);
     }
   }
 }
 
-TEST(SoftwareTruth, NoWrongPixelsWithManyPolygons) {
+TEST_P(EveryMethod, NoWrongPixelsWithManyPolygons) {
   for (const test::SceneFamily& family : test::scene_families()) {
     const DisplayFile file = test::scene(family, 1000, 300);
-    ASSERT_EQ(wrong_pixels(file, 100, 75, 2), "") << family.name;
+    ASSERT_EQ(wrong(file, 100, 75, 2), "") << family.name;
   }
 }
 

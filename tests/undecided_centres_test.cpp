@@ -512,10 +512,13 @@ TEST(UndecidedCentres, DepthIsThatOfThePolygonsAsEntered) {
   const auto [sheet, flap] = fold(1, 0.25);
   const Fill a{sheet, 0}, b{flap, 1};
   const DisplayFile file = file_of({b, a}, {a, b});
-  RasterRequest request{
-      .width = kSize, .height = kSize, .z_buffer = true, .ids = true, .depth = true};
+  RasterRequest request{.width = kSize,
+                        .height = kSize,
+                        .method = HiddenMethod::z_buffer,
+                        .ids = true,
+                        .depth = true};
   const Picture expected = draw_with_software(file, request);
-  request.z_buffer = false;
+  request.method = HiddenMethod::none;
   request.sorted = true;
   const Picture painted = draw_with_software(file, request);
   EXPECT_EQ(painted.depth, expected.depth);

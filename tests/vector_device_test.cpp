@@ -410,7 +410,8 @@ std::size_t wrong_pixels(const GraphicsSystem& g, const Canvas& canvas, int widt
   RasterRequest request;
   request.width = width;
   request.height = height;
-  request.z_buffer = request.ids = true;
+  request.method = HiddenMethod::z_buffer;
+  request.ids = true;
   const Picture picture = draw_with_software(g.display_file(), request);
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < canvas.ids.size(); ++i) wrong += picture.ids[i] != canvas.ids[i];
@@ -739,7 +740,7 @@ int expect_the_z_buffers_colours(const GraphicsSystem& g, const Picture& picture
   RasterRequest request;
   request.width = picture.width;
   request.height = picture.height;
-  request.z_buffer = true;
+  request.method = HiddenMethod::z_buffer;
   const Picture expected = draw_with_software(g.display_file(), request);
   int compared = 0, wrong = 0;
   for (int y = 2; y < picture.height - 2; ++y) {

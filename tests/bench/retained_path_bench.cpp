@@ -91,7 +91,7 @@ void parsing() {
 void interpreting(const std::string& name, const GraphicsSystem& system) {
   RasterRequest request;
   request.width = request.height = 1024;
-  request.z_buffer = true;
+  request.method = HiddenMethod::z_buffer;
   if (!osmesa_available()) return;
   OsmesaScene peer(system.display_file(), request);
   request.threads = std::max(1, std::atoi(std::getenv("LP_NUM_THREADS")));

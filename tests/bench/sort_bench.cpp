@@ -249,8 +249,8 @@ void growth_of(const GrowthScene& kind, const Options& options, std::vector<Resu
     std::vector<double> exponents;
     for (const auto& run : times[m]) exponents.push_back(fitted_exponent(sizes, run));
     const Spread exponent = spread(exponents);
-    results.push_back({fmt::format("{}: growth from 10^3 to 10^{} polygons, {}", kind.name,
-                                   high, name_of(kMethods[m])),
+    results.push_back({fmt::format("{}: growth from 10^3 to 10^{} polygons, {}", kind.name, high,
+                                   name_of(kMethods[m])),
                        kind.sparse ? "exponent at most 1.15" : "", two(exponent.median),
                        spread_text(exponent),
                        fmt::format("extents overlapped by each: {:.1f} to {:.1f}", overlaps.front(),

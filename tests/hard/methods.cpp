@@ -8,6 +8,7 @@
 #include <string>
 
 #include "displayfile/hidden_surface_check.h"
+#include "interp/image_space.h"
 #include "interp/osmesa.h"
 #include "interp/plain_z_buffer.h"
 #include "interp/software.h"
@@ -16,21 +17,21 @@ namespace displayfile {
 
 namespace {
 
-RasterRequest request_ids(int size, bool z_buffer) {
+RasterRequest request_ids(int size, HiddenMethod method) {
   RasterRequest request;
   request.width = request.height = size;
-  request.z_buffer = z_buffer;
+  request.method = method;
   request.ids = true;
   return request;
 }
 
 Picture painter(const DisplayFile& display_file, int size) {
-  return draw_with_software(display_file, request_ids(size, false));
+  return draw_with_software(display_file, request_ids(size, HiddenMethod::none));
 }
 
-auto z_buffer(std::optional<double> roundoff) {
-  return [roundoff](const DisplayFile& display_file, int size) {
-    RasterRequest request = request_ids(size, true);
+auto image_space(HiddenMethod method, std::optional<double> roundoff) {
+  return [=](const DisplayFile& display_file, int size) {
+    RasterRequest request = request_ids(size, method);
     request.roundoff = roundoff;
     return draw_with_software(display_file, request);
   };
@@ -44,7 +45,7 @@ auto sorted(HiddenMethod method, const Precision& precision) {
     DisplayFile file = display_file;
     file.set_sorted(std::make_shared<SortedInstructions>(
         hidden_surface_check(display_file.visible_segments(), method, options)));
-    RasterRequest request = request_ids(size, false);
+    RasterRequest request = request_ids(size, HiddenMethod::none);
     request.sorted = precision.exact;
     return draw_with_software(file, request);
   };
@@ -52,7 +53,8 @@ auto sorted(HiddenMethod method, const Precision& precision) {
 
 auto plain(DepthFormat format) {
   return [format](const DisplayFile& display_file, int size) {
-    return draw_with_plain_z_buffer(display_file, request_ids(size, true), format);
+    return draw_with_plain_z_buffer(display_file, request_ids(size, HiddenMethod::z_buffer),
+                                    format);
   };
 }
 
@@ -62,7 +64,7 @@ using Granted = std::map<int, int>;
 Method osmesa(int depth_bits) {
   const auto granted = std::make_shared<Granted>();
   const auto draw = [=](const DisplayFile& display_file, int size) {
-    OsmesaScene scene(display_file, request_ids(size, true), depth_bits);
+    OsmesaScene scene(display_file, request_ids(size, HiddenMethod::z_buffer), depth_bits);
     ++(*granted)[scene.depth_bits()];
     return scene.picture();
   };
@@ -89,10 +91,18 @@ void add_sorts(const char* name, const char* column, HiddenMethod method,
 }  // namespace
 
 std::vector<Method> methods() {
-  std::vector<Method> all{{"z-buffer, exact", "exact", true, z_buffer(std::nullopt)}};
+  std::vector<Method> all{
+      {"z-buffer, exact", "exact", true, image_space(HiddenMethod::z_buffer, std::nullopt)}};
   for (const char* eps : {"0", "1e-12", "1e-9", "1e-6", "1e-3"}) {
     all.push_back({fmt::format("z-buffer, roundoff={}", eps), fmt::format("ro {}", eps), false,
-                   z_buffer(std::stod(eps))});
+                   image_space(HiddenMethod::z_buffer, std::stod(eps))});
+  }
+  for (const ImageSpaceEntry& entry : image_space_methods()) {
+    if (entry.method == HiddenMethod::z_buffer) continue;
+    const std::string name(name_of(entry.method));
+    all.push_back({name + ", exact", name, true, image_space(entry.method, std::nullopt)});
+    all.push_back(
+        {name + ", roundoff=1e-6", name + " 1e-6", false, image_space(entry.method, 1e-6)});
   }
   add_sorts("BSP", "bsp", HiddenMethod::bsp, all);
   add_sorts("depth sort", "depth", HiddenMethod::depth_sort, all);

@@ -1,0 +1,57 @@
+#include "interp/fill_depths.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hidden/depth_order.h"
+
+namespace displayfile {
+
+namespace {
+
+/// The greatest distance, in pixels, from `origin` to the part of [low, high] on the picture.
+double reach(double low, double high, double origin, int pixels) {
+  const double limit = pixels;
+  low = std::clamp(low * limit, 0.0, limit);
+  high = std::clamp(high * limit, 0.0, limit);
+  return std::max(std::abs(low - origin), std::abs(high - origin)) + 1.0;
+}
+
+}  // namespace
+
+DepthBound depth_bound(std::span<const Point3> vertices, const Plane& plane,
+                       const PixelDepth& depth, const PictureSize& size) {
+  double x_min = vertices[0].x, x_max = x_min, y_min = vertices[0].y, y_max = y_min;
+  for (const Point3& v : vertices) {
+    x_min = std::min(x_min, v.x);
+    x_max = std::max(x_max, v.x);
+    y_min = std::min(y_min, v.y);
+    y_max = std::max(y_max, v.y);
+  }
+  const double dx = reach(x_min, x_max, depth.x0, size.width);
+  const double dy = reach(y_min, y_max, depth.y0, size.height);
+  return {depth.error(plane, size.width, size.height, dx, dy),
+          std::abs(depth.z0) + std::abs(depth.dz_dx) * dx + std::abs(depth.dz_dy) * dy};
+}
+
+FillDepths::FillDepths(const FillScene& scene, const PictureSize& size,
+                       std::optional<double> roundoff)
+    : scene_(&scene), size_(size), exact_(!roundoff) {
+  of_fill_.resize(scene.end());
+  for (Fill fill = 1; fill < scene.end(); ++fill) {
+    const Plane plane = scene.plane(fill);
+    OfFill& of_fill = of_fill_[fill];
+    of_fill.depth = PixelDepth(plane, size.width, size.height);
+    of_fill.error = roundoff ? *roundoff / 4.0
+                             : depth_bound(scene.vertices(fill), plane, of_fill.depth, size).error;
+  }
+}
+
+bool FillDepths::hides_closely(Fill a, Fill b, int column, int row) const {
+  if (!exact_) return a > b;
+  const int order =
+      depth_order(scene_->plane(a), scene_->plane(b), PixelCentre(column, row, size_));
+  return order != 0 ? order > 0 : a > b;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "hidden/pixel_centre.h"
+#include "interp/fill_scene.h"
+#include "interp/pixel_depth.h"
+
+namespace displayfile {
+
+/// The depths of a scene's fills over the pixels of a picture, and which of two fills is seen.
+///
+/// Exact: where two rounded depths are too close to tell, the planes are compared by exact
+/// arithmetic at the pixel's centre (interp/z_buffer.md). With a ROUNDOFF closer depths count as
+/// equal. Of equally near fills the one entered later is seen in both.
+class FillDepths {
+ public:
+  using Fill = FillScene::Fill;
+
+  FillDepths() = default;
+  FillDepths(const FillScene& scene, const PictureSize& size, std::optional<double> roundoff);
+
+  const PixelDepth& depth(Fill fill) const { return of_fill_[fill].depth; }
+  /// Bounds the error of depth() at the centres that the fill may cover; infinity if it is not
+  /// known. With a ROUNDOFF a quarter of it: hides() tells depths apart by twice the sum of two.
+  double error(Fill fill) const { return of_fill_[fill].error; }
+  double at(Fill fill, int column, int row) const {
+    const PixelDepth& d = of_fill_[fill].depth;
+    return d.at(d.row(row), column);
+  }
+
+  /// True if a is seen rather than b, of two fills that cover the centre, neither of them the
+  /// background.
+  bool hides(Fill a, Fill b, int column, int row) const {
+    const double nearer = at(a, column, row) - at(b, column, row);
+    const double margin = 2.0 * (error(a) + error(b));
+    if (nearer > margin) return true;
+    if (nearer < -margin) return false;
+    return hides_closely(a, b, column, row);
+  }
+
+ private:
+  struct OfFill {
+    PixelDepth depth;
+    double error = 0.0;
+  };
+  bool hides_closely(Fill a, Fill b, int column, int row) const;
+
+  const FillScene* scene_ = nullptr;
+  PictureSize size_{1, 1};
+  bool exact_ = true;
+  std::vector<OfFill> of_fill_;
+};
+
+/// Of a polygon (device coordinates) and the depth of its plane: bounds the error of the depth at
+/// the centres that the polygon may cover, and the size of what is computed there.
+struct DepthBound {
+  double error;    ///< infinity if it is not known
+  double largest;  ///< of the depths, in size
+};
+DepthBound depth_bound(std::span<const Point3> vertices, const Plane& plane,
+                       const PixelDepth& depth, const PictureSize& size);
+
+}  // namespace displayfile

@@ -1,0 +1,67 @@
+#include "interp/fill_scene.h"
+
+#include "hidden/support_plane.h"
+#include "interp/picture.h"
+
+namespace displayfile {
+
+namespace {
+constexpr std::uint32_t kWhite = 0xFFFFFFFF;
+}
+
+/// Enters one segment's instructions.
+struct FillScene::Collector {
+  FillScene& scene;
+  FillStyle fill_style{};
+  LineStyle style{};
+  std::int32_t pick_id = -1;
+
+  void fill(const FillStyle& s) { fill_style = s; }
+  void line_style(const LineStyle& s) { style = s; }
+  void pick(int id) { pick_id = id; }
+  void move(const Point3&) {}
+  void line(const Point3&) { scene.has_lines_ |= style.kind != LineStyle::Kind::none; }
+  void polygon(std::span<const Point3> vertices, std::span<const std::int32_t>) {
+    scene.has_lines_ |= style.kind != LineStyle::Kind::none;
+    if (fill_style.kind == FillStyle::Kind::solid) {
+      scene.enter(vertices, pixel_of(fill_style.colour), pick_id);
+    }
+  }
+};
+
+FillScene::FillScene() : begin_{0, 0}, support_{{0, 0, 0}}, colour_{kWhite}, pick_{-1} {}
+
+FillScene::FillScene(const DisplayFile& display_file) : FillScene() {
+  for (const Segment* segment : display_file.visible_segments()) {
+    sources_.push_back({segment->entered(), segment->image, segment->entered()->codes()});
+    segment->walk_entered_drawn(Collector{*this});
+  }
+}
+
+void FillScene::enter(std::span<const Point3> vertices, std::uint32_t colour, std::int32_t pick) {
+  const SupportVertices support = support_vertices(vertices);
+  if (support.edge_on) return;
+  const std::uint32_t first = begin_.back();
+  vertices_.insert(vertices_.end(), vertices.begin(), vertices.end());
+  begin_.push_back(first + static_cast<std::uint32_t>(vertices.size()));
+  const auto& [p, q, r] = support.index;
+  support_.push_back({first + p, first + q, first + r});
+  colour_.push_back(colour);
+  pick_.push_back(pick);
+}
+
+bool FillScene::is_of(const DisplayFile& display_file) const {
+  std::size_t k = 0;
+  for (const Segment& segment : display_file.segments()) {
+    if (!segment.visible) continue;
+    if (k == sources_.size()) return false;
+    const Source& source = sources_[k++];
+    if (source.instructions != segment.entered() || !(source.image == segment.image) ||
+        source.codes != segment.entered()->codes()) {
+      return false;
+    }
+  }
+  return k == sources_.size();
+}
+
+}  // namespace displayfile

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "displayfile/display_file.h"
+#include "hidden/plane.h"
+
+namespace displayfile {
+
+/// The solid fills of a display file's visible segments as the image-space methods look at them:
+/// device coordinates after the image transformation, in order of entry, those left out that are
+/// edge-on and so cover nothing. Fill 0 stands for the background; the others count from 1, so
+/// that of two fills the one entered later has the larger number.
+class FillScene {
+ public:
+  using Fill = std::uint32_t;
+  static constexpr Fill kBackground = 0;
+
+  FillScene();
+  /// Of coordinates up to kCoordinateLimit.
+  explicit FillScene(const DisplayFile& display_file);
+
+  /// One more than the last fill.
+  Fill end() const { return static_cast<Fill>(begin_.size() - 1); }
+  std::span<const Point3> vertices(Fill fill) const {
+    return std::span(vertices_).subspan(begin_[fill], begin_[fill + 1] - begin_[fill]);
+  }
+  /// Through the support vertices (the design's section 4), which are not in line.
+  Plane plane(Fill fill) const {
+    const auto& s = support_[fill];
+    return {vertices_[s[0]], vertices_[s[1]], vertices_[s[2]]};
+  }
+  std::uint32_t colour(Fill fill) const { return colour_[fill]; }  ///< as in Picture::pixels
+  std::int32_t pick(Fill fill) const { return pick_[fill]; }       ///< -1: the background
+
+  bool has_lines() const { return has_lines_; }  ///< or polygons with visible edges
+
+  /// True while the display file's visible segments are as they were.
+  bool is_of(const DisplayFile& display_file) const;
+
+ private:
+  struct Collector;
+  /// What the fills of one segment were made from.
+  struct Source {
+    std::shared_ptr<const Instructions> instructions;
+    ImageTransformation image;
+    std::size_t codes;
+  };
+  void enter(std::span<const Point3> vertices, std::uint32_t colour, std::int32_t pick);
+
+  std::vector<Point3> vertices_;
+  std::vector<std::uint32_t> begin_;  // of each fill's vertices, and the end
+  std::vector<std::array<std::uint32_t, 3>> support_;
+  std::vector<std::uint32_t> colour_;
+  std::vector<std::int32_t> pick_;
+  std::vector<Source> sources_;
+  bool has_lines_ = false;
+};
+
+}  // namespace displayfile

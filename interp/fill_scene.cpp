@@ -1,5 +1,8 @@
 #include "interp/fill_scene.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "hidden/support_plane.h"
 #include "interp/picture.h"
 
@@ -43,6 +46,7 @@ void FillScene::enter(std::span<const Point3> vertices, std::uint32_t colour, st
   if (support.edge_on) return;
   const std::uint32_t first = begin_.back();
   vertices_.insert(vertices_.end(), vertices.begin(), vertices.end());
+  for (const Point3& v : vertices) largest_depth_ = std::max(largest_depth_, std::abs(v.z));
   begin_.push_back(first + static_cast<std::uint32_t>(vertices.size()));
   const auto& [p, q, r] = support.index;
   support_.push_back({first + p, first + q, first + r});

@@ -30,6 +30,10 @@ class FillScene {
   std::span<const Point3> vertices(Fill fill) const {
     return std::span(vertices_).subspan(begin_[fill], begin_[fill + 1] - begin_[fill]);
   }
+  /// The place of its first vertex among those of all fills.
+  std::uint32_t first_vertex(Fill fill) const { return begin_[fill]; }
+  std::size_t all_vertices() const { return vertices_.size(); }
+  double largest_depth() const { return largest_depth_; }  ///< of the vertices' |z|
   /// Through the support vertices (the design's section 4), which are not in line.
   Plane plane(Fill fill) const {
     const auto& s = support_[fill];
@@ -60,6 +64,7 @@ class FillScene {
   std::vector<std::int32_t> pick_;
   std::vector<Source> sources_;
   bool has_lines_ = false;
+  double largest_depth_ = 0.0;
 };
 
 }  // namespace displayfile

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "clip/error.h"
-#include "interp/polygon_z_buffer.h"
+#include "interp/band_z_buffer.h"
 
 namespace displayfile {
 
@@ -17,7 +17,7 @@ std::unique_ptr<ImageSpaceMethod> make() {
 }
 
 constexpr std::array kMethods{
-    ImageSpaceEntry{HiddenMethod::z_buffer, make<PolygonZBuffer>},
+    ImageSpaceEntry{HiddenMethod::z_buffer, make<BandZBuffer>},
 };
 
 }  // namespace

@@ -6,8 +6,6 @@ namespace displayfile {
 
 namespace {
 
-constexpr ZBuffer::Owner kNone = ~ZBuffer::Owner{0};
-
 /// What rounding to a float adds, for depths up to the second number.
 constexpr double kFloatUnit = 0x1p-23;
 constexpr double kLargestFloatDepth = 1e37;
@@ -29,17 +27,7 @@ void ZBuffer::begin_polygon(std::span<const Point3> vertices, const Plane& plane
   largest_error_ = std::max(largest_error_, error);
   margin_ = 2.0 * (error + largest_error_);
   polygons_.push_back({plane.p, plane.q, plane.r, error});
-  compared_ = kNone;
-}
-
-void ZBuffer::compare_planes(Owner other) {
-  const Polygon& a = polygons_[current_];
-  const Polygon& b = polygons_[other];
-  plane_ = Plane(a.p, a.q, a.r);
-  compared_plane_ = Plane(b.p, b.q, b.r);
-  compared_ = other;
-  coplanar_ = side_of_plane(a.p, compared_plane_) == 0 &&
-              side_of_plane(a.q, compared_plane_) == 0 && side_of_plane(a.r, compared_plane_) == 0;
+  close_.begin(plane);
 }
 
 }  // namespace displayfile

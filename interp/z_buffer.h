@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "hidden/depth_order.h"
 #include "hidden/pixel_centre.h"
+#include "interp/close_planes.h"
 #include "interp/pixel_depth.h"
 
 namespace displayfile {
@@ -34,7 +34,7 @@ class ZBuffer {
 
   /// No roundoff: exact.
   ZBuffer(const PictureSize& size, std::optional<double> roundoff)
-      : size_(size), roundoff_(roundoff) {}
+      : size_(size), roundoff_(roundoff), close_(size) {}
 
   /// Starts the next polygon (device coordinates) and its support plane, which is not edge-on.
   void begin_polygon(std::span<const Point3> vertices, const Plane& plane);
@@ -72,12 +72,6 @@ class ZBuffer {
   }
   template <class Depth>
   bool nearer_or_equal(double nearer, const Rest& rest, const Cell<Depth>* cells);
-  template <class Depth>
-  bool decide_run(const Rest& rest, const Cell<Depth>* cells);
-  void compare_planes(Owner other);
-  bool later_is_seen(int column, int row) const {
-    return depth_order(plane_, compared_plane_, PixelCentre(column, row, size_)) >= 0;
-  }
 
   PictureSize size_;
   std::optional<double> roundoff_;
@@ -87,51 +81,28 @@ class ZBuffer {
   Owner current_ = 0;
   std::vector<Polygon> polygons_;
 
-  // The polygon that was last compared with the current one.
-  Owner compared_ = 0;
-  bool coplanar_ = false;
-  Plane plane_, compared_plane_;
-
-  /// Pixels of the current span for which the same was decided together.
-  struct Run {
-    int end;
-    bool nearer_or_equal;
-  };
-  Run run_{0, false};
+  ClosePlanes close_;
+  ClosePlanes::Run run_{0, false};  // of the current span
 };
 
 /// What the rounded depths do not tell.
 template <class Depth>
 bool ZBuffer::nearer_or_equal(double nearer, const Rest& rest, const Cell<Depth>* cells) {
   if (roundoff_) return true;  // within ROUNDOFF: equal, and later
-  if (rest.column < run_.end) return run_.nearer_or_equal;
+  if (rest.column < run_.end) return run_.later_is_seen;
   const auto& cell = cells[rest.column];
   if (cell.is_background()) return true;
   const double margin = 2.0 * (polygons_[current_].error + polygons_[cell.owner].error);
   if (nearer > margin) return true;
   if (nearer < -margin) return false;
-  if (compared_ != cell.owner) compare_planes(cell.owner);
-  return coplanar_ || decide_run(rest, cells);
-}
-
-/// Along a row the difference of two depths is linear: if it has one sign at both ends of a run
-/// of pixels that show the same polygon, it has that sign between them; if not, it changes once.
-template <class Depth>
-bool ZBuffer::decide_run(const Rest& rest, const Cell<Depth>* cells) {
-  int last = rest.column;
-  while (last + 1 < rest.end && cells[last + 1].owner == compared_ &&
-         !cells[last + 1].is_background()) {
-    ++last;
+  if (!close_.is_compared_with(cell.owner)) {
+    const Polygon& other = polygons_[cell.owner];
+    close_.compare_with(cell.owner, Plane(other.p, other.q, other.r));
   }
-  const bool seen = later_is_seen(rest.column, rest.row);
-  if (last - rest.column < 4) return seen;  // as soon asked one by one
-  int same = rest.column;
-  for (int different = last + 1; different - same > 1;) {
-    const int middle = different == last + 1 ? last : same + (different - same) / 2;
-    (later_is_seen(middle, rest.row) == seen ? same : different) = middle;
-  }
-  run_ = {same + 1, seen};
-  return seen;
+  int end = rest.column + 1;
+  while (end < rest.end && cells[end].owner == cell.owner && !cells[end].is_background()) ++end;
+  run_ = close_.run(rest.row, rest.column, end);
+  return run_.later_is_seen;
 }
 
 }  // namespace displayfile

@@ -1,0 +1,160 @@
+#include "interp/band_z_buffer.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "interp/close_planes.h"
+#include "interp/fill_depths.h"
+#include "interp/scan_convert.h"
+#include "interp/z_buffer_rows.h"
+
+namespace displayfile {
+
+namespace {
+
+using Fill = FillScene::Fill;
+
+/// A fill's depth in doubles, with its bound.
+struct KnownDepth {
+  Fill fill = FillScene::kBackground;
+  Plane plane;
+  PixelDepth depth;
+  double error = 0.0;
+
+  void make(const FillScene& scene, Fill of, const PictureSize& size) {
+    fill = of;
+    plane = scene.plane(of);
+    depth = PixelDepth(plane, size.width, size.height);
+    error = depth_bound(scene.vertices(of), plane, depth, size).error;
+  }
+};
+
+/// First in doubles, then by exact arithmetic.
+class ExactDecisions : public ExactRows {
+ public:
+  ExactDecisions(const FillScene& scene, const PictureSize& size, const RowFills& fills,
+                 const DepthRows& rows)
+      : scene_(scene), size_(size), fills_(fills), rows_(rows), close_(size) {}
+
+  void begin(Fill fill) override { fill_ = fill; }
+
+  std::span<const Span> spans(int row_begin, int row_end) override {
+    spans_.clear();
+    converter_.scan_convert(scene_.vertices(fill_), {size_, row_begin, row_end},
+                            [&](int row, int first, int end) {
+                              spans_.push_back({row, first, end});
+                            });
+    return spans_;
+  }
+
+  void draw(int row, int column, std::uint32_t bits, int end) override {
+    if (own_.fill != fill_) {
+      own_.make(scene_, fill_, size_);
+      close_.begin(own_.plane);
+      run_row_ = -1;
+    }
+    const std::size_t start = rows_.index(row, 0);
+    for (int i = column; bits != 0; ++i, bits >>= 1) {
+      if ((bits & 1) == 0) continue;
+      const std::size_t at = start + static_cast<std::size_t>(i);
+      if (!is_seen(row, i, end, rows_.fill + start)) continue;
+      rows_.fill[at] = fill_;
+      rows_.z[at] = rounded_depth(row, i);
+    }
+  }
+
+ private:
+  float rounded_depth(int row, int column) const {
+    const RowFill& f = fills_[fill_];
+    if (!f.certain) return std::numeric_limits<float>::quiet_NaN();
+    return static_cast<float>(own_.depth.at(own_.depth.row(row), column));
+  }
+
+  bool is_seen(int row, int column, int end, const Fill* fills) {
+    const Fill other = fills[column];
+    if (other == FillScene::kBackground) return true;
+    if (other_.fill != other) other_.make(scene_, other, size_);
+    if (row == run_row_ && column < run_.end && run_of_ == other) return run_.later_is_seen;
+    const double nearer =
+        own_.depth.at(own_.depth.row(row), column) - other_.depth.at(other_.depth.row(row), column);
+    const double margin = 2.0 * (own_.error + other_.error);
+    if (nearer > margin) return true;
+    if (nearer < -margin) return false;
+    if (!close_.is_compared_with(other)) close_.compare_with(other, other_.plane);
+    int same = column + 1;
+    while (same < end && fills[same] == other) ++same;
+    run_ = close_.run(row, column, same);
+    run_row_ = row;
+    run_of_ = other;
+    return run_.later_is_seen;
+  }
+
+  const FillScene& scene_;
+  PictureSize size_;
+  const RowFills& fills_;
+  const DepthRows& rows_;
+  Fill fill_ = FillScene::kBackground;
+  KnownDepth own_, other_;
+  ClosePlanes close_;
+  ClosePlanes::Run run_{0, false};  // what was decided together: of this row and fill
+  int run_row_ = -1;
+  Fill run_of_ = FillScene::kBackground;
+  ScanConverter converter_;
+  std::vector<Span> spans_;
+};
+
+}  // namespace
+
+void BandZBuffer::prepare(const Request& request, int threads) {
+  request_.emplace(request);
+  if (request.roundoff) return with_roundoff_.prepare(request, threads);
+  fills_ = RowFills(request.scene, request.size, threads);
+  sort_into_bands();
+}
+
+/// A counting sort: within a band the order of entry stays.
+void BandZBuffer::sort_into_bands() {
+  const auto bands = static_cast<std::size_t>((request_->size.height - 1) / kRowsOfABand + 1);
+  const auto for_each_band = [&](Fill fill, auto&& visit) {
+    const RowFill& f = fills_[fill];
+    if (f.row_begin >= f.row_end) return;
+    const int last = (f.row_end - 1) / kRowsOfABand;
+    for (int band = f.row_begin / kRowsOfABand; band <= last; ++band) {
+      visit(static_cast<std::size_t>(band));
+    }
+  };
+  band_begin_.assign(bands + 1, 0);
+  for (Fill fill = 1; fill < fills_.end(); ++fill) {
+    for_each_band(fill, [&](std::size_t band) { ++band_begin_[band + 1]; });
+  }
+  for (std::size_t band = 0; band < bands; ++band) band_begin_[band + 1] += band_begin_[band];
+  in_bands_.resize(band_begin_[bands]);
+  std::vector<std::uint32_t> next(band_begin_.begin(), band_begin_.end() - 1);
+  for (Fill fill = 1; fill < fills_.end(); ++fill) {
+    for_each_band(fill, [&](std::size_t band) { in_bands_[next[band]++] = fill; });
+  }
+}
+
+void BandZBuffer::draw_rows(int row_begin, int row_end, const SeenRun& seen) const {
+  if (request_->roundoff) return with_roundoff_.draw_rows(row_begin, row_end, seen);
+  const auto width = static_cast<std::size_t>(request_->size.width);
+  const std::size_t stride = width + DepthRows::kPadding;
+  std::vector<float> z(stride * kRowsOfABand);
+  std::vector<Fill> fill(stride * kRowsOfABand);
+  DepthRows rows{0, 0, request_->size.width, stride, z.data(), fill.data()};
+  ExactDecisions exact(request_->scene, request_->size, fills_, rows);
+  const int last_band = (row_end - 1) / kRowsOfABand;
+  for (int band = row_begin / kRowsOfABand; band <= last_band; ++band) {
+    rows.row_begin = std::max(row_begin, band * kRowsOfABand);
+    rows.row_end = std::min(row_end, (band + 1) * kRowsOfABand);
+    std::fill(z.begin(), z.end(), -std::numeric_limits<float>::infinity());
+    std::fill(fill.begin(), fill.end(), FillScene::kBackground);
+    const auto draw = decisions_ == Decisions::exact ? draw_into_rows : draw_into_rows_rounded;
+    draw(fills_, of_band(static_cast<std::size_t>(band)), rows, exact);
+    for (int row = rows.row_begin; row < rows.row_end; ++row) {
+      seen(row, 0, {fill.data() + rows.index(row, 0), width});
+    }
+  }
+}
+
+}  // namespace displayfile

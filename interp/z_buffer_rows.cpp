@@ -89,10 +89,12 @@ class RowDrawer {
       hn::StoreU(column(left), i_, columns_.first + (row - row_begin));
       hn::StoreU(column(right), i_, columns_.end + (row - row_begin));
       if constexpr (kExact) {
-        const Floats close = hn::Min(hn::Abs(hn::Sub(left, hn::Round(left))),
-                                     hn::Abs(hn::Sub(right, hn::Round(right))));
-        const auto undecided =
-            hn::And(hn::Le(close, error), hn::FirstN(f_, static_cast<std::size_t>(row_end - row)));
+        // How far from the middle between two centres; half a column on one.
+        const Floats half = hn::Set(f_, 0.5F);
+        const Floats off = hn::Max(hn::Abs(hn::Sub(hn::Sub(hn::Ceil(left), left), half)),
+                                   hn::Abs(hn::Sub(hn::Sub(hn::Ceil(right), right), half)));
+        const auto undecided = hn::And(hn::Ge(off, hn::Sub(half, error)),
+                                       hn::FirstN(f_, static_cast<std::size_t>(row_end - row)));
         if (HWY_UNLIKELY(!hn::AllFalse(f_, undecided))) {
           decide_columns(fill, row, std::min(row + lanes, row_end), row_begin);
         }

@@ -21,7 +21,7 @@ constexpr std::array kMethods{
     HiddenMethodEntry{scan_line, "scan-line", false},
     HiddenMethodEntry{scan_line_z, "scan-line-z", false},
     HiddenMethodEntry{ray_cast, "ray-cast", false},
-    HiddenMethodEntry{warnock, "warnock", false},
+    HiddenMethodEntry{warnock, "warnock", true},
     HiddenMethodEntry{roberts, "roberts", false},
     HiddenMethodEntry{appel, "appel", false},
     HiddenMethodEntry{franklin, "franklin", false},

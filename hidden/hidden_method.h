@@ -16,8 +16,8 @@ enum class HiddenMethod {
   depth_sort,  ///< in object space: a graph of what must be drawn first (hidden/depth_sort.md)
   scan_line,
   scan_line_z,
-  ray_cast,
-  warnock,  // surfaces, not built yet
+  ray_cast,  // surfaces, not built yet
+  warnock,  ///< in image space: areas subdivided until it is easy to tell (interp/warnock.md)
   roberts,
   appel,
   franklin,

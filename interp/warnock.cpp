@@ -1,0 +1,253 @@
+#include "interp/warnock.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "interp/scan_convert.h"
+
+namespace displayfile {
+
+namespace {
+
+/// Early finishing: at this many polygons, and at areas of so many pixels, scan conversion costs
+/// less than more subdivision (measured: interp/warnock.md).
+constexpr std::size_t kFewPolygons = 4;
+constexpr long long kSmallArea = 16 * 16;
+
+}  // namespace
+
+/// One call's work: the stack of areas, the lists, and what is seen in the rows.
+class Warnock::Subdivision {
+ public:
+  Subdivision(const Warnock& warnock, int row_begin, int row_end);
+
+  void run(const std::function<void(const Visit&)>& watch);
+  void tell(const SeenRun& seen) const;
+
+ private:
+  /// An area yet to be looked at, and where its parent's list ends in lists_.
+  struct Pending {
+    SampleArea area;
+    std::size_t list_begin, list_end;
+  };
+
+  void make_list(const Pending& pending);
+  std::optional<Fill> nearest_surrounding() const;
+  bool hides_over(Fill a, Fill b, const SampleArea& area) const;
+  void remove_hidden();
+  Decision decide() const;
+  void scan_convert();
+  void subdivide();
+
+  void paint(Fill fill, int row, int first, int end);
+  void paint_run(Fill fill, int row, int first, int end);
+  Fill* row_of(int row) {
+    return seen_.data() + static_cast<std::size_t>(row - screen_.row_begin) *
+                              static_cast<std::size_t>(screen_.columns());
+  }
+  std::span<Listed> list() { return std::span(lists_).subspan(list_begin_); }
+  std::span<const Listed> list() const { return std::span(lists_).subspan(list_begin_); }
+
+  const Warnock& warnock_;
+  const FillScene& scene_;
+  const FillDepths& depths_;
+  PictureSize size_;
+  SampleArea screen_;  // all that is drawn
+
+  SampleArea area_;         // the one looked at, whose list
+  std::size_t list_begin_;  // is the last of
+  std::vector<Listed> lists_;
+  std::vector<Pending> pending_;
+  std::vector<Fill> seen_;  // of the screen's pixels, row by row
+  ScanConverter converter_;
+};
+
+Warnock::Subdivision::Subdivision(const Warnock& warnock, int row_begin, int row_end)
+    : warnock_(warnock),
+      scene_(warnock.request_->scene),
+      depths_(warnock.depths_),
+      size_(warnock.request_->size),
+      screen_{0, size_.width, row_begin, row_end},
+      area_(screen_),
+      list_begin_(0),
+      seen_(static_cast<std::size_t>(screen_.columns()) * static_cast<std::size_t>(screen_.rows()),
+            FillScene::kBackground) {}
+
+/// The stack holds the areas still to come; their parents' lists lie in lists_ in the same order,
+/// so what lies behind the parent's of the area on top belongs to areas that are done.
+void Warnock::Subdivision::run(const std::function<void(const Visit&)>& watch) {
+  for (Fill fill = 1; fill < scene_.end(); ++fill) {
+    lists_.push_back({fill, AreaCategory::intersecting});
+  }
+  pending_.push_back({screen_, 0, lists_.size()});
+  while (!pending_.empty()) {
+    const Pending next = pending_.back();
+    pending_.pop_back();
+    make_list(next);
+    if (!area_.is_pixel()) remove_hidden();
+    const Decision decision = decide();
+    if (watch) watch({area_, list(), decision});
+    switch (decision) {
+      case Decision::background: break;
+      case Decision::subdivided: subdivide(); break;
+      case Decision::pixel:
+        row_of(area_.row_begin)[area_.column_begin] = *nearest_surrounding();
+        break;
+      case Decision::surrounded:
+      case Decision::one_polygon:
+      case Decision::few_polygons: scan_convert(); break;
+    }
+  }
+}
+
+/// Those of the parent's list that are not disjoint. A polygon that surrounds the parent's area
+/// surrounds this one too; the others are classified again.
+void Warnock::Subdivision::make_list(const Pending& pending) {
+  area_ = pending.area;
+  lists_.resize(pending.list_end);
+  list_begin_ = pending.list_end;
+  for (std::size_t i = pending.list_begin; i < pending.list_end; ++i) {
+    Listed listed = lists_[i];
+    if (listed.category != AreaCategory::surrounding) {
+      listed.category =
+          category_of(scene_.vertices(listed.fill), warnock_.extents_[listed.fill], area_, size_);
+    }
+    if (listed.category != AreaCategory::disjoint) lists_.push_back(listed);
+  }
+}
+
+/// Of the polygons that surround the area, the one that is seen in its middle.
+std::optional<Warnock::Fill> Warnock::Subdivision::nearest_surrounding() const {
+  const int column = area_.column_begin + area_.columns() / 2;
+  const int row = area_.row_begin + area_.rows() / 2;
+  std::optional<Fill> nearest;
+  for (const auto& [fill, category] : list()) {
+    if (category != AreaCategory::surrounding) continue;
+    if (!nearest || depths_.hides(fill, *nearest, column, row)) nearest = fill;
+  }
+  return nearest;
+}
+
+/// The difference of two planes' depths is linear: what holds at the corners holds between them.
+bool Warnock::Subdivision::hides_over(Fill a, Fill b, const SampleArea& area) const {
+  const int left = area.column_begin, right = area.column_end - 1;
+  const int bottom = area.row_begin, top = area.row_end - 1;
+  return depths_.hides(a, b, left, bottom) && depths_.hides(a, b, right, top) &&
+         depths_.hides(a, b, right, bottom) && depths_.hides(a, b, left, top);
+}
+
+void Warnock::Subdivision::remove_hidden() {
+  const std::optional<Fill> nearest = nearest_surrounding();
+  if (!nearest) return;
+  const auto is_hidden = [&](const Listed& listed) {
+    return listed.fill != *nearest &&
+           hides_over(*nearest, listed.fill, intersection(area_, warnock_.extents_[listed.fill]));
+  };
+  const auto rest = std::ranges::remove_if(list(), is_hidden);
+  lists_.resize(lists_.size() - rest.size());
+}
+
+/// The problem book's tests (a) to (d).
+Warnock::Decision Warnock::Subdivision::decide() const {
+  if (list().empty()) return Decision::background;
+  if (list().size() == 1) {
+    return list()[0].category == AreaCategory::surrounding ? Decision::surrounded
+                                                           : Decision::one_polygon;
+  }
+  if (area_.is_pixel()) return Decision::pixel;
+  if (warnock_.finish_ == Finish::at_pixels) return Decision::subdivided;
+  const bool small = static_cast<long long>(area_.columns()) * area_.rows() <= kSmallArea;
+  return small || list().size() <= kFewPolygons ? Decision::few_polygons : Decision::subdivided;
+}
+
+void Warnock::Subdivision::scan_convert() {
+  for (const auto& [fill, category] : list()) {
+    if (category == AreaCategory::surrounding) {
+      for (int row = area_.row_begin; row < area_.row_end; ++row) {
+        paint(fill, row, area_.column_begin, area_.column_end);
+      }
+      continue;
+    }
+    const ScanConverter::Region rows{size_, area_.row_begin, area_.row_end};
+    converter_.scan_convert(scene_.vertices(fill), rows, [&](int row, int first, int end) {
+      paint(fill, row, std::max(first, area_.column_begin), std::min(end, area_.column_end));
+    });
+  }
+}
+
+/// Into quarters; an area more than twice as long as it is wide into halves, so that areas come
+/// near to squares.
+void Warnock::Subdivision::subdivide() {
+  const auto [left, right, bottom, top] = area_;
+  const int columns = area_.columns(), rows = area_.rows();
+  const int middle_column =
+      columns > 1 && 2 * static_cast<long long>(columns) >= rows ? left + columns / 2 : right;
+  const int middle_row =
+      rows > 1 && 2 * static_cast<long long>(rows) >= columns ? bottom + rows / 2 : top;
+  for (const SampleArea& part : {SampleArea{middle_column, right, middle_row, top},
+                                 SampleArea{left, middle_column, middle_row, top},
+                                 SampleArea{middle_column, right, bottom, middle_row},
+                                 SampleArea{left, middle_column, bottom, middle_row}}) {
+    if (!part.is_empty()) pending_.push_back({part, list_begin_, lists_.size()});
+  }
+}
+
+/// Where the fill is seen before what is there, in runs of pixels that show the same.
+void Warnock::Subdivision::paint(Fill fill, int row, int first, int end) {
+  const Fill* seen = row_of(row);
+  while (first < end) {
+    int run_end = first + 1;
+    while (run_end < end && seen[run_end] == seen[first]) ++run_end;
+    paint_run(fill, row, first, run_end);
+    first = run_end;
+  }
+}
+
+/// Along a row the difference of two depths is linear: if it has one sign at both ends of the run,
+/// it has that sign between them; if not, it changes once.
+void Warnock::Subdivision::paint_run(Fill fill, int row, int first, int end) {
+  Fill* seen = row_of(row);
+  const Fill before = seen[first];
+  const auto hides = [&](int column) {
+    return before == FillScene::kBackground || depths_.hides(fill, before, column, row);
+  };
+  const bool at_first = hides(first), at_last = hides(end - 1);
+  if (at_first != at_last) {
+    int same = first, other = end - 1;  // the last known to be as the first, the first known not to
+    while (other - same > 1) {
+      const int middle = same + (other - same) / 2;
+      (hides(middle) == at_first ? same : other) = middle;
+    }
+    (at_first ? end : first) = other;
+  } else if (!at_first) {
+    return;
+  }
+  std::fill(seen + first, seen + end, fill);
+}
+
+void Warnock::Subdivision::tell(const SeenRun& seen) const {
+  const auto width = static_cast<std::size_t>(screen_.columns());
+  for (int row = screen_.row_begin; row < screen_.row_end; ++row) {
+    const auto start = static_cast<std::size_t>(row - screen_.row_begin) * width;
+    seen(row, 0, std::span(seen_).subspan(start, width));
+  }
+}
+
+void Warnock::prepare(const Request& request, int /*threads*/) {
+  request_.emplace(request);
+  const FillScene& scene = request.scene;
+  depths_ = FillDepths(scene, request.size, request.roundoff);
+  extents_.assign(scene.end(), {});
+  for (Fill fill = 1; fill < scene.end(); ++fill) {
+    extents_[fill] = extents_of(scene.vertices(fill), request.size);
+  }
+}
+
+void Warnock::draw_rows(int row_begin, int row_end, const SeenRun& seen,
+                        const std::function<void(const Visit&)>& watch) const {
+  Subdivision subdivision(*this, row_begin, row_end);
+  subdivision.run(watch);
+  subdivision.tell(seen);
+}
+
+}  // namespace displayfile

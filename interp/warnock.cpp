@@ -12,7 +12,7 @@ namespace {
 /// Early finishing: at this many polygons, and at areas of so many pixels, scan conversion costs
 /// less than more subdivision (measured: interp/warnock.md).
 constexpr std::size_t kFewPolygons = 4;
-constexpr long long kSmallArea = 16 * 16;
+constexpr long long kSmallArea = 32 * 32;
 
 }  // namespace
 

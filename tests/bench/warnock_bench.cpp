@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hard/generated_scenes.h"
+#include "interp/band_z_buffer.h"
 #include "interp/polygon_z_buffer.h"
 #include "interp/warnock.h"
 #include "tests/bench/side_by_side.h"
@@ -43,28 +44,37 @@ Areas areas_of(const Warnock& warnock) {
   return areas;
 }
 
+/// Warnock's time over the other's, drawing again and with prepare().
+std::string ratios(ImageSpaceMethod& other, ImageSpaceMethod& warnock, const FillScene& scene,
+                   int rounds) {
+  draw_anew(other, scene);
+  draw_anew(warnock, scene);
+  const Spread again = times_faster(
+      rounds, [&] { draw(other); }, [&] { draw(warnock); });
+  const Spread anew = times_faster(
+      rounds, [&] { draw_anew(other, scene); }, [&] { draw_anew(warnock, scene); });
+  return fmt::format("{:>6.2f} ({:.2f} to {:.2f}), with prepare() {:>6.2f} ({:.2f} to {:.2f})",
+                     again.median, again.least, again.greatest, anew.median, anew.least,
+                     anew.greatest);
+}
+
 void measure(const std::string& name, std::size_t polygons, int rounds) {
   const GraphicsSystem system = entered(generated_scene(name).make(polygons, 1));
   const FillScene scene(system.display_file());
-  PolygonZBuffer z_buffer;
-  draw_anew(z_buffer, scene);
+  PolygonZBuffer polygon_by_polygon;
+  BandZBuffer bands;
+  fmt::print("{}, {} polygons\n", name, scene.end() - 1);
   for (const auto& [finish, form] :
        {std::pair{Warnock::Finish::at_pixels, "at pixels"}, {Warnock::Finish::early, "early"}}) {
     Warnock warnock(finish);
     warnock.prepare({scene, kSize, {}}, 1);
     const Areas areas = areas_of(warnock);
     const auto visited = static_cast<double>(areas.visited);
-    const Spread drawn = times_faster(
-        rounds, [&] { draw(z_buffer); }, [&] { draw(warnock); });
-    const Spread anew = times_faster(
-        rounds, [&] { draw_anew(z_buffer, scene); }, [&] { draw_anew(warnock, scene); });
     fmt::print(
-        "{:<8} {:>8} polygons, {:<9}: {:>8.5f} areas a pixel, {:>6.2f} polygons an area, {:>6.2f} "
-        "times the z-buffer's time ({:.2f} to {:.2f}), with prepare() {:>6.2f} ({:.2f} to "
-        "{:.2f})\n",
-        name, scene.end() - 1, form, visited / (1024.0 * 1024.0),
-        static_cast<double>(areas.listed) / visited, drawn.median, drawn.least, drawn.greatest,
-        anew.median, anew.least, anew.greatest);
+        "  {:<9}: {:>8.5f} areas a pixel, {:>7.2f} polygons an area\n"
+        "             of PolygonZBuffer's time {}\n             of BandZBuffer's time    {}\n",
+        form, visited / (1024.0 * 1024.0), static_cast<double>(areas.listed) / visited,
+        ratios(polygon_by_polygon, warnock, scene, rounds), ratios(bands, warnock, scene, rounds));
   }
 }
 

@@ -15,7 +15,7 @@ enum class HiddenMethod {
   bsp,         ///< in object space: a tree of the polygons' planes (hidden/bsp.md)
   depth_sort,  ///< in object space: a graph of what must be drawn first (hidden/depth_sort.md)
   scan_line,
-  scan_line_z,
+  scan_line_z,  ///< in image space, row by row, with a z-buffer one row high
   ray_cast,
   warnock,  // surfaces, not built yet
   roberts,

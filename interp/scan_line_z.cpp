@@ -13,8 +13,8 @@ namespace {
 /// Polygons of the table that are passed over together if none of them reaches a row.
 constexpr std::size_t kBlock = 64;
 
-/// Edges that are kept, ended or not, without a thought.
-constexpr std::size_t kFewEdges = 1024;
+/// Edges that there is always room for.
+constexpr std::size_t kFewEdges = 64;
 
 }  // namespace
 
@@ -74,7 +74,7 @@ class ScanLineZ::Sweep {
   void enter(const Polygon& polygon, int row);
   void update_edges(ActivePolygon& polygon, int row);
   void fill_between_edges(const ActivePolygon& polygon, int row);
-  void drop_ended_edges();
+  void drop_ended_edges(std::size_t to_come);
 
   const ScanLineZ& method_;
   const FillScene& scene_;
@@ -83,8 +83,7 @@ class ScanLineZ::Sweep {
   DepthRow row_;
   std::size_t next_ = 0;               // in the polygon table
   std::vector<ActivePolygon> active_;  // by fill
-  std::vector<ScanEdge> edges_, kept_edges_;
-  std::size_t most_edges_ = kFewEdges;  // before ended ones are dropped
+  std::vector<ScanEdge> edges_;
   std::vector<int> columns_;
 };
 
@@ -115,27 +114,29 @@ void ScanLineZ::Sweep::enter_polygons(int row) {
 }
 
 void ScanLineZ::Sweep::enter(const Polygon& polygon, int row) {
-  if (edges_.size() > most_edges_) drop_ended_edges();
+  const auto vertices = scene_.vertices(polygon.fill);
+  if (edges_.size() + vertices.size() > edges_.capacity()) drop_ended_edges(vertices.size());
   const auto start = static_cast<std::uint32_t>(edges_.size());
-  append_edges(scene_.vertices(polygon.fill), size_, row, row_end_, edges_);
+  append_edges(vertices, size_, row, row_end_, edges_);
   const auto end = static_cast<std::uint32_t>(edges_.size());
   active_.push_back({polygon.fill, polygon.end_row, row, start, start, end,
                      FillDepth(scene_, polygon.fill, size_, method_.request_->roundoff)});
 }
 
-/// The edges of polygons that ended stay until they may be half of all: a constant cost an edge.
-void ScanLineZ::Sweep::drop_ended_edges() {
-  kept_edges_.clear();
+/// The edges of polygons that ended stay until they may be a third of all: a constant cost an edge.
+void ScanLineZ::Sweep::drop_ended_edges(std::size_t to_come) {
+  std::size_t living = to_come;
+  for (const ActivePolygon& polygon : active_) living += polygon.end - polygon.active;
+  std::vector<ScanEdge> kept;
+  kept.reserve(living + living / 2 + kFewEdges);
   for (ActivePolygon& polygon : active_) {
-    const auto start = static_cast<std::uint32_t>(kept_edges_.size());
-    kept_edges_.insert(kept_edges_.end(), edges_.begin() + polygon.active,
-                       edges_.begin() + polygon.end);
+    const auto start = static_cast<std::uint32_t>(kept.size());
+    kept.insert(kept.end(), edges_.begin() + polygon.active, edges_.begin() + polygon.end);
     polygon.next = start + polygon.next - polygon.active;
     polygon.end = start + polygon.end - polygon.active;
     polygon.active = start;
   }
-  std::swap(edges_, kept_edges_);
-  most_edges_ = 2 * edges_.size() + kFewEdges;
+  edges_ = std::move(kept);
 }
 
 void ScanLineZ::Sweep::update_edges(ActivePolygon& polygon, int row) {

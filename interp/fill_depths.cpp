@@ -41,12 +41,6 @@ FillDepth::FillDepth(const FillScene& scene, FillScene::Fill fill, const Picture
   error = roundoff ? *roundoff / 4.0 : depth_bound(scene.vertices(fill), plane, depth, size).error;
 }
 
-bool hides_exactly(const FillScene& scene, FillScene::Fill a, FillScene::Fill b,
-                   const PixelCentre& centre) {
-  const int order = depth_order(scene.plane(a), scene.plane(b), centre);
-  return order != 0 ? order > 0 : a > b;
-}
-
 FillDepths::FillDepths(const FillScene& scene, const PictureSize& size,
                        std::optional<double> roundoff)
     : scene_(&scene), size_(size), exact_(!roundoff) {
@@ -54,6 +48,13 @@ FillDepths::FillDepths(const FillScene& scene, const PictureSize& size,
   for (Fill fill = 1; fill < scene.end(); ++fill) {
     of_fill_[fill] = FillDepth(scene, fill, size, roundoff);
   }
+}
+
+bool FillDepths::hides_closely(Fill a, Fill b, int column, int row) const {
+  if (!exact_) return a > b;
+  const int order =
+      depth_order(scene_->plane(a), scene_->plane(b), PixelCentre(column, row, size_));
+  return order != 0 ? order > 0 : a > b;
 }
 
 }  // namespace displayfile

@@ -27,11 +27,6 @@ inline int rounded_order(double nearer, double errors) {
   return nearer > 2.0 * errors ? 1 : nearer < -2.0 * errors ? -1 : 0;
 }
 
-/// True if a is seen rather than b at a centre that both cover, neither of them the background; by
-/// exact arithmetic where need be.
-bool hides_exactly(const FillScene& scene, FillScene::Fill a, FillScene::Fill b,
-                   const PixelCentre& centre);
-
 /// The depths of a scene's fills over the pixels of a picture, and which of two fills is seen.
 ///
 /// Exact: where two rounded depths are too close to tell, the planes are compared by exact
@@ -55,11 +50,12 @@ class FillDepths {
   /// background.
   bool hides(Fill a, Fill b, int column, int row) const {
     const int order = rounded_order(at(a, column, row) - at(b, column, row), error(a) + error(b));
-    if (order != 0) return order > 0;
-    return exact_ ? hides_exactly(*scene_, a, b, {column, row, size_}) : a > b;
+    return order != 0 ? order > 0 : hides_closely(a, b, column, row);
   }
 
  private:
+  bool hides_closely(Fill a, Fill b, int column, int row) const;
+
   const FillScene* scene_ = nullptr;
   PictureSize size_{1, 1};
   bool exact_ = true;

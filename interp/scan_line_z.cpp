@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "interp/depth_row.h"
+#include "interp/row_z_buffer.h"
 #include "interp/scan_edge.h"
 
 namespace displayfile {
@@ -80,7 +80,7 @@ class ScanLineZ::Sweep {
   const FillScene& scene_;
   const PictureSize size_;
   const int row_end_;
-  DepthRow row_;
+  RowZBuffer row_;
   std::size_t next_ = 0;               // in the polygon table
   std::vector<ActivePolygon> active_;  // by fill
   std::vector<ScanEdge> edges_;

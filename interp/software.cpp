@@ -214,14 +214,18 @@ const Picture& SoftwareRenderer::draw(const DisplayFile& display_file,
   return picture_;
 }
 
+/// From the top, in strips that are whole bands of the method's.
 void SoftwareRenderer::draw(const DisplayFile& display_file, const RasterRequest& request,
                             const TakeRows& take) {
   prepare(display_file, request);
-  const int rows = std::max(threads_of(request) * rows_at_a_time(display_file, request),
-                            kPixelsAtATime / request.width);
-  for (int end = request.height; end > 0; end -= rows) {
-    draw_rows(display_file, request, {std::max(0, end - rows), end});
+  const int band = rows_at_a_time(display_file, request);
+  const int bands = std::max(threads_of(request), kPixelsAtATime / request.width / band);
+  const int rows = std::min(band * bands, request.height);
+  for (int end = request.height; end > 0;) {
+    const int begin = (end - 1) / rows * rows;
+    draw_rows(display_file, request, {begin, end});
     take(picture_);
+    end = begin;
   }
 }
 

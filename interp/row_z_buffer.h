@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "interp/close_planes.h"
 #include "interp/fill_depths.h"
 
 namespace displayfile {
@@ -11,11 +12,11 @@ namespace displayfile {
 /// A z-buffer one row high: the depth and the fill seen at each pixel of a row. Which of two fills
 /// is seen is decided as FillDepths does, but for many pixels together where it takes exact
 /// arithmetic (interp/scan_line_z.md).
-class DepthRow {
+class RowZBuffer {
  public:
   using Fill = FillScene::Fill;
 
-  DepthRow(const FillScene& scene, const PictureSize& size, std::optional<double> roundoff);
+  RowZBuffer(const FillScene& scene, const PictureSize& size, std::optional<double> roundoff);
 
   /// Clears it for a row.
   void begin(int row);
@@ -41,21 +42,15 @@ class DepthRow {
   struct Rest {
     int column, end;
   };
-  /// Pixels of a span for which the same was decided together.
-  struct Run {
-    int end;
-    bool hides;
-  };
   /// Whether the planes of two fills are one plane.
   struct Compared {
-    Fill a = FillScene::kBackground, b = FillScene::kBackground;
+    Fill fill = FillScene::kBackground, other = FillScene::kBackground;
     bool coplanar = false;
   };
 
   bool hides_closely(double nearer, const Rest& rest);
-  Run decide_run(Fill fill, Fill other, const Rest& rest) const;
+  void compare_planes(Owner owner);
   int end_of_run(const Rest& rest) const;
-  bool coplanar(Fill a, Fill b);
 
   const FillScene& scene_;
   const PictureSize size_;
@@ -66,7 +61,9 @@ class DepthRow {
   std::vector<Drawn> drawn_;        // in this row; the background first
   double largest_error_ = 0.0;      // of them
   FillDepth current_;               // of the last of them
-  Run run_{0, false};               // of the span being drawn
+  ClosePlanes close_;               // of the current fill and an owner, if
+  bool compares_ = false;           // it was asked for
+  ClosePlanes::Run run_{0, false};  // of the span being drawn
   std::vector<Compared> compared_;  // the pairs compared last, by a hash of the two
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -82,8 +83,9 @@ class LinePainter {
       low = std::min(low, v.y);
       high = std::max(high, v.y);
     }
-    const int height = region_.size.height;
-    const double reach = std::max(1.0, polygon.line.width) + 2.0;  // more than half of it, slanted
+    const double height = region_.size.height;
+    const double rounding = 1e-12 * height * (std::abs(low) + std::abs(high));
+    const double reach = std::max(1.0, polygon.line.width) + 2.0 + rounding;  // also of a slant
     return low * height - reach < region_.row_end && high * height + reach > region_.row_begin;
   }
   Point3 pixel(const Point3& device) const {

@@ -54,6 +54,13 @@ int rows_worth_a_walk(const RasterRequest& request, std::size_t polygons) {
   return static_cast<int>(std::min(rows, static_cast<std::size_t>(request.height)));
 }
 
+/// For so many values, in place of those it holds.
+template <class T>
+void make_room(std::vector<T>& values, std::size_t size) {
+  if (size > values.capacity()) values = {};
+  values.resize(size);
+}
+
 /// Colours, identifiers and depths of the fills seen.
 class FillsShown {
  public:
@@ -156,9 +163,9 @@ void SoftwareRenderer::draw_rows(const DisplayFile& display_file, const RasterRe
   picture_.undecided_centres = 0;
   const auto pixels =
       static_cast<std::size_t>(picture_.width) * static_cast<std::size_t>(picture_.height);
-  picture_.pixels.resize(pixels);
-  picture_.ids.resize(request.ids ? pixels : 0);
-  picture_.depth.resize(request.depth || lines ? pixels : 0);
+  make_room(picture_.pixels, pixels);
+  make_room(picture_.ids, request.ids ? pixels : 0);
+  make_room(picture_.depth, request.depth || lines ? pixels : 0);
   if (!image_space) return paint_in_order(display_file, request, rows);
   find_fills_seen(request, rows);
   if (lines) draw_lines_over_fills(display_file, request, rows);

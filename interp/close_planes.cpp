@@ -3,10 +3,15 @@
 namespace displayfile {
 
 void ClosePlanes::compare_with(std::uint32_t other, const Plane& plane) {
+  compare_with(other, plane,
+               side_of_plane(later_.p, plane) == 0 && side_of_plane(later_.q, plane) == 0 &&
+                   side_of_plane(later_.r, plane) == 0);
+}
+
+void ClosePlanes::compare_with(std::uint32_t other, const Plane& plane, bool coplanar) {
   other_ = plane;
   compared_ = other;
-  coplanar_ = side_of_plane(later_.p, other_) == 0 && side_of_plane(later_.q, other_) == 0 &&
-              side_of_plane(later_.r, other_) == 0;
+  coplanar_ = coplanar;
 }
 
 ClosePlanes::Run ClosePlanes::run(int row, int first, int end) const {

@@ -22,6 +22,9 @@ class ClosePlanes {
   }
   bool is_compared_with(std::uint32_t other) const { return compared_ == other; }
   void compare_with(std::uint32_t other, const Plane& plane);
+  /// The same, known from before whether the two are one plane.
+  void compare_with(std::uint32_t other, const Plane& plane, bool coplanar);
+  bool coplanar() const { return coplanar_; }
 
   /// Pixels of a row from the first asked for up to `end`: is the later polygon seen on all, or on
   /// none, rather than the one compared with?

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "clip/error.h"
 #include "displayfile/output_file.h"
@@ -29,15 +31,13 @@ struct VectorRequest {
 /// One line a format: how it is written, from pixels or from the display file itself.
 struct PictureFormat {
   std::string_view extension;
-  void (*write_pixels)(const Picture&, const std::filesystem::path&);
+  std::unique_ptr<RowFile> (*pixel_file)(const std::filesystem::path&, int width, int height);
   void (*write_vectors)(const DisplayFile&, const VectorRequest&, const std::filesystem::path&);
 };
 
 constexpr std::array kFormats{
-    PictureFormat{".png", [](const Picture& p, const std::filesystem::path& f) { write_png(p, f); },
-                  nullptr},
-    PictureFormat{".ppm", [](const Picture& p, const std::filesystem::path& f) { write_ppm(p, f); },
-                  nullptr},
+    PictureFormat{".png", png_row_file, nullptr},
+    PictureFormat{".ppm", ppm_row_file, nullptr},
     PictureFormat{".svg", nullptr,
                   [](const DisplayFile& d, const VectorRequest& r, const std::filesystem::path& f) {
                     write_svg(d, r.width, r.height, r.z_buffer, f);
@@ -99,18 +99,40 @@ void require_writable(const std::filesystem::path& file, const DrawOptions& opti
   if (!options.depth.empty()) OutputFile{options.depth.string()};
 }
 
+/// The files of what is drawn pixel by pixel.
+std::vector<std::unique_ptr<RowFile>> pixel_files(const std::filesystem::path& file,
+                                                  const DrawOptions& options) {
+  const auto open = [&](auto* row_file, const std::filesystem::path& path) {
+    return row_file(path, options.width, options.height);
+  };
+  std::vector<std::unique_ptr<RowFile>> files;
+  const PictureFormat& format = format_of(file);
+  if (format.pixel_file != nullptr) files.push_back(open(format.pixel_file, file));
+  if (!options.ids.empty()) files.push_back(open(ids_row_file, options.ids));
+  if (!options.depth.empty()) files.push_back(open(depth_row_file, options.depth));
+  return files;
+}
+
+/// The software renderer's rows are written as they are drawn: however large the picture, it is
+/// never in memory.
+void draw_pixels(const DisplayFile& file, const RasterRequest& request, const DrawOptions& options,
+                 const TakeRows& take) {
+  if (options.device == RasterDevice::osmesa) return take(draw_with_osmesa(file, request));
+  SoftwareRenderer().draw(file, request, take);
+}
+
 void write_picture(const DisplayFile& drawn, const RasterRequest& request, bool vectors_by_depth,
                    const std::filesystem::path& file, const DrawOptions& options) {
-  const PictureFormat& format = format_of(file);
-  const bool pixels = format.write_pixels != nullptr || request.ids || request.depth;
-  const Picture picture = pixels ? draw_pixels(drawn, request, options) : Picture{};
-  if (format.write_pixels != nullptr) {
-    format.write_pixels(picture, file);
-  } else {
+  const auto files = pixel_files(file, options);
+  if (!files.empty()) {
+    draw_pixels(drawn, request, options, [&](const Picture& rows) {
+      for (const auto& pixel_file : files) pixel_file->write(rows);
+    });
+  }
+  if (const PictureFormat& format = format_of(file); format.write_vectors != nullptr) {
     format.write_vectors(drawn, {options.width, options.height, vectors_by_depth}, file);
   }
-  if (request.ids) write_npy(picture.ids, picture.width, picture.height, options.ids);
-  if (request.depth) write_npy(picture.depth, picture.width, picture.height, options.depth);
+  for (const auto& pixel_file : files) pixel_file->commit();
 }
 
 }  // namespace

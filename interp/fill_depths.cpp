@@ -34,16 +34,19 @@ DepthBound depth_bound(std::span<const Point3> vertices, const Plane& plane,
           std::abs(depth.z0) + std::abs(depth.dz_dx) * dx + std::abs(depth.dz_dy) * dy};
 }
 
+FillDepth::FillDepth(const FillScene& scene, FillScene::Fill fill, const PictureSize& size,
+                     std::optional<double> roundoff) {
+  const Plane plane = scene.plane(fill);
+  depth = PixelDepth(plane, size.width, size.height);
+  error = roundoff ? *roundoff / 4.0 : depth_bound(scene.vertices(fill), plane, depth, size).error;
+}
+
 FillDepths::FillDepths(const FillScene& scene, const PictureSize& size,
                        std::optional<double> roundoff)
     : scene_(&scene), size_(size), exact_(!roundoff) {
   of_fill_.resize(scene.end());
   for (Fill fill = 1; fill < scene.end(); ++fill) {
-    const Plane plane = scene.plane(fill);
-    OfFill& of_fill = of_fill_[fill];
-    of_fill.depth = PixelDepth(plane, size.width, size.height);
-    of_fill.error = roundoff ? *roundoff / 4.0
-                             : depth_bound(scene.vertices(fill), plane, of_fill.depth, size).error;
+    of_fill_[fill] = FillDepth(scene, fill, size, roundoff);
   }
 }
 

@@ -9,6 +9,24 @@
 
 namespace displayfile {
 
+/// A fill's depth over the pixels of a picture.
+struct FillDepth {
+  PixelDepth depth;
+  /// Bounds the error of depth at the centres that the fill may cover; infinity if it is not
+  /// known. With a ROUNDOFF a quarter of it: depths are told apart by twice the sum of two.
+  double error = 0.0;
+
+  FillDepth() = default;
+  FillDepth(const FillScene& scene, FillScene::Fill fill, const PictureSize& size,
+            std::optional<double> roundoff);
+};
+
+/// What the rounded depths of two fills tell, by a's less b's and the sum of their errors: 1 if a
+/// is nearer, -1 if b is, 0 if they are too close.
+inline int rounded_order(double nearer, double errors) {
+  return nearer > 2.0 * errors ? 1 : nearer < -2.0 * errors ? -1 : 0;
+}
+
 /// The depths of a scene's fills over the pixels of a picture, and which of two fills is seen.
 ///
 /// Exact: where two rounded depths are too close to tell, the planes are compared by exact
@@ -22,9 +40,7 @@ class FillDepths {
   FillDepths(const FillScene& scene, const PictureSize& size, std::optional<double> roundoff);
 
   const PixelDepth& depth(Fill fill) const { return of_fill_[fill].depth; }
-  /// Bounds the error of depth() at the centres that the fill may cover; infinity if it is not
-  /// known. With a ROUNDOFF a quarter of it: hides() tells depths apart by twice the sum of two.
-  double error(Fill fill) const { return of_fill_[fill].error; }
+  double error(Fill fill) const { return of_fill_[fill].error; }  ///< as in FillDepth
   double at(Fill fill, int column, int row) const {
     const PixelDepth& d = of_fill_[fill].depth;
     return d.at(d.row(row), column);
@@ -33,24 +49,17 @@ class FillDepths {
   /// True if a is seen rather than b, of two fills that cover the centre, neither of them the
   /// background.
   bool hides(Fill a, Fill b, int column, int row) const {
-    const double nearer = at(a, column, row) - at(b, column, row);
-    const double margin = 2.0 * (error(a) + error(b));
-    if (nearer > margin) return true;
-    if (nearer < -margin) return false;
-    return hides_closely(a, b, column, row);
+    const int order = rounded_order(at(a, column, row) - at(b, column, row), error(a) + error(b));
+    return order != 0 ? order > 0 : hides_closely(a, b, column, row);
   }
 
  private:
-  struct OfFill {
-    PixelDepth depth;
-    double error = 0.0;
-  };
   bool hides_closely(Fill a, Fill b, int column, int row) const;
 
   const FillScene* scene_ = nullptr;
   PictureSize size_{1, 1};
   bool exact_ = true;
-  std::vector<OfFill> of_fill_;
+  std::vector<FillDepth> of_fill_;
 };
 
 /// Of a polygon (device coordinates) and the depth of its plane: bounds the error of the depth at

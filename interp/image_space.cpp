@@ -6,6 +6,7 @@
 
 #include "clip/error.h"
 #include "interp/band_z_buffer.h"
+#include "interp/scan_line_z.h"
 #include "interp/warnock.h"
 
 namespace displayfile {
@@ -20,6 +21,7 @@ std::unique_ptr<ImageSpaceMethod> make() {
 constexpr std::array kMethods{
     ImageSpaceEntry{HiddenMethod::z_buffer, make<BandZBuffer>},
     ImageSpaceEntry{HiddenMethod::warnock, make<Warnock>},
+    ImageSpaceEntry{HiddenMethod::scan_line_z, make<ScanLineZ>},
 };
 
 }  // namespace

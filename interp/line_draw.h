@@ -5,6 +5,7 @@
 
 #include "clip/point.h"
 #include "displayfile/style.h"
+#include "interp/scan_convert.h"
 
 namespace displayfile {
 
@@ -13,15 +14,37 @@ struct DashPhase {
   double length = 0.0;  ///< drawn so far, in pixels
 };
 
-/// Draws a line in pixel coordinates (see scan_convert.h) on a width x height picture: one
+/// The steps of a line: whole numbers from first to last.
+struct LineSteps {
+  double first, last;
+};
+
+/// Of a flat line's columns, no fewer than those in which what lies within `reach` of it (pixels,
+/// up and down) is in the region's rows. A long line costs each of many bands its own part.
+inline LineSteps columns_in_rows(const Point3& low, const Point3& high, double reach,
+                                 const ScanConverter::Region& region, const LineSteps& all) {
+  const double rise = high.y - low.y, run = high.x - low.x;
+  reach += 2.0 + 1e-12 * (std::abs(low.y) + std::abs(high.y));  // and rounding
+  const double bottom = region.row_begin - reach, top = region.row_end + reach;
+  if (std::max(low.y, high.y) < bottom || std::min(low.y, high.y) > top) return {0.0, -1.0};
+  if (!(std::abs(rise) > 1e-6 * run)) return all;
+  const double a = low.x + (bottom - low.y) / rise * run;
+  const double b = low.x + (top - low.y) / rise * run;
+  const double margin = 2.0 + 1e-12 * (std::abs(low.x) + std::abs(high.x));
+  return {std::max(all.first, std::floor(std::min(a, b) - margin)),
+          std::min(all.last, std::ceil(std::max(a, b) + margin))};
+}
+
+/// Draws a line in pixel coordinates (see scan_convert.h), where it is in the region's rows: one
 /// step for each column that a flat line passes, or each row that a steep one does, and the
 /// pixel that holds the line's point there (a point scan-converts to the floor of its
 /// coordinates; one on the picture's right or top border to the last pixel). A line wider than
 /// a pixel takes the pixels whose centres lie within its width, measured across. Calls
 /// plot(i, j, z) with z interpolated between the ends.
 template <class Plot>
-void draw_line(Point3 a, Point3 b, const LineStyle& style, int width, int height, DashPhase& phase,
-               Plot&& plot) {
+void draw_line(Point3 a, Point3 b, const LineStyle& style, const ScanConverter::Region& region,
+               DashPhase& phase, Plot&& plot) {
+  auto [width, height] = region.size;
   const bool steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
   if (steep) {
     std::swap(a.x, a.y);
@@ -40,10 +63,16 @@ void draw_line(Point3 a, Point3 b, const LineStyle& style, int width, int height
   const auto cell = [](double v, int limit) {  // the border belongs to the last pixel
     return v == limit ? limit - 1.0 : std::floor(v);
   };
-  const double first = std::max(0.0, cell(low.x, width));
-  const double last = std::min(width - 1.0, cell(high.x, width));
+  LineSteps steps{std::max(0.0, cell(low.x, width)), std::min(width - 1.0, cell(high.x, width))};
+  double lowest = region.row_begin, highest = region.row_end - 1.0;
+  if (steep) {  // whose steps are rows
+    steps = {std::max(steps.first, lowest), std::min(steps.last, highest)};
+    lowest = 0.0, highest = height - 1.0;
+  } else {
+    steps = columns_in_rows(low, high, across / 2.0, region, steps);
+  }
   const double period = style.dash + style.gap;
-  for (double column = first; column <= last; ++column) {
+  for (double column = steps.first; column <= steps.last; ++column) {
     const double x = std::clamp(column + 0.5, low.x, high.x);
     const double t = run > 0.0 ? (x - low.x) / run : 0.0;
     const double y = low.y + t * (high.y - low.y);
@@ -57,7 +86,7 @@ void draw_line(Point3 a, Point3 b, const LineStyle& style, int width, int height
       bottom = std::ceil(y - across / 2 - 0.5);
       top = std::max(bottom, std::ceil(y + across / 2 - 0.5) - 1.0);
     }
-    for (double row = std::max(0.0, bottom); row <= std::min(height - 1.0, top); ++row) {
+    for (double row = std::max(lowest, bottom); row <= std::min(highest, top); ++row) {
       const int i = static_cast<int>(column), j = static_cast<int>(row);
       if (steep) {
         plot(j, i, z);

@@ -56,27 +56,61 @@ std::string header(std::string_view type, int width, int height) {
 }
 
 template <class T>
-void write(std::span<const T> values, std::string_view type, int width, int height,
-           const std::filesystem::path& path) {
+constexpr std::string_view kType = "<i4";
+template <>
+constexpr std::string_view kType<double> = "<f8";
+
+/// An array's file, written as its rows come.
+template <class T>
+class NpyWriter {
+ public:
+  NpyWriter(const std::filesystem::path& path, int width, int height) : file_(path.string()) {
+    require_picture_size(width, height);
+    row_.resize(static_cast<std::size_t>(width) * sizeof(T));
+    file_.stream() << header(kType<T>, width, height);
+  }
+  /// Whole rows.
+  void write(std::span<const T> values) {
+    const std::size_t columns = row_.size() / sizeof(T);
+    for (std::size_t first = 0; first < values.size(); first += columns) {
+      for (std::size_t i = 0; i < columns; ++i) {
+        const Bytes<T> bytes = little_endian(values[first + i]);
+        std::memcpy(&row_[i * sizeof(T)], bytes.data(), bytes.size());
+      }
+      file_.stream().write(row_.data(), static_cast<std::streamsize>(row_.size()));
+    }
+  }
+  void commit() { file_.commit(); }
+
+ private:
+  OutputFile file_;
+  std::vector<char> row_;
+};
+
+template <class T>
+void write(std::span<const T> values, int width, int height, const std::filesystem::path& path) {
   require_picture_size(width, height);
-  const auto columns = static_cast<std::size_t>(width);
-  if (values.size() != columns * static_cast<std::size_t>(height)) {
+  if (values.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
     throw Error(fmt::format("{}: {} values, expected {} x {}", path.string(), values.size(), width,
                             height));
   }
-  OutputFile file(path.string());
-  std::ostream& out = file.stream();
-  out << header(type, width, height);
-  std::vector<char> row(columns * sizeof(T));
-  for (std::size_t first = 0; first < values.size(); first += columns) {
-    for (std::size_t i = 0; i < columns; ++i) {
-      const Bytes<T> bytes = little_endian(values[first + i]);
-      std::memcpy(&row[i * sizeof(T)], bytes.data(), bytes.size());
-    }
-    out.write(row.data(), static_cast<std::streamsize>(row.size()));
-  }
-  file.commit();
+  NpyWriter<T> writer(path, width, height);
+  writer.write(values);
+  writer.commit();
 }
+
+/// One of a picture's arrays.
+template <class T, std::vector<T> Picture::*array>
+class ArrayRowFile : public RowFile {
+ public:
+  ArrayRowFile(const std::filesystem::path& path, int width, int height)
+      : writer_(path, width, height) {}
+  void write(const Picture& rows) override { writer_.write(rows.*array); }
+  void commit() override { writer_.commit(); }
+
+ private:
+  NpyWriter<T> writer_;
+};
 
 // ---- Reading ---------------------------------------------------------------------------
 
@@ -228,12 +262,20 @@ std::vector<Value> read_values(BinaryInput& input, std::size_t width, std::size_
 
 void write_npy(std::span<const std::int32_t> values, int width, int height,
                const std::filesystem::path& path) {
-  write(values, "<i4", width, height, path);
+  write(values, width, height, path);
 }
 
 void write_npy(std::span<const double> values, int width, int height,
                const std::filesystem::path& path) {
-  write(values, "<f8", width, height, path);
+  write(values, width, height, path);
+}
+
+std::unique_ptr<RowFile> ids_row_file(const std::filesystem::path& path, int width, int height) {
+  return std::make_unique<ArrayRowFile<std::int32_t, &Picture::ids>>(path, width, height);
+}
+
+std::unique_ptr<RowFile> depth_row_file(const std::filesystem::path& path, int width, int height) {
+  return std::make_unique<ArrayRowFile<double, &Picture::depth>>(path, width, height);
 }
 
 NpyArray read_npy(const std::filesystem::path& path) {

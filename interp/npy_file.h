@@ -2,9 +2,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <variant>
 #include <vector>
+
+#include "interp/row_file.h"
 
 namespace displayfile {
 
@@ -22,6 +25,10 @@ void write_npy(std::span<const std::int32_t> values, int width, int height,
                const std::filesystem::path& path);
 void write_npy(std::span<const double> values, int width, int height,
                const std::filesystem::path& path);
+
+/// The same of a picture's ids, or of its depth, that come row by row.
+std::unique_ptr<RowFile> ids_row_file(const std::filesystem::path& path, int width, int height);
+std::unique_ptr<RowFile> depth_row_file(const std::filesystem::path& path, int width, int height);
 
 /// Reads what write_npy writes, and arrays of type uint8 and int64 (as int32) and float32 (as
 /// float64), in versions 1 to 3 of the format. Throws Error, naming the file and what was

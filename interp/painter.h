@@ -9,7 +9,7 @@ namespace displayfile {
 /// The heedless painter: fills and lines go over what is there, in the order they come.
 class Painter : public OutputDevice {
  public:
-  explicit Painter(const RasterBand& band) : band_(band), lines_(band.size()) {}
+  explicit Painter(const RasterBand& band) : band_(band), lines_(band.region) {}
 
   void fill(const DrawnPolygon& polygon) override;
   void edges(const DrawnPolygon& polygon) override {
@@ -21,7 +21,7 @@ class Painter : public OutputDevice {
 
  private:
   void plot(int x, int y, std::uint32_t colour) {
-    if (band_.contains_row(y)) band_.picture.pixels[band_.index(y, x)] = colour;
+    band_.picture.pixels[band_.index(y, x)] = colour;
   }
 
   RasterBand band_;

@@ -40,14 +40,16 @@ struct PixelDepth {
   /// interp/z_buffer.md.
   double error(const Plane& plane, double width, double height, double dx, double dy) const {
     const double c = std::abs(plane.normal.z) - plane.bound.z;
-    if (!(c > 0.0)) return std::numeric_limits<double>::infinity();
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (!(c > 0.0)) return kInfinity;
     const double slope_x = std::abs(dz_dx), slope_y = std::abs(dz_dy);
     const double error = ((plane.bound.x / width + slope_x * plane.bound.z) * dx +
                           (plane.bound.y / height + slope_y * plane.bound.z) * dy) /
                          c;
     const double rounding = slope_x * (std::abs(x0) + 6.0 * dx) +
                             slope_y * (std::abs(y0) + 6.0 * dy) + 2.0 * std::abs(z0);
-    return 2.0 * (error + kUnit * rounding) + kTiny;
+    const double bound = 2.0 * (error + kUnit * rounding) + kTiny;
+    return bound < kInfinity ? bound : kInfinity;  // also where it is not a number
   }
 };
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 
 #include "interp/picture.h"
+#include "interp/row_file.h"
 
 namespace displayfile {
 
@@ -10,6 +12,9 @@ namespace displayfile {
 /// text is stored); the file appears whole or not at all. Throws Error, naming the file, if it
 /// cannot be written or the picture's size is not 1 to kLargestSide.
 void write_png(const Picture& picture, const std::filesystem::path& path);
+
+/// The same for a picture of width x height that comes row by row; the bytes are the same.
+std::unique_ptr<RowFile> png_row_file(const std::filesystem::path& path, int width, int height);
 
 /// Reads a PNG file of any colour type; 16-bit samples are cut to 8, and what is transparent is
 /// laid over white. Throws Error, naming the file: not a PNG, truncated, damaged, or of a size

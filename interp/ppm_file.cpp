@@ -41,20 +41,36 @@ int read_header_number(BinaryInput& input, const char* what) {
   return value;
 }
 
+class PpmRowFile : public RowFile {
+ public:
+  PpmRowFile(const std::filesystem::path& path, int width, int height) : file_(path.string()) {
+    require_picture_size(width, height);
+    row_.resize(3 * static_cast<std::size_t>(width));
+    file_.stream() << fmt::format("P6\n{} {}\n255\n", width, height);
+  }
+  void write(const Picture& rows) override {
+    const auto* rgba = reinterpret_cast<const char*>(rows.pixels.data());
+    for (int y = 0; y < rows.height; ++y) {
+      for (std::size_t x = 0; x < row_.size(); x += 3, rgba += 4) std::memcpy(&row_[x], rgba, 3);
+      file_.stream().write(row_.data(), static_cast<std::streamsize>(row_.size()));
+    }
+  }
+  void commit() override { file_.commit(); }
+
+ private:
+  OutputFile file_;
+  std::vector<char> row_;
+};
+
 }  // namespace
 
+std::unique_ptr<RowFile> ppm_row_file(const std::filesystem::path& path, int width, int height) {
+  return std::make_unique<PpmRowFile>(path, width, height);
+}
+
 void write_ppm(const Picture& picture, const std::filesystem::path& path) {
-  require_picture_size(picture.width, picture.height);
-  OutputFile file(path.string());
-  std::ostream& out = file.stream();
-  out << fmt::format("P6\n{} {}\n255\n", picture.width, picture.height);
-  const auto width = static_cast<std::size_t>(picture.width);
-  std::vector<char> row(3 * width);
-  const auto* rgba = reinterpret_cast<const char*>(picture.pixels.data());
-  for (int y = 0; y < picture.height; ++y) {
-    for (std::size_t x = 0; x < width; ++x, rgba += 4) std::memcpy(&row[3 * x], rgba, 3);
-    out.write(row.data(), static_cast<std::streamsize>(row.size()));
-  }
+  PpmRowFile file(path, picture.width, picture.height);
+  file.write(picture);
   file.commit();
 }
 

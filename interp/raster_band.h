@@ -11,20 +11,27 @@ namespace displayfile {
 
 inline constexpr std::uint32_t kBackgroundPixel = 0xFFFFFFFF;  // white
 
-/// The rows of a picture that one thread draws. Rows count from the bottom.
+/// Rows of a picture, counted from the bottom.
+struct RowRange {
+  int begin, end;
+};
+
+/// The rows that one thread draws, of those that are in memory: a picture of the rows `held` of the
+/// whole one, or of all of them.
 struct RasterBand {
-  RasterBand(Picture& picture_, int row_begin, int row_end)
-      : picture(picture_), region{{picture_.width, picture_.height}, row_begin, row_end} {}
+  RasterBand(Picture& picture_, const PictureSize& size, const RowRange& held,
+             const RowRange& drawn)
+      : picture(picture_), region{size, drawn.begin, drawn.end}, held_end(held.end) {}
 
   Picture& picture;
   ScanConverter::Region region;
+  int held_end;
 
+  /// Of the whole picture.
   const PictureSize& size() const { return region.size; }
-  bool contains_row(int row) const { return row >= region.row_begin && row < region.row_end; }
   /// In the picture's arrays.
   std::size_t index(int row, int column) const {
-    return static_cast<std::size_t>(size().height - 1 - row) *
-               static_cast<std::size_t>(size().width) +
+    return static_cast<std::size_t>(held_end - 1 - row) * static_cast<std::size_t>(size().width) +
            static_cast<std::size_t>(column);
   }
   /// Columns first <= i < end of a row.

@@ -75,36 +75,12 @@ class ScanConverter {
 
 inline ScanConverter::Rows ScanConverter::begin(std::span<const Point3> polygon,
                                                 const Region& region) {
-  const auto& [width, height] = region.size;
   region_ = region;
   edges_.clear();
-  Rows rows{region.row_end, region.row_begin};
-  Point2 from(polygon.back());
-  int from_row = first_row_above(from.y, height);
-  for (const Point3& vertex : polygon) {
-    const Point2 to(vertex);
-    const int to_row = first_row_above(to.y, height);
-    const int first = std::max(std::min(from_row, to_row), region.row_begin);
-    const int last = std::min(std::max(from_row, to_row), region.row_end) - 1;
-    if (first <= last) {
-      rows = {std::min(rows.first, first), std::max(rows.end, last + 1)};
-      const Point2& low = from_row < to_row ? from : to;
-      const Point2& high = from_row < to_row ? to : from;
-      edges_.emplace_back(low, high, first, last, region.size);
-    }
-    from = to;
-    from_row = to_row;
-  }
-  if (edges_.size() <= 8) {
-    for (std::size_t i = 1; i < edges_.size(); ++i) {
-      for (std::size_t k = i; k > 0 && edges_[k].first_row < edges_[k - 1].first_row; --k) {
-        std::swap(edges_[k], edges_[k - 1]);
-      }
-    }
-  } else {
-    std::ranges::sort(edges_, {}, &ScanEdge::first_row);
-  }
-  return edges_.empty() ? Rows{0, 0} : rows;
+  append_edges(polygon, region.size, region.row_begin, region.row_end, edges_);
+  if (edges_.empty()) return {0, 0};
+  const int last = std::ranges::max_element(edges_, {}, &ScanEdge::last_row)->last_row;
+  return {edges_.front().first_row, last + 1};
 }
 
 /// Where a crossing is told from a centre only by what is watched, exact arithmetic is asked too:

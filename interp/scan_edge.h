@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
+#include <vector>
 
 #include "clip/point.h"
 #include "hidden/pixel_centre.h"
@@ -73,6 +75,38 @@ int ScanEdge::column(int row, const PictureSize& size, Close&& close) const {
     return first_column_after_crossing(low, high, row, size);
   }
   return std::min(floor + 1, size.width);
+}
+
+/// Appends the edges of a polygon (device coordinates) that cross rows row_begin <= row < row_end,
+/// as far as they do, by first row.
+inline void append_edges(std::span<const Point3> polygon, const PictureSize& size, int row_begin,
+                         int row_end, std::vector<ScanEdge>& edges) {
+  const std::size_t start = edges.size();
+  Point2 from(polygon.back());
+  int from_row = first_row_above(from.y, size.height);
+  for (const Point3& vertex : polygon) {
+    const Point2 to(vertex);
+    const int to_row = first_row_above(to.y, size.height);
+    const int first = std::max(std::min(from_row, to_row), row_begin);
+    const int last = std::min(std::max(from_row, to_row), row_end) - 1;
+    if (first <= last) {
+      const Point2& low = from_row < to_row ? from : to;
+      const Point2& high = from_row < to_row ? to : from;
+      edges.emplace_back(low, high, first, last, size);
+    }
+    from = to;
+    from_row = to_row;
+  }
+  const std::span appended = std::span(edges).subspan(start);
+  if (appended.size() <= 8) {
+    for (std::size_t i = 1; i < appended.size(); ++i) {
+      for (std::size_t k = i; k > 0 && appended[k].first_row < appended[k - 1].first_row; --k) {
+        std::swap(appended[k], appended[k - 1]);
+      }
+    }
+  } else {
+    std::ranges::sort(appended, {}, &ScanEdge::first_row);
+  }
 }
 
 }  // namespace displayfile

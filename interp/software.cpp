@@ -22,18 +22,26 @@ using Fill = FillScene::Fill;
 
 constexpr double kFarthest = -std::numeric_limits<double>::infinity();
 
-/// Calls draw(row_begin, row_end) for bands of rows that together are the picture, each from one
-/// of the threads; `rows` at a time, except that there is a band for each thread.
+/// Pixels that are held at a time where the picture is not: so few that they are no burden.
+constexpr int kPixelsAtATime = 1 << 20;
+
+int threads_of(const RasterRequest& request) {
+  return std::clamp(request.threads, 1, std::max(1, tbb::this_task_arena::max_concurrency()));
+}
+
+/// Calls draw(rows) for bands of rows that together are `all`, each from one of the threads; so
+/// many rows at a time, except that there is a band for each thread.
 template <class Draw>
-void for_bands_of_rows(const RasterRequest& request, int rows, Draw&& draw) {
-  const int threads =
-      std::clamp(request.threads, 1, std::max(1, tbb::this_task_arena::max_concurrency()));
-  if (request.threads <= 1) return draw(0, request.height);
-  const int bands = std::clamp(request.height / std::max(1, rows),
-                               std::min(request.threads, request.height), request.height);
-  const auto row = [&](long long b) { return static_cast<int>(b * request.height / bands); };
-  tbb::task_arena(threads).execute(
-      [&] { tbb::parallel_for(0, bands, [&](int band) { draw(row(band), row(band + 1)); }); });
+void for_bands_of_rows(const RasterRequest& request, const RowRange& all, int at_a_time,
+                       Draw&& draw) {
+  const int rows = all.end - all.begin;
+  if (request.threads <= 1) return draw(all);
+  const int bands =
+      std::clamp(rows / std::max(1, at_a_time), std::min(request.threads, rows), rows);
+  const auto row = [&](long long b) { return all.begin + static_cast<int>(b * rows / bands); };
+  tbb::task_arena(threads_of(request)).execute([&] {
+    tbb::parallel_for(0, bands, [&](int b) { draw(RowRange{row(b), row(b + 1)}); });
+  });
 }
 
 /// Every band costs a walk over all polygons; where they are few for the picture's size, more
@@ -44,6 +52,13 @@ int rows_worth_a_walk(const RasterRequest& request, std::size_t polygons) {
   const auto width = static_cast<std::size_t>(request.width);
   const auto rows = std::max(kLeast, kPixelsForEachPolygon * (polygons + 1) / width);
   return static_cast<int>(std::min(rows, static_cast<std::size_t>(request.height)));
+}
+
+/// For so many values, in place of those it holds.
+template <class T>
+void make_room(std::vector<T>& values, std::size_t size) {
+  if (size > values.capacity()) values = {};
+  values.resize(size);
 }
 
 /// Colours, identifiers and depths of the fills seen.
@@ -88,7 +103,7 @@ class FillsShown {
 /// Lines where no fill is nearer, by the picture's depths.
 class LinesOverFills : public OutputDevice {
  public:
-  explicit LinesOverFills(const RasterBand& band) : band_(band), lines_(band.size()) {}
+  explicit LinesOverFills(const RasterBand& band) : band_(band), lines_(band.region) {}
   void fill(const DrawnPolygon&) override {}
   void edges(const DrawnPolygon& polygon) override {
     lines_.edges(polygon, [&](int x, int y, double z, std::uint32_t c) { plot(x, y, z, c); });
@@ -99,7 +114,6 @@ class LinesOverFills : public OutputDevice {
 
  private:
   void plot(int x, int y, double z, std::uint32_t colour) {
-    if (!band_.contains_row(y)) return;
     const std::size_t at = band_.index(y, x);
     if (z < band_.picture.depth[at]) return;
     band_.picture.depth[at] = z;
@@ -112,28 +126,9 @@ class LinesOverFills : public OutputDevice {
 
 }  // namespace
 
-void SoftwareRenderer::paint_in_order(const DisplayFile& display_file,
-                                      const RasterRequest& request) {
-  std::fill(picture_.pixels.begin(), picture_.pixels.end(), kBackgroundPixel);
-  std::fill(picture_.ids.begin(), picture_.ids.end(), -1);
-  std::fill(picture_.depth.begin(), picture_.depth.end(), kFarthest);
-  std::atomic<std::size_t> undecided = 0;
-  const int rows = rows_worth_a_walk(request, display_file.polygons());
-  for_bands_of_rows(request, rows, [&](int row_begin, int row_end) {
-    const RasterBand band(picture_, row_begin, row_end);
-    if (request.sorted) {
-      SortedPainter painter(display_file, band);
-      interpret(display_file, painter);
-      undecided += painter.decide_centres();
-    } else {
-      Painter painter(band);
-      interpret(display_file, painter);
-    }
-  });
-  picture_.undecided_centres = undecided;
-}
-
 void SoftwareRenderer::prepare(const DisplayFile& display_file, const RasterRequest& request) {
+  require_picture_size(request.width, request.height);
+  if (!is_image_space(request.method)) return;
   const PictureSize size{request.width, request.height};
   if (scene_ == nullptr || !scene_->is_of(display_file)) {
     prepared_.reset();
@@ -149,23 +144,71 @@ void SoftwareRenderer::prepare(const DisplayFile& display_file, const RasterRequ
   prepared_ = Prepared{request.method, size, request.roundoff, std::move(finder)};
 }
 
-void SoftwareRenderer::find_fills_seen(const RasterRequest& request) {
+/// No fewer are drawn as cheaply each.
+int SoftwareRenderer::rows_at_a_time(const DisplayFile& display_file,
+                                     const RasterRequest& request) const {
+  const int rows = rows_worth_a_walk(request, display_file.polygons());
+  if (!is_image_space(request.method)) return rows;
+  const int of_method = prepared_->finder->rows_at_a_time();
+  return scene_->has_lines() ? std::max(rows, of_method) : of_method;
+}
+
+/// The picture becomes these rows of it.
+void SoftwareRenderer::draw_rows(const DisplayFile& display_file, const RasterRequest& request,
+                                 const RowRange& rows) {
+  const bool image_space = is_image_space(request.method);
+  const bool lines = image_space && scene_->has_lines();
+  picture_.width = request.width;
+  picture_.height = rows.end - rows.begin;
+  picture_.undecided_centres = 0;
+  const auto pixels =
+      static_cast<std::size_t>(picture_.width) * static_cast<std::size_t>(picture_.height);
+  make_room(picture_.pixels, pixels);
+  make_room(picture_.ids, request.ids ? pixels : 0);
+  make_room(picture_.depth, request.depth || lines ? pixels : 0);
+  if (!image_space) return paint_in_order(display_file, request, rows);
+  find_fills_seen(request, rows);
+  if (lines) draw_lines_over_fills(display_file, request, rows);
+}
+
+void SoftwareRenderer::paint_in_order(const DisplayFile& display_file, const RasterRequest& request,
+                                      const RowRange& rows) {
+  std::ranges::fill(picture_.pixels, kBackgroundPixel);
+  std::ranges::fill(picture_.ids, -1);
+  std::ranges::fill(picture_.depth, kFarthest);
+  std::atomic<std::size_t> undecided = 0;
+  const int at_a_time = rows_worth_a_walk(request, display_file.polygons());
+  for_bands_of_rows(request, rows, at_a_time, [&](const RowRange& of_band) {
+    const RasterBand band(picture_, {request.width, request.height}, rows, of_band);
+    if (request.sorted) {
+      SortedPainter painter(display_file, band);
+      interpret(display_file, painter);
+      undecided += painter.decide_centres();
+    } else {
+      Painter painter(band);
+      interpret(display_file, painter);
+    }
+  });
+  picture_.undecided_centres = undecided;
+}
+
+void SoftwareRenderer::find_fills_seen(const RasterRequest& request, const RowRange& rows) {
   const ImageSpaceMethod& finder = *prepared_->finder;
-  for_bands_of_rows(request, finder.rows_at_a_time(), [&](int row_begin, int row_end) {
-    FillsShown shown(*scene_, {picture_, row_begin, row_end});
-    finder.draw_rows(row_begin, row_end, [&](int row, int first, std::span<const Fill> seen) {
+  for_bands_of_rows(request, rows, finder.rows_at_a_time(), [&](const RowRange& band) {
+    FillsShown shown(*scene_, {picture_, {request.width, request.height}, rows, band});
+    finder.draw_rows(band.begin, band.end, [&](int row, int first, std::span<const Fill> seen) {
       shown.show(row, first, seen);
     });
   });
 }
 
 void SoftwareRenderer::draw_lines_over_fills(const DisplayFile& display_file,
-                                             const RasterRequest& request) {
+                                             const RasterRequest& request, const RowRange& rows) {
   std::vector<double> of_fills;
   if (request.depth) of_fills = picture_.depth;
-  const int rows = rows_worth_a_walk(request, display_file.polygons());
-  for_bands_of_rows(request, rows, [&](int row_begin, int row_end) {
-    LinesOverFills lines({picture_, row_begin, row_end});
+  const int at_a_time = rows_worth_a_walk(request, display_file.polygons());
+  for_bands_of_rows(request, rows, at_a_time, [&](const RowRange& band) {
+    LinesOverFills lines({picture_, {request.width, request.height}, rows, band});
     interpret(display_file, lines, Pass::lines, Order::entered);
   });
   if (request.depth) picture_.depth = std::move(of_fills);
@@ -173,25 +216,24 @@ void SoftwareRenderer::draw_lines_over_fills(const DisplayFile& display_file,
 
 const Picture& SoftwareRenderer::draw(const DisplayFile& display_file,
                                       const RasterRequest& request) {
-  require_picture_size(request.width, request.height);
-  const bool image_space = is_image_space(request.method);
-  if (image_space) prepare(display_file, request);
-  const bool lines = image_space && scene_->has_lines();
-  const auto size =
-      static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height);
-  picture_.width = request.width;
-  picture_.height = request.height;
-  picture_.undecided_centres = 0;
-  picture_.pixels.resize(size);
-  picture_.ids.resize(request.ids ? size : 0);
-  picture_.depth.resize(request.depth || lines ? size : 0);
-  if (!image_space) {
-    paint_in_order(display_file, request);
-    return picture_;
-  }
-  find_fills_seen(request);
-  if (lines) draw_lines_over_fills(display_file, request);
+  prepare(display_file, request);
+  draw_rows(display_file, request, {0, request.height});
   return picture_;
+}
+
+/// From the top, in strips that are whole bands of the method's.
+void SoftwareRenderer::draw(const DisplayFile& display_file, const RasterRequest& request,
+                            const TakeRows& take) {
+  prepare(display_file, request);
+  const int band = rows_at_a_time(display_file, request);
+  const int bands = std::max(threads_of(request), kPixelsAtATime / request.width / band);
+  const int rows = std::min(band * bands, request.height);
+  for (int end = request.height; end > 0;) {
+    const int begin = (end - 1) / rows * rows;
+    draw_rows(display_file, request, {begin, end});
+    take(picture_);
+    end = begin;
+  }
 }
 
 Picture draw_with_software(const DisplayFile& display_file, const RasterRequest& request) {

@@ -8,6 +8,8 @@
 #include "interp/fill_scene.h"
 #include "interp/image_space.h"
 #include "interp/picture.h"
+#include "interp/raster_band.h"
+#include "interp/row_file.h"
 
 namespace displayfile {
 
@@ -23,6 +25,9 @@ class SoftwareRenderer {
   /// The picture stays until the next call; its memory is used again. Throws Error for a size
   /// outside of 1 to kLargestSide.
   const Picture& draw(const DisplayFile& display_file, const RasterRequest& request);
+  /// The same picture, some rows at a time from the top: no more of it is in memory than a few rows
+  /// for each thread.
+  void draw(const DisplayFile& display_file, const RasterRequest& request, const TakeRows& take);
   Picture take_picture() { return std::move(picture_); }
 
  private:
@@ -33,12 +38,17 @@ class SoftwareRenderer {
     std::optional<double> roundoff;
     std::unique_ptr<ImageSpaceMethod> finder;
   };
-  void paint_in_order(const DisplayFile& display_file, const RasterRequest& request);
   void prepare(const DisplayFile& display_file, const RasterRequest& request);
-  void find_fills_seen(const RasterRequest& request);
-  void draw_lines_over_fills(const DisplayFile& display_file, const RasterRequest& request);
+  int rows_at_a_time(const DisplayFile& display_file, const RasterRequest& request) const;
+  void draw_rows(const DisplayFile& display_file, const RasterRequest& request,
+                 const RowRange& rows);
+  void paint_in_order(const DisplayFile& display_file, const RasterRequest& request,
+                      const RowRange& rows);
+  void find_fills_seen(const RasterRequest& request, const RowRange& rows);
+  void draw_lines_over_fills(const DisplayFile& display_file, const RasterRequest& request,
+                             const RowRange& rows);
 
-  Picture picture_;
+  Picture picture_;  // or the rows of it that are being drawn
   std::unique_ptr<FillScene> scene_;
   std::optional<Prepared> prepared_;
 };

@@ -55,7 +55,7 @@ struct Coverage {
 SortedPainter::SortedPainter(const DisplayFile& display_file, const RasterBand& band)
     : display_file_(display_file),
       band_(band),
-      lines_(band.size()),
+      lines_(band.region),
       undecided_(band.size().width, band.region.row_begin, band.region.row_end),
       covered_(undecided_),
       lines_on_top_(undecided_) {}
@@ -148,7 +148,6 @@ void SortedPainter::for_each_nearest(const PixelSet& centres, Show&& show) const
 }
 
 void SortedPainter::plot(int x, int y, std::uint32_t colour) {
-  if (!band_.contains_row(y)) return;
   lines_on_top_.add(y, x, x + 1);
   band_.picture.pixels[band_.index(y, x)] = colour;
 }

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "interp/close_planes.h"
+#include "interp/fill_depths.h"
+
+namespace displayfile {
+
+/// A z-buffer one row high: the depth and the fill seen at each pixel of a row. Which of two fills
+/// is seen is decided as FillDepths does, but for many pixels together where it takes exact
+/// arithmetic (interp/scan_line_z.md).
+class RowZBuffer {
+ public:
+  using Fill = FillScene::Fill;
+
+  RowZBuffer(const FillScene& scene, const PictureSize& size, std::optional<double> roundoff);
+
+  /// Clears it for a row.
+  void begin(int row);
+
+  /// The next fill of the row, entered later than those before it.
+  void begin_fill(Fill fill, const FillDepth& depth);
+
+  /// Covers columns first <= i < end with the fill begun.
+  void draw_span(int first, int end);
+
+  /// The fills seen. To be called once a row, when all are drawn.
+  std::span<const Fill> seen();
+
+ private:
+  /// A fill of the row, by its place among them.
+  using Owner = std::uint32_t;
+  static constexpr Owner kBackground = 0;
+  struct Drawn {
+    Fill fill;
+    double error;
+  };
+  /// Columns of a span from `column` on, up to `end`.
+  struct Rest {
+    int column, end;
+  };
+  /// Whether the planes of two fills are one plane.
+  struct Compared {
+    Fill fill = FillScene::kBackground, other = FillScene::kBackground;
+    bool coplanar = false;
+  };
+
+  bool hides_closely(double nearer, const Rest& rest);
+  void compare_planes(Owner owner);
+  int end_of_run(const Rest& rest) const;
+
+  const FillScene& scene_;
+  const PictureSize size_;
+  const bool exact_;
+  int row_ = 0;
+  std::vector<double> depth_;
+  std::vector<Owner> owner_;
+  std::vector<Drawn> drawn_;        // in this row; the background first
+  double largest_error_ = 0.0;      // of them
+  FillDepth current_;               // of the last of them
+  ClosePlanes close_;               // of the current fill and an owner, if
+  bool compares_ = false;           // it was asked for
+  ClosePlanes::Run run_{0, false};  // of the span being drawn
+  std::vector<Compared> compared_;  // the pairs compared last, by a hash of the two
+};
+
+}  // namespace displayfile

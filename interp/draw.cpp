@@ -86,12 +86,6 @@ RasterRequest raster_request(const GraphicsSystem& system, const DisplayFile& fi
   return request;
 }
 
-Picture draw_pixels(const DisplayFile& file, const RasterRequest& request,
-                    const DrawOptions& options) {
-  return options.device == RasterDevice::osmesa ? draw_with_osmesa(file, request)
-                                                : draw_with_software(file, request);
-}
-
 /// Every output must be writable before any is written.
 void require_writable(const std::filesystem::path& file, const DrawOptions& options) {
   OutputFile{file.string()};
@@ -99,40 +93,91 @@ void require_writable(const std::filesystem::path& file, const DrawOptions& opti
   if (!options.depth.empty()) OutputFile{options.depth.string()};
 }
 
-/// The files of what is drawn pixel by pixel.
-std::vector<std::unique_ptr<RowFile>> pixel_files(const std::filesystem::path& file,
-                                                  const DrawOptions& options) {
-  const auto open = [&](auto* row_file, const std::filesystem::path& path) {
-    return row_file(path, options.width, options.height);
-  };
-  std::vector<std::unique_ptr<RowFile>> files;
-  const PictureFormat& format = format_of(file);
-  if (format.pixel_file != nullptr) files.push_back(open(format.pixel_file, file));
-  if (!options.ids.empty()) files.push_back(open(ids_row_file, options.ids));
-  if (!options.depth.empty()) files.push_back(open(depth_row_file, options.depth));
-  return files;
+Picture draw_samples(const DisplayFile& file, const RasterRequest& request,
+                     const DrawOptions& options) {
+  return options.device == RasterDevice::osmesa ? draw_with_osmesa(file, request)
+                                                : draw_with_software(file, request);
 }
 
-/// The software renderer's rows are written as they are drawn: however large the picture, it is
+/// The software renderer's rows are passed on as they are drawn: however large the picture, it is
 /// never in memory.
-void draw_pixels(const DisplayFile& file, const RasterRequest& request, const DrawOptions& options,
-                 const TakeRows& take) {
+void draw_samples(const DisplayFile& file, const RasterRequest& request, const DrawOptions& options,
+                  const TakeRows& take) {
   if (options.device == RasterDevice::osmesa) return take(draw_with_osmesa(file, request));
   SoftwareRenderer().draw(file, request, take);
 }
 
+/// A pixel's samples in place of the pixel: colours only.
+RasterRequest request_of_samples(RasterRequest request, int samples) {
+  request.width *= samples;
+  request.height *= samples;
+  request.line_scale *= samples;
+  request.ids = request.depth = false;
+  return request;
+}
+
+/// The colours of a picture, antialiased.
+void draw_colours(const DisplayFile& file, const RasterRequest& request, const DrawOptions& options,
+                  const TakeRows& take) {
+  const int n = options.samples;
+  draw_samples(file, request_of_samples(request, n), options,
+               SampleAverage(request.width, n, take));
+}
+
+/// In memory; what is not a colour is not antialiased.
+Picture draw_pixels(const DisplayFile& file, const RasterRequest& request,
+                    const DrawOptions& options) {
+  if (options.samples == 1) return draw_samples(file, request, options);
+  Picture picture;
+  if (request.ids || request.depth) picture = draw_samples(file, request, options);
+  picture.width = request.width;
+  picture.height = request.height;
+  picture.pixels.clear();
+  draw_colours(file, request, options, [&](const Picture& rows) {
+    picture.pixels.insert(picture.pixels.end(), rows.pixels.begin(), rows.pixels.end());
+  });
+  return picture;
+}
+
+using RowFiles = std::vector<std::unique_ptr<RowFile>>;
+
+TakeRows write_rows(const RowFiles& files) {
+  return [&files](const Picture& rows) {
+    for (const auto& file : files) file->write(rows);
+  };
+}
+
 void write_picture(const DisplayFile& drawn, const RasterRequest& request, bool vectors_by_depth,
                    const std::filesystem::path& file, const DrawOptions& options) {
-  const auto files = pixel_files(file, options);
-  if (!files.empty()) {
-    draw_pixels(drawn, request, options, [&](const Picture& rows) {
-      for (const auto& pixel_file : files) pixel_file->write(rows);
-    });
+  const auto open = [&](auto* row_file, const std::filesystem::path& path) {
+    return row_file(path, options.width, options.height);
+  };
+  const PictureFormat& format = format_of(file);
+  RowFiles files, colours;
+  if (!options.ids.empty()) files.push_back(open(ids_row_file, options.ids));
+  if (!options.depth.empty()) files.push_back(open(depth_row_file, options.depth));
+  if (format.pixel_file != nullptr) {
+    (options.samples == 1 ? files : colours).push_back(open(format.pixel_file, file));
   }
-  if (const PictureFormat& format = format_of(file); format.write_vectors != nullptr) {
+  if (!files.empty()) draw_samples(drawn, request, options, write_rows(files));
+  if (!colours.empty()) draw_colours(drawn, request, options, write_rows(colours));
+  if (format.write_vectors != nullptr) {
     format.write_vectors(drawn, {options.width, options.height, vectors_by_depth}, file);
   }
-  for (const auto& pixel_file : files) pixel_file->commit();
+  for (const auto* written : {&files, &colours}) {
+    for (const auto& pixel_file : *written) pixel_file->commit();
+  }
+}
+
+/// Of what is drawn; throws Error.
+void require_raster_size(const DrawOptions& options) {
+  if (options.samples < 1 || options.samples > kMostSamples) {
+    throw Error(fmt::format("{} samples along a pixel's side: expected 1 to {}", options.samples,
+                            kMostSamples));
+  }
+  const auto n = static_cast<long long>(options.samples);
+  require_picture_size(options.width, options.height);
+  require_picture_size(n * options.width, n * options.height);
 }
 
 }  // namespace
@@ -149,12 +194,12 @@ HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& opt
                             PictureKind kind) {
   const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
   if (method != HiddenMethod::automatic) return method;
-  return kind == PictureKind::vector ? HiddenMethod::depth_sort : HiddenMethod::z_buffer;
+  return choose_method(system.display_file(), kind).method;
 }
 
 void require_drawable(const std::filesystem::path& file, const DrawOptions& options) {
   const PictureFormat& format = format_of(file);
-  require_picture_size(options.width, options.height);
+  require_raster_size(options);
   if (format.write_vectors != nullptr && options.device == RasterDevice::osmesa) {
     throw Error(
         fmt::format("{}: the osmesa device draws pixels: expected .png or .ppm", file.string()));
@@ -163,7 +208,7 @@ void require_drawable(const std::filesystem::path& file, const DrawOptions& opti
 }
 
 Picture draw(const GraphicsSystem& system, const DrawOptions& options, SortedDisplayFile& kept) {
-  require_picture_size(options.width, options.height);
+  require_raster_size(options);
   const HiddenMethod method = drawing_method(system, options);
   const DisplayFile& sorted = kept.update(system, method, hidden_surface_options(options));
   return draw_pixels(sorted, raster_request(system, sorted, options), options);

@@ -8,6 +8,8 @@
 #include "displayfile/graphics_system.h"
 #include "displayfile/sorted_display_file.h"
 #include "hidden/precision.h"
+#include "interp/antialias.h"
+#include "interp/auto_method.h"
 #include "interp/picture.h"
 
 namespace displayfile {
@@ -24,6 +26,9 @@ struct DrawOptions {
   std::optional<Precision> precision = std::nullopt;
   RasterDevice device = RasterDevice::software;
   int threads = 1;
+  /// Antialiasing: the mean of samples x samples for each pixel, 1 to kMostSamples; vectors, ids
+  /// and depth are not affected.
+  int samples = 1;
   std::filesystem::path ids = {};    ///< item buffer as int32 .npy, if not empty
   std::filesystem::path depth = {};  ///< depth of the fills seen as float64 .npy, if not empty
 };
@@ -31,13 +36,11 @@ struct DrawOptions {
 /// The part of the options that says how hidden surfaces are found.
 HiddenSurfaceOptions hidden_surface_options(const DrawOptions& options);
 
-/// What becomes of a display file: pixels, or the vectors of a .svg or .pdf file.
-enum class PictureKind { raster, vector };
 PictureKind picture_kind(const std::filesystem::path& file);  ///< Error: an unknown extension
 
 /// The method that draws the picture: that of the options, or else what the application set
-/// with set_hidden_line_removal, set_hidden_method and set_z_buffer; never `automatic`, which
-/// is the z-buffer for pixels and depth sort for vectors.
+/// with set_hidden_line_removal, set_hidden_method and set_z_buffer; never `automatic`, for
+/// which choose_method() picks one (interp/auto_method.h).
 HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& options,
                             PictureKind kind = PictureKind::raster);
 

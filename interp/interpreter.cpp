@@ -8,6 +8,7 @@ namespace {
 struct Interpretation {
   OutputDevice& device;
   Pass pass;
+  double line_scale;
   FillStyle fill_style;
   LineStyle style;
   std::int32_t pick_id = -1;
@@ -24,7 +25,12 @@ struct Interpretation {
     in_segment = false;
   }
   void fill(const FillStyle& s) { fill_style = s; }
-  void line_style(const LineStyle& s) { style = s; }
+  void line_style(const LineStyle& s) {
+    style = s;
+    style.width = s.width * line_scale;
+    style.dash = s.dash * line_scale;
+    style.gap = s.gap * line_scale;
+  }
   void pick(int id) { pick_id = id; }
   void move(const Point3& p) { pen = p; }
   void line(const Point3& p) {
@@ -41,15 +47,16 @@ struct Interpretation {
 
 }  // namespace
 
-void interpret(const DisplayFile& display_file, OutputDevice& device, Pass pass, Order order) {
+void interpret(const DisplayFile& display_file, OutputDevice& device, Pass pass, Order order,
+               double line_scale) {
   if (order == Order::drawn && display_file.sorted() != nullptr) {
-    Interpretation all{device, pass, {}, {}};
+    Interpretation all{device, pass, line_scale, {}, {}};
     display_file.sorted()->instructions.walk(all);
     return all.end_segment();
   }
   for (const Segment& segment : display_file.segments()) {
     if (!segment.visible) continue;
-    Interpretation one{device, pass, {}, {}};
+    Interpretation one{device, pass, line_scale, {}, {}};
     one.segment(segment.name());
     order == Order::drawn ? segment.walk_drawn(one) : segment.walk_entered_drawn(one);
     one.end_segment();

@@ -16,8 +16,9 @@ enum class Order { drawn, entered };
 
 /// Walks the visible segments in order of creation, applies their image transformations and
 /// hands each instruction to the device. Where all visible segments were sorted together, a
-/// segment may begin and end several times.
+/// segment may begin and end several times. The widths and dashes of lines are so many times as
+/// large: they are in pixels, and a pixel may have several samples across.
 void interpret(const DisplayFile& display_file, OutputDevice& device, Pass pass = Pass::everything,
-               Order order = Order::drawn);
+               Order order = Order::drawn, double line_scale = 1.0);
 
 }  // namespace displayfile

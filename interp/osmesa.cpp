@@ -264,7 +264,8 @@ class OsmesaScene::Drawing {
     }
     const Order order = is_image_space(request.method) ? Order::entered : Order::drawn;
     const auto list = [&](Pass pass) {
-      return triangle_list(display_file, pass, order, request.width, request.height);
+      return triangle_list(display_file, pass, order, request.width, request.height,
+                           request.line_scale);
     };
     TriangleList fills, others;
     if (is_image_space(request.method) || request.ids || request.depth) fills = list(Pass::fills);

@@ -32,6 +32,7 @@ struct RasterRequest {
   bool sorted = false;
   bool ids = false, depth = false;
   int threads = 1;
+  double line_scale = 1.0;  ///< of the widths and dashes of lines
   /// Depths closer than this count as equal (the textbook's ROUNDOFF); none: exact.
   std::optional<double> roundoff = std::nullopt;
 };

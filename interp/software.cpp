@@ -182,11 +182,11 @@ void SoftwareRenderer::paint_in_order(const DisplayFile& display_file, const Ras
     const RasterBand band(picture_, {request.width, request.height}, rows, of_band);
     if (request.sorted) {
       SortedPainter painter(display_file, band);
-      interpret(display_file, painter);
+      interpret(display_file, painter, Pass::everything, Order::drawn, request.line_scale);
       undecided += painter.decide_centres();
     } else {
       Painter painter(band);
-      interpret(display_file, painter);
+      interpret(display_file, painter, Pass::everything, Order::drawn, request.line_scale);
     }
   });
   picture_.undecided_centres = undecided;
@@ -209,7 +209,7 @@ void SoftwareRenderer::draw_lines_over_fills(const DisplayFile& display_file,
   const int at_a_time = rows_worth_a_walk(request, display_file.polygons());
   for_bands_of_rows(request, rows, at_a_time, [&](const RowRange& band) {
     LinesOverFills lines({picture_, {request.width, request.height}, rows, band});
-    interpret(display_file, lines, Pass::lines, Order::entered);
+    interpret(display_file, lines, Pass::lines, Order::entered, request.line_scale);
   });
   if (request.depth) picture_.depth = std::move(of_fills);
 }

@@ -281,11 +281,11 @@ class TriangleCollector final : public OutputDevice {
 }  // namespace
 
 TriangleList triangle_list(const DisplayFile& display_file, Pass pass, Order order, int width,
-                           int height) {
+                           int height, double line_scale) {
   TriangleList list;
   if (pass != Pass::lines) list.vertices.reserve(3 * display_file.polygons());
   TriangleCollector collector(list, width, height);
-  interpret(display_file, collector, pass, order);
+  interpret(display_file, collector, pass, order, line_scale);
   return list;
 }
 

@@ -48,6 +48,6 @@ struct TriangleList {
 /// Throws Error for a coordinate that is not finite or exceeds kCoordinateLimit after the image
 /// transformation.
 TriangleList triangle_list(const DisplayFile& display_file, Pass pass, Order order, int width,
-                           int height);
+                           int height, double line_scale = 1.0);
 
 }  // namespace displayfile

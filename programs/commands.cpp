@@ -104,6 +104,14 @@ int report(const Raster& a, const Raster& b, const std::string& marks) {
   return difference.differs() ? 1 : 0;
 }
 
+std::string explanation(const GraphicsSystem& system, const DrawOptions& options,
+                        PictureKind kind) {
+  const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
+  if (method != HiddenMethod::automatic) return fmt::format("{}: as asked for\n", name_of(method));
+  const MethodChoice choice = choose_method(system.display_file(), kind);
+  return fmt::format("auto: {}: {}\n", name_of(choice.method), choice.reason);
+}
+
 std::string golden_name(const std::string& input) {
   if (input == "-") throw Error("check needs files: the name of a golden file is its input's");
   return std::filesystem::path(input).stem().string() + ".txt";
@@ -131,6 +139,7 @@ int DrawCommand::run() const {
   if (!drawing.hidden && std::ranges::none_of(inputs, is_drawing_program)) {
     drawing.hidden = HiddenMethod::automatic;
   }
+  if (explain) std::cout << explanation(system, drawing, picture_kind(output));
   SortedDisplayFile sorted;
   {
     const Progress progress(fmt::format("drawing {} polygons", system.display_file().polygons()));

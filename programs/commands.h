@@ -16,6 +16,7 @@ struct DrawCommand {
   std::string output;
   DrawOptions options;
   bool stats = false;
+  bool explain = false;  ///< what `auto` picked, and why
   std::optional<int> turntable;  ///< so many views of it (programs/turntable_command.h)
   int run() const;
 };

@@ -84,6 +84,12 @@ int run(int argc, char** argv) {
   command->add_option("--device", device, "software or osmesa")->capture_default_str();
   command->add_option("--threads", draw.options.threads, "the picture is the same for any number")
       ->check(CLI::Range(1, 1024));
+  command
+      ->add_option("--samples", draw.options.samples,
+                   "antialiasing: the mean of N x N samples for each pixel")
+      ->check(CLI::Range(1, kMostSamples))
+      ->capture_default_str();
+  command->add_flag("--explain", draw.explain, "say which method auto picked, and why");
   command->add_option("--ids", draw.options.ids,
                       "item buffer as .npy: the pick identifier seen, -1 for none");
   command->add_option("--depth", draw.options.depth,

@@ -1,0 +1,87 @@
+#include "interp/auto_method.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace displayfile {
+
+namespace {
+
+using Fill = FillScene::Fill;
+
+struct Box {
+  double left, right, bottom, top;
+};
+
+Box box_of(std::span<const Point3> vertices) {
+  Box box{vertices[0].x, vertices[0].x, vertices[0].y, vertices[0].y};
+  for (const Point3& v : vertices) {
+    box = {std::min(box.left, v.x), std::max(box.right, v.x), std::min(box.bottom, v.y),
+           std::max(box.top, v.y)};
+  }
+  return box;
+}
+
+/// The minimax test of every pair, by a sweep from left to right. Boxes that only touch are apart:
+/// of two polygons on either side of a line exactly one covers a centre on it.
+bool boxes_are_apart(const FillScene& scene) {
+  std::vector<Box> boxes;
+  for (Fill fill = 1; fill < scene.end(); ++fill) boxes.push_back(box_of(scene.vertices(fill)));
+  std::ranges::sort(boxes, {}, &Box::left);
+  std::size_t tests_left = 8 * boxes.size();
+  std::vector<Box> open;  // those that the sweep line crosses
+  for (const Box& box : boxes) {
+    std::erase_if(open, [&](const Box& other) { return other.right <= box.left; });
+    if (open.size() > tests_left) return false;
+    tests_left -= open.size();
+    for (const Box& other : open) {
+      if (other.bottom < box.top && box.bottom < other.top) return false;
+    }
+    open.push_back(box);
+  }
+  return true;
+}
+
+/// True if no vertex lies before the plane of any fill, as in a single convex object without its
+/// back faces: where two fills overlap their planes meet, and of equal depths the later is seen.
+bool nothing_lies_in_front(const FillScene& scene) {
+  constexpr std::size_t kMostVertices = 256;
+  if (scene.all_vertices() > kMostVertices) return false;
+  for (Fill fill = 1; fill < scene.end(); ++fill) {
+    const Plane plane = scene.plane(fill);
+    const int toward_viewer = facing(plane);
+    for (Fill other = 1; other < scene.end(); ++other) {
+      for (const Point3& v : scene.vertices(other)) {
+        const int side = side_of_plane(v, plane) * toward_viewer;
+        // A vertex off its own plane counts as moved on to it: no longer where it was tested.
+        if (side > 0 || (other == fill && side != 0)) return false;
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+bool nothing_hides(const FillScene& scene) {
+  return scene.end() <= 2 || boxes_are_apart(scene) || nothing_lies_in_front(scene);
+}
+
+MethodChoice choose_method(const DisplayFile& display_file, PictureKind kind) {
+  if (kind == PictureKind::raster) {
+    return {HiddenMethod::z_buffer,
+            "one picture in pixels: the z-buffer decides each pixel exactly and sorts nothing"};
+  }
+  const FillScene scene(display_file);
+  if (scene.has_lines()) {
+    return {HiddenMethod::depth_sort,
+            "vectors with lines: depth sort cuts least and hides lines behind polygons"};
+  }
+  if (nothing_hides(scene)) {
+    return {HiddenMethod::none, "no polygon can hide another: any order is right"};
+  }
+  return {HiddenMethod::depth_sort, "vectors: depth sort orders the polygons with the fewest cuts"};
+}
+
+}  // namespace displayfile

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string_view>
+
+#include "displayfile/display_file.h"
+#include "hidden/hidden_method.h"
+#include "interp/fill_scene.h"
+
+namespace displayfile {
+
+/// What becomes of a display file: pixels, or vectors.
+enum class PictureKind { raster, vector };
+
+/// What `auto` draws with, and why, in a sentence for the user.
+struct MethodChoice {
+  HiddenMethod method;
+  std::string_view reason;
+};
+
+/// The cheapest method that is exact for this scene and picture. A polygon that is not visible, or
+/// edge-on, does not count.
+MethodChoice choose_method(const DisplayFile& display_file, PictureKind kind);
+
+/// True if no fill can hide another: then any order of drawing is right. What it may cost is linear
+/// in the number of fills; where more would be needed to find out, false.
+bool nothing_hides(const FillScene& scene);
+
+}  // namespace displayfile

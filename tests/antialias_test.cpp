@@ -1,0 +1,134 @@
+// Antialiasing as its users meet it: each pixel is the mean of its samples, whatever draws them.
+
+#include "interp/antialias.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "clip/error.h"
+#include "interp/draw.h"
+
+namespace displayfile {
+namespace {
+
+/// A system whose display coordinates are its world coordinates.
+GraphicsSystem system_of(HiddenMethod method) {
+  GraphicsSystem g;
+  g.set_window(0, 1, 0, 1);
+  g.set_view_depth(-1, 0);
+  g.set_line_style({LineStyle::Kind::none});
+  g.set_hidden_line_removal(true);
+  g.set_back_face_removal(false);
+  g.set_hidden_method(method);
+  return g;
+}
+
+DrawOptions options(int size, int samples) {
+  DrawOptions o;
+  o.width = o.height = size;
+  o.samples = samples;
+  return o;
+}
+
+constexpr std::array kMethods{HiddenMethod::none,        HiddenMethod::bsp,
+                              HiddenMethod::depth_sort,  HiddenMethod::z_buffer,
+                              HiddenMethod::scan_line_z, HiddenMethod::warnock};
+
+TEST(Antialias, APixelHalfCoveredIsHalfAsDark) {
+  for (const HiddenMethod method : kMethods) {
+    GraphicsSystem g = system_of(method);
+    g.set_fill_style({FillStyle::Kind::solid, {0, 0, 0}});
+    g.open_segment(1);
+    g.polygon_abs_3({{0, 0, -0.5}, {0.625, 0, -0.5}, {0.625, 1, -0.5}, {0, 1, -0.5}});
+    g.close_segment();
+    const Picture picture = draw(g, options(4, 4));
+    ASSERT_EQ(picture.pixels.size(), 16u);
+    for (std::size_t row = 0; row < 4; ++row) {
+      EXPECT_EQ(picture.pixels[4 * row + 1], 0xFF000000u);
+      EXPECT_EQ(picture.pixels[4 * row + 2], 0xFF808080u) << name_of(method);
+      EXPECT_EQ(picture.pixels[4 * row + 3], 0xFFFFFFFFu);
+    }
+  }
+}
+
+/// The area under a slanted edge, to what n x n samples can tell.
+TEST(Antialias, MeansComeCloserToTheAreaWithMoreSamples) {
+  GraphicsSystem g = system_of(HiddenMethod::z_buffer);
+  g.set_fill_style({FillStyle::Kind::solid, {0, 0, 0}});
+  g.open_segment(1);
+  g.polygon_abs_3({{0, 0, -0.5}, {1, 0, -0.5}, {1, 0.37, -0.5}});
+  g.close_segment();
+  for (const int n : {2, 4, 8, 16}) {
+    const Picture picture = draw(g, options(1, n));
+    const double covered = 1.0 - (picture.pixels[0] & 0xFF) / 255.0;
+    EXPECT_NEAR(covered, 0.185, 0.6 / n) << n;
+  }
+}
+
+TEST(Antialias, ItemsAndDepthAreThoseOfOneSample) {
+  GraphicsSystem g = system_of(HiddenMethod::z_buffer);
+  g.open_segment(1);
+  g.polygon_abs_3({{0.1, 0.1, -0.5}, {0.9, 0.2, -0.3}, {0.4, 0.95, -0.7}});
+  g.close_segment();
+  DrawOptions one = options(19, 1), nine = options(19, 3);
+  one.ids = nine.ids = "ids.npy";
+  one.depth = nine.depth = "depth.npy";
+  const Picture a = draw(g, one), b = draw(g, nine);
+  EXPECT_EQ(a.ids, b.ids);
+  EXPECT_EQ(a.depth, b.depth);
+  EXPECT_NE(a.pixels, b.pixels);
+}
+
+/// A line keeps its width in pixels, so the ink it takes.
+TEST(Antialias, LinesKeepTheirWidth) {
+  GraphicsSystem g = system_of(HiddenMethod::z_buffer);
+  g.set_line_style({LineStyle::Kind::solid, {0, 0, 0}, 4.0});
+  g.open_segment(1);
+  g.move_abs_3(0, 0.5, -0.5);
+  g.line_abs_3(1, 0.5, -0.5);
+  g.close_segment();
+  for (const int n : {1, 2, 5}) {
+    const Picture picture = draw(g, options(32, n));
+    double ink = 0.0;
+    for (const std::uint32_t pixel : picture.pixels) ink += 1.0 - (pixel & 0xFF) / 255.0;
+    EXPECT_NEAR(ink, 4.0 * 32, 0.02 * 4 * 32) << n;
+  }
+}
+
+TEST(Antialias, RowsMayComeInAnyPortions) {
+  Picture fine;
+  fine.width = 6;
+  fine.height = 9;
+  for (std::uint32_t i = 0; i < 54; ++i) fine.pixels.push_back(0xFF000000u | i * 0x040201u);
+  const auto averaged = [&](const std::vector<int>& portions) {
+    std::vector<std::uint32_t> pixels;
+    SampleAverage average(2, 3, [&](const Picture& rows) {
+      pixels.insert(pixels.end(), rows.pixels.begin(), rows.pixels.end());
+    });
+    std::ptrdiff_t row = 0;
+    for (const int n : portions) {
+      Picture part;
+      part.width = 6;
+      part.height = n;
+      part.pixels.assign(fine.pixels.begin() + 6 * row, fine.pixels.begin() + 6 * (row + n));
+      average(part);
+      row += n;
+    }
+    return pixels;
+  };
+  EXPECT_EQ(averaged({9}).size(), 6u);
+  EXPECT_EQ(averaged({9}), averaged({1, 1, 1, 1, 1, 1, 1, 1, 1}));
+  EXPECT_EQ(averaged({9}), averaged({2, 5, 2}));
+}
+
+TEST(Antialias, TooManySamplesAreRefused) {
+  const GraphicsSystem g = system_of(HiddenMethod::z_buffer);
+  EXPECT_THROW(draw(g, options(8, 0)), Error);
+  EXPECT_THROW(draw(g, options(8, 17)), Error);
+  EXPECT_THROW(draw(g, options(65535, 2)), Error);
+}
+
+}  // namespace
+}  // namespace displayfile

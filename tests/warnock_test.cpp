@@ -287,7 +287,8 @@ std::vector<Fill> z_buffered(const FillScene& scene, const PictureSize& size) {
 /// By scan conversion, which shares no decision with the categories.
 TEST(WarnockAreas, CategoriesAreTrue) {
   for_known_scenes(40, [](const Known& known) {
-    const auto& [name, file, scene, size] = known;
+    const FillScene& scene = known.scene;
+    const PictureSize size = known.size;
     std::vector<std::vector<char>> covered(1);
     for (Fill fill = 1; fill < scene.end(); ++fill) {
       covered.push_back(covered_by(scene, fill, size));

@@ -143,8 +143,8 @@ void Warnock::Subdivision::remove_hidden() {
     return listed.fill != *nearest &&
            hides_over(*nearest, listed.fill, intersection(area_, warnock_.extents_[listed.fill]));
   };
-  const auto rest = std::ranges::remove_if(list(), is_hidden);
-  lists_.resize(lists_.size() - rest.size());
+  const auto begin = lists_.begin() + static_cast<std::ptrdiff_t>(list_begin_);
+  lists_.erase(std::remove_if(begin, lists_.end(), is_hidden), lists_.end());
 }
 
 /// The problem book's tests (a) to (d).
@@ -161,8 +161,9 @@ Warnock::Decision Warnock::Subdivision::decide() const {
 }
 
 void Warnock::Subdivision::scan_convert() {
-  for (const auto& [fill, category] : list()) {
-    if (category == AreaCategory::surrounding) {
+  for (const Listed& listed : list()) {
+    const Fill fill = listed.fill;
+    if (listed.category == AreaCategory::surrounding) {
       for (int row = area_.row_begin; row < area_.row_end; ++row) {
         paint(fill, row, area_.column_begin, area_.column_end);
       }

@@ -160,12 +160,15 @@ TEST(AreaCategories, AreasAreMadeOfCentres) {
 
 // ---- Lists and decisions -----------------------------------------------------------------------
 
-/// A triangle alone in a quarter; a wall before a window and behind a door; nothing.
+/// A triangle alone in a quarter; a wall before a window and behind a door; nothing. The window's
+/// plane, not the window, comes out before the wall within the quarter.
 TEST(WarnockSteps, EachAreasListAndDecision) {
+  Vertices window = rectangle(5, 7, 5, 7, 0.0);
+  window[1].z = window[2].z = 0.45;
   const Fill triangle = 1, wall = 2, behind = 3, door = 4;
   const FillScene scene = scene_of({{{0.1, 0.1, 0.6}, {0.4, 0.1, 0.6}, {0.2, 0.4, 0.6}},
                                     rectangle(4, 8, 0, 8, 0.5),
-                                    rectangle(5, 7, 5, 7, 0.2),
+                                    window,
                                     rectangle(6, 8, 0, 2, 0.9)});
   const std::vector<Visited> expected = {
       {{0, 8, 0, 8},
@@ -284,7 +287,8 @@ std::vector<Fill> z_buffered(const FillScene& scene, const PictureSize& size) {
 /// By scan conversion, which shares no decision with the categories.
 TEST(WarnockAreas, CategoriesAreTrue) {
   for_known_scenes(40, [](const Known& known) {
-    const auto& [name, file, scene, size] = known;
+    const FillScene& scene = known.scene;
+    const PictureSize size = known.size;
     std::vector<std::vector<char>> covered(1);
     for (Fill fill = 1; fill < scene.end(); ++fill) {
       covered.push_back(covered_by(scene, fill, size));

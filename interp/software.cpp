@@ -57,7 +57,7 @@ int rows_worth_a_walk(const RasterRequest& request, std::size_t polygons) {
 /// For so many values, in place of those it holds.
 template <class T>
 void make_room(std::vector<T>& values, std::size_t size) {
-  if (size > values.capacity()) values = {};
+  if (size > values.capacity()) values = std::vector<T>();
   values.resize(size);
 }
 

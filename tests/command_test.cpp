@@ -6,35 +6,20 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
+
+#include "tests/temporary_folder.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string read(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
+std::string read(const fs::path& file) { return displayfile::test::content(file); }
 
-class Command : public testing::Test {
+class Command : public displayfile::test::TemporaryFolder {
  protected:
-  void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / ("displayfile_command_" + std::string(info->name()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  void write(const std::string& name, const std::string& text) {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-  }
+  void write(const std::string& name, const std::string& text) { file(name, text); }
 
   /// Runs the command in the test's folder; standard output and error go to out_ and err_.
   int run(const std::string& arguments, const std::string& input = "/dev/null") {
@@ -67,7 +52,6 @@ class Command : public testing::Test {
     EXPECT_EQ(files(), before) << arguments;
   }
 
-  fs::path folder_;
   std::string out_, err_;
 };
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <sstream>
 #include <string>
@@ -13,6 +12,7 @@
 
 #include "clip/error.h"
 #include "displayfile/dump.h"
+#include "tests/temporary_folder.h"
 
 namespace displayfile {
 namespace {
@@ -479,20 +479,10 @@ TEST(DrawingProgram, ViewsThatDoNotFitTogetherAreRefusedAtOpenSegment) {
 
 // ---- Files --------------------------------------------------------------------------------
 
-class DrawingProgramFile : public testing::Test {
+class DrawingProgramFile : public test::TemporaryFolder {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              (std::string("drawing_program_") + test->name());
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::string write(const std::string& name, const std::string& text) {
-    const std::string path = (folder_ / name).string();
-    std::ofstream(path, std::ios::binary) << text;
-    return path;
+    return file(name, text).string();
   }
   static std::string error_of_file(const std::string& path) {
     GraphicsSystem system;
@@ -503,8 +493,6 @@ class DrawingProgramFile : public testing::Test {
     }
     return "";
   }
-
-  std::filesystem::path folder_;
 };
 
 TEST_F(DrawingProgramFile, IsReplayed) {

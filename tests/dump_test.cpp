@@ -1,14 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include "clip/error.h"
 #include "displayfile/drawing_program.h"
 #include "displayfile/dump.h"
 #include "displayfile/dump_compare.h"
+#include "tests/temporary_folder.h"
 
 namespace displayfile {
 namespace {
@@ -180,23 +179,15 @@ TEST(DumpDifference, TextsThatAreNoDumpsAreErrors) {
 
 // ---- Golden files -------------------------------------------------------------------------
 
-class GoldenFile : public testing::Test {
+class GoldenFile : public test::TemporaryFolder {
  protected:
   void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(testing::TempDir()) / (std::string("golden_") + test->name());
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-    golden_ = (folder_ / "scene.txt").string();
+    golden_ = file("scene.txt").string();
     replay("open-segment 1\npolygon-abs-2 0 0 .5 0 .5 .5\nclose-segment\n", "scene", system_);
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  std::string content() const {
-    std::ifstream in(golden_, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  void write(const std::string& text) const { std::ofstream(golden_, std::ios::binary) << text; }
+  std::string content() const { return test::content(golden_); }
+  void write(const std::string& text) const { file("scene.txt", text); }
   std::string check_error() const {
     try {
       check_golden(system_.display_file(), golden_);
@@ -206,7 +197,6 @@ class GoldenFile : public testing::Test {
     return "";
   }
 
-  std::filesystem::path folder_;
   std::string golden_;
   GraphicsSystem system_;
 };
@@ -239,7 +229,7 @@ TEST_F(GoldenFile, MissingCutShortOrBinaryIsAnError) {
 TEST_F(GoldenFile, UpdateInAMissingFolderIsAnErrorAndLeavesNothing) {
   const std::string path = (folder_ / "missing" / "scene.txt").string();
   EXPECT_THROW(update_golden(system_.display_file(), path), Error);
-  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+  EXPECT_TRUE(empty_folder());
 }
 
 }  // namespace

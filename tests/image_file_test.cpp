@@ -3,13 +3,11 @@
 
 #include <gtest/gtest.h>
 #include <png.h>
-#include <unistd.h>
 
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <random>
 #include <sstream>
@@ -20,38 +18,16 @@
 #include "interp/picture_compare.h"
 #include "interp/png_file.h"
 #include "interp/ppm_file.h"
+#include "tests/temporary_folder.h"
 
 namespace displayfile {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own for each test, gone afterwards.
-class ImageFile : public testing::Test {
- protected:
-  ImageFile() {
-    folder_ = fs::path(testing::TempDir()) /
-              ("image_file_" + std::to_string(::getpid()) + "_" +
-               testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(folder_);
-  }
-  ~ImageFile() override { fs::remove_all(folder_); }
+using test::content;
 
-  fs::path file(const std::string& name) const { return folder_ / name; }
-  fs::path file(const std::string& name, const std::string& content) const {
-    std::ofstream(folder_ / name, std::ios::binary) << content;
-    return folder_ / name;
-  }
-  static std::string content(const fs::path& path) {
-    std::ostringstream all;
-    all << std::ifstream(path, std::ios::binary).rdbuf();
-    return all.str();
-  }
-  bool empty_folder() const { return fs::is_empty(folder_); }
-
- private:
-  fs::path folder_;
-};
+class ImageFile : public test::TemporaryFolder {};
 
 /// The message of the Error that `call` throws; empty if it throws none.
 template <class Call>

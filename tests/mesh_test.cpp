@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -13,8 +12,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <vector>
 
@@ -22,6 +19,7 @@
 #include "displayfile/drawing_program.h"
 #include "displayfile/dump.h"
 #include "displayfile/fitted_view.h"
+#include "tests/temporary_folder.h"
 
 /// The import library does not free all that it took for a file that it refuses.
 extern "C" const char* __lsan_default_suppressions();
@@ -30,25 +28,11 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:libassimp"; 
 namespace displayfile {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// A folder of its own for each test, removed at its end.
-class MeshTest : public testing::Test {
+class MeshTest : public test::TemporaryFolder {
  protected:
-  MeshTest() {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / fmt::format("mesh_test_{}_{}", test->name(), ::getpid());
-    fs::create_directories(folder_);
+  std::string file(const std::string& name, const std::string& text) const {
+    return TemporaryFolder::file(name, text).string();
   }
-  ~MeshTest() override { fs::remove_all(folder_); }
-
-  std::string file(const std::string& name, const std::string& content) const {
-    const fs::path path = folder_ / name;
-    std::ofstream(path, std::ios::binary) << content;
-    return path.string();
-  }
-
-  fs::path folder_;
 };
 
 // ---- Mesh files ------------------------------------------------------------------------

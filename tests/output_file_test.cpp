@@ -9,30 +9,17 @@
 #include <string>
 
 #include "clip/error.h"
+#include "tests/temporary_folder.h"
 
 namespace displayfile {
 namespace {
 
 namespace fs = std::filesystem;
 
-class OutputFileTest : public testing::Test {
- protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / (std::string("output_file_") + test->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    target_ = (folder_ / "picture.png").string();
-  }
-  void TearDown() override {
-    fs::permissions(folder_, fs::perms::owner_all);
-    fs::remove_all(folder_);
-  }
+using test::content;
 
-  static std::string content(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
+class OutputFileTest : public test::TemporaryFolder {
+ protected:
   static void write(const std::string& path, const std::string& text) {
     std::ofstream(path, std::ios::binary) << text;
   }
@@ -50,8 +37,7 @@ class OutputFileTest : public testing::Test {
     return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
   }
 
-  fs::path folder_;
-  std::string target_;
+  const std::string target_ = file("picture.png").string();
 };
 
 TEST_F(OutputFileTest, AppearsAtCommitAndNotBefore) {

@@ -5,8 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <glm/common.hpp>
@@ -17,74 +15,23 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "displayfile/dump.h"
 #include "displayfile/fitted_view.h"
 #include "displayfile/mesh.h"
-#include "displayfile/turntable.h"
-#include "displayfile/view_rounding.h"
 #include "hard/generated_scenes.h"
 #include "hard/hard_cases.h"
-#include "interp/draw.h"
-#include "interp/software.h"
-#include "interp/truth.h"
 #include "tests/random_views.h"
+#include "tests/retained_truth.h"
 #include "tests/sort_scenes.h"
 #include "tests/world_truth.h"
 
 namespace displayfile {
 namespace {
 
-using test::Source;
+using namespace test;
 
 int from_environment(const char* name, int usual) {
   const char* const set = std::getenv(name);
   return set == nullptr ? usual : std::atoi(set);
-}
-
-/// A scene as the application drew it and as it was retained.
-struct Retained {
-  RetainedScene scene;
-  GraphicsSystem system;
-  Retained() { system.retain(&scene); }
-  Retained(const Retained&) = delete;
-  Retained& operator=(const Retained&) = delete;
-};
-
-Picture drawn(const DisplayFile& file, int size) {
-  RasterRequest request;
-  request.width = request.height = size;
-  request.ids = request.sorted = true;
-  return draw_with_software(file, request);
-}
-
-struct Pixel {
-  PixelCentre centre;
-  std::int32_t drawn, truth;
-};
-std::string text_of(const Pixel& pixel) {
-  std::ostringstream out;
-  out << "pixel " << pixel.centre.column << "," << pixel.centre.row << ": " << pixel.drawn
-      << " was drawn in place of " << pixel.truth;
-  return out.str();
-}
-
-/// A picture held against the truth of the same view, whole polygons in order of entry.
-struct Judged {
-  std::vector<Pixel> wrong;
-  std::size_t pixels = 0;
-  std::size_t undecided = 0;  ///< not left to the order of the tree
-};
-Judged judged(const DisplayFile& file, int size) {
-  const Picture picture = drawn(file, size);
-  const std::vector<std::int32_t> right = truth(file, size, size, false).ids;
-  Judged judged{{}, right.size(), picture.undecided_centres};
-  for (int i = 0; i < size * size; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    if (picture.ids[k] == right[k]) continue;
-    judged.wrong.push_back(
-        {{i % size, size - 1 - i / size, {size, size}}, picture.ids[k], right[k]});
-  }
-  return judged;
 }
 
 /// Around all points of a scene.
@@ -284,42 +231,6 @@ TEST(Meshes, NoWrongPixelFromAnyEye) {
 
 // ---- What is retained --------------------------------------------------------------------
 
-/// Two segments with styles, outlines, lines, a light, back faces and a polygon that is not flat.
-void enter_two_segments(GraphicsSystem& g) {
-  g.set_perspective({0.4, 0.7, 4.0});
-  g.set_light({0.3, 1.0, 0.7}, 0.2);
-  g.open_segment(4);
-  g.set_fill_style({FillStyle::Kind::solid, {0.9, 0.4, 0.2}});
-  g.polygon_abs_3({{-0.5, -0.5, 0.2}, {0.6, -0.4, -0.3}, {0.1, 0.7, 0.1}});
-  g.polygon_abs_3({{-0.5, -0.5, 0.2}, {0.1, 0.7, 0.1}, {0.6, -0.4, -0.3}});
-  g.set_line_style({LineStyle::Kind::dashed, {0, 0, 1}, 2.0, 5.0, 3.0});
-  g.move_abs_3(-0.8, 0.0, -0.5);
-  g.line_abs_3(0.8, 0.1, 0.5);
-  g.polygon_abs_3({{-0.6, -0.6, 0.0}, {0.6, -0.6, 0.1}, {0.6, 0.6, 0.0}, {-0.6, 0.6, 0.1}});
-  g.close_segment();
-  g.create_transformation_3();
-  g.rotate_y_3(40.0);
-  g.open_segment(2);
-  g.set_back_face_removal(true);
-  g.set_pick_id(70);
-  g.set_fill_style({FillStyle::Kind::hollow});
-  g.polygon_abs_3({{-0.7, 0.1, 0.4}, {0.7, 0.0, 0.4}, {0.0, 0.8, -0.4}});
-  g.set_line_style({LineStyle::Kind::none});
-  g.polygon_abs_3({{-0.3, 0.1, 0.4}, {0.7, 0.0, 0.4}, {0.0, 0.8, -0.4}});  // draws nothing
-  g.set_fill_style({FillStyle::Kind::solid, {0.2, 0.4, 0.9}});
-  g.polygon_abs_3({{-0.9, -0.1, 0.3}, {0.9, 0.0, 0.3}, {0.0, 0.3, -0.3}});
-  g.polygon_abs_3({{0.0, 0.3, -0.3}, {0.9, 0.0, 0.3}, {-0.9, -0.1, 0.3}});  // a back face
-  g.close_segment();
-}
-
-std::string entered_text(DisplayFile file) {
-  file.set_sorted(nullptr);
-  for (const Segment& segment : file.segments()) file.segment(segment.name()).set_sorted(nullptr);
-  std::ostringstream out;
-  dump(file, out);
-  return out.str();
-}
-
 /// As entered, the display file of a view is what the application would have drawn in that view.
 TEST(RetainedViews, TheSameInstructionsAsDrawnInThatView) {
   Retained retained;
@@ -447,158 +358,6 @@ TEST(RetainedViews, DegeneratePolygonsKeepTheirOutlines) {
   file.sorted()->instructions.walk(sorted);
   EXPECT_GE(sorted.lines, 3u);
   EXPECT_TRUE(judged(file, 32).wrong.empty());
-}
-
-// ---- The bound of what rounding may move -------------------------------------------------
-
-TEST(ViewRounding, BoundsWhatTheTransformationRounds) {
-  using test::Q;
-  Source s(1);
-  double most_of_bound = 0.0;
-  for (int trial = 0; trial < 20000; ++trial) {
-    const View view = test::any_view(s);
-    const ViewVolume volume(view);
-    const ClipPipeline pipeline(volume);
-    const double scale = std::pow(10.0, s.between(-3, 2));
-    const Point3 ends[] = {Point3(0.5) + scale * (test::in_cube(s) - Point3(0.5)),
-                           Point3(0.5) + scale * (test::in_cube(s) - Point3(0.5))};
-    Point3 viewed[2];
-    if (!pipeline.clip_line(ends[0], ends[1], viewed[0], viewed[1])) continue;
-    const double bound = ViewRounding(view, volume).of(ends, viewed, 0.0);
-    // How far what clipping left is from the line, viewed exactly.
-    const auto exactly = [&](const Point3& p) {
-      const glm::dmat4& m = volume.matrix();
-      const auto row = [&](int i) -> Q {
-        return Q(m[0][i]) * Q(p.x) + Q(m[1][i]) * Q(p.y) + Q(m[2][i]) * Q(p.z) + Q(m[3][i]);
-      };
-      return std::array<Q, 3>{row(0), row(1), row(3)};
-    };
-    const auto a = exactly(ends[0]), b = exactly(ends[1]);
-    const std::array<Q, 3> line = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                                   a[0] * b[1] - a[1] * b[0]};
-    const double slope = std::abs(line[0].get_d()) + std::abs(line[1].get_d());
-    if (slope == 0.0) continue;
-    for (const Point3& p : viewed) {
-      const Q off = line[0] * Q(p.x) + line[1] * Q(p.y) + line[2];
-      const double distance = std::abs(off.get_d()) / slope;  // no more than along x and along y
-      ASSERT_LE(distance, bound) << test::text_of(view);
-      most_of_bound = std::max(most_of_bound, distance / bound);
-    }
-  }
-  EXPECT_GT(most_of_bound, 1e-3) << "the bound says next to nothing";
-}
-
-/// Quadrangles that are flat within the tolerance only, seen from so near that it shows: a piece's
-/// vertices are in the plane, the whole polygon's are not.
-TEST(ViewRounding, CountsWhatIsNotQuiteFlat) {
-  Retained retained;
-  GraphicsSystem& g = retained.system;
-  g.set_line_style({LineStyle::Kind::none});
-  constexpr double kBent = 1e-6;
-  g.open_segment(1);
-  g.polygon_abs_3({{-1, -1, 0}, {0, -1, 0}, {0, 1, kBent}, {-1, 1, 0}});
-  g.polygon_abs_3({{0, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0, 1, kBent}});
-  for (const double y : {-0.2, -0.1, 0.0, 0.1, 0.2}) {  // so many that they cut, and are not cut
-    g.polygon_abs_3({{-1, y, -0.5}, {1, y, -0.5}, {1, y, 0.5}, {-1, y, 0.5}});
-  }
-  g.close_segment();
-  ASSERT_EQ(g.polygons_triangulated(), 0);
-  RetainedViews views(retained.scene, g.display_file(), {});
-  EXPECT_GT(views.counts().cuts, 0u);
-  View view = test::looking({0.8, 0.3, -0.6});
-  view.set_parallel(view.plane_normal);
-  constexpr double kWindow = 1e-5;
-  view.set_window({-kWindow, kWindow, -kWindow, kWindow});
-  for (const Point2 at :
-       {Point2(-1.0, 0.9), Point2(-0.2, -1.0), Point2(0.0, -0.9), Point2(0.2, -1)}) {
-    view.set_reference_point({at.x, at.y, 0.5 * kBent});
-    const Judged picture = judged(views.view(view), 64);
-    EXPECT_TRUE(picture.wrong.empty()) << picture.wrong.size() << " at " << at.x << " " << at.y;
-  }
-}
-
-// ---- The turntable -----------------------------------------------------------------------
-
-TEST(Turntable, AtZeroDegreesNothingHasMoved) {
-  Retained retained;
-  enter_two_segments(retained.system);
-  const DisplayFile& file = retained.system.display_file();
-  const Turntable turntable(retained.scene, file, {});
-  const auto [view, lights] = turntable.at(0.0);
-  EXPECT_EQ(view, retained.system.view());
-  RetainedViews views(retained.scene, file, {});
-  EXPECT_EQ(entered_text(views.view(view, lights)), entered_text(file));
-}
-
-/// The camera goes round the world, but it is the world that seems to turn: as if it had been
-/// rotated about the axis by the modelling transformation.
-TEST(Turntable, TurnsTheSceneCounterclockwiseSeenFromAbove) {
-  const auto enter_turned = [](double degrees, GraphicsSystem& g) {
-    g.set_perspective({0.4, 0.7, 4.0});
-    g.set_light({0.3, 1.0, 0.7}, 0.2);
-    g.rotate_y_3(degrees);
-    g.open_segment(1);
-    g.polygon_abs_3({{-0.5, -0.5, -0.5}, {0.5, -0.5, -0.5}, {0.5, 0.5, -0.5}, {-0.5, 0.5, -0.5}});
-    g.polygon_abs_3({{-0.5, -0.5, 0.5}, {0.5, -0.5, 0.5}, {0.5, 0.5, 0.5}});
-    g.polygon_abs_3({{0.5, -0.5, -0.5}, {0.5, -0.5, 0.5}, {0.5, 0.5, 0.5}, {0.5, 0.5, -0.5}});
-    g.close_segment();
-  };
-  Retained retained;
-  enter_turned(0.0, retained.system);
-  const Turntable turntable(retained.scene, retained.system.display_file(), {});
-  RetainedViews views(retained.scene, retained.system.display_file(), {});
-  for (const double degrees : {30.0, 90.0, 200.0}) {
-    GraphicsSystem turned;
-    enter_turned(degrees, turned);
-    const auto [view, lights] = turntable.at(degrees);
-    const Picture seen = drawn(views.view(view, lights), 64);
-    DrawOptions options;
-    options.width = options.height = 64;
-    options.hidden = HiddenMethod::z_buffer;
-    options.ids = "in memory";
-    const Picture right = draw(turned, options);
-    std::size_t other = 0;
-    for (std::size_t i = 0; i < seen.ids.size(); ++i) other += seen.ids[i] != right.ids[i] ? 1 : 0;
-    EXPECT_LE(other, 2u) << degrees;  // at most on edges
-    std::size_t colours = 0;
-    for (std::size_t i = 0; i < seen.pixels.size(); ++i) {
-      for (int shift = 0; shift < 24; shift += 8) {
-        const int a = static_cast<int>(seen.pixels[i] >> shift & 255);
-        const int b = static_cast<int>(right.pixels[i] >> shift & 255);
-        colours += std::abs(a - b) > 1 ? 1 : 0;
-      }
-    }
-    EXPECT_LE(colours, 40u) << degrees;  // of outlines
-  }
-}
-
-TEST(Turntable, FitsItsWindowToAllViews) {
-  Retained retained;
-  enter_two_segments(retained.system);
-  const DisplayFile& file = retained.system.display_file();
-  Turntable turntable(retained.scene, file, {});
-  turntable.fit_window(16);
-  for (int k = 0; k < 16; ++k) {
-    const ViewVolume volume(turntable.at(360.0 * k / 16).view);
-    for (const RetainedScene::Segment& segment : retained.scene.segments()) {
-      for (const Point3& p : segment.points) {
-        EXPECT_EQ(volume.outcode(volume.transform(p)), 0u) << k;
-      }
-    }
-  }
-}
-
-TEST(Turntable, RefusesSegmentsOfSeveralViews) {
-  Retained retained;
-  GraphicsSystem& g = retained.system;
-  enter_two_segments(g);
-  g.set_window(-2, 2, -2, 2);
-  g.open_segment(7);
-  g.polygon_abs_3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-  g.close_segment();
-  EXPECT_THROW(Turntable(retained.scene, g.display_file(), {}), Error);
-  g.set_visibility(7, false);
-  EXPECT_NO_THROW(Turntable(retained.scene, g.display_file(), {}));
 }
 
 }  // namespace

@@ -1,0 +1,234 @@
+// What SVG and PDF files hold.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "clip/error.h"
+#include "interp/interpreter.h"
+#include "interp/pdf_device.h"
+#include "interp/svg_device.h"
+#include "tests/temporary_folder.h"
+#include "tests/vector_scenes.h"
+
+namespace displayfile {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace test;
+
+template <class Call>
+std::string error_of(Call&& call) {
+  try {
+    call();
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return {};
+}
+
+std::size_t count(const std::string& text, std::string_view part) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+class VectorFile : public TemporaryFolder {
+ protected:
+  std::string svg(const GraphicsSystem& g, int width, int height, bool z_buffer) const {
+    write_svg(g.display_file(), width, height, z_buffer, file("a.svg"));
+    return content(file("a.svg"));
+  }
+};
+
+std::string body(const std::string& svg) { return svg.substr(svg.find("<rect")); }
+
+TEST_F(VectorFile, SvgOfASmallScene) {
+  GraphicsSystem g = unit_square();
+  g.open_segment(3);
+  g.set_fill_style(solid({1.0, 0.5, 0.0}));
+  g.set_line_style(line(kBlack, 1.5));
+  g.polygon_abs_2({{0.1, 0.1}, {0.5, 0.1}, {0.5, 0.5}, {0.1, 0.5}});  // with its edges
+  g.set_line_style(kNoLine);
+  g.polygon_abs_2({{0.1, 0.6}, {0.5, 0.6}, {1.0 / 3.0, 0.9}});  // without: seams are closed
+  g.close_segment();
+  g.open_segment(1);
+  g.set_line_style({LineStyle::Kind::dashed, kBlue, 2.0, 6.0, 4.0});
+  g.move_abs_2(0.0, 0.25);
+  g.line_abs_2(1.0, 0.25);
+  g.line_abs_2(1.0, 1.0);  // continues the line: one path
+  g.move_abs_2(0.5, 0.5);
+  g.line_abs_2(0.5, 0.5);  // a dot
+  g.close_segment();
+  EXPECT_EQ(svg(g, 200, 100, false),
+            R"(<?xml version="1.0" encoding="UTF-8"?>
+<svg xmlns="http://www.w3.org/2000/svg" version="1.1" width="200" height="100" viewBox="0 0 200 100">
+<style>
+.background{fill:#ffffff}
+.segment{fill:none;fill-rule:evenodd;stroke-width:0.75;stroke-linejoin:round}
+.f1{fill:#ff8000}
+.f2{fill:#ff8000;stroke:#ff8000}
+.l1{stroke:#000000;stroke-width:1.5}
+.l2{stroke:#0000ff;stroke-width:2;stroke-dasharray:6 4}
+</style>
+<rect class="background" width="200" height="100"/>
+<g id="segment-3" class="segment">
+<path class="f1 l1" d="M20,50 20,90 100,90 100,50Z"/>
+<path class="f2" d="M66.667,10 20,40 100,40Z"/>
+</g>
+<g id="segment-1" class="segment">
+<path class="l2" d="M0,75 200,75 200,0"/>
+<path class="l2" stroke-linecap="square" d="M100,50 100,50"/>
+</g>
+</svg>
+)");
+}
+
+TEST_F(VectorFile, NothingAndInvisibleSegmentsMakeAnEmptyPicture) {
+  GraphicsSystem g = unit_square();
+  g.open_segment(1);
+  g.polygon_abs_2({{0, 0}, {1, 0}, {1, 1}});
+  g.close_segment();
+  g.set_visibility(1, false);
+  for (const bool z_buffer : {false, true}) {
+    EXPECT_EQ(body(svg(g, 10, 10, z_buffer)),
+              "<rect class=\"background\" width=\"10\" height=\"10\"/>\n</svg>\n");
+  }
+}
+
+TEST(SvgDevice, AGroupOpenedAgainHasAnIdOfItsOwn) {
+  SvgDevice device(10, 10);
+  for (const int name : {1, 12, 1, 1}) {
+    device.begin_segment(name);
+    device.end_segment();
+  }
+  std::ostringstream out;
+  device.finish(out);
+  for (const char* id : {"\"segment-1\"", "\"segment-12\"", "\"segment-1-2\"", "\"segment-1-3\""}) {
+    EXPECT_EQ(count(out.str(), id), 1u) << id;
+  }
+}
+
+/// Draws one polygon on an SVG device of 100 x 100.
+std::string svg_of(const std::vector<Point3>& vertices, const std::vector<std::int32_t>& sides,
+                   const LineStyle& style = line(kBlack)) {
+  SvgDevice device(100, 100);
+  const FillStyle fill = solid(kRed);
+  const DrawnPolygon polygon{vertices, sides, fill, style, 0};
+  device.begin_segment(1);
+  device.fill(polygon);
+  device.edges(polygon);
+  device.end_segment();
+  std::ostringstream out;
+  device.finish(out);
+  return body(out.str());
+}
+
+const std::vector<Point3> kSquare{{.2, .2, 0}, {.8, .2, 0}, {.8, .8, 0}, {.2, .8, 0}};
+
+TEST(SvgDevice, OnlyVisibleSidesAreDrawn) {
+  // The sides that end at the second and the fourth vertex.
+  const std::string svg = svg_of(kSquare, {op::move, op::line, op::move, op::line});
+  EXPECT_EQ(count(svg, "class=\"l1\" d=\"M20,80 80,80M80,20 20,20\""), 1u) << svg;
+  // A run goes on over the polygon's first vertex.
+  const std::string three = svg_of(kSquare, {op::line, op::line, op::move, op::line});
+  EXPECT_EQ(count(three, "class=\"l1\" d=\"M80,20 20,20 20,80 80,80\""), 1u) << three;
+  EXPECT_EQ(count(svg_of(kSquare, {op::move, op::move, op::move, op::move}), "<path"), 1u);
+}
+
+TEST(SvgDevice, SeamsAreClosedWhereEdgesDoNotCoverThem) {
+  const std::vector<std::int32_t> all(4, op::line);
+  SvgDevice device(10, 10);
+  const auto style_of_fill = [&](const LineStyle& style, const std::vector<std::int32_t>& sides) {
+    SvgDevice one(100, 100);
+    const FillStyle fill = solid(kRed);
+    one.fill({kSquare, sides, fill, style, 0});
+    std::ostringstream out;
+    one.finish(out);
+    return count(out.str(), ".f1{fill:#ff0000;stroke:#ff0000}");
+  };
+  EXPECT_EQ(style_of_fill(line(kBlack), all), 0u);
+  EXPECT_EQ(style_of_fill(line(kBlack), {op::line, op::move, op::line, op::line}), 1u);
+  EXPECT_EQ(style_of_fill(line(kBlack, 0.1), all), 1u);
+  EXPECT_EQ(style_of_fill({LineStyle::Kind::dashed}, all), 1u);
+  EXPECT_EQ(style_of_fill(kNoLine, all), 1u);
+}
+
+TEST(SvgDevice, EdgeOnAndNotFinitePolygonsAreLeftOut) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::vector<std::int32_t> none(3, op::move);
+  EXPECT_EQ(count(svg_of({{.1, .1, 0}, {.5, .5, 1}, {.9, .9, 0}}, none), "<path"), 0u);
+  EXPECT_EQ(count(svg_of({{.1, .1, 0}, {infinity, .5, 1}, {.9, .9, 0}}, none), "<path"), 0u);
+  EXPECT_EQ(count(svg_of({{.1, .1, 0}, {.5, std::nan(""), 1}, {.9, .1, 0}},
+                         std::vector<std::int32_t>(3, op::line)),
+                  "nan"),
+            0u);
+}
+
+TEST_F(VectorFile, FarCoordinatesAreCutOffOutsideOfThePicture) {
+  GraphicsSystem g = unit_square();
+  g.open_segment(1);
+  g.set_line_style(line(kBlack));
+  g.polygon_abs_2({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  g.move_abs_2(0, 0);
+  g.line_abs_2(1, 1);
+  g.close_segment();
+  g.set_image_scale(1, 1e90, 1e90);
+  for (const bool z_buffer : {false, true}) {
+    const std::string text = body(svg(g, 100, 100, z_buffer));
+    EXPECT_GE(count(text, "class=\"l1\""), 1u);
+    EXPECT_EQ(count(text, "class=\"f1\""), 1u);
+    std::istringstream numbers(text);
+    for (char c; numbers.get(c);) {
+      if (c < '0' || c > '9') continue;
+      numbers.unget();
+      double v = 0.0;
+      numbers >> v;
+      ASSERT_LE(v, 32767.0) << text;
+    }
+  }
+}
+
+TEST_F(VectorFile, BadSizesAndPathsAreErrorsAndLeaveNothing) {
+  GraphicsSystem g = unit_square();
+  const DisplayFile& d = g.display_file();
+  for (const auto& size : {std::pair{0, 0}, {0, 5}, {5, -1}, {70000, 5}, {5, 1000000}}) {
+    const int w = size.first, h = size.second;
+    EXPECT_FALSE(error_of([&] { write_svg(d, w, h, true, file("a.svg")); }).empty());
+    EXPECT_FALSE(error_of([&] { write_pdf(d, w, h, false, file("a.pdf")); }).empty());
+  }
+  const fs::path nowhere = file("no-such-folder") / "a";
+  EXPECT_NE(error_of([&] { write_svg(d, 9, 9, false, nowhere); }).find(nowhere), std::string::npos);
+  EXPECT_NE(error_of([&] { write_pdf(d, 9, 9, false, nowhere); }).find(nowhere), std::string::npos);
+  EXPECT_TRUE(empty_folder());
+}
+
+TEST_F(VectorFile, FullDiskIsAnError) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  GraphicsSystem g = unit_square();
+  EXPECT_NE(error_of([&] { write_svg(g.display_file(), 9, 9, false, "/dev/full"); }), "");
+  EXPECT_NE(error_of([&] { write_pdf(g.display_file(), 9, 9, false, "/dev/full"); }), "");
+}
+
+TEST_F(VectorFile, PdfBytesDependOnTheDrawingAlone) {
+  GraphicsSystem g = unit_square();
+  g.open_segment(1);
+  g.polygon_abs_2({{0, 0}, {1, 0}, {1, 1}});
+  g.close_segment();
+  write_pdf(g.display_file(), 300, 200, false, file("a.pdf"));
+  const std::string pdf = content(file("a.pdf"));
+  EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
+  EXPECT_EQ(count(pdf, "/CreationDate (20000101"), 1u);
+  EXPECT_EQ(count(pdf, "/MediaBox [ 0 0 300 200 ]"), 1u);
+  write_pdf(g.display_file(), 300, 200, false, file("b.pdf"));
+  EXPECT_EQ(content(file("b.pdf")), pdf);
+}
+
+}  // namespace
+}  // namespace displayfile

@@ -49,9 +49,10 @@ PolygonList::PolygonList(const FillScene& scene, int height)
   }
 }
 
-ActivePolygons::ActivePolygons(const FillScene& scene, const PictureSize& size,
-                               const PolygonList& list, int row_begin)
+ActivePolygons::ActivePolygons(const FillScene& scene, const FillDepths& depths,
+                               const PictureSize& size, const PolygonList& list, int row_begin)
     : scene_(&scene),
+      depths_(&depths),
       list_(&list),
       size_(size),
       row_(row_begin - 1),
@@ -76,7 +77,8 @@ void ActivePolygons::enter(const PolygonList::Entry& entry) {
   if (sides_left_ > sides_.size() / 2 + 64) compact_sides();
   const auto first = static_cast<std::uint32_t>(sides_.size());
   make_edge_table(entry.fill);
-  polygons_.push_back({entry.fill, entry.last_row, row_ - 1, row_ - 1, first, first,
+  polygons_.push_back({depths_->depth(entry.fill), depths_->error(entry.fill), entry.fill,
+                       entry.last_row, row_ - 1, row_ - 1, row_, row_, first, first,
                        static_cast<std::uint32_t>(sides_.size())});
 }
 
@@ -112,6 +114,7 @@ void ActivePolygons::update_active_edges(Polygon& polygon) {
     std::swap(sides_[k], sides_[polygon.live++]);
     ++sides_left_;
   }
+  polygon.stands_from = polygon.may_rest_from = row_;
   while (polygon.next < polygon.end && sides_[polygon.next].first_row <= row_) ++polygon.next;
   polygon.stands_until =
       polygon.next < polygon.end ? sides_[polygon.next].first_row - 1 : polygon.last_row;

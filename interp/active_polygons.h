@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "interp/fill_depths.h"
 #include "interp/fill_scene.h"
 #include "interp/scan_edge.h"
 
@@ -47,16 +48,28 @@ class ActivePolygons {
   using Fill = FillScene::Fill;
   using Index = std::uint32_t;  ///< of an active polygon, while its row is looked at
 
-  /// Starts with this row.
-  ActivePolygons(const FillScene& scene, const PictureSize& size, const PolygonList& list,
-                 int row_begin);
+  /// A polygon of the list, with what is asked of it on every row.
+  struct Polygon {
+    PixelDepth depth;
+    double error;  ///< of the depth
+    Fill fill;
+    int last_row;
+    int stands_until;                ///< the row up to which no side enters or leaves
+    int rests_until;                 ///< less than the row: it does not rest
+    int stands_from, may_rest_from;  ///< the row since which its sides stand; see may_not_rest()
+    std::uint32_t live, next, end;   ///< of its sides: active ones are live <= k < next
+  };
 
-  /// Brings the list up to the next row and calls in(fill, first, end, index) for the columns
+  /// Starts with this row.
+  ActivePolygons(const FillScene& scene, const FillDepths& depths, const PictureSize& size,
+                 const PolygonList& list, int row_begin);
+
+  /// Brings the list up to the next row and calls in(index, first, end) for the columns
   /// first <= i < end in which a polygon is IN; those without a pixel are left out.
   template <class In>
   void next_row(In&& in);
 
-  Fill fill(Index polygon) const { return polygons_[polygon].fill; }
+  const Polygon& operator[](Index polygon) const { return polygons_[polygon]; }
 
   /// A row, and where a polygon's two sides cross it: in pixel units, off by `error` at most.
   struct Width {
@@ -68,17 +81,15 @@ class ActivePolygons {
   /// Both must be IN once in this row, the inside one within the other.
   std::optional<std::array<Width, 2>> stays_within(Index inside, Index other) const;
 
+  /// The polygon cannot rest now: it is asked again after as many rows as its sides have stood.
+  void may_not_rest(Index polygon) {
+    Polygon& p = polygons_[polygon];
+    p.may_rest_from = row_ + 1 + (row_ - p.stands_from);
+  }
   /// The polygon is not to be told again up to this row.
   void rest(Index polygon, int last_row) { polygons_[polygon].rests_until = last_row; }
 
  private:
-  struct Polygon {
-    Fill fill;
-    int last_row;
-    int stands_until;               // the row up to which no side enters or leaves
-    int rests_until;                // less than the row: it does not rest
-    std::uint32_t live, next, end;  // of its sides: active ones are live <= k < next
-  };
   struct Resting {
     PolygonList::Entry entry;
     std::uint32_t next;
@@ -98,6 +109,7 @@ class ActivePolygons {
   std::optional<Sides> sides_until(const Polygon& polygon, int last) const;
 
   const FillScene* scene_;
+  const FillDepths* depths_;
   const PolygonList* list_;
   PictureSize size_;
   int row_, row_begin_;
@@ -121,7 +133,7 @@ void ActivePolygons::next_row(In&& in) {
     const std::uint32_t live = polygon.live;
     if (polygon.next - live == 2) [[likely]] {
       const int a = sides_[live].column(row_, size_), b = sides_[live + 1].column(row_, size_);
-      if (a != b) in(polygon.fill, std::min(a, b), std::max(a, b), k);
+      if (a != b) in(k, std::min(a, b), std::max(a, b));
     } else {
       columns_.clear();
       for (std::uint32_t side = live; side < polygon.next; ++side) {
@@ -132,7 +144,7 @@ void ActivePolygons::next_row(In&& in) {
         // A run that ends where the next begins is one with it.
         const int first = columns_[i];
         while (i + 3 < columns_.size() && columns_[i + 1] == columns_[i + 2]) i += 2;
-        if (first < columns_[i + 1]) in(polygon.fill, first, columns_[i + 1], k);
+        if (first < columns_[i + 1]) in(k, first, columns_[i + 1]);
       }
     }
     ++k;

@@ -15,18 +15,18 @@ ScanLine::Counts ScanLine::draw_rows_counting(int row_begin, int row_end,
                                               const SeenRun& seen) const {
   const auto& [scene, size, roundoff] = *request_;
   Counts counts;
-  ActivePolygons active(scene, size, polygons_, row_begin);
+  ActivePolygons active(scene, depths_, size, polygons_, row_begin);
   PairOrders close(scene, depths_, !roundoff);
-  SpanSweep sweep(depths_, close, size.width);
+  SpanSweep sweep(close, size.width);
   std::vector<FillScene::Fill> of_row(static_cast<std::size_t>(size.width));
   for (int row = row_begin; row < row_end; ++row) {
     sweep.begin_row(row);
-    active.next_row([&](FillScene::Fill fill, int first, int end, ActivePolygons::Index polygon) {
-      sweep.add(fill, first, end, polygon);
+    active.next_row([&](ActivePolygons::Index polygon, int first, int end) {
+      sweep.add(active[polygon], polygon, first, end);
     });
     sweep.sweep(of_row, [&](ActivePolygons::Index hidden, ActivePolygons::Index other) {
       const int last_row = hidden_until(active, hidden, other, close);
-      if (last_row <= row) return;
+      if (last_row <= row) return active.may_not_rest(hidden);
       active.rest(hidden, last_row);
       ++counts.rests;
       counts.rows_left += static_cast<std::uint64_t>(last_row - row);
@@ -43,15 +43,14 @@ int ScanLine::hidden_until(const ActivePolygons& polygons, ActivePolygons::Index
                            ActivePolygons::Index other, PairOrders& close) const {
   const auto widths = polygons.stays_within(hidden, other);
   if (!widths) return -1;
-  const FillScene::Fill behind = polygons.fill(hidden), seen = polygons.fill(other);
-  const PixelDepth &of_behind = depths_.depth(behind), &of_seen = depths_.depth(seen);
-  const double slopes = std::abs(of_behind.dz_dx) + std::abs(of_seen.dz_dx);
-  const double margin = 2.0 * (depths_.error(behind) + depths_.error(seen));
+  const ActivePolygons::Polygon &behind = polygons[hidden], &seen = polygons[other];
+  const double slopes = std::abs(behind.depth.dz_dx) + std::abs(seen.depth.dz_dx);
+  const double margin = 2.0 * (behind.error + seen.error);
   for (const ActivePolygons::Width& width : *widths) {
     const double y = width.row + 0.5, off = margin + 2.0 * slopes * width.error;
     for (const double x : {width.left, width.right}) {
-      if (of_seen.at_point(x, y) - of_behind.at_point(x, y) > off) continue;
-      return close.always_hides(seen, behind) ? (*widths)[1].row : -1;
+      if (seen.depth.at_point(x, y) - behind.depth.at_point(x, y) > off) continue;
+      return close.always_hides(seen.fill, behind.fill) ? (*widths)[1].row : -1;
     }
   }
   return (*widths)[1].row;

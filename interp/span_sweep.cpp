@@ -5,9 +5,8 @@
 
 namespace displayfile {
 
-SpanSweep::SpanSweep(const FillDepths& depths, PairOrders& close, int width)
-    : depths_(&depths),
-      close_(&close),
+SpanSweep::SpanSweep(PairOrders& close, int width)
+    : close_(&close),
       width_(width),
       bucket_(static_cast<std::size_t>(width), kNone),
       begins_(static_cast<std::size_t>(width) / 64 + 1, 0) {}
@@ -38,6 +37,12 @@ void SpanSweep::cut(Index span) {
   (before.child == span ? before.child : before.next) = cut_off.next;
   if (cut_off.next != kNone) spans_[cut_off.next].before = cut_off.before;
   cut_off.due = kNever;
+}
+
+void SpanSweep::falls_due(Index span, int column) {
+  spans_[span].due = column;
+  due_.push_back({column, span});
+  std::push_heap(due_.begin(), due_.end());
 }
 
 /// The first column at which the other is seen, of two that are seen in different order at `column`

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "interp/fill_depths.h"
+#include "interp/active_polygons.h"
 #include "interp/pair_orders.h"
 
 namespace displayfile {
@@ -17,7 +17,6 @@ namespace displayfile {
 class SpanSweep {
  public:
   using Fill = FillScene::Fill;
-  using Polygon = std::uint32_t;  ///< the caller's own number of a polygon
 
   struct Counts {
     std::uint64_t spans = 0;        ///< runs in which a polygon is IN
@@ -26,11 +25,11 @@ class SpanSweep {
     std::uint64_t crossovers = 0;   ///< found between polygons that interpenetrate
   };
 
-  SpanSweep(const FillDepths& depths, PairOrders& close, int width);
+  SpanSweep(PairOrders& close, int width);
 
   void begin_row(int row);
   /// A run of columns, first < end, of this row in which a polygon is IN.
-  void add(Fill fill, int first, int end, Polygon polygon);
+  void add(const ActivePolygons::Polygon& polygon, ActivePolygons::Index index, int first, int end);
 
   /// Writes the fill seen at each centre of the row. Calls hidden(polygon, other) where all of the
   /// run of a polygon is hidden by the other's.
@@ -53,7 +52,7 @@ class SpanSweep {
     int due;            ///< from which column on its parent need not hide it
     Index child, next;  ///< the first child; the next of its parent's or of its bucket
     Index before;       ///< the one before of its parent's, or for the first its parent
-    Polygon polygon;
+    std::uint32_t polygon : 31, may_rest : 1;
     double depth(int column) const { return z + dz_dx * (column + 0.5 - x0); }
   };
   struct Due {
@@ -67,6 +66,7 @@ class SpanSweep {
   Index meld(Index a, Index b, int column, Hidden&& hidden);
   void hang(Index loser, Index winner);
   void cut(Index span);
+  void falls_due(Index span, int column);
   int crossover(const Span& seen, const Span& other, int column, int last);
   template <class Hidden>
   Index after_end(Index ended, int column, Hidden&& hidden);
@@ -74,7 +74,6 @@ class SpanSweep {
   Index decide_due(Index seen, int column, Hidden&& hidden);
   int next_begin(int column) const;
 
-  const FillDepths* depths_;
   PairOrders* close_;
   int width_, row_ = 0;
   std::vector<Span> spans_;
@@ -88,13 +87,16 @@ class SpanSweep {
 inline void SpanSweep::begin_row(int row) {
   row_ = row;
   spans_.clear();
+  due_.clear();
 }
 
-inline void SpanSweep::add(Fill fill, int first, int end, Polygon polygon) {
-  const PixelDepth& depth = depths_->depth(fill);
+inline void SpanSweep::add(const ActivePolygons::Polygon& polygon, ActivePolygons::Index index,
+                           int first, int end) {
+  const PixelDepth& depth = polygon.depth;
   auto& bucket = bucket_[static_cast<std::size_t>(first)];
-  spans_.push_back({depth.row(row_), depth.dz_dx, depth.x0, depths_->error(fill), fill, first, end,
-                    kNever, kNone, bucket, kNone, polygon});
+  spans_.push_back({depth.row(row_), depth.dz_dx, depth.x0, polygon.error, polygon.fill, first, end,
+                    kNever, kNone, bucket, kNone, index & 0x7FFFFFFFu,
+                    polygon.may_rest_from <= row_});
   bucket = static_cast<Index>(spans_.size() - 1);
   begins_[static_cast<std::size_t>(first) / 64] |= std::uint64_t{1} << (first % 64);
 }
@@ -120,20 +122,15 @@ SpanSweep::Index SpanSweep::meld(Index a, Index b, int column, Hidden&& hidden) 
   Span& behind = spans_[loser];
   const int last = std::min(seen.end, behind.end) - 1;
   if (last > column && hides(behind, seen, last)) {
-    behind.due = crossover(seen, behind, column, last);
-    due_.push_back({behind.due, loser});
-    std::push_heap(due_.begin(), due_.end());
+    falls_due(loser, crossover(seen, behind, column, last));
     hang(loser, winner);
     return winner;
   }
   if (behind.end <= seen.end) {
-    if (behind.first == column) hidden(behind.polygon, seen.polygon);
+    if (behind.may_rest && behind.first == column) hidden(behind.polygon, seen.polygon);
     if (behind.child == kNone) return winner;  // never seen
-    if (behind.end < seen.end) {               // then its children are hidden by nothing
-      behind.due = behind.end;
-      due_.push_back({behind.due, loser});
-      std::push_heap(due_.begin(), due_.end());
-    }
+    // What it hides is hidden by nothing after it.
+    if (behind.end < seen.end) falls_due(loser, behind.end);
   }
   hang(loser, winner);
   return winner;
@@ -192,8 +189,8 @@ SpanSweep::Index SpanSweep::decide_due(Index seen, int column, Hidden&& hidden) 
 template <class Hidden>
 void SpanSweep::sweep(std::span<Fill> seen, Hidden&& hidden) {
   counts_.spans += spans_.size();
-  due_.clear();
   Index front = kNone;
+  Fill before = FillScene::kBackground;
   for (int column = 0; column < width_;) {
     if (front != kNone && spans_[front].end <= column) front = after_end(front, column, hidden);
     front = decide_due(front, column, hidden);
@@ -211,9 +208,10 @@ void SpanSweep::sweep(std::span<Fill> seen, Hidden&& hidden) {
     if (front != kNone) {
       end = std::min(end, spans_[front].end);
       fill = spans_[front].fill;
-      ++counts_.painted;
+      counts_.painted += fill != before;
     }
     if (!due_.empty()) end = std::min(end, due_.front().column);
+    before = fill;
     std::fill(seen.begin() + column, seen.begin() + end, fill);
     column = end;
   }

@@ -6,6 +6,7 @@
 
 #include "clip/error.h"
 #include "interp/band_z_buffer.h"
+#include "interp/scan_line.h"
 #include "interp/scan_line_z.h"
 #include "interp/warnock.h"
 
@@ -22,6 +23,7 @@ constexpr std::array kMethods{
     ImageSpaceEntry{HiddenMethod::z_buffer, make<BandZBuffer>},
     ImageSpaceEntry{HiddenMethod::warnock, make<Warnock>},
     ImageSpaceEntry{HiddenMethod::scan_line_z, make<ScanLineZ>},
+    ImageSpaceEntry{HiddenMethod::scan_line, make<ScanLine>},
 };
 
 }  // namespace

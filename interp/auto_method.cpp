@@ -1,6 +1,7 @@
 #include "interp/auto_method.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -62,17 +63,41 @@ bool nothing_lies_in_front(const FillScene& scene) {
   return true;
 }
 
-}  // namespace
-
-bool nothing_hides(const FillScene& scene) {
-  return scene.end() <= 2 || boxes_are_apart(scene) || nothing_lies_in_front(scene);
+/// Of the picture, the part that the fill covers: no more than its box there.
+double covered_part(std::span<const Point3> vertices) {
+  const Box box = box_of(vertices);
+  const auto within = [](double low, double high) {
+    return std::max(0.0, std::min(high, 1.0) - std::max(low, 0.0));
+  };
+  double twice_area = 0.0;
+  Point3 from = vertices.back();
+  for (const Point3& to : vertices) {
+    twice_area += from.x * to.y - to.x * from.y;
+    from = to;
+  }
+  return std::min(std::abs(twice_area) / 2.0,
+                  within(box.left, box.right) * within(box.bottom, box.top));
 }
 
-MethodChoice choose_method(const DisplayFile& display_file, PictureKind kind) {
-  if (kind == PictureKind::raster) {
-    return {HiddenMethod::z_buffer,
-            "one picture in pixels: the z-buffer decides each pixel exactly and sorts nothing"};
+/// A z-buffer's time follows the pixels that all fills cover, a subdivision's what is seen in the
+/// end: far less where wide polygons lie behind each other many times (interp/warnock.md).
+MethodChoice choose_for_pixels(const DisplayFile& display_file) {
+  constexpr std::size_t kFewPolygons = 2000;
+  constexpr double kDeep = 12.0, kWide = 1.0 / 16.0;
+  if (display_file.polygons() <= kFewPolygons) {
+    const FillScene scene(display_file);
+    double layers = 0.0;
+    for (Fill fill = 1; fill < scene.end(); ++fill) layers += covered_part(scene.vertices(fill));
+    if (layers > kDeep && layers > kWide * (scene.end() - 1)) {
+      return {HiddenMethod::warnock,
+              "wide polygons many deep: subdividing areas looks only at what may be seen"};
+    }
   }
+  return {HiddenMethod::z_buffer,
+          "one picture in pixels: the z-buffer decides each pixel exactly and sorts nothing"};
+}
+
+MethodChoice choose_for_vectors(const DisplayFile& display_file) {
   const FillScene scene(display_file);
   if (scene.has_lines()) {
     return {HiddenMethod::depth_sort,
@@ -82,6 +107,17 @@ MethodChoice choose_method(const DisplayFile& display_file, PictureKind kind) {
     return {HiddenMethod::none, "no polygon can hide another: any order is right"};
   }
   return {HiddenMethod::depth_sort, "vectors: depth sort orders the polygons with the fewest cuts"};
+}
+
+}  // namespace
+
+bool nothing_hides(const FillScene& scene) {
+  return scene.end() <= 2 || boxes_are_apart(scene) || nothing_lies_in_front(scene);
+}
+
+MethodChoice choose_method(const DisplayFile& display_file, PictureKind kind) {
+  return kind == PictureKind::raster ? choose_for_pixels(display_file)
+                                     : choose_for_vectors(display_file);
 }
 
 }  // namespace displayfile

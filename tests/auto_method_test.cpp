@@ -55,6 +55,14 @@ TEST(AutoMethod, WhatOverlapsIsSorted) {
   EXPECT_EQ(choose_method(file, PictureKind::raster).method, HiddenMethod::z_buffer);
 }
 
+TEST(AutoMethod, WidePolygonsManyDeepAreSubdivided) {
+  std::vector<test::Vertices> sheets;
+  for (int k = 0; k < 40; ++k) sheets.push_back(square(0.01 * k, 0.1, 0.6, k * 7 % 40 / 40.0));
+  EXPECT_EQ(choose_method(file_of(sheets), PictureKind::raster).method, HiddenMethod::warnock);
+  sheets.resize(10);
+  EXPECT_EQ(choose_method(file_of(sheets), PictureKind::raster).method, HiddenMethod::z_buffer);
+}
+
 /// Edges are drawn over the neighbours' insides.
 TEST(AutoMethod, LinesAreHiddenByOrder) {
   DisplayFile file = file_of({square(0, 0, 0.5, 0.5), square(0.5, 0, 0.5, 0.5)});

@@ -1,0 +1,250 @@
+#include "interp/box_tree.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+namespace displayfile {
+
+namespace {
+
+/// The rays come in packets of about so many columns and rows: a box is met by packets in
+/// proportion to its size and theirs together.
+constexpr double kPacket = 8.0;
+/// The chance that what lies behind must be visited too, once the front half has been.
+constexpr double kBehind = 0.5;
+constexpr int kBins = 16;
+/// The smaller part of a split has at least one in so many, so that no input makes a deep tree.
+constexpr std::size_t kLeastPart = 8;
+/// Of fewer items a tree is made sooner than threads are woken.
+constexpr std::size_t kWorthThreads = 2000;
+
+using Box = BoxTree::Box;
+
+constexpr Box kNothing{
+    {std::numeric_limits<std::int32_t>::max(), 0, std::numeric_limits<std::int32_t>::max(), 0},
+    -std::numeric_limits<float>::infinity()};
+
+Box together(const Box& a, const Box& b) {
+  return {{std::min(a.pixels.first_column, b.pixels.first_column),
+           std::max(a.pixels.end_column, b.pixels.end_column),
+           std::min(a.pixels.first_row, b.pixels.first_row),
+           std::max(a.pixels.end_row, b.pixels.end_row)},
+          std::max(a.nearest, b.nearest)};
+}
+
+/// In proportion to the packets that meet the box.
+double packets(const Box& box) {
+  const PixelBox& p = box.pixels;
+  if (p.empty()) return 0.0;
+  return (p.end_column - p.first_column + kPacket) * (p.end_row - p.first_row + kPacket);
+}
+
+enum Axis { kColumn, kRow, kDepth, kAxes };
+
+/// Where a box lies along an axis: twice its middle, or its nearest depth.
+double position(const Box& box, int axis) {
+  constexpr float kMost = std::numeric_limits<float>::max();
+  switch (axis) {
+    case kColumn: return static_cast<double>(box.pixels.first_column) + box.pixels.end_column;
+    case kRow: return static_cast<double>(box.pixels.first_row) + box.pixels.end_row;
+    default: return std::clamp(box.nearest, -kMost, kMost);
+  }
+}
+
+/// The items of a branch, as a part of the builder's order, and the box of them all.
+struct Part {
+  std::size_t begin, end;
+  Box box;
+  std::size_t size() const { return end - begin; }
+};
+
+/// The bins of one axis.
+struct Bins {
+  double low = std::numeric_limits<double>::infinity(), high = -low, scale = 0.0;
+  std::array<Box, kBins> box;
+  std::array<std::size_t, kBins> count{};
+
+  Bins() { box.fill(kNothing); }
+  std::size_t bin(double at) const {
+    return static_cast<std::size_t>(std::min((at - low) * scale, kBins - 1.0));
+  }
+};
+
+struct Split {
+  int axis;
+  std::size_t first_above;  // the first bin of the upper part
+  double cost;
+};
+
+/// The cheapest split between two bins of an axis, if one leaves both parts large enough.
+std::optional<Split> cheapest(const Bins& bins, int axis, std::size_t items) {
+  std::array<double, kBins> below{};  // of the bins before each
+  std::array<std::size_t, kBins> count{};
+  Box box = kNothing;
+  for (std::size_t b = 1; b < kBins; ++b) {
+    box = together(box, bins.box[b - 1]);
+    count[b] = count[b - 1] + bins.count[b - 1];
+    below[b] = packets(box) * static_cast<double>(count[b]);
+  }
+  std::optional<Split> best;
+  box = kNothing;
+  for (std::size_t b = kBins - 1; b > 0; --b) {
+    box = together(box, bins.box[b]);
+    const std::size_t above = items - count[b];
+    if (kLeastPart * std::min(above, count[b]) < items) continue;
+    const double cost =
+        packets(box) * static_cast<double>(above) + below[b] * (axis == kDepth ? kBehind : 1.0);
+    if (!best || cost < best->cost) best = Split{axis, b, cost};
+  }
+  return best;
+}
+
+}  // namespace
+
+struct BoxTree::Builder {
+  std::span<const Box> boxes;
+  std::vector<Item> order{};
+
+  /// A node to be made, and what becomes of it.
+  struct Work {
+    std::uint32_t node;
+    Part part;
+    std::vector<Part> branches{};
+  };
+
+  Part part(std::size_t begin, std::size_t end) const {
+    Part p{begin, end, kNothing};
+    for (std::size_t k = begin; k < end; ++k) p.box = together(p.box, boxes[order[k]]);
+    return p;
+  }
+
+  /// Cuts off the upper half along the axis in which the bins reach farthest.
+  std::size_t halve(const Part& p, int axis) {
+    const std::size_t middle = p.begin + p.size() / 2;
+    const auto at = [&](std::size_t k) { return order.begin() + static_cast<std::ptrdiff_t>(k); };
+    std::nth_element(at(p.begin), at(middle), at(p.end), [&](Item a, Item b) {
+      const double pa = position(boxes[a], axis), pb = position(boxes[b], axis);
+      return pa != pb ? pa < pb : a < b;
+    });
+    return middle;
+  }
+
+  /// Reorders the part's items so that the two parts lie one after the other; where the second
+  /// begins.
+  std::size_t split(const Part& p) {
+    std::array<Bins, kAxes> bins;
+    for (std::size_t k = p.begin; k < p.end; ++k) {
+      for (int axis = 0; axis < kAxes; ++axis) {
+        Bins& of = bins[static_cast<std::size_t>(axis)];
+        const double at = position(boxes[order[k]], axis);
+        of.low = std::min(of.low, at);
+        of.high = std::max(of.high, at);
+      }
+    }
+    for (Bins& of : bins) {
+      of.scale = of.high > of.low ? kBins / (of.high - of.low) : 0.0;
+    }
+    for (std::size_t k = p.begin; k < p.end; ++k) {
+      const Box& box = boxes[order[k]];
+      for (int axis = 0; axis < kAxes; ++axis) {
+        Bins& of = bins[static_cast<std::size_t>(axis)];
+        const std::size_t bin = of.bin(position(box, axis));
+        of.box[bin] = together(of.box[bin], box);
+        ++of.count[bin];
+      }
+    }
+    std::optional<Split> best;
+    for (int axis = 0; axis < kAxes; ++axis) {
+      const auto of_axis = cheapest(bins[static_cast<std::size_t>(axis)], axis, p.size());
+      if (of_axis && (!best || of_axis->cost < best->cost)) best = of_axis;
+    }
+    if (!best) {
+      const bool wide = bins[kColumn].high - bins[kColumn].low >= bins[kRow].high - bins[kRow].low;
+      return halve(p, wide ? kColumn : kRow);
+    }
+    const Bins& of = bins[static_cast<std::size_t>(best->axis)];
+    const auto at = [&](std::size_t k) { return order.begin() + static_cast<std::ptrdiff_t>(k); };
+    const auto second = std::partition(at(p.begin), at(p.end), [&](Item item) {
+      return of.bin(position(boxes[item], best->axis)) < best->first_above;
+    });
+    return static_cast<std::size_t>(second - order.begin());
+  }
+
+  /// Splits what costs most until there are as many branches as a node has.
+  void branch(Work& work) {
+    std::vector<Part>& branches = work.branches;
+    branches.push_back(work.part);
+    if (work.part.size() <= kBranches) {
+      branches.clear();
+      for (std::size_t k = work.part.begin; k < work.part.end; ++k) {
+        branches.push_back({k, k + 1, boxes[order[k]]});
+      }
+      return;
+    }
+    while (branches.size() < kBranches) {
+      const auto cost = [](const Part& p) {
+        return p.size() > 1 ? packets(p.box) * static_cast<double>(p.size()) : 0.0;
+      };
+      const auto most =
+          std::max_element(branches.begin(), branches.end(),
+                           [&](const Part& a, const Part& b) { return cost(a) < cost(b); });
+      const Part whole = *most;
+      const std::size_t second = split(whole);
+      *most = part(whole.begin, second);
+      branches.push_back(part(second, whole.end));
+    }
+  }
+};
+
+/// Level by level, so that a level's nodes can be made side by side and numbered in order.
+void BoxTree::build(std::span<const Box> boxes, int threads) {
+  nodes_.clear();
+  if (boxes.empty()) return;
+  Builder builder{boxes};
+  builder.order.resize(boxes.size());
+  std::iota(builder.order.begin(), builder.order.end(), Item{0});
+  std::vector<Builder::Work> level{{0, builder.part(0, boxes.size())}};
+  nodes_.emplace_back();
+  threads = std::min(threads, tbb::this_task_arena::max_concurrency());
+  const bool parallel = threads > 1 && boxes.size() >= kWorthThreads;
+  while (!level.empty()) {
+    const auto branch = [&](std::size_t k) { builder.branch(level[k]); };
+    if (parallel) {
+      tbb::task_arena(threads).execute(
+          [&] { tbb::parallel_for(std::size_t{0}, level.size(), branch); });
+    } else {
+      for (std::size_t k = 0; k < level.size(); ++k) branch(k);
+    }
+    std::vector<Builder::Work> next;
+    for (const Builder::Work& work : level) {
+      Node node;
+      for (std::size_t k = 0; k < kBranches; ++k) {
+        const bool none = k >= work.branches.size();
+        const Box& box = none ? kNothing : work.branches[k].box;
+        node.first_column[k] = box.pixels.first_column;
+        node.end_column[k] = box.pixels.end_column;
+        node.first_row[k] = box.pixels.first_row;
+        node.end_row[k] = box.pixels.end_row;
+        node.nearest[k] = box.nearest;
+        node.branch[k] = 0;
+        if (none) continue;
+        const Part& part = work.branches[k];
+        if (part.size() == 1) {
+          node.branch[k] = kItem | builder.order[part.begin];
+        } else {
+          node.branch[k] = static_cast<std::uint32_t>(nodes_.size());
+          next.push_back({node.branch[k], part});
+          nodes_.emplace_back();
+        }
+      }
+      nodes_[work.node] = node;
+    }
+    level = std::move(next);
+  }
+}
+
+}  // namespace displayfile

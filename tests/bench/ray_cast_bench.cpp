@@ -10,6 +10,8 @@
 #include <tbb/task_arena.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -22,13 +24,12 @@
 namespace displayfile::bench {
 namespace {
 
-constexpr int kRounds = 9;
 constexpr int kRowsOfTask = 16;
 
 struct Options {
-  int size = 1024, threads = 1;
+  int size = 1024, threads = 1, rounds = 9;
   std::vector<std::size_t> triangles{10'000, 100'000};
-  std::vector<std::string> meshes;
+  std::vector<std::string> scenes, meshes;
 };
 
 /// The scene's polygons, those of more sides cut into fans.
@@ -78,7 +79,7 @@ void compare(const DeviceScene& device_scene, const Options& options) {
   const auto embrees = [&] {
     for_rows(options, [&](int begin, int end) { embree.cast(begin, end, seen_by_embree); });
   };
-  const Spread rays = times_faster(kRounds, ours, embrees);
+  const Spread rays = times_faster(options.rounds, ours, embrees);
   std::size_t hits = 0, others = 0;
   for (std::size_t k = 0; k < seen.size(); ++k) {
     hits += seen[k] != FillScene::kBackground;
@@ -93,6 +94,7 @@ void compare(const DeviceScene& device_scene, const Options& options) {
       device_scene.name, scene.end() - 1,
       100.0 * static_cast<double>(hits) / static_cast<double>(seen.size()), rays.median, rays.least,
       rays.greatest, build.median, others);
+  std::fflush(stdout);
 }
 
 void run(const Options& options) {
@@ -105,7 +107,10 @@ void run(const Options& options) {
   for (const std::string& path : options.meshes) compare(read_model(path).all, options);
   for (const std::size_t n : options.triangles) {
     for (const GeneratedScene& scene : generated_scenes()) {
-      compare(generated(std::string(scene.name), n), options);
+      const std::string name(scene.name);
+      const auto& named = options.scenes;
+      if (!named.empty() && std::ranges::find(named, name) == named.end()) continue;
+      compare(generated(name, n), options);
     }
   }
 }
@@ -118,6 +123,10 @@ int main(int argc, char** argv) {
   CLI::App app{"Ray casting in image space beside Embree's primary rays"};
   app.add_option("--size", options.size, "pixels a side")->check(CLI::Range(1, 8192));
   app.add_option("--threads", options.threads, "of each")->check(CLI::Range(1, 64));
+  app.add_option("--rounds", options.rounds, "that are timed")->check(CLI::Range(1, 1000));
+  app.add_option("--scenes", options.scenes, "generated ones, by name; all, if none is named")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   app.add_option("--triangles", options.triangles, "of the generated scenes, about so many each")
       ->delimiter(',')
       ->allow_extra_args(false);

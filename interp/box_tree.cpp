@@ -17,6 +17,8 @@ constexpr double kPacket = 8.0;
 /// The chance that what lies behind must be visited too, once the front half has been.
 constexpr double kBehind = 0.5;
 constexpr int kBins = 16;
+/// So few items are halved, without asking what splits cost.
+constexpr std::size_t kFew = 64;
 /// The smaller part of a split has at least one in so many, so that no input makes a deep tree.
 constexpr std::size_t kLeastPart = 8;
 /// Of fewer items a tree is made sooner than threads are woken.
@@ -36,12 +38,29 @@ Box together(const Box& a, const Box& b) {
           std::max(a.nearest, b.nearest)};
 }
 
-/// In proportion to the packets that meet the box.
-double packets(const Box& box) {
-  const PixelBox& p = box.pixels;
-  if (p.empty()) return 0.0;
-  return (p.end_column - p.first_column + kPacket) * (p.end_row - p.first_row + kPacket);
-}
+/// What the cost needs of a box: the least of first column and row, and of the ends taken
+/// negative, so that one operation on four numbers unites two. Rounded beyond 2^24, as only costs
+/// may be.
+struct Rectangle {
+  std::array<float, 4> least;
+
+  explicit Rectangle(const PixelBox& p)
+      : least{static_cast<float>(p.first_column), static_cast<float>(p.first_row),
+              -static_cast<float>(p.end_column), -static_cast<float>(p.end_row)} {}
+  static Rectangle nothing() { return Rectangle(kNothing.pixels); }
+
+  void unite(const Rectangle& other) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      least[k] = other.least[k] < least[k] ? other.least[k] : least[k];
+    }
+  }
+  /// In proportion to the packets that meet it.
+  double packets() const {
+    const double columns = -static_cast<double>(least[2]) - least[0];
+    const double rows = -static_cast<double>(least[3]) - least[1];
+    return columns > 0.0 ? (columns + kPacket) * (rows + kPacket) : 0.0;
+  }
+};
 
 enum Axis { kColumn, kRow, kDepth, kAxes };
 
@@ -65,12 +84,18 @@ struct Part {
 /// The bins of one axis.
 struct Bins {
   double low = std::numeric_limits<double>::infinity(), high = -low, scale = 0.0;
-  std::array<Box, kBins> box;
+  std::array<Rectangle, kBins> box;
   std::array<std::size_t, kBins> count{};
 
-  Bins() { box.fill(kNothing); }
+  Bins() : box(nothing()) {}
   std::size_t bin(double at) const {
     return static_cast<std::size_t>(std::min((at - low) * scale, kBins - 1.0));
+  }
+
+ private:
+  static std::array<Rectangle, kBins> nothing() {
+    const Rectangle r = Rectangle::nothing();
+    return {r, r, r, r, r, r, r, r, r, r, r, r, r, r, r, r};
   }
 };
 
@@ -84,20 +109,20 @@ struct Split {
 std::optional<Split> cheapest(const Bins& bins, int axis, std::size_t items) {
   std::array<double, kBins> below{};  // of the bins before each
   std::array<std::size_t, kBins> count{};
-  Box box = kNothing;
+  Rectangle box = Rectangle::nothing();
   for (std::size_t b = 1; b < kBins; ++b) {
-    box = together(box, bins.box[b - 1]);
+    box.unite(bins.box[b - 1]);
     count[b] = count[b - 1] + bins.count[b - 1];
-    below[b] = packets(box) * static_cast<double>(count[b]);
+    below[b] = box.packets() * static_cast<double>(count[b]);
   }
   std::optional<Split> best;
-  box = kNothing;
+  box = Rectangle::nothing();
   for (std::size_t b = kBins - 1; b > 0; --b) {
-    box = together(box, bins.box[b]);
+    box.unite(bins.box[b]);
     const std::size_t above = items - count[b];
     if (kLeastPart * std::min(above, count[b]) < items) continue;
     const double cost =
-        packets(box) * static_cast<double>(above) + below[b] * (axis == kDepth ? kBehind : 1.0);
+        box.packets() * static_cast<double>(above) + below[b] * (axis == kDepth ? kBehind : 1.0);
     if (!best || cost < best->cost) best = Split{axis, b, cost};
   }
   return best;
@@ -122,9 +147,14 @@ struct BoxTree::Builder {
     return p;
   }
 
-  /// Cuts off the upper half along the axis in which the bins reach farthest.
-  std::size_t halve(const Part& p, int axis) {
-    const std::size_t middle = p.begin + p.size() / 2;
+  /// Cuts off the upper half along rows or columns, where the middles spread farther; or in depth,
+  /// if they are all within a packet. The lower half fills whole nodes.
+  std::size_t halve(const Part& p, const std::array<Bins, kAxes>& bins) {
+    const double columns = bins[kColumn].high - bins[kColumn].low;
+    const double rows = bins[kRow].high - bins[kRow].low;
+    const int axis = std::max(columns, rows) < kPacket ? kDepth : columns >= rows ? kColumn : kRow;
+    const std::size_t whole = (p.size() / 2 + kBranches - 1) / kBranches * kBranches;
+    const std::size_t middle = p.begin + (whole < p.size() ? whole : p.size() / 2);
     const auto at = [&](std::size_t k) { return order.begin() + static_cast<std::ptrdiff_t>(k); };
     std::nth_element(at(p.begin), at(middle), at(p.end), [&](Item a, Item b) {
       const double pa = position(boxes[a], axis), pb = position(boxes[b], axis);
@@ -145,15 +175,17 @@ struct BoxTree::Builder {
         of.high = std::max(of.high, at);
       }
     }
+    if (p.size() <= kFew) return halve(p, bins);
     for (Bins& of : bins) {
       of.scale = of.high > of.low ? kBins / (of.high - of.low) : 0.0;
     }
     for (std::size_t k = p.begin; k < p.end; ++k) {
       const Box& box = boxes[order[k]];
+      const Rectangle rectangle(box.pixels);
       for (int axis = 0; axis < kAxes; ++axis) {
         Bins& of = bins[static_cast<std::size_t>(axis)];
         const std::size_t bin = of.bin(position(box, axis));
-        of.box[bin] = together(of.box[bin], box);
+        of.box[bin].unite(rectangle);
         ++of.count[bin];
       }
     }
@@ -162,10 +194,7 @@ struct BoxTree::Builder {
       const auto of_axis = cheapest(bins[static_cast<std::size_t>(axis)], axis, p.size());
       if (of_axis && (!best || of_axis->cost < best->cost)) best = of_axis;
     }
-    if (!best) {
-      const bool wide = bins[kColumn].high - bins[kColumn].low >= bins[kRow].high - bins[kRow].low;
-      return halve(p, wide ? kColumn : kRow);
-    }
+    if (!best) return halve(p, bins);
     const Bins& of = bins[static_cast<std::size_t>(best->axis)];
     const auto at = [&](std::size_t k) { return order.begin() + static_cast<std::ptrdiff_t>(k); };
     const auto second = std::partition(at(p.begin), at(p.end), [&](Item item) {
@@ -187,12 +216,15 @@ struct BoxTree::Builder {
     }
     while (branches.size() < kBranches) {
       const auto cost = [](const Part& p) {
-        return p.size() > 1 ? packets(p.box) * static_cast<double>(p.size()) : 0.0;
+        return p.size() > kBranches
+                   ? Rectangle(p.box.pixels).packets() * static_cast<double>(p.size())
+                   : 0.0;
       };
       const auto most =
           std::max_element(branches.begin(), branches.end(),
                            [&](const Part& a, const Part& b) { return cost(a) < cost(b); });
       const Part whole = *most;
+      if (whole.size() <= kBranches) break;
       const std::size_t second = split(whole);
       *most = part(whole.begin, second);
       branches.push_back(part(second, whole.end));

@@ -4,7 +4,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 
 namespace displayfile {
@@ -74,7 +73,7 @@ double position(const Box& box, int axis) {
   }
 }
 
-/// The items of a branch, as a part of the builder's order, and the box of them all.
+/// The items of a branch, as a part of the builder's entries, and the box of them all.
 struct Part {
   std::size_t begin, end;
   Box box;
@@ -131,8 +130,12 @@ std::optional<Split> cheapest(const Bins& bins, int axis, std::size_t items) {
 }  // namespace
 
 struct BoxTree::Builder {
-  std::span<const Box> boxes;
-  std::vector<Item> order{};
+  /// Moved about together, so that a part's boxes lie one after the other.
+  struct Entry {
+    Box box;
+    Item item;
+  };
+  std::vector<Entry> entries{};
 
   /// A node to be made, and what becomes of it.
   struct Work {
@@ -143,7 +146,7 @@ struct BoxTree::Builder {
 
   Part part(std::size_t begin, std::size_t end) const {
     Part p{begin, end, kNothing};
-    for (std::size_t k = begin; k < end; ++k) p.box = together(p.box, boxes[order[k]]);
+    for (std::size_t k = begin; k < end; ++k) p.box = together(p.box, entries[k].box);
     return p;
   }
 
@@ -155,10 +158,10 @@ struct BoxTree::Builder {
     const int axis = std::max(columns, rows) < kPacket ? kDepth : columns >= rows ? kColumn : kRow;
     const std::size_t whole = (p.size() / 2 + kBranches - 1) / kBranches * kBranches;
     const std::size_t middle = p.begin + (whole < p.size() ? whole : p.size() / 2);
-    const auto at = [&](std::size_t k) { return order.begin() + static_cast<std::ptrdiff_t>(k); };
-    std::nth_element(at(p.begin), at(middle), at(p.end), [&](Item a, Item b) {
-      const double pa = position(boxes[a], axis), pb = position(boxes[b], axis);
-      return pa != pb ? pa < pb : a < b;
+    const auto at = [&](std::size_t k) { return entries.begin() + static_cast<std::ptrdiff_t>(k); };
+    std::nth_element(at(p.begin), at(middle), at(p.end), [&](const Entry& a, const Entry& b) {
+      const double pa = position(a.box, axis), pb = position(b.box, axis);
+      return pa != pb ? pa < pb : a.item < b.item;
     });
     return middle;
   }
@@ -170,7 +173,7 @@ struct BoxTree::Builder {
     for (std::size_t k = p.begin; k < p.end; ++k) {
       for (int axis = 0; axis < kAxes; ++axis) {
         Bins& of = bins[static_cast<std::size_t>(axis)];
-        const double at = position(boxes[order[k]], axis);
+        const double at = position(entries[k].box, axis);
         of.low = std::min(of.low, at);
         of.high = std::max(of.high, at);
       }
@@ -180,7 +183,7 @@ struct BoxTree::Builder {
       of.scale = of.high > of.low ? kBins / (of.high - of.low) : 0.0;
     }
     for (std::size_t k = p.begin; k < p.end; ++k) {
-      const Box& box = boxes[order[k]];
+      const Box& box = entries[k].box;
       const Rectangle rectangle(box.pixels);
       for (int axis = 0; axis < kAxes; ++axis) {
         Bins& of = bins[static_cast<std::size_t>(axis)];
@@ -196,11 +199,11 @@ struct BoxTree::Builder {
     }
     if (!best) return halve(p, bins);
     const Bins& of = bins[static_cast<std::size_t>(best->axis)];
-    const auto at = [&](std::size_t k) { return order.begin() + static_cast<std::ptrdiff_t>(k); };
-    const auto second = std::partition(at(p.begin), at(p.end), [&](Item item) {
-      return of.bin(position(boxes[item], best->axis)) < best->first_above;
+    const auto at = [&](std::size_t k) { return entries.begin() + static_cast<std::ptrdiff_t>(k); };
+    const auto second = std::partition(at(p.begin), at(p.end), [&](const Entry& entry) {
+      return of.bin(position(entry.box, best->axis)) < best->first_above;
     });
-    return static_cast<std::size_t>(second - order.begin());
+    return static_cast<std::size_t>(second - entries.begin());
   }
 
   /// Splits what costs most until there are as many branches as a node has.
@@ -210,7 +213,7 @@ struct BoxTree::Builder {
     if (work.part.size() <= kBranches) {
       branches.clear();
       for (std::size_t k = work.part.begin; k < work.part.end; ++k) {
-        branches.push_back({k, k + 1, boxes[order[k]]});
+        branches.push_back({k, k + 1, entries[k].box});
       }
       return;
     }
@@ -236,9 +239,11 @@ struct BoxTree::Builder {
 void BoxTree::build(std::span<const Box> boxes, int threads) {
   nodes_.clear();
   if (boxes.empty()) return;
-  Builder builder{boxes};
-  builder.order.resize(boxes.size());
-  std::iota(builder.order.begin(), builder.order.end(), Item{0});
+  Builder builder;
+  builder.entries.reserve(boxes.size());
+  for (const Box& box : boxes) {
+    builder.entries.push_back({box, static_cast<Item>(builder.entries.size())});
+  }
   std::vector<Builder::Work> level{{0, builder.part(0, boxes.size())}};
   nodes_.emplace_back();
   threads = std::min(threads, tbb::this_task_arena::max_concurrency());
@@ -266,7 +271,7 @@ void BoxTree::build(std::span<const Box> boxes, int threads) {
         if (none) continue;
         const Part& part = work.branches[k];
         if (part.size() == 1) {
-          node.branch[k] = kItem | builder.order[part.begin];
+          node.branch[k] = kItem | builder.entries[part.begin].item;
         } else {
           node.branch[k] = static_cast<std::uint32_t>(nodes_.size());
           next.push_back({node.branch[k], part});

@@ -87,6 +87,9 @@ void RayCast::enter_edges(Target& target) {
 void RayCast::find_targets(int threads) {
   const auto& [scene, size, roundoff] = *request_;
   std::vector<BoxTree::Box> boxes;
+  boxes.reserve(scene.end());
+  targets_.reserve(scene.end());
+  edges_.reserve(std::size_t{3} * scene.end());
   for (Fill fill = 1; fill < scene.end(); ++fill) {
     const auto polygon = scene.vertices(fill);
     Target target{fill, 0, 0, kFewSided, pixels_of(polygon, size)};

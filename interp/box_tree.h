@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace displayfile {
@@ -58,6 +59,9 @@ class BoxTree {
   };
   struct Builder;
 
+  /// As a number, for all eight branches at once.
+  static std::int32_t below(std::int32_t a, std::int32_t b) { return a < b ? 1 : 0; }
+
   std::vector<Node> nodes_;  // the first is the root
 };
 
@@ -77,9 +81,9 @@ void BoxTree::front_to_back(const PixelBox& rays, Stack& stack, Hidden&& hidden,
     const Node& node = nodes_[entry.branch];
     std::array<std::int32_t, kBranches> meets;
     for (std::size_t k = 0; k < kBranches; ++k) {
-      meets[k] = (node.first_column[k] < rays.end_column) &
-                 (rays.first_column < node.end_column[k]) & (node.first_row[k] < rays.end_row) &
-                 (rays.first_row < node.end_row[k]);
+      meets[k] = below(node.first_column[k], rays.end_column) &
+                 below(rays.first_column, node.end_column[k]) &
+                 below(node.first_row[k], rays.end_row) & below(rays.first_row, node.end_row[k]);
     }
     // The nearest comes to lie on top.
     const auto base = static_cast<std::ptrdiff_t>(stack.size());

@@ -14,6 +14,7 @@ namespace displayfile::bench {
 struct EmbreeRays::Scene {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
+  int width = 0;
   ~Scene() {
     if (scene != nullptr) rtcReleaseScene(scene);
     if (device != nullptr) rtcReleaseDevice(device);
@@ -23,7 +24,8 @@ struct EmbreeRays::Scene {
 std::optional<std::string> EmbreeRays::version() { return RTC_VERSION_STRING; }
 
 EmbreeRays::EmbreeRays(const FillScene& triangles, int width, int height, int threads)
-    : scene_(std::make_unique<Scene>()), width_(width), height_(height) {
+    : scene_(std::make_unique<Scene>()) {
+  scene_->width = width;
   scene_->device = rtcNewDevice(fmt::format("threads={}", threads).c_str());
   if (scene_->device == nullptr) throw Error("Embree gives no device");
   const std::size_t count = triangles.end() - 1;
@@ -53,16 +55,17 @@ EmbreeRays::~EmbreeRays() = default;
 
 /// Eight rays a packet, four columns of two rows, the packets one after the other along a row.
 void EmbreeRays::cast(int row_begin, int row_end, std::vector<FillScene::Fill>& seen) const {
+  const int width = scene_->width;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   for (int row = row_begin; row < row_end; row += 2) {
-    for (int column = 0; column < width_; column += 4) {
+    for (int column = 0; column < width; column += 4) {
       alignas(32) int valid[8];
       RTCRayHit8 rays;
       for (int k = 0; k < 8; ++k) {
         const int i = column + k % 4, j = row + k / 4;
-        valid[k] = i < width_ && j < row_end ? -1 : 0;
+        valid[k] = i < width && j < row_end ? -1 : 0;
         rays.ray.org_x[k] = static_cast<float>(i) + 0.5F;
         rays.ray.org_y[k] = static_cast<float>(j) + 0.5F;
         rays.ray.org_z[k] = 2.0F;
@@ -80,7 +83,7 @@ void EmbreeRays::cast(int row_begin, int row_end, std::vector<FillScene::Fill>& 
       for (int k = 0; k < 8; ++k) {
         if (valid[k] == 0) continue;
         const int i = column + k % 4, j = row + k / 4;
-        const auto at = static_cast<std::size_t>(j) * static_cast<std::size_t>(width_) +
+        const auto at = static_cast<std::size_t>(j) * static_cast<std::size_t>(width) +
                         static_cast<std::size_t>(i);
         seen[at] = rays.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID ? FillScene::kBackground
                                                                  : rays.hit.primID[k] + 1;

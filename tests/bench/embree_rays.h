@@ -31,7 +31,6 @@ class EmbreeRays {
  private:
   struct Scene;
   std::unique_ptr<Scene> scene_;
-  int width_, height_;
 };
 
 }  // namespace displayfile::bench

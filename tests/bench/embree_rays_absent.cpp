@@ -5,10 +5,7 @@ namespace displayfile::bench {
 
 struct EmbreeRays::Scene {};
 std::optional<std::string> EmbreeRays::version() { return std::nullopt; }
-EmbreeRays::EmbreeRays(const FillScene&, int width, int height, int)
-    : width_(width), height_(height) {
-  throw Error("this build has no Embree");
-}
+EmbreeRays::EmbreeRays(const FillScene&, int, int, int) { throw Error("this build has no Embree"); }
 EmbreeRays::~EmbreeRays() = default;
 void EmbreeRays::cast(int, int, std::vector<FillScene::Fill>&) const {}
 

@@ -20,7 +20,7 @@ constexpr std::array kMethods{
     HiddenMethodEntry{depth_sort, "depth-sort", true},
     HiddenMethodEntry{scan_line, "scan-line", true},
     HiddenMethodEntry{scan_line_z, "scan-line-z", true},
-    HiddenMethodEntry{ray_cast, "ray-cast", false},
+    HiddenMethodEntry{ray_cast, "ray-cast", true},
     HiddenMethodEntry{warnock, "warnock", true},
     HiddenMethodEntry{roberts, "roberts", false},
     HiddenMethodEntry{appel, "appel", false},

@@ -6,6 +6,7 @@
 
 #include "clip/error.h"
 #include "interp/band_z_buffer.h"
+#include "interp/ray_cast.h"
 #include "interp/scan_line.h"
 #include "interp/scan_line_z.h"
 #include "interp/warnock.h"
@@ -24,6 +25,7 @@ constexpr std::array kMethods{
     ImageSpaceEntry{HiddenMethod::warnock, make<Warnock>},
     ImageSpaceEntry{HiddenMethod::scan_line_z, make<ScanLineZ>},
     ImageSpaceEntry{HiddenMethod::scan_line, make<ScanLine>},
+    ImageSpaceEntry{HiddenMethod::ray_cast, make<RayCast>},
 };
 
 }  // namespace

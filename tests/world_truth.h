@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -61,9 +62,13 @@ class WorldTruth {
     Q x, y, z, w;
   };
 
-  /// By doubles, and wide.
+  /// By doubles, and wide; true where the scene's offset leaves doubles too few digits for that.
   static bool may_cover(std::span<const Point3> world, const ViewVolume& volume,
                         const PixelCentre& centre) {
+    constexpr double kFar = 1e9;
+    for (const Point3& p : world) {
+      if (std::abs(p.x) > kFar || std::abs(p.y) > kFar || std::abs(p.z) > kFar) return true;
+    }
     ClipPipeline pipeline(volume);
     const auto viewed = pipeline.clip_polygon(world).vertices;
     if (viewed.empty()) return false;

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "interp/box_tree.h"
+#include "interp/fill_depths.h"
+
+namespace displayfile {
+
+/// Neighbouring rays that are cast together, through the centres of a square of pixels, and the
+/// fill that each has hit so far. They run along z, from the viewer's side.
+class RayPacket {
+ public:
+  using Fill = FillScene::Fill;
+  static constexpr int kSide = 8;
+
+  RayPacket(const FillScene& scene, const FillDepths& depths) : scene_(scene), depths_(depths) {}
+
+  /// Starts anew with rays through these centres, of kSide columns and rows at most.
+  void begin(const PixelBox& rays);
+  const PixelBox& rays() const { return rays_; }
+
+  /// True if a fill no nearer than this is seen by none of the rays.
+  bool hides_all_beyond(float nearest) const { return nearest < farthest_; }
+
+  /// The fill whose spans follow.
+  void begin_fill(Fill fill) {
+    fill_ = fill;
+    depth_ = depths_.depth(fill);
+    largest_error_ = std::max(largest_error_, depths_.error(fill));
+    margin_ = 2.0 * (depths_.error(fill) + largest_error_);
+  }
+  /// The fill is hit by the rays first <= column < end of a row, all of this packet.
+  void hit(int row, int first, int end);
+  void end_fill() {
+    if (changed_) find_farthest();
+  }
+
+  /// What the rays of a row see.
+  std::span<const Fill> seen(int row) const {
+    return std::span(seen_).subspan(
+        index(row, rays_.first_column),
+        static_cast<std::size_t>(rays_.end_column - rays_.first_column));
+  }
+
+ private:
+  std::size_t index(int row, int column) const {
+    return static_cast<std::size_t>((row - rays_.first_row) * kSide + column - rays_.first_column);
+  }
+  bool hides_closely(Fill other, int column, int row);
+  void find_farthest();
+
+  static constexpr std::size_t kRays = std::size_t{kSide} * kSide;
+
+  const FillScene& scene_;
+  const FillDepths& depths_;
+  PixelBox rays_{};
+  std::array<double, kRays> z_;
+  std::array<Fill, kRays> seen_;
+  double largest_error_ = 0.0;  // of the depths in z_
+  double farthest_ = 0.0;       // no ray sees anything beyond
+  bool changed_ = false;
+
+  Fill fill_ = FillScene::kBackground;
+  PixelDepth depth_;
+  double margin_ = 0.0;
+
+  // The two fills whose planes were last compared.
+  std::array<Fill, 2> compared_{};
+  bool coplanar_ = false;
+};
+
+inline void RayPacket::hit(int row, int first, int end) {
+  const PixelDepth depth = depth_;  // the loop's own: its stores cannot change them
+  const double row_depth = depth.row(row), margin = margin_;
+  double* z_of = z_.data() + index(row, first);
+  Fill* seen = seen_.data() + index(row, first);
+  for (int column = first; column < end; ++column, ++z_of, ++seen) {
+    const double z = depth.at(row_depth, column);
+    const double nearer = z - *z_of;
+    if (nearer < -margin) continue;
+    if (!(nearer > margin) && !hides_closely(*seen, column, row)) continue;
+    *z_of = z;
+    *seen = fill_;
+    changed_ = true;
+  }
+}
+
+}  // namespace displayfile

@@ -1,10 +1,12 @@
 // The image-space methods side by side, 1024 x 1024:
-//   image_space_bench [--large] [--rounds N] [--only METHOD,...] [MESH...]
+//   image_space_bench [--large] [--rounds N] [--threads N] [--only METHOD,...] [MESH...]
 // Prints ratios and counts; run it on a machine that does nothing else. Each method is timed in
 // turn with what it is held against: OSMesa where the build has it, and the plain z-buffer (depth
 // as double), drawing the same display file with all that can be kept from picture to picture
-// kept. "deep": how many polygons cover a pixel; "wide": how many pixels of a row a polygon covers.
-// All in one thread: LP_NUM_THREADS is set to 0.
+// kept; "first picture" keeps nothing. Ray casting is also held against Embree's rays. "deep": how
+// many polygons cover a pixel; "wide": how many pixels of a row a polygon covers. All on so many
+// threads, OSMesa by LP_NUM_THREADS (0: in the calling thread). The same view and no culling on
+// either side, buffers resident, glFinish.
 
 #include <fmt/format.h>
 
@@ -19,11 +21,14 @@
 #include "hard/generated_scenes.h"
 #include "hard/random.h"
 #include "hard/shapes.h"
+#include "interp/band_z_buffer.h"
 #include "interp/image_space.h"
 #include "interp/osmesa.h"
 #include "interp/plain_z_buffer.h"
 #include "interp/scan_convert.h"
 #include "interp/software.h"
+#include "tests/bench/beside_embree.h"
+#include "tests/bench/embree_rays.h"
 #include "tests/bench/growth.h"
 #include "tests/bench/result_table.h"
 #include "tests/bench/side_by_side.h"
@@ -37,11 +42,12 @@ constexpr std::uint64_t kSeed = 1;
 struct Options {
   std::vector<std::string> meshes, only;
   bool large = false;
-  int rounds = 5;
+  int rounds = 5, threads = 1;
 };
 
-RasterRequest request(HiddenMethod method) {
+RasterRequest request(HiddenMethod method, int threads) {
   RasterRequest r;
+  r.threads = threads;
   r.width = r.height = kSide;
   r.method = method;
   return r;
@@ -58,34 +64,42 @@ struct Drawer {
 Drawer plain_z_buffer() {
   return {"plain z-buffer", [](const DisplayFile& file) {
             return [&file] {
-              draw_with_plain_z_buffer(file, request(HiddenMethod::z_buffer),
+              draw_with_plain_z_buffer(file, request(HiddenMethod::z_buffer, 1),
                                        DepthFormat::float_64);
             };
           }};
 }
 
-Drawer image_space(HiddenMethod method) {
-  return {std::string(name_of(method)), [method](const DisplayFile& file) {
-            return [&file, method, renderer = std::make_shared<SoftwareRenderer>()] {
-              renderer->draw(file, request(method));
+Drawer image_space(HiddenMethod method, int threads) {
+  return {std::string(name_of(method)), [=](const DisplayFile& file) {
+            return [=, &file, renderer = std::make_shared<SoftwareRenderer>()] {
+              renderer->draw(file, request(method, threads));
+            };
+          }};
+}
+
+/// Nothing is kept from one picture to the next.
+Drawer first_picture(int threads) {
+  return {"z-buffer, first picture", [=](const DisplayFile& file) {
+            return [=, &file] {
+              SoftwareRenderer().draw(file, request(HiddenMethod::z_buffer, threads));
             };
           }};
 }
 
 Drawer osmesa() {
   return {"OSMesa", [](const DisplayFile& file) {
-            return [scene = std::make_shared<OsmesaScene>(file, request(HiddenMethod::z_buffer))] {
-              scene->draw();
-            };
+            return [scene = std::make_shared<OsmesaScene>(
+                        file, request(HiddenMethod::z_buffer, 1))] { scene->draw(); };
           }};
 }
 
 std::vector<Drawer> drawers(const Options& options) {
-  std::vector<Drawer> all{plain_z_buffer()};
+  std::vector<Drawer> all{plain_z_buffer(), first_picture(options.threads)};
   for (const ImageSpaceEntry& entry : image_space_methods()) {
     const std::string name(name_of(entry.method));
     if (options.only.empty() || std::ranges::count(options.only, name) > 0) {
-      all.push_back(image_space(entry.method));
+      all.push_back(image_space(entry.method, options.threads));
     }
   }
   return all;
@@ -197,6 +211,41 @@ std::vector<std::function<NamedSystem()>> deep_scenes() {
   return all;
 }
 
+/// What deciding exactly costs the fast z-buffer, of which pixels without colours are timed; and
+/// how ray casting stands beside Embree.
+void print_exact_and_rays(const std::vector<std::function<NamedSystem()>>& scenes,
+                          const Options& options) {
+  std::vector<std::string> heads{"scene", "polygons", "exact z-buffer: time over rounded"};
+  if (EmbreeRays::version()) heads.insert(heads.end(), {"rays: times as fast as Embree", "hit"});
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& make : scenes) {
+    const NamedSystem named = make();
+    const FillScene scene(named.system.display_file());
+    BandZBuffer exact, rounded(BandZBuffer::Decisions::rounded);
+    for (BandZBuffer* method : {&exact, &rounded}) {
+      method->prepare({scene, {kSide, kSide}, std::nullopt}, 1);
+    }
+    std::vector<FillScene::Fill> seen(std::size_t{kSide} * kSide);
+    const auto draw = [&](const BandZBuffer& method) {
+      return [&] {
+        method.draw_rows(0, kSide, [&](int row, int first, std::span<const FillScene::Fill> run) {
+          std::ranges::copy(run, seen.data() + row * kSide + first);
+        });
+      };
+    };
+    std::vector<std::string> row{named.name, fmt::format("{}", scene.end() - 1),
+                                 text_of(times_faster(options.rounds, draw(rounded), draw(exact)))};
+    if (EmbreeRays::version()) {
+      const BesideEmbree beside =
+          cast_beside_embree(in_triangles(scene), kSide, options.threads, options.rounds);
+      row.push_back(text_of(beside.rays));
+      row.push_back(fmt::format("{:.0f} %", 100.0 * beside.hit));
+    }
+    rows.push_back(std::move(row));
+  }
+  fmt::print("{}\n", text_table(heads, rows));
+}
+
 /// The exponent e of the time, as of n^e.
 void print_growth(const std::vector<Drawer>& all, const Options& options) {
   std::vector<std::string> heads{"scene"};
@@ -236,6 +285,7 @@ void run(const Options& options) {
   print_times_faster(all, plain_z_buffer(), scenes(options), options.rounds);
   print_times_faster(all, plain_z_buffer(), deep_scenes(), options.rounds);
   if (osmesa_available()) all.push_back(osmesa());
+  print_exact_and_rays(scenes(options), options);
   print_growth(all, options);
 }
 
@@ -250,7 +300,8 @@ int main(int argc, char** argv) {
   app.add_option("--only", options.only, "of the listed methods only these")->delimiter(',');
   app.add_flag("--large", options.large, "also 10^6 polygons");
   app.add_option("--rounds", options.rounds, "of each comparison")->check(CLI::Range(1, 1000));
+  app.add_option("--threads", options.threads, "of both sides")->check(CLI::Range(1, 64));
   CLI11_PARSE(app, argc, argv);
-  setenv("LP_NUM_THREADS", "0", 1);
+  setenv("LP_NUM_THREADS", std::to_string(options.threads > 1 ? options.threads : 0).c_str(), 1);
   displayfile::bench::run(options);
 }

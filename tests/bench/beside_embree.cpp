@@ -1,0 +1,78 @@
+#include "tests/bench/beside_embree.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "interp/image_space.h"
+#include "tests/bench/embree_rays.h"
+
+namespace displayfile::bench {
+
+namespace {
+
+constexpr int kRowsOfTask = 16;
+
+/// Rows in tasks, on so many threads.
+void for_rows(int size, int threads, const auto& draw) {
+  tbb::task_arena(threads).execute([&] {
+    tbb::parallel_for(0, (size + kRowsOfTask - 1) / kRowsOfTask, [&](int task) {
+      draw(task * kRowsOfTask, std::min(size, (task + 1) * kRowsOfTask));
+    });
+  });
+}
+
+}  // namespace
+
+FillScene in_triangles(const FillScene& scene) {
+  DisplayFile file;
+  Segment& segment = file.create(1);
+  segment.set_style(LineStyle{LineStyle::Kind::none});
+  segment.set_style(FillStyle{FillStyle::Kind::solid});
+  const std::vector<std::uint8_t> edges(3, 1);
+  for (FillScene::Fill fill = 1; fill < scene.end(); ++fill) {
+    const auto p = scene.vertices(fill);
+    for (std::size_t k = 2; k < p.size(); ++k) {
+      segment.enter_polygon(std::vector<Point3>{p[0], p[k - 1], p[k]}, edges);
+    }
+  }
+  return FillScene(file);
+}
+
+BesideEmbree cast_beside_embree(const FillScene& triangles, int size, int threads, int rounds) {
+  using Fill = FillScene::Fill;
+  const auto width = static_cast<std::size_t>(size);
+  const auto method = make_image_space_method(HiddenMethod::ray_cast);
+  const ImageSpaceMethod::Request request{triangles, {size, size}, std::nullopt};
+  method->prepare(request, threads);
+  std::vector<Fill> seen(width * width), seen_by_embree(width * width);
+  const auto ours = [&] {
+    for_rows(size, threads, [&](int begin, int end) {
+      method->draw_rows(begin, end, [&](int row, int first, std::span<const Fill> fills) {
+        const std::size_t start = static_cast<std::size_t>(row) * width;
+        std::ranges::copy(fills, seen.data() + start + first);
+      });
+    });
+  };
+  const EmbreeRays embree(triangles, size, size, threads);
+  const auto embrees = [&] {
+    for_rows(size, threads, [&](int begin, int end) { embree.cast(begin, end, seen_by_embree); });
+  };
+  BesideEmbree result;
+  result.rays = times_faster(rounds, ours, embrees);
+  result.building = times_faster(
+      3, [&] { method->prepare(request, threads); },
+      [&] { EmbreeRays(triangles, size, size, threads); });
+  std::size_t hits = 0;
+  result.others = 0;
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    hits += seen[k] != FillScene::kBackground;
+    result.others += seen[k] != seen_by_embree[k];
+  }
+  result.hit = static_cast<double>(hits) / static_cast<double>(seen.size());
+  return result;
+}
+
+}  // namespace displayfile::bench

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+
+#include "interp/fill_scene.h"
+#include "tests/bench/side_by_side.h"
+
+namespace displayfile::bench {
+
+/// A scene's fills, those of more sides cut into fans: Embree knows only triangles.
+FillScene in_triangles(const FillScene& scene);
+
+/// Ray casting in image space beside Embree's primary rays: the same triangles, the same parallel
+/// rays through the pixel centres of a size x size picture, what is hit as the result.
+struct BesideEmbree {
+  Spread rays;         ///< how many times as fast ours are
+  Spread building;     ///< the same of making the scene ready
+  double hit;          ///< part of the rays that hit something
+  std::size_t others;  ///< pixels at which Embree sees another triangle
+};
+BesideEmbree cast_beside_embree(const FillScene& triangles, int size, int threads, int rounds);
+
+}  // namespace displayfile::bench

@@ -1,8 +1,9 @@
 #include "clip/clip_pipeline.h"
 
 #include <algorithm>
-#include <numeric>
 #include <type_traits>
+
+#include "clip/intensity.h"
 
 namespace displayfile {
 
@@ -10,10 +11,6 @@ namespace {
 
 constexpr std::array kStages{ClipPlane::back,  ClipPlane::front,  ClipPlane::eye, ClipPlane::left,
                              ClipPlane::right, ClipPlane::bottom, ClipPlane::top};
-
-double mean_of(std::span<const double> values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
 
 }  // namespace
 
@@ -30,8 +27,11 @@ V ClipPipeline::cut(const V& inside, const V& outside, ClipPlane plane) const {
   V v{};
   v.position = inside.position + (outside.position - inside.position) * t;
   if constexpr (std::is_same_v<V, ShadedVertex>) {
-    const double t_in_picture = t * outside.position.w / v.position.w;
-    v.intensity = inside.intensity + (outside.intensity - inside.intensity) * t_in_picture;
+    v.intensity = inside.intensity;
+    if (outside.intensity != inside.intensity) {  // then both ends are in front of the eye
+      const double t_in_picture = t * outside.position.w / v.position.w;
+      v.intensity += (outside.intensity - inside.intensity) * t_in_picture;
+    }
   }
   volume_.snap(plane, v.position);
   const Outcode both_inside = ~(inside.outcode | outside.outcode) | bit_of(plane);
@@ -99,7 +99,7 @@ void ClipPipeline::run_stages(std::span<const Point3> world,
   if constexpr (std::is_same_v<V, ShadedVertex>) {
     const auto in_front = [](const V& v) { return v.position.w > 0.0; };
     if (!std::ranges::all_of(stage.in, in_front)) {
-      const double mean = mean_of(intensities);
+      const double mean = mean_intensity(intensities);
       for (V& v : stage.in) v.intensity = mean;
     }
   }

@@ -1,7 +1,6 @@
 #include "displayfile/intensity_plane.h"
 
 #include <cmath>
-#include <numeric>
 
 #include "hidden/support_plane.h"
 
@@ -25,11 +24,6 @@ IntensityPlane::IntensityPlane(std::span<const Point3> device,
   i0 = plane.z0;
   di_dx = plane.dz_dx;
   di_dy = plane.dz_dy;
-}
-
-double mean_intensity(std::span<const double> intensities) {
-  return std::accumulate(intensities.begin(), intensities.end(), 0.0) /
-         static_cast<double>(intensities.size());
 }
 
 }  // namespace displayfile

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "clip/intensity.h"
 #include "clip/point.h"
 
 namespace displayfile {
@@ -24,8 +25,5 @@ struct IntensityPlane {
   }
   double at(const Point3& p) const { return within(i0 + di_dy * (p.y - y0) + di_dx * (p.x - x0)); }
 };
-
-/// What a polygon has that is not shaded over its picture but evenly.
-double mean_intensity(std::span<const double> intensities);
 
 }  // namespace displayfile

@@ -4,12 +4,9 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <sstream>
@@ -32,12 +29,12 @@
 #include "interp/software.h"
 #include "interp/svg_device.h"
 #include "tests/mesa_leaks.h"
+#include "tests/temporary_folder.h"
 #include "tests/truth_scenes.h"
 
 namespace displayfile {
 namespace {
 
-namespace fs = std::filesystem;
 using test::Dice;
 
 const Point3 kLight{-0.5, 0.7, 1.0};
@@ -464,7 +461,9 @@ TEST(GouraudShading, ARetainedSceneHasItInEveryView) {
   EXPECT_LE(compare(from_tree, expected).largest, 1.0);
 }
 
-TEST(GouraudShading, VectorsAreFilledInTheMean) {
+class SmoothVectors : public test::TemporaryFolder {};
+
+TEST_F(SmoothVectors, AreFilledInTheMean) {
   GraphicsSystem g = drawn({{{{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0, 0.5, 0}}},
                             {{{-0.5, 0.7, 1}, {0.5, -0.7, -1}, {0, 0, 1}}}},
                            Shading::gouraud);
@@ -473,30 +472,19 @@ TEST(GouraudShading, VectorsAreFilledInTheMean) {
     return fmt::format("{:02x}", static_cast<int>(255 * mean * kFill.colour[channel] + 0.5));
   };
   for (const bool z_buffer : {false, true}) {
-    const fs::path file = fs::temp_directory_path() / fmt::format("shading_{}.svg", ::getpid());
-    write_svg(g.display_file(), 64, 64, z_buffer, file);
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    fs::remove(file);
-    EXPECT_NE(text.str().find("fill:#" + hex(0) + hex(1) + hex(2)), std::string::npos);
+    write_svg(g.display_file(), 64, 64, z_buffer, file("t.svg"));
+    EXPECT_NE(test::content(file("t.svg")).find("fill:#" + hex(0) + hex(1) + hex(2)),
+              std::string::npos);
   }
 }
 
 // ---- Meshes ----------------------------------------------------------------------------
 
-class SmoothMesh : public testing::Test {
+class SmoothMesh : public test::TemporaryFolder {
  protected:
-  SmoothMesh() {
-    folder_ = fs::temp_directory_path() / fmt::format("shading_test_{}", ::getpid());
-    fs::create_directories(folder_);
+  std::string file(const std::string& name, const std::string& text) const {
+    return TemporaryFolder::file(name, text).string();
   }
-  ~SmoothMesh() override { fs::remove_all(folder_); }
-  std::string file(const std::string& name, const std::string& content) const {
-    const fs::path path = folder_ / name;
-    std::ofstream(path, std::ios::binary) << content;
-    return path.string();
-  }
-  fs::path folder_;
 };
 
 constexpr int kCubeFaces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},

@@ -1,6 +1,9 @@
 #include "clip/clip_pipeline.h"
 
 #include <algorithm>
+#include <type_traits>
+
+#include "clip/intensity.h"
 
 namespace displayfile {
 
@@ -16,12 +19,20 @@ constexpr std::array kStages{ClipPlane::back,  ClipPlane::front,  ClipPlane::eye
 /// Rounding may not put the point outside of a plane that both ends are inside of: then a
 /// polygon that runs that plane's stage would cut the edge again and its neighbour, which
 /// does not, would keep it.
-ClipPipeline::Vertex ClipPipeline::cut(const Vertex& inside, const Vertex& outside,
-                                       ClipPlane plane) const {
+template <class V>
+V ClipPipeline::cut(const V& inside, const V& outside, ClipPlane plane) const {
   const double d_in = volume_.inside_distance(plane, inside.position);
   const double d_out = volume_.inside_distance(plane, outside.position);
   const double t = d_in / (d_in - d_out);
-  Vertex v{inside.position + (outside.position - inside.position) * t, 0, 0};
+  V v{};
+  v.position = inside.position + (outside.position - inside.position) * t;
+  if constexpr (std::is_same_v<V, ShadedVertex>) {
+    v.intensity = inside.intensity;
+    if (outside.intensity != inside.intensity) {  // then both ends are in front of the eye
+      const double t_in_picture = t * outside.position.w / v.position.w;
+      v.intensity += (outside.intensity - inside.intensity) * t_in_picture;
+    }
+  }
   volume_.snap(plane, v.position);
   const Outcode both_inside = ~(inside.outcode | outside.outcode) | bit_of(plane);
   for (ClipPlane p : kStages) {
@@ -33,70 +44,98 @@ ClipPipeline::Vertex ClipPipeline::cut(const Vertex& inside, const Vertex& outsi
   return v;
 }
 
-/// One stage: stage_in_ to stage_out_, which then change places.
-void ClipPipeline::clip_stage(ClipPlane plane) {
+/// One stage: in to out, which then change places.
+template <class V>
+void ClipPipeline::clip_stage(ClipPlane plane, Stages<V>& stage) const {
   const Outcode bit = bit_of(plane);
-  stage_out_.clear();
-  if (stage_in_.empty()) return;
-  const Vertex* previous = &stage_in_.back();
-  for (const Vertex& vertex : stage_in_) {
+  stage.out.clear();
+  if (stage.in.empty()) return;
+  const V* previous = &stage.in.back();
+  for (const V& vertex : stage.in) {
     const bool was_outside = (previous->outcode & bit) != 0;
     const bool is_outside = (vertex.outcode & bit) != 0;
     if (was_outside && !is_outside) {
-      Vertex entry = cut(vertex, *previous, plane);  // reached along the plane
+      V entry = cut(vertex, *previous, plane);  // reached along the plane
       if (volume_.inside_distance(plane, vertex.position) == 0.0) {
-        stage_out_.push_back(vertex);  // the edge enters at its end: nothing of it remains
-        stage_out_.back().edge_visible = 0;
+        stage.out.push_back(vertex);  // the edge enters at its end: nothing of it remains
+        stage.out.back().edge_visible = 0;
       } else {
-        stage_out_.push_back(entry);
-        stage_out_.push_back(vertex);
+        stage.out.push_back(entry);
+        stage.out.push_back(vertex);
       }
     } else if (!was_outside && is_outside) {
       if (volume_.inside_distance(plane, previous->position) != 0.0) {
-        Vertex exit = cut(*previous, vertex, plane);
+        V exit = cut(*previous, vertex, plane);
         exit.edge_visible = vertex.edge_visible;
-        stage_out_.push_back(exit);
+        stage.out.push_back(exit);
       }
     } else if (!is_outside) {
-      stage_out_.push_back(vertex);
+      stage.out.push_back(vertex);
     }
     previous = &vertex;
   }
-  stage_in_.swap(stage_out_);
+  stage.in.swap(stage.out);
 }
 
-ClippedPolygon ClipPipeline::clip_polygon(std::span<const Point3> world,
-                                          std::span<const std::uint8_t> edge_visible) {
+template <class V>
+void ClipPipeline::run_stages(std::span<const Point3> world,
+                              std::span<const std::uint8_t> edge_visible,
+                              [[maybe_unused]] std::span<const double> intensities,
+                              Stages<V>& stage) const {
   const std::size_t n = world.size();
-  vertices_.resize(n);
-  visible_.resize(n);
-  stage_in_.resize(n);
+  stage.in.resize(n);
   Outcode any = 0, all = ~0u;
   for (std::size_t i = 0; i < n; ++i) {
-    Vertex& v = stage_in_[i];
+    V& v = stage.in[i];
     v.position = volume_.transform(world[i]);
     v.outcode = volume_.outcode(v.position);
     v.edge_visible = edge_visible.empty() ? std::uint8_t{1} : edge_visible[i];
+    if constexpr (std::is_same_v<V, ShadedVertex>) v.intensity = intensities[i];
     any |= v.outcode;
     all &= v.outcode;
   }
-  if (all != 0) return {};  // wholly outside of one plane
-  if (any != 0) {
-    for (ClipPlane plane : kStages) {
-      if ((any & bit_of(plane)) == 0) continue;  // no vertex is outside of this plane
-      clip_stage(plane);
-      any = 0;
-      for (const Vertex& v : stage_in_) any |= v.outcode;
+  if (all != 0) return stage.in.clear();  // wholly outside of one plane
+  if (any == 0) return;
+  if constexpr (std::is_same_v<V, ShadedVertex>) {
+    const auto in_front = [](const V& v) { return v.position.w > 0.0; };
+    if (!std::ranges::all_of(stage.in, in_front)) {
+      const double mean = mean_intensity(intensities);
+      for (V& v : stage.in) v.intensity = mean;
     }
-    if (stage_in_.size() < 3) return {};
-    vertices_.resize(stage_in_.size());
-    visible_.resize(stage_in_.size());
   }
-  for (std::size_t i = 0; i < stage_in_.size(); ++i) {
-    vertices_[i] = volume_.to_device(stage_in_[i].position);
-    visible_[i] = stage_in_[i].edge_visible;
+  for (ClipPlane plane : kStages) {
+    if ((any & bit_of(plane)) == 0) continue;  // no vertex is outside of this plane
+    clip_stage(plane, stage);
+    any = 0;
+    for (const V& v : stage.in) any |= v.outcode;
+  }
+}
+
+template <class V>
+ClippedPolygon ClipPipeline::in_device_coordinates(std::span<const V> clipped) {
+  if (clipped.size() < 3) return {};
+  vertices_.resize(clipped.size());
+  visible_.resize(clipped.size());
+  for (std::size_t i = 0; i < clipped.size(); ++i) {
+    vertices_[i] = volume_.to_device(clipped[i].position);
+    visible_[i] = clipped[i].edge_visible;
   }
   return {vertices_, visible_};
+}
+
+ClippedPolygon ClipPipeline::clip_polygon(std::span<const Point3> world,
+                                          std::span<const std::uint8_t> edge_visible,
+                                          std::span<const double> intensities) {
+  if (intensities.empty()) {
+    run_stages(world, edge_visible, {}, stage_);
+    return in_device_coordinates<Vertex>(stage_.in);
+  }
+  run_stages(world, edge_visible, intensities, shaded_stage_);
+  ClippedPolygon clipped = in_device_coordinates<ShadedVertex>(shaded_stage_.in);
+  intensities_.clear();
+  for (const ShadedVertex& v : shaded_stage_.in) intensities_.push_back(v.intensity);
+  if (!clipped.vertices.empty()) clipped.intensities = intensities_;
+  return clipped;
 }
 
 bool ClipPipeline::clip_line(const Point3& a, const Point3& b, Point3& device_a,

@@ -15,6 +15,7 @@ namespace displayfile {
 struct ClippedPolygon {
   std::span<const Point3> vertices;
   std::span<const std::uint8_t> edge_visible;
+  std::span<const double> intensities = {};  ///< of the vertices, if the polygon had some
 };
 
 /// The clip pipeline: world coordinates in, normalised device coordinates out.
@@ -24,15 +25,19 @@ struct ClippedPolygon {
 /// feeding the next. A polygon wholly inside, or wholly outside of one plane, meets no stage.
 /// Every edge that crosses a plane is cut by the same expression from its inside end to its
 /// outside end, so two polygons that share it are cut at the same point, bit for bit.
+/// Intensities of vertices go through the stages with them; where an edge is cut, the intensity is
+/// that which runs linearly along the edge in the picture. If a vertex is not in front of the
+/// centre of projection, the polygon has no such picture and all get the mean.
 /// Method: Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17 (1974).
 class ClipPipeline {
  public:
   explicit ClipPipeline(const ViewVolume& volume) : volume_(volume) {}
 
   /// Clips a polygon of any number of sides, convex or not; edge_visible as in
-  /// ClippedPolygon, empty for "all sides".
+  /// ClippedPolygon, empty for "all sides"; one intensity a vertex, or none.
   ClippedPolygon clip_polygon(std::span<const Point3> world,
-                              std::span<const std::uint8_t> edge_visible = {});
+                              std::span<const std::uint8_t> edge_visible = {},
+                              std::span<const double> intensities = {});
 
   /// Clips the line from a to b (world) in place of its device coordinates; false if
   /// nothing of it is inside.
@@ -46,14 +51,32 @@ class ClipPipeline {
     Outcode outcode;
     std::uint8_t edge_visible;  ///< of the side that ends here
   };
+  struct ShadedVertex : Vertex {
+    double intensity;
+  };
+  /// What goes into a stage, and what comes out of it.
+  template <class V>
+  struct Stages {
+    std::vector<V> in, out;
+  };
 
-  Vertex cut(const Vertex& inside, const Vertex& outside, ClipPlane plane) const;
-  void clip_stage(ClipPlane plane);
+  template <class V>
+  V cut(const V& inside, const V& outside, ClipPlane plane) const;
+  template <class V>
+  void clip_stage(ClipPlane plane, Stages<V>& stage) const;
+  /// The vertices, transformed, through all stages that they need: into stage.in.
+  template <class V>
+  void run_stages(std::span<const Point3> world, std::span<const std::uint8_t> edge_visible,
+                  std::span<const double> intensities, Stages<V>& stage) const;
+  template <class V>
+  ClippedPolygon in_device_coordinates(std::span<const V> clipped);
 
   ViewVolume volume_;
-  std::vector<Vertex> stage_in_, stage_out_;
+  Stages<Vertex> stage_;
+  Stages<ShadedVertex> shaded_stage_;
   std::vector<Point3> vertices_;
   std::vector<std::uint8_t> visible_;
+  std::vector<double> intensities_;
 };
 
 }  // namespace displayfile

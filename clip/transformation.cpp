@@ -1,6 +1,8 @@
 #include "clip/transformation.h"
 
+#include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
 
 namespace displayfile {
@@ -61,6 +63,18 @@ void ModellingTransformation::scale(const Point3& s) {
 void ModellingTransformation::rotate_x(double degrees) { then(rotation(1, 2, degrees)); }
 void ModellingTransformation::rotate_y(double degrees) { then(rotation(2, 0, degrees)); }
 void ModellingTransformation::rotate_z(double degrees) { then(rotation(0, 1, degrees)); }
+
+Point3 ModellingTransformation::apply_to_normal(const Point3& n) const {
+  if (identity_) return n;
+  double largest = 0.0;  // scaled by it, no product overflows
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(matrix_[column][row]));
+  }
+  if (n == Point3(0.0) || !(largest > 0.0)) return Point3(0.0);
+  const Point3 x = Point3(matrix_[0]) / largest, y = Point3(matrix_[1]) / largest,
+               z = Point3(matrix_[2]) / largest, u = unit(n);
+  return u.x * glm::cross(y, z) + u.y * glm::cross(z, x) + u.z * glm::cross(x, y);
+}
 
 ImageMatrix::ImageMatrix(const ImageTransformation& t)
     : tx_(t.translation.x), ty_(t.translation.y) {

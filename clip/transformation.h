@@ -26,6 +26,9 @@ class ModellingTransformation {
   Point3 apply(const Point3& p) const {
     return identity_ ? p : Point3(matrix_ * HomogeneousPoint(p, 1.0));
   }
+  /// A normal as Newell's sums of the transformed polygon would turn and scale it, but for a common
+  /// factor: by the cofactors of the matrix. Zero if the transformation leaves no normal.
+  Point3 apply_to_normal(const Point3& n) const;
 
  private:
   void then(const glm::dmat4& step);

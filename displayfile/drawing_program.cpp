@@ -168,6 +168,11 @@ HiddenScope Line::take<HiddenScope>() {
 }
 
 template <>
+Shading Line::take<Shading>() {
+  return understood(words_[taken_++], shading);
+}
+
+template <>
 Precision Line::take<Precision>() {
   return understood(words_[taken_++], precision);
 }
@@ -238,7 +243,7 @@ consteval Routine fixed(std::string_view name, std::string_view expected) {
 }
 
 template <class Point, void (GraphicsSystem::*routine)(std::span<const Point>)>
-void polygon(GraphicsSystem& system, Line& line, const Routine& entry) {
+void points(GraphicsSystem& system, Line& line, const Routine& entry) {
   (system.*routine)(line.take_points<Point>(entry));
 }
 
@@ -291,16 +296,16 @@ using G = GraphicsSystem;
 
 /// Every user routine. They are looked up in this order: those that fill programs come first.
 constexpr auto kRoutines = std::to_array<Routine>({
-    {"polygon-abs-3", "a multiple of 3: x y z ...", kVaries, polygon<Point3, &G::polygon_abs_3>},
+    {"polygon-abs-3", "a multiple of 3: x y z ...", kVaries, points<Point3, &G::polygon_abs_3>},
     fixed<&G::line_abs_3>("line-abs-3", "x y z"),
     fixed<&G::move_abs_3>("move-abs-3", "x y z"),
-    {"polygon-abs-2", "a multiple of 2: x y ...", kVaries, polygon<Point2, &G::polygon_abs_2>},
+    {"polygon-abs-2", "a multiple of 2: x y ...", kVaries, points<Point2, &G::polygon_abs_2>},
     fixed<&G::line_abs_2>("line-abs-2", "x y"),
     fixed<&G::move_abs_2>("move-abs-2", "x y"),
-    {"polygon-rel-3", "a multiple of 3: dx dy dz ...", kVaries, polygon<Point3, &G::polygon_rel_3>},
+    {"polygon-rel-3", "a multiple of 3: dx dy dz ...", kVaries, points<Point3, &G::polygon_rel_3>},
     fixed<&G::line_rel_3>("line-rel-3", "dx dy dz"),
     fixed<&G::move_rel_3>("move-rel-3", "dx dy dz"),
-    {"polygon-rel-2", "a multiple of 2: dx dy ...", kVaries, polygon<Point2, &G::polygon_rel_2>},
+    {"polygon-rel-2", "a multiple of 2: dx dy ...", kVaries, points<Point2, &G::polygon_rel_2>},
     fixed<&G::line_rel_2>("line-rel-2", "dx dy"),
     fixed<&G::move_rel_2>("move-rel-2", "dx dy"),
     fixed<&G::set_pick_id>("set-pick-id", "n"),
@@ -308,6 +313,9 @@ constexpr auto kRoutines = std::to_array<Routine>({
     {"set-line-style", "solid r g b [width] | dashed r g b [width [dash gap]] | none", kVaries,
      line_style},
     {"set-light", "3 or 4: x y z [ambient]", kVaries, light},
+    {"set-vertex-normals", "a multiple of 3: x y z ...", kVaries,
+     points<Point3, &G::set_vertex_normals>},
+    fixed<&G::set_shading>("set-shading", "flat|gouraud"),
 
     fixed<&G::open_segment>("open-segment", "name"),
     fixed<&G::close_segment>("close-segment", ""),

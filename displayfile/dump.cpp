@@ -52,6 +52,9 @@ class Dumper {
   void pick(int id) { write_line(FMT_COMPILE("pick {}"), id); }
   void move(const Point3& p) { write_line(FMT_COMPILE("move {} {} {}"), p.x, p.y, p.z); }
   void line(const Point3& p) { write_line(FMT_COMPILE("line {} {} {}"), p.x, p.y, p.z); }
+  void intensities(std::span<const double> values) {
+    write_line(FMT_COMPILE("intensities {}"), fmt::join(values, " "));
+  }
   void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
     const Point3& start = vertices.back();
     write_line(FMT_COMPILE("polygon {} {} {} {}"), vertices.size(), start.x, start.y, start.z);

@@ -16,6 +16,8 @@ namespace displayfile {
 ///   fill solid R G B | fill hollow
 ///   line-style solid R G B WIDTH | line-style dashed R G B WIDTH DASH GAP | line-style none
 ///   pick N
+///   intensities I1 I2 ...                (of a shaded polygon, which follows: one for each side's
+///                                        end, in that order; they multiply the fill colour)
 ///   move X Y Z
 ///   line X Y Z
 ///   polygon SIDES X Y Z                  (its last vertex, where it starts; then SIDES lines)

@@ -68,6 +68,7 @@ std::string_view field_name(std::string_view instruction, std::size_t field) {
   for (const auto& [start, fields] : kInstructions) {
     if (instruction.starts_with(start) && field < fields.size()) return fields[field];
   }
+  if (instruction.starts_with("intensities ")) return "intensity";
   return "operand";
 }
 

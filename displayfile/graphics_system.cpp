@@ -351,47 +351,81 @@ void GraphicsSystem::polygon_rel_2(std::span<const Point2> steps) {
   recorder_->write("polygon-rel-2", object_points_, 2);
 }
 
-/// The way of one polygon: to world coordinates, to triangles if it is not flat, and each
-/// piece through the pipeline into the display file.
+/// The way of one polygon: to world coordinates, to triangles if it is not flat or its vertices
+/// have normals that differ, and each piece through the pipeline into the display file.
 void GraphicsSystem::polygon(std::span<const Point3> object) {
   require_open();
   if (object.size() < 3) {
     throw Error(fmt::format("polygon of {} sides: expected at least 3", object.size()));
   }
+  if (!vertex_normals_.empty() && vertex_normals_.size() != object.size()) {
+    throw Error(fmt::format("polygon of {} sides: expected {}, as many as set-vertex-normals has",
+                            object.size(), vertex_normals_.size()));
+  }
   world_points_.resize(object.size());
   for (std::size_t i = 0; i < object.size(); ++i) world_points_[i] = to_world(object[i]);
   const int pick = pick_ >= 0 ? pick_ : static_cast<int>(ordinal_);
   const Point3 normal = light_ ? newell_normal(world_points_) : Point3(0.0);
-  if (is_flat(world_points_)) {
-    enter(world_points_, {}, normal, pick);
+  const bool smooth = light_ && shading_ == Shading::gouraud && !vertex_normals_.empty();
+  const auto vertex_normals = smooth ? world_normals(normal) : std::span<const Point3>();
+  const bool flat = is_flat(world_points_);
+  if (flat && (object.size() == 3 || !differ(vertex_normals))) {
+    enter(world_points_, {}, normal, vertex_normals, pick);
   } else {
-    for (const auto& [vertex, edge_visible] : triangulation_.triangulate(world_points_)) {
-      enter(
-          std::array{world_points_[vertex[0]], world_points_[vertex[1]], world_points_[vertex[2]]},
-          edge_visible, normal, pick);
-    }
-    ++triangulated_;
+    enter_triangles(normal, vertex_normals, pick);
   }
+  triangulated_ += flat ? 0 : 1;
   ++ordinal_;
+  vertex_normals_.clear();
   pen_ = {object.back(), world_points_.back()};
+}
+
+/// The normals that the application gave the polygon's vertices, in world coordinates.
+std::span<const Point3> GraphicsSystem::world_normals(const Point3& own) {
+  world_normals_.clear();
+  for (const Point3& n : vertex_normals_) world_normals_.push_back(modelling_.apply_to_normal(n));
+  orient(world_normals_, own);
+  return world_normals_;
+}
+
+void GraphicsSystem::enter_triangles(const Point3& normal, std::span<const Point3> vertex_normals,
+                                     int pick) {
+  const auto corners = [](std::span<const Point3> of_polygon, const auto& vertex) {
+    return std::array{of_polygon[vertex[0]], of_polygon[vertex[1]], of_polygon[vertex[2]]};
+  };
+  for (const auto& [vertex, edge_visible] : triangulation_.triangulate(world_points_)) {
+    const auto triangle = corners(world_points_, vertex);
+    if (vertex_normals.empty()) {
+      enter(triangle, edge_visible, normal, {}, pick);
+    } else {
+      enter(triangle, edge_visible, normal, corners(vertex_normals, vertex), pick);
+    }
+  }
 }
 
 /// Clips, checks for a back face (algorithm 9.2's end), and enters what is left.
 void GraphicsSystem::enter(std::span<const Point3> world,
                            std::span<const std::uint8_t> edge_visible, const Point3& normal,
-                           int pick) {
+                           std::span<const Point3> vertex_normals, int pick) {
   if (retained_ != nullptr) {
-    retained_->enter_polygon(world, edge_visible, attributes(), normal, pick);
+    retained_->enter_polygon(world, edge_visible, attributes(), normal, vertex_normals, pick);
   }
-  const ClippedPolygon clipped = pipeline_->clip_polygon(world, edge_visible);
+  const bool smooth = !vertex_normals.empty();
+  ClippedPolygon clipped =
+      smooth ? lighting_.clip(*pipeline_, world, edge_visible, vertex_normals, *light_)
+             : pipeline_->clip_polygon(world, edge_visible);
   if (clipped.vertices.size() < 3) return;
   const double c = back_face_removal_ || light_ ? newell_c(clipped.vertices) : 1.0;
   if (back_face_removal_ && c <= 0.0) return;
   Segment& segment = display_file_.segment(*open_);
-  segment.set_style(light_ ? lit(fill_, *light_, normal, c < 0.0) : fill_);
+  if (smooth) {
+    segment.set_style(shaded_fill(fill_, clipped));
+  } else {
+    segment.set_style(light_ ? lit(fill_, *light_, normal, c < 0.0) : fill_);
+  }
   segment.set_style(line_);
   segment.set_pick(pick);
-  segment.enter_polygon(clipped.vertices, clipped.edge_visible);
+  segment.enter_polygon(clipped.vertices, clipped.edge_visible, clipped.intensities);
 }
 
 // ---- Attributes ------------------------------------------------------------------------
@@ -438,6 +472,21 @@ void GraphicsSystem::set_light(const Point3& toward, double ambient) {
   }
   light_ = {unit(toward), ambient};
   record("set-light", {toward.x, toward.y, toward.z, ambient});
+}
+
+void GraphicsSystem::set_shading(Shading shading) {
+  shading_ = shading;
+  record("set-shading", {name_of(shading)});
+}
+
+void GraphicsSystem::set_vertex_normals(std::span<const Point3> normals) {
+  if (normals.size() == 1 || normals.size() == 2) {
+    throw Error(
+        fmt::format("normals of {} vertices: expected at least 3, or none", normals.size()));
+  }
+  for (const Point3& n : normals) require_finite({n.x, n.y, n.z}, "vertex normal");
+  vertex_normals_.assign(normals.begin(), normals.end());
+  if (recorder_ != nullptr) recorder_->write("set-vertex-normals", normals, 3);
 }
 
 void GraphicsSystem::set_pick_id(int id) {

@@ -11,9 +11,11 @@
 #include "clip/transformation.h"
 #include "clip/view.h"
 #include "displayfile/display_file.h"
+#include "displayfile/gouraud.h"
 #include "displayfile/hidden_scope.h"
 #include "displayfile/recorder.h"
 #include "displayfile/retained_scene.h"
+#include "displayfile/shading.h"
 #include "displayfile/style.h"
 #include "hidden/hidden_method.h"
 #include "hidden/hidden_surface_sort.h"
@@ -103,6 +105,20 @@ class GraphicsSystem {
   /// fill colour is multiplied by ambient + (1 - ambient) max(0, cosine of the angle between
   /// the light and the side of it that is seen).
   void set_light(const Point3& toward, double ambient = 0.2);
+  /// Gouraud shading (displayfile/gouraud.md): where there is light, a polygon whose vertices have
+  /// normals is lit at each of them, and the intensities are interpolated over its picture. Of more
+  /// than three sides it is entered as triangles whose diagonals are invisible. Any other polygon
+  /// is shaded flat.
+  void set_shading(Shading shading);
+  /// Of the vertices of the next polygon, in its order: directions of any length, in the
+  /// coordinates of its vertices, as Newell's sums turn out of the light face. Zero stands for the
+  /// polygon's own normal. No normals: takes back what was set. With flat shading they have no
+  /// effect. Errors: one or two normals; a component that is not finite or exceeds
+  /// kCoordinateLimit. A polygon of another number of sides is then an error.
+  void set_vertex_normals(std::span<const Point3> normals);
+  void set_vertex_normals(std::initializer_list<Point3> normals) {
+    set_vertex_normals(span(normals));
+  }
   /// The pick identifier of the polygons that follow, 0 or more; -1 gives each its ordinal in
   /// the program again.
   void set_pick_id(int id);
@@ -125,6 +141,7 @@ class GraphicsSystem {
   std::optional<int> open_segment_name() const { return open_; }
   bool hidden_line_removal() const { return hidden_; }
   bool back_face_removal() const { return back_face_removal_; }
+  Shading shading() const { return shading_; }
   HiddenMethod hidden_method() const { return method_; }
   std::optional<HiddenScope> hidden_scope() const { return scope_; }  ///< if it was set
   const Precision& precision() const { return sort_options_.precision; }
@@ -162,7 +179,9 @@ class GraphicsSystem {
   void line_to(const Point3& object);
   void polygon(std::span<const Point3> object);
   void enter(std::span<const Point3> world, std::span<const std::uint8_t> edge_visible,
-             const Point3& normal, int pick);
+             const Point3& normal, std::span<const Point3> vertex_normals, int pick);
+  void enter_triangles(const Point3& normal, std::span<const Point3> vertex_normals, int pick);
+  std::span<const Point3> world_normals(const Point3& own);
   RetainedScene::Attributes attributes() const {
     return {fill_, line_, light_, back_face_removal_};
   }
@@ -176,6 +195,8 @@ class GraphicsSystem {
   FillStyle fill_;
   LineStyle line_;
   std::optional<Light> light_;
+  Shading shading_ = Shading::flat;
+  std::vector<Point3> vertex_normals_;  // of the next polygon, as the application gave them
   std::int32_t pick_ = -1;
   std::int64_t ordinal_ = 0, triangulated_ = 0;
   bool hidden_ = false, back_face_removal_ = false, z_buffer_ = false;
@@ -186,7 +207,9 @@ class GraphicsSystem {
   RetainedScene* retained_ = nullptr;
 
   Triangulation triangulation_;
+  GouraudLighting lighting_;
   std::vector<Point3> object_points_, world_points_;  // of the polygon being entered
+  std::vector<Point3> world_normals_;                 // of its vertices
 };
 
 }  // namespace displayfile

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "displayfile/intensity_plane.h"
 
 namespace displayfile {
 
@@ -33,8 +34,20 @@ struct SavedPolygons {
   std::vector<FillStyle> fill_styles;
   std::vector<LineStyle> line_styles;
   std::vector<FirstItem> segments;  ///< none where all is one segment's
+  /// Of shaded polygons, a run of intensities each.
+  std::vector<double> intensities;
+  std::vector<std::uint32_t> first_intensity;  ///< of items up to the last shaded one, or kNone
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
   SortItems to_sort() const { return {points, visible, items}; }
+  std::span<const Point3> points_of(std::size_t item) const {
+    return points.subspan(items[item].first, items[item].sides);
+  }
+  /// Empty if it is not shaded.
+  std::span<const double> intensities_of(std::size_t item) const {
+    if (item >= first_intensity.size() || first_intensity[item] == kNone) return {};
+    return std::span(intensities).subspan(first_intensity[item], items[item].sides);
+  }
 };
 
 /// Which segment's instructions to save, and its image transformation.
@@ -65,6 +78,7 @@ class Saver {
     outlined_ = style.kind != LineStyle::Kind::none;
   }
   void pick(std::int32_t id) { pick_ = id; }
+  void intensities(std::span<const double> values) { intensities_ = values; }
   void move(const Point3& p) { take({&p, 1}); }
   void line(const Point3& p) {
     take({&p, 1});
@@ -84,10 +98,20 @@ class Saver {
       saved_.visible[first + i] = sides[i] == op::line ? 1 : 0;
     }
     if (solid_) {
+      save_intensities();
       save(first, vertices.size(), SortItems::Kind::solid);
     } else if (outlined_) {
       save(first, vertices.size(), SortItems::Kind::hollow);
     }
+  }
+
+  /// Of the item saved next.
+  void save_intensities() {
+    if (intensities_.empty()) return;
+    saved_.first_intensity.resize(saved_.items.size(), SavedPolygons::kNone);
+    saved_.first_intensity.push_back(static_cast<std::uint32_t>(saved_.intensities.size()));
+    saved_.intensities.insert(saved_.intensities.end(), intensities_.begin(), intensities_.end());
+    intensities_ = {};
   }
 
   /// Counts the points, which are in place already, or else takes copies.
@@ -110,6 +134,7 @@ class Saver {
   std::size_t points_;  // seen so far
   bool solid_ = true, outlined_ = true;
   std::int32_t pick_ = -1;
+  std::span<const double> intensities_;  // of the polygon that follows
 };
 
 void require_countable(std::size_t points) {
@@ -179,7 +204,7 @@ class OrderedOutput {
       out_.enter_line(points[0], points[1]);
     } else {
       check_style(attributes);
-      enter_polygon(points, visible);
+      enter_polygon(points, visible, intensities_of(piece, points));
     }
   }
 
@@ -213,27 +238,41 @@ class OrderedOutput {
   };
   Sides sides_of(const SortedPiece& piece, const SortItems::Item& item) const {
     if (piece.first == SortedPiece::kWhole) {
-      return {saved_.points.subspan(item.first, item.sides),
+      return {saved_.points_of(piece.item),
               std::span(saved_.visible).subspan(item.first, item.sides)};
     }
     return {std::span(sorted_.points).subspan(piece.first, piece.sides),
             std::span(sorted_.visible).subspan(piece.first, piece.sides)};
   }
 
+  /// A piece of a shaded polygon lies in the picture of the whole one.
+  std::span<const double> intensities_of(const SortedPiece& piece, std::span<const Point3> points) {
+    const auto of_whole = saved_.intensities_of(piece.item);
+    if (of_whole.empty() || piece.first == SortedPiece::kWhole) return of_whole;
+    const IntensityPlane plane(saved_.points_of(piece.item), of_whole);
+    intensities_.clear();
+    for (const Point3& p : points) intensities_.push_back(plane.at(p));
+    return intensities_;
+  }
+
   /// A piece of an edge-on polygon may be a single side; a polygon instruction has three or more.
-  void enter_polygon(std::span<const Point3> points, std::span<const std::uint8_t> visible) {
-    if (points.size() >= 3) return out_.enter_polygon(points, visible);
+  void enter_polygon(std::span<const Point3> points, std::span<const std::uint8_t> visible,
+                     std::span<const double> intensities) {
+    if (points.size() >= 3) return out_.enter_polygon(points, visible, intensities);
     std::vector<Point3> padded(points.begin(), points.end());
     std::vector<std::uint8_t> sides(visible.begin(), visible.end());
     padded.resize(3, points.back());
     sides.resize(3, 0);
-    out_.enter_polygon(padded, sides);
+    std::vector<double> of_padded(intensities.begin(), intensities.end());
+    if (!intensities.empty()) of_padded.resize(3, intensities.back());
+    out_.enter_polygon(padded, sides, of_padded);
   }
 
   const SavedPolygons& saved_;
   const SortedPieces& sorted_;
   Instructions& out_;
-  int segment_ = 0;  // names are 1 or more
+  int segment_ = 0;                  // names are 1 or more
+  std::vector<double> intensities_;  // of one piece
 };
 
 SortedInstructions sorted_from(const SavedPolygons& saved, const ImageTransformation& image,

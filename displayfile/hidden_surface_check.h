@@ -13,9 +13,9 @@ bool sorts(HiddenMethod method);
 
 /// HIDDEN-SURFACE-CHECK (algorithm 9.8): a segment's polygons and lines back to front, by `bsp`
 /// or `depth_sort`. Points are those after the image transformation, and so are those of the
-/// result. Each piece of a polygon that was cut keeps its styles and its pick identifier; sides
-/// that cuts made are invisible. A polygon that draws nothing, hollow and of line style none, is
-/// left out.
+/// result. Each piece of a polygon that was cut keeps its styles and its pick identifier, and if the
+/// polygon is shaded its place in the shade; sides that cuts made are invisible. A polygon that
+/// draws nothing, hollow and of line style none, is left out.
 ///
 /// Throws Error for another method, and for more than 2^32 - 1 points.
 SortedInstructions hidden_surface_check(const Instructions& entered,

@@ -55,7 +55,12 @@ void Instructions::enter_line(const Point3& from, const Point3& to) {
 }
 
 void Instructions::enter_polygon(std::span<const Point3> vertices,
-                                 std::span<const std::uint8_t> edge_visible) {
+                                 std::span<const std::uint8_t> edge_visible,
+                                 std::span<const double> intensities) {
+  if (!intensities.empty()) {
+    op_.push_back(op::intensities);
+    intensities_.insert(intensities_.end(), intensities.begin(), intensities.end());
+  }
   const std::size_t start = op_.size();
   op_.resize(start + 1 + vertices.size());
   op_[start] = static_cast<std::int32_t>(vertices.size());
@@ -94,7 +99,8 @@ void Instructions::add_z() {
 std::size_t Instructions::bytes() const {
   return op_.size() * sizeof(op_[0]) + points_.size() * sizeof(points_[0]) +
          flat_points_.size() * sizeof(flat_points_[0]) +
-         style_operands_.size() * sizeof(style_operands_[0]);
+         style_operands_.size() * sizeof(style_operands_[0]) +
+         intensities_.size() * sizeof(intensities_[0]);
 }
 
 void Instructions::reserve(std::size_t codes, std::size_t points) {
@@ -107,6 +113,7 @@ void Instructions::shrink_to_fit() {
   points_.shrink_to_fit();
   flat_points_.shrink_to_fit();
   style_operands_.shrink_to_fit();
+  intensities_.shrink_to_fit();
 }
 
 void Instructions::append(const Instructions& other) {
@@ -114,10 +121,12 @@ void Instructions::append(const Instructions& other) {
     Instructions& into;
     Point3 pen{0.0};
     std::vector<std::uint8_t> visible;
+    std::span<const double> of_vertices;
     void fill(const FillStyle& s) { into.set_style(s); }
     void line_style(const LineStyle& s) { into.set_style(s); }
     void pick(std::int32_t id) { into.set_pick(id); }
     void segment(int name) { into.enter_segment(name); }
+    void intensities(std::span<const double> values) { of_vertices = values; }
     void move(const Point3& p) { pen = p; }
     void line(const Point3& p) {
       into.enter_line(pen, p);
@@ -126,11 +135,12 @@ void Instructions::append(const Instructions& other) {
     void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
       visible.clear();
       for (const std::int32_t side : sides) visible.push_back(side == op::line ? 1 : 0);
-      into.enter_polygon(vertices, visible);
+      into.enter_polygon(vertices, visible, of_vertices);
+      of_vertices = {};
       pen = vertices.back();
     }
   };
-  other.walk(Enter{*this, Point3(0.0), {}});
+  other.walk(Enter{*this, Point3(0.0), {}, {}});
 }
 
 }  // namespace displayfile

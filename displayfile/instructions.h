@@ -26,6 +26,7 @@ inline constexpr std::int32_t pick = -32;  ///< the next code is the pick identi
 /// What follows is the segment's whose name is the next code. Only in instructions that several
 /// segments share (displayfile/sorted_instructions.h).
 inline constexpr std::int32_t segment = -48;
+inline constexpr std::int32_t intensities = -64;  ///< of the vertices of the polygon that follows
 }  // namespace op
 
 /// Display-file instructions in arrays of their own, in the order in which they were entered.
@@ -39,8 +40,10 @@ class Instructions {
   void set_pick(std::int32_t id);
   void enter_segment(int name);                           ///< styles stay in force
   void enter_line(const Point3& from, const Point3& to);  ///< a move first, if the pen is elsewhere
-  /// 3 vertices or more; edge_visible is of the edge that ends at the vertex.
-  void enter_polygon(std::span<const Point3> vertices, std::span<const std::uint8_t> edge_visible);
+  /// 3 vertices or more; edge_visible is of the edge that ends at the vertex. Of a shaded polygon
+  /// one intensity a vertex, of a flat one none.
+  void enter_polygon(std::span<const Point3> vertices, std::span<const std::uint8_t> edge_visible,
+                     std::span<const double> intensities = {});
 
   /// Enters all that the other holds, in its order.
   void append(const Instructions& other);
@@ -49,7 +52,8 @@ class Instructions {
   ///   fill(FillStyle), line_style(LineStyle), pick(int), move(Point3), line(Point3),
   ///   polygon(span<const Point3> vertices, span<const int32_t> sides) - sides holds op::line
   ///   or op::move for the edge that ends at the vertex of the same index - and, if the visitor
-  ///   has it, segment(int name).
+  ///   has them, segment(int name) and, before a shaded polygon, intensities(span<const double>),
+  ///   which stay until the walk is over.
   template <class Visitor>
   void walk(Visitor&& visit) const;
 
@@ -74,6 +78,10 @@ class Instructions {
   static void visit_segment(Visitor& visit, int name) {
     if constexpr (requires { visit.segment(name); }) visit.segment(name);
   }
+  template <class Visitor>
+  static void visit_intensities(Visitor& visit, std::span<const double> of_vertices) {
+    if constexpr (requires { visit.intensities(of_vertices); }) visit.intensities(of_vertices);
+  }
   void enter_points(std::span<const Point3> points);
   void add_z();
 
@@ -81,6 +89,7 @@ class Instructions {
   std::vector<Point3> points_;       // if stores_z_
   std::vector<Point2> flat_points_;  // otherwise, all at depth flat_z_
   std::vector<double> style_operands_;
+  std::vector<double> intensities_;
   double flat_z_ = 0.0;
   bool stores_z_ = false;
   std::size_t polygons_ = 0, lines_ = 0;
@@ -97,6 +106,7 @@ void Instructions::walk(Visitor&& visit) const {
   const Point3* next_point = points_.data();
   const Point2* next_flat = flat_points_.data();
   const double* operand = style_operands_.data();
+  const double* next_intensity = intensities_.data();
   const auto take = [&](std::size_t n) -> std::span<const Point3> {
     if (stores_z_) {
       next_point += n;
@@ -131,6 +141,12 @@ void Instructions::walk(Visitor&& visit) const {
       case op::fill_hollow: visit.fill(FillStyle{FillStyle::Kind::hollow}); break;
       case op::pick: visit.pick(op_[++i]); break;
       case op::segment: visit_segment(visit, op_[++i]); break;
+      case op::intensities: {
+        const auto sides = static_cast<std::size_t>(op_[i + 1]);
+        visit_intensities(visit, {next_intensity, sides});
+        next_intensity += sides;
+        break;
+      }
       default: {
         const auto sides = static_cast<std::size_t>(op_[i]);
         visit.polygon(take(sides), std::span<const std::int32_t>(&op_[i + 1], sides));
@@ -151,6 +167,7 @@ void Instructions::walk_transformed(const ImageTransformation& image, Visitor&& 
     void line_style(const LineStyle& s) { visit.line_style(s); }
     void pick(int id) { visit.pick(id); }
     void segment(int name) { visit_segment(visit, name); }
+    void intensities(std::span<const double> values) { visit_intensities(visit, values); }
     void move(const Point3& p) { visit.move(matrix.apply(p)); }
     void line(const Point3& p) { visit.line(matrix.apply(p)); }
     void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {

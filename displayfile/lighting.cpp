@@ -5,13 +5,20 @@
 
 namespace displayfile {
 
-FillStyle lit(const FillStyle& fill, const Light& light, const Point3& normal, bool turned_away) {
-  if (fill.kind == FillStyle::Kind::hollow) return fill;
+double intensity(const Light& light, const Point3& normal, bool turned_away) {
   double cosine = normal == Point3(0.0) ? 0.0 : glm::dot(unit(normal), light.toward);
   if (turned_away) cosine = -cosine;  // the dark face is the one that is seen
-  const double intensity =
-      std::min(1.0, light.ambient + (1.0 - light.ambient) * std::max(0.0, cosine));
+  return std::min(1.0, light.ambient + (1.0 - light.ambient) * std::max(0.0, cosine));
+}
+
+FillStyle lit(const FillStyle& fill, double intensity) {
+  if (fill.kind == FillStyle::Kind::hollow) return fill;
   return {FillStyle::Kind::solid, fill.colour * intensity};
+}
+
+FillStyle lit(const FillStyle& fill, const Light& light, const Point3& normal, bool turned_away) {
+  if (fill.kind == FillStyle::Kind::hollow) return fill;
+  return lit(fill, intensity(light, normal, turned_away));
 }
 
 }  // namespace displayfile

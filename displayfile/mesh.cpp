@@ -15,6 +15,7 @@
 #include <numeric>
 #include <utility>
 
+#include "clip/back_face.h"
 #include "clip/error.h"
 #include "displayfile/fitted_view.h"
 #include "displayfile/mesh_file_check.h"
@@ -86,7 +87,10 @@ bool has_three_positions(const std::vector<Point3>& vertices,
 /// Copies the scene's meshes into a Mesh, checking every number on the way.
 class MeshBuilder {
  public:
-  explicit MeshBuilder(const std::string& path) : path_(path) { mesh_.first_corner = {0}; }
+  MeshBuilder(const std::string& path, bool with_normals)
+      : path_(path), with_normals_(with_normals) {
+    mesh_.first_corner = {0};
+  }
 
   void add(const aiScene& scene, const Node& node) {
     Mesh::Object object{node.node->mName.C_Str(), mesh_.faces(), 0};
@@ -119,6 +123,7 @@ class MeshBuilder {
       fail(object, "more than 4294967295 vertices");
     }
     add_vertices(object, part, to_world);
+    if (with_normals_) add_normals(part, glm::dmat3(to_world));
     const bool mirrored = glm::determinant(glm::dmat3(to_world)) < 0.0;
     for (unsigned i = 0; i < part.mNumFaces; ++i) {
       const std::span indices(part.mFaces[i].mIndices, part.mFaces[i].mNumIndices);
@@ -146,6 +151,21 @@ class MeshBuilder {
     }
   }
 
+  /// They stay outward when the node's transformation mirrors, as the faces do.
+  void add_normals(const aiMesh& part, const glm::dmat3& m) {
+    const double outward = glm::determinant(m) < 0.0 ? -1.0 : 1.0;
+    const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]),
+                               glm::cross(m[0], m[1]));
+    mesh_.normals.resize(mesh_.vertices.size(), Point3(0.0));
+    if (!part.HasNormals()) return;
+    const std::size_t first = mesh_.vertices.size() - part.mNumVertices;
+    for (unsigned i = 0; i < part.mNumVertices; ++i) {
+      const aiVector3D& n = part.mNormals[i];
+      const Point3 normal = outward * (cofactors * Point3(n.x, n.y, n.z));
+      if (in_range(normal)) mesh_.normals[first + i] = normal;
+    }
+  }
+
   void add_face(std::span<const unsigned> indices, std::size_t first_vertex, bool mirrored) {
     if (indices.size() < 3) {
       ++mesh_.skipped.points_and_lines;
@@ -170,13 +190,22 @@ class MeshBuilder {
   }
 
   const std::string& path_;
+  bool with_normals_;
   Mesh mesh_;
 };
 
-Mesh read_checked(const std::string& path) {
+bool is_stl(const std::string& path) {
+  constexpr std::string_view kStl = ".stl";
+  const auto lower = [](char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c | 32 : c); };
+  return path.size() >= kStl.size() &&
+         std::ranges::equal(std::string_view(path).substr(path.size() - kStl.size()), kStl, {},
+                            lower);
+}
+
+Mesh read_checked(const std::string& path, bool with_normals) {
   Assimp::Importer importer;
   const aiScene& scene = import_scene(importer, path);
-  MeshBuilder builder(path);
+  MeshBuilder builder(path, with_normals && !is_stl(path));
   for (const Node& node : nodes_in_order(scene)) builder.add(scene, node);
   return std::move(builder).take();
 }
@@ -305,6 +334,34 @@ bool bounds_solids(const Mesh& mesh, std::size_t first_face, std::size_t end_fac
   return edges_pair_up(faces) && volumes_are_positive(faces);
 }
 
+// ---- Normals ---------------------------------------------------------------------------
+
+/// Between the sides that meet in the corner; 0 if one has no length.
+double angle_at(const Point3& corner, const Point3& before, const Point3& after) {
+  const Point3 a = before - corner, b = after - corner;
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+/// Of the faces' vertices made one: the sum of the normals of the faces around each, times their
+/// angles there.
+std::vector<Point3> angle_weighted_normals(const WeldedFaces& faces) {
+  std::vector<Point3> sum(faces.vertices.size(), Point3(0.0));
+  std::vector<Point3> polygon;
+  for (std::size_t i = 0; i < faces.faces(); ++i) {
+    const auto face = faces.face(i);
+    polygon.clear();
+    for (const std::uint32_t v : face) polygon.push_back(faces.vertices[v]);
+    const Point3 normal = newell_normal(polygon);
+    if (normal == Point3(0.0)) continue;
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const Point3& before = polygon[k == 0 ? face.size() - 1 : k - 1];
+      const Point3& after = polygon[k + 1 == face.size() ? 0 : k + 1];
+      sum[face[k]] += angle_at(polygon[k], before, after) * unit(normal);
+    }
+  }
+  return sum;
+}
+
 // ---- Entering --------------------------------------------------------------------------
 
 constexpr Colour kNeutral(0.87, 0.85, 0.81);
@@ -337,26 +394,42 @@ std::int64_t name_after_all_in_use(const DisplayFile& display_file) {
 }
 
 void enter_object(const Mesh& mesh, const Mesh::Object& object, GraphicsSystem& system) {
-  std::vector<Point3> polygon;
+  std::vector<Point3> polygon, normals;
   for (std::size_t i = object.first_face; i < object.first_face + object.faces; ++i) {
     polygon.clear();
     for (const std::uint32_t corner : mesh.face(i)) polygon.push_back(mesh.vertices[corner]);
+    if (!mesh.normals.empty()) {
+      normals.clear();
+      for (const std::uint32_t corner : mesh.face(i)) normals.push_back(mesh.normals[corner]);
+      system.set_vertex_normals(normals);
+    }
     system.polygon_abs_3(polygon);
   }
 }
 
 }  // namespace
 
-Mesh read_mesh(const std::string& path) {
+Mesh read_mesh(const std::string& path, bool with_normals) {
   check_mesh_file(path);
   try {
-    return read_checked(path);
+    return read_checked(path, with_normals);
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {
     throw Error(fmt::format("{}: not enough memory for the mesh", path));
   } catch (const std::exception& e) {  // what an importer of the library let through
     throw Error(fmt::format("{}: not a mesh that can be read: {}", path, e.what()));
+  }
+}
+
+void complete_normals(Mesh& mesh) {
+  mesh.normals.resize(mesh.vertices.size(), Point3(0.0));
+  const auto is_missing = [&](std::uint32_t v) { return mesh.normals[v] == Point3(0.0); };
+  if (std::ranges::none_of(mesh.corners, is_missing)) return;
+  const WeldedFaces faces = weld(mesh, 0, mesh.faces());
+  const std::vector<Point3> around = angle_weighted_normals(faces);
+  for (std::size_t k = 0; k < mesh.corners.size(); ++k) {
+    if (is_missing(mesh.corners[k])) mesh.normals[mesh.corners[k]] = around[faces.corners[k]];
   }
 }
 
@@ -395,7 +468,9 @@ Mesh::Skipped import_meshes(std::span<const std::string> paths, GraphicsSystem& 
   std::int64_t name = name_after_all_in_use(system.display_file());
   std::int64_t end = name;
   for (const std::string& path : paths) {
-    meshes.push_back(read_mesh(path));
+    const bool smooth = system.shading() == Shading::gouraud;
+    meshes.push_back(read_mesh(path, smooth));
+    if (smooth) complete_normals(meshes.back());
     require_free_names(meshes.back(), system, end);
     end += static_cast<std::int64_t>(meshes.back().objects.size());
   }

@@ -26,6 +26,7 @@ struct Mesh {
 
   std::vector<Object> objects;  ///< in the order of the faces; each has some
   std::vector<Point3> vertices;
+  std::vector<Point3> normals;  ///< of the vertices, any length, zero if not known; or none at all
   std::vector<std::uint32_t> corners;     ///< indices into vertices, face after face
   std::vector<std::size_t> first_corner;  ///< of each face; one more at the end
   Skipped skipped;
@@ -41,18 +42,29 @@ struct Mesh {
 /// rounded to single precision, as Assimp keeps them. Throws Error, naming the file and, where
 /// known, line and column: unreadable, unknown format, truncated, an index out of range, a
 /// coordinate that is not finite, more announced than the file can hold, no faces.
-Mesh read_mesh(const std::string& path);
+///
+/// Normals of vertices are read only if they are wanted, and not from STL files, which have those
+/// of facets.
+Mesh read_mesh(const std::string& path, bool with_normals = false);
+
+/// Gives each vertex that has no normal the mean of the faces around it, weighted by their angles
+/// there; vertices of equal position are one. Zero is left where they have none. Thürmer and
+/// Wüthrich, "Computing vertex normals from polygonal facets", J. Graphics Tools 3 (1998).
+void complete_normals(Mesh& mesh);
 
 /// True if the mesh bounds solids and turns its light faces out: in each object by itself, or
 /// else in all taken together, every edge is used exactly twice, once in each direction (vertices
 /// of equal position are the same), and every connected part encloses a positive volume.
 bool closed_and_consistently_oriented(const Mesh& mesh);
 
-/// One segment an object, named first_segment_name and up, in the view and the styles in force.
+/// One segment an object, named first_segment_name and up, in the view and the styles in force. The
+/// normals of the vertices, if the mesh has any, are set for each face.
 /// Throws Error if a segment is open or one of the names is in use; then nothing was entered.
 void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name);
 
-/// Reads meshes and enters them, in segments named from the first number that follows all in use.
+/// Reads meshes and enters them, in segments named from the first number that follows all in use;
+/// where Gouraud shading is in force, with normals of the vertices, from the file or else
+/// completed.
 ///
 /// If no view was set before, they are bare: they get a fitted camera and light (fitted_view.h)
 /// for a picture of the given aspect ratio, width over height; a new modelling transformation;

@@ -47,6 +47,11 @@ void RetainedPrimitives::add(const RetainedScene::Segment& segment) {
   points_.insert(points_.end(), segment.points.begin(), segment.points.end());
   edge_visible_.insert(edge_visible_.end(), segment.edge_visible.begin(),
                        segment.edge_visible.end());
+  if (!segment.vertex_normals.empty()) {
+    vertex_normals_.resize(before, Point3(0.0));
+    vertex_normals_.insert(vertex_normals_.end(), segment.vertex_normals.begin(),
+                           segment.vertex_normals.end());
+  }
   for (RetainedScene::Primitive primitive : segment.primitives) {
     const Attributes& attributes = segment.attributes[primitive.attributes];
     primitive.first += before;

@@ -32,6 +32,12 @@ class RetainedPrimitives {
   std::span<const std::uint8_t> edge_visible(std::size_t i) const {
     return std::span(edge_visible_).subspan(primitives_[i].first, primitives_[i].sides);
   }
+  /// Empty unless the polygon is shaded smoothly.
+  std::span<const Point3> vertex_normals(std::size_t i) const {
+    const std::size_t first = primitives_[i].first, end = first + primitives_[i].sides;
+    if (end > vertex_normals_.size() || vertex_normals_[first] == Point3(0.0)) return {};
+    return std::span(vertex_normals_).subspan(first, primitives_[i].sides);
+  }
   const Attributes& attributes(std::size_t i) const {
     return segments_[segment_of_[i]].attributes[primitives_[i].attributes];
   }
@@ -48,6 +54,7 @@ class RetainedPrimitives {
  private:
   std::vector<Point3> points_;
   std::vector<std::uint8_t> edge_visible_;
+  std::vector<Point3> vertex_normals_;  // up to those of the last polygon that has some
   std::vector<RetainedScene::Primitive> primitives_;  // points counted over all segments
   std::vector<std::uint32_t> segment_of_;             // the primitives' segments
   std::vector<Segment> segments_;

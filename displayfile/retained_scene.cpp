@@ -6,7 +6,7 @@
 namespace displayfile {
 
 void RetainedScene::open_segment(int name, const View& view) {
-  segments_.push_back({name, view, {}, {}, {}, {}});
+  segments_.push_back({name, view, {}, {}, {}, {}, {}});
 }
 
 void RetainedScene::remove(int name) {
@@ -21,8 +21,13 @@ void RetainedScene::rename(int from, int to) {
 void RetainedScene::enter_polygon(std::span<const Point3> world,
                                   std::span<const std::uint8_t> edge_visible,
                                   const Attributes& attributes, const Point3& normal,
-                                  std::int32_t pick) {
+                                  std::span<const Point3> vertex_normals, std::int32_t pick) {
   enter(world, edge_visible, attributes, normal, pick);
+  if (vertex_normals.empty() || segments_.empty()) return;
+  Segment& segment = segments_.back();
+  segment.vertex_normals.resize(segment.points.size() - world.size(), Point3(0.0));
+  segment.vertex_normals.insert(segment.vertex_normals.end(), vertex_normals.begin(),
+                                vertex_normals.end());
 }
 
 void RetainedScene::enter_line(const Point3& from, const Point3& to, const Attributes& attributes) {

@@ -38,6 +38,8 @@ class RetainedScene {
     View view;  ///< in which the application drew it
     std::vector<Point3> points;
     std::vector<std::uint8_t> edge_visible;  ///< of the side that ends at the point
+    /// Of the points of polygons that are shaded smoothly, zero of others; empty if there are none.
+    std::vector<Point3> vertex_normals;
     std::vector<Primitive> primitives;
     std::vector<Attributes> attributes;
   };
@@ -51,9 +53,11 @@ class RetainedScene {
   void remove(int name);
   void remove_all() { segments_.clear(); }
   void rename(int from, int to);
-  /// Into the segment opened last. edge_visible is empty if all sides are.
+  /// Into the segment opened last. edge_visible is empty if all sides are; vertex_normals unless
+  /// the polygon is shaded smoothly.
   void enter_polygon(std::span<const Point3> world, std::span<const std::uint8_t> edge_visible,
-                     const Attributes& attributes, const Point3& normal, std::int32_t pick);
+                     const Attributes& attributes, const Point3& normal,
+                     std::span<const Point3> vertex_normals, std::int32_t pick);
   void enter_line(const Point3& from, const Point3& to, const Attributes& attributes);
 
  private:

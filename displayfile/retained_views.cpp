@@ -11,6 +11,7 @@
 
 #include "clip/clip_pipeline.h"
 #include "clip/error.h"
+#include "displayfile/intensity_plane.h"
 #include "displayfile/retained_primitives.h"
 #include "displayfile/view_rounding.h"
 #include "displayfile/viewed_primitives.h"
@@ -88,7 +89,7 @@ class RetainedViews::Part {
           segment.set_style(viewed_.fill(i));
           segment.set_style(world_.attributes(i).line);
           segment.set_pick(world_[i].pick);
-          segment.enter_polygon(points, viewed_.edge_visible(i));
+          segment.enter_polygon(points, viewed_.edge_visible(i), viewed_.intensities(i));
         }
       }
       segment.close();
@@ -121,7 +122,8 @@ class RetainedViews::Part {
         out.enter_segment(*segment);
       }
       if (piece.first == SortedPiece::kWhole) {
-        send_to_df(primitive, viewed_.points(primitive), viewed_.edge_visible(primitive), out);
+        send_to_df(primitive, viewed_.points(primitive), viewed_.edge_visible(primitive),
+                   viewed_.intensities(primitive), out);
       } else {
         send_clipped_to_df(primitive, piece, pipeline, out);
       }
@@ -138,20 +140,33 @@ class RetainedViews::Part {
       Point3 ends[2];
       const bool drawn = world_.attributes(primitive).line.kind != LineStyle::Kind::none;
       if (drawn && pipeline.clip_line(world[0], world[1], ends[0], ends[1])) {
-        send_to_df(primitive, ends, {}, out);
+        send_to_df(primitive, ends, {}, {}, out);
       }
       return;
     }
     const ClippedPolygon clipped =
         pipeline.clip_polygon(world, std::span(sorted.visible).subspan(piece.first, piece.sides));
     if (clipped.vertices.size() >= 3) {
-      send_to_df(primitive, clipped.vertices, clipped.edge_visible, out);
+      send_to_df(primitive, clipped.vertices, clipped.edge_visible,
+                 intensities_of_piece(primitive, clipped.vertices), out);
     }
+  }
+
+  /// A piece of a shaded polygon lies in the picture of the whole one.
+  std::span<const double> intensities_of_piece(std::uint32_t primitive,
+                                               std::span<const Point3> piece) {
+    const auto of_whole = viewed_.intensities(primitive);
+    if (of_whole.empty()) return {};
+    const IntensityPlane plane(viewed_.points(primitive), of_whole);
+    intensities_.clear();
+    for (const Point3& p : piece) intensities_.push_back(plane.at(p));
+    return intensities_;
   }
 
   /// Algorithms 9.17 and 9.18: the instructions enter a style only where it changes.
   void send_to_df(std::uint32_t primitive, std::span<const Point3> points,
-                  std::span<const std::uint8_t> visible, Instructions& out) {
+                  std::span<const std::uint8_t> visible, std::span<const double> intensities,
+                  Instructions& out) {
     points = as_sorted(points);
     if (points.size() == 2) {
       out.set_style(world_.attributes(primitive).line);
@@ -161,7 +176,7 @@ class RetainedViews::Part {
     out.set_style(viewed_.fill(primitive));
     out.set_style(world_.attributes(primitive).line);
     out.set_pick(world_[primitive].pick);
-    out.enter_polygon(points, visible);
+    out.enter_polygon(points, visible, intensities);
   }
 
   /// Segments that are sorted together keep points after the image transformation, one by itself
@@ -182,6 +197,7 @@ class RetainedViews::Part {
   MovingEye moving_eye_;
   ViewedPrimitives viewed_;
   std::vector<Point3> moved_;
+  std::vector<double> intensities_;  // of one piece
 };
 
 RetainedViews::RetainedViews(const RetainedScene& scene, const DisplayFile& attributes,

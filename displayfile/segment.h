@@ -40,8 +40,9 @@ class Segment {
   void set_style(const LineStyle& line) { writable().set_style(line); }
   void set_pick(std::int32_t id) { writable().set_pick(id); }
   void enter_line(const Point3& from, const Point3& to) { writable().enter_line(from, to); }
-  void enter_polygon(std::span<const Point3> vertices, std::span<const std::uint8_t> edge_visible) {
-    writable().enter_polygon(vertices, edge_visible);
+  void enter_polygon(std::span<const Point3> vertices, std::span<const std::uint8_t> edge_visible,
+                     std::span<const double> intensities = {}) {
+    writable().enter_polygon(vertices, edge_visible, intensities);
   }
   /// No more instructions are to come: copies may share them.
   void close() { closed_ = true; }

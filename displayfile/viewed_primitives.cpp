@@ -1,5 +1,7 @@
 #include "displayfile/viewed_primitives.h"
 
+#include <optional>
+
 #include "clip/back_face.h"
 #include "displayfile/lighting.h"
 
@@ -9,6 +11,7 @@ void ViewedPrimitives::view(const RetainedPrimitives& world, ClipPipeline& pipel
                             const glm::dmat3& lights_turned) {
   points_.clear();
   edge_visible_.clear();
+  intensities_.clear();
   viewed_.assign(world.size(), {});
   for (std::size_t i = 0; i < world.size(); ++i) {
     viewed_[i].first = points_.size();
@@ -34,16 +37,27 @@ void ViewedPrimitives::view_line(std::span<const Point3> world, const ClipPipeli
 void ViewedPrimitives::view_polygon(const RetainedPrimitives& world, std::size_t i,
                                     ClipPipeline& pipeline, const glm::dmat3& lights_turned,
                                     Viewed& viewed) {
-  const ClippedPolygon clipped = pipeline.clip_polygon(world.points(i), world.edge_visible(i));
-  if (clipped.vertices.size() < 3) return;
   const RetainedScene::Attributes& attributes = world.attributes(i);
+  std::optional<Light> light = attributes.light;
+  if (light) light->toward = lights_turned * light->toward;
+  const std::span<const Point3> normals = world.vertex_normals(i);
+  const bool smooth = light && !normals.empty();
+  ClippedPolygon clipped =
+      smooth ? lighting_.clip(pipeline, world.points(i), world.edge_visible(i), normals, *light)
+             : pipeline.clip_polygon(world.points(i), world.edge_visible(i));
+  if (clipped.vertices.size() < 3) return;
   const double c = newell_c(clipped.vertices);
   if (attributes.back_face_removal && c <= 0.0) return;
   viewed.fill = attributes.fill;
-  if (attributes.light) {
-    Light light = *attributes.light;
-    light.toward = lights_turned * light.toward;
-    viewed.fill = lit(attributes.fill, light, world[i].normal, c < 0.0);
+  if (smooth) {
+    viewed.fill = shaded_fill(attributes.fill, clipped);
+  } else if (light) {
+    viewed.fill = lit(attributes.fill, *light, world[i].normal, c < 0.0);
+  }
+  viewed.shaded = !clipped.intensities.empty();
+  if (viewed.shaded) {
+    intensities_.resize(points_.size());
+    intensities_.insert(intensities_.end(), clipped.intensities.begin(), clipped.intensities.end());
   }
   points_.insert(points_.end(), clipped.vertices.begin(), clipped.vertices.end());
   edge_visible_.insert(edge_visible_.end(), clipped.edge_visible.begin(),

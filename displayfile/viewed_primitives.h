@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "clip/clip_pipeline.h"
+#include "displayfile/gouraud.h"
 #include "displayfile/retained_primitives.h"
 #include "displayfile/style.h"
 
@@ -27,6 +28,11 @@ class ViewedPrimitives {
   std::span<const std::uint8_t> edge_visible(std::size_t i) const {
     return std::span(edge_visible_).subspan(viewed_[i].first, viewed_[i].sides);
   }
+  /// Empty unless the polygon is shaded smoothly.
+  std::span<const double> intensities(std::size_t i) const {
+    const auto& [first, sides, fill, shaded] = viewed_[i];
+    return shaded ? std::span(intensities_).subspan(first, sides) : std::span<const double>();
+  }
   const FillStyle& fill(std::size_t i) const { return viewed_[i].fill; }  ///< lit
   std::size_t points() const { return points_.size(); }                   ///< of all
 
@@ -35,6 +41,7 @@ class ViewedPrimitives {
     std::size_t first = 0;
     std::size_t sides = 0;
     FillStyle fill;
+    bool shaded = false;
   };
   void view_line(std::span<const Point3> world, const ClipPipeline& pipeline, Viewed& viewed);
   void view_polygon(const RetainedPrimitives& world, std::size_t i, ClipPipeline& pipeline,
@@ -43,6 +50,8 @@ class ViewedPrimitives {
   std::vector<Viewed> viewed_;
   std::vector<Point3> points_;
   std::vector<std::uint8_t> edge_visible_;
+  std::vector<double> intensities_;  // up to those of the last polygon that has some
+  GouraudLighting lighting_;
 };
 
 }  // namespace displayfile

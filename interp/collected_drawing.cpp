@@ -60,7 +60,7 @@ class Collector : public OutputDevice {
     p.first = drawing_.vertices.size();
     p.size = static_cast<std::uint32_t>(polygon.vertices.size());
     p.segment = segment();
-    p.fill_style = index_of(polygon.fill, drawing_.fill_styles);
+    p.fill_style = index_of(even_fill(polygon), drawing_.fill_styles);
     p.line_style = index_of(polygon.line, drawing_.line_styles);
     p.pick = polygon.pick;
     drawing_.vertices.insert(drawing_.vertices.end(), polygon.vertices.begin(),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "hidden/support_plane.h"
 #include "interp/picture.h"
@@ -18,16 +19,20 @@ struct FillScene::Collector {
   FillStyle fill_style{};
   LineStyle style{};
   std::int32_t pick_id = -1;
+  std::span<const double> of_vertices{};  // of the polygon that follows
 
   void fill(const FillStyle& s) { fill_style = s; }
   void line_style(const LineStyle& s) { style = s; }
   void pick(int id) { pick_id = id; }
+  void intensities(std::span<const double> values) { of_vertices = values; }
   void move(const Point3&) {}
   void line(const Point3&) { scene.has_lines_ |= style.kind != LineStyle::Kind::none; }
   void polygon(std::span<const Point3> vertices, std::span<const std::int32_t>) {
     scene.has_lines_ |= style.kind != LineStyle::Kind::none;
-    if (fill_style.kind == FillStyle::Kind::solid) {
-      scene.enter(vertices, pixel_of(fill_style.colour), pick_id);
+    const auto shading = std::exchange(of_vertices, {});
+    if (fill_style.kind != FillStyle::Kind::solid) return;
+    if (scene.enter(vertices, pixel_of(fill_style.colour), pick_id) && !shading.empty()) {
+      scene.shade_last({fill_style.colour, IntensityPlane(vertices, shading)});
     }
   }
 };
@@ -41,9 +46,9 @@ FillScene::FillScene(const DisplayFile& display_file) : FillScene() {
   }
 }
 
-void FillScene::enter(std::span<const Point3> vertices, std::uint32_t colour, std::int32_t pick) {
+bool FillScene::enter(std::span<const Point3> vertices, std::uint32_t colour, std::int32_t pick) {
   const SupportVertices support = support_vertices(vertices);
-  if (support.edge_on) return;
+  if (support.edge_on) return false;
   const std::uint32_t first = begin_.back();
   vertices_.insert(vertices_.end(), vertices.begin(), vertices.end());
   for (const Point3& v : vertices) largest_depth_ = std::max(largest_depth_, std::abs(v.z));
@@ -52,6 +57,13 @@ void FillScene::enter(std::span<const Point3> vertices, std::uint32_t colour, st
   support_.push_back({first + p, first + q, first + r});
   colour_.push_back(colour);
   pick_.push_back(pick);
+  return true;
+}
+
+void FillScene::shade_last(const Shade& shade) {
+  shade_.resize(pick_.size() - 1, kFlat);
+  shade_.push_back(static_cast<std::uint32_t>(shades_.size()));
+  shades_.push_back(shade);
 }
 
 bool FillScene::is_of(const DisplayFile& display_file) const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "displayfile/display_file.h"
+#include "displayfile/intensity_plane.h"
 #include "hidden/plane.h"
 
 namespace displayfile {
@@ -40,7 +41,17 @@ class FillScene {
     return {vertices_[s[0]], vertices_[s[1]], vertices_[s[2]]};
   }
   std::uint32_t colour(Fill fill) const { return colour_[fill]; }  ///< as in Picture::pixels
-  std::int32_t pick(Fill fill) const { return pick_[fill]; }       ///< -1: the background
+  /// A fill whose colour is not the same everywhere, but multiplied by an intensity.
+  struct Shade {
+    Colour colour;
+    IntensityPlane intensity;
+  };
+  bool has_shades() const { return !shades_.empty(); }
+  /// Null if it is flat.
+  const Shade* shade(Fill fill) const {
+    return fill >= shade_.size() || shade_[fill] == kFlat ? nullptr : &shades_[shade_[fill]];
+  }
+  std::int32_t pick(Fill fill) const { return pick_[fill]; }  ///< -1: the background
 
   bool has_lines() const { return has_lines_; }  ///< or polygons with visible edges
 
@@ -55,13 +66,18 @@ class FillScene {
     ImageTransformation image;
     std::size_t codes;
   };
-  void enter(std::span<const Point3> vertices, std::uint32_t colour, std::int32_t pick);
+  static constexpr std::uint32_t kFlat = ~std::uint32_t{0};
+  /// False if it is edge-on and left out.
+  bool enter(std::span<const Point3> vertices, std::uint32_t colour, std::int32_t pick);
+  void shade_last(const Shade& shade);
 
   std::vector<Point3> vertices_;
   std::vector<std::uint32_t> begin_;  // of each fill's vertices, and the end
   std::vector<std::array<std::uint32_t, 3>> support_;
   std::vector<std::uint32_t> colour_;
   std::vector<std::int32_t> pick_;
+  std::vector<std::uint32_t> shade_;  // of the fills up to the last that has one: in shades_
+  std::vector<Shade> shades_;
   std::vector<Source> sources_;
   bool has_lines_ = false;
   double largest_depth_ = 0.0;

@@ -13,6 +13,7 @@ struct Interpretation {
   LineStyle style;
   std::int32_t pick_id = -1;
   Point3 pen{0.0};
+  std::span<const double> of_vertices{};  // of the polygon that follows
   bool in_segment = false;
 
   void segment(int name) {
@@ -32,15 +33,17 @@ struct Interpretation {
     style.gap = s.gap * line_scale;
   }
   void pick(int id) { pick_id = id; }
+  void intensities(std::span<const double> values) { of_vertices = values; }
   void move(const Point3& p) { pen = p; }
   void line(const Point3& p) {
     if (pass != Pass::fills && style.kind != LineStyle::Kind::none) device.line({pen, p, style});
     pen = p;
   }
   void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
-    const DrawnPolygon polygon{vertices, sides, fill_style, style, pick_id};
+    const DrawnPolygon polygon{vertices, sides, fill_style, style, pick_id, of_vertices};
     if (pass != Pass::lines && fill_style.kind == FillStyle::Kind::solid) device.fill(polygon);
     if (pass != Pass::fills && style.kind != LineStyle::Kind::none) device.edges(polygon);
+    of_vertices = {};
     pen = vertices.back();
   }
 };

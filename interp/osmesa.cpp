@@ -155,6 +155,7 @@ class ResidentTriangles {
  public:
   void upload(const TriangleList& list, const DepthMapping& mapping) {
     batches_ = list.batches;
+    shaded_ = list.shaded;
     triangles_ = list.vertices.size() / 3;
     if (triangles_ == 0) return;
     constexpr auto kMost = static_cast<std::size_t>(std::numeric_limits<GLsizei>::max());
@@ -186,6 +187,7 @@ class ResidentTriangles {
     glColorPointer(4, GL_UNSIGNED_BYTE, sizeof(ResidentVertex),
                    offset(paint == Paint::ids ? offsetof(ResidentVertex, id)
                                               : offsetof(ResidentVertex, colour)));
+    glShadeModel(shaded_ && paint == Paint::colours ? GL_SMOOTH : GL_FLAT);
     glDepthFunc(depth_test);
     for (const TriangleBatch& batch : batches_) {
       if (batch.rule == TriangleBatch::Rule::even_odd) {
@@ -224,6 +226,7 @@ class ResidentTriangles {
 
   GLuint buffer_ = 0;
   std::size_t triangles_ = 0;
+  bool shaded_ = false;
   std::vector<TriangleBatch> batches_;
 };
 
@@ -305,7 +308,6 @@ class OsmesaScene::Drawing {
  private:
   void set_state() const {
     glViewport(0, 0, request_.width, request_.height);
-    glShadeModel(GL_FLAT);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_DEPTH_CLAMP);  // what lines are moved by may exceed the room at the front
     glDisable(GL_DITHER);

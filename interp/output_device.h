@@ -4,6 +4,8 @@
 #include <span>
 
 #include "clip/point.h"
+#include "displayfile/intensity_plane.h"
+#include "displayfile/lighting.h"
 #include "displayfile/segment.h"
 
 namespace displayfile {
@@ -17,7 +19,17 @@ struct DrawnPolygon {
   const FillStyle& fill;
   const LineStyle& line;
   std::int32_t pick;
+  /// Of the vertices of a shaded polygon, which was cut from one triangle: the fill colour is to be
+  /// multiplied by the intensity, linear over the picture. Empty if the polygon is flat.
+  std::span<const double> intensities = {};
 };
+
+/// For a device that fills a polygon with one colour: a shaded one gets the mean of its
+/// intensities.
+inline FillStyle even_fill(const DrawnPolygon& polygon) {
+  if (polygon.intensities.empty()) return polygon.fill;
+  return lit(polygon.fill, mean_intensity(polygon.intensities));
+}
 
 /// A line as the interpreter meets it; never in line style none.
 struct DrawnLine {

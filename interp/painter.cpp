@@ -9,7 +9,7 @@ void Painter::fill(const DrawnPolygon& polygon) {
   if (rows.first == rows.end) return;
   const SupportVertices support = support_vertices(polygon.vertices);
   if (support.edge_on) return;
-  const std::uint32_t colour = pixel_of(polygon.fill.colour);
+  const FillColour colour(polygon, band_.size());
   std::vector<double>& depths = band_.picture.depth;
   std::optional<PixelDepth> depth;
   if (!depths.empty()) {

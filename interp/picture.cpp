@@ -13,9 +13,4 @@ void require_picture_size(long long width, long long height) {
   }
 }
 
-std::uint32_t pixel_of(const Colour& colour) {
-  const auto byte = [](double c) { return static_cast<std::uint32_t>(c * 255.0 + 0.5); };
-  return 0xFF000000u | byte(colour.b) << 16 | byte(colour.g) << 8 | byte(colour.r);
-}
-
 }  // namespace displayfile

@@ -38,7 +38,10 @@ struct RasterRequest {
 };
 
 /// A colour as a pixel: each component rounded to the nearest of 0 to 255.
-std::uint32_t pixel_of(const Colour& colour);
+inline std::uint32_t pixel_of(const Colour& colour) {
+  const auto byte = [](double c) { return static_cast<std::uint32_t>(c * 255.0 + 0.5); };
+  return 0xFF000000u | byte(colour.b) << 16 | byte(colour.g) << 8 | byte(colour.r);
+}
 
 /// The limits of a picture's size that the devices state and keep.
 inline constexpr int kLargestSide = 65535;

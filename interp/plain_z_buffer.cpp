@@ -59,7 +59,7 @@ class PlainZBuffer : public OutputDevice {
       : picture_(picture), ids_(ids), depth_(picture.pixels.size(), Depth::kFarthest) {}
 
   void fill(const DrawnPolygon& polygon) override {
-    const std::uint32_t colour = pixel_of(polygon.fill.colour);
+    const std::uint32_t colour = pixel_of(even_fill(polygon).colour);
     make_edge_table(polygon.vertices);
     active_.clear();
     std::size_t next = 0;

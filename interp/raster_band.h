@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "interp/picture.h"
+#include "interp/pixel_shade.h"
 #include "interp/scan_convert.h"
 
 namespace displayfile {
@@ -35,8 +36,10 @@ struct RasterBand {
            static_cast<std::size_t>(column);
   }
   /// Columns first <= i < end of a row.
-  void paint(int row, int first, int end, std::uint32_t colour, std::int32_t pick) {
-    std::fill_n(picture.pixels.data() + index(row, first), end - first, colour);
+  void paint(int row, int first, int end, const FillColour& colour, std::int32_t pick) {
+    colour.paint(
+        row, first,
+        {picture.pixels.data() + index(row, first), static_cast<std::size_t>(end - first)});
     if (!picture.ids.empty()) {
       std::fill_n(picture.ids.data() + index(row, first), end - first, pick);
     }

@@ -11,6 +11,7 @@
 #include "interp/line_painter.h"
 #include "interp/painter.h"
 #include "interp/pixel_depth.h"
+#include "interp/pixel_shade.h"
 #include "interp/raster_band.h"
 #include "interp/sorted_painter.h"
 
@@ -72,6 +73,7 @@ class FillsShown {
     for (std::size_t i = 0; i < seen.size(); ++i) {
       picture.pixels[start + i] = scene_.colour(seen[i]);
     }
+    if (scene_.has_shades()) shade(row, first, seen);
     if (!picture.ids.empty()) {
       for (std::size_t i = 0; i < seen.size(); ++i) picture.ids[start + i] = scene_.pick(seen[i]);
     }
@@ -79,6 +81,18 @@ class FillsShown {
   }
 
  private:
+  /// Along each run of a shaded fill.
+  void shade(int row, int first, std::span<const Fill> seen) {
+    const std::span pixels(band_.picture.pixels.data() + band_.index(row, first), seen.size());
+    for (std::size_t i = 0, end = 0; i < seen.size(); i = end) {
+      while (end < seen.size() && seen[end] == seen[i]) ++end;
+      const FillScene::Shade* const shade = scene_.shade(seen[i]);
+      if (shade == nullptr) continue;
+      const PixelShade of_fill(shade->colour, shade->intensity, band_.size());
+      of_fill.paint(row, first + static_cast<int>(i), pixels.subspan(i, end - i));
+    }
+  }
+
   void show_depth(int row, int first, std::span<const Fill> seen) {
     double* depths = band_.picture.depth.data() + band_.index(row, first);
     for (std::size_t i = 0; i < seen.size(); ++i) {

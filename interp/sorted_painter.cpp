@@ -20,9 +20,7 @@ class EnteredFills : public OutputDevice {
     nearest_.begin_layer(display_file_.segment(name).sorted() ? NearestAtCentres::Layer::nearest
                                                               : NearestAtCentres::Layer::painted);
   }
-  void fill(const DrawnPolygon& polygon) override {
-    nearest_.enter(polygon.vertices, pixel_of(polygon.fill.colour), polygon.pick);
-  }
+  void fill(const DrawnPolygon& polygon) override { nearest_.enter(polygon); }
   void edges(const DrawnPolygon&) override {}
   void line(const DrawnLine&) override {}
 
@@ -101,7 +99,7 @@ void SortedPainter::fill(const DrawnPolygon& polygon) {
   } else if (support_vertices(polygon.vertices).edge_on) {
     return;
   }
-  const std::uint32_t colour = pixel_of(polygon.fill.colour);
+  const FillColour colour(polygon, band_.size());
   converter_.scan(
       [&](int row, int first, int end) {
         band_.paint(row, first, end, colour, polygon.pick);
@@ -121,7 +119,7 @@ std::size_t SortedPainter::decide_centres() {
       const std::size_t at = band_.index(row, column);
       if (!picture.ids.empty()) picture.ids[at] = seen ? seen->pick : -1;
       if (lines_on_top_.contains(row, column)) return;
-      picture.pixels[at] = seen ? seen->colour : kBackgroundPixel;
+      picture.pixels[at] = seen ? seen->colour.at(row, column) : kBackgroundPixel;
     });
   }
   if (!picture.depth.empty()) show_depth_of_whole_polygons();

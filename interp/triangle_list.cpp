@@ -146,7 +146,16 @@ class TriangleCollector final : public OutputDevice {
         }
       }
     }
-    enter(pixel_of(polygon.fill.colour), polygon.pick);
+    if (polygon.intensities.empty()) {
+      enter(polygon.pick,
+            [colour = pixel_of(polygon.fill.colour)](const Point3&) { return colour; });
+      return;
+    }
+    list_.shaded = true;
+    enter(polygon.pick,
+          [&, plane = IntensityPlane(polygon.vertices, polygon.intensities)](const Point3& p) {
+            return pixel_of(polygon.fill.colour * plane.at(p));
+          });
   }
 
   void edges(const DrawnPolygon& polygon) override {
@@ -195,7 +204,7 @@ class TriangleCollector final : public OutputDevice {
     const auto piece = [&](double u0, double u1) {
       points_.assign(
           {line.corner(u0, -1), line.corner(u1, -1), line.corner(u1, 1), line.corner(u0, 1)});
-      enter(colour, -1);
+      enter(-1, [&](const Point3&) { return colour; });
     };
     const double period = style.dash + style.gap;
     constexpr double kShortestPeriod = 0.125;  // pixels; a finer pattern cannot be seen
@@ -217,8 +226,10 @@ class TriangleCollector final : public OutputDevice {
     }
   }
 
-  /// Enters the polygon in points_, clipped to the picture.
-  void enter(std::uint32_t colour, std::int32_t id) {
+  /// Enters the polygon in points_, clipped to the picture; colour_at(vertex) is as in
+  /// Picture::pixels.
+  template <class ColourAt>
+  void enter(std::int32_t id, ColourAt&& colour_at) {
     if (!in_picture(points_)) {
       clip(0, 0.0, 1.0);
       clip(0, 1.0, -1.0);
@@ -234,7 +245,7 @@ class TriangleCollector final : public OutputDevice {
     }
     const auto add = [&](const Point3& p) {
       list_.vertices.push_back({static_cast<float>(2.0 * p.x - 1.0),
-                                static_cast<float>(1.0 - 2.0 * p.y), p.z, colour, id});
+                                static_cast<float>(1.0 - 2.0 * p.y), p.z, colour_at(p), id});
     };
     for (std::size_t i = 2; i < points_.size(); ++i) {
       add(points_[0]);

@@ -31,14 +31,16 @@ struct TriangleBatch {
 /// A display file as triangles, for a device that knows only these. Their order is that of
 /// the instructions, and a batch is cut only by a polygon that is not convex.
 ///
-/// Fills lie in their support planes (hidden/support_plane.h): the other vertices of a polygon
-/// are moved along z on to it. A line is a parallelogram, cut upright if it is flat and level
-/// if it is steep, of the shape that draw_line (interp/line_draw.h) fills, so that width 1 gives
-/// one pixel a column or row; a polygon's edge lies in the polygon's plane. All is clipped to
-/// the picture in doubles, so that OpenGL need not clip.
+/// Of a shaded polygon each vertex has its own colour, of any other all have the same. Fills lie in
+/// their support planes (hidden/support_plane.h): the other vertices of a polygon are moved along z
+/// on to it. A line is a parallelogram, cut upright if it is flat and level if it is steep, of the
+/// shape that draw_line (interp/line_draw.h) fills, so that width 1 gives one pixel a column or
+/// row; a polygon's edge lies in the polygon's plane. All is clipped to the picture in doubles, so
+/// that OpenGL need not clip.
 struct TriangleList {
   std::vector<TriangleVertex> vertices;
   std::vector<TriangleBatch> batches;
+  bool shaded = false;  ///< some triangle's colours differ: linear between its vertices
   /// Of the vertices; z_min > z_max if there are none.
   double z_min = std::numeric_limits<double>::infinity();
   double z_max = -std::numeric_limits<double>::infinity();

@@ -128,15 +128,15 @@ ScanConverter::Region NearestAtCentres::rows_with_centres(std::span<const Point3
   return {size_, rows.first, rows.end};
 }
 
-void NearestAtCentres::enter(std::span<const Point3> polygon, std::uint32_t colour,
-                             std::int32_t pick) {
+void NearestAtCentres::enter(const DrawnPolygon& drawn) {
+  const std::span<const Point3> polygon = drawn.vertices;
   const ScanConverter::Region region = rows_with_centres(polygon);
   if (region.row_begin >= region.row_end) return;
   const SupportVertices support = support_vertices(polygon);
   if (support.edge_on) return;
   const Seen seen{
       Plane(polygon[support.index[0]], polygon[support.index[1]], polygon[support.index[2]]),
-      colour, pick};
+      FillColour(drawn, size_), drawn.pick};
   Owner own = kNone;
   compared_ = kNone;
   converter_.scan_convert(polygon, region, [&](int row, int first, int end) {

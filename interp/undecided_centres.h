@@ -6,7 +6,9 @@
 
 #include "clip/point.h"
 #include "hidden/plane.h"
+#include "interp/output_device.h"
 #include "interp/pixel_set.h"
+#include "interp/pixel_shade.h"
 #include "interp/scan_convert.h"
 
 namespace displayfile {
@@ -32,7 +34,7 @@ class NearestAtCentres {
  public:
   struct Seen {
     Plane plane;
-    std::uint32_t colour;
+    FillColour colour;
     std::int32_t pick;
   };
   /// Of polygons of one layer covering a centre, which is seen.
@@ -46,8 +48,7 @@ class NearestAtCentres {
   /// The polygons that follow, until the next layer begins, cover those before.
   void begin_layer(Layer layer);
 
-  /// Enters a polygon in device coordinates; colour as in Picture::pixels.
-  void enter(std::span<const Point3> polygon, std::uint32_t colour, std::int32_t pick);
+  void enter(const DrawnPolygon& polygon);
 
   /// Calls show(row, column, seen) for each centre; seen is null if no polygon covers it.
   template <class Show>

@@ -80,7 +80,7 @@ void VectorDevice::paint_inside(const DrawnPolygon& polygon, std::span<const Pix
     clip_polygon_to_neighbourhood();
     if (path_.points.size() < 3) return;
   }
-  paint_fill(path_, polygon.fill.colour, !edges_cover_seams(polygon), within);
+  paint_fill(path_, even_fill(polygon).colour, !edges_cover_seams(polygon), within);
 }
 
 /// Sutherland and Hodgman against the four sides; what it adds along them is out of sight.

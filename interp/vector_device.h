@@ -25,7 +25,8 @@ inline constexpr double kSeamWidth = 0.75;
 
 /// What the devices that draw lines and areas share: pixel coordinates with y down, from the
 /// picture's top left corner; nothing far outside of the picture; lines that continue each other
-/// joined into one path; seams closed.
+/// joined into one path; seams closed. A shaded polygon is filled evenly, in the mean of its
+/// intensities.
 class VectorDevice : public OutputDevice {
  public:
   /// Throws Error unless both sides are 1 to kLargestSide.

@@ -129,11 +129,12 @@ DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOpt
 
 int DrawCommand::run() const {
   if (turntable) {
-    draw_turntable(inputs, output, options, *turntable, stats);
+    draw_turntable(inputs, output, options, shading, *turntable, stats);
     return 0;
   }
   GraphicsSystem system;
   system.set_threads(options.threads);
+  system.set_shading(shading);
   DrawOptions drawing = options;
   enter_inputs(inputs, system, static_cast<double>(options.width) / options.height);
   if (!drawing.hidden && std::ranges::none_of(inputs, is_drawing_program)) {
@@ -238,6 +239,7 @@ int ImportCommand::run() const {
   for (const std::string& mesh : meshes) {
     if (is_drawing_program(mesh)) throw Error(mesh + " is a drawing program: expected a mesh");
   }
+  if (shading != Shading::flat) system.set_shading(shading);
   const Progress progress("importing " + meshes.front());
   const Mesh::Skipped skipped = import_meshes(meshes, system);
   file.commit();

@@ -16,8 +16,9 @@ struct DrawCommand {
   std::string output;
   DrawOptions options;
   bool stats = false;
-  bool explain = false;  ///< what `auto` picked, and why
-  std::optional<int> turntable;  ///< so many views of it (programs/turntable_command.h)
+  bool explain = false;             ///< what `auto` picked, and why
+  Shading shading = Shading::flat;  ///< that the inputs start with
+  std::optional<int> turntable;     ///< so many views of it (programs/turntable_command.h)
   int run() const;
 };
 
@@ -53,6 +54,7 @@ struct CompareCommand {
 
 struct ImportCommand {
   std::vector<std::string> meshes;
+  Shading shading = Shading::flat;  ///< gouraud: with normals of vertices
   std::string output;
   int run() const;
 };

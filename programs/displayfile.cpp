@@ -70,6 +70,9 @@ int run(int argc, char** argv) {
   DrawCommand draw;
   std::string size = "512x512", device = "software";
   std::optional<std::string> turntable;
+  std::string shading = "flat";
+  const char* const shading_words =
+      "flat, or gouraud for smooth meshes; what the inputs start with";
   HiddenSurfaceWords words;
   const int processors = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   draw.options.threads = processors;
@@ -97,6 +100,7 @@ int run(int argc, char** argv) {
   command->add_option("--turntable", turntable,
                       "N views, turned evenly all around the view-up axis, from one BSP tree: "
                       "OUT.png becomes OUT-000.png, OUT-001.png, ..., --ids and --depth likewise");
+  command->add_option("--shading", shading, shading_words)->capture_default_str();
   command->add_flag("--stats", draw.stats, "print what was drawn");
   command->callback([&] {
     parse_size(size, draw.options.width, draw.options.height);
@@ -108,6 +112,7 @@ int run(int argc, char** argv) {
       throw Error(fmt::format("--device {}: expected software or osmesa", device));
     }
     if (device == "osmesa") draw.options.device = RasterDevice::osmesa;
+    draw.shading = displayfile::shading(shading);
     if (turntable) draw.turntable = turntable_views(*turntable);
     chosen = [&] { return draw.run(); };
   });
@@ -166,7 +171,11 @@ int run(int argc, char** argv) {
   command = app.add_subcommand("import", "Write a drawing program from meshes");
   command->add_option("MESH", import.meshes)->required();
   command->add_option("-o,--output", import.output, "the drawing program, .draw")->required();
-  command->callback([&] { chosen = [&] { return import.run(); }; });
+  command->add_option("--shading", shading, shading_words)->capture_default_str();
+  command->callback([&] {
+    import.shading = displayfile::shading(shading);
+    chosen = [&] { return import.run(); };
+  });
 
   try {
     app.parse(argc, argv);

@@ -84,12 +84,13 @@ std::filesystem::path numbered(const std::filesystem::path& file, int number, in
 }
 
 void draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
-                    const DrawOptions& options, int views, bool stats) {
+                    const DrawOptions& options, Shading shading, int views, bool stats) {
   require_tree(options);
   require_all_drawable(output, options, views);
   GraphicsSystem system;
   RetainedScene scene;
   system.set_threads(options.threads);
+  system.set_shading(shading);
   system.retain(&scene);
   enter_inputs(inputs, system, static_cast<double>(options.width) / options.height);
   Turntable turntable(scene, system.display_file(), system.view());

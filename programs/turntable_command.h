@@ -17,10 +17,10 @@ int turntable_views(const std::string& text);
 ///
 /// The files are numbered: OUT-000.png, OUT-001.png and so on for OUT.png, and likewise the item
 /// buffers and depths of the options. Each appears whole or not at all, and none if one of them
-/// could not be written at the start. Throws Error for a hidden-surface method other than bsp, and if
-/// the segments were drawn in several views.
+/// could not be written at the start. Throws Error for a hidden-surface method other than bsp, and
+/// if the segments were drawn in several views.
 void draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
-                    const DrawOptions& options, int views, bool stats);
+                    const DrawOptions& options, Shading shading, int views, bool stats);
 
 /// The name of one of `views` files: with a number of three digits or more before the extension.
 std::filesystem::path numbered(const std::filesystem::path& file, int number, int views);

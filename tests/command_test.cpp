@@ -181,6 +181,22 @@ TEST_F(Command, ImportedMeshDrawsTheSamePicture) {
   EXPECT_EQ(run("compare a.txt b.txt"), 0);
 }
 
+TEST_F(Command, ShadingIsThatOfMeshesDrawnOrImported) {
+  write("m.obj",
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
+  EXPECT_EQ(run("draw m.obj -o flat.png --ids flat.npy"), 0) << err_;
+  EXPECT_EQ(run("draw m.obj -o a.png --ids a.npy --shading gouraud"), 0) << err_;
+  EXPECT_EQ(run("compare flat.png a.png"), 1);
+  EXPECT_EQ(run("compare flat.npy a.npy"), 0);
+  EXPECT_EQ(run("import m.obj -o m.draw --shading gouraud"), 0) << err_;
+  EXPECT_EQ(run("draw m.draw -o b.png"), 0) << err_;
+  EXPECT_EQ(run("compare a.png b.png"), 0);
+  EXPECT_EQ(run("draw m.obj -o v.png --shading gouraud --turntable 2"), 0) << err_;
+  EXPECT_EQ(run("draw m.obj -o f.png --turntable 2"), 0) << err_;
+  EXPECT_EQ(run("compare v-000.png f-000.png"), 1);
+  expect_error("draw m.obj -o a.png --shading phong", "shading is flat or gouraud, not 'phong'");
+}
+
 TEST_F(Command, HiddenMethodReplacesTheProgramsOwn) {
   write("t.draw",
         "set-window 0 1 0 1\nset-line-style none\nset-z-buffer on\nopen-segment 1\n"

@@ -87,7 +87,7 @@ class RandomApplication {
   }
 
   void call_primitive() {
-    switch (below(20)) {
+    switch (below(22)) {
       case 0: return system_.move_abs_3(coordinate(), coordinate(), coordinate());
       case 1: return system_.line_abs_3(coordinate(), coordinate(), coordinate());
       case 2: return system_.move_rel_3(coordinate(), coordinate(), coordinate());
@@ -103,6 +103,13 @@ class RandomApplication {
       case 12: return system_.set_line_style(line_style());
       case 13: return system_.set_light(point_3(), uniform(-0.05, 1));
       case 14: return system_.set_pick_id(static_cast<int>(below(1000)) - 10);
+      case 15: return system_.set_shading(chance(70) ? Shading::gouraud : Shading::flat);
+      case 16: return system_.set_vertex_normals(points<Point3>());
+      case 17: {
+        const auto vertices = points<Point3>();
+        system_.set_vertex_normals(std::vector<Point3>(vertices.size(), point_3()));
+        return system_.polygon_abs_3(vertices);
+      }
       default: return system_.polygon_abs_3(points<Point3>());
     }
   }
@@ -161,6 +168,7 @@ void expect_same_state(const GraphicsSystem& a, const GraphicsSystem& b) {
   EXPECT_EQ(a.back_face_removal(), b.back_face_removal());
   EXPECT_EQ(a.hidden_method(), b.hidden_method());
   EXPECT_EQ(a.z_buffer(), b.z_buffer());
+  EXPECT_EQ(a.shading(), b.shading());
   EXPECT_EQ(a.polygons_entered(), b.polygons_entered());
   EXPECT_EQ(a.polygons_triangulated(), b.polygons_triangulated());
   EXPECT_EQ(a.view_was_set(), b.view_was_set());
@@ -198,7 +206,7 @@ TEST(RecordReplay, RandomApplications) {
     instructions += static_cast<std::size_t>(std::ranges::count(expected, '\n'));
   }
   // The applications did something: every routine, and pictures of some size.
-  EXPECT_EQ(routines.size(), 46u);
+  EXPECT_EQ(routines.size(), 48u);
   EXPECT_GT(instructions, 100000u);
   EXPECT_GT(refused, 1000);
 }

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+
+#include "clip/intensity.h"
+#include "clip/point.h"
+
+namespace displayfile {
+
+/// The intensity over the picture of a polygon that was cut from one triangle: linear, as the depth
+/// of its plane is. Device coordinates.
+struct IntensityPlane {
+  double x0 = 0.0, y0 = 0.0, i0 = 0.0;  ///< a vertex and its intensity
+  double di_dx = 0.0, di_dy = 0.0;
+  double low = 0.0, high = 0.0;  ///< of the vertices: rounding leads nowhere else
+
+  IntensityPlane() = default;
+  /// Through the vertices that span the most (hidden/support_plane.h). If the polygon is edge-on,
+  /// or so nearly that doubles know no slope, the mean everywhere.
+  IntensityPlane(std::span<const Point3> device, std::span<const double> intensities);
+
+  double within(double intensity) const {
+    return intensity > low ? std::min(intensity, high) : low;  // low for NaN too
+  }
+  double at(const Point3& p) const { return within(i0 + di_dy * (p.y - y0) + di_dx * (p.x - x0)); }
+};
+
+}  // namespace displayfile

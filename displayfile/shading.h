@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string_view>
+
+namespace displayfile {
+
+/// How light is spread over a polygon.
+enum class Shading {
+  flat,     ///< one intensity a polygon
+  gouraud,  ///< one a vertex, linear over the picture of a triangle (displayfile/gouraud.md)
+};
+
+/// Reads `flat` or `gouraud`; throws Error for anything else.
+Shading shading(std::string_view text);
+std::string_view name_of(Shading shading);
+
+}  // namespace displayfile

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "displayfile/intensity_plane.h"
+#include "hidden/pixel_centre.h"
+#include "interp/output_device.h"
+#include "interp/picture.h"
+
+namespace displayfile {
+
+/// A shaded fill's colour over pixel coordinates: the intensity changes by as much from each column
+/// to the next, and from each row to the next, as depth does (interp/pixel_depth.h). A pixel's
+/// intensity is always the same expression of its centre, wherever a run begins: whoever asks gets
+/// the same colour.
+class PixelShade {
+ public:
+  PixelShade(const Colour& colour, const IntensityPlane& plane, const PictureSize& size)
+      : colour_(colour),
+        plane_(plane),
+        x0_(plane.x0 * size.width),
+        y0_(plane.y0 * size.height),
+        di_dx_(plane.di_dx / size.width),
+        di_dy_(plane.di_dy / size.height) {}
+
+  /// Columns first, first + 1, ... of a row, as in Picture::pixels.
+  void paint(int row, int first, std::span<std::uint32_t> pixels) const {
+    const double of_row = plane_.i0 + di_dy_ * (row + 0.5 - y0_);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      const double column = first + static_cast<int>(i) + 0.5 - x0_;
+      pixels[i] = pixel_of(colour_ * plane_.within(of_row + di_dx_ * column));
+    }
+  }
+  std::uint32_t at(int row, int column) const {
+    std::uint32_t pixel = 0;
+    paint(row, column, {&pixel, 1});
+    return pixel;
+  }
+
+ private:
+  Colour colour_;
+  IntensityPlane plane_;
+  double x0_, y0_, di_dx_, di_dy_;
+};
+
+/// What a polygon is filled with: one colour, or a shade.
+class FillColour {
+ public:
+  FillColour(const DrawnPolygon& polygon, const PictureSize& size) {
+    if (polygon.intensities.empty()) {
+      colour_ = pixel_of(polygon.fill.colour);
+    } else {
+      shade_.emplace(polygon.fill.colour, IntensityPlane(polygon.vertices, polygon.intensities),
+                     size);
+    }
+  }
+
+  /// As PixelShade::paint; so at().
+  void paint(int row, int first, std::span<std::uint32_t> pixels) const {
+    if (shade_) return shade_->paint(row, first, pixels);
+    std::ranges::fill(pixels, colour_);
+  }
+  std::uint32_t at(int row, int column) const { return shade_ ? shade_->at(row, column) : colour_; }
+
+ private:
+  std::uint32_t colour_ = 0;
+  std::optional<PixelShade> shade_;
+};
+
+}  // namespace displayfile

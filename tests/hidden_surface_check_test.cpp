@@ -564,6 +564,11 @@ TEST(SegmentCopies, ShareInstructionsUntilOneIsChanged) {
 
 TEST(DrawingMethod, AutomaticIsDepthSortForVectorsAndTheZBufferForPixels) {
   GraphicsSystem g;
+  g.set_line_style({LineStyle::Kind::none});
+  g.open_segment(1);
+  enter_square(g, 0.0, 0.5, 0.25);  // the second behind the first
+  enter_square(g, 0.25, 0.75, 0.0);
+  g.close_segment();
   EXPECT_EQ(drawing_method(g, {}, PictureKind::vector), HiddenMethod::none);
   g.set_hidden_line_removal(true);
   EXPECT_EQ(drawing_method(g, {}, PictureKind::vector), HiddenMethod::depth_sort);

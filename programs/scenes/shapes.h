@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hard/random.h"
-#include "hard/scene.h"
+#include "programs/scenes/random.h"
+#include "programs/scenes/scene.h"
 
 namespace displayfile {
 

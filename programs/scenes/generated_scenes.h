@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "hard/scene.h"
+#include "programs/scenes/scene.h"
 
 namespace displayfile {
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "hard/families.h"
-#include "hard/shapes.h"
+#include "programs/scenes/families.h"
+#include "programs/scenes/shapes.h"
 
 // Polygons that pass through each other.
 

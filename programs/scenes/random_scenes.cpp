@@ -1,6 +1,6 @@
-#include "hard/random_scenes.h"
+#include "programs/scenes/random_scenes.h"
 
-#include "hard/shapes.h"
+#include "programs/scenes/shapes.h"
 
 namespace displayfile {
 

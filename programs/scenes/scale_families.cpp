@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "hard/families.h"
-#include "hard/shapes.h"
+#include "programs/scenes/families.h"
+#include "programs/scenes/shapes.h"
 
 // Coordinates of unlike sizes: offsets, tiny and huge polygons, extreme views.
 

@@ -3,11 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "hard/scene.h"
+#include "programs/scenes/scene.h"
 
 namespace displayfile {
 
-// The generators of the hard cases, by file. hard/hard_cases.cpp says what each makes, and what its
+// The generators of the hard cases, by file. hard_cases.cpp says what each makes, and what its
 // size and severity mean.
 
 // coplanar_families.cpp: polygons that lie in one plane

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "hard/families.h"
-#include "hard/shapes.h"
+#include "programs/scenes/families.h"
+#include "programs/scenes/shapes.h"
 
 // Which pixels a polygon covers: edges and vertices at pixel centres, thin and tiny polygons.
 

@@ -4,11 +4,12 @@
 #include <string_view>
 
 #include "displayfile/mesh.h"
-#include "hard/scene.h"
+#include "programs/scenes/scene.h"
 
 namespace displayfile {
 
-/// From where a mesh is seen: the rows of the rotation that turns it before a parallel view along z.
+/// From where a mesh is seen: the rows of the rotation that turns it before a parallel view along
+/// z.
 struct MeshDirection {
   std::string_view name;
   Point3 right, up, toward;

@@ -1,4 +1,4 @@
-#include "hard/mesh_scenes.h"
+#include "programs/scenes/mesh_scenes.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

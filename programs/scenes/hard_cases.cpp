@@ -1,9 +1,9 @@
-#include "hard/hard_cases.h"
+#include "programs/scenes/hard_cases.h"
 
 #include <string>
 
 #include "clip/error.h"
-#include "hard/families.h"
+#include "programs/scenes/families.h"
 
 namespace displayfile {
 

@@ -1,4 +1,4 @@
-#include "hard/shapes.h"
+#include "programs/scenes/shapes.h"
 
 #include <algorithm>
 #include <cmath>

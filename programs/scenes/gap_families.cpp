@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "hard/families.h"
-#include "hard/shapes.h"
+#include "programs/scenes/families.h"
+#include "programs/scenes/shapes.h"
 
 // Polygons that are nearly in one plane: what separates them shrinks with the severity.
 

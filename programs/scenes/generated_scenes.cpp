@@ -1,10 +1,10 @@
-#include "hard/generated_scenes.h"
+#include "programs/scenes/generated_scenes.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "clip/error.h"
-#include "hard/shapes.h"
+#include "programs/scenes/shapes.h"
 
 namespace displayfile {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hard/scene.h"
+#include "programs/scenes/scene.h"
 
 namespace displayfile {
 

@@ -1,5 +1,5 @@
-#include "hard/families.h"
-#include "hard/shapes.h"
+#include "programs/scenes/families.h"
+#include "programs/scenes/shapes.h"
 
 // Polygons that are no simple convex shapes.
 

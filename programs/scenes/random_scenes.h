@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "hard/scene.h"
+#include "programs/scenes/scene.h"
 
 namespace displayfile {
 

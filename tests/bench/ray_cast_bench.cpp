@@ -15,11 +15,11 @@
 #include <string>
 #include <vector>
 
-#include "hard/generated_scenes.h"
 #include "interp/image_space.h"
+#include "programs/bench/side_by_side.h"
+#include "programs/scenes/generated_scenes.h"
 #include "tests/bench/device_scene.h"
 #include "tests/bench/embree_rays.h"
-#include "tests/bench/side_by_side.h"
 
 namespace displayfile::bench {
 namespace {

@@ -110,6 +110,36 @@ std::optional<Advice> plot_in_a_paper(const Report& report) {
   return advice;
 }
 
+/// Every view is a new one: nothing of a picture can be kept but what does not depend on the view.
+std::optional<Advice> game_level(const Report& report) {
+  const auto walks = names(report, BenchScene::Kind::walk);
+  if (walks.empty()) return std::nullopt;
+  const Rows rows{&shown_scene(report, walks.front())};
+  const auto retained = [](const Column& c) { return c.precision == "retained tree"; };
+  const auto times = means(
+      report, rows, [&](const Column& c) { return c.exact || retained(c); },
+      [](const Cell& cell) { return std::optional(cell.again->median); });
+  if (times.empty()) return std::nullopt;
+  Advice advice{"A game level walked through", times.front().column.name(), {}};
+  std::string list;
+  for (const Mean& mean : times) {
+    list += fmt::format("{}{} {} ({} wrong pixels)", list.empty() ? "" : ", ", mean.column.name(),
+                        number(mean.time), wrong_in(rows, mean.column));
+  }
+  advice.why.push_back(fmt::format(
+      "Time of {} of {} polygons, each view clipped and drawn anew, in reference times: {}.",
+      rows.front()->scene.id(), rows.front()->polygons, list));
+  const Cell* tree = measured(*rows.front(), "bsp", "retained tree");
+  if (tree != nullptr) {
+    advice.why.push_back(fmt::format(
+        "The retained tree is built once, in world coordinates, and then only walked: with its "
+        "building these views take {}. It sees world coordinates, so it may differ where the "
+        "view's own rounding decides.",
+        number(tree->time.median)));
+  }
+  return advice;
+}
+
 std::optional<Advice> huge_image(const Report& report) {
   Rows rows;
   std::size_t pixels = 0;
@@ -153,14 +183,24 @@ std::optional<Advice> thin_sheets(const Report& report) {
   if (rows.empty() || times.empty()) return std::nullopt;
   Advice advice{
       "A stack of thin sheets: depths 1e-9 apart and less", times.front().column.name(), {}};
-  std::string exact, others;
+  std::string exact, others, last;
   std::int64_t pixels = 0;
   for (const SceneRow* row : rows) pixels += static_cast<std::int64_t>(row->scene.pixels());
   for (const Column& column : columns(report)) {
     std::string& list = column.exact ? exact : others;
     const double percent =
         100.0 * static_cast<double>(wrong_in(rows, column)) / static_cast<double>(pixels);
-    list += fmt::format("{}{} {:.3g}", list.empty() ? "" : "; ", column.name(), percent);
+    if (column.exact || column.precision.empty()) {
+      list += fmt::format("{}{} {:.3g}", list.empty() ? "" : "; ", column.method, percent);
+    } else {
+      const bool same = last == column.method;
+      list += fmt::format("{}{} {:.3g}",
+                          same           ? ", "
+                          : list.empty() ? column.method + " with "
+                                         : "; " + column.method + " with ",
+                          column.precision, percent);
+      last = column.method;
+    }
   }
   advice.why.push_back(fmt::format(
       "Wrong pixels in a hundred over {} scenes whose gap is 1e-9 to 1e-13, of the exact methods: "
@@ -202,7 +242,7 @@ std::optional<Advice> fastest_exact(const Report& report) {
 
 std::vector<Advice> advice(const Report& report) {
   std::vector<Advice> all;
-  for (const auto& of : {plot_in_a_paper, huge_image, thin_sheets, fastest_exact}) {
+  for (const auto& of : {plot_in_a_paper, game_level, huge_image, thin_sheets, fastest_exact}) {
     if (auto found = of(report)) all.push_back(std::move(*found));
   }
   return all;

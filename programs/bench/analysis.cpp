@@ -121,7 +121,9 @@ std::vector<std::string> names(const Report& report, BenchScene::Kind kind) {
 
 std::vector<std::string> names_but_hard_cases(const Report& report) {
   std::vector<std::string> found = names(report, BenchScene::Kind::generated);
-  for (const std::string& name : names(report, BenchScene::Kind::input)) found.push_back(name);
+  for (const auto kind : {BenchScene::Kind::walk, BenchScene::Kind::input}) {
+    for (const std::string& name : names(report, kind)) found.push_back(name);
+  }
   return found;
 }
 

@@ -16,6 +16,7 @@
 #include "programs/bench/page.h"
 #include "programs/bench/partial_file.h"
 #include "programs/bench/text_report.h"
+#include "programs/bench/walk.h"
 #include "programs/progress.h"
 
 namespace displayfile {
@@ -65,10 +66,24 @@ std::vector<int> thread_counts(const BenchCommand& command) {
   return counts;
 }
 
-/// Several threads are measured where they can gain something: exact methods, no hard cases.
-bool is_measured(const BenchScene& scene, const Contender& contender, int threads) {
-  const bool hard = scene.kind == BenchScene::Kind::hard_case;
-  return threads == 1 || (contender.threaded && contender.exact && !hard);
+/// Of the scenes of a name, the one that is measured whole; the others show how times grow.
+bool is_largest(const BenchScene& scene, const std::vector<BenchScene>& scenes) {
+  return std::ranges::none_of(scenes, [&](const BenchScene& other) {
+    return other.name == scene.name &&
+           std::pair(other.n, other.size) > std::pair(scene.n, scene.size);
+  });
+}
+
+/// Those whose growth is shown.
+bool is_in_series(const Contender& contender) {
+  return contender.exact || contender.precision.empty() || contender.precision == "float" ||
+         contender.precision == "24 bits";
+}
+
+bool is_measured(const BenchScene& scene, bool largest, const Contender& contender, int threads) {
+  if (scene.kind == BenchScene::Kind::hard_case) return threads == 1;
+  if (threads > 1) return largest && contender.threaded && contender.exact;
+  return largest || is_in_series(contender);
 }
 
 Effort effort_of(const BenchCommand& command, const BenchScene& scene) {
@@ -120,9 +135,12 @@ class Run {
     const std::string key = scene_key(scene);
     SceneRow row{scene, measurer_.polygons(), std::nullopt, {}};
     if (scene.kind != BenchScene::Kind::hard_case) row.growth = measurer_.growth();
-    for (const Contender& contender : contenders_) {
+    std::vector<Contender> all = contenders_;
+    const bool whole = command_.scenes.full || is_largest(scene, scenes_);
+    if (scene.kind == BenchScene::Kind::walk && has_bsp()) all.push_back(retained_tree());
+    for (const Contender& contender : all) {
       for (const int threads : threads_) {
-        if (!is_measured(scene, contender, threads)) continue;
+        if (!is_measured(scene, whole, contender, threads)) continue;
         const CellKey cell_key{scene.id(), contender.method, contender.precision, threads};
         if (const Cell* before = partial_.find(key, cell_key)) {
           row.cells.push_back(*before);
@@ -135,6 +153,10 @@ class Run {
       }
     }
     return row;
+  }
+
+  bool has_bsp() const {
+    return std::ranges::find(contenders_, "bsp", &Contender::method) != contenders_.end();
   }
 
   const BenchCommand& command_;

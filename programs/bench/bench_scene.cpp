@@ -7,6 +7,7 @@
 
 #include "clip/error.h"
 #include "displayfile/sorted_display_file.h"
+#include "programs/bench/walk.h"
 #include "programs/inputs.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/hard_cases.h"
@@ -17,6 +18,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 1;
 constexpr int kHardCaseSize = 32;
+constexpr std::string_view kWalk = "walk";
 
 /// n polygons of it cover each pixel and pass through each other, so that its sizes are smaller.
 bool all_overlap(std::string_view name) { return name == "planes"; }
@@ -38,21 +40,35 @@ std::vector<int> picture_sizes(const SceneChoice& choice) {
   return {96, 192, 384, 768};
 }
 
-/// Polygons at the second size, pixels at the second largest number of polygons: the two series
-/// share a scene.
-void add_generated(std::string_view name, const SceneChoice& choice,
-                   std::vector<BenchScene>& scenes) {
+/// What the series by polygons and the series by pixels have in common.
+struct SharedScene {
+  std::size_t polygons;
+  int size;
+};
+SharedScene shared_scene(std::string_view name, const SceneChoice& choice) {
   const auto counts = polygon_counts(name, choice);
   const auto sizes = picture_sizes(choice);
-  const std::size_t middle_count = counts[counts.size() >= 2 ? counts.size() - 2 : 0];
-  const int middle_size = sizes[std::min<std::size_t>(1, sizes.size() - 1)];
+  return {counts[counts.size() >= 2 ? counts.size() - 2 : 0],
+          sizes[std::min<std::size_t>(1, sizes.size() - 1)]};
+}
+
+void add_generated(std::string_view name, const SceneChoice& choice,
+                   std::vector<BenchScene>& scenes) {
+  const SharedScene shared = shared_scene(name, choice);
   const auto add = [&](std::size_t n, int size) {
     scenes.push_back({BenchScene::Kind::generated, std::string(name), n, 0.0, false, size});
   };
-  for (const std::size_t n : counts) add(n, middle_size);
-  for (const int size : sizes) {
-    if (size != middle_size) add(middle_count, size);
+  for (const std::size_t n : polygon_counts(name, choice)) add(n, shared.size);
+  for (const int size : picture_sizes(choice)) {
+    if (size != shared.size) add(shared.polygons, size);
   }
+}
+
+/// With the number of polygons and the size that the series of the city share.
+void add_walk(const SceneChoice& choice, std::vector<BenchScene>& scenes) {
+  const auto shared = shared_scene("city", choice);
+  scenes.push_back(
+      {BenchScene::Kind::walk, std::string(kWalk), shared.polygons, 0.0, false, shared.size});
 }
 
 /// Gaps of 1e-1 to 1e-17 where there is one, and otherwise the severities of the table.
@@ -75,6 +91,7 @@ void add_input(const std::string& path, const SceneChoice& choice,
   for (const int size : picture_sizes(choice)) {
     scenes.push_back({BenchScene::Kind::input, path, 0, 0.0, false, size});
   }
+  scenes.back().make();  // throws now, not in the middle of a run
 }
 
 template <class Entries>
@@ -86,6 +103,7 @@ auto find(const Entries& entries, std::string_view name) {
 void add_named(const std::string& name, const SceneChoice& choice,
                std::vector<BenchScene>& scenes) {
   if (find(generated_scenes(), name) != nullptr) return add_generated(name, choice, scenes);
+  if (name == kWalk) return add_walk(choice, scenes);
   if (const HardCase* family = find(hard_cases(), name)) {
     return add_hard_case(*family, choice, scenes);
   }
@@ -95,7 +113,7 @@ void add_named(const std::string& name, const SceneChoice& choice,
   throw Error(
       fmt::format("{}: no such scene or file: expected one of {}, a family of hard cases "
                   "such as cycle_of_3 or parallel_sheets, a drawing program or a mesh",
-                  name, generated.substr(0, generated.size() - 1)));
+                  name, generated + std::string(kWalk)));
 }
 
 DisplayFile as_entered(const GraphicsSystem& system) {
@@ -106,8 +124,14 @@ DisplayFile as_entered(const GraphicsSystem& system) {
 
 }  // namespace
 
+std::size_t BenchScene::pixels() const {
+  const auto side = static_cast<std::size_t>(size);
+  return side * side * (kind == Kind::walk ? kViewsOfWalk : 1);
+}
+
 std::string BenchScene::id() const {
   std::string text = name;
+  if (kind == Kind::walk) text += fmt::format(" n={}, {} views", n, kViewsOfWalk);
   if (kind == Kind::generated) text += fmt::format(" n={}", n);
   if (kind == Kind::hard_case && gap) text += fmt::format(" gap=1e-{:g}", severity);
   if (kind == Kind::hard_case && !gap) text += fmt::format(" severity={:g}", severity);
@@ -115,6 +139,7 @@ std::string BenchScene::id() const {
 }
 
 DisplayFile BenchScene::make() const {
+  if (kind == Kind::walk) return entered(walk(n).front()).display_file();
   if (kind == Kind::generated) {
     return entered(generated_scene(name).make(n, kSeed)).display_file();
   }
@@ -130,6 +155,7 @@ std::vector<BenchScene> chosen_scenes(const SceneChoice& choice) {
   std::vector<std::string> names = choice.names;
   if (names.empty()) {
     for (const GeneratedScene& scene : generated_scenes()) names.emplace_back(scene.name);
+    names.emplace_back(kWalk);
     for (const HardCase& family : hard_cases()) names.emplace_back(family.name);
   }
   std::vector<BenchScene> scenes;
@@ -144,6 +170,7 @@ std::vector<BenchScene> chosen_scenes(const SceneChoice& choice) {
 std::string_view name_of(BenchScene::Kind kind) {
   switch (kind) {
     case BenchScene::Kind::generated: return "generated";
+    case BenchScene::Kind::walk: return "walk";
     case BenchScene::Kind::hard_case: return "hard case";
     case BenchScene::Kind::input: break;
   }

@@ -127,7 +127,10 @@ Contender painter() {
 }
 
 std::string name_of_precision(const Precision& precision) {
-  return precision.exact ? "exact" : fmt::format("roundoff={:g}", precision.roundoff);
+  if (precision.exact) return "exact";
+  std::string eps = fmt::format("{:g}", precision.roundoff);
+  if (const auto zero = eps.find("e-0"); zero != eps.npos) eps.erase(zero + 2, 1);
+  return "roundoff=" + eps;
 }
 
 Contender image_space(HiddenMethod method, const Precision& precision) {
@@ -197,9 +200,6 @@ std::vector<Contender> contenders(std::span<const double> roundoffs) {
   return all;
 }
 
-std::unique_ptr<Drawing> reference_drawing(const DisplayFile& file, const Frame& frame) {
-  return std::make_unique<SoftwareDrawing>(
-      file, request_of({frame.width, frame.height, 1}, HiddenMethod::z_buffer));
-}
+Contender reference_contender() { return image_space(HiddenMethod::z_buffer, {}); }
 
 }  // namespace displayfile::bench

@@ -39,6 +39,7 @@ struct Contender {
   bool exact;             ///< claims that no pixel is wrong
   bool threaded;          ///< can use several threads here
   bool counts_memory;     ///< what it holds comes from operator new
+  /// Of a display file that lives on.
   std::function<std::unique_ptr<Drawing>(const DisplayFile&, const Frame&)> draw;
 
   std::string name() const { return precision.empty() ? method : method + ", " + precision; }
@@ -49,7 +50,7 @@ struct Contender {
 std::vector<Contender> contenders(std::span<const double> roundoffs);
 
 /// What all times are given in: the exact z-buffer on one thread.
-std::unique_ptr<Drawing> reference_drawing(const DisplayFile& file, const Frame& frame);
+Contender reference_contender();
 inline constexpr const char* kReference = "z-buffer, exact, 1 thread";
 
 }  // namespace displayfile::bench

@@ -1,6 +1,7 @@
 #include "programs/bench/measure.h"
 
 #include <fmt/format.h>
+#include <time.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,23 +9,24 @@
 #include "hidden/predicate_counts.h"
 #include "interp/truth.h"
 #include "programs/bench/counted_memory.h"
+#include "programs/bench/walk.h"
 
 namespace displayfile::bench {
 
 struct Measurer::Scene {
   BenchScene scene;
   DisplayFile file;
-  Picture truth;
+  std::vector<displayfile::Scene> views;  // of a walk: each has a display file of its own
+  Picture truth;                          // of a walk, that of all views below each other
   std::unique_ptr<Drawing> reference;
-  double reference_seconds;
+  double reference_seconds = 0.0;
 
-  explicit Scene(const BenchScene& s)
-      : scene(s), file(s.make()), reference(reference_drawing(file, {s.size, s.size})) {
-    reference->draw_anew();
-    reference_seconds = seconds([&] { reference->draw_anew(); });
-  }
+  explicit Scene(const BenchScene& s);
+  std::unique_ptr<Drawing> drawing(const Contender& contender, int threads) const;
   /// Polygons and pixels: what a method's time may be expected to grow with.
-  double work() const { return static_cast<double>(file.polygons()) * scene.size * scene.size; }
+  double work() const {
+    return static_cast<double>(file.polygons()) * static_cast<double>(scene.pixels());
+  }
 };
 
 namespace {
@@ -36,24 +38,35 @@ int repetitions(double once, double least_seconds) {
   return static_cast<int>(std::clamp(std::ceil(least_seconds / std::max(once, 1e-9)), 1.0, 1e5));
 }
 
-double seconds_each(int times, const auto& work) {
-  return seconds([&] {
-           for (int i = 0; i < times; ++i) work();
-         }) /
-         times;
+/// What else the machine does is not in a processor's time; that of several threads together is not
+/// what a user waits for.
+enum class Clock { processor, wall };
+
+double now(Clock clock) {
+  timespec t{};
+  clock_gettime(clock == Clock::processor ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
+double seconds_each(Clock clock, int times, const auto& work) {
+  const double start = now(clock);
+  for (int i = 0; i < times; ++i) work();
+  return (now(clock) - start) / times;
+}
+
+double seconds_once(const auto& work) { return seconds_each(Clock::processor, 1, work); }
+
 /// The work's time over the reference's, in turn; `once` is about what each takes.
-Spread ratio(const Effort& effort, double once, const auto& work, double reference_once,
-             const auto& reference) {
+Spread ratio(const Effort& effort, Clock clock, double once, const auto& work,
+             double reference_once, const auto& reference) {
   const int times = repetitions(once, effort.least_seconds);
   const int reference_times = repetitions(reference_once, effort.least_seconds);
   const double round = once * times + reference_once * reference_times;
   const int rounds = std::clamp(static_cast<int>(effort.most_seconds / round), 1, effort.rounds);
   std::vector<double> ratios;
   for (int i = 0; i < rounds; ++i) {
-    const double reference_seconds = seconds_each(reference_times, reference);
-    ratios.push_back(seconds_each(times, work) / reference_seconds);
+    const double reference_seconds = seconds_each(clock, reference_times, reference);
+    ratios.push_back(seconds_each(clock, times, work) / reference_seconds);
   }
   return figures(spread(std::move(ratios)));
 }
@@ -68,7 +81,33 @@ std::string key_text(const CellKey& key) {
   return fmt::format("{} {} {}", key.method, key.precision, key.threads);
 }
 
+Picture truth_of_walk(const std::vector<displayfile::Scene>& views, int size) {
+  Picture all;
+  for (const displayfile::Scene& view : views) {
+    append(truth(entered(view).display_file(), size, size, true), all);
+  }
+  return all;
+}
+
 }  // namespace
+
+Measurer::Scene::Scene(const BenchScene& s) : scene(s), file(s.make()) {
+  if (scene.kind == BenchScene::Kind::walk) {
+    views = walk(scene.n);
+    truth = truth_of_walk(views, scene.size);
+  } else {
+    truth = displayfile::truth(file, scene.size, scene.size, true);
+  }
+  reference = drawing(reference_contender(), 1);
+  reference->draw_anew();
+  reference_seconds = seconds_once([&] { reference->draw_anew(); });
+}
+
+std::unique_ptr<Drawing> Measurer::Scene::drawing(const Contender& contender, int threads) const {
+  const Frame frame{scene.size, scene.size, threads};
+  if (scene.kind != BenchScene::Kind::walk) return contender.draw(file, frame);
+  return contender.draw ? draw_walk(views, contender, frame) : draw_walk_with_tree(views, frame);
+}
 
 Measurer::Measurer() = default;
 Measurer::~Measurer() = default;
@@ -83,7 +122,6 @@ void Measurer::take(const BenchScene& scene, const Effort& effort) {
     first_ = std::move(scene_);
   }
   scene_ = std::make_unique<Scene>(scene);
-  scene_->truth = truth(scene_->file, scene.size, scene.size, true);
 }
 
 std::size_t Measurer::polygons() const { return scene_->file.polygons(); }
@@ -91,7 +129,7 @@ std::size_t Measurer::polygons() const { return scene_->file.polygons(); }
 Spread Measurer::growth() {
   if (first_ == nullptr) return {1.0, 1.0, 1.0};
   return ratio(
-      effort_, scene_->reference_seconds, [&] { scene_->reference->draw_anew(); },
+      effort_, Clock::processor, scene_->reference_seconds, [&] { scene_->reference->draw_anew(); },
       first_->reference_seconds, [&] { first_->reference->draw_anew(); });
 }
 
@@ -130,29 +168,30 @@ Cell Measurer::measure(const Contender& contender, int threads) {
     cell.skipped = "it would take too long, from what a smaller one took";
     return cell;
   }
-  const int size = scene_->scene.size;
-  const auto drawing = contender.draw(scene_->file, {size, size, threads});
+  const auto drawing = scene_->drawing(contender, threads);
   double once = 0.0;
   const std::int64_t bytes =
-      most_bytes_held([&] { once = seconds([&] { drawing->draw_anew(); }); });
+      most_bytes_held([&] { once = seconds_once([&] { drawing->draw_anew(); }); });
   if (contender.counts_memory) cell.bytes = bytes;
   Longest& longest = longest_[key_text(cell.key)];
   if (once >= longest.seconds) longest = {once, scene_->work()};
   reset_predicate_counts();
-  if (once <= effort_.most_seconds) once = seconds([&] { drawing->draw_anew(); });
+  if (once <= effort_.most_seconds) once = seconds_once([&] { drawing->draw_anew(); });
   cell.exact_calls = exact_calls();
   compare(drawing->judged(), cell);
   if (const auto pieces = drawing->pieces()) {
     cell.fragments = figure(static_cast<double>(*pieces) /
                             static_cast<double>(std::max<std::size_t>(1, polygons())));
   }
+  const Clock clock = threads == 1 ? Clock::processor : Clock::wall;
   const auto reference = [&] { scene_->reference->draw_anew(); };
   cell.time = ratio(
-      effort_, once, [&] { drawing->draw_anew(); }, scene_->reference_seconds, reference);
+      effort_, clock, once, [&] { drawing->draw_anew(); }, scene_->reference_seconds, reference);
   if (scene_->scene.kind != BenchScene::Kind::hard_case) {
-    const double again = seconds([&] { drawing->draw_again(); });
+    const double again = seconds_once([&] { drawing->draw_again(); });
     cell.again = ratio(
-        effort_, again, [&] { drawing->draw_again(); }, scene_->reference_seconds, reference);
+        effort_, clock, again, [&] { drawing->draw_again(); }, scene_->reference_seconds,
+        reference);
   }
   return cell;
 }

@@ -13,7 +13,7 @@ namespace displayfile::bench {
 struct Effort {
   int rounds = 5;                ///< the method and the reference in turn
   double least_seconds = 0.002;  ///< of a round's side: shorter work is repeated
-  double most_seconds = 2.0;     ///< for all rounds of a cell; there is one at least
+  double most_seconds = 1.0;     ///< for all rounds of a ratio; there is one at least
 };
 
 /// Measures one scene after another.

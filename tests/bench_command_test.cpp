@@ -79,10 +79,11 @@ TEST_F(Bench, ExactMethodsHaveNoWrongPixelsAndOthersHave) {
   std::set<std::string> exact, wrong;
   for (const Json& cell : json("b.json")["cells"]) {
     const std::string method = cell["method"];
-    if (cell["exact"]) {
+    const int wrong_pixels = cell["wrong_pixels"];
+    if (cell["exact"].get<bool>()) {
       exact.insert(method);
-      EXPECT_EQ(cell["wrong_pixels"], 0) << cell;
-    } else if (cell["wrong_pixels"] > 0) {
+      EXPECT_EQ(wrong_pixels, 0) << cell;
+    } else if (wrong_pixels > 0) {
       wrong.insert(method);
     }
   }

@@ -1,6 +1,7 @@
 #include "programs/bench/analysis.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <map>
 
@@ -127,10 +128,15 @@ std::vector<std::string> names_but_hard_cases(const Report& report) {
   return found;
 }
 
+/// In the order of the scene that was measured with the most of them.
 std::vector<Column> columns(const Report& report) {
+  std::vector<const SceneRow*> rows;
+  for (const SceneRow& row : report.scenes) rows.push_back(&row);
+  std::ranges::stable_sort(rows, std::greater(),
+                           [](const SceneRow* row) { return row->cells.size(); });
   std::vector<Column> found;
-  for (const SceneRow& row : report.scenes) {
-    for (const Cell& cell : row.cells) {
+  for (const SceneRow* row : rows) {
+    for (const Cell& cell : row->cells) {
       const Column column{cell.key.method, cell.key.precision, cell.exact};
       if (std::ranges::find(found, column) == found.end()) found.push_back(column);
     }

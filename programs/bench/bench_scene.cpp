@@ -20,24 +20,24 @@ constexpr std::uint64_t kSeed = 1;
 constexpr int kHardCaseSize = 32;
 constexpr std::string_view kWalk = "walk";
 
-/// n polygons of it cover each pixel and pass through each other, so that its sizes are smaller.
+/// n polygons of it cover each pixel and pass through each other: it is measured at smaller sizes.
 bool all_overlap(std::string_view name) { return name == "planes"; }
 
 std::vector<std::size_t> polygon_counts(std::string_view name, const SceneChoice& choice) {
   if (!choice.polygons.empty()) return choice.polygons;
-  std::vector<std::size_t> counts{100, 300, 1000, 3000};
-  if (choice.full) counts = {100, 300, 1000, 3000, 10000, 30000};
   if (all_overlap(name)) {
-    for (std::size_t& n : counts) n /= 10;
-    if (choice.full) counts.resize(4);
+    return choice.full ? std::vector<std::size_t>{5, 15, 40, 100, 300, 1000}
+                       : std::vector<std::size_t>{5, 15, 40, 100};
   }
-  return counts;
+  return choice.full ? std::vector<std::size_t>{100, 300, 1000, 3000, 10000, 30000}
+                     : std::vector<std::size_t>{100, 300, 1000, 3000};
 }
 
-std::vector<int> picture_sizes(const SceneChoice& choice) {
+std::vector<int> picture_sizes(std::string_view name, const SceneChoice& choice) {
   if (!choice.sizes.empty()) return choice.sizes;
-  if (choice.full) return {128, 256, 512, 1024, 2048};
-  return {96, 192, 384, 768};
+  if (all_overlap(name)) return {48, 96, 192, 384};
+  return choice.full ? std::vector<int>{128, 256, 512, 1024, 2048}
+                     : std::vector<int>{96, 192, 384, 768};
 }
 
 /// What the series by polygons and the series by pixels have in common.
@@ -47,7 +47,7 @@ struct SharedScene {
 };
 SharedScene shared_scene(std::string_view name, const SceneChoice& choice) {
   const auto counts = polygon_counts(name, choice);
-  const auto sizes = picture_sizes(choice);
+  const auto sizes = picture_sizes(name, choice);
   return {counts[counts.size() >= 2 ? counts.size() - 2 : 0],
           sizes[std::min<std::size_t>(1, sizes.size() - 1)]};
 }
@@ -59,7 +59,7 @@ void add_generated(std::string_view name, const SceneChoice& choice,
     scenes.push_back({BenchScene::Kind::generated, std::string(name), n, 0.0, false, size});
   };
   for (const std::size_t n : polygon_counts(name, choice)) add(n, shared.size);
-  for (const int size : picture_sizes(choice)) {
+  for (const int size : picture_sizes(name, choice)) {
     if (size != shared.size) add(shared.polygons, size);
   }
 }
@@ -88,7 +88,7 @@ void add_hard_case(const HardCase& family, const SceneChoice& choice,
 
 void add_input(const std::string& path, const SceneChoice& choice,
                std::vector<BenchScene>& scenes) {
-  for (const int size : picture_sizes(choice)) {
+  for (const int size : picture_sizes(path, choice)) {
     scenes.push_back({BenchScene::Kind::input, path, 0, 0.0, false, size});
   }
   scenes.back().make();  // throws now, not in the middle of a run

@@ -77,7 +77,8 @@ TEST_F(Bench, ExactMethodsHaveNoWrongPixelsAndOthersHave) {
   ASSERT_EQ(run(kTiny + "--threads 1 --json b.json"), 0) << err_;
   EXPECT_EQ(err_, "");  // no progress where there is no terminal
   std::set<std::string> exact, wrong;
-  for (const Json& cell : json("b.json")["cells"]) {
+  const Json report = json("b.json");
+  for (const Json& cell : report["cells"]) {
     const std::string method = cell["method"];
     const int wrong_pixels = cell["wrong_pixels"];
     if (cell["exact"].get<bool>()) {

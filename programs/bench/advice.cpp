@@ -63,10 +63,12 @@ std::string listed(const std::vector<Mean>& all) {
   return text;
 }
 
-Rows shown(const Report& report) {
+/// Where each picture is one by itself.
+Rows still_scenes(const Report& report) {
   Rows rows;
   for (const std::string& name : names_but_hard_cases(report)) {
-    rows.push_back(&shown_scene(report, name));
+    const SceneRow& row = shown_scene(report, name);
+    if (row.scene.kind != BenchScene::Kind::walk) rows.push_back(&row);
   }
   return rows;
 }
@@ -82,7 +84,7 @@ std::int64_t wrong_in(const Rows& rows, const Column& column) {
 
 /// Only what sorts can be written as vectors.
 std::optional<Advice> plot_in_a_paper(const Report& report) {
-  const Rows rows = shown(report);
+  const Rows rows = still_scenes(report);
   const auto fragments =
       means(report, rows, is_exact, [](const Cell& cell) { return cell.fragments; });
   if (rows.empty() || fragments.empty()) return std::nullopt;
@@ -187,6 +189,7 @@ std::optional<Advice> thin_sheets(const Report& report) {
   std::int64_t pixels = 0;
   for (const SceneRow* row : rows) pixels += static_cast<std::int64_t>(row->scene.pixels());
   for (const Column& column : columns(report)) {
+    if (measured(*rows.front(), column.method, column.precision) == nullptr) continue;
     std::string& list = column.exact ? exact : others;
     const double percent =
         100.0 * static_cast<double>(wrong_in(rows, column)) / static_cast<double>(pixels);
@@ -208,15 +211,14 @@ std::optional<Advice> thin_sheets(const Report& report) {
       rows.size(), exact));
   advice.why.push_back(fmt::format("Of the others: {}.", others));
   advice.why.push_back(
-      fmt::format("Time of the exact methods there, in reference times (geometric mean): {}. The "
-                  "rest is within "
-                  "what these small pictures of {} pixels can tell.",
+      fmt::format("Time of the exact methods there, in reference times (geometric mean): {}. These "
+                  "are small pictures, of {} pixels.",
                   listed(times), rows.front()->scene.pixels()));
   return advice;
 }
 
 std::optional<Advice> fastest_exact(const Report& report) {
-  const Rows rows = shown(report);
+  const Rows rows = still_scenes(report);
   if (rows.empty()) return std::nullopt;
   Advice advice{"Any other picture of pixels", "", {}};
   const auto times = means(report, rows, is_exact, time_of);

@@ -150,6 +150,10 @@ class Page {
            "<div class='legend'>Front (time, wrong pixels): " + front + "</div></div>\n";
   }
 
+  bool in_hard_cases(const Column& column) const {
+    return wrong_pixels(report_, "", column).pixels > 0;
+  }
+
   /// One panel a method, a curve a precision.
   std::string gaps() const {
     std::vector<double> severities;
@@ -188,15 +192,18 @@ class Page {
       if (column.method != method) continue;
       Curve curve{mark_of(columns_, column), true, {}};
       for (const double severity : severities) {
-        const double percent = wrong_pixels(report_, "", column, severity).percent();
+        const Wrong sum = wrong_pixels(report_, "", column, severity);
+        if (sum.pixels == 0) continue;
+        const double percent = sum.percent();
         curve.points.push_back(
             {std::pow(10.0, -severity), percent, std::nullopt,
              fmt::format("{}: {:.4g} % at 1e-{:g}", column.name(), percent, severity)});
       }
-      curves.push_back(std::move(curve));
+      if (!curve.points.empty()) curves.push_back(std::move(curve));
     }
     return "<div class='panel'>" + svg(plot, curves) +
-           legend([&](const Column& c) { return c.method == method; }, false) + "</div>\n";
+           legend([&](const Column& c) { return c.method == method && in_hard_cases(c); }, false) +
+           "</div>\n";
   }
 
   /// The exact methods, and of each other method that has several precisions the second.
@@ -291,11 +298,13 @@ class Page {
     const auto families = names(report_, BenchScene::Kind::hard_case);
     if (families.empty()) return "";
     HeatMap map;
-    for (const Column& column : columns_) map.columns.push_back(column.name());
+    std::vector<Column> shown = columns_;
+    std::erase_if(shown, [&](const Column& column) { return !in_hard_cases(column); });
+    for (const Column& column : shown) map.columns.push_back(column.name());
     map.rows = families;
     map.rows.push_back("all");
     for (const std::string& family : map.rows) {
-      for (const Column& column : columns_) {
+      for (const Column& column : shown) {
         const Wrong sum = wrong_pixels(report_, family == "all" ? "" : family, column);
         map.percent.push_back(sum.pixels == 0 ? -1.0 : sum.percent());
         map.titles.push_back(fmt::format("{}, {}: {} wrong of {} pixels", family, column.name(),

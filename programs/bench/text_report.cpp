@@ -59,6 +59,7 @@ std::string hard_cases_table(const Report& report) {
   std::vector<Row> rows{{"method", "wrong pixels", "in a hundred"}};
   for (const Column& column : columns(report)) {
     const Wrong sum = wrong_pixels(report, "", column);
+    if (sum.pixels == 0) continue;
     rows.push_back(
         {column.name(), fmt::format("{}", sum.wrong), fmt::format("{:.3g}", sum.percent())});
   }

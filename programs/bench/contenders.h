@@ -38,7 +38,7 @@ struct Contender {
   std::string precision;  ///< "exact", "roundoff=1e-06", or a depth format
   bool exact;             ///< claims that no pixel is wrong
   bool threaded;          ///< can use several threads here
-  bool counts_memory;     ///< what it holds comes from operator new
+  bool counted;           ///< its memory comes from operator new, its predicates are ours
   /// Of a display file that lives on.
   std::function<std::unique_ptr<Drawing>(const DisplayFile&, const Frame&)> draw;
 

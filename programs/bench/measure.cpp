@@ -160,6 +160,13 @@ void Measurer::compare(const Picture& picture, Cell& cell) const {
   cell.mean_depth_error = both == 0 ? 0.0 : figure(sum / static_cast<double>(both));
 }
 
+/// A second picture, since what a method keeps for all pictures is made by the first.
+void Measurer::count(Drawing& drawing, Cell& cell) {
+  reset_predicate_counts();
+  cell.bytes = most_bytes_held([&] { drawing.draw_anew(); });
+  cell.exact_calls = exact_calls();
+}
+
 Cell Measurer::measure(const Contender& contender, int threads) {
   Cell cell;
   cell.key = {scene_->scene.id(), contender.method, contender.precision, threads};
@@ -169,14 +176,10 @@ Cell Measurer::measure(const Contender& contender, int threads) {
     return cell;
   }
   const auto drawing = scene_->drawing(contender, threads);
-  // What a method keeps for all pictures, as its tables of constants, is made by the first.
   const double once = seconds_once([&] { drawing->draw_anew(); });
   Longest& longest = longest_[key_text(cell.key)];
   if (once >= longest.seconds) longest = {once, scene_->work()};
-  reset_predicate_counts();
-  const std::int64_t bytes = most_bytes_held([&] { drawing->draw_anew(); });
-  cell.exact_calls = exact_calls();
-  if (contender.counts_memory) cell.bytes = bytes;
+  if (contender.counted) count(*drawing, cell);
   compare(drawing->judged(), cell);
   if (const auto pieces = drawing->pieces()) {
     cell.fragments = figure(static_cast<double>(*pieces) /

@@ -33,6 +33,7 @@ class Measurer {
  private:
   struct Scene;
   bool too_long(const CellKey& key) const;
+  static void count(Drawing& drawing, Cell& cell);
   void compare(const Picture& picture, Cell& cell) const;
 
   Effort effort_;

@@ -248,12 +248,19 @@ class Page {
   }
 
   std::string exponents(Fit::Against against) const {
-    const auto scenes = names_but_hard_cases(report_);
     const auto all = fits(report_);
+    std::vector<std::string> scenes = names_but_hard_cases(report_);
+    std::erase_if(scenes, [&](const std::string& name) {
+      return std::ranges::find(all, name, &Fit::scene) == all.end();
+    });
     std::vector<std::string> heads{fmt::format("exponent of {}", name_of(against))};
     for (const std::string& name : scenes) heads.push_back(escaped(name));
     std::string text = "<div class='wide'><table>\n" + row("th", heads);
     for (const Column& column : columns_) {
+      const bool fitted = std::ranges::any_of(all, [&](const Fit& f) {
+        return f.against == against && f.method == column.method && f.precision == column.precision;
+      });
+      if (!fitted) continue;
       std::vector<std::string> cells{escaped(column.name())};
       for (const std::string& name : scenes) {
         const auto fit = std::ranges::find_if(all, [&](const Fit& f) {
@@ -271,9 +278,7 @@ class Page {
 
   std::string fragments() const {
     std::string panels;
-    const auto sorts = [&](const Column& column) {
-      return column.method == "bsp" || column.method == "depth-sort";
-    };
+    std::vector<Column> drawn;
     for (const std::string& name : names_but_hard_cases(report_)) {
       const auto scenes = series(report_, name, Fit::Against::polygons);
       std::vector<Curve> curves;
@@ -285,13 +290,17 @@ class Page {
           curve.points.push_back({static_cast<double>(r->polygons), *cell->fragments, std::nullopt,
                                   fmt::format("{}: {}", column.name(), number(*cell->fragments))});
         }
-        if (!curve.points.empty()) curves.push_back(std::move(curve));
+        if (curve.points.empty()) continue;
+        curves.push_back(std::move(curve));
+        drawn.push_back(column);
       }
       if (!curves.empty()) panels += svg({name, "polygons", "fragments a polygon"}, curves);
     }
     if (panels.empty()) return "";
     return "<h2>Fragments</h2>\n<p>Pieces that the sorts in object space make of a polygon.</p>\n" +
-           legend(sorts, true) + "<div class='plots'>\n" + panels + "</div>\n";
+           legend([&](const Column& c) { return std::ranges::find(drawn, c) != drawn.end(); },
+                  true) +
+           "<div class='plots'>\n" + panels + "</div>\n";
   }
 
   std::string heat() const {

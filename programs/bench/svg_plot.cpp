@@ -39,8 +39,14 @@ class LogAxis {
   double place(double value) const {
     return from_ + (std::log10(value) - low_) / (high_ - low_) * (to_ - from_);
   }
-  /// Powers of ten, no more than fit; with 2 and 5 times them where there are few.
+  /// Powers of ten, no more than fit, with 2 and 5 times them where there are few; over less than
+  /// a decade, round numbers.
   std::vector<double> ticks() const {
+    return high_ - low_ < 0.9 ? round_numbers() : powers_of_ten();
+  }
+
+ private:
+  std::vector<double> powers_of_ten() const {
     const auto within = [&](double exponent) { return exponent >= low_ && exponent <= high_; };
     std::vector<double> values;
     const double decades = high_ - low_;
@@ -54,8 +60,16 @@ class LogAxis {
     }
     return values;
   }
+  std::vector<double> round_numbers() const {
+    const double low = std::pow(10.0, low_), high = std::pow(10.0, high_);
+    double step = std::pow(10.0, std::floor(std::log10(high - low)));
+    if ((high - low) / step > 5.0) step *= 2.0;
+    if ((high - low) / step < 2.5) step /= 4.0;
+    std::vector<double> values;
+    for (double k = std::ceil(low / step); k * step <= high; ++k) values.push_back(k * step);
+    return values;
+  }
 
- private:
   double from_, to_, low_, high_;
 };
 

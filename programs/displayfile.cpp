@@ -15,6 +15,7 @@
 #include "displayfile/sorted_display_file.h"
 #include "hidden/precision.h"
 #include "interp/software.h"
+#include "programs/bench/bench_command.h"
 #include "programs/commands.h"
 #include "programs/turntable_command.h"
 
@@ -176,6 +177,42 @@ int run(int argc, char** argv) {
     import.shading = displayfile::shading(shading);
     chosen = [&] { return import.run(); };
   });
+
+  BenchCommand bench;
+  command = app.add_subcommand(
+      "bench", "Speed against error of every method: a table, JSON, and a page with plots");
+  command->add_option("SCENE", bench.scenes.names,
+                      "generated scenes, families of hard cases, drawing programs and meshes; "
+                      "without any, all generated scenes and hard cases");
+  command
+      ->add_option("-o,--output", bench.page,
+                   "the page, .html; what is finished is kept in "
+                   "PAGE.partial until then, and an interrupted run "
+                   "goes on from there")
+      ->capture_default_str();
+  command->add_option("--json", bench.json, "the figures for programs");
+  command->add_flag("--full", bench.scenes.full,
+                    "more sizes, precisions and rounds: hours instead of minutes");
+  command->add_option("--methods", bench.methods, "only these, with commas between")
+      ->delimiter(',');
+  command
+      ->add_option("--roundoff", bench.roundoffs,
+                   "EPS of the precisions roundoff=EPS beside exact, with commas between, or none")
+      ->delimiter(',');
+  command->add_option("--threads", bench.threads, "numbers of threads, with commas between")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 1024));
+  command
+      ->add_option("--polygons", bench.scenes.polygons, "of generated scenes, with commas between")
+      ->delimiter(',')
+      ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}));
+  command->add_option("--sizes", bench.scenes.sizes, "pixels a side, with commas between")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 16384));
+  command->add_option("--rounds", bench.rounds, "of each ratio")->check(CLI::Range(1, 1000));
+  command->add_option("--seconds", bench.most_seconds, "at most for the rounds of one ratio")
+      ->check(CLI::Range(0.001, 1e6));
+  command->callback([&] { chosen = [&] { return bench.run(); }; });
 
   try {
     app.parse(argc, argv);

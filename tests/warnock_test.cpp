@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "hard/hard_cases.h"
 #include "interp/polygon_z_buffer.h"
 #include "interp/scan_convert.h"
 #include "interp/truth.h"
+#include "programs/scenes/hard_cases.h"
 #include "tests/truth_scenes.h"
 
 namespace displayfile {

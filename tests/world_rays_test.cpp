@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "hard/generated_scenes.h"
-#include "hard/hard_cases.h"
 #include "interp/truth.h"
+#include "programs/scenes/generated_scenes.h"
+#include "programs/scenes/hard_cases.h"
 #include "tests/random_views.h"
 #include "tests/world_truth.h"
 

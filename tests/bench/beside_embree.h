@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "interp/fill_scene.h"
-#include "tests/bench/side_by_side.h"
+#include "programs/bench/side_by_side.h"
 
 namespace displayfile::bench {
 

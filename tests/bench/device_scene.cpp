@@ -10,7 +10,7 @@
 #include "displayfile/fitted_view.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh.h"
-#include "hard/generated_scenes.h"
+#include "programs/scenes/generated_scenes.h"
 
 namespace displayfile::bench {
 

@@ -36,7 +36,7 @@ struct Model {
 /// Throws Error if the file cannot be read.
 Model read_model(const std::string& path);
 
-/// A generated scene (tests/hard/generated_scenes.h) of about n polygons, without back-face
+/// A generated scene (programs/scenes/generated_scenes.h) of about n polygons, without back-face
 /// removal.
 DeviceScene generated(const std::string& name, std::size_t n);
 

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "clip/error.h"
-#include "tests/bench/side_by_side.h"
+#include "programs/bench/side_by_side.h"
 #include "tests/bench/text.h"
 
 namespace displayfile::bench {

@@ -18,20 +18,20 @@
 #include <vector>
 
 #include "displayfile/mesh.h"
-#include "hard/generated_scenes.h"
-#include "hard/random.h"
-#include "hard/shapes.h"
 #include "interp/band_z_buffer.h"
 #include "interp/image_space.h"
 #include "interp/osmesa.h"
 #include "interp/plain_z_buffer.h"
 #include "interp/scan_convert.h"
 #include "interp/software.h"
+#include "programs/bench/growth.h"
+#include "programs/bench/side_by_side.h"
+#include "programs/scenes/generated_scenes.h"
+#include "programs/scenes/random.h"
+#include "programs/scenes/shapes.h"
 #include "tests/bench/beside_embree.h"
 #include "tests/bench/embree_rays.h"
-#include "tests/bench/growth.h"
 #include "tests/bench/result_table.h"
-#include "tests/bench/side_by_side.h"
 
 namespace displayfile::bench {
 namespace {

@@ -4,9 +4,9 @@
 #include <exception>
 #include <string>
 
-#include "hard/generated_scenes.h"
 #include "interp/image_space.h"
 #include "interp/polygon_z_buffer.h"
+#include "programs/scenes/generated_scenes.h"
 #include "tests/counted_memory.h"
 
 // The memory that each image-space method takes for a picture, beside a z-buffer of the whole

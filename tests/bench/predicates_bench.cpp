@@ -16,7 +16,7 @@
 #include "hidden/pixel_centre.h"
 #include "hidden/plane.h"
 #include "hidden/predicate_counts.h"
-#include "tests/bench/side_by_side.h"
+#include "programs/bench/side_by_side.h"
 
 namespace {
 

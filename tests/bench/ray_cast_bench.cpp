@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "displayfile/mesh.h"
-#include "hard/generated_scenes.h"
-#include "hard/scene.h"
+#include "programs/scenes/generated_scenes.h"
+#include "programs/scenes/scene.h"
 #include "tests/bench/beside_embree.h"
 #include "tests/bench/embree_rays.h"
 

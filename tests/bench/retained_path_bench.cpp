@@ -15,7 +15,7 @@
 #include "displayfile/mesh.h"
 #include "interp/osmesa.h"
 #include "interp/software.h"
-#include "tests/bench/side_by_side.h"
+#include "programs/bench/side_by_side.h"
 
 namespace displayfile::bench {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
+#include "programs/bench/side_by_side.h"
 #include "tests/bench/device_scene.h"
-#include "tests/bench/side_by_side.h"
 
 namespace displayfile::bench {
 

@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "hard/generated_scenes.h"
 #include "interp/band_z_buffer.h"
 #include "interp/polygon_z_buffer.h"
 #include "interp/warnock.h"
-#include "tests/bench/side_by_side.h"
+#include "programs/bench/side_by_side.h"
+#include "programs/scenes/generated_scenes.h"
 
 namespace displayfile::bench {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "hard/hard_cases.h"
+#include "programs/scenes/hard_cases.h"
 
 namespace displayfile {
 
@@ -26,8 +26,8 @@ be exact has a wrong pixel anywhere. `hard_table --list` prints the families wit
 severities. `ctest -R hard` runs a smaller one, and compares the exact truth with a brute
 force in rationals on every family.
 
-Each family has a generator `Scene make(n, severity, seed)` (`hard/hard_cases.h`); a method is one
-line in `hard/methods.cpp`. Scenes are the same, bit for bit, on every machine.
+Each family has a generator `Scene make(n, severity, seed)` (`programs/scenes/hard_cases.h`); a
+method is one line in `hard/methods.cpp`. Scenes are the same, bit for bit, on every machine.
 
 ## The methods
 

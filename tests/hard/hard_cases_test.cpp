@@ -1,4 +1,4 @@
-#include "hard/hard_cases.h"
+#include "programs/scenes/hard_cases.h"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,11 @@
 #include <string>
 
 #include "brute_force_truth.h"
-#include "hard/generated_scenes.h"
 #include "hard/methods.h"
-#include "hard/random_scenes.h"
 #include "interp/plain_z_buffer.h"
 #include "interp/truth.h"
+#include "programs/scenes/generated_scenes.h"
+#include "programs/scenes/random_scenes.h"
 
 namespace displayfile {
 namespace {

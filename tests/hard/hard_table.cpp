@@ -13,12 +13,12 @@
 #include "clip/error.h"
 #include "displayfile/output_file.h"
 #include "hard/document.h"
-#include "hard/hard_cases.h"
-#include "hard/mesh_scenes.h"
-#include "hard/random_scenes.h"
 #include "hard/tally.h"
 #include "hidden/predicate_counts.h"
 #include "mesa_leaks.h"
+#include "programs/scenes/hard_cases.h"
+#include "programs/scenes/mesh_scenes.h"
+#include "programs/scenes/random_scenes.h"
 
 // One table: family x method x precision, wrong pixels against the exact truth.
 

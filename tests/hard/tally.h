@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "hard/methods.h"
-#include "hard/scene.h"
+#include "programs/scenes/scene.h"
 
 namespace displayfile {
 

@@ -1,0 +1,253 @@
+#include "programs/bench/advice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "programs/bench/analysis.h"
+#include "programs/bench/json_report.h"
+
+namespace displayfile::bench {
+
+namespace {
+
+/// Of several ratios: that which they would all have to give the same product.
+double geometric_mean(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double v : values) sum += std::log(v);
+  return values.empty() ? 0.0 : std::exp(sum / static_cast<double>(values.size()));
+}
+
+/// A column's mean over scenes, and how many of them it was measured on.
+struct Mean {
+  Column column;
+  double time;
+  std::size_t scenes;
+};
+
+using Rows = std::vector<const SceneRow*>;
+
+/// By time, those that were measured on all of the scenes; `value` is of a cell.
+std::vector<Mean> means(const Report& report, const Rows& rows,
+                        const std::function<bool(const Column&)>& wanted,
+                        const std::function<std::optional<double>(const Cell&)>& value) {
+  std::vector<Mean> all;
+  for (const Column& column : columns(report)) {
+    if (!wanted(column)) continue;
+    std::vector<double> values;
+    for (const SceneRow* row : rows) {
+      const Cell* cell = measured(*row, column.method, column.precision);
+      const auto v = cell == nullptr ? std::nullopt : value(*cell);
+      if (v) values.push_back(*v);
+    }
+    if (values.size() == rows.size()) {
+      all.push_back({column, figure(geometric_mean(values)), rows.size()});
+    }
+  }
+  std::ranges::stable_sort(all, {}, &Mean::time);
+  return all;
+}
+
+bool is_exact(const Column& column) { return column.exact; }
+std::optional<double> time_of(const Cell& cell) { return cell.time.median; }
+
+std::string listed(const std::vector<Mean>& all) {
+  std::string text;
+  for (const Mean& mean : all) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", mean.column.method, number(mean.time));
+  }
+  return text;
+}
+
+/// Where each picture is one by itself.
+Rows still_scenes(const Report& report) {
+  Rows rows;
+  for (const std::string& name : names_but_hard_cases(report)) {
+    const SceneRow& row = shown_scene(report, name);
+    if (row.scene.kind != BenchScene::Kind::walk) rows.push_back(&row);
+  }
+  return rows;
+}
+
+std::int64_t wrong_in(const Rows& rows, const Column& column) {
+  std::int64_t wrong = 0;
+  for (const SceneRow* row : rows) {
+    const Cell* cell = measured(*row, column.method, column.precision);
+    if (cell != nullptr) wrong += cell->wrong_pixels;
+  }
+  return wrong;
+}
+
+/// Only what sorts can be written as vectors.
+std::optional<Advice> plot_in_a_paper(const Report& report) {
+  const Rows rows = still_scenes(report);
+  const auto fragments =
+      means(report, rows, is_exact, [](const Cell& cell) { return cell.fragments; });
+  if (rows.empty() || fragments.empty()) return std::nullopt;
+  const Mean& best = fragments.front();
+  Advice advice{"A plot in a paper: vectors, drawn once", best.column.name(), {}};
+  advice.why.push_back(
+      "Vectors need polygons in an order, so only the sorts in object space can "
+      "draw them; an image-space method gives pixels.");
+  advice.why.push_back(fmt::format(
+      "Fragments a polygon (geometric mean over {} scenes): {}. Fewer pieces are a smaller file.",
+      rows.size(), listed(fragments)));
+  const auto times = means(
+      report, rows,
+      [&](const Column& c) { return c.exact && (c.method == "bsp" || c.method == "depth-sort"); },
+      time_of);
+  advice.why.push_back(fmt::format("Time of a picture, in reference times: {}.", listed(times)));
+  for (const Column& column : columns(report)) {
+    if (column.method != best.column.method || column.exact) continue;
+    advice.why.push_back(fmt::format(
+        "With {} the same sort has {} wrong pixels on these scenes and {} on the hard cases; exact "
+        "has {} and {}.",
+        column.precision, wrong_in(rows, column), wrong_pixels(report, "", column).wrong,
+        wrong_in(rows, best.column), wrong_pixels(report, "", best.column).wrong));
+  }
+  return advice;
+}
+
+/// Every view is a new one: nothing of a picture can be kept but what does not depend on the view.
+std::optional<Advice> game_level(const Report& report) {
+  const auto walks = names(report, BenchScene::Kind::walk);
+  if (walks.empty()) return std::nullopt;
+  const Rows rows{&shown_scene(report, walks.front())};
+  const auto retained = [](const Column& c) { return c.precision == "retained tree"; };
+  const auto times = means(
+      report, rows, [&](const Column& c) { return c.exact || retained(c); },
+      [](const Cell& cell) { return std::optional(cell.again->median); });
+  if (times.empty()) return std::nullopt;
+  Advice advice{"A game level walked through", times.front().column.name(), {}};
+  std::string list;
+  for (const Mean& mean : times) {
+    list += fmt::format("{}{} {} ({} wrong pixels)", list.empty() ? "" : ", ", mean.column.name(),
+                        number(mean.time), wrong_in(rows, mean.column));
+  }
+  advice.why.push_back(fmt::format(
+      "Time of {} of {} polygons, each view clipped and drawn anew, in reference times: {}.",
+      rows.front()->scene.id(), rows.front()->polygons, list));
+  const Cell* tree = measured(*rows.front(), "bsp", "retained tree");
+  if (tree != nullptr) {
+    advice.why.push_back(fmt::format(
+        "The retained tree is built once, in world coordinates, and then only walked: with its "
+        "building these views take {}. It sees world coordinates, so it may differ where the "
+        "view's own rounding decides.",
+        number(tree->time.median)));
+  }
+  return advice;
+}
+
+std::optional<Advice> huge_image(const Report& report) {
+  Rows rows;
+  std::size_t pixels = 0;
+  for (const std::string& name : names_but_hard_cases(report)) {
+    const auto scenes = series(report, name, Fit::Against::pixels);
+    if (scenes.empty()) continue;
+    rows.push_back(scenes.back());
+    pixels = std::max(pixels, scenes.back()->scene.pixels());
+  }
+  const auto times = means(report, rows, is_exact, time_of);
+  if (rows.empty() || times.empty()) return std::nullopt;
+  Advice advice{"A huge image", times.front().column.name(), {}};
+  advice.why.push_back(fmt::format(
+      "At {} pixels, the most of this run, the exact methods take, in reference times (geometric "
+      "mean over {} scenes): {}. None has a wrong pixel.",
+      pixels, rows.size(), listed(times)));
+  std::map<std::string, std::vector<double>> exponents;
+  for (const Fit& fit : fits(report)) {
+    if (fit.against == Fit::Against::pixels && fit.precision == "exact") {
+      exponents[fit.method].push_back(fit.exponent);
+    }
+  }
+  std::string grow;
+  for (auto& [method, values] : exponents) {
+    grow += fmt::format("{}{} {}", grow.empty() ? "" : ", ", method,
+                        number(figure(spread(values).median)));
+  }
+  advice.why.push_back(fmt::format(
+      "How they grow with the number of pixels (exponent, median over the scenes): {}.", grow));
+  return advice;
+}
+
+std::optional<Advice> thin_sheets(const Report& report) {
+  Rows rows;
+  for (const SceneRow& row : report.scenes) {
+    if (row.scene.gap && row.scene.severity >= 9.0 && row.scene.severity <= 13.0) {
+      rows.push_back(&row);
+    }
+  }
+  const auto times = means(report, rows, is_exact, time_of);
+  if (rows.empty() || times.empty()) return std::nullopt;
+  Advice advice{
+      "A stack of thin sheets: depths 1e-9 apart and less", times.front().column.name(), {}};
+  std::string exact, others, last;
+  std::int64_t pixels = 0;
+  for (const SceneRow* row : rows) pixels += static_cast<std::int64_t>(row->scene.pixels());
+  for (const Column& column : columns(report)) {
+    if (measured(*rows.front(), column.method, column.precision) == nullptr) continue;
+    std::string& list = column.exact ? exact : others;
+    const double percent =
+        100.0 * static_cast<double>(wrong_in(rows, column)) / static_cast<double>(pixels);
+    if (column.exact || column.precision.empty()) {
+      list += fmt::format("{}{} {:.3g}", list.empty() ? "" : "; ", column.method, percent);
+    } else {
+      const bool same = last == column.method;
+      list += fmt::format("{}{} {:.3g}",
+                          same           ? ", "
+                          : list.empty() ? column.method + " with "
+                                         : "; " + column.method + " with ",
+                          column.precision, percent);
+      last = column.method;
+    }
+  }
+  advice.why.push_back(fmt::format(
+      "Wrong pixels in a hundred over {} scenes whose gap is 1e-9 to 1e-13, of the exact methods: "
+      "{}.",
+      rows.size(), exact));
+  advice.why.push_back(fmt::format("Of the others: {}.", others));
+  advice.why.push_back(
+      fmt::format("Time of the exact methods there, in reference times (geometric mean): {}. These "
+                  "are small pictures, of {} pixels.",
+                  listed(times), rows.front()->scene.pixels()));
+  return advice;
+}
+
+std::optional<Advice> fastest_exact(const Report& report) {
+  const Rows rows = still_scenes(report);
+  if (rows.empty()) return std::nullopt;
+  Advice advice{"Any other picture of pixels", "", {}};
+  const auto times = means(report, rows, is_exact, time_of);
+  if (times.empty()) return std::nullopt;
+  advice.use = times.front().column.name();
+  advice.why.push_back(fmt::format(
+      "The least time of a picture over {} scenes (geometric mean, in reference times): {}.",
+      rows.size(), listed(times)));
+  for (const SceneRow* row : rows) {
+    const Cell* best = nullptr;
+    for (const Cell& cell : row->cells) {
+      const bool better = best == nullptr || cell.time.median < best->time.median;
+      if (cell.skipped.empty() && cell.key.threads == 1 && cell.exact && better) best = &cell;
+    }
+    if (best == nullptr || best->key.method == times.front().column.method) continue;
+    advice.why.push_back(fmt::format("But on {}: {}, at {}.", row->scene.id(), best->key.method,
+                                     number(best->time.median)));
+  }
+  return advice;
+}
+
+}  // namespace
+
+std::vector<Advice> advice(const Report& report) {
+  std::vector<Advice> all;
+  for (const auto& of : {plot_in_a_paper, game_level, huge_image, thin_sheets, fastest_exact}) {
+    if (auto found = of(report)) all.push_back(std::move(*found));
+  }
+  return all;
+}
+
+}  // namespace displayfile::bench

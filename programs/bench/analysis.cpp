@@ -1,0 +1,163 @@
+#include "programs/bench/analysis.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <map>
+
+#include "programs/bench/growth.h"
+
+namespace displayfile::bench {
+
+std::string_view name_of(Fit::Against against) {
+  return against == Fit::Against::polygons ? "polygons" : "pixels";
+}
+
+namespace {
+
+bool is_series(const SceneRow& row, std::string_view name) {
+  return row.scene.name == name && row.scene.kind != BenchScene::Kind::hard_case;
+}
+
+}  // namespace
+
+/// The scenes that share what the most of them share.
+std::vector<const SceneRow*> series(const Report& report, std::string_view name,
+                                    Fit::Against against) {
+  const bool by_polygons = against == Fit::Against::polygons;
+  std::map<std::size_t, std::vector<const SceneRow*>> groups;
+  for (const SceneRow& row : report.scenes) {
+    if (!is_series(row, name)) continue;
+    const auto size = static_cast<std::size_t>(row.scene.size);
+    groups[by_polygons ? size : row.polygons].push_back(&row);
+  }
+  std::vector<const SceneRow*> largest;
+  for (const auto& [shared, rows] : groups) {
+    if (rows.size() >= 2 && rows.size() > largest.size()) largest = rows;
+  }
+  std::ranges::sort(largest, {}, [&](const SceneRow* row) {
+    return by_polygons ? row->polygons : static_cast<std::size_t>(row->scene.size);
+  });
+  return largest;
+}
+
+const Cell* measured(const SceneRow& row, std::string_view method, std::string_view precision,
+                     int threads) {
+  const auto cell = std::ranges::find_if(row.cells, [&](const Cell& c) {
+    return c.key.threads == threads && c.key.method == method && c.key.precision == precision;
+  });
+  return cell == row.cells.end() || !cell->skipped.empty() ? nullptr : &*cell;
+}
+
+std::vector<Growth> growth(std::span<const SceneRow* const> scenes, std::string_view method,
+                           std::string_view precision) {
+  std::vector<Growth> points;
+  for (const SceneRow* row : scenes) {
+    const Cell* cell = measured(*row, method, precision);
+    if (cell == nullptr || !row->growth) continue;
+    const auto polygons = static_cast<double>(row->polygons);
+    const bool by_polygons = scenes.front()->polygons != scenes.back()->polygons;
+    points.push_back({by_polygons ? polygons : static_cast<double>(row->scene.pixels()),
+                      cell->time.median * row->growth->median});
+  }
+  return points;
+}
+
+std::vector<Fit> fits(const Report& report) {
+  std::vector<Fit> all;
+  for (const std::string& name : names_but_hard_cases(report)) {
+    for (const Fit::Against against : {Fit::Against::polygons, Fit::Against::pixels}) {
+      const auto scenes = series(report, name, against);
+      if (scenes.empty()) continue;
+      for (const Column& column : columns(report)) {
+        std::vector<double> sizes, times;
+        for (const Growth& g : growth(scenes, column.method, column.precision)) {
+          sizes.push_back(g.size);
+          times.push_back(g.time);
+        }
+        if (sizes.size() < 2) continue;
+        all.push_back({name, column.method, column.precision, against, sizes.size(),
+                       figure(fitted_exponent(sizes, times))});
+      }
+    }
+  }
+  return all;
+}
+
+std::vector<const Cell*> pareto_front(const SceneRow& row) {
+  std::vector<const Cell*> front;
+  for (const Cell& cell : row.cells) {
+    if (cell.skipped.empty() && cell.key.threads == 1) front.push_back(&cell);
+  }
+  std::ranges::sort(front, [](const Cell* a, const Cell* b) {
+    return std::pair(a->time.median, a->wrong_pixels) < std::pair(b->time.median, b->wrong_pixels);
+  });
+  std::int64_t fewest = std::numeric_limits<std::int64_t>::max();
+  std::erase_if(front, [&](const Cell* cell) {
+    if (cell->wrong_pixels >= fewest) return true;
+    fewest = cell->wrong_pixels;
+    return false;
+  });
+  return front;
+}
+
+const SceneRow& shown_scene(const Report& report, std::string_view name) {
+  const SceneRow* shown = nullptr;
+  for (const SceneRow& row : report.scenes) {
+    if (row.scene.name != name) continue;
+    const auto rank = [](const SceneRow& r) { return std::pair(r.polygons, r.scene.size); };
+    if (shown == nullptr || rank(row) > rank(*shown)) shown = &row;
+  }
+  return *shown;
+}
+
+std::vector<std::string> names(const Report& report, BenchScene::Kind kind) {
+  std::vector<std::string> found;
+  for (const SceneRow& row : report.scenes) {
+    const bool is_new = found.empty() || found.back() != row.scene.name;
+    if (row.scene.kind == kind && is_new) found.push_back(row.scene.name);
+  }
+  return found;
+}
+
+std::vector<std::string> names_but_hard_cases(const Report& report) {
+  std::vector<std::string> found = names(report, BenchScene::Kind::generated);
+  for (const auto kind : {BenchScene::Kind::walk, BenchScene::Kind::input}) {
+    for (const std::string& name : names(report, kind)) found.push_back(name);
+  }
+  return found;
+}
+
+/// In the order of the scene that was measured with the most of them.
+std::vector<Column> columns(const Report& report) {
+  std::vector<const SceneRow*> rows;
+  for (const SceneRow& row : report.scenes) rows.push_back(&row);
+  std::ranges::stable_sort(rows, std::greater(),
+                           [](const SceneRow* row) { return row->cells.size(); });
+  std::vector<Column> found;
+  for (const SceneRow* row : rows) {
+    for (const Cell& cell : row->cells) {
+      const Column column{cell.key.method, cell.key.precision, cell.exact};
+      if (std::ranges::find(found, column) == found.end()) found.push_back(column);
+    }
+  }
+  return found;
+}
+
+Wrong wrong_pixels(const Report& report, std::string_view family, const Column& column,
+                   double gap) {
+  Wrong sum;
+  for (const SceneRow& row : report.scenes) {
+    const BenchScene& scene = row.scene;
+    if (scene.kind != BenchScene::Kind::hard_case) continue;
+    if (!family.empty() && scene.name != family) continue;
+    if (gap >= 0.0 && !(scene.gap && scene.severity == gap)) continue;
+    const Cell* cell = measured(row, column.method, column.precision);
+    if (cell == nullptr) continue;
+    sum.wrong += cell->wrong_pixels;
+    sum.pixels += static_cast<std::int64_t>(scene.pixels());
+  }
+  return sum;
+}
+
+}  // namespace displayfile::bench

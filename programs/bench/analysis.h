@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "programs/bench/report.h"
+
+namespace displayfile::bench {
+
+/// How a method's time grows: the exponent of the power that fits best.
+struct Fit {
+  enum class Against { polygons, pixels };
+  std::string scene;  ///< name
+  std::string method, precision;
+  Against against;
+  std::size_t points;  ///< that it was fitted through
+  double exponent;
+};
+std::string_view name_of(Fit::Against against);
+
+/// A point of such a fit.
+struct Growth {
+  double size, time;  ///< time: in the reference's time on the first scene of the name
+};
+
+/// The scenes of a name at one picture size, by polygons, or with one number of polygons, by
+/// pixels. Empty if there are fewer than two.
+std::vector<const SceneRow*> series(const Report& report, std::string_view name,
+                                    Fit::Against against);
+/// On one thread; scenes that were skipped are left out.
+std::vector<Growth> growth(std::span<const SceneRow* const> scenes, std::string_view method,
+                           std::string_view precision);
+/// On one thread, all that have two points at least.
+std::vector<Fit> fits(const Report& report);
+
+/// What was measured; null if nothing was.
+const Cell* measured(const SceneRow& row, std::string_view method, std::string_view precision,
+                     int threads = 1);
+
+/// Of the scene's cells on one thread, those that no other beats both in time and in wrong pixels,
+/// by time.
+std::vector<const Cell*> pareto_front(const SceneRow& row);
+
+/// The scene of a name that is shown: that with the most polygons, and of these the largest
+/// picture.
+const SceneRow& shown_scene(const Report& report, std::string_view name);
+/// Of the scenes that are of this kind, in order.
+std::vector<std::string> names(const Report& report, BenchScene::Kind kind);
+std::vector<std::string> names_but_hard_cases(const Report& report);
+
+/// A method at a precision, as a column or a curve.
+struct Column {
+  std::string method, precision;
+  bool exact;
+  std::string name() const { return precision.empty() ? method : method + ", " + precision; }
+  bool operator==(const Column&) const = default;
+};
+std::vector<Column> columns(const Report& report);
+
+/// Sums over hard cases.
+struct Wrong {
+  std::int64_t wrong = 0, pixels = 0;
+  double percent() const {
+    return pixels == 0 ? 0.0 : 100.0 * static_cast<double>(wrong) / static_cast<double>(pixels);
+  }
+};
+/// Of one family, or of all if the name is empty; on one thread. `gap` limits them to that severity
+/// of the families with a gap, unless it is negative.
+Wrong wrong_pixels(const Report& report, std::string_view family, const Column& column,
+                   double gap = -1.0);
+
+}  // namespace displayfile::bench

@@ -1,0 +1,211 @@
+#include "programs/bench/bench_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <thread>
+
+#include "clip/error.h"
+#include "displayfile/output_file.h"
+#include "hidden/precision.h"
+#include "programs/bench/environment.h"
+#include "programs/bench/json_report.h"
+#include "programs/bench/measure.h"
+#include "programs/bench/page.h"
+#include "programs/bench/partial_file.h"
+#include "programs/bench/text_report.h"
+#include "programs/bench/walk.h"
+#include "programs/progress.h"
+
+namespace displayfile {
+
+using namespace bench;
+
+namespace {
+
+std::vector<double> roundoffs(const BenchCommand& command) {
+  if (command.roundoffs.empty()) {
+    if (command.scenes.full) return {1e-15, 1e-12, 1e-9, 1e-6, 1e-3};
+    return {1e-12, 1e-9, 1e-6};
+  }
+  std::vector<double> values;
+  for (const std::string& text : command.roundoffs) {
+    if (text != "none") values.push_back(precision("roundoff=" + text).roundoff);
+  }
+  return values;
+}
+
+std::vector<Contender> chosen_contenders(const BenchCommand& command) {
+  const std::vector<Contender> all = contenders(roundoffs(command));
+  if (command.methods.empty()) return all;
+  std::vector<Contender> chosen;
+  for (const std::string& name : command.methods) {
+    std::string names;
+    bool found = false;
+    for (const Contender& contender : all) {
+      if (names.find(contender.method) == names.npos) names += ' ' + contender.method;
+      if (contender.method != name) continue;
+      chosen.push_back(contender);
+      found = true;
+    }
+    if (!found) {
+      throw Error(fmt::format("--methods {}: not in this build: expected some of{}", name, names));
+    }
+  }
+  return chosen;
+}
+
+std::vector<int> thread_counts(const BenchCommand& command) {
+  if (!command.threads.empty()) return command.threads;
+  const int all = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  std::vector<int> counts{1};
+  for (int n = 2; n < all && command.scenes.full; n *= 2) counts.push_back(n);
+  if (all > 1) counts.push_back(all);
+  return counts;
+}
+
+/// Of the scenes of a name, the one that is measured whole; the others show how times grow.
+bool is_largest(const BenchScene& scene, const std::vector<BenchScene>& scenes) {
+  return std::ranges::none_of(scenes, [&](const BenchScene& other) {
+    return other.name == scene.name &&
+           std::pair(other.n, other.size) > std::pair(scene.n, scene.size);
+  });
+}
+
+/// Those whose growth is shown.
+bool is_in_series(const Contender& contender) {
+  return contender.exact || contender.precision.empty() || contender.precision == "float" ||
+         contender.precision == "24 bits";
+}
+
+bool is_measured(const BenchScene& scene, bool largest, const Contender& contender, int threads) {
+  if (scene.kind == BenchScene::Kind::hard_case) return threads == 1;
+  if (threads > 1) return largest && contender.threaded && contender.exact;
+  return largest || is_in_series(contender);
+}
+
+Effort effort_of(const BenchCommand& command, const BenchScene& scene) {
+  Effort effort;
+  if (command.scenes.full) effort = {9, 0.005, 20.0};
+  if (scene.kind == BenchScene::Kind::hard_case) effort = {3, 0.0002, 0.02};
+  if (command.rounds > 0) effort.rounds = command.rounds;
+  if (command.most_seconds > 0.0) effort.most_seconds = command.most_seconds;
+  return effort;
+}
+
+/// What distinguishes the scene from others, the content of a file included.
+std::string scene_key(const BenchScene& scene) {
+  return scene.kind == BenchScene::Kind::input ? scene.id() + ' ' + file_hash(scene.name)
+                                               : scene.id();
+}
+
+/// What figures can be taken over from an interrupted run.
+std::string identity_of(const BenchCommand& command) {
+  return fmt::format("{}, full {}, rounds {}, seconds {}", build_identity(), command.scenes.full,
+                     command.rounds, command.most_seconds);
+}
+
+class Run {
+ public:
+  Run(const BenchCommand& command, std::vector<BenchScene> scenes)
+      : command_(command),
+        scenes_(std::move(scenes)),
+        contenders_(chosen_contenders(command)),
+        threads_(thread_counts(command)),
+        partial_(command.page + ".partial", identity_of(command)) {}
+
+  Report report() {
+    Report report{kReference, environment(), {}};
+    Progress progress("measuring");
+    for (std::size_t i = 0; i < scenes_.size(); ++i) {
+      progress.update(i, scenes_.size());
+      report.scenes.push_back(measured(scenes_[i]));
+    }
+    return report;
+  }
+  void finish() { partial_.remove(); }
+  std::size_t measured_now() const { return measured_now_; }
+  std::size_t from_before() const { return from_before_; }
+
+ private:
+  SceneRow measured(const BenchScene& scene) {
+    measurer_.take(scene, effort_of(command_, scene));
+    const std::string key = scene_key(scene);
+    SceneRow row{scene, measurer_.polygons(), std::nullopt, {}};
+    if (scene.kind != BenchScene::Kind::hard_case) row.growth = measurer_.growth();
+    std::vector<Contender> all = contenders_;
+    const bool whole = command_.scenes.full || is_largest(scene, scenes_);
+    if (scene.kind == BenchScene::Kind::walk && has_bsp()) all.push_back(retained_tree());
+    for (const Contender& contender : all) {
+      for (const int threads : threads_) {
+        if (!is_measured(scene, whole, contender, threads)) continue;
+        const CellKey cell_key{scene.id(), contender.method, contender.precision, threads};
+        if (const Cell* before = partial_.find(key, cell_key)) {
+          row.cells.push_back(*before);
+          ++from_before_;
+          continue;
+        }
+        row.cells.push_back(measurer_.measure(contender, threads));
+        partial_.add(key, row.cells.back());
+        ++measured_now_;
+      }
+    }
+    return row;
+  }
+
+  bool has_bsp() const {
+    return std::ranges::find(contenders_, "bsp", &Contender::method) != contenders_.end();
+  }
+
+  const BenchCommand& command_;
+  std::vector<BenchScene> scenes_;
+  std::vector<Contender> contenders_;
+  std::vector<int> threads_;
+  PartialFile partial_;
+  Measurer measurer_;
+  std::size_t measured_now_ = 0, from_before_ = 0;
+};
+
+void write_text(const std::string& path, const std::string& text) {
+  OutputFile out(path);
+  out.stream() << text;
+  out.commit();
+}
+
+/// Says which exact methods were wrong where; false if any was.
+bool exact_methods_are_right(const Report& report) {
+  bool right = true;
+  for (const SceneRow& row : report.scenes) {
+    for (const Cell& cell : row.cells) {
+      if (!cell.exact || cell.wrong_pixels == 0) continue;
+      std::cout << fmt::format("{}: {} wrong pixels by {}\n", cell.key.scene, cell.wrong_pixels,
+                               cell.key.contender());
+      right = false;
+    }
+  }
+  return right;
+}
+
+}  // namespace
+
+int BenchCommand::run() const {
+  // Every output must be writable before the long work.
+  OutputFile{page};
+  if (!json.empty()) OutputFile{json};
+  // llvmpipe draws on the calling thread alone, as all methods do that have no threads of their
+  // own.
+  setenv("LP_NUM_THREADS", "0", 0);
+  Run measuring(*this, chosen_scenes(scenes));
+  const Report report = measuring.report();
+  if (!json.empty()) write_text(json, to_json(report).dump(1) + '\n');
+  write_text(page, html_page(report));
+  measuring.finish();
+  std::cout << text_report(report)
+            << fmt::format("{} figures measured, {} taken over from an interrupted run\n{}\n",
+                           measuring.measured_now(), measuring.from_before(), page);
+  return exact_methods_are_right(report) ? 0 : 1;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "programs/bench/bench_scene.h"
+
+namespace displayfile {
+
+/// `displayfile bench`: speed against error, as a table, JSON and a page (programs/bench/bench.md).
+struct BenchCommand {
+  bench::SceneChoice scenes;
+  std::vector<std::string> methods;    ///< only these; all if empty
+  std::vector<std::string> roundoffs;  ///< beside exact; the usual ones if empty
+  std::vector<int> threads;            ///< the usual ones if empty
+  int rounds = 0;                      ///< of a ratio; 0: the usual number
+  double most_seconds = 0.0;           ///< of a cell's ratio; 0: the usual
+  std::string page = "report.html";
+  std::string json;  ///< not written if empty
+
+  /// 1 if a method that claims to be exact has a wrong pixel. Throws Error as the other commands.
+  int run() const;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,180 @@
+#include "programs/bench/bench_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "clip/error.h"
+#include "displayfile/sorted_display_file.h"
+#include "programs/bench/walk.h"
+#include "programs/inputs.h"
+#include "programs/scenes/generated_scenes.h"
+#include "programs/scenes/hard_cases.h"
+
+namespace displayfile::bench {
+
+namespace {
+
+constexpr std::uint64_t kSeed = 1;
+constexpr int kHardCaseSize = 32;
+constexpr std::string_view kWalk = "walk";
+
+/// n polygons of it cover each pixel and pass through each other: it is measured at smaller sizes.
+bool all_overlap(std::string_view name) { return name == "planes"; }
+
+std::vector<std::size_t> polygon_counts(std::string_view name, const SceneChoice& choice) {
+  if (!choice.polygons.empty()) return choice.polygons;
+  if (all_overlap(name)) {
+    return choice.full ? std::vector<std::size_t>{5, 15, 40, 100, 300, 1000}
+                       : std::vector<std::size_t>{5, 15, 40, 100};
+  }
+  return choice.full ? std::vector<std::size_t>{100, 300, 1000, 3000, 10000, 30000}
+                     : std::vector<std::size_t>{100, 300, 1000, 3000};
+}
+
+std::vector<int> picture_sizes(std::string_view name, const SceneChoice& choice) {
+  if (!choice.sizes.empty()) return choice.sizes;
+  if (all_overlap(name)) return {48, 96, 192, 384};
+  return choice.full ? std::vector<int>{128, 256, 512, 1024, 2048}
+                     : std::vector<int>{96, 192, 384, 768};
+}
+
+/// What the series by polygons and the series by pixels have in common.
+struct SharedScene {
+  std::size_t polygons;
+  int size;
+};
+SharedScene shared_scene(std::string_view name, const SceneChoice& choice) {
+  const auto counts = polygon_counts(name, choice);
+  const auto sizes = picture_sizes(name, choice);
+  return {counts[counts.size() >= 2 ? counts.size() - 2 : 0],
+          sizes[std::min<std::size_t>(1, sizes.size() - 1)]};
+}
+
+void add_generated(std::string_view name, const SceneChoice& choice,
+                   std::vector<BenchScene>& scenes) {
+  const SharedScene shared = shared_scene(name, choice);
+  const auto add = [&](std::size_t n, int size) {
+    scenes.push_back({BenchScene::Kind::generated, std::string(name), n, 0.0, false, size});
+  };
+  for (const std::size_t n : polygon_counts(name, choice)) add(n, shared.size);
+  for (const int size : picture_sizes(name, choice)) {
+    if (size != shared.size) add(shared.polygons, size);
+  }
+}
+
+/// With the number of polygons and the size that the series of the city share.
+void add_walk(const SceneChoice& choice, std::vector<BenchScene>& scenes) {
+  const auto shared = shared_scene("city", choice);
+  scenes.push_back(
+      {BenchScene::Kind::walk, std::string(kWalk), shared.polygons, 0.0, false, shared.size});
+}
+
+/// Gaps of 1e-1 to 1e-17 where there is one, and otherwise the severities of the table.
+void add_hard_case(const HardCase& family, const SceneChoice& choice,
+                   std::vector<BenchScene>& scenes) {
+  std::vector<double> severities = family.severities;
+  if (family.has_gap()) {
+    severities.clear();
+    for (int power = 1; power <= 17; power += choice.full ? 1 : 2) severities.push_back(power);
+  }
+  const int size = choice.sizes.empty() ? kHardCaseSize : choice.sizes.front();
+  for (const double severity : severities) {
+    scenes.push_back({BenchScene::Kind::hard_case, std::string(family.name), family.size, severity,
+                      family.has_gap(), size});
+  }
+}
+
+void add_input(const std::string& path, const SceneChoice& choice,
+               std::vector<BenchScene>& scenes) {
+  for (const int size : picture_sizes(path, choice)) {
+    scenes.push_back({BenchScene::Kind::input, path, 0, 0.0, false, size});
+  }
+  scenes.back().make();  // throws now, not in the middle of a run
+}
+
+template <class Entries>
+auto find(const Entries& entries, std::string_view name) {
+  const auto entry = std::ranges::find(entries, name, [](const auto& e) { return e.name; });
+  return entry == entries.end() ? nullptr : &*entry;
+}
+
+void add_named(const std::string& name, const SceneChoice& choice,
+               std::vector<BenchScene>& scenes) {
+  if (find(generated_scenes(), name) != nullptr) return add_generated(name, choice, scenes);
+  if (name == kWalk) return add_walk(choice, scenes);
+  if (const HardCase* family = find(hard_cases(), name)) {
+    return add_hard_case(*family, choice, scenes);
+  }
+  if (std::filesystem::is_regular_file(name)) return add_input(name, choice, scenes);
+  std::string generated;
+  for (const GeneratedScene& scene : generated_scenes()) generated += std::string(scene.name) + ' ';
+  throw Error(
+      fmt::format("{}: no such scene or file: expected one of {}, a family of hard cases "
+                  "such as cycle_of_3 or parallel_sheets, a drawing program or a mesh",
+                  name, generated + std::string(kWalk)));
+}
+
+DisplayFile as_entered(const GraphicsSystem& system) {
+  HiddenSurfaceOptions options;
+  options.method = HiddenMethod::none;
+  return SortedDisplayFile{}.update(system, HiddenMethod::none, options);
+}
+
+}  // namespace
+
+std::size_t BenchScene::pixels() const {
+  const auto side = static_cast<std::size_t>(size);
+  return side * side * (kind == Kind::walk ? kViewsOfWalk : 1);
+}
+
+std::string BenchScene::id() const {
+  std::string text = name;
+  if (kind == Kind::walk) text += fmt::format(" n={}, {} views", n, kViewsOfWalk);
+  if (kind == Kind::generated) text += fmt::format(" n={}", n);
+  if (kind == Kind::hard_case && gap) text += fmt::format(" gap=1e-{:g}", severity);
+  if (kind == Kind::hard_case && !gap) text += fmt::format(" severity={:g}", severity);
+  return text + fmt::format(" {0}x{0}", size);
+}
+
+DisplayFile BenchScene::make() const {
+  if (kind == Kind::walk) return entered(walk(n).front()).display_file();
+  if (kind == Kind::generated) {
+    return entered(generated_scene(name).make(n, kSeed)).display_file();
+  }
+  if (kind == Kind::hard_case) {
+    return entered(hard_case(name).make(n, severity, kSeed)).display_file();
+  }
+  GraphicsSystem system;
+  enter_inputs(std::span(&name, 1), system);
+  return as_entered(system);
+}
+
+std::vector<BenchScene> chosen_scenes(const SceneChoice& choice) {
+  std::vector<std::string> names = choice.names;
+  if (names.empty()) {
+    for (const GeneratedScene& scene : generated_scenes()) names.emplace_back(scene.name);
+    names.emplace_back(kWalk);
+    for (const HardCase& family : hard_cases()) names.emplace_back(family.name);
+  }
+  std::vector<BenchScene> scenes;
+  for (const std::string& name : names) {
+    if (std::ranges::find(scenes, name, &BenchScene::name) == scenes.end()) {
+      add_named(name, choice, scenes);
+    }
+  }
+  return scenes;
+}
+
+std::string_view name_of(BenchScene::Kind kind) {
+  switch (kind) {
+    case BenchScene::Kind::generated: return "generated";
+    case BenchScene::Kind::walk: return "walk";
+    case BenchScene::Kind::hard_case: return "hard case";
+    case BenchScene::Kind::input: break;
+  }
+  return "input";
+}
+
+}  // namespace displayfile::bench

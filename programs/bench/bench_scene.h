@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "displayfile/display_file.h"
+
+namespace displayfile::bench {
+
+/// A scene to measure on, at one number of polygons and one size of picture.
+struct BenchScene {
+  enum class Kind { generated, walk, hard_case, input };
+  Kind kind;
+  std::string name;       ///< of the generator; of an input, its path
+  std::size_t n = 0;      ///< polygons asked of a generator, or of the city that is walked through
+  double severity = 0.0;  ///< of a hard case
+  bool gap = false;       ///< the severity s is a gap of 10^-s
+  int size = 0;           ///< pixels a side
+
+  /// All of these in words, different for different scenes.
+  std::string id() const;
+  std::size_t pixels() const;  ///< of all views
+  /// Hidden surfaces are not sorted, whatever a drawing program says. Throws Error for an input
+  /// that cannot be read.
+  DisplayFile make() const;
+};
+
+/// Which scenes are measured.
+struct SceneChoice {
+  std::vector<std::string> names;     ///< none: all generated scenes, the walk and all hard cases
+  std::vector<std::size_t> polygons;  ///< of generated scenes; none: the usual ones
+  std::vector<int> sizes;             ///< none: the usual ones
+  bool full = false;
+};
+
+/// The scenes, those of one name after each other, the smallest of them first. Throws Error for a
+/// name that is neither a scene's nor a file's.
+std::vector<BenchScene> chosen_scenes(const SceneChoice& choice);
+
+std::string_view name_of(BenchScene::Kind kind);
+
+}  // namespace displayfile::bench

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "displayfile/display_file.h"
+#include "interp/picture.h"
+
+namespace displayfile::bench {
+
+/// One display file, to be drawn any number of times by one method at one size.
+class Drawing {
+ public:
+  virtual ~Drawing() = default;
+  /// A picture from the display file, with nothing kept from earlier ones.
+  virtual void draw_anew() = 0;
+  /// The same picture again, with all that the last one left; after draw_anew.
+  virtual void draw_again() { draw_anew(); }
+  /// The same again with the item buffer and the depths; after draw_anew.
+  virtual Picture judged() = 0;
+  /// Polygons and lines after the sort of a method that sorts; after draw_anew.
+  virtual std::optional<std::uint64_t> pieces() const { return std::nullopt; }
+};
+
+/// A picture's size in pixels, and on how many threads it is drawn.
+struct Frame {
+  int width, height, threads = 1;
+};
+
+/// A method at one precision.
+struct Contender {
+  std::string method;     ///< the name on the command line, or that of a peer
+  std::string precision;  ///< "exact", "roundoff=1e-06", or a depth format
+  bool exact;             ///< claims that no pixel is wrong
+  bool threaded;          ///< can use several threads here
+  bool counted;           ///< its memory comes from operator new, its predicates are ours
+  /// Of a display file that lives on.
+  std::function<std::unique_ptr<Drawing>(const DisplayFile&, const Frame&)> draw;
+
+  std::string name() const { return precision.empty() ? method : method + ", " + precision; }
+};
+
+/// All that this build has: the heedless painter, the image-space methods and the sorts, exact and
+/// with each ROUNDOFF; the plain z-buffer and OSMesa at each of their depth formats.
+std::vector<Contender> contenders(std::span<const double> roundoffs);
+
+/// What all times are given in: the exact z-buffer on one thread.
+Contender reference_contender();
+inline constexpr const char* kReference = "z-buffer, exact, 1 thread";
+
+}  // namespace displayfile::bench

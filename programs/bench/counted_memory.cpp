@@ -1,0 +1,112 @@
+#include "programs/bench/counted_memory.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <functional>
+#include <mutex>
+#include <new>
+#include <unordered_map>
+#include <utility>
+
+// The program's own operator new and delete, so that what they hold can be counted. While nothing
+// is counted they cost one load more than the library's.
+
+namespace {
+
+/// For the table of blocks, which must not count itself.
+template <class T>
+struct Uncounted {
+  using value_type = T;
+  Uncounted() = default;
+  template <class U>
+  explicit Uncounted(const Uncounted<U>&) {}
+  T* allocate(std::size_t n) {
+    if (void* p = std::malloc(n * sizeof(T))) return static_cast<T*>(p);
+    throw std::bad_alloc();
+  }
+  void deallocate(T* p, std::size_t) { std::free(p); }
+  bool operator==(const Uncounted&) const { return true; }
+};
+
+/// The blocks that the counted work holds, with the sizes that were asked for: those of malloc hang
+/// on what was there before.
+class Blocks {
+ public:
+  void add(void* block, std::size_t size) {
+    const std::scoped_lock lock(mutex_);
+    sizes_.emplace(block, size);
+    held_ += static_cast<std::int64_t>(size);
+    most_ = std::max(most_, held_);
+  }
+  void remove(void* block) {
+    const std::scoped_lock lock(mutex_);
+    const auto found = sizes_.find(block);
+    if (found == sizes_.end()) return;  // from before
+    held_ -= static_cast<std::int64_t>(found->second);
+    sizes_.erase(found);
+  }
+  std::int64_t most() const { return most_; }
+  void clear() {
+    sizes_.clear();
+    held_ = most_ = 0;
+  }
+
+ private:
+  using Entry = std::pair<void* const, std::size_t>;
+  std::mutex mutex_;
+  std::unordered_map<void*, std::size_t, std::hash<void*>, std::equal_to<>, Uncounted<Entry>>
+      sizes_;
+  std::int64_t held_ = 0, most_ = 0;
+};
+
+std::atomic<bool> counting = false;
+
+Blocks& blocks() {
+  static Blocks all;
+  return all;
+}
+
+void* counted(void* p, std::size_t size) {
+  if (p == nullptr) throw std::bad_alloc();
+  if (counting.load(std::memory_order_relaxed)) blocks().add(p, size);
+  return p;
+}
+
+void release(void* p) {
+  if (counting.load(std::memory_order_relaxed) && p != nullptr) blocks().remove(p);
+  std::free(p);
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  return counted(std::malloc(std::max<std::size_t>(size, 1)), size);
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  const auto align = static_cast<std::size_t>(alignment);
+  return counted(
+      std::aligned_alloc(align, (std::max<std::size_t>(size, 1) + align - 1) / align * align),
+      size);
+}
+void operator delete(void* p) noexcept { release(p); }
+void operator delete(void* p, std::size_t) noexcept { release(p); }
+void operator delete(void* p, std::align_val_t) noexcept { release(p); }
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept { release(p); }
+
+namespace displayfile::bench {
+
+std::int64_t most_bytes_held(const std::function<void()>& work) {
+  blocks().clear();
+  counting = true;
+  try {
+    work();
+  } catch (...) {
+    counting = false;
+    throw;
+  }
+  counting = false;
+  return blocks().most();
+}
+
+}  // namespace displayfile::bench

@@ -1,0 +1,80 @@
+#include "programs/bench/environment.h"
+
+#include <assimp/version.h>
+#include <cairo.h>
+#include <fmt/format.h>
+#include <gmp.h>
+#include <oneapi/tbb/version.h>
+#include <png.h>
+#include <sys/utsname.h>
+
+#include <fstream>
+#include <thread>
+
+#include "clip/error.h"
+#include "interp/osmesa.h"
+#include "programs/bench/build_information.h"
+
+namespace displayfile::bench {
+
+namespace {
+
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  utsname system{};
+  uname(&system);
+  return system.machine;
+}
+
+std::string operating_system() {
+  utsname system{};
+  uname(&system);
+  return fmt::format("{} {} {}", system.sysname, system.release, system.machine);
+}
+
+/// A library that is linked at run time.
+std::pair<std::string, std::string> library(std::string name, const char* configured,
+                                            const std::string& now) {
+  return {std::move(name), fmt::format("{} when configured, {} now", configured, now)};
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> environment() {
+  return {
+      {"displayfile", build::kVersion},
+      {"compiler", build::kCompiler},
+      {"build type", build::kBuildType},
+      {"flags", build::kFlags},
+      {"processor", processor()},
+      {"processors", fmt::format("{}", std::thread::hardware_concurrency())},
+      {"system", operating_system()},
+      {"OSMesa", osmesa_description()},
+      library("oneTBB", build::kTbb, TBB_runtime_version()),
+      library("GMP", build::kGmp, gmp_version),
+      library("libpng", build::kPng, png_get_libpng_ver(nullptr)),
+      library("Cairo", build::kCairo, cairo_version_string()),
+      library(
+          "Assimp", build::kAssimp,
+          fmt::format("{}.{}.{}", aiGetVersionMajor(), aiGetVersionMinor(), aiGetVersionPatch())),
+      {"{fmt}", build::kFmt},
+      {"GLM", build::kGlm},
+      {"CLI11", build::kCli11},
+      {"JSON for Modern C++", build::kJson},
+  };
+}
+
+std::string file_hash(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw Error(path + ": cannot be read");
+  std::uint64_t hash = 0xCBF29CE484222325u;
+  for (char c = 0; file.get(c);) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3u;
+  return fmt::format("{:016x}", hash);
+}
+
+std::string build_identity() { return file_hash("/proc/self/exe") + ", " + processor(); }
+
+}  // namespace displayfile::bench

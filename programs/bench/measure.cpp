@@ -1,0 +1,201 @@
+#include "programs/bench/measure.h"
+
+#include <fmt/format.h>
+#include <time.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hidden/predicate_counts.h"
+#include "interp/truth.h"
+#include "programs/bench/counted_memory.h"
+#include "programs/bench/walk.h"
+
+namespace displayfile::bench {
+
+struct Measurer::Scene {
+  BenchScene scene;
+  DisplayFile file;
+  std::vector<displayfile::Scene> views;  // of a walk: each has a display file of its own
+  Picture truth;                          // of a walk, that of all views below each other
+  std::unique_ptr<Drawing> reference;
+  double reference_seconds = 0.0;
+
+  explicit Scene(const BenchScene& s);
+  std::unique_ptr<Drawing> drawing(const Contender& contender, int threads) const;
+  /// Polygons and pixels: what a method's time may be expected to grow with.
+  double work() const {
+    return static_cast<double>(file.polygons()) * static_cast<double>(scene.pixels());
+  }
+};
+
+namespace {
+
+Spread figures(const Spread& s) { return {figure(s.least), figure(s.median), figure(s.greatest)}; }
+
+/// As often as fills the time that is the least of a round's side.
+int repetitions(double once, double least_seconds) {
+  return static_cast<int>(std::clamp(std::ceil(least_seconds / std::max(once, 1e-9)), 1.0, 1e5));
+}
+
+/// What else the machine does is not in a processor's time; that of several threads together is not
+/// what a user waits for.
+enum class Clock { processor, wall };
+
+double now(Clock clock) {
+  timespec t{};
+  clock_gettime(clock == Clock::processor ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+double seconds_each(Clock clock, int times, const auto& work) {
+  const double start = now(clock);
+  for (int i = 0; i < times; ++i) work();
+  return (now(clock) - start) / times;
+}
+
+double seconds_once(const auto& work) { return seconds_each(Clock::processor, 1, work); }
+
+/// The work's time over the reference's, in turn; `once` is about what each takes.
+Spread ratio(const Effort& effort, Clock clock, double once, const auto& work,
+             double reference_once, const auto& reference) {
+  const int times = repetitions(once, effort.least_seconds);
+  const int reference_times = repetitions(reference_once, effort.least_seconds);
+  const double round = once * times + reference_once * reference_times;
+  const int rounds = std::clamp(static_cast<int>(effort.most_seconds / round), 1, effort.rounds);
+  std::vector<double> ratios;
+  for (int i = 0; i < rounds; ++i) {
+    const double reference_seconds = seconds_each(clock, reference_times, reference);
+    ratios.push_back(seconds_each(clock, times, work) / reference_seconds);
+  }
+  return figures(spread(std::move(ratios)));
+}
+
+std::uint64_t exact_calls() {
+  std::uint64_t sum = 0;
+  for (const StageCounts& count : predicate_counts()) sum += count.exact;
+  return sum;
+}
+
+std::string key_text(const CellKey& key) {
+  return fmt::format("{} {} {}", key.method, key.precision, key.threads);
+}
+
+Picture truth_of_walk(const std::vector<displayfile::Scene>& views, int size) {
+  Picture all;
+  for (const displayfile::Scene& view : views) {
+    append(truth(entered(view).display_file(), size, size, true), all);
+  }
+  return all;
+}
+
+}  // namespace
+
+Measurer::Scene::Scene(const BenchScene& s) : scene(s), file(s.make()) {
+  if (scene.kind == BenchScene::Kind::walk) {
+    views = walk(scene.n);
+    truth = truth_of_walk(views, scene.size);
+  } else {
+    truth = displayfile::truth(file, scene.size, scene.size, true);
+  }
+  reference = drawing(reference_contender(), 1);
+  reference->draw_anew();
+  reference_seconds = seconds_once([&] { reference->draw_anew(); });
+}
+
+std::unique_ptr<Drawing> Measurer::Scene::drawing(const Contender& contender, int threads) const {
+  const Frame frame{scene.size, scene.size, threads};
+  if (scene.kind != BenchScene::Kind::walk) return contender.draw(file, frame);
+  return contender.draw ? draw_walk(views, contender, frame) : draw_walk_with_tree(views, frame);
+}
+
+Measurer::Measurer() = default;
+Measurer::~Measurer() = default;
+
+void Measurer::take(const BenchScene& scene, const Effort& effort) {
+  effort_ = effort;
+  const bool same_name = scene_ != nullptr && scene_->scene.name == scene.name;
+  if (!same_name) {
+    first_.reset();
+    longest_.clear();
+  } else if (first_ == nullptr) {
+    first_ = std::move(scene_);
+  }
+  scene_ = std::make_unique<Scene>(scene);
+}
+
+std::size_t Measurer::polygons() const { return scene_->file.polygons(); }
+
+Spread Measurer::growth() {
+  if (first_ == nullptr) return {1.0, 1.0, 1.0};
+  return ratio(
+      effort_, Clock::processor, scene_->reference_seconds, [&] { scene_->reference->draw_anew(); },
+      first_->reference_seconds, [&] { first_->reference->draw_anew(); });
+}
+
+/// What took long on a smaller scene of the name, and may take four times as long on twice the
+/// work.
+bool Measurer::too_long(const CellKey& key) const {
+  constexpr double kTimesTheMost = 5.0;
+  const auto longest = longest_.find(key_text(key));
+  if (longest == longest_.end()) return false;
+  const double growth = std::max(1.0, scene_->work() / longest->second.work);
+  return longest->second.seconds * growth * growth > kTimesTheMost * effort_.most_seconds &&
+         longest->second.seconds * growth > effort_.most_seconds;
+}
+
+void Measurer::compare(const Picture& picture, Cell& cell) const {
+  const Picture& right = scene_->truth;
+  double sum = 0.0;
+  std::int64_t both = 0;
+  for (std::size_t i = 0; i < right.ids.size(); ++i) {
+    cell.wrong_pixels += picture.ids[i] != right.ids[i];
+    if (!std::isfinite(picture.depth[i]) || !std::isfinite(right.depth[i])) continue;
+    const double error = std::abs(picture.depth[i] - right.depth[i]);
+    cell.largest_depth_error = std::max(cell.largest_depth_error, error);
+    sum += error;
+    ++both;
+  }
+  cell.largest_depth_error = figure(cell.largest_depth_error);
+  cell.mean_depth_error = both == 0 ? 0.0 : figure(sum / static_cast<double>(both));
+}
+
+/// A second picture, since what a method keeps for all pictures is made by the first.
+void Measurer::count(Drawing& drawing, Cell& cell) {
+  reset_predicate_counts();
+  cell.bytes = most_bytes_held([&] { drawing.draw_anew(); });
+  cell.exact_calls = exact_calls();
+}
+
+Cell Measurer::measure(const Contender& contender, int threads) {
+  Cell cell;
+  cell.key = {scene_->scene.id(), contender.method, contender.precision, threads};
+  cell.exact = contender.exact;
+  if (too_long(cell.key)) {
+    cell.skipped = "it would take too long, from what a smaller one took";
+    return cell;
+  }
+  const auto drawing = scene_->drawing(contender, threads);
+  const double once = seconds_once([&] { drawing->draw_anew(); });
+  Longest& longest = longest_[key_text(cell.key)];
+  if (once >= longest.seconds) longest = {once, scene_->work()};
+  if (contender.counted) count(*drawing, cell);
+  compare(drawing->judged(), cell);
+  if (const auto pieces = drawing->pieces()) {
+    cell.fragments = figure(static_cast<double>(*pieces) /
+                            static_cast<double>(std::max<std::size_t>(1, polygons())));
+  }
+  const Clock clock = threads == 1 ? Clock::processor : Clock::wall;
+  const auto reference = [&] { scene_->reference->draw_anew(); };
+  cell.time = ratio(
+      effort_, clock, once, [&] { drawing->draw_anew(); }, scene_->reference_seconds, reference);
+  if (scene_->scene.kind != BenchScene::Kind::hard_case) {
+    const double again = seconds_once([&] { drawing->draw_again(); });
+    cell.again = ratio(
+        effort_, clock, again, [&] { drawing->draw_again(); }, scene_->reference_seconds,
+        reference);
+  }
+  return cell;
+}
+
+}  // namespace displayfile::bench

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "programs/bench/contenders.h"
+#include "programs/bench/report.h"
+
+namespace displayfile::bench {
+
+/// How much is done for a ratio.
+struct Effort {
+  int rounds = 5;                ///< the method and the reference in turn
+  double least_seconds = 0.002;  ///< of a round's side: shorter work is repeated
+  double most_seconds = 1.0;     ///< for all rounds of a ratio; there is one at least
+};
+
+/// Measures one scene after another.
+class Measurer {
+ public:
+  Measurer();
+  ~Measurer();
+
+  /// The scene that is measured from now on, with its truth. Scenes of a name grow from the first.
+  void take(const BenchScene& scene, const Effort& effort);
+  std::size_t polygons() const;
+  /// Of the reference, as in SceneRow.
+  Spread growth();
+
+  Cell measure(const Contender& contender, int threads);
+
+ private:
+  struct Scene;
+  bool too_long(const CellKey& key) const;
+  static void count(Drawing& drawing, Cell& cell);
+  void compare(const Picture& picture, Cell& cell) const;
+
+  Effort effort_;
+  std::unique_ptr<Scene> scene_;
+  std::unique_ptr<Scene> first_;  ///< of the same name
+  /// Seconds of the first picture, by method, precision and threads: what was the largest so far
+  /// of the same name.
+  struct Longest {
+    double seconds, work;
+  };
+  std::map<std::string, Longest> longest_;
+};
+
+}  // namespace displayfile::bench

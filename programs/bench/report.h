@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "programs/bench/bench_scene.h"
+#include "programs/bench/side_by_side.h"
+
+namespace displayfile::bench {
+
+/// What is measured together: a scene, a method at a precision, a number of threads.
+struct CellKey {
+  std::string scene;  ///< BenchScene::id
+  std::string method, precision;
+  int threads = 1;
+
+  bool operator==(const CellKey&) const = default;
+  std::string contender() const { return precision.empty() ? method : method + ", " + precision; }
+};
+
+/// What was measured.
+struct Cell {
+  CellKey key;
+  bool exact = false;   ///< claims that no pixel is wrong
+  std::string skipped;  ///< why nothing was measured; else empty
+  std::int64_t wrong_pixels = 0;
+  /// Absolute, over the pixels where the depths of the picture and of the truth are both finite;
+  /// the view volume is 1 deep.
+  double largest_depth_error = 0.0, mean_depth_error = 0.0;
+  std::optional<double> fragments;    ///< pieces a polygon, of a method that sorts
+  std::optional<std::int64_t> bytes;  ///< most held at a time
+  std::uint64_t exact_calls = 0;      ///< of the predicates' exact stage, for one picture
+  Spread time{};                      ///< of a picture from the display file, in reference times
+  std::optional<Spread> again;        ///< of the same picture again, in reference times
+};
+
+/// A scene as it was measured.
+struct SceneRow {
+  BenchScene scene;
+  std::size_t polygons = 0;  ///< in the display file
+  /// The reference's time here, over its time on the first scene of the same name; not for hard
+  /// cases.
+  std::optional<Spread> growth;
+  std::vector<Cell> cells;
+};
+
+/// Everything that the table, the JSON and the page show.
+struct Report {
+  std::string reference;  ///< what all times are given in
+  std::vector<std::pair<std::string, std::string>> environment;
+  std::vector<SceneRow> scenes;
+};
+
+/// To four digits: what is written is what is kept, so that all outputs show the same figures.
+double figure(double value);
+
+}  // namespace displayfile::bench

@@ -1,0 +1,82 @@
+#include "programs/bench/text_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "programs/bench/analysis.h"
+#include "programs/bench/json_report.h"
+
+namespace displayfile::bench {
+
+namespace {
+
+using Row = std::vector<std::string>;
+
+/// The first column to the left, the others to the right.
+std::string aligned(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    text += fmt::format("  {:<{}}", row[0], widths[0]);
+    for (std::size_t i = 1; i < row.size(); ++i) {
+      text += fmt::format("  {:>{}}", row[i], widths[i]);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+Row row_of(const Cell& cell, std::size_t polygons) {
+  const std::string name =
+      cell.key.contender() +
+      (cell.key.threads == 1 ? "" : fmt::format(", {} threads", cell.key.threads));
+  if (!cell.skipped.empty()) return {name, "skipped", "", "", "", "", "", "", ""};
+  const auto per_polygon = static_cast<double>(std::max<std::size_t>(1, polygons));
+  return {name,
+          number(cell.time.median),
+          number(cell.time.least) + " .. " + number(cell.time.greatest),
+          cell.again ? number(cell.again->median) : "",
+          fmt::format("{}", cell.wrong_pixels),
+          number(cell.largest_depth_error),
+          cell.fragments ? number(*cell.fragments) : "",
+          cell.bytes ? fmt::format("{:.0f}", static_cast<double>(*cell.bytes) / per_polygon) : "",
+          fmt::format("{}", cell.exact_calls)};
+}
+
+std::string scene_table(const SceneRow& row) {
+  std::vector<Row> rows{{"method", "time", "least .. greatest", "again", "wrong pixels",
+                         "depth error", "fragments", "bytes", "exact calls"}};
+  for (const Cell& cell : row.cells) rows.push_back(row_of(cell, row.polygons));
+  return fmt::format("{}: {} polygons\n{}\n", row.scene.id(), row.polygons, aligned(rows));
+}
+
+std::string hard_cases_table(const Report& report) {
+  std::vector<Row> rows{{"method", "wrong pixels", "in a hundred"}};
+  for (const Column& column : columns(report)) {
+    const Wrong sum = wrong_pixels(report, "", column);
+    if (sum.pixels == 0) continue;
+    rows.push_back(
+        {column.name(), fmt::format("{}", sum.wrong), fmt::format("{:.3g}", sum.percent())});
+  }
+  return fmt::format("all hard cases\n{}\n", aligned(rows));
+}
+
+}  // namespace
+
+std::string text_report(const Report& report) {
+  std::string text = fmt::format(
+      "Times are ratios to {} on the same scene. Fragments and bytes are for each polygon.\n\n",
+      report.reference);
+  for (const std::string& name : names_but_hard_cases(report)) {
+    text += scene_table(shown_scene(report, name));
+  }
+  if (!names(report, BenchScene::Kind::hard_case).empty()) text += hard_cases_table(report);
+  return text;
+}
+
+}  // namespace displayfile::bench

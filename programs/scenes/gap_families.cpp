@@ -1,0 +1,177 @@
+#include <algorithm>
+
+#include "programs/scenes/families.h"
+#include "programs/scenes/shapes.h"
+
+// Polygons that are nearly in one plane: what separates them shrinks with the severity.
+
+namespace displayfile {
+
+Scene parallel_sheets(std::size_t n, double severity, std::uint64_t seed) {
+  Random random(seed);
+  Scene scene;
+  std::vector<Polygon> sheets;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Sheet sheet{0.1 + static_cast<double>(i) * gap(severity), 0.125, 0.0625};
+    sheets.push_back(random_regular(random, 3 + random.below(4), {}, {0.7, 0.7}, sheet));
+  }
+  random.shuffle(sheets);
+  scene.add(sheets);
+  return scene;
+}
+
+Scene ulp_stack(std::size_t n, double ulps, std::uint64_t seed) {
+  Random random(seed);
+  Scene scene;
+  std::vector<Polygon> sheets;
+  double z = 0.5;
+  for (std::size_t i = 0; i < n; ++i, z = nudged(z, static_cast<int>(ulps))) {
+    sheets.push_back(random_regular(random, 3 + random.below(4), {}, {0.6, 0.6}, {z}));
+  }
+  random.shuffle(sheets);
+  scene.add(sheets);
+  return scene;
+}
+
+Scene ulp_stack_tilted(std::size_t n, double ulps, std::uint64_t seed) {
+  Random random(seed);
+  Scene scene;
+  std::vector<Polygon> sheets;
+  const Polygon lowest{{-0.1, -0.1, 0.3}, {1.2, 0.1, 0.45}, {0.3, 1.3, 0.7}};
+  for (std::size_t i = 0; i < n; ++i) {
+    Polygon sheet = lowest;
+    for (Point3& p : sheet) p.z = nudged(p.z, static_cast<int>(i) * static_cast<int>(ulps));
+    sheets.push_back(begun_at(sheet, random.below(3)));
+  }
+  random.shuffle(sheets);
+  scene.add(sheets);
+  return scene;
+}
+
+Scene ulp_interleaved(std::size_t n, double ulps, std::uint64_t seed) {
+  Random random(seed);
+  Scene scene;
+  const Polygon base{{-0.1, -0.1, 0.3}, {1.2, 0.1, 0.45}, {0.3, 1.3, 0.7}};
+  const auto range = static_cast<int>(ulps);
+  for (std::size_t i = 0; i < n; ++i) {
+    Polygon sheet = base;
+    for (Point3& p : sheet) {
+      p.z = nudged(p.z,
+                   static_cast<int>(random.below(2 * static_cast<std::size_t>(ulps) + 1)) - range);
+    }
+    scene.add(begun_at(sheet, random.below(3)));
+  }
+  return scene;
+}
+
+Scene nearly_coplanar(std::size_t n, double severity, std::uint64_t seed) {
+  Random random(seed);
+  Scene scene;
+  const Sheet sheet{0.3, 0.25, 0.125};
+  for (std::size_t i = 0; i < n; ++i) {
+    Polygon triangle = random_triangle(random, sheet);
+    for (Point3& p : triangle) p.z += gap(severity) * (random.unit() - 0.5);
+    scene.add(triangle);
+  }
+  return scene;
+}
+
+Scene shallow_crossing(std::size_t n, double severity, std::uint64_t seed) {
+  Random random(seed);
+  Scene scene;
+  const Sheet base{0.4, 0.25, -0.125};
+  scene.add(rectangle(0.0, 0.0, 1.0, 1.0, base));
+  for (std::size_t i = 1; i < n; ++i) {
+    const Point2 across = on_circle(random.unit()), through = random_place(random);
+    Polygon crossing = rectangle(0.0, 0.0, 1.0, 1.0, base);
+    for (Point3& p : crossing) {
+      p.z += gap(severity) * ((p.x - through.x) * across.x + (p.y - through.y) * across.y);
+    }
+    scene.add(crossing);
+  }
+  return scene;
+}
+
+Scene saw(std::size_t n, double severity, std::uint64_t seed) {
+  Random random(seed);
+  Scene scene;
+  const Sheet base{0.4, 0.125, 0.25};
+  const double width = 1.0 / static_cast<double>(n);
+  std::vector<Polygon> teeth{rectangle(0.0, 0.0, 1.0, 1.0, base)};
+  for (std::size_t i = 0; i < n; ++i) {
+    const double left = static_cast<double>(i) * width;
+    Polygon tooth{base.point(left, 0.0), base.point(left + width, 0.0),
+                  base.point(left + width / 2.0, 1.0)};
+    for (Point3& p : tooth) p.z += (i % 2 == 0 ? 1.0 : -1.0) * gap(severity);
+    teeth.push_back(tooth);
+  }
+  random.shuffle(teeth);
+  scene.add(teeth);
+  return scene;
+}
+
+Scene thin_plates(std::size_t n, double severity, std::uint64_t seed) {
+  Random random(seed);
+  Scene scene;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Sheet back{random.between(0.2, 0.6), random.between(-0.2, 0.2), 0.0};
+    Sheet front = back;
+    front.z0 += gap(severity);
+    const Polygon face = random_regular(random, 4, {}, {0.2, 0.5}, back);
+    Polygon other = face;
+    for (Point3& p : other) p.z = front.at(p.x, p.y);
+    scene.add(other);  // the front first: the back must not show through
+    scene.add(backwards(face));
+  }
+  return scene;
+}
+
+Scene poking_corners(std::size_t n, double severity, std::uint64_t seed) {
+  Random random(seed);
+  Scene scene;
+  const Sheet sheet{0.5, 0.0625, 0.125};
+  std::vector<Polygon> all{rectangle(0.0, 0.0, 1.0, 1.0, sheet)};
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point2 tip = random_place(random, {0.1, 0.9});
+    const Polygon foot = regular(3, tip, 0.15, random.unit(), {sheet.at(tip.x, tip.y) - 0.1});
+    Point3 apex = sheet.point(tip);
+    apex.z += gap(severity);
+    for (std::size_t k = 0; k < 3; ++k) all.push_back({foot[k], foot[(k + 1) % 3], apex});
+  }
+  random.shuffle(all);
+  scene.add(all);
+  return scene;
+}
+
+Scene hinged_pages(std::size_t n, double severity, std::uint64_t seed) {
+  Random random(seed);
+  Scene scene;
+  std::vector<Polygon> pages;
+  const Point3 top(0.1, 0.95, 0.3), bottom(0.2, 0.05, 0.5);  // the spine
+  for (std::size_t i = 0; i < n; ++i) {
+    const double lift = static_cast<double>(i) * gap(severity);
+    pages.push_back({bottom, {0.9, 0.1, 0.2 + lift}, top});
+  }
+  random.shuffle(pages);
+  scene.add(pages);
+  return scene;
+}
+
+Scene shingles(std::size_t n, double severity, std::uint64_t seed) {
+  Random random(seed);
+  Scene scene;
+  std::vector<Polygon> all;
+  const double step = 1.0 / static_cast<double>(n);
+  for (std::size_t i = 0; i < n; ++i) {  // each lies on the next one's lower edge
+    const double y = static_cast<double>(i) * step;
+    all.push_back({{0.0, y, 0.4},
+                   {1.0, y, 0.4},
+                   {1.0, y + 1.5 * step, 0.4 - gap(severity)},
+                   {0.0, y + 1.5 * step, 0.4 - gap(severity)}});
+  }
+  random.shuffle(all);
+  scene.add(all);
+  return scene;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "displayfile/mesh.h"
+#include "programs/scenes/scene.h"
+
+namespace displayfile {
+
+/// From where a mesh is seen: the rows of the rotation that turns it before a parallel view along
+/// z.
+struct MeshDirection {
+  std::string_view name;
+  Point3 right, up, toward;
+};
+
+/// Along the axes, where much of what people model is edge-on or level, and from three corners.
+const std::array<MeshDirection, 6>& mesh_directions();
+
+/// All faces of the mesh, front and back, as large as the picture holds from any direction.
+Scene mesh_scene(const Mesh& mesh, const MeshDirection& direction);
+
+}  // namespace displayfile

@@ -1,0 +1,191 @@
+// `displayfile bench` as its users meet it: what the JSON and the page hold, and what is kept of a
+// run that was interrupted.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "hidden/hidden_method.h"
+#include "tests/command_fixture.h"
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const std::string kTiny = "bench soup cycle_of_3 --polygons 12,24 --sizes 16,24 --rounds 1 ";
+
+class Bench : public Command {
+ protected:
+  Json json(const std::string& name) { return Json::parse(read(folder_ / name)); }
+
+  /// Runs the command and ends it when so many lines of the partial file are written.
+  void interrupt(const std::string& arguments, int lines) {
+    const std::string line = fmt::format(
+        "cd '{}'; '{}' {} >.out 2>.err & run=$!; until [ ! -d /proc/$run ] || "
+        "[ \"$(cat report.html.partial 2>.err | wc -l)\" -ge {} ]; do :; done; "
+        "kill -9 $run; wait $run",
+        folder_.string(), DISPLAYFILE_COMMAND, arguments, lines);
+    EXPECT_NE(std::system(line.c_str()), 0) << "it was faster than the interruption";
+  }
+};
+
+/// What does not hang on time.
+Json counts(Json report) {
+  report.erase("fits");
+  for (Json& scene : report["scenes"]) scene.erase("reference_growth");
+  for (Json& cell : report["cells"]) {
+    cell.erase("time");
+    cell.erase("time_again");
+    if (cell["threads"] != 1) cell.erase("bytes");  // threads share out the work as it comes
+  }
+  return report;
+}
+
+/// The numbers of a cell, as they stand in the JSON and in the page's row.
+std::vector<std::string> figures(const Json& cell) {
+  std::vector<std::string> texts;
+  for (const char* name : {"wrong_pixels", "largest_depth_error", "mean_depth_error",
+                           "fragments_per_polygon", "bytes", "exact_stage_calls"}) {
+    texts.push_back(cell.contains(name) ? cell[name].dump() : "");
+  }
+  for (const char* name : {"time", "time_again"}) {
+    for (const char* part : {"median", "least", "greatest"}) {
+      texts.push_back(cell.contains(name) ? cell[name][part].dump() : "");
+    }
+  }
+  return texts;
+}
+
+/// The fields of a row of a table in HTML.
+std::vector<std::string> fields(const std::string& row) {
+  std::vector<std::string> texts;
+  for (std::size_t at = row.find("<td"); at != row.npos;) {
+    const std::size_t start = row.find('>', at) + 1;
+    at = row.find("<td", start);
+    texts.push_back(row.substr(start, at == row.npos ? at : at - start));
+  }
+  return texts;
+}
+
+TEST_F(Bench, ExactMethodsHaveNoWrongPixelsAndOthersHave) {
+  ASSERT_EQ(run(kTiny + "--threads 1 --json b.json"), 0) << err_;
+  EXPECT_EQ(err_, "");  // no progress where there is no terminal
+  std::set<std::string> exact, wrong;
+  const Json report = json("b.json");
+  for (const Json& cell : report["cells"]) {
+    const std::string method = cell["method"];
+    const int wrong_pixels = cell["wrong_pixels"];
+    if (cell["exact"].get<bool>()) {
+      exact.insert(method);
+      EXPECT_EQ(wrong_pixels, 0) << cell;
+    } else if (wrong_pixels > 0) {
+      wrong.insert(method);
+    }
+  }
+  for (const auto& entry : displayfile::hidden_methods()) {
+    using enum displayfile::HiddenMethod;
+    const bool of_surfaces = entry.method == z_buffer || entry.method == bsp ||
+                             entry.method == depth_sort || entry.method == scan_line ||
+                             entry.method == scan_line_z || entry.method == ray_cast ||
+                             entry.method == warnock;
+    if (!entry.available || !of_surfaces) continue;
+    EXPECT_TRUE(exact.contains(std::string(entry.name))) << entry.name;
+    EXPECT_TRUE(wrong.contains(std::string(entry.name))) << entry.name << " with roundoff";
+  }
+  EXPECT_TRUE(wrong.contains("none"));
+  EXPECT_TRUE(wrong.contains("plain-z-buffer"));
+  EXPECT_FALSE(fs::exists(folder_ / "report.html.partial"));
+}
+
+TEST_F(Bench, TwoRunsCountTheSame) {
+  ASSERT_EQ(run(kTiny + "--threads 1,2 --json a.json -o a.html"), 0) << err_;
+  ASSERT_EQ(run(kTiny + "--threads 1,2 --json b.json -o b.html"), 0) << err_;
+  EXPECT_EQ(counts(json("a.json")), counts(json("b.json")));
+}
+
+TEST_F(Bench, PageHoldsEveryFigure) {
+  write("t.draw",
+        "set-window 0 1 0 1\nset-line-style none\nopen-segment 1\n"
+        "polygon-abs-3 0 0 0  1 0 0  0 1 0\nclose-segment\n");
+  ASSERT_EQ(run(kTiny + "walk t.draw --threads 1,2 --json b.json -o p.html"), 0) << err_;
+  const std::string page = read(folder_ / "p.html");
+  const Json report = json("b.json");
+  std::map<std::string, std::string> tables;  // of each scene
+  for (const Json& scene : report["scenes"]) {
+    const std::string id = scene["scene"];
+    const std::size_t start = page.find(fmt::format("<summary>{}: ", id));
+    ASSERT_NE(start, page.npos) << id;
+    tables[id] = page.substr(start, page.find("</details>", start) - start);
+    EXPECT_NE(tables[id].find(scene["polygons"].dump() + " polygons"), page.npos) << id;
+  }
+  for (const Json& cell : report["cells"]) {
+    const std::string& table = tables[cell["scene"]];
+    const std::string head =
+        fmt::format("<tr><td>{}<td class='l'>{}<td>{}<td>", cell["method"].get<std::string>(),
+                    cell["precision"].get<std::string>(), cell["threads"].get<int>());
+    const std::size_t start = table.find(head);
+    ASSERT_NE(start, table.npos) << head;
+    const auto row = fields(table.substr(start, table.find('\n', start) - start));
+    const std::vector<std::string> shown(row.begin() + 4, row.end());
+    EXPECT_EQ(shown, figures(cell)) << head;
+  }
+  for (const Json& fit : report["fits"]) {
+    EXPECT_NE(page.find(fit["exponent"].dump() + " <small>"), page.npos) << fit;
+  }
+  for (const auto& [name, value] : report["environment"].items()) {
+    EXPECT_NE(page.find(name), page.npos);
+  }
+  EXPECT_EQ(page.find("<script"), page.npos);
+  EXPECT_EQ(page.find("http"), page.npos);
+}
+
+TEST_F(Bench, AnInterruptedRunGoesOn) {
+  const std::string bench = kTiny + "--threads 1 --json b.json";
+  ASSERT_EQ(run(bench), 0) << err_;
+  const Json whole = json("b.json");
+  fs::remove(folder_ / "b.json");
+  fs::remove(folder_ / "report.html");
+  interrupt(bench, 12);
+  const fs::path partial = folder_ / "report.html.partial";
+  ASSERT_TRUE(fs::exists(partial));
+  EXPECT_FALSE(fs::exists(folder_ / "b.json"));
+  EXPECT_FALSE(fs::exists(folder_ / "report.html"));
+  // The last line is cut off in its middle.
+  fs::resize_file(partial, fs::file_size(partial) - 20);
+  const std::string kept = read(partial);
+  const auto lines = std::ranges::count(kept, '\n');
+  ASSERT_EQ(run(bench), 0) << err_;
+  EXPECT_NE(out_.find(fmt::format(" {} taken over", lines - 1)), out_.npos) << out_;
+  EXPECT_EQ(counts(json("b.json")), counts(whole));
+  EXPECT_FALSE(fs::exists(partial));
+  // What was measured before is what is reported.
+  const std::size_t second = kept.find('\n') + 1;
+  const Json first = Json::parse(kept.substr(second, kept.find('\n', second) - second));
+  EXPECT_EQ(json("b.json")["cells"][0], first["cell"]);
+}
+
+TEST_F(Bench, AnotherBuildsFiguresAreNotTakenOver) {
+  write("report.html.partial", "{\"displayfile_bench\":1,\"of\":\"another\"}\nnonsense\n");
+  ASSERT_EQ(run(kTiny + "--methods none --threads 1"), 0) << err_;
+  EXPECT_NE(out_.find(" 0 taken over"), out_.npos) << out_;
+}
+
+TEST_F(Bench, Refuses) {
+  expect_error("bench nowhere", "nowhere: no such scene or file");
+  expect_error("bench soup -o nowhere/r.html", "nowhere/r.html");
+  expect_error("bench soup --json nowhere/r.json", "nowhere/r.json");
+  expect_error("bench soup --methods roberts", "roberts");
+  expect_error("bench soup --roundoff 2", "roundoff");
+  write("bad.draw", "open-segment 1\npolygon-abs-3 0 0 0  1 0 0\nclose-segment\n");
+  expect_error("bench bad.draw", "bad.draw:2:");
+  EXPECT_EQ(run("bench soup --sizes 0"), 2);
+  EXPECT_EQ(run("bench soup --threads none"), 2);
+}
+
+}  // namespace

@@ -156,8 +156,8 @@ std::optional<Advice> huge_image(const Report& report) {
   Advice advice{"A huge image", times.front().column.name(), {}};
   advice.why.push_back(fmt::format(
       "At {} pixels, the most of this run, the exact methods take, in reference times (geometric "
-      "mean over {} scenes): {}. None has a wrong pixel.",
-      pixels, rows.size(), listed(times)));
+      "mean over {} scenes): {}. Wrong pixels of {} there: {}.",
+      pixels, rows.size(), listed(times), advice.use, wrong_in(rows, times.front().column)));
   std::map<std::string, std::vector<double>> exponents;
   for (const Fit& fit : fits(report)) {
     if (fit.against == Fit::Against::pixels && fit.precision == "exact") {

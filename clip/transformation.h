@@ -57,6 +57,9 @@ class ImageMatrix {
   Point3 apply(const Point3& p) const {
     return {xx_ * p.x + xy_ * p.y + tx_, yx_ * p.x + yy_ * p.y + ty_, p.z};
   }
+  HomogeneousPoint apply(const HomogeneousPoint& p) const {
+    return {xx_ * p.x + xy_ * p.y + tx_ * p.w, yx_ * p.x + yy_ * p.y + ty_ * p.w, p.z, p.w};
+  }
 
  private:
   double xx_, xy_, yx_, yy_, tx_, ty_;

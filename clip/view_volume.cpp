@@ -113,6 +113,15 @@ ViewVolume::ViewVolume(const View& view)
   }
 }
 
+HomogeneousPoint ViewVolume::infinitely_far(const Point3& direction) const {
+  const auto& m = world_to_volume_;
+  HomogeneousPoint p = m[0] * direction.x + m[1] * direction.y + m[2] * direction.z;
+  p.x = viewport_.x_min * p.w + (viewport_.x_max - viewport_.x_min) * p.x;
+  p.y = viewport_.y_min * p.w + (viewport_.y_max - viewport_.y_min) * p.y;
+  const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), std::abs(p.w)});
+  return largest > 0.0 ? p / largest : p;
+}
+
 double ViewVolume::inside_distance(ClipPlane plane, const HomogeneousPoint& p) const {
   switch (plane) {
     case ClipPlane::back: return p.z;

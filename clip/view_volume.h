@@ -61,6 +61,10 @@ class ViewVolume {
             between(viewport_.y_min, viewport_.y_max, cube.y), cube.z};
   }
 
+  /// What is infinitely far away in a world direction, which is not zero: homogeneous normalised
+  /// device coordinates, scaled so that the largest is 1 or -1. W is 0 in a parallel view.
+  HomogeneousPoint infinitely_far(const Point3& direction) const;
+
   /// World coordinates to view-plane coordinates: the origin is the view reference point
   /// moved by the view distance along the normal; z grows toward the viewer.
   const glm::dmat4& view_plane() const { return view_plane_; }

@@ -316,6 +316,7 @@ constexpr auto kRoutines = std::to_array<Routine>({
     {"set-vertex-normals", "a multiple of 3: x y z ...", kVaries,
      points<Point3, &G::set_vertex_normals>},
     fixed<&G::set_shading>("set-shading", "flat|gouraud"),
+    fixed<&G::set_shadows>("set-shadows", "on|off"),
 
     fixed<&G::open_segment>("open-segment", "name"),
     fixed<&G::close_segment>("close-segment", ""),

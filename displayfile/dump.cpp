@@ -33,6 +33,12 @@ class Dumper {
     if (style.kind == FillStyle::Kind::hollow) return write_line(FMT_COMPILE("fill hollow"));
     const Colour& c = style.colour;
     write_line(FMT_COMPILE("fill solid {} {} {}"), c.r, c.g, c.b);
+    if (style.shadow) shadow(*style.shadow);
+  }
+  void shadow(const FillShadow& shadow) {
+    const auto& [c, light] = shadow;
+    write_line(FMT_COMPILE("shadow {} {} {} {} {} {} {}"), c.r, c.g, c.b, light.x, light.y, light.z,
+               light.w);
   }
   void line_style(const LineStyle& style) {
     const Colour& c = style.colour;

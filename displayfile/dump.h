@@ -14,6 +14,9 @@ namespace displayfile {
 ///   displayfile-dump 1
 ///   segment NAME visible|invisible       (per segment, in order of creation)
 ///   fill solid R G B | fill hollow
+///   shadow R G B X Y Z W                 (of a fill that shows shadows, after it: its colour
+///   there,
+///                                        and the light as a homogeneous point)
 ///   line-style solid R G B WIDTH | line-style dashed R G B WIDTH DASH GAP | line-style none
 ///   pick N
 ///   intensities I1 I2 ...                (of a shaded polygon, which follows: one for each side's

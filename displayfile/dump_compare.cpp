@@ -59,9 +59,11 @@ constexpr std::string_view kPoint[] = {"x", "y", "z"};
 constexpr std::string_view kPolygon[] = {"number of sides", "x", "y", "z"};
 constexpr std::string_view kPick[] = {"pick identifier"};
 constexpr std::string_view kStyle[] = {"kind", "red", "green", "blue", "line width", "dash", "gap"};
+constexpr std::string_view kShadow[] = {"red",     "green",   "blue",   "light x",
+                                        "light y", "light z", "light w"};
 constexpr InstructionFields kInstructions[] = {
-    {"line ", kPoint}, {"move ", kPoint}, {"polygon ", kPolygon},
-    {"pick ", kPick},  {"fill ", kStyle}, {"line-style ", kStyle},
+    {"line ", kPoint}, {"move ", kPoint},       {"polygon ", kPolygon}, {"pick ", kPick},
+    {"fill ", kStyle}, {"line-style ", kStyle}, {"shadow ", kShadow},
 };
 
 std::string_view field_name(std::string_view instruction, std::size_t field) {

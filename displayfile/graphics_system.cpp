@@ -418,11 +418,14 @@ void GraphicsSystem::enter(std::span<const Point3> world,
   const double c = back_face_removal_ || light_ ? newell_c(clipped.vertices) : 1.0;
   if (back_face_removal_ && c <= 0.0) return;
   Segment& segment = display_file_.segment(*open_);
+  FillStyle fill = fill_;
   if (smooth) {
-    segment.set_style(shaded_fill(fill_, clipped));
-  } else {
-    segment.set_style(light_ ? lit(fill_, *light_, normal, c < 0.0) : fill_);
+    fill = shaded_fill(fill_, clipped);
+  } else if (light_) {
+    fill = lit(fill_, *light_, normal, c < 0.0);
   }
+  if (shadows_ && light_) fill.shadow = shadow_on(fill, fill_, *light_, pipeline_->volume());
+  segment.set_style(fill);
   segment.set_style(line_);
   segment.set_pick(pick);
   segment.enter_polygon(clipped.vertices, clipped.edge_visible, clipped.intensities);
@@ -436,7 +439,7 @@ void GraphicsSystem::set_fill_style(const FillStyle& style) {
     return record("set-fill-style", {"hollow"});
   }
   require_colour(style.colour);
-  fill_ = style;
+  fill_ = {FillStyle::Kind::solid, style.colour};
   record("set-fill-style", {"solid", style.colour.r, style.colour.g, style.colour.b});
 }
 
@@ -477,6 +480,11 @@ void GraphicsSystem::set_light(const Point3& toward, double ambient) {
 void GraphicsSystem::set_shading(Shading shading) {
   shading_ = shading;
   record("set-shading", {name_of(shading)});
+}
+
+void GraphicsSystem::set_shadows(bool on) {
+  shadows_ = on;
+  record("set-shadows", {on});
 }
 
 void GraphicsSystem::set_vertex_normals(std::span<const Point3> normals) {

@@ -110,6 +110,11 @@ class GraphicsSystem {
   /// than three sides it is entered as triangles whose diagonals are invisible. Any other polygon
   /// is shaded flat.
   void set_shading(Shading shading);
+  /// Shadows (interp/shadows.md): where there is light, the solid polygons that follow are drawn in
+  /// the ambient light alone where a solid polygon hides the light from them, whether that one was
+  /// entered with shadows on or off. What is clipped or removed as a back face hides no light. In
+  /// pixels of the software device only.
+  void set_shadows(bool on);
   /// Of the vertices of the next polygon, in its order: directions of any length, in the
   /// coordinates of its vertices, as Newell's sums turn out of the light face. Zero stands for the
   /// polygon's own normal. No normals: takes back what was set. With flat shading they have no
@@ -142,6 +147,7 @@ class GraphicsSystem {
   bool hidden_line_removal() const { return hidden_; }
   bool back_face_removal() const { return back_face_removal_; }
   Shading shading() const { return shading_; }
+  bool shadows() const { return shadows_; }
   HiddenMethod hidden_method() const { return method_; }
   std::optional<HiddenScope> hidden_scope() const { return scope_; }  ///< if it was set
   const Precision& precision() const { return sort_options_.precision; }
@@ -183,7 +189,7 @@ class GraphicsSystem {
   void enter_triangles(const Point3& normal, std::span<const Point3> vertex_normals, int pick);
   std::span<const Point3> world_normals(const Point3& own);
   RetainedScene::Attributes attributes() const {
-    return {fill_, line_, light_, back_face_removal_};
+    return {fill_, line_, light_, back_face_removal_, shadows_};
   }
   View view_;
   bool view_was_set_ = false;
@@ -196,6 +202,7 @@ class GraphicsSystem {
   LineStyle line_;
   std::optional<Light> light_;
   Shading shading_ = Shading::flat;
+  bool shadows_ = false;
   std::vector<Point3> vertex_normals_;  // of the next polygon, as the application gave them
   std::int32_t pick_ = -1;
   std::int64_t ordinal_ = 0, triangulated_ = 0;

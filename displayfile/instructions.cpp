@@ -5,8 +5,14 @@ namespace displayfile {
 void Instructions::set_style(const FillStyle& fill) {
   if (fill_ == fill) return;
   if (fill.kind == FillStyle::Kind::solid) {
-    op_.push_back(op::fill_solid);
+    op_.push_back(fill.shadow ? op::fill_shadowed : op::fill_solid);
     style_operands_.insert(style_operands_.end(), {fill.colour.r, fill.colour.g, fill.colour.b});
+    if (fill.shadow) {
+      const auto& [c, light] = *fill.shadow;
+      style_operands_.insert(style_operands_.end(),
+                             {c.r, c.g, c.b, light.x, light.y, light.z, light.w});
+      has_shadows_ = true;
+    }
   } else {
     op_.push_back(op::fill_hollow);
   }

@@ -22,7 +22,8 @@ inline constexpr std::int32_t line_dashed = -2;
 inline constexpr std::int32_t line_none = -3;
 inline constexpr std::int32_t fill_solid = -16;
 inline constexpr std::int32_t fill_hollow = -17;
-inline constexpr std::int32_t pick = -32;  ///< the next code is the pick identifier
+inline constexpr std::int32_t fill_shadowed = -18;  ///< solid, with a FillShadow
+inline constexpr std::int32_t pick = -32;           ///< the next code is the pick identifier
 /// What follows is the segment's whose name is the next code. Only in instructions that several
 /// segments share (displayfile/sorted_instructions.h).
 inline constexpr std::int32_t segment = -48;
@@ -66,6 +67,7 @@ class Instructions {
   std::size_t codes() const { return op_.size(); }
   std::size_t points() const { return points_.size() + flat_points_.size(); }
   bool stores_z() const { return stores_z_; }
+  bool has_shadows() const { return has_shadows_; }  ///< some fill shows them
   /// All points in order of entry: of a line the one it ends at, preceded, whatever was entered
   /// before, by the one it starts at; of a polygon its vertices. Empty unless z is stored.
   std::span<const Point3> stored_points() const { return points_; }
@@ -93,6 +95,7 @@ class Instructions {
   double flat_z_ = 0.0;
   bool stores_z_ = false;
   std::size_t polygons_ = 0, lines_ = 0;
+  bool has_shadows_ = false;
 
   std::optional<FillStyle> fill_;
   std::optional<LineStyle> line_;
@@ -138,6 +141,13 @@ void Instructions::walk(Visitor&& visit) const {
       }
       case op::line_none: visit.line_style(LineStyle{LineStyle::Kind::none}); break;
       case op::fill_solid: visit.fill(FillStyle{FillStyle::Kind::solid, take_colour()}); break;
+      case op::fill_shadowed: {
+        FillStyle style{FillStyle::Kind::solid, take_colour()};
+        style.shadow = {take_colour(), {operand[0], operand[1], operand[2], operand[3]}};
+        operand += 4;
+        visit.fill(style);
+        break;
+      }
       case op::fill_hollow: visit.fill(FillStyle{FillStyle::Kind::hollow}); break;
       case op::pick: visit.pick(op_[++i]); break;
       case op::segment: visit_segment(visit, op_[++i]); break;
@@ -163,7 +173,10 @@ void Instructions::walk_transformed(const ImageTransformation& image, Visitor&& 
     Visitor& visit;
     ImageMatrix matrix;
     std::vector<Point3> moved;
-    void fill(const FillStyle& s) { visit.fill(s); }
+    void fill(FillStyle s) {
+      if (s.shadow) s.shadow->light = matrix.apply(s.shadow->light);
+      visit.fill(s);
+    }
     void line_style(const LineStyle& s) { visit.line_style(s); }
     void pick(int id) { visit.pick(id); }
     void segment(int name) { visit_segment(visit, name); }

@@ -21,4 +21,11 @@ FillStyle lit(const FillStyle& fill, const Light& light, const Point3& normal, b
   return lit(fill, intensity(light, normal, turned_away));
 }
 
+std::optional<FillShadow> shadow_on(const FillStyle& lit_fill, const FillStyle& unlit,
+                                    const Light& light, const ViewVolume& volume) {
+  const Colour in_ambient_light = unlit.colour * light.ambient;
+  if (unlit.kind == FillStyle::Kind::hollow || lit_fill.colour == in_ambient_light) return {};
+  return FillShadow{in_ambient_light, volume.infinitely_far(light.toward)};
+}
+
 }  // namespace displayfile

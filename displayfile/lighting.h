@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "clip/point.h"
+#include "clip/view_volume.h"
 #include "displayfile/style.h"
 
 namespace displayfile {
@@ -19,6 +22,12 @@ double intensity(const Light& light, const Point3& normal, bool turned_away);
 /// The fill of a polygon of that normal (of any length, out of its light face; zero if it has
 /// none): the colour times the intensity of the side that is seen. Hollow stays hollow.
 FillStyle lit(const FillStyle& fill, const Light& light, const Point3& normal, bool turned_away);
+
+/// How a lit fill is drawn where something hides the light: in the ambient light alone, as `unlit`
+/// says. None if that makes no difference, as where the side that is seen is turned away from the
+/// light.
+std::optional<FillShadow> shadow_on(const FillStyle& lit_fill, const FillStyle& unlit,
+                                    const Light& light, const ViewVolume& volume);
 
 /// The fill of that intensity everywhere.
 FillStyle lit(const FillStyle& fill, double intensity);

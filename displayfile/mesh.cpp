@@ -484,7 +484,9 @@ Mesh::Skipped import_meshes(std::span<const std::string> paths, GraphicsSystem& 
   }
   Mesh::Skipped skipped;
   for (const Mesh& mesh : meshes) {
-    if (bare) system.set_back_face_removal(closed_and_consistently_oriented(mesh));
+    if (bare) {  // removed faces would hide no light
+      system.set_back_face_removal(!system.shadows() && closed_and_consistently_oriented(mesh));
+    }
     enter_mesh(mesh, system, static_cast<int>(name));
     name += static_cast<std::int64_t>(mesh.objects.size());
     skipped.points_and_lines += mesh.skipped.points_and_lines;

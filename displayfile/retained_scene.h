@@ -22,6 +22,7 @@ class RetainedScene {
     LineStyle line;
     std::optional<Light> light;  ///< the fill is lit in each view
     bool back_face_removal = false;
+    bool shadows = false;
     bool operator==(const Attributes&) const = default;
   };
   /// A polygon, or a line of two points.

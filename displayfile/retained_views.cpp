@@ -173,7 +173,7 @@ class RetainedViews::Part {
       out.enter_line(points[0], points[1]);
       return;
     }
-    out.set_style(viewed_.fill(primitive));
+    out.set_style(as_sorted(viewed_.fill(primitive)));
     out.set_style(world_.attributes(primitive).line);
     out.set_pick(world_[primitive].pick);
     out.enter_polygon(points, visible, intensities);
@@ -187,6 +187,12 @@ class RetainedViews::Part {
     moved_.clear();
     for (const Point3& p : points) moved_.push_back(matrix.apply(p));
     return moved_;
+  }
+
+  FillStyle as_sorted(FillStyle fill) const {
+    if (!together_ || image_.is_identity() || !fill.shadow) return fill;
+    fill.shadow->light = ImageMatrix(image_).apply(fill.shadow->light);
+    return fill;
   }
 
   ImageTransformation image_;  // the same of all segments

@@ -1,17 +1,30 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <optional>
+
+#include "clip/point.h"
 
 namespace displayfile {
 
 /// Red, green and blue, each in [0,1].
 using Colour = glm::dvec3;
 
+/// How a solid fill is drawn where another fill hides the light (interp/shadows.md).
+struct FillShadow {
+  Colour colour;
+  /// In normalised device coordinates, homogeneous: far away, but in a perspective view at a point
+  /// that need not be. Of a ray toward it all points are (p + u light) / (1 + u w), u > 0.
+  HomogeneousPoint light;
+  bool operator==(const FillShadow&) const = default;
+};
+
 /// How a polygon's inside is drawn.
 struct FillStyle {
   enum class Kind { solid, hollow };
   Kind kind = Kind::solid;
   Colour colour{0.8, 0.8, 0.8};
+  std::optional<FillShadow> shadow{};  ///< none: no shadow is seen on it
   bool operator==(const FillStyle&) const = default;
 };
 

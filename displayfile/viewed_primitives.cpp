@@ -54,6 +54,9 @@ void ViewedPrimitives::view_polygon(const RetainedPrimitives& world, std::size_t
   } else if (light) {
     viewed.fill = lit(attributes.fill, *light, world[i].normal, c < 0.0);
   }
+  if (attributes.shadows && light) {
+    viewed.fill.shadow = shadow_on(viewed.fill, attributes.fill, *light, pipeline.volume());
+  }
   viewed.shaded = !clipped.intensities.empty();
   if (viewed.shaded) {
     intensities_.resize(points_.size());

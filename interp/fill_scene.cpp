@@ -31,17 +31,19 @@ struct FillScene::Collector {
     scene.has_lines_ |= style.kind != LineStyle::Kind::none;
     const auto shading = std::exchange(of_vertices, {});
     if (fill_style.kind != FillStyle::Kind::solid) return;
-    if (scene.enter(vertices, pixel_of(fill_style.colour), pick_id) && !shading.empty()) {
+    if (!scene.enter(vertices, pixel_of(fill_style.colour), pick_id)) return;
+    if (!shading.empty()) {
       scene.shade_last({fill_style.colour, IntensityPlane(vertices, shading)});
     }
+    if (fill_style.shadow) scene.shadow_last(*fill_style.shadow);
   }
 };
 
 FillScene::FillScene() : begin_{0, 0}, support_{{0, 0, 0}}, colour_{kWhite}, pick_{-1} {}
 
 FillScene::FillScene(const DisplayFile& display_file) : FillScene() {
+  sources_ = FillSources(display_file);
   for (const Segment* segment : display_file.visible_segments()) {
-    sources_.push_back({segment->entered(), segment->image, segment->entered()->codes()});
     segment->walk_entered_drawn(Collector{*this});
   }
 }
@@ -61,23 +63,15 @@ bool FillScene::enter(std::span<const Point3> vertices, std::uint32_t colour, st
 }
 
 void FillScene::shade_last(const Shade& shade) {
-  shade_.resize(pick_.size() - 1, kFlat);
+  shade_.resize(pick_.size() - 1, kNone);
   shade_.push_back(static_cast<std::uint32_t>(shades_.size()));
   shades_.push_back(shade);
 }
 
-bool FillScene::is_of(const DisplayFile& display_file) const {
-  std::size_t k = 0;
-  for (const Segment& segment : display_file.segments()) {
-    if (!segment.visible) continue;
-    if (k == sources_.size()) return false;
-    const Source& source = sources_[k++];
-    if (source.instructions != segment.entered() || !(source.image == segment.image) ||
-        source.codes != segment.entered()->codes()) {
-      return false;
-    }
-  }
-  return k == sources_.size();
+void FillScene::shadow_last(const FillShadow& shadow) {
+  if (shadows_.empty() || shadows_.back() != shadow) shadows_.push_back(shadow);
+  shadow_.resize(pick_.size() - 1, kNone);
+  shadow_.push_back(static_cast<std::uint32_t>(shadows_.size() - 1));
 }
 
 }  // namespace displayfile

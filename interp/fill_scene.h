@@ -3,13 +3,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "displayfile/display_file.h"
 #include "displayfile/intensity_plane.h"
 #include "hidden/plane.h"
+#include "interp/fill_sources.h"
 
 namespace displayfile {
 
@@ -49,27 +49,27 @@ class FillScene {
   bool has_shades() const { return !shades_.empty(); }
   /// Null if it is flat.
   const Shade* shade(Fill fill) const {
-    return fill >= shade_.size() || shade_[fill] == kFlat ? nullptr : &shades_[shade_[fill]];
+    return fill >= shade_.size() || shade_[fill] == kNone ? nullptr : &shades_[shade_[fill]];
+  }
+  bool has_shadows() const { return !shadows_.empty(); }  ///< some fill shows them
+  /// Null if none is seen on it.
+  const FillShadow* shadow(Fill fill) const {
+    return fill >= shadow_.size() || shadow_[fill] == kNone ? nullptr : &shadows_[shadow_[fill]];
   }
   std::int32_t pick(Fill fill) const { return pick_[fill]; }  ///< -1: the background
 
   bool has_lines() const { return has_lines_; }  ///< or polygons with visible edges
 
   /// True while the display file's visible segments are as they were.
-  bool is_of(const DisplayFile& display_file) const;
+  bool is_of(const DisplayFile& display_file) const { return sources_.are_of(display_file); }
 
  private:
   struct Collector;
-  /// What the fills of one segment were made from.
-  struct Source {
-    std::shared_ptr<const Instructions> instructions;
-    ImageTransformation image;
-    std::size_t codes;
-  };
-  static constexpr std::uint32_t kFlat = ~std::uint32_t{0};
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   /// False if it is edge-on and left out.
   bool enter(std::span<const Point3> vertices, std::uint32_t colour, std::int32_t pick);
   void shade_last(const Shade& shade);
+  void shadow_last(const FillShadow& shadow);
 
   std::vector<Point3> vertices_;
   std::vector<std::uint32_t> begin_;  // of each fill's vertices, and the end
@@ -78,7 +78,9 @@ class FillScene {
   std::vector<std::int32_t> pick_;
   std::vector<std::uint32_t> shade_;  // of the fills up to the last that has one: in shades_
   std::vector<Shade> shades_;
-  std::vector<Source> sources_;
+  std::vector<std::uint32_t> shadow_;  // likewise, in shadows_
+  std::vector<FillShadow> shadows_;
+  FillSources sources_;
   bool has_lines_ = false;
   double largest_depth_ = 0.0;
 };

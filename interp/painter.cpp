@@ -9,7 +9,7 @@ void Painter::fill(const DrawnPolygon& polygon) {
   if (rows.first == rows.end) return;
   const SupportVertices support = support_vertices(polygon.vertices);
   if (support.edge_on) return;
-  const FillColour colour(polygon, band_.size());
+  const FillColour colour(polygon, band_.size(), band_.shadows);
   std::vector<double>& depths = band_.picture.depth;
   std::optional<PixelDepth> depth;
   if (!depths.empty()) {

@@ -8,8 +8,10 @@
 
 #include "displayfile/intensity_plane.h"
 #include "hidden/pixel_centre.h"
+#include "hidden/support_plane.h"
 #include "interp/output_device.h"
 #include "interp/picture.h"
+#include "interp/shadows.h"
 
 namespace displayfile {
 
@@ -47,28 +49,44 @@ class PixelShade {
   double x0_, y0_, di_dx_, di_dy_;
 };
 
-/// What a polygon is filled with: one colour, or a shade.
+/// What a polygon is filled with: one colour, or a shade; and another colour in shadow.
 class FillColour {
  public:
-  FillColour(const DrawnPolygon& polygon, const PictureSize& size) {
+  /// Null: no shadows are seen.
+  FillColour(const DrawnPolygon& polygon, const PictureSize& size, const Shadows* shadows) {
     if (polygon.intensities.empty()) {
       colour_ = pixel_of(polygon.fill.colour);
     } else {
       shade_.emplace(polygon.fill.colour, IntensityPlane(polygon.vertices, polygon.intensities),
                      size);
     }
+    if (shadows == nullptr || !polygon.fill.shadow) return;
+    const std::span<const Point3> v = polygon.vertices;
+    const auto [support, edge_on] = support_vertices(v);
+    if (edge_on) return;
+    const Plane plane(v[support[0]], v[support[1]], v[support[2]]);
+    shadow_.emplace(*shadows, v, plane, *polygon.fill.shadow, size);
   }
 
   /// As PixelShade::paint; so at().
   void paint(int row, int first, std::span<std::uint32_t> pixels) const {
-    if (shade_) return shade_->paint(row, first, pixels);
-    std::ranges::fill(pixels, colour_);
+    if (shade_) {
+      shade_->paint(row, first, pixels);
+    } else {
+      std::ranges::fill(pixels, colour_);
+    }
+    if (shadow_) shadow_->paint(row, first, pixels);
   }
-  std::uint32_t at(int row, int column) const { return shade_ ? shade_->at(row, column) : colour_; }
+  std::uint32_t at(int row, int column) const {
+    std::uint32_t pixel = 0;
+    paint(row, column, {&pixel, 1});
+    return pixel;
+  }
 
  private:
   std::uint32_t colour_ = 0;
   std::optional<PixelShade> shade_;
+  std::optional<ShadowedFill> shadow_;
 };
 
 }  // namespace displayfile

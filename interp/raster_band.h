@@ -21,12 +21,16 @@ struct RowRange {
 /// whole one, or of all of them.
 struct RasterBand {
   RasterBand(Picture& picture_, const PictureSize& size, const RowRange& held,
-             const RowRange& drawn)
-      : picture(picture_), region{size, drawn.begin, drawn.end}, held_end(held.end) {}
+             const RowRange& drawn, const Shadows* shadows_ = nullptr)
+      : picture(picture_),
+        region{size, drawn.begin, drawn.end},
+        held_end(held.end),
+        shadows(shadows_) {}
 
   Picture& picture;
   ScanConverter::Region region;
   int held_end;
+  const Shadows* shadows;  ///< null if none are seen
 
   /// Of the whole picture.
   const PictureSize& size() const { return region.size; }

@@ -74,6 +74,7 @@ class FillsShown {
       picture.pixels[start + i] = scene_.colour(seen[i]);
     }
     if (scene_.has_shades()) shade(row, first, seen);
+    if (band_.shadows != nullptr && scene_.has_shadows()) shadow(row, first, seen);
     if (!picture.ids.empty()) {
       for (std::size_t i = 0; i < seen.size(); ++i) picture.ids[start + i] = scene_.pick(seen[i]);
     }
@@ -81,16 +82,31 @@ class FillsShown {
   }
 
  private:
-  /// Along each run of a shaded fill.
-  void shade(int row, int first, std::span<const Fill> seen) {
+  /// Calls paint(fill, column, pixels) for each run of a fill.
+  template <class Paint>
+  void for_each_run(int row, int first, std::span<const Fill> seen, Paint&& paint) {
     const std::span pixels(band_.picture.pixels.data() + band_.index(row, first), seen.size());
     for (std::size_t i = 0, end = 0; i < seen.size(); i = end) {
       while (end < seen.size() && seen[end] == seen[i]) ++end;
-      const FillScene::Shade* const shade = scene_.shade(seen[i]);
-      if (shade == nullptr) continue;
-      const PixelShade of_fill(shade->colour, shade->intensity, band_.size());
-      of_fill.paint(row, first + static_cast<int>(i), pixels.subspan(i, end - i));
+      paint(seen[i], first + static_cast<int>(i), pixels.subspan(i, end - i));
     }
+  }
+
+  void shade(int row, int first, std::span<const Fill> seen) {
+    for_each_run(row, first, seen, [&](Fill fill, int column, std::span<std::uint32_t> pixels) {
+      const FillScene::Shade* const shade = scene_.shade(fill);
+      if (shade == nullptr) return;
+      PixelShade(shade->colour, shade->intensity, band_.size()).paint(row, column, pixels);
+    });
+  }
+
+  void shadow(int row, int first, std::span<const Fill> seen) {
+    for_each_run(row, first, seen, [&](Fill fill, int column, std::span<std::uint32_t> pixels) {
+      const FillShadow* const shadow = scene_.shadow(fill);
+      if (shadow == nullptr) return;
+      ShadowedFill(*band_.shadows, scene_.vertices(fill), scene_.plane(fill), *shadow, band_.size())
+          .paint(row, column, pixels);
+    });
   }
 
   void show_depth(int row, int first, std::span<const Fill> seen) {
@@ -142,6 +158,7 @@ class LinesOverFills : public OutputDevice {
 
 void SoftwareRenderer::prepare(const DisplayFile& display_file, const RasterRequest& request) {
   require_picture_size(request.width, request.height);
+  if (shadows_ == nullptr || !shadows_->are_of(display_file)) shadows_ = shadows_of(display_file);
   if (!is_image_space(request.method)) return;
   const PictureSize size{request.width, request.height};
   if (scene_ == nullptr || !scene_->is_of(display_file)) {
@@ -193,7 +210,7 @@ void SoftwareRenderer::paint_in_order(const DisplayFile& display_file, const Ras
   std::atomic<std::size_t> undecided = 0;
   const int at_a_time = rows_worth_a_walk(request, display_file.polygons());
   for_bands_of_rows(request, rows, at_a_time, [&](const RowRange& of_band) {
-    const RasterBand band(picture_, {request.width, request.height}, rows, of_band);
+    const RasterBand band(picture_, {request.width, request.height}, rows, of_band, shadows_.get());
     if (request.sorted) {
       SortedPainter painter(display_file, band);
       interpret(display_file, painter, Pass::everything, Order::drawn, request.line_scale);
@@ -209,7 +226,8 @@ void SoftwareRenderer::paint_in_order(const DisplayFile& display_file, const Ras
 void SoftwareRenderer::find_fills_seen(const RasterRequest& request, const RowRange& rows) {
   const ImageSpaceMethod& finder = *prepared_->finder;
   for_bands_of_rows(request, rows, finder.rows_at_a_time(), [&](const RowRange& band) {
-    FillsShown shown(*scene_, {picture_, {request.width, request.height}, rows, band});
+    FillsShown shown(*scene_,
+                     {picture_, {request.width, request.height}, rows, band, shadows_.get()});
     finder.draw_rows(band.begin, band.end, [&](int row, int first, std::span<const Fill> seen) {
       shown.show(row, first, seen);
     });

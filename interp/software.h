@@ -10,13 +10,15 @@
 #include "interp/picture.h"
 #include "interp/raster_band.h"
 #include "interp/row_file.h"
+#include "interp/shadows.h"
 
 namespace displayfile {
 
 /// Draws display files by our own scan conversion, on a white background. With an image-space
 /// method the nearest fill is seen, of equally near ones the one entered later, and a line where
-/// no fill is nearer; without one, whatever is drawn last. Coverage and, unless roundoff is asked
-/// for, nearness are decided exactly. The picture is the same for any number of threads.
+/// no fill is nearer; without one, whatever is drawn last. On fills that show them shadows are
+/// drawn (interp/shadows.md), whatever the method. Coverage and, unless roundoff is asked for,
+/// nearness are decided exactly. The picture is the same for any number of threads.
 ///
 /// What was made ready for a picture is used again while the display file's fills, the size and
 /// the method are the same.
@@ -50,6 +52,7 @@ class SoftwareRenderer {
 
   Picture picture_;  // or the rows of it that are being drawn
   std::unique_ptr<FillScene> scene_;
+  std::unique_ptr<Shadows> shadows_;  // null if none are seen
   std::optional<Prepared> prepared_;
 };
 

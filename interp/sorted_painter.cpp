@@ -99,7 +99,7 @@ void SortedPainter::fill(const DrawnPolygon& polygon) {
   } else if (support_vertices(polygon.vertices).edge_on) {
     return;
   }
-  const FillColour colour(polygon, band_.size());
+  const FillColour colour(polygon, band_.size(), band_.shadows);
   converter_.scan(
       [&](int row, int first, int end) {
         band_.paint(row, first, end, colour, polygon.pick);
@@ -139,7 +139,7 @@ void SortedPainter::show_depth_of_whole_polygons() {
 
 template <class Show>
 void SortedPainter::for_each_nearest(const PixelSet& centres, Show&& show) const {
-  NearestAtCentres nearest(centres, band_.size());
+  NearestAtCentres nearest(centres, band_.size(), band_.shadows);
   EnteredFills entered(display_file_, nearest);
   interpret(display_file_, entered, Pass::fills, Order::entered);
   nearest.show(show);

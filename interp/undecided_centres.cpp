@@ -97,8 +97,9 @@ void note_rows_of_vertices(std::span<const Point3> polygon, const Point2& error,
   }
 }
 
-NearestAtCentres::NearestAtCentres(const PixelSet& centres, const PictureSize& size)
-    : centres_(centres), size_(size), row_start_{0} {
+NearestAtCentres::NearestAtCentres(const PixelSet& centres, const PictureSize& size,
+                                   const Shadows* shadows)
+    : centres_(centres), size_(size), shadows_(shadows), row_start_{0} {
   const std::size_t count = centres.size();
   column_.reserve(count);
   owner_.assign(count, kNone);
@@ -136,7 +137,7 @@ void NearestAtCentres::enter(const DrawnPolygon& drawn) {
   if (support.edge_on) return;
   const Seen seen{
       Plane(polygon[support.index[0]], polygon[support.index[1]], polygon[support.index[2]]),
-      FillColour(drawn, size_), drawn.pick};
+      FillColour(drawn, size_, shadows_), drawn.pick};
   Owner own = kNone;
   compared_ = kNone;
   converter_.scan_convert(polygon, region, [&](int row, int first, int end) {

@@ -43,7 +43,9 @@ class NearestAtCentres {
     painted,  ///< the one entered last
   };
 
-  NearestAtCentres(const PixelSet& centres, const PictureSize& size);
+  /// Null: no shadows are seen.
+  NearestAtCentres(const PixelSet& centres, const PictureSize& size,
+                   const Shadows* shadows = nullptr);
 
   /// The polygons that follow, until the next layer begins, cover those before.
   void begin_layer(Layer layer);
@@ -81,6 +83,7 @@ class NearestAtCentres {
 
   const PixelSet& centres_;
   PictureSize size_;
+  const Shadows* shadows_;
   std::vector<std::size_t> row_start_;  // of each row's centres in the two that follow
   std::vector<std::int32_t> column_;
   std::vector<Owner> owner_;

@@ -93,6 +93,7 @@ TEST(DrawingProgram, EveryRoutineIsTheApplicationsCall) {
       {"set-hidden-method none", [](G& g) { g.set_hidden_method(HiddenMethod::none); }},
       {"set-hidden-method back-face", [](G& g) { g.set_hidden_method(HiddenMethod::back_face); }},
       {"set-z-buffer on", [](G& g) { g.set_z_buffer(true); }},
+      {"set-shadows on", [](G& g) { g.set_shadows(true); }},
   };
   const std::vector<RoutineCase> inside_of_a_segment{
       {"close-segment", [](G& g) { g.close_segment(); }},
@@ -276,6 +277,9 @@ TEST(DrawingProgram, ErrorsNamePlaceAndExpectation) {
       {"open-segment one\n", "1:14: expected a whole number, not 'one'"},
       {"open-segment 2147483648\n", "1:14: whole number '2147483648' out of range"},
       {"set-z-buffer yes\n", "1:14: expected on or off, not 'yes'"},
+      {"set-shadows 1\n", "1:13: expected on or off, not '1'"},
+      {"set-shadows\n", "1:12: set-shadows: 0 arguments, expected 1: on|off"},
+      {"set-shadows on 1 0 0\n", "1:16: set-shadows: 4 arguments, expected 1: on|off"},
       {"set-hidden-method painter\n",
        "1:19: unknown hidden-surface method 'painter': expected one of"},
       {"set-fill-style\n", "1:15: set-fill-style: 0 arguments, expected solid r g b | hollow"},

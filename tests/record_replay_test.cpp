@@ -87,7 +87,7 @@ class RandomApplication {
   }
 
   void call_primitive() {
-    switch (below(22)) {
+    switch (below(23)) {
       case 0: return system_.move_abs_3(coordinate(), coordinate(), coordinate());
       case 1: return system_.line_abs_3(coordinate(), coordinate(), coordinate());
       case 2: return system_.move_rel_3(coordinate(), coordinate(), coordinate());
@@ -110,6 +110,7 @@ class RandomApplication {
         system_.set_vertex_normals(std::vector<Point3>(vertices.size(), point_3()));
         return system_.polygon_abs_3(vertices);
       }
+      case 18: return system_.set_shadows(chance(70));
       default: return system_.polygon_abs_3(points<Point3>());
     }
   }
@@ -169,6 +170,7 @@ void expect_same_state(const GraphicsSystem& a, const GraphicsSystem& b) {
   EXPECT_EQ(a.hidden_method(), b.hidden_method());
   EXPECT_EQ(a.z_buffer(), b.z_buffer());
   EXPECT_EQ(a.shading(), b.shading());
+  EXPECT_EQ(a.shadows(), b.shadows());
   EXPECT_EQ(a.polygons_entered(), b.polygons_entered());
   EXPECT_EQ(a.polygons_triangulated(), b.polygons_triangulated());
   EXPECT_EQ(a.view_was_set(), b.view_was_set());
@@ -206,7 +208,7 @@ TEST(RecordReplay, RandomApplications) {
     instructions += static_cast<std::size_t>(std::ranges::count(expected, '\n'));
   }
   // The applications did something: every routine, and pictures of some size.
-  EXPECT_EQ(routines.size(), 48u);
+  EXPECT_EQ(routines.size(), 49u);
   EXPECT_GT(instructions, 100000u);
   EXPECT_GT(refused, 1000);
 }

@@ -257,7 +257,7 @@ TEST(DrawingProgram, ErrorsNamePlaceAndExpectation) {
        "polygon-abs-2"},
       {"  SET_WINDOW 0 1 0 1\n",
        "1:3: unknown routine 'SET_WINDOW': expected a user routine, such as set-window or "
-       "set-light"},
+       "set-shadows"},
       {"set-window 0 1 0  \n",
        "1:17: set-window: 3 arguments, expected 4: x-min x-max y-min y-max"},
       {"set-window 0 1 0 1 9\n",

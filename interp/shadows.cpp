@@ -111,8 +111,9 @@ struct Shadows::Ray {
   }
 };
 
-/// A polygon hides the light if its plane lies between the point and the light and the ray meets
-/// the polygon. That the plane is not behind the eye is asked apart: there the ray has no picture.
+/// A polygon hides the light if its plane lies between the point and the light, and the line
+/// through both meets the polygon. Where a ray leads behind the eye, and beyond what is infinitely
+/// far, there are no polygons: they were clipped.
 bool Shadows::hides(const Polygon& polygon, const Ray& ray) const {
   const auto& [at, depth_error, light] = ray.point;
   const double value = glm::dot(polygon.normal, at - polygon.p);
@@ -120,8 +121,7 @@ bool Shadows::hides(const Polygon& polygon, const Ray& ray) const {
   if (!(std::abs(value) > touching)) return false;
   const double side = value > 0.0 ? 1.0 : -1.0;
   const double at_light = glm::dot(polygon.normal, Point3(light) - light.w * polygon.p);
-  const double along_ray = glm::dot(polygon.normal, ray.direction);
-  return side * at_light < 0.0 && side * along_ray < 0.0 && is_met(polygon, ray);
+  return side * at_light < 0.0 && is_met(polygon, ray);
 }
 
 /// By the even-odd rule, seen along the ray. An edge that two polygons share is always taken from

@@ -225,11 +225,12 @@ void print_exact_and_rays(const std::vector<std::function<NamedSystem()>>& scene
     for (BandZBuffer* method : {&exact, &rounded}) {
       method->prepare({scene, {kSide, kSide}, std::nullopt}, 1);
     }
-    std::vector<FillScene::Fill> seen(std::size_t{kSide} * kSide);
+    std::vector<std::uint32_t> pixels(std::size_t{kSide} * kSide);
     const auto draw = [&](const BandZBuffer& method) {
       return [&] {
         method.draw_rows(0, kSide, [&](int row, int first, std::span<const FillScene::Fill> run) {
-          std::ranges::copy(run, seen.data() + row * kSide + first);
+          std::uint32_t* const to = pixels.data() + row * kSide + first;
+          for (std::size_t i = 0; i < run.size(); ++i) to[i] = scene.colour(run[i]);
         });
       };
     };

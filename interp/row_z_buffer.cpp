@@ -18,7 +18,6 @@ constexpr std::uint32_t kHashFactor = 2654435769u;  // 2^32 over the golden rati
 RowZBuffer::RowZBuffer(const FillScene& scene, const PictureSize& size,
                        std::optional<double> roundoff)
     : scene_(scene),
-      size_(size),
       exact_(!roundoff),
       depth_(static_cast<std::size_t>(size.width)),
       owner_(depth_.size()),

@@ -53,7 +53,6 @@ class RowZBuffer {
   int end_of_run(const Rest& rest) const;
 
   const FillScene& scene_;
-  const PictureSize size_;
   const bool exact_;
   int row_ = 0;
   std::vector<double> depth_;

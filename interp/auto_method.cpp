@@ -5,38 +5,28 @@
 #include <cstddef>
 #include <vector>
 
+#include "interp/flat_extent.h"
+
 namespace displayfile {
 
 namespace {
 
 using Fill = FillScene::Fill;
 
-struct Box {
-  double left, right, bottom, top;
-};
-
-Box box_of(std::span<const Point3> vertices) {
-  Box box{vertices[0].x, vertices[0].x, vertices[0].y, vertices[0].y};
-  for (const Point3& v : vertices) {
-    box = {std::min(box.left, v.x), std::max(box.right, v.x), std::min(box.bottom, v.y),
-           std::max(box.top, v.y)};
-  }
-  return box;
-}
-
 /// The minimax test of every pair, by a sweep from left to right. Boxes that only touch are apart:
 /// of two polygons on either side of a line exactly one covers a centre on it.
 bool boxes_are_apart(const FillScene& scene) {
-  std::vector<Box> boxes;
-  for (Fill fill = 1; fill < scene.end(); ++fill) boxes.push_back(box_of(scene.vertices(fill)));
-  std::ranges::sort(boxes, {}, &Box::left);
+  std::vector<FlatExtent> boxes;
+  for (Fill fill = 1; fill < scene.end(); ++fill)
+    boxes.push_back(flat_extent(scene.vertices(fill)));
+  std::ranges::sort(boxes, {}, &FlatExtent::left);
   std::size_t tests_left = 8 * boxes.size();
-  std::vector<Box> open;  // those that the sweep line crosses
-  for (const Box& box : boxes) {
-    std::erase_if(open, [&](const Box& other) { return other.right <= box.left; });
+  std::vector<FlatExtent> open;  // those that the sweep line crosses
+  for (const FlatExtent& box : boxes) {
+    std::erase_if(open, [&](const FlatExtent& other) { return other.right <= box.left; });
     if (open.size() > tests_left) return false;
     tests_left -= open.size();
-    for (const Box& other : open) {
+    for (const FlatExtent& other : open) {
       if (other.bottom < box.top && box.bottom < other.top) return false;
     }
     open.push_back(box);
@@ -65,7 +55,7 @@ bool nothing_lies_in_front(const FillScene& scene) {
 
 /// Of the picture, the part that the fill covers: no more than its box there.
 double covered_part(std::span<const Point3> vertices) {
-  const Box box = box_of(vertices);
+  const FlatExtent box = flat_extent(vertices);
   const auto within = [](double low, double high) {
     return std::max(0.0, std::min(high, 1.0) - std::max(low, 0.0));
   };

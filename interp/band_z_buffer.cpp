@@ -14,19 +14,16 @@ namespace {
 
 using Fill = FillScene::Fill;
 
-/// A fill's depth in doubles, with its bound.
+/// A fill whose depth is known in doubles.
 struct KnownDepth {
   Fill fill = FillScene::kBackground;
-  Plane plane;
-  PixelDepth depth;
-  double error = 0.0;
+  FillDepth depth;
 
   void make(const FillScene& scene, Fill of, const PictureSize& size) {
     fill = of;
-    plane = scene.plane(of);
-    depth = PixelDepth(plane, size.width, size.height);
-    error = depth_bound(scene.vertices(of), plane, depth, size).error;
+    depth = FillDepth(scene, of, size, std::nullopt);
   }
+  double at(int row, int column) const { return depth.depth.at(depth.depth.row(row), column); }
 };
 
 /// First in doubles, then by exact arithmetic.
@@ -50,7 +47,7 @@ class ExactDecisions : public ExactRows {
   void draw(int row, int column, std::uint32_t bits, int end) override {
     if (own_.fill != fill_) {
       own_.make(scene_, fill_, size_);
-      close_.begin(own_.plane);
+      close_.begin(scene_.plane(fill_));
       run_row_ = -1;
     }
     const std::size_t start = rows_.index(row, 0);
@@ -67,7 +64,7 @@ class ExactDecisions : public ExactRows {
   float rounded_depth(int row, int column) const {
     const RowFill& f = fills_[fill_];
     if (!f.certain) return std::numeric_limits<float>::quiet_NaN();
-    return static_cast<float>(own_.depth.at(own_.depth.row(row), column));
+    return static_cast<float>(own_.at(row, column));
   }
 
   bool is_seen(int row, int column, int end, const Fill* fills) {
@@ -75,12 +72,10 @@ class ExactDecisions : public ExactRows {
     if (other == FillScene::kBackground) return true;
     if (other_.fill != other) other_.make(scene_, other, size_);
     if (row == run_row_ && column < run_.end && run_of_ == other) return run_.later_is_seen;
-    const double nearer =
-        own_.depth.at(own_.depth.row(row), column) - other_.depth.at(other_.depth.row(row), column);
-    const double margin = 2.0 * (own_.error + other_.error);
-    if (nearer > margin) return true;
-    if (nearer < -margin) return false;
-    if (!close_.is_compared_with(other)) close_.compare_with(other, other_.plane);
+    const int order = rounded_order(own_.at(row, column) - other_.at(row, column),
+                                    own_.depth.error + other_.depth.error);
+    if (order != 0) return order > 0;
+    if (!close_.is_compared_with(other)) close_.compare_with(other, scene_.plane(other));
     int same = column + 1;
     while (same < end && fills[same] == other) ++same;
     run_ = close_.run(row, column, same);

@@ -2,10 +2,12 @@
 
 namespace displayfile {
 
+bool are_one_plane(const Plane& a, const Plane& b) {
+  return side_of_plane(a.p, b) == 0 && side_of_plane(a.q, b) == 0 && side_of_plane(a.r, b) == 0;
+}
+
 void ClosePlanes::compare_with(std::uint32_t other, const Plane& plane) {
-  compare_with(other, plane,
-               side_of_plane(later_.p, plane) == 0 && side_of_plane(later_.q, plane) == 0 &&
-                   side_of_plane(later_.r, plane) == 0);
+  compare_with(other, plane, are_one_plane(later_, plane));
 }
 
 void ClosePlanes::compare_with(std::uint32_t other, const Plane& plane, bool coplanar) {

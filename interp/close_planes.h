@@ -8,6 +8,9 @@
 
 namespace displayfile {
 
+/// True if a lies in b, exactly.
+bool are_one_plane(const Plane& a, const Plane& b);
+
 /// Of a polygon and the polygons entered before it that share pixels with it: which is seen where
 /// rounded depths cannot tell, by exact arithmetic at the pixels' centres (interp/z_buffer.md). One
 /// pair of planes is made ready at a time.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hidden/depth_order.h"
+#include "interp/flat_extent.h"
 
 namespace displayfile {
 
@@ -21,15 +22,9 @@ double reach(double low, double high, double origin, int pixels) {
 
 DepthBound depth_bound(std::span<const Point3> vertices, const Plane& plane,
                        const PixelDepth& depth, const PictureSize& size) {
-  double x_min = vertices[0].x, x_max = x_min, y_min = vertices[0].y, y_max = y_min;
-  for (const Point3& v : vertices) {
-    x_min = std::min(x_min, v.x);
-    x_max = std::max(x_max, v.x);
-    y_min = std::min(y_min, v.y);
-    y_max = std::max(y_max, v.y);
-  }
-  const double dx = reach(x_min, x_max, depth.x0, size.width);
-  const double dy = reach(y_min, y_max, depth.y0, size.height);
+  const FlatExtent e = flat_extent(vertices);
+  const double dx = reach(e.left, e.right, depth.x0, size.width);
+  const double dy = reach(e.bottom, e.top, depth.y0, size.height);
   return {depth.error(plane, size.width, size.height, dx, dy),
           std::abs(depth.z0) + std::abs(depth.dz_dx) * dx + std::abs(depth.dz_dy) * dy};
 }

@@ -4,24 +4,9 @@
 #include <utility>
 
 #include "hidden/depth_order.h"
+#include "interp/flat_extent.h"
 
 namespace displayfile {
-
-namespace {
-
-struct Extent {
-  Point2 low, high;
-};
-Extent extent(std::span<const Point3> vertices) {
-  Extent e{vertices[0], vertices[0]};
-  for (const Point3& v : vertices) {
-    e.low = {std::min(e.low.x, v.x), std::min(e.low.y, v.y)};
-    e.high = {std::max(e.high.x, v.x), std::max(e.high.y, v.y)};
-  }
-  return e;
-}
-
-}  // namespace
 
 bool PairOrders::hides(Fill a, Fill b, int column, int row) {
   if (exact_) {
@@ -46,9 +31,9 @@ PairOrders::Order PairOrders::order_of(Fill a, Fill b) {
 /// The difference of two planes' depths is linear: where it has one sign at a rectangle's corners,
 /// it has that sign in all of it. At equal depth the fill entered later is seen, which is b.
 PairOrders::Order PairOrders::find_order(Fill a, Fill b) const {
-  const Extent of_a = extent(scene_->vertices(a)), of_b = extent(scene_->vertices(b));
-  const Point2 low(std::max(of_a.low.x, of_b.low.x), std::max(of_a.low.y, of_b.low.y));
-  const Point2 high(std::min(of_a.high.x, of_b.high.x), std::min(of_a.high.y, of_b.high.y));
+  const FlatExtent of_a = flat_extent(scene_->vertices(a)), of_b = flat_extent(scene_->vertices(b));
+  const Point2 low(std::max(of_a.left, of_b.left), std::max(of_a.bottom, of_b.bottom));
+  const Point2 high(std::min(of_a.right, of_b.right), std::min(of_a.top, of_b.top));
   const Plane plane_a = scene_->plane(a), plane_b = scene_->plane(b);
   bool a_nearer = true, b_not_farther = true;
   for (const Point2& corner : {low, high, Point2(low.x, high.y), Point2(high.x, low.y)}) {

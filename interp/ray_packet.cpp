@@ -1,22 +1,16 @@
 #include "interp/ray_packet.h"
 
-#include "hidden/plane.h"
+#include <algorithm>
+#include <limits>
+
+#include "interp/close_planes.h"
 
 namespace displayfile {
-
-namespace {
-
-bool same_plane(const Plane& a, const Plane& b) {
-  return side_of_plane(a.p, b) == 0 && side_of_plane(a.q, b) == 0 && side_of_plane(a.r, b) == 0;
-}
-
-}  // namespace
 
 /// Where the square has no rays, nothing is waited for.
 void RayPacket::begin(const PixelBox& rays) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  rays_ = rays;
-  seen_.fill(FillScene::kBackground);
+  begin_square(rays);
   z_.fill(kInfinity);
   for (int row = rays.first_row; row < rays.end_row; ++row) {
     for (int column = rays.first_column; column < rays.end_column; ++column) {
@@ -38,7 +32,7 @@ bool RayPacket::hides_closely(Fill other, int column, int row) {
   if (nearer < -margin) return false;
   if (compared_ != std::array{fill_, other}) {
     compared_ = {fill_, other};
-    coplanar_ = same_plane(scene_.plane(fill_), scene_.plane(other));
+    coplanar_ = are_one_plane(scene_.plane(fill_), scene_.plane(other));
   }
   return coplanar_ ? fill_ > other : depths_.hides(fill_, other, column, row);
 }

@@ -2,27 +2,19 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
-#include <optional>
-#include <span>
 
-#include "interp/box_tree.h"
 #include "interp/fill_depths.h"
+#include "interp/ray_square.h"
 
 namespace displayfile {
 
-/// Neighbouring rays that are cast together, through the centres of a square of pixels, and the
-/// fill that each has hit so far. They run along z, from the viewer's side.
-class RayPacket {
+/// A square of rays along z, from the viewer's side, that see what is nearest exactly.
+class RayPacket : public RaySquare {
  public:
-  using Fill = FillScene::Fill;
-  static constexpr int kSide = 8;
-
   RayPacket(const FillScene& scene, const FillDepths& depths) : scene_(scene), depths_(depths) {}
 
   /// Starts anew with rays through these centres, of kSide columns and rows at most.
   void begin(const PixelBox& rays);
-  const PixelBox& rays() const { return rays_; }
 
   /// True if a fill no nearer than this is seen by none of the rays.
   bool hides_all_beyond(float nearest) const { return nearest < farthest_; }
@@ -40,27 +32,13 @@ class RayPacket {
     if (changed_) find_farthest();
   }
 
-  /// What the rays of a row see.
-  std::span<const Fill> seen(int row) const {
-    return std::span(seen_).subspan(
-        index(row, rays_.first_column),
-        static_cast<std::size_t>(rays_.end_column - rays_.first_column));
-  }
-
  private:
-  std::size_t index(int row, int column) const {
-    return static_cast<std::size_t>((row - rays_.first_row) * kSide + column - rays_.first_column);
-  }
   bool hides_closely(Fill other, int column, int row);
   void find_farthest();
 
-  static constexpr std::size_t kRays = std::size_t{kSide} * kSide;
-
   const FillScene& scene_;
   const FillDepths& depths_;
-  PixelBox rays_{};
   std::array<double, kRays> z_;
-  std::array<Fill, kRays> seen_;
   double largest_error_ = 0.0;  // of the depths in z_
   double farthest_ = 0.0;       // no ray sees anything beyond
   bool changed_ = false;

@@ -1,30 +1,25 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <limits>
-#include <span>
 
-#include "interp/box_tree.h"
 #include "interp/fill_depths.h"
-#include "interp/ray_packet.h"
+#include "interp/ray_square.h"
 
 namespace displayfile {
 
 /// A packet of rays for which depths closer than ROUNDOFF count as equal: each sees the fill
 /// entered last of those that it hits within ROUNDOFF of the nearest depth. So the rays are cast
 /// twice, first for that depth; and what is seen depends on no order of the hits.
-class RoundoffPacket {
+class RoundoffPacket : public RaySquare {
  public:
-  using Fill = FillScene::Fill;
-  static constexpr int kSide = RayPacket::kSide;
-
   RoundoffPacket(const FillDepths& depths, double roundoff)
       : depths_(depths), roundoff_(roundoff) {}
 
   void begin(const PixelBox& rays) {
-    rays_ = rays;
+    begin_square(rays);
     nearest_.fill(-std::numeric_limits<double>::infinity());
-    seen_.fill(FillScene::kBackground);
     margin_ = 0.0;
     first_cast_ = true;
     find_farthest();
@@ -35,7 +30,6 @@ class RoundoffPacket {
     first_cast_ = false;
     find_farthest();
   }
-  const PixelBox& rays() const { return rays_; }
 
   bool hides_all_beyond(float nearest) const { return nearest < farthest_; }
   void begin_fill(Fill fill) { fill_ = fill; }
@@ -56,16 +50,7 @@ class RoundoffPacket {
     if (first_cast_) find_farthest();
   }
 
-  std::span<const Fill> seen(int row) const {
-    return std::span(seen_).subspan(
-        index(row, rays_.first_column),
-        static_cast<std::size_t>(rays_.end_column - rays_.first_column));
-  }
-
  private:
-  std::size_t index(int row, int column) const {
-    return static_cast<std::size_t>((row - rays_.first_row) * kSide + column - rays_.first_column);
-  }
   void find_farthest() {
     farthest_ = std::numeric_limits<double>::infinity();
     for (int row = rays_.first_row; row < rays_.end_row; ++row) {
@@ -77,9 +62,7 @@ class RoundoffPacket {
 
   const FillDepths& depths_;
   double roundoff_;
-  PixelBox rays_{};
-  std::array<double, std::size_t{kSide} * kSide> nearest_;
-  std::array<Fill, std::size_t{kSide} * kSide> seen_;
+  std::array<double, kRays> nearest_;
   Fill fill_ = FillScene::kBackground;
   double margin_ = 0.0, farthest_ = 0.0;
   bool first_cast_ = true;

@@ -9,6 +9,7 @@
 
 #include "hidden/orientation.h"
 #include "interp/fill_depths.h"
+#include "interp/flat_extent.h"
 #include "interp/scan_edge.h"
 
 namespace displayfile {
@@ -20,23 +21,6 @@ constexpr std::size_t kMostSides = 16;  ///< of what is drawn as a convex polygo
 /// Of single precision, in any rounding mode; derived in interp/band_z_buffer.md.
 constexpr double kEdgeUnit = 0x1p-21, kDepthUnit = 0x1p-20, kDepthError = 0x1p-17;
 constexpr double kLargestEdgeError = 0.25;
-
-/// The extent of a polygon in pixel units.
-struct Extent {
-  double left, right, bottom, top;  ///< bottom and top in device coordinates
-};
-Extent extent_of(std::span<const Point3> vertices, const PictureSize& size) {
-  Extent e{vertices[0].x, vertices[0].x, vertices[0].y, vertices[0].y};
-  for (const Point3& v : vertices) {
-    e.left = std::min(e.left, v.x);
-    e.right = std::max(e.right, v.x);
-    e.bottom = std::min(e.bottom, v.y);
-    e.top = std::max(e.top, v.y);
-  }
-  e.left *= size.width;
-  e.right *= size.width;
-  return e;
-}
 
 }  // namespace
 
@@ -77,11 +61,12 @@ RowFills::RowFills(const FillScene& scene, const PictureSize& size, int threads)
 void RowFills::make(const FillScene& scene, const PictureSize& size, Fill fill) {
   const auto vertices = scene.vertices(fill);
   RowFill& made = fills_[fill];
-  const Extent extent = extent_of(vertices, size);
+  const FlatExtent extent = flat_extent(vertices);
+  const double left = extent.left * size.width, right = extent.right * size.width;
   const double width = size.width;
   // The columns of the centres between its left and its right, with what rounding can do.
-  const double first = std::ceil(extent.left - std::abs(extent.left) * 0x1p-50 - 0.5);
-  const double end = std::ceil(extent.right + std::abs(extent.right) * 0x1p-50 - 0.5);
+  const double first = std::ceil(left - std::abs(left) * 0x1p-50 - 0.5);
+  const double end = std::ceil(right + std::abs(right) * 0x1p-50 - 0.5);
   if (!(first < end && first < width && end > 0.0)) return;
   const int row_begin = first_row_above(extent.bottom, size.height);
   const int row_end = first_row_above(extent.top, size.height);

@@ -6,6 +6,8 @@
 #include "hidden/depth_order.h"
 #include "hidden/rounding.h"
 #include "hidden/support_plane.h"
+#include "interp/close_planes.h"
+#include "interp/flat_extent.h"
 
 namespace displayfile {
 
@@ -38,13 +40,9 @@ struct Box {
 };
 /// In pixel units.
 Box bounding_box(std::span<const Point3> polygon, const PictureSize& size, const Point2& margin) {
-  Box box{{polygon[0].x, polygon[0].x}, {polygon[0].y, polygon[0].y}};
-  for (const Point3& v : polygon) {
-    box.x = {std::min(box.x.low, v.x), std::max(box.x.high, v.x)};
-    box.y = {std::min(box.y.low, v.y), std::max(box.y.high, v.y)};
-  }
-  return {{box.x.low * size.width - margin.x, box.x.high * size.width + margin.x},
-          {box.y.low * size.height - margin.y, box.y.high * size.height + margin.y}};
+  const FlatExtent e = flat_extent(polygon);
+  return {{e.left * size.width - margin.x, e.right * size.width + margin.x},
+          {e.bottom * size.height - margin.y, e.top * size.height + margin.y}};
 }
 
 void note_bounding_box(std::span<const Point3> polygon, const Point2& error,
@@ -176,8 +174,7 @@ bool NearestAtCentres::coplanar_with(const Plane& plane, Owner other) {
   if (compared_ == other) return coplanar_;
   const Plane& b = owners_[other].seen.plane;
   compared_ = other;
-  coplanar_ = side_of_plane(plane.p, b) == 0 && side_of_plane(plane.q, b) == 0 &&
-              side_of_plane(plane.r, b) == 0;
+  coplanar_ = are_one_plane(plane, b);
   return coplanar_;
 }
 

@@ -18,7 +18,7 @@
 #include "interp/polygon_z_buffer.h"
 #include "interp/ppm_file.h"
 #include "interp/software.h"
-#include "tests/counted_memory.h"
+#include "programs/bench/counted_memory.h"
 #include "tests/truth_scenes.h"
 
 namespace displayfile {
@@ -92,8 +92,8 @@ DisplayFile many_triangles(int polygons) {
   return file;
 }
 
-std::size_t memory_of(ImageSpaceMethod& method, const FillScene& scene, const PictureSize& size) {
-  return test::peak_of_new([&] {
+std::int64_t memory_of(ImageSpaceMethod& method, const FillScene& scene, const PictureSize& size) {
+  return bench::most_bytes_held([&] {
     method.prepare({scene, size, {}}, 1);
     method.draw_rows(0, size.height, [](int, int, std::span<const Fill>) {});
   });
@@ -102,8 +102,8 @@ std::size_t memory_of(ImageSpaceMethod& method, const FillScene& scene, const Pi
 TEST(ScanLineZ, MemoryDoesNotGrowWithThePicturesHeight) {
   const FillScene scene(many_triangles(2000));
   ScanLineZ low, high;
-  const std::size_t least = memory_of(low, scene, {40, 500});
-  const std::size_t most = memory_of(high, scene, {40, 60'000});
+  const std::int64_t least = memory_of(low, scene, {40, 500});
+  const std::int64_t most = memory_of(high, scene, {40, 60'000});
   EXPECT_LT(most, least + least / 4);
 }
 
@@ -240,11 +240,11 @@ TEST_P(RowsWrittenOf, AreThePictureInMemory) {
 TEST_F(RowsWritten, MemoryDoesNotGrowWithThePicturesHeight) {
   GraphicsSystem g = crossing_fills_and_lines();
   const auto memory = [&](int height) {
-    return test::peak_of_new([&] {
+    return bench::most_bytes_held([&] {
       draw(g, file("a.png"), {.width = 600, .height = height, .hidden = HiddenMethod::scan_line_z});
     });
   };
-  const std::size_t of_one_strip = memory(1700);
+  const std::int64_t of_one_strip = memory(1700);
   EXPECT_LT(memory(20'000), of_one_strip + of_one_strip / 10);
 }
 

@@ -6,8 +6,8 @@
 
 #include "interp/image_space.h"
 #include "interp/polygon_z_buffer.h"
+#include "programs/bench/counted_memory.h"
 #include "programs/scenes/generated_scenes.h"
-#include "tests/counted_memory.h"
 
 // The memory that each image-space method takes for a picture, beside a z-buffer of the whole
 // picture: what is taken with new besides the scene. Counts, the same on every machine.
@@ -21,14 +21,14 @@ struct Options {
   std::size_t polygons = 10'000;
 };
 
-std::size_t bytes_of(ImageSpaceMethod& method, const FillScene& scene, int size) {
-  return test::peak_of_new([&] {
+std::int64_t bytes_of(ImageSpaceMethod& method, const FillScene& scene, int size) {
+  return bench::most_bytes_held([&] {
     method.prepare({scene, {size, size}, {}}, 1);
     method.draw_rows(0, size, [](int, int, std::span<const FillScene::Fill>) {});
   });
 }
 
-void print(std::string_view name, std::size_t bytes, std::size_t of_z_buffer) {
+void print(std::string_view name, std::int64_t bytes, std::int64_t of_z_buffer) {
   fmt::print("{:<24} {:>15} bytes {:>12.1f} times less\n", name, bytes,
              static_cast<double>(of_z_buffer) / static_cast<double>(bytes));
 }

@@ -39,7 +39,7 @@ void run(const Options& options) {
   fmt::print("{}, {} polygons, {} x {} pixels\n", options.scene, scene.end() - 1, options.size,
              options.size);
   PolygonZBuffer whole;
-  const std::size_t of_z_buffer = bytes_of(whole, scene, options.size);
+  const std::int64_t of_z_buffer = bytes_of(whole, scene, options.size);
   print("z-buffer of the picture", of_z_buffer, of_z_buffer);
   for (const ImageSpaceEntry& entry : image_space_methods()) {
     if (entry.method == HiddenMethod::z_buffer) continue;

@@ -431,12 +431,12 @@ std::size_t character_length(std::string_view text) {
   return in(first, 0xF0, 0xF4) && in(byte(3), 0x80, 0xBF) ? 4 : 0;
 }
 
-constexpr std::size_t kBlock = 64;
+constexpr std::size_t kBytesAtOnce = 64;
 
 /// is_plain for a block, in bytes and without branches, so that it runs on vectors.
 bool is_plain_block(const char* block) {
   std::uint8_t other = 0;
-  for (std::size_t i = 0; i < kBlock; ++i) {
+  for (std::size_t i = 0; i < kBytesAtOnce; ++i) {
     const auto c = static_cast<std::int8_t>(block[i]);  // above 0x7F: negative
     const bool other_control = (c < ' ') & (c != '\n') & (c != '\t') & (c != '\r');
     other |= static_cast<std::uint8_t>(other_control | (c > '~'));
@@ -447,11 +447,11 @@ bool is_plain_block(const char* block) {
 /// Throws Error if the text is binary.
 void require_text(std::string_view text, std::string_view file_name) {
   for (std::size_t i = 0; i < text.size();) {
-    if (text.size() - i >= kBlock && is_plain_block(&text[i])) {
-      i += kBlock;
+    if (text.size() - i >= kBytesAtOnce && is_plain_block(&text[i])) {
+      i += kBytesAtOnce;
       continue;
     }
-    const std::size_t block_end = std::min(i + kBlock, text.size());
+    const std::size_t block_end = std::min(i + kBytesAtOnce, text.size());
     while (i < block_end) {
       const std::size_t length = character_length(text.substr(i));
       if (length == 0) {

@@ -10,6 +10,7 @@
 #include "clip/transformation.h"
 #include "clip/view_volume.h"
 #include "displayfile/bounds.h"
+#include "displayfile/fitted_window.h"
 
 namespace displayfile {
 
@@ -18,7 +19,6 @@ namespace {
 constexpr double kFromTheRight = 30.0;  // degrees
 constexpr double kFromAbove = 20.0;
 constexpr double kEyeDistance = 4.0;   // of the view plane, in radii of the scene
-constexpr double kMargin = 0.05;       // of the window, at each side where the scene is widest
 constexpr double kDepthMargin = 0.01;  // in radii, before and behind the scene
 
 /// Calls visit with the position of every corner of every face.
@@ -68,11 +68,7 @@ void fit_view(std::span<const Mesh> meshes, GraphicsSystem& system, double aspec
   Bounds seen;
   for_each_corner(meshes,
                   [&](const Point3& p) { seen.include(projected(p, view_plane, eye_distance)); });
-  const Point3 middle = seen.middle();
-  const Point3 size = seen.high - seen.low;
-  const double half_height =
-      0.5 * std::max({size.x / aspect, size.y, kDepthMargin * radius}) / (1.0 - 2.0 * kMargin);
-  const double half_width = aspect * half_height;
+  const Rectangle window = fitted_window(seen, aspect, kDepthMargin * radius);
 
   system.set_view_reference_point(view.reference_point);
   system.set_view_plane_normal(view.plane_normal);
@@ -82,8 +78,7 @@ void fit_view(std::span<const Mesh> meshes, GraphicsSystem& system, double aspec
   system.set_view_depth(-seen.high.z - kDepthMargin * radius, -seen.low.z + kDepthMargin * radius);
   system.set_front_plane_clipping(false);
   system.set_back_plane_clipping(false);
-  system.set_window(middle.x - half_width, middle.x + half_width, middle.y - half_height,
-                    middle.y + half_height);
+  system.set_window(window.x_min, window.x_max, window.y_min, window.y_max);
   system.set_viewport(0.0, 1.0, 0.0, 1.0);
 
   // The rows of the view-plane transformation are the viewer's right, up and back.

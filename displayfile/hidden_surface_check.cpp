@@ -14,7 +14,7 @@ namespace displayfile {
 namespace {
 
 /// What a polygon or a line is drawn in; of a line the pick identifier has no meaning.
-struct Attributes {
+struct ItemStyle {
   std::uint32_t fill, line;  ///< indices of styles
   std::int32_t pick;
 };
@@ -30,7 +30,7 @@ struct SavedPolygons {
   std::vector<Point3> own_points;
   std::vector<std::uint8_t> visible;
   std::vector<SortItems::Item> items;
-  std::vector<Attributes> attributes;  ///< of the items
+  std::vector<ItemStyle> attributes;  ///< of the items
   std::vector<FillStyle> fill_styles;
   std::vector<LineStyle> line_styles;
   std::vector<FirstItem> segments;  ///< none where all is one segment's
@@ -197,7 +197,7 @@ class OrderedOutput {
   /// SEND-TO-DF (algorithm 9.17).
   void send_to_df(const SortedPiece& piece) {
     const SortItems::Item& item = saved_.items[piece.item];
-    const Attributes& attributes = saved_.attributes[piece.item];
+    const ItemStyle& attributes = saved_.attributes[piece.item];
     const auto [points, visible] = sides_of(piece, item);
     if (item.kind == SortItems::Kind::line) {
       out_.set_style(saved_.line_styles[attributes.line]);
@@ -209,7 +209,7 @@ class OrderedOutput {
   }
 
   /// CHECK-STYLE (algorithm 9.18): the instructions enter a style only where it changes.
-  void check_style(const Attributes& attributes) {
+  void check_style(const ItemStyle& attributes) {
     out_.set_style(saved_.fill_styles[attributes.fill]);
     out_.set_style(saved_.line_styles[attributes.line]);
     out_.set_pick(attributes.pick);

@@ -13,7 +13,7 @@ namespace displayfile {
 
 namespace {
 
-constexpr std::size_t kBlock = std::size_t{1} << 20;
+constexpr std::size_t kBytesPerRead = std::size_t{1} << 20;
 
 struct Close {
   void operator()(std::FILE* file) const {
@@ -35,12 +35,12 @@ std::string read_text_file(const std::string& path) {
   if (!file) fail(path);
   std::string text;
   for (std::size_t used = 0;;) {
-    text.resize(used + kBlock);
-    const std::size_t count = std::fread(text.data() + used, 1, kBlock, file.get());
+    text.resize(used + kBytesPerRead);
+    const std::size_t count = std::fread(text.data() + used, 1, kBytesPerRead, file.get());
     if (std::ferror(file.get()) != 0) fail(path);
     const bool binary = std::memchr(text.data() + used, 0, count) != nullptr;
     used += count;
-    if (count < kBlock || binary) {
+    if (count < kBytesPerRead || binary) {
       text.resize(used);
       return text;
     }

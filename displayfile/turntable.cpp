@@ -9,12 +9,11 @@
 #include "clip/transformation.h"
 #include "clip/view_volume.h"
 #include "displayfile/bounds.h"
+#include "displayfile/fitted_window.h"
 
 namespace displayfile {
 
 namespace {
-
-constexpr double kMargin = 0.05;  // of the window, at each side where the scene is widest
 
 /// Rodrigues' formula; counterclockwise, seen from where the axis (a unit vector) points to.
 glm::dmat3 rotation_about(const Point3& axis, double degrees) {
@@ -81,13 +80,8 @@ void Turntable::fit_window(int views) {
     }
   }
   if (!(seen.low.x <= seen.high.x)) return;
-  const Point3 size = seen.high - seen.low, middle = seen.middle();
-  const double aspect = width / height;
-  const double half_height = 0.5 * std::max(size.x / aspect, size.y) / (1.0 - 2.0 * kMargin);
-  if (!(half_height > 0.0)) return;
-  const double half_width = aspect * half_height;
-  view_.set_window({middle.x - half_width, middle.x + half_width, middle.y - half_height,
-                    middle.y + half_height});
+  const Rectangle fitted = fitted_window(seen, width / height);
+  if (fitted.y_min < fitted.y_max) view_.set_window(fitted);
 }
 
 }  // namespace displayfile

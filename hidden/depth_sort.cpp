@@ -16,7 +16,6 @@ namespace displayfile {
 namespace {
 
 using Index = PolygonTable::Index;
-using Node = DrawingGraph::Node;
 
 template <class Policy>
 class DepthSort {
@@ -41,6 +40,8 @@ class DepthSort {
   }
 
  private:
+  using Node = DrawingGraph::Node;
+
   /// With more overlaps than this a polygon on the average, a tree takes less time and memory.
   static constexpr std::size_t kPairsOfAPolygon = 48;
 

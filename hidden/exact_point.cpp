@@ -13,7 +13,7 @@ ExactVector exact_vector(const Point3& p) {
 ExactNumber& component(ExactVector& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
 /// p moved along the axis on to the plane: the plane's equation, solved for that coordinate.
-ExactPoint lifted(const Point3& p, const Plane& own, int axis) {
+ExactPoint exactly_lifted(const Point3& p, const Plane& own, int axis) {
   ExactPlane plane(own);
   ExactVector from = exact_difference(p, own.p);
   const ExactNumber c = component(plane.normal, axis);
@@ -31,7 +31,7 @@ ExactPoint met_by(const ExactPoint& a, const ExactPoint& b, const Plane& cut) {
 }
 
 /// Cramer's rule for the three equations normal . x = normal . through.
-ExactPoint meeting(const Plane& first, const Plane& second, const Plane& third) {
+ExactPoint exact_meeting(const Plane& first, const Plane& second, const Plane& third) {
   const ExactPlane f(first), s(second), t(third);
   const ExactVector st = cross(s.normal, t.normal), tf = cross(t.normal, f.normal),
                     fs = cross(f.normal, s.normal);
@@ -43,14 +43,15 @@ ExactPoint meeting(const Plane& first, const Plane& second, const Plane& third) 
 ExactPoint from_definition(const Definitions& all, const DefinedPoint& v) {
   switch (v.kind) {
     case DefinedPoint::Kind::stored: break;
-    case DefinedPoint::Kind::lifted: return lifted(all.points[v.a], all.planes[v.own], v.axis);
+    case DefinedPoint::Kind::lifted:
+      return exactly_lifted(all.points[v.a], all.planes[v.own], v.axis);
     case DefinedPoint::Kind::edge_cut:
       return met_by(exact_point(all.points[v.a]), exact_point(all.points[v.b]), all.planes[v.cut]);
     case DefinedPoint::Kind::lifted_edge_cut:
-      return met_by(lifted(all.points[v.a], all.planes[v.own], v.axis),
-                    lifted(all.points[v.b], all.planes[v.own], v.axis), all.planes[v.cut]);
+      return met_by(exactly_lifted(all.points[v.a], all.planes[v.own], v.axis),
+                    exactly_lifted(all.points[v.b], all.planes[v.own], v.axis), all.planes[v.cut]);
     case DefinedPoint::Kind::plane_cut:
-      return meeting(all.planes[v.own], all.planes[v.a], all.planes[v.cut]);
+      return exact_meeting(all.planes[v.own], all.planes[v.a], all.planes[v.cut]);
   }
   return exact_point(v.near);
 }

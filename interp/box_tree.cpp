@@ -40,15 +40,15 @@ Box together(const Box& a, const Box& b) {
 /// What the cost needs of a box: the least of first column and row, and of the ends taken
 /// negative, so that one operation on four numbers unites two. Rounded beyond 2^24, as only costs
 /// may be.
-struct Rectangle {
+struct WideBox {
   std::array<float, 4> least;
 
-  explicit Rectangle(const PixelBox& p)
+  explicit WideBox(const PixelBox& p)
       : least{static_cast<float>(p.first_column), static_cast<float>(p.first_row),
               -static_cast<float>(p.end_column), -static_cast<float>(p.end_row)} {}
-  static Rectangle nothing() { return Rectangle(kNothing.pixels); }
+  static WideBox nothing() { return WideBox(kNothing.pixels); }
 
-  void unite(const Rectangle& other) {
+  void unite(const WideBox& other) {
     for (std::size_t k = 0; k < 4; ++k) {
       least[k] = other.least[k] < least[k] ? other.least[k] : least[k];
     }
@@ -83,7 +83,7 @@ struct Part {
 /// The bins of one axis.
 struct Bins {
   double low = std::numeric_limits<double>::infinity(), high = -low, scale = 0.0;
-  std::array<Rectangle, kBins> box;
+  std::array<WideBox, kBins> box;
   std::array<std::size_t, kBins> count{};
 
   Bins() : box(nothing()) {}
@@ -92,8 +92,8 @@ struct Bins {
   }
 
  private:
-  static std::array<Rectangle, kBins> nothing() {
-    const Rectangle r = Rectangle::nothing();
+  static std::array<WideBox, kBins> nothing() {
+    const WideBox r = WideBox::nothing();
     return {r, r, r, r, r, r, r, r, r, r, r, r, r, r, r, r};
   }
 };
@@ -108,14 +108,14 @@ struct Split {
 std::optional<Split> cheapest(const Bins& bins, int axis, std::size_t items) {
   std::array<double, kBins> below{};  // of the bins before each
   std::array<std::size_t, kBins> count{};
-  Rectangle box = Rectangle::nothing();
+  WideBox box = WideBox::nothing();
   for (std::size_t b = 1; b < kBins; ++b) {
     box.unite(bins.box[b - 1]);
     count[b] = count[b - 1] + bins.count[b - 1];
     below[b] = box.packets() * static_cast<double>(count[b]);
   }
   std::optional<Split> best;
-  box = Rectangle::nothing();
+  box = WideBox::nothing();
   for (std::size_t b = kBins - 1; b > 0; --b) {
     box.unite(bins.box[b]);
     const std::size_t above = items - count[b];
@@ -184,7 +184,7 @@ struct BoxTree::Builder {
     }
     for (std::size_t k = p.begin; k < p.end; ++k) {
       const Box& box = entries[k].box;
-      const Rectangle rectangle(box.pixels);
+      const WideBox rectangle(box.pixels);
       for (int axis = 0; axis < kAxes; ++axis) {
         Bins& of = bins[static_cast<std::size_t>(axis)];
         const std::size_t bin = of.bin(position(box, axis));
@@ -220,7 +220,7 @@ struct BoxTree::Builder {
     while (branches.size() < kBranches) {
       const auto cost = [](const Part& p) {
         return p.size() > kBranches
-                   ? Rectangle(p.box.pixels).packets() * static_cast<double>(p.size())
+                   ? WideBox(p.box.pixels).packets() * static_cast<double>(p.size())
                    : 0.0;
       };
       const auto most =

@@ -8,14 +8,9 @@
 #include <utility>
 #include <vector>
 
-namespace displayfile {
+#include "interp/pixel_box.h"
 
-/// Pixel centres: those of columns first_column <= i < end_column and rows first_row <= j <
-/// end_row.
-struct PixelBox {
-  std::int32_t first_column, end_column, first_row, end_row;
-  bool empty() const { return first_column >= end_column || first_row >= end_row; }
-};
+namespace displayfile {
 
 /// A hierarchy over boxes of pixel centres, for rays that run along z through them: a tree of up
 /// to eight branches a node, each with the box and the nearest depth of all that is in it.

@@ -55,9 +55,9 @@ Graph build_graph(std::vector<Overlap>& overlaps, const Ranking& ranking) {
 
 using NearestLast = std::priority_queue<Node, std::vector<Node>, std::greater<>>;
 
-class Order {
+class StepOrder {
  public:
-  Order(const Graph& graph, const Ranking& ranking)
+  StepOrder(const Graph& graph, const Ranking& ranking)
       : graph_(graph), ranking_(ranking), cycles_(find_cycles(graph)) {
     list_members();
     count_hidden();
@@ -161,7 +161,7 @@ std::vector<DrawStep> drawing_order(std::vector<Overlap> overlaps, std::span<con
                                     std::span<const std::uint8_t> drawn) {
   const Ranking ranking = rank(farthest, drawn);
   const Graph graph = build_graph(overlaps, ranking);
-  return Order(graph, ranking).steps();
+  return StepOrder(graph, ranking).steps();
 }
 
 }  // namespace displayfile

@@ -55,15 +55,15 @@ void measure_depth_error(const std::vector<double>& a, const std::vector<double>
 }
 
 constexpr std::uint32_t kMark = 0xFF0000FF;  // red
-constexpr std::uint32_t kWhite = 0xFFFFFFFF;
+constexpr std::uint32_t kPaper = 0xFFFFFFFF;
 
 std::uint32_t grey(std::uint32_t tone) { return 0xFF000000u | tone << 16 | tone << 8 | tone; }
 
 /// Light enough for the marks to stand out; neighbours in number are told apart.
 std::uint32_t tone_of(std::int32_t id) {
-  return id < 0 ? kWhite : grey(192u + static_cast<std::uint32_t>(id) * 23u % 48u);
+  return id < 0 ? kPaper : grey(192u + static_cast<std::uint32_t>(id) * 23u % 48u);
 }
-std::uint32_t tone_of(double depth) { return std::isfinite(depth) ? grey(216) : kWhite; }
+std::uint32_t tone_of(double depth) { return std::isfinite(depth) ? grey(216) : kPaper; }
 
 std::uint32_t lightened(std::uint32_t pixel) {
   const std::uint32_t red = pixel & 0xff, green = pixel >> 8 & 0xff, blue = pixel >> 16 & 0xff;

@@ -18,23 +18,6 @@ using Fill = FillScene::Fill;
 /// Polygons of more sides are scan-converted once for a band of packets.
 constexpr std::size_t kFewSides = 8;
 
-/// The first column whose centre is at x (device) or right of it.
-int first_column_from(double x, int width) {
-  const int column = first_row_above(x, width);
-  return column > 0 && compare_with_centres(x, width, column - 1) == 0 ? column - 1 : column;
-}
-
-/// The centres that the polygon may cover, and no row or column more.
-PixelBox pixels_of(std::span<const Point3> polygon, const PictureSize& size) {
-  Point2 low(polygon[0]), high(polygon[0]);
-  for (const Point3& v : polygon) {
-    low = {std::min(low.x, v.x), std::min(low.y, v.y)};
-    high = {std::max(high.x, v.x), std::max(high.y, v.y)};
-  }
-  return {first_column_from(low.x, size.width), first_column_from(high.x, size.width),
-          first_row_above(low.y, size.height), first_row_above(high.y, size.height)};
-}
-
 /// No less than z.
 float rounded_up(double z) {
   constexpr double kLargest = std::numeric_limits<float>::max();
@@ -92,7 +75,7 @@ void RayCast::find_targets(int threads) {
   edges_.reserve(std::size_t{3} * scene.end());
   for (Fill fill = 1; fill < scene.end(); ++fill) {
     const auto polygon = scene.vertices(fill);
-    Target target{fill, 0, 0, kFewSided, pixels_of(polygon, size)};
+    Target target{fill, 0, 0, kFewSided, extents_of(polygon, size)};
     if (target.pixels.empty()) continue;
     enter_edges(target);
     targets_.push_back(target);

@@ -11,10 +11,10 @@ namespace {
 /// The rectangle from an area's first centre to its last; pixel units.
 struct Centres {
   Centres(const SampleArea& area, const PictureSize& size_)
-      : left(area.column_begin + 0.5),
-        right(area.column_end - 0.5),
-        bottom(area.row_begin + 0.5),
-        top(area.row_end - 0.5),
+      : left(area.first_column + 0.5),
+        right(area.end_column - 0.5),
+        bottom(area.first_row + 0.5),
+        top(area.end_row - 0.5),
         size(size_.width, size_.height) {}
   double left, right, bottom, top;
   Point2 size;
@@ -49,23 +49,7 @@ bool a_side_may_meet(std::span<const Point3> polygon, const Centres& centres) {
   return false;
 }
 
-/// The first column whose centre is at or right of x (device), from 0 to the width.
-int first_column_from(double x, int width) {
-  const int above = first_row_above(x, width);
-  return above > 0 && compare_with_centres(x, width, above - 1) == 0 ? above - 1 : above;
-}
-
 }  // namespace
-
-SampleArea extents_of(std::span<const Point3> polygon, const PictureSize& size) {
-  Point2 low(polygon[0]), high = low;
-  for (const Point3& v : polygon) {
-    low = {std::min(low.x, v.x), std::min(low.y, v.y)};
-    high = {std::max(high.x, v.x), std::max(high.y, v.y)};
-  }
-  return {first_column_from(low.x, size.width), first_column_from(high.x, size.width),
-          first_row_above(low.y, size.height), first_row_above(high.y, size.height)};
-}
 
 bool covers(std::span<const Point3> polygon, const PixelCentre& centre) {
   const auto is_below = [&](const Point2& v) {
@@ -88,12 +72,12 @@ bool covers(std::span<const Point3> polygon, const PixelCentre& centre) {
 /// tells.
 AreaCategory category_of(std::span<const Point3> polygon, const SampleArea& extents,
                          const SampleArea& area, const PictureSize& size) {
-  if (intersection(extents, area).is_empty()) return AreaCategory::disjoint;
+  if (intersection(extents, area).empty()) return AreaCategory::disjoint;
   if (area.contains(extents) && !(area == extents)) return AreaCategory::contained;
-  if (!area.is_pixel() && a_side_may_meet(polygon, {area, size})) {
+  if (!is_pixel(area) && a_side_may_meet(polygon, {area, size})) {
     return area == extents ? AreaCategory::contained : AreaCategory::intersecting;
   }
-  return covers(polygon, {area.column_begin, area.row_begin, size}) ? AreaCategory::surrounding
+  return covers(polygon, {area.first_column, area.first_row, size}) ? AreaCategory::surrounding
                                                                     : AreaCategory::disjoint;
 }
 

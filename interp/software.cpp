@@ -21,7 +21,7 @@ namespace {
 
 using Fill = FillScene::Fill;
 
-constexpr double kFarthest = -std::numeric_limits<double>::infinity();
+constexpr double kNothingSeen = -std::numeric_limits<double>::infinity();
 
 /// Pixels that are held at a time where the picture is not: so few that they are no burden.
 constexpr int kPixelsAtATime = 1 << 20;
@@ -113,7 +113,7 @@ class FillsShown {
     double* depths = band_.picture.depth.data() + band_.index(row, first);
     for (std::size_t i = 0; i < seen.size(); ++i) {
       if (seen[i] == FillScene::kBackground) {
-        depths[i] = kFarthest;
+        depths[i] = kNothingSeen;
         continue;
       }
       if (seen[i] != fill_) {
@@ -206,7 +206,7 @@ void SoftwareRenderer::paint_in_order(const DisplayFile& display_file, const Ras
                                       const RowRange& rows) {
   std::ranges::fill(picture_.pixels, kBackgroundPixel);
   std::ranges::fill(picture_.ids, -1);
-  std::ranges::fill(picture_.depth, kFarthest);
+  std::ranges::fill(picture_.depth, kNothingSeen);
   std::atomic<std::size_t> undecided = 0;
   const int at_a_time = rows_worth_a_walk(request, display_file.polygons());
   for_bands_of_rows(request, rows, at_a_time, [&](const RowRange& of_band) {

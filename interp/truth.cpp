@@ -175,13 +175,13 @@ ExactDepth::ExactDepth(const Support& support, int width, int height) {
   divisor_ = c << static_cast<mp_bitcnt_t>(z_places);
 }
 
-// ---- Coverage ----------------------------------------------------------------------------
+// ---- Coverage -------------------------------------------------------------------------------
 
 /// The pixels that a polygon covers: for each row, which columns begin after an odd number of
 /// its edges.
-class Coverage {
+class CentreMarks {
  public:
-  Coverage(int width, int height)
+  CentreMarks(int width, int height)
       : width_(width),
         height_(height),
         changes_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
@@ -243,12 +243,12 @@ class Coverage {
 };
 
 /// The least j, from 0 to the height, with j + 1/2 > y.
-int Coverage::row_above(const Integer& y, int places) {
+int CentreMarks::row_above(const Integer& y, int places) {
   const Integer one = Integer(1) << static_cast<mp_bitcnt_t>(places);
   return division_.ceiling(y - one / 2 + 1, one, height_);
 }
 
-void Coverage::mark(std::span<const Point3> polygon) {
+void CentreMarks::mark(std::span<const Point3> polygon) {
   int places = 1;
   for (const Point3& v : polygon) {
     places = std::max({places, binary_places(v.x), binary_places(v.y)});
@@ -274,7 +274,7 @@ void Coverage::mark(std::span<const Point3> polygon) {
 
 /// In each row that the edge crosses, at height cy, the first column whose centre cx is at or
 /// right of the crossing: (cx - low.x) rise >= (cy - low.y) run.
-void Coverage::mark_edge(const Vertex& low, const Vertex& high, int places) {
+void CentreMarks::mark_edge(const Vertex& low, const Vertex& high, int places) {
   const auto one = static_cast<mp_bitcnt_t>(places);
   const Integer half = Integer(1) << (one - 1);
   const Integer rise = high.y - low.y, run = high.x - low.x;
@@ -325,7 +325,7 @@ class TruePicture {
   const ExactDepth& depth_of(Owner owner);
 
   int width_, height_;
-  Coverage coverage_;
+  CentreMarks coverage_;
   std::vector<std::int32_t> ids_;
   std::vector<double> depth_;  // rounded to the nearest double
   std::vector<Owner> owner_;

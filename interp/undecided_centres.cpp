@@ -35,11 +35,12 @@ Pixels centres_in(const Interval& interval, int begin, int end) {
   return {within(std::ceil(interval.low - 0.5)), within(std::floor(interval.high - 0.5) + 1.0)};
 }
 
-struct Box {
+struct RealBox {
   Interval x, y;
 };
 /// In pixel units.
-Box bounding_box(std::span<const Point3> polygon, const PictureSize& size, const Point2& margin) {
+RealBox bounding_box(std::span<const Point3> polygon, const PictureSize& size,
+                     const Point2& margin) {
   const FlatExtent e = flat_extent(polygon);
   return {{e.left * size.width - margin.x, e.right * size.width + margin.x},
           {e.bottom * size.height - margin.y, e.top * size.height + margin.y}};
@@ -47,7 +48,7 @@ Box bounding_box(std::span<const Point3> polygon, const PictureSize& size, const
 
 void note_bounding_box(std::span<const Point3> polygon, const Point2& error,
                        const PictureSize& size, PixelSet& noted) {
-  const Box box = bounding_box(polygon, size, error);
+  const RealBox box = bounding_box(polygon, size, error);
   const Pixels rows = centres_in(box.y, noted.row_begin(), noted.row_end());
   const Pixels columns = centres_in(box.x, 0, size.width);
   for (int row = rows.first; row < rows.end; ++row) noted.add(row, columns.first, columns.end);
@@ -118,7 +119,7 @@ void NearestAtCentres::begin_layer(Layer layer) {
 
 /// Most polygons are far from all centres: a look at the bits of their bounding box tells.
 ScanConverter::Region NearestAtCentres::rows_with_centres(std::span<const Point3> polygon) const {
-  const Box box = bounding_box(polygon, size_, {1.0, 1.0});
+  const RealBox box = bounding_box(polygon, size_, {1.0, 1.0});
   Pixels rows = centres_in(box.y, centres_.row_begin(), centres_.row_end());
   const Pixels columns = centres_in(box.x, 0, size_.width);
   const auto any = [&](int row) { return centres_.any(row, columns.first, columns.end); };

@@ -22,7 +22,7 @@ constexpr int kPixelsPerBand = 1 << 22;
 constexpr int kFewPixels = SeenBand::kMargin - 2;
 
 /// A polygon beyond what is seen by less than this is kept: it may be part of the same surface.
-constexpr double kDepthTolerance = 1e-6;
+constexpr double kSameSurface = 1e-6;
 
 /// What the z-buffer tells of the polygons.
 struct Visibility {
@@ -146,7 +146,7 @@ class OverlapFinder {
     const int last_row = std::min(pixel(high.y + 1.0, drawing_.height), band.end_row_kept() - 1);
     for (int j = first_row; j <= last_row; ++j) {
       for (int i = first_column; i <= last_column; ++i) {
-        if (!(band.depth(i, j) > polygon.nearest + kDepthTolerance)) return false;
+        if (!(band.depth(i, j) > polygon.nearest + kSameSurface)) return false;
       }
     }
     return true;

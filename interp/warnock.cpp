@@ -42,7 +42,7 @@ class Warnock::Subdivision {
   void paint(Fill fill, int row, int first, int end);
   void paint_run(Fill fill, int row, int first, int end);
   Fill* row_of(int row) {
-    return seen_.data() + static_cast<std::size_t>(row - screen_.row_begin) *
+    return seen_.data() + static_cast<std::size_t>(row - screen_.first_row) *
                               static_cast<std::size_t>(screen_.columns());
   }
   std::span<Listed> list() { return std::span(lists_).subspan(list_begin_); }
@@ -84,14 +84,14 @@ void Warnock::Subdivision::run(const std::function<void(const Visit&)>& watch) {
     const Pending next = pending_.back();
     pending_.pop_back();
     make_list(next);
-    if (!area_.is_pixel()) remove_hidden();
+    if (!is_pixel(area_)) remove_hidden();
     const Decision decision = decide();
     if (watch) watch({area_, list(), decision});
     switch (decision) {
       case Decision::background: break;
       case Decision::subdivided: subdivide(); break;
       case Decision::pixel:
-        row_of(area_.row_begin)[area_.column_begin] = *nearest_surrounding();
+        row_of(area_.first_row)[area_.first_column] = *nearest_surrounding();
         break;
       case Decision::surrounded:
       case Decision::one_polygon:
@@ -118,8 +118,8 @@ void Warnock::Subdivision::make_list(const Pending& pending) {
 
 /// Of the polygons that surround the area, the one that is seen in its middle.
 std::optional<Warnock::Fill> Warnock::Subdivision::nearest_surrounding() const {
-  const int column = area_.column_begin + area_.columns() / 2;
-  const int row = area_.row_begin + area_.rows() / 2;
+  const int column = area_.first_column + area_.columns() / 2;
+  const int row = area_.first_row + area_.rows() / 2;
   std::optional<Fill> nearest;
   for (const auto& [fill, category] : list()) {
     if (category != AreaCategory::surrounding) continue;
@@ -130,8 +130,8 @@ std::optional<Warnock::Fill> Warnock::Subdivision::nearest_surrounding() const {
 
 /// The difference of two planes' depths is linear: what holds at the corners holds between them.
 bool Warnock::Subdivision::hides_over(Fill a, Fill b, const SampleArea& area) const {
-  const int left = area.column_begin, right = area.column_end - 1;
-  const int bottom = area.row_begin, top = area.row_end - 1;
+  const int left = area.first_column, right = area.end_column - 1;
+  const int bottom = area.first_row, top = area.end_row - 1;
   return depths_.hides(a, b, left, bottom) && depths_.hides(a, b, right, top) &&
          depths_.hides(a, b, right, bottom) && depths_.hides(a, b, left, top);
 }
@@ -154,7 +154,7 @@ Warnock::Decision Warnock::Subdivision::decide() const {
     return list()[0].category == AreaCategory::surrounding ? Decision::surrounded
                                                            : Decision::one_polygon;
   }
-  if (area_.is_pixel()) return Decision::pixel;
+  if (is_pixel(area_)) return Decision::pixel;
   if (warnock_.finish_ == Finish::at_pixels) return Decision::subdivided;
   const bool small = static_cast<long long>(area_.columns()) * area_.rows() <= kSmallArea;
   return small || list().size() <= kFewPolygons ? Decision::few_polygons : Decision::subdivided;
@@ -164,14 +164,14 @@ void Warnock::Subdivision::scan_convert() {
   for (const Listed& listed : list()) {
     const Fill fill = listed.fill;
     if (listed.category == AreaCategory::surrounding) {
-      for (int row = area_.row_begin; row < area_.row_end; ++row) {
-        paint(fill, row, area_.column_begin, area_.column_end);
+      for (int row = area_.first_row; row < area_.end_row; ++row) {
+        paint(fill, row, area_.first_column, area_.end_column);
       }
       continue;
     }
-    const ScanConverter::Region rows{size_, area_.row_begin, area_.row_end};
+    const ScanConverter::Region rows{size_, area_.first_row, area_.end_row};
     converter_.scan_convert(scene_.vertices(fill), rows, [&](int row, int first, int end) {
-      paint(fill, row, std::max(first, area_.column_begin), std::min(end, area_.column_end));
+      paint(fill, row, std::max(first, area_.first_column), std::min(end, area_.end_column));
     });
   }
 }
@@ -189,7 +189,7 @@ void Warnock::Subdivision::subdivide() {
                                  SampleArea{left, middle_column, middle_row, top},
                                  SampleArea{middle_column, right, bottom, middle_row},
                                  SampleArea{left, middle_column, bottom, middle_row}}) {
-    if (!part.is_empty()) pending_.push_back({part, list_begin_, lists_.size()});
+    if (!part.empty()) pending_.push_back({part, list_begin_, lists_.size()});
   }
 }
 
@@ -228,8 +228,8 @@ void Warnock::Subdivision::paint_run(Fill fill, int row, int first, int end) {
 
 void Warnock::Subdivision::tell(const SeenRun& seen) const {
   const auto width = static_cast<std::size_t>(screen_.columns());
-  for (int row = screen_.row_begin; row < screen_.row_end; ++row) {
-    const auto start = static_cast<std::size_t>(row - screen_.row_begin) * width;
+  for (int row = screen_.first_row; row < screen_.end_row; ++row) {
+    const auto start = static_cast<std::size_t>(row - screen_.first_row) * width;
     seen(row, 0, std::span(seen_).subspan(start, width));
   }
 }

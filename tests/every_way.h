@@ -6,18 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "tests/slower.h"
 #include "tests/sort_truth.h"
 
 // What must hold of the object-space sorts.
 
 namespace displayfile::test {
-
-// A sanitized test is slower: it makes do with fewer and smaller scenes.
-#if defined(__SANITIZE_ADDRESS__)
-inline constexpr int kSlower = 10;
-#else
-inline constexpr int kSlower = 1;
-#endif
 
 /// All that must hold of an exact sort.
 inline std::string judged(const ItemList& list, const Way& way, std::uint64_t seed, int samples) {

@@ -21,6 +21,7 @@
 #include "programs/scenes/hard_cases.h"
 #include "tests/random_views.h"
 #include "tests/retained_truth.h"
+#include "tests/slower.h"
 #include "tests/sort_scenes.h"
 #include "tests/world_truth.h"
 
@@ -149,7 +150,7 @@ void judge_family(const HardCase& family, int eyes, int size, Tally& tally) {
 }
 
 TEST(HardCases, DifferOnlyWhereTheTransformationsRoundingDecides) {
-  const int eyes = from_environment("DISPLAYFILE_WORLD_TREE_EYES", 6);
+  const int eyes = from_environment("DISPLAYFILE_WORLD_TREE_EYES", test::kSlower > 1 ? 2 : 6);
   const int size = from_environment("DISPLAYFILE_WORLD_TREE_SIZE", 32);
   Tally all;
   for (const HardCase& family : hard_cases()) {

@@ -19,6 +19,7 @@
 #include "interp/ppm_file.h"
 #include "interp/software.h"
 #include "programs/bench/counted_memory.h"
+#include "tests/slower.h"
 #include "tests/truth_scenes.h"
 
 namespace displayfile {
@@ -43,7 +44,7 @@ std::vector<Fill> seen_in(const ImageSpaceMethod& method, const PictureSize& siz
 TEST(ScanLineZ, AnyRowsAloneAreThoseOfThePicture) {
   constexpr PictureSize kSize{33, 29};
   for (const test::SceneFamily& family : test::scene_families()) {
-    for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    for (std::uint32_t seed = 0; seed < 20 / test::kSlower; ++seed) {
       const FillScene scene(test::scene(family, seed, 40));
       ScanLineZ method;
       method.prepare({scene, kSize, {}}, 1);

@@ -10,6 +10,7 @@
 #include "interp/image_space.h"
 #include "interp/software.h"
 #include "interp/truth.h"
+#include "tests/slower.h"
 #include "tests/truth_scenes.h"
 
 namespace displayfile {
@@ -51,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(ImageSpace, EveryMethod,
                          });
 
 TEST_P(EveryMethod, NoWrongPixelsInAnyFamily) {
-  constexpr std::uint32_t kScenes = 400;
+  constexpr std::uint32_t kScenes = 400 / test::kSlower;
   for (const test::SceneFamily& family : test::scene_families()) {
     for (std::uint32_t seed = 0; seed < kScenes; ++seed) {
       const DisplayFile file = test::scene(family, seed, 2 + static_cast<int>(seed % 11));

@@ -15,6 +15,7 @@
 
 #include "clip/error.h"
 #include "tests/brute_force_truth.h"
+#include "tests/slower.h"
 #include "tests/truth_scenes.h"
 
 namespace displayfile {
@@ -53,7 +54,7 @@ Vertices rectangle(double x0, double y0, double x1, double y1, double z) {
 class TruthOfFamily : public testing::TestWithParam<test::SceneFamily> {};
 
 TEST_P(TruthOfFamily, IsThatOfBruteForceInRationals) {
-  constexpr std::uint32_t kScenes = 140;
+  constexpr std::uint32_t kScenes = 140 / test::kSlower;
   std::size_t covered = 0;
   for (std::uint32_t seed = 0; seed < kScenes; ++seed) {
     const DisplayFile file = test::scene(GetParam(), seed, 2 + static_cast<int>(seed % 6));
@@ -66,7 +67,7 @@ TEST_P(TruthOfFamily, IsThatOfBruteForceInRationals) {
     ASSERT_EQ(truth(file, width, height, false).ids, expected.ids);
     covered += found.ids.size() - static_cast<std::size_t>(std::ranges::count(found.ids, -1));
   }
-  EXPECT_GT(covered, 500u);  // the scenes are not empty
+  EXPECT_GT(covered, 500u / test::kSlower);  // the scenes are not empty
 }
 
 std::string name_of_family(const testing::TestParamInfo<test::SceneFamily>& info) {

@@ -109,6 +109,11 @@ struct GridPoint {
 double on_grid(std::int64_t a) { return static_cast<double>(a) / kUnits; }
 GridPoint centre(int column, int row) { return {4 * column + 2, 4 * row + 2}; }
 
+GridPoint any_centre(Dice& dice, int low, int high) {
+  const int row = dice.from(low, high), column = dice.from(low, high);  // arguments have no order
+  return centre(column, row);
+}
+
 using GridPolygon = std::vector<GridPoint>;
 
 /// z = height + right x + up y, all multiples of powers of two: exact on the grid.
@@ -223,8 +228,7 @@ TEST(UndecidedCentres, ATriangleCutThroughCentresAnUlpAside) {
                                   {dice.from(0, 64), dice.from(0, 64)},
                                   {dice.from(0, 64), dice.from(0, 64)}};
     const GridPlane plane{0.5, 0.25, -0.125};
-    const GridPoint a = centre(dice.from(0, 15), dice.from(0, 15));
-    const GridPoint b = centre(dice.from(0, 15), dice.from(0, 15));
+    const GridPoint a = any_centre(dice, 0, 15), b = any_centre(dice, 0, 15);
     if (a.x == b.x && a.y == b.y) continue;
     const Fill whole{plane.through(triangle), 1};
     Fills painted = {kBackdrop};
@@ -290,8 +294,8 @@ TEST(UndecidedCentres, SliversAlongLinesOfCentres) {
     };
     Fills entered = {kBackdrop}, painted = {kBackdrop};
     for (int k = 1; k < 4; ++k) {
-      const GridPoint a = centre(dice.from(-4, 20), dice.from(-4, 20));
-      const GridPoint b = centre(dice.from(-4, 20), dice.from(-4, 20));
+      const GridPoint a = any_centre(dice, -4, 20);
+      const GridPoint b = any_centre(dice, -4, 20);
       const double z = k / 4.0;
       Vertices sliver = {{on_grid(a.x), on_grid(a.y), z}, {on_grid(b.x), on_grid(b.y), z}};
       sliver.push_back(0.5 * (sliver[0] + sliver[1]));
@@ -317,8 +321,8 @@ GridPolygon random_triangle(Dice& dice) {
 /// The pieces of a polygon, cut along a line of centres more often than not.
 void paint_cut(Dice& dice, const GridPolygon& polygon, const GridPlane& plane, int pick,
                Fills& painted) {
-  const GridPoint a = centre(dice.from(0, 15), dice.from(0, 15));
-  GridPoint b = centre(dice.from(0, 15), dice.from(0, 15));
+  const GridPoint a = any_centre(dice, 0, 15);
+  GridPoint b = any_centre(dice, 0, 15);
   if (a.x == b.x && a.y == b.y) b.x += 4;
   if (dice.one_in(3)) {
     painted.push_back({plane.through(polygon), pick});

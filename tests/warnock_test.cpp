@@ -54,8 +54,8 @@ std::size_t index(const PictureSize& size, int column, int row) {
 }
 template <class Do>
 void for_pixels(const SampleArea& area, Do&& act) {
-  for (int row = area.row_begin; row < area.row_end; ++row) {
-    for (int column = area.column_begin; column < area.column_end; ++column) act(column, row);
+  for (int row = area.first_row; row < area.end_row; ++row) {
+    for (int column = area.first_column; column < area.end_column; ++column) act(column, row);
   }
 }
 
@@ -312,7 +312,7 @@ TEST(WarnockAreas, CategoriesAreTrue) {
         if (direct == contained) {
           EXPECT_EQ(inside, total);
         }
-        if (visit.area.is_pixel()) {
+        if (is_pixel(visit.area)) {
           EXPECT_TRUE(direct == surrounding || direct == disjoint);
         }
       }
@@ -358,7 +358,7 @@ TEST(WarnockAreas, FillTheRows) {
       std::vector<int> times(pixels(known.size));
       for (const Visited& visit : visits_of(warnock, begin, end)) {
         if (visit.decision == Decision::subdivided) {
-          EXPECT_FALSE(visit.area.is_pixel());
+          EXPECT_FALSE(is_pixel(visit.area));
           continue;
         }
         for_pixels(visit.area,

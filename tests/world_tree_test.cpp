@@ -21,6 +21,7 @@
 #include "hidden/support_plane.h"
 #include "tests/predicate_truth.h"
 #include "tests/random_views.h"
+#include "tests/slower.h"
 #include "tests/sort_scenes.h"
 
 namespace displayfile {
@@ -193,7 +194,7 @@ void expect_all_pieces_once(const WorldTree& tree, const ItemList& list, const O
 TEST(WorldTree, OrdersAreRightForAnyEye) {
   std::size_t meetings = 0;
   for (const test::SortFamily& family : test::sort_families()) {
-    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 20 / test::kSlower; ++seed) {
       Source s(seed);
       const ItemList list = family.make(s);
       const WorldTree tree = tree_of(list);
@@ -212,12 +213,12 @@ TEST(WorldTree, OrdersAreRightForAnyEye) {
       meetings += judge.meetings;
     }
   }
-  EXPECT_GT(meetings, 10'000u) << "the rays miss the polygons";
+  EXPECT_GT(meetings, 10'000u / test::kSlower) << "the rays miss the polygons";
 }
 
 /// On the planes of polygons, at their vertices and on their sides.
 TEST(WorldTree, OrdersAreRightForEyesOnPlanes) {
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 60 / test::kSlower; ++seed) {
     Source s(seed);
     const ItemList list = seed % 2 == 0 ? test::families::dyadic(s) : test::families::tiny_grid(s);
     const WorldTree tree = tree_of(list);
@@ -241,7 +242,7 @@ TEST(WorldTree, OrdersAreRightForEyesOnPlanes) {
 /// As close to planes as doubles come: there the filter must not decide.
 TEST(WorldTree, OrdersAreRightForEyesAHairOffPlanes) {
   reset_predicate_counts();
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 60 / test::kSlower; ++seed) {
     Source s(seed);
     const ItemList list = test::families::triangles(s);
     const WorldTree tree = tree_of(list);
@@ -424,7 +425,7 @@ void on_a_small_stack(Work work) {
 
 TEST(WorldTree, DeepTreesDoNotRecur) {
   for (const bool light_face_out : {true, false}) {
-    constexpr int kTriangles = 5000;
+    constexpr int kTriangles = 5000 / test::kSlower;
     const ItemList list = cone(kTriangles, light_face_out);
     std::optional<WorldTree> tree;
     on_a_small_stack([&] { tree.emplace(list.view(), SortOptions{}); });
@@ -449,7 +450,7 @@ TEST(WorldTree, DeepTreesDoNotRecur) {
 /// Far from the origin the fast filter says little; it must not say anything false.
 TEST(WorldTree, OrdersAreRightFarFromTheOrigin) {
   for (const double offset : {1e3, 1e9, 1e15}) {
-    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 10 / test::kSlower; ++seed) {
       Source s(seed);
       const auto vertex = [&] { return Point3(offset) + 4096.0 * test::on_grid(s, 64, 64); };
       ItemList list;

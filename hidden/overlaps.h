@@ -1,8 +1,5 @@
 #pragma once
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <atomic>
 
 #include <algorithm>
@@ -11,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "hidden/parallel.h"
 #include "hidden/sort_scene.h"
 
 namespace displayfile {
@@ -39,12 +37,11 @@ class Overlaps {
 template <class Work>
 void in_parts(std::uint32_t size, std::uint32_t part, int threads, const Work& work) {
   const std::uint32_t parts = (size + part - 1) / part;
-  const auto run = [&](std::uint32_t k) { work(k, k * part, std::min(size, (k + 1) * part)); };
-  if (threads <= 1 || parts <= 1) {
-    for (std::uint32_t k = 0; k < parts; ++k) run(k);
-    return;
-  }
-  tbb::task_arena(threads).execute([&] { tbb::parallel_for(std::uint32_t{0}, parts, run); });
+  const auto run = [&](std::size_t n) {
+    const auto k = static_cast<std::uint32_t>(n);
+    work(k, k * part, std::min(size, (k + 1) * part));
+  };
+  in_parallel(threads, parts, run);
 }
 
 /// The extents of all entries, and the pairs that overlap.

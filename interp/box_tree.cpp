@@ -1,10 +1,9 @@
 #include "interp/box_tree.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <optional>
+
+#include "hidden/parallel.h"
 
 namespace displayfile {
 
@@ -246,16 +245,9 @@ void BoxTree::build(std::span<const Box> boxes, int threads) {
   }
   std::vector<Builder::Work> level{{0, builder.part(0, boxes.size())}};
   nodes_.emplace_back();
-  threads = std::min(threads, tbb::this_task_arena::max_concurrency());
-  const bool parallel = threads > 1 && boxes.size() >= kWorthThreads;
+  if (boxes.size() < kWorthThreads) threads = 1;
   while (!level.empty()) {
-    const auto branch = [&](std::size_t k) { builder.branch(level[k]); };
-    if (parallel) {
-      tbb::task_arena(threads).execute(
-          [&] { tbb::parallel_for(std::size_t{0}, level.size(), branch); });
-    } else {
-      for (std::size_t k = 0; k < level.size(); ++k) branch(k);
-    }
+    in_parallel(threads, level.size(), [&](std::size_t k) { builder.branch(level[k]); });
     std::vector<Builder::Work> next;
     for (const Builder::Work& work : level) {
       Node node;

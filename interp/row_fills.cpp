@@ -1,13 +1,10 @@
 #include "interp/row_fills.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "hidden/orientation.h"
+#include "hidden/parallel.h"
 #include "interp/fill_depths.h"
 #include "interp/flat_extent.h"
 #include "interp/scan_edge.h"
@@ -48,13 +45,11 @@ int turn_if_convex(std::span<const Point3> vertices) {
 RowFills::RowFills(const FillScene& scene, const PictureSize& size, int threads)
     : fills_(scene.end()), edges_(scene.all_vertices()) {
   depth_error_ = static_cast<float>(kDepthError * std::max(1.0, scene.largest_depth()));
-  const auto make_range = [&](const tbb::blocked_range<Fill>& range) {
-    for (Fill fill = range.begin(); fill < range.end(); ++fill) make(scene, size, fill);
-  };
-  if (scene.end() <= 1) return;
-  constexpr Fill kFillsAtATime = 1024;
-  tbb::task_arena(std::max(1, threads)).execute([&] {
-    tbb::parallel_for(tbb::blocked_range<Fill>(1, scene.end(), kFillsAtATime), make_range);
+  constexpr std::size_t kFillsAtATime = 1024;
+  in_parallel(threads, (scene.end() + kFillsAtATime - 1) / kFillsAtATime, [&](std::size_t k) {
+    const auto begin = std::max<std::size_t>(1, k * kFillsAtATime);
+    const auto end = std::min<std::size_t>(scene.end(), (k + 1) * kFillsAtATime);
+    for (std::size_t fill = begin; fill < end; ++fill) make(scene, size, static_cast<Fill>(fill));
   });
 }
 

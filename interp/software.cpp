@@ -1,12 +1,10 @@
 #include "interp/software.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <atomic>
 #include <limits>
 
+#include "hidden/parallel.h"
 #include "interp/interpreter.h"
 #include "interp/line_painter.h"
 #include "interp/painter.h"
@@ -26,10 +24,6 @@ constexpr double kNothingSeen = -std::numeric_limits<double>::infinity();
 /// Pixels that are held at a time where the picture is not: so few that they are no burden.
 constexpr int kPixelsAtATime = 1 << 20;
 
-int threads_of(const RasterRequest& request) {
-  return std::clamp(request.threads, 1, std::max(1, tbb::this_task_arena::max_concurrency()));
-}
-
 /// Calls draw(rows) for bands of rows that together are `all`, each from one of the threads; so
 /// many rows at a time, except that there is a band for each thread.
 template <class Draw>
@@ -40,8 +34,9 @@ void for_bands_of_rows(const RasterRequest& request, const RowRange& all, int at
   const int bands =
       std::clamp(rows / std::max(1, at_a_time), std::min(request.threads, rows), rows);
   const auto row = [&](long long b) { return all.begin + static_cast<int>(b * rows / bands); };
-  tbb::task_arena(threads_of(request)).execute([&] {
-    tbb::parallel_for(0, bands, [&](int b) { draw(RowRange{row(b), row(b + 1)}); });
+  in_parallel(request.threads, static_cast<std::size_t>(bands), [&](std::size_t k) {
+    const auto b = static_cast<int>(k);
+    draw(RowRange{row(b), row(b + 1)});
   });
 }
 
@@ -258,7 +253,8 @@ void SoftwareRenderer::draw(const DisplayFile& display_file, const RasterRequest
                             const TakeRows& take) {
   prepare(display_file, request);
   const int band = rows_at_a_time(display_file, request);
-  const int bands = std::max(threads_of(request), kPixelsAtATime / request.width / band);
+  const int bands =
+      std::max(useful_threads(request.threads), kPixelsAtATime / request.width / band);
   const int rows = std::min(band * bands, request.height);
   for (int end = request.height; end > 0;) {
     const int begin = (end - 1) / rows * rows;

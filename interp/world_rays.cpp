@@ -1,8 +1,5 @@
 #include "interp/world_rays.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -14,6 +11,7 @@
 #include "clip/view_volume.h"
 #include "hidden/ball.h"
 #include "hidden/exact_number.h"
+#include "hidden/parallel.h"
 #include "hidden/plane.h"
 #include "hidden/support_plane.h"
 
@@ -548,16 +546,11 @@ std::vector<std::int32_t> WorldRays::picks(const View& view, const PictureSize& 
   const auto width = static_cast<std::size_t>(size.width);
   std::vector<std::int32_t> picks(width * static_cast<std::size_t>(size.height));
   const Caster caster(*this, view, size);
-  const auto cast_row = [&](int row) {
-    const auto from_top = static_cast<std::size_t>(size.height - 1 - row);
+  const auto cast_row = [&](std::size_t from_top) {
+    const int row = size.height - 1 - static_cast<int>(from_top);
     caster.cast_row(row, std::span(picks).subspan(from_top * width, width));
   };
-  threads = std::min(threads, tbb::this_task_arena::max_concurrency());
-  if (threads > 1) {
-    tbb::task_arena(threads).execute([&] { tbb::parallel_for(0, size.height, cast_row); });
-  } else {
-    for (int row = 0; row < size.height; ++row) cast_row(row);
-  }
+  in_parallel(threads, static_cast<std::size_t>(size.height), cast_row);
   return picks;
 }
 

@@ -209,7 +209,9 @@ TEST(RecordReplay, RandomApplications) {
     instructions += static_cast<std::size_t>(std::ranges::count(expected, '\n'));
   }
   // The applications did something: every routine, and pictures of some size.
-  if (test::kSlower == 1) EXPECT_EQ(routines.size(), 49u);
+  if (test::kSlower == 1) {
+    EXPECT_EQ(routines.size(), 49u);
+  }
   EXPECT_GT(instructions, 100000u / test::kSlower);
   EXPECT_GT(refused, 1000 / test::kSlower);
 }

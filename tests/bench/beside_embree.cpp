@@ -1,11 +1,9 @@
 #include "tests/bench/beside_embree.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <vector>
 
+#include "hidden/parallel.h"
 #include "interp/image_space.h"
 #include "tests/bench/embree_rays.h"
 
@@ -17,10 +15,10 @@ constexpr int kRowsOfTask = 16;
 
 /// Rows in tasks, on so many threads.
 void for_rows(int size, int threads, const auto& draw) {
-  tbb::task_arena(threads).execute([&] {
-    tbb::parallel_for(0, (size + kRowsOfTask - 1) / kRowsOfTask, [&](int task) {
-      draw(task * kRowsOfTask, std::min(size, (task + 1) * kRowsOfTask));
-    });
+  const int tasks = (size + kRowsOfTask - 1) / kRowsOfTask;
+  in_parallel(threads, static_cast<std::size_t>(tasks), [&](std::size_t k) {
+    const auto task = static_cast<int>(k);
+    draw(task * kRowsOfTask, std::min(size, (task + 1) * kRowsOfTask));
   });
 }
 

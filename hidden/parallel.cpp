@@ -1,0 +1,56 @@
+#include "hidden/parallel.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+
+// ThreadSanitizer does not see into the library, so that it must be told what the library promises:
+// each call comes after all that was done before, and all calls before what is done after. This
+// file is compiled without it.
+#if defined(DISPLAYFILE_SANITIZE_THREADS)
+#include <sanitizer/tsan_interface.h>
+#endif
+
+namespace displayfile {
+
+namespace {
+
+/// One end of the promise: what was done before happens_before(at) is seen after happens_after(at).
+void happens_before([[maybe_unused]] void* at) {
+#if defined(DISPLAYFILE_SANITIZE_THREADS)
+  __tsan_release(at);
+#endif
+}
+
+void happens_after([[maybe_unused]] void* at) {
+#if defined(DISPLAYFILE_SANITIZE_THREADS)
+  __tsan_acquire(at);
+#endif
+}
+
+}  // namespace
+
+int useful_threads(int threads) {
+  return std::clamp(threads, 1, std::max(1, tbb::this_task_arena::max_concurrency()));
+}
+
+void in_parallel(int threads, std::size_t count, const std::function<void(std::size_t)>& work) {
+  threads = useful_threads(threads);
+  if (threads == 1 || count <= 1) {
+    for (std::size_t k = 0; k < count; ++k) work(k);
+    return;
+  }
+  char begun, ended;
+  happens_before(&begun);
+  tbb::task_arena(threads).execute([&] {
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+      happens_after(&begun);
+      work(k);
+      happens_before(&ended);
+    });
+  });
+  happens_after(&ended);
+}
+
+}  // namespace displayfile

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace displayfile {
+
+/// Of so many threads asked for, how many this machine runs at a time; at least 1.
+int useful_threads(int threads);
+
+/// Calls work(k) once for each k < count, in any order, on up to useful_threads(threads) threads.
+/// Returns when all calls have; throws what one of them threw.
+void in_parallel(int threads, std::size_t count, const std::function<void(std::size_t)>& work);
+
+}  // namespace displayfile

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -101,6 +102,37 @@ TEST_F(Bench, ExactMethodsHaveNoWrongPixelsAndOthersHave) {
   EXPECT_TRUE(wrong.contains("none"));
   EXPECT_TRUE(wrong.contains("plain-z-buffer"));
   EXPECT_FALSE(fs::exists(folder_ / "report.html.partial"));
+}
+
+/// How far the method that picks itself is from the best is printed, and follows from the cells.
+TEST_F(Bench, HoldsAutoAgainstTheBestFixedMethod) {
+  ASSERT_EQ(run(kTiny + "--threads 1 --json b.json"), 0) << err_;
+  const Json report = json("b.json");
+  std::map<std::string, double> own, best;  // of each scene
+  std::map<std::string, double> totals;     // of each fixed method
+  for (const Json& cell : report["cells"]) {
+    if (!cell["exact"].get<bool>()) continue;
+    const double time = cell["time"]["median"];
+    const std::string scene = cell["scene"], method = cell["method"];
+    if (method == "auto") {
+      own[scene] = time;
+      continue;
+    }
+    totals[method] += time;
+    best[scene] = best.contains(scene) ? std::min(best[scene], time) : time;
+  }
+  double worst = 0.0, total = 0.0, least = 1e300;
+  for (const auto& [scene, time] : own) {
+    worst = std::max(worst, time / best.at(scene));
+    total += time;
+  }
+  for (const auto& [method, time] : totals) least = std::min(least, time);
+  const Json& bounds = report["auto"];
+  EXPECT_EQ(bounds["scenes"], own.size());
+  EXPECT_NEAR(bounds["worst_over_best"].get<double>() / worst, 1.0, 1e-3);
+  EXPECT_NEAR(bounds["total_over_best_fixed"].get<double>() / (total / least), 1.0, 1e-3);
+  const std::string line = fmt::format("at worst {} times", bounds["worst_over_best"].dump());
+  EXPECT_NE(out_.find(line), out_.npos) << out_;
 }
 
 TEST_F(Bench, TwoRunsCountTheSame) {

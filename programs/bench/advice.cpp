@@ -52,7 +52,8 @@ std::vector<Mean> means(const Report& report, const Rows& rows,
   return all;
 }
 
-bool is_exact(const Column& column) { return column.exact; }
+/// Of the fixed methods, one of which is to be advised.
+bool is_exact(const Column& column) { return column.exact && !column.is_automatic(); }
 std::optional<double> time_of(const Cell& cell) { return cell.time.median; }
 
 std::string listed(const std::vector<Mean>& all) {

@@ -101,6 +101,41 @@ std::vector<const Cell*> pareto_front(const SceneRow& row) {
   return front;
 }
 
+std::optional<AutoBounds> auto_bounds(const Report& report) {
+  const std::vector<Column> all = columns(report);
+  const auto automatic = std::ranges::find_if(all, &Column::is_automatic);
+  if (automatic == all.end()) return std::nullopt;
+  AutoBounds bounds{0, 0.0, "", 0.0, "", ""};
+  double total = 0.0;
+  std::map<std::string, double> totals;  // infinite where a scene was skipped
+  for (const SceneRow& row : report.scenes) {
+    const Cell* const own = measured(row, automatic->method, automatic->precision);
+    if (own == nullptr) continue;
+    const Cell* best = nullptr;
+    for (const Column& column : all) {
+      if (!column.exact || column.is_automatic()) continue;
+      const Cell* const cell = measured(row, column.method, column.precision);
+      totals[column.name()] +=
+          cell == nullptr ? std::numeric_limits<double>::infinity() : cell->time.median;
+      if (cell == nullptr) continue;
+      if (best == nullptr || cell->time.median < best->time.median) best = cell;
+    }
+    if (best == nullptr) continue;
+    ++bounds.scenes;
+    total += own->time.median;
+    const double ratio = own->time.median / best->time.median;
+    if (ratio <= bounds.worst) continue;
+    bounds.worst = figure(ratio);
+    bounds.worst_scene = row.scene.id();
+    bounds.best_there = best->key.contender();
+  }
+  if (bounds.scenes == 0) return std::nullopt;
+  const auto best = std::ranges::min_element(totals, {}, [](const auto& t) { return t.second; });
+  bounds.best_fixed = best->first;
+  bounds.total = figure(total / best->second);
+  return bounds;
+}
+
 const SceneRow& shown_scene(const Report& report, std::string_view name) {
   const SceneRow* shown = nullptr;
   for (const SceneRow& row : report.scenes) {

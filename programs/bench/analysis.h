@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "hidden/hidden_method.h"
 #include "programs/bench/report.h"
 
 namespace displayfile::bench {
@@ -44,6 +46,20 @@ const Cell* measured(const SceneRow& row, std::string_view method, std::string_v
 /// by time.
 std::vector<const Cell*> pareto_front(const SceneRow& row);
 
+/// How `auto` compares with the fixed methods, exact, on one thread, over all scenes.
+struct AutoBounds {
+  std::size_t scenes;
+  /// Its time over that of the fixed method that takes least in total; both are sums of reference
+  /// times over the scenes.
+  double total;
+  std::string best_fixed;
+  /// Its largest ratio to the best on a scene, there.
+  double worst;
+  std::string worst_scene, best_there;
+};
+/// Nothing if `auto` or all fixed methods were left out.
+std::optional<AutoBounds> auto_bounds(const Report& report);
+
 /// The scene of a name that is shown: that with the most polygons, and of these the largest
 /// picture.
 const SceneRow& shown_scene(const Report& report, std::string_view name);
@@ -55,6 +71,7 @@ std::vector<std::string> names_but_hard_cases(const Report& report);
 struct Column {
   std::string method, precision;
   bool exact;
+  bool is_automatic() const { return method == name_of(HiddenMethod::automatic); }
   std::string name() const { return precision.empty() ? method : method + ", " + precision; }
   bool operator==(const Column&) const = default;
 };

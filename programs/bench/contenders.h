@@ -45,8 +45,8 @@ struct Contender {
   std::string name() const { return precision.empty() ? method : method + ", " + precision; }
 };
 
-/// All that this build has: the heedless painter, the image-space methods and the sorts, exact and
-/// with each ROUNDOFF; the plain z-buffer and OSMesa at each of their depth formats.
+/// All that this build has: the heedless painter; what `auto` picks for a picture; the image-space
+/// methods and the sorts, exact and with each ROUNDOFF; the plain z-buffer and OSMesa at each of their depth formats.
 std::vector<Contender> contenders(std::span<const double> roundoffs);
 
 /// What all times are given in: the exact z-buffer on one thread.

@@ -20,6 +20,12 @@ Json to_json(const Fit& fit) {
           {"points", fit.points},       {"exponent", fit.exponent}};
 }
 
+Json to_json(const AutoBounds& bounds) {
+  return {{"scenes", bounds.scenes},           {"total_over_best_fixed", bounds.total},
+          {"best_fixed", bounds.best_fixed},   {"worst_over_best", bounds.worst},
+          {"worst_scene", bounds.worst_scene}, {"best_there", bounds.best_there}};
+}
+
 }  // namespace
 
 Json to_json(const Cell& cell) {
@@ -82,6 +88,7 @@ Json to_json(const Report& report) {
   }
   json["fits"] = Json::array();
   for (const Fit& fit : fits(report)) json["fits"].push_back(to_json(fit));
+  if (const auto bounds = auto_bounds(report)) json["auto"] = to_json(*bounds);
   return json;
 }
 

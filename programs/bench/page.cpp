@@ -38,7 +38,7 @@ std::string colour_of(const std::string& method) {
       {"none", "#7f7f7f"},        {"z-buffer", "#1f5fbf"},   {"plain-z-buffer", "#e08a00"},
       {"bsp", "#1f8f3f"},         {"depth-sort", "#c92a2a"}, {"scan-line", "#7b3fb5"},
       {"scan-line-z", "#8c5a2b"}, {"warnock", "#d6489a"},    {"ray-cast", "#0f9aa8"},
-      {"osmesa", "#111111"},
+      {"osmesa", "#111111"},      {"auto", "#009e60"},
   };
   const auto colour = colours.find(method);
   return colour == colours.end() ? "#556b2f" : colour->second;
@@ -63,8 +63,8 @@ class Page {
   std::string html() const {
     return "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'>"
            "<title>Display File: speed against error</title><style>" +
-           std::string(kStyle) + "</style></head><body>\n" + head() + which_when() + pareto() +
-           gaps() + growth_of(Fit::Against::polygons) + growth_of(Fit::Against::pixels) +
+           std::string(kStyle) + "</style></head><body>\n" + head() + which_when() + automatic() +
+           pareto() + gaps() + growth_of(Fit::Against::polygons) + growth_of(Fit::Against::pixels) +
            fragments() + heat() + threads() + overview() + all_figures() + "</body></html>\n";
   }
 
@@ -110,6 +110,18 @@ class Page {
       text += "</ul>\n";
     }
     return text;
+  }
+
+  std::string automatic() const {
+    const auto bounds = auto_bounds(report_);
+    if (!bounds) return "";
+    return fmt::format(
+        "<h2>The method that picks itself</h2>\n<p><code>--hidden auto</code> looks at the scene "
+        "and picks an exact method. Over {} scenes it takes {} times what the best fixed method "
+        "takes in total ({}); at worst it takes {} times the best method on a scene ({}, where {} "
+        "is best). What looking costs is part of its time; <code>--explain</code> says why.</p>\n",
+        bounds->scenes, number(bounds->total), escaped(bounds->best_fixed), number(bounds->worst),
+        escaped(bounds->worst_scene), escaped(bounds->best_there));
   }
 
   /// One panel a scene, and one of the hard cases together.

@@ -66,6 +66,14 @@ std::string hard_cases_table(const Report& report) {
   return fmt::format("all hard cases\n{}\n", aligned(rows));
 }
 
+std::string auto_line(const AutoBounds& bounds) {
+  return fmt::format(
+      "auto over {} scenes: {} times the best fixed method in total ({}); at worst {} times the "
+      "best on a scene ({}, where {} is)\n\n",
+      bounds.scenes, number(bounds.total), bounds.best_fixed, number(bounds.worst),
+      bounds.worst_scene, bounds.best_there);
+}
+
 }  // namespace
 
 std::string text_report(const Report& report) {
@@ -76,6 +84,7 @@ std::string text_report(const Report& report) {
     text += scene_table(shown_scene(report, name));
   }
   if (!names(report, BenchScene::Kind::hard_case).empty()) text += hard_cases_table(report);
+  if (const auto bounds = auto_bounds(report)) text += auto_line(*bounds);
   return text;
 }
 

@@ -181,7 +181,7 @@ Scene stack(std::size_t k) {
 std::vector<std::function<NamedSystem()>> scenes(const Options& options) {
   std::vector<std::function<NamedSystem()>> all;
   for (const char* name : {"city", "soup", "terrain"}) {
-    for (const std::size_t n : {10'000, 100'000, 1'000'000}) {
+    for (const std::size_t n : {10'000u, 100'000u, 1'000'000u}) {
       if (n > 100'000 && !options.large) continue;
       all.push_back([=] {
         return NamedSystem{name, entered(generated_scene(name).make(n, kSeed))};
@@ -200,10 +200,10 @@ std::vector<std::function<NamedSystem()>> scenes(const Options& options) {
 
 std::vector<std::function<NamedSystem()>> deep_scenes() {
   std::vector<std::function<NamedSystem()>> all;
-  for (const std::size_t k : {1, 4, 16, 64, 256}) {
+  for (const std::size_t k : {1u, 4u, 16u, 64u, 256u}) {
     all.push_back([=] { return NamedSystem{"stack", entered(stack(k))}; });
   }
-  for (const std::size_t k : {4, 16, 64, 256}) {
+  for (const std::size_t k : {4u, 16u, 64u, 256u}) {
     all.push_back([=] {
       return NamedSystem{"planes", entered(generated_scene("planes").make(k, kSeed))};
     });

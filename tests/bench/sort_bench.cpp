@@ -142,22 +142,26 @@ Result at_least(const std::string& work, double asked, const Spread& measured,
 void against_gl2ps(const Model& model, const Peers& peers, const Options& options,
                    std::vector<Result>& results) {
   for (const DeviceScene* scene : variants(model)) {
-    for (const auto& [method, asked] :
-         {std::pair(HiddenMethod::bsp, 10.0), std::pair(HiddenMethod::depth_sort, 20.0)}) {
-      const std::string work =
-          fmt::format("{}: the sort alone, {}, against gl2ps's BSP", scene->name, name_of(method));
+    struct Asked {
+      HiddenMethod method;
+      double times;
+    };
+    for (const Asked& asked :
+         {Asked{HiddenMethod::bsp, 10.0}, Asked{HiddenMethod::depth_sort, 20.0}}) {
+      const std::string work = fmt::format("{}: the sort alone, {}, against gl2ps's BSP",
+                                           scene->name, name_of(asked.method));
       if (!peers.gl2ps) {
-        results.push_back(
-            {work, fmt::format("at least {:g} times as fast", asked), "", "", "no gl2ps here", ""});
+        results.push_back({work, fmt::format("at least {:g} times as fast", asked.times), "", "",
+                           "no gl2ps here", ""});
         continue;
       }
       const auto ours = [&] {
         return seconds(
-            [&] { sort_hidden_surfaces(scene->items(), method, sort_options(options)); });
+            [&] { sort_hidden_surfaces(scene->items(), asked.method, sort_options(options)); });
       };
       const Spread faster =
           ratio_of_seconds(options.rounds, ours, [&] { return Gl2psSort::seconds(*scene); });
-      results.push_back(at_least(work, asked, faster, ""));
+      results.push_back(at_least(work, asked.times, faster, ""));
     }
   }
 }

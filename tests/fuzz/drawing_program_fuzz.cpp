@@ -1,11 +1,5 @@
 // libFuzzer target: whatever the text, replaying it throws nothing but Error, and what it drew
 // before can be dumped, recorded and replayed to the same display file.
-//
-//   cmake -S . -B build/fuzz -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DDISPLAYFILE_FUZZ=ON
-//         -DDISPLAYFILE_SANITIZE=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo
-//   ninja -C build/fuzz drawing_program_fuzz
-//   build/fuzz/tests/fuzz/drawing_program_fuzz -dict=tests/fuzz/drawing_program.dict
-//         -max_total_time=600 NEW_CORPUS tests/fuzz/corpus/drawing_program
 
 #include <cstddef>
 #include <cstdint>

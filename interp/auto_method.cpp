@@ -69,16 +69,23 @@ double covered_part(std::span<const Point3> vertices) {
                   within(box.left, box.right) * within(box.bottom, box.top));
 }
 
-/// A z-buffer's time follows the pixels that all fills cover, a subdivision's what is seen in the
-/// end: far less where wide polygons lie behind each other many times (interp/warnock.md).
+/// A z-buffer's time follows the pixels that all fills cover; a scan line's the ends of spans, few
+/// where polygons are few and wide (interp/scan_line.md); a subdivision's what is seen in the end:
+/// far less where wide polygons lie behind each other many times (interp/warnock.md).
 MethodChoice choose_for_pixels(const DisplayFile& display_file) {
   constexpr std::size_t kFewPolygons = 2000;
+  constexpr Fill kVeryFewPolygons = 32;
   constexpr double kDeep = 12.0, kWide = 1.0 / 16.0;
   if (display_file.polygons() <= kFewPolygons) {
     const FillScene scene(display_file);
     double layers = 0.0;
     for (Fill fill = 1; fill < scene.end(); ++fill) layers += covered_part(scene.vertices(fill));
-    if (layers > kDeep && layers > kWide * (scene.end() - 1)) {
+    const bool wide = layers > kWide * (scene.end() - 1);
+    if (wide && scene.end() - 1 <= kVeryFewPolygons) {
+      return {HiddenMethod::scan_line,
+              "few polygons, and wide: the scan line compares them only where spans begin and end"};
+    }
+    if (wide && layers > kDeep) {
       return {HiddenMethod::warnock,
               "wide polygons many deep: subdividing areas looks only at what may be seen"};
     }

@@ -5,6 +5,7 @@
 
 #include "interp/close_planes.h"
 #include "interp/fill_depths.h"
+#include "interp/pair_orders.h"
 #include "interp/scan_convert.h"
 #include "interp/z_buffer_rows.h"
 
@@ -31,7 +32,7 @@ class ExactDecisions : public ExactRows {
  public:
   ExactDecisions(const FillScene& scene, const PictureSize& size, const RowFills& fills,
                  const DepthRows& rows)
-      : scene_(scene), size_(size), fills_(fills), rows_(rows), close_(size) {}
+      : scene_(scene), size_(size), fills_(fills), rows_(rows), close_(size), orders_(scene) {}
 
   void begin(Fill fill) override { fill_ = fill; }
 
@@ -44,20 +45,26 @@ class ExactDecisions : public ExactRows {
     return spans_;
   }
 
-  void draw(int row, int column, std::uint32_t bits, int end) override {
+  int draw(int row, int column, std::uint32_t bits, int end) override {
     if (own_.fill != fill_) {
       own_.make(scene_, fill_, size_);
       close_.begin(scene_.plane(fill_));
-      run_row_ = -1;
+      met_ = FillScene::kBackground;
     }
     const std::size_t start = rows_.index(row, 0);
+    int drawn = column;
     for (int i = column; bits != 0; ++i, bits >>= 1) {
-      if ((bits & 1) == 0) continue;
-      const std::size_t at = start + static_cast<std::size_t>(i);
-      if (!is_seen(row, i, end, rows_.fill + start)) continue;
-      rows_.fill[at] = fill_;
-      rows_.z[at] = rounded_depth(row, i);
+      if ((bits & 1) == 0 || i < drawn) continue;
+      const ClosePlanes::Run run = decided(row, i, end, rows_.fill + start);
+      drawn = run.end;
+      if (!run.later_is_seen) continue;
+      for (int k = i; k < run.end; ++k) {
+        const std::size_t at = start + static_cast<std::size_t>(k);
+        rows_.fill[at] = fill_;
+        rows_.z[at] = rounded_depth(row, k);
+      }
     }
+    return drawn;
   }
 
  private:
@@ -67,22 +74,36 @@ class ExactDecisions : public ExactRows {
     return static_cast<float>(own_.at(row, column));
   }
 
-  bool is_seen(int row, int column, int end, const Fill* fills) {
+  /// Pixels from there on that show the same fill, as many as are decided together.
+  ClosePlanes::Run decided(int row, int column, int end, const Fill* fills) {
     const Fill other = fills[column];
-    if (other == FillScene::kBackground) return true;
+    if (other == FillScene::kBackground) return {column + 1, true};
+    if (met_ != other) {
+      met_ = other;
+      times_met_ = 0;
+      order_ = Order::varies;
+    }
+    // Two that are close at one centre often are at all.
+    if (++times_met_ == kOftenMet) order_ = orders_.order_of(other, fill_);
+    if (order_ != Order::varies) {
+      return {end_of_run(column, end, fills), order_ == Order::second};
+    }
     if (other_.fill != other) other_.make(scene_, other, size_);
-    if (row == run_row_ && column < run_.end && run_of_ == other) return run_.later_is_seen;
     const int order = rounded_order(own_.at(row, column) - other_.at(row, column),
                                     own_.depth.error + other_.depth.error);
-    if (order != 0) return order > 0;
+    if (order != 0) return {column + 1, order > 0};
     if (!close_.is_compared_with(other)) close_.compare_with(other, scene_.plane(other));
-    int same = column + 1;
-    while (same < end && fills[same] == other) ++same;
-    run_ = close_.run(row, column, same);
-    run_row_ = row;
-    run_of_ = other;
-    return run_.later_is_seen;
+    return close_.run(row, column, end_of_run(column, end, fills));
   }
+
+  static int end_of_run(int column, int end, const Fill* fills) {
+    int same = column + 1;
+    while (same < end && fills[same] == fills[column]) ++same;
+    return same;
+  }
+
+  using Order = PairOrders::Order;
+  static constexpr int kOftenMet = 3;
 
   const FillScene& scene_;
   PictureSize size_;
@@ -91,9 +112,10 @@ class ExactDecisions : public ExactRows {
   Fill fill_ = FillScene::kBackground;
   KnownDepth own_, other_;
   ClosePlanes close_;
-  ClosePlanes::Run run_{0, false};  // what was decided together: of this row and fill
-  int run_row_ = -1;
-  Fill run_of_ = FillScene::kBackground;
+  PairOrders orders_;
+  Fill met_ = FillScene::kBackground;  // what was last compared with, how often in turn,
+  int times_met_ = 0;
+  Order order_ = Order::varies;  // and what is known of it
   ScanConverter converter_;
   std::vector<Span> spans_;
 };

@@ -25,7 +25,7 @@ class ClosePlanes {
   }
   bool is_compared_with(std::uint32_t other) const { return compared_ == other; }
   void compare_with(std::uint32_t other, const Plane& plane);
-  /// The same, known from before whether the two are one plane.
+  /// The same, known whether the two are one plane.
   void compare_with(std::uint32_t other, const Plane& plane, bool coplanar);
   bool coplanar() const { return coplanar_; }
 

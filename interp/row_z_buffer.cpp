@@ -9,10 +9,6 @@ namespace {
 
 constexpr double kFarthest = -std::numeric_limits<double>::infinity();
 
-/// Pairs of fills whose planes are remembered to be one plane or two.
-constexpr std::size_t kPairs = 4096;
-constexpr std::uint32_t kHashFactor = 2654435769u;  // 2^32 over the golden ratio
-
 }  // namespace
 
 RowZBuffer::RowZBuffer(const FillScene& scene, const PictureSize& size,
@@ -22,7 +18,7 @@ RowZBuffer::RowZBuffer(const FillScene& scene, const PictureSize& size,
       depth_(static_cast<std::size_t>(size.width)),
       owner_(depth_.size()),
       close_(size),
-      compared_(kPairs) {}
+      orders_(scene) {}
 
 void RowZBuffer::begin(int row) {
   row_ = row;
@@ -72,23 +68,21 @@ bool RowZBuffer::hides_closely(double nearer, const Rest& rest) {
   const int order = rounded_order(nearer, current_.error + other.error);
   if (order != 0) return order > 0;
   if (!exact_) return true;  // equal, and later
-  if (!compares_ || !close_.is_compared_with(owner)) compare_planes(owner);
-  run_ = close_.run(row_, rest.column, end_of_run(rest));
+  run_ = decided_run(rest);
   return run_.later_is_seen;
 }
 
-/// The same two fills meet again in the next row: whether they are coplanar is remembered.
-void RowZBuffer::compare_planes(Owner owner) {
+/// By exact arithmetic: at once for all that the two fills share, or else for a run of pixels.
+ClosePlanes::Run RowZBuffer::decided_run(const Rest& rest) {
+  const Owner owner = owner_[static_cast<std::size_t>(rest.column)];
   const Fill fill = drawn_.back().fill, other = drawn_[owner].fill;
+  const int end = end_of_run(rest);
+  const PairOrders::Order order = orders_.order_of(other, fill);
+  if (order != PairOrders::Order::varies) return {end, order == PairOrders::Order::second};
   if (!compares_) close_.begin(scene_.plane(fill));
   compares_ = true;
-  Compared& known = compared_[((fill * kHashFactor) ^ other) % kPairs];
-  if (known.fill == fill && known.other == other) {
-    close_.compare_with(owner, scene_.plane(other), known.coplanar);
-  } else {
-    close_.compare_with(owner, scene_.plane(other));
-    known = {fill, other, close_.coplanar()};
-  }
+  if (!close_.is_compared_with(owner)) close_.compare_with(owner, scene_.plane(other), false);
+  return close_.run(row_, rest.column, end);
 }
 
 /// Of the pixels from there on that show the same fill.

@@ -6,6 +6,7 @@
 
 #include "interp/close_planes.h"
 #include "interp/fill_depths.h"
+#include "interp/pair_orders.h"
 
 namespace displayfile {
 
@@ -42,14 +43,8 @@ class RowZBuffer {
   struct Rest {
     int column, end;
   };
-  /// Whether the planes of two fills are one plane.
-  struct Compared {
-    Fill fill = FillScene::kBackground, other = FillScene::kBackground;
-    bool coplanar = false;
-  };
-
   bool hides_closely(double nearer, const Rest& rest);
-  void compare_planes(Owner owner);
+  ClosePlanes::Run decided_run(const Rest& rest);
   int end_of_run(const Rest& rest) const;
 
   const FillScene& scene_;
@@ -63,7 +58,7 @@ class RowZBuffer {
   ClosePlanes close_;               // of the current fill and an owner, if
   bool compares_ = false;           // it was asked for
   ClosePlanes::Run run_{0, false};  // of the span being drawn
-  std::vector<Compared> compared_;  // the pairs compared last, by a hash of the two
+  PairOrders orders_;
 };
 
 }  // namespace displayfile

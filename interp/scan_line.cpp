@@ -16,7 +16,7 @@ ScanLine::Counts ScanLine::draw_rows_counting(int row_begin, int row_end,
   const auto& [scene, size, roundoff] = *request_;
   Counts counts;
   ActivePolygons active(scene, depths_, size, polygons_, row_begin);
-  PairOrders close(scene, depths_, !roundoff);
+  CloseDepths close(scene, depths_, !roundoff);
   SpanSweep sweep(close, size.width);
   std::vector<FillScene::Fill> of_row(static_cast<std::size_t>(size.width));
   for (int row = row_begin; row < row_end; ++row) {
@@ -40,7 +40,7 @@ ScanLine::Counts ScanLine::draw_rows_counting(int row_begin, int row_end,
 /// The last row up to which a polygon is certain to stay behind another, or -1: it is within the
 /// other, and farther at the corners of the trapezoid between that row and this, so in all of it.
 int ScanLine::hidden_until(const ActivePolygons& polygons, ActivePolygons::Index hidden,
-                           ActivePolygons::Index other, PairOrders& close) const {
+                           ActivePolygons::Index other, CloseDepths& close) const {
   const auto widths = polygons.stays_within(hidden, other);
   if (!widths) return -1;
   const ActivePolygons::Polygon &behind = polygons[hidden], &seen = polygons[other];

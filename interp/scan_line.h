@@ -15,7 +15,7 @@ namespace displayfile {
 /// depths are compared as the textbook's SIGNOF does.
 ///
 /// The textbook's chapter 9, "Scan-line algorithms"; the lecture's section 4; the problem book's
-/// section 10.5. 96 bytes a polygon, and 4 bytes a pixel of one row.
+/// section 10.5. What it takes is in interp/scan_line.md.
 class ScanLine : public ImageSpaceMethod {
  public:
   void prepare(const Request& request, int threads) override;
@@ -35,7 +35,7 @@ class ScanLine : public ImageSpaceMethod {
 
  private:
   int hidden_until(const ActivePolygons& polygons, ActivePolygons::Index hidden,
-                   ActivePolygons::Index other, PairOrders& close) const;
+                   ActivePolygons::Index other, CloseDepths& close) const;
 
   std::optional<Request> request_;
   FillDepths depths_;

@@ -5,7 +5,7 @@
 
 namespace displayfile {
 
-SpanSweep::SpanSweep(PairOrders& close, int width)
+SpanSweep::SpanSweep(CloseDepths& close, int width)
     : close_(&close),
       width_(width),
       bucket_(static_cast<std::size_t>(width), kNone),

@@ -25,7 +25,7 @@ class SpanSweep {
     std::uint64_t crossovers = 0;   ///< found between polygons that interpenetrate
   };
 
-  SpanSweep(PairOrders& close, int width);
+  SpanSweep(CloseDepths& close, int width);
 
   void begin_row(int row);
   /// A run of columns, first < end, of this row in which a polygon is IN.
@@ -74,7 +74,7 @@ class SpanSweep {
   Index decide_due(Index seen, int column, Hidden&& hidden);
   int next_begin(int column) const;
 
-  PairOrders* close_;
+  CloseDepths* close_;
   int width_, row_ = 0;
   std::vector<Span> spans_;
   std::vector<Index> bucket_;          // of each column

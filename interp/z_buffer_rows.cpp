@@ -138,7 +138,12 @@ class RowDrawer {
           begin(fill);
           alignas(8) std::uint8_t bits[8] = {};
           hn::StoreMaskBits(f_, undecided, bits);
-          exact_.draw(row, i, static_cast<std::uint32_t>(bits[0] | bits[1] << 8), end);
+          const int drawn =
+              exact_.draw(row, i, static_cast<std::uint32_t>(bits[0] | bits[1] << 8), end);
+          if (drawn > i + lanes) {
+            i = drawn - lanes;
+            offset = hn::Add(hn::Iota(f_, 0.0F), hn::Set(f_, static_cast<float>(i - first)));
+          }
         }
       } else {
         store(hn::And(covered, hn::Ge(nearer_by, margin_)), z, old, own, z_row + i, fill_row + i);

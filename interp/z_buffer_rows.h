@@ -39,8 +39,9 @@ class ExactRows {
   /// Where the fill begun covers centres of these rows; valid until the next call.
   virtual std::span<const Span> spans(int row_begin, int row_end) = 0;
   /// Draws those pixels of a row, from `column`, whose bits are set: the fill begun covers them,
-  /// and `end` is the first after them that it does not.
-  virtual void draw(int row, int column, std::uint32_t bits, int end) = 0;
+  /// and `end` is the first after them that it does not. Returns a column before which all are
+  /// drawn, beyond them if more could be decided at once.
+  virtual int draw(int row, int column, std::uint32_t bits, int end) = 0;
 };
 
 /// Draws the fills, given in order of entry, into rows that were cleared or drawn into before.

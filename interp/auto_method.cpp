@@ -72,16 +72,18 @@ double covered_part(std::span<const Point3> vertices) {
 /// A z-buffer's time follows the pixels that all fills cover; a scan line's the ends of spans, few
 /// where polygons are few and wide (interp/scan_line.md); a subdivision's what is seen in the end:
 /// far less where wide polygons lie behind each other many times (interp/warnock.md).
-MethodChoice choose_for_pixels(const DisplayFile& display_file) {
+MethodChoice choose_for_pixels(const DisplayFile& display_file, int width) {
   constexpr std::size_t kFewPolygons = 2000;
   constexpr Fill kVeryFewPolygons = 32;
-  constexpr double kDeep = 12.0, kWide = 1.0 / 16.0;
+  constexpr double kDeep = 12.0, kWide = 1.0 / 16.0, kManyPixels = 64.0;
   if (display_file.polygons() <= kFewPolygons) {
     const FillScene scene(display_file);
     double layers = 0.0;
     for (Fill fill = 1; fill < scene.end(); ++fill) layers += covered_part(scene.vertices(fill));
-    const bool wide = layers > kWide * (scene.end() - 1);
-    if (wide && scene.end() - 1 <= kVeryFewPolygons) {
+    const Fill fills = scene.end() - 1;
+    const bool wide = layers > kWide * fills;
+    const bool many_pixels = std::sqrt(layers / std::max(1u, fills)) * width > kManyPixels;
+    if (wide && many_pixels && fills <= kVeryFewPolygons) {
       return {HiddenMethod::scan_line,
               "few polygons, and wide: the scan line compares them only where spans begin and end"};
     }
@@ -112,8 +114,8 @@ bool nothing_hides(const FillScene& scene) {
   return scene.end() <= 2 || boxes_are_apart(scene) || nothing_lies_in_front(scene);
 }
 
-MethodChoice choose_method(const DisplayFile& display_file, PictureKind kind) {
-  return kind == PictureKind::raster ? choose_for_pixels(display_file)
+MethodChoice choose_method(const DisplayFile& display_file, PictureKind kind, int width) {
+  return kind == PictureKind::raster ? choose_for_pixels(display_file, width)
                                      : choose_for_vectors(display_file);
 }
 

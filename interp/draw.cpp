@@ -194,7 +194,7 @@ HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& opt
                             PictureKind kind) {
   const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
   if (method != HiddenMethod::automatic) return method;
-  return choose_method(system.display_file(), kind).method;
+  return choose_method(system.display_file(), kind, options.width).method;
 }
 
 void require_drawable(const std::filesystem::path& file, const DrawOptions& options) {

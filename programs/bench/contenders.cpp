@@ -52,7 +52,7 @@ class AutoDrawing : public Drawing {
  public:
   AutoDrawing(const DisplayFile& file, const Frame& frame) : file_(file), frame_(frame) {}
   void draw_anew() override {
-    const HiddenMethod method = choose_method(file_, PictureKind::raster).method;
+    const HiddenMethod method = choose_method(file_, PictureKind::raster, frame_.width).method;
     drawing_ = std::make_unique<SoftwareDrawing>(file_, request_of(frame_, method));
     drawing_->draw_anew();
   }

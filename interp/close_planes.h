@@ -27,7 +27,6 @@ class ClosePlanes {
   void compare_with(std::uint32_t other, const Plane& plane);
   /// The same, known whether the two are one plane.
   void compare_with(std::uint32_t other, const Plane& plane, bool coplanar);
-  bool coplanar() const { return coplanar_; }
 
   /// Pixels of a row from the first asked for up to `end`: is the later polygon seen on all, or on
   /// none, rather than the one compared with?

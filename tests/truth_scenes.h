@@ -250,7 +250,7 @@ inline DisplayFile scene(const SceneFamily& family, std::uint32_t seed, int poly
 struct PictureShape {
   int width, height;
 };
-inline constexpr std::array<PictureShape, 7> kSmallShapes = {
-    {{32, 32}, {7, 13}, {33, 1}, {1, 1}, {32, 17}, {31, 33}, {1, 32}}};
+inline constexpr std::array<PictureShape, 9> kSmallShapes = {
+    {{32, 32}, {7, 13}, {33, 1}, {1, 1}, {32, 17}, {31, 33}, {1, 32}, {1023, 1}, {1, 513}}};
 
 }  // namespace displayfile::test

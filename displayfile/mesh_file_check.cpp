@@ -240,6 +240,9 @@ int off_dimension(Text& text) {
   return static_cast<int>(n) + homogeneous;
 }
 
+/// A face of more, or of none, the library leaves out without a word, or reads the next line as it.
+constexpr std::int64_t kMostCornersOfOff = 9;
+
 void check_off(Text text) {
   const int dimension = off_dimension(text);
   const auto count = [&](std::string_view what, std::size_t least_bytes) {
@@ -257,7 +260,12 @@ void check_off(Text text) {
   }
   for (std::int64_t i = 0; i < faces; ++i) {
     next("face", i, faces);
-    const std::int64_t sides = announced(text, "corners", text.field(), 2);
+    const std::string_view corners = text.field();
+    const std::int64_t sides = announced(text, "corners", corners, 2);
+    if (sides < 1 || sides > kMostCornersOfOff) {
+      text.fail(corners, fmt::format("a face of {} corners: expected 1 to {} in an OFF file", sides,
+                                     kMostCornersOfOff));
+    }
     for (std::int64_t k = 0; k < sides; ++k) {
       const std::string_view f = text.field();
       const std::int64_t index = text.integer(f, "a vertex index");

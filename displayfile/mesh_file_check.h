@@ -8,7 +8,8 @@ namespace displayfile {
 /// without end, before it sees the file:
 ///   any format   not a regular file, or empty;
 ///   OBJ          indices and coordinates, each checked;
-///   OFF          announced counts against the lines that follow, indices, coordinates;
+///   OFF          announced counts against the lines that follow, corners of a face, indices,
+///                coordinates;
 ///   PLY, STL     announced counts, lists included, against the bytes that follow.
 /// Other formats are left to the library. Throws Error with file, line and column (text) or
 /// file alone (binary), and what was expected.

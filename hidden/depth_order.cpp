@@ -1,6 +1,7 @@
 #include "hidden/depth_order.h"
 
 #include "hidden/exact_point.h"
+#include "hidden/exact_projector.h"
 #include "hidden/predicate_counts.h"
 
 namespace displayfile {
@@ -35,16 +36,15 @@ bool same_plane(const Plane& a, const Plane& b, Predicate predicate) {
 int exact_depth_order(const Plane& a, const Plane& b, const PixelCentre& centre) {
   if (same_plane(a, b, Predicate::depth_at_pixel)) return 0;
   count_exact(Predicate::depth_at_pixel);
-  const std::int64_t width = centre.size.width, height = centre.size.height;
-  return exact_order(a, b, ExactNumber(2 * std::int64_t{centre.column} + 1) * ExactNumber(height),
-                     ExactNumber(2 * std::int64_t{centre.row} + 1) * ExactNumber(width),
-                     ExactNumber(2 * width) * ExactNumber(height));
+  const ExactProjector through(centre);
+  return exact_order(a, b, through.x, through.y, through.w);
 }
 
 int exact_depth_order(const Plane& a, const Plane& b, const Point2& at) {
   if (same_plane(a, b, Predicate::depth_at_point)) return 0;
   count_exact(Predicate::depth_at_point);
-  return exact_order(a, b, ExactNumber(at.x), ExactNumber(at.y), ExactNumber(1.0));
+  const ExactProjector through(at);
+  return exact_order(a, b, through.x, through.y, through.w);
 }
 
 int exact_depth_order(const Definitions& all, const Plane& a, const Plane& b,

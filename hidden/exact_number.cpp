@@ -134,6 +134,16 @@ void ExactNumber::drop_leading_zeros() {
   if (count_ == 0) sign_ = 0;
 }
 
+ExactNumber::Leading ExactNumber::leading() const {
+  if (sign_ == 0) return {0.0, 0};
+  const std::uint64_t* p = limbs() + count_;
+  const int zeros = std::countl_zero(p[-1]);
+  std::uint64_t digits = p[-1] << zeros;
+  if (zeros > 0 && count_ > 1) digits |= p[-2] >> (kLimbBits - zeros);
+  const auto mantissa = static_cast<double>(digits >> (kLimbBits - kMantissaBits)) * 0x1p-53;
+  return {sign_ * mantissa, exponent_ + std::int64_t{kLimbBits} * count_ - zeros};
+}
+
 ExactNumber ExactNumber::operator-() const {
   ExactNumber negated(*this);
   negated.sign_ = -sign_;

@@ -24,6 +24,14 @@ class ExactNumber {
 
   int sign() const { return sign_; }
 
+  /// mantissa 2^exponent, with 53 digits at most: 1/2 <= |mantissa| < 1, or it is 0. Off by less
+  /// than a unit of the mantissa's last digit, toward zero.
+  struct Leading {
+    double mantissa;
+    std::int64_t exponent;
+  };
+  Leading leading() const;
+
   ExactNumber operator-() const;
   friend ExactNumber operator+(const ExactNumber& a, const ExactNumber& b) {
     return sum(a, b, b.sign_);

@@ -17,8 +17,8 @@ struct MethodChoice {
   std::string_view reason;
 };
 
-/// The cheapest method that is exact for this scene and picture, of so many pixels' width. A polygon
-/// that is not visible, or edge-on, does not count.
+/// The cheapest method that is exact for this scene and picture, of so many pixels' width. A
+/// polygon that is not visible, or edge-on, does not count.
 MethodChoice choose_method(const DisplayFile& display_file, PictureKind kind, int width);
 
 /// True if no fill can hide another: then any order of drawing is right. What it may cost is linear

@@ -1,9 +1,10 @@
 #include "interp/band_z_buffer.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
-#include "interp/close_planes.h"
+#include "interp/decided_run.h"
 #include "interp/fill_depths.h"
 #include "interp/pair_orders.h"
 #include "interp/scan_convert.h"
@@ -15,24 +16,42 @@ namespace {
 
 using Fill = FillScene::Fill;
 
-/// A fill whose depth is known in doubles.
-struct KnownDepth {
-  Fill fill = FillScene::kBackground;
-  FillDepth depth;
-
-  void make(const FillScene& scene, Fill of, const PictureSize& size) {
-    fill = of;
-    depth = FillDepth(scene, of, size, std::nullopt);
+/// Depths in doubles of fills that were asked for lately.
+class KnownDepths {
+ public:
+  KnownDepths(const FillScene& scene, const PictureSize& size) : scene_(scene), size_(size) {}
+  const FillDepth& of(Fill fill) {
+    Known& known = known_[fill % kMost];
+    if (known.fill != fill) known = {fill, FillDepth(scene_, fill, size_, std::nullopt)};
+    return known.depth;
   }
-  double at(int row, int column) const { return depth.depth.at(depth.depth.row(row), column); }
+
+ private:
+  static constexpr std::size_t kMost = 32;
+  struct Known {
+    Fill fill = FillScene::kBackground;
+    FillDepth depth;
+  };
+  const FillScene& scene_;
+  PictureSize size_;
+  std::array<Known, kMost> known_;
 };
+
+double depth_at(const FillDepth& depth, int row, int column) {
+  return depth.depth.at(depth.depth.row(row), column);
+}
 
 /// First in doubles, then by exact arithmetic.
 class ExactDecisions : public ExactRows {
  public:
   ExactDecisions(const FillScene& scene, const PictureSize& size, const RowFills& fills,
                  const DepthRows& rows)
-      : scene_(scene), size_(size), fills_(fills), rows_(rows), close_(size), orders_(scene) {}
+      : scene_(scene),
+        size_(size),
+        fills_(fills),
+        rows_(rows),
+        known_(scene, size),
+        orders_(scene) {}
 
   void begin(Fill fill) override { fill_ = fill; }
 
@@ -46,16 +65,16 @@ class ExactDecisions : public ExactRows {
   }
 
   int draw(int row, int column, std::uint32_t bits, int end) override {
-    if (own_.fill != fill_) {
-      own_.make(scene_, fill_, size_);
-      close_.begin(scene_.plane(fill_));
+    if (own_fill_ != fill_) {
+      own_fill_ = fill_;
+      own_ = known_.of(fill_);
       met_ = FillScene::kBackground;
     }
     const std::size_t start = rows_.index(row, 0);
     int drawn = column;
     for (int i = column; bits != 0; ++i, bits >>= 1) {
       if ((bits & 1) == 0 || i < drawn) continue;
-      const ClosePlanes::Run run = decided(row, i, end, rows_.fill + start);
+      const DecidedRun run = decided(row, i, end, rows_.fill + start);
       drawn = run.end;
       if (!run.later_is_seen) continue;
       for (int k = i; k < run.end; ++k) {
@@ -71,11 +90,11 @@ class ExactDecisions : public ExactRows {
   float rounded_depth(int row, int column) const {
     const RowFill& f = fills_[fill_];
     if (!f.certain) return std::numeric_limits<float>::quiet_NaN();
-    return static_cast<float>(own_.at(row, column));
+    return static_cast<float>(depth_at(own_, row, column));
   }
 
   /// Pixels from there on that show the same fill, as many as are decided together.
-  ClosePlanes::Run decided(int row, int column, int end, const Fill* fills) {
+  DecidedRun decided(int row, int column, int end, const Fill* fills) {
     const Fill other = fills[column];
     if (other == FillScene::kBackground) return {column + 1, true};
     if (met_ != other) {
@@ -83,17 +102,17 @@ class ExactDecisions : public ExactRows {
       times_met_ = 0;
       order_ = Order::varies;
     }
-    // Two that are close at one centre often are at all.
+    // Two that are close in some runs often are in all.
     if (++times_met_ == kOftenMet) order_ = orders_.order_of(other, fill_);
-    if (order_ != Order::varies) {
-      return {end_of_run(column, end, fills), order_ == Order::second};
-    }
-    if (other_.fill != other) other_.make(scene_, other, size_);
-    const int order = rounded_order(own_.at(row, column) - other_.at(row, column),
-                                    own_.depth.error + other_.depth.error);
-    if (order != 0) return {column + 1, order > 0};
-    if (!close_.is_compared_with(other)) close_.compare_with(other, scene_.plane(other));
-    return close_.run(row, column, end_of_run(column, end, fills));
+    const int end_of_other = end_of_run(column, end, fills);
+    if (order_ != Order::varies) return {end_of_other, order_ == Order::second};
+    const FillDepth& other_depth = known_.of(other);
+    return run_of(column, end_of_other, [&](int i) {
+      const int order = rounded_order(depth_at(own_, row, i) - depth_at(other_depth, row, i),
+                                      own_.error + other_depth.error);
+      return order != 0 ? order > 0
+                        : orders_.later_is_seen(other, fill_, PixelCentre(i, row, size_));
+    });
   }
 
   static int end_of_run(int column, int end, const Fill* fills) {
@@ -110,8 +129,9 @@ class ExactDecisions : public ExactRows {
   const RowFills& fills_;
   const DepthRows& rows_;
   Fill fill_ = FillScene::kBackground;
-  KnownDepth own_, other_;
-  ClosePlanes close_;
+  KnownDepths known_;
+  Fill own_fill_ = FillScene::kBackground;
+  FillDepth own_;
   PairOrders orders_;
   Fill met_ = FillScene::kBackground;  // what was last compared with, how often in turn,
   int times_met_ = 0;

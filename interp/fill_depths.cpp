@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hidden/depth_order.h"
 #include "interp/flat_extent.h"
 
 namespace displayfile {
@@ -38,18 +37,11 @@ FillDepth::FillDepth(const FillScene& scene, FillScene::Fill fill, const Picture
 
 FillDepths::FillDepths(const FillScene& scene, const PictureSize& size,
                        std::optional<double> roundoff)
-    : scene_(&scene), size_(size), exact_(!roundoff) {
+    : exact_(!roundoff) {
   of_fill_.resize(scene.end());
   for (Fill fill = 1; fill < scene.end(); ++fill) {
     of_fill_[fill] = FillDepth(scene, fill, size, roundoff);
   }
-}
-
-bool FillDepths::hides_closely(Fill a, Fill b, int column, int row) const {
-  if (!exact_) return a > b;
-  const int order =
-      depth_order(scene_->plane(a), scene_->plane(b), PixelCentre(column, row, size_));
-  return order != 0 ? order > 0 : a > b;
 }
 
 }  // namespace displayfile

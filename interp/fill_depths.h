@@ -27,11 +27,8 @@ inline int rounded_order(double nearer, double errors) {
   return nearer > 2.0 * errors ? 1 : nearer < -2.0 * errors ? -1 : 0;
 }
 
-/// The depths of a scene's fills over the pixels of a picture, and which of two fills is seen.
-///
-/// Exact: where two rounded depths are too close to tell, the planes are compared by exact
-/// arithmetic at the pixel's centre (interp/z_buffer.md). With a ROUNDOFF closer depths count as
-/// equal. Of equally near fills the one entered later is seen in both.
+/// The depths of a scene's fills over the pixels of a picture, in doubles, each with its bound;
+/// with a ROUNDOFF, closer than which depths count as equal, a part of that in the bound's place.
 class FillDepths {
  public:
   using Fill = FillScene::Fill;
@@ -46,18 +43,9 @@ class FillDepths {
     return d.at(d.row(row), column);
   }
 
-  /// True if a is seen rather than b, of two fills that cover the centre, neither of them the
-  /// background.
-  bool hides(Fill a, Fill b, int column, int row) const {
-    const int order = rounded_order(at(a, column, row) - at(b, column, row), error(a) + error(b));
-    return order != 0 ? order > 0 : hides_closely(a, b, column, row);
-  }
+  bool are_exact() const { return exact_; }
 
  private:
-  bool hides_closely(Fill a, Fill b, int column, int row) const;
-
-  const FillScene* scene_ = nullptr;
-  PictureSize size_{1, 1};
   bool exact_ = true;
   std::vector<FillDepth> of_fill_;
 };

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hidden/depth_comparison.h"
 #include "interp/fill_depths.h"
 
 namespace displayfile {
@@ -11,7 +12,8 @@ namespace displayfile {
 /// Which of two fills is seen where their rounded depths are too close to tell, remembered pair by
 /// pair: where one is seen all over what both can cover, as with coplanar and with parallel ones
 /// and with those that lie on one side of the other's plane, exact arithmetic is asked once and not
-/// for each centre. For one thread.
+/// for each centre; where it varies, what exact arithmetic found out of the pair is kept. For one
+/// thread.
 class PairOrders {
  public:
   using Fill = FillScene::Fill;
@@ -19,41 +21,62 @@ class PairOrders {
   explicit PairOrders(const FillScene& scene) : scene_(&scene) {}
 
   /// Of two fills, the first of them entered first, wherever both cover a centre: `first` and
-  /// `second` are what is seen; it varies, or that is not found out.
+  /// `second` are what is seen; it varies, or that is not found out without exact arithmetic.
   enum class Order : std::uint8_t { varies, first, second };
-  Order order_of(Fill earlier, Fill later);
+  Order order_of(Fill earlier, Fill later) { return pair(earlier, later).order; }
+
+  /// The same at a centre that both cover.
+  bool later_is_seen(Fill earlier, Fill later, const PixelCentre& centre);
 
  private:
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   struct Pair {
     Fill earlier = FillScene::kBackground, later = FillScene::kBackground;
     Order order = Order::varies;
+    bool is_exact = false;             ///< exact arithmetic was asked,
+    std::uint32_t comparison = kNone;  ///< and this knows it: a place in comparisons_
   };
   static constexpr int kMostPairs = 12;  ///< remembered at a time, as a power of two
 
-  Order find_order(Fill earlier, Fill later) const;
+  Pair& pair(Fill earlier, Fill later);
+  DepthComparison comparison_of(Fill earlier, Fill later) const;
+  void keep(const DepthComparison& comparison, Pair& pair);
+  Order find_order(Fill earlier, Fill later, const DepthComparison& comparison) const;
 
   const FillScene* scene_;
   std::vector<Pair> pairs_;  // by a hash of the two
   int shift_ = 0;
+  std::vector<DepthComparison> comparisons_;
 };
 
-/// FillDepths, with the pairs remembered that it finds too close. For one thread.
+/// Which of a scene's fills is seen at a centre. Exact: by rounded depths, and where these are too
+/// close by exact arithmetic, pairs being remembered (interp/z_buffer.md). With a ROUNDOFF closer
+/// depths count as equal. Of equally near fills the one entered later is seen in both. For one
+/// thread.
 class CloseDepths {
  public:
   using Fill = FillScene::Fill;
 
-  CloseDepths(const FillScene& scene, const FillDepths& depths, bool exact)
-      : depths_(&depths), exact_(exact), orders_(scene) {}
+  CloseDepths(const FillScene& scene, const FillDepths& depths, const PictureSize& size)
+      : depths_(&depths), size_(size), orders_(scene) {}
 
-  /// As FillDepths::hides.
-  bool hides(Fill a, Fill b, int column, int row);
+  /// True if a is seen rather than b, of two fills that cover the centre, neither of them the
+  /// background.
+  bool hides(Fill a, Fill b, int column, int row) {
+    const int order = rounded_order(depths_->at(a, column, row) - depths_->at(b, column, row),
+                                    depths_->error(a) + depths_->error(b));
+    return order != 0 ? order > 0 : hides_closely(a, b, column, row);
+  }
+
+  /// The same where the rounded depths are known to be too close.
+  bool hides_closely(Fill a, Fill b, int column, int row);
 
   /// True only if a is seen rather than b wherever both cover a centre.
   bool always_hides(Fill a, Fill b);
 
  private:
   const FillDepths* depths_;
-  bool exact_;
+  PictureSize size_;
   PairOrders orders_;
 };
 

@@ -190,7 +190,7 @@ void RayCast::draw_rows(int row_begin, int row_end, const SeenRun& seen) const {
   const auto& [scene, size, roundoff] = *request_;
   const auto width = static_cast<std::size_t>(size.width);
   std::vector<Fill> band(width * RayPacket::kSide);
-  RayPacket exact(scene, depths_);
+  RayPacket exact(scene, depths_, size);
   RoundoffPacket rounded(depths_, roundoff.value_or(0.0));
   const auto keep = [&](const auto& packet) {
     const PixelBox& rays = packet.rays();

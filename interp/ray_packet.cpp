@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "interp/close_planes.h"
-
 namespace displayfile {
 
 /// Where the square has no rays, nothing is waited for.
@@ -20,21 +18,6 @@ void RayPacket::begin(const PixelBox& rays) {
   largest_error_ = 0.0;
   farthest_ = -kInfinity;
   changed_ = false;
-}
-
-/// What the rounded depths do not tell: first the two fills' own errors instead of the largest,
-/// then whether they lie in one plane, asked once for all rays.
-bool RayPacket::hides_closely(Fill other, int column, int row) {
-  if (other == FillScene::kBackground) return true;
-  const double nearer = depths_.at(fill_, column, row) - depths_.at(other, column, row);
-  const double margin = 2.0 * (depths_.error(fill_) + depths_.error(other));
-  if (nearer > margin) return true;
-  if (nearer < -margin) return false;
-  if (compared_ != std::array{fill_, other}) {
-    compared_ = {fill_, other};
-    coplanar_ = are_one_plane(scene_.plane(fill_), scene_.plane(other));
-  }
-  return coplanar_ ? fill_ > other : depths_.hides(fill_, other, column, row);
 }
 
 /// Of a depth that is no number the error is infinite, and then nothing is known to be hidden.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "interp/fill_depths.h"
+#include "interp/pair_orders.h"
 #include "interp/ray_square.h"
 
 namespace displayfile {
@@ -11,7 +11,8 @@ namespace displayfile {
 /// A square of rays along z, from the viewer's side, that see what is nearest exactly.
 class RayPacket : public RaySquare {
  public:
-  RayPacket(const FillScene& scene, const FillDepths& depths) : scene_(scene), depths_(depths) {}
+  RayPacket(const FillScene& scene, const FillDepths& depths, const PictureSize& size)
+      : depths_(depths), close_(scene, depths, size) {}
 
   /// Starts anew with rays through these centres, of kSide columns and rows at most.
   void begin(const PixelBox& rays);
@@ -33,11 +34,13 @@ class RayPacket : public RaySquare {
   }
 
  private:
-  bool hides_closely(Fill other, int column, int row);
+  bool hides_closely(Fill other, int column, int row) {
+    return other == FillScene::kBackground || close_.hides(fill_, other, column, row);
+  }
   void find_farthest();
 
-  const FillScene& scene_;
   const FillDepths& depths_;
+  CloseDepths close_;
   std::array<double, kRays> z_;
   double largest_error_ = 0.0;  // of the depths in z_
   double farthest_ = 0.0;       // no ray sees anything beyond
@@ -46,10 +49,6 @@ class RayPacket : public RaySquare {
   Fill fill_ = FillScene::kBackground;
   PixelDepth depth_;
   double margin_ = 0.0;
-
-  // The two fills whose planes were last compared.
-  std::array<Fill, 2> compared_{};
-  bool coplanar_ = false;
 };
 
 inline void RayPacket::hit(int row, int first, int end) {

@@ -13,11 +13,10 @@ constexpr double kFarthest = -std::numeric_limits<double>::infinity();
 
 RowZBuffer::RowZBuffer(const FillScene& scene, const PictureSize& size,
                        std::optional<double> roundoff)
-    : scene_(scene),
+    : size_(size),
       exact_(!roundoff),
       depth_(static_cast<std::size_t>(size.width)),
       owner_(depth_.size()),
-      close_(size),
       orders_(scene) {}
 
 void RowZBuffer::begin(int row) {
@@ -32,7 +31,6 @@ void RowZBuffer::begin_fill(Fill fill, const FillDepth& depth) {
   drawn_.push_back({fill, depth.error});
   largest_error_ = std::max(largest_error_, depth.error);
   current_ = depth;
-  compares_ = false;
 }
 
 void RowZBuffer::draw_span(int first, int end) {
@@ -73,16 +71,12 @@ bool RowZBuffer::hides_closely(double nearer, const Rest& rest) {
 }
 
 /// By exact arithmetic: at once for all that the two fills share, or else for a run of pixels.
-ClosePlanes::Run RowZBuffer::decided_run(const Rest& rest) {
+DecidedRun RowZBuffer::decided_run(const Rest& rest) {
   const Owner owner = owner_[static_cast<std::size_t>(rest.column)];
   const Fill fill = drawn_.back().fill, other = drawn_[owner].fill;
-  const int end = end_of_run(rest);
-  const PairOrders::Order order = orders_.order_of(other, fill);
-  if (order != PairOrders::Order::varies) return {end, order == PairOrders::Order::second};
-  if (!compares_) close_.begin(scene_.plane(fill));
-  compares_ = true;
-  if (!close_.is_compared_with(owner)) close_.compare_with(owner, scene_.plane(other), false);
-  return close_.run(row_, rest.column, end);
+  return run_of(rest.column, end_of_run(rest), [&](int column) {
+    return orders_.later_is_seen(other, fill, PixelCentre(column, row_, size_));
+  });
 }
 
 /// Of the pixels from there on that show the same fill.

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "interp/close_planes.h"
+#include "interp/decided_run.h"
 #include "interp/fill_depths.h"
 #include "interp/pair_orders.h"
 
@@ -44,20 +44,18 @@ class RowZBuffer {
     int column, end;
   };
   bool hides_closely(double nearer, const Rest& rest);
-  ClosePlanes::Run decided_run(const Rest& rest);
+  DecidedRun decided_run(const Rest& rest);
   int end_of_run(const Rest& rest) const;
 
-  const FillScene& scene_;
+  PictureSize size_;
   const bool exact_;
   int row_ = 0;
   std::vector<double> depth_;
   std::vector<Owner> owner_;
-  std::vector<Drawn> drawn_;        // in this row; the background first
-  double largest_error_ = 0.0;      // of them
-  FillDepth current_;               // of the last of them
-  ClosePlanes close_;               // of the current fill and an owner, if
-  bool compares_ = false;           // it was asked for
-  ClosePlanes::Run run_{0, false};  // of the span being drawn
+  std::vector<Drawn> drawn_;    // in this row; the background first
+  double largest_error_ = 0.0;  // of them
+  FillDepth current_;           // of the last of them
+  DecidedRun run_{0, false};    // of the span being drawn
   PairOrders orders_;
 };
 

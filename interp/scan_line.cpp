@@ -16,7 +16,7 @@ ScanLine::Counts ScanLine::draw_rows_counting(int row_begin, int row_end,
   const auto& [scene, size, roundoff] = *request_;
   Counts counts;
   ActivePolygons active(scene, depths_, size, polygons_, row_begin);
-  CloseDepths close(scene, depths_, !roundoff);
+  CloseDepths close(scene, depths_, size);
   SpanSweep sweep(close, size.width);
   std::vector<FillScene::Fill> of_row(static_cast<std::size_t>(size.width));
   for (int row = row_begin; row < row_end; ++row) {

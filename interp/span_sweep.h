@@ -101,14 +101,14 @@ inline void SpanSweep::add(const ActivePolygons::Polygon& polygon, ActivePolygon
   begins_[static_cast<std::size_t>(first) / 64] |= std::uint64_t{1} << (first % 64);
 }
 
-/// FillDepths::hides, from what is at hand.
+/// CloseDepths::hides, from what is at hand.
 inline bool SpanSweep::hides(const Span& a, const Span& b, int column) {
   ++counts_.comparisons;
   const double nearer = a.depth(column) - b.depth(column);
   const double margin = 2.0 * (a.error + b.error);
   if (nearer > margin) return true;
   if (nearer < -margin) return false;
-  return close_->hides(a.fill, b.fill, column, row_);
+  return close_->hides_closely(a.fill, b.fill, column, row_);
 }
 
 /// Of two spans that have not ended at the column, the one seen there; the other becomes its child.

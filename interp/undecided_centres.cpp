@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hidden/depth_order.h"
 #include "hidden/rounding.h"
 #include "hidden/support_plane.h"
-#include "interp/close_planes.h"
 #include "interp/flat_extent.h"
 
 namespace displayfile {
@@ -162,21 +160,11 @@ void NearestAtCentres::enter_run(const Run& run, const Seen& polygon, Owner& own
 
 bool NearestAtCentres::is_seen(const Plane& plane, Owner other, int row, int column) {
   if (layer_ == Layer::painted || owners_[other].layer != layers_) return true;
-  const Plane& other_plane = owners_[other].seen.plane;
-  const PixelCentre centre(column, row, size_);
-  const int order = filtered_depth_order(plane, other_plane, {centre.x, centre.y, centre.error});
-  if (order != 0) return order > 0;
-  return coplanar_with(plane, other) || exact_depth_order(plane, other_plane, centre) >= 0;
-}
-
-/// Asked once for all centres that the two share: many coincident polygons would otherwise be
-/// compared exactly at each.
-bool NearestAtCentres::coplanar_with(const Plane& plane, Owner other) {
-  if (compared_ == other) return coplanar_;
-  const Plane& b = owners_[other].seen.plane;
-  compared_ = other;
-  coplanar_ = are_one_plane(plane, b);
-  return coplanar_;
+  if (compared_ != other) {
+    compared_ = other;
+    comparison_ = DepthComparison(plane, owners_[other].seen.plane);
+  }
+  return comparison_.order(PixelCentre(column, row, size_)) >= 0;
 }
 
 NearestAtCentres::Owner NearestAtCentres::take_place(const Seen& polygon) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "clip/point.h"
+#include "hidden/depth_comparison.h"
 #include "hidden/plane.h"
 #include "interp/output_device.h"
 #include "interp/pixel_set.h"
@@ -78,7 +79,6 @@ class NearestAtCentres {
   ScanConverter::Region rows_with_centres(std::span<const Point3> polygon) const;
   void enter_run(const Run& run, const Seen& polygon, Owner& own);
   bool is_seen(const Plane& plane, Owner other, int row, int column);
-  bool coplanar_with(const Plane& plane, Owner other);
   Owner take_place(const Seen& polygon);
 
   const PixelSet& centres_;
@@ -93,9 +93,9 @@ class NearestAtCentres {
   std::uint32_t layers_ = 0;
   ScanConverter converter_;
 
-  // The polygon that was last found coplanar, or not, with the one being entered.
+  // The one being entered, and what it was last compared with.
   Owner compared_ = kNone;
-  bool coplanar_ = false;
+  DepthComparison comparison_;
 };
 
 }  // namespace displayfile

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "interp/decided_run.h"
+#include "interp/pair_orders.h"
 #include "interp/scan_convert.h"
 
 namespace displayfile {
@@ -32,15 +34,14 @@ class Warnock::Subdivision {
   };
 
   void make_list(const Pending& pending);
-  std::optional<Fill> nearest_surrounding() const;
-  bool hides_over(Fill a, Fill b, const SampleArea& area) const;
+  std::optional<Fill> nearest_surrounding();
+  bool hides_over(Fill a, Fill b, const SampleArea& area);
   void remove_hidden();
   Decision decide() const;
   void scan_convert();
   void subdivide();
 
   void paint(Fill fill, int row, int first, int end);
-  void paint_run(Fill fill, int row, int first, int end);
   Fill* row_of(int row) {
     return seen_.data() + static_cast<std::size_t>(row - screen_.first_row) *
                               static_cast<std::size_t>(screen_.columns());
@@ -50,8 +51,8 @@ class Warnock::Subdivision {
 
   const Warnock& warnock_;
   const FillScene& scene_;
-  const FillDepths& depths_;
   PictureSize size_;
+  CloseDepths depths_;
   SampleArea screen_;  // all that is drawn
 
   SampleArea area_;         // the one looked at, whose list
@@ -65,8 +66,8 @@ class Warnock::Subdivision {
 Warnock::Subdivision::Subdivision(const Warnock& warnock, int row_begin, int row_end)
     : warnock_(warnock),
       scene_(warnock.request_->scene),
-      depths_(warnock.depths_),
       size_(warnock.request_->size),
+      depths_(scene_, warnock.depths_, size_),
       screen_{0, size_.width, row_begin, row_end},
       area_(screen_),
       list_begin_(0),
@@ -117,7 +118,7 @@ void Warnock::Subdivision::make_list(const Pending& pending) {
 }
 
 /// Of the polygons that surround the area, the one that is seen in its middle.
-std::optional<Warnock::Fill> Warnock::Subdivision::nearest_surrounding() const {
+std::optional<Warnock::Fill> Warnock::Subdivision::nearest_surrounding() {
   const int column = area_.first_column + area_.columns() / 2;
   const int row = area_.first_row + area_.rows() / 2;
   std::optional<Fill> nearest;
@@ -129,7 +130,7 @@ std::optional<Warnock::Fill> Warnock::Subdivision::nearest_surrounding() const {
 }
 
 /// The difference of two planes' depths is linear: what holds at the corners holds between them.
-bool Warnock::Subdivision::hides_over(Fill a, Fill b, const SampleArea& area) const {
+bool Warnock::Subdivision::hides_over(Fill a, Fill b, const SampleArea& area) {
   const int left = area.first_column, right = area.end_column - 1;
   const int bottom = area.first_row, top = area.end_row - 1;
   return depths_.hides(a, b, left, bottom) && depths_.hides(a, b, right, top) &&
@@ -195,35 +196,18 @@ void Warnock::Subdivision::subdivide() {
 
 /// Where the fill is seen before what is there, in runs of pixels that show the same.
 void Warnock::Subdivision::paint(Fill fill, int row, int first, int end) {
-  const Fill* seen = row_of(row);
-  while (first < end) {
-    int run_end = first + 1;
-    while (run_end < end && seen[run_end] == seen[first]) ++run_end;
-    paint_run(fill, row, first, run_end);
-    first = run_end;
-  }
-}
-
-/// Along a row the difference of two depths is linear: if it has one sign at both ends of the run,
-/// it has that sign between them; if not, it changes once.
-void Warnock::Subdivision::paint_run(Fill fill, int row, int first, int end) {
   Fill* seen = row_of(row);
-  const Fill before = seen[first];
-  const auto hides = [&](int column) {
-    return before == FillScene::kBackground || depths_.hides(fill, before, column, row);
-  };
-  const bool at_first = hides(first), at_last = hides(end - 1);
-  if (at_first != at_last) {
-    int same = first, other = end - 1;  // the last known to be as the first, the first known not to
-    while (other - same > 1) {
-      const int middle = same + (other - same) / 2;
-      (hides(middle) == at_first ? same : other) = middle;
+  while (first < end) {
+    const Fill before = seen[first];
+    int same = first + 1;
+    while (same < end && seen[same] == before) ++same;
+    DecidedRun run{same, true};
+    if (before != FillScene::kBackground) {
+      run = run_of(first, same, [&](int i) { return depths_.hides(fill, before, i, row); });
     }
-    (at_first ? end : first) = other;
-  } else if (!at_first) {
-    return;
+    if (run.later_is_seen) std::fill(seen + first, seen + run.end, fill);
+    first = run.end;
   }
-  std::fill(seen + first, seen + end, fill);
 }
 
 void Warnock::Subdivision::tell(const SeenRun& seen) const {

@@ -82,7 +82,7 @@ class ZBuffer {
   std::vector<Polygon> polygons_;
 
   ClosePlanes close_;
-  ClosePlanes::Run run_{0, false};  // of the current span
+  DecidedRun run_{0, false};  // of the current span
 };
 
 /// What the rounded depths do not tell.

@@ -239,6 +239,10 @@ TEST_F(MeshTest, TruncatedFiles) {
 TEST_F(MeshTest, FilesThatAnnounceTooMuch) {
   expect_refused(file("vertices.off", "OFF\n1000000000 1 0\n0 0 0\n"), ":2:1: 1000000000 vertices");
   expect_refused(file("faces.off", "OFF\n1 1000000000 0\n0 0 0\n"), ":2:3: 1000000000 faces");
+  expect_refused(file("no_corners.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n0\n"), ":6:1:");
+  expect_refused(
+      file("ten_corners.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n10 0 1 2 0 1 2 0 1 2 0\n"),
+      ":6:1:");
   expect_refused(file("corners.off", "OFF\n1 1 0\n0 0 0\n1000000000 0 0 0\n"), ":4:1:");
   const std::string count = "4000000000 0 1 2\n", binary_count("\xFF\xFF\xFF\xFF\0\0\0\1", 8);
   for (const std::string format : {"ascii", "binary_little_endian", "binary_big_endian"}) {

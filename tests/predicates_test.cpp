@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "hidden/depth_comparison.h"
 #include "hidden/depth_order.h"
 #include "hidden/orientation.h"
 #include "hidden/pixel_centre.h"
@@ -271,6 +272,18 @@ struct DepthAtPixelCase {
       for (Point3& v : p) v = style.point(s);
       return true;
     }
+    if (s.below(4) == 0) {  // through one point at the centre but for rounding, every digit in use
+      centre = grid.any_centre(s);
+      const double z = s.unit();
+      for (std::size_t k = 0; k < 6; k += 3) {
+        const double up = s.unit() - 0.5, across = s.unit() - 0.5;
+        for (std::size_t i = k; i < k + 3; ++i) {
+          const double x = s.unit(), y = s.unit();
+          p[i] = {x, y, z + up * (y - centre.y) + across * (x - centre.x)};
+        }
+      }
+      return true;
+    }
     if (s.below(4) == 0) {  // sheets an ulp or so apart, tilted alike
       const Style style(s, false);
       const Grid by_ulps(s);
@@ -320,6 +333,36 @@ struct DepthAtPixelCase {
   }
 };
 TEST(Predicates, DepthOrderAtAPixel) { agrees<DepthAtPixelCase>(Predicate::depth_at_pixel); }
+
+/// By a comparison that is kept: as it is found, or by the exact difference's filter from the
+/// start.
+struct ComparedDepthsCase : DepthAtPixelCase {
+  bool exact_first = false;
+  bool make(Source& s, Input input) {
+    exact_first = s.below(2) == 0;
+    return DepthAtPixelCase::make(s, input);
+  }
+  int predicate() const {
+    DepthComparison comparison(Plane(p[0], p[1], p[2]), Plane(p[3], p[4], p[5]));
+    if (exact_first) comparison.make_exact();
+    const int first = comparison.order(centre);
+    return comparison.order(centre) == first ? first : 2;
+  }
+};
+TEST(Predicates, DepthsComparedOften) { agrees<ComparedDepthsCase>(Predicate::depth_at_pixel); }
+
+TEST(Predicates, PlanesComparedAreOneOrParallel) {
+  const Point3 p(0.1, 0.2, 0.375), q(0.7, 0.1, 0.5), r(0.3, 0.9, 0.125);
+  const Point3 up(0.0, 0.0, 0x1p-50);  // no sum with it is rounded
+  DepthComparison same(Plane(p, q, r), Plane(q, r, p)), turned(Plane(p, q, r), Plane(p, r, q)),
+      above(Plane(p + up, r + up, q + up), Plane(p, q, r));
+  for (DepthComparison* comparison : {&same, &turned, &above}) comparison->make_exact();
+  for (const Point2 at : {Point2(0.0, 0.0), Point2(1e100, -1e100), Point2(1e-300, 0.3)}) {
+    EXPECT_EQ(same.order_at_hand(at), 0);
+    EXPECT_EQ(turned.order_at_hand(at), 0);
+    EXPECT_EQ(above.order(at), 1);
+  }
+}
 
 TEST(Predicates, CountsSumOverThreads) {
   reset_predicate_counts();

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+
+#include "hidden/depth_order.h"
+#include "hidden/exact_number.h"
+
+namespace displayfile {
+
+/// depth_order of two planes, asked at many places: most of the exact arithmetic is done once.
+/// The difference of two depths is linear in the projection; its coefficients are computed exactly
+/// where the first filter is undecided, and rounded after that, so that what is lost between planes
+/// that nearly agree is not lost in the filter that decides from then on (predicates.md, section
+/// 6).
+class DepthComparison {
+ public:
+  DepthComparison() = default;
+  /// Neither plane may be edge-on.
+  DepthComparison(const Plane& a, const Plane& b) : a_(a), b_(b) {}
+
+  /// At a pixel's centre; the planes in device coordinates.
+  int order(const PixelCentre& centre) {
+    const int order = filtered({centre.x, centre.y, centre.error});
+    return order != 0 ? order : exact(centre);
+  }
+  /// At a point of the projection.
+  int order(const Point2& at) {
+    const int order = filtered({at.x, at.y, 0.0});
+    return order != 0 ? order : exact(at);
+  }
+
+  /// The same if that takes no exact arithmetic now.
+  std::optional<int> order_at_hand(const Point2& at) const {
+    const int order = filtered({at.x, at.y, 0.0});
+    if (order != 0) return order;
+    return difference_ && difference_->is_zero() ? std::optional(0) : std::nullopt;
+  }
+  /// True once exact arithmetic has been asked: more is at hand from then on.
+  bool is_exact() const { return difference_.has_value(); }
+  void make_exact() {
+    if (!is_exact()) difference_.emplace(a_, b_);
+  }
+
+ private:
+  /// A positive multiple of za - zb at (x, y): slope_x x + slope_y y + constant.
+  struct Difference {
+    Difference(const Plane& a, const Plane& b);
+    bool is_zero() const;  ///< one plane
+    int filtered(const Position& at) const;
+
+    ExactNumber slope_x, slope_y, constant;
+    double near_x = 0.0, near_y = 0.0, near_constant = 0.0;  ///< scaled, the largest about 1
+  };
+
+  int filtered(const Position& at) const {
+    return difference_ ? difference_->filtered(at) : filtered_depth_order(a_, b_, at);
+  }
+  template <class At>
+  int exact(const At& at);
+
+  Plane a_, b_;
+  std::optional<Difference> difference_;
+};
+
+}  // namespace displayfile

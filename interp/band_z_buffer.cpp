@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
 
 #include "interp/decided_run.h"
@@ -37,10 +38,6 @@ class KnownDepths {
   std::array<Known, kMost> known_;
 };
 
-double depth_at(const FillDepth& depth, int row, int column) {
-  return depth.depth.at(depth.depth.row(row), column);
-}
-
 /// First in doubles, then by exact arithmetic.
 class ExactDecisions : public ExactRows {
  public:
@@ -72,31 +69,34 @@ class ExactDecisions : public ExactRows {
     }
     const std::size_t start = rows_.index(row, 0);
     int drawn = column;
-    for (int i = column; bits != 0; ++i, bits >>= 1) {
-      if ((bits & 1) == 0 || i < drawn) continue;
+    for (; bits != 0; bits &= bits - 1) {
+      const int i = column + std::countr_zero(bits);
+      if (i < drawn) continue;
       const DecidedRun run = decided(row, i, end, rows_.fill + start);
       drawn = run.end;
-      if (!run.later_is_seen) continue;
-      for (int k = i; k < run.end; ++k) {
-        const std::size_t at = start + static_cast<std::size_t>(k);
-        rows_.fill[at] = fill_;
-        rows_.z[at] = rounded_depth(row, k);
-      }
+      const auto seen = run.seen_from(i);
+      std::fill(rows_.fill + start + seen.first, rows_.fill + start + seen.end, fill_);
+      store_depths(row, seen.first, seen.end);
     }
     return drawn;
   }
 
  private:
-  float rounded_depth(int row, int column) const {
-    const RowFill& f = fills_[fill_];
-    if (!f.certain) return std::numeric_limits<float>::quiet_NaN();
-    return static_cast<float>(depth_at(own_, row, column));
+  void store_depths(int row, int first, int end) {
+    float* const z = rows_.z + rows_.index(row, 0);
+    if (!fills_[fill_].certain) {
+      std::fill(z + first, z + end, std::numeric_limits<float>::quiet_NaN());
+      return;
+    }
+    const PixelDepth depth = own_.depth;
+    const double row_depth = depth.row(row);
+    for (int i = first; i < end; ++i) z[i] = static_cast<float>(depth.at(row_depth, i));
   }
 
   /// Pixels from there on that show the same fill, as many as are decided together.
   DecidedRun decided(int row, int column, int end, const Fill* fills) {
     const Fill other = fills[column];
-    if (other == FillScene::kBackground) return {column + 1, true};
+    if (other == FillScene::kBackground) return {column + 1, column + 1, true};
     if (met_ != other) {
       met_ = other;
       times_met_ = 0;
@@ -105,24 +105,38 @@ class ExactDecisions : public ExactRows {
     // Two that are close in some runs often are in all.
     if (++times_met_ == kOftenMet) order_ = orders_.order_of(other, fill_);
     const int end_of_other = end_of_run(column, end, fills);
-    if (order_ != Order::varies) return {end_of_other, order_ == Order::second};
+    if (order_ != Order::varies) return {end_of_other, end_of_other, order_ == Order::second};
     const FillDepth& other_depth = known_.of(other);
-    return run_of(column, end_of_other, [&](int i) {
-      const int order = rounded_order(depth_at(own_, row, i) - depth_at(other_depth, row, i),
-                                      own_.error + other_depth.error);
+    const double own_row = own_.depth.row(row), other_row = other_depth.depth.row(row);
+    const auto nearer = [&](int i) {
+      return own_.depth.at(own_row, i) - other_depth.depth.at(other_row, i);
+    };
+    const double errors = own_.error + other_depth.error;
+    const double slope = own_.depth.dz_dx - other_depth.depth.dz_dx;
+    return run_of(column, end_of_other, meeting(column, nearer(column), slope), [&](int i) {
+      const int order = rounded_order(nearer(i), errors);
       return order != 0 ? order > 0
                         : orders_.later_is_seen(other, fill_, PixelCentre(i, row, size_));
     });
   }
 
+  /// About the column beyond which a difference that grows by `slope` a column is on the other side
+  /// of zero.
+  static int meeting(int column, double difference, double slope) {
+    constexpr double kFar = 1 << 20;
+    const double columns = -difference / slope;
+    return column + static_cast<int>(columns < kFar ? std::max(columns, 0.0) : kFar);
+  }
+
   static int end_of_run(int column, int end, const Fill* fills) {
+    const Fill shown = fills[column];
     int same = column + 1;
-    while (same < end && fills[same] == fills[column]) ++same;
+    while (same < end && fills[same] == shown) ++same;
     return same;
   }
 
   using Order = PairOrders::Order;
-  static constexpr int kOftenMet = 3;
+  static constexpr int kOftenMet = 8;
 
   const FillScene& scene_;
   PictureSize size_;

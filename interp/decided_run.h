@@ -1,30 +1,47 @@
 #pragma once
 
+#include <algorithm>
+
 namespace displayfile {
 
-/// Pixels of a row from the first asked for up to `end`: is the later of two polygons seen on all
-/// of them, or on none, rather than the one entered before it?
+/// Of columns of a row up to `end`, where the later of two polygons is seen rather than the one
+/// entered before it: before the column of the change or from it on.
 struct DecidedRun {
-  int end;
-  bool later_is_seen;
+  int change, end;
+  bool seen_before_change;
+
+  bool later_is_seen(int column) const { return (column < change) == seen_before_change; }
+  struct Columns {
+    int first, end;
+  };
+  /// Those from `first` on where the later one is seen.
+  Columns seen_from(int first) const {
+    return seen_before_change ? Columns{first, change} : Columns{change, end};
+  }
 };
 
 /// Of columns first <= i < end, which both polygons cover; at least one of them. later_is_seen(i)
-/// tells it, truly, for one column.
+/// tells it, truly, for one column; guess is about where that changes, if it does.
 ///
 /// Along a row the difference of two depths is linear: if it has one sign at both ends of a run,
 /// it has that sign between them; if not, it changes once.
 template <class LaterIsSeen>
-DecidedRun run_of(int first, int end, LaterIsSeen&& later_is_seen) {
-  constexpr int kFew = 5;  // as soon asked one by one
-  const bool seen = later_is_seen(first);
-  if (end - first < kFew) return {first + 1, seen};
-  int same = first;
-  for (int different = end; different - same > 1;) {
-    const int middle = different == end ? end - 1 : same + (different - same) / 2;
-    (later_is_seen(middle) == seen ? same : different) = middle;
+DecidedRun run_of(int first, int end, int guess, LaterIsSeen&& later_is_seen) {
+  const bool before = later_is_seen(first);
+  if (end - first == 1 || later_is_seen(end - 1) == before) return {end, end, before};
+  int same = first, different = end - 1;
+  for (int asked = 0; different - same > 1; ++asked) {
+    const int middle = asked == 0   ? std::clamp(guess, same + 1, different - 1)
+                       : asked == 1 ? (same > first ? same + 1 : different - 1)
+                                    : same + (different - same) / 2;
+    (later_is_seen(middle) == before ? same : different) = middle;
   }
-  return {same + 1, seen};
+  return {different, end, before};
+}
+
+template <class LaterIsSeen>
+DecidedRun run_of(int first, int end, LaterIsSeen&& later_is_seen) {
+  return run_of(first, end, first + (end - first) / 2, later_is_seen);
 }
 
 }  // namespace displayfile

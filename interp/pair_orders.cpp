@@ -38,12 +38,16 @@ PairOrders::Pair& PairOrders::pair(Fill earlier, Fill later) {
     shift_ = 32 - bits;
   }
   Pair& pair = pairs_[(earlier * 0x9E3779B1u ^ later * 0x85EBCA77u) >> shift_];
-  if (pair.earlier == earlier && pair.later == later) return pair;
-  pair.earlier = earlier;
-  pair.later = later;
-  pair.order = find_order(earlier, later, comparison_of(earlier, later));
-  pair.is_exact = false;
+  if (pair.earlier != earlier || pair.later != later) {
+    pair = {earlier, later, Order::varies, false, false, pair.comparison};
+  }
   return pair;
+}
+
+PairOrder PairOrders::order_of(Fill earlier, Fill later) {
+  Pair& asked = pair(earlier, later);
+  if (!asked.looked_for) find_order(asked, comparison_of(earlier, later));
+  return asked.order;
 }
 
 DepthComparison PairOrders::comparison_of(Fill earlier, Fill later) const {
@@ -52,20 +56,19 @@ DepthComparison PairOrders::comparison_of(Fill earlier, Fill later) const {
 
 /// Three convex hulls hold all that both fills cover: the rectangle that their extents share, and
 /// that of the vertices of either.
-PairOrder PairOrders::find_order(Fill earlier, Fill later,
-                                 const DepthComparison& comparison) const {
+void PairOrders::find_order(Pair& pair, const DepthComparison& comparison) const {
   constexpr std::size_t kFewVertices = 8;
-  const auto of_earlier = scene_->vertices(earlier), of_later = scene_->vertices(later);
+  pair.looked_for = true;
+  const auto of_earlier = scene_->vertices(pair.earlier), of_later = scene_->vertices(pair.later);
   const FlatExtent a = flat_extent(of_earlier), b = flat_extent(of_later);
   const Point2 low(std::max(a.left, b.left), std::max(a.bottom, b.bottom));
   const Point2 high(std::min(a.right, b.right), std::min(a.top, b.top));
   const std::array corners{low, high, Point2(low.x, high.y), Point2(high.x, low.y)};
-  PairOrder order = order_over(comparison, corners);
+  pair.order = order_over(comparison, corners);
   for (const auto& vertices : {of_earlier, of_later}) {
-    if (order != PairOrder::varies) break;
-    if (vertices.size() <= kFewVertices) order = order_over(comparison, vertices);
+    if (pair.order != Order::varies) return;
+    if (vertices.size() <= kFewVertices) pair.order = order_over(comparison, vertices);
   }
-  return order;
 }
 
 bool PairOrders::later_is_seen(Fill earlier, Fill later, const PixelCentre& centre) {
@@ -80,7 +83,7 @@ bool PairOrders::later_is_seen(Fill earlier, Fill later, const PixelCentre& cent
 
 /// The order is looked for again, with what is known now.
 void PairOrders::keep(const DepthComparison& comparison, Pair& pair) {
-  pair.order = find_order(pair.earlier, pair.later, comparison);
+  find_order(pair, comparison);
   if (pair.order != Order::varies) return;
   pair.is_exact = true;
   if (pair.comparison == kNone) {

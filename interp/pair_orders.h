@@ -23,7 +23,7 @@ class PairOrders {
   /// Of two fills, the first of them entered first, wherever both cover a centre: `first` and
   /// `second` are what is seen; it varies, or that is not found out without exact arithmetic.
   enum class Order : std::uint8_t { varies, first, second };
-  Order order_of(Fill earlier, Fill later) { return pair(earlier, later).order; }
+  Order order_of(Fill earlier, Fill later);
 
   /// The same at a centre that both cover.
   bool later_is_seen(Fill earlier, Fill later, const PixelCentre& centre);
@@ -33,7 +33,8 @@ class PairOrders {
   struct Pair {
     Fill earlier = FillScene::kBackground, later = FillScene::kBackground;
     Order order = Order::varies;
-    bool is_exact = false;             ///< exact arithmetic was asked,
+    bool looked_for = false;           ///< the order
+    bool is_exact = false;             ///< exact arithmetic was asked at some centre,
     std::uint32_t comparison = kNone;  ///< and this knows it: a place in comparisons_
   };
   static constexpr int kMostPairs = 12;  ///< remembered at a time, as a power of two
@@ -41,7 +42,7 @@ class PairOrders {
   Pair& pair(Fill earlier, Fill later);
   DepthComparison comparison_of(Fill earlier, Fill later) const;
   void keep(const DepthComparison& comparison, Pair& pair);
-  Order find_order(Fill earlier, Fill later, const DepthComparison& comparison) const;
+  void find_order(Pair& pair, const DepthComparison& comparison) const;
 
   const FillScene* scene_;
   std::vector<Pair> pairs_;  // by a hash of the two

@@ -59,7 +59,7 @@ std::span<const RowZBuffer::Fill> RowZBuffer::seen() {
 
 /// What the rounded depths do not tell, by the largest error of the row's fills.
 bool RowZBuffer::hides_closely(double nearer, const Rest& rest) {
-  if (rest.column < run_.end) return run_.later_is_seen;
+  if (rest.column < run_.end) return run_.later_is_seen(rest.column);
   const Owner owner = owner_[static_cast<std::size_t>(rest.column)];
   if (owner == kBackground) return true;
   const Drawn& other = drawn_[owner];
@@ -67,7 +67,7 @@ bool RowZBuffer::hides_closely(double nearer, const Rest& rest) {
   if (order != 0) return order > 0;
   if (!exact_) return true;  // equal, and later
   run_ = decided_run(rest);
-  return run_.later_is_seen;
+  return run_.later_is_seen(rest.column);
 }
 
 /// By exact arithmetic: at once for all that the two fills share, or else for a run of pixels.

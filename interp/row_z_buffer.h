@@ -52,10 +52,10 @@ class RowZBuffer {
   int row_ = 0;
   std::vector<double> depth_;
   std::vector<Owner> owner_;
-  std::vector<Drawn> drawn_;    // in this row; the background first
-  double largest_error_ = 0.0;  // of them
-  FillDepth current_;           // of the last of them
-  DecidedRun run_{0, false};    // of the span being drawn
+  std::vector<Drawn> drawn_;     // in this row; the background first
+  double largest_error_ = 0.0;   // of them
+  FillDepth current_;            // of the last of them
+  DecidedRun run_{0, 0, false};  // of the span being drawn
   PairOrders orders_;
 };
 

@@ -201,11 +201,12 @@ void Warnock::Subdivision::paint(Fill fill, int row, int first, int end) {
     const Fill before = seen[first];
     int same = first + 1;
     while (same < end && seen[same] == before) ++same;
-    DecidedRun run{same, true};
+    DecidedRun run{same, same, true};
     if (before != FillScene::kBackground) {
       run = run_of(first, same, [&](int i) { return depths_.hides(fill, before, i, row); });
     }
-    if (run.later_is_seen) std::fill(seen + first, seen + run.end, fill);
+    const auto shown = run.seen_from(first);
+    std::fill(seen + shown.first, seen + shown.end, fill);
     first = run.end;
   }
 }

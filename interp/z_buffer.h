@@ -82,14 +82,14 @@ class ZBuffer {
   std::vector<Polygon> polygons_;
 
   ClosePlanes close_;
-  DecidedRun run_{0, false};  // of the current span
+  DecidedRun run_{0, 0, false};  // of the current span
 };
 
 /// What the rounded depths do not tell.
 template <class Depth>
 bool ZBuffer::nearer_or_equal(double nearer, const Rest& rest, const Cell<Depth>* cells) {
   if (roundoff_) return true;  // within ROUNDOFF: equal, and later
-  if (rest.column < run_.end) return run_.later_is_seen;
+  if (rest.column < run_.end) return run_.later_is_seen(rest.column);
   const auto& cell = cells[rest.column];
   if (cell.is_background()) return true;
   const double margin = 2.0 * (polygons_[current_].error + polygons_[cell.owner].error);
@@ -102,7 +102,7 @@ bool ZBuffer::nearer_or_equal(double nearer, const Rest& rest, const Cell<Depth>
   int end = rest.column + 1;
   while (end < rest.end && cells[end].owner == cell.owner && !cells[end].is_background()) ++end;
   run_ = close_.run(rest.row, rest.column, end);
-  return run_.later_is_seen;
+  return run_.later_is_seen(rest.column);
 }
 
 }  // namespace displayfile

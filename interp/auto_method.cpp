@@ -75,7 +75,7 @@ double covered_part(std::span<const Point3> vertices) {
 MethodChoice choose_for_pixels(const DisplayFile& display_file, int width) {
   constexpr std::size_t kFewPolygons = 2000;
   constexpr Fill kVeryFewPolygons = 32;
-  constexpr double kDeep = 12.0, kWide = 1.0 / 16.0, kManyPixels = 64.0;
+  constexpr double kDeep = 12.0, kWide = 1.0 / 16.0, kManyPixels = 128.0;
   // Of a small picture to look at the scene takes as long as it could save.
   if (width > kManyPixels && display_file.polygons() <= kFewPolygons) {
     const FillScene scene(display_file);

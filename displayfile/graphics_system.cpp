@@ -532,6 +532,7 @@ void GraphicsSystem::set_precision(const Precision& precision) {
     throw Error(fmt::format("ROUNDOFF {}: expected 0 or more and less than 1", roundoff));
   }
   sort_options_.precision = precision;
+  if (recorder_ == nullptr) return;
   const std::string text = precision.exact ? "exact" : fmt::format("roundoff={}", roundoff);
   record("set-precision", {std::string_view(text)});
 }

@@ -115,6 +115,22 @@ void add_memory(const Memory& off, const Memory& on, FeatureRow& row) {
   row.most_bytes = {off.counted.most_bytes, on.counted.most_bytes};
 }
 
+/// Of the functions that are the feature's own.
+FeatureRow::Own own(const WorkCount& work, const Feature& feature) {
+  return {work.instructions_of(feature.functions), work.allocations_of(feature.functions)};
+}
+
+using Counts = std::map<std::string_view, WorkCount>;  // by what is on
+
+void add_instructions(const Counts& counts, const Feature& feature, FeatureRow& row) {
+  const WorkCount& off = counts.at(feature.over);
+  row.own_off = own(off, feature);
+  if (!feature.not_counted.empty()) return;
+  const WorkCount& on = counts.at(feature.name);
+  row.own_on = own(on, feature);
+  row.instructions = {off.instructions(), on.instructions()};
+}
+
 }  // namespace
 
 FeatureCosts feature_costs() {
@@ -122,25 +138,16 @@ FeatureCosts feature_costs() {
   std::map<std::string_view, Memory> memory;
   for (const auto& [name, use] : drawings()) memory[name] = memory_of(use, scene);
   FeatureCosts costs;
+  const Counts counts = instructions(costs.not_counted);
   costs.polygons = scene.polygons();
   costs.size = kFeaturePictureSize;
+  if (!counts.empty()) costs.instructions = counts.at(kNone).instructions();
+  costs.allocations = memory[kNone].counted.allocations;
   costs.bytes_a_polygon = spare_bytes_a_polygon();
-  const auto counts = instructions(costs.not_counted);
   for (const Feature& feature : features()) {
     FeatureRow row = row_of(feature);
-    const bool on_is_counted = feature.not_counted.empty();
-    if (on_is_counted) add_memory(memory[feature.over], memory[feature.name], row);
-    if (!counts.empty()) {
-      const WorkCount& off = counts.at(feature.over);
-      row.own_off = FeatureRow::Own{off.instructions_of(feature.functions),
-                                    off.allocations_of(feature.functions)};
-      if (on_is_counted) {
-        const WorkCount& on = counts.at(feature.name);
-        row.own_on = FeatureRow::Own{on.instructions_of(feature.functions),
-                                     on.allocations_of(feature.functions)};
-        row.instructions = {off.instructions(), on.instructions()};
-      }
-    }
+    if (feature.not_counted.empty()) add_memory(memory[feature.over], memory[feature.name], row);
+    if (!counts.empty()) add_instructions(counts, feature, row);
     costs.rows.push_back(std::move(row));
   }
   return costs;

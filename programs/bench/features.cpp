@@ -28,6 +28,11 @@ void find_by(FeatureUse& use, HiddenMethod method) {
 
 std::vector<Feature> table() {
   using enum HiddenMethod;
+  // Not all that is compiled for Exact: where it is the same code as that for Roundoff, compilers
+  // keep one function, under either name.
+  const std::vector<std::string_view> exact_sort{"ExactNumber",   "ExactPoint",
+                                                 "DefinedPoint",  "VertexTable<displayfile::Exact>",
+                                                 "SortedPainter", "libgmp"};
   return {
       {"clipping at the window",
        "set-window",
@@ -114,16 +119,10 @@ std::vector<Feature> table() {
        "sort at close-segment, bsp",
        [](FeatureUse& u) { u.scope = HiddenScope::all; },
        {"sort_together", "overlapping_groups", "Instructions::enter_segment"}},
-      {"exact decisions of bsp",
-       "set-precision exact",
-       "sort at close-segment, bsp",
-       [](FeatureUse& u) { u.precision = {}; },
-       {"Exact", "DefinedPoint", "SortedPainter", "libgmp"}},
-      {"exact decisions of depth sort",
-       "set-precision exact",
-       "sort at close-segment, depth sort",
-       [](FeatureUse& u) { u.precision = {}; },
-       {"Exact", "DefinedPoint", "SortedPainter", "libgmp"}},
+      {"exact decisions of bsp", "set-precision exact", "sort at close-segment, bsp",
+       [](FeatureUse& u) { u.precision = {}; }, exact_sort},
+      {"exact decisions of depth sort", "set-precision exact", "sort at close-segment, depth sort",
+       [](FeatureUse& u) { u.precision = {}; }, exact_sort},
       {"z-buffer",
        "set-z-buffer",
        "",
@@ -133,7 +132,7 @@ std::vector<Feature> table() {
        "set-precision exact",
        "z-buffer",
        [](FeatureUse& u) { u.precision = {}; },
-       {"ExactDecisions", "BandZBuffer", "RowDrawer", "RowFills"}},
+       {"ExactDecisions", "sort_into_bands", "RowDrawer", "RowFills"}},
       {"scan line",
        "set-hidden-method scan-line",
        "",
@@ -314,6 +313,11 @@ void draw_with(const FeatureUse& use, const Scene& scene, const LookAt& look) {
   set_view(use, system);
   set_attributes(use, system);
   enter_polygons(use, scene, system);
+  if (use.image_transformation) {
+    for (std::size_t s = 0; s < kSegments; ++s) {
+      system.set_image_scale(static_cast<int>(s) + 1, 0.9, 0.9);
+    }
+  }
   const auto look_at = [&](const DisplayFile& drawn) {
     if (look) look(drawn);
   };

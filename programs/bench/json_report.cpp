@@ -59,7 +59,10 @@ Json to_json(const FeatureRow& row) {
 Json to_json(const FeatureCosts& costs) {
   Json json{{"polygons", costs.polygons},
             {"size", costs.size},
-            {"display_file_bytes_a_polygon_off", costs.bytes_a_polygon}};
+            {"off",
+             {{"allocations", costs.allocations},
+              {"display_file_bytes_a_polygon", costs.bytes_a_polygon}}}};
+  if (costs.instructions) json["off"]["instructions"] = *costs.instructions;
   if (!costs.not_counted.empty()) json["instructions_not_counted"] = costs.not_counted;
   for (const FeatureRow& row : costs.rows) json["features"].push_back(to_json(row));
   return json;

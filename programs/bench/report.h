@@ -72,9 +72,11 @@ struct FeatureRow {
 struct FeatureCosts {
   std::size_t polygons = 0;
   int size = 0;  ///< of the picture, pixels a side
-  /// With every feature off, of the display file, beyond vertices and sides.
-  double bytes_a_polygon = 0.0;
-  std::string not_counted;  ///< why there are no instructions; else empty
+  // With every feature off.
+  std::optional<std::uint64_t> instructions;  ///< of the drawing
+  std::int64_t allocations = 0;               ///< likewise
+  double bytes_a_polygon = 0.0;               ///< of the display file, beyond vertices and sides
+  std::string not_counted;                    ///< why there are no instructions; else empty
   std::vector<FeatureRow> rows;
 };
 

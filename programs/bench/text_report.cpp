@@ -87,17 +87,18 @@ Row row_of(const FeatureRow& row, const FeatureCosts& costs) {
   return {row.over.empty() ? row.name : row.name + ", over " + row.over,
           own(row.own_off),
           own(row.own_off).empty() ? "" : fmt::format("{}", row.own_off->allocations),
-          number(costs.bytes_a_polygon),
+          fmt::format("{:g}", costs.bytes_a_polygon),
           times(row.instructions),
           own(row.own_on),
           more(row.allocations),
-          row.display_file_on ? number(*row.display_file_on) : "",
+          row.display_file_on ? fmt::format("{:g}", *row.display_file_on) : "",
           times(row.most_bytes)};
 }
 
 std::string features_table(const FeatureCosts& costs) {
-  std::vector<Row> rows{{"feature", "off: instructions", "allocations", "bytes", "on: all times",
-                         "instructions", "allocations", "bytes", "memory times"}};
+  std::vector<Row> rows{{"feature", "off: own instructions", "own allocations", "bytes",
+                         "on: instructions / off", "own instructions", "allocations more",
+                         "bytes more", "memory / off"}};
   for (const FeatureRow& row : costs.rows) rows.push_back(row_of(row, costs));
   const std::string not_counted =
       costs.not_counted.empty()
@@ -105,8 +106,8 @@ std::string features_table(const FeatureCosts& costs) {
           : fmt::format("Instructions were not counted: {}.\n", costs.not_counted);
   return fmt::format(
       "what each feature costs off and on: {} polygons, {}x{}, one thread\n"
-      "Instructions are those of the feature's own functions; bytes are of the display file, for "
-      "each polygon.\n{}{}\n",
+      "A feature's own functions are those that nothing else needs; bytes are of the display file, "
+      "for each polygon.\n{}{}\n",
       costs.polygons, costs.size, costs.size, not_counted, aligned(rows));
 }
 

@@ -80,9 +80,8 @@ std::size_t DisplayFile::bytes() const {
 }
 
 bool DisplayFile::has_shadows() const {
-  return std::ranges::any_of(segments_, [](const Segment& segment) {
-    return segment.visible && segment.has_shadows();
-  });
+  return std::ranges::any_of(
+      segments_, [](const Segment& segment) { return segment.visible && segment.has_shadows(); });
 }
 
 }  // namespace displayfile

@@ -169,6 +169,12 @@ class Run {
   std::size_t measured_now_ = 0, from_before_ = 0;
 };
 
+FeatureCosts counted_features() {
+  Progress progress("counting what features cost");
+  progress.update(0, 1);
+  return feature_costs();
+}
+
 void write_text(const std::string& path, const std::string& text) {
   OutputFile out(path);
   out.stream() << text;
@@ -204,7 +210,7 @@ int BenchCommand::run() const {
   setenv("LP_NUM_THREADS", "0", 0);
   Run measuring(*this, chosen_scenes(scenes));
   Report report = measuring.report();
-  if (features.value_or(scenes.names.empty())) report.features = feature_costs();
+  if (features.value_or(scenes.names.empty())) report.features = counted_features();
   if (!json.empty()) write_text(json, to_json(report).dump(1) + '\n');
   write_text(page, html_page(report));
   measuring.finish();

@@ -29,7 +29,8 @@ struct WorkCount {
 };
 
 /// Runs this program by `valgrind --tool=callgrind` with the arguments, which are to make it call
-/// a function `calls` times, and gives what each call executed. The function has C linkage. Throws
+/// a function `calls` times, and gives what each call executed. The function has C linkage; between
+/// its calls nothing is done that is asked for. Throws
 /// Error, which says why, if nothing can be counted.
 std::vector<WorkCount> counted_calls(const std::vector<std::string>& arguments,
                                      const std::string& function, std::size_t calls);

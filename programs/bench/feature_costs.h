@@ -9,8 +9,8 @@ namespace displayfile::bench {
 /// report says so.
 FeatureCosts feature_costs();
 
-/// Every drawing whose instructions are counted, once for what is made only once and once for
-/// callgrind. What the command's option `--features-under-callgrind` does.
+/// Draws all that is counted, for callgrind to look on. What the command's option
+/// `--features-under-callgrind` does.
 void draw_features_to_be_counted();
 
 }  // namespace displayfile::bench

@@ -26,13 +26,23 @@ void find_by(FeatureUse& use, HiddenMethod method) {
   use.precision = {.exact = false, .roundoff = kRoundoff};
 }
 
+using Names = std::vector<std::string_view>;
+
+Names both(Names a, const Names& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
 std::vector<Feature> table() {
   using enum HiddenMethod;
+  const Names sort{"hidden_surface_check", "SortScene",   "ComparePolys",
+                   "SideBuffer",           "VertexTable", "separated_by_side_of",
+                   "overlapping_pairs",    "Extent"};
   // Not all that is compiled for Exact: where it is the same code as that for Roundoff, compilers
   // keep one function, under either name.
-  const std::vector<std::string_view> exact_sort{"ExactNumber",   "ExactPoint",
-                                                 "DefinedPoint",  "VertexTable<displayfile::Exact>",
-                                                 "SortedPainter", "libgmp"};
+  const Names exact_sort{"ExactNumber",   "ExactPoint",
+                         "DefinedPoint",  "VertexTable<displayfile::Exact>",
+                         "SortedPainter", "libgmp"};
   return {
       {"clipping at the window",
        "set-window",
@@ -77,7 +87,7 @@ std::vector<Feature> table() {
        "",
        [](FeatureUse& u) { u.colours = true; },
        {"GraphicsSystem::set_fill_style"}},
-      {"the application's own pick identifiers",
+      {"pick identifiers that are set",
        "set-pick-id",
        "",
        [](FeatureUse& u) { u.pick_identifiers = true; },
@@ -103,17 +113,11 @@ std::vector<Feature> table() {
        "lighting",
        [](FeatureUse& u) { u.shadows = true; },
        {"Shadows::", "ShadowedFill::", "shadow_on"}},
-      {"sort at close-segment, bsp",
-       "set-hidden-line-removal, set-hidden-method",
-       "",
-       [](FeatureUse& u) { find_by(u, bsp); },
-       {"hidden_surface_check", "SortPolygons", "SortScene", "ComparePolys", "SideBuffer"}},
-      {"sort at close-segment, depth sort",
-       "set-hidden-line-removal, set-hidden-method",
-       "",
+      {"sort at close-segment, bsp", "set-hidden-line-removal, set-hidden-method", "",
+       [](FeatureUse& u) { find_by(u, bsp); }, both(sort, {"SortPolygons"})},
+      {"sort at close-segment, depth sort", "set-hidden-line-removal, set-hidden-method", "",
        [](FeatureUse& u) { find_by(u, depth_sort); },
-       {"hidden_surface_check", "sort_by_depth", "SortScene", "ComparePolys", "SideBuffer",
-        "DrawingGraph"}},
+       both(sort, {"sort_by_depth", "DepthSort", "DrawingGraph", "find_cycles"})},
       {"scope all",
        "set-hidden-scope",
        "sort at close-segment, bsp",

@@ -403,10 +403,10 @@ class Page {
       return count ? fmt::format("<td>{}<td>{}", count->instructions, count->allocations)
                    : std::string("<td><td>");
     };
-    std::string text = "<tr><td>" + escaped(row.name);
-    if (!row.over.empty()) text += fmt::format(" <small>over {}</small>", escaped(row.over));
-    text += fmt::format("<td class='l'>{}{}<td>{:g}", escaped(row.turned_on_by), own(row.own_off),
-                        bytes_off);
+    const std::string over = row.over.empty() ? "" : ", over " + row.over;
+    std::string text =
+        fmt::format("<tr><td>{}<br><small>{}{}</small>{}<td>{:g}", escaped(row.name),
+                    escaped(row.turned_on_by), escaped(over), own(row.own_off), bytes_off);
     if (!row.not_counted.empty()) {
       return text + "<td class='l' colspan='7'>not counted: " + escaped(row.not_counted) + '\n';
     }
@@ -442,8 +442,8 @@ class Page {
     }
     text +=
         "<div class='wide'><table>\n"
-        "<tr><th><th><th colspan='3' class='c'>off<th colspan='7' class='c'>on\n" +
-        row("th", {"feature", "turned on by", "own instructions", "own allocations", "bytes",
+        "<tr><th><th colspan='3' class='c'>off<th colspan='7' class='c'>on\n" +
+        row("th", {"feature, what turns it on", "own instructions", "own allocations", "bytes",
                    "instructions", "/ off", "own instructions", "own allocations",
                    "allocations more", "bytes more", "memory / off"});
     for (const FeatureRow& r : costs.rows) text += of_feature(r, costs.bytes_a_polygon);

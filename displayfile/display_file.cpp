@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "clip/error.h"
 
 namespace displayfile {
@@ -75,6 +77,11 @@ std::size_t DisplayFile::bytes() const {
   std::size_t n = 0;
   for (const Segment& s : segments_) n += s.bytes();
   return sorted_ != nullptr ? n + sorted_->instructions.bytes() : n;
+}
+
+bool DisplayFile::has_shadows() const {
+  return std::ranges::any_of(
+      segments_, [](const Segment& segment) { return segment.visible && segment.has_shadows(); });
 }
 
 }  // namespace displayfile

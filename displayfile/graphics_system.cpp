@@ -180,6 +180,7 @@ void GraphicsSystem::open_segment(int name) {
   display_file_.create(name);
   pipeline_.emplace(volume);
   open_ = name;
+  styles_entered_ = false;
   if (retained_ != nullptr) retained_->open_segment(name, view_);
   record("open-segment", {name});
 }
@@ -418,15 +419,16 @@ void GraphicsSystem::enter(std::span<const Point3> world,
   const double c = back_face_removal_ || light_ ? newell_c(clipped.vertices) : 1.0;
   if (back_face_removal_ && c <= 0.0) return;
   Segment& segment = display_file_.segment(*open_);
-  FillStyle fill = fill_;
-  if (smooth) {
-    fill = shaded_fill(fill_, clipped);
-  } else if (light_) {
-    fill = lit(fill_, *light_, normal, c < 0.0);
+  if (light_) {
+    FillStyle fill = smooth ? shaded_fill(fill_, clipped) : lit(fill_, *light_, normal, c < 0.0);
+    if (shadows_) fill.shadow = shadow_on(fill, fill_, *light_, pipeline_->volume());
+    segment.set_style(fill);
+    segment.set_style(line_);
+  } else if (!styles_entered_) {
+    segment.set_style(fill_);
+    segment.set_style(line_);
+    styles_entered_ = true;
   }
-  if (shadows_ && light_) fill.shadow = shadow_on(fill, fill_, *light_, pipeline_->volume());
-  segment.set_style(fill);
-  segment.set_style(line_);
   segment.set_pick(pick);
   segment.enter_polygon(clipped.vertices, clipped.edge_visible, clipped.intensities);
 }
@@ -434,6 +436,7 @@ void GraphicsSystem::enter(std::span<const Point3> world,
 // ---- Attributes ------------------------------------------------------------------------
 
 void GraphicsSystem::set_fill_style(const FillStyle& style) {
+  styles_entered_ = false;
   if (style.kind == FillStyle::Kind::hollow) {
     fill_ = {FillStyle::Kind::hollow};  // a colour has no meaning here: one representation
     return record("set-fill-style", {"hollow"});
@@ -444,6 +447,7 @@ void GraphicsSystem::set_fill_style(const FillStyle& style) {
 }
 
 void GraphicsSystem::set_line_style(const LineStyle& style) {
+  styles_entered_ = false;
   if (style.kind == LineStyle::Kind::none) {
     line_ = {LineStyle::Kind::none};
     return record("set-line-style", {"none"});
@@ -532,6 +536,7 @@ void GraphicsSystem::set_precision(const Precision& precision) {
     throw Error(fmt::format("ROUNDOFF {}: expected 0 or more and less than 1", roundoff));
   }
   sort_options_.precision = precision;
+  if (recorder_ == nullptr) return;
   const std::string text = precision.exact ? "exact" : fmt::format("roundoff={}", roundoff);
   record("set-precision", {std::string_view(text)});
 }

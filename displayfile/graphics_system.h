@@ -200,6 +200,7 @@ class GraphicsSystem {
   Pen pen_;
   FillStyle fill_;
   LineStyle line_;
+  bool styles_entered_ = false;  // both, in the open segment; where there is light, no matter
   std::optional<Light> light_;
   Shading shading_ = Shading::flat;
   bool shadows_ = false;

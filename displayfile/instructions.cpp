@@ -36,11 +36,22 @@ void Instructions::set_style(const LineStyle& line) {
   line_ = line;
 }
 
-void Instructions::set_pick(std::int32_t id) {
-  if (pick_ == id) return;
-  op_.push_back(op::pick);
-  op_.push_back(id);
-  pick_ = id;
+/// A run is begun where one more than the last identifier comes, unless polygons have each
+/// identifier several times, as triangles of one polygon do.
+void Instructions::enter_pick() {
+  if (!pick_) return;
+  const bool repeats = last_pick_ == pick_;
+  const bool known = stored_picks_.in_run ? *pick_ == stored_picks_.next : repeats;
+  if (!known) {
+    const bool ordinal =
+        !last_pick_ || (*pick_ - std::int64_t{1} == *last_pick_ && !last_pick_repeats_);
+    stored_picks_ = {!repeats && (stored_picks_.in_run || ordinal), *pick_};
+    op_.push_back(stored_picks_.in_run ? op::pick_run : op::pick);
+    op_.push_back(*pick_);
+  }
+  if (stored_picks_.in_run) stored_picks_.take();
+  last_pick_ = pick_;
+  last_pick_repeats_ = repeats;
 }
 
 void Instructions::enter_segment(int name) {
@@ -63,6 +74,7 @@ void Instructions::enter_line(const Point3& from, const Point3& to) {
 void Instructions::enter_polygon(std::span<const Point3> vertices,
                                  std::span<const std::uint8_t> edge_visible,
                                  std::span<const double> intensities) {
+  enter_pick();
   if (!intensities.empty()) {
     op_.push_back(op::intensities);
     intensities_.insert(intensities_.end(), intensities.begin(), intensities.end());

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "clip/transformation.h"
@@ -24,6 +25,9 @@ inline constexpr std::int32_t fill_solid = -16;
 inline constexpr std::int32_t fill_hollow = -17;
 inline constexpr std::int32_t fill_shadowed = -18;  ///< solid, with a FillShadow
 inline constexpr std::int32_t pick = -32;           ///< the next code is the pick identifier
+/// The next code is the pick identifier of the polygon that follows, and each polygon after it has
+/// the next one, until another is entered: identifiers that are ordinals cost nothing a polygon.
+inline constexpr std::int32_t pick_run = -33;
 /// What follows is the segment's whose name is the next code. Only in instructions that several
 /// segments share (displayfile/sorted_instructions.h).
 inline constexpr std::int32_t segment = -48;
@@ -34,11 +38,11 @@ inline constexpr std::int32_t intensities = -64;  ///< of the vertices of the po
 /// While all points lie at one depth only x and y are stored; z is added when it is first needed.
 class Instructions {
  public:
-  /// Entering instructions. Styles and the pick identifier are entered only when they differ
-  /// from those in force; at the start there are none in force.
+  /// Entering instructions. Styles, and before a polygon the pick identifier, are entered only when
+  /// they differ from those in force; at the start there are none in force.
   void set_style(const FillStyle& fill);
   void set_style(const LineStyle& line);
-  void set_pick(std::int32_t id);
+  void set_pick(std::int32_t id) { pick_ = id; }
   void enter_segment(int name);                           ///< styles stay in force
   void enter_line(const Point3& from, const Point3& to);  ///< a move first, if the pen is elsewhere
   /// 3 vertices or more; edge_visible is of the edge that ends at the vertex. Of a shaded polygon
@@ -84,6 +88,13 @@ class Instructions {
   static void visit_intensities(Visitor& visit, std::span<const double> of_vertices) {
     if constexpr (requires { visit.intensities(of_vertices); }) visit.intensities(of_vertices);
   }
+  /// What tells a walk the pick identifiers.
+  struct Picks {
+    bool in_run = false;
+    std::int64_t next = 0;  ///< in a run
+    std::int32_t take() { return static_cast<std::int32_t>(next++); }
+  };
+  void enter_pick();
   void enter_points(std::span<const Point3> points);
   void add_z();
 
@@ -99,8 +110,11 @@ class Instructions {
 
   std::optional<FillStyle> fill_;
   std::optional<LineStyle> line_;
-  std::optional<std::int32_t> pick_;
-  std::optional<Point3> pen_;  // always the point entered last
+  std::optional<std::int32_t> pick_;  // of the next polygon
+  std::optional<std::int32_t> last_pick_;
+  bool last_pick_repeats_ = false;  // the last two polygons have it
+  Picks stored_picks_;              // what a walk knows after the last polygon
+  std::optional<Point3> pen_;       // always the point entered last
 };
 
 template <class Visitor>
@@ -110,6 +124,7 @@ void Instructions::walk(Visitor&& visit) const {
   const Point2* next_flat = flat_points_.data();
   const double* operand = style_operands_.data();
   const double* next_intensity = intensities_.data();
+  Picks picks;
   const auto take = [&](std::size_t n) -> std::span<const Point3> {
     if (stores_z_) {
       next_point += n;
@@ -149,16 +164,25 @@ void Instructions::walk(Visitor&& visit) const {
         break;
       }
       case op::fill_hollow: visit.fill(FillStyle{FillStyle::Kind::hollow}); break;
-      case op::pick: visit.pick(op_[++i]); break;
+      case op::pick: {
+        const bool repeats = picks.in_run && op_[i + 1] == picks.next - 1;
+        picks.in_run = false;
+        if (!repeats) visit.pick(op_[i + 1]);
+        ++i;
+        break;
+      }
+      case op::pick_run: picks = {true, op_[++i]}; break;
       case op::segment: visit_segment(visit, op_[++i]); break;
       case op::intensities: {
         const auto sides = static_cast<std::size_t>(op_[i + 1]);
+        if (picks.in_run) visit.pick(picks.take());
         visit_intensities(visit, {next_intensity, sides});
         next_intensity += sides;
         break;
       }
       default: {
         const auto sides = static_cast<std::size_t>(op_[i]);
+        if (picks.in_run && op_[i - 1] != op::intensities) visit.pick(picks.take());
         visit.polygon(take(sides), std::span<const std::int32_t>(&op_[i + 1], sides));
         i += sides;
       }

@@ -77,13 +77,13 @@ const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, Hidde
 }
 
 void SortedDisplayFile::sort_as_closed(const std::optional<Precision>& precision, int threads) {
-  for (const Segment* segment : file_.visible_segments()) {
-    const auto sorted = segment->sorted();
-    if (sorted == nullptr) continue;
+  for (const Segment& segment : file_.segments()) {
+    const auto sorted = segment.sorted();
+    if (!segment.visible || sorted == nullptr) continue;
     SortOptions options;
     options.precision = precision.value_or(sorted->precision);
     options.threads = threads;
-    sort_segment(*segment, sorted->method, options);
+    sort_segment(segment, sorted->method, options);
   }
 }
 
@@ -159,8 +159,8 @@ SortCounts counts_of_sorts(const DisplayFile& display_file) {
 
 bool has_exact_order(const DisplayFile& display_file) {
   if (display_file.sorted() != nullptr) return display_file.sorted()->precision.exact;
-  return std::ranges::any_of(display_file.visible_segments(), [](const Segment* segment) {
-    return segment->sorted() != nullptr && segment->sorted()->precision.exact;
+  return std::ranges::any_of(display_file.segments(), [](const Segment& segment) {
+    return segment.visible && segment.sorted() != nullptr && segment.sorted()->precision.exact;
   });
 }
 

@@ -32,6 +32,7 @@ void happens_after([[maybe_unused]] void* at) {
 }  // namespace
 
 int useful_threads(int threads) {
+  if (threads <= 1) return 1;  // the thread library is not asked
   return std::clamp(threads, 1, std::max(1, tbb::this_task_arena::max_concurrency()));
 }
 

@@ -153,13 +153,6 @@ bool Shadows::hidden(const LitPoint& point, Caster& last) const {
   });
 }
 
-std::unique_ptr<Shadows> shadows_of(const DisplayFile& display_file) {
-  const auto segments = display_file.visible_segments();
-  const bool any = std::ranges::any_of(
-      segments, [](const Segment* segment) { return segment->entered()->has_shadows(); });
-  return any ? std::make_unique<Shadows>(display_file) : nullptr;
-}
-
 ShadowedFill::ShadowedFill(const Shadows& shadows, std::span<const Point3> fill, const Plane& plane,
                            const FillShadow& shadow, const PictureSize& size)
     : shadows_(&shadows),

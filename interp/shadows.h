@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -56,9 +55,6 @@ class Shadows {
   std::vector<Polygon> casters_;
   SpaceTree tree_;
 };
-
-/// Null if no fill of the visible segments shows shadows.
-std::unique_ptr<Shadows> shadows_of(const DisplayFile& display_file);
 
 /// The pixels of one fill that are in shadow.
 class ShadowedFill {

@@ -153,7 +153,11 @@ class LinesOverFills : public OutputDevice {
 
 void SoftwareRenderer::prepare(const DisplayFile& display_file, const RasterRequest& request) {
   require_picture_size(request.width, request.height);
-  if (shadows_ == nullptr || !shadows_->are_of(display_file)) shadows_ = shadows_of(display_file);
+  if (!display_file.has_shadows()) {
+    shadows_.reset();
+  } else if (shadows_ == nullptr || !shadows_->are_of(display_file)) {
+    shadows_ = std::make_unique<Shadows>(display_file);
+  }
   if (!is_image_space(request.method)) return;
   const PictureSize size{request.width, request.height};
   if (scene_ == nullptr || !scene_->is_of(display_file)) {

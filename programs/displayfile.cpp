@@ -212,6 +212,10 @@ int run(int argc, char** argv) {
   command->add_option("--rounds", bench.rounds, "of each ratio")->check(CLI::Range(1, 1000));
   command->add_option("--seconds", bench.most_seconds, "at most for the rounds of one ratio")
       ->check(CLI::Range(0.001, 1e6));
+  command->add_flag(
+      "--features,!--no-features", bench.features,
+      "what each feature costs, off and on; without it, only where no SCENE is named");
+  command->add_flag("--features-under-callgrind", bench.features_under_callgrind)->group("");
   command->callback([&] { chosen = [&] { return bench.run(); }; });
 
   try {

@@ -4,8 +4,12 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
+#include <random>
+#include <span>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "clip/error.h"
 
@@ -170,6 +174,79 @@ TEST(GraphicsSystem, AtMost160BytesATriangle) {
   g.close_segment();
   EXPECT_EQ(g.display_file().polygons(), 1000u);
   EXPECT_LE(g.display_file().bytes(), 160u * 1000u);
+}
+
+TEST(GraphicsSystem, IdentifiersThatAreOrdinalsTakeNoBytes) {
+  const auto bytes = [](int polygons) {
+    GraphicsSystem g;
+    g.open_segment(1);
+    for (int i = 0; i < polygons; ++i) {
+      g.polygon_abs_3({{-0.9, -0.9, 1e-3}, {0.9, -0.8, 0}, {0, 0.8, 0.1}});
+    }
+    return g.display_file().bytes();
+  };
+  EXPECT_EQ(bytes(300) - bytes(100), 200u * (3 * sizeof(Point3) + 4 * sizeof(std::int32_t)));
+}
+
+/// What a walk tells of pick identifiers.
+struct Picks {
+  std::vector<std::int32_t> of_polygons;
+  std::size_t told = 0;
+  std::optional<std::int32_t> pick_id;
+  std::vector<double> of_vertices;
+
+  void fill(const FillStyle&) {}
+  void line_style(const LineStyle&) {}
+  void pick(std::int32_t id) {
+    EXPECT_NE(pick_id, id) << "told again";
+    EXPECT_TRUE(of_vertices.empty()) << "told between a polygon and its intensities";
+    pick_id = id;
+    ++told;
+  }
+  void intensities(std::span<const double> values) {
+    of_vertices.assign(values.begin(), values.end());
+  }
+  void move(const Point3&) {}
+  void line(const Point3&) {}
+  void polygon(std::span<const Point3>, std::span<const std::int32_t>) {
+    of_polygons.push_back(pick_id.value_or(-1));
+    of_vertices.clear();
+  }
+};
+
+TEST(Instructions, EveryPolygonHasTheIdentifierThatWasSet) {
+  std::mt19937 random(7);
+  const std::vector<Point3> triangle{{0, 0, 0}, {1, 0, 0.5}, {0, 1, 0}};
+  const std::vector<std::uint8_t> visible{1, 1, 1};
+  const std::vector<double> intensities{0.1, 0.2, 0.3};
+  constexpr auto kLast = std::numeric_limits<std::int32_t>::max();
+  for (int trial = 0; trial < 200; ++trial) {
+    Instructions instructions;
+    std::vector<std::int32_t> set;
+    std::int32_t id = trial % 2 == 0 ? 0 : kLast - 5;
+    for (int i = 0; i < 40; ++i) {
+      switch (random() % 6) {
+        case 0: break;  // the same again
+        case 1: id = static_cast<std::int32_t>(random() % 4); break;
+        case 2: instructions.enter_line(triangle[0], triangle[1]); break;
+        default: id = id == kLast ? 0 : id + 1;
+      }
+      instructions.set_pick(id);
+      const bool shaded = random() % 3 == 0;
+      instructions.enter_polygon(triangle, visible, shaded ? intensities : std::vector<double>());
+      set.push_back(id);
+    }
+    Picks walked;
+    instructions.walk(walked);
+    EXPECT_EQ(walked.of_polygons, set);
+    Instructions copy;
+    copy.append(instructions);
+    Picks of_copy;
+    copy.walk(of_copy);
+    EXPECT_EQ(of_copy.of_polygons, set);
+    EXPECT_EQ(of_copy.told, walked.told);
+    EXPECT_EQ(copy.bytes(), instructions.bytes());
+  }
 }
 
 TEST(GraphicsSystem, BackFaceRemovalAloneAndWithHiddenLines) {

@@ -11,6 +11,7 @@
 #include "displayfile/output_file.h"
 #include "hidden/precision.h"
 #include "programs/bench/environment.h"
+#include "programs/bench/feature_costs.h"
 #include "programs/bench/json_report.h"
 #include "programs/bench/measure.h"
 #include "programs/bench/page.h"
@@ -117,7 +118,7 @@ class Run {
         partial_(command.page + ".partial", identity_of(command)) {}
 
   Report report() {
-    Report report{kReference, environment(), {}};
+    Report report{kReference, environment(), {}, {}};
     Progress progress("measuring");
     for (std::size_t i = 0; i < scenes_.size(); ++i) {
       progress.update(i, scenes_.size());
@@ -168,6 +169,12 @@ class Run {
   std::size_t measured_now_ = 0, from_before_ = 0;
 };
 
+FeatureCosts counted_features() {
+  Progress progress("counting what features cost");
+  progress.update(0, 1);
+  return feature_costs();
+}
+
 void write_text(const std::string& path, const std::string& text) {
   OutputFile out(path);
   out.stream() << text;
@@ -191,6 +198,10 @@ bool exact_methods_are_right(const Report& report) {
 }  // namespace
 
 int BenchCommand::run() const {
+  if (features_under_callgrind) {
+    draw_features_to_be_counted();
+    return 0;
+  }
   // Every output must be writable before the long work.
   OutputFile{page};
   if (!json.empty()) OutputFile{json};
@@ -198,7 +209,8 @@ int BenchCommand::run() const {
   // own.
   setenv("LP_NUM_THREADS", "0", 0);
   Run measuring(*this, chosen_scenes(scenes));
-  const Report report = measuring.report();
+  Report report = measuring.report();
+  if (features.value_or(scenes.names.empty())) report.features = counted_features();
   if (!json.empty()) write_text(json, to_json(report).dump(1) + '\n');
   write_text(page, html_page(report));
   measuring.finish();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ struct BenchCommand {
   double most_seconds = 0.0;           ///< of a cell's ratio; 0: the usual
   std::string page = "report.html";
   std::string json;  ///< not written if empty
+  /// Whether the costs of features are measured; not set: if no scenes are chosen.
+  std::optional<bool> features;
+  bool features_under_callgrind = false;  ///< only draws what callgrind counts, for `features`
 
   /// 1 if a method that claims to be exact has a wrong pixel. Throws Error as the other commands.
   int run() const;

@@ -15,6 +15,8 @@
 
 namespace {
 
+using displayfile::bench::CountedMemory;
+
 /// For the table of blocks, which must not count itself.
 template <class T>
 struct Uncounted {
@@ -37,8 +39,9 @@ class Blocks {
   void add(void* block, std::size_t size) {
     const std::scoped_lock lock(mutex_);
     sizes_.emplace(block, size);
+    ++counted_.allocations;
     held_ += static_cast<std::int64_t>(size);
-    most_ = std::max(most_, held_);
+    counted_.most_bytes = std::max(counted_.most_bytes, held_);
   }
   void remove(void* block) {
     const std::scoped_lock lock(mutex_);
@@ -47,10 +50,11 @@ class Blocks {
     held_ -= static_cast<std::int64_t>(found->second);
     sizes_.erase(found);
   }
-  std::int64_t most() const { return most_; }
+  const CountedMemory& counted() const { return counted_; }
   void clear() {
     sizes_.clear();
-    held_ = most_ = 0;
+    held_ = 0;
+    counted_ = {};
   }
 
  private:
@@ -58,7 +62,8 @@ class Blocks {
   std::mutex mutex_;
   std::unordered_map<void*, std::size_t, std::hash<void*>, std::equal_to<>, Uncounted<Entry>>
       sizes_;
-  std::int64_t held_ = 0, most_ = 0;
+  std::int64_t held_ = 0;
+  CountedMemory counted_;
 };
 
 std::atomic<bool> counting = false;
@@ -123,7 +128,7 @@ void operator delete[](void* p, std::align_val_t, const std::nothrow_t&) noexcep
 
 namespace displayfile::bench {
 
-std::int64_t most_bytes_held(const std::function<void()>& work) {
+CountedMemory counted_memory(const std::function<void()>& work) {
   blocks().clear();
   counting = true;
   try {
@@ -133,7 +138,7 @@ std::int64_t most_bytes_held(const std::function<void()>& work) {
     throw;
   }
   counting = false;
-  return blocks().most();
+  return blocks().counted();
 }
 
 }  // namespace displayfile::bench

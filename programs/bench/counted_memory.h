@@ -5,9 +5,19 @@
 
 namespace displayfile::bench {
 
-/// The most bytes that operator new held at a time for the work, beyond what it held before, over
-/// all threads: the working arrays and the result. Memory that a library takes otherwise (OSMesa,
-/// GMP) is not in it. A count, the same in every run that allocates in the same order.
-std::int64_t most_bytes_held(const std::function<void()>& work);
+/// What operator new gave to some work, over all threads.
+struct CountedMemory {
+  std::int64_t most_bytes = 0;   ///< held at a time, beyond what was held before
+  std::int64_t allocations = 0;  ///< calls of it
+};
+
+/// The working arrays and the result. Memory that a library takes otherwise (OSMesa, GMP) is not in
+/// it. Counts, the same in every run that allocates in the same order.
+CountedMemory counted_memory(const std::function<void()>& work);
+
+/// Of these the bytes.
+inline std::int64_t most_bytes_held(const std::function<void()>& work) {
+  return counted_memory(work).most_bytes;
+}
 
 }  // namespace displayfile::bench

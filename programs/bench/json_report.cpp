@@ -26,6 +26,48 @@ Json to_json(const AutoBounds& bounds) {
           {"worst_scene", bounds.worst_scene}, {"best_there", bounds.best_there}};
 }
 
+template <class T>
+void add_off_and_on(const std::optional<FeatureRow::OffAndOn<T>>& count, const char* name,
+                    Json& json) {
+  if (!count) return;
+  json["off"][name] = count->off;
+  json["on"][name] = count->on;
+}
+
+void add_own(const std::optional<FeatureRow::Own>& own, Json& json) {
+  if (!own) return;
+  json["own_instructions"] = own->instructions;
+  json["own_allocations"] = own->allocations;
+}
+
+Json to_json(const FeatureRow& row) {
+  Json json{{"feature", row.name}, {"turned_on_by", row.turned_on_by}, {"over", row.over}};
+  json["has_functions"] = row.has_functions;
+  json["off"] = json["on"] = Json::object();
+  if (row.has_functions) {
+    add_own(row.own_off, json["off"]);
+    add_own(row.own_on, json["on"]);
+  }
+  add_off_and_on(row.instructions, "instructions", json);
+  add_off_and_on(row.allocations, "allocations", json);
+  add_off_and_on(row.most_bytes, "most_bytes", json);
+  if (row.display_file_on) json["on"]["display_file_bytes_a_polygon"] = *row.display_file_on;
+  if (!row.not_counted.empty()) json["on"]["not_counted"] = row.not_counted;
+  return json;
+}
+
+Json to_json(const FeatureCosts& costs) {
+  Json json{{"polygons", costs.polygons},
+            {"size", costs.size},
+            {"off",
+             {{"allocations", costs.allocations},
+              {"display_file_bytes_a_polygon", costs.bytes_a_polygon}}}};
+  if (costs.instructions) json["off"]["instructions"] = *costs.instructions;
+  if (!costs.not_counted.empty()) json["instructions_not_counted"] = costs.not_counted;
+  for (const FeatureRow& row : costs.rows) json["features"].push_back(to_json(row));
+  return json;
+}
+
 }  // namespace
 
 Json to_json(const Cell& cell) {
@@ -89,6 +131,7 @@ Json to_json(const Report& report) {
   json["fits"] = Json::array();
   for (const Fit& fit : fits(report)) json["fits"].push_back(to_json(fit));
   if (const auto bounds = auto_bounds(report)) json["auto"] = to_json(*bounds);
+  if (report.features) json["feature_costs"] = to_json(*report.features);
   return json;
 }
 

@@ -23,6 +23,7 @@ table { border-collapse: collapse; font-size: 12px; margin: 8px 0 }
 td, th { padding: 1px 8px; border-bottom: 1px solid #e2e2e2; text-align: right; vertical-align: top }
 td:first-child, th:first-child, td.l, th.l { text-align: left }
 th { border-bottom: 1px solid #888 }
+th { vertical-align: bottom } th.c { text-align: center; border-left: 1px solid #888 }
 .plots { display: flex; flex-wrap: wrap; gap: 14px }
 .plot { font: 11px sans-serif; max-width: 100% }
 .wide { overflow-x: auto }
@@ -65,7 +66,8 @@ class Page {
            "<title>Display File: speed against error</title><style>" +
            std::string(kStyle) + "</style></head><body>\n" + head() + which_when() + automatic() +
            pareto() + gaps() + growth_of(Fit::Against::polygons) + growth_of(Fit::Against::pixels) +
-           fragments() + heat() + threads() + overview() + all_figures() + "</body></html>\n";
+           fragments() + heat() + threads() + overview() + pay_for_what_is_used() + all_figures() +
+           "</body></html>\n";
   }
 
  private:
@@ -393,6 +395,59 @@ class Page {
            matrix("exact-stage calls", all, [](const SceneRow&, const Cell& cell) {
              return fmt::format("{}", cell.exact_calls);
            });
+  }
+
+  static std::string of_feature(const FeatureRow& row, double bytes_off) {
+    const auto own = [&](const std::optional<FeatureRow::Own>& count) {
+      if (!row.has_functions) return std::string("<td>none<td>");
+      return count ? fmt::format("<td>{}<td>{}", count->instructions, count->allocations)
+                   : std::string("<td><td>");
+    };
+    const std::string over = row.over.empty() ? "" : ", over " + row.over;
+    std::string text =
+        fmt::format("<tr><td>{}<br><small>{}{}</small>{}<td>{:g}", escaped(row.name),
+                    escaped(row.turned_on_by), escaped(over), own(row.own_off), bytes_off);
+    if (!row.not_counted.empty()) {
+      return text + "<td class='l' colspan='7'>not counted: " + escaped(row.not_counted) + '\n';
+    }
+    text += row.instructions
+                ? fmt::format("<td>{}<td>{:.3f}", row.instructions->on, ratio(*row.instructions))
+                : "<td><td>";
+    return text + own(row.own_on) +
+           fmt::format("<td>{:+}<td>{:g}<td>{:.3f}\n", row.allocations->on - row.allocations->off,
+                       *row.display_file_on, ratio(*row.most_bytes));
+  }
+
+  std::string pay_for_what_is_used() const {
+    if (!report_.features) return "";
+    const FeatureCosts& costs = *report_.features;
+    std::string text = fmt::format(
+        "<h2>Pay for what is used</h2>\n<p>{0} polygons drawn at {1}x{1} on one thread, from the "
+        "first routine to the picture, without each feature and with it; one that is over another "
+        "is measured with that one on in both. A feature's own functions are those that nothing "
+        "else needs. Asking whether it is on is a branch in functions that all drawings run "
+        "through; a feature that has no functions of its own is only such a branch. Bytes are of "
+        "the display file, for each polygon; off, beyond its vertices and sides. Memory is the "
+        "most that was held at a time.</p>\n",
+        costs.polygons, costs.size);
+    if (costs.instructions) {
+      text += fmt::format(
+          "<p>With everything off the drawing is {} instructions and {} allocations. Instructions "
+          "are callgrind's, on the processor that it imitates, which need not have this one's "
+          "vector instructions.</p>\n",
+          *costs.instructions, costs.allocations);
+    } else {
+      text += fmt::format("<p><b>Instructions were not counted: {}.</b></p>\n",
+                          escaped(costs.not_counted));
+    }
+    text +=
+        "<div class='wide'><table>\n"
+        "<tr><th><th colspan='3' class='c'>off<th colspan='7' class='c'>on\n" +
+        row("th", {"feature, what turns it on", "own instructions", "own allocations", "bytes",
+                   "instructions", "/ off", "own instructions", "own allocations",
+                   "allocations more", "bytes more", "memory / off"});
+    for (const FeatureRow& r : costs.rows) text += of_feature(r, costs.bytes_a_polygon);
+    return text + "</table></div>\n";
   }
 
   static std::string of(const Spread& s) {

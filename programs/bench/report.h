@@ -47,12 +47,52 @@ struct SceneRow {
   std::vector<Cell> cells;
 };
 
+/// What a feature costs; "off" is a drawing without it and "on" one with it.
+struct FeatureRow {
+  /// Of the functions that only the feature needs.
+  struct Own {
+    std::uint64_t instructions = 0, allocations = 0;
+  };
+  template <class T>
+  struct OffAndOn {
+    T off, on;
+  };
+  std::string name, turned_on_by;
+  std::string over;            ///< the feature that is on in both; empty: none
+  bool has_functions = false;  ///< otherwise it is a branch in what all drawings run through
+  std::string not_counted;     ///< why nothing of "on" is counted; else empty
+  std::optional<Own> own_off, own_on;
+  std::optional<OffAndOn<std::uint64_t>> instructions;  ///< of the whole drawing
+  std::optional<OffAndOn<std::int64_t>> allocations;    ///< likewise
+  std::optional<OffAndOn<std::int64_t>> most_bytes;     ///< held at a time, likewise
+  std::optional<double> display_file_on;  ///< bytes a polygon that it adds to the display file
+};
+
+/// One scene, drawn on one thread from the first routine to the picture.
+struct FeatureCosts {
+  std::size_t polygons = 0;
+  int size = 0;  ///< of the picture, pixels a side
+  // With every feature off.
+  std::optional<std::uint64_t> instructions;  ///< of the drawing
+  std::int64_t allocations = 0;               ///< likewise
+  double bytes_a_polygon = 0.0;               ///< of the display file, beyond vertices and sides
+  std::string not_counted;                    ///< why there are no instructions; else empty
+  std::vector<FeatureRow> rows;
+};
+
 /// Everything that the table, the JSON and the page show.
 struct Report {
   std::string reference;  ///< what all times are given in
   std::vector<std::pair<std::string, std::string>> environment;
   std::vector<SceneRow> scenes;
+  std::optional<FeatureCosts> features;
 };
+
+/// "on" over "off".
+template <class T>
+double ratio(const FeatureRow::OffAndOn<T>& count) {
+  return static_cast<double>(count.on) / static_cast<double>(count.off);
+}
 
 /// To four digits: what is written is what is kept, so that all outputs show the same figures.
 double figure(double value);

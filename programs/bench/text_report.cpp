@@ -74,6 +74,43 @@ std::string auto_line(const AutoBounds& bounds) {
       bounds.worst_scene, bounds.best_there);
 }
 
+Row row_of(const FeatureRow& row, const FeatureCosts& costs) {
+  const auto own = [&](const std::optional<FeatureRow::Own>& count) {
+    return count && row.has_functions ? fmt::format("{}", count->instructions) : std::string();
+  };
+  const auto times = [](const auto& count) {
+    return count ? fmt::format("{:.3f}", ratio(*count)) : std::string();
+  };
+  const auto more = [](const auto& count) {
+    return count ? fmt::format("{:+}", count->on - count->off) : std::string();
+  };
+  return {row.over.empty() ? row.name : row.name + ", over " + row.over,
+          own(row.own_off),
+          own(row.own_off).empty() ? "" : fmt::format("{}", row.own_off->allocations),
+          fmt::format("{:g}", costs.bytes_a_polygon),
+          times(row.instructions),
+          own(row.own_on),
+          more(row.allocations),
+          row.display_file_on ? fmt::format("{:g}", *row.display_file_on) : "",
+          times(row.most_bytes)};
+}
+
+std::string features_table(const FeatureCosts& costs) {
+  std::vector<Row> rows{{"feature", "off: own instructions", "own allocations", "bytes",
+                         "on: instructions / off", "own instructions", "allocations more",
+                         "bytes more", "memory / off"}};
+  for (const FeatureRow& row : costs.rows) rows.push_back(row_of(row, costs));
+  const std::string not_counted =
+      costs.not_counted.empty()
+          ? ""
+          : fmt::format("Instructions were not counted: {}.\n", costs.not_counted);
+  return fmt::format(
+      "what each feature costs off and on: {} polygons, {}x{}, one thread\n"
+      "A feature's own functions are those that nothing else needs; bytes are of the display file, "
+      "for each polygon.\n{}{}\n",
+      costs.polygons, costs.size, costs.size, not_counted, aligned(rows));
+}
+
 }  // namespace
 
 std::string text_report(const Report& report) {
@@ -85,6 +122,7 @@ std::string text_report(const Report& report) {
   }
   if (!names(report, BenchScene::Kind::hard_case).empty()) text += hard_cases_table(report);
   if (const auto bounds = auto_bounds(report)) text += auto_line(*bounds);
+  if (report.features) text += features_table(*report.features);
   return text;
 }
 

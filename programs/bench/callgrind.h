@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace displayfile::bench {
+
+/// A function of the work, as callgrind counts it.
+struct FunctionCount {
+  std::string name;                ///< with its parameters
+  std::string object;              ///< the file of the program or library that it is in
+  std::uint64_t instructions = 0;  ///< without those of what it calls
+  std::uint64_t allocations = 0;   ///< its own calls of operator new
+
+  /// True if one of the parts is in the name, but for the parameters, or in the object's name.
+  bool is_of(std::span<const std::string_view> parts) const;
+};
+
+/// One call of the function that is counted.
+struct WorkCount {
+  std::vector<FunctionCount> functions;
+  std::uint64_t instructions() const;
+  std::uint64_t instructions_of(std::span<const std::string_view> parts) const;
+  std::uint64_t allocations_of(std::span<const std::string_view> parts) const;
+};
+
+/// Runs this program by `valgrind --tool=callgrind` with the arguments, which are to make it call
+/// a function `calls` times, and gives what each call executed. The function has C linkage; between
+/// its calls nothing is done that is asked for. Throws
+/// Error, which says why, if nothing can be counted.
+std::vector<WorkCount> counted_calls(const std::vector<std::string>& arguments,
+                                     const std::string& function, std::size_t calls);
+
+}  // namespace displayfile::bench

@@ -1,0 +1,167 @@
+#include "programs/bench/feature_costs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+#include "clip/error.h"
+#include "programs/bench/callgrind.h"
+#include "programs/bench/counted_memory.h"
+#include "programs/bench/features.h"
+
+namespace displayfile::bench {
+
+/// What callgrind looks for: it stays a function, of a plain name.
+extern "C" [[gnu::noinline]] void displayfile_feature_counted(const FeatureUse* use,
+                                                              const Scene* scene) {
+  draw_with(*use, *scene);
+}
+
+namespace {
+
+constexpr std::string_view kNone = "";
+constexpr const char* kCounted = "displayfile_feature_counted";
+
+/// The last time what is made once for all is there.
+constexpr std::size_t kTimesDrawn = 2;
+
+/// What is drawn, by the name of the feature that is on, and with none on.
+std::vector<std::pair<std::string_view, FeatureUse>> drawings() {
+  std::vector<std::pair<std::string_view, FeatureUse>> all{{kNone, FeatureUse{}}};
+  for (const Feature& feature : features()) {
+    if (feature.not_counted.empty()) all.emplace_back(feature.name, use_of(feature));
+  }
+  return all;
+}
+
+/// What the vertices and the sides of polygons need, whatever is on.
+struct NeededBytes {
+  std::size_t bytes = 0;
+  void fill(const FillStyle&) {}
+  void line_style(const LineStyle&) {}
+  void pick(int) {}
+  void move(const Point3&) {}
+  void line(const Point3&) {}
+  void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
+    bytes += vertices.size_bytes() + sides.size_bytes() + sizeof(sides[0]);
+  }
+};
+
+/// Beyond that, in the order of entry.
+double spare_bytes(const DisplayFile& file) {
+  NeededBytes needed;
+  for (const Segment& segment : file.segments()) segment.walk_entered(needed);
+  return static_cast<double>(file.bytes()) - static_cast<double>(needed.bytes);
+}
+
+struct Memory {
+  std::size_t display_file_bytes;  ///< sorted orders among them
+  CountedMemory counted;
+};
+
+/// Of a second drawing: what is made once for all is there.
+Memory memory_of(const FeatureUse& use, const Scene& scene) {
+  Memory memory;
+  draw_with(use, scene,
+            [&](const DisplayFile& drawn) { memory.display_file_bytes = drawn.bytes(); });
+  memory.counted = counted_memory([&] { draw_with(use, scene); });
+  return memory;
+}
+
+double per_polygon(double count, std::size_t polygons) {
+  return figure(count / static_cast<double>(std::max<std::size_t>(1, polygons)));
+}
+
+/// What every polygon more adds to the display file beyond its vertices and sides, with all off.
+double spare_bytes_a_polygon() {
+  constexpr std::size_t kFew = kFeaturePolygons / 2;
+  const auto spare = [](std::size_t polygons) {
+    double bytes = 0.0;
+    draw_with({}, feature_scene(polygons),
+              [&](const DisplayFile& drawn) { bytes = spare_bytes(drawn); });
+    return bytes;
+  };
+  return per_polygon(spare(kFeaturePolygons) - spare(kFew), kFeaturePolygons - kFew);
+}
+
+/// Of each drawing, or why there are none.
+std::map<std::string_view, WorkCount> instructions(std::string& not_counted) {
+  std::map<std::string_view, WorkCount> counts;
+  const auto drawn = drawings();
+  try {
+    auto all = counted_calls({"bench", "--features-under-callgrind"}, kCounted,
+                             kTimesDrawn * drawn.size());
+    for (std::size_t k = 0; k < drawn.size(); ++k) {
+      counts.emplace(drawn[k].first, std::move(all[kTimesDrawn * k + kTimesDrawn - 1]));
+    }
+  } catch (const Error& error) {
+    not_counted = error.what();
+  }
+  return counts;
+}
+
+FeatureRow row_of(const Feature& feature) {
+  FeatureRow row;
+  row.name = feature.name;
+  row.turned_on_by = feature.turned_on_by;
+  row.over = feature.over;
+  row.has_functions = !feature.functions.empty();
+  row.not_counted = feature.not_counted;
+  return row;
+}
+
+void add_memory(const Memory& off, const Memory& on, FeatureRow& row) {
+  const auto bytes = [](const Memory& m) { return static_cast<double>(m.display_file_bytes); };
+  row.display_file_on = per_polygon(bytes(on) - bytes(off), kFeaturePolygons);
+  row.allocations = {off.counted.allocations, on.counted.allocations};
+  row.most_bytes = {off.counted.most_bytes, on.counted.most_bytes};
+}
+
+/// Of the functions that are the feature's own.
+FeatureRow::Own own(const WorkCount& work, const Feature& feature) {
+  return {work.instructions_of(feature.functions), work.allocations_of(feature.functions)};
+}
+
+using Counts = std::map<std::string_view, WorkCount>;  // by what is on
+
+void add_instructions(const Counts& counts, const Feature& feature, FeatureRow& row) {
+  const WorkCount& off = counts.at(feature.over);
+  row.own_off = own(off, feature);
+  if (!feature.not_counted.empty()) return;
+  const WorkCount& on = counts.at(feature.name);
+  row.own_on = own(on, feature);
+  row.instructions = {off.instructions(), on.instructions()};
+}
+
+}  // namespace
+
+FeatureCosts feature_costs() {
+  const Scene scene = feature_scene();
+  std::map<std::string_view, Memory> memory;
+  for (const auto& [name, use] : drawings()) memory[name] = memory_of(use, scene);
+  FeatureCosts costs;
+  const Counts counts = instructions(costs.not_counted);
+  costs.polygons = scene.polygons();
+  costs.size = kFeaturePictureSize;
+  if (!counts.empty()) costs.instructions = counts.at(kNone).instructions();
+  costs.allocations = memory[kNone].counted.allocations;
+  costs.bytes_a_polygon = spare_bytes_a_polygon();
+  for (const Feature& feature : features()) {
+    FeatureRow row = row_of(feature);
+    if (feature.not_counted.empty()) add_memory(memory[feature.over], memory[feature.name], row);
+    if (!counts.empty()) add_instructions(counts, feature, row);
+    costs.rows.push_back(std::move(row));
+  }
+  return costs;
+}
+
+void draw_features_to_be_counted() {
+  const Scene scene = feature_scene();
+  for (const auto& [name, use] : drawings()) {
+    for (std::size_t k = 0; k < kTimesDrawn; ++k) displayfile_feature_counted(&use, &scene);
+  }
+}
+
+}  // namespace displayfile::bench

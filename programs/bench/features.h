@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "displayfile/display_file.h"
+#include "displayfile/hidden_scope.h"
+#include "displayfile/style.h"
+#include "hidden/hidden_method.h"
+#include "hidden/precision.h"
+#include "programs/scenes/scene.h"
+
+namespace displayfile::bench {
+
+/// What a drawing of the feature scene uses. As it stands: nothing that can be left out.
+struct FeatureUse {
+  bool clipped_by_window = false, clipped_by_depth = false, perspective = false;
+  bool modelling = false, image_transformation = false, bent_polygons = false;
+  LineStyle::Kind lines = LineStyle::Kind::none;
+  bool colours = false;           ///< another fill style for each polygon
+  bool pick_identifiers = false;  ///< set for each polygon
+  bool back_face_removal = false, light = false, vertex_normals = false, shadows = false;
+  std::optional<HiddenMethod> method;  ///< set by the application; none: hidden-line removal off
+  Precision precision;
+  HiddenScope scope = HiddenScope::segment;
+  bool ids = false, depth = false, svg = false, osmesa = false;
+  int samples = 1, threads = 1;
+  bool recorded = false, retained = false, world_tree = false;
+};
+
+/// What can be turned on and off.
+struct Feature {
+  std::string_view name;
+  std::string_view turned_on_by;
+  std::string_view over;  ///< the feature that is on when it is off; empty: none is
+  void (*turn_on)(FeatureUse&);
+  /// What only it needs: parts of the names of functions, with their classes, or of libraries.
+  std::vector<std::string_view> functions;
+  std::string_view not_counted = "";  ///< why what it costs is not counted
+};
+
+/// One entry a feature; each comes after the one that it is over.
+const std::vector<Feature>& features();
+
+/// What is used when the feature is on, and all that it is over.
+FeatureUse use_of(const Feature& feature);
+
+inline constexpr std::size_t kFeaturePolygons = 1000;
+inline constexpr int kFeaturePictureSize = 64;
+Scene feature_scene(std::size_t polygons = kFeaturePolygons);
+
+/// From the first routine of a new system to the picture, of which nothing is kept. `look` sees
+/// what was drawn.
+using LookAt = std::function<void(const DisplayFile& drawn)>;
+void draw_with(const FeatureUse& use, const Scene& scene, const LookAt& look = nullptr);
+
+}  // namespace displayfile::bench

@@ -16,7 +16,7 @@ namespace displayfile::bench {
 
 namespace {
 
-constexpr std::uint64_t kSeed = 1;
+constexpr std::uint64_t kFeatureSeed = 1;
 constexpr std::size_t kSegments = 4;
 constexpr double kRoundoff = 1e-9;
 
@@ -306,7 +306,7 @@ FeatureUse use_of(const Feature& feature) {
   return use;
 }
 
-Scene feature_scene(std::size_t polygons) { return generated_scene("soup").make(polygons, kSeed); }
+Scene feature_scene(std::size_t polygons) { return generated_scene("soup").make(polygons, kFeatureSeed); }
 
 void draw_with(const FeatureUse& use, const Scene& scene, const LookAt& look) {
   GraphicsSystem system;

@@ -183,7 +183,7 @@ int run(int argc, char** argv) {
       "bench", "Speed against error of every method: a table, JSON, and a page with plots");
   command->add_option("SCENE", bench.scenes.names,
                       "generated scenes, families of hard cases, drawing programs and meshes; "
-                      "without any, all generated scenes and hard cases");
+                      "default, as without any: all generated scenes and hard cases");
   command
       ->add_option("-o,--output", bench.page,
                    "the page, .html; what is finished is kept in "
@@ -191,6 +191,8 @@ int run(int argc, char** argv) {
                    "goes on from there")
       ->capture_default_str();
   command->add_option("--json", bench.json, "the figures for programs");
+  command->add_option("--readme", bench.readme,
+                      "rewrite the blocks of this file that are marked <!-- bench: NAME -->");
   command->add_flag("--full", bench.scenes.full,
                     "more sizes, precisions and rounds: hours instead of minutes");
   command->add_option("--methods", bench.methods, "only these, with commas between")

@@ -136,6 +136,35 @@ TEST_F(Bench, HoldsAutoAgainstTheBestFixedMethod) {
   EXPECT_NE(out_.find(line), out_.npos) << out_;
 }
 
+/// On polygons that no precision confuses all that are installed see the same.
+TEST_F(Bench, MeasuresThePeersThatAreInstalled) {
+  write("easy.draw",
+        "set-window 0 1 0 1\nset-line-style none\nopen-segment 1\n"
+        "polygon-abs-3 0.1 0.1 0  0.8 0.1 0  0.8 0.7 0  0.4 0.3 0\n"
+        "polygon-abs-3 0.3 0.2 -0.5  0.9 0.4 0.2  0.35 0.9 -0.2\nclose-segment\n");
+  ASSERT_EQ(
+      run("bench easy.draw soup --polygons 24 --sizes 32 --rounds 1 --threads 1 --json b.json"), 0)
+      << err_;
+  const Json report = json("b.json");
+  std::map<std::string, int> cells;
+  for (const Json& cell : report["cells"]) {
+    const std::string method = cell["method"], scene = cell["scene"];
+    if (method != "embree" && method != "gl2ps") continue;
+    ++cells[method];
+    EXPECT_FALSE(cell["exact"].get<bool>());
+    EXPECT_FALSE(cell.contains("bytes"));
+    EXPECT_EQ(cell.contains("fragments_per_polygon"), method == "gl2ps");
+    if (scene != "easy.draw 32x32") continue;
+    EXPECT_EQ(cell["wrong_pixels"], 0) << cell;
+    EXPECT_LT(cell["largest_depth_error"], 1e-6) << cell;
+  }
+  const auto expected = [&](const char* name) {
+    return report["environment"][name] == "not in this build" ? 0 : 2;
+  };
+  EXPECT_EQ(cells["embree"], expected("Embree"));
+  EXPECT_EQ(cells["gl2ps"], expected("gl2ps"));
+}
+
 TEST_F(Bench, TwoRunsCountTheSame) {
   ASSERT_EQ(run(kTiny + "--threads 1,2 --json a.json -o a.html"), 0) << err_;
   ASSERT_EQ(run(kTiny + "--threads 1,2 --json b.json -o b.html"), 0) << err_;

@@ -3,24 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 
 #include "programs/bench/analysis.h"
 #include "programs/bench/json_report.h"
+#include "programs/bench/walk.h"
 
 namespace displayfile::bench {
 
 namespace {
-
-/// Of several ratios: that which they would all have to give the same product.
-double geometric_mean(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double v : values) sum += std::log(v);
-  return values.empty() ? 0.0 : std::exp(sum / static_cast<double>(values.size()));
-}
 
 /// A column's mean over scenes, and how many of them it was measured on.
 struct Mean {
@@ -56,7 +50,7 @@ std::vector<Mean> means(const Report& report, const Rows& rows,
 bool is_exact(const Column& column) { return column.exact && !column.is_automatic(); }
 std::optional<double> time_of(const Cell& cell) { return cell.time.median; }
 
-std::string listed(const std::vector<Mean>& all) {
+std::string listed(std::span<const Mean> all) {
   std::string text;
   for (const Mean& mean : all) {
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", mean.column.method, number(mean.time));
@@ -64,14 +58,9 @@ std::string listed(const std::vector<Mean>& all) {
   return text;
 }
 
-/// Where each picture is one by itself.
-Rows still_scenes(const Report& report) {
-  Rows rows;
-  for (const std::string& name : names_but_hard_cases(report)) {
-    const SceneRow& row = shown_scene(report, name);
-    if (row.scene.kind != BenchScene::Kind::walk) rows.push_back(&row);
-  }
-  return rows;
+/// The best, and what it is better than.
+std::string first_of(const std::vector<Mean>& all) {
+  return listed(std::span(all).first(std::min<std::size_t>(3, all.size())));
 }
 
 std::int64_t wrong_in(const Rows& rows, const Column& column) {
@@ -90,7 +79,12 @@ std::optional<Advice> plot_in_a_paper(const Report& report) {
       means(report, rows, is_exact, [](const Cell& cell) { return cell.fragments; });
   if (rows.empty() || fragments.empty()) return std::nullopt;
   const Mean& best = fragments.front();
-  Advice advice{"A plot in a paper: vectors, drawn once", best.column.name(), {}};
+  Advice advice{"A plot in a paper: vectors, drawn once",
+                best.column.name(),
+                fmt::format("pixels cannot be scaled, so only the sorts draw vectors; pieces of a "
+                            "polygon: {}",
+                            listed(fragments)),
+                {}};
   advice.why.push_back(
       "Vectors need polygons in an order, so only the sorts in object space can "
       "draw them; an image-space method gives pixels.");
@@ -123,7 +117,11 @@ std::optional<Advice> game_level(const Report& report) {
       report, rows, [&](const Column& c) { return c.exact || retained(c); },
       [](const Cell& cell) { return std::optional(cell.again->median); });
   if (times.empty()) return std::nullopt;
-  Advice advice{"A game level walked through", times.front().column.name(), {}};
+  Advice advice{"A game level walked through",
+                times.front().column.name(),
+                fmt::format("each view is a new one; time of {} polygons in {} views: {}",
+                            rows.front()->polygons, kViewsOfWalk, first_of(times)),
+                {}};
   std::string list;
   for (const Mean& mean : times) {
     list += fmt::format("{}{} {} ({} wrong pixels)", list.empty() ? "" : ", ", mean.column.name(),
@@ -154,7 +152,11 @@ std::optional<Advice> huge_image(const Report& report) {
   }
   const auto times = means(report, rows, is_exact, time_of);
   if (rows.empty() || times.empty()) return std::nullopt;
-  Advice advice{"A huge image", times.front().column.name(), {}};
+  Advice advice{
+      "A huge image",
+      times.front().column.name(),
+      fmt::format("grows least with the pixels; time at {} pixels: {}", pixels, first_of(times)),
+      {}};
   advice.why.push_back(fmt::format(
       "At {} pixels, the most of this run, the exact methods take, in reference times (geometric "
       "mean over {} scenes): {}. Wrong pixels of {} there: {}.",
@@ -184,8 +186,11 @@ std::optional<Advice> thin_sheets(const Report& report) {
   }
   const auto times = means(report, rows, is_exact, time_of);
   if (rows.empty() || times.empty()) return std::nullopt;
-  Advice advice{
-      "A stack of thin sheets: depths 1e-9 apart and less", times.front().column.name(), {}};
+  Advice advice{"A stack of thin sheets: depths 1e-9 apart and less",
+                times.front().column.name(),
+                fmt::format("the exact methods have {} wrong pixels there; time: {}",
+                            wrong_in(rows, times.front().column), first_of(times)),
+                {}};
   std::string exact, others, last;
   std::int64_t pixels = 0;
   for (const SceneRow* row : rows) pixels += static_cast<std::int64_t>(row->scene.pixels());
@@ -221,10 +226,13 @@ std::optional<Advice> thin_sheets(const Report& report) {
 std::optional<Advice> fastest_exact(const Report& report) {
   const Rows rows = still_scenes(report);
   if (rows.empty()) return std::nullopt;
-  Advice advice{"Any other picture of pixels", "", {}};
   const auto times = means(report, rows, is_exact, time_of);
   if (times.empty()) return std::nullopt;
-  advice.use = times.front().column.name();
+  Advice advice{
+      "Any other picture of pixels",
+      times.front().column.name(),
+      fmt::format("least time of a picture over {} scenes: {}", rows.size(), first_of(times)),
+      {}};
   advice.why.push_back(fmt::format(
       "The least time of a picture over {} scenes (geometric mean, in reference times): {}.",
       rows.size(), listed(times)));

@@ -10,6 +10,7 @@ namespace displayfile::bench {
 /// Which method to use for a purpose, and why, from the figures of a report alone.
 struct Advice {
   std::string purpose, use;
+  std::string reason;  ///< short
   std::vector<std::string> why;
 };
 

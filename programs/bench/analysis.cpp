@@ -1,6 +1,8 @@
 #include "programs/bench/analysis.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
@@ -163,6 +165,29 @@ std::vector<std::string> names_but_hard_cases(const Report& report) {
   return found;
 }
 
+std::vector<const SceneRow*> still_scenes(const Report& report) {
+  std::vector<const SceneRow*> rows;
+  for (const std::string& name : names_but_hard_cases(report)) {
+    const SceneRow& row = shown_scene(report, name);
+    if (row.scene.kind != BenchScene::Kind::walk) rows.push_back(&row);
+  }
+  return rows;
+}
+
+int most_threads(const Report& report) {
+  int most = 1;
+  for (const SceneRow& row : report.scenes) {
+    for (const Cell& cell : row.cells) most = std::max(most, cell.key.threads);
+  }
+  return most;
+}
+
+double geometric_mean(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double v : values) sum += std::log(v);
+  return values.empty() ? 0.0 : std::exp(sum / static_cast<double>(values.size()));
+}
+
 /// In the order of the scene that was measured with the most of them.
 std::vector<Column> columns(const Report& report) {
   std::vector<const SceneRow*> rows;
@@ -177,6 +202,11 @@ std::vector<Column> columns(const Report& report) {
     }
   }
   return found;
+}
+
+bool is_in_series(const Column& column) {
+  constexpr std::array<std::string_view, 5> kOthers{"", "float", "24 bits", "single", "bsp"};
+  return column.exact || std::ranges::find(kOthers, column.precision) != kOthers.end();
 }
 
 Wrong wrong_pixels(const Report& report, std::string_view family, const Column& column,

@@ -67,6 +67,13 @@ const SceneRow& shown_scene(const Report& report, std::string_view name);
 std::vector<std::string> names(const Report& report, BenchScene::Kind kind);
 std::vector<std::string> names_but_hard_cases(const Report& report);
 
+/// All but the hard cases and the walk: each picture is one by itself.
+std::vector<const SceneRow*> still_scenes(const Report& report);
+int most_threads(const Report& report);  ///< of any cell
+
+/// Of several ratios: that which they would all have to give the same product.
+double geometric_mean(const std::vector<double>& values);
+
 /// A method at a precision, as a column or a curve.
 struct Column {
   std::string method, precision;
@@ -76,6 +83,8 @@ struct Column {
   bool operator==(const Column&) const = default;
 };
 std::vector<Column> columns(const Report& report);
+/// Those whose growth is shown: the exact ones, and one precision of each other method.
+bool is_in_series(const Column& column);
 
 /// Sums over hard cases.
 struct Wrong {

@@ -10,12 +10,15 @@
 #include "clip/error.h"
 #include "displayfile/output_file.h"
 #include "hidden/precision.h"
+#include "programs/bench/analysis.h"
 #include "programs/bench/environment.h"
 #include "programs/bench/feature_costs.h"
 #include "programs/bench/json_report.h"
 #include "programs/bench/measure.h"
 #include "programs/bench/page.h"
 #include "programs/bench/partial_file.h"
+#include "programs/bench/readme_figures.h"
+#include "programs/bench/summary.h"
 #include "programs/bench/text_report.h"
 #include "programs/bench/walk.h"
 #include "programs/progress.h"
@@ -75,16 +78,10 @@ bool is_largest(const BenchScene& scene, const std::vector<BenchScene>& scenes) 
   });
 }
 
-/// Those whose growth is shown.
-bool is_in_series(const Contender& contender) {
-  return contender.exact || contender.precision.empty() || contender.precision == "float" ||
-         contender.precision == "24 bits";
-}
-
 bool is_measured(const BenchScene& scene, bool largest, const Contender& contender, int threads) {
   if (scene.kind == BenchScene::Kind::hard_case) return threads == 1;
   if (threads > 1) return largest && contender.threaded && contender.exact;
-  return largest || is_in_series(contender);
+  return largest || is_in_series({contender.method, contender.precision, contender.exact});
 }
 
 Effort effort_of(const BenchCommand& command, const BenchScene& scene) {
@@ -205,6 +202,10 @@ int BenchCommand::run() const {
   // Every output must be writable before the long work.
   OutputFile{page};
   if (!json.empty()) OutputFile{json};
+  if (!readme.empty()) {
+    OutputFile{readme};
+    ReadmeFigures{readme};
+  }
   // llvmpipe draws on the calling thread alone, as all methods do that have no threads of their
   // own.
   setenv("LP_NUM_THREADS", "0", 0);
@@ -213,6 +214,8 @@ int BenchCommand::run() const {
   if (features.value_or(scenes.names.empty())) report.features = counted_features();
   if (!json.empty()) write_text(json, to_json(report).dump(1) + '\n');
   write_text(page, html_page(report));
+  // Read anew: a long run is time enough to edit it.
+  if (!readme.empty()) write_text(readme, ReadmeFigures(readme).with(summaries(report)));
   measuring.finish();
   std::cout << text_report(report)
             << fmt::format("{} figures measured, {} taken over from an interrupted run\n{}\n",

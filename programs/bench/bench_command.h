@@ -17,7 +17,8 @@ struct BenchCommand {
   int rounds = 0;                      ///< of a ratio; 0: the usual number
   double most_seconds = 0.0;           ///< of a cell's ratio; 0: the usual
   std::string page = "report.html";
-  std::string json;  ///< not written if empty
+  std::string json;    ///< not written if empty
+  std::string readme;  ///< whose blocks are rewritten; none if empty
   /// Whether the costs of features are measured; not set: if no scenes are chosen.
   std::optional<bool> features;
   bool features_under_callgrind = false;  ///< only draws what callgrind counts, for `features`

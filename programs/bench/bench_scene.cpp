@@ -19,6 +19,7 @@ namespace {
 constexpr std::uint64_t kSeed = 1;
 constexpr int kHardCaseSize = 32;
 constexpr std::string_view kWalk = "walk";
+constexpr std::string_view kDefault = "default";
 
 /// n polygons of it cover each pixel and pass through each other: it is measured at smaller sizes.
 bool all_overlap(std::string_view name) { return name == "planes"; }
@@ -37,7 +38,7 @@ std::vector<int> picture_sizes(std::string_view name, const SceneChoice& choice)
   if (!choice.sizes.empty()) return choice.sizes;
   if (all_overlap(name)) return {48, 96, 192, 384};
   return choice.full ? std::vector<int>{128, 256, 512, 1024, 2048}
-                     : std::vector<int>{96, 192, 384, 768};
+                     : std::vector<int>{96, 192, 384, 1024};
 }
 
 /// What the series by polygons and the series by pixels have in common.
@@ -151,17 +152,29 @@ DisplayFile BenchScene::make() const {
   return as_entered(system);
 }
 
+/// All generated scenes, the walk and all hard cases.
+static std::vector<std::string> default_names() {
+  std::vector<std::string> names;
+  for (const GeneratedScene& scene : generated_scenes()) names.emplace_back(scene.name);
+  names.emplace_back(kWalk);
+  for (const HardCase& family : hard_cases()) names.emplace_back(family.name);
+  return names;
+}
+
 std::vector<BenchScene> chosen_scenes(const SceneChoice& choice) {
   std::vector<std::string> names = choice.names;
-  if (names.empty()) {
-    for (const GeneratedScene& scene : generated_scenes()) names.emplace_back(scene.name);
-    names.emplace_back(kWalk);
-    for (const HardCase& family : hard_cases()) names.emplace_back(family.name);
-  }
+  if (names.empty()) names.emplace_back(kDefault);
   std::vector<BenchScene> scenes;
-  for (const std::string& name : names) {
+  const auto add = [&](const std::string& name) {
     if (std::ranges::find(scenes, name, &BenchScene::name) == scenes.end()) {
       add_named(name, choice, scenes);
+    }
+  };
+  for (const std::string& name : names) {
+    if (name == kDefault) {
+      for (const std::string& usual : default_names()) add(usual);
+    } else {
+      add(name);
     }
   }
   return scenes;

@@ -29,7 +29,8 @@ struct BenchScene {
 
 /// Which scenes are measured.
 struct SceneChoice {
-  std::vector<std::string> names;     ///< none: all generated scenes, the walk and all hard cases
+  std::vector<std::string>
+      names;  ///< none: "default", all generated scenes, the walk and all hard cases
   std::vector<std::size_t> polygons;  ///< of generated scenes; none: the usual ones
   std::vector<int> sizes;             ///< none: the usual ones
   bool full = false;

@@ -10,6 +10,7 @@
 #include "interp/osmesa.h"
 #include "interp/plain_z_buffer.h"
 #include "interp/software.h"
+#include "programs/bench/peers.h"
 
 namespace displayfile::bench {
 
@@ -225,8 +226,10 @@ std::vector<Contender> contenders(std::span<const double> roundoffs) {
     for (const Precision& p : precisions) all.push_back(sort(method, p));
   }
   for (const DepthFormatEntry& entry : depth_formats()) all.push_back(plain(entry));
-  if (!osmesa_available()) return all;
-  for (const int bits : {32, 24, 16}) all.push_back(osmesa(bits));
+  if (osmesa_available()) {
+    for (const int bits : {32, 24, 16}) all.push_back(osmesa(bits));
+  }
+  for (Contender& peer : peers()) all.push_back(std::move(peer));
   return all;
 }
 

@@ -13,6 +13,11 @@
 
 namespace displayfile::bench {
 
+/// Thrown by draw_anew: the method cannot draw this display file; says why.
+struct CannotDraw {
+  std::string why;
+};
+
 /// One display file, to be drawn any number of times by one method at one size.
 class Drawing {
  public:
@@ -23,7 +28,7 @@ class Drawing {
   virtual void draw_again() { draw_anew(); }
   /// The same again with the item buffer and the depths; after draw_anew.
   virtual Picture judged() = 0;
-  /// Polygons and lines after the sort of a method that sorts; after draw_anew.
+  /// Polygons and lines after the sort of a method that sorts; after judged.
   virtual std::optional<std::uint64_t> pieces() const { return std::nullopt; }
 };
 
@@ -46,7 +51,8 @@ struct Contender {
 };
 
 /// All that this build has: the heedless painter; what `auto` picks for a picture; the image-space
-/// methods and the sorts, exact and with each ROUNDOFF; the plain z-buffer and OSMesa at each of their depth formats.
+/// methods and the sorts, exact and with each ROUNDOFF; the plain z-buffer and OSMesa at each of
+/// their depth formats; Embree and gl2ps.
 std::vector<Contender> contenders(std::span<const double> roundoffs);
 
 /// What all times are given in: the exact z-buffer on one thread.

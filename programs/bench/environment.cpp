@@ -14,6 +14,8 @@
 #include "clip/error.h"
 #include "interp/osmesa.h"
 #include "programs/bench/build_information.h"
+#include "programs/bench/embree_rays.h"
+#include "programs/bench/gl2ps_sort.h"
 
 namespace displayfile::bench {
 
@@ -53,6 +55,8 @@ std::vector<std::pair<std::string, std::string>> environment() {
       {"processors", fmt::format("{}", std::thread::hardware_concurrency())},
       {"system", operating_system()},
       {"OSMesa", osmesa_description()},
+      {"Embree", EmbreeRays::version().value_or("not in this build")},
+      {"gl2ps", Gl2psSort::version().value_or("not in this build")},
       library("oneTBB", build::kTbb, TBB_runtime_version()),
       library("GMP", build::kGmp, gmp_version),
       library("libpng", build::kPng, png_get_libpng_ver(nullptr)),

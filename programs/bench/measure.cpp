@@ -176,6 +176,16 @@ Cell Measurer::measure(const Contender& contender, int threads) {
     cell.skipped = "it would take too long, from what a smaller one took";
     return cell;
   }
+  try {
+    measure(contender, cell);
+  } catch (const CannotDraw& reason) {
+    cell.skipped = reason.why;
+  }
+  return cell;
+}
+
+void Measurer::measure(const Contender& contender, Cell& cell) {
+  const int threads = cell.key.threads;
   const auto drawing = scene_->drawing(contender, threads);
   const double once = seconds_once([&] { drawing->draw_anew(); });
   Longest& longest = longest_[key_text(cell.key)];
@@ -196,7 +206,6 @@ Cell Measurer::measure(const Contender& contender, int threads) {
         effort_, clock, again, [&] { drawing->draw_again(); }, scene_->reference_seconds,
         reference);
   }
-  return cell;
 }
 
 }  // namespace displayfile::bench

@@ -32,6 +32,8 @@ class Measurer {
 
  private:
   struct Scene;
+  /// Throws CannotDraw as the contender does.
+  void measure(const Contender& contender, Cell& cell);
   bool too_long(const CellKey& key) const;
   static void count(Drawing& drawing, Cell& cell);
   void compare(const Picture& picture, Cell& cell) const;

@@ -10,6 +10,7 @@
 #include "programs/bench/advice.h"
 #include "programs/bench/analysis.h"
 #include "programs/bench/json_report.h"
+#include "programs/bench/summary.h"
 #include "programs/bench/svg_plot.h"
 
 namespace displayfile::bench {
@@ -39,7 +40,8 @@ std::string colour_of(const std::string& method) {
       {"none", "#7f7f7f"},        {"z-buffer", "#1f5fbf"},   {"plain-z-buffer", "#e08a00"},
       {"bsp", "#1f8f3f"},         {"depth-sort", "#c92a2a"}, {"scan-line", "#7b3fb5"},
       {"scan-line-z", "#8c5a2b"}, {"warnock", "#d6489a"},    {"ray-cast", "#0f9aa8"},
-      {"osmesa", "#111111"},      {"auto", "#009e60"},
+      {"osmesa", "#111111"},      {"auto", "#009e60"},       {"embree", "#b8a000"},
+      {"gl2ps", "#ff6f61"},
   };
   const auto colour = colours.find(method);
   return colour == colours.end() ? "#556b2f" : colour->second;
@@ -64,7 +66,7 @@ class Page {
   std::string html() const {
     return "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'>"
            "<title>Display File: speed against error</title><style>" +
-           std::string(kStyle) + "</style></head><body>\n" + head() + which_when() + automatic() +
+           std::string(kStyle) + "</style></head><body>\n" + head() + in_short() + which_when() +
            pareto() + gaps() + growth_of(Fit::Against::polygons) + growth_of(Fit::Against::pixels) +
            fragments() + heat() + threads() + overview() + pay_for_what_is_used() + all_figures() +
            "</body></html>\n";
@@ -107,23 +109,30 @@ class Page {
     if (all.empty()) return "";
     std::string text = "<h2>Which method when</h2>\n";
     for (const Advice& a : all) {
-      text += fmt::format("<h3>{}: {}</h3>\n<ul>\n", escaped(a.purpose), escaped(a.use));
+      text += fmt::format("<h3>{}: {}</h3>\n<p>{}.</p>\n<ul>\n", escaped(a.purpose), escaped(a.use),
+                          escaped(a.reason));
       for (const std::string& why : a.why) text += "<li>" + escaped(why) + "</li>\n";
       text += "</ul>\n";
     }
     return text;
   }
 
-  std::string automatic() const {
-    const auto bounds = auto_bounds(report_);
-    if (!bounds) return "";
-    return fmt::format(
-        "<h2>The method that picks itself</h2>\n<p><code>--hidden auto</code> looks at the scene "
-        "and picks an exact method. Over {} scenes it takes {} times what the best fixed method "
-        "takes in total ({}); at worst it takes {} times the best method on a scene ({}, where {} "
-        "is best). What looking costs is part of its time; <code>--explain</code> says why.</p>\n",
-        bounds->scenes, number(bounds->total), escaped(bounds->best_fixed), number(bounds->worst),
-        escaped(bounds->worst_scene), escaped(bounds->best_there));
+  /// What a README's blocks hold.
+  std::string in_short() const {
+    std::string text;
+    for (const Summary& summary : summaries(report_)) {
+      text +=
+          fmt::format("<h2>{}</h2>\n<p>{}</p>\n", escaped(summary.title), escaped(summary.text));
+      if (summary.rows.empty()) continue;
+      text += "<div class='wide'><table>\n";
+      for (const auto& cells : summary.rows) {
+        std::vector<std::string> shown;
+        for (const std::string& cell : cells) shown.push_back(escaped(cell));
+        text += row(&cells == &summary.rows.front() ? "th" : "td", shown);
+      }
+      text += "</table></div>\n";
+    }
+    return text;
   }
 
   /// One panel a scene, and one of the hard cases together.
@@ -220,12 +229,6 @@ class Page {
            "</div>\n";
   }
 
-  /// The exact methods, and of each other method that has several precisions the second.
-  bool in_growth(const Column& column) const {
-    if (column.exact || column.precision.empty()) return true;
-    return column.precision == "float" || column.precision == "24 bits";
-  }
-
   std::string growth_of(Fit::Against against) const {
     std::string panels;
     for (const std::string& name : names_but_hard_cases(report_)) {
@@ -239,7 +242,7 @@ class Page {
                       "time / reference on the smallest scene"};
       std::vector<Curve> curves;
       for (const Column& column : columns_) {
-        if (!in_growth(column)) continue;
+        if (!is_in_series(column)) continue;
         Curve curve{mark_of(columns_, column), true, {}};
         for (const Growth& g : growth(scenes, column.method, column.precision)) {
           curve.points.push_back(
@@ -257,8 +260,8 @@ class Page {
                "one unit is the reference's time on the first scene of the name. In the table the "
                "fitted exponents e of time = c {0}<sup>e</sup>.</p>\n",
                of) +
-           legend([&](const Column& c) { return in_growth(c); }, true) + "<div class='plots'>\n" +
-           panels + "</div>\n" + exponents(against);
+           legend(is_in_series, true) + "<div class='plots'>\n" + panels + "</div>\n" +
+           exponents(against);
   }
 
   std::string exponents(Fit::Against against) const {
@@ -359,16 +362,8 @@ class Page {
     return text + "</table></div>\n";
   }
 
-  int most_threads() const {
-    int most = 1;
-    for (const SceneRow& r : report_.scenes) {
-      for (const Cell& cell : r.cells) most = std::max(most, cell.key.threads);
-    }
-    return most;
-  }
-
   std::string threads() const {
-    const int most = most_threads();
+    const int most = most_threads(report_);
     if (most == 1) return "";
     return fmt::format("<h2>Threads</h2>\n<p>Time on 1 thread over time on {}.</p>\n", most) +
            matrix(
@@ -384,7 +379,8 @@ class Page {
     if (names_but_hard_cases(report_).empty()) return "";
     const auto all = [](const Column&) { return true; };
     return "<h2>Memory and exact arithmetic</h2>\n<p>Most bytes that the program's own arrays and "
-           "the picture held at a time, for each polygon (OSMesa takes its memory elsewhere); and "
+           "the picture held at a time, for each polygon (OSMesa, Embree and gl2ps take theirs "
+           "elsewhere); and "
            "how often a predicate's exact stage was asked for one picture.</p>\n" +
            matrix("bytes a polygon", all,
                   [](const SceneRow& r, const Cell& cell) {

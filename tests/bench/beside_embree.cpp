@@ -1,11 +1,12 @@
 #include "tests/bench/beside_embree.h"
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "hidden/parallel.h"
 #include "interp/image_space.h"
-#include "tests/bench/embree_rays.h"
+#include "programs/bench/embree_rays.h"
 
 namespace displayfile::bench {
 
@@ -24,17 +25,16 @@ void for_rows(int size, int threads, const auto& draw) {
 
 }  // namespace
 
-FillScene in_triangles(const FillScene& scene) {
+FillScene scene_of_triangles(const FillScene& scene) {
   DisplayFile file;
   Segment& segment = file.create(1);
   segment.set_style(LineStyle{LineStyle::Kind::none});
   segment.set_style(FillStyle{FillStyle::Kind::solid});
   const std::vector<std::uint8_t> edges(3, 1);
-  for (FillScene::Fill fill = 1; fill < scene.end(); ++fill) {
-    const auto p = scene.vertices(fill);
-    for (std::size_t k = 2; k < p.size(); ++k) {
-      segment.enter_polygon(std::vector<Point3>{p[0], p[k - 1], p[k]}, edges);
-    }
+  const Triangles triangles = in_triangles(scene);
+  const std::span<const Point3> corners = triangles.corners;
+  for (std::size_t i = 0; i < corners.size(); i += 3) {
+    segment.enter_polygon(corners.subspan(i, 3), edges);
   }
   return FillScene(file);
 }
@@ -42,10 +42,12 @@ FillScene in_triangles(const FillScene& scene) {
 BesideEmbree cast_beside_embree(const FillScene& triangles, int size, int threads, int rounds) {
   using Fill = FillScene::Fill;
   const auto width = static_cast<std::size_t>(size);
+  const PictureSize picture{size, size};
   const auto method = make_image_space_method(HiddenMethod::ray_cast);
-  const ImageSpaceMethod::Request request{triangles, {size, size}, std::nullopt};
+  const ImageSpaceMethod::Request request{triangles, picture, std::nullopt};
   method->prepare(request, threads);
-  std::vector<Fill> seen(width * width), seen_by_embree(width * width);
+  std::vector<Fill> seen(width * width);
+  EmbreeRays::Hits hits(picture, false);
   const auto ours = [&] {
     for_rows(size, threads, [&](int begin, int end) {
       method->draw_rows(begin, end, [&](int row, int first, std::span<const Fill> fills) {
@@ -54,22 +56,22 @@ BesideEmbree cast_beside_embree(const FillScene& triangles, int size, int thread
       });
     });
   };
-  const EmbreeRays embree(triangles, size, size, threads);
+  const Triangles cut = in_triangles(triangles);
+  const EmbreeRays embree(cut, picture, threads);
   const auto embrees = [&] {
-    for_rows(size, threads, [&](int begin, int end) { embree.cast(begin, end, seen_by_embree); });
+    for_rows(size, threads, [&](int begin, int end) { embree.cast(begin, end, hits); });
   };
   BesideEmbree result;
   result.rays = times_faster(rounds, ours, embrees);
   result.building = times_faster(
-      3, [&] { method->prepare(request, threads); },
-      [&] { EmbreeRays(triangles, size, size, threads); });
-  std::size_t hits = 0;
+      3, [&] { method->prepare(request, threads); }, [&] { EmbreeRays(cut, picture, threads); });
+  std::size_t covered = 0;
   result.others = 0;
   for (std::size_t k = 0; k < seen.size(); ++k) {
-    hits += seen[k] != FillScene::kBackground;
-    result.others += seen[k] != seen_by_embree[k];
+    covered += seen[k] != FillScene::kBackground;
+    result.others += seen[k] != hits.fills[k];
   }
-  result.hit = static_cast<double>(hits) / static_cast<double>(seen.size());
+  result.hit = static_cast<double>(covered) / static_cast<double>(seen.size());
   return result;
 }
 

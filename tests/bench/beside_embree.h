@@ -7,8 +7,8 @@
 
 namespace displayfile::bench {
 
-/// A scene's fills, those of more sides cut into fans: Embree knows only triangles.
-FillScene in_triangles(const FillScene& scene);
+/// A scene's fills, those of more sides cut into triangles: Embree knows nothing else.
+FillScene scene_of_triangles(const FillScene& scene);
 
 /// Ray casting in image space beside Embree's primary rays: the same triangles, the same parallel
 /// rays through the pixel centres of a size x size picture, what is hit as the result.

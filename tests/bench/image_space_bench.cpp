@@ -24,13 +24,13 @@
 #include "interp/plain_z_buffer.h"
 #include "interp/scan_convert.h"
 #include "interp/software.h"
+#include "programs/bench/embree_rays.h"
 #include "programs/bench/growth.h"
 #include "programs/bench/side_by_side.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/random.h"
 #include "programs/scenes/shapes.h"
 #include "tests/bench/beside_embree.h"
-#include "tests/bench/embree_rays.h"
 #include "tests/bench/result_table.h"
 
 namespace displayfile::bench {
@@ -238,7 +238,7 @@ void print_exact_and_rays(const std::vector<std::function<NamedSystem()>>& scene
                                  text_of(times_faster(options.rounds, draw(rounded), draw(exact)))};
     if (EmbreeRays::version()) {
       const BesideEmbree beside =
-          cast_beside_embree(in_triangles(scene), kSide, options.threads, options.rounds);
+          cast_beside_embree(scene_of_triangles(scene), kSide, options.threads, options.rounds);
       row.push_back(text_of(beside.rays));
       row.push_back(fmt::format("{:.0f} %", 100.0 * beside.hit));
     }

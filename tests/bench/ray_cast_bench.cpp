@@ -14,10 +14,10 @@
 #include <vector>
 
 #include "displayfile/mesh.h"
+#include "programs/bench/embree_rays.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/scene.h"
 #include "tests/bench/beside_embree.h"
-#include "tests/bench/embree_rays.h"
 
 namespace displayfile::bench {
 namespace {
@@ -29,7 +29,7 @@ struct Options {
 };
 
 void compare(const std::string& name, const DisplayFile& file, const Options& options) {
-  const FillScene triangles = in_triangles(FillScene(file));
+  const FillScene triangles = scene_of_triangles(FillScene(file));
   const BesideEmbree beside =
       cast_beside_embree(triangles, options.size, options.threads, options.rounds);
   fmt::print(

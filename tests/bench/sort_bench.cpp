@@ -20,11 +20,11 @@
 #include "clip/error.h"
 #include "displayfile/graphics_system.h"
 #include "hidden/hidden_surface_sort.h"
+#include "programs/bench/gl2ps_sort.h"
 #include "programs/bench/growth.h"
 #include "programs/bench/side_by_side.h"
 #include "programs/scenes/generated_scenes.h"
 #include "tests/bench/device_scene.h"
-#include "tests/bench/gl2ps_sort.h"
 #include "tests/bench/peak_memory.h"
 #include "tests/bench/process.h"
 #include "tests/bench/result_table.h"
@@ -58,6 +58,9 @@ SortOptions sort_options(const Options& options, bool exact = true) {
 std::size_t pieces(const DeviceScene& scene, HiddenMethod method, const Options& options) {
   return sort_hidden_surfaces(scene.items(), method, sort_options(options)).pieces.size();
 }
+
+/// In a window of 1024 x 1024 pixels. All polygons are triangles.
+Gl2psSort gl2ps_of(const DeviceScene& scene) { return {scene.points, {1024, 1024}}; }
 
 std::string two(double x) { return fmt::format("{:.2f}", x); }
 std::string spread_text(const Spread& s) {
@@ -101,7 +104,7 @@ void pieces_of_bsp(const DeviceScene& scene, const Peers& peers, const Options& 
                    std::vector<Result>& results) {
   const std::size_t ours = pieces(scene, HiddenMethod::bsp, options);
   std::string beside;
-  if (peers.gl2ps) beside = "gl2ps " + a_polygon(Gl2psSort::fragments(scene), scene);
+  if (peers.gl2ps) beside = "gl2ps " + a_polygon(gl2ps_of(scene).pieces().size(), scene);
   if (peers.sketch) {
     const TemporaryFolder folder;
     const std::size_t theirs = Sketch(scene, folder).fragments(Sketch::Sort::bsp);
@@ -160,7 +163,7 @@ void against_gl2ps(const Model& model, const Peers& peers, const Options& option
             [&] { sort_hidden_surfaces(scene->items(), asked.method, sort_options(options)); });
       };
       const Spread faster =
-          ratio_of_seconds(options.rounds, ours, [&] { return Gl2psSort::seconds(*scene); });
+          ratio_of_seconds(options.rounds, ours, [&] { return gl2ps_of(*scene).sort(); });
       results.push_back(at_least(work, asked.times, faster, ""));
     }
   }
@@ -389,8 +392,8 @@ void print_heading(const Peers& peers, const Options& options) {
       "gl2ps's is gl2psEndPage in a format that writes no polygons (rescaling, tree, traversal, "
       "freeing); ours is sort_hidden_surfaces,\nfreeing its result too. Both get the same "
       "triangles in device coordinates.\n\n",
-      options.threads, peers.gl2ps.value_or("no gl2ps"), peers.sketch.value_or("no Sketch"),
-      options.rounds);
+      options.threads, peers.gl2ps ? "gl2ps " + *peers.gl2ps : "no gl2ps",
+      peers.sketch.value_or("no Sketch"), options.rounds);
 }
 
 const Model& largest(const std::vector<Model>& models) {

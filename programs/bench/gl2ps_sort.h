@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "clip/point.h"
+#include "hidden/pixel_centre.h"
+
+namespace displayfile::bench {
+
+/// gl2ps's BSP sort (Geuzaine, gl2ps 1.4), in this process. It gets triangles as they come out of
+/// an OpenGL feedback buffer, in window coordinates, in pixels, and in single precision; no OpenGL
+/// is involved. Its state is global: one page at a time.
+class Gl2psSort {
+ public:
+  /// gl2ps's version; nothing if this build has no gl2ps.
+  static std::optional<std::string> version();
+
+  /// Three corners a triangle, in normalised device coordinates.
+  Gl2psSort(std::span<const Point3> corners, const PictureSize& window)
+      : corners_(corners), window_(window) {}
+
+  /// Hands the triangles over and sorts them, in a format that writes no polygons (GL2PS_TEX):
+  /// depth is rescaled, the tree built, traversed and freed. Returns the seconds without the
+  /// handing over, those of gl2psEndPage.
+  double sort() const;
+
+  /// False if it does not come to an end within a limit of the processor's time that grows with the
+  /// triangles: some scenes it cuts for ever. Tried in a process of its own.
+  bool ends() const;
+
+  /// A part of a triangle.
+  struct Piece {
+    std::uint32_t triangle;       ///< counted from 0
+    std::vector<Point2> corners;  ///< in normalised device coordinates
+  };
+  /// What it writes, back to front, read back from PGF. Of its formats that has the most digits:
+  /// six after the point, of pixels. Throws Error for more than 2^24 triangles, whose numbers stand
+  /// in the colours.
+  std::vector<Piece> pieces() const;
+
+ private:
+  std::span<const Point3> corners_;
+  PictureSize window_;
+};
+
+}  // namespace displayfile::bench

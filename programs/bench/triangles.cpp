@@ -1,0 +1,26 @@
+#include "programs/bench/triangles.h"
+
+#include "clip/planarity.h"
+
+namespace displayfile::bench {
+
+Triangles in_triangles(const FillScene& scene) {
+  Triangles triangles;
+  triangles.corners.reserve(3 * scene.all_vertices());
+  Triangulation triangulation;
+  for (FillScene::Fill fill = 1; fill < scene.end(); ++fill) {
+    const auto p = scene.vertices(fill);
+    if (p.size() == 3) {
+      triangles.corners.insert(triangles.corners.end(), p.begin(), p.end());
+      triangles.fills.push_back(fill);
+      continue;
+    }
+    for (const Triangulation::Triangle& t : triangulation.triangulate(p)) {
+      for (const std::uint32_t corner : t.vertex) triangles.corners.push_back(p[corner]);
+      triangles.fills.push_back(fill);
+    }
+  }
+  return triangles;
+}
+
+}  // namespace displayfile::bench

@@ -9,7 +9,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hidden/hidden_method.h"
@@ -205,6 +207,123 @@ TEST_F(Bench, PageHoldsEveryFigure) {
   }
   EXPECT_EQ(page.find("<script"), page.npos);
   EXPECT_EQ(page.find("http"), page.npos);
+}
+
+std::string block(const std::string& name, const std::string& text) {
+  return fmt::format("<!-- bench: {} -->\n{}<!-- bench: end -->\n", name, text);
+}
+
+/// A line of Markdown as the page has it.
+std::string on_page(const std::string& line) {
+  if (!line.starts_with("| ")) return line;
+  std::string row;
+  for (std::size_t at = 1; at + 1 < line.size();) {
+    const std::size_t end = line.find('|', at);
+    row += "<td>" + (end - at < 3 ? "" : line.substr(at + 1, end - at - 2));
+    at = end + 1;
+  }
+  return row;
+}
+
+TEST_F(Bench, WritesAReadmesBlocksFromTheReport) {
+  const std::string before = "# A title\n\n", after = "\n| no | block |\n";
+  const std::vector<std::string> names{"methods", "auto", "wrong-pixels", "exactness", "pieces"};
+  std::string readme = before;
+  for (const std::string& name : names) readme += block(name, "old\n\n| old |\n") + after;
+  write("R.md", readme);
+  ASSERT_EQ(run(kTiny + "--threads 1 --json b.json -o p.html --readme R.md"), 0) << err_;
+  const std::string written = read(folder_ / "R.md"), page = read(folder_ / "p.html");
+  EXPECT_EQ(written.find("old"), written.npos);
+  EXPECT_TRUE(written.starts_with(before));
+  EXPECT_TRUE(written.ends_with(after));
+  std::size_t rows = 0;
+  for (const std::string& name : names) {
+    const std::string open = block(name, "").substr(0, block(name, "").find('\n') + 1);
+    const std::size_t start = written.find(open);
+    ASSERT_NE(start, written.npos) << name;
+    const std::size_t end = written.find("<!-- bench: end -->\n" + after, start);
+    ASSERT_NE(end, written.npos) << name;
+    std::istringstream lines(written.substr(start + open.size(), end - start - open.size()));
+    bool head = true;
+    for (std::string line; std::getline(lines, line);) {
+      const bool is_row = line.starts_with("| ");
+      if (line.starts_with("|--") || (is_row && std::exchange(head, false))) continue;
+      EXPECT_NE(page.find(on_page(line)), page.npos) << name << ": " << on_page(line);
+      rows += is_row;
+    }
+  }
+  EXPECT_GT(rows, 20u);
+  // Sums of the JSON's counts.
+  const Json report = json("b.json");
+  std::map<std::string, int> wrong;
+  for (const Json& cell : report["cells"]) {
+    const std::string scene = cell["scene"];
+    if (!scene.starts_with("cycle_of_3 ") || cell.contains("skipped")) continue;
+    wrong[cell["method"].get<std::string>() + ' ' + cell["precision"].get<std::string>()] +=
+        cell["wrong_pixels"].get<int>();
+  }
+  EXPECT_GT(wrong.at("none "), 0);
+  EXPECT_NE(written.find(fmt::format("| none | | | | | {} |", wrong.at("none "))), written.npos)
+      << written;
+  EXPECT_NE(written.find(fmt::format("| bsp | 0 | {} | {} | {} | |", wrong.at("bsp roundoff=1e-12"),
+                                     wrong.at("bsp roundoff=1e-9"), wrong.at("bsp roundoff=1e-6"))),
+            written.npos)
+      << written;
+  // The same again: only figures change.
+  ASSERT_EQ(run(kTiny + "--threads 1 --readme R.md"), 0) << err_;
+  EXPECT_EQ(std::ranges::count(read(folder_ / "R.md"), '\n'), std::ranges::count(written, '\n'));
+}
+
+/// How many times as fast the exact z-buffer is as OSMesa follows from the cells.
+TEST_F(Bench, SpeedIsThatOfThePeersOverTheReference) {
+  write("R.md", block("speed", ""));
+  const std::string bench = "bench soup --polygons 24 --sizes 48 --rounds 1 --threads 1 ";
+  const int status = run(bench + "--json b.json --readme R.md");
+  const Json report = json("b.json");
+  if (report["environment"]["OSMesa"].get<std::string>().find("bits") == std::string::npos &&
+      report["environment"]["Embree"] == "not in this build") {
+    EXPECT_EQ(status, 2);
+    GTEST_SKIP() << "no peer to be held against";
+  }
+  ASSERT_EQ(status, 0) << err_;
+  const std::string written = read(folder_ / "R.md");
+  EXPECT_NE(written.find(
+                fmt::format("| soup | {} | 48 x 48 |", report["scenes"][0]["polygons"].get<int>())),
+            written.npos)
+      << written;
+  for (const Json& cell : report["cells"]) {
+    if (cell["method"] != "osmesa" || cell["precision"] != "24 bits") continue;
+    const double ratio = cell["time"]["median"];
+    EXPECT_NE(written.find(fmt::format("48 x 48 | {:.{}f} |", ratio,
+                                       ratio < 1.0    ? 2
+                                       : ratio < 9.95 ? 1
+                                                      : 0)),
+              written.npos)
+        << written << ratio;
+  }
+}
+
+TEST_F(Bench, RefusesAReadmeThatIsNotMarkedWell) {
+  const auto refused = [&](const std::string& text, const std::string& words) {
+    write("R.md", text);
+    expect_error("bench soup --polygons 9 --sizes 8 --readme R.md", words);
+    EXPECT_EQ(read(folder_ / "R.md"), text);
+  };
+  refused("a\n" + block("sped", "x\n"), "R.md:2: no such block 'sped'");
+  refused("a\n\n<!-- bench: auto -->\nx\n", "R.md:3: the block 'auto' has no end");
+  refused("<!-- bench: auto -->\n" + block("speed", ""), "R.md:1: the block 'auto' has no end");
+  refused("a\n<!-- bench: end -->\n", "R.md:2: the end of no block");
+  refused("a\n", "R.md: no block");
+  expect_error("bench soup --readme nowhere.md", "nowhere.md");
+  // A run without figures for a block.
+  const std::string text = "a\n" + block("wrong-pixels", "x\n");
+  write("R.md", text);
+  EXPECT_EQ(run("bench soup --polygons 9 --sizes 8 --rounds 1 --threads 1 --methods none "
+                "--readme R.md"),
+            2);
+  EXPECT_NE(err_.find("R.md:2: this run has no figures for the block 'wrong-pixels'"), err_.npos)
+      << err_;
+  EXPECT_EQ(read(folder_ / "R.md"), text);
 }
 
 TEST_F(Bench, AnInterruptedRunGoesOn) {

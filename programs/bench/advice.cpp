@@ -117,11 +117,13 @@ std::optional<Advice> game_level(const Report& report) {
       report, rows, [&](const Column& c) { return c.exact || retained(c); },
       [](const Cell& cell) { return std::optional(cell.again->median); });
   if (times.empty()) return std::nullopt;
-  Advice advice{"A game level walked through",
-                times.front().column.name(),
-                fmt::format("each view is a new one; time of {} polygons in {} views: {}",
-                            rows.front()->polygons, kViewsOfWalk, first_of(times)),
-                {}};
+  Advice advice{
+      "A game level walked through",
+      times.front().column.name(),
+      fmt::format("each view is a new one; {} wrong pixels in {} views of {} polygons; time: {}",
+                  wrong_in(rows, times.front().column), kViewsOfWalk, rows.front()->polygons,
+                  first_of(times)),
+      {}};
   std::string list;
   for (const Mean& mean : times) {
     list += fmt::format("{}{} {} ({} wrong pixels)", list.empty() ? "" : ", ", mean.column.name(),

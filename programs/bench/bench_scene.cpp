@@ -87,9 +87,15 @@ void add_hard_case(const HardCase& family, const SceneChoice& choice,
   }
 }
 
+/// Fewer than of a generated scene: there may be many inputs.
+std::vector<int> input_sizes(const SceneChoice& choice) {
+  if (choice.sizes.empty() && !choice.full) return {256, 1024};
+  return picture_sizes("", choice);
+}
+
 void add_input(const std::string& path, const SceneChoice& choice,
                std::vector<BenchScene>& scenes) {
-  for (const int size : picture_sizes(path, choice)) {
+  for (const int size : input_sizes(choice)) {
     scenes.push_back({BenchScene::Kind::input, path, 0, 0.0, false, size});
   }
   scenes.back().make();  // throws now, not in the middle of a run

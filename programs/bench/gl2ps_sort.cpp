@@ -114,7 +114,7 @@ std::optional<std::string> Gl2psSort::version() {
 }
 
 double Gl2psSort::sort() const {
-  Page page(corners_, window_, GL2PS_TEX);
+  Page page(corners, window, GL2PS_TEX);
   return seconds([&] { page.end(); });
 }
 
@@ -122,12 +122,12 @@ bool Gl2psSort::ends() const {
   const pid_t child = fork();
   if (child < 0) throw Error("gl2ps: no process can be started to try it in");
   if (child == 0) {
-    const double limit = 1.0 + 3e-4 * static_cast<double>(corners_.size()) / 3.0;
+    const double limit = 1.0 + 3e-4 * static_cast<double>(corners.size()) / 3.0;
     itimerval timer{};
     timer.it_value.tv_sec = static_cast<time_t>(std::ceil(limit));
     setitimer(ITIMER_PROF, &timer, nullptr);  // its signal ends the process
     try {
-      Page(corners_, window_, GL2PS_TEX).end();
+      Page(corners, window, GL2PS_TEX).end();
     } catch (const Error&) {
       _exit(1);
     }
@@ -140,8 +140,8 @@ bool Gl2psSort::ends() const {
 }
 
 std::vector<Gl2psSort::Piece> Gl2psSort::pieces() const {
-  if (corners_.size() / 3 > kSteps * kSteps * kSteps) throw Error("gl2ps: too many triangles");
-  Page page(corners_, window_, GL2PS_PGF);
+  if (corners.size() / 3 > kSteps * kSteps * kSteps) throw Error("gl2ps: too many triangles");
+  Page page(corners, window, GL2PS_PGF);
   page.end();
   constexpr std::string_view kColour = "\\color[rgb]", kMove = "\\pgfpathmoveto{\\pgfpoint",
                              kLine = "\\pgflineto{\\pgfpoint";
@@ -157,7 +157,7 @@ std::vector<Gl2psSort::Piece> Gl2psSort::pieces() const {
     if (!moves && !text.starts_with(kLine)) continue;
     if (moves) pieces.push_back({triangle, {}});
     const auto [x, y] = numbers_after<2>(text.data() + (moves ? kMove : kLine).size());
-    pieces.back().corners.emplace_back(x / window_.width, y / window_.height);
+    pieces.back().corners.emplace_back(x / window.width, y / window.height);
   }
   return pieces;
 }

@@ -14,14 +14,12 @@ namespace displayfile::bench {
 /// gl2ps's BSP sort (Geuzaine, gl2ps 1.4), in this process. It gets triangles as they come out of
 /// an OpenGL feedback buffer, in window coordinates, in pixels, and in single precision; no OpenGL
 /// is involved. Its state is global: one page at a time.
-class Gl2psSort {
- public:
+struct Gl2psSort {
+  std::span<const Point3> corners;  ///< three a triangle, in normalised device coordinates
+  PictureSize window;
+
   /// gl2ps's version; nothing if this build has no gl2ps.
   static std::optional<std::string> version();
-
-  /// Three corners a triangle, in normalised device coordinates.
-  Gl2psSort(std::span<const Point3> corners, const PictureSize& window)
-      : corners_(corners), window_(window) {}
 
   /// Hands the triangles over and sorts them, in a format that writes no polygons (GL2PS_TEX):
   /// depth is rescaled, the tree built, traversed and freed. Returns the seconds without the
@@ -41,10 +39,6 @@ class Gl2psSort {
   /// six after the point, of pixels. Throws Error for more than 2^24 triangles, whose numbers stand
   /// in the colours.
   std::vector<Piece> pieces() const;
-
- private:
-  std::span<const Point3> corners_;
-  PictureSize window_;
 };
 
 }  // namespace displayfile::bench

@@ -75,13 +75,13 @@ class Gl2psDrawing : public Drawing {
   void draw_anew() override {
     scene_ = FillScene(file_);
     triangles_ = in_triangles(scene_);
-    const Gl2psSort gl2ps(triangles_.corners, size_);
+    const Gl2psSort gl2ps{triangles_.corners, size_};
     if (!tried_ && !gl2ps.ends()) throw CannotDraw{"gl2ps's sort does not come to an end"};
     tried_ = true;
     gl2ps.sort();
   }
   Picture judged() override {
-    const auto pieces = Gl2psSort(triangles_.corners, size_).pieces();
+    const auto pieces = Gl2psSort{triangles_.corners, size_}.pieces();
     count_ = pieces.size();
     RasterRequest request;
     request.width = size_.width;

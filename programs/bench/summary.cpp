@@ -146,8 +146,11 @@ std::optional<Summary> speed(const Report& report) {
       "Speed beside others",
       "How many times as fast the exact z-buffer is as OSMesa with 24 bits of depth and as "
       "Embree's "
-      "primary rays, from the same display file, on one thread each. A first picture makes "
-      "everything anew; again is the same picture with what is kept of it.",
+      "primary rays, from the same display file, on one thread each, by the processor's time. A "
+      "first picture makes everything anew: OSMesa's its context and its vertex buffers, and it is "
+      "read back; Embree's its scene. Again is the same picture with what is kept, OSMesa's not "
+      "read "
+      "back.",
       {{"scene", "polygons", "picture", "OSMesa, first", "OSMesa, again"}}};
   Row& head = summary.rows.front();
   if (threads > 1) head.push_back(fmt::format("OSMesa, first, ours on {} threads", threads));
@@ -187,7 +190,7 @@ std::optional<Summary> exactness(const Report& report) {
   const Row precisions = roundoffs(all);
   Summary summary{"exactness",
                   "What exactness costs",
-                  "A method's time when it decides exactly, over its time with a ROUNDOFF: the "
+                  "The time of a method that decides exactly, over its time with a ROUNDOFF: the "
                   "geometric mean over the scenes that were measured with both, and the least and "
                   "the greatest.",
                   {{"method"}}};
@@ -263,8 +266,8 @@ std::optional<Summary> pieces(const Report& report) {
 std::optional<Summary> methods(const Report& report) {
   Summary summary{"methods",
                   "Methods",
-                  "What is fastest of what is exact; times are in those of " + report.reference +
-                      ", geometric means over the scenes.",
+                  "Which method when, from this run alone; times are in those of " +
+                      report.reference + ", geometric means over the scenes.",
                   {{"for", "use", "why"}}};
   for (const Advice& a : advice(report)) summary.rows.push_back({a.purpose, a.use, a.reason});
   if (summary.rows.size() == 1) return std::nullopt;

@@ -154,11 +154,10 @@ std::optional<Advice> huge_image(const Report& report) {
   }
   const auto times = means(report, rows, is_exact, time_of);
   if (rows.empty() || times.empty()) return std::nullopt;
-  Advice advice{
-      "A huge image",
-      times.front().column.name(),
-      fmt::format("grows least with the pixels; time at {} pixels: {}", pixels, first_of(times)),
-      {}};
+  Advice advice{"A huge image",
+                times.front().column.name(),
+                fmt::format("time at {} pixels: {}", pixels, first_of(times)),
+                {}};
   advice.why.push_back(fmt::format(
       "At {} pixels, the most of this run, the exact methods take, in reference times (geometric "
       "mean over {} scenes): {}. Wrong pixels of {} there: {}.",

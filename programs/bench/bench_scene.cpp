@@ -89,7 +89,7 @@ void add_hard_case(const HardCase& family, const SceneChoice& choice,
 
 /// Fewer than of a generated scene: there may be many inputs.
 std::vector<int> input_sizes(const SceneChoice& choice) {
-  if (choice.sizes.empty() && !choice.full) return {256, 1024};
+  if (choice.sizes.empty() && !choice.full) return {256, 512, 1024};
   return picture_sizes("", choice);
 }
 
@@ -121,6 +121,15 @@ void add_named(const std::string& name, const SceneChoice& choice,
       fmt::format("{}: no such scene or file: expected one of {}, a family of hard cases "
                   "such as cycle_of_3 or parallel_sheets, a drawing program or a mesh",
                   name, generated + std::string(kWalk)));
+}
+
+/// All generated scenes, the walk and all hard cases.
+std::vector<std::string> default_names() {
+  std::vector<std::string> names;
+  for (const GeneratedScene& scene : generated_scenes()) names.emplace_back(scene.name);
+  names.emplace_back(kWalk);
+  for (const HardCase& family : hard_cases()) names.emplace_back(family.name);
+  return names;
 }
 
 DisplayFile as_entered(const GraphicsSystem& system) {
@@ -156,15 +165,6 @@ DisplayFile BenchScene::make() const {
   GraphicsSystem system;
   enter_inputs(std::span(&name, 1), system);
   return as_entered(system);
-}
-
-/// All generated scenes, the walk and all hard cases.
-static std::vector<std::string> default_names() {
-  std::vector<std::string> names;
-  for (const GeneratedScene& scene : generated_scenes()) names.emplace_back(scene.name);
-  names.emplace_back(kWalk);
-  for (const HardCase& family : hard_cases()) names.emplace_back(family.name);
-  return names;
 }
 
 std::vector<BenchScene> chosen_scenes(const SceneChoice& choice) {

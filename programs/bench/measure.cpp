@@ -23,10 +23,8 @@ struct Measurer::Scene {
 
   explicit Scene(const BenchScene& s);
   std::unique_ptr<Drawing> drawing(const Contender& contender, int threads) const;
-  /// Polygons and pixels: what a method's time may be expected to grow with.
-  double work() const {
-    return static_cast<double>(file.polygons()) * static_cast<double>(scene.pixels());
-  }
+  double polygons() const { return static_cast<double>(file.polygons()); }
+  double pixels() const { return static_cast<double>(scene.pixels()); }
 };
 
 namespace {
@@ -133,16 +131,19 @@ Spread Measurer::growth() {
       first_->reference_seconds, [&] { first_->reference->draw_anew(); });
 }
 
-/// What took long on a smaller scene of the name, and may take four times as long on twice the
-/// work.
+/// What took long on a smaller scene of the name: it may take twice as long on twice the pixels,
+/// and four times as long on twice the polygons.
 bool Measurer::too_long(const CellKey& key) const {
   constexpr double kTimesTheMost = 5.0;
   const auto longest = longest_.find(key_text(key));
   const bool grows = scene_->scene.kind != BenchScene::Kind::hard_case;
   if (!grows || longest == longest_.end()) return false;
-  const double growth = std::max(1.0, scene_->work() / longest->second.work);
-  return longest->second.seconds * growth * growth > kTimesTheMost * effort_.most_seconds &&
-         longest->second.seconds * growth > effort_.most_seconds;
+  const Longest& before = longest->second;
+  const double of_polygons = std::max(1.0, scene_->polygons() / before.polygons);
+  const double of_pixels = std::max(1.0, scene_->pixels() / before.pixels);
+  const double growth = of_polygons * of_pixels;
+  return before.seconds * growth * of_polygons > kTimesTheMost * effort_.most_seconds &&
+         before.seconds * growth > effort_.most_seconds;
 }
 
 void Measurer::compare(const Picture& picture, Cell& cell) const {
@@ -189,7 +190,7 @@ void Measurer::measure(const Contender& contender, Cell& cell) {
   const auto drawing = scene_->drawing(contender, threads);
   const double once = seconds_once([&] { drawing->draw_anew(); });
   Longest& longest = longest_[key_text(cell.key)];
-  if (once >= longest.seconds) longest = {once, scene_->work()};
+  if (once >= longest.seconds) longest = {once, scene_->polygons(), scene_->pixels()};
   if (contender.counted) count(*drawing, cell);
   compare(drawing->judged(), cell);
   if (const auto pieces = drawing->pieces()) {

@@ -44,7 +44,7 @@ class Measurer {
   /// Seconds of the first picture, by method, precision and threads: what was the largest so far
   /// of the same name.
   struct Longest {
-    double seconds, work;
+    double seconds, polygons, pixels;
   };
   std::map<std::string, Longest> longest_;
 };

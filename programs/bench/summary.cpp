@@ -255,7 +255,7 @@ std::optional<Summary> pieces(const Report& report) {
     bool any = false;
     for (const Column& column : sorts) {
       const auto each = fragments(report, *shown, column);
-      row.push_back(each ? number(*each) : "");
+      row.push_back(each ? fmt::format("{:g}", *each) : "");
       any = any || each;
     }
     if (any) summary.rows.push_back(std::move(row));

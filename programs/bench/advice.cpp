@@ -72,9 +72,21 @@ std::int64_t wrong_in(const Rows& rows, const Column& column) {
   return wrong;
 }
 
+/// Those on which no exact sort was left out for taking too long.
+Rows sorted_by_all(const Report& report) {
+  Rows rows = still_scenes(report);
+  std::erase_if(rows, [](const SceneRow* row) {
+    return std::ranges::any_of(row->cells, [](const Cell& cell) {
+      const bool sorts = cell.key.method == "bsp" || cell.key.method == "depth-sort";
+      return cell.exact && sorts && !cell.skipped.empty();
+    });
+  });
+  return rows;
+}
+
 /// Only what sorts can be written as vectors.
 std::optional<Advice> plot_in_a_paper(const Report& report) {
-  const Rows rows = still_scenes(report);
+  const Rows rows = sorted_by_all(report);
   const auto fragments =
       means(report, rows, is_exact, [](const Cell& cell) { return cell.fragments; });
   if (rows.empty() || fragments.empty()) return std::nullopt;

@@ -211,7 +211,7 @@ int BenchCommand::run() const {
   setenv("LP_NUM_THREADS", "0", 0);
   Run measuring(*this, chosen_scenes(scenes));
   Report report = measuring.report();
-  if (features.value_or(scenes.names.empty())) report.features = counted_features();
+  if (features.value_or(has_default(scenes))) report.features = counted_features();
   if (!json.empty()) write_text(json, to_json(report).dump(1) + '\n');
   write_text(page, html_page(report));
   // Read anew: a long run is time enough to edit it.

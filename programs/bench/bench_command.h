@@ -19,7 +19,7 @@ struct BenchCommand {
   std::string page = "report.html";
   std::string json;    ///< not written if empty
   std::string readme;  ///< whose blocks are rewritten; none if empty
-  /// Whether the costs of features are measured; not set: if no scenes are chosen.
+  /// Whether the costs of features are measured; not set: with the default scenes.
   std::optional<bool> features;
   bool features_under_callgrind = false;  ///< only draws what callgrind counts, for `features`
 

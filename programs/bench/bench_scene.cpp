@@ -167,6 +167,10 @@ DisplayFile BenchScene::make() const {
   return as_entered(system);
 }
 
+bool has_default(const SceneChoice& choice) {
+  return choice.names.empty() || std::ranges::find(choice.names, kDefault) != choice.names.end();
+}
+
 std::vector<BenchScene> chosen_scenes(const SceneChoice& choice) {
   std::vector<std::string> names = choice.names;
   if (names.empty()) names.emplace_back(kDefault);

@@ -36,6 +36,9 @@ struct SceneChoice {
   bool full = false;
 };
 
+/// True if those are among them that are measured when none is named.
+bool has_default(const SceneChoice& choice);
+
 /// The scenes, those of one name after each other, the smallest of them first. Throws Error for a
 /// name that is neither a scene's nor a file's.
 std::vector<BenchScene> chosen_scenes(const SceneChoice& choice);

@@ -345,6 +345,11 @@ PlyHeader ply_header(Text& text) {
       if (type == "list") property.list_size = ply_size(text.field(), text);
       property.size = ply_size(type == "list" ? text.field() : type, text);
       header.elements.back().properties.push_back(property);
+    } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
+      // The library looks for the end of what it does not know, and may never find it.
+      text.fail(keyword,
+                fmt::format("{}: expected format, element, property, comment or end_header",
+                            Text::quoted(keyword)));
     }
   }
   text.fail(text.at(), "end of file: expected end_header");

@@ -10,6 +10,7 @@ namespace displayfile {
 ///   OBJ          indices and coordinates, each checked;
 ///   OFF          announced counts against the lines that follow, corners of a face, indices,
 ///                coordinates;
+///   PLY          the header's keywords;
 ///   PLY, STL     announced counts, lists included, against the bytes that follow.
 /// Other formats are left to the library. Throws Error with file, line and column (text) or
 /// file alone (binary), and what was expected.

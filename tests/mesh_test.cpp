@@ -239,6 +239,9 @@ TEST_F(MeshTest, TruncatedFiles) {
 TEST_F(MeshTest, FilesThatAnnounceTooMuch) {
   expect_refused(file("vertices.off", "OFF\n1000000000 1 0\n0 0 0\n"), ":2:1: 1000000000 vertices");
   expect_refused(file("faces.off", "OFF\n1 1000000000 0\n0 0 0\n"), ":2:3: 1000000000 faces");
+  expect_refused(
+      file("keyword.ply", "ply\nformat ascii 1.0\nelement face 0\nproprety x\nend_header\n"),
+      ":4:1:");
   expect_refused(file("no_corners.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n0\n"), ":6:1:");
   expect_refused(
       file("ten_corners.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n10 0 1 2 0 1 2 0 1 2 0\n"),

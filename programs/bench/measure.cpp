@@ -131,8 +131,8 @@ Spread Measurer::growth() {
       first_->reference_seconds, [&] { first_->reference->draw_anew(); });
 }
 
-/// What took long on a smaller scene of the name: it may take twice as long on twice the pixels,
-/// and four times as long on twice the polygons.
+/// What took longer on a smaller scene of the name than on the least: that part may take twice as
+/// long on twice the pixels, and four times as long on twice the polygons.
 bool Measurer::too_long(const CellKey& key) const {
   constexpr double kTimesTheMost = 5.0;
   const auto longest = longest_.find(key_text(key));
@@ -141,9 +141,8 @@ bool Measurer::too_long(const CellKey& key) const {
   const Longest& before = longest->second;
   const double of_polygons = std::max(1.0, scene_->polygons() / before.polygons);
   const double of_pixels = std::max(1.0, scene_->pixels() / before.pixels);
-  const double growth = of_polygons * of_pixels;
-  return before.seconds * growth * of_polygons > kTimesTheMost * effort_.most_seconds &&
-         before.seconds * growth > effort_.most_seconds;
+  const double grown = (before.seconds - before.least_seconds) * of_polygons * of_pixels;
+  return grown * of_polygons > kTimesTheMost * effort_.most_seconds && grown > effort_.most_seconds;
 }
 
 void Measurer::compare(const Picture& picture, Cell& cell) const {
@@ -190,7 +189,10 @@ void Measurer::measure(const Contender& contender, Cell& cell) {
   const auto drawing = scene_->drawing(contender, threads);
   const double once = seconds_once([&] { drawing->draw_anew(); });
   Longest& longest = longest_[key_text(cell.key)];
-  if (once >= longest.seconds) longest = {once, scene_->polygons(), scene_->pixels()};
+  longest.least_seconds = std::min(longest.least_seconds, once);
+  if (once >= longest.seconds) {
+    longest = {once, longest.least_seconds, scene_->polygons(), scene_->pixels()};
+  }
   if (contender.counted) count(*drawing, cell);
   compare(drawing->judged(), cell);
   if (const auto pieces = drawing->pieces()) {

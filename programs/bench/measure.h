@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -41,10 +42,11 @@ class Measurer {
   Effort effort_;
   std::unique_ptr<Scene> scene_;
   std::unique_ptr<Scene> first_;  ///< of the same name
-  /// Seconds of the first picture, by method, precision and threads: what was the largest so far
+  /// Seconds of the first picture, by method, precision and threads: the most and the least so far
   /// of the same name.
   struct Longest {
-    double seconds, polygons, pixels;
+    double seconds = 0.0, least_seconds = std::numeric_limits<double>::infinity();
+    double polygons = 1.0, pixels = 1.0;
   };
   std::map<std::string, Longest> longest_;
 };

@@ -126,9 +126,13 @@ class Page {
       if (summary.rows.empty()) continue;
       text += "<div class='wide'><table>\n";
       for (const auto& cells : summary.rows) {
-        std::vector<std::string> shown;
-        for (const std::string& cell : cells) shown.push_back(escaped(cell));
-        text += row(&cells == &summary.rows.front() ? "th" : "td", shown);
+        const char* const tag = &cells == &summary.rows.front() ? "th" : "td";
+        text += "<tr>";
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+          const char* const side = summary.is_of_numbers(i) ? "" : " class='l'";
+          text += fmt::format("<{}{}>{}", tag, side, escaped(cells[i]));
+        }
+        text += '\n';
       }
       text += "</table></div>\n";
     }

@@ -32,20 +32,12 @@ std::string table_row(const std::vector<std::string>& cells) {
   return text + '\n';
 }
 
-/// Numbers stand to the right.
-bool is_of_numbers(const Summary& summary, std::size_t column) {
-  return std::ranges::all_of(summary.rows.begin() + 1, summary.rows.end(), [&](const auto& row) {
-    return row[column].empty() ||
-           std::string_view("0123456789").find(row[column].front()) != std::string_view::npos;
-  });
-}
-
 std::string markdown(const Summary& summary) {
   std::string text = summary.text + '\n';
   if (summary.rows.empty()) return text;
   text += '\n' + table_row(summary.rows.front()) + '|';
   for (std::size_t i = 0; i < summary.rows.front().size(); ++i) {
-    text += is_of_numbers(summary, i) ? "---:|" : "---|";
+    text += summary.is_of_numbers(i) ? "---:|" : "---|";
   }
   text += '\n';
   for (std::size_t i = 1; i < summary.rows.size(); ++i) text += table_row(summary.rows[i]);

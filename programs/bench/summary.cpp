@@ -302,6 +302,13 @@ constexpr std::array kEntries{
 
 }  // namespace
 
+bool Summary::is_of_numbers(std::size_t column) const {
+  return std::ranges::all_of(rows.begin() + 1, rows.end(), [&](const auto& row) {
+    return row[column].empty() ||
+           std::string_view("0123456789").find(row[column].front()) != std::string_view::npos;
+  });
+}
+
 std::vector<Summary> summaries(const Report& report) {
   std::vector<Summary> all;
   for (const Entry& entry : kEntries) {

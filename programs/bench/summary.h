@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct Summary {
   std::string text;   ///< before the table; plain
   /// The first is the head; none: no table.
   std::vector<std::vector<std::string>> rows;
+
+  /// Of a column of the table: numbers stand to the right.
+  bool is_of_numbers(std::size_t column) const;
 };
 
 /// Those that the report has figures for.

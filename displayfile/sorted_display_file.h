@@ -31,7 +31,7 @@ class SortedDisplayFile {
  public:
   /// Brings it up to date with the application's display file.
   ///
-  /// `method` is the method in force, `automatic` replaced by what it means. If it sorts,
+  /// `method` is the method in force, `automatic` replaced by what it means if that sorts. If so,
   ///  - a method that the application set leaves the segments as close-segment left them, unless
   ///    the scope is all; only a segment that has an image transformation since, or is asked for
   ///    in another precision, is sorted again, as its transformed points are others;

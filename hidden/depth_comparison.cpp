@@ -1,7 +1,9 @@
 #include "hidden/depth_comparison.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "hidden/exact_point.h"
@@ -27,6 +29,21 @@ double scaled(const ExactNumber& number, std::int64_t exponent) {
                     static_cast<int>(std::max(leading.exponent - exponent, kVanishes)));
 }
 
+/// The lowest binary digit that is not zero: number / 2^that is whole. The number is all leading
+/// digits.
+std::int64_t lowest_digit(const ExactNumber::Leading& number) {
+  const auto digits = static_cast<std::int64_t>(std::ldexp(number.mantissa, 53));
+  return number.exponent - 53 + std::countr_zero(static_cast<std::uint64_t>(digits));
+}
+
+template <class Difference>
+int sign_at(const Difference& d, const ExactProjector& projector) {
+  return (d.slope_x * projector.x + d.slope_y * projector.y + d.constant * projector.w).sign();
+}
+
+/// Three products of 62 bits, 31 and 30 are added without loss.
+__extension__ using Wide = __int128;
+
 Predicate predicate_at(const PixelCentre&) { return Predicate::depth_at_pixel; }
 Predicate predicate_at(const Point2&) { return Predicate::depth_at_point; }
 
@@ -47,9 +64,20 @@ DepthComparison::Difference::Difference(const Plane& a, const Plane& b) {
   if (is_zero()) return;
   const std::int64_t largest =
       std::max({exponent_of(slope_x), exponent_of(slope_y), exponent_of(constant)});
-  near_x = scaled(slope_x, largest);
-  near_y = scaled(slope_y, largest);
-  near_constant = scaled(constant, largest);
+  near = {scaled(slope_x, largest), scaled(slope_y, largest), scaled(constant, largest)};
+
+  std::int64_t lowest = largest;
+  for (const ExactNumber* number : {&slope_x, &slope_y, &constant}) {
+    const ExactNumber::Leading leading = number->leading();
+    if (!leading.is_all) return;
+    if (leading.mantissa != 0.0) lowest = std::min(lowest, lowest_digit(leading));
+  }
+  constexpr std::int64_t kWholeBits = 62;
+  if (largest - lowest > kWholeBits) return;
+  const auto in_whole = [&](double part) {
+    return static_cast<std::int64_t>(std::ldexp(part, static_cast<int>(largest - lowest)));
+  };
+  whole = {in_whole(near.slope_x), in_whole(near.slope_y), in_whole(near.constant)};
 }
 
 bool DepthComparison::Difference::is_zero() const {
@@ -58,10 +86,11 @@ bool DepthComparison::Difference::is_zero() const {
 
 int DepthComparison::Difference::filtered(const Position& at) const {
   constexpr double kVanished = 0x1p-700;  // coefficients far smaller than the largest
-  const double x = near_x * at.x, y = near_y * at.y;
-  const double value = x + y + near_constant;
-  const double bound = 6.0 * kUnit * (std::abs(x) + std::abs(y) + std::abs(near_constant)) +
-                       2.0 * at.error * (std::abs(near_x) + std::abs(near_y)) + kVanished;
+  const double x = near.slope_x * at.x, y = near.slope_y * at.y;
+  const double value = x + y + near.constant;
+  const double bound = 6.0 * kUnit * (std::abs(x) + std::abs(y) + std::abs(near.constant)) +
+                       2.0 * at.error * (std::abs(near.slope_x) + std::abs(near.slope_y)) +
+                       kVanished;
   return std::abs(value) > bound * kInflate ? decided_sign(value) : 0;
 }
 
@@ -78,10 +107,21 @@ int DepthComparison::exact(const At& at) {
   }
   if (difference_->is_zero()) return 0;
   count_exact(predicate_at(at));
-  const ExactProjector projector(at);
-  return (difference_->slope_x * projector.x + difference_->slope_y * projector.y +
-          difference_->constant * projector.w)
-      .sign();
+  return difference_->exact(at);
+}
+
+int DepthComparison::Difference::exact(const Point2& at) const {
+  return sign_at(*this, ExactProjector(at));
+}
+
+/// Times twice the width and the height of the picture, to be whole.
+int DepthComparison::Difference::exact(const PixelCentre& centre) const {
+  if (!whole) return sign_at(*this, ExactProjector(centre));
+  const Wide width = centre.size.width, height = centre.size.height;
+  const Wide value = whole->slope_x * ((2 * Wide{centre.column} + 1) * height) +
+                     whole->slope_y * ((2 * Wide{centre.row} + 1) * width) +
+                     whole->constant * (2 * width * height);
+  return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
 
 template int DepthComparison::exact(const PixelCentre&);

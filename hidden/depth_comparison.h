@@ -41,15 +41,32 @@ class DepthComparison {
     if (!is_exact()) difference_.emplace(a_, b_);
   }
 
+  /// What exact arithmetic found: za - zb at (x, y) is x slope_x + y slope_y + constant times some
+  /// positive number. Each is rounded once or twice; the largest is from 1/2 to 1, or all are zero.
+  struct Linear {
+    double slope_x = 0.0, slope_y = 0.0, constant = 0.0;
+  };
+  std::optional<Linear> rounded() const {
+    return is_exact() ? std::optional(difference_->near) : std::nullopt;
+  }
+
  private:
   /// A positive multiple of za - zb at (x, y): slope_x x + slope_y y + constant.
   struct Difference {
     Difference(const Plane& a, const Plane& b);
     bool is_zero() const;  ///< one plane
     int filtered(const Position& at) const;
+    int exact(const PixelCentre& centre) const;
+    int exact(const Point2& at) const;
 
     ExactNumber slope_x, slope_y, constant;
-    double near_x = 0.0, near_y = 0.0, near_constant = 0.0;  ///< scaled, the largest about 1
+    Linear near;
+    /// In whole numbers of 62 bits, if they fit: planes through points of a grid meet where exact
+    /// arithmetic alone tells, and most of those grids are coarse.
+    struct Whole {
+      std::int64_t slope_x, slope_y, constant;
+    };
+    std::optional<Whole> whole;
   };
 
   int filtered(const Position& at) const {

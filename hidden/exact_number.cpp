@@ -135,13 +135,16 @@ void ExactNumber::drop_leading_zeros() {
 }
 
 ExactNumber::Leading ExactNumber::leading() const {
-  if (sign_ == 0) return {0.0, 0};
+  if (sign_ == 0) return {0.0, 0, true};
   const std::uint64_t* p = limbs() + count_;
   const int zeros = std::countl_zero(p[-1]);
   std::uint64_t digits = p[-1] << zeros;
   if (zeros > 0 && count_ > 1) digits |= p[-2] >> (kLimbBits - zeros);
   const auto mantissa = static_cast<double>(digits >> (kLimbBits - kMantissaBits)) * 0x1p-53;
-  return {sign_ * mantissa, exponent_ + std::int64_t{kLimbBits} * count_ - zeros};
+  std::uint64_t rest = digits << kMantissaBits;
+  if (count_ > 1) rest |= p[-2] << zeros;
+  for (int k = 3; k <= count_; ++k) rest |= p[-k];
+  return {sign_ * mantissa, exponent_ + std::int64_t{kLimbBits} * count_ - zeros, rest == 0};
 }
 
 ExactNumber ExactNumber::operator-() const {

@@ -29,6 +29,7 @@ class ExactNumber {
   struct Leading {
     double mantissa;
     std::int64_t exponent;
+    bool is_all;  ///< it is the number itself
   };
   Leading leading() const;
 

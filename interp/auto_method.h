@@ -4,6 +4,7 @@
 
 #include "displayfile/display_file.h"
 #include "hidden/hidden_method.h"
+#include "hidden/pixel_centre.h"
 #include "interp/fill_scene.h"
 
 namespace displayfile {
@@ -17,9 +18,13 @@ struct MethodChoice {
   std::string_view reason;
 };
 
-/// The cheapest method that is exact for this scene and picture, of so many pixels' width. A
-/// polygon that is not visible, or edge-on, does not count.
-MethodChoice choose_method(const DisplayFile& display_file, PictureKind kind, int width);
+/// The cheapest method that is exact for this scene and picture. A polygon that is not visible, or
+/// edge-on, does not count.
+MethodChoice choose_method(const DisplayFile& display_file, PictureKind kind,
+                           const PictureSize& size);
+
+/// The same for a picture in pixels whose fills have been collected: an image-space method.
+MethodChoice choose_method(const FillScene& scene, const PictureSize& size);
 
 /// True if no fill can hide another: then any order of drawing is right. What it may cost is linear
 /// in the number of fills; where more would be needed to find out, false.

@@ -1,11 +1,10 @@
 #include "interp/band_z_buffer.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
+#include <cmath>
 #include <limits>
 
-#include "interp/decided_run.h"
 #include "interp/fill_depths.h"
 #include "interp/pair_orders.h"
 #include "interp/scan_convert.h"
@@ -22,20 +21,21 @@ class KnownDepths {
  public:
   KnownDepths(const FillScene& scene, const PictureSize& size) : scene_(scene), size_(size) {}
   const FillDepth& of(Fill fill) {
-    Known& known = known_[fill % kMost];
+    if (known_.empty()) known_.resize(std::bit_ceil(std::min<std::size_t>(scene_.end(), kMost)));
+    Known& known = known_[fill & (known_.size() - 1)];
     if (known.fill != fill) known = {fill, FillDepth(scene_, fill, size_, std::nullopt)};
     return known.depth;
   }
 
  private:
-  static constexpr std::size_t kMost = 32;
+  static constexpr std::size_t kMost = 256;
   struct Known {
     Fill fill = FillScene::kBackground;
     FillDepth depth;
   };
   const FillScene& scene_;
   PictureSize size_;
-  std::array<Known, kMost> known_;
+  std::vector<Known> known_;
 };
 
 /// First in doubles, then by exact arithmetic.
@@ -61,82 +61,85 @@ class ExactDecisions : public ExactRows {
     return spans_;
   }
 
-  int draw(int row, int column, std::uint32_t bits, int end) override {
-    if (own_fill_ != fill_) {
-      own_fill_ = fill_;
-      own_ = known_.of(fill_);
-      met_ = FillScene::kBackground;
+  DepthDifference difference_from(Fill other) override {
+    const PairOrders::Known known = orders_.known(other, fill_);
+    if (known.order != Order::varies) {
+      return {.from = other, .z = known.order == Order::second ? 1.0 : -1.0};
     }
-    const std::size_t start = rows_.index(row, 0);
-    int drawn = column;
+    if (known.earlier_less_later) return exact_difference(other, *known.earlier_less_later);
+    return rounded_difference(other);
+  }
+
+  bool draw(int row, int column, std::uint32_t bits) override {
+    const FillDepth& own = own_depth();
+    const double own_row = own.depth.row(row);
+    const std::size_t learnt = orders_.times_learnt();
     for (; bits != 0; bits &= bits - 1) {
       const int i = column + std::countr_zero(bits);
-      if (i < drawn) continue;
-      const DecidedRun run = decided(row, i, end, rows_.fill + start);
-      drawn = run.end;
-      const auto seen = run.seen_from(i);
-      std::fill(rows_.fill + start + seen.first, rows_.fill + start + seen.end, fill_);
-      store_depths(row, seen.first, seen.end);
+      const std::size_t at = rows_.index(row, i);
+      const double z = own.depth.at(own_row, i);
+      if (!is_seen(row, i, z, rows_.fill[at])) continue;
+      rows_.fill[at] = fill_;
+      rows_.z[at] =
+          fills_[fill_].certain ? static_cast<float>(z) : std::numeric_limits<float>::quiet_NaN();
     }
-    return drawn;
+    return orders_.times_learnt() > learnt;
   }
 
  private:
-  void store_depths(int row, int first, int end) {
-    float* const z = rows_.z + rows_.index(row, 0);
-    if (!fills_[fill_].certain) {
-      std::fill(z + first, z + end, std::numeric_limits<float>::quiet_NaN());
-      return;
-    }
-    const PixelDepth depth = own_.depth;
-    const double row_depth = depth.row(row);
-    for (int i = first; i < end; ++i) z[i] = static_cast<float>(depth.at(row_depth, i));
-  }
-
-  /// Pixels from there on that show the same fill, as many as are decided together.
-  DecidedRun decided(int row, int column, int end, const Fill* fills) {
-    const Fill other = fills[column];
-    if (other == FillScene::kBackground) return {column + 1, column + 1, true};
-    if (met_ != other) {
-      met_ = other;
-      times_met_ = 0;
-      order_ = Order::varies;
-    }
-    // Two that are close in some runs often are in all.
-    if (++times_met_ == kOftenMet) order_ = orders_.order_of(other, fill_);
-    const int end_of_other = end_of_run(column, end, fills);
-    if (order_ != Order::varies) return {end_of_other, end_of_other, order_ == Order::second};
-    const FillDepth& other_depth = known_.of(other);
-    const double own_row = own_.depth.row(row), other_row = other_depth.depth.row(row);
-    const auto nearer = [&](int i) {
-      return own_.depth.at(own_row, i) - other_depth.depth.at(other_row, i);
-    };
-    const double errors = own_.error + other_depth.error;
-    const double slope = own_.depth.dz_dx - other_depth.depth.dz_dx;
-    return run_of(column, end_of_other, meeting(column, nearer(column), slope), [&](int i) {
-      const int order = rounded_order(nearer(i), errors);
-      return order != 0 ? order > 0
-                        : orders_.later_is_seen(other, fill_, PixelCentre(i, row, size_));
-    });
-  }
-
-  /// About the column beyond which a difference that grows by `slope` a column is on the other side
-  /// of zero.
-  static int meeting(int column, double difference, double slope) {
-    constexpr double kFar = 1 << 20;
-    const double columns = -difference / slope;
-    return column + static_cast<int>(columns < kFar ? std::max(columns, 0.0) : kFar);
-  }
-
-  static int end_of_run(int column, int end, const Fill* fills) {
-    const Fill shown = fills[column];
-    int same = column + 1;
-    while (same < end && fills[same] == shown) ++same;
-    return same;
-  }
-
   using Order = PairOrders::Order;
-  static constexpr int kOftenMet = 8;
+
+  const FillDepth& own_depth() {
+    if (own_fill_ != fill_) {
+      own_fill_ = fill_;
+      own_ = known_.of(fill_);
+    }
+    return own_;
+  }
+
+  /// Where the depth of the fill begun is z, and the pixel shows another.
+  bool is_seen(int row, int column, double z, Fill other) {
+    const FillDepth& other_depth = known_.of(other);
+    const double nearer = z - other_depth.depth.at(other_depth.depth.row(row), column);
+    const int order = rounded_order(nearer, own_.error + other_depth.error);
+    return order != 0 ? order > 0
+                      : orders_.later_is_seen(other, fill_, PixelCentre(column, row, size_));
+  }
+
+  /// Of a difference that is known to within `error`, and on the picture no larger than `largest`.
+  static DepthDifference in_single_precision(const DepthDifference& d, double largest,
+                                             double error) {
+    constexpr double kSingle = 0x1p-20, kLeast = 0x1p-900;
+    const double scale = 1.0 / largest;
+    const double bound = error * scale + kSingle;
+    if (!(largest > kLeast && scale > kLeast && bound < 1.0)) {
+      return {.from = d.from, .error = 1.0F};  // nothing is known
+    }
+    return {d.from, d.z * scale, d.dz_dx * scale, d.dz_dy * scale, static_cast<float>(bound)};
+  }
+
+  DepthDifference exact_difference(Fill other, const DepthComparison::Linear& other_less_own) {
+    const double dz_dx = -other_less_own.slope_x / size_.width;
+    const double dz_dy = -other_less_own.slope_y / size_.height;
+    const double z = 0.5 * (dz_dx + dz_dy) - other_less_own.constant;
+    return in_single_precision({.from = other, .z = z, .dz_dx = dz_dx, .dz_dy = dz_dy}, 4.0, 0.0);
+  }
+
+  DepthDifference rounded_difference(Fill other) {
+    const FillDepth &own = own_depth(), &from = known_.of(other);
+    const PixelDepth &a = own.depth, &b = from.depth;
+    const double width = size_.width, height = size_.height;
+    const auto largest = [&](const PixelDepth& d) {  // of what is computed with it
+      return std::abs(d.z0) + std::abs(d.dz_dx) * (std::abs(d.x0) + width) +
+             std::abs(d.dz_dy) * (std::abs(d.y0) + height);
+    };
+    const double z = a.at(a.row(0), 0) - b.at(b.row(0), 0);
+    const double dz_dx = a.dz_dx - b.dz_dx, dz_dy = a.dz_dy - b.dz_dy;
+    const double error = own.error + from.error + 8.0 * kUnit * (largest(a) + largest(b));
+    return in_single_precision({.from = other, .z = z, .dz_dx = dz_dx, .dz_dy = dz_dy},
+                               std::abs(z) + width * std::abs(dz_dx) + height * std::abs(dz_dy),
+                               error);
+  }
 
   const FillScene& scene_;
   PictureSize size_;
@@ -147,9 +150,6 @@ class ExactDecisions : public ExactRows {
   Fill own_fill_ = FillScene::kBackground;
   FillDepth own_;
   PairOrders orders_;
-  Fill met_ = FillScene::kBackground;  // what was last compared with, how often in turn,
-  int times_met_ = 0;
-  Order order_ = Order::varies;  // and what is known of it
   ScanConverter converter_;
   std::vector<Span> spans_;
 };

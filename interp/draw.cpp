@@ -80,7 +80,7 @@ RasterRequest raster_request(const DisplayFile& file, const DrawOptions& options
 RasterRequest raster_request(const GraphicsSystem& system, const DisplayFile& file,
                              const DrawOptions& options) {
   RasterRequest request = raster_request(file, options);
-  request.method = drawing_method(system, options);
+  request.method = method_in_force(system, hidden_surface_options(options));
   const Precision precision = precision_in_force(system, hidden_surface_options(options));
   if (!precision.exact) request.roundoff = precision.roundoff;
   return request;
@@ -194,7 +194,7 @@ HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& opt
                             PictureKind kind) {
   const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
   if (method != HiddenMethod::automatic) return method;
-  return choose_method(system.display_file(), kind, options.width).method;
+  return choose_method(system.display_file(), kind, {options.width, options.height}).method;
 }
 
 void require_drawable(const std::filesystem::path& file, const DrawOptions& options) {
@@ -209,8 +209,8 @@ void require_drawable(const std::filesystem::path& file, const DrawOptions& opti
 
 Picture draw(const GraphicsSystem& system, const DrawOptions& options, SortedDisplayFile& kept) {
   require_raster_size(options);
-  const HiddenMethod method = drawing_method(system, options);
-  const DisplayFile& sorted = kept.update(system, method, hidden_surface_options(options));
+  const HiddenSurfaceOptions hidden = hidden_surface_options(options);
+  const DisplayFile& sorted = kept.update(system, method_in_force(system, hidden), hidden);
   return draw_pixels(sorted, raster_request(system, sorted, options), options);
 }
 
@@ -222,8 +222,12 @@ Picture draw(const GraphicsSystem& system, const DrawOptions& options) {
 void draw(const GraphicsSystem& system, const std::filesystem::path& file,
           const DrawOptions& options, SortedDisplayFile& kept) {
   require_drawable(file, options);
-  const HiddenMethod method = drawing_method(system, options, picture_kind(file));
-  const DisplayFile& sorted = kept.update(system, method, hidden_surface_options(options));
+  const HiddenSurfaceOptions hidden = hidden_surface_options(options);
+  // For pixels the renderer picks, when it has collected the fills.
+  const HiddenMethod method = picture_kind(file) == PictureKind::raster
+                                  ? method_in_force(system, hidden)
+                                  : drawing_method(system, options, PictureKind::vector);
+  const DisplayFile& sorted = kept.update(system, method, hidden);
   write_picture(sorted, raster_request(system, sorted, options), is_image_space(method), file,
                 options);
 }

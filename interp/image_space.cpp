@@ -33,7 +33,8 @@ constexpr std::array kMethods{
 std::span<const ImageSpaceEntry> image_space_methods() { return kMethods; }
 
 bool is_image_space(HiddenMethod method) {
-  return std::ranges::find(kMethods, method, &ImageSpaceEntry::method) != kMethods.end();
+  return method == HiddenMethod::automatic ||
+         std::ranges::find(kMethods, method, &ImageSpaceEntry::method) != kMethods.end();
 }
 
 std::unique_ptr<ImageSpaceMethod> make_image_space_method(HiddenMethod method) {

@@ -49,9 +49,10 @@ struct ImageSpaceEntry {
 };
 std::span<const ImageSpaceEntry> image_space_methods();
 
+/// True also of `automatic`, which for a picture in pixels picks one of them.
 bool is_image_space(HiddenMethod method);
 
-/// Throws Error if the method is not an image-space one.
+/// Throws Error if the method is not one of the list.
 std::unique_ptr<ImageSpaceMethod> make_image_space_method(HiddenMethod method);
 
 }  // namespace displayfile

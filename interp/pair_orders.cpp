@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "interp/flat_extent.h"
 
@@ -31,17 +31,46 @@ PairOrder order_over(const DepthComparison& comparison, const Points& points) {
 
 }  // namespace
 
+std::size_t PairOrders::first_place_of(Fill earlier, Fill later) const {
+  return (earlier * 0x9E3779B1u ^ later * 0x85EBCA77u) >> (32 - power_);
+}
+
+/// Its own place or an empty one; null if all that it may have are taken.
+PairOrders::Pair* PairOrders::place_of(Fill earlier, Fill later) {
+  const std::size_t first = first_place_of(earlier, later);
+  for (std::size_t k = 0; k < kProbed; ++k) {
+    Pair& place = pairs_[(first + k) & (pairs_.size() - 1)];
+    if (place.later == later && place.earlier == earlier) return &place;
+    if (place.later == FillScene::kBackground) return &place;
+  }
+  return nullptr;
+}
+
+/// A pair whose places are all taken there is forgotten.
+void PairOrders::make_places(int power) {
+  const std::vector<Pair> before = std::move(pairs_);
+  power_ = power;
+  pairs_ = std::vector<Pair>(std::size_t{1} << power);
+  for (const Pair& known : before) {
+    if (known.later == FillScene::kBackground) continue;
+    if (Pair* const place = place_of(known.earlier, known.later)) *place = known;
+  }
+}
+
 PairOrders::Pair& PairOrders::pair(Fill earlier, Fill later) {
-  if (pairs_.empty()) {  // few for few fills
-    const int bits = std::clamp(2 * static_cast<int>(std::bit_width(scene_->end())), 4, kMostPairs);
-    pairs_.resize(std::size_t{1} << bits);
-    shift_ = 32 - bits;
+  if (pairs_.empty()) make_places(kFewestPairs);
+  Pair* place = place_of(earlier, later);
+  while (place == nullptr && power_ < kMostPairs) {
+    make_places(power_ + 1);
+    place = place_of(earlier, later);
   }
-  Pair& pair = pairs_[(earlier * 0x9E3779B1u ^ later * 0x85EBCA77u) >> shift_];
-  if (pair.earlier != earlier || pair.later != later) {
-    pair = {earlier, later, Order::varies, false, false, pair.comparison};
+  if (place == nullptr) {  // another makes way, and leaves its comparison
+    place = &pairs_[first_place_of(earlier, later)];
+    *place = {.comparison = place->comparison};
   }
-  return pair;
+  place->earlier = earlier;
+  place->later = later;
+  return *place;
 }
 
 PairOrder PairOrders::order_of(Fill earlier, Fill later) {
@@ -56,7 +85,7 @@ DepthComparison PairOrders::comparison_of(Fill earlier, Fill later) const {
 
 /// Three convex hulls hold all that both fills cover: the rectangle that their extents share, and
 /// that of the vertices of either.
-void PairOrders::find_order(Pair& pair, const DepthComparison& comparison) const {
+void PairOrders::find_order(Pair& pair, const DepthComparison& comparison) {
   constexpr std::size_t kFewVertices = 8;
   pair.looked_for = true;
   const auto of_earlier = scene_->vertices(pair.earlier), of_later = scene_->vertices(pair.later);
@@ -66,9 +95,10 @@ void PairOrders::find_order(Pair& pair, const DepthComparison& comparison) const
   const std::array corners{low, high, Point2(low.x, high.y), Point2(high.x, low.y)};
   pair.order = order_over(comparison, corners);
   for (const auto& vertices : {of_earlier, of_later}) {
-    if (pair.order != Order::varies) return;
-    if (vertices.size() <= kFewVertices) pair.order = order_over(comparison, vertices);
+    if (pair.order != Order::varies || vertices.size() > kFewVertices) continue;
+    pair.order = order_over(comparison, vertices);
   }
+  times_learnt_ += pair.order != Order::varies;
 }
 
 bool PairOrders::later_is_seen(Fill earlier, Fill later, const PixelCentre& centre) {
@@ -76,14 +106,27 @@ bool PairOrders::later_is_seen(Fill earlier, Fill later, const PixelCentre& cent
   if (asked.order != Order::varies) return asked.order == Order::second;
   if (asked.is_exact) return comparisons_[asked.comparison].order(centre) <= 0;
   DepthComparison comparison = comparison_of(earlier, later);
+  if (++asked.times_asked == kOften && !asked.looked_for) {
+    find_order(asked, comparison);
+    if (asked.order != Order::varies) return asked.order == Order::second;
+  }
+  if (asked.times_asked == kVeryOften) comparison.make_exact();
   const bool seen = comparison.order(centre) <= 0;
   if (comparison.is_exact()) keep(comparison, asked);
   return seen;
 }
 
+PairOrders::Known PairOrders::known(Fill earlier, Fill later) {
+  if (times_learnt_ == 0) return {};
+  const Pair& asked = pair(earlier, later);
+  if (!asked.is_exact) return {.order = asked.order};
+  return {.earlier_less_later = comparisons_[asked.comparison].rounded()};
+}
+
 /// The order is looked for again, with what is known now.
 void PairOrders::keep(const DepthComparison& comparison, Pair& pair) {
   find_order(pair, comparison);
+  ++times_learnt_;
   if (pair.order != Order::varies) return;
   pair.is_exact = true;
   if (pair.comparison == kNone) {

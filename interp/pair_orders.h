@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "hidden/depth_comparison.h"
@@ -28,6 +29,15 @@ class PairOrders {
   /// The same at a centre that both cover.
   bool later_is_seen(Fill earlier, Fill later, const PixelCentre& centre);
 
+  /// What exact arithmetic has found out of the two.
+  struct Known {
+    Order order = Order::varies;
+    std::optional<DepthComparison::Linear> earlier_less_later = std::nullopt;  ///< of their depths
+  };
+  Known known(Fill earlier, Fill later);
+  /// Grows whenever exact arithmetic finds out more of some pair.
+  std::size_t times_learnt() const { return times_learnt_; }
+
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   struct Pair {
@@ -35,19 +45,27 @@ class PairOrders {
     Order order = Order::varies;
     bool looked_for = false;           ///< the order
     bool is_exact = false;             ///< exact arithmetic was asked at some centre,
+    std::uint8_t times_asked = 0;      ///< before it was
     std::uint32_t comparison = kNone;  ///< and this knows it: a place in comparisons_
   };
-  static constexpr int kMostPairs = 12;  ///< remembered at a time, as a power of two
+  static constexpr int kFewestPairs = 5, kMostPairs = 12;  ///< places for them, as powers of two
+  /// A pair that is asked for again: its order is looked for, and then exact arithmetic asked.
+  static constexpr int kOften = 2, kVeryOften = 8;
+  static constexpr std::size_t kProbed = 4;  ///< a pair's place is among so many from its hash on
 
   Pair& pair(Fill earlier, Fill later);
+  std::size_t first_place_of(Fill earlier, Fill later) const;
+  Pair* place_of(Fill earlier, Fill later);
+  void make_places(int power);
   DepthComparison comparison_of(Fill earlier, Fill later) const;
   void keep(const DepthComparison& comparison, Pair& pair);
-  void find_order(Pair& pair, const DepthComparison& comparison) const;
+  void find_order(Pair& pair, const DepthComparison& comparison);
 
   const FillScene* scene_;
-  std::vector<Pair> pairs_;  // by a hash of the two
-  int shift_ = 0;
+  std::vector<Pair> pairs_;  // by a hash of the two; more places are made as they fill
+  int power_ = 0;
   std::vector<DepthComparison> comparisons_;
+  std::size_t times_learnt_ = 0;
 };
 
 /// Which of a scene's fills is seen at a centre. Exact: by rounded depths, and where these are too

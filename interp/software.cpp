@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "hidden/parallel.h"
+#include "interp/auto_method.h"
 #include "interp/interpreter.h"
 #include "interp/line_painter.h"
 #include "interp/painter.h"
@@ -169,7 +170,10 @@ void SoftwareRenderer::prepare(const DisplayFile& display_file, const RasterRequ
     return;
   }
   prepared_.reset();
-  auto finder = make_image_space_method(request.method);
+  const HiddenMethod method = request.method == HiddenMethod::automatic
+                                  ? choose_method(*scene_, size).method
+                                  : request.method;
+  auto finder = make_image_space_method(method);
   finder->prepare({*scene_, size, request.roundoff}, request.threads);
   prepared_ = Prepared{request.method, size, request.roundoff, std::move(finder)};
 }

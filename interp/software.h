@@ -35,7 +35,7 @@ class SoftwareRenderer {
  private:
   /// An image-space method that has taken up the scene.
   struct Prepared {
-    HiddenMethod method;
+    HiddenMethod method;  // as asked for
     PictureSize size;
     std::optional<double> roundoff;
     std::unique_ptr<ImageSpaceMethod> finder;

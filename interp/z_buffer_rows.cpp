@@ -1,6 +1,8 @@
 #include "interp/z_buffer_rows.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <limits>
 
 // The code below is compiled once for each kind of vector.
@@ -18,6 +20,7 @@ using IntTag = hn::RebindToSigned<FloatTag>;
 using FillTag = hn::RebindToUnsigned<FloatTag>;
 using Floats = hn::Vec<FloatTag>;
 using Ints = hn::Vec<IntTag>;
+using FloatMask = hn::Mask<FloatTag>;
 
 using Fill = FillScene::Fill;
 
@@ -42,6 +45,7 @@ class RowDrawer {
     const int row_end = std::min(f.row_end, rows_.row_end);
     if (row_begin >= row_end) return;
     begun_ = false;
+    forget_differences();
     if (f.left == 0) {
       begin(fill);
       for (const auto& span : exact_.spans(row_begin, row_end)) {
@@ -130,25 +134,99 @@ class RowDrawer {
       const Floats old = hn::LoadU(f_, z_row + i);
       const Floats nearer_by = hn::Sub(z, old);
       if constexpr (kExact) {
+        const auto decided = hn::Gt(hn::Abs(nearer_by), margin_);
+        if (HWY_UNLIKELY(!hn::AllFalse(f_, hn::AndNot(decided, covered)))) {
+          begin(fill);
+          return draw_closely(fill, row, {first, i, end}, slope, start);
+        }
         const auto nearer = hn::And(covered, hn::Gt(nearer_by, margin_));
         store(nearer, z, old, own, z_row + i, fill_row + i);
-        const auto decided = hn::Gt(hn::Abs(nearer_by), margin_);
-        const auto undecided = hn::AndNot(decided, covered);
-        if (HWY_UNLIKELY(!hn::AllFalse(f_, undecided))) {
-          begin(fill);
-          alignas(8) std::uint8_t bits[8] = {};
-          hn::StoreMaskBits(f_, undecided, bits);
-          const int drawn =
-              exact_.draw(row, i, static_cast<std::uint32_t>(bits[0] | bits[1] << 8), end);
-          if (drawn > i + lanes) {
-            i = drawn - lanes;
-            offset = hn::Add(hn::Iota(f_, 0.0F), hn::Set(f_, static_cast<float>(i - first)));
-          }
-        }
       } else {
         store(hn::And(covered, hn::Ge(nearer_by, margin_)), z, old, own, z_row + i, fill_row + i);
       }
     }
+  }
+
+  /// A span, and the column from which on it is to be drawn.
+  struct SpanLeft {
+    int first, from, end;
+  };
+
+  /// What the fill drawn lies before or behind another by, along a row.
+  struct RowDifference {
+    Fill from;
+    Floats start, slope, error;  ///< start: at the first column of the span
+  };
+  HWY_INLINE RowDifference in_row(const DepthDifference& d, int row, int first) const {
+    const double start = d.z + d.dz_dy * row + d.dz_dx * first;
+    return {d.from, hn::Set(f_, static_cast<float>(start)),
+            hn::Set(f_, static_cast<float>(d.dz_dx)), hn::Set(f_, d.error)};
+  }
+
+  /// Where depths are too close: a pixel that shows the fill which was close last is decided by the
+  /// difference of the two depths, which is known better than each of them.
+  HWY_NOINLINE void draw_closely(Fill fill, int row, const SpanLeft& span, Floats slope,
+                                 float start) {
+    const int lanes = static_cast<int>(hn::Lanes(f_));
+    const auto own = hn::Set(u_, fill);
+    const Floats step = hn::Set(f_, static_cast<float>(lanes));
+    float* const z_row = rows_.z + rows_.index(row, 0);
+    Fill* const fill_row = rows_.fill + rows_.index(row, 0);
+    RowDifference close = in_row(differences_[last_close_], row, span.first);
+    Floats offset = hn::Iota(f_, static_cast<float>(span.from - span.first));
+    for (int i = span.from; i < span.end; i += lanes, offset = hn::Add(offset, step)) {
+      const auto covered = hn::FirstN(f_, static_cast<std::size_t>(span.end - i));
+      const Floats z = hn::MulAdd(slope, offset, hn::Set(f_, start));
+      const Floats old = hn::LoadU(f_, z_row + i);
+      const Floats nearer_by = hn::Sub(z, old);
+      FloatMask nearer = hn::And(covered, hn::Gt(nearer_by, margin_));
+      FloatMask undecided = hn::AndNot(hn::Gt(hn::Abs(nearer_by), margin_), covered);
+      const auto shown = hn::LoadU(u_, fill_row + i);
+      const auto shows_close = [&] {
+        return hn::And(undecided, hn::RebindMask(f_, hn::Eq(shown, hn::Set(u_, close.from))));
+      };
+      const auto decide_close = [&](FloatMask same) {
+        const Floats by = hn::MulAdd(close.slope, offset, close.start);
+        nearer = hn::Or(nearer, hn::And(same, hn::Gt(by, close.error)));
+        return hn::AndNot(hn::Gt(hn::Abs(by), close.error), same);
+      };
+      FloatMask same = shows_close();
+      FloatMask too_close = decide_close(same);
+      undecided = hn::AndNot(same, undecided);
+      while (HWY_UNLIKELY(!hn::AllFalse(f_, undecided))) {
+        const Fill other = fill_row[i + static_cast<int>(hn::FindKnownFirstTrue(f_, undecided))];
+        close = in_row(difference_from(other), row, span.first);
+        same = shows_close();
+        too_close = hn::Or(too_close, decide_close(same));
+        undecided = hn::AndNot(same, undecided);
+      }
+      store(nearer, z, old, own, z_row + i, fill_row + i);
+      if (HWY_UNLIKELY(!hn::AllFalse(f_, too_close)) && draw_exactly(row, i, too_close)) {
+        forget_differences();
+        close = in_row(differences_[last_close_], row, span.first);
+      }
+    }
+  }
+
+  HWY_INLINE bool draw_exactly(int row, int column, FloatMask pixels) {
+    alignas(8) std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(f_, pixels, bits);
+    return exact_.draw(row, column, static_cast<std::uint32_t>(bits[0] | bits[1] << 8));
+  }
+
+  void forget_differences() {
+    differences_known_ = 1;  // what is drawn over the background is seen
+    last_close_ = 0;
+    differences_[0] = {.from = FillScene::kBackground, .z = 1.0};
+  }
+
+  const DepthDifference& difference_from(Fill other) {
+    const std::size_t known = std::min(differences_known_, differences_.size());
+    for (last_close_ = 0; last_close_ < known; ++last_close_) {
+      if (differences_[last_close_].from == other) return differences_[last_close_];
+    }
+    last_close_ = 1 + (differences_known_++ - 1) % (differences_.size() - 1);
+    return differences_[last_close_] = exact_.difference_from(other);
   }
 
   template <class Mask, class Own>
@@ -167,6 +245,10 @@ class RowDrawer {
   Floats margin_;
   Columns columns_;
   bool begun_ = false;
+  /// Of the fill begun: from the background, and then from those that were asked for last.
+  std::array<DepthDifference, 5> differences_;
+  std::size_t differences_known_ = 0;  // ever: the oldest make way
+  std::size_t last_close_ = 0;         // that which was used last
 };
 
 template <bool kExact>

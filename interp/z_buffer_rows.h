@@ -12,7 +12,7 @@ namespace displayfile {
 /// to their stride.
 struct DepthRows {
   static constexpr int kMostRows = 16;
-  static constexpr std::size_t kPadding = 64;  ///< columns beyond the picture's
+  static constexpr std::size_t kPadding = 16;  ///< columns beyond the picture's
 
   int row_begin, row_end;  ///< no more than kMostRows
   int width;
@@ -25,7 +25,16 @@ struct DepthRows {
   }
 };
 
-/// What single precision leaves undecided.
+/// The depth of a fill less that of one drawn before it, times some positive number: z + dz_dx i +
+/// dz_dy j at column i of row j of the picture, about 1 where it is largest.
+struct DepthDifference {
+  FillScene::Fill from = FillScene::kBackground;  ///< the one drawn before
+  double z = 0.0, dz_dx = 0.0, dz_dy = 0.0;
+  /// Bounds the error of what single precision makes of it.
+  float error = 0.0F;
+};
+
+/// What the depths in single precision leave undecided.
 class ExactRows {
  public:
   using Fill = FillScene::Fill;
@@ -38,10 +47,11 @@ class ExactRows {
   virtual void begin(Fill fill) = 0;
   /// Where the fill begun covers centres of these rows; valid until the next call.
   virtual std::span<const Span> spans(int row_begin, int row_end) = 0;
+  /// Between the fill begun and another, by what is known of the two now.
+  virtual DepthDifference difference_from(Fill other) = 0;
   /// Draws those pixels of a row, from `column`, whose bits are set: the fill begun covers them,
-  /// and `end` is the first after them that it does not. Returns a column before which all are
-  /// drawn, beyond them if more could be decided at once.
-  virtual int draw(int row, int column, std::uint32_t bits, int end) = 0;
+  /// and each shows another. True if more is known of two fills than before.
+  virtual bool draw(int row, int column, std::uint32_t bits) = 0;
 };
 
 /// Draws the fills, given in order of entry, into rows that were cleared or drawn into before.

@@ -15,7 +15,7 @@
 namespace displayfile {
 namespace {
 
-constexpr int kWidth = 512;
+constexpr PictureSize kSize{512, 512};
 
 DisplayFile file_of(const std::vector<test::Vertices>& polygons) {
   DisplayFile file;
@@ -39,7 +39,7 @@ TEST(AutoMethod, TilesBesideEachOtherNeedNoOrder) {
     tiles.push_back(square(k % 16 / 16.0, k / 16 / 16.0, 1 / 16.0, (k * 7 % 13) / 13.0));
   }
   const DisplayFile file = file_of(tiles);
-  EXPECT_EQ(choose_method(file, PictureKind::vector, kWidth).method, HiddenMethod::none);
+  EXPECT_EQ(choose_method(file, PictureKind::vector, kSize).method, HiddenMethod::none);
 }
 
 /// The three sides seen of a cube: their boxes overlap, but none hides another.
@@ -48,29 +48,29 @@ TEST(AutoMethod, AConvexObjectWithoutBackFacesNeedsNoOrder) {
   const DisplayFile cube = file_of(
       {{o, o + x, o + x + y, o + y}, {o, o + y, o + y + z, o + z}, {o, o + z, o + z + x, o + x}});
   EXPECT_TRUE(nothing_hides(FillScene(cube)));
-  EXPECT_EQ(choose_method(cube, PictureKind::vector, kWidth).method, HiddenMethod::none);
+  EXPECT_EQ(choose_method(cube, PictureKind::vector, kSize).method, HiddenMethod::none);
 }
 
 TEST(AutoMethod, WhatOverlapsIsSorted) {
   const DisplayFile file = file_of({square(0.1, 0.1, 0.5, 0.9), square(0.3, 0.3, 0.5, 0.1)});
-  EXPECT_EQ(choose_method(file, PictureKind::vector, kWidth).method, HiddenMethod::depth_sort);
+  EXPECT_EQ(choose_method(file, PictureKind::vector, kSize).method, HiddenMethod::depth_sort);
 }
 
 TEST(AutoMethod, FewWidePolygonsAreSwept) {
   const DisplayFile file = file_of({square(0.1, 0.1, 0.5, 0.9), square(0.3, 0.3, 0.5, 0.1)});
-  EXPECT_EQ(choose_method(file, PictureKind::raster, kWidth).method, HiddenMethod::scan_line);
-  EXPECT_EQ(choose_method(file, PictureKind::raster, 32).method, HiddenMethod::z_buffer);
+  EXPECT_EQ(choose_method(file, PictureKind::raster, kSize).method, HiddenMethod::scan_line);
+  EXPECT_EQ(choose_method(file, PictureKind::raster, {32, 32}).method, HiddenMethod::z_buffer);
 }
 
 TEST(AutoMethod, WidePolygonsManyDeepAreSubdivided) {
   std::vector<test::Vertices> sheets;
   for (int k = 0; k < 40; ++k) sheets.push_back(square(0.01 * k, 0.1, 0.6, k * 7 % 40 / 40.0));
-  EXPECT_EQ(choose_method(file_of(sheets), PictureKind::raster, kWidth).method,
+  EXPECT_EQ(choose_method(file_of(sheets), PictureKind::raster, kSize).method,
             HiddenMethod::warnock);
   for (auto& sheet : sheets) {
     for (Point3& p : sheet) p = {p.x / 8, p.y / 8, p.z};
   }
-  EXPECT_EQ(choose_method(file_of(sheets), PictureKind::raster, kWidth).method,
+  EXPECT_EQ(choose_method(file_of(sheets), PictureKind::raster, kSize).method,
             HiddenMethod::z_buffer);
 }
 
@@ -79,7 +79,7 @@ TEST(AutoMethod, LinesAreHiddenByOrder) {
   DisplayFile file = file_of({square(0, 0, 0.5, 0.5), square(0.5, 0, 0.5, 0.5)});
   file.segment(1).set_style(LineStyle{});
   file.segment(1).enter_line({0, 0, 0}, {1, 1, 0});
-  EXPECT_EQ(choose_method(file, PictureKind::vector, kWidth).method, HiddenMethod::depth_sort);
+  EXPECT_EQ(choose_method(file, PictureKind::vector, kSize).method, HiddenMethod::depth_sort);
 }
 
 /// Whatever is said to need no order is drawn right in the order of entry.

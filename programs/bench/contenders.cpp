@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "displayfile/hidden_surface_check.h"
-#include "interp/auto_method.h"
 #include "interp/image_space.h"
 #include "interp/osmesa.h"
 #include "interp/plain_z_buffer.h"
@@ -46,24 +45,6 @@ class SoftwareDrawing : public Drawing {
   const DisplayFile& file_;
   RasterRequest request_;
   std::optional<SoftwareRenderer> renderer_;
-};
-
-/// What looking at the scene costs is part of the time.
-class AutoDrawing : public Drawing {
- public:
-  AutoDrawing(const DisplayFile& file, const Frame& frame) : file_(file), frame_(frame) {}
-  void draw_anew() override {
-    const HiddenMethod method = choose_method(file_, PictureKind::raster, frame_.width).method;
-    drawing_ = std::make_unique<SoftwareDrawing>(file_, request_of(frame_, method));
-    drawing_->draw_anew();
-  }
-  void draw_again() override { drawing_->draw_again(); }
-  Picture judged() override { return drawing_->judged(); }
-
- private:
-  const DisplayFile& file_;
-  Frame frame_;
-  std::unique_ptr<SoftwareDrawing> drawing_;
 };
 
 /// All segments sorted together, and painted back to front. The order is what is kept.
@@ -153,17 +134,6 @@ std::string name_of_precision(const Precision& precision) {
   return "roundoff=" + eps;
 }
 
-Contender automatic() {
-  return {std::string(name_of(HiddenMethod::automatic)),
-          name_of_precision({}),
-          true,
-          true,
-          true,
-          [](const DisplayFile& file, const Frame& frame) {
-            return std::make_unique<AutoDrawing>(file, frame);
-          }};
-}
-
 Contender image_space(HiddenMethod method, const Precision& precision) {
   return {std::string(name_of(method)),
           name_of_precision(precision),
@@ -218,7 +188,7 @@ Contender osmesa(int depth_bits) {
 std::vector<Contender> contenders(std::span<const double> roundoffs) {
   std::vector<Precision> precisions{{}};
   for (const double roundoff : roundoffs) precisions.push_back({false, roundoff});
-  std::vector<Contender> all{painter(), automatic()};
+  std::vector<Contender> all{painter(), image_space(HiddenMethod::automatic, {})};
   for (const ImageSpaceEntry& entry : image_space_methods()) {
     for (const Precision& p : precisions) all.push_back(image_space(entry.method, p));
   }

@@ -62,6 +62,40 @@ TEST(AutoMethod, FewWidePolygonsAreSwept) {
   EXPECT_EQ(choose_method(file, PictureKind::raster, {32, 32}).method, HiddenMethod::z_buffer);
 }
 
+TEST(AutoMethod, FewCloseToEachOtherInFewPixelsAreSubdivided) {
+  std::vector<test::Vertices> sheets;
+  for (int k = 0; k < 5; ++k) sheets.push_back(square(0.1, 0.1, 0.5, 0.5 + 1e-9 * k));
+  const DisplayFile close = file_of(sheets);
+  EXPECT_EQ(choose_method(close, PictureKind::raster, {32, 32}).method, HiddenMethod::warnock);
+  EXPECT_EQ(choose_method(close, PictureKind::raster, {100, 100}).method, HiddenMethod::z_buffer);
+  sheets[2] = square(0.1, 0.1, 0.5, 0.9);
+  const DisplayFile apart = file_of(sheets);
+  EXPECT_EQ(choose_method(apart, PictureKind::raster, {32, 32}).method, HiddenMethod::z_buffer);
+}
+
+TEST(AutoMethod, NothingToDrawIsLeftToTheZBuffer) {
+  for (const PictureSize& size : {PictureSize{32, 32}, kSize, PictureSize{20000, 3}}) {
+    EXPECT_EQ(choose_method(DisplayFile(), PictureKind::raster, size).method,
+              HiddenMethod::z_buffer);
+  }
+}
+
+/// The renderer picks, from the fills that it has collected, for each size anew.
+TEST(AutoMethod, DrawsTheTruth) {
+  for (const test::SceneFamily& family : test::scene_families()) {
+    for (std::uint32_t seed = 0; seed < 20; ++seed) {
+      const DisplayFile file = test::scene(family, seed, 2 + static_cast<int>(seed % 7));
+      SoftwareRenderer renderer;
+      for (const int side : {24, 150}) {
+        const RasterRequest request{
+            .width = side, .height = side, .method = HiddenMethod::automatic, .ids = true};
+        ASSERT_EQ(renderer.draw(file, request).ids, truth(file, side, side, false).ids)
+            << family.name << ", seed " << seed << ", side " << side;
+      }
+    }
+  }
+}
+
 TEST(AutoMethod, WidePolygonsManyDeepAreSubdivided) {
   std::vector<test::Vertices> sheets;
   for (int k = 0; k < 40; ++k) sheets.push_back(square(0.01 * k, 0.1, 0.6, k * 7 % 40 / 40.0));

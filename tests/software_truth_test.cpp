@@ -70,6 +70,19 @@ TEST_P(EveryMethod, NoWrongPixelsWithManyPolygons) {
   }
 }
 
+/// What is computed for the first pixel of a span, or for the first row of a polygon, is carried
+/// over thousands.
+TEST_P(EveryMethod, NoWrongPixelsFarFromWhereASpanBegins) {
+  constexpr std::uint32_t kScenes = 4 / test::kSlower + 1;
+  for (const test::SceneFamily& family : test::scene_families()) {
+    for (std::uint32_t seed = 0; seed < kScenes; ++seed) {
+      const DisplayFile file = test::scene(family, 500 + seed, 4);
+      ASSERT_EQ(wrong(file, 3001, 2, 1), "") << family.name << ", seed " << seed;
+      ASSERT_EQ(wrong(file, 2, 3001, 1), "") << family.name << ", seed " << seed;
+    }
+  }
+}
+
 /// The differences round to those of three points in line: by the definition the triangle is
 /// edge-on, although it has an area and the centre is on its edge.
 TEST(SoftwareTruth, EdgeOnIsDecidedInDoublesAsTheDefinitionSays) {

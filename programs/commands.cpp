@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <set>
 
 #include "clip/error.h"
-#include "displayfile/dump.h"
 #include "displayfile/dump_compare.h"
 #include "displayfile/input_file.h"
 #include "displayfile/mesh.h"
@@ -113,19 +111,6 @@ std::string explanation(const GraphicsSystem& system, const DrawOptions& options
   return fmt::format("auto: {}: {}\n", name_of(choice.method), choice.reason);
 }
 
-std::string golden_name(const std::string& input) {
-  if (input == "-") throw Error("check needs files: the name of a golden file is its input's");
-  return std::filesystem::path(input).stem().string() + ".txt";
-}
-
-/// The inputs' display file, in the order that is drawn.
-DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options) {
-  GraphicsSystem system;
-  system.set_threads(options.threads);
-  enter_inputs(inputs, system);
-  return SortedDisplayFile{}.update(system, method_in_force(system, options), options);
-}
-
 }  // namespace
 
 int DrawCommand::run() const {
@@ -152,42 +137,6 @@ int DrawCommand::run() const {
               << exact_stage_counts();
   }
   return 0;
-}
-
-int DumpCommand::run() const {
-  const DisplayFile file = as_drawn(inputs, options);
-  if (output.empty()) {
-    dump(file, std::cout);
-    std::cout.flush();
-    if (!std::cout) throw Error("standard output cannot be written");
-    return 0;
-  }
-  OutputFile written(output);
-  dump(file, written.stream());
-  written.commit();
-  return 0;
-}
-
-int CheckCommand::run() const {
-  std::set<std::string> names;
-  for (const std::string& input : inputs) {
-    if (!names.insert(golden_name(input)).second) {
-      throw Error(fmt::format("{}: two inputs have the golden file {}", input, golden_name(input)));
-    }
-  }
-  if (update) std::filesystem::create_directories(golden_folder);
-  int status = 0;
-  for (const std::string& input : inputs) {
-    const DisplayFile file = as_drawn(std::span(&input, 1), options);
-    const std::string golden = (std::filesystem::path(golden_folder) / golden_name(input)).string();
-    if (update) {
-      update_golden(file, golden);
-    } else if (const auto difference = check_golden(file, golden)) {
-      std::cout << input << ": " << *difference << '\n';
-      status = 1;
-    }
-  }
-  return status;
 }
 
 int TruthCommand::run() const {

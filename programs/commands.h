@@ -22,22 +22,6 @@ struct DrawCommand {
   int run() const;
 };
 
-/// Dumps show the order that is drawn with these options.
-struct DumpCommand {
-  std::vector<std::string> inputs;
-  HiddenSurfaceOptions options;
-  std::string output;  ///< standard output if empty
-  int run() const;
-};
-
-struct CheckCommand {
-  std::vector<std::string> inputs;
-  HiddenSurfaceOptions options;
-  std::string golden_folder;
-  bool update = false;
-  int run() const;
-};
-
 struct TruthCommand {
   std::vector<std::string> inputs;
   int width = 512, height = 512;

@@ -13,10 +13,10 @@
 
 #include "clip/error.h"
 #include "displayfile/sorted_display_file.h"
-#include "hidden/precision.h"
 #include "interp/software.h"
 #include "programs/bench/bench_command.h"
 #include "programs/commands.h"
+#include "programs/segment_outputs.h"
 #include "programs/turntable_command.h"
 
 namespace displayfile {
@@ -35,32 +35,6 @@ void parse_size(const std::string& text, int& pixels_across, int& pixels_up) {
   pixels_across = static_cast<int>(width);
   pixels_up = static_cast<int>(height);
 }
-
-/// The options of commands that sort hidden surfaces, as words.
-struct HiddenSurfaceWords {
-  std::string hidden, scope, precision;
-
-  void add_to(CLI::App& command) {
-    std::string methods;
-    for (const auto& entry : hidden_methods()) {
-      if (entry.available) methods += " " + std::string(entry.name);
-    }
-    command.add_option("--hidden", hidden,
-                       "hidden-surface method in place of the program's:" + methods);
-    command.add_option("--scope", scope,
-                       "sort each segment, or all visible ones together: segment all");
-    command.add_option("--precision", precision,
-                       "exact, roundoff or roundoff=EPS; exact unless a program sets another");
-  }
-  HiddenSurfaceOptions options(int threads) const {
-    HiddenSurfaceOptions read;
-    read.threads = threads;
-    if (!hidden.empty()) read.method = hidden_method(hidden);
-    if (!scope.empty()) read.scope = hidden_scope(scope);
-    if (!precision.empty()) read.precision = displayfile::precision(precision);
-    return read;
-  }
-};
 
 int run(int argc, char** argv) {
   CLI::App app("A display-file, retained-mode 3D graphics system in the textbook style.",
@@ -119,29 +93,12 @@ int run(int argc, char** argv) {
   });
 
   DumpCommand dump;
-  command = app.add_subcommand("dump", "Every segment's instructions, as canonical text");
-  command->add_option("INPUT", dump.inputs, "drawing programs and meshes")->required();
-  command->add_option("-o,--output", dump.output, "file to write; standard output if not given");
-  words.add_to(*command);
-  command->callback([&] {
-    dump.options = words.options(processors);
-    chosen = [&] { return dump.run(); };
-  });
+  dump.threads = processors;
+  dump.add_to(app).callback([&] { chosen = [&] { return dump.run(); }; });
 
   CheckCommand check;
-  command = app.add_subcommand(
-      "check", "Compare each input's dump with a golden file; exit 1 and the first difference");
-  command->add_option("INPUT", check.inputs, "drawing programs and meshes")->required();
-  command
-      ->add_option("--golden", check.golden_folder,
-                   "folder of golden dumps, NAME.txt for NAME.draw")
-      ->required();
-  command->add_flag("--update", check.update, "write the golden files");
-  words.add_to(*command);
-  command->callback([&] {
-    check.options = words.options(processors);
-    chosen = [&] { return check.run(); };
-  });
+  check.threads = processors;
+  check.add_to(app).callback([&] { chosen = [&] { return check.run(); }; });
 
   TruthCommand truth;
   command = app.add_subcommand(

@@ -364,6 +364,20 @@ TEST(Predicates, PlanesComparedAreOneOrParallel) {
   }
 }
 
+/// x + 2^-k y or x - 2^-k y against 1/2, at (1/2, 1/2): coefficients that lie ever farther apart.
+TEST(Predicates, PlanesComparedDifferInTheSmallestCoefficient) {
+  const Plane level(Point3(0.0, 0.0, 0.5), Point3(1.0, 0.0, 0.5), Point3(0.0, 1.0, 0.5));
+  for (int k = 1; k <= 200; ++k) {
+    for (const int sign : {-1, 0, 1}) {
+      const double y_slope = sign * std::ldexp(1.0, -k);
+      const Plane tilted(Point3(0.0, 0.0, 0.0), Point3(1.0, 0.0, 1.0), Point3(0.0, 1.0, y_slope));
+      DepthComparison comparison(tilted, level);
+      comparison.make_exact();
+      EXPECT_EQ(comparison.order(PixelCentre(0, 0, {1, 1})), sign) << "k = " << k;
+    }
+  }
+}
+
 TEST(Predicates, CountsSumOverThreads) {
   reset_predicate_counts();
   const auto tie = [] { return orientation(Point2(0, 0), Point2(1, 1), Point2(3, 3)); };

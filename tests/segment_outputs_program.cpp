@@ -1,0 +1,22 @@
+// The command `displayfile check` by itself: what tests/check-goldens needs, so that a compiler
+// need compile nothing that draws.
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+
+#include "programs/segment_outputs.h"
+
+int main(int argc, char** argv) {
+  CLI::App app("Compares segment outputs with golden files.", "segment_outputs");
+  app.require_subcommand(1);
+  displayfile::CheckCommand check;
+  check.add_to(app);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    return check.run();
+  } catch (const std::exception& e) {
+    std::cerr << "segment_outputs: " << e.what() << '\n';
+  }
+  return 2;
+}

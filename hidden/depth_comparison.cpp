@@ -1,8 +1,10 @@
 #include "hidden/depth_comparison.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -36,6 +38,16 @@ std::int64_t lowest_digit(const ExactNumber::Leading& number) {
   return number.exponent - 53 + std::countr_zero(static_cast<std::uint64_t>(digits));
 }
 
+int side_of_line(const Point2& from, const Point2& to, const Point2& at) {
+  return orientation(from, to, at);
+}
+
+/// The same at a pixel's centre, exactly: 1 on the left of the line.
+int side_of_line(const Point2& from, const Point2& to, const PixelCentre& centre) {
+  if (from.y != to.y) return (to.y > from.y ? 1 : -1) * crossing(from, to, centre);
+  return (to.x > from.x ? -1 : 1) * compare_with_centres(from.y, centre.size.height, centre.row);
+}
+
 template <class Difference>
 int sign_at(const Difference& d, const ExactProjector& projector) {
   return (d.slope_x * projector.x + d.slope_y * projector.y + d.constant * projector.w).sign();
@@ -51,7 +63,6 @@ Predicate predicate_at(const Point2&) { return Predicate::depth_at_point; }
 
 /// With z = (h - A x - B y) / C on each plane: (za - zb) Ca Cb, turned to the sign of za - zb.
 DepthComparison::Difference::Difference(const Plane& a, const Plane& b) {
-  if (a.same_points(b)) return;
   const ExactPlane p(a), q(b);
   const ExactNumber &cp = p.normal.z, &cq = q.normal.z;
   const bool turned = cp.sign() != cq.sign();
@@ -94,16 +105,48 @@ int DepthComparison::Difference::filtered(const Position& at) const {
   return std::abs(value) > bound * kInflate ? decided_sign(value) : 0;
 }
 
+std::optional<DepthComparison::Hinge> DepthComparison::hinge_of(const Plane& a, const Plane& b) {
+  std::array<Point2, 3> common;
+  std::size_t n = 0;
+  for (const Point3* point : {&a.p, &a.q, &a.r}) {
+    if (b.goes_through(*point)) common[n++] = Point2(*point);
+  }
+  if (n < 2) return std::nullopt;
+  if (n == 3) return Hinge{common[0], common[1], 0};
+  const auto is_off = [&](const Point3& v) { return !a.goes_through(v); };
+  const Point3& third = is_off(b.p) ? b.p : is_off(b.q) ? b.q : b.r;
+  const int nearer_than_a = side_of_plane(third, a) * facing(a);
+  return Hinge{common[0], common[1],
+               -nearer_than_a * orientation(common[0], common[1], Point2(third))};
+}
+
+void DepthComparison::make_ready() {
+  if (is_ready()) return;
+  hinge_ = hinge_of(a_, b_);
+  if (!hinge_) difference_.emplace(a_, b_);
+}
+
+std::optional<int> DepthComparison::order_at_hand(const Point2& at) const {
+  if (hinge_) return hinge_->order_on_left * orientation(hinge_->from, hinge_->to, at);
+  const int order = filtered({at.x, at.y, 0.0});
+  if (order != 0) return order;
+  return difference_ && difference_->is_zero() ? std::optional(0) : std::nullopt;
+}
+
 template <class At>
 int DepthComparison::exact(const At& at) {
-  if (!difference_) {
-    if (a_.same_points(b_)) {
-      count_by_definition(predicate_at(at));
-    } else {
+  if (!is_ready()) {
+    make_ready();
+    if (!hinge_) {
       count_exact(predicate_at(at));
+    } else if (hinge_->order_on_left == 0) {
+      count_by_definition(predicate_at(at));
     }
-    make_exact();
     return order(at);
+  }
+  if (hinge_) {
+    if (hinge_->order_on_left == 0) return 0;
+    return hinge_->order_on_left * side_of_line(hinge_->from, hinge_->to, at);
   }
   if (difference_->is_zero()) return 0;
   count_exact(predicate_at(at));

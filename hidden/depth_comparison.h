@@ -7,11 +7,12 @@
 
 namespace displayfile {
 
-/// depth_order of two planes, asked at many places: most of the exact arithmetic is done once.
-/// The difference of two depths is linear in the projection; its coefficients are computed exactly
-/// where the first filter is undecided, and rounded after that, so that what is lost between planes
-/// that nearly agree is not lost in the filter that decides from then on (predicates.md, section
-/// 6).
+/// depth_order of two planes, asked at many places: what takes exact arithmetic is done once, where
+/// the first filter is undecided (predicates.md, section 6). Two planes that are given by two
+/// common points, as neighbours in a mesh are, change their order along the line through these: it
+/// is found out on one side of it. Otherwise the difference of the two depths, linear in the
+/// projection, is computed exactly and then rounded, so that what is lost between planes that
+/// nearly agree is not lost in the filter that decides from then on.
 class DepthComparison {
  public:
   DepthComparison() = default;
@@ -29,17 +30,12 @@ class DepthComparison {
     return order != 0 ? order : exact(at);
   }
 
-  /// The same if that takes no exact arithmetic now.
-  std::optional<int> order_at_hand(const Point2& at) const {
-    const int order = filtered({at.x, at.y, 0.0});
-    if (order != 0) return order;
-    return difference_ && difference_->is_zero() ? std::optional(0) : std::nullopt;
-  }
-  /// True once exact arithmetic has been asked: more is at hand from then on.
-  bool is_exact() const { return difference_.has_value(); }
-  void make_exact() {
-    if (!is_exact()) difference_.emplace(a_, b_);
-  }
+  /// The same if that takes no exact arithmetic with both planes now.
+  std::optional<int> order_at_hand(const Point2& at) const;
+
+  /// True once more is known than the first filter.
+  bool is_ready() const { return hinge_ || difference_; }
+  void make_ready();
 
   /// What exact arithmetic found: za - zb at (x, y) is x slope_x + y slope_y + constant times some
   /// positive number. Each is rounded once or twice; the largest is from 1/2 to 1, or all are zero.
@@ -47,10 +43,17 @@ class DepthComparison {
     double slope_x = 0.0, slope_y = 0.0, constant = 0.0;
   };
   std::optional<Linear> rounded() const {
-    return is_exact() ? std::optional(difference_->near) : std::nullopt;
+    return difference_ ? std::optional(difference_->near) : std::nullopt;
   }
 
  private:
+  /// The line where both planes meet, and the order on its left; 0: they meet everywhere.
+  struct Hinge {
+    Point2 from, to;
+    int order_on_left;
+  };
+  static std::optional<Hinge> hinge_of(const Plane& a, const Plane& b);
+
   /// A positive multiple of za - zb at (x, y): slope_x x + slope_y y + constant.
   struct Difference {
     Difference(const Plane& a, const Plane& b);
@@ -70,12 +73,13 @@ class DepthComparison {
   };
 
   int filtered(const Position& at) const {
-    return difference_ ? difference_->filtered(at) : filtered_depth_order(a_, b_, at);
+    return difference_ ? difference_->filtered(at) : hinge_ ? 0 : filtered_depth_order(a_, b_, at);
   }
   template <class At>
   int exact(const At& at);
 
   Plane a_, b_;
+  std::optional<Hinge> hinge_;  // one of the two at most
   std::optional<Difference> difference_;
 };
 

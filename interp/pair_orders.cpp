@@ -104,22 +104,22 @@ void PairOrders::find_order(Pair& pair, const DepthComparison& comparison) {
 bool PairOrders::later_is_seen(Fill earlier, Fill later, const PixelCentre& centre) {
   Pair& asked = pair(earlier, later);
   if (asked.order != Order::varies) return asked.order == Order::second;
-  if (asked.is_exact) return comparisons_[asked.comparison].order(centre) <= 0;
+  if (asked.is_ready) return comparisons_[asked.comparison].order(centre) <= 0;
   DepthComparison comparison = comparison_of(earlier, later);
   if (++asked.times_asked == kOften && !asked.looked_for) {
     find_order(asked, comparison);
     if (asked.order != Order::varies) return asked.order == Order::second;
   }
-  if (asked.times_asked == kVeryOften) comparison.make_exact();
+  if (asked.times_asked == kVeryOften) comparison.make_ready();
   const bool seen = comparison.order(centre) <= 0;
-  if (comparison.is_exact()) keep(comparison, asked);
+  if (comparison.is_ready()) keep(comparison, asked);
   return seen;
 }
 
 PairOrders::Known PairOrders::known(Fill earlier, Fill later) {
   if (times_learnt_ == 0) return {};
   const Pair& asked = pair(earlier, later);
-  if (!asked.is_exact) return {.order = asked.order};
+  if (!asked.is_ready) return {.order = asked.order};
   return {.earlier_less_later = comparisons_[asked.comparison].rounded()};
 }
 
@@ -128,7 +128,7 @@ void PairOrders::keep(const DepthComparison& comparison, Pair& pair) {
   find_order(pair, comparison);
   ++times_learnt_;
   if (pair.order != Order::varies) return;
-  pair.is_exact = true;
+  pair.is_ready = true;
   if (pair.comparison == kNone) {
     pair.comparison = static_cast<std::uint32_t>(comparisons_.size());
     comparisons_.emplace_back();

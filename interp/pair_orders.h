@@ -44,7 +44,7 @@ class PairOrders {
     Fill earlier = FillScene::kBackground, later = FillScene::kBackground;
     Order order = Order::varies;
     bool looked_for = false;           ///< the order
-    bool is_exact = false;             ///< exact arithmetic was asked at some centre,
+    bool is_ready = false;             ///< more is known than the filter tells,
     std::uint8_t times_asked = 0;      ///< before it was
     std::uint32_t comparison = kNone;  ///< and this knows it: a place in comparisons_
   };

@@ -334,17 +334,23 @@ struct DepthAtPixelCase {
 };
 TEST(Predicates, DepthOrderAtAPixel) { agrees<DepthAtPixelCase>(Predicate::depth_at_pixel); }
 
-/// By a comparison that is kept: as it is found, or by the exact difference's filter from the
-/// start.
+/// By a comparison that is kept: as it is found, or made ready from the start. Of some planes two
+/// or three of the points that give them are the same.
 struct ComparedDepthsCase : DepthAtPixelCase {
-  bool exact_first = false;
+  bool ready_first = false;
   bool make(Source& s, Input input) {
-    exact_first = s.below(2) == 0;
-    return DepthAtPixelCase::make(s, input);
+    ready_first = s.below(2) == 0;
+    if (!DepthAtPixelCase::make(s, input)) return false;
+    const std::size_t common = s.below(3) == 0 ? 2 + (s.below(4) == 0 ? 1 : 0) : 0;
+    const auto from = static_cast<std::size_t>(s.below(3)),
+               to = static_cast<std::size_t>(s.below(3));
+    for (std::size_t k = 0; k < common; ++k) p[3 + (to + k) % 3] = p[(from + k) % 3];
+    if (s.below(2) == 0) std::swap(p[3], p[4]);
+    return true;
   }
   int predicate() const {
     DepthComparison comparison(Plane(p[0], p[1], p[2]), Plane(p[3], p[4], p[5]));
-    if (exact_first) comparison.make_exact();
+    if (ready_first) comparison.make_ready();
     const int first = comparison.order(centre);
     return comparison.order(centre) == first ? first : 2;
   }
@@ -356,7 +362,7 @@ TEST(Predicates, PlanesComparedAreOneOrParallel) {
   const Point3 up(0.0, 0.0, 0x1p-50);  // no sum with it is rounded
   DepthComparison same(Plane(p, q, r), Plane(q, r, p)), turned(Plane(p, q, r), Plane(p, r, q)),
       above(Plane(p + up, r + up, q + up), Plane(p, q, r));
-  for (DepthComparison* comparison : {&same, &turned, &above}) comparison->make_exact();
+  for (DepthComparison* comparison : {&same, &turned, &above}) comparison->make_ready();
   for (const Point2 at : {Point2(0.0, 0.0), Point2(1e100, -1e100), Point2(1e-300, 0.3)}) {
     EXPECT_EQ(same.order_at_hand(at), 0);
     EXPECT_EQ(turned.order_at_hand(at), 0);
@@ -372,7 +378,7 @@ TEST(Predicates, PlanesComparedDifferInTheSmallestCoefficient) {
       const double y_slope = sign * std::ldexp(1.0, -k);
       const Plane tilted(Point3(0.0, 0.0, 0.0), Point3(1.0, 0.0, 1.0), Point3(0.0, 1.0, y_slope));
       DepthComparison comparison(tilted, level);
-      comparison.make_exact();
+      comparison.make_ready();
       EXPECT_EQ(comparison.order(PixelCentre(0, 0, {1, 1})), sign) << "k = " << k;
     }
   }

@@ -127,10 +127,27 @@ void DepthComparison::make_ready() {
 }
 
 std::optional<int> DepthComparison::order_at_hand(const Point2& at) const {
-  if (hinge_) return hinge_->order_on_left * orientation(hinge_->from, hinge_->to, at);
+  if (hinge_) {
+    if (at == hinge_->from || at == hinge_->to) return 0;
+    return hinge_->order_on_left * orientation(hinge_->from, hinge_->to, at);
+  }
   const int order = filtered({at.x, at.y, 0.0});
   if (order != 0) return order;
   return difference_ && difference_->is_zero() ? std::optional(0) : std::nullopt;
+}
+
+std::optional<DepthComparison::Linear> DepthComparison::rounded() const {
+  constexpr double kFar = 1024.0, kLeast = 0x1p-900;
+  if (difference_) return difference_->near;
+  if (!hinge_ || hinge_->order_on_left == 0) return std::nullopt;
+  const auto& [from, to, order] = *hinge_;
+  if (!(std::max(std::abs(from.x), std::abs(from.y)) < kFar)) return std::nullopt;
+  const double run = to.x - from.x, rise = to.y - from.y;
+  const double constant = rise * from.x - run * from.y;
+  const double largest = std::max({std::abs(run), std::abs(rise), std::abs(constant)});
+  if (largest < kLeast) return std::nullopt;
+  const double scale = order / largest;
+  return Linear{-rise * scale, run * scale, constant * scale};
 }
 
 template <class At>

@@ -37,14 +37,13 @@ class DepthComparison {
   bool is_ready() const { return hinge_ || difference_; }
   void make_ready();
 
-  /// What exact arithmetic found: za - zb at (x, y) is x slope_x + y slope_y + constant times some
-  /// positive number. Each is rounded once or twice; the largest is from 1/2 to 1, or all are zero.
+  /// What is known once it is ready: za - zb at (x, y) is x slope_x + y slope_y + constant times
+  /// some positive number. Each is off by less than 2^-38 of the largest, which is from 1/2 to 1
+  /// unless all are zero. None of planes that meet in a line far off the picture.
   struct Linear {
     double slope_x = 0.0, slope_y = 0.0, constant = 0.0;
   };
-  std::optional<Linear> rounded() const {
-    return difference_ ? std::optional(difference_->near) : std::nullopt;
-  }
+  std::optional<Linear> rounded() const;
 
  private:
   /// The line where both planes meet, and the order on its left; 0: they meet everywhere.

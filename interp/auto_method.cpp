@@ -103,7 +103,7 @@ bool each_is_close_to_last(const FillScene& scene, Fill exceptions) {
 /// as its pixels: fills that lie one or two deep, or very few all over the picture.
 bool is_small_and_close(const FillScene& scene, Fill fills) {
   constexpr Fill kFew = 64, kVeryFew = 8;
-  constexpr double kShallow = 2.6, kAllOver = 0.9;
+  constexpr double kShallow = 2.5, kAllOver = 0.9;
   if (fills < 2 || fills > kFew) return false;
   const double layers = layers_of(scene);
   if (layers < kShallow) return each_is_close_to_last(scene, 0);

@@ -169,7 +169,9 @@ int run(int argc, char** argv) {
       ->delimiter(',')
       ->check(CLI::Range(1, 16384));
   command->add_option("--rounds", bench.rounds, "of each ratio")->check(CLI::Range(1, 1000));
-  command->add_option("--seconds", bench.most_seconds, "at most for the rounds of one ratio")
+  command
+      ->add_option("--seconds", bench.most_seconds,
+                   "at most for the rounds of one ratio; hard cases take less")
       ->check(CLI::Range(0.001, 1e6));
   command->add_flag(
       "--features,!--no-features", bench.features,

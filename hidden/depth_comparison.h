@@ -36,6 +36,10 @@ class DepthComparison {
   /// True once more is known than the first filter.
   bool is_ready() const { return hinge_ || difference_; }
   void make_ready();
+  /// True if that found that they are one plane.
+  bool is_one_plane() const {
+    return (hinge_ && hinge_->order_on_left == 0) || (difference_ && difference_->is_zero());
+  }
 
   /// What is known once it is ready: za - zb at (x, y) is x slope_x + y slope_y + constant times
   /// some positive number. Each is off by less than 2^-38 of the largest, which is from 1/2 to 1

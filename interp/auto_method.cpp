@@ -103,9 +103,10 @@ bool each_is_close_to_last(const FillScene& scene, Fill exceptions) {
 /// as its pixels: fills that lie one or two deep, or very few all over the picture.
 bool is_small_and_close(const FillScene& scene, Fill fills) {
   constexpr Fill kFew = 64, kVeryFew = 8;
-  constexpr double kShallow = 2.5, kAllOver = 0.9;
+  constexpr double kSparse = 0.8, kShallow = 2.5, kAllOver = 0.9;
   if (fills < 2 || fills > kFew) return false;
   const double layers = layers_of(scene);
+  if (layers < kSparse && fills > kVeryFew) return false;
   if (layers < kShallow) return each_is_close_to_last(scene, 0);
   return fills <= kVeryFew && layers > kAllOver * fills && each_is_close_to_last(scene, fills / 2);
 }

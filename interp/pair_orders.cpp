@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -105,6 +106,11 @@ bool PairOrders::later_is_seen(Fill earlier, Fill later, const PixelCentre& cent
   Pair& asked = pair(earlier, later);
   if (asked.order != Order::varies) return asked.order == Order::second;
   if (asked.is_ready) return comparisons_[asked.comparison].order(centre) <= 0;
+  if (!same_plane_.empty() && one_of_plane(earlier) == one_of_plane(later)) {
+    asked.order = Order::second;
+    ++times_learnt_;
+    return true;
+  }
   DepthComparison comparison = comparison_of(earlier, later);
   if (++asked.times_asked == kOften && !asked.looked_for) {
     find_order(asked, comparison);
@@ -123,8 +129,25 @@ PairOrders::Known PairOrders::known(Fill earlier, Fill later) {
   return {.earlier_less_later = comparisons_[asked.comparison].rounded()};
 }
 
+/// The same for all fills that are known to lie in one plane: of n of them n - 1 pairs need be
+/// compared, not all.
+PairOrders::Fill PairOrders::one_of_plane(Fill fill) {
+  while (same_plane_[fill] != fill) {
+    same_plane_[fill] = same_plane_[same_plane_[fill]];
+    fill = same_plane_[fill];
+  }
+  return fill;
+}
+
 /// The order is looked for again, with what is known now.
 void PairOrders::keep(const DepthComparison& comparison, Pair& pair) {
+  if (comparison.is_one_plane()) {
+    if (same_plane_.empty()) {
+      same_plane_.resize(scene_->end());
+      std::iota(same_plane_.begin(), same_plane_.end(), Fill{0});
+    }
+    same_plane_[one_of_plane(pair.later)] = one_of_plane(pair.earlier);
+  }
   find_order(pair, comparison);
   ++times_learnt_;
   if (pair.order != Order::varies) return;

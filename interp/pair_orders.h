@@ -58,6 +58,7 @@ class PairOrders {
   Pair* place_of(Fill earlier, Fill later);
   void make_places(int power);
   DepthComparison comparison_of(Fill earlier, Fill later) const;
+  Fill one_of_plane(Fill fill);
   void keep(const DepthComparison& comparison, Pair& pair);
   void find_order(Pair& pair, const DepthComparison& comparison);
 
@@ -65,6 +66,7 @@ class PairOrders {
   std::vector<Pair> pairs_;  // by a hash of the two; more places are made as they fill
   int power_ = 0;
   std::vector<DepthComparison> comparisons_;
+  std::vector<Fill> same_plane_;  // another fill of its plane, or itself; empty: none is known
   std::size_t times_learnt_ = 0;
 };
 

@@ -104,7 +104,7 @@ bool each_is_close_to_last(const FillScene& scene, Fill exceptions) {
 bool is_small_and_close(const FillScene& scene, Fill fills) {
   constexpr Fill kFew = 64, kVeryFew = 8;
   constexpr double kSparse = 0.8, kShallow = 2.5, kAllOver = 0.9;
-  if (fills < 2 || fills > kFew) return false;
+  if (fills < 1 || fills > kFew) return false;
   const double layers = layers_of(scene);
   if (layers < kSparse && fills > kVeryFew) return false;
   if (layers < kShallow) return each_is_close_to_last(scene, 0);
@@ -140,7 +140,8 @@ MethodChoice choose_method(const DisplayFile& display_file, PictureKind kind,
 MethodChoice choose_method(const FillScene& scene, const PictureSize& size) {
   constexpr Fill kFewFills = 2000, kVeryFewFills = 32;
   constexpr std::size_t kSides = 8;
-  constexpr double kDeep = 12.0, kWide = 1.0 / 10.0, kManyPixels = 128.0, kFewPixels = 40.0;
+  constexpr double kWide = 1.0 / 10.0, kManyPixels = 128.0, kFewPixels = 40.0;
+  constexpr double kDeep = 12.0, kDeepForPixels = 5000.0;
   const Fill fills = scene.end() - 1;
   const double side = std::sqrt(static_cast<double>(size.width) * size.height);
   if (side <= kFewPixels && is_small_and_close(scene, fills)) {
@@ -148,16 +149,17 @@ MethodChoice choose_method(const FillScene& scene, const PictureSize& size) {
             "few polygons, close to each other, in few pixels: subdividing areas compares them "
             "once for each area"};
   }
-  if (side > kManyPixels && fills <= kFewFills && fills > 0) {
+  // Layers are no more than fills: where even so many would not do, they are not added up.
+  if (fills <= kFewFills && fills > 0 && (side > kManyPixels || fills * side > kDeepForPixels)) {
     const double layers = layers_of(scene);
     const bool wide = layers > kWide * fills;
-    const bool many_pixels = std::sqrt(layers / fills) * side > kManyPixels;
+    const bool many_pixels = side > kManyPixels && std::sqrt(layers / fills) * side > kManyPixels;
     const bool plain = scene.all_vertices() <= kSides * fills;
     if (wide && many_pixels && plain && fills <= kVeryFewFills) {
       return {HiddenMethod::scan_line,
               "few polygons, and wide: the scan line compares them only where spans begin and end"};
     }
-    if (wide && layers > kDeep) {
+    if (wide && layers > kDeep && layers * side > kDeepForPixels) {
       return {HiddenMethod::warnock,
               "wide polygons many deep: subdividing areas looks only at what may be seen"};
     }

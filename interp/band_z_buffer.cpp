@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "interp/fill_depths.h"
 #include "interp/pair_orders.h"
@@ -190,20 +191,21 @@ void BandZBuffer::draw_rows(int row_begin, int row_end, const SeenRun& seen) con
   if (request_->roundoff) return with_roundoff_.draw_rows(row_begin, row_end, seen);
   const auto width = static_cast<std::size_t>(request_->size.width);
   const std::size_t stride = width + DepthRows::kPadding;
-  std::vector<float> z(stride * kRowsOfABand);
-  std::vector<Fill> fill(stride * kRowsOfABand);
-  DepthRows rows{0, 0, request_->size.width, stride, z.data(), fill.data()};
+  const std::size_t pixels = stride * kRowsOfABand;
+  const auto z = std::make_unique_for_overwrite<float[]>(pixels);
+  const auto fill = std::make_unique_for_overwrite<Fill[]>(pixels);
+  DepthRows rows{0, 0, request_->size.width, stride, z.get(), fill.get()};
   ExactDecisions exact(request_->scene, request_->size, fills_, rows);
   const int last_band = (row_end - 1) / kRowsOfABand;
   for (int band = row_begin / kRowsOfABand; band <= last_band; ++band) {
     rows.row_begin = std::max(row_begin, band * kRowsOfABand);
     rows.row_end = std::min(row_end, (band + 1) * kRowsOfABand);
-    std::fill(z.begin(), z.end(), -std::numeric_limits<float>::infinity());
-    std::fill(fill.begin(), fill.end(), FillScene::kBackground);
+    std::fill_n(z.get(), pixels, -std::numeric_limits<float>::infinity());
+    std::fill_n(fill.get(), pixels, FillScene::kBackground);
     const auto draw = decisions_ == Decisions::exact ? draw_into_rows : draw_into_rows_rounded;
     draw(fills_, of_band(static_cast<std::size_t>(band)), rows, exact);
     for (int row = rows.row_begin; row < rows.row_end; ++row) {
-      seen(row, 0, {fill.data() + rows.index(row, 0), width});
+      seen(row, 0, {fill.get() + rows.index(row, 0), width});
     }
   }
 }

@@ -184,6 +184,17 @@ Cell Measurer::measure(const Contender& contender, int threads) {
   return cell;
 }
 
+std::optional<Spread> Measurer::time_again(const Contender& contender, int threads) {
+  constexpr double kLong = 0.0005;
+  const auto drawing = scene_->drawing(contender, threads);
+  drawing->draw_anew();
+  const double once = seconds_once([&] { drawing->draw_anew(); });
+  if (once > kLong) return std::nullopt;
+  return ratio(
+      effort_, threads == 1 ? Clock::processor : Clock::wall, once, [&] { drawing->draw_anew(); },
+      scene_->reference_seconds, [&] { scene_->reference->draw_anew(); });
+}
+
 void Measurer::measure(const Contender& contender, Cell& cell) {
   const int threads = cell.key.threads;
   const auto drawing = scene_->drawing(contender, threads);

@@ -30,6 +30,9 @@ class Measurer {
   Spread growth();
 
   Cell measure(const Contender& contender, int threads);
+  /// The time of a cell that was measured, a while later; nothing if it is long enough that no
+  /// pause of the machine's can fall on all of its rounds.
+  std::optional<Spread> time_again(const Contender& contender, int threads);
 
  private:
   struct Scene;

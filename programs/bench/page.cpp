@@ -40,7 +40,7 @@ std::string colour_of(const std::string& method) {
       {"none", "#7f7f7f"},        {"z-buffer", "#1f5fbf"},   {"plain-z-buffer", "#e08a00"},
       {"bsp", "#1f8f3f"},         {"depth-sort", "#c92a2a"}, {"scan-line", "#7b3fb5"},
       {"scan-line-z", "#8c5a2b"}, {"warnock", "#d6489a"},    {"ray-cast", "#0f9aa8"},
-      {"osmesa", "#111111"},      {"auto", "#009e60"},       {"embree", "#b8a000"},
+      {"osmesa", "#111111"},      {"auto", "#8fce00"},       {"embree", "#b8a000"},
       {"gl2ps", "#ff6f61"},
   };
   const auto colour = colours.find(method);
@@ -272,7 +272,8 @@ class Page {
     const auto all = fits(report_);
     std::vector<std::string> scenes = names_but_hard_cases(report_);
     std::erase_if(scenes, [&](const std::string& name) {
-      return std::ranges::find(all, name, &Fit::scene) == all.end();
+      return std::ranges::none_of(
+          all, [&](const Fit& f) { return f.scene == name && f.against == against; });
     });
     std::vector<std::string> heads{fmt::format("exponent of {}", name_of(against))};
     for (const std::string& name : scenes) heads.push_back(escaped(name));

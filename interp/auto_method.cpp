@@ -141,7 +141,7 @@ MethodChoice choose_method(const FillScene& scene, const PictureSize& size) {
   constexpr Fill kFewFills = 2000, kVeryFewFills = 32;
   constexpr std::size_t kSides = 8;
   constexpr double kWide = 1.0 / 10.0, kManyPixels = 128.0, kFewPixels = 40.0;
-  constexpr double kDeep = 12.0, kDeepForPixels = 5000.0;
+  constexpr double kDeep = 12.0, kDeepForPixels = 3500.0;
   const Fill fills = scene.end() - 1;
   const double side = std::sqrt(static_cast<double>(size.width) * size.height);
   if (side <= kFewPixels && is_small_and_close(scene, fills)) {

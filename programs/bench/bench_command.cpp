@@ -177,7 +177,7 @@ class Run {
       for (Visited& v : visited) {
         const Cell& cell = row.cells[v.cell];
         if (!cell.skipped.empty()) continue;
-        const auto time = measurer_.time_again(*v.contender, cell.key.threads);
+        const auto time = measurer_.time_again(*v.contender, cell);
         if (time) v.times.push_back(*time);
       }
     }

@@ -184,12 +184,23 @@ Cell Measurer::measure(const Contender& contender, int threads) {
   return cell;
 }
 
-std::optional<Spread> Measurer::time_again(const Contender& contender, int threads) {
+/// By the median: the first picture may have waited for something that others do not.
+void Measurer::remember(const Cell& cell) {
+  Longest& longest = longest_[key_text(cell.key)];
+  const double seconds = cell.time.median * scene_->reference_seconds;
+  longest.least_seconds = std::min(longest.least_seconds, seconds);
+  if (seconds >= longest.seconds) {
+    longest = {seconds, longest.least_seconds, scene_->polygons(), scene_->pixels()};
+  }
+}
+
+std::optional<Spread> Measurer::time_again(const Contender& contender, const Cell& cell) {
   constexpr double kLong = 0.0005;
+  const double once = cell.time.median * scene_->reference_seconds;
+  if (once > kLong) return std::nullopt;
+  const int threads = cell.key.threads;
   const auto drawing = scene_->drawing(contender, threads);
   drawing->draw_anew();
-  const double once = seconds_once([&] { drawing->draw_anew(); });
-  if (once > kLong) return std::nullopt;
   return ratio(
       effort_, threads == 1 ? Clock::processor : Clock::wall, once, [&] { drawing->draw_anew(); },
       scene_->reference_seconds, [&] { scene_->reference->draw_anew(); });
@@ -199,11 +210,6 @@ void Measurer::measure(const Contender& contender, Cell& cell) {
   const int threads = cell.key.threads;
   const auto drawing = scene_->drawing(contender, threads);
   const double once = seconds_once([&] { drawing->draw_anew(); });
-  Longest& longest = longest_[key_text(cell.key)];
-  longest.least_seconds = std::min(longest.least_seconds, once);
-  if (once >= longest.seconds) {
-    longest = {once, longest.least_seconds, scene_->polygons(), scene_->pixels()};
-  }
   if (contender.counted) count(*drawing, cell);
   compare(drawing->judged(), cell);
   if (const auto pieces = drawing->pieces()) {
@@ -214,6 +220,7 @@ void Measurer::measure(const Contender& contender, Cell& cell) {
   const auto reference = [&] { scene_->reference->draw_anew(); };
   cell.time = ratio(
       effort_, clock, once, [&] { drawing->draw_anew(); }, scene_->reference_seconds, reference);
+  remember(cell);
   if (scene_->scene.kind != BenchScene::Kind::hard_case) {
     const double again = seconds_once([&] { drawing->draw_again(); });
     cell.again = ratio(

@@ -32,13 +32,14 @@ class Measurer {
   Cell measure(const Contender& contender, int threads);
   /// The time of a cell that was measured, a while later; nothing if it is long enough that no
   /// pause of the machine's can fall on all of its rounds.
-  std::optional<Spread> time_again(const Contender& contender, int threads);
+  std::optional<Spread> time_again(const Contender& contender, const Cell& cell);
 
  private:
   struct Scene;
   /// Throws CannotDraw as the contender does.
   void measure(const Contender& contender, Cell& cell);
   bool too_long(const CellKey& key) const;
+  void remember(const Cell& cell);
   static void count(Drawing& drawing, Cell& cell);
   void compare(const Picture& picture, Cell& cell) const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <map>
@@ -146,6 +147,10 @@ const SceneRow& shown_scene(const Report& report, std::string_view name) {
     if (shown == nullptr || rank(row) > rank(*shown)) shown = &row;
   }
   return *shown;
+}
+
+std::string short_name(const std::string& scene) {
+  return std::filesystem::path(scene).stem().string();
 }
 
 std::vector<std::string> names(const Report& report, BenchScene::Kind kind) {

@@ -67,6 +67,9 @@ const SceneRow& shown_scene(const Report& report, std::string_view name);
 std::vector<std::string> names(const Report& report, BenchScene::Kind kind);
 std::vector<std::string> names_but_hard_cases(const Report& report);
 
+/// What a scene's name is in a table: of an input that of its file.
+std::string short_name(const std::string& scene);
+
 /// All but the hard cases and the walk: each picture is one by itself.
 std::vector<const SceneRow*> still_scenes(const Report& report);
 int most_threads(const Report& report);  ///< of any cell

@@ -18,7 +18,7 @@ namespace displayfile::bench {
 namespace {
 
 constexpr const char* kStyle = R"(
-body { font: 15px/1.45 sans-serif; color: #222; max-width: 1080px; margin: 24px auto; padding: 0 16px }
+body { font: 15px/1.45 sans-serif; color: #222; max-width: 1160px; margin: 24px auto; padding: 0 16px }
 h1 { font-size: 26px } h2 { font-size: 20px; margin-top: 40px } h3 { font-size: 16px; margin-bottom: 4px }
 table { border-collapse: collapse; font-size: 12px; margin: 8px 0 }
 td, th { padding: 1px 8px; border-bottom: 1px solid #e2e2e2; text-align: right; vertical-align: top }
@@ -27,7 +27,7 @@ th { border-bottom: 1px solid #888 }
 th { vertical-align: bottom } th.c { text-align: center; border-left: 1px solid #888 }
 .plots { display: flex; flex-wrap: wrap; gap: 14px }
 .plot { font: 11px sans-serif; max-width: 100% }
-.wide { overflow-x: auto }
+.wide { overflow-x: auto } .wide td:first-child { white-space: nowrap }
 .legend { font-size: 12px; line-height: 1.9 } .legend span { margin-right: 14px; white-space: nowrap }
 .mark { vertical-align: -2px; margin-right: 3px }
 .panel { width: 470px } .panel .legend { margin-left: 60px }
@@ -276,7 +276,7 @@ class Page {
           all, [&](const Fit& f) { return f.scene == name && f.against == against; });
     });
     std::vector<std::string> heads{fmt::format("exponent of {}", name_of(against))};
-    for (const std::string& name : scenes) heads.push_back(escaped(name));
+    for (const std::string& name : scenes) heads.push_back(escaped(short_name(name)));
     std::string text = "<div class='wide'><table>\n" + row("th", heads);
     for (const Column& column : columns_) {
       const bool fitted = std::ranges::any_of(all, [&](const Fit& f) {
@@ -352,7 +352,7 @@ class Page {
                      const std::function<std::string(const SceneRow&, const Cell&)>& value) const {
     std::vector<std::string> heads{head};
     const auto scenes = names_but_hard_cases(report_);
-    for (const std::string& name : scenes) heads.push_back(escaped(name));
+    for (const std::string& name : scenes) heads.push_back(escaped(short_name(name)));
     std::string text = "<div class='wide'><table>\n" + row("th", heads);
     for (const Column& column : columns_) {
       if (!shown(column)) continue;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <optional>
 #include <string_view>
 
@@ -34,12 +33,6 @@ std::string grouped(std::int64_t count) {
     text += digits[i];
   }
   return text;
-}
-
-/// An input is known by its file's name.
-std::string short_name(const BenchScene& scene) {
-  return scene.kind == BenchScene::Kind::input ? std::filesystem::path(scene.name).stem().string()
-                                               : scene.name;
 }
 
 bool is_roundoff(std::string_view precision) { return precision.starts_with("roundoff="); }
@@ -161,7 +154,7 @@ std::optional<Summary> speed(const Report& report) {
     const Faster osmesa = faster(row, "osmesa", "24 bits", threads);
     const Faster embree = faster(row, "embree", "single", 1);
     if (osmesa.first.empty() && embree.first.empty()) continue;
-    Row cells{short_name(row.scene), grouped(static_cast<std::int64_t>(row.polygons)),
+    Row cells{short_name(row.scene.name), grouped(static_cast<std::int64_t>(row.polygons)),
               fmt::format("{0} x {0}", row.scene.size), osmesa.first, osmesa.again};
     if (threads > 1) cells.push_back(osmesa.threads);
     cells.insert(cells.end(), {embree.first, embree.again});
@@ -251,7 +244,7 @@ std::optional<Summary> pieces(const Report& report) {
                   {{"scene", "polygons"}}};
   for (const Column& column : sorts) summary.rows.front().push_back(column.name());
   for (const SceneRow* shown : scenes) {
-    Row row{short_name(shown->scene), grouped(static_cast<std::int64_t>(shown->polygons))};
+    Row row{short_name(shown->scene.name), grouped(static_cast<std::int64_t>(shown->polygons))};
     bool any = false;
     for (const Column& column : sorts) {
       const auto each = fragments(report, *shown, column);

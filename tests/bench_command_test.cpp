@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -136,6 +137,7 @@ TEST_F(Bench, HoldsAutoAgainstTheBestFixedMethod) {
   EXPECT_NEAR(bounds["total_over_best_fixed"].get<double>() / (total / least), 1.0, 1e-3);
   const std::string line = fmt::format("at worst {} times", bounds["worst_over_best"].dump());
   EXPECT_NE(out_.find(line), out_.npos) << out_;
+  std::cout << "auto is " << line << " the best method on a scene\n";
 }
 
 /// On polygons that no precision confuses all that are installed see the same.

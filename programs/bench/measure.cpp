@@ -52,7 +52,17 @@ double seconds_each(Clock clock, int times, const auto& work) {
   return (now(clock) - start) / times;
 }
 
-double seconds_once(const auto& work) { return seconds_each(Clock::processor, 1, work); }
+/// The least of a few where the work is short: a single one may have waited for something, and by
+/// what it takes is decided how often it is repeated.
+double seconds_once(const auto& work) {
+  constexpr double kLong = 0.001;
+  constexpr int kMost = 5;
+  double least = seconds_each(Clock::processor, 1, work);
+  for (int i = 1; i < kMost && least < kLong; ++i) {
+    least = std::min(least, seconds_each(Clock::processor, 1, work));
+  }
+  return least;
+}
 
 /// The work's time over the reference's, in turn; `once` is about what each takes.
 Spread ratio(const Effort& effort, Clock clock, double once, const auto& work,

@@ -112,7 +112,6 @@ std::optional<DepthComparison::Hinge> DepthComparison::hinge_of(const Plane& a, 
     if (b.goes_through(*point)) common[n++] = Point2(*point);
   }
   if (n < 2) return std::nullopt;
-  if (n == 3) return Hinge{common[0], common[1], 0};
   const auto is_off = [&](const Point3& v) { return !a.goes_through(v); };
   const Point3& third = is_off(b.p) ? b.p : is_off(b.q) ? b.q : b.r;
   const int nearer_than_a = side_of_plane(third, a) * facing(a);
@@ -139,7 +138,7 @@ std::optional<int> DepthComparison::order_at_hand(const Point2& at) const {
 std::optional<DepthComparison::Linear> DepthComparison::rounded() const {
   constexpr double kFar = 1024.0, kLeast = 0x1p-900;
   if (difference_) return difference_->near;
-  if (!hinge_ || hinge_->order_on_left == 0) return std::nullopt;
+  if (!hinge_) return std::nullopt;
   const auto& [from, to, order] = *hinge_;
   if (!(std::max(std::abs(from.x), std::abs(from.y)) < kFar)) return std::nullopt;
   const double run = to.x - from.x, rise = to.y - from.y;
@@ -161,10 +160,7 @@ int DepthComparison::exact(const At& at) {
     }
     return order(at);
   }
-  if (hinge_) {
-    if (hinge_->order_on_left == 0) return 0;
-    return hinge_->order_on_left * side_of_line(hinge_->from, hinge_->to, at);
-  }
+  if (hinge_) return hinge_->order_on_left * side_of_line(hinge_->from, hinge_->to, at);
   if (difference_->is_zero()) return 0;
   count_exact(predicate_at(at));
   return difference_->exact(at);

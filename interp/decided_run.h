@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 namespace displayfile {
 
 /// Of columns of a row up to `end`, where the later of two polygons is seen rather than the one
@@ -21,27 +19,20 @@ struct DecidedRun {
 };
 
 /// Of columns first <= i < end, which both polygons cover; at least one of them. later_is_seen(i)
-/// tells it, truly, for one column; guess is about where that changes, if it does.
+/// tells it, truly, for one column.
 ///
 /// Along a row the difference of two depths is linear: if it has one sign at both ends of a run,
-/// it has that sign between them; if not, it changes once.
+/// it has that sign between them; if not, it changes once, and halving finds where.
 template <class LaterIsSeen>
-DecidedRun run_of(int first, int end, int guess, LaterIsSeen&& later_is_seen) {
+DecidedRun run_of(int first, int end, LaterIsSeen&& later_is_seen) {
   const bool before = later_is_seen(first);
   if (end - first == 1 || later_is_seen(end - 1) == before) return {end, end, before};
   int same = first, different = end - 1;
-  for (int asked = 0; different - same > 1; ++asked) {
-    const int middle = asked == 0   ? std::clamp(guess, same + 1, different - 1)
-                       : asked == 1 ? (same > first ? same + 1 : different - 1)
-                                    : same + (different - same) / 2;
+  while (different - same > 1) {
+    const int middle = same + (different - same) / 2;
     (later_is_seen(middle) == before ? same : different) = middle;
   }
   return {different, end, before};
-}
-
-template <class LaterIsSeen>
-DecidedRun run_of(int first, int end, LaterIsSeen&& later_is_seen) {
-  return run_of(first, end, first + (end - first) / 2, later_is_seen);
 }
 
 }  // namespace displayfile

@@ -84,35 +84,37 @@ DepthComparison PairOrders::comparison_of(Fill earlier, Fill later) const {
   return {scene_->plane(earlier), scene_->plane(later)};
 }
 
+void PairOrders::find_order(Pair& pair, const DepthComparison& comparison) {
+  pair.looked_for = true;
+  pair.order = are_in_one_plane(pair.earlier, pair.later) ? Order::second
+                                                          : order_of_extents(pair, comparison);
+  times_learnt_ += pair.order != Order::varies;
+}
+
 /// Three convex hulls hold all that both fills cover: the rectangle that their extents share, and
 /// that of the vertices of either.
-void PairOrders::find_order(Pair& pair, const DepthComparison& comparison) {
+PairOrder PairOrders::order_of_extents(const Pair& pair, const DepthComparison& comparison) const {
   constexpr std::size_t kFewVertices = 8;
-  pair.looked_for = true;
   const auto of_earlier = scene_->vertices(pair.earlier), of_later = scene_->vertices(pair.later);
   const FlatExtent a = flat_extent(of_earlier), b = flat_extent(of_later);
   const Point2 low(std::max(a.left, b.left), std::max(a.bottom, b.bottom));
   const Point2 high(std::min(a.right, b.right), std::min(a.top, b.top));
   const std::array corners{low, high, Point2(low.x, high.y), Point2(high.x, low.y)};
-  pair.order = order_over(comparison, corners);
+  Order order = order_over(comparison, corners);
   for (const auto& vertices : {of_earlier, of_later}) {
-    if (pair.order != Order::varies || vertices.size() > kFewVertices) continue;
-    pair.order = order_over(comparison, vertices);
+    if (order != Order::varies || vertices.size() > kFewVertices) continue;
+    order = order_over(comparison, vertices);
   }
-  times_learnt_ += pair.order != Order::varies;
+  return order;
 }
 
 bool PairOrders::later_is_seen(Fill earlier, Fill later, const PixelCentre& centre) {
   Pair& asked = pair(earlier, later);
   if (asked.order != Order::varies) return asked.order == Order::second;
   if (asked.is_ready) return comparisons_[asked.comparison].order(centre) <= 0;
-  if (!same_plane_.empty() && one_of_plane(earlier) == one_of_plane(later)) {
-    asked.order = Order::second;
-    ++times_learnt_;
-    return true;
-  }
   DepthComparison comparison = comparison_of(earlier, later);
-  if (++asked.times_asked == kOften && !asked.looked_for) {
+  const bool is_often = ++asked.times_asked == kOften && !asked.looked_for;
+  if (is_often || are_in_one_plane(earlier, later)) {
     find_order(asked, comparison);
     if (asked.order != Order::varies) return asked.order == Order::second;
   }
@@ -129,8 +131,12 @@ PairOrders::Known PairOrders::known(Fill earlier, Fill later) {
   return {.earlier_less_later = comparisons_[asked.comparison].rounded()};
 }
 
-/// The same for all fills that are known to lie in one plane: of n of them n - 1 pairs need be
-/// compared, not all.
+/// Of n fills that lie in one plane n - 1 pairs need be compared to know it of all.
+bool PairOrders::are_in_one_plane(Fill earlier, Fill later) {
+  return !same_plane_.empty() && one_of_plane(earlier) == one_of_plane(later);
+}
+
+/// The same for all fills that are known to lie in one plane.
 PairOrders::Fill PairOrders::one_of_plane(Fill fill) {
   while (same_plane_[fill] != fill) {
     same_plane_[fill] = same_plane_[same_plane_[fill]];

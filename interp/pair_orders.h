@@ -58,9 +58,11 @@ class PairOrders {
   Pair* place_of(Fill earlier, Fill later);
   void make_places(int power);
   DepthComparison comparison_of(Fill earlier, Fill later) const;
+  bool are_in_one_plane(Fill earlier, Fill later);
   Fill one_of_plane(Fill fill);
   void keep(const DepthComparison& comparison, Pair& pair);
   void find_order(Pair& pair, const DepthComparison& comparison);
+  Order order_of_extents(const Pair& pair, const DepthComparison& comparison) const;
 
   const FillScene* scene_;
   std::vector<Pair> pairs_;  // by a hash of the two; more places are made as they fill

@@ -222,8 +222,10 @@ class RowDrawer {
 
   const DepthDifference& difference_from(Fill other) {
     const std::size_t known = std::min(differences_known_, differences_.size());
-    for (last_close_ = 0; last_close_ < known; ++last_close_) {
-      if (differences_[last_close_].from == other) return differences_[last_close_];
+    for (std::size_t k = 0; k < known; ++k) {
+      if (differences_[k].from != other) continue;
+      last_close_ = k;
+      return differences_[k];
     }
     last_close_ = 1 + (differences_known_++ - 1) % (differences_.size() - 1);
     return differences_[last_close_] = exact_.difference_from(other);

@@ -560,42 +560,5 @@ TEST(SegmentCopies, ShareInstructionsUntilOneIsChanged) {
   EXPECT_EQ(closed_copy.polygons(), 2u);
 }
 
-// ---- Which method draws ------------------------------------------------------------------
-
-TEST(DrawingMethod, AutomaticIsDepthSortForVectorsAndTheZBufferForPixels) {
-  GraphicsSystem g;
-  g.set_line_style({LineStyle::Kind::none});
-  g.open_segment(1);
-  enter_square(g, 0.0, 0.5, 0.25);  // the second behind the first
-  enter_square(g, 0.25, 0.75, 0.0);
-  g.close_segment();
-  EXPECT_EQ(drawing_method(g, {}, PictureKind::vector), HiddenMethod::none);
-  g.set_hidden_line_removal(true);
-  EXPECT_EQ(drawing_method(g, {}, PictureKind::vector), HiddenMethod::depth_sort);
-  EXPECT_EQ(drawing_method(g, {}, PictureKind::raster), HiddenMethod::z_buffer);
-  EXPECT_EQ(drawing_method(g, {.hidden = HiddenMethod::bsp}, PictureKind::raster),
-            HiddenMethod::bsp);
-  g.set_z_buffer(true);
-  EXPECT_EQ(drawing_method(g, {}, PictureKind::vector), HiddenMethod::z_buffer);
-  EXPECT_EQ(picture_kind("a.svg"), PictureKind::vector);
-  EXPECT_EQ(picture_kind("a.png"), PictureKind::raster);
-  EXPECT_THROW(picture_kind("a.gif"), Error);
-}
-
-/// The program's precision is that of the sorts and of the z-buffer; the options' wins.
-TEST(DrawingMethod, PrecisionInForce) {
-  GraphicsSystem g;
-  EXPECT_TRUE(precision_in_force(g, {}).exact);
-  g.set_precision({.exact = false, .roundoff = 0.25});
-  EXPECT_EQ(precision_in_force(g, {}).roundoff, 0.25);
-  HiddenSurfaceOptions options;
-  options.precision = Precision{};
-  EXPECT_TRUE(precision_in_force(g, options).exact);
-  for (double wrong : {-0.5, 1.0, std::nan("")}) {
-    EXPECT_THROW(g.set_precision({.exact = false, .roundoff = wrong}), Error);
-  }
-  EXPECT_EQ(g.precision().roundoff, 0.25);
-}
-
 }  // namespace
 }  // namespace displayfile

@@ -1,0 +1,52 @@
+// Which method and which precision draw a picture: what the application set, unless the options
+// of the drawing say otherwise.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "clip/error.h"
+#include "displayfile/graphics_system.h"
+#include "displayfile/sorted_display_file.h"
+#include "interp/draw.h"
+
+namespace displayfile {
+namespace {
+
+TEST(DrawingMethod, IsThatOfTheOptionsOrElseOfTheApplication) {
+  GraphicsSystem g;
+  g.set_line_style({LineStyle::Kind::none});
+  g.open_segment(1);
+  g.polygon_abs_3({{0, 0, 0.25}, {0.5, 0, 0.25}, {0.5, 0.5, 0.25}});
+  g.polygon_abs_3({{0.25, 0, 0}, {0.75, 0, 0}, {0.75, 0.5, 0}});  // behind it
+  g.close_segment();
+  EXPECT_EQ(drawing_method(g, {}, PictureKind::vector), HiddenMethod::none);
+  g.set_hidden_line_removal(true);
+  EXPECT_EQ(drawing_method(g, {}, PictureKind::vector), HiddenMethod::depth_sort);
+  EXPECT_EQ(drawing_method(g, {}, PictureKind::raster), HiddenMethod::z_buffer);
+  EXPECT_EQ(drawing_method(g, {.hidden = HiddenMethod::bsp}, PictureKind::raster),
+            HiddenMethod::bsp);
+  g.set_z_buffer(true);
+  EXPECT_EQ(drawing_method(g, {}, PictureKind::vector), HiddenMethod::z_buffer);
+  EXPECT_EQ(picture_kind("a.svg"), PictureKind::vector);
+  EXPECT_EQ(picture_kind("a.png"), PictureKind::raster);
+  EXPECT_THROW(picture_kind("a.gif"), Error);
+}
+
+/// The program's precision is that of the sorts and of the z-buffer; the options' wins.
+TEST(DrawingMethod, PrecisionInForce) {
+  GraphicsSystem g;
+  EXPECT_TRUE(precision_in_force(g, {}).exact);
+  g.set_precision({.exact = false, .roundoff = 0.25});
+  EXPECT_EQ(precision_in_force(g, {}).roundoff, 0.25);
+  HiddenSurfaceOptions options;
+  options.precision = Precision{};
+  EXPECT_TRUE(precision_in_force(g, options).exact);
+  for (double wrong : {-0.5, 1.0, std::nan("")}) {
+    EXPECT_THROW(g.set_precision({.exact = false, .roundoff = wrong}), Error);
+  }
+  EXPECT_EQ(g.precision().roundoff, 0.25);
+}
+
+}  // namespace
+}  // namespace displayfile

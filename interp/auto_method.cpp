@@ -141,27 +141,27 @@ MethodChoice choose_method(const FillScene& scene, const PictureSize& size) {
   constexpr Fill kFewFills = 2000, kVeryFewFills = 32;
   constexpr std::size_t kSides = 8;
   constexpr double kWide = 1.0 / 10.0, kManyPixels = 128.0, kFewPixels = 40.0;
-  constexpr double kDeep = 12.0, kDeepForPixels = 3500.0;
+  constexpr double kDeep = 16.0, kManyInLayers = 250'000.0;
   const Fill fills = scene.end() - 1;
-  const double side = std::sqrt(static_cast<double>(size.width) * size.height);
+  const double pixels = static_cast<double>(size.width) * size.height, side = std::sqrt(pixels);
   if (side <= kFewPixels && is_small_and_close(scene, fills)) {
     return {HiddenMethod::warnock,
             "few polygons, close to each other, in few pixels: subdividing areas compares them "
             "once for each area"};
   }
   // Layers are no more than fills: where even so many would not do, they are not added up.
-  if (fills <= kFewFills && fills > 0 && (side > kManyPixels || fills * side > kDeepForPixels)) {
+  if (fills <= kFewFills && fills > 0 && (side > kManyPixels || fills * pixels > kManyInLayers)) {
     const double layers = layers_of(scene);
     const bool wide = layers > kWide * fills;
+    if (wide && layers > kDeep && layers * pixels > kManyInLayers) {
+      return {HiddenMethod::warnock,
+              "wide polygons many deep: subdividing areas looks only at what may be seen"};
+    }
     const bool many_pixels = side > kManyPixels && std::sqrt(layers / fills) * side > kManyPixels;
     const bool plain = scene.all_vertices() <= kSides * fills;
     if (wide && many_pixels && plain && fills <= kVeryFewFills) {
       return {HiddenMethod::scan_line,
               "few polygons, and wide: the scan line compares them only where spans begin and end"};
-    }
-    if (wide && layers > kDeep && layers * side > kDeepForPixels) {
-      return {HiddenMethod::warnock,
-              "wide polygons many deep: subdividing areas looks only at what may be seen"};
     }
   }
   return {HiddenMethod::z_buffer,

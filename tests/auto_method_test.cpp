@@ -98,7 +98,7 @@ TEST(AutoMethod, DrawsTheTruth) {
 
 TEST(AutoMethod, WidePolygonsManyDeepAreSubdivided) {
   std::vector<test::Vertices> sheets;
-  for (int k = 0; k < 40; ++k) sheets.push_back(square(0.01 * k, 0.1, 0.6, k * 7 % 40 / 40.0));
+  for (int k = 0; k < 80; ++k) sheets.push_back(square(0.005 * k, 0.1, 0.6, k * 7 % 80 / 80.0));
   EXPECT_EQ(choose_method(file_of(sheets), PictureKind::raster, kSize).method,
             HiddenMethod::warnock);
   for (auto& sheet : sheets) {

@@ -16,12 +16,23 @@ namespace displayfile::bench {
 
 namespace {
 
-/// A column's mean over scenes, and how many of them it was measured on.
+/// A column's mean over scenes; `place` is the column's in the tables.
 struct Mean {
   Column column;
   double time;
-  std::size_t scenes;
+  std::size_t place;
 };
+
+/// What is less than this part of another's time is clearly faster: two runs agree on it.
+constexpr double kClearly = 0.9;
+
+/// Of those that none is clearly faster than, the first in the tables.
+const Mean& best_of(std::span<const Mean> by_time) {
+  const double most = by_time.front().time / kClearly;
+  const auto end = std::ranges::find_if(by_time, [&](const Mean& m) { return m.time > most; });
+  return *std::min_element(by_time.begin(), end,
+                           [](const Mean& a, const Mean& b) { return a.place < b.place; });
+}
 
 using Rows = std::vector<const SceneRow*>;
 
@@ -30,7 +41,9 @@ std::vector<Mean> means(const Report& report, const Rows& rows,
                         const std::function<bool(const Column&)>& wanted,
                         const std::function<std::optional<double>(const Cell&)>& value) {
   std::vector<Mean> all;
+  std::size_t place = 0;
   for (const Column& column : columns(report)) {
+    ++place;
     if (!wanted(column)) continue;
     std::vector<double> values;
     for (const SceneRow* row : rows) {
@@ -39,7 +52,7 @@ std::vector<Mean> means(const Report& report, const Rows& rows,
       if (v) values.push_back(*v);
     }
     if (values.size() == rows.size()) {
-      all.push_back({column, figure(geometric_mean(values)), rows.size()});
+      all.push_back({column, figure(geometric_mean(values)), place});
     }
   }
   std::ranges::stable_sort(all, {}, &Mean::time);
@@ -58,7 +71,7 @@ std::string listed(std::span<const Mean> all) {
   return text;
 }
 
-/// The best, and what it is better than.
+/// The fastest.
 std::string first_of(const std::vector<Mean>& all) {
   return listed(std::span(all).first(std::min<std::size_t>(3, all.size())));
 }
@@ -126,15 +139,15 @@ std::optional<Advice> game_level(const Report& report) {
   const Rows rows{&shown_scene(report, walks.front())};
   const auto retained = [](const Column& c) { return c.precision == "retained tree"; };
   const auto times = means(
-      report, rows, [&](const Column& c) { return c.exact || retained(c); },
+      report, rows, [&](const Column& c) { return is_exact(c) || retained(c); },
       [](const Cell& cell) { return std::optional(cell.again->median); });
   if (times.empty()) return std::nullopt;
+  const Column& best = best_of(times).column;
   Advice advice{
       "A game level walked through",
-      times.front().column.name(),
+      best.name(),
       fmt::format("each view is a new one; {} wrong pixels in {} views of {} polygons; time: {}",
-                  wrong_in(rows, times.front().column), kViewsOfWalk, rows.front()->polygons,
-                  first_of(times)),
+                  wrong_in(rows, best), kViewsOfWalk, rows.front()->polygons, first_of(times)),
       {}};
   std::string list;
   for (const Mean& mean : times) {
@@ -166,14 +179,15 @@ std::optional<Advice> huge_image(const Report& report) {
   }
   const auto times = means(report, rows, is_exact, time_of);
   if (rows.empty() || times.empty()) return std::nullopt;
+  const Column& best = best_of(times).column;
   Advice advice{"A huge image",
-                times.front().column.name(),
+                best.name(),
                 fmt::format("time at {} pixels: {}", pixels, first_of(times)),
                 {}};
   advice.why.push_back(fmt::format(
       "At {} pixels, the most of this run, the exact methods take, in reference times (geometric "
       "mean over {} scenes): {}. Wrong pixels of {} there: {}.",
-      pixels, rows.size(), listed(times), advice.use, wrong_in(rows, times.front().column)));
+      pixels, rows.size(), listed(times), advice.use, wrong_in(rows, best)));
   std::map<std::string, std::vector<double>> exponents;
   for (const Fit& fit : fits(report)) {
     if (fit.against == Fit::Against::pixels && fit.precision == "exact") {
@@ -199,10 +213,11 @@ std::optional<Advice> thin_sheets(const Report& report) {
   }
   const auto times = means(report, rows, is_exact, time_of);
   if (rows.empty() || times.empty()) return std::nullopt;
+  const Column& best = best_of(times).column;
   Advice advice{"A stack of thin sheets: depths 1e-9 apart and less",
-                times.front().column.name(),
+                best.name(),
                 fmt::format("the exact methods have {} wrong pixels there; time: {}",
-                            wrong_in(rows, times.front().column), first_of(times)),
+                            wrong_in(rows, best), first_of(times)),
                 {}};
   std::string exact, others, last;
   std::int64_t pixels = 0;
@@ -241,17 +256,17 @@ std::optional<Advice> fastest_exact(const Report& report) {
   if (rows.empty()) return std::nullopt;
   const auto times = means(report, rows, is_exact, time_of);
   if (times.empty()) return std::nullopt;
+  const Column& usual = best_of(times).column;
   Advice advice{
       "Any other picture of pixels",
-      times.front().column.name(),
+      usual.name(),
       fmt::format("least time of a picture over {} scenes: {}", rows.size(), first_of(times)),
       {}};
   advice.why.push_back(fmt::format(
       "The least time of a picture over {} scenes (geometric mean, in reference times): {}.",
       rows.size(), listed(times)));
   for (const SceneRow* row : rows) {
-    constexpr double kClearly = 0.9;  // of what the advised method takes
-    const Cell* best = measured(*row, times.front().column.method, times.front().column.precision);
+    const Cell* best = measured(*row, usual.method, usual.precision);
     if (best == nullptr) continue;
     const double least = kClearly * best->time.median;
     for (const Cell& cell : row->cells) {
@@ -261,7 +276,7 @@ std::optional<Advice> fastest_exact(const Report& report) {
         best = &cell;
       }
     }
-    if (best->key.method == times.front().column.method) continue;
+    if (best->key.method == usual.method) continue;
     advice.why.push_back(fmt::format("But on {}: {}, at {}.", row->scene.id(), best->key.method,
                                      number(best->time.median)));
   }

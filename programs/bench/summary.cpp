@@ -260,7 +260,9 @@ std::optional<Summary> methods(const Report& report) {
   Summary summary{"methods",
                   "Methods",
                   "Which method when, from this run alone; times are in those of " +
-                      report.reference + ", geometric means over the scenes.",
+                      report.reference +
+                      ", geometric means over the scenes. Of methods within a tenth of the "
+                      "fastest the first of the tables is named.",
                   {{"for", "use", "why"}}};
   for (const Advice& a : advice(report)) summary.rows.push_back({a.purpose, a.use, a.reason});
   if (summary.rows.size() == 1) return std::nullopt;

@@ -310,6 +310,31 @@ TEST_F(Bench, SpeedIsThatOfThePeersOverTheReference) {
   }
 }
 
+/// Of one scene, so that each method's time is its median.
+TEST_F(Bench, AdvisesTheFirstOfTheMethodsThatNoneIsClearlyFasterThan) {
+  write("R.md", block("methods", ""));
+  ASSERT_EQ(run("bench soup --polygons 24 --sizes 24 --roundoff none --threads 1 --rounds 3 "
+                "--json b.json --readme R.md"),
+            0)
+      << err_;
+  constexpr double kClearly = 0.9;
+  std::vector<std::pair<std::string, double>> exact;
+  double least = 1e300;
+  const Json report = json("b.json");
+  for (const Json& cell : report["cells"]) {
+    if (!cell["exact"].get<bool>() || cell["method"] == "auto") continue;
+    exact.emplace_back(cell["method"].get<std::string>(), cell["time"]["median"].get<double>());
+    least = std::min(least, exact.back().second);
+  }
+  const auto first = std::ranges::find_if(
+      exact, [&](const auto& method) { return kClearly * method.second <= least; });
+  ASSERT_NE(first, exact.end());
+  const std::string written = read(folder_ / "R.md");
+  EXPECT_NE(written.find("| Any other picture of pixels | " + first->first + ", exact |"),
+            written.npos)
+      << written << first->first;
+}
+
 TEST_F(Bench, RefusesAReadmeThatIsNotMarkedWell) {
   const auto refused = [&](const std::string& text, const std::string& words) {
     write("R.md", text);

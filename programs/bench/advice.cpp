@@ -66,7 +66,10 @@ std::optional<double> time_of(const Cell& cell) { return cell.time.median; }
 std::string listed(std::span<const Mean> all) {
   std::string text;
   for (const Mean& mean : all) {
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", mean.column.method, number(mean.time));
+    const Column& column = mean.column;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ",
+                        column.exact ? column.method : column.method + " with " + column.precision,
+                        number(mean.time));
   }
   return text;
 }

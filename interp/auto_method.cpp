@@ -141,7 +141,7 @@ MethodChoice choose_method(const FillScene& scene, const PictureSize& size) {
   constexpr Fill kFewFills = 2000, kVeryFewFills = 32;
   constexpr std::size_t kSides = 8;
   constexpr double kWide = 1.0 / 10.0, kManyPixels = 128.0, kFewPixels = 40.0;
-  constexpr double kDeep = 16.0, kManyInLayers = 250'000.0;
+  constexpr double kDeep = 12.0, kDeepIfVeryFew = 16.0, kManyInLayers = 250'000.0;
   const Fill fills = scene.end() - 1;
   const double pixels = static_cast<double>(size.width) * size.height, side = std::sqrt(pixels);
   if (side <= kFewPixels && is_small_and_close(scene, fills)) {
@@ -152,14 +152,15 @@ MethodChoice choose_method(const FillScene& scene, const PictureSize& size) {
   // Layers are no more than fills: where even so many would not do, they are not added up.
   if (fills <= kFewFills && fills > 0 && (side > kManyPixels || fills * pixels > kManyInLayers)) {
     const double layers = layers_of(scene);
-    const bool wide = layers > kWide * fills;
-    if (wide && layers > kDeep && layers * pixels > kManyInLayers) {
+    const bool wide = layers > kWide * fills, very_few = fills <= kVeryFewFills;
+    const bool deep = layers > (very_few ? kDeepIfVeryFew : kDeep);
+    if (wide && deep && layers * pixels > kManyInLayers) {
       return {HiddenMethod::warnock,
               "wide polygons many deep: subdividing areas looks only at what may be seen"};
     }
     const bool many_pixels = side > kManyPixels && std::sqrt(layers / fills) * side > kManyPixels;
     const bool plain = scene.all_vertices() <= kSides * fills;
-    if (wide && many_pixels && plain && fills <= kVeryFewFills) {
+    if (wide && many_pixels && plain && very_few) {
       return {HiddenMethod::scan_line,
               "few polygons, and wide: the scan line compares them only where spans begin and end"};
     }

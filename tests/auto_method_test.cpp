@@ -98,7 +98,7 @@ TEST(AutoMethod, DrawsTheTruth) {
 
 TEST(AutoMethod, WidePolygonsManyDeepAreSubdivided) {
   std::vector<test::Vertices> sheets;
-  for (int k = 0; k < 80; ++k) sheets.push_back(square(0.005 * k, 0.1, 0.6, k * 7 % 80 / 80.0));
+  for (int k = 0; k < 40; ++k) sheets.push_back(square(0.01 * k, 0.1, 0.6, k * 7 % 40 / 40.0));
   EXPECT_EQ(choose_method(file_of(sheets), PictureKind::raster, kSize).method,
             HiddenMethod::warnock);
   for (auto& sheet : sheets) {
@@ -106,6 +106,15 @@ TEST(AutoMethod, WidePolygonsManyDeepAreSubdivided) {
   }
   EXPECT_EQ(choose_method(file_of(sheets), PictureKind::raster, kSize).method,
             HiddenMethod::z_buffer);
+}
+
+/// Also where they are as few as a scan line likes; in a tiny picture there is too little to skip.
+TEST(AutoMethod, FewWidePolygonsManyDeepAreSubdividedIfThereArePixels) {
+  std::vector<test::Vertices> sheets;
+  for (int k = 0; k < 30; ++k) sheets.push_back(square(0.003 * k, 0.0, 0.9, k * 7 % 30 / 30.0));
+  const DisplayFile file = file_of(sheets);
+  EXPECT_EQ(choose_method(file, PictureKind::raster, {192, 192}).method, HiddenMethod::warnock);
+  EXPECT_EQ(choose_method(file, PictureKind::raster, {48, 48}).method, HiddenMethod::z_buffer);
 }
 
 /// Edges are drawn over the neighbours' insides.

@@ -23,6 +23,8 @@ struct Measurer::Scene {
 
   explicit Scene(const BenchScene& s);
   std::unique_ptr<Drawing> drawing(const Contender& contender, int threads) const;
+  /// Of work on so many threads; `once` is about what it takes.
+  Spread over_reference(const Effort& effort, int threads, double once, const auto& work) const;
   double polygons() const { return static_cast<double>(file.polygons()); }
   double pixels() const { return static_cast<double>(scene.pixels()); }
 };
@@ -115,6 +117,12 @@ std::unique_ptr<Drawing> Measurer::Scene::drawing(const Contender& contender, in
   const Frame frame{scene.size, scene.size, threads};
   if (scene.kind != BenchScene::Kind::walk) return contender.draw(file, frame);
   return contender.draw ? draw_walk(views, contender, frame) : draw_walk_with_tree(views, frame);
+}
+
+Spread Measurer::Scene::over_reference(const Effort& effort, int threads, double once,
+                                       const auto& work) const {
+  return ratio(effort, threads == 1 ? Clock::processor : Clock::wall, once, work, reference_seconds,
+               [&] { reference->draw_anew(); });
 }
 
 Measurer::Measurer() = default;
@@ -211,9 +219,7 @@ std::optional<Spread> Measurer::time_again(const Contender& contender, const Cel
   const int threads = cell.key.threads;
   const auto drawing = scene_->drawing(contender, threads);
   drawing->draw_anew();
-  return ratio(
-      effort_, threads == 1 ? Clock::processor : Clock::wall, once, [&] { drawing->draw_anew(); },
-      scene_->reference_seconds, [&] { scene_->reference->draw_anew(); });
+  return scene_->over_reference(effort_, threads, once, [&] { drawing->draw_anew(); });
 }
 
 void Measurer::measure(const Contender& contender, Cell& cell) {
@@ -226,16 +232,11 @@ void Measurer::measure(const Contender& contender, Cell& cell) {
     cell.fragments = figure(static_cast<double>(*pieces) /
                             static_cast<double>(std::max<std::size_t>(1, polygons())));
   }
-  const Clock clock = threads == 1 ? Clock::processor : Clock::wall;
-  const auto reference = [&] { scene_->reference->draw_anew(); };
-  cell.time = ratio(
-      effort_, clock, once, [&] { drawing->draw_anew(); }, scene_->reference_seconds, reference);
+  cell.time = scene_->over_reference(effort_, threads, once, [&] { drawing->draw_anew(); });
   remember(cell);
   if (scene_->scene.kind != BenchScene::Kind::hard_case) {
     const double again = seconds_once([&] { drawing->draw_again(); });
-    cell.again = ratio(
-        effort_, clock, again, [&] { drawing->draw_again(); }, scene_->reference_seconds,
-        reference);
+    cell.again = scene_->over_reference(effort_, threads, again, [&] { drawing->draw_again(); });
   }
 }
 

@@ -107,9 +107,7 @@ class Page {
   std::string which_when() const {
     const auto all = advice(report_);
     if (all.empty()) return "";
-    std::string text =
-        "<h2>Which method when</h2>\n<p>Of methods within a tenth of the fastest the first of the "
-        "tables is named: two runs agree on it.</p>\n";
+    std::string text = "<h2>Which method when</h2>\n";
     for (const Advice& a : all) {
       text += fmt::format("<h3>{}: {}</h3>\n<p>{}.</p>\n<ul>\n", escaped(a.purpose), escaped(a.use),
                           escaped(a.reason));

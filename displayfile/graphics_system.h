@@ -17,9 +17,9 @@
 #include "displayfile/retained_scene.h"
 #include "displayfile/shading.h"
 #include "displayfile/style.h"
+#include "hidden/exact/precision.h"
 #include "hidden/hidden_method.h"
-#include "hidden/hidden_surface_sort.h"
-#include "hidden/precision.h"
+#include "hidden/sort/hidden_surface_sort.h"
 
 namespace displayfile {
 
@@ -110,10 +110,10 @@ class GraphicsSystem {
   /// than three sides it is entered as triangles whose diagonals are invisible. Any other polygon
   /// is shaded flat.
   void set_shading(Shading shading);
-  /// Shadows (interp/shadows.md): where there is light, the solid polygons that follow are drawn in
-  /// the ambient light alone where a solid polygon hides the light from them, whether that one was
-  /// entered with shadows on or off. What is clipped or removed as a back face hides no light. In
-  /// pixels of the software device only.
+  /// Shadows (interp/raster/shadows.md): where there is light, the solid polygons that follow are
+  /// drawn in the ambient light alone where a solid polygon hides the light from them, whether that
+  /// one was entered with shadows on or off. What is clipped or removed as a back face hides no
+  /// light. In pixels of the software device only.
   void set_shadows(bool on);
   /// Of the vertices of the next polygon, in its order: directions of any length, in the
   /// coordinates of its vertices, as Newell's sums turn out of the light face. Zero stands for the

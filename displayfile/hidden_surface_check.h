@@ -4,7 +4,7 @@
 
 #include "displayfile/segment.h"
 #include "displayfile/sorted_instructions.h"
-#include "hidden/hidden_surface_sort.h"
+#include "hidden/sort/hidden_surface_sort.h"
 
 namespace displayfile {
 
@@ -13,8 +13,8 @@ bool sorts(HiddenMethod method);
 
 /// HIDDEN-SURFACE-CHECK (algorithm 9.8): a segment's polygons and lines back to front, by `bsp`
 /// or `depth_sort`. Points are those after the image transformation, and so are those of the
-/// result. Each piece of a polygon that was cut keeps its styles and its pick identifier, and if the
-/// polygon is shaded its place in the shade; sides that cuts made are invisible. A polygon that
+/// result. Each piece of a polygon that was cut keeps its styles and its pick identifier, and if
+/// the polygon is shaded its place in the shade; sides that cuts made are invisible. A polygon that
 /// draws nothing, hollow and of line style none, is left out.
 ///
 /// Throws Error for another method, and for more than 2^32 - 1 points.

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "hidden/support_plane.h"
+#include "hidden/exact/support_plane.h"
 
 namespace displayfile {
 

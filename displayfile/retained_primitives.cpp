@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "clip/error.h"
-#include "hidden/plane.h"
-#include "hidden/support_plane.h"
+#include "hidden/exact/plane.h"
+#include "hidden/exact/support_plane.h"
 
 namespace displayfile {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "displayfile/retained_scene.h"
-#include "hidden/hidden_surface_sort.h"
+#include "hidden/sort/hidden_surface_sort.h"
 
 namespace displayfile {
 

@@ -15,7 +15,7 @@
 #include "displayfile/retained_primitives.h"
 #include "displayfile/view_rounding.h"
 #include "displayfile/viewed_primitives.h"
-#include "hidden/world_tree.h"
+#include "hidden/sort/world_tree.h"
 
 namespace displayfile {
 

@@ -10,12 +10,12 @@
 #include "displayfile/hidden_scope.h"
 #include "displayfile/retained_scene.h"
 #include "displayfile/sorted_instructions.h"
-#include "hidden/precision.h"
+#include "hidden/exact/precision.h"
 
 namespace displayfile {
 
 /// One tree, many views: the hidden surfaces of a retained scene sorted once, in world coordinates,
-/// and put in order for each view by a walk of the tree (hidden/world_tree.md).
+/// and put in order for each view by a walk of the tree (hidden/sort/world_tree.md).
 class RetainedViews {
  public:
   struct Options {

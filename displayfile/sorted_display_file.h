@@ -8,7 +8,7 @@
 
 #include "displayfile/graphics_system.h"
 #include "displayfile/segment_groups.h"
-#include "hidden/hidden_surface_sort.h"
+#include "hidden/sort/hidden_surface_sort.h"
 
 namespace displayfile {
 

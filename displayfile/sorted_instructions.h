@@ -5,8 +5,8 @@
 
 #include "clip/transformation.h"
 #include "displayfile/instructions.h"
+#include "hidden/exact/precision.h"
 #include "hidden/hidden_method.h"
-#include "hidden/precision.h"
 
 namespace displayfile {
 

@@ -10,7 +10,7 @@ namespace displayfile {
 /// Red, green and blue, each in [0,1].
 using Colour = glm::dvec3;
 
-/// How a solid fill is drawn where another fill hides the light (interp/shadows.md).
+/// How a solid fill is drawn where another fill hides the light (interp/raster/shadows.md).
 struct FillShadow {
   Colour colour;
   /// In normalised device coordinates, homogeneous: far away, but in a perspective view at a point

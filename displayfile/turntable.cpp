@@ -9,7 +9,7 @@
 #include "clip/transformation.h"
 #include "clip/view_volume.h"
 #include "displayfile/bounds.h"
-#include "displayfile/fitted_window.h"
+#include "displayfile/mesh/fitted_window.h"
 
 namespace displayfile {
 

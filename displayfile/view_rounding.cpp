@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hidden/rounding.h"
+#include "hidden/exact/rounding.h"
 
 namespace displayfile {
 

@@ -8,7 +8,7 @@ namespace displayfile {
 
 /// How far, in device coordinates along x and along y, the boundary of a piece that was cut in
 /// world coordinates and then viewed may lie from the same boundary of the whole polygon, viewed
-/// (hidden/world_tree.md, "What rounding may move").
+/// (hidden/sort/world_tree.md, "What rounding may move").
 class ViewRounding {
  public:
   /// `volume` is the view's, and must stay.

@@ -9,15 +9,16 @@ namespace displayfile {
 /// How hidden surfaces are found. `automatic` lets the system pick.
 enum class HiddenMethod {
   automatic,
-  none,         ///< the heedless painter: polygons in the order they were entered
-  back_face,    ///< the back-face check alone: right for a single convex object
-  z_buffer,     ///< in image space, pixel by pixel
-  bsp,          ///< in object space: a tree of the polygons' planes (hidden/bsp.md)
-  depth_sort,   ///< in object space: a graph of what must be drawn first (hidden/depth_sort.md)
-  scan_line,    ///< in image space, row by row, without a z-buffer (interp/scan_line.md)
+  none,        ///< the heedless painter: polygons in the order they were entered
+  back_face,   ///< the back-face check alone: right for a single convex object
+  z_buffer,    ///< in image space, pixel by pixel
+  bsp,         ///< in object space: a tree of the polygons' planes (hidden/sort/bsp.md)
+  depth_sort,  ///< in object space: a graph of what must be drawn first (hidden/sort/depth_sort.md)
+  scan_line,   ///< in image space, row by row, without a z-buffer (interp/visibility/scan_line.md)
   scan_line_z,  ///< in image space, row by row, with a z-buffer one row high
-  ray_cast,     ///< in image space, a ray through each pixel centre (interp/ray_cast.md)
-  warnock,      ///< in image space, areas subdivided until it is easy to tell (interp/warnock.md)
+  ray_cast,     ///< in image space, a ray through each pixel centre (interp/visibility/ray_cast.md)
+  warnock,      ///< in image space, areas subdivided until it is easy to tell
+                ///< (interp/visibility/warnock.md)
   roberts,
   appel,
   franklin,

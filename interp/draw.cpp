@@ -10,14 +10,14 @@
 
 #include "clip/error.h"
 #include "displayfile/output_file.h"
-#include "interp/image_space.h"
-#include "interp/npy_file.h"
-#include "interp/osmesa.h"
-#include "interp/pdf_device.h"
-#include "interp/png_file.h"
-#include "interp/ppm_file.h"
-#include "interp/software.h"
-#include "interp/svg_device.h"
+#include "interp/files/npy_file.h"
+#include "interp/files/png_file.h"
+#include "interp/files/ppm_file.h"
+#include "interp/opengl/osmesa.h"
+#include "interp/raster/software.h"
+#include "interp/vector/pdf_device.h"
+#include "interp/vector/svg_device.h"
+#include "interp/visibility/image_space.h"
 
 namespace displayfile {
 

@@ -7,10 +7,10 @@
 
 #include "displayfile/graphics_system.h"
 #include "displayfile/sorted_display_file.h"
-#include "hidden/precision.h"
-#include "interp/antialias.h"
-#include "interp/auto_method.h"
+#include "hidden/exact/precision.h"
 #include "interp/picture.h"
+#include "interp/raster/antialias.h"
+#include "interp/visibility/auto_method.h"
 
 namespace displayfile {
 
@@ -40,7 +40,7 @@ PictureKind picture_kind(const std::filesystem::path& file);  ///< Error: an unk
 
 /// The method that draws the picture: that of the options, or else what the application set
 /// with set_hidden_line_removal, set_hidden_method and set_z_buffer; never `automatic`, for
-/// which choose_method() picks one (interp/auto_method.h).
+/// which choose_method() picks one (interp/visibility/auto_method.h).
 HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& options,
                             PictureKind kind = PictureKind::raster);
 

@@ -24,9 +24,9 @@ struct Picture {
 /// What to draw of a display file, and how large.
 struct RasterRequest {
   int width = 512, height = 512;
-  /// An image-space method (interp/image_space.h), or `automatic` for the one that is the cheapest
-  /// (interp/auto_method.h): the nearest fill is seen, wherever it stands in the order; any other:
-  /// what is drawn last.
+  /// An image-space method (interp/visibility/image_space.h), or `automatic` for the one that is
+  /// the cheapest (interp/visibility/auto_method.h): the nearest fill is seen, wherever it stands
+  /// in the order; any other: what is drawn last.
   HiddenMethod method = HiddenMethod::none;
   /// Of what is drawn in order: the order drawn is an exact back-to-front order, so what is nearest
   /// is to be seen also where cuts were rounded and where polygons touch.

@@ -13,7 +13,7 @@
 
 #include "clip/error.h"
 #include "displayfile/sorted_display_file.h"
-#include "interp/software.h"
+#include "interp/raster/software.h"
 #include "programs/bench/bench_command.h"
 #include "programs/commands.h"
 #include "programs/segment_outputs.h"

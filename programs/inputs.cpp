@@ -4,7 +4,7 @@
 
 #include <iostream>
 
-#include "displayfile/drawing_program.h"
+#include "displayfile/text/drawing_program.h"
 #include "programs/progress.h"
 
 namespace displayfile {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "displayfile/graphics_system.h"
-#include "displayfile/mesh.h"
+#include "displayfile/mesh/mesh.h"
 
 namespace displayfile {
 

@@ -9,10 +9,10 @@
 #include <span>
 
 #include "clip/error.h"
-#include "displayfile/dump.h"
-#include "displayfile/dump_compare.h"
 #include "displayfile/output_file.h"
-#include "hidden/precision.h"
+#include "displayfile/text/dump.h"
+#include "displayfile/text/dump_compare.h"
+#include "hidden/exact/precision.h"
 #include "programs/inputs.h"
 
 namespace displayfile {

@@ -13,7 +13,7 @@ int turntable_views(const std::string& text);
 
 /// Draws the inputs turned about the view-up axis through their middle, before a camera and lights
 /// that stay, in `views` views evenly around, all from one BSP tree in world coordinates
-/// (hidden/world_tree.md). A bare mesh's window is fitted to all views.
+/// (hidden/sort/world_tree.md). A bare mesh's window is fitted to all views.
 ///
 /// The files are numbered: OUT-000.png, OUT-001.png and so on for OUT.png, and likewise the item
 /// buffers and depths of the options. Each appears whole or not at all, and none if one of them

@@ -1,6 +1,6 @@
 // Antialiasing as its users meet it: each pixel is the mean of its samples, whatever draws them.
 
-#include "interp/antialias.h"
+#include "interp/raster/antialias.h"
 
 #include <gtest/gtest.h>
 

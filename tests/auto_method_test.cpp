@@ -1,6 +1,6 @@
 // What `auto` picks: always exact, and no more work than the scene needs.
 
-#include "interp/auto_method.h"
+#include "interp/visibility/auto_method.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "displayfile/graphics_system.h"
-#include "interp/software.h"
-#include "interp/truth.h"
+#include "interp/raster/software.h"
+#include "interp/truth/truth.h"
 #include "tests/truth_scenes.h"
 
 namespace displayfile {

@@ -17,7 +17,7 @@
 
 // The definition of truth (the design's section 4) in rationals, in the most naive way that can
 // be read against it: every row, every polygon, every edge, every centre. It shares no line with
-// interp/truth.cpp or with any method. For small pictures and few polygons: about 10 ms for 8
+// interp/truth/truth.cpp or with any method. For small pictures and few polygons: about 10 ms for 8
 // polygons at 32 x 32.
 
 namespace displayfile::test {

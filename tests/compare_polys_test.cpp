@@ -1,5 +1,5 @@
-// COMPARE-POLYS (hidden/sort_polygons.h) on cases solved by hand: which side of a plane, and the
-// halves of what it cuts.
+// COMPARE-POLYS (hidden/sort/sort_polygons.h) on cases solved by hand: which side of a plane, and
+// the halves of what it cuts.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "hidden/sort_polygons.h"
+#include "hidden/sort/sort_polygons.h"
 #include "tests/sort_truth.h"
 
 namespace displayfile {

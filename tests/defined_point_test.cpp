@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "hidden/defined_point.h"
-#include "hidden/depth_order.h"
+#include "hidden/exact/defined_point.h"
+#include "hidden/exact/depth_order.h"
 #include "tests/predicate_truth.h"
 
 namespace displayfile {

@@ -1,6 +1,6 @@
 // The cycles of a graph.
 
-#include "hidden/drawing_graph.h"
+#include "hidden/sort/drawing_graph.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "displayfile/drawing_program.h"
+#include "displayfile/text/drawing_program.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "displayfile/dump.h"
+#include "displayfile/text/dump.h"
 #include "tests/temporary_folder.h"
 
 namespace displayfile {

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "clip/error.h"
-#include "displayfile/drawing_program.h"
-#include "displayfile/dump.h"
-#include "displayfile/dump_compare.h"
+#include "displayfile/text/drawing_program.h"
+#include "displayfile/text/dump.h"
+#include "displayfile/text/dump_compare.h"
 #include "tests/temporary_folder.h"
 
 namespace displayfile {

@@ -13,12 +13,12 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "displayfile/drawing_program.h"
-#include "displayfile/dump.h"
 #include "displayfile/sorted_display_file.h"
+#include "displayfile/text/drawing_program.h"
+#include "displayfile/text/dump.h"
 #include "interp/draw.h"
 #include "interp/interpreter.h"
-#include "interp/truth.h"
+#include "interp/truth/truth.h"
 
 namespace displayfile {
 namespace {

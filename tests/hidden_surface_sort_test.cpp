@@ -1,7 +1,7 @@
-// The object-space sorts (hidden/hidden_surface_sort.h), judged by rationals at sample points, and
-// how many cuts they make on cases solved by hand.
+// The object-space sorts (hidden/sort/hidden_surface_sort.h), judged by rationals at sample points,
+// and how many cuts they make on cases solved by hand.
 
-#include "hidden/hidden_surface_sort.h"
+#include "hidden/sort/hidden_surface_sort.h"
 
 #include <gtest/gtest.h>
 

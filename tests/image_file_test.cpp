@@ -14,10 +14,10 @@
 #include <string>
 
 #include "clip/error.h"
-#include "interp/npy_file.h"
-#include "interp/picture_compare.h"
-#include "interp/png_file.h"
-#include "interp/ppm_file.h"
+#include "interp/files/npy_file.h"
+#include "interp/files/picture_compare.h"
+#include "interp/files/png_file.h"
+#include "interp/files/ppm_file.h"
 #include "tests/temporary_folder.h"
 
 namespace displayfile {

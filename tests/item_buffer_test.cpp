@@ -18,12 +18,12 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "displayfile/drawing_program.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/mesh.h"
+#include "displayfile/mesh/mesh.h"
+#include "displayfile/text/drawing_program.h"
 #include "interp/interpreter.h"
-#include "interp/osmesa.h"
-#include "interp/software.h"
+#include "interp/opengl/osmesa.h"
+#include "interp/raster/software.h"
 #include "tests/mesa_leaks.h"
 #include "tests/slower.h"
 

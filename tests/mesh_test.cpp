@@ -1,7 +1,7 @@
 // What a user may expect of meshes: faces come through as they are in the file, bad files are
 // refused with their name and place, and the fitted view shows the whole mesh.
 
-#include "displayfile/mesh.h"
+#include "displayfile/mesh/mesh.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "displayfile/drawing_program.h"
-#include "displayfile/dump.h"
-#include "displayfile/fitted_view.h"
+#include "displayfile/mesh/fitted_view.h"
+#include "displayfile/text/drawing_program.h"
+#include "displayfile/text/dump.h"
 #include "tests/temporary_folder.h"
 
 /// The import library does not free all that it took for a file that it refuses.

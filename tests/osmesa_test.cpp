@@ -1,4 +1,4 @@
-#include "interp/osmesa.h"
+#include "interp/opengl/osmesa.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "interp/software.h"
+#include "interp/raster/software.h"
 #include "tests/mesa_leaks.h"
 
 namespace displayfile {

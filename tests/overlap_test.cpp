@@ -1,7 +1,7 @@
 // What depth sort finds its pairs by: extents, their index, and the test for overlap in the
 // projection. Judged by rationals and by comparing all pairs.
 
-#include "hidden/overlap.h"
+#include "hidden/sort/overlap.h"
 
 #include <gtest/gtest.h>
 

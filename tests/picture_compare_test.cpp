@@ -1,6 +1,6 @@
 // The measures of wrong pixels and depth error, and the picture that marks them.
 
-#include "interp/picture_compare.h"
+#include "interp/files/picture_compare.h"
 
 #include <gtest/gtest.h>
 

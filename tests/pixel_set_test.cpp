@@ -1,4 +1,4 @@
-#include "interp/pixel_set.h"
+#include "interp/scan/pixel_set.h"
 
 #include <gtest/gtest.h>
 

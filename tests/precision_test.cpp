@@ -1,4 +1,4 @@
-#include "hidden/precision.h"
+#include "hidden/exact/precision.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-#include "hidden/pixel_centre.h"
+#include "hidden/exact/pixel_centre.h"
 
 // Input for the tests of the predicates: at random, and whole-numbered constructions that are
 // exact zeros, put on to doubles and nudged by a few ulps.

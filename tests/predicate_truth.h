@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "hidden/predicate_counts.h"
+#include "hidden/exact/predicate_counts.h"
 #include "tests/predicate_inputs.h"
 #include "tests/rational_points.h"
 

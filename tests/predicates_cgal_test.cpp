@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
-#include "hidden/orientation.h"
-#include "hidden/plane.h"
+#include "hidden/exact/orientation.h"
+#include "hidden/exact/plane.h"
 #include "tests/predicate_inputs.h"
 
 namespace displayfile {

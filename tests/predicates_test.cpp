@@ -10,11 +10,11 @@
 #include <thread>
 #include <vector>
 
-#include "hidden/depth_comparison.h"
-#include "hidden/depth_order.h"
-#include "hidden/orientation.h"
-#include "hidden/pixel_centre.h"
-#include "hidden/plane.h"
+#include "hidden/exact/depth_comparison.h"
+#include "hidden/exact/depth_order.h"
+#include "hidden/exact/orientation.h"
+#include "hidden/exact/pixel_centre.h"
+#include "hidden/exact/plane.h"
 #include "tests/predicate_truth.h"
 
 namespace displayfile {

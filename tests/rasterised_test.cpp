@@ -10,10 +10,10 @@
 #include <filesystem>
 #include <string>
 
-#include "interp/pdf_device.h"
-#include "interp/png_file.h"
-#include "interp/software.h"
-#include "interp/svg_device.h"
+#include "interp/files/png_file.h"
+#include "interp/raster/software.h"
+#include "interp/vector/pdf_device.h"
+#include "interp/vector/svg_device.h"
 #include "tests/temporary_folder.h"
 #include "tests/vector_scenes.h"
 

@@ -1,6 +1,6 @@
 // What must hold of ray casting beside having no wrong pixel (software_truth_test.cpp).
 
-#include "interp/ray_cast.h"
+#include "interp/visibility/ray_cast.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <numeric>
 #include <vector>
 
-#include "interp/box_tree.h"
-#include "interp/fill_depths.h"
-#include "interp/software.h"
-#include "interp/truth.h"
+#include "interp/raster/software.h"
+#include "interp/truth/truth.h"
+#include "interp/visibility/box_tree.h"
+#include "interp/visibility/fill_depths.h"
 #include "tests/truth_scenes.h"
 
 namespace displayfile {

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "displayfile/drawing_program.h"
-#include "displayfile/dump.h"
-#include "displayfile/dump_compare.h"
+#include "displayfile/text/drawing_program.h"
+#include "displayfile/text/dump.h"
+#include "displayfile/text/dump_compare.h"
 #include "tests/fuzz/record_and_replay.h"
 #include "tests/slower.h"
 

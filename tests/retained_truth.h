@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "displayfile/dump.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/retained_scene.h"
-#include "interp/software.h"
-#include "interp/truth.h"
+#include "displayfile/text/dump.h"
+#include "interp/raster/software.h"
+#include "interp/truth/truth.h"
 
 // Views of a retained scene, held against the truth of each view.
 

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "displayfile/fitted_view.h"
-#include "displayfile/mesh.h"
+#include "displayfile/mesh/fitted_view.h"
+#include "displayfile/mesh/mesh.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/hard_cases.h"
 #include "tests/random_views.h"

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/drawing_program.h"
-#include "interp/scan_line.h"
-#include "interp/software.h"
-#include "interp/truth.h"
+#include "displayfile/text/drawing_program.h"
+#include "interp/raster/software.h"
+#include "interp/truth/truth.h"
+#include "interp/visibility/scan_line.h"
 #include "tests/truth_scenes.h"
 
 namespace displayfile {

@@ -2,7 +2,7 @@
 // memory that it takes, and how often it asks exact arithmetic. Pictures that are written as their
 // rows come.
 
-#include "interp/scan_line_z.h"
+#include "interp/visibility/scan_line_z.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,13 +11,13 @@
 #include <filesystem>
 #include <numbers>
 
-#include "hidden/predicate_counts.h"
+#include "hidden/exact/predicate_counts.h"
 #include "interp/draw.h"
-#include "interp/npy_file.h"
-#include "interp/png_file.h"
-#include "interp/polygon_z_buffer.h"
-#include "interp/ppm_file.h"
-#include "interp/software.h"
+#include "interp/files/npy_file.h"
+#include "interp/files/png_file.h"
+#include "interp/files/ppm_file.h"
+#include "interp/raster/software.h"
+#include "interp/visibility/polygon_z_buffer.h"
 #include "programs/bench/counted_memory.h"
 #include "tests/slower.h"
 #include "tests/truth_scenes.h"

@@ -12,13 +12,13 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/dump.h"
-#include "displayfile/dump_compare.h"
 #include "displayfile/retained_views.h"
+#include "displayfile/text/dump.h"
+#include "displayfile/text/dump_compare.h"
 #include "interp/draw.h"
-#include "interp/image_space.h"
-#include "interp/picture_compare.h"
-#include "interp/software.h"
+#include "interp/files/picture_compare.h"
+#include "interp/raster/software.h"
+#include "interp/visibility/image_space.h"
 #include "tests/truth_scenes.h"
 
 namespace displayfile {

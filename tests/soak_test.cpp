@@ -11,7 +11,7 @@
 
 #include "displayfile/graphics_system.h"
 #include "displayfile/sorted_display_file.h"
-#include "interp/software.h"
+#include "interp/raster/software.h"
 #include "programs/bench/counted_memory.h"
 #include "tests/slower.h"
 #include "tests/truth_scenes.h"

@@ -1,4 +1,4 @@
-#include "interp/software.h"
+#include "interp/raster/software.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "clip/error.h"
 #include "displayfile/graphics_system.h"
-#include "interp/scan_convert.h"
+#include "interp/scan/scan_convert.h"
 
 namespace displayfile {
 namespace {

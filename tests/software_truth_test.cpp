@@ -7,9 +7,9 @@
 #include <cmath>
 #include <string>
 
-#include "interp/image_space.h"
-#include "interp/software.h"
-#include "interp/truth.h"
+#include "interp/raster/software.h"
+#include "interp/truth/truth.h"
+#include "interp/visibility/image_space.h"
 #include "tests/slower.h"
 #include "tests/truth_scenes.h"
 

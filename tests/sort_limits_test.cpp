@@ -1,7 +1,7 @@
 // The object-space sorts at their limits: nothing, degenerate, very many, coordinates of any size,
 // and on several threads.
 
-#include "hidden/hidden_surface_sort.h"
+#include "hidden/sort/hidden_surface_sort.h"
 
 #include <gtest/gtest.h>
 

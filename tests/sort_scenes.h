@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "hidden/hidden_surface_sort.h"
+#include "hidden/sort/hidden_surface_sort.h"
 #include "tests/predicate_inputs.h"
 
 // Scenes for the tests of the object-space sorts, as the items that they take.

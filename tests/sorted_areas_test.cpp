@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "hidden/sort_polygons.h"
+#include "hidden/sort/sort_polygons.h"
 #include "tests/every_way.h"
 
 namespace displayfile {

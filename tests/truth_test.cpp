@@ -1,6 +1,6 @@
 // The oracle against the brute-force check in rationals, and against pictures worked out by hand.
 
-#include "interp/truth.h"
+#include "interp/truth/truth.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

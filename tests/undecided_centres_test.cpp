@@ -1,7 +1,7 @@
 // Painting a sorted display file shows what the definition says, also where a cut was rounded and
 // where polygons touch: the pictures are the oracle's, to the last pixel.
 
-#include "interp/undecided_centres.h"
+#include "interp/raster/undecided_centres.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@
 #include <string>
 #include <utility>
 
-#include "interp/software.h"
-#include "interp/truth.h"
+#include "interp/raster/software.h"
+#include "interp/truth/truth.h"
 #include "tests/truth_scenes.h"
 
 namespace displayfile {

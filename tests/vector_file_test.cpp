@@ -12,8 +12,8 @@
 
 #include "clip/error.h"
 #include "interp/interpreter.h"
-#include "interp/pdf_device.h"
-#include "interp/svg_device.h"
+#include "interp/vector/pdf_device.h"
+#include "interp/vector/svg_device.h"
 #include "tests/temporary_folder.h"
 #include "tests/vector_scenes.h"
 

@@ -1,7 +1,7 @@
 // The order in which a vector device is to draw: every pixel centre shows what the z-buffer shows,
 // and lines are cut where fills hide them.
 
-#include "interp/visible_order.h"
+#include "interp/vector/sampled/visible_order.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "interp/drawing_order.h"
-#include "interp/scan_convert.h"
-#include "interp/software.h"
-#include "interp/vector_device.h"
+#include "interp/raster/software.h"
+#include "interp/scan/scan_convert.h"
+#include "interp/vector/sampled/drawing_order.h"
+#include "interp/vector/vector_device.h"
 #include "tests/vector_scenes.h"
 
 namespace displayfile {

@@ -1,7 +1,7 @@
 // Warnock's area subdivision, area by area: the categories and lists of the problem book's section
 // 10.6, what is inherited from an area's parent, and the picture of both forms.
 
-#include "interp/warnock.h"
+#include "interp/visibility/warnock.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "interp/polygon_z_buffer.h"
-#include "interp/scan_convert.h"
-#include "interp/truth.h"
+#include "interp/scan/scan_convert.h"
+#include "interp/truth/truth.h"
+#include "interp/visibility/polygon_z_buffer.h"
 #include "programs/scenes/hard_cases.h"
 #include "tests/truth_scenes.h"
 

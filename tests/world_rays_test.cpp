@@ -1,6 +1,6 @@
 // Ray casting in object space: what its rays see, held against the truth of each view.
 
-#include "interp/world_rays.h"
+#include "interp/visibility/world_rays.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "interp/truth.h"
+#include "interp/truth/truth.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/hard_cases.h"
 #include "tests/random_views.h"

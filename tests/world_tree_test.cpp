@@ -1,6 +1,6 @@
 // The tree in world coordinates by itself: its orders, held against rays by rational arithmetic.
 
-#include "hidden/world_tree.h"
+#include "hidden/sort/world_tree.h"
 
 #include <gtest/gtest.h>
 #include <pthread.h>
@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "hidden/support_plane.h"
+#include "hidden/exact/support_plane.h"
 #include "tests/predicate_truth.h"
 #include "tests/random_views.h"
 #include "tests/slower.h"

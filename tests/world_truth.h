@@ -10,9 +10,9 @@
 #include "clip/clip_pipeline.h"
 #include "displayfile/display_file.h"
 #include "displayfile/retained_scene.h"
-#include "hidden/pixel_centre.h"
-#include "hidden/plane.h"
-#include "hidden/support_plane.h"
+#include "hidden/exact/pixel_centre.h"
+#include "hidden/exact/plane.h"
+#include "hidden/exact/support_plane.h"
 #include "tests/predicate_truth.h"
 
 // What work done before viewing sees: the definition of truth applied to the world's polygons,

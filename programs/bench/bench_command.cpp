@@ -9,7 +9,7 @@
 
 #include "clip/error.h"
 #include "displayfile/output_file.h"
-#include "hidden/precision.h"
+#include "hidden/exact/precision.h"
 #include "programs/bench/analysis.h"
 #include "programs/bench/environment.h"
 #include "programs/bench/feature_costs.h"

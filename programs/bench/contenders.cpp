@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "displayfile/hidden_surface_check.h"
-#include "interp/image_space.h"
-#include "interp/osmesa.h"
-#include "interp/plain_z_buffer.h"
-#include "interp/software.h"
+#include "interp/opengl/osmesa.h"
+#include "interp/raster/plain_z_buffer.h"
+#include "interp/raster/software.h"
+#include "interp/visibility/image_space.h"
 #include "programs/bench/peers.h"
 
 namespace displayfile::bench {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "hidden/pixel_centre.h"
+#include "hidden/exact/pixel_centre.h"
 #include "programs/bench/triangles.h"
 
 namespace displayfile::bench {

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "clip/error.h"
-#include "interp/osmesa.h"
+#include "interp/opengl/osmesa.h"
 #include "programs/bench/build_information.h"
 #include "programs/bench/embree_rays.h"
 #include "programs/bench/gl2ps_sort.h"

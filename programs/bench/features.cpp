@@ -8,8 +8,8 @@
 #include "displayfile/retained_views.h"
 #include "interp/draw.h"
 #include "interp/interpreter.h"
-#include "interp/software.h"
-#include "interp/svg_device.h"
+#include "interp/raster/software.h"
+#include "interp/vector/svg_device.h"
 #include "programs/scenes/generated_scenes.h"
 
 namespace displayfile::bench {
@@ -306,7 +306,9 @@ FeatureUse use_of(const Feature& feature) {
   return use;
 }
 
-Scene feature_scene(std::size_t polygons) { return generated_scene("soup").make(polygons, kFeatureSeed); }
+Scene feature_scene(std::size_t polygons) {
+  return generated_scene("soup").make(polygons, kFeatureSeed);
+}
 
 void draw_with(const FeatureUse& use, const Scene& scene, const LookAt& look) {
   GraphicsSystem system;

@@ -10,8 +10,8 @@
 #include "displayfile/display_file.h"
 #include "displayfile/hidden_scope.h"
 #include "displayfile/style.h"
+#include "hidden/exact/precision.h"
 #include "hidden/hidden_method.h"
-#include "hidden/precision.h"
 #include "programs/scenes/scene.h"
 
 namespace displayfile::bench {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "clip/point.h"
-#include "hidden/pixel_centre.h"
+#include "hidden/exact/pixel_centre.h"
 
 namespace displayfile::bench {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hidden/predicate_counts.h"
-#include "interp/truth.h"
+#include "hidden/exact/predicate_counts.h"
+#include "interp/truth/truth.h"
 #include "programs/bench/counted_memory.h"
 #include "programs/bench/walk.h"
 

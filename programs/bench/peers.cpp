@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "interp/pixel_depth.h"
-#include "interp/software.h"
+#include "interp/raster/software.h"
+#include "interp/scan/pixel_depth.h"
 #include "programs/bench/embree_rays.h"
 #include "programs/bench/gl2ps_sort.h"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "interp/fill_scene.h"
+#include "interp/visibility/fill_scene.h"
 
 namespace displayfile::bench {
 

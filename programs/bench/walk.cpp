@@ -5,7 +5,7 @@
 
 #include "displayfile/retained_scene.h"
 #include "displayfile/retained_views.h"
-#include "interp/software.h"
+#include "interp/raster/software.h"
 #include "programs/scenes/generated_scenes.h"
 
 namespace displayfile::bench {

@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-#include "displayfile/mesh.h"
+#include "displayfile/mesh/mesh.h"
 #include "programs/scenes/scene.h"
 
 namespace displayfile {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "hidden/parallel.h"
-#include "interp/image_space.h"
+#include "interp/visibility/image_space.h"
 #include "programs/bench/embree_rays.h"
 
 namespace displayfile::bench {

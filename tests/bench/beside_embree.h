@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "interp/fill_scene.h"
+#include "interp/visibility/fill_scene.h"
 #include "programs/bench/side_by_side.h"
 
 namespace displayfile::bench {

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <span>
 
-#include "displayfile/fitted_view.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/mesh.h"
+#include "displayfile/mesh/fitted_view.h"
+#include "displayfile/mesh/mesh.h"
 #include "programs/scenes/generated_scenes.h"
 
 namespace displayfile::bench {

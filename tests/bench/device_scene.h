@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "clip/point.h"
-#include "hidden/hidden_surface_sort.h"
+#include "hidden/sort/hidden_surface_sort.h"
 
 namespace displayfile::bench {
 

@@ -17,13 +17,13 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/mesh.h"
-#include "interp/band_z_buffer.h"
-#include "interp/image_space.h"
-#include "interp/osmesa.h"
-#include "interp/plain_z_buffer.h"
-#include "interp/scan_convert.h"
-#include "interp/software.h"
+#include "displayfile/mesh/mesh.h"
+#include "interp/opengl/osmesa.h"
+#include "interp/raster/plain_z_buffer.h"
+#include "interp/raster/software.h"
+#include "interp/scan/scan_convert.h"
+#include "interp/visibility/band_z_buffer.h"
+#include "interp/visibility/image_space.h"
 #include "programs/bench/embree_rays.h"
 #include "programs/bench/growth.h"
 #include "programs/bench/side_by_side.h"

@@ -4,8 +4,8 @@
 #include <exception>
 #include <string>
 
-#include "interp/image_space.h"
-#include "interp/polygon_z_buffer.h"
+#include "interp/visibility/image_space.h"
+#include "interp/visibility/polygon_z_buffer.h"
 #include "programs/bench/counted_memory.h"
 #include "programs/scenes/generated_scenes.h"
 

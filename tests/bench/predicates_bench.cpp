@@ -10,12 +10,12 @@
 #include <string_view>
 #include <vector>
 
-#include "hidden/defined_point.h"
-#include "hidden/depth_order.h"
-#include "hidden/orientation.h"
-#include "hidden/pixel_centre.h"
-#include "hidden/plane.h"
-#include "hidden/predicate_counts.h"
+#include "hidden/exact/defined_point.h"
+#include "hidden/exact/depth_order.h"
+#include "hidden/exact/orientation.h"
+#include "hidden/exact/pixel_centre.h"
+#include "hidden/exact/plane.h"
+#include "hidden/exact/predicate_counts.h"
 #include "programs/bench/side_by_side.h"
 
 namespace {

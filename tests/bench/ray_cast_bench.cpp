@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/mesh.h"
+#include "displayfile/mesh/mesh.h"
 #include "programs/bench/embree_rays.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/scene.h"

@@ -11,10 +11,10 @@
 #include <sstream>
 #include <string>
 
-#include "displayfile/drawing_program.h"
-#include "displayfile/mesh.h"
-#include "interp/osmesa.h"
-#include "interp/software.h"
+#include "displayfile/mesh/mesh.h"
+#include "displayfile/text/drawing_program.h"
+#include "interp/opengl/osmesa.h"
+#include "interp/raster/software.h"
 #include "programs/bench/side_by_side.h"
 
 namespace displayfile::bench {

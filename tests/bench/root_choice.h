@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hidden/hidden_surface_sort.h"
+#include "hidden/sort/hidden_surface_sort.h"
 #include "tests/bench/device_scene.h"
 
 namespace displayfile::bench {

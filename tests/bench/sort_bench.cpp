@@ -19,7 +19,7 @@
 
 #include "clip/error.h"
 #include "displayfile/graphics_system.h"
-#include "hidden/hidden_surface_sort.h"
+#include "hidden/sort/hidden_surface_sort.h"
 #include "programs/bench/gl2ps_sort.h"
 #include "programs/bench/growth.h"
 #include "programs/bench/side_by_side.h"

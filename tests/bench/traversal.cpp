@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "hidden/world_tree.h"
+#include "hidden/sort/world_tree.h"
 
 namespace displayfile::bench {
 

@@ -7,8 +7,8 @@
 
 namespace displayfile::bench {
 
-/// What a tree in world coordinates (hidden/world_tree.h) gives: polygons put in order a second, of
-/// those entered and of the pieces that the tree made of them.
+/// What a tree in world coordinates (hidden/sort/world_tree.h) gives: polygons put in order a
+/// second, of those entered and of the pieces that the tree made of them.
 struct Traversal {
   std::size_t polygons, pieces;
   Spread polygons_a_second, pieces_a_second;  ///< over the eyes

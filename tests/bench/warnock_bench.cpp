@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "interp/band_z_buffer.h"
-#include "interp/polygon_z_buffer.h"
-#include "interp/warnock.h"
+#include "interp/visibility/band_z_buffer.h"
+#include "interp/visibility/polygon_z_buffer.h"
+#include "interp/visibility/warnock.h"
 #include "programs/bench/side_by_side.h"
 #include "programs/scenes/generated_scenes.h"
 

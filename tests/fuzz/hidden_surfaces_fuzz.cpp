@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hard/methods.h"
-#include "interp/truth.h"
+#include "interp/truth/truth.h"
 #include "tests/fuzz/fuzz_input.h"
 
 namespace {

@@ -10,9 +10,9 @@
 #include <string>
 
 #include "clip/error.h"
-#include "displayfile/mesh.h"
-#include "interp/software.h"
-#include "interp/truth.h"
+#include "displayfile/mesh/mesh.h"
+#include "interp/raster/software.h"
+#include "interp/truth/truth.h"
 #include "tests/fuzz/fuzz_input.h"
 
 namespace {

@@ -1,5 +1,5 @@
 // libFuzzer target: the predicates of points give the sign that rationals give, for any doubles of
-// the range that they are stated for (hidden/predicates.md).
+// the range that they are stated for (hidden/exact/predicates.md).
 
 #include <array>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <vector>
 
-#include "hidden/orientation.h"
-#include "hidden/plane.h"
+#include "hidden/exact/orientation.h"
+#include "hidden/exact/plane.h"
 #include "tests/fuzz/fuzz_input.h"
 #include "tests/rational_points.h"
 

@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "clip/error.h"
-#include "displayfile/drawing_program.h"
-#include "displayfile/dump.h"
-#include "displayfile/dump_compare.h"
+#include "displayfile/text/drawing_program.h"
+#include "displayfile/text/dump.h"
+#include "displayfile/text/dump_compare.h"
 
 namespace displayfile {
 

@@ -10,8 +10,8 @@
 
 #include "brute_force_truth.h"
 #include "hard/methods.h"
-#include "interp/plain_z_buffer.h"
-#include "interp/truth.h"
+#include "interp/raster/plain_z_buffer.h"
+#include "interp/truth/truth.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/random_scenes.h"
 #include "tests/slower.h"

@@ -14,7 +14,7 @@
 #include "displayfile/output_file.h"
 #include "hard/document.h"
 #include "hard/tally.h"
-#include "hidden/predicate_counts.h"
+#include "hidden/exact/predicate_counts.h"
 #include "mesa_leaks.h"
 #include "programs/scenes/hard_cases.h"
 #include "programs/scenes/mesh_scenes.h"

@@ -8,10 +8,10 @@
 #include <string>
 
 #include "displayfile/hidden_surface_check.h"
-#include "interp/image_space.h"
-#include "interp/osmesa.h"
-#include "interp/plain_z_buffer.h"
-#include "interp/software.h"
+#include "interp/opengl/osmesa.h"
+#include "interp/raster/plain_z_buffer.h"
+#include "interp/raster/software.h"
+#include "interp/visibility/image_space.h"
 
 namespace displayfile {
 

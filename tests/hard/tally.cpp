@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "interp/truth.h"
+#include "interp/truth/truth.h"
 
 namespace displayfile {
 

@@ -10,12 +10,12 @@
 
 #include "clip/error.h"
 #include "hard/methods.h"
-#include "interp/osmesa.h"
+#include "interp/files/png_file.h"
+#include "interp/opengl/osmesa.h"
 #include "interp/picture.h"
-#include "interp/plain_z_buffer.h"
-#include "interp/png_file.h"
-#include "interp/software.h"
-#include "interp/truth.h"
+#include "interp/raster/plain_z_buffer.h"
+#include "interp/raster/software.h"
+#include "interp/truth/truth.h"
 #include "mesa_leaks.h"
 
 // Two tilted sheets 1e-15 apart that are in front in turn: an orange one and a blue one make a

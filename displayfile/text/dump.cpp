@@ -1,0 +1,113 @@
+#include "displayfile/text/dump.h"
+
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include <ostream>
+#include <sstream>
+#include <unordered_set>
+
+namespace displayfile {
+
+namespace {
+
+/// Writes one line an instruction; gathers them in a buffer, as streams are slow.
+class Dumper {
+ public:
+  explicit Dumper(std::ostream& out) : out_(out) {}
+
+  template <class... Value>
+  void write_line(const Value&... values) {
+    fmt::format_to(fmt::appender(buffer_), values...);
+    buffer_.push_back('\n');
+    if (buffer_.size() > kFlushAt) flush();
+  }
+  void flush() {
+    out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    buffer_.clear();
+  }
+
+  bool has_met(int segment) const { return met_.contains(segment); }
+
+  void fill(const FillStyle& style) {
+    if (style.kind == FillStyle::Kind::hollow) return write_line(FMT_COMPILE("fill hollow"));
+    const Colour& c = style.colour;
+    write_line(FMT_COMPILE("fill solid {} {} {}"), c.r, c.g, c.b);
+    if (style.shadow) shadow(*style.shadow);
+  }
+  void shadow(const FillShadow& shadow) {
+    const auto& [c, light] = shadow;
+    write_line(FMT_COMPILE("shadow {} {} {} {} {} {} {}"), c.r, c.g, c.b, light.x, light.y, light.z,
+               light.w);
+  }
+  void line_style(const LineStyle& style) {
+    const Colour& c = style.colour;
+    switch (style.kind) {
+      case LineStyle::Kind::none: return write_line(FMT_COMPILE("line-style none"));
+      case LineStyle::Kind::solid:
+        return write_line(FMT_COMPILE("line-style solid {} {} {} {}"), c.r, c.g, c.b, style.width);
+      case LineStyle::Kind::dashed:
+        return write_line(FMT_COMPILE("line-style dashed {} {} {} {} {} {}"), c.r, c.g, c.b,
+                          style.width, style.dash, style.gap);
+    }
+  }
+  void segment(int name, bool visible = true) {
+    met_.insert(name);
+    write_line(FMT_COMPILE("segment {} {}"), name, visible ? "visible" : "invisible");
+  }
+  void pick(int id) { write_line(FMT_COMPILE("pick {}"), id); }
+  void move(const Point3& p) { write_line(FMT_COMPILE("move {} {} {}"), p.x, p.y, p.z); }
+  void line(const Point3& p) { write_line(FMT_COMPILE("line {} {} {}"), p.x, p.y, p.z); }
+  void intensities(std::span<const double> values) {
+    write_line(FMT_COMPILE("intensities {}"), fmt::join(values, " "));
+  }
+  void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
+    const Point3& start = vertices.back();
+    write_line(FMT_COMPILE("polygon {} {} {} {}"), vertices.size(), start.x, start.y, start.z);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      sides[i] == op::line ? line(vertices[i]) : move(vertices[i]);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kFlushAt = std::size_t{1} << 16;
+  std::ostream& out_;
+  fmt::memory_buffer buffer_;
+  std::unordered_set<int> met_;  // segments
+};
+
+/// The visible segments in their shared order. One of which nothing is drawn, and the invisible
+/// ones, follow.
+void dump_sorted_together(const DisplayFile& display_file, Dumper& dumper) {
+  display_file.sorted()->instructions.walk(dumper);
+  for (const Segment& segment : display_file.segments()) {
+    if (dumper.has_met(segment.name())) continue;
+    dumper.segment(segment.name(), segment.visible);
+    if (!segment.visible) segment.walk_drawn(dumper);
+  }
+}
+
+}  // namespace
+
+void dump(const DisplayFile& display_file, std::ostream& out) {
+  Dumper dumper(out);
+  dumper.write_line(FMT_COMPILE("displayfile-dump 1"));
+  if (display_file.sorted() != nullptr) {
+    dump_sorted_together(display_file, dumper);
+  } else {
+    for (const Segment& segment : display_file.segments()) {
+      dumper.segment(segment.name(), segment.visible);
+      segment.walk_drawn(dumper);
+    }
+  }
+  dumper.write_line(FMT_COMPILE("end"));
+  dumper.flush();
+}
+
+std::string dump(const DisplayFile& display_file) {
+  std::ostringstream text;
+  dump(display_file, text);
+  return std::move(text).str();
+}
+
+}  // namespace displayfile

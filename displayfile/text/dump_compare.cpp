@@ -1,0 +1,161 @@
+#include "displayfile/text/dump_compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "clip/error.h"
+#include "displayfile/input_file.h"
+#include "displayfile/output_file.h"
+#include "displayfile/text/dump.h"
+
+namespace displayfile {
+
+namespace {
+
+constexpr std::string_view kFirstLine = "displayfile-dump 1\n";
+constexpr std::string_view kLastLine = "\nend\n";
+
+void require_dump(std::string_view text, std::string_view name) {
+  if (!text.starts_with(kFirstLine)) {
+    throw Error(fmt::format(
+        "{}:1:1: not a display-file dump: expected 'displayfile-dump 1' in the first line", name));
+  }
+  if (!text.ends_with(kLastLine)) {
+    throw Error(fmt::format("{}:{}:1: the dump is cut short: expected 'end' in the last line", name,
+                            std::ranges::count(text, '\n') + 1));
+  }
+}
+
+std::string_view take_line(std::string_view& rest) {
+  const std::size_t length = std::min(rest.find('\n'), rest.size());
+  const std::string_view line = rest.substr(0, length);
+  rest.remove_prefix(std::min(length + 1, rest.size()));
+  return line;
+}
+
+std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> words;
+  for (;;) {
+    const std::size_t length = std::min(line.find(' '), line.size());
+    words.push_back(line.substr(0, length));
+    if (length == line.size()) return words;
+    line.remove_prefix(length + 1);
+  }
+}
+
+bool starts_segment(std::string_view line) { return line.starts_with("segment "); }
+bool ends_segment(std::string_view line) { return line == "end" || starts_segment(line); }
+std::string_view segment_name(std::string_view line) { return words_of(line)[1]; }
+
+/// What the words of an instruction mean, as messages call them.
+struct InstructionFields {
+  std::string_view start;  ///< of the instructions meant
+  std::span<const std::string_view> fields;
+};
+constexpr std::string_view kPoint[] = {"x", "y", "z"};
+constexpr std::string_view kPolygon[] = {"number of sides", "x", "y", "z"};
+constexpr std::string_view kPick[] = {"pick identifier"};
+constexpr std::string_view kStyle[] = {"kind", "red", "green", "blue", "line width", "dash", "gap"};
+constexpr std::string_view kShadow[] = {"red",     "green",   "blue",   "light x",
+                                        "light y", "light z", "light w"};
+constexpr InstructionFields kInstructions[] = {
+    {"line ", kPoint}, {"move ", kPoint},       {"polygon ", kPolygon}, {"pick ", kPick},
+    {"fill ", kStyle}, {"line-style ", kStyle}, {"shadow ", kShadow},
+};
+
+std::string_view field_name(std::string_view instruction, std::size_t field) {
+  for (const auto& [start, fields] : kInstructions) {
+    if (instruction.starts_with(start) && field < fields.size()) return fields[field];
+  }
+  if (instruction.starts_with("intensities ")) return "intensity";
+  return "operand";
+}
+
+/// Two instructions that differ.
+std::string instruction_difference(std::string_view place, std::string_view actual,
+                                   std::string_view expected) {
+  const auto a = words_of(actual), e = words_of(expected);
+  if (a[0] == e[0] && a.size() == e.size()) {
+    const std::size_t word = static_cast<std::size_t>(std::ranges::mismatch(a, e).in1 - a.begin());
+    return fmt::format("{} ({}): {} is {}, expected {}", place, actual,
+                       field_name(actual, word - 1), a[word], e[word]);
+  }
+  return fmt::format("{} is {}, expected {}", place, actual, expected);
+}
+
+bool has_segment(std::string_view rest, std::string_view name) {
+  return rest.find(fmt::format("\nsegment {} ", name)) != std::string_view::npos;
+}
+
+/// Two lines that differ, one or both of which start or end a segment; the dumps from there.
+std::string segment_difference(std::string_view actual, std::string_view expected,
+                               std::string_view actual_rest, std::string_view expected_rest) {
+  if (!starts_segment(actual)) return fmt::format("segment {} is missing", segment_name(expected));
+  const std::string_view name = segment_name(actual);
+  if (!starts_segment(expected)) return fmt::format("segment {} is not expected", name);
+  const std::string_view expected_name = segment_name(expected);
+  if (name == expected_name) {
+    return fmt::format("segment {} is {}, expected {}", name, words_of(actual).back(),
+                       words_of(expected).back());
+  }
+  const bool comes_later = has_segment(actual_rest, expected_name);
+  const bool expected_later = has_segment(expected_rest, name);
+  if (expected_later && !comes_later) return fmt::format("segment {} is missing", expected_name);
+  if (comes_later && !expected_later) return fmt::format("segment {} is not expected", name);
+  return fmt::format("segment {} in the place of segment {}", name, expected_name);
+}
+
+std::optional<std::string> first_difference_of_dumps(std::string_view actual,
+                                                     std::string_view expected) {
+  std::string_view segment = "";
+  std::size_t instruction = 0;  // the last one that was the same
+  while (!actual.empty() || !expected.empty()) {
+    const std::string_view actual_from = actual, expected_from = expected;
+    const std::string_view a = take_line(actual), e = take_line(expected);
+    if (a == e) {
+      ++instruction;
+      if (starts_segment(a)) {
+        segment = segment_name(a);
+        instruction = 0;
+      }
+      continue;
+    }
+    if (ends_segment(a) && ends_segment(e)) {
+      return segment_difference(a, e, actual_from, expected_from);
+    }
+    const std::string place = fmt::format("segment {}, instruction {}", segment, instruction + 1);
+    if (ends_segment(a)) return fmt::format("{} is missing, expected {}", place, e);
+    if (ends_segment(e)) {
+      return fmt::format("{} ({}) is not expected: expected {} instructions", place, a,
+                         instruction);
+    }
+    return instruction_difference(place, a, e);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> first_difference(std::string_view actual, std::string_view expected) {
+  require_dump(actual, "the dump");
+  require_dump(expected, "the expected dump");
+  return first_difference_of_dumps(actual, expected);
+}
+
+std::optional<std::string> check_golden(const DisplayFile& display_file,
+                                        const std::string& golden_file) {
+  const std::string golden = read_text_file(golden_file);
+  require_dump(golden, golden_file);
+  return first_difference_of_dumps(dump(display_file), golden);
+}
+
+void update_golden(const DisplayFile& display_file, const std::string& golden_file) {
+  OutputFile file(golden_file);
+  dump(display_file, file.stream());
+  file.commit();
+}
+
+}  // namespace displayfile

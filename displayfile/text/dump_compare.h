@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "displayfile/display_file.h"
+
+namespace displayfile {
+
+/// The first difference between two canonical dumps (displayfile/text/dump.h), none if they are the
+/// same. The message names the segment, the instruction (counted from 1 within the segment, a
+/// line of the dump each) and both values:
+///   segment 3, instruction 17 (line 0.1 0.25 0): y is 0.25, expected 0.5
+/// Throws Error if one of the texts is not a whole dump.
+std::optional<std::string> first_difference(std::string_view actual, std::string_view expected);
+
+/// The first difference between what is dumped of the display file and a golden file, which
+/// holds a dump. Throws Error, naming the file, if it cannot be read or is not a whole dump.
+std::optional<std::string> check_golden(const DisplayFile& display_file,
+                                        const std::string& golden_file);
+
+/// Writes the golden file, whole or not at all. Throws Error if that fails.
+void update_golden(const DisplayFile& display_file, const std::string& golden_file);
+
+}  // namespace displayfile

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "hidden/exact/defined_point.h"
+#include "hidden/exact/pixel_centre.h"
+#include "hidden/exact/plane.h"
+
+namespace displayfile {
+
+// Which of two planes is nearer to the viewer along a projector (a line parallel to z): the
+// sign of a's z less b's there, so 1 where a is nearer, 0 where they meet. Neither plane may
+// be edge-on. The true sign for coordinates up to kCoordinateLimit, whatever the rounding
+// mode.
+
+/// A position of the projection, each coordinate within `error` of the true one.
+struct Position {
+  double x, y, error;
+};
+
+/// A (x - p.x) + B (y - p.y), with its bound: the plane's z is p.z less this over C.
+inline PlaneValue slope_value(const Plane& plane, const Position& at) {
+  const double x = at.x - plane.p.x, y = at.y - plane.p.y;
+  const double value = plane.normal.x * x + plane.normal.y * y;
+  const double bound = plane.bound.x * (std::abs(x) + at.error) +
+                       plane.bound.y * (std::abs(y) + at.error) +
+                       at.error * (std::abs(plane.normal.x) + std::abs(plane.normal.y)) + kTiny;
+  return {value, bound};
+}
+
+/// The filter: the sign of (za - zb) Ca Cb over that of Ca Cb, without a quotient; 0 where it
+/// is undecided (predicates.md, section 6). The heights of the planes' own points are
+/// subtracted first, so that level planes are told apart however close.
+inline int filtered_depth_order(const Plane& a, const Plane& b, const Position& at) {
+  constexpr double kLargestFactor = 0x1p+330;  // three of them are far below the largest double
+  const double ca = a.normal.z, cb = b.normal.z;
+  const double most_ca = std::abs(ca) + a.bound.z, most_cb = std::abs(cb) + b.bound.z;
+  const PlaneValue at_a = slope_value(a, at), at_b = slope_value(b, at);
+  const double apart = a.p.z - b.p.z;
+  const double difference = apart * ca * cb - at_a.value * cb + at_b.value * ca;
+  const double bound = most_cb * (a.bound.z * std::abs(apart) + at_a.bound) +
+                       most_ca * (b.bound.z * std::abs(apart) + at_b.bound) +
+                       b.bound.z * std::abs(at_a.value) + a.bound.z * std::abs(at_b.value);
+  const double largest = std::max(std::max(std::max(most_ca, most_cb), std::abs(apart)),
+                                  std::max(std::abs(at_a.value), std::abs(at_b.value)));
+  const bool decided = std::abs(difference) > bound * kInflate + kTiny &&
+                       std::abs(ca) > a.bound.z && std::abs(cb) > b.bound.z &&
+                       largest <= kLargestFactor;
+  return decided ? decided_sign(difference) * decided_sign(ca, cb) : 0;
+}
+
+// The exact stages.
+int exact_depth_order(const Plane& a, const Plane& b, const PixelCentre& centre);
+int exact_depth_order(const Plane& a, const Plane& b, const Point2& at);
+int exact_depth_order(const Definitions& all, const Plane& a, const Plane& b,
+                      const DefinedPoint& at);
+
+/// At a pixel's centre; the planes in device coordinates.
+inline int depth_order(const Plane& a, const Plane& b, const PixelCentre& centre) {
+  const int order = filtered_depth_order(a, b, {centre.x, centre.y, centre.error});
+  if (order != 0) [[likely]]
+    return order;
+  return exact_depth_order(a, b, centre);
+}
+
+/// At a point of the projection.
+inline int depth_order(const Plane& a, const Plane& b, const Point2& at) {
+  const int order = filtered_depth_order(a, b, {at.x, at.y, 0.0});
+  if (order != 0) [[likely]]
+    return order;
+  return exact_depth_order(a, b, at);
+}
+
+/// At a defined point's x and y.
+inline int depth_order(const Definitions& all, const Plane& a, const Plane& b,
+                       const DefinedPoint& at) {
+  const int order = filtered_depth_order(a, b, {at.near.x, at.near.y, at.radius});
+  if (order != 0) [[likely]]
+    return order;
+  return exact_depth_order(all, a, b, at);
+}
+
+}  // namespace displayfile

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "clip/point.h"
+#include "hidden/exact/rounding.h"
+
+namespace displayfile {
+
+// Every predicate here returns the true sign, -1, 0 or 1, for coordinates up to
+// kCoordinateLimit, whatever the rounding mode. hidden/exact/predicates.md derives the bounds.
+
+// The exact stages, where the filter is undecided.
+int exact_orientation(const Point2& a, const Point2& b, const Point2& c);
+int exact_orientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
+int exact_facing(std::span<const Point3> vertices);
+
+/// The determinant whose sign is asked, in doubles: as large as it is beyond the bound, it has the
+/// true sign.
+struct OrientationValue {
+  double determinant, bound;
+};
+inline OrientationValue orientation_value(const Point2& a, const Point2& b, const Point2& c) {
+  constexpr double kBound = 4.0 * kUnit * kInflate;
+  const double left = (a.x - c.x) * (b.y - c.y);
+  const double right = (a.y - c.y) * (b.x - c.x);
+  return {left - right, kBound * std::abs(left + right) + kTiny};
+}
+
+/// The filter: 0 where it is undecided.
+inline int filtered_orientation(const Point2& a, const Point2& b, const Point2& c) {
+  const auto [determinant, bound] = orientation_value(a, b, c);
+  return std::abs(determinant) > bound ? decided_sign(determinant) : 0;
+}
+
+/// Which way a, b, c turn: 1 counterclockwise (c is left of the line from a to b), -1
+/// clockwise, 0 in line.
+inline int orientation(const Point2& a, const Point2& b, const Point2& c) {
+  const int filtered = filtered_orientation(a, b, c);
+  if (filtered != 0) [[likely]]
+    return filtered;
+  return exact_orientation(a, b, c);
+}
+
+/// The same in the projection along z.
+inline int orientation(const Point3& a, const Point3& b, const Point3& c) {
+  return orientation(Point2(a.x, a.y), Point2(b.x, b.y), Point2(c.x, c.y));
+}
+
+/// Which side of the plane through a, b, c the point d is on: 1 on the side from which a, b, c
+/// run counterclockwise, -1 on the other, 0 on the plane, also if a, b, c are in line.
+inline int orientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  constexpr double kBound = 48.0 * kUnit * kInflate;
+  constexpr double kUnderflow = 0x1p-730;
+  const double ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z;
+  const double vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
+  const double wx = d.x - a.x, wy = d.y - a.y, wz = d.z - a.z;
+  const double determinant =
+      wx * (uy * vz - uz * vy) + wy * (uz * vx - ux * vz) + wz * (ux * vy - uy * vx);
+  const double x = std::max(std::max(std::abs(ux), std::abs(vx)), std::abs(wx));
+  const double y = std::max(std::max(std::abs(uy), std::abs(vy)), std::abs(wy));
+  const double z = std::max(std::max(std::abs(uz), std::abs(vz)), std::abs(wz));
+  const double bound = kBound * (x * (y * z)) + kUnderflow;
+  if (std::abs(determinant) > bound) [[likely]]
+    return decided_sign(determinant);
+  return exact_orientation(a, b, c, d);
+}
+
+/// The sign of Newell's C (equation 9.3), twice the signed area of the projection: 1 if the
+/// polygon turns its light face to the viewer, 0 if it has no area. Fewer than three vertices
+/// have none.
+int facing(std::span<const Point3> vertices);
+
+}  // namespace displayfile

@@ -1,0 +1,59 @@
+#include "hidden/exact/plane.h"
+
+#include "hidden/exact/exact_vector.h"
+#include "hidden/exact/predicate_counts.h"
+
+namespace displayfile {
+
+namespace {
+
+/// a d - b c, each a rounded difference, and what the filters need beside it: a bound of its
+/// error and four units of its own size (predicates.md, section 4).
+struct NormalComponent {
+  double value, bound;
+};
+NormalComponent normal_component(double a, double d, double b, double c) {
+  const double left = a * d, right = b * c;
+  const double value = left - right;
+  const double error = 4.0 * kUnit * (std::abs(left) + std::abs(right)) + kTiny;
+  return {value, (error + 4.0 * kUnit * std::abs(value)) * kInflate + kTiny};
+}
+
+}  // namespace
+
+Plane::Plane(const Point3& p_, const Point3& q_, const Point3& r_) : p(p_), q(q_), r(r_) {
+  const double ux = q.x - p.x, uy = q.y - p.y, uz = q.z - p.z;
+  const double vx = r.x - p.x, vy = r.y - p.y, vz = r.z - p.z;
+  const NormalComponent a = normal_component(uy, vz, uz, vy);
+  const NormalComponent b = normal_component(uz, vx, ux, vz);
+  const NormalComponent c = normal_component(ux, vy, uy, vx);
+  normal = {a.value, b.value, c.value};
+  bound = {a.bound, b.bound, c.bound};
+  reach =
+      (std::abs(a.value) + std::abs(b.value) + std::abs(c.value) + a.bound + b.bound + c.bound) *
+      kInflate;
+}
+
+int facing_axis(const Plane& plane) {
+  const auto size = [&](int i) { return std::abs(plane.normal[i]); };
+  const int most = size(0) > size(1) ? (size(0) > size(2) ? 0 : 2) : (size(1) > size(2) ? 1 : 2);
+  if (size(most) > plane.bound[most]) [[likely]]
+    return most;
+  const ExactVector normal =
+      cross(exact_difference(plane.q, plane.p), exact_difference(plane.r, plane.p));
+  if (normal.z.sign() != 0) return 2;
+  return normal.y.sign() != 0 ? 1 : 0;
+}
+
+int exact_side_of_plane(const Point3& v, const Plane& plane) {
+  if (plane.goes_through(v)) {
+    count_by_definition(Predicate::side_of_plane);
+    return 0;
+  }
+  count_exact(Predicate::side_of_plane);
+  const ExactVector normal =
+      cross(exact_difference(plane.q, plane.p), exact_difference(plane.r, plane.p));
+  return dot(normal, exact_difference(v, plane.p)).sign();
+}
+
+}  // namespace displayfile

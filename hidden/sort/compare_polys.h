@@ -1,0 +1,158 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "hidden/sort/polygon_table.h"
+#include "hidden/sort/vertex_table.h"
+
+namespace displayfile {
+
+/// Where a polygon lies against a plane.
+enum class PlaneSide : std::uint8_t { on, front, back, both };
+
+/// COMPARE-POLYS with its cleanup routines (algorithms 9.10 to 9.12, 9.14, 9.15) at either
+/// precision. A polygon is concave or crosses itself as it likes: its part on a side of the plane
+/// is one polygon by the even-odd rule, whose cut sides run along the plane and may lie over each
+/// other.
+template <class Policy>
+class ComparePolys {
+ public:
+  using Index = PolygonTable::Index;
+
+  ComparePolys(PolygonTable& table, VertexTable<Policy>& vertices)
+      : table_(table), vertices_(vertices) {}
+
+  /// On which side of the plane the polygon lies. The sign of each vertex is kept for split.
+  PlaneSide compare(Index test, std::uint32_t plane) {
+    ++comparisons_;
+    signs_.resize(table_[test].sides);
+    return compare(test, plane, [this](std::uint32_t i, int sign) {
+      signs_[i] = static_cast<std::int8_t>(sign);
+    });
+  }
+  /// The same for several threads at once.
+  PlaneSide where(Index test, std::uint32_t plane) const {
+    return compare(test, plane, [](std::uint32_t, int) {});
+  }
+
+  struct Halves {
+    Index front, back;
+  };
+  /// Cuts the polygon that was compared last, which lies on both sides: TEST becomes the half on
+  /// its first side, a new entry the other.
+  Halves split(Index test, std::uint32_t plane) {
+    ++cuts_;
+    const Index split_v = table_.d.free();
+    table_.e.clear();
+    const int first_side =
+        table_[test].sides == 2 ? cut_line(test, plane) : cut_polygon(test, plane);
+    const Index other = set_up_split_poly(test, split_v);
+    adjust_original_poly(test);
+    return first_side > 0 ? Halves{test, other} : Halves{other, test};
+  }
+
+  /// The last split was only tried.
+  void take_back_split() { --cuts_; }
+
+  std::uint64_t comparisons() const { return comparisons_; }
+  std::uint64_t cuts() const { return cuts_; }
+
+ private:
+  using Side = SideBuffer::Side;
+
+  template <class Keep>
+  PlaneSide compare(Index test, std::uint32_t plane, const Keep& keep) const {
+    const auto& entry = table_[test];
+    if (entry.plane == plane) return PlaneSide::on;
+    bool front = false, back = false;
+    for (std::uint32_t i = 0; i < entry.sides; ++i) {
+      const int sign = vertices_.side(table_.d.vertex(entry.start + i), plane);
+      keep(i, sign);
+      front |= sign > 0;
+      back |= sign < 0;
+    }
+    if (front && back) return PlaneSide::both;
+    return front ? PlaneSide::front : (back ? PlaneSide::back : PlaneSide::on);
+  }
+
+  /// The half on the side of the first vertex off the plane goes to the E buffer, the other to
+  /// the D buffer. Where the boundary crosses, the point goes to both: to the half that it leaves
+  /// at the end of the side that is cut, to the other at the end of a side along the plane.
+  int cut_polygon(Index test, std::uint32_t plane) {
+    const auto [start, sides, item, own, front, back, on, whole] = table_[test];
+    std::uint32_t cross_v = 0;
+    while (signs_[cross_v] == 0) ++cross_v;
+    const int first_side = signs_[cross_v];
+    int side = first_side;
+    std::uint32_t last = cross_v;
+    for (std::uint32_t k = 1; k <= sides; ++k) {
+      const std::uint32_t j = cross_v + k < sides ? cross_v + k : cross_v + k - sides;
+      const Side here = table_.d[start + j];
+      if (signs_[j] == -side) {
+        const std::uint32_t from = table_.d.vertex(start + last);
+        std::uint32_t crossing = from;  // a vertex on the plane: it is in this half already
+        if (signs_[last] != 0) {
+          crossing = vertices_.cut(from, here.vertex, here.line, own, plane);
+          put(side == first_side, {crossing, here.line, here.visible});
+        }
+        side = -side;
+        put(side == first_side, {crossing, SideLine::cut_by(plane), false});
+      }
+      put(side == first_side, here);
+      last = j;
+    }
+    return first_side;
+  }
+
+  /// A line has two halves of two points, each drawn at the second.
+  int cut_line(Index test, std::uint32_t plane) {
+    const auto [start, sides, item, own, front, back, on, whole] = table_[test];
+    const Side a = table_.d[start], b = table_.d[start + 1];
+    const std::uint32_t crossing = vertices_.cut(a.vertex, b.vertex, b.line, own, plane);
+    put(true, a);
+    put(true, {crossing, b.line, b.visible});
+    put(false, {crossing, b.line, false});
+    put(false, b);
+    return signs_[0];
+  }
+
+  void put(bool in_e, const Side& side) {
+    if (in_e) {
+      table_.e.put(side);
+    } else {
+      table_.d.put(side);
+    }
+  }
+
+  /// Algorithm 9.11: the table's entry for the half that was put at the end of the D buffer.
+  Index set_up_split_poly(Index test, Index split_v) {
+    const Index other = table_.free();
+    table_.entries.push_back(
+        {split_v, table_.d.free() - split_v, table_[test].item, table_[test].plane});
+    table_[other].whole = false;
+    return other;
+  }
+
+  /// Algorithm 9.12: the half in the E buffer takes the polygon's place in the D buffer if it has
+  /// room there, and a new one if not.
+  void adjust_original_poly(Index test) {
+    auto& entry = table_[test];
+    const std::uint32_t sides = table_.e.free();
+    if (sides <= entry.sides) {
+      for (std::uint32_t j = 0; j < sides; ++j) table_.d.replace(entry.start + j, table_.e[j]);
+    } else {
+      entry.start = table_.d.free();
+      for (std::uint32_t j = 0; j < sides; ++j) table_.d.put(table_.e[j]);
+    }
+    entry.sides = sides;
+    entry.whole = false;
+  }
+
+  PolygonTable& table_;
+  VertexTable<Policy>& vertices_;
+  std::vector<std::int8_t> signs_;
+  std::uint64_t comparisons_ = 0, cuts_ = 0;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "hidden/sort/sort_scene.h"
+
+namespace displayfile {
+
+/// Which of two polygons or lines that overlap in the projection is drawn first.
+enum class DrawnFirst : std::uint8_t {
+  either,  ///< they do not overlap after all
+  first,   ///< the second is nearer
+  second,
+  neither,  ///< they go through each other
+};
+inline DrawnFirst reversed(DrawnFirst d) {
+  if (d == DrawnFirst::first) return DrawnFirst::second;
+  return d == DrawnFirst::second ? DrawnFirst::first : d;
+}
+
+/// The tests of depth sort from cheap to dear: extents in z; all of one on one side of the other's
+/// plane, and the other way round. Undecided (neither) where each is cut by the other's plane.
+template <class Policy>
+DrawnFirst tested_order(const SortScene<Policy>& scene, PolygonTable::Index a,
+                        PolygonTable::Index b, const Extent& box_a, const Extent& box_b) {
+  if (box_a.z_max < box_b.z_min) return DrawnFirst::first;
+  if (box_b.z_max < box_a.z_min) return DrawnFirst::second;
+  const auto against = [&](PolygonTable::Index test, PolygonTable::Index other) {
+    if (scene.table[other].plane == kNoPlane) return DrawnFirst::neither;
+    switch (scene.comparing.where(test, scene.table[other].plane)) {
+      case PlaneSide::front: return DrawnFirst::second;
+      case PlaneSide::back: return DrawnFirst::first;
+      case PlaneSide::on:
+        return scene.entered_before(test, other) ? DrawnFirst::first : DrawnFirst::second;
+      case PlaneSide::both: break;
+    }
+    return DrawnFirst::neither;
+  };
+  const DrawnFirst by_b = against(a, b);
+  return by_b != DrawnFirst::neither ? by_b : reversed(against(b, a));
+}
+
+}  // namespace displayfile

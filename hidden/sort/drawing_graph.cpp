@@ -1,0 +1,58 @@
+#include "hidden/sort/drawing_graph.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace displayfile {
+
+DrawingCycles find_cycles(const DrawingGraph& graph) {
+  using Node = DrawingGraph::Node;
+  constexpr Node kUnvisited = std::numeric_limits<Node>::max();
+  struct Visit {
+    Node node;
+    std::size_t next;
+  };
+  const Node n = graph.size();
+  DrawingCycles cycles{std::vector<Node>(n, kUnvisited), 0};
+  std::vector<Node> number(n, kUnvisited), low(n), stack;
+  std::vector<Visit> visits;
+  Node visited = 0;
+  const auto enter = [&](Node node) {
+    number[node] = low[node] = visited++;
+    stack.push_back(node);
+    visits.push_back({node, graph.first[node]});
+  };
+  const auto leave = [&](Node node) {
+    if (low[node] == number[node]) {
+      Node member;
+      do {
+        member = stack.back();
+        stack.pop_back();
+        cycles.of[member] = cycles.count;
+      } while (member != node);
+      ++cycles.count;
+    }
+    visits.pop_back();
+    if (!visits.empty()) low[visits.back().node] = std::min(low[visits.back().node], low[node]);
+  };
+  for (Node root = 0; root < n; ++root) {
+    if (number[root] != kUnvisited) continue;
+    enter(root);
+    while (!visits.empty()) {
+      Visit& visit = visits.back();
+      if (visit.next == graph.first[visit.node + 1]) {
+        leave(visit.node);
+        continue;
+      }
+      const Node later = graph.later[visit.next++];
+      if (number[later] == kUnvisited) {
+        enter(later);
+      } else if (cycles.of[later] == kUnvisited) {  // still on the stack
+        low[visit.node] = std::min(low[visit.node], number[later]);
+      }
+    }
+  }
+  return cycles;
+}
+
+}  // namespace displayfile

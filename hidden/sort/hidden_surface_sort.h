@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "clip/point.h"
+#include "hidden/exact/precision.h"
+#include "hidden/hidden_method.h"
+
+namespace displayfile {
+
+/// What is to be sorted: polygons and lines in order of entry, in normalised device coordinates
+/// (parallel projectors along z, larger z nearer to the viewer).
+struct SortItems {
+  enum class Kind : std::uint8_t {
+    solid,   ///< hides what is behind it
+    hollow,  ///< an outline: hidden by solid polygons, hides nothing
+    line,    ///< two points; likewise
+  };
+  struct Item {
+    std::uint32_t first;  ///< of its points
+    std::uint32_t sides;
+    Kind kind;
+  };
+  std::span<const Point3> points;
+  /// Of the side that ends at the point of the same index: 0 if it is not drawn.
+  std::span<const std::uint8_t> visible;
+  std::span<const Item> items;
+};
+
+/// How the root of a (sub)tree of polygons is chosen.
+enum class RootChoice {
+  last,    ///< the textbook's: the polygon entered last (algorithm 9.8)
+  sample,  ///< of a sample of polygons the one with the lowest cost of cuts and balance
+  free,    ///< also of planes that belong to no polygon; and only among polygons that overlap
+};
+
+struct SortOptions {
+  Precision precision;
+  RootChoice root = RootChoice::free;
+  int threads = 1;  ///< the result is the same for any number
+};
+
+/// A polygon or line in the order, or a piece of one that was cut.
+struct SortedPiece {
+  static constexpr std::uint32_t kWhole = 0xffffffffu;
+  std::uint32_t item;   ///< index into the items
+  std::uint32_t first;  ///< of the piece's points in SortedPieces; kWhole if it was not cut
+  std::uint32_t sides;
+};
+
+/// All items in back-to-front order: each solid polygon comes after those that it hides. Where
+/// polygons are coplanar the one entered later comes later; where a line lies in a polygon's
+/// plane, the line.
+struct SortedPieces {
+  std::vector<SortedPiece> pieces;
+  /// Of the pieces that were cut: coordinates, each rounded once, and whether the side that ends
+  /// at the point is drawn (the sides that cuts made are not).
+  std::vector<Point3> points;
+  std::vector<std::uint8_t> visible;
+
+  std::uint64_t comparisons = 0;  ///< of a polygon with a plane or another polygon
+  std::uint64_t cuts = 0;         ///< one piece in two
+  std::uint32_t depth = 0;        ///< of the deepest tree; 0 where there is none
+};
+
+/// Sorts by `bsp` or `depth_sort` (hidden/sort/bsp.md, hidden/sort/depth_sort.md). Polygons that
+/// are edge-on or of fewer than three different points hide nothing; they keep their outlines.
+/// Throws Error for another method.
+SortedPieces sort_hidden_surfaces(const SortItems& items, HiddenMethod method,
+                                  const SortOptions& options);
+
+}  // namespace displayfile

@@ -1,0 +1,124 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "hidden/sort/vertex_table.h"
+
+namespace displayfile {
+
+/// A polygon, a line or a piece of one in the projection.
+struct Outline {
+  std::span<const std::uint32_t> vertices;
+  int turning;  ///< 1 counterclockwise and convex, -1 clockwise and convex, 0 anything else
+};
+
+/// 1 or -1 if the vertices turn one way all around, once; 0 if not, also if two in a row are the
+/// same or all are in line.
+template <class Policy>
+int convex_turning(const VertexTable<Policy>& table, std::span<const std::uint32_t> v) {
+  const std::size_t n = v.size();
+  if (n < 3) return 0;
+  if (n == 3) return table.turn(v[0], v[1], v[2]);
+  int turning = 0, reversals = 0;
+  int last_direction = table.direction(v[n - 1], v[0]);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint32_t a = v[i], b = v[(i + 1) % n], c = v[(i + 2) % n];
+    const int direction = table.direction(a, b);
+    if (direction == 0) return 0;
+    if (direction != last_direction) ++reversals;
+    last_direction = direction;
+    const int turn = table.turn(a, b, c);
+    if (turn == 0) continue;
+    if (turning == -turn) return 0;
+    turning = turn;
+  }
+  return reversals == 2 ? turning : 0;
+}
+
+/// True if a side of `a` has all of `a` on one side of its line and all of `b` on the other, so
+/// that their insides have no point of the projection in common. Points on the line count for
+/// neither; `strictly`: those of b do, and then b's boundary does not even touch.
+template <class Policy>
+bool separated_by_side_of(const VertexTable<Policy>& table, const Outline& a, const Outline& b,
+                          bool strictly = false) {
+  std::uint32_t from = a.vertices.back();
+  for (const std::uint32_t to : a.vertices) {
+    const auto all_beyond = [&](int inside) {
+      for (const std::uint32_t v : b.vertices) {
+        const int turn = table.turn(from, to, v);
+        if (turn == inside || (strictly && turn == 0)) return false;
+      }
+      return true;
+    };
+    if (a.turning != 0) {
+      if (all_beyond(a.turning)) return true;
+    } else if (table.direction(from, to) != 0) {
+      int inside = 0;
+      bool on_the_hull = true;
+      for (const std::uint32_t v : a.vertices) {
+        const int turn = table.turn(from, to, v);
+        if (turn == 0) continue;
+        on_the_hull = inside != -turn;
+        if (!on_the_hull) break;
+        inside = turn;
+      }
+      // A line has nothing on either side of it.
+      if (on_the_hull && inside != 0 && all_beyond(inside)) return true;
+      if (on_the_hull && inside == 0 && (all_beyond(1) || all_beyond(-1))) return true;
+    }
+    from = to;
+  }
+  return false;
+}
+
+/// A triangle of points as entered, in the projection; turning is 0 for what is none.
+struct EnteredTriangle {
+  std::array<Point2, 3> p{};
+  int turning = 0;
+};
+template <class Policy>
+EnteredTriangle entered_triangle(const VertexTable<Policy>& table, const Outline& a) {
+  EnteredTriangle triangle;
+  if (a.vertices.size() != 3 || a.turning == 0) return triangle;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point3* p = table.in_projection(a.vertices[k]);
+    if (p == nullptr) return triangle;
+    triangle.p[k] = *p;
+  }
+  triangle.turning = a.turning;
+  return triangle;
+}
+
+/// separated_by_side_of for what most meshes are made of.
+template <class Policy>
+bool separated_by_side_of(const VertexTable<Policy>& table, const EnteredTriangle& a,
+                          const EnteredTriangle& b) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (table.none_turns(a.p[i], a.p[i == 2 ? 0 : i + 1], b.p, a.turning)) return true;
+  }
+  return false;
+}
+template <class Policy>
+bool overlap_in_projection(const VertexTable<Policy>& table, const EnteredTriangle& a,
+                           const EnteredTriangle& b) {
+  return !separated_by_side_of(table, a, b) && !separated_by_side_of(table, b, a);
+}
+
+/// False only if no point of the projection lies inside both. Polygons of so many sides that
+/// comparing would take too long, and such as are not convex but could only be told apart by more
+/// than one straight line, are taken to overlap.
+template <class Policy>
+bool overlap_in_projection(const VertexTable<Policy>& table, const Outline& a, const Outline& b) {
+  constexpr std::size_t kMostComparisons = 1 << 16;
+  const std::size_t na = a.vertices.size(), nb = b.vertices.size();
+  const std::size_t work_a = na * (a.turning != 0 ? nb : na + nb);
+  const std::size_t work_b = nb * (b.turning != 0 ? na : na + nb);
+  // A line is drawn where a polygon's boundary is, and then the order matters.
+  const bool line = na == 2 || nb == 2;
+  if (work_a <= kMostComparisons && separated_by_side_of(table, a, b, line)) return false;
+  if (work_b <= kMostComparisons && separated_by_side_of(table, b, a, line)) return false;
+  return true;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,24 @@
+#include "hidden/sort/overlaps.h"
+
+namespace displayfile {
+
+Overlaps::Overlaps(std::vector<Pair> pairs, std::size_t entries) : first_(entries + 1, 0) {
+  for (const auto& [a, b] : pairs) {
+    ++first_[a + 1];
+    ++first_[b + 1];
+  }
+  for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+  others_.resize(2 * pairs.size());
+  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  for (const auto& [a, b] : pairs) {
+    others_[next[a]++] = b;
+    others_[next[b]++] = a;
+  }
+  // In one order, whatever order the pairs were found in.
+  for (std::size_t i = 0; i < entries; ++i) {
+    std::sort(others_.begin() + static_cast<std::ptrdiff_t>(first_[i]),
+              others_.begin() + static_cast<std::ptrdiff_t>(first_[i + 1]));
+  }
+}
+
+}  // namespace displayfile

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <atomic>
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "hidden/parallel.h"
+#include "hidden/sort/sort_scene.h"
+
+namespace displayfile {
+
+/// Which entries of the polygon table overlap in the projection, and at least one of them hides
+/// something: for each of the entries, the others.
+class Overlaps {
+ public:
+  using Index = PolygonTable::Index;
+  using Pair = ExtentIndex::Pair;
+
+  Overlaps(std::vector<Pair> pairs, std::size_t entries);
+
+  std::span<const Index> with(Index entry) const {
+    return std::span(others_).subspan(first_[entry], first_[entry + 1] - first_[entry]);
+  }
+  std::size_t entries() const { return first_.size() - 1; }
+  std::size_t pairs() const { return others_.size() / 2; }
+
+ private:
+  std::vector<std::size_t> first_;
+  std::vector<Index> others_;
+};
+
+/// Runs work(from, to) over the parts of a range, on that many threads.
+template <class Work>
+void in_parts(std::uint32_t size, std::uint32_t part, int threads, const Work& work) {
+  const std::uint32_t parts = (size + part - 1) / part;
+  const auto run = [&](std::size_t n) {
+    const auto k = static_cast<std::uint32_t>(n);
+    work(k, k * part, std::min(size, (k + 1) * part));
+  };
+  in_parallel(threads, parts, run);
+}
+
+/// The extents of all entries, and the pairs that overlap.
+struct OverlappingPairs {
+  std::vector<Extent> extents;
+  /// Nothing if they are more than was allowed, which would take too much memory.
+  std::optional<std::vector<Overlaps::Pair>> pairs;
+};
+
+template <class Policy>
+OverlappingPairs overlapping_pairs(const SortScene<Policy>& scene, std::size_t most, int threads) {
+  using Index = PolygonTable::Index;
+  const Index entries = scene.table.free();
+  OverlappingPairs result{std::vector<Extent>(entries), {}};
+  constexpr std::uint32_t kPart = 2048;
+  in_parts(entries, kPart, threads, [&](std::uint32_t, Index from, Index to) {
+    for (Index i = from; i < to; ++i) result.extents[i] = scene.extent(i);
+  });
+  const ExtentIndex index(result.extents);
+  const auto order = index.order();
+  // What is compared with each other lies close together.
+  std::vector<EnteredTriangle> triangles(entries);
+  std::vector<std::int8_t> turning(entries);
+  std::vector<std::uint8_t> hides(entries);
+  in_parts(entries, kPart, threads, [&](std::uint32_t, std::uint32_t from, std::uint32_t to) {
+    for (std::uint32_t p = from; p < to; ++p) {
+      if (scene.table[order[p]].sides == 0) continue;
+      hides[p] = scene.hides(order[p]) ? 1 : 0;
+      const Outline outline = scene.outline(order[p]);
+      turning[p] = static_cast<std::int8_t>(outline.turning);
+      triangles[p] = entered_triangle(scene.vertices, outline);
+    }
+  });
+  const auto overlap = [&](std::uint32_t p, std::uint32_t q) {
+    if (triangles[p].turning != 0 && triangles[q].turning != 0) {
+      return overlap_in_projection(scene.vertices, triangles[p], triangles[q]);
+    }
+    return overlap_in_projection(scene.vertices,
+                                 Outline{scene.table.vertices(order[p]), turning[p]},
+                                 Outline{scene.table.vertices(order[q]), turning[q]});
+  };
+  constexpr std::uint32_t kLeaves = 256;
+  std::vector<std::vector<Overlaps::Pair>> found((index.leaves() + kLeaves - 1) / kLeaves);
+  std::atomic<std::size_t> count = 0;
+  in_parts(index.leaves(), kLeaves, threads,
+           [&](std::uint32_t part, std::uint32_t from, std::uint32_t to) {
+             auto& here = found[part];
+             for (std::uint32_t leaf = from; leaf < to && count <= most; ++leaf) {
+               const std::size_t before = here.size();
+               index.pairs(leaf, leaf + 1, [&](std::uint32_t p, std::uint32_t q) {
+                 if (hides[p] == 0 && hides[q] == 0) return;
+                 if (here.size() - before > most) return;
+                 if (overlap(p, q)) here.push_back(std::minmax({order[p], order[q]}));
+               });
+               count += here.size() - before;
+             }
+           });
+  if (count > most) return result;
+  auto& all = result.pairs.emplace();
+  all.reserve(count);
+  for (auto& here : found) {
+    all.insert(all.end(), here.begin(), here.end());
+    std::vector<Overlaps::Pair>().swap(here);
+  }
+  return result;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,179 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "hidden/exact/support_plane.h"
+#include "hidden/extents.h"
+#include "hidden/sort/compare_polys.h"
+#include "hidden/sort/hidden_surface_sort.h"
+#include "hidden/sort/overlap.h"
+
+namespace displayfile {
+
+/// Where the items lie: as they are viewed, or in world coordinates, before viewing.
+enum class SortSpace : std::uint8_t { device, world };
+
+/// What the object-space methods work on: the items as entries of the polygon table. In device
+/// coordinates the planes are turned so that the front is the viewer's side; in world coordinates
+/// there is no viewer yet.
+template <class Policy>
+struct SortScene {
+  using Index = PolygonTable::Index;
+
+  SortScene(const SortItems& items_, const Policy& policy, SortSpace space_ = SortSpace::device)
+      : items(items_), space(space_), vertices(items_.points, planes_of(items_, space_), policy) {
+    save_items();
+  }
+
+  const SortItems& items;
+  SortSpace space;
+  PolygonTable table;
+  VertexTable<Policy> vertices;
+  ComparePolys<Policy> comparing{table, vertices};
+  std::vector<Index> degenerate;  ///< entries that hide nothing and of which nothing is seen
+
+  bool hides(Index entry) const {
+    return items.items[table[entry].item].kind == SortItems::Kind::solid &&
+           table[entry].plane != kNoPlane;
+  }
+  Extent extent(Index entry) const {
+    Extent box = Extent::nothing();
+    for (const std::uint32_t v : table.vertices(entry)) {
+      const auto [p, radius] = vertices.near(v);
+      box.include(p, radius);
+    }
+    return box;
+  }
+  Outline outline(Index entry) const {
+    const auto v = table.vertices(entry);
+    return {v, v.size() == 2 ? 0 : convex_turning(vertices, v)};
+  }
+  /// The order of entry; of the items in one plane, lines come last.
+  bool entered_before(Index a, Index b) const {
+    const bool line_a = table[a].sides == 2, line_b = table[b].sides == 2;
+    if (line_a != line_b) return line_b;
+    return table[a].item != table[b].item ? table[a].item < table[b].item : a < b;
+  }
+
+ private:
+  static std::span<const Point3> points_of(const SortItems& all, const SortItems::Item& item) {
+    return all.points.subspan(item.first, item.sides);
+  }
+
+  /// Of a polygon that is edge-on, or in world coordinates in line, there is no plane.
+  static SupportVertices plane_vertices(std::span<const Point3> points, SortSpace space) {
+    return space == SortSpace::device ? support_vertices(points) : spread_vertices(points);
+  }
+
+  /// One for each polygon that has one, in order of entry.
+  static std::vector<Plane> planes_of(const SortItems& all, SortSpace space) {
+    std::vector<Plane> planes;
+    planes.reserve(all.items.size());
+    for (const SortItems::Item& item : all.items) {
+      if (item.kind == SortItems::Kind::line) continue;
+      const auto points = points_of(all, item);
+      const SupportVertices support = plane_vertices(points, space);
+      if (support.edge_on) continue;
+      const auto& [p, q, r] = support.index;
+      Plane plane(points[p], points[q], points[r]);
+      if (space == SortSpace::device && facing(plane) < 0)
+        plane = Plane(points[p], points[r], points[q]);
+      planes.push_back(plane);
+    }
+    return planes;
+  }
+
+  void save_items() {
+    table.entries.reserve(items.items.size());
+    table.d.reserve(items.points.size());
+    std::uint32_t next_plane = 0;
+    for (std::uint32_t i = 0; i < items.items.size(); ++i) {
+      const SortItems::Item& item = items.items[i];
+      if (item.kind == SortItems::Kind::line) {
+        save_line(i, item.first, item.first + 1, true);
+      } else if (plane_vertices(points_of(items, item), space).edge_on) {
+        save_outline(i);
+      } else {
+        save_poly_for_hsc(i, next_plane++);
+      }
+    }
+  }
+
+  /// Algorithm 9.7, but for what the items hold already.
+  void save_poly_for_hsc(std::uint32_t i, std::uint32_t plane) {
+    const SortItems::Item& item = items.items[i];
+    table.entries.push_back({table.d.free(), item.sides, i, plane});
+    std::uint32_t from = item.first + item.sides - 1;
+    for (std::uint32_t to = item.first; to < item.first + item.sides; ++to) {
+      table.d.put({vertices.enter(to, plane), SideLine::edge(from, to), items.visible[to] != 0});
+      from = to;
+    }
+  }
+
+  void save_line(std::uint32_t i, std::uint32_t from, std::uint32_t to, bool whole) {
+    table.entries.push_back({table.d.free(), 2, i, kNoPlane});
+    table.entries.back().whole = whole;
+    table.d.put({from, SideLine::edge(to, from), false});
+    table.d.put({to, SideLine::edge(from, to), true});
+  }
+
+  /// An edge-on polygon covers nothing; each side that is drawn becomes a line.
+  void save_outline(std::uint32_t i) {
+    const SortItems::Item& item = items.items[i];
+    bool drawn = false;
+    std::uint32_t from = item.first + item.sides - 1;
+    for (std::uint32_t to = item.first; to < item.first + item.sides; ++to) {
+      if (items.visible[to] != 0) {
+        save_line(i, from, to, false);
+        drawn = true;
+      }
+      from = to;
+    }
+    if (drawn) return;
+    degenerate.push_back(table.free());
+    table.entries.push_back({table.d.free(), 0, i, kNoPlane});
+  }
+};
+
+/// The pieces of the entries, in that order, as the display file takes them.
+template <class Policy>
+SortedPieces sorted_pieces(const SortScene<Policy>& scene,
+                           std::span<const PolygonTable::Index> order) {
+  SortedPieces sorted;
+  sorted.pieces.reserve(order.size() + scene.degenerate.size());
+  const auto whole = [&](std::uint32_t item) {
+    sorted.pieces.push_back({item, SortedPiece::kWhole, scene.items.items[item].sides});
+  };
+  // Pieces share the points of a cut; rounding is the dear part.
+  std::vector<std::pair<bool, Point3>> rounded(scene.vertices.made());
+  const auto coordinates = [&](std::uint32_t v) {
+    if (scene.vertices.is_entered(v)) return scene.vertices.entered(v);
+    auto& [known, point] = rounded[scene.vertices.number_made(v)];
+    if (!known) {
+      known = true;
+      point = scene.vertices.coordinates(v);
+    }
+    return point;
+  };
+  for (const PolygonTable::Index i : scene.degenerate) whole(scene.table[i].item);
+  for (const PolygonTable::Index i : order) {
+    const PolygonTable::Entry& entry = scene.table[i];
+    if (entry.whole) {
+      whole(entry.item);
+      continue;
+    }
+    sorted.pieces.push_back(
+        {entry.item, static_cast<std::uint32_t>(sorted.points.size()), entry.sides});
+    for (std::uint32_t k = 0; k < entry.sides; ++k) {
+      const SideBuffer::Side side = scene.table.d[entry.start + k];
+      sorted.points.push_back(coordinates(side.vertex));
+      sorted.visible.push_back(side.visible ? 1 : 0);
+    }
+  }
+  sorted.comparisons = scene.comparing.comparisons();
+  sorted.cuts = scene.comparing.cuts();
+  return sorted;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "hidden/exact/precision.h"
+
+namespace displayfile {
+
+/// The vertices of polygons and of their pieces by number, and the planes: first the points as
+/// entered, then those that the precision policy makes of them. Polygons that share a number
+/// share a vertex.
+template <class Policy>
+class VertexTable {
+ public:
+  using Vertex = typename Policy::Vertex;
+
+  /// The points must stay.
+  VertexTable(std::span<const Point3> points, std::vector<Plane> planes, const Policy& policy)
+      : points_(points), planes_(std::move(planes)), policy_(policy) {
+    policy_.use({points_, planes_});
+  }
+
+  /// The number of a point as a vertex of a polygon in that plane.
+  std::uint32_t enter(std::uint32_t point, std::uint32_t own) {
+    if (own == kNoPlane || planes_[own].goes_through(points_[point])) return point;
+    return keep(policy_.vertex(point, own));
+  }
+  std::uint32_t cut(std::uint32_t from, std::uint32_t to, const SideLine& line, std::uint32_t own,
+                    std::uint32_t plane) {
+    return keep(policy_.cut(at(from), at(to), line, own, plane));
+  }
+  std::uint32_t add_plane(const Plane& plane) {
+    planes_.push_back(plane);
+    policy_.use({points_, planes_});
+    return static_cast<std::uint32_t>(planes_.size() - 1);
+  }
+
+  /// For a plane that no vertex is defined by.
+  void set_plane(std::uint32_t i, const Plane& plane) { planes_[i] = plane; }
+
+  double tolerance() const { return policy_.tolerance(); }
+  int side(std::uint32_t v, std::uint32_t plane) const {
+    if (v < points_.size()) [[likely]]
+      return policy_.side(points_[v], plane);
+    return policy_.side(made_[v - points_.size()], plane);
+  }
+  int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    if (a == b || b == c || a == c) return 0;
+    const Point3 *p = in_projection(a), *q = in_projection(b), *r = in_projection(c);
+    if (p != nullptr && q != nullptr && r != nullptr) [[likely]]
+      return policy_.turn(Point2(*p), Point2(*q), Point2(*r));
+    return policy_.turn(at(a), at(b), at(c));
+  }
+  /// The same for points as entered, in the projection.
+  int turn(const Point2& a, const Point2& b, const Point2& c) const {
+    return policy_.turn(a, b, c);
+  }
+  /// True if none of the three turns that way from a to b.
+  bool none_turns(const Point2& a, const Point2& b, const std::array<Point2, 3>& c, int way) const {
+    return policy_.none_turns(a, b, c, way);
+  }
+  /// What has exactly the vertex's x and y, if that is known; valid until the next vertex is made.
+  const Point3* in_projection(std::uint32_t v) const {
+    if (v < points_.size()) [[likely]]
+      return &points_[v];
+    return Policy::in_projection(made_[v - points_.size()]);
+  }
+  bool is_entered(std::uint32_t v) const { return v < points_.size(); }
+  std::size_t made() const { return made_.size(); }
+  std::size_t number_made(std::uint32_t v) const { return v - points_.size(); }
+  const Point3& entered(std::uint32_t v) const { return points_[v]; }
+  /// Of the way from a to b in the projection: 1 to the right, or straight up; 0 if they are the
+  /// same point there.
+  int direction(std::uint32_t a, std::uint32_t b) const {
+    return a == b ? 0 : policy_.compare_xy(at(b), at(a));
+  }
+
+  /// Doubles close to the vertex, and how close: no coordinate is farther than `radius`.
+  std::pair<Point3, double> near(std::uint32_t v) const {
+    if (v < points_.size()) return {points_[v], 0.0};
+    return policy_.near(made_[v - points_.size()]);
+  }
+  /// For the display file.
+  Point3 coordinates(std::uint32_t v) const {
+    return v < points_.size() ? points_[v] : policy_.coordinates(made_[v - points_.size()]);
+  }
+
+  const Plane& plane(std::uint32_t i) const { return planes_[i]; }
+  std::size_t bytes() const {
+    return made_.capacity() * sizeof(Vertex) + planes_.capacity() * sizeof(Plane);
+  }
+
+ private:
+  std::uint32_t keep(const Vertex& v) {
+    made_.push_back(v);
+    return static_cast<std::uint32_t>(points_.size() + made_.size() - 1);
+  }
+  Vertex at(std::uint32_t v) const {
+    return v < points_.size() ? policy_.stored(points_[v]) : made_[v - points_.size()];
+  }
+
+  std::span<const Point3> points_;
+  std::vector<Vertex> made_;
+  std::vector<Plane> planes_;
+  Policy policy_;
+};
+
+}  // namespace displayfile

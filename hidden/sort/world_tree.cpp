@@ -1,0 +1,209 @@
+#include "hidden/sort/world_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "hidden/exact/exact_vector.h"
+#include "hidden/exact/predicate_counts.h"
+#include "hidden/sort/sort_polygons.h"
+
+namespace displayfile {
+
+namespace {
+
+using Index = WorldTree::Index;
+
+double sum(const Point3& v) { return v.x + v.y + v.z; }
+double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+double largest(const Point3& v) { return std::max({v.x, v.y, v.z}); }
+
+/// |x| + |y| + |z|, or a little more.
+double size_of(const Eye& eye) { return sum(glm::abs(eye.place)) * kInflate; }
+
+/// The polygons in a node's plane, in order of entry, lines last.
+template <class Scene>
+void add_pieces(const Scene& scene, Index node, std::vector<Index>& pieces) {
+  const auto first = static_cast<std::ptrdiff_t>(pieces.size());
+  if (scene.table[node].sides > 0) pieces.push_back(node);
+  for (Index i = scene.table[node].on; i != PolygonTable::kNone; i = scene.table[i].on) {
+    pieces.push_back(i);
+  }
+  std::sort(pieces.begin() + first, pieces.end(),
+            [&](Index a, Index b) { return scene.entered_before(a, b); });
+}
+
+}  // namespace
+
+/// A node of the tree in the polygon table, and where it hangs; the parents by their place.
+struct WorldTree::Placed {
+  Index entry, parent;
+  bool in_front;
+
+  /// In the order of a walk that takes the front first.
+  static std::vector<Placed> front_first(const PolygonTable& table, Index root) {
+    std::vector<Placed> placed, waiting;
+    if (root != PolygonTable::kNone) waiting.push_back({root, 0, false});
+    while (!waiting.empty()) {
+      const Placed next = waiting.back();
+      waiting.pop_back();
+      const auto place = static_cast<Index>(placed.size());
+      placed.push_back(next);
+      const auto& entry = table[next.entry];
+      if (entry.back != PolygonTable::kNone) waiting.push_back({entry.back, place, false});
+      if (entry.front != PolygonTable::kNone) waiting.push_back({entry.front, place, true});
+    }
+    return placed;
+  }
+};
+
+/// hidden/sort/world_tree.md, "The filter".
+WorldTree::NodePlane::NodePlane(const Plane& plane) : normal(plane.normal) {
+  const Point3 size = glm::abs(plane.normal), p = glm::abs(plane.p);
+  offset = -dot(plane.normal, plane.p);
+  error_of_normal = (largest(plane.bound) + 5.0 * kUnit * largest(size)) * kInflate;
+  error_of_offset =
+      (dot(plane.bound, p) + 5.0 * kUnit * (dot(size, p) + std::abs(offset))) * kInflate + kTiny;
+  const double length = glm::length(size + plane.bound);
+  const bool usable = length > 0.0 && length < std::numeric_limits<double>::max();
+  per_length = usable ? 1.0 / (length * kInflate) : 0.0;
+}
+
+WorldTree::WorldTree(const SortItems& world, const SortOptions& options) {
+  const Definitions points{world.points, {}};
+  if (options.precision.exact) {
+    build(world, Exact(points, Exact::Lift::along_facing_axis));
+  } else {
+    build(world, Roundoff::relative(points, options.precision.roundoff));
+  }
+}
+
+template <class Policy>
+void WorldTree::build(const SortItems& world, const Policy& policy) {
+  SortOptions options;
+  options.root = RootChoice::sample;
+  SortScene scene(world, policy, SortSpace::world);
+  SortPolygons sorting(scene, options);
+  sorting.sort_all();
+  const std::vector<Placed> placed = Placed::front_first(scene.table, sorting.root());
+  add_nodes(scene, placed);
+  std::vector<Index> pieces;
+  pieces.reserve(sorting.order().size());
+  for (const Placed& node : placed) add_pieces(scene, node.entry, pieces);
+  pieces_ = sorted_pieces(scene, pieces);
+  pieces_.depth = sorting.depth();
+  degenerate_ = static_cast<Index>(scene.degenerate.size());
+}
+
+template <class Scene>
+void WorldTree::add_nodes(const Scene& scene, std::span<const Placed> placed) {
+  nodes_.resize(placed.size());
+  std::vector<Index> pieces;
+  for (std::size_t i = placed.size(); i-- > 0;) {  // children stand after their parents
+    const auto& entry = scene.table[placed[i].entry];
+    Node& node = nodes_[i];
+    pieces.clear();
+    add_pieces(scene, placed[i].entry, pieces);
+    node.here = static_cast<Index>(pieces.size());
+    if (!node.is_leaf()) {
+      const Plane plane =  // none where the branches need no order
+          entry.plane == kNoPlane ? Plane() : scene.vertices.plane(entry.plane);
+      node.plane = NodePlane(plane);
+      node.exact_plane = static_cast<Index>(planes_.size());
+      planes_.push_back(plane);
+    }
+    if (i == 0) break;
+    Node& parent = nodes_[placed[i].parent];
+    (placed[i].in_front ? parent.front : parent.back) += node.front + node.here + node.back;
+  }
+}
+
+/// Which side of the node's plane the eye is on: 1, -1, or 0 on it, where any order is right.
+int WorldTree::exact_side(const Node& node, const Eye& eye) const {
+  const Plane& plane = planes_[node.exact_plane];
+  if (!eye.at_infinity) return side_of_plane(eye.place, plane);
+  count_exact(Predicate::side_of_plane);
+  const ExactVector normal =
+      cross(exact_difference(plane.q, plane.p), exact_difference(plane.r, plane.p));
+  return displayfile::dot(normal, exact_difference(eye.place, Point3(0.0))).sign();
+}
+
+/// Algorithm 9.16 as the lecture gives it for an eye on either side. Where a node's pieces go is
+/// where its tree's begin, and after them what comes before: so the nodes are met in the order in
+/// which they stand, whatever the eye, and nothing recurs. `visit` gets each node with its plane's
+/// value at the eye, and how far off that may be.
+template <bool far_first, class Visitor>
+void WorldTree::walk(const Eye& eye, std::vector<Index>& order, const Visitor& visit) const {
+  order.resize(size());
+  const double size = size_of(eye), w = eye.at_infinity ? 0.0 : 1.0;
+  const auto put = [&](Index at, Index first, Index count) {
+    for (Index k = 0; k < count; ++k) order[at + k] = far_first ? first + k : first + count - 1 - k;
+  };
+  put(far_first ? 0 : static_cast<Index>(order.size()) - degenerate_, 0, degenerate_);
+  std::vector<Index> begins(pieces_.depth + 2);  // of the trees still to come, in back of nodes
+  std::size_t waiting = 1;                       // the first is nobody's
+  Index begin = far_first ? degenerate_ : 0, first = degenerate_;
+  for (const Node& node : nodes_) {
+    const NodePlane& plane = node.plane;
+    const double value = dot(plane.normal, eye.place) + plane.offset * w;
+    const double error = plane.error_of_normal * size + plane.error_of_offset * w;
+    bool eye_in_front = value > 0.0;
+    if (!(std::abs(value) > error) && !node.is_leaf()) [[unlikely]] {
+      eye_in_front = exact_side(node, eye) >= 0;
+    }
+    visit(node, value, error);
+    const bool back_first = eye_in_front == far_first;
+    const Index at = begin + (back_first ? node.back : node.front);
+    put(at, first, node.here);
+    first += node.here;
+    const Index after = at + node.here;
+    const Index begin_of_front = back_first ? after : begin;
+    const Index begin_of_back = back_first ? begin : after;
+    // Next stand the nodes in front; if there are none, those in back of the last that has any.
+    begins[waiting] = begin_of_back;
+    waiting += node.back != 0 ? 1 : 0;
+    const bool has_front = node.front != 0;
+    waiting -= has_front ? 0 : 1;
+    begin = has_front ? begin_of_front : begins[waiting];
+  }
+}
+
+void WorldTree::far_to_near(const Eye& eye, std::vector<Index>& order) const {
+  walk<true>(eye, order, [](const Node&, double, double) {});
+}
+
+void WorldTree::near_to_far(const Eye& eye, std::vector<Index>& order) const {
+  walk<false>(eye, order, [](const Node&, double, double) {});
+}
+
+double WorldTree::far_to_near_until(const Eye& eye, std::vector<Index>& order) const {
+  double nearest = std::numeric_limits<double>::infinity();
+  walk<true>(eye, order, [&](const Node& node, double value, double error) {
+    if (node.is_leaf()) return;
+    const double distance = (std::abs(value) - error) * node.plane.per_length;
+    nearest = std::min(nearest, std::max(distance, 0.0));
+  });
+  return nearest * (1.0 - 16.0 * kUnit);
+}
+
+bool MovingEye::is_still_right(const Eye& eye) const {
+  if (walks_ == 0 || eye.at_infinity != walked_for_.at_infinity) return false;
+  if (eye == walked_for_) return true;
+  const Point3 moved = eye.place - walked_for_.place;
+  constexpr double kVanishes = 0x1p-500;  // the square of less
+  return glm::length(moved) * (1.0 + 16.0 * kUnit) + kVanishes < may_move_;
+}
+
+std::span<const WorldTree::Index> MovingEye::far_to_near(const Eye& eye) {
+  if (is_still_right(eye)) {
+    ++reused_;
+  } else {
+    may_move_ = tree_->far_to_near_until(eye, order_);
+    walked_for_ = eye;
+    ++walks_;
+  }
+  return order_;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "interp/files/row_file.h"
+#include "interp/picture.h"
+
+namespace displayfile {
+
+/// Writes the pixels as a PNG file, 8-bit RGB. The bytes depend on the pixels alone (no time or
+/// text is stored); the file appears whole or not at all. Throws Error, naming the file, if it
+/// cannot be written or the picture's size is not 1 to kLargestSide.
+void write_png(const Picture& picture, const std::filesystem::path& path);
+
+/// The same for a picture of width x height that comes row by row; the bytes are the same.
+std::unique_ptr<RowFile> png_row_file(const std::filesystem::path& path, int width, int height);
+
+/// Reads a PNG file of any colour type; 16-bit samples are cut to 8, and what is transparent is
+/// laid over white. Throws Error, naming the file: not a PNG, truncated, damaged, or of a size
+/// that is beyond kLargestSide or that the file's length cannot hold.
+Picture read_png(const std::filesystem::path& path);
+
+}  // namespace displayfile

@@ -1,0 +1,115 @@
+#include "interp/files/ppm_file.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <istream>
+#include <ostream>
+#include <vector>
+
+#include "displayfile/output_file.h"
+#include "interp/files/binary_input.h"
+#include "interp/picture.h"
+
+namespace displayfile {
+
+namespace {
+
+bool is_blank(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+/// The next number of the header: blanks and comments are passed over, and the one character
+/// that ends it is taken.
+int read_header_number(BinaryInput& input, const char* what) {
+  std::istream& in = input.stream();
+  int c = in.get();
+  while (is_blank(c) || c == '#') {
+    if (c == '#') {
+      while (c != '\n' && c != std::istream::traits_type::eof()) c = in.get();
+    } else {
+      c = in.get();
+    }
+  }
+  int value = 0, digits = 0;
+  for (; c >= '0' && c <= '9'; c = in.get()) {
+    if (++digits > 9) input.fail(fmt::format("PPM header: {} is too large", what));
+    value = 10 * value + (c - '0');
+  }
+  if (c == std::istream::traits_type::eof()) input.fail("truncated in the PPM header");
+  if (digits == 0 || !is_blank(c)) {
+    input.fail(fmt::format("PPM header: expected a number for the {}", what));
+  }
+  return value;
+}
+
+class PpmRowFile : public RowFile {
+ public:
+  PpmRowFile(const std::filesystem::path& path, int width, int height) : file_(path.string()) {
+    require_picture_size(width, height);
+    row_.resize(3 * static_cast<std::size_t>(width));
+    file_.stream() << fmt::format("P6\n{} {}\n255\n", width, height);
+  }
+  void write(const Picture& rows) override {
+    const auto* rgba = reinterpret_cast<const char*>(rows.pixels.data());
+    for (int y = 0; y < rows.height; ++y) {
+      for (std::size_t x = 0; x < row_.size(); x += 3, rgba += 4) std::memcpy(&row_[x], rgba, 3);
+      file_.stream().write(row_.data(), static_cast<std::streamsize>(row_.size()));
+    }
+  }
+  void commit() override { file_.commit(); }
+
+ private:
+  OutputFile file_;
+  std::vector<char> row_;
+};
+
+}  // namespace
+
+std::unique_ptr<RowFile> ppm_row_file(const std::filesystem::path& path, int width, int height) {
+  return std::make_unique<PpmRowFile>(path, width, height);
+}
+
+void write_ppm(const Picture& picture, const std::filesystem::path& path) {
+  PpmRowFile file(path, picture.width, picture.height);
+  file.write(picture);
+  file.commit();
+}
+
+Picture read_ppm(const std::filesystem::path& path) {
+  BinaryInput input(path);
+  char magic[2] = {};
+  input.stream().read(magic, 2);
+  if (!input.stream() || magic[0] != 'P' || magic[1] != '6' || !is_blank(input.stream().peek())) {
+    input.fail("not a PPM file: expected P6");
+  }
+  Picture picture;
+  picture.width = read_header_number(input, "width");
+  picture.height = read_header_number(input, "height");
+  const int largest_value = read_header_number(input, "largest value");
+  if (picture.width < 1 || picture.width > kLargestSide || picture.height < 1 ||
+      picture.height > kLargestSide) {
+    input.fail(fmt::format("picture of {} x {} pixels: expected 1 to {} on a side", picture.width,
+                           picture.height, kLargestSide));
+  }
+  if (largest_value != 255) {
+    input.fail(fmt::format("PPM of largest value {}: expected 255", largest_value));
+  }
+  const auto width = static_cast<std::size_t>(picture.width);
+  const auto height = static_cast<std::size_t>(picture.height);
+  if (input.bytes_left() < 3 * width * height) {
+    input.fail(fmt::format("truncated: {} bytes of pixels, expected {}", input.bytes_left(),
+                           3 * width * height));
+  }
+  picture.pixels.resize(width * height);
+  std::vector<char> row(3 * width);
+  auto* rgba = reinterpret_cast<char*>(picture.pixels.data());
+  for (std::size_t y = 0; y < height; ++y) {
+    input.read(row.data(), row.size());
+    for (std::size_t x = 0; x < width; ++x, rgba += 4) {
+      std::memcpy(rgba, &row[3 * x], 3);
+      rgba[3] = '\xff';
+    }
+  }
+  return picture;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,397 @@
+#include "interp/opengl/osmesa.h"
+
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <GL/osmesa.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <new>
+#include <span>
+#include <vector>
+
+#include "clip/error.h"
+#include "interp/opengl/triangle_list.h"
+#include "interp/picture.h"
+#include "interp/visibility/image_space.h"
+
+namespace displayfile {
+
+namespace {
+
+/// An OpenGL context of OSMesa, current for as long as a Current lives. What it draws into is
+/// a framebuffer object: unlike OSMesa's own buffers that has a depth of 16, 24 or 32 bits as
+/// asked for, and is not copied each time a picture is finished. All objects go with the context.
+class Context {
+ public:
+  Context() {
+    const std::array attributes = {OSMESA_FORMAT,
+                                   OSMESA_RGBA,
+                                   OSMESA_DEPTH_BITS,
+                                   0,
+                                   OSMESA_STENCIL_BITS,
+                                   0,
+                                   OSMESA_ACCUM_BITS,
+                                   0,
+                                   OSMESA_PROFILE,
+                                   OSMESA_COMPAT_PROFILE,
+                                   0,
+                                   0};
+    context_ = OSMesaCreateContextAttribs(attributes.data(), nullptr);
+    if (context_ == nullptr) throw Error("OSMesa: no OpenGL context could be made");
+  }
+  ~Context() { OSMesaDestroyContext(context_); }
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  class Current {
+   public:
+    explicit Current(Context& context) {
+      if (OSMesaMakeCurrent(context.context_, &context.own_pixel_, GL_UNSIGNED_BYTE, 1, 1) !=
+          GL_TRUE) {
+        throw Error("OSMesa: the OpenGL context could not be made current");
+      }
+    }
+    ~Current() { OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0); }
+    Current(const Current&) = delete;
+    Current& operator=(const Current&) = delete;
+  };
+
+ private:
+  OSMesaContext context_ = nullptr;
+  std::uint32_t own_pixel_ = 0;  // OSMesa wants a buffer of its own, however small
+};
+
+GLint integer(GLenum name) {
+  GLint value = 0;
+  glGetIntegerv(name, &value);
+  return value;
+}
+
+std::string renderer() { return reinterpret_cast<const char*>(glGetString(GL_RENDERER)); }
+
+int largest_side() {
+  std::array<GLint, 2> viewport{};
+  glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+  return std::min({viewport[0], viewport[1], integer(GL_MAX_RENDERBUFFER_SIZE)});
+}
+
+void require_no_gl_error(const char* doing) {
+  const GLenum error = glGetError();
+  if (error == GL_NO_ERROR) return;
+  while (glGetError() != GL_NO_ERROR) {
+  }
+  throw Error(error == GL_OUT_OF_MEMORY
+                  ? fmt::format("OSMesa ran out of memory while {}", doing)
+                  : fmt::format("OSMesa reports OpenGL error 0x{:04X} while {}", error, doing));
+}
+
+/// Makes a framebuffer object and binds it; returns the depth bits that it has.
+int bind_framebuffer(int width, int height, int depth_bits, bool stencil) {
+  const bool only_depth = depth_bits == 16 && !stencil;
+  const GLenum format = only_depth         ? GL_DEPTH_COMPONENT16
+                        : depth_bits == 32 ? GL_DEPTH32F_STENCIL8
+                                           : GL_DEPTH24_STENCIL8;
+  std::array<GLuint, 2> buffer{};
+  GLuint framebuffer = 0;
+  glGenFramebuffers(1, &framebuffer);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glGenRenderbuffers(2, buffer.data());
+  glBindRenderbuffer(GL_RENDERBUFFER, buffer[0]);
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer[0]);
+  glBindRenderbuffer(GL_RENDERBUFFER, buffer[1]);
+  glRenderbufferStorage(GL_RENDERBUFFER, format, width, height);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER,
+                            only_depth ? GL_DEPTH_ATTACHMENT : GL_DEPTH_STENCIL_ATTACHMENT,
+                            GL_RENDERBUFFER, buffer[1]);
+  require_no_gl_error("making the frame buffer");
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    throw Error(
+        fmt::format("OSMesa cannot draw into a frame buffer of {}x{} pixels with {} depth "
+                    "bits",
+                    width, height, depth_bits));
+  }
+  GLint granted = 0;
+  glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_DEPTH_SIZE, &granted);
+  return granted;
+}
+
+/// Display-file z to OpenGL depth in [0,1]: the range that occurs, and a little room at both
+/// ends so that 0 is left for the background.
+struct DepthMapping {
+  double low = 0.0, high = 1.0;
+
+  DepthMapping(const TriangleList& a, const TriangleList& b) {
+    const double z_min = std::min(a.z_min, b.z_min), z_max = std::max(a.z_max, b.z_max);
+    if (z_min > z_max) return;
+    // A flat scene has no range of its own; and no range is finer than doubles near it are.
+    const double size = std::max({std::abs(z_min), std::abs(z_max), 1e-300});
+    const double range = std::max(z_max - z_min, size * 1e-12);
+    constexpr double kRoom = 1.0 / 1024;
+    low = z_min - kRoom * range;
+    high = z_max + kRoom * range;
+  }
+  double depth(double z) const { return (z - low) / (high - low); }
+  double z(double depth) const { return low + depth * (high - low); }
+};
+
+/// As it lies in a vertex buffer: x, y and z in OpenGL's normalised coordinates.
+struct ResidentVertex {
+  float x, y, z;
+  std::uint32_t colour;
+  std::int32_t id;
+};
+
+enum class Paint { colours, ids };
+
+/// A triangle list in a vertex buffer.
+class ResidentTriangles {
+ public:
+  void upload(const TriangleList& list, const DepthMapping& mapping) {
+    batches_ = list.batches;
+    shaded_ = list.shaded;
+    triangles_ = list.vertices.size() / 3;
+    if (triangles_ == 0) return;
+    constexpr auto kMost = static_cast<std::size_t>(std::numeric_limits<GLsizei>::max());
+    if (list.vertices.size() > kMost) {
+      throw Error(fmt::format("{} triangles: OSMesa draws at most {}", triangles_, kMost / 3));
+    }
+    glGenBuffers(1, &buffer_);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer_);
+    glBufferData(GL_ARRAY_BUFFER,
+                 static_cast<GLsizeiptr>(list.vertices.size() * sizeof(ResidentVertex)), nullptr,
+                 GL_STATIC_DRAW);
+    require_no_gl_error("making room for the triangles");
+    auto* out = static_cast<ResidentVertex*>(glMapBuffer(GL_ARRAY_BUFFER, GL_WRITE_ONLY));
+    if (out == nullptr) throw Error("OSMesa ran out of memory while entering the triangles");
+    for (const TriangleVertex& v : list.vertices) {
+      *out++ = {v.x, v.y, static_cast<float>(2.0 * mapping.depth(v.z) - 1.0), v.colour, v.id};
+    }
+    glUnmapBuffer(GL_ARRAY_BUFFER);
+    require_no_gl_error("entering the triangles");
+  }
+
+  void draw(Paint paint, GLenum depth_test) const {
+    if (triangles_ == 0) return;
+    const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
+    glBindBuffer(GL_ARRAY_BUFFER, buffer_);
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glEnableClientState(GL_COLOR_ARRAY);
+    glVertexPointer(3, GL_FLOAT, sizeof(ResidentVertex), offset(0));
+    glColorPointer(4, GL_UNSIGNED_BYTE, sizeof(ResidentVertex),
+                   offset(paint == Paint::ids ? offsetof(ResidentVertex, id)
+                                              : offsetof(ResidentVertex, colour)));
+    glShadeModel(shaded_ && paint == Paint::colours ? GL_SMOOTH : GL_FLAT);
+    glDepthFunc(depth_test);
+    for (const TriangleBatch& batch : batches_) {
+      if (batch.rule == TriangleBatch::Rule::even_odd) {
+        draw_even_odd(batch, depth_test);
+      } else {
+        draw_arrays(batch);
+      }
+    }
+  }
+
+  std::size_t triangles() const { return triangles_; }
+
+ private:
+  static void draw_arrays(const TriangleBatch& batch) {
+    glDrawArrays(GL_TRIANGLES, static_cast<GLint>(batch.first), static_cast<GLsizei>(batch.count));
+  }
+
+  /// Each triangle of the fan inverts the stencil, which is then odd inside of the polygon; the
+  /// fan once more paints there, and leaves the stencil clear for the next.
+  static void draw_even_odd(const TriangleBatch& batch, GLenum depth_test) {
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_ALWAYS, 0, 0xFF);
+    glStencilOp(GL_INVERT, GL_INVERT, GL_INVERT);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_ALWAYS);
+    draw_arrays(batch);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(depth_test);
+    glStencilFunc(GL_NOTEQUAL, 0, 0xFF);
+    glStencilOp(GL_ZERO, GL_ZERO, GL_ZERO);
+    draw_arrays(batch);
+    glDisable(GL_STENCIL_TEST);
+  }
+
+  GLuint buffer_ = 0;
+  std::size_t triangles_ = 0;
+  bool shaded_ = false;
+  std::vector<TriangleBatch> batches_;
+};
+
+bool has_even_odd(const TriangleList& list) {
+  return std::ranges::any_of(list.batches, [](const TriangleBatch& batch) {
+    return batch.rule == TriangleBatch::Rule::even_odd;
+  });
+}
+
+/// Memory that cannot be had is an Error like any other.
+template <class Work>
+auto within_memory(const RasterRequest& request, Work&& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    throw Error(fmt::format("not enough memory to draw {}x{} pixels with OSMesa", request.width,
+                            request.height));
+  }
+}
+
+}  // namespace
+
+/// A scene in its context. With the z-buffer the fills are drawn before the lines; without it
+/// all are drawn in order, and the fills are kept apart only if they are to be measured.
+class OsmesaScene::Drawing {
+ public:
+  Drawing(const DisplayFile& display_file, const RasterRequest& request, int depth_bits)
+      : request_(request), mapping_({}, {}) {
+    require_picture_size(request.width, request.height);
+    if (depth_bits != 16 && depth_bits != 24 && depth_bits != 32) {
+      throw Error(fmt::format("{} depth bits: expected 16, 24 or 32", depth_bits));
+    }
+    const Context::Current current(context_);
+    if (std::max(request.width, request.height) > largest_side()) {
+      throw Error(fmt::format("picture size {}x{}: OSMesa ({}) draws at most {}x{} pixels",
+                              request.width, request.height, renderer(), largest_side(),
+                              largest_side()));
+    }
+    const Order order = is_image_space(request.method) ? Order::entered : Order::drawn;
+    const auto list = [&](Pass pass) {
+      return triangle_list(display_file, pass, order, request.width, request.height,
+                           request.line_scale);
+    };
+    TriangleList fills, others;
+    if (is_image_space(request.method) || request.ids || request.depth) fills = list(Pass::fills);
+    others = list(is_image_space(request.method) ? Pass::lines : Pass::everything);
+    mapping_ = DepthMapping(fills, others);
+    depth_bits_ = bind_framebuffer(request.width, request.height, depth_bits,
+                                   has_even_odd(fills) || has_even_odd(others));
+    fills_.upload(fills, mapping_);
+    others_.upload(others, mapping_);
+    set_state();
+  }
+
+  void draw() {
+    const Context::Current current(context_);
+    draw_colours();
+    glFinish();
+  }
+
+  Picture picture() {
+    const Context::Current current(context_);
+    Picture picture;
+    picture.width = request_.width;
+    picture.height = request_.height;
+    if (request_.ids || request_.depth) measure(picture);
+    draw_colours();
+    read(picture, GL_RGBA, GL_UNSIGNED_BYTE, picture.pixels);
+    require_no_gl_error("drawing");
+    return picture;
+  }
+
+  std::size_t triangles() const {
+    return others_.triangles() + (is_image_space(request_.method) ? fills_.triangles() : 0);
+  }
+  int depth_bits() const { return depth_bits_; }
+  const RasterRequest& request() const { return request_; }
+
+ private:
+  void set_state() const {
+    glViewport(0, 0, request_.width, request_.height);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_DEPTH_CLAMP);  // what lines are moved by may exceed the room at the front
+    glDisable(GL_DITHER);
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_MULTISAMPLE);
+    // A line on a polygon meets its depth but for the renderer's rounding, which grows with the
+    // slope: moved toward the viewer by that much, it wins where they are equal. The fills are
+    // not moved, so that among them nothing changes.
+    glPolygonOffset(1.0f / 64, 8.0f);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glClearDepth(0.0);
+    glClearStencil(0);
+  }
+
+  static void clear(float value) {
+    glClearColor(value, value, value, value);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  }
+
+  void draw_colours() const {
+    clear(1.0f);
+    if (!is_image_space(request_.method)) return others_.draw(Paint::colours, GL_ALWAYS);
+    fills_.draw(Paint::colours, GL_GEQUAL);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    others_.draw(Paint::colours, GL_GEQUAL);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+  }
+
+  /// A pixel's 32 bits are the pick identifier's own; all ones, white, is the background's -1.
+  void measure(Picture& picture) const {
+    clear(1.0f);
+    fills_.draw(Paint::ids, is_image_space(request_.method) ? GL_GEQUAL : GL_ALWAYS);
+    if (request_.ids) read(picture, GL_RGBA, GL_UNSIGNED_BYTE, picture.ids);
+    if (!request_.depth) return;
+    std::vector<float> depth;
+    read(picture, GL_DEPTH_COMPONENT, GL_FLOAT, depth);
+    picture.depth.resize(depth.size());
+    std::ranges::transform(depth, picture.depth.begin(), [&](float d) {
+      return d == 0.0f ? -std::numeric_limits<double>::infinity() : mapping_.z(d);
+    });
+  }
+
+  template <class T>
+  static void read(const Picture& picture, GLenum format, GLenum type, std::vector<T>& into) {
+    into.resize(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
+    glReadPixels(0, 0, picture.width, picture.height, format, type, into.data());
+    require_no_gl_error("reading the picture back");
+  }
+
+  RasterRequest request_;
+  Context context_;
+  DepthMapping mapping_;
+  int depth_bits_ = 0;
+  ResidentTriangles fills_, others_;
+};
+
+bool osmesa_available() { return true; }
+
+std::string osmesa_description(int depth_bits) {
+  Context context;
+  const Context::Current current(context);
+  const int granted = bind_framebuffer(1, 1, depth_bits, false);
+  return fmt::format("{}, {}, {} depth bits, at most {}x{} pixels", renderer(),
+                     reinterpret_cast<const char*>(glGetString(GL_VERSION)), granted,
+                     largest_side(), largest_side());
+}
+
+Picture draw_with_osmesa(const DisplayFile& display_file, const RasterRequest& request,
+                         int depth_bits) {
+  return OsmesaScene(display_file, request, depth_bits).picture();
+}
+
+OsmesaScene::OsmesaScene(const DisplayFile& display_file, const RasterRequest& request,
+                         int depth_bits)
+    : drawing_(within_memory(
+          request, [&] { return std::make_unique<Drawing>(display_file, request, depth_bits); })) {}
+OsmesaScene::~OsmesaScene() = default;
+void OsmesaScene::draw() { drawing_->draw(); }
+Picture OsmesaScene::picture() {
+  return within_memory(drawing_->request(), [&] { return drawing_->picture(); });
+}
+std::size_t OsmesaScene::triangles() const { return drawing_->triangles(); }
+int OsmesaScene::depth_bits() const { return drawing_->depth_bits(); }
+
+}  // namespace displayfile

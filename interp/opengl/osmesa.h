@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+#include "displayfile/display_file.h"
+#include "interp/picture.h"
+
+namespace displayfile {
+
+/// OSMesa: OpenGL drawn in memory by Mesa's software renderer (llvmpipe), as a second opinion
+/// on our own scan conversion and as a peer in benchmarks. It left Mesa in version 25.1; in a
+/// build without it osmesa_available() is false and the rest throws Error.
+///
+/// What it draws is a TriangleList (interp/opengl/triangle_list.h), in flat colours, without
+/// antialiasing, dithering or blending. Vertices are rounded to 1/256 pixel by the renderer,
+/// so no edge moves by more than that. Depth, nearer larger, spans the range of z that the
+/// picture shows; of equal depths the one entered later is seen.
+///
+/// llvmpipe's number of threads comes from the environment variable LP_NUM_THREADS, which it
+/// reads once, when the process makes its first OpenGL context (0: everything in the calling
+/// thread; n: n more that draw). RasterRequest::threads has no effect here.
+bool osmesa_available();
+
+/// Renderer, Mesa version, depth bits that were granted when this many (16, 24 or 32) were asked
+/// for, and the largest picture: for reports. Without OSMesa it says that there is none.
+std::string osmesa_description(int depth_bits = 24);
+
+/// Draws the display file, on white. Throws Error for a size outside of 1 to the renderer's
+/// limit (16384 pixels for llvmpipe), for depth bits other than 16, 24 and 32, for a coordinate
+/// that triangle_list refuses, and when memory runs out.
+Picture draw_with_osmesa(const DisplayFile& display_file, const RasterRequest& request,
+                         int depth_bits = 24);
+
+/// The same in steps, so that drawing is timed alone: the triangles of a display file, resident
+/// in vertex buffers, to be drawn any number of times. To be used by one thread at a time; no
+/// OSMesa context is current after a call.
+class OsmesaScene {
+ public:
+  /// Throws as draw_with_osmesa does.
+  OsmesaScene(const DisplayFile& display_file, const RasterRequest& request, int depth_bits = 24);
+  ~OsmesaScene();
+  OsmesaScene(const OsmesaScene&) = delete;
+  OsmesaScene& operator=(const OsmesaScene&) = delete;
+
+  /// Clears, draws and waits until all is drawn (glFinish); nothing is read back.
+  void draw();
+  /// Draws and reads back what was requested. The item buffer and the depth come from a
+  /// drawing of their own, of the fills alone.
+  Picture picture();
+
+  std::size_t triangles() const;  ///< that draw() draws
+  int depth_bits() const;         ///< granted: 16 becomes 24 where a polygon is not convex
+
+ private:
+  class Drawing;
+  std::unique_ptr<Drawing> drawing_;
+};
+
+}  // namespace displayfile

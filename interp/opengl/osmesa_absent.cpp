@@ -1,0 +1,31 @@
+#include "clip/error.h"
+#include "interp/opengl/osmesa.h"
+
+namespace displayfile {
+
+namespace {
+
+[[noreturn]] void refuse() {
+  throw Error(
+      "this build has no OSMesa: neither GL/osmesa.h nor libOSMesa was found when it was "
+      "configured (Mesa 25.1 and later have none); draw with the software device");
+}
+
+}  // namespace
+
+class OsmesaScene::Drawing {};
+
+bool osmesa_available() { return false; }
+
+std::string osmesa_description(int) { return "none: this build has no OSMesa"; }
+
+Picture draw_with_osmesa(const DisplayFile&, const RasterRequest&, int) { refuse(); }
+
+OsmesaScene::OsmesaScene(const DisplayFile&, const RasterRequest&, int) { refuse(); }
+OsmesaScene::~OsmesaScene() = default;
+void OsmesaScene::draw() { refuse(); }
+Picture OsmesaScene::picture() { refuse(); }
+std::size_t OsmesaScene::triangles() const { refuse(); }
+int OsmesaScene::depth_bits() const { refuse(); }
+
+}  // namespace displayfile

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "interp/files/row_file.h"
+#include "interp/picture.h"
+
+namespace displayfile {
+
+inline constexpr int kMostSamples = 16;  ///< along a pixel's side
+
+/// Antialiasing by samples x samples centres for each pixel: a picture drawn so many times as
+/// large, its colours averaged. Takes its rows from the top and passes on those of the picture; of
+/// pixels only.
+class SampleAverage {
+ public:
+  /// The width of the picture passed on.
+  SampleAverage(int width, int samples, TakeRows take);
+
+  void operator()(const Picture& rows);
+
+ private:
+  void add_row(const std::uint32_t* samples);
+  void pass_on(Picture& averaged);
+
+  int width_, samples_;
+  TakeRows take_;
+  std::vector<std::uint32_t> sums_;  // red, green, blue of each pixel of the row begun
+  int rows_added_ = 0;
+};
+
+}  // namespace displayfile

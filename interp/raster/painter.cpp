@@ -1,0 +1,29 @@
+#include "interp/raster/painter.h"
+
+#include <optional>
+
+namespace displayfile {
+
+void Painter::fill(const DrawnPolygon& polygon) {
+  const ScanConverter::Rows rows = converter_.begin(polygon.vertices, band_.region);
+  if (rows.first == rows.end) return;
+  const SupportVertices support = support_vertices(polygon.vertices);
+  if (support.edge_on) return;
+  const FillColour colour(polygon, band_.size(), band_.shadows);
+  std::vector<double>& depths = band_.picture.depth;
+  std::optional<PixelDepth> depth;
+  if (!depths.empty()) {
+    depth.emplace(polygon.vertices, support, band_.size().width, band_.size().height);
+  }
+  converter_.scan([&](int row, int first, int end) {
+    band_.paint(row, first, end, colour, polygon.pick);
+    if (!depth) return;
+    const std::size_t start = band_.index(row, 0);
+    const double row_depth = depth->row(row);
+    for (int i = first; i < end; ++i) {
+      depths[start + static_cast<std::size_t>(i)] = depth->at(row_depth, i);
+    }
+  });
+}
+
+}  // namespace displayfile

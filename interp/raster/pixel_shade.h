@@ -1,0 +1,92 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "displayfile/intensity_plane.h"
+#include "hidden/exact/pixel_centre.h"
+#include "hidden/exact/support_plane.h"
+#include "interp/output_device.h"
+#include "interp/picture.h"
+#include "interp/raster/shadows.h"
+
+namespace displayfile {
+
+/// A shaded fill's colour over pixel coordinates: the intensity changes by as much from each column
+/// to the next, and from each row to the next, as depth does (interp/scan/pixel_depth.h). A pixel's
+/// intensity is always the same expression of its centre, wherever a run begins: whoever asks gets
+/// the same colour.
+class PixelShade {
+ public:
+  PixelShade(const Colour& colour, const IntensityPlane& plane, const PictureSize& size)
+      : colour_(colour),
+        plane_(plane),
+        x0_(plane.x0 * size.width),
+        y0_(plane.y0 * size.height),
+        di_dx_(plane.di_dx / size.width),
+        di_dy_(plane.di_dy / size.height) {}
+
+  /// Columns first, first + 1, ... of a row, as in Picture::pixels.
+  void paint(int row, int first, std::span<std::uint32_t> pixels) const {
+    const double of_row = plane_.i0 + di_dy_ * (row + 0.5 - y0_);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      const double column = first + static_cast<int>(i) + 0.5 - x0_;
+      pixels[i] = pixel_of(colour_ * plane_.within(of_row + di_dx_ * column));
+    }
+  }
+  std::uint32_t at(int row, int column) const {
+    std::uint32_t pixel = 0;
+    paint(row, column, {&pixel, 1});
+    return pixel;
+  }
+
+ private:
+  Colour colour_;
+  IntensityPlane plane_;
+  double x0_, y0_, di_dx_, di_dy_;
+};
+
+/// What a polygon is filled with: one colour, or a shade; and another colour in shadow.
+class FillColour {
+ public:
+  /// Null: no shadows are seen.
+  FillColour(const DrawnPolygon& polygon, const PictureSize& size, const Shadows* shadows) {
+    if (polygon.intensities.empty()) {
+      colour_ = pixel_of(polygon.fill.colour);
+    } else {
+      shade_.emplace(polygon.fill.colour, IntensityPlane(polygon.vertices, polygon.intensities),
+                     size);
+    }
+    if (shadows == nullptr || !polygon.fill.shadow) return;
+    const std::span<const Point3> v = polygon.vertices;
+    const auto [support, edge_on] = support_vertices(v);
+    if (edge_on) return;
+    const Plane plane(v[support[0]], v[support[1]], v[support[2]]);
+    shadow_.emplace(*shadows, v, plane, *polygon.fill.shadow, size);
+  }
+
+  /// As PixelShade::paint; so at().
+  void paint(int row, int first, std::span<std::uint32_t> pixels) const {
+    if (shade_) {
+      shade_->paint(row, first, pixels);
+    } else {
+      std::ranges::fill(pixels, colour_);
+    }
+    if (shadow_) shadow_->paint(row, first, pixels);
+  }
+  std::uint32_t at(int row, int column) const {
+    std::uint32_t pixel = 0;
+    paint(row, column, {&pixel, 1});
+    return pixel;
+  }
+
+ private:
+  std::uint32_t colour_ = 0;
+  std::optional<PixelShade> shade_;
+  std::optional<ShadowedFill> shadow_;
+};
+
+}  // namespace displayfile

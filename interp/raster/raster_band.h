@@ -1,0 +1,53 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "interp/picture.h"
+#include "interp/raster/pixel_shade.h"
+#include "interp/scan/scan_convert.h"
+
+namespace displayfile {
+
+inline constexpr std::uint32_t kBackgroundPixel = 0xFFFFFFFF;  // white
+
+/// Rows of a picture, counted from the bottom.
+struct RowRange {
+  int begin, end;
+};
+
+/// The rows that one thread draws, of those that are in memory: a picture of the rows `held` of the
+/// whole one, or of all of them.
+struct RasterBand {
+  RasterBand(Picture& picture_, const PictureSize& size, const RowRange& held,
+             const RowRange& drawn, const Shadows* shadows_ = nullptr)
+      : picture(picture_),
+        region{size, drawn.begin, drawn.end},
+        held_end(held.end),
+        shadows(shadows_) {}
+
+  Picture& picture;
+  ScanConverter::Region region;
+  int held_end;
+  const Shadows* shadows;  ///< null if none are seen
+
+  /// Of the whole picture.
+  const PictureSize& size() const { return region.size; }
+  /// In the picture's arrays.
+  std::size_t index(int row, int column) const {
+    return static_cast<std::size_t>(held_end - 1 - row) * static_cast<std::size_t>(size().width) +
+           static_cast<std::size_t>(column);
+  }
+  /// Columns first <= i < end of a row.
+  void paint(int row, int first, int end, const FillColour& colour, std::int32_t pick) {
+    colour.paint(
+        row, first,
+        {picture.pixels.data() + index(row, first), static_cast<std::size_t>(end - first)});
+    if (!picture.ids.empty()) {
+      std::fill_n(picture.ids.data() + index(row, first), end - first, pick);
+    }
+  }
+};
+
+}  // namespace displayfile

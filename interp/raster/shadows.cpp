@@ -1,0 +1,177 @@
+#include "interp/raster/shadows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "hidden/exact/rounding.h"
+#include "hidden/exact/support_plane.h"
+#include "interp/picture.h"
+#include "interp/visibility/fill_depths.h"
+
+namespace displayfile {
+
+namespace {
+
+/// How far rounding on the way into the display file may have moved a vertex off the plane that it
+/// was meant to lie on, as a part of the picture's side. Beyond all that the matrices lose unless
+/// the scene is thousands of times farther from the origin than it is large.
+constexpr double kVertexError = 0x1p-40;
+
+/// Pays for what the bounds leave out, and their own rounding.
+constexpr double kSafety = 2.0;
+
+/// Of the plane's values at points that lie on the polygon: how far its vertices are off the plane,
+/// and what rounding adds.
+double largest_value(std::span<const Point3> vertices, const Plane& plane) {
+  double largest = 0.0;
+  for (const Point3& v : vertices) {
+    const auto [value, bound] = plane_value(v, plane);
+    largest = std::max(largest, std::abs(value) + bound);
+  }
+  return kSafety * (largest + kVertexError * plane.reach);
+}
+
+}  // namespace
+
+/// Enters the solid fills of a segment.
+struct Shadows::Collector {
+  Shadows& shadows;
+  bool solid = true;
+
+  void fill(const FillStyle& style) { solid = style.kind == FillStyle::Kind::solid; }
+  void line_style(const LineStyle&) {}
+  void pick(int) {}
+  void move(const Point3&) {}
+  void line(const Point3&) {}
+  void polygon(std::span<const Point3> vertices, std::span<const std::int32_t>) {
+    if (solid) shadows.enter(vertices);
+  }
+};
+
+Shadows::Shadows(const DisplayFile& display_file) : sources_(display_file) {
+  for (const Segment* segment : display_file.visible_segments()) {
+    segment->walk_entered_drawn(Collector{*this});
+  }
+  build_tree();
+}
+
+/// The plane is that of the vertices that spread the most in space: one that is edge-on to the
+/// viewer has none by its picture.
+void Shadows::enter(std::span<const Point3> vertices) {
+  const SupportVertices spread = spread_vertices(vertices);
+  if (spread.edge_on || !std::ranges::all_of(vertices, in_range)) return;
+  const auto& [p, q, r] = spread.index;
+  const Plane plane(vertices[p], vertices[q], vertices[r]);
+  casters_.push_back({plane.p, plane.normal, largest_value(vertices, plane),
+                      static_cast<std::uint32_t>(vertices_.size()),
+                      static_cast<std::uint32_t>(vertices.size())});
+  vertices_.insert(vertices_.end(), vertices.begin(), vertices.end());
+}
+
+/// Boxes are made larger by more than what the tests of rays lose.
+void Shadows::build_tree() {
+  double largest = 1.0;
+  for (const Point3& v : vertices_) {
+    largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  }
+  const Point3 margin(64.0 * kUnit * largest);
+  std::vector<SpaceBox> boxes;
+  boxes.reserve(casters_.size());
+  for (const Polygon& caster : casters_) {
+    SpaceBox box;
+    for (std::uint32_t k = 0; k < caster.sides; ++k) box.include(vertices_[caster.first + k]);
+    boxes.push_back({box.low - margin, box.high + margin});
+  }
+  tree_.build(boxes);
+}
+
+/// From a point toward the light. Looked at along the ray, the point is the origin: the other
+/// points are moved along it on to the plane through the origin that it crosses the most steeply.
+struct Shadows::Ray {
+  const LitPoint& point;
+  Point3 direction;  // of the points (p + u light) / (1 + u w), u from 0
+  int axis, across, up;
+  double across_shear, up_shear;
+
+  explicit Ray(const LitPoint& lit)
+      : point(lit), direction(Point3(lit.light) - lit.light.w * lit.at) {
+    const Point3 size = glm::abs(direction);
+    axis = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
+    across = (axis + 1) % 3;
+    up = (axis + 2) % 3;
+    across_shear = direction[across] / direction[axis];
+    up_shear = direction[up] / direction[axis];
+  }
+  Point2 looked_at(const Point3& v) const {
+    const Point3 from_point = v - point.at;
+    return {from_point[across] - from_point[axis] * across_shear,
+            from_point[up] - from_point[axis] * up_shear};
+  }
+};
+
+/// A polygon hides the light if its plane lies between the point and the light, and the line
+/// through both meets the polygon. Where a ray leads behind the eye, and beyond what is infinitely
+/// far, there are no polygons: they were clipped.
+bool Shadows::hides(const Polygon& polygon, const Ray& ray) const {
+  const auto& [at, depth_error, light] = ray.point;
+  const double value = glm::dot(polygon.normal, at - polygon.p);
+  const double touching = polygon.thickness + std::abs(polygon.normal.z) * depth_error;
+  if (!(std::abs(value) > touching)) return false;
+  const double side = value > 0.0 ? 1.0 : -1.0;
+  const double at_light = glm::dot(polygon.normal, Point3(light) - light.w * polygon.p);
+  return side * at_light < 0.0 && is_met(polygon, ray);
+}
+
+/// By the even-odd rule, seen along the ray. An edge that two polygons share is always taken from
+/// its lower end: one of the two is met and not the other, bit for bit.
+bool Shadows::is_met(const Polygon& polygon, const Ray& ray) const {
+  const auto vertices = std::span(vertices_).subspan(polygon.first, polygon.sides);
+  bool inside = false;
+  Point2 from = ray.looked_at(vertices.back());
+  for (const Point3& vertex : vertices) {
+    const Point2 to = ray.looked_at(vertex);
+    if ((from.y > 0.0) != (to.y > 0.0)) {
+      const Point2& low = from.y > 0.0 ? to : from;
+      const Point2& high = from.y > 0.0 ? from : to;
+      if (low.x * high.y - high.x * low.y > 0.0) inside = !inside;
+    }
+    from = to;
+  }
+  return inside;
+}
+
+bool Shadows::hidden(const LitPoint& point, Caster& last) const {
+  const Ray ray(point);
+  if (ray.direction == Point3(0.0)) return false;
+  if (last != kNone && hides(casters_[last], ray)) return true;
+  return tree_.any(SpaceRay(point.at, ray.direction), [&](Caster caster) {
+    if (!hides(casters_[caster], ray)) return false;
+    last = caster;
+    return true;
+  });
+}
+
+ShadowedFill::ShadowedFill(const Shadows& shadows, std::span<const Point3> fill, const Plane& plane,
+                           const FillShadow& shadow, const PictureSize& size)
+    : shadows_(&shadows),
+      size_(size),
+      depth_(plane, size.width, size.height),
+      depth_error_(kSafety * depth_bound(fill, plane, depth_, size).error +
+                   largest_value(fill, plane) / std::abs(plane.normal.z)),
+      light_(shadow.light),
+      colour_(pixel_of(shadow.colour)) {}
+
+void ShadowedFill::paint(int row, int first, std::span<std::uint32_t> pixels) const {
+  const double of_row = depth_.row(row);
+  Shadows::Caster last = Shadows::kNone;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const int column = first + static_cast<int>(i);
+    const PixelCentre centre(column, row, size_);
+    const Point3 point(centre.x, centre.y, depth_.at(of_row, column));
+    if (shadows_->hidden({point, depth_error_, light_}, last)) pixels[i] = colour_;
+  }
+}
+
+}  // namespace displayfile

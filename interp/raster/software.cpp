@@ -1,0 +1,283 @@
+#include "interp/raster/software.h"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+
+#include "hidden/parallel.h"
+#include "interp/interpreter.h"
+#include "interp/raster/line_painter.h"
+#include "interp/raster/painter.h"
+#include "interp/raster/pixel_shade.h"
+#include "interp/raster/raster_band.h"
+#include "interp/raster/sorted_painter.h"
+#include "interp/scan/pixel_depth.h"
+#include "interp/visibility/auto_method.h"
+
+namespace displayfile {
+
+namespace {
+
+using Fill = FillScene::Fill;
+
+constexpr double kNothingSeen = -std::numeric_limits<double>::infinity();
+
+/// Pixels that are held at a time where the picture is not: so few that they are no burden.
+constexpr int kPixelsAtATime = 1 << 20;
+
+/// Calls draw(rows) for bands of rows that together are `all`, each from one of the threads; so
+/// many rows at a time, except that there is a band for each thread.
+template <class Draw>
+void for_bands_of_rows(const RasterRequest& request, const RowRange& all, int at_a_time,
+                       Draw&& draw) {
+  const int rows = all.end - all.begin;
+  if (request.threads <= 1) return draw(all);
+  const int bands =
+      std::clamp(rows / std::max(1, at_a_time), std::min(request.threads, rows), rows);
+  const auto row = [&](long long b) { return all.begin + static_cast<int>(b * rows / bands); };
+  in_parallel(request.threads, static_cast<std::size_t>(bands), [&](std::size_t k) {
+    const auto b = static_cast<int>(k);
+    draw(RowRange{row(b), row(b + 1)});
+  });
+}
+
+/// Every band costs a walk over all polygons; where they are few for the picture's size, more
+/// bands share the work evenly.
+int rows_worth_a_walk(const RasterRequest& request, std::size_t polygons) {
+  constexpr std::size_t kPixelsForEachPolygon = 64;
+  constexpr std::size_t kLeast = 64;
+  const auto width = static_cast<std::size_t>(request.width);
+  const auto rows = std::max(kLeast, kPixelsForEachPolygon * (polygons + 1) / width);
+  return static_cast<int>(std::min(rows, static_cast<std::size_t>(request.height)));
+}
+
+/// For so many values, in place of those it holds.
+template <class T>
+void make_room(std::vector<T>& values, std::size_t size) {
+  if (size > values.capacity()) values = std::vector<T>();
+  values.resize(size);
+}
+
+/// Colours, identifiers and depths of the fills seen.
+class FillsShown {
+ public:
+  FillsShown(const FillScene& scene, const RasterBand& band) : scene_(scene), band_(band) {}
+
+  void show(int row, int first, std::span<const Fill> seen) {
+    Picture& picture = band_.picture;
+    const std::size_t start = band_.index(row, first);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      picture.pixels[start + i] = scene_.colour(seen[i]);
+    }
+    if (scene_.has_shades()) shade(row, first, seen);
+    if (band_.shadows != nullptr && scene_.has_shadows()) shadow(row, first, seen);
+    if (!picture.ids.empty()) {
+      for (std::size_t i = 0; i < seen.size(); ++i) picture.ids[start + i] = scene_.pick(seen[i]);
+    }
+    if (!picture.depth.empty()) show_depth(row, first, seen);
+  }
+
+ private:
+  /// Calls paint(fill, column, pixels) for each run of a fill.
+  template <class Paint>
+  void for_each_run(int row, int first, std::span<const Fill> seen, Paint&& paint) {
+    const std::span pixels(band_.picture.pixels.data() + band_.index(row, first), seen.size());
+    for (std::size_t i = 0, end = 0; i < seen.size(); i = end) {
+      while (end < seen.size() && seen[end] == seen[i]) ++end;
+      paint(seen[i], first + static_cast<int>(i), pixels.subspan(i, end - i));
+    }
+  }
+
+  void shade(int row, int first, std::span<const Fill> seen) {
+    for_each_run(row, first, seen, [&](Fill fill, int column, std::span<std::uint32_t> pixels) {
+      const FillScene::Shade* const shade = scene_.shade(fill);
+      if (shade == nullptr) return;
+      PixelShade(shade->colour, shade->intensity, band_.size()).paint(row, column, pixels);
+    });
+  }
+
+  void shadow(int row, int first, std::span<const Fill> seen) {
+    for_each_run(row, first, seen, [&](Fill fill, int column, std::span<std::uint32_t> pixels) {
+      const FillShadow* const shadow = scene_.shadow(fill);
+      if (shadow == nullptr) return;
+      ShadowedFill(*band_.shadows, scene_.vertices(fill), scene_.plane(fill), *shadow, band_.size())
+          .paint(row, column, pixels);
+    });
+  }
+
+  void show_depth(int row, int first, std::span<const Fill> seen) {
+    double* depths = band_.picture.depth.data() + band_.index(row, first);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      if (seen[i] == FillScene::kBackground) {
+        depths[i] = kNothingSeen;
+        continue;
+      }
+      if (seen[i] != fill_) {
+        fill_ = seen[i];
+        depth_ = PixelDepth(scene_.plane(fill_), band_.size().width, band_.size().height);
+      }
+      depths[i] = depth_.at(depth_.row(row), first + static_cast<int>(i));
+    }
+  }
+
+  const FillScene& scene_;
+  RasterBand band_;
+  Fill fill_ = FillScene::kBackground;  // whose depth_ it is
+  PixelDepth depth_;
+};
+
+/// Lines where no fill is nearer, by the picture's depths.
+class LinesOverFills : public OutputDevice {
+ public:
+  explicit LinesOverFills(const RasterBand& band) : band_(band), lines_(band.region) {}
+  void fill(const DrawnPolygon&) override {}
+  void edges(const DrawnPolygon& polygon) override {
+    lines_.edges(polygon, [&](int x, int y, double z, std::uint32_t c) { plot(x, y, z, c); });
+  }
+  void line(const DrawnLine& line) override {
+    lines_.line(line, [&](int x, int y, double z, std::uint32_t c) { plot(x, y, z, c); });
+  }
+
+ private:
+  void plot(int x, int y, double z, std::uint32_t colour) {
+    const std::size_t at = band_.index(y, x);
+    if (z < band_.picture.depth[at]) return;
+    band_.picture.depth[at] = z;
+    band_.picture.pixels[at] = colour;
+  }
+
+  RasterBand band_;
+  LinePainter lines_;
+};
+
+}  // namespace
+
+void SoftwareRenderer::prepare(const DisplayFile& display_file, const RasterRequest& request) {
+  require_picture_size(request.width, request.height);
+  if (!display_file.has_shadows()) {
+    shadows_.reset();
+  } else if (shadows_ == nullptr || !shadows_->are_of(display_file)) {
+    shadows_ = std::make_unique<Shadows>(display_file);
+  }
+  if (!is_image_space(request.method)) return;
+  const PictureSize size{request.width, request.height};
+  if (scene_ == nullptr || !scene_->is_of(display_file)) {
+    prepared_.reset();
+    scene_ = std::make_unique<FillScene>(display_file);
+  }
+  if (prepared_ && prepared_->method == request.method && prepared_->size == size &&
+      prepared_->roundoff == request.roundoff) {
+    return;
+  }
+  prepared_.reset();
+  const HiddenMethod method = request.method == HiddenMethod::automatic
+                                  ? choose_method(*scene_, size).method
+                                  : request.method;
+  auto finder = make_image_space_method(method);
+  finder->prepare({*scene_, size, request.roundoff}, request.threads);
+  prepared_ = Prepared{request.method, size, request.roundoff, std::move(finder)};
+}
+
+/// No fewer are drawn as cheaply each.
+int SoftwareRenderer::rows_at_a_time(const DisplayFile& display_file,
+                                     const RasterRequest& request) const {
+  const int rows = rows_worth_a_walk(request, display_file.polygons());
+  if (!is_image_space(request.method)) return rows;
+  const int of_method = prepared_->finder->rows_at_a_time();
+  return scene_->has_lines() ? std::max(rows, of_method) : of_method;
+}
+
+/// The picture becomes these rows of it.
+void SoftwareRenderer::draw_rows(const DisplayFile& display_file, const RasterRequest& request,
+                                 const RowRange& rows) {
+  const bool image_space = is_image_space(request.method);
+  const bool lines = image_space && scene_->has_lines();
+  picture_.width = request.width;
+  picture_.height = rows.end - rows.begin;
+  picture_.undecided_centres = 0;
+  const auto pixels =
+      static_cast<std::size_t>(picture_.width) * static_cast<std::size_t>(picture_.height);
+  make_room(picture_.pixels, pixels);
+  make_room(picture_.ids, request.ids ? pixels : 0);
+  make_room(picture_.depth, request.depth || lines ? pixels : 0);
+  if (!image_space) return paint_in_order(display_file, request, rows);
+  find_fills_seen(request, rows);
+  if (lines) draw_lines_over_fills(display_file, request, rows);
+}
+
+void SoftwareRenderer::paint_in_order(const DisplayFile& display_file, const RasterRequest& request,
+                                      const RowRange& rows) {
+  std::ranges::fill(picture_.pixels, kBackgroundPixel);
+  std::ranges::fill(picture_.ids, -1);
+  std::ranges::fill(picture_.depth, kNothingSeen);
+  std::atomic<std::size_t> undecided = 0;
+  const int at_a_time = rows_worth_a_walk(request, display_file.polygons());
+  for_bands_of_rows(request, rows, at_a_time, [&](const RowRange& of_band) {
+    const RasterBand band(picture_, {request.width, request.height}, rows, of_band, shadows_.get());
+    if (request.sorted) {
+      SortedPainter painter(display_file, band);
+      interpret(display_file, painter, Pass::everything, Order::drawn, request.line_scale);
+      undecided += painter.decide_centres();
+    } else {
+      Painter painter(band);
+      interpret(display_file, painter, Pass::everything, Order::drawn, request.line_scale);
+    }
+  });
+  picture_.undecided_centres = undecided;
+}
+
+void SoftwareRenderer::find_fills_seen(const RasterRequest& request, const RowRange& rows) {
+  const ImageSpaceMethod& finder = *prepared_->finder;
+  for_bands_of_rows(request, rows, finder.rows_at_a_time(), [&](const RowRange& band) {
+    FillsShown shown(*scene_,
+                     {picture_, {request.width, request.height}, rows, band, shadows_.get()});
+    finder.draw_rows(band.begin, band.end, [&](int row, int first, std::span<const Fill> seen) {
+      shown.show(row, first, seen);
+    });
+  });
+}
+
+void SoftwareRenderer::draw_lines_over_fills(const DisplayFile& display_file,
+                                             const RasterRequest& request, const RowRange& rows) {
+  std::vector<double> of_fills;
+  if (request.depth) of_fills = picture_.depth;
+  const int at_a_time = rows_worth_a_walk(request, display_file.polygons());
+  for_bands_of_rows(request, rows, at_a_time, [&](const RowRange& band) {
+    LinesOverFills lines({picture_, {request.width, request.height}, rows, band});
+    interpret(display_file, lines, Pass::lines, Order::entered, request.line_scale);
+  });
+  if (request.depth) picture_.depth = std::move(of_fills);
+}
+
+const Picture& SoftwareRenderer::draw(const DisplayFile& display_file,
+                                      const RasterRequest& request) {
+  prepare(display_file, request);
+  draw_rows(display_file, request, {0, request.height});
+  return picture_;
+}
+
+/// From the top, in strips that are whole bands of the method's.
+void SoftwareRenderer::draw(const DisplayFile& display_file, const RasterRequest& request,
+                            const TakeRows& take) {
+  prepare(display_file, request);
+  const int band = rows_at_a_time(display_file, request);
+  const int bands =
+      std::max(useful_threads(request.threads), kPixelsAtATime / request.width / band);
+  const int rows = std::min(band * bands, request.height);
+  for (int end = request.height; end > 0;) {
+    const int begin = (end - 1) / rows * rows;
+    draw_rows(display_file, request, {begin, end});
+    take(picture_);
+    end = begin;
+  }
+}
+
+Picture draw_with_software(const DisplayFile& display_file, const RasterRequest& request) {
+  SoftwareRenderer renderer;
+  renderer.draw(display_file, request);
+  Picture picture = renderer.take_picture();
+  if (!request.depth) picture.depth = {};
+  return picture;
+}
+
+}  // namespace displayfile

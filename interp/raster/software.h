@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "displayfile/display_file.h"
+#include "interp/files/row_file.h"
+#include "interp/picture.h"
+#include "interp/raster/raster_band.h"
+#include "interp/raster/shadows.h"
+#include "interp/visibility/fill_scene.h"
+#include "interp/visibility/image_space.h"
+
+namespace displayfile {
+
+/// Draws display files by our own scan conversion, on a white background. With an image-space
+/// method the nearest fill is seen, of equally near ones the one entered later, and a line where
+/// no fill is nearer; without one, whatever is drawn last. On fills that show them shadows are
+/// drawn (interp/raster/shadows.md), whatever the method. Coverage and, unless roundoff is asked
+/// for, nearness are decided exactly. The picture is the same for any number of threads.
+///
+/// What was made ready for a picture is used again while the display file's fills, the size and
+/// the method are the same.
+class SoftwareRenderer {
+ public:
+  /// The picture stays until the next call; its memory is used again. Throws Error for a size
+  /// outside of 1 to kLargestSide.
+  const Picture& draw(const DisplayFile& display_file, const RasterRequest& request);
+  /// The same picture, some rows at a time from the top: no more of it is in memory than a few rows
+  /// for each thread.
+  void draw(const DisplayFile& display_file, const RasterRequest& request, const TakeRows& take);
+  Picture take_picture() { return std::move(picture_); }
+
+ private:
+  /// An image-space method that has taken up the scene.
+  struct Prepared {
+    HiddenMethod method;  // as asked for
+    PictureSize size;
+    std::optional<double> roundoff;
+    std::unique_ptr<ImageSpaceMethod> finder;
+  };
+  void prepare(const DisplayFile& display_file, const RasterRequest& request);
+  int rows_at_a_time(const DisplayFile& display_file, const RasterRequest& request) const;
+  void draw_rows(const DisplayFile& display_file, const RasterRequest& request,
+                 const RowRange& rows);
+  void paint_in_order(const DisplayFile& display_file, const RasterRequest& request,
+                      const RowRange& rows);
+  void find_fills_seen(const RasterRequest& request, const RowRange& rows);
+  void draw_lines_over_fills(const DisplayFile& display_file, const RasterRequest& request,
+                             const RowRange& rows);
+
+  Picture picture_;  // or the rows of it that are being drawn
+  std::unique_ptr<FillScene> scene_;
+  std::unique_ptr<Shadows> shadows_;  // null if none are seen
+  std::optional<Prepared> prepared_;
+};
+
+/// One picture by a renderer of its own.
+Picture draw_with_software(const DisplayFile& display_file, const RasterRequest& request);
+
+}  // namespace displayfile

@@ -1,0 +1,153 @@
+#include "interp/raster/sorted_painter.h"
+
+#include "hidden/exact/support_plane.h"
+#include "interp/interpreter.h"
+
+namespace displayfile {
+
+namespace {
+
+/// The fills as entered, to judge some pixel centres by. Segments that were sorted together are
+/// one layer.
+class EnteredFills : public OutputDevice {
+ public:
+  EnteredFills(const DisplayFile& display_file, NearestAtCentres& nearest)
+      : display_file_(display_file), nearest_(nearest) {
+    nearest_.begin_layer(NearestAtCentres::Layer::nearest);
+  }
+  void begin_segment(int name) override {
+    if (display_file_.sorted()) return;
+    nearest_.begin_layer(display_file_.segment(name).sorted() ? NearestAtCentres::Layer::nearest
+                                                              : NearestAtCentres::Layer::painted);
+  }
+  void fill(const DrawnPolygon& polygon) override { nearest_.enter(polygon); }
+  void edges(const DrawnPolygon&) override {}
+  void line(const DrawnLine&) override {}
+
+ private:
+  const DisplayFile& display_file_;
+  NearestAtCentres& nearest_;
+};
+
+/// Adds the centres that a segment's solid polygons cover.
+struct Coverage {
+  PixelSet& centres;
+  ScanConverter& converter;
+  const ScanConverter::Region& region;
+  bool solid = true;
+
+  void fill(const FillStyle& style) { solid = style.kind == FillStyle::Kind::solid; }
+  void line_style(const LineStyle&) {}
+  void pick(int) {}
+  void move(const Point3&) {}
+  void line(const Point3&) {}
+  void polygon(std::span<const Point3> vertices, std::span<const std::int32_t>) {
+    if (!solid) return;
+    converter.scan_convert(vertices, region,
+                           [&](int row, int first, int end) { centres.add(row, first, end); });
+  }
+};
+
+}  // namespace
+
+SortedPainter::SortedPainter(const DisplayFile& display_file, const RasterBand& band)
+    : display_file_(display_file),
+      band_(band),
+      lines_(band.region),
+      undecided_(band.size().width, band.region.row_begin, band.region.row_end),
+      covered_(undecided_),
+      lines_on_top_(undecided_) {}
+
+SortedPainter::Undecided SortedPainter::undecided_of(int segment_name) const {
+  if (const auto& together = display_file_.sorted()) {
+    return together->precision.exact ? Undecided::at_boundaries : Undecided::none;
+  }
+  const Segment& segment = display_file_.segment(segment_name);
+  if (!segment.sorted() || !segment.sorted()->precision.exact) return Undecided::none;
+  return segment.sorted_as_drawn() ? Undecided::at_boundaries : Undecided::all;
+}
+
+/// How far the segment's boundaries may be off besides (SortedInstructions::boundary_error).
+double SortedPainter::sort_boundary_error(int segment_name) const {
+  if (display_file_.sorted()) return display_file_.sorted()->boundary_error;
+  const Segment& segment = display_file_.segment(segment_name);
+  return segment.sorted() ? segment.sorted()->boundary_error : 0.0;
+}
+
+void SortedPainter::begin_segment(int name) {
+  undecided_fills_ = undecided_of(name);
+  boundary_error_ = Point2(band_.size().width, band_.size().height) * sort_boundary_error(name);
+  if (undecided_fills_ == Undecided::all) {
+    // Its pieces may leave gaps as wide as the coordinates before the move were rounded.
+    display_file_.segment(name).walk_entered_drawn(Coverage{undecided_, converter_, band_.region});
+  }
+}
+
+/// Back to front. Close to its boundary, and so where it is too narrow to have a plane or to
+/// cover a centre, it does not matter what is painted.
+void SortedPainter::fill(const DrawnPolygon& polygon) {
+  const bool at_boundaries = undecided_fills_ == Undecided::at_boundaries;
+  Point2 error(0.0);
+  if (at_boundaries) {
+    error = boundary_error(polygon.vertices, band_.size()) + boundary_error_;
+    note_rows_of_vertices(polygon.vertices, error, band_.size(), undecided_);
+  }
+  const ScanConverter::Rows rows = converter_.begin(polygon.vertices, band_.region);
+  if (rows.first == rows.end) return;
+  if (at_boundaries) {
+    converter_.watch(error);
+  } else if (support_vertices(polygon.vertices).edge_on) {
+    return;
+  }
+  const FillColour colour(polygon, band_.size(), band_.shadows);
+  converter_.scan(
+      [&](int row, int first, int end) {
+        band_.paint(row, first, end, colour, polygon.pick);
+        lines_on_top_.remove(row, first, end);
+        if (undecided_fills_ == Undecided::all) undecided_.add(row, first, end);
+        if (!band_.picture.depth.empty()) covered_.add(row, first, end);
+      },
+      [&](int row, int first, int end) {
+        if (at_boundaries) undecided_.add(row, first, end);
+      });
+}
+
+std::size_t SortedPainter::decide_centres() {
+  Picture& picture = band_.picture;
+  if (!undecided_.empty()) {
+    for_each_nearest(undecided_, [&](int row, int column, const NearestAtCentres::Seen* seen) {
+      const std::size_t at = band_.index(row, column);
+      if (!picture.ids.empty()) picture.ids[at] = seen ? seen->pick : -1;
+      if (lines_on_top_.contains(row, column)) return;
+      picture.pixels[at] = seen ? seen->colour.at(row, column) : kBackgroundPixel;
+    });
+  }
+  if (!picture.depth.empty()) show_depth_of_whole_polygons();
+  return undecided_.size();
+}
+
+/// A cut polygon's own plane is anywhere where rounding has moved its vertices: the depth of
+/// what is seen is that of the polygon as entered.
+void SortedPainter::show_depth_of_whole_polygons() {
+  undecided_.for_each([&](int row, int column) { covered_.add(row, column, column + 1); });
+  for_each_nearest(covered_, [&](int row, int column, const NearestAtCentres::Seen* seen) {
+    if (!seen) return;
+    const PixelDepth depth(seen->plane, band_.size().width, band_.size().height);
+    band_.picture.depth[band_.index(row, column)] = depth.at(depth.row(row), column);
+  });
+}
+
+template <class Show>
+void SortedPainter::for_each_nearest(const PixelSet& centres, Show&& show) const {
+  NearestAtCentres nearest(centres, band_.size(), band_.shadows);
+  EnteredFills entered(display_file_, nearest);
+  interpret(display_file_, entered, Pass::fills, Order::entered);
+  nearest.show(show);
+}
+
+void SortedPainter::plot(int x, int y, std::uint32_t colour) {
+  lines_on_top_.add(y, x, x + 1);
+  band_.picture.pixels[band_.index(y, x)] = colour;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "clip/point.h"
+#include "displayfile/style.h"
+#include "interp/scan/scan_convert.h"
+
+namespace displayfile {
+
+/// Where a dashed line is in its pattern; carried from side to side of a polygon.
+struct DashPhase {
+  double length = 0.0;  ///< drawn so far, in pixels
+};
+
+/// The steps of a line: whole numbers from first to last.
+struct LineSteps {
+  double first, last;
+};
+
+/// Of a flat line's columns, no fewer than those in which what lies within `reach` of it (pixels,
+/// up and down) is in the region's rows. A long line costs each of many bands its own part.
+inline LineSteps columns_in_rows(const Point3& low, const Point3& high, double reach,
+                                 const ScanConverter::Region& region, const LineSteps& all) {
+  const double rise = high.y - low.y, run = high.x - low.x;
+  reach += 2.0 + 1e-12 * (std::abs(low.y) + std::abs(high.y));  // and rounding
+  const double bottom = region.row_begin - reach, top = region.row_end + reach;
+  if (std::max(low.y, high.y) < bottom || std::min(low.y, high.y) > top) return {0.0, -1.0};
+  if (!(std::abs(rise) > 1e-6 * run)) return all;
+  const double a = low.x + (bottom - low.y) / rise * run;
+  const double b = low.x + (top - low.y) / rise * run;
+  const double margin = 2.0 + 1e-12 * (std::abs(low.x) + std::abs(high.x));
+  return {std::max(all.first, std::floor(std::min(a, b) - margin)),
+          std::min(all.last, std::ceil(std::max(a, b) + margin))};
+}
+
+/// Draws a line in pixel coordinates (see scan_convert.h), where it is in the region's rows: one
+/// step for each column that a flat line passes, or each row that a steep one does, and the
+/// pixel that holds the line's point there (a point scan-converts to the floor of its
+/// coordinates; one on the picture's right or top border to the last pixel). A line wider than
+/// a pixel takes the pixels whose centres lie within its width, measured across. Calls
+/// plot(i, j, z) with z interpolated between the ends.
+template <class Plot>
+void draw_line(Point3 a, Point3 b, const LineStyle& style, const ScanConverter::Region& region,
+               DashPhase& phase, Plot&& plot) {
+  auto [width, height] = region.size;
+  const bool steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
+  if (steep) {
+    std::swap(a.x, a.y);
+    std::swap(b.x, b.y);
+    std::swap(width, height);
+  }
+  const double length = std::hypot(b.x - a.x, b.y - a.y);
+  const double start = phase.length;
+  phase.length += length;
+  if (!(std::isfinite(length))) return;
+  const bool turned = b.x < a.x;
+  const Point3 low = turned ? b : a, high = turned ? a : b;
+  const double run = high.x - low.x;
+  const double per_step = run > 0.0 ? length / run : 0.0;  // length along the line, a column
+  const double across = std::max(1.0, style.width) * std::max(1.0, per_step);
+  const auto cell = [](double v, int limit) {  // the border belongs to the last pixel
+    return v == limit ? limit - 1.0 : std::floor(v);
+  };
+  LineSteps steps{std::max(0.0, cell(low.x, width)), std::min(width - 1.0, cell(high.x, width))};
+  double lowest = region.row_begin, highest = region.row_end - 1.0;
+  if (steep) {  // whose steps are rows
+    steps = {std::max(steps.first, lowest), std::min(steps.last, highest)};
+    lowest = 0.0, highest = height - 1.0;
+  } else {
+    steps = columns_in_rows(low, high, across / 2.0, region, steps);
+  }
+  const double period = style.dash + style.gap;
+  for (double column = steps.first; column <= steps.last; ++column) {
+    const double x = std::clamp(column + 0.5, low.x, high.x);
+    const double t = run > 0.0 ? (x - low.x) / run : 0.0;
+    const double y = low.y + t * (high.y - low.y);
+    const double z = low.z + t * (high.z - low.z);
+    if (style.kind == LineStyle::Kind::dashed) {
+      const double along = start + per_step * (turned ? high.x - x : x - low.x);
+      if (std::fmod(along, period) >= style.dash) continue;
+    }
+    double bottom = cell(y, height), top = bottom;
+    if (style.width > 1.0) {
+      bottom = std::ceil(y - across / 2 - 0.5);
+      top = std::max(bottom, std::ceil(y + across / 2 - 0.5) - 1.0);
+    }
+    for (double row = std::max(lowest, bottom); row <= std::min(highest, top); ++row) {
+      const int i = static_cast<int>(column), j = static_cast<int>(row);
+      if (steep) {
+        plot(j, i, z);
+      } else {
+        plot(i, j, z);
+      }
+    }
+  }
+}
+
+}  // namespace displayfile

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <memory>
+
+#include "displayfile/display_file.h"
+#include "interp/vector/vector_device.h"
+
+struct _cairo;
+struct _cairo_surface;
+
+namespace displayfile {
+
+/// Draws a PDF page through Cairo, one point a pixel, on a white background. The bytes depend on
+/// what is drawn (and on Cairo's version) alone. Cairo keeps coordinates to 1/256 point.
+class PdfDevice : public VectorDevice {
+ public:
+  /// The stream must live on until finish(). Throws Error unless both sides are 1 to
+  /// kLargestSide, or if Cairo cannot make the surface. (Readers may show less: the PDF
+  /// specification advises pages of at most 14,400 points.)
+  PdfDevice(std::ostream& out, int width, int height);
+  ~PdfDevice() override;
+
+  /// Completes the document. To be called once. Throws Error if Cairo failed.
+  void finish();
+
+ private:
+  void open_group(int) override {}
+  void close_group() override {}
+  void paint_fill(const Path& path, const Colour& colour, bool seam,
+                  std::span<const PixelBlock> within) override;
+  void paint_lines(const Path& path, const LineStyle& style) override;
+
+  void set_colour(const Colour& colour);
+  void set_path(const Path& path);
+  void clip_to(std::span<const PixelBlock> pixels);
+
+  struct Destroy {
+    void operator()(_cairo* context) const;
+    void operator()(_cairo_surface* surface) const;
+  };
+  std::unique_ptr<_cairo_surface, Destroy> surface_;
+  std::unique_ptr<_cairo, Destroy> context_;
+};
+
+/// Draws the visible segments into a PDF file of one page, width x height points, in order or as
+/// the z-buffer shows them (interp/vector/sampled/visible_order.h). The file appears whole or not
+/// at all. Throws Error, naming the file, if it cannot be written, or for a size outside of 1 to
+/// kLargestSide.
+void write_pdf(const DisplayFile& display_file, int width, int height, bool z_buffer,
+               const std::filesystem::path& path);
+
+}  // namespace displayfile

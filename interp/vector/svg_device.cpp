@@ -1,0 +1,166 @@
+#include "interp/vector/svg_device.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <ostream>
+
+#include "displayfile/output_file.h"
+#include "interp/interpreter.h"
+#include "interp/picture.h"
+#include "interp/vector/sampled/visible_order.h"
+
+namespace displayfile {
+
+namespace {
+
+/// A coordinate to a thousandth of a pixel, in the shortest form. At most 1e6 in magnitude.
+void append_coordinate(std::string& out, double v) {
+  long long thousandths = std::llround(v * 1000.0);
+  if (thousandths < 0) {
+    out.push_back('-');
+    thousandths = -thousandths;
+  }
+  fmt::format_to(std::back_inserter(out), "{}", thousandths / 1000);
+  if (const long long fraction = thousandths % 1000; fraction != 0) {
+    fmt::format_to(std::back_inserter(out), ".{:03}", fraction);
+    while (out.back() == '0') out.pop_back();
+  }
+}
+
+std::string hex(std::uint32_t pixel) {
+  return fmt::format("#{:02x}{:02x}{:02x}", pixel & 0xff, (pixel >> 8) & 0xff,
+                     (pixel >> 16) & 0xff);
+}
+
+/// A run whose points are all one: drawn as a dot.
+bool is_dot(std::span<const Point2> run) {
+  for (const Point2& p : run) {
+    if (p != run.front()) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void SvgDevice::open_group(int segment_name) {
+  const int times = ++times_opened_[segment_name];
+  fmt::format_to(std::back_inserter(body_), "<g id=\"segment-{}{}\" class=\"segment\">\n",
+                 segment_name, times > 1 ? fmt::format("-{}", times) : "");
+  joinable_ = {};
+}
+
+void SvgDevice::close_group() {
+  body_ += "</g>\n";
+  joinable_ = {};
+}
+
+void SvgDevice::append_path_data(const Path& path) {
+  data_.clear();
+  for (std::size_t i = 0; i < path.runs.size(); ++i) {
+    char separator = 'M';
+    for (const Point2& p : path.run(i)) {
+      data_.push_back(separator);
+      append_coordinate(data_, p.x);
+      data_.push_back(',');
+      append_coordinate(data_, p.y);
+      separator = ' ';
+    }
+    if (path.runs[i].closed) data_.push_back('Z');
+  }
+}
+
+void SvgDevice::append_clip_path(std::span<const PixelBlock> pixels) {
+  auto out = std::back_inserter(body_);
+  fmt::format_to(out, "<clipPath id=\"pixels-{}\"><path d=\"", ++clip_paths_);
+  for (const PixelBlock& b : pixels) {
+    const int columns = b.end_column - b.first_column;
+    fmt::format_to(out, "M{},{}h{}v{}h-{}Z", b.first_column, height() - b.end_row, columns,
+                   b.end_row - b.first_row, columns);
+  }
+  body_ += "\"/></clipPath>\n";
+}
+
+void SvgDevice::paint_fill(const Path& path, const Colour& colour, bool seam,
+                           std::span<const PixelBlock> within) {
+  const FillKey key{pixel_of(colour), seam};
+  const std::size_t number = fill_classes_.try_emplace(key, fill_classes_.size() + 1).first->second;
+  append_path_data(path);
+  if (!within.empty()) append_clip_path(within);
+  fmt::format_to(std::back_inserter(body_), "<path class=\"f{}", number);
+  const std::size_t class_end = body_.size();
+  body_ += '"';
+  if (!within.empty()) {
+    fmt::format_to(std::back_inserter(body_), " clip-path=\"url(#pixels-{})\"", clip_paths_);
+  }
+  body_ += " d=\"";
+  joinable_ = {};
+  if (!seam && within.empty()) joinable_ = {class_end, body_.size(), body_.size() + data_.size()};
+  body_ += data_;
+  body_ += "\"/>\n";
+}
+
+void SvgDevice::paint_lines(const Path& path, const LineStyle& style) {
+  const bool dashed = style.kind == LineStyle::Kind::dashed;
+  const LineKey key{pixel_of(style.colour), style.width, dashed ? style.dash : 0.0,
+                    dashed ? style.gap : 0.0};
+  const std::size_t number = line_classes_.try_emplace(key, line_classes_.size() + 1).first->second;
+  append_path_data(path);
+  const auto outline_before =
+      std::string_view(body_).substr(joinable_.data, joinable_.data_end - joinable_.data);
+  if (joinable_.class_end != 0 && outline_before == data_) {
+    body_.insert(joinable_.class_end, fmt::format(" l{}", number));
+  } else {
+    const bool dot = path.runs.size() == 1 && is_dot(path.run(0));
+    fmt::format_to(std::back_inserter(body_), "<path class=\"l{}\"{} d=\"", number,
+                   dot ? " stroke-linecap=\"square\"" : "");
+    body_ += data_;
+    body_ += "\"/>\n";
+  }
+  joinable_ = {};
+}
+
+void SvgDevice::finish(std::ostream& out) {
+  finish_lines();
+  std::vector<std::string> fills(fill_classes_.size()), lines(line_classes_.size());
+  for (const auto& [key, number] : fill_classes_) {
+    const auto [pixel, seam] = key;
+    fills[number - 1] = fmt::format(".f{}{{fill:{}{}}}\n", number, hex(pixel),
+                                    seam ? fmt::format(";stroke:{}", hex(pixel)) : "");
+  }
+  for (const auto& [key, number] : line_classes_) {
+    const auto [pixel, width, dash, gap] = key;
+    lines[number - 1] =
+        fmt::format(".l{}{{stroke:{};stroke-width:{}{}}}\n", number, hex(pixel), width,
+                    dash > 0.0 ? fmt::format(";stroke-dasharray:{} {}", dash, gap) : "");
+  }
+  out << fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{0}\" height=\"{1}\" "
+      "viewBox=\"0 0 {0} {1}\">\n"
+      "<style>\n"
+      ".background{{fill:#ffffff}}\n"
+      ".segment{{fill:none;fill-rule:evenodd;stroke-width:{2};stroke-linejoin:round}}\n",
+      width(), height(), kSeamWidth);
+  for (const std::string& rule : fills) out << rule;
+  for (const std::string& rule : lines) out << rule;
+  out << fmt::format("</style>\n<rect class=\"background\" width=\"{}\" height=\"{}\"/>\n", width(),
+                     height());
+  out << body_ << "</svg>\n";
+}
+
+void write_svg(const DisplayFile& display_file, int width, int height, bool z_buffer,
+               const std::filesystem::path& path) {
+  SvgDevice device(width, height);
+  OutputFile file(path.string());
+  if (z_buffer) {
+    draw_in_visible_order(display_file, width, height, device);
+  } else {
+    interpret(display_file, device);
+  }
+  device.finish(file.stream());
+  file.commit();
+}
+
+}  // namespace displayfile

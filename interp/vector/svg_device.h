@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <iosfwd>
+#include <map>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <unordered_map>
+#include <vector>
+
+#include "displayfile/display_file.h"
+#include "interp/vector/vector_device.h"
+
+namespace displayfile {
+
+/// Draws an SVG picture (version 1.1 with CSS classes), in pixels of the size asked for, on a
+/// white background. Each segment is a group, `<g id="segment-NAME" class="segment">`; one that is
+/// opened again is `segment-NAME-2`, and so on. Every style is a class: f1, f2, ... of fills, l1,
+/// l2, ... of lines. Coordinates have three decimals at most.
+class SvgDevice : public VectorDevice {
+ public:
+  /// Throws Error unless both sides are 1 to kLargestSide.
+  SvgDevice(int width, int height) : VectorDevice(width, height) {}
+
+  /// Writes the document. It is kept in memory until then: the classes come first and are
+  /// known last. To be called once.
+  void finish(std::ostream& out);
+
+ private:
+  using FillKey = std::tuple<std::uint32_t, bool>;  // pixel_of the colour, with seam
+  using LineKey = std::tuple<std::uint32_t, double, double, double>;  // width, dash, gap or 0
+
+  void open_group(int segment_name) override;
+  void close_group() override;
+  void paint_fill(const Path& path, const Colour& colour, bool seam,
+                  std::span<const PixelBlock> within) override;
+  void paint_lines(const Path& path, const LineStyle& style) override;
+
+  void append_path_data(const Path& path);
+  void append_clip_path(std::span<const PixelBlock> pixels);
+
+  std::string body_;
+  std::map<FillKey, std::size_t> fill_classes_;
+  std::map<LineKey, std::size_t> line_classes_;
+  std::unordered_map<int, int> times_opened_;
+  std::size_t clip_paths_ = 0;
+
+  // The element written last, if it is a fill that edges of the same outline may join.
+  struct {
+    std::size_t class_end = 0, data = 0, data_end = 0;
+  } joinable_;
+  std::string data_;
+};
+
+/// Draws the visible segments into an SVG file, in order or as the z-buffer shows them
+/// (interp/vector/sampled/visible_order.h). The file appears whole or not at all. Throws Error,
+/// naming the file, if it cannot be written, or for a size outside of 1 to kLargestSide.
+void write_svg(const DisplayFile& display_file, int width, int height, bool z_buffer,
+               const std::filesystem::path& path);
+
+}  // namespace displayfile

@@ -1,0 +1,197 @@
+#include "interp/vector/vector_device.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hidden/exact/support_plane.h"
+#include "interp/picture.h"
+
+namespace displayfile {
+
+namespace {
+
+/// What lies farther outside of the picture than this many pixels (and half a line's width) is cut
+/// off first: renderers keep coordinates in fixed point, some with 16 bits for whole pixels.
+constexpr double kReach = 10'000.0;
+
+/// A path of more points is slow to draw; a solid line loses nothing by being drawn in parts.
+constexpr std::size_t kLongestPath = 1000;
+
+/// True if the lines drawn along the polygon's edges cover its seams.
+bool edges_cover_seams(const DrawnPolygon& polygon) {
+  return polygon.line.kind == LineStyle::Kind::solid && polygon.line.width >= kSeamWidth &&
+         std::ranges::all_of(polygon.sides, [](std::int32_t side) { return side == op::line; });
+}
+
+bool finite(const Point2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+
+}  // namespace
+
+void VectorDevice::Path::clear() {
+  points.clear();
+  runs.clear();
+}
+
+std::span<const Point2> VectorDevice::Path::run(std::size_t i) const {
+  const std::size_t end = i + 1 < runs.size() ? runs[i + 1].first : points.size();
+  return std::span(points).subspan(runs[i].first, end - runs[i].first);
+}
+
+VectorDevice::VectorDevice(int width, int height) : width_(width), height_(height) {
+  require_picture_size(width, height);
+}
+
+Point2 VectorDevice::to_page(const Point3& device) const {
+  return {device.x * width_, height_ - device.y * height_};
+}
+
+bool VectorDevice::near_the_page(const Point2& p, double reach) const {
+  return p.x >= -reach && p.x <= width_ + reach && p.y >= -reach && p.y <= height_ + reach;
+}
+
+void VectorDevice::begin_segment(int name) {
+  finish_lines();
+  open_group(name);
+}
+
+void VectorDevice::end_segment() {
+  finish_lines();
+  close_group();
+}
+
+void VectorDevice::fill(const DrawnPolygon& polygon) { paint_inside(polygon, {}); }
+
+void VectorDevice::fill_within(const DrawnPolygon& polygon, std::span<const PixelBlock> pixels) {
+  if (!pixels.empty()) paint_inside(polygon, pixels);
+}
+
+void VectorDevice::paint_inside(const DrawnPolygon& polygon, std::span<const PixelBlock> within) {
+  finish_lines();
+  if (support_vertices(polygon.vertices).edge_on) return;
+  path_.clear();
+  path_.start(true);
+  path_.points.push_back(to_page(polygon.vertices.back()));
+  for (const Point3& v : polygon.vertices.first(polygon.vertices.size() - 1)) {
+    path_.points.push_back(to_page(v));
+  }
+  if (!std::ranges::all_of(path_.points, finite)) return;
+  if (!std::ranges::all_of(path_.points,
+                           [&](const Point2& p) { return near_the_page(p, kReach); })) {
+    clip_polygon_to_neighbourhood();
+    if (path_.points.size() < 3) return;
+  }
+  paint_fill(path_, even_fill(polygon).colour, !edges_cover_seams(polygon), within);
+}
+
+/// Sutherland and Hodgman against the four sides; what it adds along them is out of sight.
+void VectorDevice::clip_polygon_to_neighbourhood() {
+  const auto clip = [&](int axis, double bound, double sign) {
+    clipped_.clear();
+    Point2 from = path_.points.back();
+    for (const Point2& to : path_.points) {
+      const double d_from = sign * (from[axis] - bound), d_to = sign * (to[axis] - bound);
+      if ((d_from < 0.0) != (d_to < 0.0)) {
+        Point2 crossing = from + (to - from) * (d_from / (d_from - d_to));
+        crossing[axis] = bound;
+        clipped_.push_back(crossing);
+      }
+      if (d_to >= 0.0) clipped_.push_back(to);
+      from = to;
+    }
+    path_.points.swap(clipped_);
+  };
+  clip(0, -kReach, 1.0);
+  if (!path_.points.empty()) clip(0, width_ + kReach, -1.0);
+  if (!path_.points.empty()) clip(1, -kReach, 1.0);
+  if (!path_.points.empty()) clip(1, height_ + kReach, -1.0);
+}
+
+/// Liang and Barsky, "A new concept and method for line clipping", ACM TOG 3 (1984).
+bool VectorDevice::clip_to_neighbourhood(Point2& a, Point2& b, double reach) const {
+  if (!finite(a) || !finite(b)) return false;
+  if (near_the_page(a, reach) && near_the_page(b, reach)) return true;
+  double enter = 0.0, leave = 1.0;
+  const Point2 d = b - a;
+  const double size[2] = {static_cast<double>(width_), static_cast<double>(height_)};
+  for (int axis = 0; axis < 2; ++axis) {
+    for (const double sign : {1.0, -1.0}) {
+      const double bound = sign > 0.0 ? -reach : size[axis] + reach;
+      const double inside = sign * (a[axis] - bound), change = sign * d[axis];
+      if (change == 0.0 && inside < 0.0) return false;
+      if (change > 0.0) enter = std::max(enter, -inside / change);
+      if (change < 0.0) leave = std::min(leave, -inside / change);
+    }
+  }
+  if (!(enter <= leave)) return false;
+  const auto at = [&,
+                   start = a](double t) {  // clamped: far out, rounding is larger than the picture
+    const Point2 p = start + t * d;
+    return Point2(std::clamp(p.x, -reach, size[0] + reach),
+                  std::clamp(p.y, -reach, size[1] + reach));
+  };
+  if (enter > 0.0) a = at(enter);
+  if (leave < 1.0) b = at(leave);
+  return true;
+}
+
+void VectorDevice::edges(const DrawnPolygon& polygon) {
+  finish_lines();
+  const double reach = kReach + polygon.line.width / 2;
+  const auto& v = polygon.vertices;
+  const std::size_t n = v.size();
+  // A side that is not drawn, or too far out, ends a run; without one the path is closed.
+  const auto drawn = [&](std::size_t i) { return polygon.sides[i] == op::line; };
+  std::size_t start = 0;
+  while (start < n && drawn(start) && near_the_page(to_page(v[start]), reach)) ++start;
+  path_.clear();
+  if (start == n) {
+    path_.start(true);
+    path_.points.push_back(to_page(v.back()));
+    for (const Point3& p : v.first(n - 1)) path_.points.push_back(to_page(p));
+    return paint_lines(path_, polygon.line);
+  }
+  bool joined = false;  // the next side continues the run
+  for (std::size_t k = 1; k <= n; ++k) {
+    const std::size_t i = (start + k) % n;
+    Point2 a = to_page(v[(i + n - 1) % n]), b = to_page(v[i]);
+    const Point2 whole_a = a, whole_b = b;
+    if (!drawn(i) || !clip_to_neighbourhood(a, b, reach)) {
+      joined = false;
+      continue;
+    }
+    if (!joined || a != whole_a) {
+      path_.start(false);
+      path_.points.push_back(a);
+    }
+    path_.points.push_back(b);
+    joined = b == whole_b;
+  }
+  if (!path_.empty()) paint_lines(path_, polygon.line);
+}
+
+void VectorDevice::line(const DrawnLine& line) {
+  const double reach = kReach + line.style.width / 2;
+  Point2 a = to_page(line.from), b = to_page(line.to);
+  const Point2 whole_a = a, whole_b = b;
+  if (!clip_to_neighbourhood(a, b, reach)) return finish_lines();
+  const bool full =
+      lines_.points.size() >= kLongestPath && line.style.kind == LineStyle::Kind::solid;
+  if (lines_.empty() || full || lines_end_ != line.from || lines_style_ != line.style ||
+      a != whole_a) {
+    finish_lines();
+    lines_style_ = line.style;
+    lines_.start(false);
+    lines_.points.push_back(a);
+  }
+  lines_.points.push_back(b);
+  lines_end_ = line.to;
+  if (b != whole_b) finish_lines();
+}
+
+void VectorDevice::finish_lines() {
+  if (lines_.empty()) return;
+  paint_lines(lines_, lines_style_);
+  lines_.clear();
+}
+
+}  // namespace displayfile

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "hidden/exact/depth_comparison.h"
+#include "hidden/exact/plane.h"
+#include "interp/visibility/decided_run.h"
+
+namespace displayfile {
+
+/// Of a polygon and the polygons entered before it that share pixels with it: which is seen where
+/// rounded depths cannot tell, by exact arithmetic at the pixels' centres
+/// (interp/visibility/z_buffer.md). One pair of planes is made ready at a time.
+class ClosePlanes {
+ public:
+  explicit ClosePlanes(const PictureSize& size) : size_(size) {}
+
+  /// The polygon entered last.
+  void begin(const Plane& later) {
+    later_ = later;
+    compared_ = kNone;
+  }
+  bool is_compared_with(std::uint32_t other) const { return compared_ == other; }
+  void compare_with(std::uint32_t other, const Plane& plane) {
+    compared_ = other;
+    comparison_ = DepthComparison(later_, plane);
+  }
+
+  /// Of columns that all show the polygon compared with.
+  DecidedRun run(int row, int first, int end) {
+    return run_of(first, end, [&](int column) {
+      return comparison_.order(PixelCentre(column, row, size_)) >= 0;
+    });
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  PictureSize size_;
+  Plane later_;
+  std::uint32_t compared_ = kNone;
+  DepthComparison comparison_;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "hidden/exact/pixel_centre.h"
+#include "interp/scan/pixel_depth.h"
+#include "interp/visibility/fill_scene.h"
+
+namespace displayfile {
+
+/// A fill's depth over the pixels of a picture.
+struct FillDepth {
+  PixelDepth depth;
+  /// Bounds the error of depth at the centres that the fill may cover; infinity if it is not
+  /// known. With a ROUNDOFF a quarter of it: depths are told apart by twice the sum of two.
+  double error = 0.0;
+
+  FillDepth() = default;
+  FillDepth(const FillScene& scene, FillScene::Fill fill, const PictureSize& size,
+            std::optional<double> roundoff);
+};
+
+/// What the rounded depths of two fills tell, by a's less b's and the sum of their errors: 1 if a
+/// is nearer, -1 if b is, 0 if they are too close.
+inline int rounded_order(double nearer, double errors) {
+  return nearer > 2.0 * errors ? 1 : nearer < -2.0 * errors ? -1 : 0;
+}
+
+/// The depths of a scene's fills over the pixels of a picture, in doubles, each with its bound;
+/// with a ROUNDOFF, closer than which depths count as equal, a part of that in the bound's place.
+class FillDepths {
+ public:
+  using Fill = FillScene::Fill;
+
+  FillDepths() = default;
+  FillDepths(const FillScene& scene, const PictureSize& size, std::optional<double> roundoff);
+
+  const PixelDepth& depth(Fill fill) const { return of_fill_[fill].depth; }
+  double error(Fill fill) const { return of_fill_[fill].error; }  ///< as in FillDepth
+  double at(Fill fill, int column, int row) const {
+    const PixelDepth& d = of_fill_[fill].depth;
+    return d.at(d.row(row), column);
+  }
+
+  bool are_exact() const { return exact_; }
+
+ private:
+  bool exact_ = true;
+  std::vector<FillDepth> of_fill_;
+};
+
+/// Of a polygon (device coordinates) and the depth of its plane: bounds the error of the depth at
+/// the centres that the polygon may cover, and the size of what is computed there.
+struct DepthBound {
+  double error;    ///< infinity if it is not known
+  double largest;  ///< of the depths, in size
+};
+DepthBound depth_bound(std::span<const Point3> vertices, const Plane& plane,
+                       const PixelDepth& depth, const PictureSize& size);
+
+}  // namespace displayfile

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "hidden/exact/pixel_centre.h"
+#include "hidden/hidden_method.h"
+#include "interp/visibility/fill_scene.h"
+
+namespace displayfile {
+
+/// Called with the fills seen at the centres of columns first, first + 1, ... of a row:
+/// FillScene::kBackground where there is none. Rows count from the bottom.
+using SeenRun = std::function<void(int row, int first, std::span<const FillScene::Fill> seen)>;
+
+/// A way to find hidden surfaces in image space: which fill is seen at each pixel centre (the
+/// design's section 4). Each method is one file and one line in the list of image_space_methods().
+class ImageSpaceMethod {
+ public:
+  virtual ~ImageSpaceMethod() = default;
+
+  /// What pictures of the scene, which must live on, share.
+  struct Request {
+    const FillScene& scene;
+    PictureSize size;
+    /// Depths closer than this count as equal (the textbook's ROUNDOFF); none: exact.
+    std::optional<double> roundoff;
+  };
+
+  /// Takes up a scene, and lets go of the one before. On up to so many threads, with the same
+  /// result.
+  virtual void prepare(const Request& request, int threads) = 0;
+
+  /// Tells of every pixel of rows row_begin <= row < row_end once, in any order. May be called
+  /// again, and with different rows by several threads at a time.
+  virtual void draw_rows(int row_begin, int row_end, const SeenRun& seen) const = 0;
+
+  /// The least number of rows that are as cheap to draw by themselves as together with others.
+  virtual int rows_at_a_time() const { return 1; }
+};
+
+/// One line a method.
+struct ImageSpaceEntry {
+  HiddenMethod method;
+  std::unique_ptr<ImageSpaceMethod> (*make)();
+};
+std::span<const ImageSpaceEntry> image_space_methods();
+
+/// True also of `automatic`, which for a picture in pixels picks one of them.
+bool is_image_space(HiddenMethod method);
+
+/// Throws Error if the method is not one of the list.
+std::unique_ptr<ImageSpaceMethod> make_image_space_method(HiddenMethod method);
+
+}  // namespace displayfile

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "interp/scan/scan_edge.h"
+#include "interp/visibility/box_tree.h"
+#include "interp/visibility/fill_depths.h"
+#include "interp/visibility/image_space.h"
+
+namespace displayfile {
+
+/// Ray casting in image space: after the transform the eye is infinitely far away, and a ray runs
+/// along z through each pixel's centre to the nearest fill that it hits. Rays are cast in packets
+/// through a hierarchy of boxes, and hits are decided exactly (interp/visibility/ray_cast.md). With
+/// a ROUNDOFF a ray sees the fill entered last of those within ROUNDOFF of the nearest.
+class RayCast : public ImageSpaceMethod {
+ public:
+  void prepare(const Request& request, int threads) override;
+  void draw_rows(int row_begin, int row_end, const SeenRun& seen) const override;
+  /// A packet's.
+  int rows_at_a_time() const override { return 8; }
+
+ private:
+  /// A fill that covers a centre perhaps.
+  struct Target {
+    FillScene::Fill fill;
+    std::uint32_t first_edge, end_edge;  ///< of few sides: where it keeps them, in edges_
+    std::uint32_t many_sided;            ///< of many: its number among those; otherwise kFewSided
+    PixelBox pixels;
+  };
+  static constexpr std::uint32_t kFewSided = ~std::uint32_t{0};
+  class Caster;
+
+  void find_targets(int threads);
+  void enter_edges(Target& target);
+
+  std::optional<Request> request_;
+  FillDepths depths_;
+  std::vector<Target> targets_;
+  std::vector<ScanEdge> edges_;
+  std::uint32_t many_sided_ = 0;
+  BoxTree tree_;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,128 @@
+#include "interp/visibility/row_fills.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hidden/exact/orientation.h"
+#include "hidden/parallel.h"
+#include "interp/scan/flat_extent.h"
+#include "interp/scan/scan_edge.h"
+#include "interp/visibility/fill_depths.h"
+
+namespace displayfile {
+
+namespace {
+
+constexpr std::size_t kMostSides = 16;  ///< of what is drawn as a convex polygon
+
+/// Of single precision, in any rounding mode; derived in interp/visibility/band_z_buffer.md.
+constexpr double kEdgeUnit = 0x1p-21, kDepthUnit = 0x1p-20, kDepthError = 0x1p-17;
+constexpr double kLargestEdgeError = 0.25;
+
+}  // namespace
+
+int turn_if_convex(std::span<const Point3> vertices) {
+  const std::size_t n = vertices.size();
+  int turn = 0, reversals = 0;
+  double rise = 0.0;  // of the side before that is not level
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point3 &a = vertices[i], &b = vertices[i + 1 < n ? i + 1 : 0];
+    const Point3& c = vertices[i + 2 < n ? i + 2 : i + 2 - n];
+    const int side = filtered_orientation(Point2(a), Point2(b), Point2(c));
+    if (side == 0 || side == -turn) return 0;
+    turn = side;
+  }
+  if (n == 3) return turn;
+  for (std::size_t i = 0; i <= n; ++i) {  // the first side once more: the reversal after the last
+    const double y = vertices[i % n].y, next = vertices[(i + 1) % n].y;
+    if (next == y) continue;
+    reversals += (next > y) != (rise > 0.0) && rise != 0.0;
+    rise = next > y ? 1.0 : -1.0;
+  }
+  return reversals == 2 ? turn : 0;
+}
+
+RowFills::RowFills(const FillScene& scene, const PictureSize& size, int threads)
+    : fills_(scene.end()), edges_(scene.all_vertices()) {
+  depth_error_ = static_cast<float>(kDepthError * std::max(1.0, scene.largest_depth()));
+  constexpr std::size_t kFillsAtATime = 1024;
+  in_parallel(threads, (scene.end() + kFillsAtATime - 1) / kFillsAtATime, [&](std::size_t k) {
+    const auto begin = std::max<std::size_t>(1, k * kFillsAtATime);
+    const auto end = std::min<std::size_t>(scene.end(), (k + 1) * kFillsAtATime);
+    for (std::size_t fill = begin; fill < end; ++fill) make(scene, size, static_cast<Fill>(fill));
+  });
+}
+
+void RowFills::make(const FillScene& scene, const PictureSize& size, Fill fill) {
+  const auto vertices = scene.vertices(fill);
+  RowFill& made = fills_[fill];
+  const FlatExtent extent = flat_extent(vertices);
+  const double left = extent.left * size.width, right = extent.right * size.width;
+  const double width = size.width;
+  // The columns of the centres between its left and its right, with what rounding can do.
+  const double first = std::ceil(left - std::abs(left) * 0x1p-50 - 0.5);
+  const double end = std::ceil(right + std::abs(right) * 0x1p-50 - 0.5);
+  if (!(first < end && first < width && end > 0.0)) return;
+  const int row_begin = first_row_above(extent.bottom, size.height);
+  const int row_end = first_row_above(extent.top, size.height);
+  if (row_begin >= row_end) return;
+  made.column = static_cast<int>(std::clamp(first, 0.0, width - 1.0));
+  const double columns = std::min(end, width) - made.column;
+  made.row_begin = row_begin;
+  made.row_end = row_end;
+  made.edges = scene.first_vertex(fill);
+
+  const Plane plane = scene.plane(fill);
+  const PixelDepth depth(plane, size.width, size.height);
+  const double z = depth.at(depth.row(row_begin), made.column);
+  const double largest =
+      std::abs(z) + columns * std::abs(depth.dz_dx) + (row_end - row_begin) * std::abs(depth.dz_dy);
+  const double error = depth_bound(vertices, plane, depth, size).error + kDepthUnit * largest;
+  made.certain = error <= static_cast<double>(depth_error_);
+  if (made.certain) {
+    made.z = static_cast<float>(z);
+    made.dz_dx = static_cast<float>(depth.dz_dx);
+    made.dz_dy = static_cast<float>(depth.dz_dy);
+  }
+
+  if (vertices.size() > kMostSides) return;
+  const int turn = turn_if_convex(vertices);
+  if (turn != 0) make_edges(vertices, size, turn, made);
+}
+
+/// Of a side that runs up, the inside is on the left if the polygon runs counterclockwise.
+void RowFills::make_edges(std::span<const Point3> vertices, const PictureSize& size, int turn,
+                          RowFill& made) {
+  const auto rows = static_cast<double>(made.row_end - made.row_begin);
+  RowEdge* const edges = edges_.data() + made.edges;
+  int left = 0, right = 0;
+  const int sides = static_cast<int>(vertices.size());
+  double error = 0.0;
+  const Point3* from = &vertices.back();
+  for (const Point3& vertex : vertices) {
+    const Point3* const a = from;
+    from = &vertex;
+    const double ax = a->x * size.width, ay = a->y * size.height;
+    const double bx = vertex.x * size.width, by = vertex.y * size.height;
+    // Sides that cross no row do not matter, unless rounding leaves that open.
+    const double low = std::min(ay, by), high = std::max(ay, by);
+    if (std::floor(high + 0.5 + 1e-9) == std::floor(low + 0.5 - 1e-9) || a->y == vertex.y) continue;
+    const double rise = by - ay, slope = (bx - ax) / rise;
+    const double heights = std::abs(ay) + std::abs(by);
+    if (!(std::abs(rise) > 8.0 * kUnit * heights)) return;
+    const double x = ax + (made.row_begin + 0.5 - ay) * slope - 0.5 - made.column;
+    const double of_double = 16.0 * kUnit *
+                             (std::abs(ax) + std::abs(bx) + std::abs(slope) * heights) *
+                             (2.0 + rows / std::abs(rise));
+    error = std::max(error, of_double + kEdgeUnit * (std::abs(x) + std::abs(slope) * rows));
+    const bool on_right = (rise > 0.0) == (turn > 0);
+    edges[on_right ? sides - ++right : left++] = {static_cast<float>(x), static_cast<float>(slope)};
+  }
+  if (!(error < kLargestEdgeError) || left == 0 || right == 0) return;
+  std::move(edges + sides - right, edges + sides, edges + left);
+  made.edge_error = static_cast<float>(error * (1.0 + 0x1p-20));
+  made.left = static_cast<std::uint16_t>(left);
+  made.right = static_cast<std::uint16_t>(right);
+}
+
+}  // namespace displayfile

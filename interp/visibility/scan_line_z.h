@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "interp/visibility/image_space.h"
+
+namespace displayfile {
+
+/// The scan-line z-buffer (Carpenter): all polygons are scan-converted together, row by row, so
+/// that one row of depths and fills is all the z-buffer there is
+/// (interp/visibility/scan_line_z.md). Besides that it keeps 12 bytes a polygon, and those that
+/// reach the row; nothing grows with the picture's height.
+class ScanLineZ : public ImageSpaceMethod {
+ public:
+  void prepare(const Request& request, int threads) override;
+  void draw_rows(int row_begin, int row_end, const SeenRun& seen) const override;
+  /// The polygons that reach the first row are found without looking at all of them.
+  int rows_at_a_time() const override { return 16; }
+
+ private:
+  using Fill = FillScene::Fill;
+
+  /// A line of the polygon table: the rows that the fill crosses, first_row <= row < end_row.
+  struct Polygon {
+    Fill fill;
+    int first_row, end_row;
+  };
+  class Sweep;
+
+  std::optional<Request> request_;
+  std::vector<Polygon> table_;      // by first row, those of a row by fill
+  std::vector<int> block_end_row_;  // the last end_row in each block of the table
+};
+
+}  // namespace displayfile

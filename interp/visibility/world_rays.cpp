@@ -1,0 +1,557 @@
+#include "interp/visibility/world_rays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <optional>
+
+#include "clip/error.h"
+#include "clip/view_volume.h"
+#include "hidden/exact/ball.h"
+#include "hidden/exact/exact_number.h"
+#include "hidden/exact/plane.h"
+#include "hidden/exact/support_plane.h"
+#include "hidden/parallel.h"
+
+namespace displayfile {
+
+namespace {
+
+constexpr std::uint32_t kLeaf = 2;  // polygons
+
+// ---- One algorithm, two precisions: numbers are balls first, then exact ------------------------
+
+constexpr int kUndecided = 2;
+int sign_of(const Ball& a) { return decided(a) ? decided_sign(a.middle) : kUndecided; }
+int sign_of(const ExactNumber& a) { return a.sign(); }
+
+template <class Number>
+Number number(double value);
+template <>
+Ball number(double value) {
+  return {value, 0.0};
+}
+template <>
+ExactNumber number(double value) {
+  return ExactNumber(value);
+}
+
+/// World coordinates, homogeneous; w is positive.
+template <class Number>
+struct WorldPoint {
+  Number x, y, z, w;
+};
+
+/// A x + B y + C z + D w.
+template <class Number>
+struct Linear {
+  Number a, b, c, d;
+  Number at(const WorldPoint<Number>& p) const { return a * p.x + b * p.y + c * p.z + d * p.w; }
+
+  friend Linear operator+(const Linear& f, const Linear& g) {
+    return {f.a + g.a, f.b + g.b, f.c + g.c, f.d + g.d};
+  }
+  friend Linear operator-(const Linear& f, const Linear& g) {
+    return {f.a - g.a, f.b - g.b, f.c - g.c, f.d - g.d};
+  }
+  Linear times(const Number& s) const { return {a * s, b * s, c * s, d * s}; }
+};
+
+/// The rows of the view's matrix, those of x and y to the viewport: a point's device coordinates
+/// are x / w, y / w and z / w.
+template <class Number>
+struct ViewRows {
+  Linear<Number> x, y, z, w;
+  std::vector<Linear<Number>> clip{};  // not negative in front of the eye, and between the planes
+
+  ViewRows(const View& view, const ViewVolume& volume) {
+    const glm::dmat4& m = volume.matrix();
+    const auto row = [&](int i) -> Linear<Number> {
+      return {number<Number>(m[0][i]), number<Number>(m[1][i]), number<Number>(m[2][i]),
+              number<Number>(m[3][i])};
+    };
+    z = row(2);
+    w = row(3);
+    const auto between = [&](double low, double high, int i) {
+      if (low == 0.0 && high == 1.0) return row(i);
+      return w.times(number<Number>(low)) +
+             row(i).times(number<Number>(high) - number<Number>(low));
+    };
+    x = between(view.viewport.x_min, view.viewport.x_max, 0);
+    y = between(view.viewport.y_min, view.viewport.y_max, 1);
+    if (view.back_clipping) clip.push_back(z);
+    if (view.front_clipping) {
+      clip.push_back(w - z);
+    } else if (view.projection == View::Projection::perspective) {
+      Linear<Number> beyond = w;  // inside_distance's, of the plane at the eye
+      const double least_w = -volume.inside_distance(ClipPlane::eye, HomogeneousPoint(0.0));
+      beyond.d = beyond.d - number<Number>(least_w);
+      clip.push_back(beyond);
+    }
+  }
+};
+
+/// A ray is where the plane through a column of pixel centres and the eye meets that through a
+/// row. Points right of the column and above the row are on the positive sides.
+template <class Number>
+struct Ray {
+  Linear<Number> column, row;
+};
+template <class Number>
+Linear<Number> column_plane(const ViewRows<Number>& view, int column, const PictureSize& size) {
+  return view.x.times(number<Number>(2.0 * size.width)) -
+         view.w.times(number<Number>(2.0 * column + 1.0));
+}
+template <class Number>
+Linear<Number> row_plane(const ViewRows<Number>& view, int row, const PictureSize& size) {
+  return view.y.times(number<Number>(2.0 * size.height)) -
+         view.w.times(number<Number>(2.0 * row + 1.0));
+}
+
+template <class Number>
+WorldPoint<Number> world_point(const Point3& p) {
+  return {number<Number>(p.x), number<Number>(p.y), number<Number>(p.z), number<Number>(1.0)};
+}
+
+/// A vertex moved along an axis on to the plane through p, q and r.
+template <class Number>
+WorldPoint<Number> moved_on_to_plane(const Point3& v, const std::array<Point3, 3>& plane,
+                                     int axis) {
+  const auto difference = [](const Point3& a, const Point3& b) -> std::array<Number, 3> {
+    return {number<Number>(a.x) - number<Number>(b.x), number<Number>(a.y) - number<Number>(b.y),
+            number<Number>(a.z) - number<Number>(b.z)};
+  };
+  const auto e = difference(plane[1], plane[0]), f = difference(plane[2], plane[0]);
+  const auto to = difference(v, plane[0]);
+  std::array<Number, 3> n{e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2],
+                          e[0] * f[1] - e[1] * f[0]};
+  Number off = n[0] * to[0] + n[1] * to[1] + n[2] * to[2];
+  const auto k = static_cast<std::size_t>(axis);
+  Number scale = n[k];
+  if (sign_of(scale) < 0) scale = -scale, off = -off;
+  std::array<Number, 3> moved{number<Number>(v.x) * scale, number<Number>(v.y) * scale,
+                              number<Number>(v.z) * scale};
+  moved[k] = moved[k] - off;
+  return {moved[0], moved[1], moved[2], scale};
+}
+
+/// Sutherland and Hodgman's step; false where it is undecided what is cut.
+template <class Number>
+bool clip(const Linear<Number>& inside, std::vector<WorldPoint<Number>>& points,
+          std::vector<WorldPoint<Number>>& cut) {
+  cut.clear();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const WorldPoint<Number>& a = points[i == 0 ? points.size() - 1 : i - 1];
+    const WorldPoint<Number>& b = points[i];
+    const Number at_a = inside.at(a), at_b = inside.at(b);
+    const int sign_a = sign_of(at_a), sign_b = sign_of(at_b);
+    if (sign_a == kUndecided || sign_b == kUndecided) return false;
+    if ((sign_a < 0) != (sign_b < 0)) {
+      const Number s = sign_a < 0 ? -at_a : at_a, t = sign_a < 0 ? at_b : -at_b;  // not negative
+      cut.push_back({b.x * s + a.x * t, b.y * s + a.y * t, b.z * s + a.z * t, b.w * s + a.w * t});
+    }
+    if (sign_b >= 0) cut.push_back(b);
+  }
+  points.swap(cut);
+  return true;
+}
+
+/// Even-odd, as the design's section 4 has it: 1, 0, or kUndecided.
+template <class Number>
+int covers(const std::vector<WorldPoint<Number>>& points, const Ray<Number>& ray) {
+  if (points.empty()) return 0;
+  bool covered = false;
+  Number from_u = ray.column.at(points.back()), from_v = ray.row.at(points.back());
+  int from_side = sign_of(from_v);
+  for (const WorldPoint<Number>& point : points) {
+    Number u = ray.column.at(point), v = ray.row.at(point);
+    const int side = sign_of(v);
+    if (side == kUndecided || from_side == kUndecided) return kUndecided;
+    if ((from_side < 0) != (side < 0)) {
+      const int crossing = sign_of(from_u * v - u * from_v);
+      if (crossing == kUndecided) return kUndecided;
+      if ((from_side < 0 ? crossing : -crossing) <= 0) covered = !covered;
+    }
+    from_u = std::move(u);
+    from_v = std::move(v);
+    from_side = side;
+  }
+  return covered ? 1 : 0;
+}
+
+/// Where a ray meets a plane: the sum of three of its points, each weighted by what the ray's
+/// planes make of the other two.
+template <class Number>
+struct Hit {
+  Number z, w;                ///< the depth in the view is z / w
+  Number nearness, of_world;  ///< what hides what is less, is their quotient
+};
+template <class Number>
+Number cross(const Number& au, const Number& av, const Number& bu, const Number& bv) {
+  return au * bv - av * bu;
+}
+template <class Number>
+Hit<Number> hit_of(const std::array<Point3, 3>& plane, const Ray<Number>& ray,
+                   const ViewRows<Number>& view, bool perspective) {
+  std::array<WorldPoint<Number>, 3> p;
+  std::array<Number, 3> u, v;
+  for (std::size_t i = 0; i < 3; ++i) {
+    p[i] = world_point<Number>(plane[i]);
+    u[i] = ray.column.at(p[i]);
+    v[i] = ray.row.at(p[i]);
+  }
+  Hit<Number> hit{number<Number>(0.0), number<Number>(0.0), number<Number>(0.0),
+                  number<Number>(0.0)};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    const Number weight = cross(u[j], v[j], u[k], v[k]);
+    hit.z = hit.z + weight * view.z.at(p[i]);
+    hit.w = hit.w + weight * view.w.at(p[i]);
+    hit.of_world = hit.of_world + weight;
+  }
+  hit.nearness = perspective ? -hit.w : hit.z;
+  return hit;
+}
+
+/// The sign of a's depth less b's, or kUndecided. Neither is edge-on.
+template <class Number>
+int compare(const Hit<Number>& a, const Hit<Number>& b) {
+  const int difference = sign_of(a.z * b.w - b.z * a.w);
+  const int of_a = sign_of(a.w), of_b = sign_of(b.w);
+  if (difference == kUndecided || of_a == kUndecided || of_b == kUndecided) return kUndecided;
+  return difference * of_a * of_b;
+}
+
+/// A linear function over boxes, wide enough for all rounding.
+struct OverBoxes {
+  Point3 normal, slope, error;
+  double offset, offset_error;
+
+  explicit OverBoxes(const Linear<Ball>& f)
+      : normal(f.a.middle, f.b.middle, f.c.middle),
+        slope(glm::abs(normal)),
+        error(Point3(f.a.radius, f.b.radius, f.c.radius) + 16.0 * kUnit * slope),
+        offset(f.d.middle),
+        offset_error(f.d.radius + 16.0 * kUnit * std::abs(offset) + kTiny) {}
+
+  double at(const Point3& p) const {
+    return normal.x * p.x + normal.y * p.y + normal.z * p.z + offset;
+  }
+  /// How far it may be from at(middle) within the box.
+  double reach(const Point3& middle, const Point3& half) const {
+    const Point3 size = glm::abs(middle) + half;
+    return slope.x * half.x + slope.y * half.y + slope.z * half.z +
+           2.0 * (error.x * size.x + error.y * size.y + error.z * size.z + offset_error);
+  }
+};
+
+Point3 newell_normal(std::span<const Point3> polygon) {
+  Point3 sum(0.0), from = polygon.back() - polygon[0];
+  for (const Point3& vertex : polygon) {
+    const Point3 to = vertex - polygon[0];
+    sum += glm::cross(from, to);
+    from = to;
+  }
+  return sum;
+}
+
+std::array<Point3, 3> plane_of(std::span<const Point3> points,
+                               const std::array<std::uint32_t, 3>& spread) {
+  return {points[spread[0]], points[spread[1]], points[spread[2]]};
+}
+
+}  // namespace
+
+// ---- The world, once for all views --------------------------------------------------------------
+
+WorldRays::WorldRays(const RetainedScene& scene, const DisplayFile& attributes) {
+  for (const RetainedScene::Segment& segment : scene.segments()) {
+    const Segment& drawn = attributes.segment(segment.name);
+    if (!drawn.visible) continue;
+    if (!drawn.image.is_identity()) {
+      throw Error("segment " + std::to_string(segment.name) +
+                  " has an image transformation, which acts after viewing: expected none");
+    }
+    world_.add(segment);
+  }
+  for (std::uint32_t i = 0; i < world_.size(); ++i) enter(i);
+  build();
+}
+
+void WorldRays::enter(std::uint32_t primitive) {
+  const auto& attributes = world_.attributes(primitive);
+  if (world_[primitive].is_line() || attributes.fill.kind != FillStyle::Kind::solid) return;
+  const auto polygon = world_.points(primitive);
+  const SupportVertices spread = spread_vertices(polygon);
+  if (spread.edge_on) return;
+  const auto [p, q, r] = plane_of(polygon, spread.index);
+  const Plane plane(p, q, r);
+  const bool flat = std::ranges::all_of(polygon, [&](const Point3& v) {
+    return plane.goes_through(v) || side_of_plane(v, plane) == 0;
+  });
+  const bool same_way = glm::dot(newell_normal(polygon), plane.normal) >= 0.0;
+  polygons_.push_back({primitive, spread.index, static_cast<std::int8_t>(same_way ? 1 : -1),
+                       static_cast<std::int8_t>(facing_axis(plane)), flat,
+                       !attributes.back_face_removal});
+}
+
+WorldRays::Box WorldRays::box_of(const Polygon& polygon) const {
+  const auto of = points(polygon);
+  Point3 low = of[0], high = of[0];
+  for (const Point3& p : of) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  // A vertex off the plane by h is moved by no more than sqrt(3) h.
+  const double wider = polygon.flat ? 0.0 : 4.0 * world_.off_plane(polygon.primitive);
+  const Point3 middle = 0.5 * low + 0.5 * high;
+  const Point3 half = glm::max(high - middle, middle - low) + wider;
+  return {middle, half + 8.0 * kUnit * (glm::abs(middle) + half) + kTiny};
+}
+
+/// Halved along the widest axis, so that the tree is as deep as the logarithm of its size.
+void WorldRays::build() {
+  if (polygons_.empty()) return;
+  struct Part {
+    std::uint32_t node, begin, end;
+  };
+  std::vector<Part> parts{{0, 0, static_cast<std::uint32_t>(polygons_.size())}};
+  std::vector<Box> boxes;
+  for (const Polygon& polygon : polygons_) boxes.push_back(box_of(polygon));
+  std::vector<std::uint32_t> order(polygons_.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+  nodes_.emplace_back();
+  while (!parts.empty()) {
+    const Part part = parts.back();
+    parts.pop_back();
+    Point3 low(std::numeric_limits<double>::infinity()), high = -low, least = low, most = high;
+    for (std::uint32_t k = part.begin; k < part.end; ++k) {
+      const Box& box = boxes[order[k]];
+      low = glm::min(low, box.middle - box.half);
+      high = glm::max(high, box.middle + box.half);
+      least = glm::min(least, box.middle);
+      most = glm::max(most, box.middle);
+    }
+    const Point3 middle = 0.5 * low + 0.5 * high;
+    const Point3 half = glm::max(high - middle, middle - low);
+    Node& node = nodes_[part.node];
+    node.box = {middle, half + 8.0 * kUnit * (glm::abs(middle) + half) + kTiny};
+    if (part.end - part.begin <= kLeaf) {
+      node.first = part.begin;
+      node.polygons = part.end - part.begin;
+      continue;
+    }
+    const Point3 wide = most - least;
+    const int axis = wide.x >= wide.y && wide.x >= wide.z ? 0 : wide.y >= wide.z ? 1 : 2;
+    const std::uint32_t half_way = part.begin + (part.end - part.begin) / 2;
+    const auto at = [&](std::uint32_t k) { return order.begin() + k; };
+    std::nth_element(at(part.begin), at(half_way), at(part.end),
+                     [&](std::uint32_t a, std::uint32_t b) {
+                       const double of_a = boxes[a].middle[axis], of_b = boxes[b].middle[axis];
+                       return of_a != of_b ? of_a < of_b : a < b;
+                     });
+    node.polygons = 0;
+    node.first = static_cast<std::uint32_t>(nodes_.size());
+    parts.push_back({node.first, part.begin, half_way});
+    parts.push_back({node.first + 1, half_way, part.end});
+    nodes_.emplace_back();
+    nodes_.emplace_back();
+  }
+  std::vector<Polygon> ordered;
+  for (const std::uint32_t k : order) ordered.push_back(polygons_[k]);
+  polygons_ = std::move(ordered);
+}
+
+// ---- The rays of a view -------------------------------------------------------------------------
+
+class WorldRays::Caster {
+ public:
+  Caster(const WorldRays& world, const View& view, const PictureSize& size)
+      : world_(world),
+        view_(view),
+        size_(size),
+        perspective_(view.projection == View::Projection::perspective),
+        volume_(view),
+        near_(view, volume_),
+        exact_(view, volume_),
+        nearness_(perspective_ ? Linear<Ball>{-near_.w.a, -near_.w.b, -near_.w.c, -near_.w.d}
+                               : near_.z) {
+    for (int column = 0; column < size.width; ++column) {
+      columns_.push_back(column_plane(near_, column, size));
+      columns_over_boxes_.emplace_back(columns_.back());
+    }
+  }
+
+  void cast_row(int row, std::span<std::int32_t> picks) const {
+    std::ranges::fill(picks, -1);
+    const Rectangle& viewport = view_.viewport;
+    if (compare_with_centres(viewport.y_min, size_.height, row) >= 0 ||
+        compare_with_centres(viewport.y_max, size_.height, row) < 0) {
+      return;
+    }
+    Work work;
+    work.row = row;
+    work.near.row = row_plane(near_, row, size_);
+    const OverBoxes row_over_boxes(work.near.row);
+    for (int column = 0; column < size_.width; ++column) {
+      if (compare_with_centres(viewport.x_min, size_.width, column) > 0 ||
+          compare_with_centres(viewport.x_max, size_.width, column) <= 0) {
+        continue;
+      }
+      work.column = column;
+      work.near.column = columns_[static_cast<std::size_t>(column)];
+      work.exact.reset();
+      const Polygon* const seen = cast(work, row_over_boxes);
+      if (seen != nullptr) {
+        picks[static_cast<std::size_t>(column)] = world_.world_[seen->primitive].pick;
+      }
+    }
+  }
+
+ private:
+  /// One ray, and what it has hit so far.
+  struct Work {
+    int column, row;
+    Ray<Ball> near;
+    std::optional<Ray<ExactNumber>> exact;
+    const Polygon* seen;
+    Hit<Ball> hit;
+    double hidden;  // nothing less near is seen
+    std::vector<WorldPoint<Ball>> points, cut;
+    struct Entry {
+      double nearest;
+      std::uint32_t node;
+    };
+    std::vector<Entry> stack;
+  };
+
+  const Polygon* cast(Work& work, const OverBoxes& row) const {
+    work.seen = nullptr;
+    work.hidden = -std::numeric_limits<double>::infinity();
+    if (world_.nodes_.empty()) return nullptr;
+    const OverBoxes& column = columns_over_boxes_[static_cast<std::size_t>(work.column)];
+    const auto push = [&](std::uint32_t at) {
+      const Box& box = world_.nodes_[at].box;
+      if (std::abs(column.at(box.middle)) > column.reach(box.middle, box.half) ||
+          std::abs(row.at(box.middle)) > row.reach(box.middle, box.half)) {
+        return;
+      }
+      work.stack.push_back({nearness_.at(box.middle) + nearness_.reach(box.middle, box.half), at});
+    };
+    work.stack.clear();
+    push(0);
+    while (!work.stack.empty()) {
+      const auto entry = work.stack.back();
+      work.stack.pop_back();
+      if (entry.nearest < work.hidden) continue;
+      const Node& node = world_.nodes_[entry.node];
+      for (std::uint32_t k = 0; k < node.polygons; ++k) {
+        intersect(world_.polygons_[node.first + k], work);
+      }
+      if (node.polygons > 0) continue;
+      const std::size_t base = work.stack.size();
+      push(node.first);
+      push(node.first + 1);
+      if (work.stack.size() == base + 2 &&
+          work.stack[base].nearest > work.stack[base + 1].nearest) {
+        std::swap(work.stack[base], work.stack[base + 1]);
+      }
+    }
+    return work.seen;
+  }
+
+  void intersect(const Polygon& polygon, Work& work) const {
+    int covered = kUndecided;
+    const bool known = vertices_of(polygon, near_, work.points, work.cut);
+    if (known) covered = covers(work.points, work.near);
+    if (covered == kUndecided) covered = covers_exactly(polygon, work);
+    if (covered == 0) return;
+    const auto plane = plane_of(world_.points(polygon), polygon.spread);
+    const Hit<Ball> hit = hit_of(plane, work.near, near_, perspective_);
+    int facing = sign_of(hit.w);
+    if (facing == kUndecided) {
+      facing = sign_of(hit_of(plane, exact_ray(work), exact_, perspective_).w);
+    }
+    if (facing == 0 || (!polygon.both_sides && facing * polygon.turn < 0)) return;
+    if (work.seen != nullptr && !is_seen(polygon, hit, work)) return;
+    work.seen = &polygon;
+    work.hit = hit;
+    const Ball nearness = hit.nearness / hit.of_world;
+    const double least = nearness.middle - 2.0 * nearness.radius;
+    work.hidden = least == least ? least : -std::numeric_limits<double>::infinity();
+  }
+
+  /// Rather than what the ray has hit so far.
+  bool is_seen(const Polygon& polygon, const Hit<Ball>& hit, Work& work) const {
+    int order = compare(hit, work.hit);
+    if (order == kUndecided) {
+      const Ray<ExactNumber>& ray = exact_ray(work);
+      const auto exact_hit = [&](const Polygon& of) {
+        return hit_of(plane_of(world_.points(of), of.spread), ray, exact_, perspective_);
+      };
+      order = compare(exact_hit(polygon), exact_hit(*work.seen));
+    }
+    return order != 0 ? order > 0 : polygon.primitive > work.seen->primitive;
+  }
+
+  int covers_exactly(const Polygon& polygon, Work& work) const {
+    std::vector<WorldPoint<ExactNumber>> points, cut;
+    vertices_of(polygon, exact_, points, cut);
+    return covers(points, exact_ray(work));
+  }
+
+  const Ray<ExactNumber>& exact_ray(Work& work) const {
+    if (!work.exact) {
+      work.exact = Ray<ExactNumber>{column_plane(exact_, work.column, size_),
+                                    row_plane(exact_, work.row, size_)};
+    }
+    return *work.exact;
+  }
+
+  /// In its plane, and clipped; false if that is undecided.
+  template <class Number>
+  bool vertices_of(const Polygon& polygon, const ViewRows<Number>& view,
+                   std::vector<WorldPoint<Number>>& points,
+                   std::vector<WorldPoint<Number>>& cut) const {
+    points.clear();
+    const auto of = world_.points(polygon);
+    const auto plane = plane_of(of, polygon.spread);
+    for (const Point3& v : of) {
+      points.push_back(polygon.flat ? world_point<Number>(v)
+                                    : moved_on_to_plane<Number>(v, plane, polygon.axis));
+      if (sign_of(points.back().w) == kUndecided) return false;
+    }
+    for (const Linear<Number>& inside : view.clip) {
+      if (!clip(inside, points, cut)) return false;
+    }
+    return true;
+  }
+
+  const WorldRays& world_;
+  const View& view_;
+  PictureSize size_;
+  bool perspective_;
+  ViewVolume volume_;
+  ViewRows<Ball> near_;
+  ViewRows<ExactNumber> exact_;
+  OverBoxes nearness_;
+  std::vector<Linear<Ball>> columns_;
+  std::vector<OverBoxes> columns_over_boxes_;
+};
+
+std::vector<std::int32_t> WorldRays::picks(const View& view, const PictureSize& size,
+                                           int threads) const {
+  const auto width = static_cast<std::size_t>(size.width);
+  std::vector<std::int32_t> picks(width * static_cast<std::size_t>(size.height));
+  const Caster caster(*this, view, size);
+  const auto cast_row = [&](std::size_t from_top) {
+    const int row = size.height - 1 - static_cast<int>(from_top);
+    caster.cast_row(row, std::span(picks).subspan(from_top * width, width));
+  };
+  in_parallel(threads, static_cast<std::size_t>(size.height), cast_row);
+  return picks;
+}
+
+}  // namespace displayfile

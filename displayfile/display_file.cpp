@@ -76,7 +76,7 @@ std::size_t DisplayFile::polygons() const {
 std::size_t DisplayFile::bytes() const {
   std::size_t n = 0;
   for (const Segment& s : segments_) n += s.bytes();
-  return sorted_ != nullptr ? n + sorted_->instructions.bytes() : n;
+  return sorted_ != nullptr ? n + sorted_->bytes() : n;
 }
 
 bool DisplayFile::has_shadows() const {

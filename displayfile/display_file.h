@@ -37,8 +37,8 @@ class DisplayFile {
   /// All visible segments sorted together, back to front, points after the image
   /// transformations: drawn in place of the segments' own orders. Null if they were not, or if a
   /// segment was created, removed, renamed or asked for to be changed since.
-  const std::shared_ptr<const SortedInstructions>& sorted() const { return sorted_; }
-  void set_sorted(std::shared_ptr<const SortedInstructions> sorted) { sorted_ = std::move(sorted); }
+  const std::shared_ptr<const SortedScene>& sorted() const { return sorted_; }
+  void set_sorted(std::shared_ptr<const SortedScene> sorted) { sorted_ = std::move(sorted); }
 
  private:
   void require_new_name(int name) const;
@@ -47,7 +47,7 @@ class DisplayFile {
   std::vector<Segment> segments_;
   std::unordered_map<int, std::size_t> place_;
   std::size_t last_found_ = 0;  // primitives are entered into one segment after another
-  std::shared_ptr<const SortedInstructions> sorted_;
+  std::shared_ptr<const SortedScene> sorted_;
 };
 
 }  // namespace displayfile

@@ -178,9 +178,8 @@ void GraphicsSystem::open_segment(int name) {
   if (open_) throw Error(fmt::format("segment already open: segment {}; close it first", *open_));
   const ViewVolume volume(view_);
   display_file_.create(name);
-  pipeline_.emplace(volume);
+  view_stage_.emplace(volume);
   open_ = name;
-  styles_entered_ = false;
   if (retained_ != nullptr) retained_->open_segment(name, view_);
   record("open-segment", {name});
 }
@@ -192,8 +191,7 @@ void GraphicsSystem::close_segment() {
   Segment& segment = display_file_.segment(*open_);
   const bool each_on_its_own = scope_.value_or(HiddenScope::segment) == HiddenScope::segment;
   if (hidden_ && sorts(method_) && each_on_its_own) {
-    segment.set_sorted(std::make_shared<SortedInstructions>(
-        hidden_surface_check(*segment.entered(), {}, method_, sort_options_)));
+    segment.set_sorted(hidden_surface_check(segment.entered(), {}, method_, sort_options_));
   }
   segment.close();
   open_.reset();
@@ -269,14 +267,9 @@ void GraphicsSystem::move_to(const Point3& object) {
 void GraphicsSystem::line_to(const Point3& object) {
   require_open();
   const Pen end{object, to_world(object)};
-  if (retained_ != nullptr && line_.kind != LineStyle::Kind::none) {
-    retained_->enter_line(pen_.world, end.world, attributes());
-  }
-  Point3 a, b;
-  if (line_.kind != LineStyle::Kind::none && pipeline_->clip_line(pen_.world, end.world, a, b)) {
-    Segment& segment = display_file_.segment(*open_);
-    segment.set_style(line_);
-    segment.enter_line(a, b);
+  if (attributes_.line.kind != LineStyle::Kind::none) {
+    if (retained_ != nullptr) retained_->enter_line(pen_.world, end.world, attributes_);
+    view_stage_->enter_line(pen_.world, end.world, attributes_.line, display_file_.segment(*open_));
   }
   pen_ = end;
 }
@@ -366,12 +359,12 @@ void GraphicsSystem::polygon(std::span<const Point3> object) {
   world_points_.resize(object.size());
   for (std::size_t i = 0; i < object.size(); ++i) world_points_[i] = to_world(object[i]);
   const int pick = pick_ >= 0 ? pick_ : static_cast<int>(ordinal_);
-  const Point3 normal = light_ ? newell_normal(world_points_) : Point3(0.0);
-  const bool smooth = light_ && shading_ == Shading::gouraud && !vertex_normals_.empty();
+  const Point3 normal = attributes_.light ? newell_normal(world_points_) : Point3(0.0);
+  const bool smooth = attributes_.light && shading_ == Shading::gouraud && !vertex_normals_.empty();
   const auto vertex_normals = smooth ? world_normals(normal) : std::span<const Point3>();
   const bool flat = is_flat(world_points_);
   if (flat && (object.size() == 3 || !differ(vertex_normals))) {
-    enter(world_points_, {}, normal, vertex_normals, pick);
+    enter({world_points_, {}, normal, vertex_normals, pick});
   } else {
     enter_triangles(normal, vertex_normals, pick);
   }
@@ -397,59 +390,37 @@ void GraphicsSystem::enter_triangles(const Point3& normal, std::span<const Point
   for (const auto& [vertex, edge_visible] : triangulation_.triangulate(world_points_)) {
     const auto triangle = corners(world_points_, vertex);
     if (vertex_normals.empty()) {
-      enter(triangle, edge_visible, normal, {}, pick);
+      enter({triangle, edge_visible, normal, {}, pick});
     } else {
-      enter(triangle, edge_visible, normal, corners(vertex_normals, vertex), pick);
+      const auto of_corners = corners(vertex_normals, vertex);
+      enter({triangle, edge_visible, normal, of_corners, pick});
     }
   }
 }
 
-/// Clips, checks for a back face (algorithm 9.2's end), and enters what is left.
-void GraphicsSystem::enter(std::span<const Point3> world,
-                           std::span<const std::uint8_t> edge_visible, const Point3& normal,
-                           std::span<const Point3> vertex_normals, int pick) {
-  if (retained_ != nullptr) {
-    retained_->enter_polygon(world, edge_visible, attributes(), normal, vertex_normals, pick);
-  }
-  const bool smooth = !vertex_normals.empty();
-  ClippedPolygon clipped =
-      smooth ? lighting_.clip(*pipeline_, world, edge_visible, vertex_normals, *light_)
-             : pipeline_->clip_polygon(world, edge_visible);
-  if (clipped.vertices.size() < 3) return;
-  const double c = back_face_removal_ || light_ ? newell_c(clipped.vertices) : 1.0;
-  if (back_face_removal_ && c <= 0.0) return;
-  Segment& segment = display_file_.segment(*open_);
-  if (light_) {
-    FillStyle fill = smooth ? shaded_fill(fill_, clipped) : lit(fill_, *light_, normal, c < 0.0);
-    if (shadows_) fill.shadow = shadow_on(fill, fill_, *light_, pipeline_->volume());
-    segment.set_style(fill);
-    segment.set_style(line_);
-  } else if (!styles_entered_) {
-    segment.set_style(fill_);
-    segment.set_style(line_);
-    styles_entered_ = true;
-  }
-  segment.set_pick(pick);
-  segment.enter_polygon(clipped.vertices, clipped.edge_visible, clipped.intensities);
+void GraphicsSystem::enter(const WorldPolygon& polygon) {
+  if (retained_ != nullptr) retained_->enter_polygon(polygon, attributes_);
+  view_stage_->enter_polygon(polygon, attributes_, display_file_.segment(*open_));
 }
 
 // ---- Attributes ------------------------------------------------------------------------
 
 void GraphicsSystem::set_fill_style(const FillStyle& style) {
-  styles_entered_ = false;
+  attributes_changed();
   if (style.kind == FillStyle::Kind::hollow) {
-    fill_ = {FillStyle::Kind::hollow};  // a colour has no meaning here: one representation
+    attributes_.fill = {
+        FillStyle::Kind::hollow};  // a colour has no meaning here: one representation
     return record("set-fill-style", {"hollow"});
   }
   require_colour(style.colour);
-  fill_ = {FillStyle::Kind::solid, style.colour};
+  attributes_.fill = {FillStyle::Kind::solid, style.colour};
   record("set-fill-style", {"solid", style.colour.r, style.colour.g, style.colour.b});
 }
 
 void GraphicsSystem::set_line_style(const LineStyle& style) {
-  styles_entered_ = false;
+  attributes_changed();
   if (style.kind == LineStyle::Kind::none) {
-    line_ = {LineStyle::Kind::none};
+    attributes_.line = {LineStyle::Kind::none};
     return record("set-line-style", {"none"});
   }
   require_colour(style.colour);
@@ -460,13 +431,13 @@ void GraphicsSystem::set_line_style(const LineStyle& style) {
                               length));
     }
   }
-  line_ = style;
+  attributes_.line = style;
   const Colour& c = style.colour;
   if (dashed) {
     record("set-line-style", {"dashed", c.r, c.g, c.b, style.width, style.dash, style.gap});
   } else {
-    line_.dash = LineStyle{}.dash;  // of no meaning here: one style, one representation
-    line_.gap = LineStyle{}.gap;
+    attributes_.line.dash = LineStyle{}.dash;  // of no meaning here: one style, one representation
+    attributes_.line.gap = LineStyle{}.gap;
     record("set-line-style", {"solid", c.r, c.g, c.b, style.width});
   }
 }
@@ -477,7 +448,7 @@ void GraphicsSystem::set_light(const Point3& toward, double ambient) {
   if (!(ambient >= 0.0 && ambient <= 1.0)) {
     throw Error(fmt::format("ambient light {}: expected 0 to 1", ambient));
   }
-  light_ = {unit(toward), ambient};
+  attributes_.light = {unit(toward), ambient};
   record("set-light", {toward.x, toward.y, toward.z, ambient});
 }
 
@@ -487,7 +458,7 @@ void GraphicsSystem::set_shading(Shading shading) {
 }
 
 void GraphicsSystem::set_shadows(bool on) {
-  shadows_ = on;
+  attributes_.shadows = on;
   record("set-shadows", {on});
 }
 
@@ -511,12 +482,12 @@ void GraphicsSystem::set_pick_id(int id) {
 
 void GraphicsSystem::set_hidden_line_removal(bool on) {
   hidden_ = on;
-  back_face_removal_ = on;
+  attributes_.back_face_removal = on;
   record("set-hidden-line-removal", {on});
 }
 
 void GraphicsSystem::set_back_face_removal(bool on) {
-  back_face_removal_ = on;
+  attributes_.back_face_removal = on;
   record("set-back-face-removal", {on});
 }
 

@@ -6,17 +6,17 @@
 #include <optional>
 #include <span>
 
-#include "clip/clip_pipeline.h"
 #include "clip/planarity.h"
 #include "clip/transformation.h"
 #include "clip/view.h"
+#include "displayfile/attributes.h"
 #include "displayfile/display_file.h"
-#include "displayfile/gouraud.h"
 #include "displayfile/hidden_scope.h"
 #include "displayfile/recorder.h"
 #include "displayfile/retained_scene.h"
 #include "displayfile/shading.h"
 #include "displayfile/style.h"
+#include "displayfile/view_stage.h"
 #include "hidden/exact/precision.h"
 #include "hidden/hidden_method.h"
 #include "hidden/sort/hidden_surface_sort.h"
@@ -145,9 +145,9 @@ class GraphicsSystem {
   bool view_was_set() const { return view_was_set_; }  ///< by any view-parameter routine
   std::optional<int> open_segment_name() const { return open_; }
   bool hidden_line_removal() const { return hidden_; }
-  bool back_face_removal() const { return back_face_removal_; }
+  bool back_face_removal() const { return attributes_.back_face_removal; }
   Shading shading() const { return shading_; }
-  bool shadows() const { return shadows_; }
+  bool shadows() const { return attributes_.shadows; }
   HiddenMethod hidden_method() const { return method_; }
   std::optional<HiddenScope> hidden_scope() const { return scope_; }  ///< if it was set
   const Precision& precision() const { return sort_options_.precision; }
@@ -184,30 +184,25 @@ class GraphicsSystem {
   void move_to(const Point3& object);
   void line_to(const Point3& object);
   void polygon(std::span<const Point3> object);
-  void enter(std::span<const Point3> world, std::span<const std::uint8_t> edge_visible,
-             const Point3& normal, std::span<const Point3> vertex_normals, int pick);
+  void enter(const WorldPolygon& polygon);
+  void attributes_changed() {
+    if (view_stage_) view_stage_->attributes_changed();
+  }
   void enter_triangles(const Point3& normal, std::span<const Point3> vertex_normals, int pick);
   std::span<const Point3> world_normals(const Point3& own);
-  RetainedScene::Attributes attributes() const {
-    return {fill_, line_, light_, back_face_removal_, shadows_};
-  }
   View view_;
   bool view_was_set_ = false;
   ModellingTransformation modelling_;
   DisplayFile display_file_;
   std::optional<int> open_;
-  std::optional<ClipPipeline> pipeline_;  // of the open segment
+  std::optional<ViewStage> view_stage_;  // of the open segment
   Pen pen_;
-  FillStyle fill_;
-  LineStyle line_;
-  bool styles_entered_ = false;  // both, in the open segment; where there is light, no matter
-  std::optional<Light> light_;
+  Attributes attributes_;
   Shading shading_ = Shading::flat;
-  bool shadows_ = false;
   std::vector<Point3> vertex_normals_;  // of the next polygon, as the application gave them
   std::int32_t pick_ = -1;
   std::int64_t ordinal_ = 0, triangulated_ = 0;
-  bool hidden_ = false, back_face_removal_ = false, z_buffer_ = false;
+  bool hidden_ = false, z_buffer_ = false;
   HiddenMethod method_ = HiddenMethod::automatic;
   std::optional<HiddenScope> scope_;
   SortOptions sort_options_;
@@ -215,7 +210,6 @@ class GraphicsSystem {
   RetainedScene* retained_ = nullptr;
 
   Triangulation triangulation_;
-  GouraudLighting lighting_;
   std::vector<Point3> object_points_, world_points_;  // of the polygon being entered
   std::vector<Point3> world_normals_;                 // of its vertices
 };

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <span>
 
 #include "displayfile/segment.h"
-#include "displayfile/sorted_instructions.h"
+#include "displayfile/sorted_scene.h"
 #include "hidden/sort/hidden_surface_sort.h"
 
 namespace displayfile {
@@ -15,16 +16,18 @@ bool sorts(HiddenMethod method);
 /// or `depth_sort`. Points are those after the image transformation, and so are those of the
 /// result. Each piece of a polygon that was cut keeps its styles and its pick identifier, and if
 /// the polygon is shaded its place in the shade; sides that cuts made are invisible. A polygon that
-/// draws nothing, hollow and of line style none, is left out.
+/// draws nothing, hollow and of line style none, is left out. The instructions must not grow while
+/// the result lives.
 ///
-/// Throws Error for another method, and for more than 2^32 - 1 points.
-SortedInstructions hidden_surface_check(const Instructions& entered,
-                                        const ImageTransformation& image, HiddenMethod method,
-                                        const SortOptions& options);
+/// Throws Error for another method, and for more than 2^32 - 2 points.
+std::shared_ptr<const SortedScene> hidden_surface_check(
+    const std::shared_ptr<const Instructions>& entered, const ImageTransformation& image,
+    HiddenMethod method, const SortOptions& options);
 
 /// The same for several segments together, in order of creation, with a segment instruction
 /// wherever the segment changes. Of coplanar polygons the one of the segment created later is seen.
-SortedInstructions hidden_surface_check(std::span<const Segment* const> segments,
-                                        HiddenMethod method, const SortOptions& options);
+std::shared_ptr<const SortedScene> hidden_surface_check(std::span<const Segment* const> segments,
+                                                        HiddenMethod method,
+                                                        const SortOptions& options);
 
 }  // namespace displayfile

@@ -54,12 +54,6 @@ void Instructions::enter_pick() {
   last_pick_repeats_ = repeats;
 }
 
-void Instructions::enter_segment(int name) {
-  op_.push_back(op::segment);
-  op_.push_back(name);
-  pen_.reset();
-}
-
 void Instructions::enter_line(const Point3& from, const Point3& to) {
   if (pen_ != from) {
     op_.push_back(op::move);
@@ -132,33 +126,6 @@ void Instructions::shrink_to_fit() {
   flat_points_.shrink_to_fit();
   style_operands_.shrink_to_fit();
   intensities_.shrink_to_fit();
-}
-
-void Instructions::append(const Instructions& other) {
-  struct Enter {
-    Instructions& into;
-    Point3 pen{0.0};
-    std::vector<std::uint8_t> visible;
-    std::span<const double> of_vertices;
-    void fill(const FillStyle& s) { into.set_style(s); }
-    void line_style(const LineStyle& s) { into.set_style(s); }
-    void pick(std::int32_t id) { into.set_pick(id); }
-    void segment(int name) { into.enter_segment(name); }
-    void intensities(std::span<const double> values) { of_vertices = values; }
-    void move(const Point3& p) { pen = p; }
-    void line(const Point3& p) {
-      into.enter_line(pen, p);
-      pen = p;
-    }
-    void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
-      visible.clear();
-      for (const std::int32_t side : sides) visible.push_back(side == op::line ? 1 : 0);
-      into.enter_polygon(vertices, visible, of_vertices);
-      of_vertices = {};
-      pen = vertices.back();
-    }
-  };
-  other.walk(Enter{*this, Point3(0.0), {}, {}});
 }
 
 }  // namespace displayfile

@@ -28,9 +28,6 @@ inline constexpr std::int32_t pick = -32;           ///< the next code is the pi
 /// The next code is the pick identifier of the polygon that follows, and each polygon after it has
 /// the next one, until another is entered: identifiers that are ordinals cost nothing a polygon.
 inline constexpr std::int32_t pick_run = -33;
-/// What follows is the segment's whose name is the next code. Only in instructions that several
-/// segments share (displayfile/sorted_instructions.h).
-inline constexpr std::int32_t segment = -48;
 inline constexpr std::int32_t intensities = -64;  ///< of the vertices of the polygon that follows
 }  // namespace op
 
@@ -43,22 +40,18 @@ class Instructions {
   void set_style(const FillStyle& fill);
   void set_style(const LineStyle& line);
   void set_pick(std::int32_t id) { pick_ = id; }
-  void enter_segment(int name);                           ///< styles stay in force
   void enter_line(const Point3& from, const Point3& to);  ///< a move first, if the pen is elsewhere
   /// 3 vertices or more; edge_visible is of the edge that ends at the vertex. Of a shaded polygon
   /// one intensity a vertex, of a flat one none.
   void enter_polygon(std::span<const Point3> vertices, std::span<const std::uint8_t> edge_visible,
                      std::span<const double> intensities = {});
 
-  /// Enters all that the other holds, in its order.
-  void append(const Instructions& other);
-
   /// Calls the visitor for each instruction in order, with points as stored:
   ///   fill(FillStyle), line_style(LineStyle), pick(int), move(Point3), line(Point3),
   ///   polygon(span<const Point3> vertices, span<const int32_t> sides) - sides holds op::line
   ///   or op::move for the edge that ends at the vertex of the same index - and, if the visitor
-  ///   has them, segment(int name) and, before a shaded polygon, intensities(span<const double>),
-  ///   which stay until the walk is over.
+  ///   has it, before a shaded polygon intensities(span<const double>), which stay until the walk
+  ///   is over.
   template <class Visitor>
   void walk(Visitor&& visit) const;
 
@@ -75,15 +68,13 @@ class Instructions {
   /// All points in order of entry: of a line the one it ends at, preceded, whatever was entered
   /// before, by the one it starts at; of a polygon its vertices. Empty unless z is stored.
   std::span<const Point3> stored_points() const { return points_; }
+  /// Of the vertices of all shaded polygons, in order of entry.
+  std::span<const double> stored_intensities() const { return intensities_; }
   std::size_t bytes() const;  ///< of the instruction arrays, as used
   void reserve(std::size_t codes, std::size_t points);
   void shrink_to_fit();
 
  private:
-  template <class Visitor>
-  static void visit_segment(Visitor& visit, int name) {
-    if constexpr (requires { visit.segment(name); }) visit.segment(name);
-  }
   template <class Visitor>
   static void visit_intensities(Visitor& visit, std::span<const double> of_vertices) {
     if constexpr (requires { visit.intensities(of_vertices); }) visit.intensities(of_vertices);
@@ -172,7 +163,6 @@ void Instructions::walk(Visitor&& visit) const {
         break;
       }
       case op::pick_run: picks = {true, op_[++i]}; break;
-      case op::segment: visit_segment(visit, op_[++i]); break;
       case op::intensities: {
         const auto sides = static_cast<std::size_t>(op_[i + 1]);
         if (picks.in_run) visit.pick(picks.take());
@@ -190,30 +180,44 @@ void Instructions::walk(Visitor&& visit) const {
   }
 }
 
+/// Passes instructions on to a visitor with points, and lights of shadows, after an image
+/// transformation.
+template <class Visitor>
+class TransformedVisitor {
+ public:
+  TransformedVisitor(Visitor& visit, const ImageTransformation& image)
+      : visit_(visit), matrix_(image) {}
+
+  void fill(FillStyle s) {
+    if (s.shadow) s.shadow->light = matrix_.apply(s.shadow->light);
+    visit_.fill(s);
+  }
+  void line_style(const LineStyle& s) { visit_.line_style(s); }
+  void pick(std::int32_t id) { visit_.pick(id); }
+  void segment(int name) {
+    if constexpr (requires { visit_.segment(name); }) visit_.segment(name);
+  }
+  void intensities(std::span<const double> values) {
+    if constexpr (requires { visit_.intensities(values); }) visit_.intensities(values);
+  }
+  void move(const Point3& p) { visit_.move(matrix_.apply(p)); }
+  void line(const Point3& p) { visit_.line(matrix_.apply(p)); }
+  void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
+    moved_.clear();
+    for (const Point3& p : vertices) moved_.push_back(matrix_.apply(p));
+    visit_.polygon(moved_, sides);
+  }
+
+ private:
+  Visitor& visit_;
+  ImageMatrix matrix_;
+  std::vector<Point3> moved_;
+};
+
 template <class Visitor>
 void Instructions::walk_transformed(const ImageTransformation& image, Visitor&& visit) const {
   if (image.is_identity()) return walk(visit);
-  struct Transformed {
-    Visitor& visit;
-    ImageMatrix matrix;
-    std::vector<Point3> moved;
-    void fill(FillStyle s) {
-      if (s.shadow) s.shadow->light = matrix.apply(s.shadow->light);
-      visit.fill(s);
-    }
-    void line_style(const LineStyle& s) { visit.line_style(s); }
-    void pick(int id) { visit.pick(id); }
-    void segment(int name) { visit_segment(visit, name); }
-    void intensities(std::span<const double> values) { visit_intensities(visit, values); }
-    void move(const Point3& p) { visit.move(matrix.apply(p)); }
-    void line(const Point3& p) { visit.line(matrix.apply(p)); }
-    void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
-      moved.clear();
-      for (const Point3& p : vertices) moved.push_back(matrix.apply(p));
-      visit.polygon(moved, sides);
-    }
-  };
-  walk(Transformed{visit, ImageMatrix(image), {}});
+  walk(TransformedVisitor(visit, image));
 }
 
 }  // namespace displayfile

@@ -2,52 +2,151 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "clip/error.h"
+#include "displayfile/display_file.h"
+#include "hidden/exact/plane.h"
+#include "hidden/exact/support_plane.h"
 
 namespace displayfile {
 
+namespace {
+
+constexpr Point3 kNone(0.0);
+
+/// The value of that index, of those that are stored up to the last that is not zero.
+Point3 stored(const std::vector<Point3>& values, std::uint32_t i) {
+  return i < values.size() ? values[i] : kNone;
+}
+
+}  // namespace
+
+const RetainedScene::Segment& RetainedScene::segment_of(std::uint32_t primitive) const {
+  return *std::ranges::upper_bound(segments_, primitive, {}, &Segment::end);
+}
+
+WorldPolygon RetainedScene::polygon(std::uint32_t i) const {
+  const Primitive& primitive = primitives_[i];
+  const std::size_t end = primitive.first + std::size_t{primitive.sides};
+  const bool smooth = end <= vertex_normals_.size() && vertex_normals_[primitive.first] != kNone;
+  return {points(i), of(edge_visible_, i), stored(normals_, i),
+          smooth ? of(vertex_normals_, i) : std::span<const Point3>(), primitive.pick};
+}
+
+bool RetainedScene::draws(std::uint32_t i) const {
+  return primitives_[i].is_line() || attributes(i).fill.kind == FillStyle::Kind::solid ||
+         attributes(i).line.kind != LineStyle::Kind::none;
+}
+
+double RetainedScene::off_plane(std::uint32_t i) const {
+  const auto polygon = points(i);
+  if (polygon.size() <= 3) return 0.0;
+  const SupportVertices support = spread_vertices(polygon);
+  if (support.edge_on) return 0.0;
+  const auto& [p, q, r] = support.index;
+  const Plane plane(polygon[p], polygon[q], polygon[r]);
+  double most = 0.0;
+  for (const Point3& v : polygon) most = std::max(most, std::abs(plane_value(v, plane).value));
+  return most / glm::length(plane.normal);
+}
+
+std::vector<Primitives::Item> RetainedScene::items(std::vector<std::uint32_t>& primitive_of) const {
+  std::vector<Primitives::Item> items;
+  items.reserve(size());
+  primitive_of.clear();
+  primitive_of.reserve(size());
+  for (std::uint32_t i = 0; i < size(); ++i) {
+    if (!draws(i)) continue;
+    const auto kind = primitives_[i].is_line() ? Primitives::Kind::line
+                      : attributes(i).fill.kind == FillStyle::Kind::solid
+                          ? Primitives::Kind::solid
+                          : Primitives::Kind::hollow;
+    items.push_back({primitives_[i].first, primitives_[i].sides, kind});
+    primitive_of.push_back(i);
+  }
+  return items;
+}
+
+RetainedScene RetainedScene::selected(
+    const std::function<bool(const Segment&)>& is_selected) const {
+  RetainedScene scene;
+  for (const Segment& segment : segments_) {
+    if (is_selected(segment)) scene.append(*this, segment);
+  }
+  return scene;
+}
+
+RetainedScene RetainedScene::visible_in(const DisplayFile& display_file) const {
+  return selected(
+      [&](const Segment& segment) { return display_file.segment(segment.name).visible; });
+}
+
+/// A segment of another scene, with all its primitives.
+void RetainedScene::append(const RetainedScene& other, const Segment& segment) {
+  open_segment(segment.name, segment.view);
+  for (std::uint32_t i = segment.first; i < segment.end; ++i) {
+    if (other.primitives_[i].is_line()) {
+      enter_line(other.points(i)[0], other.points(i)[1], other.attributes(i));
+    } else {
+      enter_polygon(other.polygon(i), other.attributes(i));
+    }
+  }
+}
+
 void RetainedScene::open_segment(int name, const View& view) {
-  segments_.push_back({name, view, {}, {}, {}, {}, {}});
+  const auto points = static_cast<std::uint32_t>(points_.size());
+  segments_.push_back({name, view, size(), size(), points, points});
 }
 
 void RetainedScene::remove(int name) {
-  std::erase_if(segments_, [&](const Segment& segment) { return segment.name == name; });
+  *this = selected([&](const Segment& segment) { return segment.name != name; });
 }
+
+void RetainedScene::remove_all() { *this = RetainedScene(); }
 
 void RetainedScene::rename(int from, int to) {
   const auto segment = std::ranges::find(segments_, from, &Segment::name);
   if (segment != segments_.end()) segment->name = to;
 }
 
-void RetainedScene::enter_polygon(std::span<const Point3> world,
-                                  std::span<const std::uint8_t> edge_visible,
-                                  const Attributes& attributes, const Point3& normal,
-                                  std::span<const Point3> vertex_normals, std::int32_t pick) {
-  enter(world, edge_visible, attributes, normal, pick);
-  if (vertex_normals.empty() || segments_.empty()) return;
-  Segment& segment = segments_.back();
-  segment.vertex_normals.resize(segment.points.size() - world.size(), Point3(0.0));
-  segment.vertex_normals.insert(segment.vertex_normals.end(), vertex_normals.begin(),
-                                vertex_normals.end());
+void RetainedScene::enter_polygon(const WorldPolygon& polygon, const Attributes& attributes) {
+  if (segments_.empty()) return;  // opened before the scene was retained
+  enter(polygon.vertices, attributes, polygon.pick);
+  edge_visible_.insert(edge_visible_.end(), polygon.edge_visible.begin(),
+                       polygon.edge_visible.end());
+  edge_visible_.resize(points_.size(), 1);
+  if (polygon.normal != kNone) {
+    normals_.resize(primitives_.size() - 1, kNone);
+    normals_.push_back(polygon.normal);
+  }
+  if (!polygon.vertex_normals.empty()) {
+    vertex_normals_.resize(primitives_.back().first, kNone);
+    vertex_normals_.insert(vertex_normals_.end(), polygon.vertex_normals.begin(),
+                           polygon.vertex_normals.end());
+  }
 }
 
 void RetainedScene::enter_line(const Point3& from, const Point3& to, const Attributes& attributes) {
-  enter(std::array{from, to}, {}, attributes, Point3(0.0), -1);
+  if (segments_.empty()) return;
+  enter(std::array{from, to}, attributes, -1);
+  edge_visible_.resize(points_.size(), 1);
 }
 
-void RetainedScene::enter(std::span<const Point3> points,
-                          std::span<const std::uint8_t> edge_visible, const Attributes& attributes,
-                          const Point3& normal, std::int32_t pick) {
-  if (segments_.empty()) return;  // opened before the scene was retained
-  Segment& segment = segments_.back();
-  if (segment.attributes.empty() || segment.attributes.back() != attributes) {
-    segment.attributes.push_back(attributes);
+void RetainedScene::enter(std::span<const Point3> points, const Attributes& attributes,
+                          std::int32_t pick) {
+  if (points_.size() + points.size() >= std::numeric_limits<std::uint32_t>::max()) {
+    throw Error("too many points to retain: expected fewer than 2^32 - 1");
   }
-  segment.primitives.push_back({segment.points.size(), static_cast<std::uint32_t>(points.size()),
-                                static_cast<std::uint32_t>(segment.attributes.size() - 1), pick,
-                                normal});
-  segment.points.insert(segment.points.end(), points.begin(), points.end());
-  segment.edge_visible.insert(segment.edge_visible.end(), edge_visible.begin(), edge_visible.end());
-  segment.edge_visible.resize(segment.points.size(), 1);
+  if (attributes_.empty() || attributes_.back() != attributes) attributes_.push_back(attributes);
+  primitives_.push_back({static_cast<std::uint32_t>(points_.size()),
+                         static_cast<std::uint32_t>(points.size()),
+                         static_cast<std::uint32_t>(attributes_.size() - 1), pick});
+  points_.insert(points_.end(), points.begin(), points.end());
+  segments_.back().end = size();
+  segments_.back().end_point = static_cast<std::uint32_t>(points_.size());
 }
 
 }  // namespace displayfile

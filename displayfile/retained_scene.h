@@ -1,71 +1,98 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "clip/view.h"
-#include "displayfile/lighting.h"
-#include "displayfile/style.h"
+#include "displayfile/attributes.h"
+#include "displayfile/view_stage.h"
+#include "hidden/primitives.h"
 
 namespace displayfile {
+
+class DisplayFile;
 
 /// What an application drew, before viewing: polygons and lines in world coordinates, after the
 /// modelling transformation, in segments. A GraphicsSystem that was told to retain
 /// (GraphicsSystem::retain) fills it; displayfile/retained_views.h draws it in other views.
 class RetainedScene {
  public:
-  /// How primitives are drawn that were entered in a row.
-  struct Attributes {
-    FillStyle fill;
-    LineStyle line;
-    std::optional<Light> light;  ///< the fill is lit in each view
-    bool back_face_removal = false;
-    bool shadows = false;
-    bool operator==(const Attributes&) const = default;
-  };
   /// A polygon, or a line of two points.
   struct Primitive {
-    std::size_t first;         ///< of its points
-    std::uint32_t sides;       ///< 2: a line
-    std::uint32_t attributes;  ///< index in the segment's
+    std::uint32_t first;  ///< of its points
+    std::uint32_t sides;  ///< 2: a line
+    std::uint32_t attributes;
     std::int32_t pick;
-    Point3 normal;  ///< of the whole polygon, where there is light
     bool is_line() const { return sides == 2; }
   };
   struct Segment {
     int name;
-    View view;  ///< in which the application drew it
-    std::vector<Point3> points;
-    std::vector<std::uint8_t> edge_visible;  ///< of the side that ends at the point
-    /// Of the points of polygons that are shaded smoothly, zero of others; empty if there are none.
-    std::vector<Point3> vertex_normals;
-    std::vector<Primitive> primitives;
-    std::vector<Attributes> attributes;
+    View view;                             ///< in which the application drew it
+    std::uint32_t first, end;              ///< of its primitives
+    std::uint32_t first_point, end_point;  ///< of their points
   };
 
   /// Segments in order of creation. What they are drawn with, visibility and image
   /// transformation, is in the display file, under the same name.
   const std::vector<Segment>& segments() const { return segments_; }
+  std::span<const Point3> points(const Segment& segment) const {
+    return std::span(points_).subspan(segment.first_point, segment.end_point - segment.first_point);
+  }
+  const Segment& segment_of(std::uint32_t primitive) const;
+
+  /// The primitives of all segments, in order of entry.
+  std::uint32_t size() const { return static_cast<std::uint32_t>(primitives_.size()); }
+  const Primitive& operator[](std::uint32_t i) const { return primitives_[i]; }
+  std::span<const Point3> points(std::uint32_t i) const { return of(points_, i); }
+  const Attributes& attributes(std::uint32_t i) const {
+    return attributes_[primitives_[i].attributes];
+  }
+  /// A primitive that is a polygon, for a view stage.
+  WorldPolygon polygon(std::uint32_t i) const;
+  bool draws(std::uint32_t i) const;  ///< not a hollow polygon of line style none
+  /// How far a vertex lies from the plane that a tree takes the polygon to be in, at most: one of
+  /// more than three sides counts as flat within a tolerance (clip/planarity.h).
+  double off_plane(std::uint32_t i) const;
+
+  /// Those primitives that draw something, as items of a sort in world coordinates; the points
+  /// and edges are the scene's own. primitive_of is filled with the items' primitives.
+  std::vector<Primitives::Item> items(std::vector<std::uint32_t>& primitive_of) const;
+  Primitives primitives(std::span<const Primitives::Item> items) const {
+    return {points_, edge_visible_, items};
+  }
+
+  /// A scene of those segments for which the function says so.
+  RetainedScene selected(const std::function<bool(const Segment&)>& is_selected) const;
+  /// Of those that are visible in the display file of the system that retained them.
+  RetainedScene visible_in(const DisplayFile& display_file) const;
 
   // For the GraphicsSystem, when the call has succeeded.
   void open_segment(int name, const View& view);
   void remove(int name);
-  void remove_all() { segments_.clear(); }
+  void remove_all();
   void rename(int from, int to);
-  /// Into the segment opened last. edge_visible is empty if all sides are; vertex_normals unless
-  /// the polygon is shaded smoothly.
-  void enter_polygon(std::span<const Point3> world, std::span<const std::uint8_t> edge_visible,
-                     const Attributes& attributes, const Point3& normal,
-                     std::span<const Point3> vertex_normals, std::int32_t pick);
+  /// Into the segment opened last. Throws Error, and enters nothing, if there are more than
+  /// 2^32 - 2 points then.
+  void enter_polygon(const WorldPolygon& polygon, const Attributes& attributes);
   void enter_line(const Point3& from, const Point3& to, const Attributes& attributes);
 
  private:
-  void enter(std::span<const Point3> points, std::span<const std::uint8_t> edge_visible,
-             const Attributes& attributes, const Point3& normal, std::int32_t pick);
+  template <class T>
+  std::span<const T> of(const std::vector<T>& of_points, std::uint32_t i) const {
+    return std::span(of_points).subspan(primitives_[i].first, primitives_[i].sides);
+  }
+  void enter(std::span<const Point3> points, const Attributes& attributes, std::int32_t pick);
+  void append(const RetainedScene& other, const Segment& segment);
 
   std::vector<Segment> segments_;
+  std::vector<Primitive> primitives_;
+  std::vector<Attributes> attributes_;
+  std::vector<Point3> points_;
+  std::vector<std::uint8_t> edge_visible_;  // of the side that ends at the point
+  std::vector<Point3> normals_;             // of primitives up to the last that has one
+  std::vector<Point3> vertex_normals_;  // of points up to those of the last polygon that has some
 };
 
 }  // namespace displayfile

@@ -9,7 +9,7 @@
 #include "displayfile/display_file.h"
 #include "displayfile/hidden_scope.h"
 #include "displayfile/retained_scene.h"
-#include "displayfile/sorted_instructions.h"
+#include "displayfile/sorted_scene.h"
 #include "hidden/exact/precision.h"
 
 namespace displayfile {

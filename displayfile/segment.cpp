@@ -27,7 +27,7 @@ Instructions& Segment::writable() {
 }
 
 std::size_t Segment::bytes() const {
-  return entered_->bytes() + (sorted_ != nullptr ? sorted_->instructions.bytes() : 0);
+  return entered_->bytes() + (sorted_ != nullptr ? sorted_->bytes() : 0);
 }
 
 }  // namespace displayfile

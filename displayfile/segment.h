@@ -7,7 +7,7 @@
 
 #include "clip/transformation.h"
 #include "displayfile/instructions.h"
-#include "displayfile/sorted_instructions.h"
+#include "displayfile/sorted_scene.h"
 #include "displayfile/style.h"
 
 namespace displayfile {
@@ -46,25 +46,26 @@ class Segment {
   }
   /// No more instructions are to come: copies may share them.
   void close() { closed_ = true; }
+  bool is_closed() const { return closed_; }
 
   /// Closed segments whose pointers are the same have the same instructions.
   std::shared_ptr<const Instructions> entered() const { return entered_; }
   /// Null if the hidden surfaces were not sorted.
-  const std::shared_ptr<const SortedInstructions>& sorted() const { return sorted_; }
-  void set_sorted(std::shared_ptr<const SortedInstructions> sorted) { sorted_ = std::move(sorted); }
+  const std::shared_ptr<const SortedScene>& sorted() const { return sorted_; }
+  void set_sorted(std::shared_ptr<const SortedScene> sorted) { sorted_ = std::move(sorted); }
   /// True if it was sorted with the image transformation that it has now.
   bool sorted_as_drawn() const { return sorted_ != nullptr && sorted_->image == image; }
 
-  /// Calls the visitor for each instruction in the order of drawing, with points as stored.
-  template <class Visitor>
-  void walk(Visitor&& visit) const {
-    drawn().walk(visit);
-  }
-  /// The same with points after the image transformation: what is drawn and dumped.
+  /// Calls the visitor for each instruction in the order of drawing, with points after the image
+  /// transformation: what is drawn and dumped. An order that was found before an image
+  /// transformation is kept through it; one that was found with another is not.
   template <class Visitor>
   void walk_drawn(Visitor&& visit) const {
-    if (sorted_as_drawn()) return sorted_->instructions.walk(visit);
-    drawn().walk_transformed(image, visit);
+    if (sorted_as_drawn()) return sorted_->walk(visit);
+    if (sorted_ != nullptr && sorted_->image.is_identity()) {
+      return sorted_->walk_transformed(image, visit);
+    }
+    entered_->walk_transformed(image, visit);
   }
   /// In order of entry, with points as stored.
   template <class Visitor>
@@ -86,17 +87,11 @@ class Segment {
 
  private:
   Instructions& writable();
-  /// The sorted order, unless it was made for an image transformation that the segment no longer
-  /// has; one made for none is drawn transformed.
-  const Instructions& drawn() const {
-    const bool usable = sorted_as_drawn() || (sorted_ != nullptr && sorted_->image.is_identity());
-    return usable ? sorted_->instructions : *entered_;
-  }
 
   int name_;
   std::shared_ptr<Instructions> entered_;
   bool closed_ = false;
-  std::shared_ptr<const SortedInstructions> sorted_;
+  std::shared_ptr<const SortedScene> sorted_;
 };
 
 }  // namespace displayfile

@@ -15,7 +15,7 @@ bool same(const Precision& a, const Precision& b) {
   return a.exact == b.exact && (a.exact || a.roundoff == b.roundoff);
 }
 
-bool is_of(const SortedInstructions& sorted, HiddenMethod method, const Precision& precision) {
+bool is_of(const SortedScene& sorted, HiddenMethod method, const Precision& precision) {
   return sorted.method == method && same(sorted.precision, precision);
 }
 
@@ -25,18 +25,13 @@ bool draw_the_same(const Segment& a, const Segment& b) {
 }
 
 /// One order for all, whose groups do not overlap.
-SortedInstructions joined(std::span<const std::shared_ptr<const SortedInstructions>> groups,
-                          HiddenMethod method, const Precision& precision) {
-  SortedInstructions all{{}, {}, method, precision, {}};
-  std::size_t codes = 0, points = 0;
+std::shared_ptr<const SortedScene> joined(
+    std::span<const std::shared_ptr<const SortedScene>> groups, HiddenMethod method,
+    const Precision& precision) {
+  auto all = std::make_shared<SortedScene>(SortedScene{{}, {}, method, precision, {}});
   for (const auto& group : groups) {
-    codes += group->instructions.codes();
-    points += group->instructions.points();
-  }
-  all.instructions.reserve(codes, points);
-  for (const auto& group : groups) {
-    all.instructions.append(group->instructions);
-    all.counts += group->counts;
+    all->parts.insert(all->parts.end(), group->parts.begin(), group->parts.end());
+    all->counts += group->counts;
   }
   return all;
 }
@@ -105,14 +100,14 @@ void SortedDisplayFile::sort_segment(const Segment& segment, HiddenMethod method
       return file_.segment(name).set_sorted(before.sorted());
     }
   }
-  file_.segment(name).set_sorted(std::make_shared<SortedInstructions>(
-      hidden_surface_check(*segment.entered(), segment.image, method, options)));
+  file_.segment(name).set_sorted(
+      hidden_surface_check(segment.entered(), segment.image, method, options));
 }
 
 void SortedDisplayFile::sort_together(HiddenMethod method, const SortOptions& options) {
   const auto groups = overlapping_groups(file_.visible_segments());
   std::unordered_map<int, SortedGroup> kept;
-  std::vector<std::shared_ptr<const SortedInstructions>> orders;
+  std::vector<std::shared_ptr<const SortedScene>> orders;
   work_ = {.groups = groups.size()};
   for (const SegmentGroup& group : groups) {
     const int name = group.front()->name();
@@ -124,7 +119,7 @@ void SortedDisplayFile::sort_together(HiddenMethod method, const SortOptions& op
   groups_ = std::move(kept);
   if (unchanged) return file_.set_sorted(before);
   if (orders.size() == 1) return file_.set_sorted(orders.front());
-  file_.set_sorted(std::make_shared<SortedInstructions>(joined(orders, method, options.precision)));
+  file_.set_sorted(joined(orders, method, options.precision));
 }
 
 /// Sorts the group, unless the last update did.
@@ -140,7 +135,7 @@ SortedDisplayFile::SortedGroup SortedDisplayFile::sorted_group(const SegmentGrou
   ++work_.sorted;
   SortedGroup now;
   for (const Segment* segment : group) now.segments.push_back(*segment);
-  now.sorted = std::make_shared<SortedInstructions>(hidden_surface_check(group, method, options));
+  now.sorted = hidden_surface_check(group, method, options);
   return now;
 }
 

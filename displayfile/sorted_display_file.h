@@ -58,7 +58,7 @@ class SortedDisplayFile {
   /// Copies of segments share their instructions.
   struct SortedGroup {
     std::vector<Segment> segments;
-    std::shared_ptr<const SortedInstructions> sorted;
+    std::shared_ptr<const SortedScene> sorted;
   };
   SortedGroup sorted_group(const SegmentGroup& group, HiddenMethod method,
                            const SortOptions& options);

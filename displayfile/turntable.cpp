@@ -35,7 +35,7 @@ Turntable::Turntable(const RetainedScene& scene, const DisplayFile& attributes,
   const RetainedScene::Segment* first = nullptr;
   Bounds bounds;
   for (const RetainedScene::Segment& segment : scene.segments()) {
-    if (!attributes.segment(segment.name).visible || segment.primitives.empty()) continue;
+    if (!attributes.segment(segment.name).visible || segment.first == segment.end) continue;
     if (first == nullptr) {
       first = &segment;
       view_ = segment.view;
@@ -44,8 +44,9 @@ Turntable::Turntable(const RetainedScene& scene, const DisplayFile& attributes,
           "segments {} and {} are drawn in different views: expected one view to turn before",
           first->name, segment.name));
     }
-    for (const Point3& p : segment.points) bounds.include(p);
-    points_.insert(points_.end(), segment.points.begin(), segment.points.end());
+    const auto points = scene.points(segment);
+    for (const Point3& p : points) bounds.include(p);
+    points_.insert(points_.end(), points.begin(), points.end());
   }
   axis_ = unit(view_.up);
   middle_ = points_.empty() ? view_.reference_point : bounds.middle();

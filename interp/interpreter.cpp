@@ -54,7 +54,7 @@ void interpret(const DisplayFile& display_file, OutputDevice& device, Pass pass,
                double line_scale) {
   if (order == Order::drawn && display_file.sorted() != nullptr) {
     Interpretation all{device, pass, line_scale, {}, {}};
-    display_file.sorted()->instructions.walk(all);
+    display_file.sorted()->walk(all);
     return all.end_segment();
   }
   for (const Segment& segment : display_file.segments()) {

@@ -47,7 +47,7 @@ TEST(AutoMethod, AConvexObjectWithoutBackFacesNeedsNoOrder) {
   const Point3 o(0.5, 0.5, 1), x(0.375, -0.25, -0.25), y(0, 0.375, -0.5), z(-0.375, -0.25, -0.25);
   const DisplayFile cube = file_of(
       {{o, o + x, o + x + y, o + y}, {o, o + y, o + y + z, o + z}, {o, o + z, o + z + x, o + x}});
-  EXPECT_TRUE(nothing_hides(FillScene(cube)));
+  EXPECT_TRUE(nothing_hides(ViewedScene(cube)));
   EXPECT_EQ(choose_method(cube, PictureKind::vector, kSize).method, HiddenMethod::none);
 }
 
@@ -131,7 +131,7 @@ TEST(AutoMethod, NothingHidesOnlyWhereAnyOrderIsRight) {
   for (const test::SceneFamily& family : test::scene_families()) {
     for (std::uint32_t seed = 0; seed < 300; ++seed) {
       const DisplayFile file = test::scene(family, seed, 2 + static_cast<int>(seed % 3));
-      if (!nothing_hides(FillScene(file))) continue;
+      if (!nothing_hides(ViewedScene(file))) continue;
       ++claimed;
       const RasterRequest request{.width = 32, .height = 32, .ids = true};
       ASSERT_EQ(draw_with_software(file, request).ids, truth(file, 32, 32, false).ids)

@@ -83,7 +83,7 @@ class AgainstPlane {
   }
 
   ItemList list_;
-  SortItems items_;
+  Primitives items_;
   std::optional<SortScene<Policy>> scene_;
 };
 

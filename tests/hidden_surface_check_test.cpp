@@ -224,7 +224,7 @@ TEST_P(HiddenSurfaceCheck, LinesAreInTheOrder) {
   g.set_line_style({LineStyle::Kind::dashed});
   g.line_abs_3(0.3, 0.1, 0.8);
   g.close_segment();
-  EXPECT_EQ(g.display_file().segment(1).sorted()->instructions.lines(), 3u);
+  EXPECT_EQ(g.display_file().segment(1).sorted()->lines(), 3u);
   const DisplayFile& file = g.display_file();
   const auto pixels = [&](HiddenMethod method) {
     return draw(g, {.width = kSize, .height = kSize, .hidden = method}).pixels;
@@ -273,7 +273,7 @@ TEST_P(HiddenSurfaceCheck, FlatSegment) {
 TEST(HiddenSurfaceCheckErrors, OnlyMethodsThatSort) {
   for (const auto method : {HiddenMethod::none, HiddenMethod::z_buffer, HiddenMethod::automatic}) {
     EXPECT_FALSE(sorts(method));
-    EXPECT_THROW(hidden_surface_check(Instructions{}, {}, method, {}), Error);
+    EXPECT_THROW(hidden_surface_check(std::make_shared<Instructions>(), {}, method, {}), Error);
   }
 }
 
@@ -538,8 +538,8 @@ TEST_P(HiddenSurfaceCheck, AnOpenSegmentIsDrawnAsItIs) {
   const DisplayFile before = kept.update(g, GetParam(), all);
   enter_square(g, 0.3, 0.7, 0.25);
   EXPECT_EQ(before.polygons(), 1u);
-  EXPECT_EQ(before.sorted()->instructions.polygons(), 1u);
-  EXPECT_EQ(kept.update(g, GetParam(), all).sorted()->instructions.polygons(), 2u);
+  EXPECT_EQ(before.sorted()->polygons(), 1u);
+  EXPECT_EQ(kept.update(g, GetParam(), all).sorted()->polygons(), 2u);
   g.close_segment();
   EXPECT_EQ(drawn_ids(g), true_ids(g));
 }

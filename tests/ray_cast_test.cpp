@@ -18,10 +18,10 @@
 namespace displayfile {
 namespace {
 
-using Fill = FillScene::Fill;
+using Fill = ViewedScene::Fill;
 
 /// The fills seen, drawn `rows` at a time from the bottom.
-std::vector<Fill> drawn(const FillScene& scene, const PictureSize& size,
+std::vector<Fill> drawn(const ViewedScene& scene, const PictureSize& size,
                         std::optional<double> roundoff, int threads, int rows) {
   RayCast method;
   method.prepare({scene, size, roundoff}, threads);
@@ -45,7 +45,7 @@ std::vector<Fill> drawn(const FillScene& scene, const PictureSize& size,
 TEST(RayCast, TheSameInWhateverRowsItIsDrawn) {
   for (const test::SceneFamily& family : test::scene_families()) {
     const DisplayFile file = test::scene(family, 77, 40);
-    const FillScene scene(file);
+    const ViewedScene scene(file);
     const PictureSize size{37, 45};
     for (const std::optional<double> roundoff : {std::optional<double>(), std::optional(1e-3)}) {
       const auto whole = drawn(scene, size, roundoff, 1, size.height);
@@ -76,7 +76,7 @@ TEST(RayCast, NoWrongPixelsOfPolygonsOfManySides) {
 
 TEST(RayCast, NothingInAnEmptySceneAndNothingKeptOfTheSceneBefore) {
   const DisplayFile file = test::scene({"grid", test::scenes::on_a_grid}, 5, 30);
-  const FillScene full(file), empty;
+  const ViewedScene full(file), empty;
   const PictureSize size{9, 9};
   RayCast method;
   method.prepare({full, size, std::nullopt}, 1);
@@ -84,14 +84,14 @@ TEST(RayCast, NothingInAnEmptySceneAndNothingKeptOfTheSceneBefore) {
   int rows = 0;
   method.draw_rows(0, size.height, [&](int, int, std::span<const Fill> seen) {
     ++rows;
-    EXPECT_EQ(std::ranges::count(seen, FillScene::kBackground), 9);
+    EXPECT_EQ(std::ranges::count(seen, ViewedScene::kBackground), 9);
   });
   EXPECT_EQ(rows, 9);
 }
 
 TEST(RayCast, TheSameOnAnyNumberOfThreads) {
   const DisplayFile file = test::scene({"anything", test::scenes::anything}, 3, 6000);
-  const FillScene scene(file);
+  const ViewedScene scene(file);
   const PictureSize size{64, 64};
   const auto one = drawn(scene, size, std::nullopt, 1, size.height);
   EXPECT_EQ(drawn(scene, size, std::nullopt, 2, size.height), one);
@@ -105,7 +105,7 @@ TEST(RayCast, WithRoundoffTheLastOfTheNearestIsSeen) {
   for (const auto& family : {test::SceneFamily{"anything", test::scenes::anything},
                              test::SceneFamily{"grid", test::scenes::on_a_grid}}) {
     const DisplayFile file = test::scene(family, 9, 60);
-    const FillScene scene(file);
+    const ViewedScene scene(file);
     const FillDepths depths(scene, size, kRoundoff);
     const auto seen = drawn(scene, size, kRoundoff, 1, size.height);
     // Each fill alone tells which rays hit it.
@@ -135,7 +135,7 @@ TEST(RayCast, WithRoundoffTheLastOfTheNearestIsSeen) {
         for (Fill fill = 1; fill < scene.end(); ++fill) {
           if (hit[fill][at]) nearest = std::max(nearest, depths.at(fill, column, row));
         }
-        Fill last = FillScene::kBackground;
+        Fill last = ViewedScene::kBackground;
         for (Fill fill = 1; fill < scene.end(); ++fill) {
           if (hit[fill][at] && depths.at(fill, column, row) >= nearest - kRoundoff) last = fill;
         }

@@ -267,14 +267,14 @@ struct Walked {
   }
 };
 
-TEST(RetainedViews, SortedInstructionsNameTheSegmentWhereItChanges) {
+TEST(RetainedViews, ASortedSceneNamesTheSegmentWhereItChanges) {
   Retained retained;
   enter_two_segments(retained.system);
   RetainedViews views(retained.scene, retained.system.display_file(), {});
   const DisplayFile file = views.view(retained.system.view());
   ASSERT_NE(file.sorted(), nullptr);
   Walked sorted;
-  file.sorted()->instructions.walk(sorted);
+  file.sorted()->walk(sorted);
   EXPECT_GT(sorted.segments.size(), 2u) << "the segments run through each other";
   EXPECT_EQ(std::ranges::adjacent_find(sorted.segments), sorted.segments.end());
   EXPECT_GT(sorted.polygons, file.polygons());
@@ -356,7 +356,7 @@ TEST(RetainedViews, DegeneratePolygonsKeepTheirOutlines) {
   const DisplayFile file = views.view(g.view());
   EXPECT_EQ(file.polygons(), 3u);
   Walked sorted;
-  file.sorted()->instructions.walk(sorted);
+  file.sorted()->walk(sorted);
   EXPECT_GE(sorted.lines, 3u);
   EXPECT_TRUE(judged(file, 32).wrong.empty());
 }

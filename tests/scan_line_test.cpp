@@ -19,7 +19,7 @@ namespace displayfile {
 namespace {
 
 using test::Vertices;
-using Fill = FillScene::Fill;
+using Fill = ViewedScene::Fill;
 using Polygons = std::vector<Vertices>;
 
 /// Of polygons in device coordinates, entered in this order: fills A, B, C, ...
@@ -46,7 +46,7 @@ Vertices rectangle(double x_min, double y_min, double x_max, double y_max, doubl
 }
 
 char letter(Fill fill) {
-  return fill == FillScene::kBackground ? '.' : static_cast<char>('A' + fill - 1);
+  return fill == ViewedScene::kBackground ? '.' : static_cast<char>('A' + fill - 1);
 }
 
 /// The scan line at work on a small picture.
@@ -74,7 +74,7 @@ class Lines {
     return scan_line_.draw_rows_counting(0, size_.height, [](int, int, std::span<const Fill>) {});
   }
   const ScanLine& method() const { return scan_line_; }
-  const FillScene& scene() const { return scene_; }
+  const ViewedScene& scene() const { return scene_; }
 
   /// The polygons IN on one line after another: "A 1-5" for columns 1 to 4.
   std::vector<std::string> in() const {
@@ -94,7 +94,7 @@ class Lines {
   }
 
  private:
-  FillScene scene_;
+  ViewedScene scene_;
   PictureSize size_;
   ScanLine scan_line_;
   ScanLine::Counts counts_;

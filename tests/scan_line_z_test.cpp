@@ -26,7 +26,7 @@ namespace displayfile {
 namespace {
 
 namespace fs = std::filesystem;
-using Fill = FillScene::Fill;
+using Fill = ViewedScene::Fill;
 
 // ---- Rows ------------------------------------------------------------------------------
 
@@ -45,7 +45,7 @@ TEST(ScanLineZ, AnyRowsAloneAreThoseOfThePicture) {
   constexpr PictureSize kSize{33, 29};
   for (const test::SceneFamily& family : test::scene_families()) {
     for (std::uint32_t seed = 0; seed < 20 / test::kSlower; ++seed) {
-      const FillScene scene(test::scene(family, seed, 40));
+      const ViewedScene scene(test::scene(family, seed, 40));
       ScanLineZ method;
       method.prepare({scene, kSize, {}}, 1);
       const std::vector<Fill> whole = seen_in(method, kSize, 0, kSize.height);
@@ -64,7 +64,7 @@ TEST(ScanLineZ, WithRoundoffTheFillsSeenAreTheZBuffers) {
   constexpr PictureSize kSize{47, 41};
   for (const double roundoff : {0.0, 1e-9, 1e-2}) {
     for (const test::SceneFamily& family : test::scene_families()) {
-      const FillScene scene(test::scene(family, 5, 60));
+      const ViewedScene scene(test::scene(family, 5, 60));
       ScanLineZ scan_line;
       PolygonZBuffer z_buffer;
       scan_line.prepare({scene, kSize, roundoff}, 1);
@@ -93,7 +93,8 @@ DisplayFile many_triangles(int polygons) {
   return file;
 }
 
-std::int64_t memory_of(ImageSpaceMethod& method, const FillScene& scene, const PictureSize& size) {
+std::int64_t memory_of(ImageSpaceMethod& method, const ViewedScene& scene,
+                       const PictureSize& size) {
   return bench::most_bytes_held([&] {
     method.prepare({scene, size, {}}, 1);
     method.draw_rows(0, size.height, [](int, int, std::span<const Fill>) {});
@@ -101,7 +102,7 @@ std::int64_t memory_of(ImageSpaceMethod& method, const FillScene& scene, const P
 }
 
 TEST(ScanLineZ, MemoryDoesNotGrowWithThePicturesHeight) {
-  const FillScene scene(many_triangles(2000));
+  const ViewedScene scene(many_triangles(2000));
   ScanLineZ low, high;
   const std::int64_t least = memory_of(low, scene, {40, 500});
   const std::int64_t most = memory_of(high, scene, {40, 60'000});
@@ -109,14 +110,14 @@ TEST(ScanLineZ, MemoryDoesNotGrowWithThePicturesHeight) {
 }
 
 TEST(ScanLineZ, MemoryIsAFewBytesAPolygonAndARow) {
-  const FillScene scene(many_triangles(100));
+  const ViewedScene scene(many_triangles(100));
   ScanLineZ scan_line;
   PolygonZBuffer z_buffer;
   const PictureSize size{2000, 2000};
   EXPECT_LT(100 * memory_of(scan_line, scene, size), memory_of(z_buffer, scene, size));
 }
 
-std::uint64_t exact_decisions(const FillScene& scene, const PictureSize& size) {
+std::uint64_t exact_decisions(const ViewedScene& scene, const PictureSize& size) {
   ScanLineZ method;
   method.prepare({scene, size, {}}, 1);
   reset_predicate_counts();
@@ -127,7 +128,7 @@ std::uint64_t exact_decisions(const FillScene& scene, const PictureSize& size) {
 }
 
 /// Rectangles that cover the picture, each this much above the last; all on one tilted plane if 0.
-FillScene sheets(int n, double apart) {
+ViewedScene sheets(int n, double apart) {
   DisplayFile file;
   Segment& segment = file.create(1);
   for (int k = 0; k < n; ++k) {
@@ -141,7 +142,7 @@ FillScene sheets(int n, double apart) {
                   {{x, -0.3, z}, {1.3, -0.3, z}, {1.3, 1.3, z + third}, {x, 1.3, z + third}});
     }
   }
-  return FillScene(file);
+  return ViewedScene(file);
 }
 
 /// Sheets that rounded depths do not tell apart take exact arithmetic for a row at most, not for

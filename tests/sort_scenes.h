@@ -19,12 +19,12 @@ namespace displayfile::test {
 
 using Loop = std::vector<Point3>;
 
-/// Items with the arrays that SortItems only refers to.
+/// Items with the arrays that Primitives only refers to.
 struct ItemList {
-  using Kind = SortItems::Kind;
+  using Kind = Primitives::Kind;
   std::vector<Point3> points;
   std::vector<std::uint8_t> visible;
-  std::vector<SortItems::Item> items;
+  std::vector<Primitives::Item> items;
 
   void add(Kind kind, const Loop& vertices, std::vector<std::uint8_t> sides = {}) {
     if (sides.empty()) sides.resize(vertices.size(), 1);
@@ -43,7 +43,7 @@ struct ItemList {
   std::span<const std::uint8_t> visible_of(std::size_t i) const {
     return std::span(visible).subspan(items[i].first, items[i].sides);
   }
-  SortItems view() const { return {points, visible, items}; }
+  Primitives view() const { return {points, visible, items}; }
 
   ItemList without(std::size_t item) const {
     ItemList rest;

@@ -89,7 +89,7 @@ class ExactPieces {
     return {};
   }
 
-  SortItems items_;
+  Primitives items_;
   std::vector<DefinedPoint> made_;
   SortScene<Recorded> scene_;
   std::vector<PolygonTable::Index> order_;

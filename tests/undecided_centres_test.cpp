@@ -15,6 +15,7 @@
 
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
+#include "tests/order_of_entry.h"
 #include "tests/truth_scenes.h"
 
 namespace displayfile {
@@ -45,10 +46,10 @@ void enter(Instructions& instructions, const Fills& fills) {
 void enter_segment(DisplayFile& file, int name, const Fills& entered, const Fills& back_to_front) {
   Segment& segment = file.create(name);
   enter(segment, entered);
-  auto sorted = std::make_shared<SortedInstructions>();
-  enter(sorted->instructions, back_to_front);
+  Instructions sorted;
+  enter(sorted, back_to_front);
   segment.close();
-  segment.set_sorted(std::move(sorted));
+  segment.set_sorted(in_order_of_entry(std::move(sorted)));
 }
 
 DisplayFile file_of(const Fills& entered, const Fills& back_to_front) {
@@ -502,13 +503,13 @@ TEST(UndecidedCentres, ALinePaintedOverAFillStays) {
   DisplayFile file;
   Segment& segment = file.create(1);
   enter(segment, Fills{{flap, 2}, {sheet, 1}});
-  auto sorted = std::make_shared<SortedInstructions>();
-  enter(sorted->instructions, Fills{{sheet, 1}});
-  sorted->instructions.set_style(LineStyle{LineStyle::Kind::solid, {1, 0, 0}});
-  sorted->instructions.set_pick(2);
-  sorted->instructions.enter_polygon(flap, std::vector<std::uint8_t>{1, 0, 0});  // the diagonal
+  Instructions sorted;
+  enter(sorted, Fills{{sheet, 1}});
+  sorted.set_style(LineStyle{LineStyle::Kind::solid, {1, 0, 0}});
+  sorted.set_pick(2);
+  sorted.enter_polygon(flap, std::vector<std::uint8_t>{1, 0, 0});  // the diagonal
   segment.close();
-  segment.set_sorted(std::move(sorted));
+  segment.set_sorted(in_order_of_entry(std::move(sorted)));
   const Picture painted = paint(file, kSize, kSize);
   EXPECT_EQ(painted.ids, truth(file, kSize, kSize, false).ids);
   for (std::size_t k = 0; k < kSize; ++k) {

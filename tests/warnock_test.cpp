@@ -19,7 +19,7 @@
 namespace displayfile {
 namespace {
 
-using Fill = FillScene::Fill;
+using Fill = ViewedScene::Fill;
 using Finish = Warnock::Finish;
 using Decision = Warnock::Decision;
 using enum AreaCategory;
@@ -35,7 +35,9 @@ DisplayFile file_of(const std::vector<Vertices>& polygons) {
   }
   return file;
 }
-FillScene scene_of(const std::vector<Vertices>& polygons) { return FillScene(file_of(polygons)); }
+ViewedScene scene_of(const std::vector<Vertices>& polygons) {
+  return ViewedScene(file_of(polygons));
+}
 
 /// Level, in eighths of the picture's side.
 Vertices rectangle(double left, double right, double bottom, double top, double z) {
@@ -94,7 +96,7 @@ std::vector<Visited> visits_of(const Warnock& warnock, int row_begin, int row_en
       });
   return visits;
 }
-std::vector<Visited> visits_of(const FillScene& scene, const PictureSize& size, Finish finish) {
+std::vector<Visited> visits_of(const ViewedScene& scene, const PictureSize& size, Finish finish) {
   Warnock warnock(finish);
   warnock.prepare({scene, size, {}}, 1);
   return visits_of(warnock, 0, size.height);
@@ -166,10 +168,10 @@ TEST(WarnockSteps, EachAreasListAndDecision) {
   Vertices window = rectangle(5, 7, 5, 7, 0.0);
   window[1].z = window[2].z = 0.45;
   const Fill triangle = 1, wall = 2, behind = 3, door = 4;
-  const FillScene scene = scene_of({{{0.1, 0.1, 0.6}, {0.4, 0.1, 0.6}, {0.2, 0.4, 0.6}},
-                                    rectangle(4, 8, 0, 8, 0.5),
-                                    window,
-                                    rectangle(6, 8, 0, 2, 0.9)});
+  const ViewedScene scene = scene_of({{{0.1, 0.1, 0.6}, {0.4, 0.1, 0.6}, {0.2, 0.4, 0.6}},
+                                      rectangle(4, 8, 0, 8, 0.5),
+                                      window,
+                                      rectangle(6, 8, 0, 2, 0.9)});
   const std::vector<Visited> expected = {
       {{0, 8, 0, 8},
        {{triangle, contained}, {wall, contained}, {behind, contained}, {door, contained}},
@@ -187,8 +189,8 @@ TEST(WarnockSteps, EachAreasListAndDecision) {
 
 /// Two sheets that cross in a column of centres, where both are equally near.
 TEST(WarnockSteps, APixelIsDecidedAtItsCentre) {
-  const FillScene scene = scene_of({{{0, 0, 0.25}, {1, 0, 0.75}, {1, 1, 0.75}, {0, 1, 0.25}},
-                                    {{0, 0, 0.75}, {1, 0, 0.25}, {1, 1, 0.25}, {0, 1, 0.75}}});
+  const ViewedScene scene = scene_of({{{0, 0, 0.25}, {1, 0, 0.75}, {1, 1, 0.75}, {0, 1, 0.25}},
+                                      {{0, 0, 0.75}, {1, 0, 0.25}, {1, 1, 0.25}, {0, 1, 0.75}}});
   const std::vector<Warnock::Listed> both = {{1, surrounding}, {2, surrounding}};
   const std::vector<Visited> expected = {{{0, 3, 0, 1}, both, Decision::subdivided},
                                          {{0, 1, 0, 1}, both, Decision::pixel},
@@ -217,7 +219,7 @@ TEST(WarnockSteps, SheetsOverThePictureAreOneArea) {
 /// A triangle over a sheet: the areas on its long side, the diagonal, are all that is subdivided;
 /// 1, 2, 4, ..., n/2 of them.
 TEST(WarnockSteps, AreasAlongAnEdge) {
-  const FillScene scene =
+  const ViewedScene scene =
       scene_of({rectangle(0, 8, 0, 8, 0), {{0, 0, 0.5}, {1, 0, 0.5}, {1, 1, 0.5}}});
   for (const int n : {2, 8, 64, 256}) {
     const auto areas = static_cast<std::size_t>(4 * n - 3);
@@ -227,8 +229,8 @@ TEST(WarnockSteps, AreasAlongAnEdge) {
 
 /// Of equal depth within the ROUNDOFF is the one entered later.
 TEST(WarnockSteps, Roundoff) {
-  const FillScene scene = scene_of({rectangle(0, 8, 0, 8, 0.5), rectangle(0, 8, 0, 8, 0.5 - 1e-7),
-                                    rectangle(1, 3, 1, 3, 0.5 - 2e-7)});
+  const ViewedScene scene = scene_of({rectangle(0, 8, 0, 8, 0.5), rectangle(0, 8, 0, 8, 0.5 - 1e-7),
+                                      rectangle(1, 3, 1, 3, 0.5 - 2e-7)});
   for (const Finish finish : {Finish::at_pixels, Finish::early}) {
     for (const double roundoff : {1e-6, 1e-9}) {
       Warnock warnock(finish);
@@ -254,7 +256,7 @@ struct Known {
 
   std::string name;
   DisplayFile file;
-  FillScene scene;
+  ViewedScene scene;
   PictureSize size;
 };
 template <class Check>
@@ -268,7 +270,7 @@ void for_known_scenes(std::uint32_t scenes, Check&& check) {
   }
 }
 
-std::vector<char> covered_by(const FillScene& scene, Fill fill, const PictureSize& size) {
+std::vector<char> covered_by(const ViewedScene& scene, Fill fill, const PictureSize& size) {
   std::vector<char> covered(pixels(size));
   ScanConverter converter;
   converter.scan_convert(scene.vertices(fill), {size, 0, size.height},
@@ -278,7 +280,7 @@ std::vector<char> covered_by(const FillScene& scene, Fill fill, const PictureSiz
   return covered;
 }
 
-std::vector<Fill> z_buffered(const FillScene& scene, const PictureSize& size) {
+std::vector<Fill> z_buffered(const ViewedScene& scene, const PictureSize& size) {
   PolygonZBuffer z_buffer;
   z_buffer.prepare({scene, size, {}}, 1);
   return seen_by(z_buffer, size, size.height);
@@ -287,7 +289,7 @@ std::vector<Fill> z_buffered(const FillScene& scene, const PictureSize& size) {
 /// By scan conversion, which shares no decision with the categories.
 TEST(WarnockAreas, CategoriesAreTrue) {
   for_known_scenes(40, [](const Known& known) {
-    const FillScene& scene = known.scene;
+    const ViewedScene& scene = known.scene;
     const PictureSize size = known.size;
     std::vector<std::vector<char>> covered(1);
     for (Fill fill = 1; fill < scene.end(); ++fill) {
@@ -339,7 +341,7 @@ TEST(WarnockAreas, NothingSeenIsMissingFromTheList) {
     for (const Visited& visit : visits_of(known.scene, known.size, Finish::at_pixels)) {
       for_pixels(visit.area, [&](int column, int row) {
         const Fill fill = seen[index(known.size, column, row)];
-        EXPECT_TRUE(fill == FillScene::kBackground ||
+        EXPECT_TRUE(fill == ViewedScene::kBackground ||
                     std::ranges::find(visit.list, fill, &Warnock::Listed::fill) !=
                         visit.list.end());
       });
@@ -375,7 +377,7 @@ TEST(WarnockAreas, FillTheRows) {
 
 /// Empty if both forms show the fills of the truth, in bands of any height.
 std::string wrong(const DisplayFile& file, const PictureSize& size) {
-  const FillScene scene(file);
+  const ViewedScene scene(file);
   const Picture expected = truth(file, size.width, size.height, false);
   for (const Finish finish : {Finish::at_pixels, Finish::early}) {
     Warnock warnock(finish);
@@ -418,13 +420,13 @@ TEST(WarnockPictures, BothFormsAreTheTruthOfTheHardCases) {
 }
 
 TEST(WarnockPictures, TakesUpOneSceneAfterAnother) {
-  const FillScene left = scene_of({rectangle(0, 4, 0, 8, 0.5)});
-  const FillScene none = scene_of({});
+  const ViewedScene left = scene_of({rectangle(0, 4, 0, 8, 0.5)});
+  const ViewedScene none = scene_of({});
   Warnock warnock;
   warnock.prepare({left, kEight, {}}, 1);
   EXPECT_EQ(seen_by(warnock, kEight, 8), z_buffered(left, kEight));
   warnock.prepare({none, {3, 2}, {}}, 1);
-  EXPECT_EQ(seen_by(warnock, {3, 2}, 2), std::vector<Fill>(6, FillScene::kBackground));
+  EXPECT_EQ(seen_by(warnock, {3, 2}, 2), std::vector<Fill>(6, ViewedScene::kBackground));
   warnock.prepare({left, {9, 4}, {}}, 1);
   EXPECT_EQ(seen_by(warnock, {9, 4}, 3), z_buffered(left, {9, 4}));
 }

@@ -79,7 +79,7 @@ class Dumper {
 /// The visible segments in their shared order. One of which nothing is drawn, and the invisible
 /// ones, follow.
 void dump_sorted_together(const DisplayFile& display_file, Dumper& dumper) {
-  display_file.sorted()->instructions.walk(dumper);
+  display_file.sorted()->walk(dumper);
   for (const Segment& segment : display_file.segments()) {
     if (dumper.has_met(segment.name())) continue;
     dumper.segment(segment.name(), segment.visible);

@@ -4,7 +4,7 @@
 
 namespace displayfile {
 
-SortedPieces sort_by_bsp(const SortItems& items, const SortOptions& options) {
+SortedPieces sort_by_bsp(const Primitives& items, const SortOptions& options) {
   const auto sort = [&](const auto& policy) {
     SortScene scene(items, policy);
     SortPolygons sorting(scene, options);

@@ -8,6 +8,6 @@ namespace displayfile {
 
 /// The textbook's sort (algorithms 9.8 to 9.16) at the precision of the options: a tree of
 /// polygons, each node's plane dividing what is in front from what is in back (hidden/sort/bsp.md).
-SortedPieces sort_by_bsp(const SortItems& items, const SortOptions& options);
+SortedPieces sort_by_bsp(const Primitives& items, const SortOptions& options);
 
 }  // namespace displayfile

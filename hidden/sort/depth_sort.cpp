@@ -435,7 +435,7 @@ class DepthSort {
 
 }  // namespace
 
-SortedPieces sort_by_depth(const SortItems& items, const SortOptions& options) {
+SortedPieces sort_by_depth(const Primitives& items, const SortOptions& options) {
   const auto sort = [&](const auto& policy) {
     SortScene scene(items, policy);
     return DepthSort(scene, options).sorted();

@@ -8,6 +8,6 @@ namespace displayfile {
 /// options: what must be drawn before what, over the pairs that overlap in the projection, and
 /// cuts only where polygons go through each other or overlap in a cycle
 /// (hidden/sort/depth_sort.md).
-SortedPieces sort_by_depth(const SortItems& items, const SortOptions& options);
+SortedPieces sort_by_depth(const Primitives& items, const SortOptions& options);
 
 }  // namespace displayfile

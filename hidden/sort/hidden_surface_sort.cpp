@@ -8,7 +8,7 @@
 
 namespace displayfile {
 
-SortedPieces sort_hidden_surfaces(const SortItems& items, HiddenMethod method,
+SortedPieces sort_hidden_surfaces(const Primitives& items, HiddenMethod method,
                                   const SortOptions& options) {
   switch (method) {
     case HiddenMethod::bsp: return sort_by_bsp(items, options);

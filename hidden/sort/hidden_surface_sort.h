@@ -8,27 +8,9 @@
 #include "clip/point.h"
 #include "hidden/exact/precision.h"
 #include "hidden/hidden_method.h"
+#include "hidden/primitives.h"
 
 namespace displayfile {
-
-/// What is to be sorted: polygons and lines in order of entry, in normalised device coordinates
-/// (parallel projectors along z, larger z nearer to the viewer).
-struct SortItems {
-  enum class Kind : std::uint8_t {
-    solid,   ///< hides what is behind it
-    hollow,  ///< an outline: hidden by solid polygons, hides nothing
-    line,    ///< two points; likewise
-  };
-  struct Item {
-    std::uint32_t first;  ///< of its points
-    std::uint32_t sides;
-    Kind kind;
-  };
-  std::span<const Point3> points;
-  /// Of the side that ends at the point of the same index: 0 if it is not drawn.
-  std::span<const std::uint8_t> visible;
-  std::span<const Item> items;
-};
 
 /// How the root of a (sub)tree of polygons is chosen.
 enum class RootChoice {
@@ -51,8 +33,8 @@ struct SortedPiece {
   std::uint32_t sides;
 };
 
-/// All items in back-to-front order: each solid polygon comes after those that it hides. Where
-/// polygons are coplanar the one entered later comes later; where a line lies in a polygon's
+/// All items of a scene in back-to-front order: each solid polygon comes after those that it hides.
+/// Where polygons are coplanar the one entered later comes later; where a line lies in a polygon's
 /// plane, the line.
 struct SortedPieces {
   std::vector<SortedPiece> pieces;
@@ -69,7 +51,7 @@ struct SortedPieces {
 /// Sorts by `bsp` or `depth_sort` (hidden/sort/bsp.md, hidden/sort/depth_sort.md). Polygons that
 /// are edge-on or of fewer than three different points hide nothing; they keep their outlines.
 /// Throws Error for another method.
-SortedPieces sort_hidden_surfaces(const SortItems& items, HiddenMethod method,
+SortedPieces sort_hidden_surfaces(const Primitives& items, HiddenMethod method,
                                   const SortOptions& options);
 
 }  // namespace displayfile

@@ -21,12 +21,12 @@ template <class Policy>
 struct SortScene {
   using Index = PolygonTable::Index;
 
-  SortScene(const SortItems& items_, const Policy& policy, SortSpace space_ = SortSpace::device)
+  SortScene(const Primitives& items_, const Policy& policy, SortSpace space_ = SortSpace::device)
       : items(items_), space(space_), vertices(items_.points, planes_of(items_, space_), policy) {
     save_items();
   }
 
-  const SortItems& items;
+  const Primitives& items;
   SortSpace space;
   PolygonTable table;
   VertexTable<Policy> vertices;
@@ -34,7 +34,7 @@ struct SortScene {
   std::vector<Index> degenerate;  ///< entries that hide nothing and of which nothing is seen
 
   bool hides(Index entry) const {
-    return items.items[table[entry].item].kind == SortItems::Kind::solid &&
+    return items.items[table[entry].item].kind == Primitives::Kind::solid &&
            table[entry].plane != kNoPlane;
   }
   Extent extent(Index entry) const {
@@ -57,22 +57,18 @@ struct SortScene {
   }
 
  private:
-  static std::span<const Point3> points_of(const SortItems& all, const SortItems::Item& item) {
-    return all.points.subspan(item.first, item.sides);
-  }
-
   /// Of a polygon that is edge-on, or in world coordinates in line, there is no plane.
   static SupportVertices plane_vertices(std::span<const Point3> points, SortSpace space) {
     return space == SortSpace::device ? support_vertices(points) : spread_vertices(points);
   }
 
   /// One for each polygon that has one, in order of entry.
-  static std::vector<Plane> planes_of(const SortItems& all, SortSpace space) {
+  static std::vector<Plane> planes_of(const Primitives& all, SortSpace space) {
     std::vector<Plane> planes;
     planes.reserve(all.items.size());
-    for (const SortItems::Item& item : all.items) {
-      if (item.kind == SortItems::Kind::line) continue;
-      const auto points = points_of(all, item);
+    for (const Primitives::Item& item : all.items) {
+      if (item.kind == Primitives::Kind::line) continue;
+      const auto points = all.points_of(item);
       const SupportVertices support = plane_vertices(points, space);
       if (support.edge_on) continue;
       const auto& [p, q, r] = support.index;
@@ -89,10 +85,10 @@ struct SortScene {
     table.d.reserve(items.points.size());
     std::uint32_t next_plane = 0;
     for (std::uint32_t i = 0; i < items.items.size(); ++i) {
-      const SortItems::Item& item = items.items[i];
-      if (item.kind == SortItems::Kind::line) {
+      const Primitives::Item& item = items.items[i];
+      if (item.kind == Primitives::Kind::line) {
         save_line(i, item.first, item.first + 1, true);
-      } else if (plane_vertices(points_of(items, item), space).edge_on) {
+      } else if (plane_vertices(items.points_of(item), space).edge_on) {
         save_outline(i);
       } else {
         save_poly_for_hsc(i, next_plane++);
@@ -102,11 +98,11 @@ struct SortScene {
 
   /// Algorithm 9.7, but for what the items hold already.
   void save_poly_for_hsc(std::uint32_t i, std::uint32_t plane) {
-    const SortItems::Item& item = items.items[i];
+    const Primitives::Item& item = items.items[i];
     table.entries.push_back({table.d.free(), item.sides, i, plane});
     std::uint32_t from = item.first + item.sides - 1;
     for (std::uint32_t to = item.first; to < item.first + item.sides; ++to) {
-      table.d.put({vertices.enter(to, plane), SideLine::edge(from, to), items.visible[to] != 0});
+      table.d.put({vertices.enter(to, plane), SideLine::edge(from, to), items.is_visible(to)});
       from = to;
     }
   }
@@ -120,11 +116,11 @@ struct SortScene {
 
   /// An edge-on polygon covers nothing; each side that is drawn becomes a line.
   void save_outline(std::uint32_t i) {
-    const SortItems::Item& item = items.items[i];
+    const Primitives::Item& item = items.items[i];
     bool drawn = false;
     std::uint32_t from = item.first + item.sides - 1;
     for (std::uint32_t to = item.first; to < item.first + item.sides; ++to) {
-      if (items.visible[to] != 0) {
+      if (items.is_visible(to)) {
         save_line(i, from, to, false);
         drawn = true;
       }

@@ -70,7 +70,7 @@ WorldTree::NodePlane::NodePlane(const Plane& plane) : normal(plane.normal) {
   per_length = usable ? 1.0 / (length * kInflate) : 0.0;
 }
 
-WorldTree::WorldTree(const SortItems& world, const SortOptions& options) {
+WorldTree::WorldTree(const Primitives& world, const SortOptions& options) {
   const Definitions points{world.points, {}};
   if (options.precision.exact) {
     build(world, Exact(points, Exact::Lift::along_facing_axis));
@@ -80,7 +80,7 @@ WorldTree::WorldTree(const SortItems& world, const SortOptions& options) {
 }
 
 template <class Policy>
-void WorldTree::build(const SortItems& world, const Policy& policy) {
+void WorldTree::build(const Primitives& world, const Policy& policy) {
   SortOptions options;
   options.root = RootChoice::sample;
   SortScene scene(world, policy, SortSpace::world);

@@ -34,7 +34,7 @@ class WorldTree {
 
   /// Of the options the precision; the root is chosen by RootChoice::sample, since overlaps in a
   /// projection belong to one view.
-  WorldTree(const SortItems& world, const SortOptions& options);
+  WorldTree(const Primitives& world, const SortOptions& options);
 
   /// The pieces that the orders are of, in world coordinates; each item is one piece or more. The
   /// order in which they stand here has no meaning.
@@ -77,7 +77,7 @@ class WorldTree {
   struct Placed;
 
   template <class Policy>
-  void build(const SortItems& world, const Policy& policy);
+  void build(const Primitives& world, const Policy& policy);
   template <class Scene>
   void add_nodes(const Scene& scene, std::span<const Placed> placed);
   int exact_side(const Node& node, const Eye& eye) const;

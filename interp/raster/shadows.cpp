@@ -35,53 +35,38 @@ double largest_value(std::span<const Point3> vertices, const Plane& plane) {
 
 }  // namespace
 
-/// Enters the solid fills of a segment.
-struct Shadows::Collector {
-  Shadows& shadows;
-  bool solid = true;
-
-  void fill(const FillStyle& style) { solid = style.kind == FillStyle::Kind::solid; }
-  void line_style(const LineStyle&) {}
-  void pick(int) {}
-  void move(const Point3&) {}
-  void line(const Point3&) {}
-  void polygon(std::span<const Point3> vertices, std::span<const std::int32_t>) {
-    if (solid) shadows.enter(vertices);
-  }
-};
-
-Shadows::Shadows(const DisplayFile& display_file) : sources_(display_file) {
-  for (const Segment* segment : display_file.visible_segments()) {
-    segment->walk_entered_drawn(Collector{*this});
+Shadows::Shadows(const ViewedScene& scene) : scene_(&scene) {
+  for (ViewedScene::Item item = 0; item < scene.items(); ++item) {
+    if (scene.kind(item) == Primitives::Kind::solid) enter(item);
   }
   build_tree();
 }
 
 /// The plane is that of the vertices that spread the most in space: one that is edge-on to the
 /// viewer has none by its picture.
-void Shadows::enter(std::span<const Point3> vertices) {
+void Shadows::enter(ViewedScene::Item item) {
+  const auto vertices = scene_->points(item);
   const SupportVertices spread = spread_vertices(vertices);
   if (spread.edge_on || !std::ranges::all_of(vertices, in_range)) return;
   const auto& [p, q, r] = spread.index;
   const Plane plane(vertices[p], vertices[q], vertices[r]);
-  casters_.push_back({plane.p, plane.normal, largest_value(vertices, plane),
-                      static_cast<std::uint32_t>(vertices_.size()),
-                      static_cast<std::uint32_t>(vertices.size())});
-  vertices_.insert(vertices_.end(), vertices.begin(), vertices.end());
+  casters_.push_back({plane.p, plane.normal, largest_value(vertices, plane), item});
 }
 
 /// Boxes are made larger by more than what the tests of rays lose.
 void Shadows::build_tree() {
   double largest = 1.0;
-  for (const Point3& v : vertices_) {
-    largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  for (const Polygon& caster : casters_) {
+    for (const Point3& v : scene_->points(caster.item)) {
+      largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    }
   }
   const Point3 margin(64.0 * kUnit * largest);
   std::vector<SpaceBox> boxes;
   boxes.reserve(casters_.size());
   for (const Polygon& caster : casters_) {
     SpaceBox box;
-    for (std::uint32_t k = 0; k < caster.sides; ++k) box.include(vertices_[caster.first + k]);
+    for (const Point3& v : scene_->points(caster.item)) box.include(v);
     boxes.push_back({box.low - margin, box.high + margin});
   }
   tree_.build(boxes);
@@ -127,7 +112,7 @@ bool Shadows::hides(const Polygon& polygon, const Ray& ray) const {
 /// By the even-odd rule, seen along the ray. An edge that two polygons share is always taken from
 /// its lower end: one of the two is met and not the other, bit for bit.
 bool Shadows::is_met(const Polygon& polygon, const Ray& ray) const {
-  const auto vertices = std::span(vertices_).subspan(polygon.first, polygon.sides);
+  const auto vertices = scene_->points(polygon.item);
   bool inside = false;
   Point2 from = ray.looked_at(vertices.back());
   for (const Point3& vertex : vertices) {

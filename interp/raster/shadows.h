@@ -4,12 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "displayfile/display_file.h"
+#include "displayfile/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
 #include "hidden/exact/plane.h"
 #include "interp/raster/space_tree.h"
 #include "interp/scan/pixel_depth.h"
-#include "interp/visibility/fill_sources.h"
 
 namespace displayfile {
 
@@ -21,10 +20,8 @@ class Shadows {
   using Caster = std::uint32_t;
   static constexpr Caster kNone = ~Caster{0};
 
-  explicit Shadows(const DisplayFile& display_file);
-
-  /// True while the display file's visible segments are as they were.
-  bool are_of(const DisplayFile& display_file) const { return sources_.are_of(display_file); }
+  /// The scene must live on.
+  explicit Shadows(const ViewedScene& scene);
 
   /// A point of a fill, from which the light is looked at (FillShadow::light).
   struct LitPoint {
@@ -38,20 +35,18 @@ class Shadows {
   bool hidden(const LitPoint& point, Caster& last) const;
 
  private:
-  struct Collector;
   struct Polygon {
     Point3 p, normal;  // of its plane: a point, and A, B, C
     double thickness;  // how far from 0 the plane's value may be at points that lie on the fill
-    std::uint32_t first, sides;
+    ViewedScene::Item item;
   };
   struct Ray;
-  void enter(std::span<const Point3> vertices);
+  void enter(ViewedScene::Item item);
   void build_tree();
   bool hides(const Polygon& polygon, const Ray& ray) const;
   bool is_met(const Polygon& polygon, const Ray& ray) const;
 
-  FillSources sources_;
-  std::vector<Point3> vertices_;
+  const ViewedScene* scene_;
   std::vector<Polygon> casters_;
   SpaceTree tree_;
 };

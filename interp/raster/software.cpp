@@ -18,7 +18,7 @@ namespace displayfile {
 
 namespace {
 
-using Fill = FillScene::Fill;
+using Fill = ViewedScene::Fill;
 
 constexpr double kNothingSeen = -std::numeric_limits<double>::infinity();
 
@@ -61,15 +61,16 @@ void make_room(std::vector<T>& values, std::size_t size) {
 /// Colours, identifiers and depths of the fills seen.
 class FillsShown {
  public:
-  FillsShown(const FillScene& scene, const RasterBand& band) : scene_(scene), band_(band) {}
+  FillsShown(const ViewedScene& scene, const FillPaints& paints, const RasterBand& band)
+      : scene_(scene), paints_(paints), band_(band) {}
 
   void show(int row, int first, std::span<const Fill> seen) {
     Picture& picture = band_.picture;
     const std::size_t start = band_.index(row, first);
     for (std::size_t i = 0; i < seen.size(); ++i) {
-      picture.pixels[start + i] = scene_.colour(seen[i]);
+      picture.pixels[start + i] = paints_.pixel(seen[i]);
     }
-    if (scene_.has_shades()) shade(row, first, seen);
+    if (paints_.has_shades()) shade(row, first, seen);
     if (band_.shadows != nullptr && scene_.has_shadows()) shadow(row, first, seen);
     if (!picture.ids.empty()) {
       for (std::size_t i = 0; i < seen.size(); ++i) picture.ids[start + i] = scene_.pick(seen[i]);
@@ -90,7 +91,7 @@ class FillsShown {
 
   void shade(int row, int first, std::span<const Fill> seen) {
     for_each_run(row, first, seen, [&](Fill fill, int column, std::span<std::uint32_t> pixels) {
-      const FillScene::Shade* const shade = scene_.shade(fill);
+      const FillPaints::Shade* const shade = paints_.shade(fill);
       if (shade == nullptr) return;
       PixelShade(shade->colour, shade->intensity, band_.size()).paint(row, column, pixels);
     });
@@ -98,7 +99,8 @@ class FillsShown {
 
   void shadow(int row, int first, std::span<const Fill> seen) {
     for_each_run(row, first, seen, [&](Fill fill, int column, std::span<std::uint32_t> pixels) {
-      const FillShadow* const shadow = scene_.shadow(fill);
+      const FillShadow* const shadow =
+          fill == ViewedScene::kBackground ? nullptr : scene_.shadow(fill);
       if (shadow == nullptr) return;
       ShadowedFill(*band_.shadows, scene_.vertices(fill), scene_.plane(fill), *shadow, band_.size())
           .paint(row, column, pixels);
@@ -108,7 +110,7 @@ class FillsShown {
   void show_depth(int row, int first, std::span<const Fill> seen) {
     double* depths = band_.picture.depth.data() + band_.index(row, first);
     for (std::size_t i = 0; i < seen.size(); ++i) {
-      if (seen[i] == FillScene::kBackground) {
+      if (seen[i] == ViewedScene::kBackground) {
         depths[i] = kNothingSeen;
         continue;
       }
@@ -120,9 +122,10 @@ class FillsShown {
     }
   }
 
-  const FillScene& scene_;
+  const ViewedScene& scene_;
+  const FillPaints& paints_;
   RasterBand band_;
-  Fill fill_ = FillScene::kBackground;  // whose depth_ it is
+  Fill fill_ = ViewedScene::kBackground;  // whose depth_ it is
   PixelDepth depth_;
 };
 
@@ -154,17 +157,19 @@ class LinesOverFills : public OutputDevice {
 
 void SoftwareRenderer::prepare(const DisplayFile& display_file, const RasterRequest& request) {
   require_picture_size(request.width, request.height);
-  if (!display_file.has_shadows()) {
-    shadows_.reset();
-  } else if (shadows_ == nullptr || !shadows_->are_of(display_file)) {
-    shadows_ = std::make_unique<Shadows>(display_file);
-  }
-  if (!is_image_space(request.method)) return;
-  const PictureSize size{request.width, request.height};
+  const bool image_space = is_image_space(request.method);
+  const bool shadows = display_file.has_shadows();
+  if (!shadows) shadows_.reset();
+  if (!image_space && !shadows) return;
   if (scene_ == nullptr || !scene_->is_of(display_file)) {
     prepared_.reset();
-    scene_ = std::make_unique<FillScene>(display_file);
+    shadows_.reset();
+    scene_ = std::make_unique<ViewedScene>(display_file);
+    paints_ = FillPaints(*scene_, kBackgroundPixel);
   }
+  if (shadows && shadows_ == nullptr) shadows_ = std::make_unique<Shadows>(*scene_);
+  if (!image_space) return;
+  const PictureSize size{request.width, request.height};
   if (prepared_ && prepared_->method == request.method && prepared_->size == size &&
       prepared_->roundoff == request.roundoff) {
     return;
@@ -229,7 +234,7 @@ void SoftwareRenderer::paint_in_order(const DisplayFile& display_file, const Ras
 void SoftwareRenderer::find_fills_seen(const RasterRequest& request, const RowRange& rows) {
   const ImageSpaceMethod& finder = *prepared_->finder;
   for_bands_of_rows(request, rows, finder.rows_at_a_time(), [&](const RowRange& band) {
-    FillsShown shown(*scene_,
+    FillsShown shown(*scene_, paints_,
                      {picture_, {request.width, request.height}, rows, band, shadows_.get()});
     finder.draw_rows(band.begin, band.end, [&](int row, int first, std::span<const Fill> seen) {
       shown.show(row, first, seen);

@@ -5,11 +5,12 @@
 #include <utility>
 
 #include "displayfile/display_file.h"
+#include "displayfile/viewed_scene.h"
 #include "interp/files/row_file.h"
 #include "interp/picture.h"
+#include "interp/raster/fill_paints.h"
 #include "interp/raster/raster_band.h"
 #include "interp/raster/shadows.h"
-#include "interp/visibility/fill_scene.h"
 #include "interp/visibility/image_space.h"
 
 namespace displayfile {
@@ -51,7 +52,8 @@ class SoftwareRenderer {
                              const RowRange& rows);
 
   Picture picture_;  // or the rows of it that are being drawn
-  std::unique_ptr<FillScene> scene_;
+  std::unique_ptr<ViewedScene> scene_;
+  FillPaints paints_;                 // of the scene
   std::unique_ptr<Shadows> shadows_;  // null if none are seen
   std::optional<Prepared> prepared_;
 };

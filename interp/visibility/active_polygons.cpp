@@ -31,7 +31,7 @@ constexpr int kShortestRest = 4;
 
 }  // namespace
 
-PolygonList::PolygonList(const FillScene& scene, int height)
+PolygonList::PolygonList(const ViewedScene& scene, int height)
     : begin_(static_cast<std::size_t>(height) + 1, 0) {
   std::vector<Rows> rows(scene.end());
   for (Fill fill = 1; fill < scene.end(); ++fill) {
@@ -49,7 +49,7 @@ PolygonList::PolygonList(const FillScene& scene, int height)
   }
 }
 
-ActivePolygons::ActivePolygons(const FillScene& scene, const FillDepths& depths,
+ActivePolygons::ActivePolygons(const ViewedScene& scene, const FillDepths& depths,
                                const PictureSize& size, const PolygonList& list, int row_begin)
     : scene_(&scene),
       depths_(&depths),

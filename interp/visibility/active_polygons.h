@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
+#include "displayfile/viewed_scene.h"
 #include "interp/scan/scan_edge.h"
 #include "interp/visibility/fill_depths.h"
-#include "interp/visibility/fill_scene.h"
 
 namespace displayfile {
 
@@ -18,14 +18,14 @@ namespace displayfile {
 /// row are left out.
 class PolygonList {
  public:
-  using Fill = FillScene::Fill;
+  using Fill = ViewedScene::Fill;
   struct Entry {
     Fill fill;
     int last_row;
   };
 
   PolygonList() = default;
-  PolygonList(const FillScene& scene, int height);
+  PolygonList(const ViewedScene& scene, int height);
 
   /// The polygons whose first row this is, in order of entry.
   std::span<const Entry> first_in(int row) const { return between(row, row + 1); }
@@ -45,7 +45,7 @@ class PolygonList {
 /// pixels in which each polygon is IN (interp/visibility/scan_line.md). For one thread.
 class ActivePolygons {
  public:
-  using Fill = FillScene::Fill;
+  using Fill = ViewedScene::Fill;
   using Index = std::uint32_t;  ///< of an active polygon, while its row is looked at
 
   /// A polygon of the list, with what is asked of it on every row.
@@ -61,7 +61,7 @@ class ActivePolygons {
   };
 
   /// Starts with this row.
-  ActivePolygons(const FillScene& scene, const FillDepths& depths, const PictureSize& size,
+  ActivePolygons(const ViewedScene& scene, const FillDepths& depths, const PictureSize& size,
                  const PolygonList& list, int row_begin);
 
   /// Brings the list up to the next row and calls in(index, first, end) for the columns
@@ -108,7 +108,7 @@ class ActivePolygons {
   };
   std::optional<Sides> sides_until(const Polygon& polygon, int last) const;
 
-  const FillScene* scene_;
+  const ViewedScene* scene_;
   const FillDepths* depths_;
   const PolygonList* list_;
   PictureSize size_;

@@ -11,11 +11,11 @@ namespace displayfile {
 
 namespace {
 
-using Fill = FillScene::Fill;
+using Fill = ViewedScene::Fill;
 
 /// The minimax test of every pair, by a sweep from left to right. Boxes that only touch are apart:
 /// of two polygons on either side of a line exactly one covers a centre on it.
-bool boxes_are_apart(const FillScene& scene) {
+bool boxes_are_apart(const ViewedScene& scene) {
   std::vector<FlatExtent> boxes;
   for (Fill fill = 1; fill < scene.end(); ++fill)
     boxes.push_back(flat_extent(scene.vertices(fill)));
@@ -36,7 +36,7 @@ bool boxes_are_apart(const FillScene& scene) {
 
 /// True if no vertex lies before the plane of any fill, as in a single convex object without its
 /// back faces: where two fills overlap their planes meet, and of equal depths the later is seen.
-bool nothing_lies_in_front(const FillScene& scene) {
+bool nothing_lies_in_front(const ViewedScene& scene) {
   constexpr std::size_t kMostVertices = 256;
   if (scene.all_vertices() > kMostVertices) return false;
   for (Fill fill = 1; fill < scene.end(); ++fill) {
@@ -70,14 +70,14 @@ double covered_part(std::span<const Point3> vertices) {
 }
 
 /// How much of the picture all fills cover together: 1 where they cover it once.
-double layers_of(const FillScene& scene) {
+double layers_of(const ViewedScene& scene) {
   double layers = 0.0;
   for (Fill fill = 1; fill < scene.end(); ++fill) layers += covered_part(scene.vertices(fill));
   return layers;
 }
 
 /// True if the fill touches or crosses the plane of that before it, or nearly.
-bool is_close_to_last(const FillScene& scene, Fill fill) {
+bool is_close_to_last(const ViewedScene& scene, Fill fill) {
   constexpr double kClose = 1e-4;
   const Plane plane = scene.plane(fill - 1);
   const double dz_dx = -plane.normal.x / plane.normal.z, dz_dy = -plane.normal.y / plane.normal.z;
@@ -91,7 +91,7 @@ bool is_close_to_last(const FillScene& scene, Fill fill) {
 }
 
 /// But for so many.
-bool each_is_close_to_last(const FillScene& scene, Fill exceptions) {
+bool each_is_close_to_last(const ViewedScene& scene, Fill exceptions) {
   Fill others = 0;
   for (Fill fill = 2; fill < scene.end() && others <= exceptions; ++fill) {
     others += is_close_to_last(scene, fill) ? 0 : 1;
@@ -101,7 +101,7 @@ bool each_is_close_to_last(const FillScene& scene, Fill exceptions) {
 
 /// True if the pixels are so few that in the z-buffer a fill's being close to others costs as much
 /// as its pixels: fills that lie one or two deep, or very few all over the picture.
-bool is_small_and_close(const FillScene& scene, Fill fills) {
+bool is_small_and_close(const ViewedScene& scene, Fill fills) {
   constexpr Fill kFew = 64, kVeryFew = 8;
   constexpr double kSparse = 0.8, kShallow = 2.5, kAllOver = 0.9;
   if (fills < 1 || fills > kFew) return false;
@@ -111,7 +111,7 @@ bool is_small_and_close(const FillScene& scene, Fill fills) {
   return fills <= kVeryFew && layers > kAllOver * fills && each_is_close_to_last(scene, fills / 2);
 }
 
-MethodChoice choose_for_vectors(const FillScene& scene) {
+MethodChoice choose_for_vectors(const ViewedScene& scene) {
   if (scene.has_lines()) {
     return {HiddenMethod::depth_sort,
             "vectors with lines: depth sort cuts least and hides lines behind polygons"};
@@ -124,13 +124,13 @@ MethodChoice choose_for_vectors(const FillScene& scene) {
 
 }  // namespace
 
-bool nothing_hides(const FillScene& scene) {
+bool nothing_hides(const ViewedScene& scene) {
   return scene.end() <= 2 || boxes_are_apart(scene) || nothing_lies_in_front(scene);
 }
 
 MethodChoice choose_method(const DisplayFile& display_file, PictureKind kind,
                            const PictureSize& size) {
-  const FillScene scene(display_file);
+  const ViewedScene scene(display_file);
   return kind == PictureKind::raster ? choose_method(scene, size) : choose_for_vectors(scene);
 }
 
@@ -138,7 +138,7 @@ MethodChoice choose_method(const DisplayFile& display_file, PictureKind kind,
 /// where polygons are few and wide (interp/visibility/scan_line.md); a subdivision's what is seen
 /// in the end: far less where wide polygons lie behind each other many times
 /// (interp/visibility/warnock.md).
-MethodChoice choose_method(const FillScene& scene, const PictureSize& size) {
+MethodChoice choose_method(const ViewedScene& scene, const PictureSize& size) {
   constexpr Fill kFewFills = 2000, kVeryFewFills = 32;
   constexpr std::size_t kSides = 8;
   constexpr double kWide = 1.0 / 10.0, kManyPixels = 128.0, kFewPixels = 40.0;

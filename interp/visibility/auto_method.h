@@ -3,9 +3,9 @@
 #include <string_view>
 
 #include "displayfile/display_file.h"
+#include "displayfile/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
 #include "hidden/hidden_method.h"
-#include "interp/visibility/fill_scene.h"
 
 namespace displayfile {
 
@@ -24,10 +24,10 @@ MethodChoice choose_method(const DisplayFile& display_file, PictureKind kind,
                            const PictureSize& size);
 
 /// The same for a picture in pixels whose fills have been collected: an image-space method.
-MethodChoice choose_method(const FillScene& scene, const PictureSize& size);
+MethodChoice choose_method(const ViewedScene& scene, const PictureSize& size);
 
 /// True if no fill can hide another: then any order of drawing is right. What it may cost is linear
 /// in the number of fills; where more would be needed to find out, false.
-bool nothing_hides(const FillScene& scene);
+bool nothing_hides(const ViewedScene& scene);
 
 }  // namespace displayfile

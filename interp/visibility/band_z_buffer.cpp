@@ -15,12 +15,12 @@ namespace displayfile {
 
 namespace {
 
-using Fill = FillScene::Fill;
+using Fill = ViewedScene::Fill;
 
 /// Depths in doubles of fills that were asked for lately.
 class KnownDepths {
  public:
-  KnownDepths(const FillScene& scene, const PictureSize& size) : scene_(scene), size_(size) {}
+  KnownDepths(const ViewedScene& scene, const PictureSize& size) : scene_(scene), size_(size) {}
   const FillDepth& of(Fill fill) {
     if (known_.empty()) known_.resize(std::bit_ceil(std::min<std::size_t>(scene_.end(), kMost)));
     Known& known = known_[fill & (known_.size() - 1)];
@@ -31,10 +31,10 @@ class KnownDepths {
  private:
   static constexpr std::size_t kMost = 256;
   struct Known {
-    Fill fill = FillScene::kBackground;
+    Fill fill = ViewedScene::kBackground;
     FillDepth depth;
   };
-  const FillScene& scene_;
+  const ViewedScene& scene_;
   PictureSize size_;
   std::vector<Known> known_;
 };
@@ -42,7 +42,7 @@ class KnownDepths {
 /// First in doubles, then by exact arithmetic.
 class ExactDecisions : public ExactRows {
  public:
-  ExactDecisions(const FillScene& scene, const PictureSize& size, const RowFills& fills,
+  ExactDecisions(const ViewedScene& scene, const PictureSize& size, const RowFills& fills,
                  const DepthRows& rows)
       : scene_(scene),
         size_(size),
@@ -142,13 +142,13 @@ class ExactDecisions : public ExactRows {
                                error);
   }
 
-  const FillScene& scene_;
+  const ViewedScene& scene_;
   PictureSize size_;
   const RowFills& fills_;
   const DepthRows& rows_;
-  Fill fill_ = FillScene::kBackground;
+  Fill fill_ = ViewedScene::kBackground;
   KnownDepths known_;
-  Fill own_fill_ = FillScene::kBackground;
+  Fill own_fill_ = ViewedScene::kBackground;
   FillDepth own_;
   PairOrders orders_;
   ScanConverter converter_;
@@ -201,7 +201,7 @@ void BandZBuffer::draw_rows(int row_begin, int row_end, const SeenRun& seen) con
     rows.row_begin = std::max(row_begin, band * kRowsOfABand);
     rows.row_end = std::min(row_end, (band + 1) * kRowsOfABand);
     std::fill_n(z.get(), pixels, -std::numeric_limits<float>::infinity());
-    std::fill_n(fill.get(), pixels, FillScene::kBackground);
+    std::fill_n(fill.get(), pixels, ViewedScene::kBackground);
     const auto draw = decisions_ == Decisions::exact ? draw_into_rows : draw_into_rows_rounded;
     draw(fills_, of_band(static_cast<std::size_t>(band)), rows, exact);
     for (int row = rows.row_begin; row < rows.row_end; ++row) {

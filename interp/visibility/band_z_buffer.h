@@ -24,7 +24,7 @@ class BandZBuffer : public ImageSpaceMethod {
   int rows_at_a_time() const override { return kRowsOfABand; }
 
  private:
-  using Fill = FillScene::Fill;
+  using Fill = ViewedScene::Fill;
   static constexpr int kRowsOfABand = 16;
 
   void sort_into_bands();

@@ -28,14 +28,14 @@ DepthBound depth_bound(std::span<const Point3> vertices, const Plane& plane,
           std::abs(depth.z0) + std::abs(depth.dz_dx) * dx + std::abs(depth.dz_dy) * dy};
 }
 
-FillDepth::FillDepth(const FillScene& scene, FillScene::Fill fill, const PictureSize& size,
+FillDepth::FillDepth(const ViewedScene& scene, ViewedScene::Fill fill, const PictureSize& size,
                      std::optional<double> roundoff) {
   const Plane plane = scene.plane(fill);
   depth = PixelDepth(plane, size.width, size.height);
   error = roundoff ? *roundoff / 4.0 : depth_bound(scene.vertices(fill), plane, depth, size).error;
 }
 
-FillDepths::FillDepths(const FillScene& scene, const PictureSize& size,
+FillDepths::FillDepths(const ViewedScene& scene, const PictureSize& size,
                        std::optional<double> roundoff)
     : exact_(!roundoff) {
   of_fill_.resize(scene.end());

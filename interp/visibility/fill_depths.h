@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "displayfile/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
 #include "interp/scan/pixel_depth.h"
-#include "interp/visibility/fill_scene.h"
 
 namespace displayfile {
 
@@ -17,7 +17,7 @@ struct FillDepth {
   double error = 0.0;
 
   FillDepth() = default;
-  FillDepth(const FillScene& scene, FillScene::Fill fill, const PictureSize& size,
+  FillDepth(const ViewedScene& scene, ViewedScene::Fill fill, const PictureSize& size,
             std::optional<double> roundoff);
 };
 
@@ -31,10 +31,10 @@ inline int rounded_order(double nearer, double errors) {
 /// with a ROUNDOFF, closer than which depths count as equal, a part of that in the bound's place.
 class FillDepths {
  public:
-  using Fill = FillScene::Fill;
+  using Fill = ViewedScene::Fill;
 
   FillDepths() = default;
-  FillDepths(const FillScene& scene, const PictureSize& size, std::optional<double> roundoff);
+  FillDepths(const ViewedScene& scene, const PictureSize& size, std::optional<double> roundoff);
 
   const PixelDepth& depth(Fill fill) const { return of_fill_[fill].depth; }
   double error(Fill fill) const { return of_fill_[fill].error; }  ///< as in FillDepth

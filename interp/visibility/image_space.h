@@ -6,15 +6,15 @@
 #include <span>
 #include <string_view>
 
+#include "displayfile/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
 #include "hidden/hidden_method.h"
-#include "interp/visibility/fill_scene.h"
 
 namespace displayfile {
 
 /// Called with the fills seen at the centres of columns first, first + 1, ... of a row:
-/// FillScene::kBackground where there is none. Rows count from the bottom.
-using SeenRun = std::function<void(int row, int first, std::span<const FillScene::Fill> seen)>;
+/// ViewedScene::kBackground where there is none. Rows count from the bottom.
+using SeenRun = std::function<void(int row, int first, std::span<const ViewedScene::Fill> seen)>;
 
 /// A way to find hidden surfaces in image space: which fill is seen at each pixel centre (the
 /// design's section 4). Each method is one file and one line in the list of image_space_methods().
@@ -24,7 +24,7 @@ class ImageSpaceMethod {
 
   /// What pictures of the scene, which must live on, share.
   struct Request {
-    const FillScene& scene;
+    const ViewedScene& scene;
     PictureSize size;
     /// Depths closer than this count as equal (the textbook's ROUNDOFF); none: exact.
     std::optional<double> roundoff;

@@ -42,7 +42,7 @@ PairOrders::Pair* PairOrders::place_of(Fill earlier, Fill later) {
   for (std::size_t k = 0; k < kProbed; ++k) {
     Pair& place = pairs_[(first + k) & (pairs_.size() - 1)];
     if (place.later == later && place.earlier == earlier) return &place;
-    if (place.later == FillScene::kBackground) return &place;
+    if (place.later == ViewedScene::kBackground) return &place;
   }
   return nullptr;
 }
@@ -53,7 +53,7 @@ void PairOrders::make_places(int power) {
   power_ = power;
   pairs_ = std::vector<Pair>(std::size_t{1} << power);
   for (const Pair& known : before) {
-    if (known.later == FillScene::kBackground) continue;
+    if (known.later == ViewedScene::kBackground) continue;
     if (Pair* const place = place_of(known.earlier, known.later)) *place = known;
   }
 }

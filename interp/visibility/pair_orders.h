@@ -17,9 +17,9 @@ namespace displayfile {
 /// thread.
 class PairOrders {
  public:
-  using Fill = FillScene::Fill;
+  using Fill = ViewedScene::Fill;
 
-  explicit PairOrders(const FillScene& scene) : scene_(&scene) {}
+  explicit PairOrders(const ViewedScene& scene) : scene_(&scene) {}
 
   /// Of two fills, the first of them entered first, wherever both cover a centre: `first` and
   /// `second` are what is seen; it varies, or that is not found out without exact arithmetic.
@@ -41,7 +41,7 @@ class PairOrders {
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   struct Pair {
-    Fill earlier = FillScene::kBackground, later = FillScene::kBackground;
+    Fill earlier = ViewedScene::kBackground, later = ViewedScene::kBackground;
     Order order = Order::varies;
     bool looked_for = false;           ///< the order
     bool is_ready = false;             ///< more is known than the filter tells,
@@ -64,7 +64,7 @@ class PairOrders {
   void find_order(Pair& pair, const DepthComparison& comparison);
   Order order_of_extents(const Pair& pair, const DepthComparison& comparison) const;
 
-  const FillScene* scene_;
+  const ViewedScene* scene_;
   std::vector<Pair> pairs_;  // by a hash of the two; more places are made as they fill
   int power_ = 0;
   std::vector<DepthComparison> comparisons_;
@@ -78,9 +78,9 @@ class PairOrders {
 /// both. For one thread.
 class CloseDepths {
  public:
-  using Fill = FillScene::Fill;
+  using Fill = ViewedScene::Fill;
 
-  CloseDepths(const FillScene& scene, const FillDepths& depths, const PictureSize& size)
+  CloseDepths(const ViewedScene& scene, const FillDepths& depths, const PictureSize& size)
       : depths_(&depths), size_(size), orders_(scene) {}
 
   /// True if a is seen rather than b, of two fills that cover the centre, neither of them the

@@ -20,10 +20,10 @@ void PolygonZBuffer::draw(int row_begin, int row_end, const SeenRun& seen) const
   const auto width = static_cast<std::size_t>(size.width);
   const auto start = [&](int row) { return static_cast<std::size_t>(row - row_begin) * width; };
   std::vector<ZBuffer::Cell<Depth>> cells(start(row_end));
-  std::vector<FillScene::Fill> begun;  // of the z-buffer's owners
+  std::vector<ViewedScene::Fill> begun;  // of the z-buffer's owners
   ZBuffer z_buffer(size, roundoff);
   ScanConverter converter;
-  for (FillScene::Fill fill = 1; fill < scene.end(); ++fill) {
+  for (ViewedScene::Fill fill = 1; fill < scene.end(); ++fill) {
     const auto vertices = scene.vertices(fill);
     const ScanConverter::Rows rows = converter.begin(vertices, {size, row_begin, row_end});
     if (rows.first == rows.end) continue;
@@ -33,11 +33,11 @@ void PolygonZBuffer::draw(int row_begin, int row_end, const SeenRun& seen) const
       z_buffer.draw_span(row, first, end, cells.data() + start(row));
     });
   }
-  std::vector<FillScene::Fill> of_row(width);
+  std::vector<ViewedScene::Fill> of_row(width);
   for (int row = row_begin; row < row_end; ++row) {
     for (std::size_t i = 0; i < width; ++i) {
       const auto& cell = cells[start(row) + i];
-      of_row[i] = cell.is_background() ? FillScene::kBackground : begun[cell.owner];
+      of_row[i] = cell.is_background() ? ViewedScene::kBackground : begun[cell.owner];
     }
     seen(row, 0, of_row);
   }

@@ -13,7 +13,7 @@ namespace displayfile {
 
 namespace {
 
-using Fill = FillScene::Fill;
+using Fill = ViewedScene::Fill;
 
 /// Polygons of more sides are scan-converted once for a band of packets.
 constexpr std::size_t kFewSides = 8;

@@ -24,7 +24,7 @@ class RayCast : public ImageSpaceMethod {
  private:
   /// A fill that covers a centre perhaps.
   struct Target {
-    FillScene::Fill fill;
+    ViewedScene::Fill fill;
     std::uint32_t first_edge, end_edge;  ///< of few sides: where it keeps them, in edges_
     std::uint32_t many_sided;            ///< of many: its number among those; otherwise kFewSided
     PixelBox pixels;

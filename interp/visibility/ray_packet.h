@@ -11,7 +11,7 @@ namespace displayfile {
 /// A square of rays along z, from the viewer's side, that see what is nearest exactly.
 class RayPacket : public RaySquare {
  public:
-  RayPacket(const FillScene& scene, const FillDepths& depths, const PictureSize& size)
+  RayPacket(const ViewedScene& scene, const FillDepths& depths, const PictureSize& size)
       : depths_(depths), close_(scene, depths, size) {}
 
   /// Starts anew with rays through these centres, of kSide columns and rows at most.
@@ -35,7 +35,7 @@ class RayPacket : public RaySquare {
 
  private:
   bool hides_closely(Fill other, int column, int row) {
-    return other == FillScene::kBackground || close_.hides(fill_, other, column, row);
+    return other == ViewedScene::kBackground || close_.hides(fill_, other, column, row);
   }
   void find_farthest();
 
@@ -46,7 +46,7 @@ class RayPacket : public RaySquare {
   double farthest_ = 0.0;       // no ray sees anything beyond
   bool changed_ = false;
 
-  Fill fill_ = FillScene::kBackground;
+  Fill fill_ = ViewedScene::kBackground;
   PixelDepth depth_;
   double margin_ = 0.0;
 };

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <span>
 
+#include "displayfile/viewed_scene.h"
 #include "interp/visibility/box_tree.h"
-#include "interp/visibility/fill_scene.h"
 
 namespace displayfile {
 
@@ -13,7 +13,7 @@ namespace displayfile {
 /// of one, and the fill that each sees so far.
 class RaySquare {
  public:
-  using Fill = FillScene::Fill;
+  using Fill = ViewedScene::Fill;
   static constexpr int kSide = 8;
 
   const PixelBox& rays() const { return rays_; }
@@ -30,7 +30,7 @@ class RaySquare {
 
   void begin_square(const PixelBox& rays) {
     rays_ = rays;
-    seen_.fill(FillScene::kBackground);
+    seen_.fill(ViewedScene::kBackground);
   }
   std::size_t index(int row, int column) const {
     return static_cast<std::size_t>((row - rays_.first_row) * kSide + column - rays_.first_column);

@@ -63,7 +63,7 @@ class RoundoffPacket : public RaySquare {
   const FillDepths& depths_;
   double roundoff_;
   std::array<double, kRays> nearest_;
-  Fill fill_ = FillScene::kBackground;
+  Fill fill_ = ViewedScene::kBackground;
   double margin_ = 0.0, farthest_ = 0.0;
   bool first_cast_ = true;
 };

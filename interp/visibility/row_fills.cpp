@@ -42,7 +42,7 @@ int turn_if_convex(std::span<const Point3> vertices) {
   return reversals == 2 ? turn : 0;
 }
 
-RowFills::RowFills(const FillScene& scene, const PictureSize& size, int threads)
+RowFills::RowFills(const ViewedScene& scene, const PictureSize& size, int threads)
     : fills_(scene.end()), edges_(scene.all_vertices()) {
   depth_error_ = static_cast<float>(kDepthError * std::max(1.0, scene.largest_depth()));
   constexpr std::size_t kFillsAtATime = 1024;
@@ -53,7 +53,7 @@ RowFills::RowFills(const FillScene& scene, const PictureSize& size, int threads)
   });
 }
 
-void RowFills::make(const FillScene& scene, const PictureSize& size, Fill fill) {
+void RowFills::make(const ViewedScene& scene, const PictureSize& size, Fill fill) {
   const auto vertices = scene.vertices(fill);
   RowFill& made = fills_[fill];
   const FlatExtent extent = flat_extent(vertices);

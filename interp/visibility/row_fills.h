@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "displayfile/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
-#include "interp/visibility/fill_scene.h"
 
 namespace displayfile {
 
@@ -32,11 +32,11 @@ struct RowFill {
 /// All fills of a scene, made ready for pictures of one size.
 class RowFills {
  public:
-  using Fill = FillScene::Fill;
+  using Fill = ViewedScene::Fill;
 
   RowFills() = default;
   /// On up to so many threads.
-  RowFills(const FillScene& scene, const PictureSize& size, int threads);
+  RowFills(const ViewedScene& scene, const PictureSize& size, int threads);
 
   Fill end() const { return static_cast<Fill>(fills_.size()); }
   const RowFill& operator[](Fill fill) const { return fills_[fill]; }
@@ -45,7 +45,7 @@ class RowFills {
   float depth_error() const { return depth_error_; }
 
  private:
-  void make(const FillScene& scene, const PictureSize& size, Fill fill);
+  void make(const ViewedScene& scene, const PictureSize& size, Fill fill);
   void make_edges(std::span<const Point3> vertices, const PictureSize& size, int turn,
                   RowFill& made);
 

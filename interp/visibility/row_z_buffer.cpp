@@ -11,7 +11,7 @@ constexpr double kFarthest = -std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-RowZBuffer::RowZBuffer(const FillScene& scene, const PictureSize& size,
+RowZBuffer::RowZBuffer(const ViewedScene& scene, const PictureSize& size,
                        std::optional<double> roundoff)
     : size_(size),
       exact_(!roundoff),
@@ -23,7 +23,7 @@ void RowZBuffer::begin(int row) {
   row_ = row;
   std::ranges::fill(depth_, kFarthest);
   std::ranges::fill(owner_, kBackground);
-  drawn_.assign(1, {FillScene::kBackground, 0.0});
+  drawn_.assign(1, {ViewedScene::kBackground, 0.0});
   largest_error_ = 0.0;
 }
 

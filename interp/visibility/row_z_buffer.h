@@ -15,9 +15,9 @@ namespace displayfile {
 /// arithmetic (interp/visibility/scan_line_z.md).
 class RowZBuffer {
  public:
-  using Fill = FillScene::Fill;
+  using Fill = ViewedScene::Fill;
 
-  RowZBuffer(const FillScene& scene, const PictureSize& size, std::optional<double> roundoff);
+  RowZBuffer(const ViewedScene& scene, const PictureSize& size, std::optional<double> roundoff);
 
   /// Clears it for a row.
   void begin(int row);

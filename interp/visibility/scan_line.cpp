@@ -18,7 +18,7 @@ ScanLine::Counts ScanLine::draw_rows_counting(int row_begin, int row_end,
   ActivePolygons active(scene, depths_, size, polygons_, row_begin);
   CloseDepths close(scene, depths_, size);
   SpanSweep sweep(close, size.width);
-  std::vector<FillScene::Fill> of_row(static_cast<std::size_t>(size.width));
+  std::vector<ViewedScene::Fill> of_row(static_cast<std::size_t>(size.width));
   for (int row = row_begin; row < row_end; ++row) {
     sweep.begin_row(row);
     active.next_row([&](ActivePolygons::Index polygon, int first, int end) {

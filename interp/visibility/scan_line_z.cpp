@@ -20,7 +20,7 @@ constexpr std::size_t kFewEdges = 64;
 
 void ScanLineZ::prepare(const Request& request, int /*threads*/) {
   request_.emplace(request);
-  const FillScene& scene = request.scene;
+  const ViewedScene& scene = request.scene;
   table_.clear();
   for (Fill fill = 1; fill < scene.end(); ++fill) {
     const auto [lowest, highest] = std::ranges::minmax(scene.vertices(fill), {}, &Point3::y);
@@ -77,7 +77,7 @@ class ScanLineZ::Sweep {
   void drop_ended_edges(std::size_t to_come);
 
   const ScanLineZ& method_;
-  const FillScene& scene_;
+  const ViewedScene& scene_;
   const PictureSize size_;
   const int row_end_;
   RowZBuffer row_;

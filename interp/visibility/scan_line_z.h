@@ -19,7 +19,7 @@ class ScanLineZ : public ImageSpaceMethod {
   int rows_at_a_time() const override { return 16; }
 
  private:
-  using Fill = FillScene::Fill;
+  using Fill = ViewedScene::Fill;
 
   /// A line of the polygon table: the rows that the fill crosses, first_row <= row < end_row.
   struct Polygon {

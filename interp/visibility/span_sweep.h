@@ -16,7 +16,7 @@ namespace displayfile {
 /// is seen in each span between two ends (interp/visibility/scan_line.md). For one thread.
 class SpanSweep {
  public:
-  using Fill = FillScene::Fill;
+  using Fill = ViewedScene::Fill;
 
   struct Counts {
     std::uint64_t spans = 0;        ///< runs in which a polygon is IN
@@ -190,7 +190,7 @@ template <class Hidden>
 void SpanSweep::sweep(std::span<Fill> seen, Hidden&& hidden) {
   counts_.spans += spans_.size();
   Index front = kNone;
-  Fill before = FillScene::kBackground;
+  Fill before = ViewedScene::kBackground;
   for (int column = 0; column < width_;) {
     if (front != kNone && spans_[front].end <= column) front = after_end(front, column, hidden);
     front = decide_due(front, column, hidden);
@@ -204,7 +204,7 @@ void SpanSweep::sweep(std::span<Fill> seen, Hidden&& hidden) {
     begins_[static_cast<std::size_t>(column) / 64] &= ~(std::uint64_t{1} << (column % 64));
 
     int end = next_begin(column);
-    Fill fill = FillScene::kBackground;
+    Fill fill = ViewedScene::kBackground;
     if (front != kNone) {
       end = std::min(end, spans_[front].end);
       fill = spans_[front].fill;

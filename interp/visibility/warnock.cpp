@@ -50,7 +50,7 @@ class Warnock::Subdivision {
   std::span<const Listed> list() const { return std::span(lists_).subspan(list_begin_); }
 
   const Warnock& warnock_;
-  const FillScene& scene_;
+  const ViewedScene& scene_;
   PictureSize size_;
   CloseDepths depths_;
   SampleArea screen_;  // all that is drawn
@@ -72,7 +72,7 @@ Warnock::Subdivision::Subdivision(const Warnock& warnock, int row_begin, int row
       area_(screen_),
       list_begin_(0),
       seen_(static_cast<std::size_t>(screen_.columns()) * static_cast<std::size_t>(screen_.rows()),
-            FillScene::kBackground) {}
+            ViewedScene::kBackground) {}
 
 /// The stack holds the areas still to come; their parents' lists lie in lists_ in the same order,
 /// so what lies behind the parent's of the area on top belongs to areas that are done.
@@ -202,7 +202,7 @@ void Warnock::Subdivision::paint(Fill fill, int row, int first, int end) {
     int same = first + 1;
     while (same < end && seen[same] == before) ++same;
     DecidedRun run{same, same, true};
-    if (before != FillScene::kBackground) {
+    if (before != ViewedScene::kBackground) {
       run = run_of(first, same, [&](int i) { return depths_.hides(fill, before, i, row); });
     }
     const auto shown = run.seen_from(first);
@@ -221,7 +221,7 @@ void Warnock::Subdivision::tell(const SeenRun& seen) const {
 
 void Warnock::prepare(const Request& request, int /*threads*/) {
   request_.emplace(request);
-  const FillScene& scene = request.scene;
+  const ViewedScene& scene = request.scene;
   depths_ = FillDepths(scene, request.size, request.roundoff);
   extents_.assign(scene.end(), {});
   for (Fill fill = 1; fill < scene.end(); ++fill) {

@@ -16,7 +16,7 @@ namespace displayfile {
 /// 64 a fill.
 class Warnock : public ImageSpaceMethod {
  public:
-  using Fill = FillScene::Fill;
+  using Fill = ViewedScene::Fill;
 
   enum class Finish {
     at_pixels,  ///< the books' algorithm

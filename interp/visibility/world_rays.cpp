@@ -266,15 +266,13 @@ std::array<Point3, 3> plane_of(std::span<const Point3> points,
 
 // ---- The world, once for all views --------------------------------------------------------------
 
-WorldRays::WorldRays(const RetainedScene& scene, const DisplayFile& attributes) {
-  for (const RetainedScene::Segment& segment : scene.segments()) {
-    const Segment& drawn = attributes.segment(segment.name);
-    if (!drawn.visible) continue;
-    if (!drawn.image.is_identity()) {
+WorldRays::WorldRays(const RetainedScene& scene, const DisplayFile& attributes)
+    : world_(scene.visible_in(attributes)) {
+  for (const RetainedScene::Segment& segment : world_.segments()) {
+    if (!attributes.segment(segment.name).image.is_identity()) {
       throw Error("segment " + std::to_string(segment.name) +
                   " has an image transformation, which acts after viewing: expected none");
     }
-    world_.add(segment);
   }
   for (std::uint32_t i = 0; i < world_.size(); ++i) enter(i);
   build();

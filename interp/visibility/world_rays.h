@@ -7,7 +7,6 @@
 
 #include "clip/view.h"
 #include "displayfile/display_file.h"
-#include "displayfile/retained_primitives.h"
 #include "displayfile/retained_scene.h"
 #include "hidden/exact/pixel_centre.h"
 
@@ -60,7 +59,7 @@ class WorldRays {
     return world_.points(polygon.primitive);
   }
 
-  RetainedPrimitives world_;
+  RetainedScene world_;
   std::vector<Polygon> polygons_;
   std::vector<Node> nodes_;  // the first is the root
 };

@@ -22,7 +22,7 @@ using Floats = hn::Vec<FloatTag>;
 using Ints = hn::Vec<IntTag>;
 using FloatMask = hn::Mask<FloatTag>;
 
-using Fill = FillScene::Fill;
+using Fill = ViewedScene::Fill;
 
 /// The columns that a convex fill covers in each of some rows.
 struct Columns {
@@ -217,7 +217,7 @@ class RowDrawer {
   void forget_differences() {
     differences_known_ = 1;  // what is drawn over the background is seen
     last_close_ = 0;
-    differences_[0] = {.from = FillScene::kBackground, .z = 1.0};
+    differences_[0] = {.from = ViewedScene::kBackground, .z = 1.0};
   }
 
   const DepthDifference& difference_from(Fill other) {
@@ -278,12 +278,12 @@ namespace displayfile {
 HWY_EXPORT(DrawExact);
 HWY_EXPORT(DrawRounded);
 
-void draw_into_rows(const RowFills& fills, std::span<const FillScene::Fill> to_draw,
+void draw_into_rows(const RowFills& fills, std::span<const ViewedScene::Fill> to_draw,
                     const DepthRows& rows, ExactRows& exact) {
   HWY_DYNAMIC_DISPATCH(DrawExact)(fills, to_draw, rows, exact);
 }
 
-void draw_into_rows_rounded(const RowFills& fills, std::span<const FillScene::Fill> to_draw,
+void draw_into_rows_rounded(const RowFills& fills, std::span<const ViewedScene::Fill> to_draw,
                             const DepthRows& rows, ExactRows& exact) {
   HWY_DYNAMIC_DISPATCH(DrawRounded)(fills, to_draw, rows, exact);
 }

@@ -17,8 +17,8 @@ struct DepthRows {
   int row_begin, row_end;  ///< no more than kMostRows
   int width;
   std::size_t stride;
-  float* z;               ///< minus infinity: background; NaN: of a fill that is not certain
-  FillScene::Fill* fill;  ///< FillScene::kBackground: none
+  float* z;                 ///< minus infinity: background; NaN: of a fill that is not certain
+  ViewedScene::Fill* fill;  ///< ViewedScene::kBackground: none
 
   std::size_t index(int row, int column) const {
     return static_cast<std::size_t>(row - row_begin) * stride + static_cast<std::size_t>(column);
@@ -28,7 +28,7 @@ struct DepthRows {
 /// The depth of a fill less that of one drawn before it, times some positive number: z + dz_dx i +
 /// dz_dy j at column i of row j of the picture, about 1 where it is largest.
 struct DepthDifference {
-  FillScene::Fill from = FillScene::kBackground;  ///< the one drawn before
+  ViewedScene::Fill from = ViewedScene::kBackground;  ///< the one drawn before
   double z = 0.0, dz_dx = 0.0, dz_dy = 0.0;
   /// Bounds the error of what single precision makes of it.
   float error = 0.0F;
@@ -37,7 +37,7 @@ struct DepthDifference {
 /// What the depths in single precision leave undecided.
 class ExactRows {
  public:
-  using Fill = FillScene::Fill;
+  using Fill = ViewedScene::Fill;
   struct Span {
     int row, first, end;
   };
@@ -56,11 +56,11 @@ class ExactRows {
 
 /// Draws the fills, given in order of entry, into rows that were cleared or drawn into before.
 /// In the widest vectors that the processor has; the fills seen are the same with any.
-void draw_into_rows(const RowFills& fills, std::span<const FillScene::Fill> to_draw,
+void draw_into_rows(const RowFills& fills, std::span<const ViewedScene::Fill> to_draw,
                     const DepthRows& rows, ExactRows& exact);
 
 /// The same with rounded decisions only, to measure what the exact ones cost.
-void draw_into_rows_rounded(const RowFills& fills, std::span<const FillScene::Fill> to_draw,
+void draw_into_rows_rounded(const RowFills& fills, std::span<const ViewedScene::Fill> to_draw,
                             const DepthRows& rows, ExactRows& exact);
 
 }  // namespace displayfile

@@ -60,8 +60,7 @@ class SortedDrawing : public Drawing {
   void draw_anew() override {
     renderer_.emplace();
     sorted_ = file_;
-    sorted_.set_sorted(std::make_shared<SortedInstructions>(
-        hidden_surface_check(file_.visible_segments(), method_, options_)));
+    sorted_.set_sorted(hidden_surface_check(file_.visible_segments(), method_, options_));
     renderer_->draw(sorted_, request_);
   }
   void draw_again() override { renderer_->draw(sorted_, request_); }

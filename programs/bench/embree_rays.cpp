@@ -15,9 +15,9 @@ struct EmbreeRays::Scene {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   PictureSize size{1, 1};
-  std::vector<FillScene::Fill> fills;  // of the triangles
-  double depth_scale = 1.0;            // a power of two: Embree has no coordinates beyond 1.8e18
-  float origin = 0.0F;                 // z of the rays', before all triangles
+  std::vector<ViewedScene::Fill> fills;  // of the triangles
+  double depth_scale = 1.0;              // a power of two: Embree has no coordinates beyond 1.8e18
+  float origin = 0.0F;                   // z of the rays', before all triangles
   ~Scene() {
     if (scene != nullptr) rtcReleaseScene(scene);
     if (device != nullptr) rtcReleaseDevice(device);
@@ -91,7 +91,7 @@ void EmbreeRays::cast(int row_begin, int row_end, Hits& hits) const {
         const auto at = static_cast<std::size_t>(j) * static_cast<std::size_t>(width) +
                         static_cast<std::size_t>(i);
         const bool hit = rays.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
-        hits.fills[at] = hit ? scene_->fills[rays.hit.primID[k]] : FillScene::kBackground;
+        hits.fills[at] = hit ? scene_->fills[rays.hit.primID[k]] : ViewedScene::kBackground;
         // Nothing hit leaves tfar at infinity, and the depth at minus infinity.
         if (hits.depths.empty()) continue;
         hits.depths[at] = (scene_->origin - rays.ray.tfar[k]) / scene_->depth_scale;

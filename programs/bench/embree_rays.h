@@ -26,8 +26,8 @@ class EmbreeRays {
 
   /// What the rays meet, the bottom row first.
   struct Hits {
-    std::vector<FillScene::Fill> fills;  ///< FillScene::kBackground where there is none
-    std::vector<double> depths;          ///< minus infinity where there is none; empty: not asked
+    std::vector<ViewedScene::Fill> fills;  ///< ViewedScene::kBackground where there is none
+    std::vector<double> depths;            ///< minus infinity where there is none; empty: not asked
     Hits(const PictureSize& size, bool with_depths)
         : fills(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)),
           depths(with_depths ? fills.size() : 0) {}

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "interp/raster/fill_paints.h"
+#include "interp/raster/raster_band.h"
 #include "interp/raster/software.h"
 #include "interp/scan/pixel_depth.h"
 #include "programs/bench/embree_rays.h"
@@ -14,7 +16,7 @@ namespace displayfile::bench {
 
 namespace {
 
-using Fill = FillScene::Fill;
+using Fill = ViewedScene::Fill;
 
 PictureSize size_of(const Frame& frame) { return {frame.width, frame.height}; }
 
@@ -37,7 +39,8 @@ class EmbreeDrawing : public Drawing {
   EmbreeDrawing(const DisplayFile& file, const Frame& frame)
       : file_(file), size_(size_of(frame)), hits_(size_, false) {}
   void draw_anew() override {
-    scene_ = FillScene(file_);
+    scene_ = ViewedScene(file_);
+    paints_ = FillPaints(scene_, kBackgroundPixel);
     rays_.reset();
     rays_ = std::make_unique<EmbreeRays>(in_triangles(scene_), size_, 1);
     draw_again();
@@ -47,7 +50,7 @@ class EmbreeDrawing : public Drawing {
     picture_.width = size_.width;
     picture_.height = size_.height;
     turn_over(hits_.fills, size_.width, picture_.pixels,
-              [&](Fill fill) { return scene_.colour(fill); });
+              [&](Fill fill) { return paints_.pixel(fill); });
   }
   Picture judged() override {
     EmbreeRays::Hits hits(size_, true);
@@ -61,7 +64,8 @@ class EmbreeDrawing : public Drawing {
  private:
   const DisplayFile& file_;
   PictureSize size_;
-  FillScene scene_;
+  ViewedScene scene_;
+  FillPaints paints_;
   std::unique_ptr<EmbreeRays> rays_;
   EmbreeRays::Hits hits_;
   Picture picture_;
@@ -73,7 +77,8 @@ class Gl2psDrawing : public Drawing {
  public:
   Gl2psDrawing(const DisplayFile& file, const Frame& frame) : file_(file), size_(size_of(frame)) {}
   void draw_anew() override {
-    scene_ = FillScene(file_);
+    scene_ = ViewedScene(file_);
+    paints_ = FillPaints(scene_, kBackgroundPixel);
     triangles_ = in_triangles(scene_);
     const Gl2psSort gl2ps{triangles_.corners, size_};
     if (!tried_ && !gl2ps.ends()) throw CannotDraw{"gl2ps's sort does not come to an end"};
@@ -117,14 +122,15 @@ class Gl2psDrawing : public Drawing {
       const PixelDepth depth(scene_.plane(fill), size_.width, size_.height);
       picture.depth[at] = depth.at(depth.row(row), column);
       picture.ids[at] = scene_.pick(fill);
-      picture.pixels[at] = scene_.colour(fill);
+      picture.pixels[at] = paints_.pixel(fill);
     }
     return picture;
   }
 
   const DisplayFile& file_;
   PictureSize size_;
-  FillScene scene_;
+  ViewedScene scene_;
+  FillPaints paints_;
   Triangles triangles_;
   std::optional<std::uint64_t> count_;
   bool tried_ = false;

@@ -4,11 +4,11 @@
 
 namespace displayfile::bench {
 
-Triangles in_triangles(const FillScene& scene) {
+Triangles in_triangles(const ViewedScene& scene) {
   Triangles triangles;
   triangles.corners.reserve(3 * scene.all_vertices());
   Triangulation triangulation;
-  for (FillScene::Fill fill = 1; fill < scene.end(); ++fill) {
+  for (ViewedScene::Fill fill = 1; fill < scene.end(); ++fill) {
     const auto p = scene.vertices(fill);
     if (p.size() == 3) {
       triangles.corners.insert(triangles.corners.end(), p.begin(), p.end());

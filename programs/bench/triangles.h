@@ -2,20 +2,20 @@
 
 #include <vector>
 
-#include "interp/visibility/fill_scene.h"
+#include "displayfile/viewed_scene.h"
 
 namespace displayfile::bench {
 
 /// A scene's fills cut into triangles, for peers that know nothing else.
 struct Triangles {
-  std::vector<Point3> corners;         ///< three a triangle, device coordinates
-  std::vector<FillScene::Fill> fills;  ///< of which fill each triangle is a part
+  std::vector<Point3> corners;           ///< three a triangle, device coordinates
+  std::vector<ViewedScene::Fill> fills;  ///< of which fill each triangle is a part
 
   std::size_t size() const { return fills.size(); }
 };
 
 /// Cut by clip/planarity.h: a fill that crosses itself has no tiling, and what is made of it covers
 /// other pixels.
-Triangles in_triangles(const FillScene& scene);
+Triangles in_triangles(const ViewedScene& scene);
 
 }  // namespace displayfile::bench

@@ -25,7 +25,7 @@ void for_rows(int size, int threads, const auto& draw) {
 
 }  // namespace
 
-FillScene scene_of_triangles(const FillScene& scene) {
+ViewedScene scene_of_triangles(const ViewedScene& scene) {
   DisplayFile file;
   Segment& segment = file.create(1);
   segment.set_style(LineStyle{LineStyle::Kind::none});
@@ -36,11 +36,11 @@ FillScene scene_of_triangles(const FillScene& scene) {
   for (std::size_t i = 0; i < corners.size(); i += 3) {
     segment.enter_polygon(corners.subspan(i, 3), edges);
   }
-  return FillScene(file);
+  return ViewedScene(file);
 }
 
-BesideEmbree cast_beside_embree(const FillScene& triangles, int size, int threads, int rounds) {
-  using Fill = FillScene::Fill;
+BesideEmbree cast_beside_embree(const ViewedScene& triangles, int size, int threads, int rounds) {
+  using Fill = ViewedScene::Fill;
   const auto width = static_cast<std::size_t>(size);
   const PictureSize picture{size, size};
   const auto method = make_image_space_method(HiddenMethod::ray_cast);
@@ -68,7 +68,7 @@ BesideEmbree cast_beside_embree(const FillScene& triangles, int size, int thread
   std::size_t covered = 0;
   result.others = 0;
   for (std::size_t k = 0; k < seen.size(); ++k) {
-    covered += seen[k] != FillScene::kBackground;
+    covered += seen[k] != ViewedScene::kBackground;
     result.others += seen[k] != hits.fills[k];
   }
   result.hit = static_cast<double>(covered) / static_cast<double>(seen.size());

@@ -2,13 +2,13 @@
 
 #include <cstddef>
 
-#include "interp/visibility/fill_scene.h"
+#include "displayfile/viewed_scene.h"
 #include "programs/bench/side_by_side.h"
 
 namespace displayfile::bench {
 
 /// A scene's fills, those of more sides cut into triangles: Embree knows nothing else.
-FillScene scene_of_triangles(const FillScene& scene);
+ViewedScene scene_of_triangles(const ViewedScene& scene);
 
 /// Ray casting in image space beside Embree's primary rays: the same triangles, the same parallel
 /// rays through the pixel centres of a size x size picture, what is hit as the result.
@@ -18,6 +18,6 @@ struct BesideEmbree {
   double hit;          ///< part of the rays that hit something
   std::size_t others;  ///< pixels at which Embree sees another triangle
 };
-BesideEmbree cast_beside_embree(const FillScene& triangles, int size, int threads, int rounds);
+BesideEmbree cast_beside_embree(const ViewedScene& triangles, int size, int threads, int rounds);
 
 }  // namespace displayfile::bench

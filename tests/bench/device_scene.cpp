@@ -70,7 +70,7 @@ DeviceScene viewed(const std::string& name, const Mesh& mesh, bool back_face_rem
 
 void DeviceScene::add(const Point3* polygon, std::size_t sides) {
   polygons.push_back({static_cast<std::uint32_t>(points.size()), static_cast<std::uint32_t>(sides),
-                      SortItems::Kind::solid});
+                      Primitives::Kind::solid});
   points.insert(points.end(), polygon, polygon + sides);
   visible.insert(visible.end(), sides, 0);
 }
@@ -125,7 +125,7 @@ double overlaps_per_polygon(const DeviceScene& scene) {
     Point2 low, high;
   };
   std::vector<Box> boxes;
-  for (const SortItems::Item& polygon : scene.polygons) {
+  for (const Primitives::Item& polygon : scene.polygons) {
     Box box{Point2(scene.points[polygon.first]), Point2(scene.points[polygon.first])};
     for (std::uint32_t i = 1; i < polygon.sides; ++i) {
       const Point2 p(scene.points[polygon.first + i]);

@@ -16,10 +16,10 @@ struct DeviceScene {
   std::string name;
   std::vector<Point3> points;
   std::vector<std::uint8_t> visible;
-  std::vector<SortItems::Item> polygons;
+  std::vector<Primitives::Item> polygons;
 
   void add(const Point3* polygon, std::size_t sides);
-  SortItems items() const { return {points, visible, polygons}; }
+  Primitives items() const { return {points, visible, polygons}; }
   std::size_t size() const { return polygons.size(); }
 };
 

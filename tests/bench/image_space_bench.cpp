@@ -111,11 +111,11 @@ struct Cover {
   double deep, wide;
 };
 Cover cover(const DisplayFile& file) {
-  const FillScene scene(file);
+  const ViewedScene scene(file);
   std::vector<bool> covered(std::size_t{kSide} * kSide);
   double pixels = 0.0, runs = 0.0;
   ScanConverter converter;
-  for (FillScene::Fill fill = 1; fill < scene.end(); ++fill) {
+  for (ViewedScene::Fill fill = 1; fill < scene.end(); ++fill) {
     converter.scan_convert(scene.vertices(fill), {{kSide, kSide}, 0, kSide},
                            [&](int row, int first, int end) {
                              pixels += end - first;
@@ -220,7 +220,7 @@ void print_exact_and_rays(const std::vector<std::function<NamedSystem()>>& scene
   std::vector<std::vector<std::string>> rows;
   for (const auto& make : scenes) {
     const NamedSystem named = make();
-    const FillScene scene(named.system.display_file());
+    const ViewedScene scene(named.system.display_file());
     BandZBuffer exact, rounded(BandZBuffer::Decisions::rounded);
     for (BandZBuffer* method : {&exact, &rounded}) {
       method->prepare({scene, {kSide, kSide}, std::nullopt}, 1);
@@ -228,7 +228,7 @@ void print_exact_and_rays(const std::vector<std::function<NamedSystem()>>& scene
     std::vector<std::uint32_t> pixels(std::size_t{kSide} * kSide);
     const auto draw = [&](const BandZBuffer& method) {
       return [&] {
-        method.draw_rows(0, kSide, [&](int row, int first, std::span<const FillScene::Fill> run) {
+        method.draw_rows(0, kSide, [&](int row, int first, std::span<const ViewedScene::Fill> run) {
           std::uint32_t* const to = pixels.data() + row * kSide + first;
           for (std::size_t i = 0; i < run.size(); ++i) to[i] = scene.colour(run[i]);
         });

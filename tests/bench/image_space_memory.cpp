@@ -21,10 +21,10 @@ struct Options {
   std::size_t polygons = 10'000;
 };
 
-std::int64_t bytes_of(ImageSpaceMethod& method, const FillScene& scene, int size) {
+std::int64_t bytes_of(ImageSpaceMethod& method, const ViewedScene& scene, int size) {
   return bench::most_bytes_held([&] {
     method.prepare({scene, {size, size}, {}}, 1);
-    method.draw_rows(0, size, [](int, int, std::span<const FillScene::Fill>) {});
+    method.draw_rows(0, size, [](int, int, std::span<const ViewedScene::Fill>) {});
   });
 }
 
@@ -35,7 +35,7 @@ void print(std::string_view name, std::int64_t bytes, std::int64_t of_z_buffer) 
 
 void run(const Options& options) {
   const GraphicsSystem system = entered(generated_scene(options.scene).make(options.polygons, 1));
-  const FillScene scene(system.display_file());
+  const ViewedScene scene(system.display_file());
   fmt::print("{}, {} polygons, {} x {} pixels\n", options.scene, scene.end() - 1, options.size,
              options.size);
   PolygonZBuffer whole;

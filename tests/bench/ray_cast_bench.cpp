@@ -29,7 +29,7 @@ struct Options {
 };
 
 void compare(const std::string& name, const DisplayFile& file, const Options& options) {
-  const FillScene triangles = scene_of_triangles(FillScene(file));
+  const ViewedScene triangles = scene_of_triangles(ViewedScene(file));
   const BesideEmbree beside =
       cast_beside_embree(triangles, options.size, options.threads, options.rounds);
   fmt::print(

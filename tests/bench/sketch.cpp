@@ -22,7 +22,7 @@ Sketch::Sketch(const DeviceScene& scene, const TemporaryFolder& folder)
     : input_(folder.file("scene.sk")), output_(folder.file("scene.tex")) {
   std::ofstream file(input_);
   constexpr double kCentimetres = 10.0;
-  for (const SortItems::Item& item : scene.polygons) {
+  for (const Primitives::Item& item : scene.polygons) {
     file << "polygon[cull=false]";
     for (std::uint32_t i = 0; i < item.sides; ++i) {
       const Point3 p = kCentimetres * scene.points[item.first + i];

@@ -21,11 +21,11 @@ namespace {
 constexpr PictureSize kSize{1024, 1024};
 
 void draw(const ImageSpaceMethod& method) {
-  method.draw_rows(0, kSize.height, [](int, int, std::span<const FillScene::Fill>) {});
+  method.draw_rows(0, kSize.height, [](int, int, std::span<const ViewedScene::Fill>) {});
 }
 
 /// Takes up the scene and draws it.
-void draw_anew(ImageSpaceMethod& method, const FillScene& scene) {
+void draw_anew(ImageSpaceMethod& method, const ViewedScene& scene) {
   method.prepare({scene, kSize, {}}, 1);
   draw(method);
 }
@@ -36,7 +36,7 @@ struct Areas {
 Areas areas_of(const Warnock& warnock) {
   Areas areas;
   warnock.draw_rows(
-      0, kSize.height, [](int, int, std::span<const FillScene::Fill>) {},
+      0, kSize.height, [](int, int, std::span<const ViewedScene::Fill>) {},
       [&](const Warnock::Visit& visit) {
         ++areas.visited;
         areas.listed += visit.list.size();
@@ -45,7 +45,7 @@ Areas areas_of(const Warnock& warnock) {
 }
 
 /// Warnock's time over the other's, drawing again and with prepare().
-std::string ratios(ImageSpaceMethod& other, ImageSpaceMethod& warnock, const FillScene& scene,
+std::string ratios(ImageSpaceMethod& other, ImageSpaceMethod& warnock, const ViewedScene& scene,
                    int rounds) {
   draw_anew(other, scene);
   draw_anew(warnock, scene);
@@ -60,7 +60,7 @@ std::string ratios(ImageSpaceMethod& other, ImageSpaceMethod& warnock, const Fil
 
 void measure(const std::string& name, std::size_t polygons, int rounds) {
   const GraphicsSystem system = entered(generated_scene(name).make(polygons, 1));
-  const FillScene scene(system.display_file());
+  const ViewedScene scene(system.display_file());
   PolygonZBuffer polygon_by_polygon;
   BandZBuffer bands;
   fmt::print("{}, {} polygons\n", name, scene.end() - 1);

@@ -43,8 +43,7 @@ auto sorted(HiddenMethod method, const Precision& precision) {
     SortOptions options;
     options.precision = precision;
     DisplayFile file = display_file;
-    file.set_sorted(std::make_shared<SortedInstructions>(
-        hidden_surface_check(display_file.visible_segments(), method, options)));
+    file.set_sorted(hidden_surface_check(display_file.visible_segments(), method, options));
     RasterRequest request = request_ids(size, HiddenMethod::none);
     request.sorted = precision.exact;
     return draw_with_software(file, request);

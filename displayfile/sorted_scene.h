@@ -1,0 +1,190 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "clip/transformation.h"
+#include "displayfile/intensity_plane.h"
+#include "displayfile/viewed_scene.h"
+#include "hidden/hidden_method.h"
+#include "hidden/sort/hidden_surface_sort.h"
+
+namespace displayfile {
+
+/// What a sort of hidden surfaces cost.
+struct SortCounts {
+  std::uint64_t pieces = 0;  ///< polygons and lines in the order, cut ones once a piece
+  std::uint64_t cuts = 0;    ///< one piece in two
+  std::uint64_t comparisons = 0;
+  std::uint32_t depth = 0;  ///< of the deepest tree; 0 where there is none
+
+  SortCounts& operator+=(const SortCounts& other) {
+    pieces += other.pieces;
+    cuts += other.cuts;
+    comparisons += other.comparisons;
+    depth = std::max(depth, other.depth);
+    return *this;
+  }
+};
+
+/// A scene and the order that a sort found: its pieces, back to front.
+struct OrderedScene {
+  std::shared_ptr<const ViewedScene> scene;
+  SortedPieces pieces;  ///< of the scene's items
+};
+
+/// What the hidden-surface check makes of one segment, or of several together: scenes of which none
+/// hides anything of another, each in order. It is no second display file: the instructions are
+/// made from the scenes when they are asked for.
+struct SortedScene {
+  std::vector<std::shared_ptr<const OrderedScene>> parts;
+  ImageTransformation image;  ///< that the points of a single segment went through before
+  HiddenMethod method;        ///< that sorted them
+  Precision precision;
+  SortCounts counts;
+  /// How far a boundary may lie from where the polygons as entered have it, beyond the rounding of
+  /// a cut's own coordinates: where the cuts were made before viewing. Device coordinates.
+  double boundary_error = 0.0;
+
+  /// SAVE-POLYGONS-IN-ORDER (algorithm 9.16): calls the visitor for each instruction, back to
+  /// front, as Instructions::walk does; a style, a pick identifier and a segment where they change.
+  template <class Visitor>
+  void walk(Visitor&& visit) const;
+  /// The same with points after an image transformation.
+  template <class Visitor>
+  void walk_transformed(const ImageTransformation& moved, Visitor&& visit) const {
+    if (moved.is_identity()) return walk(visit);
+    walk(TransformedVisitor(visit, moved));
+  }
+
+  std::size_t polygons() const;  ///< pieces that are drawn as polygons
+  std::size_t lines() const;     ///< and as lines
+  std::size_t bytes() const;     ///< of the scenes' own arrays and the orders, as used
+};
+
+/// What is in force while pieces are made into instructions.
+template <class Visitor>
+class PieceWriter {
+ public:
+  explicit PieceWriter(Visitor& visit) : visit_(visit) {}
+
+  void save_polygons_in_order(const OrderedScene& ordered) {
+    ordered_ = &ordered;
+    for (const SortedPiece& piece : ordered.pieces.pieces) {
+      check_segment(piece.item);
+      send_to_df(piece);
+    }
+  }
+
+ private:
+  const ViewedScene& scene() const { return *ordered_->scene; }
+
+  void check_segment(std::uint32_t item) {
+    if (scene().segments().empty()) return;
+    const int name = scene().segment_name(item);
+    if (name == segment_) return;
+    segment_ = name;
+    pen_.reset();
+    if constexpr (requires { visit_.segment(name); }) visit_.segment(name);
+  }
+
+  /// SEND-TO-DF (algorithm 9.17).
+  void send_to_df(const SortedPiece& piece) {
+    const auto points = points_of(piece);
+    if (scene().kind(piece.item) == Primitives::Kind::line) {
+      check_line_style(piece.item);
+      if (pen_ != points[0]) visit_.move(points[0]);
+      visit_.line(points[1]);
+    } else {
+      check_fill_style(piece.item);
+      check_line_style(piece.item);
+      send_polygon(piece, points);
+    }
+    pen_ = points.back();
+  }
+
+  /// CHECK-STYLE (algorithm 9.18): a style is sent only where it changes.
+  void check_fill_style(std::uint32_t item) {
+    const FillStyle style = scene().fill_style(item);
+    if (fill_ == style) return;
+    fill_ = style;
+    visit_.fill(style);
+  }
+  void check_line_style(std::uint32_t item) {
+    const LineStyle& style = scene().line_style(item);
+    if (line_ == style) return;
+    line_ = style;
+    visit_.line_style(style);
+  }
+
+  std::span<const Point3> points_of(const SortedPiece& piece) const {
+    if (piece.first == SortedPiece::kWhole) return scene().points(piece.item);
+    return std::span(ordered_->pieces.points).subspan(piece.first, piece.sides);
+  }
+
+  /// A piece of an edge-on polygon may be a single side; a polygon instruction has three or more.
+  void send_polygon(const SortedPiece& piece, std::span<const Point3> points) {
+    sides_.clear();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const bool visible = piece.first == SortedPiece::kWhole
+                               ? scene().edge_visible(piece.item, i)
+                               : ordered_->pieces.visible[piece.first + i] != 0;
+      sides_.push_back(visible ? op::line : op::move);
+    }
+    auto intensities = intensities_of(piece, points);
+    if (points.size() < 3) {
+      padded_.assign(points.begin(), points.end());
+      padded_.resize(3, points.back());
+      sides_.resize(3, op::move);
+      if (!intensities.empty()) {
+        intensities_.assign(intensities.begin(), intensities.end());
+        intensities_.resize(3, intensities_.back());
+        intensities = intensities_;
+      }
+      points = padded_;
+    }
+    if (const std::int32_t pick = scene().pick_of_item(piece.item); pick_ != pick) {
+      pick_ = pick;
+      visit_.pick(pick);
+    }
+    if constexpr (requires { visit_.intensities(intensities); }) {
+      if (!intensities.empty()) visit_.intensities(intensities);
+    }
+    visit_.polygon(points, std::span<const std::int32_t>(sides_));
+  }
+
+  /// A piece of a shaded polygon lies in the picture of the whole one.
+  std::span<const double> intensities_of(const SortedPiece& piece, std::span<const Point3> points) {
+    const auto of_whole = scene().intensities(piece.item);
+    if (of_whole.empty() || piece.first == SortedPiece::kWhole) return of_whole;
+    const IntensityPlane plane(scene().points(piece.item), of_whole);
+    intensities_.clear();
+    for (const Point3& p : points) intensities_.push_back(plane.at(p));
+    return intensities_;
+  }
+
+  Visitor& visit_;
+  const OrderedScene* ordered_ = nullptr;
+  std::optional<FillStyle> fill_;
+  std::optional<LineStyle> line_;
+  std::optional<std::int32_t> pick_;
+  std::optional<Point3> pen_;
+  int segment_ = 0;  // names are 1 or more
+  std::vector<std::int32_t> sides_;
+  std::vector<Point3> padded_;
+  std::vector<double> intensities_;  // of one piece
+};
+
+template <class Visitor>
+void SortedScene::walk(Visitor&& visit) const {
+  PieceWriter<std::remove_reference_t<Visitor>> writer(visit);
+  for (const auto& part : parts) writer.save_polygons_in_order(*part);
+}
+
+}  // namespace displayfile

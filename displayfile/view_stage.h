@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "clip/clip_pipeline.h"
+#include "displayfile/attributes.h"
+#include "displayfile/gouraud.h"
+#include "displayfile/segment.h"
+
+namespace displayfile {
+
+/// A polygon in world coordinates.
+struct WorldPolygon {
+  std::span<const Point3> vertices;
+  std::span<const std::uint8_t> edge_visible;  ///< of the side that ends at the vertex; empty: all
+  Point3 normal;  ///< Newell's of the whole polygon that it is of, where there is light
+  std::span<const Point3> vertex_normals;  ///< if it is shaded smoothly, and where there is light
+  std::int32_t pick;
+};
+
+/// The one way from world coordinates into a segment, for polygons as they are entered and for a
+/// retained scene in a new view: through the clip pipeline, checked for a back face (the end of
+/// algorithm 9.2), lit, and into the instructions.
+class ViewStage {
+ public:
+  explicit ViewStage(const ViewVolume& volume) : pipeline_(volume) {}
+
+  /// To be called when another segment is entered into or the attributes are others than in the
+  /// last call: a style is entered only then, unless there is light.
+  void attributes_changed() { styles_entered_ = false; }
+
+  /// What was entered of the polygon, in device coordinates: nothing if it is outside or a back
+  /// face that is removed. Valid until the next call.
+  std::span<const Point3> enter_polygon(const WorldPolygon& polygon, const Attributes& attributes,
+                                        Segment& segment);
+  /// The line style is not none. False if nothing of the line is inside.
+  bool enter_line(const Point3& from, const Point3& to, const LineStyle& style, Segment& segment);
+
+  ClipPipeline& pipeline() { return pipeline_; }
+
+ private:
+  FillStyle lit_fill(const WorldPolygon& polygon, const Attributes& attributes,
+                     ClippedPolygon& clipped) const;
+
+  ClipPipeline pipeline_;
+  GouraudLighting lighting_;
+  bool styles_entered_ = false;  // both, in the segment; where there is light, no matter
+};
+
+}  // namespace displayfile

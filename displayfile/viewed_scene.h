@@ -1,0 +1,162 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "displayfile/instructions.h"
+#include "displayfile/style.h"
+#include "hidden/exact/plane.h"
+#include "hidden/primitives.h"
+
+namespace displayfile {
+
+class DisplayFile;
+class Segment;
+
+/// The one scene that every method and device reads (displayfile/scenes.md): the polygons and lines
+/// that the visible segments of a display file draw, in order of entry and in device coordinates
+/// after the image transformations, with their styles, segments, pick identifiers and planes.
+///
+/// An item is a polygon or a line. Items of which nothing can be seen, hollow polygons and lines of
+/// line style none, are left out. Points are not copied where one closed segment is all there is
+/// and its points are those of the picture.
+///
+/// A fill is a solid polygon that is not edge-on, which would cover nothing. Fill 0 stands for the
+/// background; the others count from 1 in order of entry, so that of two fills the one entered
+/// later has the larger number.
+class ViewedScene {
+ public:
+  using Item = std::uint32_t;
+  using Fill = std::uint32_t;
+  static constexpr Fill kBackground = 0;
+
+  ViewedScene() = default;
+  /// The visible segments as they are now. Here as below, coordinates are up to kCoordinateLimit;
+  /// throws Error for more than 2^32 - 2 points.
+  explicit ViewedScene(const DisplayFile& display_file);
+  /// The segments in that order, visible or not.
+  explicit ViewedScene(std::span<const Segment* const> segments);
+  /// The instructions of one segment, which must not grow while the scene lives. The scene then
+  /// names no segments.
+  ViewedScene(std::shared_ptr<const Instructions> entered, const ImageTransformation& image);
+
+  ViewedScene(ViewedScene&&) = default;
+  ViewedScene& operator=(ViewedScene&&) = default;
+  ViewedScene(const ViewedScene&) = delete;
+  ViewedScene& operator=(const ViewedScene&) = delete;
+
+  /// True while the display file's visible segments are those that the scene was made of.
+  bool is_of(const DisplayFile& display_file) const;
+
+  // ---- Items -----------------------------------------------------------------------------
+
+  Primitives primitives() const { return {points_, edge_visible_, items_}; }
+  std::uint32_t items() const { return static_cast<std::uint32_t>(items_.size()); }
+  Primitives::Kind kind(Item item) const { return items_[item].kind; }
+  std::span<const Point3> points(Item item) const {
+    return points_.subspan(items_[item].first, items_[item].sides);
+  }
+  /// Of the side that ends at the item's vertex of that number.
+  bool edge_visible(Item item, std::size_t vertex) const {
+    return edge_visible_.empty() || edge_visible_[items_[item].first + vertex] != 0;
+  }
+  /// Of the vertices of a shaded polygon; empty if it is not shaded.
+  std::span<const double> intensities(Item item) const {
+    if (item >= first_intensity_.size() || first_intensity_[item] == kNone) return {};
+    return intensities_.subspan(first_intensity_[item], items_[item].sides);
+  }
+  FillStyle fill_style(Item item) const;
+  const Colour& fill_colour(Item item) const;  ///< of the fill of a solid polygon
+  const LineStyle& line_style(Item item) const;
+  std::int32_t pick_of_item(Item item) const { return pick_[item]; }  ///< a line's has no meaning
+
+  /// The segments' names, and where their items begin. None if the scene names no segments.
+  struct SegmentStart {
+    int name;
+    Item first;
+  };
+  std::span<const SegmentStart> segments() const { return segments_; }
+  int segment_name(Item item) const;  ///< if the scene names segments
+
+  // ---- Fills -----------------------------------------------------------------------------
+
+  /// One more than the last fill.
+  Fill end() const { return fills_ + 1; }
+  Item item_of(Fill fill) const { return fill_item_.empty() ? fill - 1 : fill_item_[fill - 1]; }
+  std::span<const Point3> vertices(Fill fill) const { return points(item_of(fill)); }
+  /// The place of its first vertex among those of all items.
+  std::uint32_t first_vertex(Fill fill) const { return items_[item_of(fill)].first; }
+  std::size_t all_vertices() const { return points_.size(); }
+  double largest_depth() const { return largest_depth_; }  ///< of the fills' vertices, |z|
+  /// Through the support vertices (the design's section 4), which are not in line.
+  Plane plane(Fill fill) const {
+    const Item item = item_of(fill);
+    const Point3* const v = points_.data() + items_[item].first;
+    if (item >= support_.size()) return {v[0], v[1], v[2]};
+    const auto& [p, q, r] = support_[item];
+    return {v[p], v[q], v[r]};
+  }
+  std::int32_t pick(Fill fill) const {  ///< -1: the background
+    return fill == kBackground ? -1 : pick_[item_of(fill)];
+  }
+  bool has_shades() const { return !first_intensity_.empty(); }  ///< some polygon is shaded
+  bool has_shadows() const { return !shadows_.empty(); }         ///< some fill shows them
+  /// Null if none is seen on the fill, which is not the background.
+  const FillShadow* shadow(Fill fill) const { return shadow_of_item(item_of(fill)); }
+
+  bool has_lines() const { return has_lines_; }  ///< or polygons with visible edges
+  std::size_t bytes() const;                     ///< of the scene's own arrays, as used
+
+ private:
+  struct Collector;
+  /// What the items from `first` on are drawn in.
+  template <class Style>
+  struct Run {
+    Item first;
+    Style style;
+  };
+  /// What the scene was made of.
+  struct Source {
+    std::shared_ptr<const Instructions> instructions;
+    ImageTransformation image;
+    std::size_t codes;
+  };
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  void collect(std::span<const Segment* const> segments);
+  void collect(const std::shared_ptr<const Instructions>& entered, const ImageTransformation& image,
+               bool in_place);
+  void finish(bool in_place);
+  void add_fill(std::span<const Point3> vertices);
+  const FillShadow* shadow_of_item(Item item) const {
+    return item >= shadow_.size() || shadow_[item] == kNone ? nullptr : &shadows_[shadow_[item]];
+  }
+
+  std::vector<Source> sources_;
+  std::span<const Point3> points_;  // the source's own, or else own_points_
+  std::vector<Point3> own_points_;
+  std::vector<std::uint8_t> edge_visible_;  // empty: all are
+  std::vector<Primitives::Item> items_;
+  std::vector<std::int32_t> pick_;     // of the items
+  std::vector<Run<Colour>> colours_;   // of the items' fills
+  std::vector<Run<LineStyle>> lines_;  // of the items' lines or edges
+  std::vector<SegmentStart> segments_;
+  /// The support vertices of items up to the last that has more than three sides.
+  std::vector<std::array<std::uint32_t, 3>> support_;
+  std::uint32_t fills_ = 0;
+  std::vector<Item> fill_item_;  // empty while every item is a fill
+  std::span<const double> intensities_;
+  std::vector<double> own_intensities_;
+  std::vector<std::uint32_t> first_intensity_;  // of items up to the last shaded one, or kNone
+  std::vector<std::uint32_t> shadow_;           // likewise, in shadows_
+  std::vector<FillShadow> shadows_;
+  bool has_lines_ = false;
+  double largest_depth_ = 0.0;
+};
+
+}  // namespace displayfile

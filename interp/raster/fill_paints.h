@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "displayfile/intensity_plane.h"
+#include "displayfile/viewed_scene.h"
+#include "interp/picture.h"
+
+namespace displayfile {
+
+/// What the fills of a scene are painted with, for a device of pixels.
+class FillPaints {
+ public:
+  using Fill = ViewedScene::Fill;
+
+  FillPaints() = default;
+  /// The background is as given.
+  FillPaints(const ViewedScene& scene, std::uint32_t background);
+
+  std::uint32_t pixel(Fill fill) const { return pixel_[fill]; }  ///< as in Picture::pixels
+  /// A fill whose colour is not the same everywhere, but multiplied by an intensity.
+  struct Shade {
+    Colour colour;
+    IntensityPlane intensity;
+  };
+  bool has_shades() const { return !shades_.empty(); }
+  /// Null if it is flat.
+  const Shade* shade(Fill fill) const {
+    return fill >= shade_.size() || shade_[fill] == kNone ? nullptr : &shades_[shade_[fill]];
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  std::vector<std::uint32_t> pixel_;
+  std::vector<std::uint32_t> shade_;  // of the fills up to the last that has one: in shades_
+  std::vector<Shade> shades_;
+};
+
+}  // namespace displayfile

@@ -18,6 +18,12 @@ struct ClippedPolygon {
   std::span<const double> intensities = {};  ///< of the vertices, if the polygon had some
 };
 
+/// A vertex that polygons share, as the pipeline sees it.
+struct ViewedVertex {
+  Point3 device;    ///< if it is inside of all planes
+  Outcode outcode;  ///< the planes that it is outside of
+};
+
 /// The clip pipeline: world coordinates in, normalised device coordinates out.
 ///
 /// A polygon is cut by one stage a plane, in the textbook's order (CLIP-BACK, CLIP-FRONT,
@@ -42,6 +48,13 @@ class ClipPipeline {
   /// Clips the line from a to b (world) in place of its device coordinates; false if
   /// nothing of it is inside.
   bool clip_line(const Point3& a, const Point3& b, Point3& device_a, Point3& device_b) const;
+
+  /// A polygon all of whose vertices are inside has their device coordinates.
+  ViewedVertex view(const Point3& world) const {
+    const HomogeneousPoint p = volume_.transform(world);
+    const Outcode outcode = volume_.outcode(p);
+    return {outcode == 0 ? volume_.to_device(p) : Point3(0.0), outcode};
+  }
 
   const ViewVolume& volume() const { return volume_; }
 

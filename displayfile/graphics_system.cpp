@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -401,6 +402,95 @@ void GraphicsSystem::enter_triangles(const Point3& normal, std::span<const Point
 void GraphicsSystem::enter(const WorldPolygon& polygon) {
   if (retained_ != nullptr) retained_->enter_polygon(polygon, attributes_);
   view_stage_->enter_polygon(polygon, attributes_, display_file_.segment(*open_));
+}
+
+namespace {
+
+/// Checks what polygons_abs_3 is given, but for coordinates.
+void require_polygons(std::size_t vertices, std::span<const std::uint32_t> corners,
+                      std::span<const std::uint32_t> sides, std::size_t fills) {
+  std::size_t of_all = 0;
+  for (const std::uint32_t n : sides) {
+    if (n < 3) throw Error(fmt::format("polygon of {} sides: expected at least 3", n));
+    of_all += n;
+  }
+  if (sides.empty() ? corners.size() % 3 != 0 : of_all != corners.size()) {
+    throw Error(fmt::format("{} corners: expected {}", corners.size(),
+                            sides.empty() ? "three of each polygon" : std::to_string(of_all)));
+  }
+  const std::size_t polygons = sides.empty() ? corners.size() / 3 : sides.size();
+  if (fills > 1 && fills != polygons) {
+    throw Error(fmt::format("{} fill styles of {} polygons: expected one, or one for each", fills,
+                            polygons));
+  }
+  for (const std::uint32_t corner : corners) {
+    if (corner >= vertices) {
+      throw Error(fmt::format("vertex {} of {}: expected an index from 0", corner, vertices));
+    }
+  }
+}
+
+}  // namespace
+
+void GraphicsSystem::polygons_abs_3(std::span<const Point3> vertices,
+                                    std::span<const std::uint32_t> corners,
+                                    std::span<const std::uint32_t> sides,
+                                    std::span<const FillStyle> fills) {
+  require_open();
+  require_polygons(vertices.size(), corners, sides, fills.size());
+  if (!vertex_normals_.empty()) {
+    throw Error("normals of one polygon's vertices are set: expected none before many polygons");
+  }
+  for (const FillStyle& fill : fills) {
+    if (fill.kind == FillStyle::Kind::solid) require_colour(fill.colour);
+  }
+  const std::span<const Point3> world = shared_world(vertices);
+  Segment& segment = display_file_.segment(*open_);
+  view_stage_->view_vertices(world);
+  const FillStyle in_force = attributes_.fill;
+  const std::size_t polygons = sides.empty() ? corners.size() / 3 : sides.size();
+  segment.reserve_polygons(polygons, corners.size());
+  std::size_t first = 0;
+  for (std::size_t k = 0; k < polygons; ++k) {
+    if (k < fills.size()) set_fill_style(fills[k]);
+    const auto polygon = corners.subspan(first, sides.empty() ? 3 : sides[k]);
+    first += polygon.size();
+    enter_shared(world, polygon, segment);
+    if (recorder_ == nullptr) continue;
+    object_points_.clear();
+    for (const std::uint32_t corner : polygon) object_points_.push_back(vertices[corner]);
+    recorder_->write("polygon-abs-3", object_points_, 3);
+  }
+  if (!fills.empty()) set_fill_style(in_force);
+  if (!corners.empty()) pen_ = {vertices[corners.back()], world[corners.back()]};
+}
+
+/// Valid until the next call, and as long as the vertices themselves.
+std::span<const Point3> GraphicsSystem::shared_world(std::span<const Point3> vertices) {
+  if (modelling_.is_identity() && std::ranges::all_of(vertices, in_range)) return vertices;
+  shared_world_.resize(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) shared_world_[i] = to_world(vertices[i]);
+  return shared_world_;
+}
+
+/// One polygon of many; its vertices in world coordinates are gathered only if they are needed.
+void GraphicsSystem::enter_shared(std::span<const Point3> world,
+                                  std::span<const std::uint32_t> corners, Segment& segment) {
+  const int pick = pick_ >= 0 ? pick_ : static_cast<int>(ordinal_);
+  ++ordinal_;
+  world_points_.clear();
+  const bool triangle = corners.size() == 3;
+  if (!triangle || attributes_.light || retained_ != nullptr) {
+    for (const std::uint32_t corner : corners) world_points_.push_back(world[corner]);
+  }
+  const Point3 normal = attributes_.light ? newell_normal(world_points_) : Point3(0.0);
+  if (!triangle && !is_flat(world_points_)) {
+    ++triangulated_;
+    return enter_triangles(normal, {}, pick);
+  }
+  const WorldPolygon polygon{world_points_, {}, normal, {}, pick};
+  if (retained_ != nullptr) retained_->enter_polygon(polygon, attributes_);
+  view_stage_->enter_shared(world, corners, polygon, attributes_, segment);
 }
 
 // ---- Attributes ------------------------------------------------------------------------

@@ -97,6 +97,17 @@ class GraphicsSystem {
   void polygon_rel_2(std::span<const Point2> steps);
   void polygon_rel_2(std::initializer_list<Point2> steps) { polygon_rel_2(span(steps)); }
 
+  /// Many polygons at once, as so many calls of polygon_abs_3 enter them, one after another, but
+  /// several times as fast. `corners` are indices into `vertices`, polygon after polygon: sides[k]
+  /// of polygon k, or 3 of each if `sides` is empty. Polygons may share vertices. `fills` are of
+  /// one style for all or of one for each; if empty, the style in force. The style in force stays
+  /// what it was. Errors, before any polygon is entered: those of polygon_abs_3 and
+  /// set_fill_style, an index that is not of a vertex, counts that do not agree, normals that
+  /// set_vertex_normals has set.
+  void polygons_abs_3(std::span<const Point3> vertices, std::span<const std::uint32_t> corners,
+                      std::span<const std::uint32_t> sides = {},
+                      std::span<const FillStyle> fills = {});
+
   // Attributes of the primitives that follow.
   void set_fill_style(const FillStyle& style);  ///< Error: a colour outside of [0,1].
   /// Errors: a colour outside of [0,1], width, dash or gap not positive.
@@ -185,6 +196,9 @@ class GraphicsSystem {
   void line_to(const Point3& object);
   void polygon(std::span<const Point3> object);
   void enter(const WorldPolygon& polygon);
+  std::span<const Point3> shared_world(std::span<const Point3> vertices);
+  void enter_shared(std::span<const Point3> world, std::span<const std::uint32_t> corners,
+                    Segment& segment);
   void attributes_changed() {
     if (view_stage_) view_stage_->attributes_changed();
   }
@@ -212,6 +226,7 @@ class GraphicsSystem {
   Triangulation triangulation_;
   std::vector<Point3> object_points_, world_points_;  // of the polygon being entered
   std::vector<Point3> world_normals_;                 // of its vertices
+  std::vector<Point3> shared_world_;                  // vertices that polygons share
 };
 
 }  // namespace displayfile

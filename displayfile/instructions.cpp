@@ -1,5 +1,7 @@
 #include "displayfile/instructions.h"
 
+#include <algorithm>
+
 namespace displayfile {
 
 void Instructions::set_style(const FillStyle& fill) {
@@ -115,9 +117,13 @@ std::size_t Instructions::bytes() const {
          intensities_.size() * sizeof(intensities_[0]);
 }
 
-void Instructions::reserve(std::size_t codes, std::size_t points) {
-  op_.reserve(codes);
-  points_.reserve(points);
+/// At least twice the room there is, so that many small calls cost no more than one.
+void Instructions::reserve_more(std::size_t codes, std::size_t points) {
+  const auto make_room = [](auto& array, std::size_t size) {
+    if (size > array.capacity()) array.reserve(std::max(size, 2 * array.capacity()));
+  };
+  make_room(op_, op_.size() + codes);
+  make_room(points_, points_.size() + flat_points_.size() + points);
 }
 
 void Instructions::shrink_to_fit() {

@@ -46,6 +46,26 @@ class Instructions {
   void enter_polygon(std::span<const Point3> vertices, std::span<const std::uint8_t> edge_visible,
                      std::span<const double> intensities = {});
 
+  /// The same for a flat polygon of n sides, all visible, where point(i) is its vertex i. Quick
+  /// where polygons with z, whose pick identifiers count on, are entered in a row.
+  template <class PointAt>
+  void enter_next_polygon(std::uint32_t n, const PointAt& point) {
+    if (!stores_z_ || !stored_picks_.in_run || pick_ != stored_picks_.next) {
+      std::vector<Point3> vertices(n);
+      for (std::uint32_t i = 0; i < n; ++i) vertices[i] = point(i);
+      return enter_polygon(vertices, std::vector<std::uint8_t>(n, 1));
+    }
+    last_pick_ = stored_picks_.take();
+    last_pick_repeats_ = false;
+    op_.push_back(static_cast<std::int32_t>(n));
+    for (std::uint32_t i = 0; i < n; ++i) {
+      op_.push_back(op::line);
+      points_.push_back(point(i));
+    }
+    pen_ = points_.back();
+    ++polygons_;
+  }
+
   /// Calls the visitor for each instruction in order, with points as stored:
   ///   fill(FillStyle), line_style(LineStyle), pick(int), move(Point3), line(Point3),
   ///   polygon(span<const Point3> vertices, span<const int32_t> sides) - sides holds op::line
@@ -71,7 +91,8 @@ class Instructions {
   /// Of the vertices of all shaded polygons, in order of entry.
   std::span<const double> stored_intensities() const { return intensities_; }
   std::size_t bytes() const;  ///< of the instruction arrays, as used
-  void reserve(std::size_t codes, std::size_t points);
+  /// Makes room for so many codes and points more, at once.
+  void reserve_more(std::size_t codes, std::size_t points);
   void shrink_to_fit();
 
  private:

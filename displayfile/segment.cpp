@@ -16,14 +16,12 @@ Segment& Segment::operator=(const Segment& other) {
   return *this;
 }
 
-/// Instructions that no copy shares.
-Instructions& Segment::writable() {
+void Segment::make_writable() {
   if (closed_) {
     entered_ = std::make_shared<Instructions>(*entered_);
     closed_ = false;
   }
   sorted_.reset();
-  return *entered_;
 }
 
 std::size_t Segment::bytes() const {

@@ -44,6 +44,15 @@ class Segment {
                      std::span<const double> intensities = {}) {
     writable().enter_polygon(vertices, edge_visible, intensities);
   }
+  template <class PointAt>
+  void enter_next_polygon(std::uint32_t n, const PointAt& point) {
+    writable().enter_next_polygon(n, point);
+  }
+  /// Makes room for polygons of so many corners in all.
+  void reserve_polygons(std::size_t polygons, std::size_t corners) {
+    constexpr std::size_t kOtherCodes = 3;  // the polygon's own, and a pick identifier
+    writable().reserve_more(corners + kOtherCodes * polygons, corners);
+  }
   /// No more instructions are to come: copies may share them.
   void close() { closed_ = true; }
   bool is_closed() const { return closed_; }
@@ -86,7 +95,13 @@ class Segment {
   std::size_t bytes() const;  ///< of the instruction arrays of both orders, as used
 
  private:
-  Instructions& writable();
+  /// Instructions that no copy shares.
+  Instructions& writable() {
+    if (closed_ || sorted_ != nullptr) [[unlikely]]
+      make_writable();
+    return *entered_;
+  }
+  void make_writable();
 
   int name_;
   std::shared_ptr<Instructions> entered_;

@@ -112,7 +112,8 @@ class PieceWriter {
   /// CHECK-STYLE (algorithm 9.18): a style is sent only where it changes.
   void check_fill_style(std::uint32_t item) {
     const FillStyle style = scene().fill_style(item);
-    if (fill_ == style) return;
+    if (fill_known_ && fill_ == style) return;
+    fill_known_ = true;
     fill_ = style;
     visit_.fill(style);
   }
@@ -171,7 +172,8 @@ class PieceWriter {
 
   Visitor& visit_;
   const OrderedScene* ordered_ = nullptr;
-  std::optional<FillStyle> fill_;
+  FillStyle fill_;
+  bool fill_known_ = false;
   std::optional<LineStyle> line_;
   std::optional<std::int32_t> pick_;
   std::optional<Point3> pen_;

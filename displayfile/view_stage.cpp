@@ -6,10 +6,50 @@ namespace displayfile {
 
 std::span<const Point3> ViewStage::enter_polygon(const WorldPolygon& polygon,
                                                  const Attributes& attributes, Segment& segment) {
-  ClippedPolygon clipped = polygon.vertex_normals.empty()
-                               ? pipeline_.clip_polygon(polygon.vertices, polygon.edge_visible)
-                               : lighting_.clip(pipeline_, polygon.vertices, polygon.edge_visible,
-                                                polygon.vertex_normals, *attributes.light);
+  const ClippedPolygon clipped =
+      polygon.vertex_normals.empty()
+          ? pipeline_.clip_polygon(polygon.vertices, polygon.edge_visible)
+          : lighting_.clip(pipeline_, polygon.vertices, polygon.edge_visible,
+                           polygon.vertex_normals, *attributes.light);
+  return enter_clipped(clipped, polygon, attributes, segment);
+}
+
+void ViewStage::view_vertices(std::span<const Point3> world) {
+  shared_.clear();
+  shared_.reserve(world.size());
+  for (const Point3& p : world) shared_.push_back(pipeline_.view(p));
+}
+
+bool ViewStage::enter_shared(std::span<const Point3> world, std::span<const std::uint32_t> corners,
+                             const WorldPolygon& polygon, const Attributes& attributes,
+                             Segment& segment) {
+  Outcode any = 0, all = ~0u;
+  for (const std::uint32_t corner : corners) {
+    any |= shared_[corner].outcode;
+    all &= shared_[corner].outcode;
+  }
+  if (all != 0) return false;  // wholly outside of one plane
+  corners_.clear();
+  if (any != 0) {
+    for (const std::uint32_t corner : corners) corners_.push_back(world[corner]);
+    return !enter_clipped(pipeline_.clip_polygon(corners_), polygon, attributes, segment).empty();
+  }
+  if (styles_entered_ && !attributes.light && !attributes.back_face_removal) {
+    segment.set_pick(polygon.pick);
+    segment.enter_next_polygon(static_cast<std::uint32_t>(corners.size()),
+                               [&](std::uint32_t i) { return shared_[corners[i]].device; });
+    return true;
+  }
+  for (const std::uint32_t corner : corners) corners_.push_back(shared_[corner].device);
+  if (all_edges_.size() < corners.size()) all_edges_.resize(corners.size(), 1);
+  const ClippedPolygon whole{corners_, std::span(all_edges_).first(corners.size())};
+  return !enter_clipped(whole, polygon, attributes, segment).empty();
+}
+
+/// BACK-FACE-CHECK (algorithm 9.3) and what follows it.
+std::span<const Point3> ViewStage::enter_clipped(ClippedPolygon clipped,
+                                                 const WorldPolygon& polygon,
+                                                 const Attributes& attributes, Segment& segment) {
   if (clipped.vertices.size() < 3) return {};
   if (attributes.back_face_removal && is_back_face(clipped.vertices)) return {};
   if (attributes.light) {

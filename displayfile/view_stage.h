@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "clip/clip_pipeline.h"
 #include "displayfile/attributes.h"
@@ -34,18 +35,30 @@ class ViewStage {
   /// face that is removed. Valid until the next call.
   std::span<const Point3> enter_polygon(const WorldPolygon& polygon, const Attributes& attributes,
                                         Segment& segment);
+  /// Views vertices that several polygons share, once each, for enter_shared.
+  void view_vertices(std::span<const Point3> world);
+  /// A polygon, all sides visible, whose corners are indices into the vertices that were viewed
+  /// last, `world`; it has no normals of vertices, and its own vertices are not looked at. True if
+  /// something of it was entered.
+  bool enter_shared(std::span<const Point3> world, std::span<const std::uint32_t> corners,
+                    const WorldPolygon& polygon, const Attributes& attributes, Segment& segment);
   /// The line style is not none. False if nothing of the line is inside.
   bool enter_line(const Point3& from, const Point3& to, const LineStyle& style, Segment& segment);
 
   ClipPipeline& pipeline() { return pipeline_; }
 
  private:
+  std::span<const Point3> enter_clipped(ClippedPolygon clipped, const WorldPolygon& polygon,
+                                        const Attributes& attributes, Segment& segment);
   FillStyle lit_fill(const WorldPolygon& polygon, const Attributes& attributes,
                      ClippedPolygon& clipped) const;
 
   ClipPipeline pipeline_;
   GouraudLighting lighting_;
   bool styles_entered_ = false;  // both, in the segment; where there is light, no matter
+  std::vector<ViewedVertex> shared_;
+  std::vector<Point3> corners_;          // of a polygon
+  std::vector<std::uint8_t> all_edges_;  // ones
 };
 
 }  // namespace displayfile

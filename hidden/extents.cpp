@@ -87,6 +87,9 @@ ExtentIndex::ExtentIndex(std::span<const Extent> extents) : order_(extents.size(
     }
     nodes_.push_back({all, first, end, 0});
     if (end - first <= kLeaf) {
+      // The halves are the same on every machine, but nth_element leaves their order open.
+      std::sort(placed.begin() + first, placed.begin() + end,
+                [](const Placed& a, const Placed& b) { return a.index < b.index; });
       leaves_.push_back(at);
       continue;
     }

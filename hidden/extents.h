@@ -40,7 +40,8 @@ class ExtentIndex {
 
   /// Calls found(p, q) once for each pair of boxes that meets, one of which is in the leaves of
   /// the tree numbered from `from` to before `to`; for all pairs, from 0 to leaves(). p < q are
-  /// positions: order()[p] is the box. Boxes at close positions are close to each other.
+  /// positions: order()[p] is the box. Boxes at close positions are close to each other. Positions
+  /// and the order of the pairs are functions of the boxes alone.
   template <class Found>
   void pairs(std::uint32_t from, std::uint32_t to, Found&& found) const;
 

@@ -9,6 +9,7 @@
 #include <limits>
 #include <numeric>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -130,6 +131,41 @@ TEST(ExtentIndexTest, BoxesThatHoldEverythingAreNotMissed) {
                        i % 3 == 0 ? std::numeric_limits<double>::infinity() : 0.0);
   }
   EXPECT_EQ(indexed_pairs(extents, 1), all_pairs(extents));
+}
+
+/// The index's order by its definition, with sorts in place of nth_element: halves by the middle,
+/// ties and leaves by the number.
+void put_in_order(const std::vector<Extent>& extents, std::span<std::uint32_t> part) {
+  constexpr std::size_t kLeaf = 8;
+  if (part.size() <= kLeaf) {
+    std::ranges::sort(part);
+    return;
+  }
+  Extent all = Extent::nothing();
+  for (const std::uint32_t i : part) all.include(extents[i]);
+  const int axis = all.x_max - all.x_min >= all.y_max - all.y_min ? 0 : 1;
+  std::ranges::sort(part, {}, [&](std::uint32_t i) {
+    return std::pair(extents[i].low(axis) + extents[i].high(axis), i);
+  });
+  put_in_order(extents, part.first(part.size() / 2));
+  put_in_order(extents, part.subspan(part.size() / 2));
+}
+
+TEST(ExtentIndexTest, TheOrderIsAFunctionOfTheBoxesAlone) {
+  Source s(11);
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<Extent> extents(static_cast<std::size_t>(s.between(0, 300)), Extent::nothing());
+    const int grid = s.below(2) == 0 ? 6 : 1000;
+    for (Extent& e : extents) {
+      const Point3 at = on_grid(s, grid, 4);
+      e.include(at);
+      e.include(at + 0.1 * on_grid(s, grid, 4));
+    }
+    std::vector<std::uint32_t> expected(extents.size());
+    std::iota(expected.begin(), expected.end(), 0u);
+    put_in_order(extents, expected);
+    EXPECT_TRUE(std::ranges::equal(ExtentIndex(extents).order(), expected)) << trial;
+  }
 }
 
 // ---- Polygons in the projection -----------------------------------------------------------------

@@ -29,10 +29,10 @@ std::vector<SegmentGroup> overlapping_groups(std::span<const Segment* const> seg
   for (std::size_t i = 0; i < segments.size(); ++i) {
     segments[i]->walk_entered_drawn(ExtentVisitor{extents[i]});
   }
-  const ExtentIndex index(extents);
+  const ExtentTree tree = extent_tree(extents, 1);
   DisjointSets sets(segments.size());
-  index.pairs(0, index.leaves(), [&](std::uint32_t p, std::uint32_t q) {
-    sets.join(index.order()[p], index.order()[q]);
+  tree.pairs(0, tree.leaves(), [&](std::uint32_t p, std::uint32_t q) {
+    sets.join(tree.order()[p], tree.order()[q]);
   });
   std::vector<SegmentGroup> groups;
   std::vector<std::size_t> group_of(segments.size());

@@ -77,14 +77,17 @@ void Shadows::build_tree() {
     largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   }
   const Point3 margin(64.0 * kUnit * largest);
-  std::vector<SpaceBox> boxes;
-  boxes.reserve(casters_.size());
-  for (const Polygon& caster : casters_) {
-    SpaceBox box;
+  const auto bounds_of = [&](SpaceTree::Item i) -> Bounds {
+    Bounds box;
+    const Polygon& caster = casters_[i];
     for (std::uint32_t k = 0; k < caster.sides; ++k) box.include(vertices_[caster.first + k]);
-    boxes.push_back({box.low - margin, box.high + margin});
-  }
-  tree_.build(boxes);
+    return {box.low - margin, box.high + margin};
+  };
+  tree_.build(casters_.size(), bounds_of, 1);
+  std::vector<Polygon> ordered;
+  ordered.reserve(casters_.size());
+  for (const SpaceTree::Item item : tree_.order()) ordered.push_back(casters_[item]);
+  casters_ = std::move(ordered);
 }
 
 /// From a point toward the light. Looked at along the ray, the point is the origin: the other

@@ -7,7 +7,7 @@
 #include "displayfile/display_file.h"
 #include "hidden/exact/pixel_centre.h"
 #include "hidden/exact/plane.h"
-#include "interp/raster/space_tree.h"
+#include "hidden/space_tree.h"
 #include "interp/scan/pixel_depth.h"
 #include "interp/visibility/fill_sources.h"
 
@@ -52,7 +52,7 @@ class Shadows {
 
   FillSources sources_;
   std::vector<Point3> vertices_;
-  std::vector<Polygon> casters_;
+  std::vector<Polygon> casters_;  // as the tree has them
   SpaceTree tree_;
 };
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "interp/visibility/box_tree.h"
+#include "interp/scan/pixel_box.h"
 #include "interp/visibility/fill_scene.h"
 
 namespace displayfile {

@@ -156,7 +156,7 @@ std::vector<Feature> table() {
        "set-hidden-method ray-cast",
        "",
        [](FeatureUse& u) { u.method = ray_cast; },
-       {"RayCast", "RayPacket", "BoxTree", "FillScene"}},
+       {"RayCast", "RayPacket", "BoxTree", "PixelTree", "FillScene"}},
       {"the method that picks itself",
        "set-hidden-method auto",
        "",

@@ -223,40 +223,45 @@ int compare(const Hit<Number>& a, const Hit<Number>& b) {
   return difference * of_a * of_b;
 }
 
-/// A linear function over boxes, wide enough for all rounding.
-struct OverBoxes {
-  std::array<double, 3> normal, error;
-  double offset, offset_error;
-
-  explicit OverBoxes(const Linear<Ball>& f)
-      : normal{f.a.middle, f.b.middle, f.c.middle},
-        error{error_of(f.a), error_of(f.b), error_of(f.c)},
-        offset(f.d.middle),
-        offset_error(2.0 * error_of(f.d) + kTiny) {}
+/// A linear function over boxes none of whose coordinates is larger than `size`, wide enough for
+/// all rounding.
+class OverBoxes {
+ public:
+  OverBoxes(const Linear<Ball>& f, const Point3& size)
+      : normal_{f.a.middle, f.b.middle, f.c.middle} {
+    const double error = error_of(f.a) * size.x + error_of(f.b) * size.y + error_of(f.c) * size.z +
+                         2.0 * error_of(f.d) + kTiny;
+    least_offset_ = f.d.middle - 2.0 * error;
+    most_offset_ = f.d.middle + 2.0 * error;
+  }
 
   using EachBox = std::array<double, SpaceBoxes::kBoxes>;
-  /// No point of a box has less, nor more. Either is at a corner, known by the signs.
-  void range(const SpaceBoxes& boxes, EachBox& least, EachBox& most) const {
-    least.fill(offset - offset_error);
-    most.fill(offset + offset_error);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double slope = normal[axis], wider = error[axis];
-      const auto& low = slope < 0.0 ? boxes.high[axis] : boxes.low[axis];
-      const auto& high = slope < 0.0 ? boxes.low[axis] : boxes.high[axis];
-      for (std::size_t k = 0; k < SpaceBoxes::kBoxes; ++k) {
-        const double a = std::abs(low[k]), b = std::abs(high[k]);
-        const double widened = wider * (a > b ? a : b);
-        least[k] += slope * low[k] - widened;
-        most[k] += slope * high[k] + widened;
-      }
-    }
+  /// No point of a box has less; it is at a corner, known by the signs.
+  EachBox least(const SpaceBoxes& boxes) const {
+    return at_corners(boxes.low, boxes.high, least_offset_);
+  }
+  EachBox most(const SpaceBoxes& boxes) const {
+    return at_corners(boxes.high, boxes.low, most_offset_);
   }
 
  private:
-  /// In place of the eight or fewer roundings of one unit that a term takes part in.
-  static double error_of(const Ball& of) {
-    return 2.0 * of.radius + 32.0 * kUnit * std::abs(of.middle);
+  /// Of one axis after the other, as rising or falling along it says.
+  template <class Sides>
+  EachBox at_corners(const Sides& rising, const Sides& falling, double offset) const {
+    const auto& x = normal_[0] < 0.0 ? falling[0] : rising[0];
+    const auto& y = normal_[1] < 0.0 ? falling[1] : rising[1];
+    const auto& z = normal_[2] < 0.0 ? falling[2] : rising[2];
+    EachBox values;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      values[k] = normal_[0] * x[k] + normal_[1] * y[k] + normal_[2] * z[k] + offset;
+    }
+    return values;
   }
+  /// In place of the eight or fewer roundings of one unit that a term takes part in.
+  static double error_of(const Ball& of) { return of.radius + 16.0 * kUnit * std::abs(of.middle); }
+
+  std::array<double, 3> normal_;
+  double least_offset_, most_offset_;
 };
 
 Point3 newell_normal(std::span<const Point3> polygon) {
@@ -320,7 +325,11 @@ Bounds WorldRays::bounds_of(const Polygon& polygon) const {
 }
 
 void WorldRays::build() {
-  const auto bounds = [&](SpaceTree::Item i) { return bounds_of(polygons_[i]); };
+  const auto bounds = [&](SpaceTree::Item i) {
+    const Bounds box = bounds_of(polygons_[i]);
+    size_ = glm::max(size_, glm::max(glm::abs(box.low), glm::abs(box.high)));
+    return box;
+  };
   tree_.build(polygons_.size(), bounds, 1);
   std::vector<Polygon> ordered;
   ordered.reserve(polygons_.size());
@@ -340,11 +349,12 @@ class WorldRays::Caster {
         volume_(view),
         near_(view, volume_),
         exact_(view, volume_),
-        nearness_(perspective_ ? Linear<Ball>{-near_.w.a, -near_.w.b, -near_.w.c, -near_.w.d}
-                               : near_.z) {
+        nearness_(
+            perspective_ ? Linear<Ball>{-near_.w.a, -near_.w.b, -near_.w.c, -near_.w.d} : near_.z,
+            world.size_) {
     for (int column = 0; column < size.width; ++column) {
       columns_.push_back(column_plane(near_, column, size));
-      columns_over_boxes_.emplace_back(columns_.back());
+      columns_over_boxes_.emplace_back(columns_.back(), world.size_);
     }
   }
 
@@ -358,7 +368,7 @@ class WorldRays::Caster {
     Work work;
     work.row = row;
     work.near.row = row_plane(near_, row, size_);
-    const OverBoxes row_over_boxes(work.near.row);
+    const OverBoxes row_over_boxes(work.near.row, world_.size_);
     for (int column = 0; column < size_.width; ++column) {
       if (compare_with_centres(viewport.x_min, size_.width, column) > 0 ||
           compare_with_centres(viewport.x_max, size_.width, column) <= 0) {
@@ -391,10 +401,9 @@ class WorldRays::Caster {
     work.hidden = -std::numeric_limits<double>::infinity();
     const OverBoxes& column = columns_over_boxes_[static_cast<std::size_t>(work.column)];
     const auto meets = [&](const SpaceBoxes& boxes, OverBoxes::EachBox& nearest) {
-      OverBoxes::EachBox left, right, lowest, highest, farthest;
-      column.range(boxes, left, right);
-      row.range(boxes, lowest, highest);
-      nearness_.range(boxes, farthest, nearest);
+      const auto left = column.least(boxes), right = column.most(boxes);
+      const auto lowest = row.least(boxes), highest = row.most(boxes);
+      nearest = nearness_.most(boxes);
       SpaceTree::Lanes met;
       for (std::size_t k = 0; k < met.size(); ++k) {
         // Where a bound is no number nothing is known to be missed.

@@ -55,6 +55,7 @@ class WorldRays {
   RetainedPrimitives world_;
   std::vector<Polygon> polygons_;  // as the tree has them
   SpaceTree tree_;
+  Point3 size_{0.0};  // no coordinate of a box is larger
 };
 
 }  // namespace displayfile

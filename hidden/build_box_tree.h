@@ -100,18 +100,16 @@ struct BoxTree<Boxes>::Builder {
     return p;
   }
 
-  /// Divides what costs most until there are as many branches as a node has. The items of a leaf
-  /// are in order: what was used to divide them may have left them in any.
+  /// Divides what costs most until there are as many branches as a node has. A leaf has none; its
+  /// items are put in order: what was used to divide them may have left them in any.
   void branch(Work& work) {
     std::vector<Part>& branches = work.branches;
     const auto all = std::span(entries).subspan(work.part.begin, work.part.size());
     if (all.size() <= kBranches) {
       std::ranges::sort(all, {}, &BoxEntry<Box>::item);
-      for (std::size_t k = work.part.begin; k < work.part.end; ++k) {
-        branches.push_back({k, k + 1, entries[k].box});
-      }
       return;
     }
+    branches.reserve(kBranches);
     branches.push_back(work.part);
     const auto cost = [](const Part& p) {
       return p.size() > kBranches ? Rule::cost(p.box, p.size()) : 0.0;
@@ -148,28 +146,41 @@ void BoxTree<Boxes>::build_by(std::size_t items, const std::function<Box(Item)>&
   nodes_.emplace_back();
   for (; !level.empty(); ++depth_) {
     in_parallel(threads, level.size(), [&](std::size_t k) { builder.branch(level[k]); });
+    std::size_t branches = 0;  // that are nodes
+    for (const auto& work : level) {
+      branches += static_cast<std::size_t>(
+          std::ranges::count_if(work.branches, [](const auto& part) { return part.size() > 1; }));
+    }
+    nodes_.reserve(nodes_.size() + branches);  // no more: levels grow eightfold
     std::vector<typename Builder<Rule>::Work> next;
+    next.reserve(branches);
     for (const auto& work : level) {
       Node node;
-      bool leaf = false;
-      for (std::size_t k = 0; k < kBranches; ++k) {
-        const bool none = k >= work.branches.size();
-        node.boxes.set(k, none ? Box::nothing() : work.branches[k].box);
-        node.branch[k] = 0;
-        if (none) continue;
+      for (std::size_t k = 0; k < kBranches; ++k) node.boxes.set(k, Box::nothing());
+      node.branch.fill(0);
+      bool has_items = false;
+      const auto put_item = [&](std::size_t k, std::size_t position) {
+        node.boxes.set(k, builder.entries[position].box);
+        node.branch[k] = kItem | static_cast<Position>(position);
+        has_items = true;
+      };
+      if (work.branches.empty()) {
+        for (std::size_t k = 0; k < work.part.size(); ++k) put_item(k, work.part.begin + k);
+      }
+      for (std::size_t k = 0; k < work.branches.size(); ++k) {
         const auto& part = work.branches[k];
         if (part.size() == 1) {
-          node.branch[k] = kItem | static_cast<Position>(part.begin);
-          leaf = true;
-        } else {
-          node.branch[k] = static_cast<std::uint32_t>(nodes_.size());
-          next.push_back({node.branch[k], part});
-          nodes_.emplace_back();
+          put_item(k, part.begin);
+          continue;
         }
+        node.boxes.set(k, part.box);
+        node.branch[k] = static_cast<std::uint32_t>(nodes_.size());
+        next.push_back({node.branch[k], part});
+        nodes_.emplace_back();
       }
       nodes_[work.node] = node;
       end_.push_back(static_cast<Position>(work.part.end));
-      if (leaf) leaves_.push_back(work.node);
+      if (has_items) leaves_.push_back(work.node);
     }
     level = std::move(next);
   }

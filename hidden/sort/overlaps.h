@@ -83,7 +83,7 @@ OverlappingPairs overlapping_pairs(const SortScene<Policy>& scene, std::size_t m
                                  Outline{scene.table.vertices(order[p]), turning[p]},
                                  Outline{scene.table.vertices(order[q]), turning[q]});
   };
-  constexpr std::uint32_t kLeaves = 256;
+  constexpr std::uint32_t kLeaves = 128;
   std::vector<std::vector<Overlaps::Pair>> found((tree.leaves() + kLeaves - 1) / kLeaves);
   std::atomic<std::size_t> count = 0;
   in_parts(tree.leaves(), kLeaves, threads,

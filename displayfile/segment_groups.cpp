@@ -1,9 +1,8 @@
 #include "displayfile/segment_groups.h"
 
-#include <algorithm>
 #include <cstdint>
-#include <numeric>
 
+#include "hidden/disjoint_sets.h"
 #include "hidden/extents.h"
 
 namespace displayfile {
@@ -23,25 +22,6 @@ struct ExtentVisitor {
   }
 };
 
-/// Sets that are joined, each with its smallest member as its name.
-class Sets {
- public:
-  explicit Sets(std::size_t size) : parent_(size) {
-    std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
-  }
-  std::uint32_t of(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t i, std::uint32_t j) {
-    const std::uint32_t a = of(i), b = of(j);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 }  // namespace
 
 std::vector<SegmentGroup> overlapping_groups(std::span<const Segment* const> segments) {
@@ -49,15 +29,15 @@ std::vector<SegmentGroup> overlapping_groups(std::span<const Segment* const> seg
   for (std::size_t i = 0; i < segments.size(); ++i) {
     segments[i]->walk_entered_drawn(ExtentVisitor{extents[i]});
   }
-  const ExtentIndex index(extents);
-  Sets sets(segments.size());
-  index.pairs(0, index.leaves(), [&](std::uint32_t p, std::uint32_t q) {
-    sets.join(index.order()[p], index.order()[q]);
+  const ExtentTree tree = extent_tree(extents, 1);
+  DisjointSets sets(segments.size());
+  tree.pairs(0, tree.leaves(), [&](std::uint32_t p, std::uint32_t q) {
+    sets.join(tree.order()[p], tree.order()[q]);
   });
   std::vector<SegmentGroup> groups;
   std::vector<std::size_t> group_of(segments.size());
   for (std::uint32_t i = 0; i < segments.size(); ++i) {
-    const std::uint32_t first = sets.of(i);
+    const std::uint32_t first = sets.name(i);
     if (first == i) {
       group_of[i] = groups.size();
       groups.emplace_back();

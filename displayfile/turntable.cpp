@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "clip/bounds.h"
 #include "clip/error.h"
 #include "clip/transformation.h"
 #include "clip/view_volume.h"
-#include "displayfile/bounds.h"
 #include "displayfile/mesh/fitted_window.h"
 
 namespace displayfile {

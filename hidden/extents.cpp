@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "hidden/build_box_tree.h"
+
 namespace displayfile {
 
 namespace {
@@ -20,12 +22,6 @@ float rounded_up(double v) {
   if (std::abs(v) > kLargest) return v > 0.0 ? kInfinity : -kLargest;
   const auto f = static_cast<float>(v);
   return static_cast<double>(f) >= v ? f : std::nextafter(f, kInfinity);
-}
-
-/// 0 for what has no bounds, or holds nothing.
-float twice_centre(float min, float max) {
-  const float sum = min + max;
-  return std::isnan(sum) ? 0.0f : sum;
 }
 
 }  // namespace
@@ -53,68 +49,18 @@ void Extent::include(const Extent& o) {
   z_max = std::max(z_max, o.z_max);
 }
 
-ExtentIndex::ExtentIndex(std::span<const Extent> extents) : order_(extents.size()) {
-  struct Range {
-    std::uint32_t first, end, parent;
-    bool second_half;
-  };
-  /// A box while it is being put in order, with its centre (twice that).
-  struct Placed {
-    Box box;
-    float x, y;
-    std::uint32_t index;
-  };
-  std::vector<Placed> placed(extents.size());
-  for (std::uint32_t i = 0; i < placed.size(); ++i) {
-    const Extent& e = extents[i];
-    placed[i] = {{e.x_min, e.x_max, e.y_min, e.y_max},
-                 twice_centre(e.x_min, e.x_max),
-                 twice_centre(e.y_min, e.y_max),
-                 i};
-  }
-  nodes_.reserve(placed.size() / 2);
-  std::vector<Range> waiting{{0, static_cast<std::uint32_t>(placed.size()), 0, false}};
-  while (!waiting.empty()) {
-    const auto [first, end, parent, second_half] = waiting.back();
-    waiting.pop_back();
-    const auto at = static_cast<std::uint32_t>(nodes_.size());
-    if (second_half) nodes_[parent].right = at;
-    Box all{kInfinity, -kInfinity, kInfinity, -kInfinity};
-    for (std::uint32_t p = first; p < end; ++p) {
-      const Box& box = placed[p].box;
-      all = {std::min(all.x_min, box.x_min), std::max(all.x_max, box.x_max),
-             std::min(all.y_min, box.y_min), std::max(all.y_max, box.y_max)};
-    }
-    nodes_.push_back({all, first, end, 0});
-    if (end - first <= kLeaf) {
-      leaves_.push_back(at);
-      continue;
-    }
-    const std::uint32_t middle = first + (end - first) / 2;
-    const auto begin = placed.begin();
-    // Of equal centres the lower number first: the same order on every machine.
-    if (all.x_max - all.x_min >= all.y_max - all.y_min) {
-      std::nth_element(begin + first, begin + middle, begin + end,
-                       [](const Placed& a, const Placed& b) {
-                         return a.x != b.x ? a.x < b.x : a.index < b.index;
-                       });
-    } else {
-      std::nth_element(begin + first, begin + middle, begin + end,
-                       [](const Placed& a, const Placed& b) {
-                         return a.y != b.y ? a.y < b.y : a.index < b.index;
-                       });
-    }
-    waiting.push_back({middle, end, at, true});
-    waiting.push_back({first, middle, at, false});
-  }
-  for (auto* bound : {&x_min_, &x_max_, &y_min_, &y_max_}) bound->resize(placed.size() + kLeaf);
-  for (std::size_t p = 0; p < placed.size(); ++p) {
-    order_[p] = placed[p].index;
-    x_min_[p] = placed[p].box.x_min;
-    x_max_[p] = placed[p].box.x_max;
-    y_min_[p] = placed[p].box.y_min;
-    y_max_[p] = placed[p].box.y_max;
-  }
+FlatBox FlatBox::nothing() { return {kInfinity, -kInfinity, kInfinity, -kInfinity}; }
+
+template <>
+void ExtentTree::build(std::size_t items, const std::function<FlatBox(Item)>& box_of, int threads) {
+  build_by<Halves<FlatBox>>(items, box_of, threads);
+}
+
+ExtentTree extent_tree(std::span<const Extent> extents, int threads) {
+  ExtentTree tree;
+  const auto box_of = [&](ExtentTree::Item i) { return FlatBox::of(extents[i]); };
+  tree.build(extents.size(), box_of, threads);
+  return tree;
 }
 
 }  // namespace displayfile

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
-#include <vector>
 
 #include "clip/point.h"
+#include "hidden/box_tree.h"
 
 namespace displayfile {
 
@@ -29,89 +29,61 @@ struct Extent {
   }
 };
 
-/// Finds all pairs of boxes that meet in the projection, without comparing all: a binary tree over
-/// the boxes, halved at the median along the longer side. n log n to build, and for each box the
-/// cost of those it meets and of the way to them.
-class ExtentIndex {
- public:
-  using Pair = std::pair<std::uint32_t, std::uint32_t>;
+/// An extent's rectangle in the projection.
+struct FlatBox {
+  float x_min, x_max, y_min, y_max;
 
-  explicit ExtentIndex(std::span<const Extent> extents);
+  static FlatBox nothing();
+  static FlatBox of(const Extent& e) { return {e.x_min, e.x_max, e.y_min, e.y_max}; }
+  void include(const FlatBox& o) {
+    x_min = std::min(x_min, o.x_min);
+    x_max = std::max(x_max, o.x_max);
+    y_min = std::min(y_min, o.y_min);
+    y_max = std::max(y_max, o.y_max);
+  }
 
-  /// Calls found(p, q) once for each pair of boxes that meets, one of which is in the leaves of
-  /// the tree numbered from `from` to before `to`; for all pairs, from 0 to leaves(). p < q are
-  /// positions: order()[p] is the box. Boxes at close positions are close to each other.
-  template <class Found>
-  void pairs(std::uint32_t from, std::uint32_t to, Found&& found) const;
-
-  std::span<const std::uint32_t> order() const { return order_; }
-  std::uint32_t leaves() const { return static_cast<std::uint32_t>(leaves_.size()); }
-
- private:
-  static constexpr std::uint32_t kLeaf = 8;  ///< boxes
-
-  struct Box {
-    float x_min, x_max, y_min, y_max;
-    bool meets(const Box& o) const {
-      return x_min <= o.x_max && o.x_min <= x_max && y_min <= o.y_max && o.y_min <= y_max;
-    }
-  };
-  struct Node {
-    Box box;
-    std::uint32_t first, end;  ///< positions in the order
-    std::uint32_t right;       ///< the second half's node; the first half's follows; 0: a leaf
-  };
-
-  template <class Found>
-  void pairs_of_leaves(const Node& a, const Node& b, Found&& found) const;
-
-  std::vector<std::uint32_t> order_;
-  std::vector<float> x_min_, x_max_, y_min_, y_max_;  ///< in that order, and room for a leaf
-  std::vector<Node> nodes_;
-  std::vector<std::uint32_t> leaves_;  ///< nodes, in order
+  /// Twice the middle along an axis, for a BoxTree; 0 for what has no bounds, or holds nothing.
+  static constexpr std::size_t kAxes = 2;
+  double position(std::size_t axis) const {
+    const float sum = axis == 0 ? x_min + x_max : y_min + y_max;
+    return sum == sum ? double{sum} : 0.0;
+  }
 };
 
-template <class Found>
-void ExtentIndex::pairs(std::uint32_t from, std::uint32_t to, Found&& found) const {
-  std::array<std::uint32_t, 128> stack;
-  for (std::uint32_t leaf = from; leaf < to; ++leaf) {
-    const Node& own = nodes_[leaves_[leaf]];
-    std::size_t waiting = 0;
-    stack[waiting++] = 0;
-    while (waiting > 0) {
-      const std::uint32_t at = stack[--waiting];
-      const Node& node = nodes_[at];
-      // The later of two leaves is found from the earlier.
-      if (node.end <= own.first || !node.box.meets(own.box)) continue;
-      if (node.right != 0) {
-        stack[waiting++] = node.right;
-        stack[waiting++] = at + 1;
-      } else {
-        pairs_of_leaves(own, node, found);
-      }
-    }
-  }
-}
+/// Eight of them.
+struct FlatBoxes {
+  using Box = FlatBox;
+  static constexpr std::size_t kBoxes = 8;
 
-template <class Found>
-void ExtentIndex::pairs_of_leaves(const Node& a, const Node& b, Found&& found) const {
-  for (std::uint32_t p = a.first; p < a.end; ++p) {
-    const Box box{x_min_[p], x_max_[p], y_min_[p], y_max_[p]};
-    if (!box.meets(b.box)) continue;
-    // All at once, without branches; beyond the leaf's end what is found is not used.
-    std::array<std::int32_t, kLeaf> meets;
-    const float *x_min = &x_min_[b.first], *x_max = &x_max_[b.first];
-    const float *y_min = &y_min_[b.first], *y_max = &y_max_[b.first];
-    for (std::uint32_t k = 0; k < kLeaf; ++k) {
-      meets[k] = static_cast<std::int32_t>(box.x_min <= x_max[k]) &
-                 static_cast<std::int32_t>(x_min[k] <= box.x_max) &
-                 static_cast<std::int32_t>(box.y_min <= y_max[k]) &
-                 static_cast<std::int32_t>(y_min[k] <= box.y_max);
-    }
-    for (std::uint32_t q = std::max(b.first, p + 1); q < b.end; ++q) {
-      if (meets[q - b.first] != 0) found(p, q);
-    }
+  std::array<float, kBoxes> x_min, x_max, y_min, y_max;
+
+  void set(std::size_t k, const FlatBox& b) {
+    x_min[k] = b.x_min;
+    x_max[k] = b.x_max;
+    y_min[k] = b.y_min;
+    y_max[k] = b.y_max;
   }
-}
+  FlatBox box(std::size_t k) const { return {x_min[k], x_max[k], y_min[k], y_max[k]}; }
+
+  /// All at once, without branches.
+  std::array<std::int32_t, kBoxes> meets(const FlatBox& b) const {
+    std::array<std::int32_t, kBoxes> met;
+    for (std::size_t k = 0; k < kBoxes; ++k) {
+      met[k] = static_cast<std::int32_t>(b.x_min <= x_max[k]) &
+               static_cast<std::int32_t>(x_min[k] <= b.x_max) &
+               static_cast<std::int32_t>(b.y_min <= y_max[k]) &
+               static_cast<std::int32_t>(y_min[k] <= b.y_max);
+    }
+    return met;
+  }
+};
+
+/// Finds all pairs of extents that meet in the projection, without comparing all: n log n to build,
+/// and for each the cost of those it meets and of the way to them. It is halved.
+using ExtentTree = BoxTree<FlatBoxes>;
+template <>
+void ExtentTree::build(std::size_t items, const std::function<FlatBox(Item)>& box_of, int threads);
+
+ExtentTree extent_tree(std::span<const Extent> extents, int threads);
 
 }  // namespace displayfile

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "clip/back_face.h"
+#include "clip/clip_to_rectangle.h"
 #include "clip/planarity.h"
 
 namespace displayfile {
@@ -272,6 +273,57 @@ TEST(Planarity, ATangleOfManyVerticesIsCutToo) {
   std::ptrdiff_t sides = 0;
   for (const auto& t : triangles) sides += std::ranges::count(t.edge_visible, 1);
   EXPECT_EQ(sides, 5000);
+}
+
+TEST(ClipToRectangle, SolvedCases) {
+  const Rectangle unit{0, 1, 0, 1};
+  std::vector<Point3> spare;
+  const struct {
+    std::vector<Point3> polygon, inside;
+  } cases[] = {
+      {{{0.25, 0.25, 1}, {0.5, 0.25, 1}, {0.5, 0.5, 1}},
+       {{0.25, 0.25, 1}, {0.5, 0.25, 1}, {0.5, 0.5, 1}}},
+      {{{2, 2, 0}, {3, 2, 0}, {3, 3, 0}}, {}},
+      // Its z runs linearly: 0 at the left to 4 at the right.
+      {{{-1, 0.25, 0}, {3, 0.25, 4}, {3, 0.75, 4}, {-1, 0.75, 0}},
+       {{0, 0.25, 1}, {1, 0.25, 2}, {1, 0.75, 2}, {0, 0.75, 1}}},
+      {{{-1, -1, 0}, {2, -1, 0}, {2, 2, 0}, {-1, 2, 0}},
+       {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}},
+      {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}},  // on the sides
+      {{}, {}},
+  };
+  for (const auto& c : cases) {
+    std::vector<Point3> polygon = c.polygon;
+    clip_to_rectangle(polygon, spare, unit);
+    ASSERT_EQ(polygon.size(), c.inside.size());
+    const auto first = std::ranges::find(polygon, c.inside.empty() ? Point3(0.0) : c.inside[0]);
+    if (!polygon.empty()) {
+      ASSERT_NE(first, polygon.end());
+      std::ranges::rotate(polygon, first);
+    }
+    EXPECT_EQ(polygon, c.inside);
+  }
+}
+
+TEST(ClipToRectangle, InTwoDimensionsTheSamePoints) {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> u(-2, 3);
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<Point3> solid, spare_solid;
+    std::vector<Point2> flat, spare_flat;
+    for (int k = 0; k < 7; ++k) {
+      solid.emplace_back(u(random), u(random), u(random));
+      flat.emplace_back(solid.back());
+    }
+    clip_to_rectangle(solid, spare_solid, {0, 1, -1, 2});
+    clip_to_rectangle(flat, spare_flat, {0, 1, -1, 2});
+    ASSERT_EQ(solid.size(), flat.size());
+    for (std::size_t k = 0; k < flat.size(); ++k) {
+      EXPECT_EQ(Point2(solid[k]), flat[k]);
+      EXPECT_NEAR(flat[k].x, 0.5, 0.5 + 1e-15);
+      EXPECT_NEAR(flat[k].y, 0.5, 1.5 + 1e-15);
+    }
+  }
 }
 
 }  // namespace

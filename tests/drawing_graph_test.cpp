@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "tests/every_way.h"
@@ -54,6 +55,36 @@ TEST(DrawingGraphTest, CyclesAreThoseThatReachEachOther) {
           EXPECT_GE(cycles.of[i], cycles.of[j]);
         }
       }
+    }
+  }
+}
+
+/// A cycle's number is a function of what must be drawn after what, and not of the order in which
+/// that was found.
+TEST(DrawingGraphTest, PutInOrderItIsAFunctionOfItsPairs) {
+  Source s(2);
+  for (int trial = 0; trial < 100; ++trial) {
+    const int n = s.between(1, 12);
+    std::vector<std::vector<DrawingGraph::Node>> later(static_cast<std::size_t>(n));
+    for (int k = s.between(0, 24); k > 0; --k) {
+      later[static_cast<std::size_t>(s.below(n))].push_back(
+          static_cast<DrawingGraph::Node>(s.below(n)));
+    }
+    std::vector<DrawingGraph::Node> cycle_of;
+    for (int order = 0; order < 5; ++order) {
+      DrawingGraph graph;
+      for (auto& of : later) {
+        for (std::size_t k = of.size(); k > 1; --k) {
+          std::swap(of[k - 1], of[static_cast<std::size_t>(s.below(static_cast<int>(k)))]);
+        }
+        graph.first.push_back(graph.later.size());
+        graph.later.insert(graph.later.end(), of.begin(), of.end());
+      }
+      graph.first.push_back(graph.later.size());
+      graph.put_in_order();
+      const DrawingCycles cycles = find_cycles(graph);
+      if (order == 0) cycle_of = cycles.of;
+      EXPECT_EQ(cycles.of, cycle_of);
     }
   }
 }

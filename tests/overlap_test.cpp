@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <ranges>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -83,7 +85,7 @@ Pairs all_pairs(const std::vector<Extent>& extents) {
   return pairs;
 }
 Pairs indexed_pairs(const std::vector<Extent>& extents, std::uint32_t parts) {
-  const ExtentIndex index(extents);
+  const ExtentTree index = extent_tree(extents, 2);
   Pairs pairs;
   for (std::uint32_t k = 0; k < parts; ++k) {
     index.pairs(index.leaves() * k / parts, index.leaves() * (k + 1) / parts,
@@ -95,7 +97,7 @@ Pairs indexed_pairs(const std::vector<Extent>& extents, std::uint32_t parts) {
   return pairs;
 }
 
-TEST(ExtentIndexTest, FindsEachPairThatMeetsOnce) {
+TEST(ExtentTreeTest, FindsEachPairThatMeetsOnce) {
   Source s(2);
   for (int trial = 0; trial < 200; ++trial) {
     std::vector<Extent> extents;
@@ -117,19 +119,64 @@ TEST(ExtentIndexTest, FindsEachPairThatMeetsOnce) {
   }
 }
 
-TEST(ExtentIndexTest, AllInOnePlace) {
+TEST(ExtentTreeTest, AllInOnePlace) {
   std::vector<Extent> extents(100, Extent::nothing());
   for (Extent& e : extents) e.include(Point3{0.5});
   EXPECT_EQ(indexed_pairs(extents, 1).size(), 100u * 99 / 2);
 }
 
-TEST(ExtentIndexTest, BoxesThatHoldEverythingAreNotMissed) {
+TEST(ExtentTreeTest, BoxesThatHoldEverythingAreNotMissed) {
   std::vector<Extent> extents(300, Extent::nothing());
   for (std::size_t i = 0; i < extents.size(); ++i) {
     extents[i].include(Point3{static_cast<double>(i), 0.0, 0.0},
                        i % 3 == 0 ? std::numeric_limits<double>::infinity() : 0.0);
   }
   EXPECT_EQ(indexed_pairs(extents, 1), all_pairs(extents));
+}
+
+/// The tree's order by its definition, with sorts in place of nth_element: the lower half first,
+/// whole nodes of it, and leaves in order of entry.
+void put_in_order(std::span<const FlatBox> boxes, std::span<std::uint32_t> part) {
+  constexpr std::size_t kNode = 8;
+  if (part.size() <= kNode) {
+    std::ranges::sort(part);
+    return;
+  }
+  const auto position = [&](std::uint32_t i, std::size_t axis) { return boxes[i].position(axis); };
+  const auto spread = [&](std::size_t axis) {
+    const auto [low, high] = std::ranges::minmax(
+        part | std::views::transform([&](std::uint32_t i) { return position(i, axis); }));
+    return high - low;
+  };
+  const std::size_t axis = spread(1) > spread(0) ? 1 : 0;
+  std::ranges::sort(part, {}, [&](std::uint32_t i) { return std::pair(position(i, axis), i); });
+  const std::size_t nodes = (part.size() / 2 + kNode - 1) / kNode;
+  const std::size_t half = kNode * nodes < part.size() ? kNode * nodes : part.size() / 2;
+  put_in_order(boxes, part.first(half));
+  put_in_order(boxes, part.subspan(half));
+}
+
+TEST(ExtentTreeTest, TheOrderIsAFunctionOfTheBoxesAlone) {
+  Source s(11);
+  for (int trial = 0; trial < 300; ++trial) {
+    std::vector<FlatBox> boxes;
+    const int grid = s.below(2) == 0 ? 6 : 1000;
+    for (int count = s.between(0, s.below(20) == 0 ? 5000 : 400); count > 0; --count) {
+      Extent e = Extent::nothing();
+      const Point3 at = on_grid(s, grid, 4);
+      e.include(at);
+      e.include(at + 0.1 * on_grid(s, grid, 4));
+      boxes.push_back(FlatBox::of(e));
+    }
+    std::vector<std::uint32_t> expected(boxes.size());
+    std::iota(expected.begin(), expected.end(), 0u);
+    put_in_order(boxes, expected);
+    for (const int threads : {1, 2}) {
+      ExtentTree tree;
+      tree.build(boxes, threads);
+      EXPECT_TRUE(std::ranges::equal(tree.order(), expected)) << trial;
+    }
+  }
 }
 
 // ---- Polygons in the projection -----------------------------------------------------------------

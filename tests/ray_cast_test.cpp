@@ -11,8 +11,8 @@
 
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
-#include "interp/visibility/box_tree.h"
 #include "interp/visibility/fill_depths.h"
+#include "interp/visibility/pixel_tree.h"
 #include "tests/truth_scenes.h"
 
 namespace displayfile {
@@ -145,8 +145,8 @@ TEST(RayCast, WithRoundoffTheLastOfTheNearestIsSeen) {
   }
 }
 
-std::vector<BoxTree::Box> random_boxes(test::Dice& dice, int count, int side) {
-  std::vector<BoxTree::Box> boxes;
+std::vector<DeepPixelBox> random_boxes(test::Dice& dice, int count, int side) {
+  std::vector<DeepPixelBox> boxes;
   for (int k = 0; k < count; ++k) {
     const int column = dice.from(0, 100 - side), row = dice.from(0, 100 - side);
     const PixelBox pixels{column, column + dice.from(1, side), row, row + dice.from(1, side)};
@@ -162,27 +162,26 @@ bool meet(const PixelBox& a, const PixelBox& b) {
          a.first_row < b.end_row && b.first_row < a.end_row;
 }
 
-TEST(BoxTree, VisitsWhatTheRaysMeetAndIsNotHidden) {
+TEST(PixelTree, VisitsWhatTheRaysMeetAndIsNotHidden) {
   test::Dice dice(1);
   for (const int count : {0, 1, 7, 8, 9, 100, 3000}) {
     for (const int side : {1, 5, 90}) {
       const auto boxes = random_boxes(dice, count, side);
-      BoxTree tree;
+      PixelTree tree;
       tree.build(boxes, 1);
-      BoxTree::Stack stack;
       for (int round = 0; round < 30; ++round) {
         const int column = dice.from(0, 95), row = dice.from(0, 95);
         const PixelBox rays{column, column + dice.from(1, 8), row, row + dice.from(1, 8)};
         const auto farthest = static_cast<float>(dice.from(-10, 10));
-        std::vector<BoxTree::Item> expected, visited;
-        for (BoxTree::Item item = 0; item < boxes.size(); ++item) {
+        std::vector<PixelTree::Item> expected, visited;
+        for (PixelTree::Item item = 0; item < boxes.size(); ++item) {
           if (meet(boxes[item].pixels, rays) && !(boxes[item].nearest < farthest)) {
             expected.push_back(item);
           }
         }
-        tree.front_to_back(
-            rays, stack, [&](float nearest) { return nearest < farthest; },
-            [&](BoxTree::Item item) { visited.push_back(item); });
+        front_to_back(
+            tree, rays, [&](float nearest) { return nearest < farthest; },
+            [&](PixelTree::Position p) { visited.push_back(tree.order()[p]); });
         std::ranges::sort(visited);
         ASSERT_EQ(visited, expected) << count << " boxes, side " << side;
       }
@@ -190,44 +189,37 @@ TEST(BoxTree, VisitsWhatTheRaysMeetAndIsNotHidden) {
   }
 }
 
-TEST(BoxTree, TheSameOnAnyNumberOfThreads) {
+TEST(PixelTree, TheSameOnAnyNumberOfThreads) {
   test::Dice dice(2);
   const auto boxes = random_boxes(dice, 20'000, 6);
-  std::vector<BoxTree::Item> order[2];
+  std::vector<PixelTree::Item> order[2];
   for (const int threads : {1, 2}) {
-    BoxTree tree;
+    PixelTree tree;
     tree.build(boxes, threads);
-    BoxTree::Stack stack;
-    tree.front_to_back(
-        {0, 100, 0, 100}, stack, [](float) { return false; },
-        [&](BoxTree::Item item) { order[threads - 1].push_back(item); });
+    front_to_back(
+        tree, {0, 100, 0, 100}, [](float) { return false; },
+        [&](PixelTree::Position p) { order[threads - 1].push_back(tree.order()[p]); });
   }
   EXPECT_EQ(order[0], order[1]);
 }
 
 /// Boxes that no plane parts, and boxes each twice as far away as the one before: neither makes
 /// the tree slow to build or deep.
-TEST(BoxTree, BoxesInOnePlaceAndBoxesEverFartherApart) {
+TEST(PixelTree, BoxesInOnePlaceAndBoxesEverFartherApart) {
   for (const bool one_place : {true, false}) {
-    std::vector<BoxTree::Box> boxes;
+    std::vector<DeepPixelBox> boxes;
     for (int k = 0; k < 100'000; ++k) {
       const std::int32_t column = one_place ? 3 : 1 << (k % 30);
       boxes.push_back({{column, column + 1, 0, 1}, one_place ? 0.0F : static_cast<float>(k % 7)});
     }
-    BoxTree tree;
+    PixelTree tree;
     tree.build(boxes, 1);
-    BoxTree::Stack stack;
     std::vector<int> visits(boxes.size());
-    std::size_t most = 0;
-    tree.front_to_back(
-        {0, 1 << 30, 0, 1}, stack,
-        [&](float) {
-          most = std::max(most, stack.size());
-          return false;
-        },
-        [&](BoxTree::Item item) { ++visits[item]; });
+    front_to_back(
+        tree, {0, 1 << 30, 0, 1}, [](float) { return false; },
+        [&](PixelTree::Position p) { ++visits[tree.order()[p]]; });
     EXPECT_EQ(std::ranges::count(visits, 1), 100'000);
-    EXPECT_LT(most, 1000U);
+    EXPECT_LT(tree.depth(), 40U);
   }
 }
 

@@ -39,7 +39,8 @@ int from_environment(const char* name, int usual) {
 test::Ball3 ball_around(const RetainedScene& scene) {
   std::vector<Point3> points;
   for (const RetainedScene::Segment& segment : scene.segments()) {
-    points.insert(points.end(), segment.points.begin(), segment.points.end());
+    const auto more = scene.points(segment);
+    points.insert(points.end(), more.begin(), more.end());
   }
   Point3 low = points.at(0), high = low;
   for (const Point3& p : points) {

@@ -190,7 +190,7 @@ TEST(ScanLine, Problem10_8) {
   const std::uint32_t b = picture.pixels[0], a = picture.pixels[1];
   EXPECT_NE(a, b);
   EXPECT_EQ(picture.pixels, (std::vector<std::uint32_t>{b, a, a, b}));
-  EXPECT_EQ(b, lines.scene().colour(1));
+  EXPECT_EQ(b, pixel_of(lines.scene().fill_colour(lines.scene().item_of(1))));
 }
 
 TEST(ScanLine, EveryPixelIsToldOnceInWhateverBandsItIsDrawn) {

@@ -79,7 +79,7 @@ TEST(Turntable, FitsItsWindowToAllViews) {
   for (int k = 0; k < 16; ++k) {
     const ViewVolume volume(turntable.at(360.0 * k / 16).view);
     for (const RetainedScene::Segment& segment : retained.scene.segments()) {
-      for (const Point3& p : segment.points) {
+      for (const Point3& p : retained.scene.points(segment)) {
         EXPECT_EQ(volume.outcode(volume.transform(p)), 0u) << k;
       }
     }

@@ -78,7 +78,7 @@ class Canvas : public VectorDevice {
   }
   void close_group() override { open_ = false; }
   void paint_fill(const Path& path, const Colour& colour, bool,
-                  std::span<const PixelBlock> within) override {
+                  std::span<const PixelBox> within) override {
     EXPECT_TRUE(open_);
     ++fills;
     mended += within.empty() ? 0 : 1;
@@ -86,7 +86,7 @@ class Canvas : public VectorDevice {
         static_cast<int>(std::lround(colour.r * 255.0) * 65536 +
                          std::lround(colour.g * 255.0) * 256 + std::lround(colour.b * 255.0));
     std::vector<std::uint8_t> allowed(ids.size(), within.empty() ? 1 : 0);
-    for (const PixelBlock& b : within) {
+    for (const PixelBox& b : within) {
       for (int row = b.first_row; row < b.end_row; ++row) {
         for (int i = b.first_column; i < b.end_column; ++i) allowed[index(i, row)] = 1;
       }

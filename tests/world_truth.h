@@ -26,11 +26,8 @@ class WorldTruth {
   /// The scene must stay. Its polygons must be solid, and its segments visible and without image
   /// transformations.
   explicit WorldTruth(const RetainedScene& scene) {
-    for (const RetainedScene::Segment& segment : scene.segments()) {
-      for (const RetainedScene::Primitive& primitive : segment.primitives) {
-        polygons_.push_back(
-            {std::span(segment.points).subspan(primitive.first, primitive.sides), primitive.pick});
-      }
+    for (std::uint32_t i = 0; i < scene.size(); ++i) {
+      polygons_.push_back({scene.points(i), scene[i].pick});
     }
   }
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "clip/bounds.h"
 #include "clip/view.h"
-#include "displayfile/bounds.h"
 
 namespace displayfile {
 

@@ -19,6 +19,7 @@
 #include "clip/error.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/mesh/mesh_file_check.h"
+#include "hidden/disjoint_sets.h"
 
 namespace displayfile {
 
@@ -295,29 +296,23 @@ bool edges_pair_up(const WeldedFaces& faces) {
   return true;
 }
 
-/// For each vertex, one vertex that stands for its connected part.
-std::vector<std::uint32_t> connected_parts(const WeldedFaces& faces) {
-  std::vector<std::uint32_t> parent(faces.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto root = [&](std::uint32_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
+/// The vertices in their connected parts.
+DisjointSets connected_parts(const WeldedFaces& faces) {
+  DisjointSets parts(faces.vertices.size());
   for (std::size_t i = 0; i < faces.faces(); ++i) {
-    for (const std::uint32_t v : faces.face(i)) parent[root(v)] = root(faces.face(i)[0]);
+    for (const std::uint32_t v : faces.face(i)) parts.join(v, faces.face(i)[0]);
   }
-  for (std::uint32_t v = 0; v < parent.size(); ++v) parent[v] = root(v);
-  return parent;
+  return parts;
 }
 
 /// True if every connected part encloses a positive volume (the divergence theorem, summed over
 /// the fans of its faces, about a vertex of its own).
 bool volumes_are_positive(const WeldedFaces& faces) {
-  const std::vector<std::uint32_t> part = connected_parts(faces);
+  DisjointSets parts = connected_parts(faces);
   std::vector<double> volume(faces.vertices.size(), 0.0);
   for (std::size_t i = 0; i < faces.faces(); ++i) {
     const auto face = faces.face(i);
-    const std::uint32_t own = part[face[0]];
+    const std::uint32_t own = parts.name(face[0]);
     const Point3& origin = faces.vertices[own];
     const Point3 a = faces.vertices[face[0]] - origin;
     for (std::size_t k = 2; k < face.size(); ++k) {
@@ -326,7 +321,10 @@ bool volumes_are_positive(const WeldedFaces& faces) {
       volume[own] += glm::dot(a, glm::cross(b, c));
     }
   }
-  return std::ranges::all_of(part, [&](std::uint32_t own) { return volume[own] > 0.0; });
+  for (std::uint32_t v = 0; v < volume.size(); ++v) {
+    if (!(volume[parts.name(v)] > 0.0)) return false;
+  }
+  return true;
 }
 
 bool bounds_solids(const Mesh& mesh, std::size_t first_face, std::size_t end_face) {

@@ -78,7 +78,9 @@ class ComparePolys {
 
   /// The half on the side of the first vertex off the plane goes to the E buffer, the other to
   /// the D buffer. Where the boundary crosses, the point goes to both: to the half that it leaves
-  /// at the end of the side that is cut, to the other at the end of a side along the plane.
+  /// at the end of the side that is cut, to the other at the end of a side along the plane. (A
+  /// clipper keeps one half and has its points; this is the textbook's listing, keeps both, and its
+  /// points are defined, not computed.)
   int cut_polygon(Index test, std::uint32_t plane) {
     const auto [start, sides, item, own, front, back, on, whole] = table_[test];
     std::uint32_t cross_v = 0;

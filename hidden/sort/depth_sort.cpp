@@ -118,6 +118,7 @@ class DepthSort {
 
   void draw_in_order(const std::vector<Overlaps::Pair>& before) {
     DrawingGraph graph = graph_of(before, through_, table_.free());
+    graph.put_in_order();
     const DrawingCycles cycles = find_cycles(graph);
     graph = {};
     // Cycles from the last number to the first, each with its members in order of entry.

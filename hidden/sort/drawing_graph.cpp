@@ -5,6 +5,13 @@
 
 namespace displayfile {
 
+void DrawingGraph::put_in_order() {
+  for (std::size_t i = 0; i + 1 < first.size(); ++i) {
+    std::sort(later.begin() + static_cast<std::ptrdiff_t>(first[i]),
+              later.begin() + static_cast<std::ptrdiff_t>(first[i + 1]));
+  }
+}
+
 DrawingCycles find_cycles(const DrawingGraph& graph) {
   using Node = DrawingGraph::Node;
   constexpr Node kUnvisited = std::numeric_limits<Node>::max();

@@ -17,6 +17,9 @@ struct DrawingGraph {
   std::span<const Node> later_than(Node i) const {
     return std::span(later).subspan(first[i], first[i + 1] - first[i]);
   }
+  /// Puts what comes after each node in the order of their numbers: the cycles that are found then
+  /// depend on the graph alone, and not on the order in which its pairs were.
+  void put_in_order();
 };
 
 /// The cycle (strongly connected component) that each node belongs to; most have one node. They

@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 
+#include "hidden/convex_turning.h"
 #include "hidden/sort/vertex_table.h"
 
 namespace displayfile {
@@ -13,27 +14,13 @@ struct Outline {
   int turning;  ///< 1 counterclockwise and convex, -1 clockwise and convex, 0 anything else
 };
 
-/// 1 or -1 if the vertices turn one way all around, once; 0 if not, also if two in a row are the
-/// same or all are in line.
+/// Of the vertices, decided as the table's policy decides.
 template <class Policy>
 int convex_turning(const VertexTable<Policy>& table, std::span<const std::uint32_t> v) {
-  const std::size_t n = v.size();
-  if (n < 3) return 0;
-  if (n == 3) return table.turn(v[0], v[1], v[2]);
-  int turning = 0, reversals = 0;
-  int last_direction = table.direction(v[n - 1], v[0]);
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::uint32_t a = v[i], b = v[(i + 1) % n], c = v[(i + 2) % n];
-    const int direction = table.direction(a, b);
-    if (direction == 0) return 0;
-    if (direction != last_direction) ++reversals;
-    last_direction = direction;
-    const int turn = table.turn(a, b, c);
-    if (turn == 0) continue;
-    if (turning == -turn) return 0;
-    turning = turn;
-  }
-  return reversals == 2 ? turning : 0;
+  return convex_turning(
+      v.size(),
+      [&](std::size_t i, std::size_t j, std::size_t k) { return table.turn(v[i], v[j], v[k]); },
+      [&](std::size_t i, std::size_t j) { return table.direction(v[i], v[j]); });
 }
 
 /// True if a side of `a` has all of `a` on one side of its line and all of `b` on the other, so

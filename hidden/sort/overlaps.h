@@ -18,7 +18,7 @@ namespace displayfile {
 class Overlaps {
  public:
   using Index = PolygonTable::Index;
-  using Pair = ExtentIndex::Pair;
+  using Pair = std::pair<Index, Index>;
 
   Overlaps(std::vector<Pair> pairs, std::size_t entries);
 
@@ -60,8 +60,8 @@ OverlappingPairs overlapping_pairs(const SortScene<Policy>& scene, std::size_t m
   in_parts(entries, kPart, threads, [&](std::uint32_t, Index from, Index to) {
     for (Index i = from; i < to; ++i) result.extents[i] = scene.extent(i);
   });
-  const ExtentIndex index(result.extents);
-  const auto order = index.order();
+  const ExtentTree tree = extent_tree(result.extents, threads);
+  const auto order = tree.order();
   // What is compared with each other lies close together.
   std::vector<EnteredTriangle> triangles(entries);
   std::vector<std::int8_t> turning(entries);
@@ -83,15 +83,15 @@ OverlappingPairs overlapping_pairs(const SortScene<Policy>& scene, std::size_t m
                                  Outline{scene.table.vertices(order[p]), turning[p]},
                                  Outline{scene.table.vertices(order[q]), turning[q]});
   };
-  constexpr std::uint32_t kLeaves = 256;
-  std::vector<std::vector<Overlaps::Pair>> found((index.leaves() + kLeaves - 1) / kLeaves);
+  constexpr std::uint32_t kLeaves = 128;
+  std::vector<std::vector<Overlaps::Pair>> found((tree.leaves() + kLeaves - 1) / kLeaves);
   std::atomic<std::size_t> count = 0;
-  in_parts(index.leaves(), kLeaves, threads,
+  in_parts(tree.leaves(), kLeaves, threads,
            [&](std::uint32_t part, std::uint32_t from, std::uint32_t to) {
              auto& here = found[part];
              for (std::uint32_t leaf = from; leaf < to && count <= most; ++leaf) {
                const std::size_t before = here.size();
-               index.pairs(leaf, leaf + 1, [&](std::uint32_t p, std::uint32_t q) {
+               tree.pairs(leaf, leaf + 1, [&](std::uint32_t p, std::uint32_t q) {
                  if (hides[p] == 0 && hides[q] == 0) return;
                  if (here.size() - before > most) return;
                  if (overlap(p, q)) here.push_back(std::minmax({order[p], order[q]}));

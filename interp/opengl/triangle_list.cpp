@@ -8,7 +8,9 @@
 #include <optional>
 #include <utility>
 
+#include "clip/clip_to_rectangle.h"
 #include "clip/error.h"
+#include "hidden/convex_turning.h"
 #include "hidden/exact/support_plane.h"
 #include "interp/output_device.h"
 #include "interp/picture.h"
@@ -34,38 +36,25 @@ bool in_picture(std::span<const Point3> points) {
       points, [](const Point3& p) { return p.x >= 0.0 && p.x <= 1.0 && p.y >= 0.0 && p.y <= 1.0; });
 }
 
-/// True if the polygon goes once around, turning one way only: then a fan tiles it.
-bool is_convex(std::span<const Point3> vertices) {
+/// True if the polygon goes once around, turning one way only: then a fan tiles it. Turns are
+/// rounded: of corners that clipping left in line, none makes the polygon concave.
+bool is_convex(std::span<const Point3> vertices, std::vector<Point2>& distinct) {
   if (vertices.size() == 3) return true;
-  Point2 first{0.0}, before{0.0};  // sides that are not of length 0
-  int lefts = 0, rights = 0, x_reversals = 0;
-  double x_direction = 0.0, first_x_direction = 0.0;
-  bool doubles_back = false;
-  const auto turn = [&](const Point2& side) {
-    const double cross = before.x * side.y - before.y * side.x;
-    lefts += cross > 0.0;
-    rights += cross < 0.0;
-    doubles_back |= cross == 0.0 && before.x * side.x + before.y * side.y < 0.0;
-    before = side;
-  };
+  distinct.clear();
   Point2 from(vertices.back());
   for (const Point3& vertex : vertices) {
-    const Point2 to(vertex), side = to - from;
+    const Point2 to(vertex);
+    if (to != from) distinct.push_back(to);
     from = to;
-    if (side == Point2(0.0)) continue;
-    if (first == Point2(0.0)) {
-      first = before = side;
-    } else {
-      turn(side);
-    }
-    if (side.x == 0.0) continue;
-    if (first_x_direction == 0.0) first_x_direction = x_direction = side.x;
-    x_reversals += (side.x > 0.0) != (x_direction > 0.0);
-    x_direction = side.x;
   }
-  turn(first);
-  x_reversals += (first_x_direction > 0.0) != (x_direction > 0.0);
-  return (lefts == 0 || rights == 0) && x_reversals <= 2 && !doubles_back;
+  const auto turn = [&](std::size_t i, std::size_t j, std::size_t k) {
+    const Point2 a = distinct[j] - distinct[i], b = distinct[k] - distinct[j];
+    const double cross = a.x * b.y - a.y * b.x;
+    return (cross > 0.0) - (cross < 0.0);
+  };
+  return convex_turning(distinct.size(), turn, [&](std::size_t i, std::size_t j) {
+           return direction_by_x(distinct[i], distinct[j]);
+         }) != 0;
 }
 
 /// A line of some width, in pixels. Its major axis is the one along which it is longer; u (x of
@@ -230,15 +219,11 @@ class TriangleCollector final : public OutputDevice {
   /// Picture::pixels.
   template <class ColourAt>
   void enter(std::int32_t id, ColourAt&& colour_at) {
-    if (!in_picture(points_)) {
-      clip(0, 0.0, 1.0);
-      clip(0, 1.0, -1.0);
-      clip(1, 0.0, 1.0);
-      clip(1, 1.0, -1.0);
-    }
+    if (!in_picture(points_)) clip_to_rectangle(points_, clipped_, {0.0, 1.0, 0.0, 1.0});
     if (points_.size() < 3) return;
-    add_batch(is_convex(points_) ? TriangleBatch::Rule::each : TriangleBatch::Rule::even_odd,
-              3 * (points_.size() - 2));
+    add_batch(
+        is_convex(points_, distinct_) ? TriangleBatch::Rule::each : TriangleBatch::Rule::even_odd,
+        3 * (points_.size() - 2));
     for (const Point3& p : points_) {
       list_.z_min = std::min(list_.z_min, p.z);
       list_.z_max = std::max(list_.z_max, p.z);
@@ -254,26 +239,6 @@ class TriangleCollector final : public OutputDevice {
     }
   }
 
-  /// One stage of Sutherland and Hodgman: keeps where inward * (coordinate - limit) >= 0.
-  void clip(int axis, double limit, double inward) {
-    if (points_.empty()) return;
-    clipped_.clear();
-    Point3 from = points_.back();
-    double from_distance = inward * (from[axis] - limit);
-    for (const Point3& to : points_) {
-      const double distance = inward * (to[axis] - limit);
-      if ((from_distance >= 0.0) != (distance >= 0.0)) {
-        Point3 cut = from + from_distance / (from_distance - distance) * (to - from);
-        cut[axis] = limit;
-        clipped_.push_back(cut);
-      }
-      if (distance >= 0.0) clipped_.push_back(to);
-      from = to;
-      from_distance = distance;
-    }
-    std::swap(points_, clipped_);
-  }
-
   void add_batch(TriangleBatch::Rule rule, std::size_t count) {
     auto& batches = list_.batches;
     const bool joins = rule == TriangleBatch::Rule::each && !batches.empty() &&
@@ -285,6 +250,7 @@ class TriangleCollector final : public OutputDevice {
   TriangleList& list_;
   double width_, height_;
   std::vector<Point3> points_, clipped_;
+  std::vector<Point2> distinct_;
   DashPhase dash_phase_;
   std::optional<Point3> dash_end_;
 };

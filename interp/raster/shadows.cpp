@@ -62,14 +62,16 @@ void Shadows::build_tree() {
     }
   }
   const Point3 margin(64.0 * kUnit * largest);
-  std::vector<SpaceBox> boxes;
-  boxes.reserve(casters_.size());
-  for (const Polygon& caster : casters_) {
-    SpaceBox box;
-    for (const Point3& v : scene_->points(caster.item)) box.include(v);
-    boxes.push_back({box.low - margin, box.high + margin});
-  }
-  tree_.build(boxes);
+  const auto bounds_of = [&](SpaceTree::Item i) -> Bounds {
+    Bounds box;
+    for (const Point3& v : scene_->points(casters_[i].item)) box.include(v);
+    return {box.low - margin, box.high + margin};
+  };
+  tree_.build(casters_.size(), bounds_of, 1);
+  std::vector<Polygon> ordered;
+  ordered.reserve(casters_.size());
+  for (const SpaceTree::Item item : tree_.order()) ordered.push_back(casters_[item]);
+  casters_ = std::move(ordered);
 }
 
 /// From a point toward the light. Looked at along the ray, the point is the origin: the other

@@ -7,7 +7,7 @@
 #include "displayfile/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
 #include "hidden/exact/plane.h"
-#include "interp/raster/space_tree.h"
+#include "hidden/space_tree.h"
 #include "interp/scan/pixel_depth.h"
 
 namespace displayfile {
@@ -47,7 +47,7 @@ class Shadows {
   bool is_met(const Polygon& polygon, const Ray& ray) const;
 
   const ViewedScene* scene_;
-  std::vector<Polygon> casters_;
+  std::vector<Polygon> casters_;  // as the tree has them
   SpaceTree tree_;
 };
 

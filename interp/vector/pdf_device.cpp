@@ -71,9 +71,9 @@ void PdfDevice::set_path(const Path& path) {
   }
 }
 
-void PdfDevice::clip_to(std::span<const PixelBlock> pixels) {
+void PdfDevice::clip_to(std::span<const PixelBox> pixels) {
   cairo_new_path(context_.get());
-  for (const PixelBlock& b : pixels) {
+  for (const PixelBox& b : pixels) {
     cairo_rectangle(context_.get(), b.first_column, height() - b.end_row,
                     b.end_column - b.first_column, b.end_row - b.first_row);
   }
@@ -81,7 +81,7 @@ void PdfDevice::clip_to(std::span<const PixelBlock> pixels) {
 }
 
 void PdfDevice::paint_fill(const Path& path, const Colour& colour, bool seam,
-                           std::span<const PixelBlock> within) {
+                           std::span<const PixelBox> within) {
   cairo_t* context = context_.get();
   if (!within.empty()) {
     cairo_save(context);

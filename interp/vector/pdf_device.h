@@ -29,12 +29,12 @@ class PdfDevice : public VectorDevice {
   void open_group(int) override {}
   void close_group() override {}
   void paint_fill(const Path& path, const Colour& colour, bool seam,
-                  std::span<const PixelBlock> within) override;
+                  std::span<const PixelBox> within) override;
   void paint_lines(const Path& path, const LineStyle& style) override;
 
   void set_colour(const Colour& colour);
   void set_path(const Path& path);
-  void clip_to(std::span<const PixelBlock> pixels);
+  void clip_to(std::span<const PixelBox> pixels);
 
   struct Destroy {
     void operator()(_cairo* context) const;

@@ -71,10 +71,10 @@ void SvgDevice::append_path_data(const Path& path) {
   }
 }
 
-void SvgDevice::append_clip_path(std::span<const PixelBlock> pixels) {
+void SvgDevice::append_clip_path(std::span<const PixelBox> pixels) {
   auto out = std::back_inserter(body_);
   fmt::format_to(out, "<clipPath id=\"pixels-{}\"><path d=\"", ++clip_paths_);
-  for (const PixelBlock& b : pixels) {
+  for (const PixelBox& b : pixels) {
     const int columns = b.end_column - b.first_column;
     fmt::format_to(out, "M{},{}h{}v{}h-{}Z", b.first_column, height() - b.end_row, columns,
                    b.end_row - b.first_row, columns);
@@ -83,7 +83,7 @@ void SvgDevice::append_clip_path(std::span<const PixelBlock> pixels) {
 }
 
 void SvgDevice::paint_fill(const Path& path, const Colour& colour, bool seam,
-                           std::span<const PixelBlock> within) {
+                           std::span<const PixelBox> within) {
   const FillKey key{pixel_of(colour), seam};
   const std::size_t number = fill_classes_.try_emplace(key, fill_classes_.size() + 1).first->second;
   append_path_data(path);

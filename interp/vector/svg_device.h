@@ -36,11 +36,11 @@ class SvgDevice : public VectorDevice {
   void open_group(int segment_name) override;
   void close_group() override;
   void paint_fill(const Path& path, const Colour& colour, bool seam,
-                  std::span<const PixelBlock> within) override;
+                  std::span<const PixelBox> within) override;
   void paint_lines(const Path& path, const LineStyle& style) override;
 
   void append_path_data(const Path& path);
-  void append_clip_path(std::span<const PixelBlock> pixels);
+  void append_clip_path(std::span<const PixelBox> pixels);
 
   std::string body_;
   std::map<FillKey, std::size_t> fill_classes_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "clip/clip_to_rectangle.h"
 #include "hidden/exact/support_plane.h"
 #include "interp/picture.h"
 
@@ -61,11 +62,11 @@ void VectorDevice::end_segment() {
 
 void VectorDevice::fill(const DrawnPolygon& polygon) { paint_inside(polygon, {}); }
 
-void VectorDevice::fill_within(const DrawnPolygon& polygon, std::span<const PixelBlock> pixels) {
+void VectorDevice::fill_within(const DrawnPolygon& polygon, std::span<const PixelBox> pixels) {
   if (!pixels.empty()) paint_inside(polygon, pixels);
 }
 
-void VectorDevice::paint_inside(const DrawnPolygon& polygon, std::span<const PixelBlock> within) {
+void VectorDevice::paint_inside(const DrawnPolygon& polygon, std::span<const PixelBox> within) {
   finish_lines();
   if (support_vertices(polygon.vertices).edge_on) return;
   path_.clear();
@@ -77,33 +78,12 @@ void VectorDevice::paint_inside(const DrawnPolygon& polygon, std::span<const Pix
   if (!std::ranges::all_of(path_.points, finite)) return;
   if (!std::ranges::all_of(path_.points,
                            [&](const Point2& p) { return near_the_page(p, kReach); })) {
-    clip_polygon_to_neighbourhood();
+    // What this adds along the sides is out of sight.
+    clip_to_rectangle(path_.points, clipped_,
+                      {-kReach, width_ + kReach, -kReach, height_ + kReach});
     if (path_.points.size() < 3) return;
   }
   paint_fill(path_, even_fill(polygon).colour, !edges_cover_seams(polygon), within);
-}
-
-/// Sutherland and Hodgman against the four sides; what it adds along them is out of sight.
-void VectorDevice::clip_polygon_to_neighbourhood() {
-  const auto clip = [&](int axis, double bound, double sign) {
-    clipped_.clear();
-    Point2 from = path_.points.back();
-    for (const Point2& to : path_.points) {
-      const double d_from = sign * (from[axis] - bound), d_to = sign * (to[axis] - bound);
-      if ((d_from < 0.0) != (d_to < 0.0)) {
-        Point2 crossing = from + (to - from) * (d_from / (d_from - d_to));
-        crossing[axis] = bound;
-        clipped_.push_back(crossing);
-      }
-      if (d_to >= 0.0) clipped_.push_back(to);
-      from = to;
-    }
-    path_.points.swap(clipped_);
-  };
-  clip(0, -kReach, 1.0);
-  if (!path_.points.empty()) clip(0, width_ + kReach, -1.0);
-  if (!path_.points.empty()) clip(1, -kReach, 1.0);
-  if (!path_.points.empty()) clip(1, height_ + kReach, -1.0);
 }
 
 /// Liang and Barsky, "A new concept and method for line clipping", ACM TOG 3 (1984).

@@ -5,13 +5,9 @@
 #include <vector>
 
 #include "interp/output_device.h"
+#include "interp/scan/pixel_box.h"
 
 namespace displayfile {
-
-/// A rectangle of whole pixels, first <= i < end, rows counted from the bottom.
-struct PixelBlock {
-  int first_column, end_column, first_row, end_row;
-};
 
 /// The width, in pixels, of the line in its own colour that a fill gets where no edge is drawn.
 ///
@@ -39,7 +35,7 @@ class VectorDevice : public OutputDevice {
   void line(const DrawnLine& line) final;
   /// The inside, but only within these pixels, which do not overlap: for a polygon that was
   /// covered where it must be seen, since no order of whole polygons is right.
-  void fill_within(const DrawnPolygon& polygon, std::span<const PixelBlock> pixels);
+  void fill_within(const DrawnPolygon& polygon, std::span<const PixelBox> pixels);
 
  protected:
   /// Points of lines; each run starts at its own first point and is closed or open.
@@ -66,15 +62,14 @@ class VectorDevice : public OutputDevice {
   virtual void close_group() = 0;
   /// Even-odd; within pixel blocks if there are any; with the line that closes the seams if asked.
   virtual void paint_fill(const Path& path, const Colour& colour, bool seam,
-                          std::span<const PixelBlock> within) = 0;
+                          std::span<const PixelBox> within) = 0;
   virtual void paint_lines(const Path& path, const LineStyle& style) = 0;
 
  private:
   Point2 to_page(const Point3& device) const;
   bool near_the_page(const Point2& p, double reach) const;
   bool clip_to_neighbourhood(Point2& a, Point2& b, double reach) const;
-  void clip_polygon_to_neighbourhood();
-  void paint_inside(const DrawnPolygon& polygon, std::span<const PixelBlock> within);
+  void paint_inside(const DrawnPolygon& polygon, std::span<const PixelBox> within);
 
   int width_, height_;
   Path path_;

@@ -69,7 +69,7 @@ void RayCast::enter_edges(Target& target) {
 /// Fills that lie between the centres are let go of.
 void RayCast::find_targets(int threads) {
   const auto& [scene, size, roundoff] = *request_;
-  std::vector<BoxTree::Box> boxes;
+  std::vector<DeepPixelBox> boxes;
   boxes.reserve(scene.end());
   targets_.reserve(scene.end());
   edges_.reserve(std::size_t{3} * scene.end());
@@ -85,6 +85,11 @@ void RayCast::find_targets(int threads) {
     boxes.push_back({target.pixels, nearest(polygon, target.pixels, depth, error)});
   }
   tree_.build(boxes, threads);
+  // Those that are visited after each other lie close to each other.
+  std::vector<Target> ordered;
+  ordered.reserve(targets_.size());
+  for (const PixelTree::Item item : tree_.order()) ordered.push_back(targets_[item]);
+  targets_ = std::move(ordered);
 }
 
 void RayCast::prepare(const Request& request, int threads) {
@@ -104,10 +109,11 @@ class RayCast::Caster {
 
   template <class Packet>
   void cast(Packet& packet) {
-    method_.tree_.front_to_back(
-        packet.rays(), stack_, [&](float nearest) { return packet.hides_all_beyond(nearest); },
-        [&](BoxTree::Item item) {
-          const Target& target = method_.targets_[item];
+    front_to_back(
+        method_.tree_, packet.rays(),
+        [&](float nearest) { return packet.hides_all_beyond(nearest); },
+        [&](PixelTree::Position position) {
+          const Target& target = method_.targets_[position];
           packet.begin_fill(target.fill);
           target.many_sided == kFewSided ? intersect_few_sided(target, packet)
                                          : intersect_many_sided(target, packet);
@@ -181,7 +187,6 @@ class RayCast::Caster {
 
   const RayCast& method_;
   int row_begin_, row_end_;
-  BoxTree::Stack stack_;
   std::vector<Spans> spans_;
   ScanConverter converter_;
 };

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "interp/scan/scan_edge.h"
-#include "interp/visibility/box_tree.h"
 #include "interp/visibility/fill_depths.h"
 #include "interp/visibility/image_space.h"
+#include "interp/visibility/pixel_tree.h"
 
 namespace displayfile {
 
@@ -40,7 +40,7 @@ class RayCast : public ImageSpaceMethod {
   std::vector<Target> targets_;
   std::vector<ScanEdge> edges_;
   std::uint32_t many_sided_ = 0;
-  BoxTree tree_;
+  PixelTree tree_;
 };
 
 }  // namespace displayfile

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "displayfile/viewed_scene.h"
-#include "interp/visibility/box_tree.h"
+#include "interp/scan/pixel_box.h"
 
 namespace displayfile {
 

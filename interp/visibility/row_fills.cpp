@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hidden/convex_turning.h"
 #include "hidden/exact/orientation.h"
 #include "hidden/parallel.h"
 #include "interp/scan/flat_extent.h"
@@ -22,24 +23,17 @@ constexpr double kLargestEdgeError = 0.25;
 }  // namespace
 
 int turn_if_convex(std::span<const Point3> vertices) {
-  const std::size_t n = vertices.size();
-  int turn = 0, reversals = 0;
-  double rise = 0.0;  // of the side before that is not level
-  for (std::size_t i = 0; i < n; ++i) {
-    const Point3 &a = vertices[i], &b = vertices[i + 1 < n ? i + 1 : 0];
-    const Point3& c = vertices[i + 2 < n ? i + 2 : i + 2 - n];
-    const int side = filtered_orientation(Point2(a), Point2(b), Point2(c));
-    if (side == 0 || side == -turn) return 0;
-    turn = side;
-  }
-  if (n == 3) return turn;
-  for (std::size_t i = 0; i <= n; ++i) {  // the first side once more: the reversal after the last
-    const double y = vertices[i % n].y, next = vertices[(i + 1) % n].y;
-    if (next == y) continue;
-    reversals += (next > y) != (rise > 0.0) && rise != 0.0;
-    rise = next > y ? 1.0 : -1.0;
-  }
-  return reversals == 2 ? turn : 0;
+  bool known = true;  // and of no corner straight
+  const auto turn = [&](std::size_t i, std::size_t j, std::size_t k) {
+    const int side =
+        filtered_orientation(Point2(vertices[i]), Point2(vertices[j]), Point2(vertices[k]));
+    known = known && side != 0;
+    return side;
+  };
+  const int turning = convex_turning(vertices.size(), turn, [&](std::size_t i, std::size_t j) {
+    return direction_by_x(Point2(vertices[i]), Point2(vertices[j]));
+  });
+  return known ? turning : 0;
 }
 
 RowFills::RowFills(const ViewedScene& scene, const PictureSize& size, int threads)

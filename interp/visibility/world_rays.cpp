@@ -19,8 +19,6 @@ namespace displayfile {
 
 namespace {
 
-constexpr std::uint32_t kLeaf = 2;  // polygons
-
 // ---- One algorithm, two precisions: numbers are balls first, then exact ------------------------
 
 constexpr int kUndecided = 2;
@@ -137,7 +135,8 @@ WorldPoint<Number> moved_on_to_plane(const Point3& v, const std::array<Point3, 3
   return {moved[0], moved[1], moved[2], scale};
 }
 
-/// Sutherland and Hodgman's step; false where it is undecided what is cut.
+/// Sutherland and Hodgman's step; false where it is undecided what is cut. It is not the clip
+/// pipeline's, which divides and rounds: here exact numbers must say the same as rounded ones.
 template <class Number>
 bool clip(const Linear<Number>& inside, std::vector<WorldPoint<Number>>& points,
           std::vector<WorldPoint<Number>>& cut) {
@@ -224,27 +223,45 @@ int compare(const Hit<Number>& a, const Hit<Number>& b) {
   return difference * of_a * of_b;
 }
 
-/// A linear function over boxes, wide enough for all rounding.
-struct OverBoxes {
-  Point3 normal, slope, error;
-  double offset, offset_error;
-
-  explicit OverBoxes(const Linear<Ball>& f)
-      : normal(f.a.middle, f.b.middle, f.c.middle),
-        slope(glm::abs(normal)),
-        error(Point3(f.a.radius, f.b.radius, f.c.radius) + 16.0 * kUnit * slope),
-        offset(f.d.middle),
-        offset_error(f.d.radius + 16.0 * kUnit * std::abs(offset) + kTiny) {}
-
-  double at(const Point3& p) const {
-    return normal.x * p.x + normal.y * p.y + normal.z * p.z + offset;
+/// A linear function over boxes none of whose coordinates is larger than `size`, wide enough for
+/// all rounding.
+class OverBoxes {
+ public:
+  OverBoxes(const Linear<Ball>& f, const Point3& size)
+      : normal_{f.a.middle, f.b.middle, f.c.middle} {
+    const double error = error_of(f.a) * size.x + error_of(f.b) * size.y + error_of(f.c) * size.z +
+                         2.0 * error_of(f.d) + kTiny;
+    least_offset_ = f.d.middle - 2.0 * error;
+    most_offset_ = f.d.middle + 2.0 * error;
   }
-  /// How far it may be from at(middle) within the box.
-  double reach(const Point3& middle, const Point3& half) const {
-    const Point3 size = glm::abs(middle) + half;
-    return slope.x * half.x + slope.y * half.y + slope.z * half.z +
-           2.0 * (error.x * size.x + error.y * size.y + error.z * size.z + offset_error);
+
+  using EachBox = std::array<double, SpaceBoxes::kBoxes>;
+  /// No point of a box has less; it is at a corner, known by the signs.
+  EachBox least(const SpaceBoxes& boxes) const {
+    return at_corners(boxes.low, boxes.high, least_offset_);
   }
+  EachBox most(const SpaceBoxes& boxes) const {
+    return at_corners(boxes.high, boxes.low, most_offset_);
+  }
+
+ private:
+  /// Of one axis after the other, as rising or falling along it says.
+  template <class Sides>
+  EachBox at_corners(const Sides& rising, const Sides& falling, double offset) const {
+    const auto& x = normal_[0] < 0.0 ? falling[0] : rising[0];
+    const auto& y = normal_[1] < 0.0 ? falling[1] : rising[1];
+    const auto& z = normal_[2] < 0.0 ? falling[2] : rising[2];
+    EachBox values;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      values[k] = normal_[0] * x[k] + normal_[1] * y[k] + normal_[2] * z[k] + offset;
+    }
+    return values;
+  }
+  /// In place of the eight or fewer roundings of one unit that a term takes part in.
+  static double error_of(const Ball& of) { return of.radius + 16.0 * kUnit * std::abs(of.middle); }
+
+  std::array<double, 3> normal_;
+  double least_offset_, most_offset_;
 };
 
 Point3 newell_normal(std::span<const Point3> polygon) {
@@ -295,70 +312,26 @@ void WorldRays::enter(std::uint32_t primitive) {
                        !attributes.back_face_removal});
 }
 
-WorldRays::Box WorldRays::box_of(const Polygon& polygon) const {
-  const auto of = points(polygon);
-  Point3 low = of[0], high = of[0];
-  for (const Point3& p : of) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
+Bounds WorldRays::bounds_of(const Polygon& polygon) const {
+  Bounds bounds;
+  for (const Point3& p : points(polygon)) bounds.include(p);
+  if (polygon.flat) return bounds;
   // A vertex off the plane by h is moved by no more than sqrt(3) h.
-  const double wider = polygon.flat ? 0.0 : 4.0 * world_.off_plane(polygon.primitive);
-  const Point3 middle = 0.5 * low + 0.5 * high;
-  const Point3 half = glm::max(high - middle, middle - low) + wider;
-  return {middle, half + 8.0 * kUnit * (glm::abs(middle) + half) + kTiny};
+  const Point3 wider(4.0 * world_.off_plane(polygon.primitive));
+  const auto outward = [&](const Point3& p) { return wider + 8.0 * kUnit * glm::abs(p) + kTiny; };
+  return {bounds.low - outward(bounds.low), bounds.high + outward(bounds.high)};
 }
 
-/// Halved along the widest axis, so that the tree is as deep as the logarithm of its size.
 void WorldRays::build() {
-  if (polygons_.empty()) return;
-  struct Part {
-    std::uint32_t node, begin, end;
+  const auto bounds = [&](SpaceTree::Item i) {
+    const Bounds box = bounds_of(polygons_[i]);
+    size_ = glm::max(size_, glm::max(glm::abs(box.low), glm::abs(box.high)));
+    return box;
   };
-  std::vector<Part> parts{{0, 0, static_cast<std::uint32_t>(polygons_.size())}};
-  std::vector<Box> boxes;
-  for (const Polygon& polygon : polygons_) boxes.push_back(box_of(polygon));
-  std::vector<std::uint32_t> order(polygons_.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-  nodes_.emplace_back();
-  while (!parts.empty()) {
-    const Part part = parts.back();
-    parts.pop_back();
-    Point3 low(std::numeric_limits<double>::infinity()), high = -low, least = low, most = high;
-    for (std::uint32_t k = part.begin; k < part.end; ++k) {
-      const Box& box = boxes[order[k]];
-      low = glm::min(low, box.middle - box.half);
-      high = glm::max(high, box.middle + box.half);
-      least = glm::min(least, box.middle);
-      most = glm::max(most, box.middle);
-    }
-    const Point3 middle = 0.5 * low + 0.5 * high;
-    const Point3 half = glm::max(high - middle, middle - low);
-    Node& node = nodes_[part.node];
-    node.box = {middle, half + 8.0 * kUnit * (glm::abs(middle) + half) + kTiny};
-    if (part.end - part.begin <= kLeaf) {
-      node.first = part.begin;
-      node.polygons = part.end - part.begin;
-      continue;
-    }
-    const Point3 wide = most - least;
-    const int axis = wide.x >= wide.y && wide.x >= wide.z ? 0 : wide.y >= wide.z ? 1 : 2;
-    const std::uint32_t half_way = part.begin + (part.end - part.begin) / 2;
-    const auto at = [&](std::uint32_t k) { return order.begin() + k; };
-    std::nth_element(at(part.begin), at(half_way), at(part.end),
-                     [&](std::uint32_t a, std::uint32_t b) {
-                       const double of_a = boxes[a].middle[axis], of_b = boxes[b].middle[axis];
-                       return of_a != of_b ? of_a < of_b : a < b;
-                     });
-    node.polygons = 0;
-    node.first = static_cast<std::uint32_t>(nodes_.size());
-    parts.push_back({node.first, part.begin, half_way});
-    parts.push_back({node.first + 1, half_way, part.end});
-    nodes_.emplace_back();
-    nodes_.emplace_back();
-  }
+  tree_.build(polygons_.size(), bounds, 1);
   std::vector<Polygon> ordered;
-  for (const std::uint32_t k : order) ordered.push_back(polygons_[k]);
+  ordered.reserve(polygons_.size());
+  for (const SpaceTree::Item item : tree_.order()) ordered.push_back(polygons_[item]);
   polygons_ = std::move(ordered);
 }
 
@@ -374,11 +347,12 @@ class WorldRays::Caster {
         volume_(view),
         near_(view, volume_),
         exact_(view, volume_),
-        nearness_(perspective_ ? Linear<Ball>{-near_.w.a, -near_.w.b, -near_.w.c, -near_.w.d}
-                               : near_.z) {
+        nearness_(
+            perspective_ ? Linear<Ball>{-near_.w.a, -near_.w.b, -near_.w.c, -near_.w.d} : near_.z,
+            world.size_) {
     for (int column = 0; column < size.width; ++column) {
       columns_.push_back(column_plane(near_, column, size));
-      columns_over_boxes_.emplace_back(columns_.back());
+      columns_over_boxes_.emplace_back(columns_.back(), world.size_);
     }
   }
 
@@ -392,7 +366,7 @@ class WorldRays::Caster {
     Work work;
     work.row = row;
     work.near.row = row_plane(near_, row, size_);
-    const OverBoxes row_over_boxes(work.near.row);
+    const OverBoxes row_over_boxes(work.near.row, world_.size_);
     for (int column = 0; column < size_.width; ++column) {
       if (compare_with_centres(viewport.x_min, size_.width, column) > 0 ||
           compare_with_centres(viewport.x_max, size_.width, column) <= 0) {
@@ -418,45 +392,28 @@ class WorldRays::Caster {
     Hit<Ball> hit;
     double hidden;  // nothing less near is seen
     std::vector<WorldPoint<Ball>> points, cut;
-    struct Entry {
-      double nearest;
-      std::uint32_t node;
-    };
-    std::vector<Entry> stack;
   };
 
   const Polygon* cast(Work& work, const OverBoxes& row) const {
     work.seen = nullptr;
     work.hidden = -std::numeric_limits<double>::infinity();
-    if (world_.nodes_.empty()) return nullptr;
     const OverBoxes& column = columns_over_boxes_[static_cast<std::size_t>(work.column)];
-    const auto push = [&](std::uint32_t at) {
-      const Box& box = world_.nodes_[at].box;
-      if (std::abs(column.at(box.middle)) > column.reach(box.middle, box.half) ||
-          std::abs(row.at(box.middle)) > row.reach(box.middle, box.half)) {
-        return;
+    const auto meets = [&](const SpaceBoxes& boxes, OverBoxes::EachBox& nearest) {
+      const auto left = column.least(boxes), right = column.most(boxes);
+      const auto lowest = row.least(boxes), highest = row.most(boxes);
+      nearest = nearness_.most(boxes);
+      SpaceTree::Lanes met;
+      for (std::size_t k = 0; k < met.size(); ++k) {
+        // Where a bound is no number nothing is known to be missed.
+        const bool missed =
+            (left[k] > 0.0) | (right[k] < 0.0) | (lowest[k] > 0.0) | (highest[k] < 0.0);
+        met[k] = missed ? 0 : 1;
       }
-      work.stack.push_back({nearness_.at(box.middle) + nearness_.reach(box.middle, box.half), at});
+      return met;
     };
-    work.stack.clear();
-    push(0);
-    while (!work.stack.empty()) {
-      const auto entry = work.stack.back();
-      work.stack.pop_back();
-      if (entry.nearest < work.hidden) continue;
-      const Node& node = world_.nodes_[entry.node];
-      for (std::uint32_t k = 0; k < node.polygons; ++k) {
-        intersect(world_.polygons_[node.first + k], work);
-      }
-      if (node.polygons > 0) continue;
-      const std::size_t base = work.stack.size();
-      push(node.first);
-      push(node.first + 1);
-      if (work.stack.size() == base + 2 &&
-          work.stack[base].nearest > work.stack[base + 1].nearest) {
-        std::swap(work.stack[base], work.stack[base + 1]);
-      }
-    }
+    world_.tree_.near_to_far<double>(
+        meets, [&](double nearest) { return nearest < work.hidden; },
+        [&](SpaceTree::Position at) { intersect(world_.polygons_[at], work); });
     return work.seen;
   }
 

@@ -9,6 +9,7 @@
 #include "displayfile/display_file.h"
 #include "displayfile/retained_scene.h"
 #include "hidden/exact/pixel_centre.h"
+#include "hidden/space_tree.h"
 
 namespace displayfile {
 
@@ -41,27 +42,19 @@ class WorldRays {
     bool flat;         ///< no vertex is off it
     bool both_sides;   ///< back faces are kept
   };
-  struct Box {
-    Point3 middle{0.0}, half{0.0};
-  };
-  /// Its two halves are next to each other; a leaf has polygons instead.
-  struct Node {
-    Box box;
-    std::uint32_t first;     ///< of the halves, or of the polygons
-    std::uint32_t polygons;  ///< 0: not a leaf
-  };
   class Caster;
 
   void enter(std::uint32_t primitive);
-  Box box_of(const Polygon& polygon) const;
+  Bounds bounds_of(const Polygon& polygon) const;
   void build();
   std::span<const Point3> points(const Polygon& polygon) const {
     return world_.points(polygon.primitive);
   }
 
   RetainedScene world_;
-  std::vector<Polygon> polygons_;
-  std::vector<Node> nodes_;  // the first is the root
+  std::vector<Polygon> polygons_;  // as the tree has them
+  SpaceTree tree_;
+  Point3 size_{0.0};  // no coordinate of a box is larger
 };
 
 }  // namespace displayfile

@@ -156,7 +156,7 @@ std::vector<Feature> table() {
        "set-hidden-method ray-cast",
        "",
        [](FeatureUse& u) { u.method = ray_cast; },
-       {"RayCast", "RayPacket", "BoxTree", "ViewedScene"}},
+       {"RayCast", "RayPacket", "BoxTree", "PixelTree", "ViewedScene"}},
       {"the method that picks itself",
        "set-hidden-method auto",
        "",

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "displayfile/bounds.h"
+#include "clip/bounds.h"
 
 namespace displayfile {
 

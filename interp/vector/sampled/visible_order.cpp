@@ -188,10 +188,10 @@ class SeenPixels {
     }
   }
 
-  std::span<const PixelBlock> of(std::uint32_t polygon) const { return blocks_.at(polygon); }
+  std::span<const PixelBox> of(std::uint32_t polygon) const { return blocks_.at(polygon); }
 
  private:
-  static void add(std::vector<PixelBlock>& blocks, int first, int end, int row) {
+  static void add(std::vector<PixelBox>& blocks, int first, int end, int row) {
     if (!blocks.empty() && blocks.back().first_column == first && blocks.back().end_column == end &&
         blocks.back().end_row == row) {
       blocks.back().end_row = row + 1;
@@ -200,7 +200,7 @@ class SeenPixels {
     }
   }
 
-  std::unordered_map<std::uint32_t, std::vector<PixelBlock>> blocks_;
+  std::unordered_map<std::uint32_t, std::vector<PixelBox>> blocks_;
 };
 
 /// Begins and ends segments as what is drawn asks for.

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <glm/common.hpp>
+#include <limits>
+
+#include "clip/point.h"
+
+namespace displayfile {
+
+/// The box around points in space, its faces included, in doubles; any coordinates. Without points
+/// low is above high.
+struct Bounds {
+  Point3 low{std::numeric_limits<double>::infinity()};
+  Point3 high{-std::numeric_limits<double>::infinity()};
+
+  static Bounds nothing() { return {}; }
+  void include(const Point3& p) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  void include(const Bounds& other) {
+    low = glm::min(low, other.low);
+    high = glm::max(high, other.high);
+  }
+  bool empty() const { return !(low.x <= high.x); }
+  Point3 middle() const { return low + 0.5 * (high - low); }
+
+  /// Twice the middle along an axis, for a BoxTree.
+  static constexpr std::size_t kAxes = 3;
+  double position(std::size_t axis) const {
+    const auto k = static_cast<int>(axis);
+    return low[k] + high[k];
+  }
+};
+
+}  // namespace displayfile

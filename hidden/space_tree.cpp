@@ -1,0 +1,12 @@
+#include "hidden/space_tree.h"
+
+#include "hidden/build_box_tree.h"
+
+namespace displayfile {
+
+template <>
+void SpaceTree::build(std::size_t items, const std::function<Bounds(Item)>& box_of, int threads) {
+  build_by<Halves<Bounds>>(items, box_of, threads);
+}
+
+}  // namespace displayfile

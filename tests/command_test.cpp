@@ -136,6 +136,41 @@ TEST_F(Command, ImportedMeshDrawsTheSamePicture) {
   EXPECT_EQ(run("compare a.txt b.txt"), 0);
 }
 
+/// The loader says on standard error what it loads.
+TEST_F(Command, LoadsTheImportLibraryOnlyForItsFormats) {
+  const std::string corners = "0 0 0\n1 0 0\n0 1 0\n";
+  write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  write("a.off", "OFF\n3 1 0\n" + corners + "3 0 1 2\n");
+  write("a.ply",
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n" +
+            corners + "3 0 1 2\n");
+  write("a.stl",
+        "solid\nfacet normal 0 0 1\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+        "endfacet\nendsolid\n");
+  write("a.gltf", "{}");
+  setenv("LD_DEBUG", "files", 1);
+  for (const char* format : {"obj", "off", "ply", "stl"}) {
+    EXPECT_EQ(run(std::string("draw -o a.png a.") + format), 0);
+    ASSERT_NE(err_.find("libpng"), std::string::npos) << "this loader does not say what it loads";
+    EXPECT_EQ(err_.find("assimp"), std::string::npos) << format;
+  }
+  EXPECT_EQ(run("draw -o a.png a.gltf"), 2);
+  unsetenv("LD_DEBUG");
+  if (err_.find("built without") != std::string::npos) GTEST_SKIP() << "no import library";
+  EXPECT_NE(err_.find("assimp"), std::string::npos);
+}
+
+TEST_F(Command, SaysThatTheImportLibraryIsNotThere) {
+  write("a.gltf", "{}");
+  write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  for (const char* version : {"5", "6", "7"}) write(std::string("libassimp.so.") + version, "none");
+  setenv("LD_LIBRARY_PATH", ".", 1);
+  expect_error("draw a.gltf -o a.png", "the import library (Assimp)");
+  EXPECT_EQ(run("draw a.obj -o a.png"), 0) << err_;
+  unsetenv("LD_LIBRARY_PATH");
+}
+
 TEST_F(Command, ShadingIsThatOfMeshesDrawnOrImported) {
   write("m.obj",
         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <vector>
 
 #include "clip/bounds.h"
 #include "clip/error.h"
@@ -21,12 +22,17 @@ constexpr double kFromAbove = 20.0;
 constexpr double kEyeDistance = 4.0;   // of the view plane, in radii of the scene
 constexpr double kDepthMargin = 0.01;  // in radii, before and behind the scene
 
-/// Calls visit with the position of every corner of every face.
-template <class Visitor>
-void for_each_corner(std::span<const Mesh> meshes, Visitor&& visit) {
+/// The positions that faces use, each vertex once.
+std::vector<Point3> used_vertices(std::span<const Mesh> meshes) {
+  std::vector<Point3> used;
   for (const Mesh& mesh : meshes) {
-    for (const std::uint32_t corner : mesh.corners) visit(mesh.vertices[corner]);
+    std::vector<bool> is_used(mesh.vertices.size());
+    for (const std::uint32_t corner : mesh.corners) is_used[corner] = true;
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+      if (is_used[v]) used.push_back(mesh.vertices[v]);
+    }
   }
+  return used;
 }
 
 Point3 toward_viewer() {
@@ -49,7 +55,8 @@ void fit_view(std::span<const Mesh> meshes, GraphicsSystem& system, double aspec
     throw Error(fmt::format("aspect ratio {}: expected a positive number", aspect));
   }
   Bounds scene;
-  for_each_corner(meshes, [&](const Point3& p) { scene.include(p); });
+  const std::vector<Point3> vertices = used_vertices(meshes);
+  for (const Point3& p : vertices) scene.include(p);
   if (scene.empty()) throw Error("no faces to fit the view to");
 
   const Point3 centre = scene.middle();
@@ -66,8 +73,7 @@ void fit_view(std::span<const Mesh> meshes, GraphicsSystem& system, double aspec
   const glm::dmat4 view_plane = ViewVolume(view).view_plane();
 
   Bounds seen;
-  for_each_corner(meshes,
-                  [&](const Point3& p) { seen.include(projected(p, view_plane, eye_distance)); });
+  for (const Point3& p : vertices) seen.include(projected(p, view_plane, eye_distance));
   const Rectangle window = fitted_window(seen, aspect, kDepthMargin * radius);
 
   system.set_view_reference_point(view.reference_point);

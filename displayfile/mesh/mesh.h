@@ -11,9 +11,12 @@
 
 namespace displayfile {
 
-/// A mesh in plain arrays, in world coordinates. Faces are polygons of any number of sides
-/// from 3 up, as in the file: nothing is triangulated and no vertices are joined.
+/// A mesh in plain arrays, in world coordinates. Faces are polygons of any number of sides from 3
+/// up, as in the file, and share the vertices that they share there: nothing is triangulated and
+/// no vertices are joined.
 struct Mesh {
+  static constexpr std::uint32_t kNoNormal = 0xFFFFFFFFu;
+
   struct Object {
     std::string name;
     std::size_t first_face, faces;
@@ -24,31 +27,39 @@ struct Mesh {
     std::size_t degenerate_faces = 0;  ///< of fewer than 3 different positions
   };
 
-  std::vector<Object> objects;  ///< in the order of the faces; each has some
-  std::vector<Point3> vertices;
-  std::vector<Point3> normals;  ///< of the vertices, any length, zero if not known; or none at all
+  std::vector<Object> objects;            ///< in the order of the faces; each has some
+  std::vector<Point3> vertices;           ///< also those that no face uses
+  std::vector<Point3> normals;            ///< of any length; zero if not known
   std::vector<std::uint32_t> corners;     ///< indices into vertices, face after face
   std::vector<std::size_t> first_corner;  ///< of each face; one more at the end
+  /// Indices into normals or kNoNormal, as many as corners; or none at all.
+  std::vector<std::uint32_t> corner_normals;
   Skipped skipped;
 
   std::size_t faces() const { return first_corner.empty() ? 0 : first_corner.size() - 1; }
   std::span<const std::uint32_t> face(std::size_t i) const {
     return std::span(corners).subspan(first_corner[i], first_corner[i + 1] - first_corner[i]);
   }
+  /// Of the surface at a corner, zero if it is not known; where there are corner_normals.
+  Point3 normal(std::size_t corner) const {
+    const std::uint32_t n = corner_normals[corner];
+    return n == kNoNormal ? Point3(0.0) : normals[n];
+  }
 };
 
-/// Reads any mesh that Assimp reads. An object is a node of the file's scene that has faces; its
-/// transformation is applied, and one that mirrors keeps faces turned outward. Coordinates come
-/// rounded to single precision, as Assimp keeps them. Throws Error, naming the file and, where
-/// known, line and column: unreadable, unknown format, truncated, an index out of range, a
-/// coordinate that is not finite, more announced than the file can hold, no faces.
+/// Reads a mesh: OBJ, OFF, PLY and STL in the precision of the file, any other format through the
+/// import library (import_library.h); mesh.md tells what is read of each. An object is an object
+/// or a group of OBJ, a solid of an STL text, a node of the library's scene, or else the whole
+/// file. Throws Error, naming the file and, where known, line and column: unreadable, unknown
+/// format, truncated, an index out of range, a coordinate that is not finite or larger than
+/// single precision holds, more announced than the file can hold, no faces.
 ///
 /// Normals of vertices are read only if they are wanted, and not from STL files, which have those
 /// of facets.
 Mesh read_mesh(const std::string& path, bool with_normals = false);
 
-/// Gives each vertex that has no normal the mean of the faces around it, weighted by their angles
-/// there; vertices of equal position are one. Zero is left where they have none. Thürmer and
+/// Gives each corner that has no normal the mean of the faces around its vertex, weighted by their
+/// angles there; vertices of equal position are one. Zero is left where they have none. Thürmer and
 /// Wüthrich, "Computing vertex normals from polygonal facets", J. Graphics Tools 3 (1998).
 void complete_normals(Mesh& mesh);
 

@@ -1,6 +1,5 @@
 #include "programs/bench/environment.h"
 
-#include <assimp/version.h>
 #include <cairo.h>
 #include <fmt/format.h>
 #include <gmp.h>
@@ -12,6 +11,7 @@
 #include <thread>
 
 #include "clip/error.h"
+#include "displayfile/mesh/import_library.h"
 #include "interp/opengl/osmesa.h"
 #include "programs/bench/build_information.h"
 #include "programs/bench/embree_rays.h"
@@ -61,9 +61,7 @@ std::vector<std::pair<std::string, std::string>> environment() {
       library("GMP", build::kGmp, gmp_version),
       library("libpng", build::kPng, png_get_libpng_ver(nullptr)),
       library("Cairo", build::kCairo, cairo_version_string()),
-      library(
-          "Assimp", build::kAssimp,
-          fmt::format("{}.{}.{}", aiGetVersionMajor(), aiGetVersionMinor(), aiGetVersionPatch())),
+      library("Assimp", build::kAssimp, import_library_version().value_or("none")),
       {"{fmt}", build::kFmt},
       {"GLM", build::kGlm},
       {"CLI11", build::kCli11},

@@ -32,7 +32,7 @@ const std::array<MeshDirection, 6>& mesh_directions() {
 
 Scene mesh_scene(const Mesh& mesh, const MeshDirection& direction) {
   Bounds bounds;
-  for (const Point3& v : mesh.vertices) bounds.include(v);
+  for (const std::uint32_t corner : mesh.corners) bounds.include(mesh.vertices[corner]);
   const Point3 middle = bounds.middle();
   const double scale = 0.98 / std::max(glm::length(bounds.high - bounds.low), 1e-300);
   Scene scene;

@@ -1,5 +1,5 @@
 // libFuzzer target: whatever a mesh file holds, reading it throws nothing but Error; and what was
-// read is drawn as the truth says. The first byte chooses the format.
+// read is drawn as the truth says. The first byte chooses the format, and whether normals are read.
 
 #include <unistd.h>
 
@@ -22,9 +22,11 @@ using namespace displayfile;
 constexpr int kSize = 16;
 constexpr std::size_t kMostPolygons = 2000;
 
-std::string written(fuzz::FuzzInput input) {
+std::string written(fuzz::FuzzInput input, Shading& shading) {
   constexpr const char* kFormats[] = {"obj", "off", "ply", "stl"};
-  const char* const format = kFormats[input.below(4)];
+  const int kind = input.below(8);
+  const char* const format = kFormats[kind % 4];
+  shading = kind < 4 ? Shading::flat : Shading::gouraud;
   const auto path = std::filesystem::temp_directory_path() /
                     ("mesh_fuzz." + std::to_string(::getpid()) + "." + format);
   std::ofstream(path, std::ios::binary)
@@ -36,8 +38,10 @@ std::string written(fuzz::FuzzInput input) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string path = written(fuzz::FuzzInput({data, size}));
+  Shading shading{};
+  const std::string path = written(fuzz::FuzzInput({data, size}), shading);
   GraphicsSystem system;
+  system.set_shading(shading);
   try {
     import_mesh(path, system);
   } catch (const Error&) {

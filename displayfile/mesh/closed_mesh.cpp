@@ -1,0 +1,120 @@
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <span>
+#include <vector>
+
+#include "displayfile/mesh/mesh.h"
+#include "displayfile/mesh/welded_faces.h"
+#include "hidden/disjoint_sets.h"
+
+namespace displayfile {
+
+namespace {
+
+/// False only if some edge lacks its reverse. Each edge adds a number made of its ends, each
+/// reverse takes it away: where they pair up, in one object or in all together, nothing is left.
+bool edges_may_pair_up(const Mesh& mesh) {
+  std::vector<std::uint64_t> key;
+  key.reserve(mesh.vertices.size());
+  for (const Point3& p : mesh.vertices) key.push_back(position_hash(p));
+  const auto number = [](std::uint64_t low, std::uint64_t high) {
+    return (low ^ std::rotl(high, 32)) * 0x9E3779B97F4A7C15u;
+  };
+  std::uint64_t sum = 0;
+  for (std::size_t i = 0; i < mesh.faces(); ++i) {
+    std::uint64_t from = key[mesh.face(i).back()];
+    for (const std::uint32_t corner : mesh.face(i)) {
+      const std::uint64_t to = key[corner];
+      if (from < to) sum += number(from, to);
+      if (from > to) sum -= number(to, from);
+      from = to;
+    }
+  }
+  return sum == 0;
+}
+
+/// Calls visit(from, to) for every edge of every face, but for those of no length.
+template <class Visitor>
+void for_each_edge(const WeldedFaces& faces, Visitor&& visit) {
+  for (std::size_t i = 0; i < faces.faces(); ++i) {
+    std::uint32_t from = faces.face(i).back();
+    for (const std::uint32_t to : faces.face(i)) {
+      if (from != to) visit(from, to);
+      from = to;
+    }
+  }
+}
+
+/// True if every edge is used exactly twice, once in each direction.
+bool edges_pair_up(const WeldedFaces& faces) {
+  const std::size_t vertices = faces.vertices.size();
+  std::vector<std::size_t> end(vertices + 1, 0);  // of the edges whose lower end each vertex is
+  for_each_edge(faces,
+                [&](std::uint32_t from, std::uint32_t to) { ++end[std::min(from, to) + 1]; });
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<std::uint64_t> edges(end.back());  // twice the higher end, and 1 if they come from it
+  for_each_edge(faces, [&](std::uint32_t from, std::uint32_t to) {
+    edges[end[std::min(from, to)]++] = 2 * std::uint64_t{std::max(from, to)} + (from > to ? 1 : 0);
+  });
+  std::size_t begin = 0;
+  for (std::size_t v = 0; v < vertices; begin = end[v++]) {
+    const auto of_vertex = std::span(edges).subspan(begin, end[v] - begin);
+    std::ranges::sort(of_vertex);
+    if (of_vertex.size() % 2 != 0) return false;
+    for (std::size_t k = 0; k < of_vertex.size(); k += 2) {
+      if (of_vertex[k] % 2 != 0 || of_vertex[k + 1] != of_vertex[k] + 1) return false;
+    }
+  }
+  return true;
+}
+
+DisjointSets connected_parts(const WeldedFaces& faces) {
+  DisjointSets parts(faces.vertices.size());
+  for (std::size_t i = 0; i < faces.faces(); ++i) {
+    for (const std::uint32_t v : faces.face(i)) parts.join(v, faces.face(i)[0]);
+  }
+  return parts;
+}
+
+/// True if every connected part encloses a positive volume (the divergence theorem, summed over
+/// the fans of its faces, about a vertex of its own).
+bool volumes_are_positive(const WeldedFaces& faces) {
+  DisjointSets parts = connected_parts(faces);
+  std::vector<double> volume(faces.vertices.size(), 0.0);
+  for (std::size_t i = 0; i < faces.faces(); ++i) {
+    const auto face = faces.face(i);
+    const std::uint32_t own = parts.name(face[0]);
+    const Point3& origin = faces.vertices[own];
+    const Point3 a = faces.vertices[face[0]] - origin;
+    for (std::size_t k = 2; k < face.size(); ++k) {
+      const Point3 b = faces.vertices[face[k - 1]] - origin;
+      const Point3 c = faces.vertices[face[k]] - origin;
+      volume[own] += glm::dot(a, glm::cross(b, c));
+    }
+  }
+  for (std::uint32_t v = 0; v < volume.size(); ++v) {
+    if (!(volume[parts.name(v)] > 0.0)) return false;
+  }
+  return true;
+}
+
+bool bounds_solids(const WeldedFaces& faces) {
+  return edges_pair_up(faces) && volumes_are_positive(faces);
+}
+
+}  // namespace
+
+bool closed_and_consistently_oriented(const Mesh& mesh) {
+  if (mesh.objects.empty() || !edges_may_pair_up(mesh)) return false;
+  const WeldedFaces all = weld(mesh);
+  if (bounds_solids(all)) return true;
+  if (mesh.objects.size() == 1) return false;
+  WeldedObjects faces_of(all);
+  return std::ranges::all_of(
+      mesh.objects, [&](const Mesh::Object& object) { return bounds_solids(faces_of(object)); });
+}
+
+}  // namespace displayfile

@@ -1,0 +1,213 @@
+#include "displayfile/mesh/import_library.h"
+
+#include <assimp/cimport.h>
+#include <assimp/config.h>
+#include <assimp/scene.h>
+#include <assimp/version.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "clip/error.h"
+#include "displayfile/mesh/mesh_builder.h"
+#include "displayfile/shared_library.h"
+
+namespace displayfile {
+
+namespace {
+
+// ---- The library -----------------------------------------------------------------------
+
+/// The routines of Assimp's C interface that are used here.
+struct ImportLibrary {
+  SharedLibrary library{DISPLAYFILE_IMPORT_LIBRARY};
+  decltype(&aiCreatePropertyStore) create_properties =
+      library.function<decltype(&aiCreatePropertyStore)>("aiCreatePropertyStore");
+  decltype(&aiSetImportPropertyInteger) set_property =
+      library.function<decltype(&aiSetImportPropertyInteger)>("aiSetImportPropertyInteger");
+  decltype(&aiReleasePropertyStore) release_properties =
+      library.function<decltype(&aiReleasePropertyStore)>("aiReleasePropertyStore");
+  decltype(&aiImportFileExWithProperties) import_file =
+      library.function<decltype(&aiImportFileExWithProperties)>("aiImportFileExWithProperties");
+  decltype(&aiReleaseImport) release =
+      library.function<decltype(&aiReleaseImport)>("aiReleaseImport");
+  decltype(&aiGetErrorString) error =
+      library.function<decltype(&aiGetErrorString)>("aiGetErrorString");
+  decltype(&aiGetVersionMajor) major =
+      library.function<decltype(&aiGetVersionMajor)>("aiGetVersionMajor");
+  decltype(&aiGetVersionMinor) minor =
+      library.function<decltype(&aiGetVersionMinor)>("aiGetVersionMinor");
+  decltype(&aiGetVersionPatch) patch =
+      library.function<decltype(&aiGetVersionPatch)>("aiGetVersionPatch");
+
+  /// Loaded on the first call. Throws Error if it cannot be.
+  static const ImportLibrary& get() {
+    static const ImportLibrary loaded;
+    return loaded;
+  }
+};
+
+const ImportLibrary& library_for(const std::string& path) {
+  try {
+    return ImportLibrary::get();
+  } catch (const Error& e) {
+    throw Error(
+        fmt::format("{}: the import library (Assimp) cannot be loaded: {}", path, e.what()));
+  }
+}
+
+using Scene = std::unique_ptr<const aiScene, decltype(&aiReleaseImport)>;
+
+Scene import_scene(const ImportLibrary& library, const std::string& path) {
+  const std::unique_ptr<aiPropertyStore, decltype(&aiReleasePropertyStore)> properties(
+      library.create_properties(), library.release_properties);
+  library.set_property(properties.get(), AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
+  Scene scene(library.import_file(path.c_str(), 0, nullptr, properties.get()), library.release);
+  if (scene == nullptr || scene->mRootNode == nullptr) {
+    throw Error(fmt::format("{}: not a mesh that can be read: {}", path, library.error()));
+  }
+  return scene;
+}
+
+// ---- Its scene -------------------------------------------------------------------------
+
+glm::dmat4 matrix(const aiMatrix4x4& m) {
+  glm::dmat4 result(1.0);  // [column][row]
+  for (unsigned row = 0; row < 4; ++row) {
+    for (unsigned column = 0; column < 4; ++column) {
+      result[static_cast<int>(column)][static_cast<int>(row)] = m[row][column];
+    }
+  }
+  return result;
+}
+
+struct Node {
+  const aiNode* node;
+  glm::dmat4 to_world;
+};
+
+/// The nodes in the order of the file, parents first.
+std::vector<Node> nodes_in_order(const aiScene& scene) {
+  std::vector<Node> order, waiting{{scene.mRootNode, matrix(scene.mRootNode->mTransformation)}};
+  while (!waiting.empty()) {
+    const Node next = waiting.back();
+    waiting.pop_back();
+    order.push_back(next);
+    for (unsigned i = next.node->mNumChildren; i-- > 0;) {
+      const aiNode* child = next.node->mChildren[i];
+      if (child == nullptr) continue;  // the RAW importer leaves gaps
+      waiting.push_back({child, next.to_world * matrix(child->mTransformation)});
+    }
+  }
+  return order;
+}
+
+/// Copies the scene's meshes into a Mesh, checking every number on the way.
+class SceneReader {
+ public:
+  SceneReader(const std::string& path, bool with_normals)
+      : path_(path), with_normals_(with_normals), mesh_(path) {}
+
+  void add(const aiScene& scene, const Node& node) {
+    name_ = node.node->mName.C_Str();
+    mesh_.begin_object(name_);
+    for (unsigned i = 0; i < node.node->mNumMeshes; ++i) {
+      const unsigned m = node.node->mMeshes[i];
+      if (m >= scene.mNumMeshes) {
+        fail(fmt::format("mesh {}: expected one of {}", m, scene.mNumMeshes));
+      }
+      add_part(*scene.mMeshes[m], node.to_world);
+    }
+  }
+
+  Mesh take() && { return std::move(mesh_).finish(); }
+
+ private:
+  void add_part(const aiMesh& part, const glm::dmat4& to_world) {
+    const auto first_vertex = static_cast<std::uint32_t>(mesh_.vertices());
+    const auto first_normal = static_cast<std::uint32_t>(mesh_.normals());
+    add_vertices(part, to_world);
+    if (with_normals_) add_normals(part, glm::dmat3(to_world));
+    const bool mirrored = glm::determinant(glm::dmat3(to_world)) < 0.0;
+    std::vector<std::uint32_t> corners, normals;
+    for (unsigned i = 0; i < part.mNumFaces; ++i) {
+      corners.clear();
+      normals.clear();
+      for (const unsigned index : std::span(part.mFaces[i].mIndices, part.mFaces[i].mNumIndices)) {
+        if (index >= part.mNumVertices) {
+          fail(fmt::format("face {}: vertex index {} out of range: expected 0 to {}", i, index,
+                           part.mNumVertices - 1.0));
+        }
+        corners.push_back(first_vertex + index);
+        if (with_normals_) {
+          normals.push_back(part.HasNormals() ? first_normal + index : Mesh::kNoNormal);
+        }
+      }
+      if (mirrored) {
+        std::ranges::reverse(corners);
+        std::ranges::reverse(normals);
+      }
+      mesh_.add_face(corners, normals);
+    }
+  }
+
+  void add_vertices(const aiMesh& part, const glm::dmat4& to_world) {
+    const bool moved = to_world != glm::dmat4(1.0);
+    for (unsigned i = 0; i < part.mNumVertices; ++i) {
+      const aiVector3D& v = part.mVertices[i];
+      Point3 p(v.x, v.y, v.z);
+      if (moved) p = Point3(to_world * HomogeneousPoint(p, 1.0));
+      if (!in_range(p)) {
+        fail(fmt::format("vertex {} is ({}, {}, {}): expected finite coordinates", i, p.x, p.y,
+                         p.z));
+      }
+      mesh_.add_vertex(p);
+    }
+  }
+
+  /// They stay outward when the node's transformation mirrors, as the faces do.
+  void add_normals(const aiMesh& part, const glm::dmat3& m) {
+    if (!part.HasNormals()) return;
+    const double outward = glm::determinant(m) < 0.0 ? -1.0 : 1.0;
+    const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]),
+                               glm::cross(m[0], m[1]));
+    for (unsigned i = 0; i < part.mNumVertices; ++i) {
+      const aiVector3D& n = part.mNormals[i];
+      mesh_.add_normal(outward * (cofactors * Point3(n.x, n.y, n.z)));
+    }
+  }
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw Error(fmt::format("{}: object '{}': {}", path_, name_, what));
+  }
+
+  const std::string& path_;
+  bool with_normals_;
+  std::string name_;  // of the object that is read
+  MeshBuilder mesh_;
+};
+
+}  // namespace
+
+Mesh read_by_import_library(const std::string& path, bool with_normals) {
+  const Scene scene = import_scene(library_for(path), path);
+  SceneReader reader(path, with_normals);
+  for (const Node& node : nodes_in_order(*scene)) reader.add(*scene, node);
+  return std::move(reader).take();
+}
+
+std::optional<std::string> import_library_version() {
+  try {
+    const ImportLibrary& library = ImportLibrary::get();
+    return fmt::format("{}.{}.{}", library.major(), library.minor(), library.patch());
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace displayfile

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "displayfile/mesh/mesh.h"
+
+namespace displayfile {
+
+/// Reads a mesh of any format that Assimp knows. The library is loaded when it is first asked for.
+/// Coordinates come in the single precision that it keeps. An object is a node of the file's scene
+/// that has faces; its transformation is applied, and one that mirrors keeps faces turned outward.
+/// Throws Error: the library was left out of this build or is not installed, the file is of an
+/// unknown format or bad.
+Mesh read_by_import_library(const std::string& path, bool with_normals);
+
+/// Of the library that is loaded; nothing if there is none.
+std::optional<std::string> import_library_version();
+
+}  // namespace displayfile

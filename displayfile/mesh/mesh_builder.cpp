@@ -1,0 +1,138 @@
+#include "displayfile/mesh/mesh_builder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "clip/error.h"
+
+namespace displayfile {
+
+namespace {
+
+/// True if the corners have at least three different positions.
+bool has_three_positions(const std::vector<Point3>& vertices,
+                         std::span<const std::uint32_t> corners) {
+  const Point3& first = vertices[corners[0]];
+  const Point3* second = nullptr;
+  for (const std::uint32_t corner : corners) {
+    const Point3& p = vertices[corner];
+    if (p == first) continue;
+    if (second == nullptr) {
+      second = &p;
+    } else if (p != *second) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+MeshBuilder::MeshBuilder(std::string_view path) : path_(path) {
+  mesh_.first_corner = {0};
+  begin_object("");
+}
+
+std::size_t MeshBuilder::begin_object(std::string_view name) {
+  names_.emplace_back(name);
+  go_on_with(names_.size() - 1);
+  return names_.size() - 1;
+}
+
+void MeshBuilder::go_on_with(std::size_t object) { runs_.push_back({object, mesh_.faces()}); }
+
+void MeshBuilder::reserve(std::size_t vertices, std::size_t faces) {
+  mesh_.vertices.reserve(vertices);
+  mesh_.first_corner.reserve(faces + 1);
+  mesh_.corners.reserve(3 * faces);
+}
+
+void MeshBuilder::add_vertex(const Point3& position) {
+  if (mesh_.vertices.size() == std::numeric_limits<std::uint32_t>::max()) {
+    throw Error(fmt::format("{}: more than {} vertices", path_, mesh_.vertices.size()));
+  }
+  mesh_.vertices.push_back(position);
+}
+
+void MeshBuilder::add_normal(const Point3& normal) {
+  mesh_.normals.push_back(in_range(normal) ? normal : Point3(0.0));
+}
+
+void MeshBuilder::add_face(std::span<const std::uint32_t> corners,
+                           std::span<const std::uint32_t> normals) {
+  if (corners.size() < 3) return skip_points_and_lines(1);
+  mesh_.corners.insert(mesh_.corners.end(), corners.begin(), corners.end());
+  mesh_.corner_normals.insert(mesh_.corner_normals.end(), normals.begin(), normals.end());
+  mesh_.first_corner.push_back(mesh_.corners.size());
+}
+
+Mesh MeshBuilder::finish() && {
+  if (normals_as_vertices_) mesh_.corner_normals = mesh_.corners;
+  if (mesh_.normals.empty()) mesh_.corner_normals.clear();
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    runs_[i].end_face = i + 1 < runs_.size() ? runs_[i + 1].first_face : mesh_.faces();
+  }
+  const bool in_order = std::ranges::is_sorted(runs_, {}, &Run::object);
+  if (!in_order) std::ranges::stable_sort(runs_, {}, &Run::object);
+  if (!in_order || has_degenerate_faces()) gather_faces();
+  name_objects();
+  if (mesh_.faces() == 0) {
+    throw Error(
+        fmt::format("{}: no faces: expected polygons (found {} points and lines, and {} faces of "
+                    "fewer than 3 "
+                    "different vertices)",
+                    path_, mesh_.skipped.points_and_lines, mesh_.skipped.degenerate_faces));
+  }
+  return std::move(mesh_);
+}
+
+bool MeshBuilder::is_degenerate(std::size_t face) const {
+  return !has_three_positions(mesh_.vertices, mesh_.face(face));
+}
+
+bool MeshBuilder::has_degenerate_faces() const {
+  for (std::size_t i = 0; i < mesh_.faces(); ++i) {
+    if (is_degenerate(i)) return true;
+  }
+  return false;
+}
+
+void MeshBuilder::gather_faces() {
+  const auto append = [](std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& from,
+                         std::size_t first, std::size_t end) {
+    to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(first),
+              from.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  std::vector<std::uint32_t> corners, normals;
+  std::vector<std::size_t> first_corner{0};
+  for (Run& run : runs_) {
+    const std::size_t first_face = first_corner.size() - 1;
+    for (std::size_t i = run.first_face; i < run.end_face; ++i) {
+      if (is_degenerate(i)) {
+        ++mesh_.skipped.degenerate_faces;
+        continue;
+      }
+      const std::size_t first = mesh_.first_corner[i], end = mesh_.first_corner[i + 1];
+      append(corners, mesh_.corners, first, end);
+      if (!mesh_.corner_normals.empty()) append(normals, mesh_.corner_normals, first, end);
+      first_corner.push_back(corners.size());
+    }
+    run = {run.object, first_face, first_corner.size() - 1};
+  }
+  mesh_.corners = std::move(corners);
+  mesh_.corner_normals = std::move(normals);
+  mesh_.first_corner = std::move(first_corner);
+}
+
+void MeshBuilder::name_objects() {
+  for (std::size_t i = 0; i < runs_.size();) {
+    const std::size_t object = runs_[i].object, first_face = runs_[i].first_face;
+    while (i < runs_.size() && runs_[i].object == object) ++i;
+    const std::size_t faces = runs_[i - 1].end_face - first_face;
+    if (faces > 0) mesh_.objects.push_back({names_[object], first_face, faces});
+  }
+}
+
+}  // namespace displayfile

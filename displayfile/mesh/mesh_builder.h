@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "displayfile/mesh/mesh.h"
+
+namespace displayfile {
+
+/// A mesh while its file is read. Corners and their normals may be named before what they refer to
+/// was read; the reader sees to it that all of it is there at the end.
+class MeshBuilder {
+ public:
+  /// Messages name the file by its path, which must outlive the builder. Faces before any object
+  /// are of one without a name.
+  explicit MeshBuilder(std::string_view path);
+
+  /// The faces from here on are of this new object. Objects keep the order in which they began.
+  std::size_t begin_object(std::string_view name);
+  /// The faces from here on are of an object that began before.
+  void go_on_with(std::size_t object);
+
+  /// Makes room for what the file is known to hold.
+  void reserve(std::size_t vertices, std::size_t faces);
+  void add_vertex(const Point3& position);
+  /// A normal of any length; one that is not finite is as good as unknown.
+  void add_normal(const Point3& normal);
+  /// `normals`, if there are any, go with the corners; Mesh::kNoNormal for one that is not known.
+  /// A face of fewer than three corners counts as a point or a line.
+  void add_face(std::span<const std::uint32_t> corners,
+                std::span<const std::uint32_t> normals = {});
+  void skip_points_and_lines(std::size_t n) { mesh_.skipped.points_and_lines += n; }
+
+  std::size_t vertices() const { return mesh_.vertices.size(); }
+  std::size_t normals() const { return mesh_.normals.size(); }
+
+  /// Normals belong to the vertices of equal index, not to corners.
+  void share_normals_as_vertices() { normals_as_vertices_ = true; }
+
+  /// Leaves out degenerate faces and objects without faces, and puts the faces in the order of the
+  /// objects. Throws Error if no face is left.
+  Mesh finish() &&;
+
+ private:
+  /// Faces that follow each other in the file and are of one object.
+  struct Run {
+    std::size_t object, first_face, end_face = 0;
+  };
+
+  bool is_degenerate(std::size_t face) const;
+  bool has_degenerate_faces() const;
+  /// Keeps the faces that are not degenerate, in the order of the runs.
+  void gather_faces();
+  void name_objects();
+
+  std::string_view path_;
+  Mesh mesh_;
+  std::vector<std::string> names_;  // of the objects
+  std::vector<Run> runs_;
+  bool normals_as_vertices_ = false;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,179 @@
+// Wavefront OBJ: Alias|Wavefront, "Object Files (.obj)", Advanced Visualizer manual, appendix B1.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "displayfile/mesh/mesh_builder.h"
+#include "displayfile/mesh/mesh_file.h"
+#include "displayfile/mesh/text_cursor.h"
+
+namespace displayfile {
+
+namespace {
+
+/// The indices of OBJ faces: into the vertices, texture coordinates and normals so far, or those
+/// that are still to come, as some exporters write them.
+class ObjIndices {
+ public:
+  enum Kind { vertex, texture, normal };
+
+  void define(Kind kind) { ++defined_[kind]; }
+
+  /// From 0, of what may be still to come.
+  std::uint32_t resolved(Kind kind, std::string_view field, const TextCursor& text) {
+    const std::int64_t index = text.integer(field, "an index");
+    if (index < 0 && index >= -defined_[kind]) {
+      return static_cast<std::uint32_t>(defined_[kind] + index);
+    }
+    if (index <= 0) fail(kind, text.offset(field), index, text);
+    if (index > defined_[kind]) look_ahead(kind, index, text.offset(field));
+    return static_cast<std::uint32_t>(index - 1);
+  }
+
+  void check_all_defined(const TextCursor& text) const {
+    for (const Kind kind : {vertex, texture, normal}) {
+      for (const auto& [index, at] : ahead_[kind]) {
+        if (index > defined_[kind]) fail(kind, at, index, text);
+      }
+    }
+  }
+
+ private:
+  struct Ahead {
+    std::int64_t index;
+    std::size_t at;
+  };
+
+  /// Only an index larger than all before it can be the first error.
+  void look_ahead(Kind kind, std::int64_t index, std::size_t at) {
+    auto& ahead = ahead_[kind];
+    if (ahead.empty() || index > ahead.back().index) ahead.push_back({index, at});
+  }
+
+  [[noreturn]] void fail(Kind kind, std::size_t at, std::int64_t index,
+                         const TextCursor& text) const {
+    constexpr std::array names = {"vertex", "texture coordinate", "normal"};
+    const std::string what = fmt::format("{} index {} out of range: ", names[kind], index);
+    if (defined_[kind] == 0) text.fail(at, what + fmt::format("no {} was given", names[kind]));
+    text.fail(at, what + fmt::format("expected 1 to {0} or -{0} to -1", defined_[kind]));
+  }
+
+  std::array<std::int64_t, 3> defined_{};
+  std::array<std::vector<Ahead>, 3> ahead_;
+};
+
+class ObjReader {
+ public:
+  explicit ObjReader(const MeshFile& file)
+      : text_(text_of(file.path, file.data)), mesh_(file.path), with_normals_(file.with_normals) {}
+
+  Mesh read() && {
+    do {
+      read_statement(text_.field());
+    } while (text_.next_line());
+    indices_.check_all_defined(text_);
+    return std::move(mesh_).finish();
+  }
+
+ private:
+  void read_statement(std::string_view keyword) {
+    if (keyword == "v") {
+      read_vertex();
+    } else if (keyword == "vt") {
+      indices_.define(ObjIndices::texture);
+    } else if (keyword == "vn") {
+      read_normal();
+    } else if (keyword == "f" || keyword == "fo") {
+      read_corners();
+      if (!corners_.empty()) mesh_.add_face(corners_, normals_);
+    } else if (keyword == "l") {
+      read_corners();
+      if (!corners_.empty()) mesh_.skip_points_and_lines(corners_.size() - 1);
+    } else if (keyword == "p") {
+      read_corners();
+      mesh_.skip_points_and_lines(corners_.size());
+    } else if (keyword == "o") {
+      begin_object(text_.field());
+    } else if (keyword == "g") {
+      begin_group(text_.rest_of_line());
+    }
+  }
+
+  /// x y z, then nothing, a weight w, or a colour, which is passed over.
+  void read_vertex() {
+    Point3 p = text_.position();
+    const std::string_view fourth = text_.field();
+    if (TextCursor::is_content(fourth) && !TextCursor::is_content(text_.field())) {
+      p = text_.over_weight(p, fourth);
+    }
+    mesh_.add_vertex(p);
+    indices_.define(ObjIndices::vertex);
+  }
+
+  void read_normal() {
+    indices_.define(ObjIndices::normal);
+    if (with_normals_) mesh_.add_normal(text_.direction());
+  }
+
+  void read_corners() {
+    corners_.clear();
+    normals_.clear();
+    for (auto f = text_.field(); TextCursor::is_content(f); f = text_.field()) read_corner(f);
+  }
+
+  /// vertex, vertex/texture, vertex//normal or vertex/texture/normal.
+  void read_corner(std::string_view corner) {
+    if (with_normals_) normals_.push_back(Mesh::kNoNormal);
+    for (const auto kind : {ObjIndices::vertex, ObjIndices::texture, ObjIndices::normal}) {
+      const std::size_t slash = std::min(corner.find('/'), corner.size());
+      const std::string_view field = corner.substr(0, slash);
+      if (!field.empty()) {
+        const std::uint32_t index = indices_.resolved(kind, field, text_);
+        if (kind == ObjIndices::vertex) corners_.push_back(index);
+        if (kind == ObjIndices::normal && with_normals_) normals_.back() = index;
+      } else if (kind == ObjIndices::vertex) {
+        text_.fail(corner, fmt::format("{}: expected a vertex index", TextCursor::quoted(corner)));
+      }
+      if (slash == corner.size()) return;
+      corner.remove_prefix(slash + 1);
+    }
+    text_.fail(corner, "expected at most three indices, vertex/texture/normal");
+  }
+
+  /// An object that is named again goes on.
+  void begin_object(std::string_view name) {
+    if (name.empty()) return;
+    const auto [known, is_new] = objects_.try_emplace(std::string(name), 0);
+    if (is_new) {
+      known->second = mesh_.begin_object(name);
+    } else {
+      mesh_.go_on_with(known->second);
+    }
+  }
+
+  /// A group of another name begins an object, one that is named again too.
+  void begin_group(std::string_view name) {
+    if (name == group_) return;
+    group_ = name;
+    objects_.try_emplace(std::string(name), mesh_.begin_object(name));
+  }
+
+  TextCursor text_;
+  MeshBuilder mesh_;
+  bool with_normals_;
+  ObjIndices indices_;
+  std::vector<std::uint32_t> corners_, normals_;  // of the face that is read
+  std::map<std::string, std::size_t> objects_;    // the first of each name
+  std::string group_;
+};
+
+}  // namespace
+
+Mesh read_obj(const MeshFile& file) { return ObjReader(file).read(); }
+
+}  // namespace displayfile

@@ -1,0 +1,394 @@
+// PLY: G. Turk, "The PLY Polygon File Format", Stanford University 1994.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "clip/error.h"
+#include "displayfile/mesh/binary_values.h"
+#include "displayfile/mesh/mesh_builder.h"
+#include "displayfile/mesh/mesh_file.h"
+#include "displayfile/mesh/text_cursor.h"
+
+namespace displayfile {
+
+namespace {
+
+// ---- Header ----------------------------------------------------------------------------
+
+enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+constexpr std::array<std::size_t, 8> kPlySizes = {1, 1, 2, 2, 4, 4, 4, 8};  // bytes
+
+constexpr std::size_t size_of(PlyType type) { return kPlySizes[static_cast<std::size_t>(type)]; }
+constexpr bool is_integer(PlyType type) { return type < PlyType::float32; }
+
+struct PlyProperty {
+  std::string_view name;
+  PlyType type;
+  std::optional<PlyType> count = {};  ///< of a list
+};
+
+struct PlyElement {
+  std::string_view name;
+  std::int64_t count;
+  std::size_t at;  ///< of the count, in the file
+  std::vector<PlyProperty> properties;
+};
+
+struct PlyHeader {
+  std::string_view format;
+  std::vector<PlyElement> elements;
+};
+
+PlyType ply_type(std::string_view name, const TextCursor& text) {
+  struct Name {
+    std::string_view name;
+    PlyType type;
+  };
+  constexpr std::array<Name, 16> names = {{{"char", PlyType::int8},
+                                           {"uchar", PlyType::uint8},
+                                           {"int8", PlyType::int8},
+                                           {"uint8", PlyType::uint8},
+                                           {"short", PlyType::int16},
+                                           {"ushort", PlyType::uint16},
+                                           {"int16", PlyType::int16},
+                                           {"uint16", PlyType::uint16},
+                                           {"int", PlyType::int32},
+                                           {"uint", PlyType::uint32},
+                                           {"int32", PlyType::int32},
+                                           {"uint32", PlyType::uint32},
+                                           {"float", PlyType::float32},
+                                           {"float32", PlyType::float32},
+                                           {"double", PlyType::float64},
+                                           {"float64", PlyType::float64}}};
+  const auto* found = std::ranges::find(names, name, &Name::name);
+  if (found == names.end()) {
+    text.fail(name, fmt::format("{}: expected a PLY type", TextCursor::quoted(name)));
+  }
+  return found->type;
+}
+
+PlyProperty ply_property(TextCursor& text) {
+  PlyProperty property{};
+  std::string_view type = text.field();
+  if (type == "list") {
+    const std::string_view count = text.field();
+    property.count = ply_type(count, text);
+    if (!is_integer(*property.count)) {
+      text.fail(count, fmt::format("{}: expected an integer type for the count of a list", count));
+    }
+    type = text.field();
+  }
+  property.type = ply_type(type, text);
+  property.name = text.field();
+  return property;
+}
+
+PlyHeader ply_header(TextCursor& text) {
+  PlyHeader header;
+  while (text.next_line()) {
+    const std::string_view keyword = text.field();
+    if (keyword == "end_header") {
+      text.next_line();
+      return header;
+    }
+    if (keyword == "format") {
+      header.format = text.field();
+    } else if (keyword == "element") {
+      const std::string_view name = text.field();
+      const std::string_view count = text.field();
+      if (std::ranges::find(header.elements, name, &PlyElement::name) != header.elements.end()) {
+        text.fail(name, fmt::format("{}: expected each element once", TextCursor::quoted(name)));
+      }
+      header.elements.push_back({name, text.announced(count, name, 1), text.offset(count), {}});
+    } else if (keyword == "property") {
+      if (header.elements.empty()) text.fail(keyword, "property before any element");
+      header.elements.back().properties.push_back(ply_property(text));
+    } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
+      text.fail(keyword,
+                fmt::format("{}: expected format, element, property, comment or end_header",
+                            TextCursor::quoted(keyword)));
+    }
+  }
+  text.fail(text.at(), "end of file: expected end_header");
+}
+
+// ---- Values ----------------------------------------------------------------------------
+
+/// Where the values stand: the element that is read, and its number.
+struct PlyPlace {
+  const PlyElement& element;
+  std::int64_t number = 0;
+};
+
+[[noreturn]] void fail_at_end(const PlyPlace& place, const TextCursor& text) {
+  text.fail(place.element.at, fmt::format("{} {} announced, but the file ends in number {}",
+                                          place.element.count, place.element.name, place.number));
+}
+
+/// The values of an ascii file, one field each, however the lines are parted.
+class PlyText {
+ public:
+  explicit PlyText(const TextCursor& text) : text_(text) {}
+
+  static std::size_t least_bytes(PlyType) { return 2; }
+
+  double real(PlyType, const PlyPlace& place) { return text_.real(next(place), "a number"); }
+  double coordinate(PlyType, const PlyPlace& place) { return text_.coordinate(next(place)); }
+  std::int64_t list_count(const PlyProperty&, const PlyPlace& place) {
+    return text_.announced(next(place), "values of a list", 2);
+  }
+  void skip(PlyType, const PlyPlace& place) { next(place); }
+  /// About the value that was read last.
+  [[noreturn]] void fail(const PlyPlace&, const std::string& what) const {
+    text_.fail(last_, what);
+  }
+
+ private:
+  std::string_view next(const PlyPlace& place) {
+    last_ = text_.field_on_any_line();
+    if (last_.empty()) fail_at_end(place, text_);
+    return last_;
+  }
+
+  TextCursor text_;
+  std::string_view last_;
+};
+
+class PlyBinary {
+ public:
+  PlyBinary(const TextCursor& text, std::string_view path, std::endian order)
+      : text_(text), path_(path), data_(text.rest()), order_(order) {}
+
+  static std::size_t least_bytes(PlyType type) { return size_of(type); }
+
+  double real(PlyType type, const PlyPlace& place) {
+    const std::string_view value = next(size_of(type), place);
+    switch (type) {
+      case PlyType::float32: return binary_value<float>(value, order_);
+      case PlyType::float64: return binary_value<double>(value, order_);
+      default: return static_cast<double>(integer_of(type, value));
+    }
+  }
+  double coordinate(PlyType type, const PlyPlace& place) {
+    const double value = real(type, place);
+    if (!(std::abs(value) <= kLargestCoordinate)) {
+      fail(place, fmt::format("coordinate {}: expected a finite number of magnitude at most {}",
+                              value, kLargestCoordinate));
+    }
+    return value;
+  }
+  std::int64_t list_count(const PlyProperty& list, const PlyPlace& place) {
+    const std::int64_t count = integer_of(*list.count, next(size_of(*list.count), place));
+    if (count < 0) fail(place, fmt::format("a list of {} values", count));
+    if (static_cast<std::uint64_t>(count) > data_.size() / size_of(list.type)) {
+      fail_at_end(place, text_);
+    }
+    return count;
+  }
+  void skip(PlyType type, const PlyPlace& place) { next(size_of(type), place); }
+  [[noreturn]] void fail(const PlyPlace& place, const std::string& what) const {
+    throw Error(fmt::format("{}: {} {}: {}", path_, place.element.name, place.number, what));
+  }
+
+ private:
+  std::string_view next(std::size_t size, const PlyPlace& place) {
+    if (data_.size() < size) fail_at_end(place, text_);
+    const std::string_view value = data_.substr(0, size);
+    data_.remove_prefix(size);
+    return value;
+  }
+
+  std::int64_t integer_of(PlyType type, std::string_view value) const {
+    switch (type) {
+      case PlyType::int8: return binary_value<std::int8_t>(value, order_);
+      case PlyType::uint8: return binary_value<std::uint8_t>(value, order_);
+      case PlyType::int16: return binary_value<std::int16_t>(value, order_);
+      case PlyType::uint16: return binary_value<std::uint16_t>(value, order_);
+      case PlyType::int32: return binary_value<std::int32_t>(value, order_);
+      default: return binary_value<std::uint32_t>(value, order_);
+    }
+  }
+
+  const TextCursor& text_;
+  std::string_view path_, data_;
+  std::endian order_;
+};
+
+// ---- Elements --------------------------------------------------------------------------
+
+template <class Values>
+class PlyReader {
+ public:
+  PlyReader(const MeshFile& file, const PlyHeader& header, Values values)
+      : header_(header),
+        values_(std::move(values)),
+        mesh_(file.path),
+        with_normals_(file.with_normals) {}
+
+  Mesh read() && {
+    const auto vertex = std::ranges::find(header_.elements, "vertex", &PlyElement::name);
+    const auto face = std::ranges::find(header_.elements, "face", &PlyElement::name);
+    vertices_ = vertex == header_.elements.end() ? 0 : vertex->count;
+    mesh_.reserve(static_cast<std::size_t>(vertices_),
+                  face == header_.elements.end() ? 0 : static_cast<std::size_t>(face->count));
+    for (const PlyElement& element : header_.elements) {
+      if (element.name == "vertex") {
+        read_vertices(element);
+      } else if (element.name == "face") {
+        read_faces(element);
+      } else if (element.name == "tristrips") {
+        read_strips(element);
+      } else {
+        skip(element);
+      }
+    }
+    mesh_.share_normals_as_vertices();
+    return std::move(mesh_).finish();
+  }
+
+ private:
+  void skip(const PlyElement& element) {
+    for (PlyPlace place{element}; place.number < element.count; ++place.number) {
+      for (const PlyProperty& property : element.properties) skip(property, place);
+    }
+  }
+  void skip(const PlyProperty& property, const PlyPlace& place) {
+    std::int64_t values = property.count ? values_.list_count(property, place) : 1;
+    for (; values > 0; --values) values_.skip(property.type, place);
+  }
+
+  void read_vertices(const PlyElement& element) {
+    constexpr std::array<std::string_view, 6> kNames = {"x", "y", "z", "nx", "ny", "nz"};
+    std::vector<std::size_t> parts;  // of kNames, what each property is
+    for (const PlyProperty& p : element.properties) {
+      const auto* const name = p.count ? kNames.end() : std::ranges::find(kNames, p.name);
+      parts.push_back(static_cast<std::size_t>(name - kNames.begin()));
+    }
+    const bool has_normals =
+        std::ranges::any_of(parts, [](std::size_t k) { return k >= 3 && k < 6; });
+    std::array<double, 6> value{};
+    for (PlyPlace place{element}; place.number < element.count; ++place.number) {
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        const PlyProperty& property = element.properties[i];
+        if (parts[i] < 3) {
+          value[parts[i]] = values_.coordinate(property.type, place);
+        } else if (parts[i] < 6) {
+          value[parts[i]] = values_.real(property.type, place);
+        } else {
+          skip(property, place);
+        }
+      }
+      mesh_.add_vertex({value[0], value[1], value[2]});
+      if (has_normals && with_normals_) mesh_.add_normal({value[3], value[4], value[5]});
+    }
+  }
+
+  /// Calls take(type, n, place) where n values of a list of vertices follow.
+  template <class Take>
+  void read_index_lists(const PlyElement& element, Take&& take) {
+    for (PlyPlace place{element}; place.number < element.count; ++place.number) {
+      for (const PlyProperty& property : element.properties) {
+        if (property.count &&
+            (property.name == "vertex_indices" || property.name == "vertex_index")) {
+          take(property.type, values_.list_count(property, place), place);
+        } else {
+          skip(property, place);
+        }
+      }
+    }
+  }
+
+  void read_faces(const PlyElement& element) {
+    std::vector<std::uint32_t> corners;
+    read_index_lists(element, [&](PlyType type, std::int64_t n, const PlyPlace& place) {
+      corners.clear();
+      for (; n > 0; --n) corners.push_back(index(values_.real(type, place), place));
+      mesh_.add_face(corners);
+    });
+  }
+
+  /// Each vertex ends a triangle with the two before it; -1 begins a new strip.
+  void read_strips(const PlyElement& element) {
+    read_index_lists(element, [&](PlyType type, std::int64_t n, const PlyPlace& place) {
+      std::array<std::uint32_t, 3> triangle{};
+      std::int64_t length = 0;
+      for (; n > 0; --n) {
+        const double value = values_.real(type, place);
+        if (value == -1.0) {
+          length = 0;
+          continue;
+        }
+        triangle = {triangle[1], triangle[2], index(value, place)};
+        if (++length < 3) continue;
+        const auto [a, b, c] = triangle;
+        mesh_.add_face(length % 2 == 1 ? std::array{a, b, c} : std::array{b, a, c});
+      }
+    });
+  }
+
+  std::uint32_t index(double value, const PlyPlace& place) const {
+    if (!(value >= 0.0 && value < static_cast<double>(vertices_) && value == std::floor(value))) {
+      values_.fail(place, fmt::format("vertex index {} out of range: expected 0 to {}", value,
+                                      vertices_ - 1));
+    }
+    return static_cast<std::uint32_t>(value);
+  }
+
+  const PlyHeader& header_;
+  Values values_;
+  MeshBuilder mesh_;
+  bool with_normals_;
+  std::int64_t vertices_ = 0;  // that the header announces
+};
+
+/// What an element takes at least of the bytes that follow the header.
+template <class Values>
+void check_room(const PlyHeader& header, const TextCursor& text) {
+  for (const PlyElement& element : header.elements) {
+    std::size_t least = 0;
+    for (const PlyProperty& p : element.properties)
+      least += Values::least_bytes(p.count.value_or(p.type));
+    if (least > 0 && static_cast<std::size_t>(element.count) > (text.bytes_left() + 1) / least) {
+      text.fail(element.at, fmt::format("{} {} announced, but only {} bytes follow", element.count,
+                                        element.name, text.bytes_left()));
+    }
+  }
+}
+
+template <class Values>
+Mesh read_values(const MeshFile& file, const PlyHeader& header, const TextCursor& text,
+                 Values values) {
+  check_room<Values>(header, text);
+  return PlyReader<Values>(file, header, std::move(values)).read();
+}
+
+}  // namespace
+
+Mesh read_ply(const MeshFile& file) {
+  TextCursor text(file.path, file.data);
+  if (text.field() != "ply") text.fail(std::size_t{0}, "expected ply");
+  const PlyHeader header = ply_header(text);
+  if (header.format == "ascii") return read_values(file, header, text, PlyText(text));
+  for (const auto& [format, order] : {std::pair("binary_little_endian", std::endian::little),
+                                      std::pair("binary_big_endian", std::endian::big)}) {
+    if (header.format == format) {
+      return read_values(file, header, text, PlyBinary(text, file.path, order));
+    }
+  }
+  text.fail(text.at(),
+            "no format in the header: expected format ascii, binary_little_endian or "
+            "binary_big_endian");
+}
+
+}  // namespace displayfile

@@ -1,0 +1,106 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <new>
+#include <string_view>
+
+#include "clip/error.h"
+#include "displayfile/mesh/import_library.h"
+#include "displayfile/mesh/mesh.h"
+#include "displayfile/mesh/mesh_file.h"
+
+namespace displayfile {
+
+namespace {
+
+struct Format {
+  std::string_view extension;
+  std::string_view beginning;  ///< of every such file; empty if none is known
+  Mesh (*read)(const MeshFile&);
+};
+
+constexpr Format kFormats[] = {
+    {".ply", "ply", read_ply},
+    {".obj", "", read_obj},
+    {".off", "OFF", read_off},
+    {".stl", "", read_stl},
+};
+
+/// The format that is read here: a file tells by how it begins, or else by its name. Texts in
+/// UTF-16 are none.
+const Format* format_of(const std::string& path, std::string_view beginning) {
+  if (beginning.starts_with("\xFF\xFE") || beginning.starts_with("\xFE\xFF")) return nullptr;
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::ranges::transform(extension, extension.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  });
+  for (const Format& format : kFormats) {
+    if (!format.beginning.empty() && beginning.starts_with(format.beginning)) return &format;
+  }
+  const auto* named = std::ranges::find(kFormats, extension, &Format::extension);
+  return named == std::end(kFormats) ? nullptr : named;
+}
+
+/// Reads a file from its beginning, or goes on with it.
+class InputFile {
+ public:
+  explicit InputFile(const std::string& path) : path_(path) {
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    if (!std::filesystem::exists(status)) {
+      throw Error(fmt::format("{}: no such file: expected a mesh", path));
+    }
+    if (!std::filesystem::is_regular_file(status)) {
+      throw Error(fmt::format("{}: not a regular file: expected a mesh", path));
+    }
+    size_ = std::filesystem::file_size(path, error);
+    in_.open(path, std::ios::binary);
+    if (error || !in_) fail();
+    if (size_ == 0) throw Error(fmt::format("{}: empty file: expected a mesh", path));
+  }
+
+  std::size_t size() const { return size_; }
+
+  /// Reads until `data` holds so many bytes.
+  void read_to(std::string& data, std::size_t bytes) {
+    const std::size_t had = data.size();
+    data.resize(bytes);
+    if (!in_.read(data.data() + had, static_cast<std::streamsize>(bytes - had))) fail();
+  }
+
+ private:
+  [[noreturn]] void fail() const { throw Error(fmt::format("{}: cannot read the file", path_)); }
+
+  const std::string& path_;
+  std::ifstream in_;
+  std::size_t size_ = 0;
+};
+
+Mesh read_any(const std::string& path, bool with_normals) {
+  constexpr std::size_t kBeginning = 3;
+  InputFile in(path);
+  MeshFile file{path, {}, with_normals};
+  in.read_to(file.data, std::min(in.size(), kBeginning));
+  const Format* format = format_of(path, file.data);
+  if (format == nullptr) return read_by_import_library(path, with_normals);
+  in.read_to(file.data, in.size());
+  return format->read(file);
+}
+
+}  // namespace
+
+Mesh read_mesh(const std::string& path, bool with_normals) {
+  try {
+    return read_any(path, with_normals);
+  } catch (const Error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw Error(fmt::format("{}: not enough memory for the mesh", path));
+  } catch (const std::exception& e) {  // what an importer of the library let through
+    throw Error(fmt::format("{}: not a mesh that can be read: {}", path, e.what()));
+  }
+}
+
+}  // namespace displayfile

@@ -1,0 +1,127 @@
+// STL: M. Burns, "Automated Fabrication", section 6.5, Prentice Hall 1993.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "clip/error.h"
+#include "displayfile/mesh/binary_values.h"
+#include "displayfile/mesh/mesh_builder.h"
+#include "displayfile/mesh/mesh_file.h"
+#include "displayfile/mesh/text_cursor.h"
+
+namespace displayfile {
+
+namespace {
+
+constexpr std::size_t kHeader = 80, kCount = 4, kFacet = 50, kNormal = 12;  // bytes
+
+/// Of a binary file; 0 if it is too short to say.
+std::uint64_t announced_facets(std::string_view data) {
+  if (data.size() < kHeader + kCount) return 0;
+  return binary_value<std::uint32_t>(data.substr(kHeader), std::endian::little);
+}
+
+/// A binary file may begin with "solid" too: then its size tells.
+bool is_text(std::string_view data) {
+  const bool size_fits = data.size() >= kHeader + kCount &&
+                         data.size() - kHeader - kCount == kFacet * announced_facets(data);
+  return !size_fits && data.starts_with("solid");
+}
+
+void add_facet(MeshBuilder& mesh) {
+  const auto end = static_cast<std::uint32_t>(mesh.vertices());
+  mesh.add_face(std::array{end - 3, end - 2, end - 1});
+}
+
+Mesh read_binary(const MeshFile& file) {
+  const std::string_view data = file.data;
+  const std::uint64_t facets = announced_facets(data);
+  if (data.size() < kHeader + kCount || facets > (data.size() - kHeader - kCount) / kFacet) {
+    throw Error(fmt::format("{}: binary STL of {} bytes announces {} facets: expected {} bytes",
+                            file.path, data.size(), facets, kHeader + kCount + kFacet * facets));
+  }
+  MeshBuilder mesh(file.path);
+  mesh.reserve(3 * facets, facets);
+  for (std::uint64_t i = 0; i < facets; ++i) {
+    std::string_view rest = data.substr(kHeader + kCount + kFacet * i + kNormal);
+    for (int k = 0; k < 3; ++k) {
+      Point3 p(0.0);
+      for (int axis = 0; axis < 3; ++axis) {
+        p[axis] = binary_value<float>(rest, std::endian::little);
+        rest.remove_prefix(sizeof(float));
+      }
+      if (!in_range(p)) {
+        throw Error(
+            fmt::format("{}: facet {}: vertex {} is ({}, {}, {}): expected finite "
+                        "coordinates",
+                        file.path, i, k, p.x, p.y, p.z));
+      }
+      mesh.add_vertex(p);
+    }
+    add_facet(mesh);
+  }
+  return std::move(mesh).finish();
+}
+
+/// Words that are not known are passed over, facets and solids must be whole.
+class StlText {
+ public:
+  explicit StlText(const MeshFile& file) : text_(text_of(file.path, file.data)), mesh_(file.path) {}
+
+  Mesh read() && {
+    for (auto word = text_.field_on_any_line(); !word.empty(); word = text_.field_on_any_line()) {
+      read_part(word);
+    }
+    if (in_solid_) text_.fail(text_.at(), "end of file: expected endsolid");
+    return std::move(mesh_).finish();
+  }
+
+ private:
+  void read_part(std::string_view word) {
+    if (word == "vertex") {
+      mesh_.add_vertex(text_.position());
+      ++vertices_;
+    } else if (word == "facet") {
+      require_whole_facet(word);
+      vertices_ = 0;
+      in_facet_ = true;
+    } else if (word == "endfacet") {
+      if (!in_facet_ || vertices_ != 3) {
+        text_.fail(word, fmt::format("a facet of {} vertices: expected 3", vertices_));
+      }
+      add_facet(mesh_);
+      vertices_ = 0;
+      in_facet_ = false;
+    } else if (word == "solid") {
+      require_whole_facet(word);
+      mesh_.begin_object(text_.field());
+      text_.rest_of_line();
+      in_solid_ = true;
+    } else if (word == "endsolid") {
+      require_whole_facet(word);
+      text_.rest_of_line();
+      in_solid_ = false;
+    }
+  }
+
+  void require_whole_facet(std::string_view word) const {
+    if (in_facet_) text_.fail(word, fmt::format("{}: expected endfacet first", word));
+    if (vertices_ > 0) text_.fail(word, fmt::format("{}: vertices outside of a facet", word));
+  }
+
+  TextCursor text_;
+  MeshBuilder mesh_;
+  int vertices_ = 0;  // of the facet that is read
+  bool in_solid_ = false, in_facet_ = false;
+};
+
+}  // namespace
+
+Mesh read_stl(const MeshFile& file) {
+  return is_text(file.data) ? StlText(file).read() : read_binary(file);
+}
+
+}  // namespace displayfile

@@ -1,0 +1,158 @@
+#include "displayfile/mesh/text_cursor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "clip/error.h"
+
+namespace displayfile {
+
+namespace {
+
+constexpr bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
+}
+
+/// Where a backslash before a line end is followed by the next line; npos if it is none.
+std::size_t after_joined_line_end(std::string_view text, std::size_t at) {
+  if (text[at] != '\\') return std::string_view::npos;
+  std::size_t next = at + 1;
+  if (next < text.size() && text[next] == '\r') ++next;
+  return next < text.size() && text[next] == '\n' ? next + 1 : std::string_view::npos;
+}
+
+}  // namespace
+
+TextCursor::TextCursor(std::string_view path, std::string_view text) : path_(path), text_(text) {
+  if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
+}
+
+std::string_view TextCursor::field() {
+  while (at_ < text_.size()) {
+    if (is_blank(text_[at_])) {
+      ++at_;
+    } else if (const std::size_t next = after_joined_line_end(text_, at_);
+               next != std::string_view::npos) {
+      at_ = next;
+    } else {
+      break;
+    }
+  }
+  const std::size_t start = at_;
+  while (at_ < text_.size() && !is_blank(text_[at_]) && text_[at_] != '\n') ++at_;
+  if (at_ > start && text_[at_ - 1] == '\\' &&
+      after_joined_line_end(text_, at_ - 1) != std::string_view::npos) {
+    --at_;  // the line goes on, the field does not
+  }
+  return text_.substr(start, at_ - start);
+}
+
+std::string_view TextCursor::field_on_any_line() {
+  for (;;) {
+    if (const std::string_view f = field(); is_content(f)) return f;
+    if (!next_line()) return {};
+  }
+}
+
+std::string_view TextCursor::rest_of_line() {
+  const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+  std::string_view line = text_.substr(at_, end - at_);
+  at_ = end;
+  while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
+  while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
+  return line;
+}
+
+bool TextCursor::next_line() {
+  const std::size_t end = text_.find('\n', at_);
+  at_ = end == std::string_view::npos ? text_.size() : end + 1;
+  return at_ < text_.size();
+}
+
+bool TextCursor::next_filled_line() {
+  while (next_line()) {
+    const std::size_t start = at_;
+    const bool filled = is_content(field());
+    at_ = start;
+    if (filled) return true;
+  }
+  return false;
+}
+
+Point3 TextCursor::position(int dimension) {
+  Point3 p(0.0);
+  for (int axis = 0; axis < dimension; ++axis) p[axis] = coordinate(field());
+  return p;
+}
+
+Point3 TextCursor::over_weight(const Point3& p, std::string_view w) const {
+  const Point3 divided = p / real(w, "a weight");
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(std::abs(divided[axis]) <= kLargestCoordinate)) {
+      fail(w, fmt::format("weight {}: expected one that leaves finite coordinates", w));
+    }
+  }
+  return divided;
+}
+
+Point3 TextCursor::direction() {
+  Point3 d(0.0);
+  for (int axis = 0; axis < 3; ++axis) d[axis] = real(field(), "a part of a normal");
+  return d;
+}
+
+double TextCursor::coordinate(std::string_view f) const {
+  const double value = real(f, "a coordinate");
+  if (!(std::abs(value) <= kLargestCoordinate)) {
+    fail(f, fmt::format("coordinate {}: expected a finite number of magnitude at most {}", f,
+                        kLargestCoordinate));
+  }
+  return value;
+}
+
+double TextCursor::real(std::string_view f, std::string_view expected) const {
+  const std::optional<double> value = number<double>(f);
+  if (!value) fail(f, fmt::format("{}: expected {}", quoted(f), expected));
+  return *value;
+}
+
+std::int64_t TextCursor::integer(std::string_view f, std::string_view expected) const {
+  const std::optional<std::int64_t> value = number<std::int64_t>(f);
+  if (!value) fail(f, fmt::format("{}: expected {}", quoted(f), expected));
+  return *value;
+}
+
+std::int64_t TextCursor::announced(std::string_view f, std::string_view what,
+                                   std::size_t least_bytes) const {
+  const std::int64_t count = integer(f, fmt::format("a number of {}", what));
+  if (count < 0 || static_cast<std::uint64_t>(count) > (bytes_left() + 1) / least_bytes) {
+    fail(f, fmt::format("{} {} announced, but only {} bytes follow", count, what, bytes_left()));
+  }
+  return count;
+}
+
+void TextCursor::fail(std::size_t at, const std::string& what) const {
+  const std::string_view before = text_.substr(0, at);
+  const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+  const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
+  throw Error(fmt::format("{}:{}:{}: {}", path_, line, at - line_start + 1, what));
+}
+
+std::string TextCursor::quoted(std::string_view f) {
+  if (f.empty()) return "end of line";
+  std::string s = "'";
+  for (const char c : f.substr(0, 20)) s += c >= ' ' && c <= '~' ? c : '?';
+  return s + (f.size() > 20 ? "...'" : "'");
+}
+
+TextCursor text_of(std::string_view path, std::string_view data) {
+  TextCursor text(path, data);
+  if (const std::size_t zero = data.find('\0'); zero != std::string_view::npos) {
+    text.fail(zero, "binary data: expected text");
+  }
+  return text;
+}
+
+}  // namespace displayfile

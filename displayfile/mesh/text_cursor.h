@@ -1,0 +1,89 @@
+#pragma once
+
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "clip/point.h"
+
+namespace displayfile {
+
+/// Coordinates of meshes may be this large, so that every mesh can be fitted into a view.
+inline constexpr double kLargestCoordinate = std::numeric_limits<float>::max();
+
+/// A whole field as a number, correctly rounded; nothing if it is none or out of its range.
+template <class Number>
+std::optional<Number> number(std::string_view field) {
+  if (field.starts_with('+')) field.remove_prefix(1);
+  Number value{};
+  const char* const end = field.data() + field.size();
+  const auto result = std::from_chars(field.data(), end, value);
+  if (result.ec != std::errc() || result.ptr != end) return std::nullopt;
+  return value;
+}
+
+/// A file's text, read field by field: fields are parted by blanks, lines end in LF or CR LF, a
+/// byte order mark of UTF-8 at the beginning is passed over.
+class TextCursor {
+ public:
+  TextCursor(std::string_view path, std::string_view text);
+
+  /// The next field of this line; empty at its end. A backslash before a line end joins lines.
+  std::string_view field();
+  /// The next field on this line or a later one, comments passed over; empty at the end of the
+  /// file.
+  std::string_view field_on_any_line();
+  /// What is left of this line, without blanks around it.
+  std::string_view rest_of_line();
+
+  /// Moves to the start of the next line; false if there is none.
+  bool next_line();
+  /// Moves to the start of the next line that is not blank or a comment; false if there is none.
+  bool next_filled_line();
+
+  /// The next fields of this line as a position of so many coordinates, the others 0.
+  Point3 position(int dimension = 3);
+  /// The position that the homogeneous coordinates x, y, z and this field stand for.
+  Point3 over_weight(const Point3& p, std::string_view w) const;
+  /// The next three fields of this line as a direction, which need not be finite.
+  Point3 direction();
+
+  /// These throw Error at the field's place if it is no such number.
+  double coordinate(std::string_view f) const;
+  double real(std::string_view f, std::string_view expected) const;
+  std::int64_t integer(std::string_view f, std::string_view expected) const;
+  /// A count that the file announces, of things each of which takes at least `least_bytes` of what
+  /// follows.
+  std::int64_t announced(std::string_view f, std::string_view what, std::size_t least_bytes) const;
+
+  /// Throws Error with the place of a field of this text; an empty one stands for where reading
+  /// has come to.
+  [[noreturn]] void fail(std::string_view f, const std::string& what) const {
+    fail(f.empty() ? at_ : offset(f), what);
+  }
+  [[noreturn]] void fail(std::size_t at, const std::string& what) const;
+
+  std::size_t offset(std::string_view f) const {
+    return static_cast<std::size_t>(f.data() - text_.data());
+  }
+  std::size_t at() const { return at_; }
+  std::size_t bytes_left() const { return text_.size() - at_; }
+  std::string_view rest() const { return text_.substr(at_); }
+
+  static bool is_content(std::string_view f) { return !f.empty() && f[0] != '#'; }
+  static std::string quoted(std::string_view f);
+
+ private:
+  std::string_view path_, text_;
+  std::size_t at_ = 0;
+};
+
+/// The same for data that must be text: throws Error at the first zero byte.
+TextCursor text_of(std::string_view path, std::string_view data);
+
+}  // namespace displayfile

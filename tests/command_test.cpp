@@ -285,6 +285,35 @@ TEST_F(Command, BadCommandLinesAndOutputs) {
   EXPECT_EQ(run("--help"), 0);
 }
 
+/// What most pictures do without is loaded when it is asked for, and otherwise not.
+TEST_F(Command, LoadsWhatAPictureNeeds) {
+  write("t.draw", kTriangle);
+  const auto loaded = [&](const std::string& arguments) {
+    setenv("LD_DEBUG", "files", 1);  // the loader says on standard error what it loads
+    EXPECT_EQ(run(arguments), 0);
+    unsetenv("LD_DEBUG");
+    return err_;
+  };
+  const std::string png = loaded("draw t.draw -o t.png --hidden z-buffer");
+  ASSERT_NE(png.find("libpng"), png.npos) << "this loader does not say what it loads";
+  for (const char* name :
+       {"libOSMesa", "libLLVM", "libcairo", "libX11", "libembree", "libgl2ps", "libhwy"}) {
+    EXPECT_EQ(png.find(name), png.npos) << name;
+  }
+  EXPECT_NE(loaded("draw t.draw -o t.pdf").find("libcairo"), png.npos);
+}
+
+TEST_F(Command, SaysThatALibraryIsNotThere) {
+  write("t.draw", kTriangle);
+  write("libcairo.so.2", "no library");
+  write("libOSMesa.so.8", "no library");
+  setenv("LD_LIBRARY_PATH", ".", 1);
+  expect_error("draw t.draw -o t.pdf", "libcairo.so.2");
+  expect_error("draw t.draw -o t.png --device osmesa", "has no OSMesa");
+  EXPECT_EQ(run("draw t.draw -o t.png"), 0) << err_;
+  unsetenv("LD_LIBRARY_PATH");
+}
+
 TEST_F(Command, AFailedRunLeavesTheOldOutput) {
   write("t.draw", kTriangle);
   EXPECT_EQ(run("draw t.draw -o x.png"), 0);

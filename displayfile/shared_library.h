@@ -1,0 +1,24 @@
+#pragma once
+
+namespace displayfile {
+
+/// A library that is loaded when it is first asked for, and stays: one that most pictures do
+/// without costs them no time to start and no memory.
+class SharedLibrary {
+ public:
+  /// As the system's loader finds it. Throws Error, in the loader's words, if there is none.
+  explicit SharedLibrary(const char* name);
+
+  /// A function of C linkage. Throws Error if the library has none of that name.
+  template <class Function>
+  Function function(const char* name) const {
+    return reinterpret_cast<Function>(address(name));
+  }
+
+ private:
+  void* address(const char* name) const;
+
+  void* handle_;
+};
+
+}  // namespace displayfile

@@ -14,9 +14,11 @@
 #include "interp/files/png_file.h"
 #include "interp/files/ppm_file.h"
 #include "interp/opengl/osmesa.h"
+#include "interp/raster/antialias.h"
 #include "interp/raster/software.h"
 #include "interp/vector/pdf_device.h"
 #include "interp/vector/svg_device.h"
+#include "interp/visibility/auto_method.h"
 #include "interp/visibility/image_space.h"
 
 namespace displayfile {

@@ -9,8 +9,6 @@
 #include "displayfile/sorted_display_file.h"
 #include "hidden/exact/precision.h"
 #include "interp/picture.h"
-#include "interp/raster/antialias.h"
-#include "interp/visibility/auto_method.h"
 
 namespace displayfile {
 

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <functional>
 #include <optional>
+#include <span>
 #include <thread>
 
 #include "clip/error.h"
@@ -35,6 +36,15 @@ void parse_size(const std::string& text, int& pixels_across, int& pixels_up) {
   pixels_up = static_cast<int>(height);
 }
 
+/// For --help.
+std::string listed(std::span<const Choice> choices) {
+  std::string text;
+  for (const Choice& choice : choices) {
+    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", choice.name, choice.what);
+  }
+  return text;
+}
+
 int run(int argc, char** argv) {
   CLI::App app("A display-file, retained-mode 3D graphics system in the textbook style.",
                "displayfile");
@@ -42,7 +52,7 @@ int run(int argc, char** argv) {
   std::function<int()> chosen;
 
   DrawCommand draw;
-  std::string size = "512x512", device = "software";
+  std::string size = "512x512";
   std::optional<std::string> turntable;
   std::string shading = "flat";
   const char* const shading_words =
@@ -55,10 +65,12 @@ int run(int argc, char** argv) {
       ->add_option("INPUT", draw.inputs,
                    "drawing programs (.draw, or - for standard input) and meshes")
       ->required();
-  command->add_option("-o,--output", draw.output, "the picture: .png .ppm .svg .pdf")->required();
+  command->add_option("-o,--output", draw.output, "the picture: " + listed(picture_formats()))
+      ->required();
   command->add_option("--size", size, "WIDTHxHEIGHT in pixels")->capture_default_str();
   words.add_to(*command);
-  command->add_option("--device", device, "software or osmesa")->capture_default_str();
+  command->add_option("--device", draw.options.device, listed(raster_devices()))
+      ->capture_default_str();
   command->add_option("--threads", draw.options.threads, "the picture is the same for any number")
       ->check(CLI::Range(1, 1024));
   command
@@ -82,10 +94,7 @@ int run(int argc, char** argv) {
     draw.options.hidden = sorting.method;
     draw.options.scope = sorting.scope;
     draw.options.precision = sorting.precision;
-    if (device != "software" && device != "osmesa") {
-      throw Error(fmt::format("--device {}: expected software or osmesa", device));
-    }
-    if (device == "osmesa") draw.options.device = RasterDevice::osmesa;
+    require_raster_device(draw.options.device);
     draw.shading = displayfile::shading(shading);
     if (turntable) draw.turntable = turntable_views(*turntable);
     chosen = [&] { return draw.run(); };

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "interp/draw.h"
 #include "tests/command_fixture.h"
 
 namespace {
@@ -283,6 +284,21 @@ TEST_F(Command, BadCommandLinesAndOutputs) {
   EXPECT_EQ(run(""), 2);
   EXPECT_EQ(run("draw"), 2);
   EXPECT_EQ(run("--help"), 0);
+}
+
+TEST_F(Command, HelpNamesEveryFormatAndDevice) {
+  ASSERT_EQ(run("draw --help"), 0);
+  const std::string help = out_;
+  for (const auto& format : displayfile::picture_formats()) {
+    EXPECT_NE(help.find(" " + std::string(format.name) + " ("), help.npos) << format.name;
+  }
+  for (const auto& device : displayfile::raster_devices()) {
+    EXPECT_NE(help.find(std::string(device.name) + " ("), help.npos) << device.name;
+  }
+  write("t.draw", kTriangle);
+  expect_error("draw t.draw -o x.gif", "expected one of .png .ppm .svg .pdf");
+  expect_error("draw t.draw -o x.png --device plotter", "expected software or osmesa");
+  expect_error("draw t.draw -o x.svg --device osmesa", "expected .png or .ppm");
 }
 
 /// What most pictures do without is loaded when it is asked for, and otherwise not.

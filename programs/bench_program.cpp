@@ -30,7 +30,8 @@ void start_bench(char** argv) {
   }
   throw Error(fmt::format("bench: {} cannot be started, nor {}: {}", places[0].string(),
                           places[1].lexically_normal().string(),
-                          why == 0 ? "neither is there" : std::strerror(why)));
+                          why == 0 ? "neither is there (its target is displayfile_bench_program)"
+                                   : std::strerror(why)));
 }
 
 }  // namespace displayfile

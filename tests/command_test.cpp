@@ -167,6 +167,27 @@ TEST_F(Command, HiddenMethodReplacesTheProgramsOwn) {
   EXPECT_EQ(id(), 1);
 }
 
+TEST_F(Command, PlainZBufferTellsDepthsApartByItsFormat) {
+  const auto sheets = [](const std::string& method) {
+    return "set-window 0 1 0 1\nset-view-depth -1 1\nset-line-style none\n" + method +
+           "open-segment 1\nset-pick-id 1\npolygon-abs-3 0 0 0.000002  1 0 0.000002  1 1 0.000002  "
+           "0 1 0.000002\nset-pick-id 2\npolygon-abs-3 0 0 0  1 0 0  1 1 0  0 1 0\nclose-segment\n";
+  };
+  write("t.draw", sheets(""));
+  const auto id = [&] { return static_cast<int>(read(folder_ / "i.npy")[128]); };
+  for (const auto& [method, seen] :
+       {std::pair("plain-z-buffer=16", 2), std::pair("plain-z-buffer=32", 1),
+        std::pair("plain-z-buffer=double", 1), std::pair("z-buffer", 1)}) {
+    EXPECT_EQ(run(std::string("draw t.draw -o t.png --size 1x1 --ids i.npy --hidden ") + method), 0)
+        << err_;
+    EXPECT_EQ(id(), seen) << method;
+  }
+  write("u.draw", sheets("set-hidden-line-removal on\nset-hidden-method plain-z-buffer=16\n"));
+  EXPECT_EQ(run("draw u.draw -o u.png --size 1x1 --ids i.npy"), 0) << err_;
+  EXPECT_EQ(id(), 2);
+  expect_error("draw t.draw -o t.png --hidden plain-z-buffer=8", "plain-z-buffer=8");
+}
+
 TEST_F(Command, StatsSayWhatWasDrawn) {
   write("t.draw", kTriangle);
   EXPECT_EQ(run("draw t.draw -o t.png --stats"), 0);

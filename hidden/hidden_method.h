@@ -19,14 +19,20 @@ enum class HiddenMethod {
   ray_cast,     ///< in image space, a ray through each pixel centre (interp/visibility/ray_cast.md)
   warnock,      ///< in image space, areas subdivided until it is easy to tell
                 ///< (interp/visibility/warnock.md)
+  plain_z_buffer,  ///< the z-buffer as textbooks give it, with the depths' rounding and all that it
+                   ///< gets wrong (interp/visibility/plain_z_buffer.h): depths as floats;
+  plain_z_buffer_16,      ///< as integers of 16 bits,
+  plain_z_buffer_24,      ///< of 24,
+  plain_z_buffer_32,      ///< of 32;
+  plain_z_buffer_double,  ///< as doubles. Never what `automatic` picks
   roberts,
   appel,
   franklin,
   colour_rule,  // lines, not built yet
 };
 
-/// One line a method: the name in drawing programs and on the command line, and whether
-/// this build can run it.
+/// One line a name: that of a method in drawing programs and on the command line, and whether
+/// this build can run it. A method's first name is the one it is written with.
 struct HiddenMethodEntry {
   HiddenMethod method;
   std::string_view name;

@@ -6,6 +6,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "clip/error.h"
@@ -14,54 +15,81 @@
 #include "interp/files/png_file.h"
 #include "interp/files/ppm_file.h"
 #include "interp/opengl/osmesa.h"
+#include "interp/raster/antialias.h"
 #include "interp/raster/software.h"
 #include "interp/vector/pdf_device.h"
 #include "interp/vector/svg_device.h"
+#include "interp/visibility/auto_method.h"
 #include "interp/visibility/image_space.h"
 
 namespace displayfile {
 
 namespace {
 
-struct VectorRequest {
-  int width, height;
-  bool z_buffer;
-};
-
 /// One line a format: how it is written, from pixels or from the display file itself.
 struct PictureFormat {
-  std::string_view extension;
+  Choice choice;
   std::unique_ptr<RowFile> (*pixel_file)(const std::filesystem::path&, int width, int height);
-  void (*write_vectors)(const DisplayFile&, const VectorRequest&, const std::filesystem::path&);
+  void (*write_vectors)(const DisplayFile&, int width, int height, bool z_buffer,
+                        const std::filesystem::path&);
 };
-
 constexpr std::array kFormats{
-    PictureFormat{".png", png_row_file, nullptr},
-    PictureFormat{".ppm", ppm_row_file, nullptr},
-    PictureFormat{".svg", nullptr,
-                  [](const DisplayFile& d, const VectorRequest& r, const std::filesystem::path& f) {
-                    write_svg(d, r.width, r.height, r.z_buffer, f);
-                  }},
-    PictureFormat{".pdf", nullptr,
-                  [](const DisplayFile& d, const VectorRequest& r, const std::filesystem::path& f) {
-                    write_pdf(d, r.width, r.height, r.z_buffer, f);
-                  }},
+    PictureFormat{{".png", "pixels, compressed"}, png_row_file, nullptr},
+    PictureFormat{{".ppm", "pixels, plain"}, ppm_row_file, nullptr},
+    PictureFormat{{".svg", "vectors, for the web"}, nullptr, write_svg},
+    PictureFormat{{".pdf", "vectors, for print"}, nullptr, write_pdf},
 };
 
-constexpr auto kExtensions = [] {
-  std::array<std::string_view, kFormats.size()> extensions;
-  std::ranges::transform(kFormats, extensions.begin(), &PictureFormat::extension);
-  return extensions;
-}();
+/// One line a device that draws pixels, the whole picture or, row by row, however large it is. One
+/// that has the whole picture in memory anyway leaves out the latter.
+struct RasterDevice {
+  Choice choice;
+  Picture (*draw)(const DisplayFile&, const RasterRequest&);
+  void (*draw_rows)(const DisplayFile&, const RasterRequest&, const TakeRows&);
+};
+constexpr std::array kDevices{
+    RasterDevice{
+        {"software", "by our own scan conversion"}, draw_with_software, draw_rows_with_software},
+    RasterDevice{
+        {"osmesa", "by OpenGL, to compare with"},
+        [](const DisplayFile& d, const RasterRequest& r) { return draw_with_osmesa(d, r); },
+        nullptr},
+};
+
+template <class Table>
+constexpr auto choices_of(const Table& table) {
+  std::array<Choice, std::tuple_size_v<Table>> choices;
+  std::ranges::transform(table, choices.begin(), &Table::value_type::choice);
+  return choices;
+}
+constexpr auto kFormatChoices = choices_of(kFormats);
+constexpr auto kDeviceChoices = choices_of(kDevices);
+
+/// The names of those lines of a table that are asked for, with something between.
+template <class Table, class Which>
+std::string names(const Table& table, const char* between, Which which) {
+  std::string all;
+  for (const auto& entry : table) {
+    if (which(entry)) all.append(all.empty() ? "" : between).append(entry.choice.name);
+  }
+  return all;
+}
+constexpr auto kAny = [](const auto&) { return true; };
 
 const PictureFormat& format_of(const std::filesystem::path& file) {
   const std::string extension = file.extension().string();
-  const auto format = std::ranges::find(kFormats, extension, &PictureFormat::extension);
-  if (format == kFormats.end()) {
-    throw Error(fmt::format("{}: unknown picture format '{}': expected one of {}", file.string(),
-                            extension, fmt::join(kExtensions, " ")));
+  for (const PictureFormat& format : kFormats) {
+    if (format.choice.name == extension) return format;
   }
-  return *format;
+  throw Error(fmt::format("{}: unknown picture format '{}': expected one of {}", file.string(),
+                          extension, names(kFormats, " ", kAny)));
+}
+
+const RasterDevice& device_of(std::string_view name) {
+  for (const RasterDevice& device : kDevices) {
+    if (device.choice.name == name) return device;
+  }
+  throw Error(fmt::format("unknown device '{}': expected {}", name, names(kDevices, " or ", kAny)));
 }
 
 /// Of what is drawn in the order that the display file has.
@@ -95,16 +123,15 @@ void require_writable(const std::filesystem::path& file, const DrawOptions& opti
 
 Picture draw_samples(const DisplayFile& file, const RasterRequest& request,
                      const DrawOptions& options) {
-  return options.device == RasterDevice::osmesa ? draw_with_osmesa(file, request)
-                                                : draw_with_software(file, request);
+  return device_of(options.device).draw(file, request);
 }
 
-/// The software renderer's rows are passed on as they are drawn: however large the picture, it is
-/// never in memory.
+/// Rows are passed on as they are drawn, if the device can.
 void draw_samples(const DisplayFile& file, const RasterRequest& request, const DrawOptions& options,
                   const TakeRows& take) {
-  if (options.device == RasterDevice::osmesa) return take(draw_with_osmesa(file, request));
-  SoftwareRenderer().draw(file, request, take);
+  const RasterDevice& device = device_of(options.device);
+  if (device.draw_rows == nullptr) return take(device.draw(file, request));
+  device.draw_rows(file, request, take);
 }
 
 /// A pixel's samples in place of the pixel: colours only.
@@ -162,7 +189,7 @@ void write_picture(const DisplayFile& drawn, const RasterRequest& request, bool 
   if (!files.empty()) draw_samples(drawn, request, options, write_rows(files));
   if (!colours.empty()) draw_colours(drawn, request, options, write_rows(colours));
   if (format.write_vectors != nullptr) {
-    format.write_vectors(drawn, {options.width, options.height, vectors_by_depth}, file);
+    format.write_vectors(drawn, options.width, options.height, vectors_by_depth, file);
   }
   for (const auto* written : {&files, &colours}) {
     for (const auto& pixel_file : *written) pixel_file->commit();
@@ -200,9 +227,11 @@ HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& opt
 void require_drawable(const std::filesystem::path& file, const DrawOptions& options) {
   const PictureFormat& format = format_of(file);
   require_raster_size(options);
-  if (format.write_vectors != nullptr && options.device == RasterDevice::osmesa) {
-    throw Error(
-        fmt::format("{}: the osmesa device draws pixels: expected .png or .ppm", file.string()));
+  const RasterDevice& device = device_of(options.device);  // the first unless one was asked for
+  if (format.write_vectors != nullptr && &device != &kDevices.front()) {
+    const auto of_pixels = [](const PictureFormat& f) { return f.pixel_file != nullptr; };
+    throw Error(fmt::format("{}: the {} device draws pixels: expected {}", file.string(),
+                            device.choice.name, names(kFormats, " or ", of_pixels)));
   }
   require_writable(file, options);
 }
@@ -244,6 +273,8 @@ void draw(const GraphicsSystem& system, const std::filesystem::path& file,
   draw(system, file, options, kept);
 }
 
-std::span<const std::string_view> picture_extensions() { return kExtensions; }
+std::span<const Choice> picture_formats() { return kFormatChoices; }
+std::span<const Choice> raster_devices() { return kDeviceChoices; }
+void require_raster_device(std::string_view name) { device_of(name); }
 
 }  // namespace displayfile

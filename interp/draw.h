@@ -3,19 +3,15 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "displayfile/graphics_system.h"
 #include "displayfile/sorted_display_file.h"
 #include "hidden/exact/precision.h"
 #include "interp/picture.h"
-#include "interp/raster/antialias.h"
-#include "interp/visibility/auto_method.h"
 
 namespace displayfile {
-
-/// What draws raster pictures.
-enum class RasterDevice { software, osmesa };
 
 /// How a display file becomes a picture.
 struct DrawOptions {
@@ -24,7 +20,7 @@ struct DrawOptions {
       std::nullopt;  ///< these three in place of what the application set
   std::optional<HiddenScope> scope = std::nullopt;
   std::optional<Precision> precision = std::nullopt;
-  RasterDevice device = RasterDevice::software;
+  std::string device = "software";  ///< of raster pictures: one of raster_devices()
   int threads = 1;
   /// Antialiasing: the mean of samples x samples for each pixel, 1 to kMostSamples; vectors, ids
   /// and depth are not affected.
@@ -66,7 +62,15 @@ void draw(const GraphicsSystem& system, const std::filesystem::path& file,
 void draw(const DisplayFile& display_file, const std::filesystem::path& file,
           const DrawOptions& options);
 
-/// One line a format: the extension with its dot.
-std::span<const std::string_view> picture_extensions();
+/// What a picture can be drawn as, or what can draw it: a name, and a few words about it.
+struct Choice {
+  std::string_view name;
+  std::string_view what;
+};
+std::span<const Choice> picture_formats();  ///< by their extensions, with the dot
+std::span<const Choice> raster_devices();
+
+/// Throws Error, naming those that there are, for any other.
+void require_raster_device(std::string_view name);
 
 }  // namespace displayfile

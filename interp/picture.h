@@ -10,6 +10,9 @@
 
 namespace displayfile {
 
+/// What becomes of a display file: pixels, or vectors.
+enum class PictureKind { raster, vector };
+
 /// A raster picture, top row first. ids and depth are empty unless they were asked for.
 struct Picture {
   int width = 0, height = 0;
@@ -46,6 +49,7 @@ inline std::uint32_t pixel_of(const Colour& colour) {
 
 /// The limits of a picture's size that the devices state and keep.
 inline constexpr int kLargestSide = 65535;
+inline constexpr int kMostSamples = 16;  ///< of antialiasing, along a pixel's side
 
 /// Throws Error unless both sides are 1 to kLargestSide.
 void require_picture_size(long long width, long long height);

@@ -17,6 +17,7 @@
 #include "interp/files/png_file.h"
 #include "interp/files/ppm_file.h"
 #include "interp/truth/truth.h"
+#include "interp/visibility/auto_method.h"
 #include "programs/inputs.h"
 #include "programs/progress.h"
 #include "programs/turntable_command.h"

@@ -6,16 +6,16 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <functional>
-#include <iostream>
-#include <new>
 #include <optional>
+#include <span>
 #include <thread>
 
 #include "clip/error.h"
 #include "displayfile/sorted_display_file.h"
 #include "interp/raster/software.h"
-#include "programs/bench/bench_command.h"
+#include "programs/bench_program.h"
 #include "programs/commands.h"
+#include "programs/exit_status.h"
 #include "programs/segment_outputs.h"
 #include "programs/turntable_command.h"
 
@@ -36,6 +36,15 @@ void parse_size(const std::string& text, int& pixels_across, int& pixels_up) {
   pixels_up = static_cast<int>(height);
 }
 
+/// For --help.
+std::string listed(std::span<const Choice> choices) {
+  std::string text;
+  for (const Choice& choice : choices) {
+    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", choice.name, choice.what);
+  }
+  return text;
+}
+
 int run(int argc, char** argv) {
   CLI::App app("A display-file, retained-mode 3D graphics system in the textbook style.",
                "displayfile");
@@ -43,7 +52,7 @@ int run(int argc, char** argv) {
   std::function<int()> chosen;
 
   DrawCommand draw;
-  std::string size = "512x512", device = "software";
+  std::string size = "512x512";
   std::optional<std::string> turntable;
   std::string shading = "flat";
   const char* const shading_words =
@@ -56,10 +65,12 @@ int run(int argc, char** argv) {
       ->add_option("INPUT", draw.inputs,
                    "drawing programs (.draw, or - for standard input) and meshes")
       ->required();
-  command->add_option("-o,--output", draw.output, "the picture: .png .ppm .svg .pdf")->required();
+  command->add_option("-o,--output", draw.output, "the picture: " + listed(picture_formats()))
+      ->required();
   command->add_option("--size", size, "WIDTHxHEIGHT in pixels")->capture_default_str();
   words.add_to(*command);
-  command->add_option("--device", device, "software or osmesa")->capture_default_str();
+  command->add_option("--device", draw.options.device, listed(raster_devices()))
+      ->capture_default_str();
   command->add_option("--threads", draw.options.threads, "the picture is the same for any number")
       ->check(CLI::Range(1, 1024));
   command
@@ -83,10 +94,7 @@ int run(int argc, char** argv) {
     draw.options.hidden = sorting.method;
     draw.options.scope = sorting.scope;
     draw.options.precision = sorting.precision;
-    if (device != "software" && device != "osmesa") {
-      throw Error(fmt::format("--device {}: expected software or osmesa", device));
-    }
-    if (device == "osmesa") draw.options.device = RasterDevice::osmesa;
+    require_raster_device(draw.options.device);
     draw.shading = displayfile::shading(shading);
     if (turntable) draw.turntable = turntable_views(*turntable);
     chosen = [&] { return draw.run(); };
@@ -135,68 +143,19 @@ int run(int argc, char** argv) {
     chosen = [&] { return import.run(); };
   });
 
-  BenchCommand bench;
-  command = app.add_subcommand(
-      "bench", "Speed against error of every method: a table, JSON, and a page with plots");
-  command->add_option("SCENE", bench.scenes.names,
-                      "generated scenes, families of hard cases, drawing programs and meshes; "
-                      "default, as without any: all generated scenes and hard cases");
-  command
-      ->add_option("-o,--output", bench.page,
-                   "the page, .html; what is finished is kept in "
-                   "PAGE.partial until then, and an interrupted run "
-                   "goes on from there")
-      ->capture_default_str();
-  command->add_option("--json", bench.json, "the figures for programs");
-  command->add_option("--readme", bench.readme,
-                      "rewrite the blocks of this file that are marked <!-- bench: NAME -->");
-  command->add_flag("--full", bench.scenes.full,
-                    "more sizes, precisions and rounds: hours instead of minutes");
-  command->add_option("--methods", bench.methods, "only these, with commas between")
-      ->delimiter(',');
-  command
-      ->add_option("--roundoff", bench.roundoffs,
-                   "EPS of the precisions roundoff=EPS beside exact, with commas between, or none")
-      ->delimiter(',');
-  command->add_option("--threads", bench.threads, "numbers of threads, with commas between")
-      ->delimiter(',')
-      ->check(CLI::Range(1, 1024));
-  command
-      ->add_option("--polygons", bench.scenes.polygons, "of generated scenes, with commas between")
-      ->delimiter(',')
-      ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}));
-  command->add_option("--sizes", bench.scenes.sizes, "pixels a side, with commas between")
-      ->delimiter(',')
-      ->check(CLI::Range(1, 16384));
-  command->add_option("--rounds", bench.rounds, "of each ratio")->check(CLI::Range(1, 1000));
-  command
-      ->add_option("--seconds", bench.most_seconds,
-                   "at most for the rounds of one ratio; hard cases take less")
-      ->check(CLI::Range(0.001, 1e6));
-  command->add_flag(
-      "--features,!--no-features", bench.features,
-      "what each feature costs, off and on; without it, only where no SCENE is named");
-  command->add_flag("--features-under-callgrind", bench.features_under_callgrind)->group("");
-  command->callback([&] { chosen = [&] { return bench.run(); }; });
+  const CLI::App& bench = add_bench(app);
 
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
+    if (bench.parsed()) start_bench(argv);  // that was --help
     return app.exit(e) == 0 ? 0 : 2;
   }
+  if (bench.parsed()) start_bench(argv);
   return chosen();
 }
 
 }  // namespace
 }  // namespace displayfile
 
-int main(int argc, char** argv) {
-  try {
-    return displayfile::run(argc, argv);
-  } catch (const std::bad_alloc&) {
-    std::cerr << "displayfile: out of memory\n";
-  } catch (const std::exception& e) {
-    std::cerr << "displayfile: " << e.what() << '\n';
-  }
-  return 2;
-}
+int main(int argc, char** argv) { return displayfile::exit_status(displayfile::run, argc, argv); }

@@ -473,6 +473,27 @@ TEST_F(Bench, FeaturesAreLeftOutWhereScenesAreNamed) {
   EXPECT_EQ(read(folder_ / "report.html").find("Pay for what is used"), std::string::npos);
 }
 
+/// What measures stands beside the command; a command by itself says so.
+TEST_F(Bench, SaysThatItsProgramIsNotThere) {
+  fs::copy_file(DISPLAYFILE_COMMAND, folder_ / "alone");
+  const std::string line = "cd '" + folder_.string() + "' && ./alone bench soup >.out 2>.err";
+  EXPECT_EQ(WEXITSTATUS(std::system(line.c_str())), 2);
+  const std::string message = read(folder_ / ".err");
+  EXPECT_NE(message.find("displayfile-bench cannot be started"), message.npos) << message;
+  EXPECT_NE(message.find("neither is there"), message.npos) << message;
+}
+
+/// Wherever the command's own parser ends, the program's says what it takes.
+TEST_F(Bench, HelpIsThatOfTheProgram) {
+  for (const char* line : {"bench --help", "bench -h", "--help bench", "bench soup --help"}) {
+    ASSERT_EQ(run(line), 0) << line;
+    EXPECT_NE(out_.find("Usage: displayfile bench [OPTIONS] [SCENE...]"), out_.npos) << out_;
+    EXPECT_NE(out_.find("--readme"), out_.npos) << out_;
+  }
+  ASSERT_EQ(run("--help"), 0);
+  EXPECT_NE(out_.find("Speed against error of every method"), out_.npos) << out_;
+}
+
 TEST_F(Bench, Refuses) {
   expect_error("bench nowhere", "nowhere: no such scene or file");
   expect_error("bench soup -o nowhere/r.html", "nowhere/r.html");

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "interp/draw.h"
 #include "tests/command_fixture.h"
 
 namespace {
@@ -201,6 +202,27 @@ TEST_F(Command, HiddenMethodReplacesTheProgramsOwn) {
   EXPECT_EQ(id(), 1);
 }
 
+TEST_F(Command, PlainZBufferTellsDepthsApartByItsFormat) {
+  const auto sheets = [](const std::string& method) {
+    return "set-window 0 1 0 1\nset-view-depth -1 1\nset-line-style none\n" + method +
+           "open-segment 1\nset-pick-id 1\npolygon-abs-3 0 0 0.000002  1 0 0.000002  1 1 0.000002  "
+           "0 1 0.000002\nset-pick-id 2\npolygon-abs-3 0 0 0  1 0 0  1 1 0  0 1 0\nclose-segment\n";
+  };
+  write("t.draw", sheets(""));
+  const auto id = [&] { return static_cast<int>(read(folder_ / "i.npy")[128]); };
+  for (const auto& [method, seen] :
+       {std::pair("plain-z-buffer=16", 2), std::pair("plain-z-buffer=32", 1),
+        std::pair("plain-z-buffer=double", 1), std::pair("z-buffer", 1)}) {
+    EXPECT_EQ(run(std::string("draw t.draw -o t.png --size 1x1 --ids i.npy --hidden ") + method), 0)
+        << err_;
+    EXPECT_EQ(id(), seen) << method;
+  }
+  write("u.draw", sheets("set-hidden-line-removal on\nset-hidden-method plain-z-buffer=16\n"));
+  EXPECT_EQ(run("draw u.draw -o u.png --size 1x1 --ids i.npy"), 0) << err_;
+  EXPECT_EQ(id(), 2);
+  expect_error("draw t.draw -o t.png --hidden plain-z-buffer=8", "plain-z-buffer=8");
+}
+
 TEST_F(Command, StatsSayWhatWasDrawn) {
   write("t.draw", kTriangle);
   EXPECT_EQ(run("draw t.draw -o t.png --stats"), 0);
@@ -318,6 +340,50 @@ TEST_F(Command, BadCommandLinesAndOutputs) {
   EXPECT_EQ(run(""), 2);
   EXPECT_EQ(run("draw"), 2);
   EXPECT_EQ(run("--help"), 0);
+}
+
+TEST_F(Command, HelpNamesEveryFormatAndDevice) {
+  ASSERT_EQ(run("draw --help"), 0);
+  const std::string help = out_;
+  for (const auto& format : displayfile::picture_formats()) {
+    EXPECT_NE(help.find(" " + std::string(format.name) + " ("), help.npos) << format.name;
+  }
+  for (const auto& device : displayfile::raster_devices()) {
+    EXPECT_NE(help.find(std::string(device.name) + " ("), help.npos) << device.name;
+  }
+  write("t.draw", kTriangle);
+  expect_error("draw t.draw -o x.gif", "expected one of .png .ppm .svg .pdf");
+  expect_error("draw t.draw -o x.png --device plotter", "expected software or osmesa");
+  expect_error("draw t.draw -o x.svg --device osmesa", "expected .png or .ppm");
+}
+
+/// What most pictures do without is loaded when it is asked for, and otherwise not.
+TEST_F(Command, LoadsWhatAPictureNeeds) {
+  write("t.draw", kTriangle);
+  const auto loaded = [&](const std::string& arguments) {
+    setenv("LD_DEBUG", "files", 1);  // the loader says on standard error what it loads
+    EXPECT_EQ(run(arguments), 0);
+    unsetenv("LD_DEBUG");
+    return err_;
+  };
+  const std::string png = loaded("draw t.draw -o t.png --hidden z-buffer");
+  ASSERT_NE(png.find("libpng"), png.npos) << "this loader does not say what it loads";
+  for (const char* name :
+       {"libOSMesa", "libLLVM", "libcairo", "libX11", "libembree", "libgl2ps", "libhwy"}) {
+    EXPECT_EQ(png.find(name), png.npos) << name;
+  }
+  EXPECT_NE(loaded("draw t.draw -o t.pdf").find("libcairo"), png.npos);
+}
+
+TEST_F(Command, SaysThatALibraryIsNotThere) {
+  write("t.draw", kTriangle);
+  write("libcairo.so.2", "no library");
+  write("libOSMesa.so.8", "no library");
+  setenv("LD_LIBRARY_PATH", ".", 1);
+  expect_error("draw t.draw -o t.pdf", "libcairo.so.2");
+  expect_error("draw t.draw -o t.png --device osmesa", "has no OSMesa");
+  EXPECT_EQ(run("draw t.draw -o t.png"), 0) << err_;
+  unsetenv("LD_LIBRARY_PATH");
 }
 
 TEST_F(Command, AFailedRunLeavesTheOldOutput) {

@@ -1,9 +1,5 @@
 #include "interp/opengl/osmesa.h"
 
-#define GL_GLEXT_PROTOTYPES
-#include <GL/gl.h>
-#include <GL/glext.h>
-#include <GL/osmesa.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,6 +13,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "interp/opengl/opengl.h"
 #include "interp/opengl/triangle_list.h"
 #include "interp/picture.h"
 #include "interp/visibility/image_space.h"
@@ -24,6 +21,17 @@
 namespace displayfile {
 
 namespace {
+
+void require_osmesa() {
+  try {
+    gl();
+  } catch (const Error& error) {
+    throw Error(
+        fmt::format("this system has no OSMesa: {} (Mesa 25.1 and later have none); draw "
+                    "with the software device",
+                    error.what()));
+  }
+}
 
 /// An OpenGL context of OSMesa, current for as long as a Current lives. What it draws into is
 /// a framebuffer object: unlike OSMesa's own buffers that has a depth of 16, 24 or 32 bits as
@@ -43,22 +51,23 @@ class Context {
                                    OSMESA_COMPAT_PROFILE,
                                    0,
                                    0};
-    context_ = OSMesaCreateContextAttribs(attributes.data(), nullptr);
+    require_osmesa();
+    context_ = gl().CreateContextAttribs(attributes.data(), nullptr);
     if (context_ == nullptr) throw Error("OSMesa: no OpenGL context could be made");
   }
-  ~Context() { OSMesaDestroyContext(context_); }
+  ~Context() { gl().DestroyContext(context_); }
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
 
   class Current {
    public:
     explicit Current(Context& context) {
-      if (OSMesaMakeCurrent(context.context_, &context.own_pixel_, GL_UNSIGNED_BYTE, 1, 1) !=
+      if (gl().MakeCurrent(context.context_, &context.own_pixel_, GL_UNSIGNED_BYTE, 1, 1) !=
           GL_TRUE) {
         throw Error("OSMesa: the OpenGL context could not be made current");
       }
     }
-    ~Current() { OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0); }
+    ~Current() { gl().MakeCurrent(nullptr, nullptr, 0, 0, 0); }
     Current(const Current&) = delete;
     Current& operator=(const Current&) = delete;
   };
@@ -70,22 +79,22 @@ class Context {
 
 GLint integer(GLenum name) {
   GLint value = 0;
-  glGetIntegerv(name, &value);
+  gl().GetIntegerv(name, &value);
   return value;
 }
 
-std::string renderer() { return reinterpret_cast<const char*>(glGetString(GL_RENDERER)); }
+std::string renderer() { return reinterpret_cast<const char*>(gl().GetString(GL_RENDERER)); }
 
 int largest_side() {
   std::array<GLint, 2> viewport{};
-  glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+  gl().GetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
   return std::min({viewport[0], viewport[1], integer(GL_MAX_RENDERBUFFER_SIZE)});
 }
 
 void require_no_gl_error(const char* doing) {
-  const GLenum error = glGetError();
+  const GLenum error = gl().GetError();
   if (error == GL_NO_ERROR) return;
-  while (glGetError() != GL_NO_ERROR) {
+  while (gl().GetError() != GL_NO_ERROR) {
   }
   throw Error(error == GL_OUT_OF_MEMORY
                   ? fmt::format("OSMesa ran out of memory while {}", doing)
@@ -100,26 +109,26 @@ int bind_framebuffer(int width, int height, int depth_bits, bool stencil) {
                                            : GL_DEPTH24_STENCIL8;
   std::array<GLuint, 2> buffer{};
   GLuint framebuffer = 0;
-  glGenFramebuffers(1, &framebuffer);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glGenRenderbuffers(2, buffer.data());
-  glBindRenderbuffer(GL_RENDERBUFFER, buffer[0]);
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer[0]);
-  glBindRenderbuffer(GL_RENDERBUFFER, buffer[1]);
-  glRenderbufferStorage(GL_RENDERBUFFER, format, width, height);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER,
-                            only_depth ? GL_DEPTH_ATTACHMENT : GL_DEPTH_STENCIL_ATTACHMENT,
-                            GL_RENDERBUFFER, buffer[1]);
+  gl().GenFramebuffers(1, &framebuffer);
+  gl().BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl().GenRenderbuffers(2, buffer.data());
+  gl().BindRenderbuffer(GL_RENDERBUFFER, buffer[0]);
+  gl().RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
+  gl().FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer[0]);
+  gl().BindRenderbuffer(GL_RENDERBUFFER, buffer[1]);
+  gl().RenderbufferStorage(GL_RENDERBUFFER, format, width, height);
+  gl().FramebufferRenderbuffer(GL_FRAMEBUFFER,
+                               only_depth ? GL_DEPTH_ATTACHMENT : GL_DEPTH_STENCIL_ATTACHMENT,
+                               GL_RENDERBUFFER, buffer[1]);
   require_no_gl_error("making the frame buffer");
-  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+  if (gl().CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     throw Error(
         fmt::format("OSMesa cannot draw into a frame buffer of {}x{} pixels with {} depth "
                     "bits",
                     width, height, depth_bits));
   }
   GLint granted = 0;
-  glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_DEPTH_SIZE, &granted);
+  gl().GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_DEPTH_SIZE, &granted);
   return granted;
 }
 
@@ -163,33 +172,33 @@ class ResidentTriangles {
     if (list.vertices.size() > kMost) {
       throw Error(fmt::format("{} triangles: OSMesa draws at most {}", triangles_, kMost / 3));
     }
-    glGenBuffers(1, &buffer_);
-    glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-    glBufferData(GL_ARRAY_BUFFER,
-                 static_cast<GLsizeiptr>(list.vertices.size() * sizeof(ResidentVertex)), nullptr,
-                 GL_STATIC_DRAW);
+    gl().GenBuffers(1, &buffer_);
+    gl().BindBuffer(GL_ARRAY_BUFFER, buffer_);
+    gl().BufferData(GL_ARRAY_BUFFER,
+                    static_cast<GLsizeiptr>(list.vertices.size() * sizeof(ResidentVertex)), nullptr,
+                    GL_STATIC_DRAW);
     require_no_gl_error("making room for the triangles");
-    auto* out = static_cast<ResidentVertex*>(glMapBuffer(GL_ARRAY_BUFFER, GL_WRITE_ONLY));
+    auto* out = static_cast<ResidentVertex*>(gl().MapBuffer(GL_ARRAY_BUFFER, GL_WRITE_ONLY));
     if (out == nullptr) throw Error("OSMesa ran out of memory while entering the triangles");
     for (const TriangleVertex& v : list.vertices) {
       *out++ = {v.x, v.y, static_cast<float>(2.0 * mapping.depth(v.z) - 1.0), v.colour, v.id};
     }
-    glUnmapBuffer(GL_ARRAY_BUFFER);
+    gl().UnmapBuffer(GL_ARRAY_BUFFER);
     require_no_gl_error("entering the triangles");
   }
 
   void draw(Paint paint, GLenum depth_test) const {
     if (triangles_ == 0) return;
     const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
-    glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-    glEnableClientState(GL_VERTEX_ARRAY);
-    glEnableClientState(GL_COLOR_ARRAY);
-    glVertexPointer(3, GL_FLOAT, sizeof(ResidentVertex), offset(0));
-    glColorPointer(4, GL_UNSIGNED_BYTE, sizeof(ResidentVertex),
-                   offset(paint == Paint::ids ? offsetof(ResidentVertex, id)
-                                              : offsetof(ResidentVertex, colour)));
-    glShadeModel(shaded_ && paint == Paint::colours ? GL_SMOOTH : GL_FLAT);
-    glDepthFunc(depth_test);
+    gl().BindBuffer(GL_ARRAY_BUFFER, buffer_);
+    gl().EnableClientState(GL_VERTEX_ARRAY);
+    gl().EnableClientState(GL_COLOR_ARRAY);
+    gl().VertexPointer(3, GL_FLOAT, sizeof(ResidentVertex), offset(0));
+    gl().ColorPointer(4, GL_UNSIGNED_BYTE, sizeof(ResidentVertex),
+                      offset(paint == Paint::ids ? offsetof(ResidentVertex, id)
+                                                 : offsetof(ResidentVertex, colour)));
+    gl().ShadeModel(shaded_ && paint == Paint::colours ? GL_SMOOTH : GL_FLAT);
+    gl().DepthFunc(depth_test);
     for (const TriangleBatch& batch : batches_) {
       if (batch.rule == TriangleBatch::Rule::even_odd) {
         draw_even_odd(batch, depth_test);
@@ -203,26 +212,27 @@ class ResidentTriangles {
 
  private:
   static void draw_arrays(const TriangleBatch& batch) {
-    glDrawArrays(GL_TRIANGLES, static_cast<GLint>(batch.first), static_cast<GLsizei>(batch.count));
+    gl().DrawArrays(GL_TRIANGLES, static_cast<GLint>(batch.first),
+                    static_cast<GLsizei>(batch.count));
   }
 
   /// Each triangle of the fan inverts the stencil, which is then odd inside of the polygon; the
   /// fan once more paints there, and leaves the stencil clear for the next.
   static void draw_even_odd(const TriangleBatch& batch, GLenum depth_test) {
-    glEnable(GL_STENCIL_TEST);
-    glStencilFunc(GL_ALWAYS, 0, 0xFF);
-    glStencilOp(GL_INVERT, GL_INVERT, GL_INVERT);
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    glDepthMask(GL_FALSE);
-    glDepthFunc(GL_ALWAYS);
+    gl().Enable(GL_STENCIL_TEST);
+    gl().StencilFunc(GL_ALWAYS, 0, 0xFF);
+    gl().StencilOp(GL_INVERT, GL_INVERT, GL_INVERT);
+    gl().ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    gl().DepthMask(GL_FALSE);
+    gl().DepthFunc(GL_ALWAYS);
     draw_arrays(batch);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glDepthMask(GL_TRUE);
-    glDepthFunc(depth_test);
-    glStencilFunc(GL_NOTEQUAL, 0, 0xFF);
-    glStencilOp(GL_ZERO, GL_ZERO, GL_ZERO);
+    gl().ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl().DepthMask(GL_TRUE);
+    gl().DepthFunc(depth_test);
+    gl().StencilFunc(GL_NOTEQUAL, 0, 0xFF);
+    gl().StencilOp(GL_ZERO, GL_ZERO, GL_ZERO);
     draw_arrays(batch);
-    glDisable(GL_STENCIL_TEST);
+    gl().Disable(GL_STENCIL_TEST);
   }
 
   GLuint buffer_ = 0;
@@ -285,7 +295,7 @@ class OsmesaScene::Drawing {
   void draw() {
     const Context::Current current(context_);
     draw_colours();
-    glFinish();
+    gl().Finish();
   }
 
   Picture picture() {
@@ -308,34 +318,34 @@ class OsmesaScene::Drawing {
 
  private:
   void set_state() const {
-    glViewport(0, 0, request_.width, request_.height);
-    glEnable(GL_DEPTH_TEST);
-    glEnable(GL_DEPTH_CLAMP);  // what lines are moved by may exceed the room at the front
-    glDisable(GL_DITHER);
-    glDisable(GL_BLEND);
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_MULTISAMPLE);
+    gl().Viewport(0, 0, request_.width, request_.height);
+    gl().Enable(GL_DEPTH_TEST);
+    gl().Enable(GL_DEPTH_CLAMP);  // what lines are moved by may exceed the room at the front
+    gl().Disable(GL_DITHER);
+    gl().Disable(GL_BLEND);
+    gl().Disable(GL_CULL_FACE);
+    gl().Disable(GL_MULTISAMPLE);
     // A line on a polygon meets its depth but for the renderer's rounding, which grows with the
     // slope: moved toward the viewer by that much, it wins where they are equal. The fills are
     // not moved, so that among them nothing changes.
-    glPolygonOffset(1.0f / 64, 8.0f);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glClearDepth(0.0);
-    glClearStencil(0);
+    gl().PolygonOffset(1.0f / 64, 8.0f);
+    gl().PixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl().ClearDepth(0.0);
+    gl().ClearStencil(0);
   }
 
   static void clear(float value) {
-    glClearColor(value, value, value, value);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    gl().ClearColor(value, value, value, value);
+    gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   }
 
   void draw_colours() const {
     clear(1.0f);
     if (!is_image_space(request_.method)) return others_.draw(Paint::colours, GL_ALWAYS);
     fills_.draw(Paint::colours, GL_GEQUAL);
-    glEnable(GL_POLYGON_OFFSET_FILL);
+    gl().Enable(GL_POLYGON_OFFSET_FILL);
     others_.draw(Paint::colours, GL_GEQUAL);
-    glDisable(GL_POLYGON_OFFSET_FILL);
+    gl().Disable(GL_POLYGON_OFFSET_FILL);
   }
 
   /// A pixel's 32 bits are the pick identifier's own; all ones, white, is the background's -1.
@@ -355,7 +365,7 @@ class OsmesaScene::Drawing {
   template <class T>
   static void read(const Picture& picture, GLenum format, GLenum type, std::vector<T>& into) {
     into.resize(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
-    glReadPixels(0, 0, picture.width, picture.height, format, type, into.data());
+    gl().ReadPixels(0, 0, picture.width, picture.height, format, type, into.data());
     require_no_gl_error("reading the picture back");
   }
 
@@ -366,14 +376,22 @@ class OsmesaScene::Drawing {
   ResidentTriangles fills_, others_;
 };
 
-bool osmesa_available() { return true; }
+bool osmesa_available() {
+  try {
+    gl();
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
 
 std::string osmesa_description(int depth_bits) {
+  if (!osmesa_available()) return "none: this system has no OSMesa";
   Context context;
   const Context::Current current(context);
   const int granted = bind_framebuffer(1, 1, depth_bits, false);
   return fmt::format("{}, {}, {} depth bits, at most {}x{} pixels", renderer(),
-                     reinterpret_cast<const char*>(glGetString(GL_VERSION)), granted,
+                     reinterpret_cast<const char*>(gl().GetString(GL_VERSION)), granted,
                      largest_side(), largest_side());
 }
 

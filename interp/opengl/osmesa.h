@@ -11,7 +11,8 @@ namespace displayfile {
 
 /// OSMesa: OpenGL drawn in memory by Mesa's software renderer (llvmpipe), as a second opinion
 /// on our own scan conversion and as a peer in benchmarks. It left Mesa in version 25.1; in a
-/// build without it osmesa_available() is false and the rest throws Error.
+/// build without its headers, and on a system without its library, osmesa_available() is false and
+/// the rest throws Error. The library is loaded at the first call (interp/opengl/opengl.h).
 ///
 /// What it draws is a TriangleList (interp/opengl/triangle_list.h), in flat colours, without
 /// antialiasing, dithering or blending. Vertices are rounded to 1/256 pixel by the renderer,

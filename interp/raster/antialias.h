@@ -8,8 +8,6 @@
 
 namespace displayfile {
 
-inline constexpr int kMostSamples = 16;  ///< along a pixel's side
-
 /// Antialiasing by samples x samples centres for each pixel: a picture drawn so many times as
 /// large, its colours averaged. Takes its rows from the top and passes on those of the picture; of
 /// pixels only.

@@ -60,5 +60,7 @@ class SoftwareRenderer {
 
 /// One picture by a renderer of its own.
 Picture draw_with_software(const DisplayFile& display_file, const RasterRequest& request);
+void draw_rows_with_software(const DisplayFile& display_file, const RasterRequest& request,
+                             const TakeRows& take);
 
 }  // namespace displayfile

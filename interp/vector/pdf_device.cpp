@@ -1,7 +1,5 @@
 #include "interp/vector/pdf_device.h"
 
-#include <cairo-pdf.h>
-#include <cairo.h>
 #include <fmt/format.h>
 
 #include <ostream>
@@ -10,6 +8,7 @@
 #include "displayfile/output_file.h"
 #include "interp/interpreter.h"
 #include "interp/picture.h"
+#include "interp/vector/cairo.h"
 #include "interp/vector/sampled/visible_order.h"
 
 namespace displayfile {
@@ -24,32 +23,32 @@ cairo_status_t write_to_stream(void* closure, const unsigned char* data, unsigne
 
 void require_success(cairo_status_t status) {
   if (status != CAIRO_STATUS_SUCCESS) {
-    throw Error(fmt::format("Cairo cannot write the PDF: {}", cairo_status_to_string(status)));
+    throw Error(fmt::format("Cairo cannot write the PDF: {}", cairo().status_to_string(status)));
   }
 }
 
 }  // namespace
 
-void PdfDevice::Destroy::operator()(_cairo* context) const { cairo_destroy(context); }
+void PdfDevice::Destroy::operator()(_cairo* context) const { cairo().destroy(context); }
 void PdfDevice::Destroy::operator()(_cairo_surface* surface) const {
-  cairo_surface_destroy(surface);
+  cairo().surface_destroy(surface);
 }
 
 PdfDevice::PdfDevice(std::ostream& out, int width, int height)
     : VectorDevice(width, height),
-      surface_(cairo_pdf_surface_create_for_stream(write_to_stream, &out, width, height)) {
-  require_success(cairo_surface_status(surface_.get()));
+      surface_(cairo().pdf_surface_create_for_stream(write_to_stream, &out, width, height)) {
+  require_success(cairo().surface_status(surface_.get()));
   // Left to itself Cairo stores the time.
-  cairo_pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_CREATE_DATE,
-                                 "2000-01-01T00:00:00Z");
-  context_.reset(cairo_create(surface_.get()));
-  require_success(cairo_status(context_.get()));
-  cairo_set_fill_rule(context_.get(), CAIRO_FILL_RULE_EVEN_ODD);
-  cairo_set_line_join(context_.get(), CAIRO_LINE_JOIN_ROUND);
-  cairo_set_line_cap(context_.get(), CAIRO_LINE_CAP_BUTT);
+  cairo().pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_CREATE_DATE,
+                                   "2000-01-01T00:00:00Z");
+  context_.reset(cairo().create(surface_.get()));
+  require_success(cairo().status(context_.get()));
+  cairo().set_fill_rule(context_.get(), CAIRO_FILL_RULE_EVEN_ODD);
+  cairo().set_line_join(context_.get(), CAIRO_LINE_JOIN_ROUND);
+  cairo().set_line_cap(context_.get(), CAIRO_LINE_CAP_BUTT);
   set_colour(Colour(1.0));
-  cairo_rectangle(context_.get(), 0.0, 0.0, width, height);
-  cairo_fill(context_.get());
+  cairo().rectangle(context_.get(), 0.0, 0.0, width, height);
+  cairo().fill(context_.get());
 }
 
 PdfDevice::~PdfDevice() = default;
@@ -57,70 +56,70 @@ PdfDevice::~PdfDevice() = default;
 /// Rounded to 8 bits a component, as in every other picture.
 void PdfDevice::set_colour(const Colour& colour) {
   const std::uint32_t pixel = pixel_of(colour);
-  cairo_set_source_rgb(context_.get(), (pixel & 0xff) / 255.0, ((pixel >> 8) & 0xff) / 255.0,
-                       ((pixel >> 16) & 0xff) / 255.0);
+  cairo().set_source_rgb(context_.get(), (pixel & 0xff) / 255.0, ((pixel >> 8) & 0xff) / 255.0,
+                         ((pixel >> 16) & 0xff) / 255.0);
 }
 
 void PdfDevice::set_path(const Path& path) {
-  cairo_new_path(context_.get());
+  cairo().new_path(context_.get());
   for (std::size_t i = 0; i < path.runs.size(); ++i) {
     const auto run = path.run(i);
-    cairo_move_to(context_.get(), run[0].x, run[0].y);
-    for (const Point2& p : run.subspan(1)) cairo_line_to(context_.get(), p.x, p.y);
-    if (path.runs[i].closed) cairo_close_path(context_.get());
+    cairo().move_to(context_.get(), run[0].x, run[0].y);
+    for (const Point2& p : run.subspan(1)) cairo().line_to(context_.get(), p.x, p.y);
+    if (path.runs[i].closed) cairo().close_path(context_.get());
   }
 }
 
 void PdfDevice::clip_to(std::span<const PixelBox> pixels) {
-  cairo_new_path(context_.get());
+  cairo().new_path(context_.get());
   for (const PixelBox& b : pixels) {
-    cairo_rectangle(context_.get(), b.first_column, height() - b.end_row,
-                    b.end_column - b.first_column, b.end_row - b.first_row);
+    cairo().rectangle(context_.get(), b.first_column, height() - b.end_row,
+                      b.end_column - b.first_column, b.end_row - b.first_row);
   }
-  cairo_clip(context_.get());
+  cairo().clip(context_.get());
 }
 
 void PdfDevice::paint_fill(const Path& path, const Colour& colour, bool seam,
                            std::span<const PixelBox> within) {
   cairo_t* context = context_.get();
   if (!within.empty()) {
-    cairo_save(context);
+    cairo().save(context);
     clip_to(within);
   }
   set_colour(colour);
   set_path(path);
   if (seam) {
-    cairo_fill_preserve(context);
-    cairo_set_line_width(context, kSeamWidth);
-    cairo_set_dash(context, nullptr, 0, 0.0);
-    cairo_stroke(context);
+    cairo().fill_preserve(context);
+    cairo().set_line_width(context, kSeamWidth);
+    cairo().set_dash(context, nullptr, 0, 0.0);
+    cairo().stroke(context);
   } else {
-    cairo_fill(context);
+    cairo().fill(context);
   }
-  if (!within.empty()) cairo_restore(context);
+  if (!within.empty()) cairo().restore(context);
 }
 
 void PdfDevice::paint_lines(const Path& path, const LineStyle& style) {
   cairo_t* context = context_.get();
   set_colour(style.colour);
-  cairo_set_line_width(context, style.width);
+  cairo().set_line_width(context, style.width);
   const double dashes[] = {style.dash, style.gap};
-  cairo_set_dash(context, dashes, style.kind == LineStyle::Kind::dashed ? 2 : 0, 0.0);
+  cairo().set_dash(context, dashes, style.kind == LineStyle::Kind::dashed ? 2 : 0, 0.0);
   set_path(path);
   // Cairo draws nothing for a line of no length with butt ends; here it is a dot.
   const auto& p = path.points;
   const bool dot = p.size() == 2 && p[0] == p[1];
-  if (dot) cairo_set_line_cap(context, CAIRO_LINE_CAP_SQUARE);
-  cairo_stroke(context);
-  if (dot) cairo_set_line_cap(context, CAIRO_LINE_CAP_BUTT);
+  if (dot) cairo().set_line_cap(context, CAIRO_LINE_CAP_SQUARE);
+  cairo().stroke(context);
+  if (dot) cairo().set_line_cap(context, CAIRO_LINE_CAP_BUTT);
 }
 
 void PdfDevice::finish() {
   finish_lines();
-  cairo_show_page(context_.get());
-  require_success(cairo_status(context_.get()));
-  cairo_surface_finish(surface_.get());
-  require_success(cairo_surface_status(surface_.get()));
+  cairo().show_page(context_.get());
+  require_success(cairo().status(context_.get()));
+  cairo().surface_finish(surface_.get());
+  require_success(cairo().surface_status(surface_.get()));
 }
 
 void write_pdf(const DisplayFile& display_file, int width, int height, bool z_buffer,

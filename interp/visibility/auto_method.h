@@ -6,11 +6,9 @@
 #include "displayfile/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
 #include "hidden/hidden_method.h"
+#include "interp/picture.h"
 
 namespace displayfile {
-
-/// What becomes of a display file: pixels, or vectors.
-enum class PictureKind { raster, vector };
 
 /// What `auto` draws with, and why, in a sentence for the user.
 struct MethodChoice {

@@ -47,12 +47,13 @@ struct ImageSpaceEntry {
   HiddenMethod method;
   std::unique_ptr<ImageSpaceMethod> (*make)();
 };
+/// Those that decide exactly: all but the plain z-buffer.
 std::span<const ImageSpaceEntry> image_space_methods();
 
 /// True also of `automatic`, which for a picture in pixels picks one of them.
 bool is_image_space(HiddenMethod method);
 
-/// Throws Error if the method is not one of the list.
+/// Throws Error if the method does not work in image space.
 std::unique_ptr<ImageSpaceMethod> make_image_space_method(HiddenMethod method);
 
 }  // namespace displayfile

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "interp/visibility/vector_kind.h"
+
 // The code below is compiled once for each kind of vector.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "interp/visibility/z_buffer_rows.cpp"
@@ -275,17 +277,14 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace displayfile {
 
-HWY_EXPORT(DrawExact);
-HWY_EXPORT(DrawRounded);
-
 void draw_into_rows(const RowFills& fills, std::span<const ViewedScene::Fill> to_draw,
                     const DepthRows& rows, ExactRows& exact) {
-  HWY_DYNAMIC_DISPATCH(DrawExact)(fills, to_draw, rows, exact);
+  DISPLAYFILE_WIDEST_FORM(DrawExact)(fills, to_draw, rows, exact);
 }
 
 void draw_into_rows_rounded(const RowFills& fills, std::span<const ViewedScene::Fill> to_draw,
                             const DepthRows& rows, ExactRows& exact) {
-  HWY_DYNAMIC_DISPATCH(DrawRounded)(fills, to_draw, rows, exact);
+  DISPLAYFILE_WIDEST_FORM(DrawRounded)(fills, to_draw, rows, exact);
 }
 
 }  // namespace displayfile

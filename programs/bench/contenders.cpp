@@ -6,9 +6,9 @@
 
 #include "displayfile/hidden_surface_check.h"
 #include "interp/opengl/osmesa.h"
-#include "interp/raster/plain_z_buffer.h"
 #include "interp/raster/software.h"
 #include "interp/visibility/image_space.h"
+#include "interp/visibility/plain_z_buffer.h"
 #include "programs/bench/peers.h"
 
 namespace displayfile::bench {

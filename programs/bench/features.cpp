@@ -264,7 +264,7 @@ DrawOptions draw_options(const FeatureUse& use) {
   options.width = options.height = kFeaturePictureSize;
   if (use.ids) options.ids = "ids.npy";
   if (use.depth) options.depth = "depth.npy";
-  if (use.osmesa) options.device = RasterDevice::osmesa;
+  if (use.osmesa) options.device = "osmesa";
   options.samples = use.samples;
   options.threads = use.threads;
   return options;

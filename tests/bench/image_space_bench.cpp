@@ -19,11 +19,11 @@
 
 #include "displayfile/mesh/mesh.h"
 #include "interp/opengl/osmesa.h"
-#include "interp/raster/plain_z_buffer.h"
 #include "interp/raster/software.h"
 #include "interp/scan/scan_convert.h"
 #include "interp/visibility/band_z_buffer.h"
 #include "interp/visibility/image_space.h"
+#include "interp/visibility/plain_z_buffer.h"
 #include "programs/bench/embree_rays.h"
 #include "programs/bench/growth.h"
 #include "programs/bench/side_by_side.h"

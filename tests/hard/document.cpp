@@ -32,7 +32,7 @@ method is one line in `hard/methods.cpp`. Scenes are the same, bit for bit, on e
 ## The methods
 
 {3}
-The plain z-buffer (`interp/raster/plain_z_buffer.cpp`) steps x and z by adding, as textbooks do, and so
+The plain z-buffer (`interp/visibility/plain_z_buffer.cpp`) steps x and z by adding, as textbooks do, and so
 can be wrong about coverage as well as about depth; its integer formats spread [0,1] over all their
 values and clamp what lies outside. OSMesa draws triangles whose vertices are rounded to 1/256 pixel,
 their depths to single precision, and its depth range is fitted to each scene: where all of a

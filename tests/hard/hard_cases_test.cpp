@@ -10,8 +10,9 @@
 
 #include "brute_force_truth.h"
 #include "hard/methods.h"
-#include "interp/raster/plain_z_buffer.h"
+#include "interp/raster/software.h"
 #include "interp/truth/truth.h"
+#include "interp/visibility/plain_z_buffer.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/random_scenes.h"
 #include "tests/slower.h"
@@ -164,6 +165,40 @@ TEST(PlainZBuffer, DepthFormatsHaveTheirSteps) {
   for (const auto& [format, step] : steps) {
     EXPECT_TRUE(shows_the_near_one(format, 2.0 * step)) << static_cast<int>(format);
     EXPECT_FALSE(shows_the_near_one(format, 0.25 * step)) << static_cast<int>(format);
+  }
+}
+
+/// As a method of pictures, under its names, it shows what it shows by itself.
+TEST(PlainZBuffer, IsAMethodOfPicturesAtEachDepthFormat) {
+  const std::pair<const char*, DepthFormat> names[] = {
+      {"plain-z-buffer", DepthFormat::float_32},
+      {"plain-z-buffer=float", DepthFormat::float_32},
+      {"plain-z-buffer=double", DepthFormat::float_64},
+      {"plain-z-buffer=16", DepthFormat::integer_16},
+      {"plain-z-buffer=24", DepthFormat::integer_24},
+      {"plain-z-buffer=32", DepthFormat::integer_32}};
+  const GraphicsSystem system = entered(generated_scene("planes").make(20, 5));
+  // Too close for the coarsest format.
+  const GraphicsSystem sheets = two_sheets(0x1p-18);
+  for (const auto& [name, format] : names) {
+    RasterRequest request;
+    request.width = request.height = 64;
+    request.ids = true;
+    const Picture alone = draw_with_plain_z_buffer(system.display_file(), request, format);
+    request.method = hidden_method(name);
+    request.threads = 2;
+    const Picture picture = draw_with_software(system.display_file(), request);
+    EXPECT_EQ(picture.ids, alone.ids) << name;
+    EXPECT_TRUE(is_image_space(request.method)) << name;
+    const bool wrong = draw_with_software(sheets.display_file(), request).ids[0] != 0;
+    EXPECT_EQ(wrong, format == DepthFormat::integer_16) << name;
+  }
+}
+
+/// `auto` picks among those that decide exactly.
+TEST(PlainZBuffer, IsNotAmongTheExactMethods) {
+  for (const ImageSpaceEntry& entry : image_space_methods()) {
+    EXPECT_FALSE(name_of(entry.method).starts_with("plain")) << name_of(entry.method);
   }
 }
 

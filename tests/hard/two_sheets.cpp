@@ -13,9 +13,9 @@
 #include "interp/files/png_file.h"
 #include "interp/opengl/osmesa.h"
 #include "interp/picture.h"
-#include "interp/raster/plain_z_buffer.h"
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
+#include "interp/visibility/plain_z_buffer.h"
 #include "mesa_leaks.h"
 
 // Two tilted sheets 1e-15 apart that are in front in turn: an orange one and a blue one make a

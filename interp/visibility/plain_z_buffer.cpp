@@ -1,14 +1,15 @@
-#include "interp/raster/plain_z_buffer.h"
+#include "interp/visibility/plain_z_buffer.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
+#include "displayfile/viewed_scene.h"
 #include "interp/interpreter.h"
-#include "interp/raster/software.h"
 
 namespace displayfile {
 
@@ -52,15 +53,22 @@ int column_from(double x, int width) {
   return static_cast<int>(std::clamp(std::ceil(x - 0.5), 0.0, static_cast<double>(width)));
 }
 
+/// The z-buffer itself: a stored depth and the number of what is seen for every pixel, top row
+/// first.
 template <class Depth>
-class PlainZBuffer : public OutputDevice {
+class PlainZBuffer {
  public:
-  PlainZBuffer(Picture& picture, bool ids)
-      : picture_(picture), ids_(ids), depth_(picture.pixels.size(), Depth::kFarthest) {}
+  using Number = ViewedScene::Fill;
 
-  void fill(const DrawnPolygon& polygon) override {
-    const std::uint32_t colour = pixel_of(even_fill(polygon).colour);
-    make_edge_table(polygon.vertices);
+  explicit PlainZBuffer(const PictureSize& size)
+      : size_(size),
+        depth_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height),
+               Depth::kFarthest),
+        seen_(depth_.size(), ViewedScene::kBackground) {}
+
+  /// In display-file coordinates.
+  void fill(std::span<const Point3> vertices, Number number) {
+    make_edge_table(vertices);
     active_.clear();
     std::size_t next = 0;
     for (int row = edges_.empty() ? 0 : edges_[0].first_row;
@@ -68,12 +76,15 @@ class PlainZBuffer : public OutputDevice {
       update_active_edges(row, next);
       // The textbook's FILLIN, with a z for each end of the span (chapter 9, "Z buffers").
       for (std::size_t i = 0; i + 1 < active_.size(); i += 2) {
-        fill_in(row, active_[i], active_[i + 1], colour, polygon.pick);
+        fill_in(row, active_[i], active_[i + 1], number);
       }
     }
   }
-  void edges(const DrawnPolygon&) override {}
-  void line(const DrawnLine&) override {}
+
+  const std::vector<Number>& seen() const { return seen_; }
+  std::span<const Number> row_seen(int row) const {
+    return std::span(seen_).subspan(start_of(row), static_cast<std::size_t>(size_.width));
+  }
 
   /// As stored; minus infinity for the background.
   std::vector<double> depths() const {
@@ -95,8 +106,8 @@ class PlainZBuffer : public OutputDevice {
     for (const Point3& vertex : vertices) {
       const Point3 to = to_pixels(vertex);
       const Point3 &low = from.y < to.y ? from : to, &high = from.y < to.y ? to : from;
-      const int first = row_above(low.y, picture_.height);
-      const int last = row_above(high.y, picture_.height) - 1;
+      const int first = row_above(low.y, size_.height);
+      const int last = row_above(high.y, size_.height) - 1;
       if (first <= last) {
         const double dx = (high.x - low.x) / (high.y - low.y);
         const double dz = (high.z - low.z) / (high.y - low.y);
@@ -121,50 +132,105 @@ class PlainZBuffer : public OutputDevice {
   }
 
   /// The lecture's section 3, "along a scan line": z_new = z_old + dz.
-  void fill_in(int row, const Edge& left, const Edge& right, std::uint32_t colour,
-               std::int32_t pick) {
-    const int first = column_from(left.x, picture_.width);
-    const int end = column_from(right.x, picture_.width);
+  void fill_in(int row, const Edge& left, const Edge& right, Number number) {
+    const int first = column_from(left.x, size_.width);
+    const int end = column_from(right.x, size_.width);
     if (first >= end) return;
     const double dz = (right.z - left.z) / (right.x - left.x);
     double z = left.z + (first + 0.5 - left.x) * dz;
-    const std::size_t start = static_cast<std::size_t>(picture_.height - 1 - row) *
-                              static_cast<std::size_t>(picture_.width);
+    const std::size_t start = start_of(row);
     for (std::size_t i = start + static_cast<std::size_t>(first);
          i < start + static_cast<std::size_t>(end); ++i, z += dz) {
       // The textbook: larger is nearer. At equal depth the polygon entered later is seen.
       const typename Depth::Stored stored = Depth::store(z);
       if (stored < depth_[i]) continue;
       depth_[i] = stored;
-      picture_.pixels[i] = colour;
-      if (ids_) picture_.ids[i] = pick;
+      seen_[i] = number;
     }
   }
 
+  std::size_t start_of(int row) const {
+    return static_cast<std::size_t>(size_.height - 1 - row) * static_cast<std::size_t>(size_.width);
+  }
   Point3 to_pixels(const Point3& device) const {
-    return {device.x * picture_.width, device.y * picture_.height, device.z};
+    return {device.x * size_.width, device.y * size_.height, device.z};
   }
 
-  Picture& picture_;
-  bool ids_;
+  PictureSize size_;
   std::vector<typename Depth::Stored> depth_;
+  std::vector<Number> seen_;
   std::vector<Edge> edges_, active_;
 };
 
+/// As a method among others.
 template <class Depth>
-Picture draw(const DisplayFile& display_file, const RasterRequest& request) {
-  require_picture_size(request.width, request.height);
-  const auto size =
-      static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height);
-  Picture picture;
-  picture.width = request.width;
-  picture.height = request.height;
-  picture.pixels.assign(size, 0xFFFFFFFF);
-  picture.ids.assign(request.ids ? size : 0, -1);
-  PlainZBuffer<Depth> z_buffer(picture, request.ids);
-  interpret(display_file, z_buffer, Pass::fills, Order::entered);
-  if (request.depth) picture.depth = z_buffer.depths();
-  return picture;
+class PlainMethod : public ImageSpaceMethod {
+ public:
+  void prepare(const Request& request, int) override {
+    z_buffer_.emplace(request.size);
+    for (Fill fill = ViewedScene::kBackground + 1; fill < request.scene.end(); ++fill) {
+      z_buffer_->fill(request.scene.vertices(fill), fill);
+    }
+  }
+  void draw_rows(int row_begin, int row_end, const SeenRun& seen) const override {
+    for (int row = row_begin; row < row_end; ++row) seen(row, 0, z_buffer_->row_seen(row));
+  }
+
+ private:
+  using Fill = ViewedScene::Fill;
+  std::optional<PlainZBuffer<Depth>> z_buffer_;
+};
+
+/// By itself: numbers the fills from the interpreter.
+template <class Depth>
+class PlainPicture : public OutputDevice {
+ public:
+  explicit PlainPicture(const PictureSize& size) : z_buffer_(size) {}
+
+  void fill(const DrawnPolygon& polygon) override {
+    colours_.push_back(pixel_of(even_fill(polygon).colour));
+    picks_.push_back(polygon.pick);
+    z_buffer_.fill(polygon.vertices, static_cast<ViewedScene::Fill>(colours_.size() - 1));
+  }
+  void edges(const DrawnPolygon&) override {}
+  void line(const DrawnLine&) override {}
+
+  Picture picture(const RasterRequest& request) const {
+    Picture picture;
+    picture.width = request.width;
+    picture.height = request.height;
+    picture.pixels = of_seen(colours_);
+    if (request.ids) picture.ids = of_seen(picks_);
+    if (request.depth) picture.depth = z_buffer_.depths();
+    return picture;
+  }
+
+ private:
+  /// What belongs to the numbers seen.
+  template <class T>
+  std::vector<T> of_seen(const std::vector<T>& by_number) const {
+    std::vector<T> values(z_buffer_.seen().size());
+    std::ranges::transform(z_buffer_.seen(), values.begin(),
+                           [&](auto number) { return by_number[number]; });
+    return values;
+  }
+
+  PlainZBuffer<Depth> z_buffer_;
+  std::vector<std::uint32_t> colours_{0xFFFFFFFF};  // by number, the background's first
+  std::vector<std::int32_t> picks_{-1};
+};
+
+/// Calls work(policy) with the format's.
+template <class Work>
+auto with_depth(DepthFormat format, Work&& work) {
+  switch (format) {
+    case DepthFormat::float_32: return work(FloatingDepth<float>{});
+    case DepthFormat::float_64: break;
+    case DepthFormat::integer_16: return work(IntegerDepth<16>{});
+    case DepthFormat::integer_24: return work(IntegerDepth<24>{});
+    case DepthFormat::integer_32: return work(IntegerDepth<32>{});
+  }
+  return work(FloatingDepth<double>{});
 }
 
 constexpr std::array kDepthFormats{
@@ -179,16 +245,20 @@ constexpr std::array kDepthFormats{
 
 std::span<const DepthFormatEntry> depth_formats() { return kDepthFormats; }
 
+std::unique_ptr<ImageSpaceMethod> make_plain_z_buffer(DepthFormat format) {
+  return with_depth(format, [](auto depth) -> std::unique_ptr<ImageSpaceMethod> {
+    return std::make_unique<PlainMethod<decltype(depth)>>();
+  });
+}
+
 Picture draw_with_plain_z_buffer(const DisplayFile& display_file, const RasterRequest& request,
                                  DepthFormat format) {
-  switch (format) {
-    case DepthFormat::float_32: return draw<FloatingDepth<float>>(display_file, request);
-    case DepthFormat::float_64: break;
-    case DepthFormat::integer_16: return draw<IntegerDepth<16>>(display_file, request);
-    case DepthFormat::integer_24: return draw<IntegerDepth<24>>(display_file, request);
-    case DepthFormat::integer_32: return draw<IntegerDepth<32>>(display_file, request);
-  }
-  return draw<FloatingDepth<double>>(display_file, request);
+  require_picture_size(request.width, request.height);
+  return with_depth(format, [&](auto depth) {
+    PlainPicture<decltype(depth)> drawing(PictureSize{request.width, request.height});
+    interpret(display_file, drawing, Pass::fills, Order::entered);
+    return drawing.picture(request);
+  });
 }
 
 }  // namespace displayfile

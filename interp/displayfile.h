@@ -1,0 +1,17 @@
+#pragma once
+
+/// What an application includes, as "displayfile/displayfile.h": the user routines
+/// (GraphicsSystem), drawing them into pictures and files (draw), what is thrown (Error), drawing
+/// programs, meshes, dumps, and views of a retained scene. This header and those that it includes
+/// are all that is installed (interp/public_headers.cmake); they need GLM alone.
+
+#include "clip/error.h"
+#include "displayfile/graphics_system.h"
+#include "displayfile/mesh/mesh.h"
+#include "displayfile/recorder.h"
+#include "displayfile/retained_scene.h"
+#include "displayfile/retained_views.h"
+#include "displayfile/text/drawing_program.h"
+#include "displayfile/text/dump.h"
+#include "displayfile/turntable.h"
+#include "interp/draw.h"

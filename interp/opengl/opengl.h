@@ -1,0 +1,85 @@
+#pragma once
+
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <GL/osmesa.h>
+
+#include <string>
+
+#include "clip/error.h"
+#include "displayfile/shared_library.h"
+
+namespace displayfile {
+
+/// OSMesa's library and the functions of it that are used, loaded when it is first asked for: it
+/// brings LLVM, which takes longer to load than most pictures to draw.
+class OpenGl {
+  SharedLibrary library_{"libOSMesa.so.8"};
+
+ public:
+#define DISPLAYFILE_OSMESA(name) \
+  decltype(&::OSMesa##name) name = library_.function<decltype(&::OSMesa##name)>("OSMesa" #name)
+  DISPLAYFILE_OSMESA(CreateContextAttribs);
+  DISPLAYFILE_OSMESA(DestroyContext);
+  DISPLAYFILE_OSMESA(GetProcAddress);
+  DISPLAYFILE_OSMESA(MakeCurrent);
+#undef DISPLAYFILE_OSMESA
+
+#define DISPLAYFILE_OPENGL(name) \
+  decltype(&::gl##name) name = function<decltype(&::gl##name)>("gl" #name)
+  DISPLAYFILE_OPENGL(BindBuffer);
+  DISPLAYFILE_OPENGL(BindFramebuffer);
+  DISPLAYFILE_OPENGL(BindRenderbuffer);
+  DISPLAYFILE_OPENGL(BufferData);
+  DISPLAYFILE_OPENGL(CheckFramebufferStatus);
+  DISPLAYFILE_OPENGL(Clear);
+  DISPLAYFILE_OPENGL(ClearColor);
+  DISPLAYFILE_OPENGL(ClearDepth);
+  DISPLAYFILE_OPENGL(ClearStencil);
+  DISPLAYFILE_OPENGL(ColorMask);
+  DISPLAYFILE_OPENGL(ColorPointer);
+  DISPLAYFILE_OPENGL(DepthFunc);
+  DISPLAYFILE_OPENGL(DepthMask);
+  DISPLAYFILE_OPENGL(Disable);
+  DISPLAYFILE_OPENGL(DrawArrays);
+  DISPLAYFILE_OPENGL(Enable);
+  DISPLAYFILE_OPENGL(EnableClientState);
+  DISPLAYFILE_OPENGL(Finish);
+  DISPLAYFILE_OPENGL(FramebufferRenderbuffer);
+  DISPLAYFILE_OPENGL(GenBuffers);
+  DISPLAYFILE_OPENGL(GenFramebuffers);
+  DISPLAYFILE_OPENGL(GenRenderbuffers);
+  DISPLAYFILE_OPENGL(GetError);
+  DISPLAYFILE_OPENGL(GetIntegerv);
+  DISPLAYFILE_OPENGL(GetRenderbufferParameteriv);
+  DISPLAYFILE_OPENGL(GetString);
+  DISPLAYFILE_OPENGL(MapBuffer);
+  DISPLAYFILE_OPENGL(PixelStorei);
+  DISPLAYFILE_OPENGL(PolygonOffset);
+  DISPLAYFILE_OPENGL(ReadPixels);
+  DISPLAYFILE_OPENGL(RenderbufferStorage);
+  DISPLAYFILE_OPENGL(ShadeModel);
+  DISPLAYFILE_OPENGL(StencilFunc);
+  DISPLAYFILE_OPENGL(StencilOp);
+  DISPLAYFILE_OPENGL(UnmapBuffer);
+  DISPLAYFILE_OPENGL(VertexPointer);
+  DISPLAYFILE_OPENGL(Viewport);
+#undef DISPLAYFILE_OPENGL
+
+ private:
+  template <class Function>
+  Function function(const char* name) const {
+    const OSMESAproc found = GetProcAddress(name);
+    if (found == nullptr) throw Error(std::string("OSMesa has no function ") + name);
+    return reinterpret_cast<Function>(found);
+  }
+};
+
+/// Throws Error, each time that it is called, if this system has none.
+inline const OpenGl& gl() {
+  static const OpenGl library;
+  return library;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,32 @@
+#pragma once
+
+namespace displayfile {
+
+/// The kinds of vectors that this processor can calculate with, beyond those that every processor
+/// has for which the program was compiled.
+///
+/// Asked here and not of Highway's library, which measures the processor's clock for 3 ms whenever
+/// it is loaded.
+enum class VectorKind { baseline, sse4, avx2, avx512 };
+
+/// The widest; found at the first call.
+VectorKind widest_vectors();
+
+/// Of the forms of a function, in the order of VectorKind and null if not compiled, the one for the
+/// widest vectors that can be run.
+template <class Function>
+Function* widest_form(Function* baseline, Function* sse4, Function* avx2, Function* avx512) {
+  const VectorKind widest = widest_vectors();
+  if (avx512 != nullptr && widest >= VectorKind::avx512) return avx512;
+  if (avx2 != nullptr && widest >= VectorKind::avx2) return avx2;
+  if (sse4 != nullptr && widest >= VectorKind::sse4) return sse4;
+  return baseline;
+}
+
+/// In a file that is compiled once for each kind of vectors, in place of HWY_DYNAMIC_DISPATCH.
+#define DISPLAYFILE_WIDEST_FORM(function)                                                  \
+  displayfile::widest_form<decltype(HWY_STATIC_DISPATCH(function))>(                       \
+      HWY_CHOOSE_FALLBACK(function), HWY_CHOOSE_SSE4(function), HWY_CHOOSE_AVX2(function), \
+      HWY_CHOOSE_AVX3(function))
+
+}  // namespace displayfile

@@ -1,0 +1,69 @@
+// The program displayfile-bench, which `displayfile bench` starts in its own place: its command
+// line is that of the command (programs/bench/bench.md).
+
+#include <CLI/CLI.hpp>
+
+#include "programs/bench/bench_command.h"
+#include "programs/bench_program.h"
+#include "programs/exit_status.h"
+
+namespace displayfile {
+namespace {
+
+int run(int argc, char** argv) {
+  CLI::App app("A display-file, retained-mode 3D graphics system in the textbook style.",
+               "displayfile");
+  app.require_subcommand(1);
+  BenchCommand bench;
+  auto* command = app.add_subcommand("bench", kBenchDescription);
+  command->add_option("SCENE", bench.scenes.names,
+                      "generated scenes, families of hard cases, drawing programs and meshes; "
+                      "default, as without any: all generated scenes and hard cases");
+  command
+      ->add_option("-o,--output", bench.page,
+                   "the page, .html; what is finished is kept in "
+                   "PAGE.partial until then, and an interrupted run "
+                   "goes on from there")
+      ->capture_default_str();
+  command->add_option("--json", bench.json, "the figures for programs");
+  command->add_option("--readme", bench.readme,
+                      "rewrite the blocks of this file that are marked <!-- bench: NAME -->");
+  command->add_flag("--full", bench.scenes.full,
+                    "more sizes, precisions and rounds: hours instead of minutes");
+  command->add_option("--methods", bench.methods, "only these, with commas between")
+      ->delimiter(',');
+  command
+      ->add_option("--roundoff", bench.roundoffs,
+                   "EPS of the precisions roundoff=EPS beside exact, with commas between, or none")
+      ->delimiter(',');
+  command->add_option("--threads", bench.threads, "numbers of threads, with commas between")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 1024));
+  command
+      ->add_option("--polygons", bench.scenes.polygons, "of generated scenes, with commas between")
+      ->delimiter(',')
+      ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}));
+  command->add_option("--sizes", bench.scenes.sizes, "pixels a side, with commas between")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 16384));
+  command->add_option("--rounds", bench.rounds, "of each ratio")->check(CLI::Range(1, 1000));
+  command
+      ->add_option("--seconds", bench.most_seconds,
+                   "at most for the rounds of one ratio; hard cases take less")
+      ->check(CLI::Range(0.001, 1e6));
+  command->add_flag(
+      "--features,!--no-features", bench.features,
+      "what each feature costs, off and on; without it, only where no SCENE is named");
+  command->add_flag("--features-under-callgrind", bench.features_under_callgrind)->group("");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : 2;
+  }
+  return bench.run();
+}
+
+}  // namespace
+}  // namespace displayfile
+
+int main(int argc, char** argv) { return displayfile::exit_status(displayfile::run, argc, argv); }

@@ -1,0 +1,68 @@
+// The one header that an application includes, in the source tree: nothing else of Display File is
+// included here. tests/package_test has it installed.
+
+#include "displayfile/displayfile.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <sstream>
+
+namespace {
+
+TEST(Application, DrawsAndCatches) {
+  displayfile::GraphicsSystem g;
+  g.set_perspective({3, 2, 6});
+  g.set_fill_style({displayfile::FillStyle::Kind::solid, {0.9, 0.8, 0.6}});
+  g.open_segment(1);
+  g.polygon_abs_3({{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0, 0.5, 0}});
+  try {
+    g.open_segment(2);
+    FAIL();
+  } catch (const displayfile::Error& error) {
+    EXPECT_NE(std::string(error.what()), "");
+  }
+  g.close_segment();
+  displayfile::DrawOptions options;
+  options.width = options.height = 16;
+  options.hidden = displayfile::HiddenMethod::z_buffer;
+  const displayfile::Picture picture = displayfile::draw(g, options);
+  EXPECT_EQ(picture.pixels.size(), 256u);
+  EXPECT_NE(picture.pixels[8 * 16 + 8], 0xFFFFFFFFu);
+}
+
+TEST(Application, RecordsReplaysAndDumps) {
+  std::ostringstream program;
+  displayfile::Recorder recorder(program);
+  displayfile::GraphicsSystem g, again;
+  g.set_recorder(&recorder);
+  g.open_segment(7);
+  g.line_abs_3(0.5, 0.25, 0);
+  g.close_segment();
+  displayfile::replay(program.str(), "recorded", again);
+  EXPECT_EQ(displayfile::dump(again.display_file()), displayfile::dump(g.display_file()));
+}
+
+TEST(Application, EntersMeshes) {
+  displayfile::Mesh mesh;
+  mesh.objects = {{"triangle", 0, 1}};
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.corners = {0, 1, 2};
+  mesh.first_corner = {0, 3};
+  displayfile::GraphicsSystem g;
+  displayfile::enter_mesh(mesh, g, 1);
+  EXPECT_EQ(g.polygons_entered(), 1);
+}
+
+TEST(Application, ViewsARetainedScene) {
+  displayfile::GraphicsSystem g;
+  displayfile::RetainedScene scene;
+  g.retain(&scene);
+  g.open_segment(1);
+  g.polygon_abs_3({{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0, 0.5, 0}});
+  g.close_segment();
+  displayfile::RetainedViews views(scene, g.display_file(), {});
+  EXPECT_EQ(views.view(g.view()).polygons(), 1u);
+}
+
+}  // namespace

@@ -73,7 +73,7 @@ class PairOrders {
 };
 
 /// Which of a scene's fills is seen at a centre. Exact: by rounded depths, and where these are too
-/// close by exact arithmetic, pairs being remembered (interp/visibility/z_buffer.md). With a
+/// close by exact arithmetic, pairs being remembered (interp/visibility/close_depths.md). With a
 /// ROUNDOFF closer depths count as equal. Of equally near fills the one entered later is seen in
 /// both. For one thread.
 class CloseDepths {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMostSides = 16;  ///< of what is drawn as a convex polygon
 
-/// Of single precision, in any rounding mode; derived in interp/visibility/band_z_buffer.md.
+/// Of single precision, in any rounding mode; derived in interp/visibility/z_buffer.md.
 constexpr double kEdgeUnit = 0x1p-21, kDepthUnit = 0x1p-20, kDepthError = 0x1p-17;
 constexpr double kLargestEdgeError = 0.25;
 

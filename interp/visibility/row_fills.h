@@ -18,7 +18,7 @@ struct RowEdge {
 
 /// A fill made ready for the rows of a picture: the rows whose centres it may cover, its depth
 /// there and, if it is convex, its sides. Single precision, with bounds; what they leave undecided
-/// is decided exactly from the fill itself (interp/visibility/band_z_buffer.md).
+/// is decided exactly from the fill itself (interp/visibility/z_buffer.md).
 struct RowFill {
   std::int32_t row_begin = 0, row_end = 0;
   std::int32_t column = 0;                     ///< no centre of a column before it is covered

@@ -8,9 +8,12 @@
 
 namespace displayfile {
 
+// The heart of the z-buffer: fills are drawn into a band of rows, in vectors of single precision
+// (interp/visibility/z_buffer.md).
+
 /// The depths and fills of some rows of a picture. Rows lie `stride` apart and may be written up
 /// to their stride.
-struct DepthRows {
+struct BandRows {
   static constexpr int kMostRows = 16;
   static constexpr std::size_t kPadding = 16;  ///< columns beyond the picture's
 
@@ -26,7 +29,8 @@ struct DepthRows {
 };
 
 /// The depth of a fill less that of one drawn before it, times some positive number: z + dz_dx i +
-/// dz_dy j at column i of row j of the picture, about 1 where it is largest.
+/// dz_dy j at column i of row j of the picture, about 1 where it is largest. The fill is seen where
+/// it is positive.
 struct DepthDifference {
   FillScene::Fill from = FillScene::kBackground;  ///< the one drawn before
   double z = 0.0, dz_dx = 0.0, dz_dy = 0.0;
@@ -34,15 +38,18 @@ struct DepthDifference {
   float error = 0.0F;
 };
 
-/// What the depths in single precision leave undecided.
-class ExactRows {
+/// What the depths in single precision leave undecided, and how far apart two of them decide. The
+/// policy of the z-buffer, exact or with a ROUNDOFF, is here and nowhere else.
+class BandDecisions {
  public:
   using Fill = FillScene::Fill;
   struct Span {
     int row, first, end;
   };
 
-  virtual ~ExactRows() = default;
+  virtual ~BandDecisions() = default;
+  /// Depths in single precision that are farther apart tell which of two certain fills is seen.
+  virtual float margin() const = 0;
   /// The fill that is drawn until the next call.
   virtual void begin(Fill fill) = 0;
   /// Where the fill begun covers centres of these rows; valid until the next call.
@@ -56,11 +63,11 @@ class ExactRows {
 
 /// Draws the fills, given in order of entry, into rows that were cleared or drawn into before.
 /// In the widest vectors that the processor has; the fills seen are the same with any.
-void draw_into_rows(const RowFills& fills, std::span<const FillScene::Fill> to_draw,
-                    const DepthRows& rows, ExactRows& exact);
+void draw_into_band(const RowFills& fills, std::span<const FillScene::Fill> to_draw,
+                    const BandRows& rows, BandDecisions& decisions);
 
 /// The same with rounded decisions only, to measure what the exact ones cost.
-void draw_into_rows_rounded(const RowFills& fills, std::span<const FillScene::Fill> to_draw,
-                            const DepthRows& rows, ExactRows& exact);
+void draw_into_band_rounded(const RowFills& fills, std::span<const FillScene::Fill> to_draw,
+                            const BandRows& rows, BandDecisions& decisions);
 
 }  // namespace displayfile

@@ -1,4 +1,4 @@
-#include "interp/visibility/z_buffer_rows.h"
+#include "interp/visibility/z_buffer_band.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 // The code below is compiled once for each kind of vector.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "interp/visibility/z_buffer_rows.cpp"
+#define HWY_TARGET_INCLUDE "interp/visibility/z_buffer_band.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -26,18 +26,18 @@ using Fill = FillScene::Fill;
 
 /// The columns that a convex fill covers in each of some rows.
 struct Columns {
-  alignas(64) std::int32_t first[DepthRows::kMostRows + 16];
-  alignas(64) std::int32_t end[DepthRows::kMostRows + 16];
+  alignas(64) std::int32_t first[BandRows::kMostRows + 16];
+  alignas(64) std::int32_t end[BandRows::kMostRows + 16];
 };
 
 template <bool kExact>
 class RowDrawer {
  public:
-  RowDrawer(const RowFills& fills, const DepthRows& rows, ExactRows& exact)
+  RowDrawer(const RowFills& fills, const BandRows& rows, BandDecisions& decisions)
       : fills_(fills),
         rows_(rows),
-        exact_(exact),
-        margin_(hn::Set(f_, kExact ? 2.0F * fills.depth_error() * (1.0F + 0x1p-20F) : 0.0F)) {}
+        decisions_(decisions),
+        margin_(hn::Set(f_, kExact ? decisions.margin() : 0.0F)) {}
 
   void draw(Fill fill) {
     const RowFill& f = fills_[fill];
@@ -48,7 +48,7 @@ class RowDrawer {
     forget_differences();
     if (f.left == 0) {
       begin(fill);
-      for (const auto& span : exact_.spans(row_begin, row_end)) {
+      for (const auto& span : decisions_.spans(row_begin, row_end)) {
         draw_span(f, fill, span.row, span.first, span.end);
       }
       return;
@@ -62,7 +62,7 @@ class RowDrawer {
 
  private:
   void begin(Fill fill) {
-    if (!begun_) exact_.begin(fill);
+    if (!begun_) decisions_.begin(fill);
     begun_ = true;
   }
 
@@ -111,7 +111,7 @@ class RowDrawer {
     for (int row = from; row < to; ++row) {
       columns_.first[row - row_begin] = columns_.end[row - row_begin] = 0;
     }
-    for (const auto& span : exact_.spans(from, to)) {
+    for (const auto& span : decisions_.spans(from, to)) {
       columns_.first[span.row - row_begin] = span.first;
       columns_.end[span.row - row_begin] = span.end;
     }
@@ -211,7 +211,7 @@ class RowDrawer {
   HWY_INLINE bool draw_exactly(int row, int column, FloatMask pixels) {
     alignas(8) std::uint8_t bits[8] = {};
     hn::StoreMaskBits(f_, pixels, bits);
-    return exact_.draw(row, column, static_cast<std::uint32_t>(bits[0] | bits[1] << 8));
+    return decisions_.draw(row, column, static_cast<std::uint32_t>(bits[0] | bits[1] << 8));
   }
 
   void forget_differences() {
@@ -228,7 +228,7 @@ class RowDrawer {
       return differences_[k];
     }
     last_close_ = 1 + (differences_known_++ - 1) % (differences_.size() - 1);
-    return differences_[last_close_] = exact_.difference_from(other);
+    return differences_[last_close_] = decisions_.difference_from(other);
   }
 
   template <class Mask, class Own>
@@ -242,8 +242,8 @@ class RowDrawer {
   static constexpr IntTag i_{};
   static constexpr FillTag u_{};
   const RowFills& fills_;
-  const DepthRows& rows_;
-  ExactRows& exact_;
+  const BandRows& rows_;
+  BandDecisions& decisions_;
   Floats margin_;
   Columns columns_;
   bool begun_ = false;
@@ -254,19 +254,19 @@ class RowDrawer {
 };
 
 template <bool kExact>
-void draw_all(const RowFills& fills, std::span<const Fill> to_draw, const DepthRows& rows,
-              ExactRows& exact) {
-  RowDrawer<kExact> drawer(fills, rows, exact);
+void draw_all(const RowFills& fills, std::span<const Fill> to_draw, const BandRows& rows,
+              BandDecisions& decisions) {
+  RowDrawer<kExact> drawer(fills, rows, decisions);
   for (const Fill fill : to_draw) drawer.draw(fill);
 }
 
-void DrawExact(const RowFills& fills, std::span<const Fill> to_draw, const DepthRows& rows,
-               ExactRows& exact) {
-  draw_all<true>(fills, to_draw, rows, exact);
+void DrawExact(const RowFills& fills, std::span<const Fill> to_draw, const BandRows& rows,
+               BandDecisions& decisions) {
+  draw_all<true>(fills, to_draw, rows, decisions);
 }
-void DrawRounded(const RowFills& fills, std::span<const Fill> to_draw, const DepthRows& rows,
-                 ExactRows& exact) {
-  draw_all<false>(fills, to_draw, rows, exact);
+void DrawRounded(const RowFills& fills, std::span<const Fill> to_draw, const BandRows& rows,
+                 BandDecisions& decisions) {
+  draw_all<false>(fills, to_draw, rows, decisions);
 }
 
 }  // namespace displayfile::HWY_NAMESPACE
@@ -278,14 +278,14 @@ namespace displayfile {
 HWY_EXPORT(DrawExact);
 HWY_EXPORT(DrawRounded);
 
-void draw_into_rows(const RowFills& fills, std::span<const FillScene::Fill> to_draw,
-                    const DepthRows& rows, ExactRows& exact) {
-  HWY_DYNAMIC_DISPATCH(DrawExact)(fills, to_draw, rows, exact);
+void draw_into_band(const RowFills& fills, std::span<const FillScene::Fill> to_draw,
+                    const BandRows& rows, BandDecisions& decisions) {
+  HWY_DYNAMIC_DISPATCH(DrawExact)(fills, to_draw, rows, decisions);
 }
 
-void draw_into_rows_rounded(const RowFills& fills, std::span<const FillScene::Fill> to_draw,
-                            const DepthRows& rows, ExactRows& exact) {
-  HWY_DYNAMIC_DISPATCH(DrawRounded)(fills, to_draw, rows, exact);
+void draw_into_band_rounded(const RowFills& fills, std::span<const FillScene::Fill> to_draw,
+                            const BandRows& rows, BandDecisions& decisions) {
+  HWY_DYNAMIC_DISPATCH(DrawRounded)(fills, to_draw, rows, decisions);
 }
 
 }  // namespace displayfile

@@ -11,8 +11,8 @@
 namespace displayfile {
 
 /// All the z-buffer that a scan-line z-buffer has: the depth and the fill seen at each pixel of one
-/// row. Which of two fills is seen is decided as FillDepths does, but for many pixels together where
-/// it takes exact arithmetic (interp/visibility/scan_line_z.md).
+/// row. Which of two fills is seen is decided as FillDepths does, but for many pixels together
+/// where it takes exact arithmetic (interp/visibility/scan_line_z.md).
 class DepthRow {
  public:
   using Fill = FillScene::Fill;

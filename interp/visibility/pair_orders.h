@@ -25,6 +25,8 @@ class PairOrders {
   /// `second` are what is seen; it varies, or that is not found out without exact arithmetic.
   enum class Order : std::uint8_t { varies, first, second };
   Order order_of(Fill earlier, Fill later);
+  /// The same, but of a pair that is met for the first time it is not looked for.
+  Order order_if_often(Fill earlier, Fill later);
 
   /// The same at a centre that both cover.
   bool later_is_seen(Fill earlier, Fill later, const PixelCentre& centre);

@@ -33,12 +33,16 @@ int turn_if_convex(std::span<const Point3> vertices) {
     turn = side;
   }
   if (n == 3) return turn;
-  for (std::size_t i = 0; i <= n; ++i) {  // the first side once more: the reversal after the last
-    const double y = vertices[i % n].y, next = vertices[(i + 1) % n].y;
+  double first_rise = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double y = vertices[i].y, next = vertices[i + 1 < n ? i + 1 : 0].y;
     if (next == y) continue;
-    reversals += (next > y) != (rise > 0.0) && rise != 0.0;
+    const double before = rise;
     rise = next > y ? 1.0 : -1.0;
+    reversals += before == -rise;
+    if (first_rise == 0.0) first_rise = rise;
   }
+  reversals += rise != first_rise;
   return reversals == 2 ? turn : 0;
 }
 
@@ -52,6 +56,8 @@ RowFills::RowFills(const FillScene& scene, const PictureSize& size, int threads)
     for (std::size_t fill = begin; fill < end; ++fill) make(scene, size, static_cast<Fill>(fill));
   });
 }
+
+static_assert(sizeof(RowFill) == 40);
 
 void RowFills::make(const FillScene& scene, const PictureSize& size, Fill fill) {
   const auto vertices = scene.vertices(fill);
@@ -67,7 +73,8 @@ void RowFills::make(const FillScene& scene, const PictureSize& size, Fill fill) 
   const int row_end = first_row_above(extent.top, size.height);
   if (row_begin >= row_end) return;
   made.column = static_cast<int>(std::clamp(first, 0.0, width - 1.0));
-  const double columns = std::min(end, width) - made.column;
+  made.column_end = static_cast<int>(std::min(end, width));
+  const double columns = made.column_end - made.column;
   made.row_begin = row_begin;
   made.row_end = row_end;
   made.edges = scene.first_vertex(fill);
@@ -121,8 +128,8 @@ void RowFills::make_edges(std::span<const Point3> vertices, const PictureSize& s
   if (!(error < kLargestEdgeError) || left == 0 || right == 0) return;
   std::move(edges + sides - right, edges + sides, edges + left);
   made.edge_error = static_cast<float>(error * (1.0 + 0x1p-20));
-  made.left = static_cast<std::uint16_t>(left);
-  made.right = static_cast<std::uint16_t>(right);
+  made.left = static_cast<std::uint8_t>(left);
+  made.right = static_cast<std::uint8_t>(right);
 }
 
 }  // namespace displayfile

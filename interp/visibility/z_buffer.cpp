@@ -58,6 +58,9 @@ class DepthDecisions : public BandDecisions {
     return static_cast<float>(margin) * (1.0F + 0x1p-20F);
   }
 
+  /// Equal within ROUNDOFF may be farther, and so step by step much farther.
+  bool keep_the_nearest() const override { return !roundoff_; }
+
   void begin(Fill fill) override { fill_ = fill; }
 
   std::span<const Span> spans(int row_begin, int row_end) override {
@@ -72,31 +75,41 @@ class DepthDecisions : public BandDecisions {
   DepthDifference difference_from(Fill other) override {
     if (roundoff_) return rounded_difference(other);
     const PairOrders::Known known = orders_.known(other, fill_);
-    if (known.order != Order::varies) {
-      return {.from = other, .z = known.order == Order::second ? 1.0 : -1.0};
-    }
+    if (known.order != Order::varies) return everywhere(other, known.order);
     if (known.earlier_less_later) return exact_difference(other, *known.earlier_less_later);
-    return rounded_difference(other);
+    const DepthDifference difference = rounded_difference(other);
+    if (difference.error < kNothingKnown) return difference;
+    const Order order = orders_.order_if_often(other, fill_);
+    return order == Order::varies ? difference : everywhere(other, order);
   }
 
   bool draw(int row, int column, std::uint32_t bits) override {
     const FillDepth& own = own_depth();
     const double own_row = own.depth.row(row);
-    const std::size_t learnt = orders_.times_learnt();
     for (; bits != 0; bits &= bits - 1) {
       const int i = column + std::countr_zero(bits);
       const std::size_t at = rows_.index(row, i);
       const double z = own.depth.at(own_row, i);
-      if (!is_seen(row, i, z, rows_.fill[at])) continue;
-      rows_.fill[at] = fill_;
-      rows_.z[at] =
-          fills_[fill_].certain ? static_cast<float>(z) : std::numeric_limits<float>::quiet_NaN();
+      const std::size_t learnt = orders_.times_learnt();
+      if (is_seen(row, i, z, rows_.fill[at])) {
+        rows_.fill[at] = fill_;
+        rows_.z[at] =
+            fills_[fill_].certain ? static_cast<float>(z) : std::numeric_limits<float>::quiet_NaN();
+      }
+      if (orders_.times_learnt() != learnt) return true;
     }
-    return orders_.times_learnt() > learnt;
+    return false;
   }
 
  private:
   using Order = PairOrders::Order;
+
+  /// A difference in single precision is 1 at most.
+  static constexpr float kNothingKnown = 1.0F;
+
+  static DepthDifference everywhere(Fill other, Order order) {
+    return {.from = other, .z = order == Order::second ? 1.0 : -1.0};
+  }
 
   const FillDepth& own_depth() {
     if (own_fill_ != fill_) {
@@ -129,7 +142,7 @@ class DepthDecisions : public BandDecisions {
     const double scale = 1.0 / largest;
     const double bound = error * scale + kSingle;
     if (!(largest > kLeast && scale > kLeast && bound < 1.0)) {
-      return {.from = d.from, .error = 1.0F};  // nothing is known
+      return {.from = d.from, .error = kNothingKnown};
     }
     return {d.from, d.z * scale, d.dz_dx * scale, d.dz_dy * scale, static_cast<float>(bound)};
   }
@@ -208,7 +221,11 @@ void ZBuffer::draw_rows(int row_begin, int row_end, const SeenRun& seen) const {
   const std::size_t pixels = stride * kRowsOfABand;
   const auto z = std::make_unique_for_overwrite<float[]>(pixels);
   const auto fill = std::make_unique_for_overwrite<Fill[]>(pixels);
-  BandRows rows{0, 0, request_->size.width, stride, z.get(), fill.get()};
+  BandRows rows{0, 0, request_->size.width, stride, z.get(), fill.get(), nullptr, nullptr};
+  std::vector<float> farthest(rows.tiles() + BandRows::kPadding);
+  std::vector<Fill> whole(rows.tiles());
+  rows.farthest = farthest.data();
+  rows.whole = whole.data();
   DepthDecisions decisions(*request_, fills_, rows);
   const int last_band = (row_end - 1) / kRowsOfABand;
   for (int band = row_begin / kRowsOfABand; band <= last_band; ++band) {
@@ -216,6 +233,8 @@ void ZBuffer::draw_rows(int row_begin, int row_end, const SeenRun& seen) const {
     rows.row_end = std::min(row_end, (band + 1) * kRowsOfABand);
     std::fill_n(z.get(), pixels, -std::numeric_limits<float>::infinity());
     std::fill_n(fill.get(), pixels, FillScene::kBackground);
+    std::ranges::fill(farthest, -std::numeric_limits<float>::infinity());
+    std::ranges::fill(whole, FillScene::kBackground);
     const auto draw = decided_ == Decided::truly ? draw_into_band : draw_into_band_rounded;
     draw(fills_, of_band(static_cast<std::size_t>(band)), rows, decisions);
     for (int row = rows.row_begin; row < rows.row_end; ++row) {

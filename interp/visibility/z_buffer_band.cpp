@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 // The code below is compiled once for each kind of vector.
 #undef HWY_TARGET_INCLUDE
@@ -37,7 +39,8 @@ class RowDrawer {
       : fills_(fills),
         rows_(rows),
         decisions_(decisions),
-        margin_(hn::Set(f_, kExact ? decisions.margin() : 0.0F)) {}
+        margin_(hn::Set(f_, kExact ? decisions.margin() : 0.0F)),
+        keep_the_nearest_(decisions.keep_the_nearest()) {}
 
   void draw(Fill fill) {
     const RowFill& f = fills_[fill];
@@ -46,18 +49,31 @@ class RowDrawer {
     if (row_begin >= row_end) return;
     begun_ = false;
     forget_differences();
-    if (f.left == 0) {
-      begin(fill);
-      for (const auto& span : decisions_.spans(row_begin, row_end)) {
-        draw_span(f, fill, span.row, span.first, span.end);
-      }
+    const Box& box = box_ = {f.column, f.column_end, row_begin, row_end};
+    ordered_ = {};
+    const bool by_tiles = f.certain && keep_the_nearest_ && is_wide(box.end - box.first);
+    if (f.left != 0) {
+      find_columns(f, fill, row_begin, row_end);
+    } else if ((by_tiles && !find_open_tiles(f, box)) || !decide_all_columns(f, fill, box)) {
       return;
     }
-    find_columns(f, fill, row_begin, row_end);
+    const int middle = (row_end - row_begin) / 2;
+    if (by_tiles && is_wide(columns_.end[middle] - columns_.first[middle])) {
+      if (f.left == 0 || find_open_tiles(f, box)) draw_open_tiles(f, fill, box);
+      return;
+    }
+    write_wholes();
     for (int row = row_begin; row < row_end; ++row) {
       const int first = columns_.first[row - row_begin], end = columns_.end[row - row_begin];
       if (first < end) draw_span(f, fill, row, first, end);
     }
+  }
+
+  /// From here on what tiles show is not known.
+  void write_wholes() {
+    if (!wholes_known_) return;
+    wholes_known_ = false;
+    for (int tile = 0; tile < static_cast<int>(rows_.tiles()); ++tile) write_whole(tile);
   }
 
  private:
@@ -106,12 +122,175 @@ class RowDrawer {
     }
   }
 
+  /// Columns and rows of the picture.
+  struct Box {
+    int first, end, row_begin, row_end;
+  };
+  static constexpr int kTile = BandRows::kTileColumns;
+
+  /// Looking at tiles costs as much as drawing a few rows.
+  static bool is_wide(int columns) { return columns >= 4 * kTile; }
+
+  /// Finds the tiles that the fill may be seen in, runs of them: in the others it lies behind all
+  /// that was drawn. Depth is linear, so over what the fill covers of a tile it is nearest and
+  /// farthest at corners. False if there is none.
+  HWY_NOINLINE bool find_open_tiles(const RowFill& f, const Box& box) {
+    const int low = box.row_begin - f.row_begin, high = box.row_end - 1 - f.row_begin;
+    const bool rises = f.dz_dx > 0.0F, climbs = f.dz_dy > 0.0F;
+    const Floats near_row = hn::Set(f_, f.z + static_cast<float>(climbs ? high : low) * f.dz_dy);
+    const Floats far_row = hn::Set(f_, f.z + static_cast<float>(climbs ? low : high) * f.dz_dy);
+    const Floats slope = hn::Set(f_, f.dz_dx);
+    const int lanes = static_cast<int>(hn::Lanes(f_));
+    open_.clear();
+    bool any = false;
+    first_tile_ = box.first / kTile;
+    const int end_tile = (box.end - 1) / kTile + 1;
+    own_farthest_.resize(static_cast<std::size_t>(end_tile - first_tile_ + lanes));
+    for (int tile = first_tile_; tile < end_tile; tile += lanes) {
+      const Ints begin = hn::Mul(hn::Iota(i_, tile), hn::Set(i_, kTile));
+      const Ints last = hn::Add(begin, hn::Set(i_, kTile - 1));
+      const Ints left = hn::Max(begin, hn::Set(i_, box.first));
+      const Ints right = hn::Min(last, hn::Set(i_, box.end - 1));
+      const auto from_first = [&](Ints column) {
+        return hn::ConvertTo(f_, hn::Sub(column, hn::Set(i_, f.column)));
+      };
+      const Floats nearest = hn::MulAdd(slope, from_first(rises ? right : left), near_row);
+      hn::StoreU(hn::MulAdd(slope, from_first(rises ? left : right), far_row), f_,
+                 own_farthest_.data() + (tile - first_tile_));
+      const Floats known = hn::LoadU(f_, rows_.farthest + tile);
+      const auto open = hn::AndNot(hn::Lt(hn::Sub(nearest, known), hn::Neg(margin_)),
+                                   hn::FirstN(f_, static_cast<std::size_t>(end_tile - tile)));
+      open_.push_back(bits_of(open));
+      any |= open_.back() != 0;
+    }
+    return any;
+  }
+
+  /// The columns that are covered in each row.
+  struct Common {
+    int first, end;
+  };
+  HWY_INLINE Common common_columns(int rows) const {
+    const int lanes = static_cast<int>(hn::Lanes(i_));
+    Ints first = hn::Zero(i_), end = hn::Set(i_, std::numeric_limits<int>::max());
+    for (int row = 0; row < rows; row += lanes) {
+      const auto used = hn::FirstN(i_, static_cast<std::size_t>(rows - row));
+      first = hn::Max(first, hn::IfThenElse(used, hn::LoadU(i_, columns_.first + row), first));
+      end = hn::Min(end, hn::IfThenElse(used, hn::LoadU(i_, columns_.end + row), end));
+    }
+    return {hn::GetLane(hn::MaxOfLanes(i_, first)), hn::GetLane(hn::MinOfLanes(i_, end))};
+  }
+
+  /// A tile that the fill covers shows nothing beyond the fill's own farthest depth from now on. If
+  /// it showed one fill all over which is farther, or nothing, it now shows this one.
+  void draw_open_tiles(const RowFill& f, Fill fill, const Box& box) {
+    const bool all_rows = box.row_begin == rows_.row_begin && box.row_end == rows_.row_end;
+    const Common common = all_rows ? common_columns(box.row_end - box.row_begin) : Common{0, 0};
+    const int lanes = static_cast<int>(hn::Lanes(f_));
+    runs_.clear();
+    for (std::size_t k = 0; k < open_.size(); ++k) {
+      for (std::uint32_t open = open_[k]; open != 0; open &= open - 1) {
+        const int tile = first_tile_ + static_cast<int>(k) * lanes + std::countr_zero(open);
+        const int first = tile * kTile, end = std::min(first + kTile, rows_.width);
+        const bool covered = common.first <= first && end <= common.end;
+        if (covered) {
+          rows_.farthest[tile] = std::max(
+              rows_.farthest[tile], own_farthest_[static_cast<std::size_t>(tile - first_tile_)]);
+        }
+        if (wholes_known_) {
+          const int order = order_in_tile(
+              tile, fill,
+              {std::max(first, box.first), std::min(end, box.end), box.row_begin, box.row_end});
+          if (order < 0) continue;
+          if (order > 0 && covered) {
+            rows_.whole[tile] = fill;
+            continue;
+          }
+          write_whole(tile);
+        }
+        if (!runs_.empty() && runs_.back().end == first) {
+          runs_.back().end = end;
+        } else {
+          runs_.push_back({first, end});
+        }
+      }
+    }
+    if (!runs_.empty()) draw_runs(f, fill, box);
+  }
+
+  void draw_runs(const RowFill& f, Fill fill, const Box& box) {
+    for (int row = box.row_begin; row < box.row_end; ++row) {
+      const int row_first = columns_.first[row - box.row_begin];
+      const int row_end = columns_.end[row - box.row_begin];
+      for (const Run& run : runs_) {
+        const int first = std::max(row_first, run.first), end = std::min(row_end, run.end);
+        if (first < end) draw_span(f, fill, row, first, end);
+      }
+    }
+  }
+
+  /// Between the fill and what the tile shows, over part of it: as order_over.
+  int order_in_tile(int tile, Fill fill, const Box& part) {
+    const Fill shown = rows_.whole[tile];
+    if (shown == FillScene::kBackground) return 1;
+    if (shown == BandRows::kSeveral) return 0;
+    if (shown != ordered_.fill) {
+      begin(fill);
+      keep_order(difference_from(shown));
+    }
+    if (shown == ordered_.fill) return ordered_.is_behind ? 1 : -1;
+    return order_over(close_, part);
+  }
+
+  /// 1 if the fill that the difference is of is seen all over the box, -1 if nowhere; 0 if that is
+  /// not known.
+  static int order_over(const DepthDifference& d, const Box& box) {
+    const double at = d.z + d.dz_dx * box.first + d.dz_dy * box.row_begin;
+    const double along = d.dz_dx * (box.end - 1 - box.first);
+    const double up = d.dz_dy * (box.row_end - 1 - box.row_begin);
+    const double error = d.error;
+    if (at + std::min(along, 0.0) + std::min(up, 0.0) > error) return 1;
+    return at + std::max(along, 0.0) + std::max(up, 0.0) < -error ? -1 : 0;
+  }
+
+  /// Into the tile's pixels, which show several fills from now on.
+  void write_whole(int tile) {
+    Fill& shown = rows_.whole[tile];
+    if (shown != FillScene::kBackground && shown != BandRows::kSeveral) {
+      const RowFill& f = fills_[shown];
+      const int first = tile * kTile, end = std::min(first + kTile, rows_.width);
+      for (int row = rows_.row_begin; row < rows_.row_end; ++row) {
+        write_span(f, shown, row, first, end);
+      }
+    }
+    shown = BandRows::kSeveral;
+  }
+
+  /// The columns of a fill that is not known to be convex. If a row has several runs of them, they
+  /// are drawn at once; then false.
+  HWY_NOINLINE bool decide_all_columns(const RowFill& f, Fill fill, const Box& box) {
+    begin(fill);
+    const auto spans = decisions_.spans(box.row_begin, box.row_end);
+    const auto same_row = [](const auto& a, const auto& b) { return a.row == b.row; };
+    if (std::ranges::adjacent_find(spans, same_row) == spans.end()) {
+      take_columns(spans, box.row_begin, box.row_end, box.row_begin);
+      return true;
+    }
+    write_wholes();
+    for (const auto& span : spans) draw_span(f, fill, span.row, span.first, span.end);
+    return false;
+  }
+
   HWY_NOINLINE void decide_columns(Fill fill, int from, int to, int row_begin) {
     begin(fill);
+    take_columns(decisions_.spans(from, to), from, to, row_begin);
+  }
+
+  void take_columns(std::span<const BandDecisions::Span> spans, int from, int to, int row_begin) {
     for (int row = from; row < to; ++row) {
       columns_.first[row - row_begin] = columns_.end[row - row_begin] = 0;
     }
-    for (const auto& span : decisions_.spans(from, to)) {
+    for (const auto& span : spans) {
       columns_.first[span.row - row_begin] = span.first;
       columns_.end[span.row - row_begin] = span.end;
     }
@@ -120,9 +299,8 @@ class RowDrawer {
   HWY_INLINE void draw_span(const RowFill& f, Fill fill, int row, int first, int end) {
     const int lanes = static_cast<int>(hn::Lanes(f_));
     const Floats slope = hn::Set(f_, f.dz_dx);
-    const float start = f.certain ? f.z + static_cast<float>(row - f.row_begin) * f.dz_dy +
-                                        static_cast<float>(first - f.column) * f.dz_dx
-                                  : std::numeric_limits<float>::quiet_NaN();
+    const float start =
+        f.certain ? start_of_span(f, row, first) : std::numeric_limits<float>::quiet_NaN();
     const auto own = hn::Set(u_, fill);
     Floats offset = hn::Iota(f_, 0.0F);
     const Floats step = hn::Set(f_, static_cast<float>(lanes));
@@ -135,16 +313,42 @@ class RowDrawer {
       const Floats nearer_by = hn::Sub(z, old);
       if constexpr (kExact) {
         const auto decided = hn::Gt(hn::Abs(nearer_by), margin_);
-        if (HWY_UNLIKELY(!hn::AllFalse(f_, hn::AndNot(decided, covered)))) {
-          begin(fill);
-          return draw_closely(fill, row, {first, i, end}, slope, start);
+        auto nearer = hn::And(covered, hn::Gt(nearer_by, margin_));
+        const auto undecided = hn::AndNot(decided, covered);
+        if (HWY_UNLIKELY(!hn::AllFalse(f_, undecided))) {
+          const auto shown = hn::LoadU(u_, fill_row + i);
+          const auto same = hn::RebindMask(f_, hn::Eq(shown, hn::Set(u_, ordered_.fill)));
+          if (!hn::AllFalse(f_, hn::AndNot(same, undecided))) {
+            begin(fill);
+            return draw_closely(fill, row, {first, i, end}, slope, start);
+          }
+          if (ordered_.is_behind) nearer = hn::Or(nearer, undecided);
         }
-        const auto nearer = hn::And(covered, hn::Gt(nearer_by, margin_));
         store(nearer, z, old, own, z_row + i, fill_row + i);
       } else {
         store(hn::And(covered, hn::Ge(nearer_by, margin_)), z, old, own, z_row + i, fill_row + i);
       }
     }
+  }
+
+  /// Whatever is there.
+  HWY_INLINE void write_span(const RowFill& f, Fill fill, int row, int first, int end) {
+    const int lanes = static_cast<int>(hn::Lanes(f_));
+    const Floats slope = hn::Set(f_, f.dz_dx);
+    const Floats start = hn::Set(f_, start_of_span(f, row, first));
+    Floats offset = hn::Iota(f_, 0.0F);
+    const Floats step = hn::Set(f_, static_cast<float>(lanes));
+    float* const z_row = rows_.z + rows_.index(row, 0);
+    Fill* const fill_row = rows_.fill + rows_.index(row, 0);
+    for (int i = first; i < end; i += lanes, offset = hn::Add(offset, step)) {
+      hn::StoreU(hn::MulAdd(slope, offset, start), f_, z_row + i);
+      hn::StoreU(hn::Set(u_, fill), u_, fill_row + i);
+    }
+  }
+
+  static float start_of_span(const RowFill& f, int row, int first) {
+    return f.z + static_cast<float>(row - f.row_begin) * f.dz_dy +
+           static_cast<float>(first - f.column) * f.dz_dx;
   }
 
   /// A span, and the column from which on it is to be drawn.
@@ -172,63 +376,78 @@ class RowDrawer {
     const Floats step = hn::Set(f_, static_cast<float>(lanes));
     float* const z_row = rows_.z + rows_.index(row, 0);
     Fill* const fill_row = rows_.fill + rows_.index(row, 0);
-    RowDifference close = in_row(differences_[last_close_], row, span.first);
+    RowDifference close = in_row(close_, row, span.first);
     Floats offset = hn::Iota(f_, static_cast<float>(span.from - span.first));
-    for (int i = span.from; i < span.end; i += lanes, offset = hn::Add(offset, step)) {
+    for (int i = span.from; i < span.end;) {
       const auto covered = hn::FirstN(f_, static_cast<std::size_t>(span.end - i));
       const Floats z = hn::MulAdd(slope, offset, hn::Set(f_, start));
       const Floats old = hn::LoadU(f_, z_row + i);
       const Floats nearer_by = hn::Sub(z, old);
-      FloatMask nearer = hn::And(covered, hn::Gt(nearer_by, margin_));
-      FloatMask undecided = hn::AndNot(hn::Gt(hn::Abs(nearer_by), margin_), covered);
       const auto shown = hn::LoadU(u_, fill_row + i);
-      const auto shows_close = [&] {
-        return hn::And(undecided, hn::RebindMask(f_, hn::Eq(shown, hn::Set(u_, close.from))));
+      const auto shows = [&](Fill one) {
+        return hn::RebindMask(f_, hn::Eq(shown, hn::Set(u_, one)));
       };
+      const FloatMask others = hn::AndNot(shows(fill), covered);  // unless it is done anew
+      FloatMask nearer = hn::And(others, hn::Gt(nearer_by, margin_));
+      FloatMask undecided = hn::AndNot(hn::Gt(hn::Abs(nearer_by), margin_), others);
       const auto decide_close = [&](FloatMask same) {
         const Floats by = hn::MulAdd(close.slope, offset, close.start);
         nearer = hn::Or(nearer, hn::And(same, hn::Gt(by, close.error)));
         return hn::AndNot(hn::Gt(hn::Abs(by), close.error), same);
       };
-      FloatMask same = shows_close();
+      FloatMask same = hn::And(undecided, shows(close.from));
       FloatMask too_close = decide_close(same);
       undecided = hn::AndNot(same, undecided);
       while (HWY_UNLIKELY(!hn::AllFalse(f_, undecided))) {
         const Fill other = fill_row[i + static_cast<int>(hn::FindKnownFirstTrue(f_, undecided))];
         close = in_row(difference_from(other), row, span.first);
-        same = shows_close();
+        keep_order(close_);
+        same = hn::And(undecided, shows(close.from));
         too_close = hn::Or(too_close, decide_close(same));
         undecided = hn::AndNot(same, undecided);
       }
       store(nearer, z, old, own, z_row + i, fill_row + i);
       if (HWY_UNLIKELY(!hn::AllFalse(f_, too_close)) && draw_exactly(row, i, too_close)) {
         forget_differences();
-        close = in_row(differences_[last_close_], row, span.first);
+        close = in_row(close_, row, span.first);
+        continue;  // anew, with what is known now
       }
+      i += lanes;
+      offset = hn::Add(offset, step);
     }
+  }
+
+  /// Of a fill that lies before or behind the one begun in all rows, neighbouring pixels and rows
+  /// are decided without looking at the difference again.
+  void keep_order(const DepthDifference& d) {
+    const int order = order_over(d, box_);
+    if (order != 0) ordered_ = {d.from, order > 0};
   }
 
   HWY_INLINE bool draw_exactly(int row, int column, FloatMask pixels) {
+    return decisions_.draw(row, column, bits_of(pixels));
+  }
+
+  static HWY_INLINE std::uint32_t bits_of(FloatMask mask) {
     alignas(8) std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(f_, pixels, bits);
-    return decisions_.draw(row, column, static_cast<std::uint32_t>(bits[0] | bits[1] << 8));
+    hn::StoreMaskBits(f_, mask, bits);
+    return static_cast<std::uint32_t>(bits[0] | bits[1] << 8);
   }
 
   void forget_differences() {
-    differences_known_ = 1;  // what is drawn over the background is seen
-    last_close_ = 0;
-    differences_[0] = {.from = FillScene::kBackground, .z = 1.0};
+    ++generation_;
+    close_ = {.from = FillScene::kBackground,
+              .z = 1.0};  // what is drawn over the background is seen
   }
 
+  /// From now on the one that is close.
   const DepthDifference& difference_from(Fill other) {
-    const std::size_t known = std::min(differences_known_, differences_.size());
-    for (std::size_t k = 0; k < known; ++k) {
-      if (differences_[k].from != other) continue;
-      last_close_ = k;
-      return differences_[k];
+    if (other == FillScene::kBackground) return close_ = {.from = other, .z = 1.0};
+    Remembered& known = differences_[other % differences_.size()];
+    if (known.generation != generation_ || known.difference.from != other) {
+      known = {decisions_.difference_from(other), generation_};
     }
-    last_close_ = 1 + (differences_known_++ - 1) % (differences_.size() - 1);
-    return differences_[last_close_] = decisions_.difference_from(other);
+    return close_ = known.difference;
   }
 
   template <class Mask, class Own>
@@ -245,12 +464,33 @@ class RowDrawer {
   const BandRows& rows_;
   BandDecisions& decisions_;
   Floats margin_;
+  bool keep_the_nearest_;
   Columns columns_;
+  struct Run {
+    int first, end;
+  };
+  // The tiles of the fill begun.
+  int first_tile_ = 0;
+  std::vector<std::uint32_t> open_;  // where it may be seen: a bit each, a word for each vector
+  std::vector<float> own_farthest_;
+  std::vector<Run> runs_;     // of columns, which it is to be drawn in
+  bool wholes_known_ = true;  // BandRows::whole is kept
   bool begun_ = false;
-  /// Of the fill begun: from the background, and then from those that were asked for last.
-  std::array<DepthDifference, 5> differences_;
-  std::size_t differences_known_ = 0;  // ever: the oldest make way
-  std::size_t last_close_ = 0;         // that which was used last
+  Box box_{};  // that holds all that is drawn of the fill begun
+  /// From fills that were drawn before the one begun, by their numbers.
+  struct Remembered {
+    DepthDifference difference;
+    std::uint64_t generation = 0;  // others are forgotten
+  };
+  std::array<Remembered, 16> differences_;
+  std::uint64_t generation_ = 0;
+  DepthDifference close_;  // that which was used last
+  /// One that lies before or behind the fill begun wherever that is drawn.
+  struct Ordered {
+    Fill fill = BandRows::kSeveral;
+    bool is_behind = false;
+  };
+  Ordered ordered_;
 };
 
 template <bool kExact>
@@ -258,6 +498,7 @@ void draw_all(const RowFills& fills, std::span<const Fill> to_draw, const BandRo
               BandDecisions& decisions) {
   RowDrawer<kExact> drawer(fills, rows, decisions);
   for (const Fill fill : to_draw) drawer.draw(fill);
+  drawer.write_wholes();
 }
 
 void DrawExact(const RowFills& fills, std::span<const Fill> to_draw, const BandRows& rows,

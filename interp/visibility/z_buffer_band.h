@@ -16,6 +16,7 @@ namespace displayfile {
 struct BandRows {
   static constexpr int kMostRows = 16;
   static constexpr std::size_t kPadding = 16;  ///< columns beyond the picture's
+  static constexpr int kTileColumns = 16;
 
   int row_begin, row_end;  ///< no more than kMostRows
   int width;
@@ -23,6 +24,16 @@ struct BandRows {
   float* z;               ///< minus infinity: background; NaN: of a fill that is not certain
   FillScene::Fill* fill;  ///< FillScene::kBackground: none
 
+  // Tiles are kTileColumns columns of all these rows.
+  /// A depth that no pixel of the tile is beyond, minus infinity if none is known. There is room
+  /// for kPadding more.
+  float* farthest;
+  /// The fill that a tile shows all over, which is written into its pixels later; the background,
+  /// which is there already; or kSeveral.
+  FillScene::Fill* whole;
+  static constexpr FillScene::Fill kSeveral = ~FillScene::Fill{0};
+
+  std::size_t tiles() const { return static_cast<std::size_t>((width - 1) / kTileColumns + 1); }
   std::size_t index(int row, int column) const {
     return static_cast<std::size_t>(row - row_begin) * stride + static_cast<std::size_t>(column);
   }
@@ -50,14 +61,18 @@ class BandDecisions {
   virtual ~BandDecisions() = default;
   /// Depths in single precision that are farther apart tell which of two certain fills is seen.
   virtual float margin() const = 0;
+  /// True if what a pixel shows is never replaced by what is farther, so that a tile's farthest
+  /// depth stays one.
+  virtual bool keep_the_nearest() const = 0;
   /// The fill that is drawn until the next call.
   virtual void begin(Fill fill) = 0;
   /// Where the fill begun covers centres of these rows; valid until the next call.
   virtual std::span<const Span> spans(int row_begin, int row_end) = 0;
   /// Between the fill begun and another, by what is known of the two now.
   virtual DepthDifference difference_from(Fill other) = 0;
-  /// Draws those pixels of a row, from `column`, whose bits are set: the fill begun covers them,
-  /// and each shows another. True if more is known of two fills than before.
+  /// Draws those pixels of a row, from `column`, whose bits are set, one after another: the fill
+  /// begun covers them, and each shows another. True as soon as more is known of two fills than
+  /// before: then the others may be decided by it.
   virtual bool draw(int row, int column, std::uint32_t bits) = 0;
 };
 

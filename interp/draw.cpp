@@ -221,7 +221,7 @@ HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& opt
                             PictureKind kind) {
   const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
   if (method != HiddenMethod::automatic) return method;
-  return choose_method(system.display_file(), kind, {options.width, options.height}).method;
+  return choose_method(system.display_file(), kind).method;
 }
 
 void require_drawable(const std::filesystem::path& file, const DrawOptions& options) {
@@ -252,7 +252,7 @@ void draw(const GraphicsSystem& system, const std::filesystem::path& file,
           const DrawOptions& options, SortedDisplayFile& kept) {
   require_drawable(file, options);
   const HiddenSurfaceOptions hidden = hidden_surface_options(options);
-  // For pixels the renderer picks, when it has collected the fills.
+  // For pixels the renderer picks.
   const HiddenMethod method = picture_kind(file) == PictureKind::raster
                                   ? method_in_force(system, hidden)
                                   : drawing_method(system, options, PictureKind::vector);

@@ -107,8 +107,7 @@ std::string explanation(const GraphicsSystem& system, const DrawOptions& options
                         PictureKind kind) {
   const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
   if (method != HiddenMethod::automatic) return fmt::format("{}: as asked for\n", name_of(method));
-  const MethodChoice choice =
-      choose_method(system.display_file(), kind, {options.width, options.height});
+  const MethodChoice choice = choose_method(system.display_file(), kind);
   return fmt::format("auto: {}: {}\n", name_of(choice.method), choice.reason);
 }
 

@@ -15,8 +15,6 @@
 namespace displayfile {
 namespace {
 
-constexpr PictureSize kSize{512, 512};
-
 DisplayFile file_of(const std::vector<test::Vertices>& polygons) {
   DisplayFile file;
   Segment& segment = file.create(1);
@@ -39,7 +37,7 @@ TEST(AutoMethod, TilesBesideEachOtherNeedNoOrder) {
     tiles.push_back(square(k % 16 / 16.0, k / 16 / 16.0, 1 / 16.0, (k * 7 % 13) / 13.0));
   }
   const DisplayFile file = file_of(tiles);
-  EXPECT_EQ(choose_method(file, PictureKind::vector, kSize).method, HiddenMethod::none);
+  EXPECT_EQ(choose_method(file, PictureKind::vector).method, HiddenMethod::none);
 }
 
 /// The three sides seen of a cube: their boxes overlap, but none hides another.
@@ -48,39 +46,21 @@ TEST(AutoMethod, AConvexObjectWithoutBackFacesNeedsNoOrder) {
   const DisplayFile cube = file_of(
       {{o, o + x, o + x + y, o + y}, {o, o + y, o + y + z, o + z}, {o, o + z, o + z + x, o + x}});
   EXPECT_TRUE(nothing_hides(ViewedScene(cube)));
-  EXPECT_EQ(choose_method(cube, PictureKind::vector, kSize).method, HiddenMethod::none);
+  EXPECT_EQ(choose_method(cube, PictureKind::vector).method, HiddenMethod::none);
 }
 
 TEST(AutoMethod, WhatOverlapsIsSorted) {
   const DisplayFile file = file_of({square(0.1, 0.1, 0.5, 0.9), square(0.3, 0.3, 0.5, 0.1)});
-  EXPECT_EQ(choose_method(file, PictureKind::vector, kSize).method, HiddenMethod::depth_sort);
+  EXPECT_EQ(choose_method(file, PictureKind::vector).method, HiddenMethod::depth_sort);
 }
 
-TEST(AutoMethod, FewWidePolygonsAreSwept) {
+/// How far that is from the best method of each scene, `displayfile bench` tells.
+TEST(AutoMethod, PixelsAreLeftToTheZBuffer) {
+  EXPECT_EQ(choose_method(DisplayFile(), PictureKind::raster).method, HiddenMethod::z_buffer);
   const DisplayFile file = file_of({square(0.1, 0.1, 0.5, 0.9), square(0.3, 0.3, 0.5, 0.1)});
-  EXPECT_EQ(choose_method(file, PictureKind::raster, kSize).method, HiddenMethod::scan_line);
-  EXPECT_EQ(choose_method(file, PictureKind::raster, {32, 32}).method, HiddenMethod::z_buffer);
+  EXPECT_EQ(choose_method(file, PictureKind::raster).method, HiddenMethod::z_buffer);
 }
 
-TEST(AutoMethod, FewCloseToEachOtherInFewPixelsAreSubdivided) {
-  std::vector<test::Vertices> sheets;
-  for (int k = 0; k < 5; ++k) sheets.push_back(square(0.1, 0.1, 0.5, 0.5 + 1e-9 * k));
-  const DisplayFile close = file_of(sheets);
-  EXPECT_EQ(choose_method(close, PictureKind::raster, {32, 32}).method, HiddenMethod::warnock);
-  EXPECT_EQ(choose_method(close, PictureKind::raster, {100, 100}).method, HiddenMethod::z_buffer);
-  sheets[2] = square(0.1, 0.1, 0.5, 0.9);
-  const DisplayFile apart = file_of(sheets);
-  EXPECT_EQ(choose_method(apart, PictureKind::raster, {32, 32}).method, HiddenMethod::z_buffer);
-}
-
-TEST(AutoMethod, NothingToDrawIsLeftToTheZBuffer) {
-  for (const PictureSize& size : {PictureSize{32, 32}, kSize, PictureSize{20000, 3}}) {
-    EXPECT_EQ(choose_method(DisplayFile(), PictureKind::raster, size).method,
-              HiddenMethod::z_buffer);
-  }
-}
-
-/// The renderer picks, from the fills that it has collected, for each size anew.
 TEST(AutoMethod, DrawsTheTruth) {
   for (const test::SceneFamily& family : test::scene_families()) {
     for (std::uint32_t seed = 0; seed < 20; ++seed) {
@@ -96,33 +76,12 @@ TEST(AutoMethod, DrawsTheTruth) {
   }
 }
 
-TEST(AutoMethod, WidePolygonsManyDeepAreSubdivided) {
-  std::vector<test::Vertices> sheets;
-  for (int k = 0; k < 40; ++k) sheets.push_back(square(0.01 * k, 0.1, 0.6, k * 7 % 40 / 40.0));
-  EXPECT_EQ(choose_method(file_of(sheets), PictureKind::raster, kSize).method,
-            HiddenMethod::warnock);
-  for (auto& sheet : sheets) {
-    for (Point3& p : sheet) p = {p.x / 8, p.y / 8, p.z};
-  }
-  EXPECT_EQ(choose_method(file_of(sheets), PictureKind::raster, kSize).method,
-            HiddenMethod::z_buffer);
-}
-
-/// Also where they are as few as a scan line likes; in a tiny picture there is too little to skip.
-TEST(AutoMethod, FewWidePolygonsManyDeepAreSubdividedIfThereArePixels) {
-  std::vector<test::Vertices> sheets;
-  for (int k = 0; k < 30; ++k) sheets.push_back(square(0.003 * k, 0.0, 0.9, k * 7 % 30 / 30.0));
-  const DisplayFile file = file_of(sheets);
-  EXPECT_EQ(choose_method(file, PictureKind::raster, {192, 192}).method, HiddenMethod::warnock);
-  EXPECT_EQ(choose_method(file, PictureKind::raster, {48, 48}).method, HiddenMethod::z_buffer);
-}
-
 /// Edges are drawn over the neighbours' insides.
 TEST(AutoMethod, LinesAreHiddenByOrder) {
   DisplayFile file = file_of({square(0, 0, 0.5, 0.5), square(0.5, 0, 0.5, 0.5)});
   file.segment(1).set_style(LineStyle{});
   file.segment(1).enter_line({0, 0, 0}, {1, 1, 0});
-  EXPECT_EQ(choose_method(file, PictureKind::vector, kSize).method, HiddenMethod::depth_sort);
+  EXPECT_EQ(choose_method(file, PictureKind::vector).method, HiddenMethod::depth_sort);
 }
 
 /// Whatever is said to need no order is drawn right in the order of entry.

@@ -12,7 +12,7 @@
 
 #include "interp/scan/scan_convert.h"
 #include "interp/truth/truth.h"
-#include "interp/visibility/polygon_z_buffer.h"
+#include "interp/visibility/z_buffer.h"
 #include "programs/scenes/hard_cases.h"
 #include "tests/truth_scenes.h"
 
@@ -281,7 +281,7 @@ std::vector<char> covered_by(const ViewedScene& scene, Fill fill, const PictureS
 }
 
 std::vector<Fill> z_buffered(const ViewedScene& scene, const PictureSize& size) {
-  PolygonZBuffer z_buffer;
+  ZBuffer z_buffer;
   z_buffer.prepare({scene, size, {}}, 1);
   return seen_by(z_buffer, size, size.height);
 }

@@ -175,9 +175,8 @@ void SoftwareRenderer::prepare(const DisplayFile& display_file, const RasterRequ
     return;
   }
   prepared_.reset();
-  const HiddenMethod method = request.method == HiddenMethod::automatic
-                                  ? choose_method(*scene_, size).method
-                                  : request.method;
+  const HiddenMethod method =
+      request.method == HiddenMethod::automatic ? kMethodForPixels : request.method;
   auto finder = make_image_space_method(method);
   finder->prepare({*scene_, size, request.roundoff}, request.threads);
   prepared_ = Prepared{request.method, size, request.roundoff, std::move(finder)};

@@ -96,7 +96,7 @@ void note_rows_of_vertices(std::span<const Point3> polygon, const Point2& error,
 
 NearestAtCentres::NearestAtCentres(const PixelSet& centres, const PictureSize& size,
                                    const Shadows* shadows)
-    : centres_(centres), size_(size), shadows_(shadows), row_start_{0} {
+    : centres_(centres), size_(size), shadows_(shadows), row_start_{0}, close_(size) {
   const std::size_t count = centres.size();
   column_.reserve(count);
   owner_.assign(count, kNone);
@@ -136,7 +136,7 @@ void NearestAtCentres::enter(const DrawnPolygon& drawn) {
       Plane(polygon[support.index[0]], polygon[support.index[1]], polygon[support.index[2]]),
       FillColour(drawn, size_, shadows_), drawn.pick};
   Owner own = kNone;
-  compared_ = kNone;
+  close_.begin(seen.plane);
   converter_.scan_convert(polygon, region, [&](int row, int first, int end) {
     enter_run({row, first, end}, seen, own);
   });
@@ -149,8 +149,8 @@ void NearestAtCentres::enter_run(const Run& run, const Seen& polygon, Owner& own
                              row_end, run.first);
   for (; at != row_end && *at < run.end; ++at) {
     Owner& owner = owner_[static_cast<std::size_t>(at - column_.begin())];
-    if (owner != kNone && !is_seen(polygon.plane, owner, run.row, *at)) continue;
-    // The old owner's place is not free before the new one has its own: compared_ stays valid.
+    if (owner != kNone && !is_seen(owner, run.row, *at)) continue;
+    // The old owner's place is not free before the new one has its own: close_ stays valid.
     if (own == kNone) own = take_place(polygon);
     if (owner != kNone && --owners_[owner].centres == 0) free_.push_back(owner);
     owner = own;
@@ -158,13 +158,10 @@ void NearestAtCentres::enter_run(const Run& run, const Seen& polygon, Owner& own
   }
 }
 
-bool NearestAtCentres::is_seen(const Plane& plane, Owner other, int row, int column) {
+bool NearestAtCentres::is_seen(Owner other, int row, int column) {
   if (layer_ == Layer::painted || owners_[other].layer != layers_) return true;
-  if (compared_ != other) {
-    compared_ = other;
-    comparison_ = DepthComparison(plane, owners_[other].seen.plane);
-  }
-  return comparison_.order(PixelCentre(column, row, size_)) >= 0;
+  if (!close_.is_compared_with(other)) close_.compare_with(other, owners_[other].seen.plane);
+  return close_.later_is_seen(column, row);
 }
 
 NearestAtCentres::Owner NearestAtCentres::take_place(const Seen& polygon) {

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "clip/point.h"
-#include "hidden/exact/depth_comparison.h"
 #include "hidden/exact/plane.h"
 #include "interp/output_device.h"
 #include "interp/raster/pixel_shade.h"
 #include "interp/scan/pixel_set.h"
 #include "interp/scan/scan_convert.h"
+#include "interp/visibility/close_planes.h"
 
 namespace displayfile {
 
@@ -78,7 +78,7 @@ class NearestAtCentres {
 
   ScanConverter::Region rows_with_centres(std::span<const Point3> polygon) const;
   void enter_run(const Run& run, const Seen& polygon, Owner& own);
-  bool is_seen(const Plane& plane, Owner other, int row, int column);
+  bool is_seen(Owner other, int row, int column);
   Owner take_place(const Seen& polygon);
 
   const PixelSet& centres_;
@@ -93,9 +93,7 @@ class NearestAtCentres {
   std::uint32_t layers_ = 0;
   ScanConverter converter_;
 
-  // The one being entered, and what it was last compared with.
-  Owner compared_ = kNone;
-  DepthComparison comparison_;
+  ClosePlanes close_;  // the one being entered, and what it was last compared with
 };
 
 }  // namespace displayfile

@@ -37,7 +37,7 @@ struct PixelDepth {
 
   /// Bounds the error of at() for the plane that this is of, at centres that are no farther
   /// than dx and dy pixels from (x0, y0). Infinite where nothing is known. Derived in
-  /// interp/visibility/z_buffer.md.
+  /// interp/visibility/close_depths.md.
   double error(const Plane& plane, double width, double height, double dx, double dy) const {
     const double c = std::abs(plane.normal.z) - plane.bound.z;
     constexpr double kInfinity = std::numeric_limits<double>::infinity();

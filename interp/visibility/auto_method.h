@@ -3,8 +3,6 @@
 #include <string_view>
 
 #include "displayfile/display_file.h"
-#include "displayfile/viewed_scene.h"
-#include "hidden/exact/pixel_centre.h"
 #include "hidden/hidden_method.h"
 #include "interp/picture.h"
 
@@ -16,13 +14,14 @@ struct MethodChoice {
   std::string_view reason;
 };
 
-/// The cheapest method that is exact for this scene and picture. A polygon that is not visible, or
-/// edge-on, does not count.
-MethodChoice choose_method(const DisplayFile& display_file, PictureKind kind,
-                           const PictureSize& size);
+/// Pixels are drawn by the z-buffer, whatever the scene: it sorts nothing, decides each pixel
+/// exactly, and passes over what lies behind (interp/visibility/z_buffer.md). `displayfile bench`
+/// tells how far that is from the best method of each scene.
+inline constexpr HiddenMethod kMethodForPixels = HiddenMethod::z_buffer;
 
-/// The same for a picture in pixels whose fills have been collected: an image-space method.
-MethodChoice choose_method(const ViewedScene& scene, const PictureSize& size);
+/// An exact method for this scene and kind of picture. A polygon that is not visible, or edge-on,
+/// does not count.
+MethodChoice choose_method(const DisplayFile& display_file, PictureKind kind);
 
 /// True if no fill can hide another: then any order of drawing is right. What it may cost is linear
 /// in the number of fills; where more would be needed to find out, false.

@@ -9,9 +9,10 @@
 
 namespace displayfile {
 
-/// Of a polygon and the polygons entered before it that share pixels with it: which is seen where
-/// rounded depths cannot tell, by exact arithmetic at the pixels' centres
-/// (interp/visibility/z_buffer.md). One pair of planes is made ready at a time.
+/// A polygon compared with polygons entered before it that share pixels with it: which is seen,
+/// by exact arithmetic at the pixels' centres (interp/visibility/close_depths.md). One pair of
+/// planes is remembered, the last: it is for polygons that come one after another and belong to no
+/// scene by whose numbers PairOrders could remember all pairs.
 class ClosePlanes {
  public:
   explicit ClosePlanes(const PictureSize& size) : size_(size) {}
@@ -27,11 +28,13 @@ class ClosePlanes {
     comparison_ = DepthComparison(later_, plane);
   }
 
-  /// Of columns that all show the polygon compared with.
+  /// Whether the polygon entered last is seen at a centre, rather than the one compared with.
+  bool later_is_seen(int column, int row) {
+    return comparison_.order(PixelCentre(column, row, size_)) >= 0;
+  }
+  /// The same for columns that all show the polygon compared with.
   DecidedRun run(int row, int first, int end) {
-    return run_of(first, end, [&](int column) {
-      return comparison_.order(PixelCentre(column, row, size_)) >= 0;
-    });
+    return run_of(first, end, [&](int column) { return later_is_seen(column, row); });
   }
 
  private:

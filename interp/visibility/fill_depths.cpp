@@ -32,12 +32,13 @@ FillDepth::FillDepth(const ViewedScene& scene, ViewedScene::Fill fill, const Pic
                      std::optional<double> roundoff) {
   const Plane plane = scene.plane(fill);
   depth = PixelDepth(plane, size.width, size.height);
-  error = roundoff ? *roundoff / 4.0 : depth_bound(scene.vertices(fill), plane, depth, size).error;
+  error = roundoff ? error_of_roundoff(*roundoff)
+                   : depth_bound(scene.vertices(fill), plane, depth, size).error;
 }
 
 FillDepths::FillDepths(const ViewedScene& scene, const PictureSize& size,
                        std::optional<double> roundoff)
-    : exact_(!roundoff) {
+    : roundoff_(roundoff) {
   of_fill_.resize(scene.end());
   for (Fill fill = 1; fill < scene.end(); ++fill) {
     of_fill_[fill] = FillDepth(scene, fill, size, roundoff);

@@ -19,6 +19,8 @@ struct FillDepth {
   FillDepth() = default;
   FillDepth(const ViewedScene& scene, ViewedScene::Fill fill, const PictureSize& size,
             std::optional<double> roundoff);
+
+  static double error_of_roundoff(double roundoff) { return roundoff / 4.0; }
 };
 
 /// What the rounded depths of two fills tell, by a's less b's and the sum of their errors: 1 if a
@@ -43,10 +45,11 @@ class FillDepths {
     return d.at(d.row(row), column);
   }
 
-  bool are_exact() const { return exact_; }
+  const std::optional<double>& roundoff() const { return roundoff_; }
+  bool are_exact() const { return !roundoff_; }
 
  private:
-  bool exact_ = true;
+  std::optional<double> roundoff_;
   std::vector<FillDepth> of_fill_;
 };
 

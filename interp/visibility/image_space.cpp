@@ -5,12 +5,12 @@
 #include <string>
 
 #include "clip/error.h"
-#include "interp/visibility/band_z_buffer.h"
 #include "interp/visibility/plain_z_buffer.h"
 #include "interp/visibility/ray_cast.h"
 #include "interp/visibility/scan_line.h"
 #include "interp/visibility/scan_line_z.h"
 #include "interp/visibility/warnock.h"
+#include "interp/visibility/z_buffer.h"
 
 namespace displayfile {
 
@@ -27,7 +27,7 @@ std::unique_ptr<ImageSpaceMethod> plain() {
 }
 
 constexpr std::array kMethods{
-    ImageSpaceEntry{HiddenMethod::z_buffer, make<BandZBuffer>},
+    ImageSpaceEntry{HiddenMethod::z_buffer, make<ZBuffer>},
     ImageSpaceEntry{HiddenMethod::warnock, make<Warnock>},
     ImageSpaceEntry{HiddenMethod::scan_line_z, make<ScanLineZ>},
     ImageSpaceEntry{HiddenMethod::scan_line, make<ScanLine>},

@@ -80,6 +80,14 @@ PairOrder PairOrders::order_of(Fill earlier, Fill later) {
   return asked.order;
 }
 
+PairOrder PairOrders::order_if_often(Fill earlier, Fill later) {
+  Pair& asked = pair(earlier, later);
+  if (!asked.looked_for && ++asked.times_asked >= kOften) {
+    find_order(asked, comparison_of(earlier, later));
+  }
+  return asked.order;
+}
+
 DepthComparison PairOrders::comparison_of(Fill earlier, Fill later) const {
   return {scene_->plane(earlier), scene_->plane(later)};
 }

@@ -25,6 +25,8 @@ class PairOrders {
   /// `second` are what is seen; it varies, or that is not found out without exact arithmetic.
   enum class Order : std::uint8_t { varies, first, second };
   Order order_of(Fill earlier, Fill later);
+  /// The same, but of a pair that is met for the first time it is not looked for.
+  Order order_if_often(Fill earlier, Fill later);
 
   /// The same at a centre that both cover.
   bool later_is_seen(Fill earlier, Fill later, const PixelCentre& centre);
@@ -73,7 +75,7 @@ class PairOrders {
 };
 
 /// Which of a scene's fills is seen at a centre. Exact: by rounded depths, and where these are too
-/// close by exact arithmetic, pairs being remembered (interp/visibility/z_buffer.md). With a
+/// close by exact arithmetic, pairs being remembered (interp/visibility/close_depths.md). With a
 /// ROUNDOFF closer depths count as equal. Of equally near fills the one entered later is seen in
 /// both. For one thread.
 class CloseDepths {

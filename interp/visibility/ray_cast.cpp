@@ -7,7 +7,6 @@
 
 #include "interp/scan/scan_convert.h"
 #include "interp/visibility/ray_packet.h"
-#include "interp/visibility/roundoff_packet.h"
 
 namespace displayfile {
 
@@ -107,8 +106,7 @@ class RayCast::Caster {
   Caster(const RayCast& method, int row_begin, int row_end)
       : method_(method), row_begin_(row_begin), row_end_(row_end), spans_(method.many_sided_) {}
 
-  template <class Packet>
-  void cast(Packet& packet) {
+  void cast(RayPacket& packet) {
     front_to_back(
         method_.tree_, packet.rays(),
         [&](float nearest) { return packet.hides_all_beyond(nearest); },
@@ -132,8 +130,7 @@ class RayCast::Caster {
   };
 
   /// The rays of a row that the fill is hit by lie between its crossings, pair by pair.
-  template <class Packet>
-  void intersect_few_sided(const Target& target, Packet& packet) const {
+  void intersect_few_sided(const Target& target, RayPacket& packet) const {
     const PixelBox& rays = packet.rays();
     const ScanEdge* const first_edge = method_.edges_.data() + target.first_edge;
     const ScanEdge* const end_edge = method_.edges_.data() + target.end_edge;
@@ -155,8 +152,7 @@ class RayCast::Caster {
     }
   }
 
-  template <class Packet>
-  void intersect_many_sided(const Target& target, Packet& packet) {
+  void intersect_many_sided(const Target& target, RayPacket& packet) {
     const PixelBox& rays = packet.rays();
     const std::vector<Span>& spans = spans_of(target);
     for (int row = rays.first_row; row < rays.end_row; ++row) {
@@ -192,36 +188,22 @@ class RayCast::Caster {
 };
 
 void RayCast::draw_rows(int row_begin, int row_end, const SeenRun& seen) const {
-  const auto& [scene, size, roundoff] = *request_;
+  const PictureSize& size = request_->size;
   const auto width = static_cast<std::size_t>(size.width);
   std::vector<Fill> band(width * RayPacket::kSide);
-  RayPacket exact(scene, depths_, size);
-  RoundoffPacket rounded(depths_, roundoff.value_or(0.0));
-  const auto keep = [&](const auto& packet) {
-    const PixelBox& rays = packet.rays();
-    for (int row = rays.first_row; row < rays.end_row; ++row) {
-      const auto of_row = static_cast<std::size_t>(row - row_begin) % RayPacket::kSide;
-      std::ranges::copy(
-          packet.seen(row),
-          band.begin() + static_cast<std::ptrdiff_t>(of_row * width +
-                                                     static_cast<std::size_t>(rays.first_column)));
-    }
-  };
+  RayPacket packet(request_->scene, depths_, size);
   for (int first = row_begin; first < row_end; first += RayPacket::kSide) {
     const int end = std::min(first + RayPacket::kSide, row_end);
     Caster caster(*this, first, end);
     for (int column = 0; column < size.width; column += RayPacket::kSide) {
-      const PixelBox rays{column, std::min(column + RayPacket::kSide, size.width), first, end};
-      if (roundoff) {
-        rounded.begin(rays);
-        caster.cast(rounded);
-        rounded.begin_second();
-        caster.cast(rounded);
-        keep(rounded);
-      } else {
-        exact.begin(rays);
-        caster.cast(exact);
-        keep(exact);
+      packet.begin({column, std::min(column + RayPacket::kSide, size.width), first, end});
+      do caster.cast(packet);
+      while (packet.begin_next_cast());
+      for (int row = first; row < end; ++row) {
+        const auto of_row = static_cast<std::size_t>(row - first) * width;
+        std::ranges::copy(
+            packet.seen(row),
+            band.begin() + static_cast<std::ptrdiff_t>(of_row + static_cast<std::size_t>(column)));
       }
     }
     for (int row = first; row < end; ++row) {

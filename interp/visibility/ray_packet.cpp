@@ -8,7 +8,9 @@ namespace displayfile {
 /// Where the square has no rays, nothing is waited for.
 void RayPacket::begin(const PixelBox& rays) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  begin_square(rays);
+  rays_ = rays;
+  cast_ = depths_.are_exact() ? Cast::for_fills : Cast::for_depths;
+  seen_.fill(ViewedScene::kBackground);
   z_.fill(kInfinity);
   for (int row = rays.first_row; row < rays.end_row; ++row) {
     for (int column = rays.first_column; column < rays.end_column; ++column) {
@@ -18,6 +20,16 @@ void RayPacket::begin(const PixelBox& rays) {
   largest_error_ = 0.0;
   farthest_ = -kInfinity;
   changed_ = false;
+}
+
+/// The depths stay: they are the nearest.
+bool RayPacket::begin_next_cast() {
+  if (cast_ == Cast::for_fills) return false;
+  cast_ = Cast::for_fills;
+  seen_.fill(ViewedScene::kBackground);
+  largest_error_ = FillDepth::error_of_roundoff(*depths_.roundoff());
+  find_farthest();
+  return true;
 }
 
 /// Of a depth that is no number the error is infinite, and then nothing is known to be hidden.
@@ -30,7 +42,7 @@ void RayPacket::find_farthest() {
       least[k] = z < least[k] ? z : least[k];
     }
   }
-  farthest_ = *std::min_element(least.begin(), least.end()) - 2.0 * largest_error_;
+  farthest_ = *std::min_element(least.begin(), least.end()) - 4.0 * largest_error_;
   changed_ = false;
 }
 

@@ -2,20 +2,36 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <span>
 
+#include "interp/scan/pixel_box.h"
 #include "interp/visibility/pair_orders.h"
-#include "interp/visibility/ray_square.h"
 
 namespace displayfile {
 
-/// A square of rays along z, from the viewer's side, that see what is nearest exactly.
-class RayPacket : public RaySquare {
+/// Neighbouring rays along z, from the viewer's side, that are cast together, through the centres
+/// of a square of pixels or a part of one, and the fill that each sees.
+///
+/// Exact: the nearest, the later of equally near ones. With a ROUNDOFF: the one entered last of
+/// those within ROUNDOFF of the nearest. "Closer than ROUNDOFF" is no order, so that what is seen
+/// would depend on the order of the hits if rays were cast once: they are cast again when the
+/// nearest depths are known.
+class RayPacket {
  public:
+  using Fill = ViewedScene::Fill;
+  static constexpr int kSide = 8;
+
   RayPacket(const ViewedScene& scene, const FillDepths& depths, const PictureSize& size)
       : depths_(depths), close_(scene, depths, size) {}
 
   /// Starts anew with rays through these centres, of kSide columns and rows at most.
   void begin(const PixelBox& rays);
+
+  /// After a cast: true if the rays are to be cast once more.
+  bool begin_next_cast();
+
+  const PixelBox& rays() const { return rays_; }
 
   /// True if a fill no nearer than this is seen by none of the rays.
   bool hides_all_beyond(float nearest) const { return nearest < farthest_; }
@@ -24,8 +40,9 @@ class RayPacket : public RaySquare {
   void begin_fill(Fill fill) {
     fill_ = fill;
     depth_ = depths_.depth(fill);
-    largest_error_ = std::max(largest_error_, depths_.error(fill));
-    margin_ = 2.0 * (depths_.error(fill) + largest_error_);
+    const double error = error_of(fill);
+    largest_error_ = std::max(largest_error_, error);
+    margin_ = 2.0 * (error + largest_error_);
   }
   /// The fill is hit by the rays first <= column < end of a row, all of this packet.
   void hit(int row, int first, int end);
@@ -33,7 +50,25 @@ class RayPacket : public RaySquare {
     if (changed_) find_farthest();
   }
 
+  /// What the rays of a row see, when no more casts are to come.
+  std::span<const Fill> seen(int row) const {
+    return std::span(seen_).subspan(
+        index(row, rays_.first_column),
+        static_cast<std::size_t>(rays_.end_column - rays_.first_column));
+  }
+
  private:
+  static constexpr std::size_t kRays = std::size_t{kSide} * kSide;
+  enum class Cast {
+    for_fills,   ///< the only one, or the second
+    for_depths,  ///< the first of two
+  };
+
+  std::size_t index(int row, int column) const {
+    return static_cast<std::size_t>((row - rays_.first_row) * kSide + column - rays_.first_column);
+  }
+  /// By which depths are told apart: none while only the nearest is looked for.
+  double error_of(Fill fill) const { return cast_ == Cast::for_fills ? depths_.error(fill) : 0.0; }
   bool hides_closely(Fill other, int column, int row) {
     return other == ViewedScene::kBackground || close_.hides(fill_, other, column, row);
   }
@@ -41,6 +76,9 @@ class RayPacket : public RaySquare {
 
   const FillDepths& depths_;
   CloseDepths close_;
+  PixelBox rays_{};
+  Cast cast_ = Cast::for_fills;
+  std::array<Fill, kRays> seen_;
   std::array<double, kRays> z_;
   double largest_error_ = 0.0;  // of the depths in z_
   double farthest_ = 0.0;       // no ray sees anything beyond
@@ -54,6 +92,7 @@ class RayPacket : public RaySquare {
 inline void RayPacket::hit(int row, int first, int end) {
   const PixelDepth depth = depth_;  // the loop's own: its stores cannot change them
   const double row_depth = depth.row(row), margin = margin_;
+  const bool exact = depths_.are_exact();
   double* z_of = z_.data() + index(row, first);
   Fill* seen = seen_.data() + index(row, first);
   for (int column = first; column < end; ++column, ++z_of, ++seen) {
@@ -61,7 +100,7 @@ inline void RayPacket::hit(int row, int first, int end) {
     const double nearer = z - *z_of;
     if (nearer < -margin) continue;
     if (!(nearer > margin) && !hides_closely(*seen, column, row)) continue;
-    *z_of = z;
+    if (exact || nearer > 0.0) *z_of = z;  // with a ROUNDOFF the nearest stays
     *seen = fill_;
     changed_ = true;
   }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMostSides = 16;  ///< of what is drawn as a convex polygon
 
-/// Of single precision, in any rounding mode; derived in interp/visibility/band_z_buffer.md.
+/// Of single precision, in any rounding mode; derived in interp/visibility/z_buffer.md.
 constexpr double kEdgeUnit = 0x1p-21, kDepthUnit = 0x1p-20, kDepthError = 0x1p-17;
 constexpr double kLargestEdgeError = 0.25;
 
@@ -47,6 +47,8 @@ RowFills::RowFills(const ViewedScene& scene, const PictureSize& size, int thread
   });
 }
 
+static_assert(sizeof(RowFill) == 40);
+
 void RowFills::make(const ViewedScene& scene, const PictureSize& size, Fill fill) {
   const auto vertices = scene.vertices(fill);
   RowFill& made = fills_[fill];
@@ -61,7 +63,8 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, Fill fill
   const int row_end = first_row_above(extent.top, size.height);
   if (row_begin >= row_end) return;
   made.column = static_cast<int>(std::clamp(first, 0.0, width - 1.0));
-  const double columns = std::min(end, width) - made.column;
+  made.column_end = static_cast<int>(std::min(end, width));
+  const double columns = made.column_end - made.column;
   made.row_begin = row_begin;
   made.row_end = row_end;
   made.edges = scene.first_vertex(fill);
@@ -115,8 +118,8 @@ void RowFills::make_edges(std::span<const Point3> vertices, const PictureSize& s
   if (!(error < kLargestEdgeError) || left == 0 || right == 0) return;
   std::move(edges + sides - right, edges + sides, edges + left);
   made.edge_error = static_cast<float>(error * (1.0 + 0x1p-20));
-  made.left = static_cast<std::uint16_t>(left);
-  made.right = static_cast<std::uint16_t>(right);
+  made.left = static_cast<std::uint8_t>(left);
+  made.right = static_cast<std::uint8_t>(right);
 }
 
 }  // namespace displayfile

@@ -18,14 +18,15 @@ struct RowEdge {
 
 /// A fill made ready for the rows of a picture: the rows whose centres it may cover, its depth
 /// there and, if it is convex, its sides. Single precision, with bounds; what they leave undecided
-/// is decided exactly from the fill itself (interp/visibility/band_z_buffer.md).
+/// is decided exactly from the fill itself (interp/visibility/z_buffer.md).
 struct RowFill {
   std::int32_t row_begin = 0, row_end = 0;
-  std::int32_t column = 0;                     ///< no centre of a column before it is covered
+  std::int32_t column = 0;                     ///< no centre of a column before it is covered,
+  std::int32_t column_end = 0;                 ///< nor of this one or any after it
   float z = 0.0F, dz_dx = 0.0F, dz_dy = 0.0F;  ///< at that column's centre in row_begin; slopes
   float edge_error = 0.0F;                     ///< bounds that of the sides' crossings
   std::uint32_t edges = 0;                     ///< the first of its sides; those on the left first
-  std::uint16_t left = 0, right = 0;           ///< how many; none: not convex, or not known well
+  std::uint8_t left = 0, right = 0;            ///< how many; none: not convex, or not known well
   bool certain = false;  ///< the error of its depths is no more than RowFills::depth_error()
 };
 

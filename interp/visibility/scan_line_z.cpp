@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "interp/scan/scan_edge.h"
-#include "interp/visibility/row_z_buffer.h"
+#include "interp/visibility/depth_row.h"
 
 namespace displayfile {
 
@@ -80,7 +80,7 @@ class ScanLineZ::Sweep {
   const ViewedScene& scene_;
   const PictureSize size_;
   const int row_end_;
-  RowZBuffer row_;
+  DepthRow row_;
   std::size_t next_ = 0;               // in the polygon table
   std::vector<ActivePolygon> active_;  // by fill
   std::vector<ScanEdge> edges_;

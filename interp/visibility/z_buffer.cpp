@@ -1,33 +1,246 @@
 #include "interp/visibility/z_buffer.h"
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "interp/scan/scan_convert.h"
 #include "interp/visibility/fill_depths.h"
+#include "interp/visibility/pair_orders.h"
+#include "interp/visibility/z_buffer_band.h"
 
 namespace displayfile {
 
 namespace {
 
-/// What rounding to a float adds, for depths up to the second number.
-constexpr double kFloatUnit = 0x1p-23;
-constexpr double kLargestFloatDepth = 1e37;
+using Fill = ViewedScene::Fill;
+
+/// Depths in doubles of fills that were asked for lately.
+class KnownDepths {
+ public:
+  KnownDepths(const ViewedScene& scene, const PictureSize& size) : scene_(scene), size_(size) {}
+  const FillDepth& of(Fill fill) {
+    if (known_.empty()) known_.resize(std::bit_ceil(std::min<std::size_t>(scene_.end(), kMost)));
+    Known& known = known_[fill & (known_.size() - 1)];
+    if (known.fill != fill) known = {fill, FillDepth(scene_, fill, size_, std::nullopt)};
+    return known.depth;
+  }
+
+ private:
+  static constexpr std::size_t kMost = 256;
+  struct Known {
+    Fill fill = ViewedScene::kBackground;
+    FillDepth depth;
+  };
+  const ViewedScene& scene_;
+  PictureSize size_;
+  std::vector<Known> known_;
+};
+
+/// First in doubles, and then exactly by exact arithmetic; or as the textbook's SIGNOF does: closer
+/// than ROUNDOFF counts as equal, and of equals the later is seen.
+class DepthDecisions : public BandDecisions {
+ public:
+  DepthDecisions(const ImageSpaceMethod::Request& request, const RowFills& fills,
+                 const BandRows& rows)
+      : scene_(request.scene),
+        size_(request.size),
+        roundoff_(request.roundoff),
+        fills_(fills),
+        rows_(rows),
+        known_(scene_, size_),
+        orders_(scene_) {}
+
+  float margin() const override {
+    const double margin = 2.0 * static_cast<double>(fills_.depth_error()) + roundoff_.value_or(0.0);
+    return static_cast<float>(margin) * (1.0F + 0x1p-20F);
+  }
+
+  /// Equal within ROUNDOFF may be farther, and so step by step much farther.
+  bool keep_the_nearest() const override { return !roundoff_; }
+
+  void begin(Fill fill) override { fill_ = fill; }
+
+  std::span<const Span> spans(int row_begin, int row_end) override {
+    spans_.clear();
+    converter_.scan_convert(scene_.vertices(fill_), {size_, row_begin, row_end},
+                            [&](int row, int first, int end) {
+                              spans_.push_back({row, first, end});
+                            });
+    return spans_;
+  }
+
+  DepthDifference difference_from(Fill other) override {
+    if (roundoff_) return rounded_difference(other);
+    const PairOrders::Known known = orders_.known(other, fill_);
+    if (known.order != Order::varies) return everywhere(other, known.order);
+    if (known.earlier_less_later) return exact_difference(other, *known.earlier_less_later);
+    const DepthDifference difference = rounded_difference(other);
+    if (difference.error < kNothingKnown) return difference;
+    const Order order = orders_.order_if_often(other, fill_);
+    return order == Order::varies ? difference : everywhere(other, order);
+  }
+
+  bool draw(int row, int column, std::uint32_t bits) override {
+    const FillDepth& own = own_depth();
+    const double own_row = own.depth.row(row);
+    for (; bits != 0; bits &= bits - 1) {
+      const int i = column + std::countr_zero(bits);
+      const std::size_t at = rows_.index(row, i);
+      const double z = own.depth.at(own_row, i);
+      const std::size_t learnt = orders_.times_learnt();
+      if (is_seen(row, i, z, rows_.fill[at])) {
+        rows_.fill[at] = fill_;
+        rows_.z[at] =
+            fills_[fill_].certain ? static_cast<float>(z) : std::numeric_limits<float>::quiet_NaN();
+      }
+      if (orders_.times_learnt() != learnt) return true;
+    }
+    return false;
+  }
+
+ private:
+  using Order = PairOrders::Order;
+
+  /// A difference in single precision is 1 at most.
+  static constexpr float kNothingKnown = 1.0F;
+
+  static DepthDifference everywhere(Fill other, Order order) {
+    return {.from = other, .z = order == Order::second ? 1.0 : -1.0};
+  }
+
+  const FillDepth& own_depth() {
+    if (own_fill_ != fill_) {
+      own_fill_ = fill_;
+      own_ = known_.of(fill_);
+    }
+    return own_;
+  }
+
+  /// Where the depth of the fill begun is z, and the pixel shows another.
+  bool is_seen(int row, int column, double z, Fill other) {
+    const FillDepth& other_depth = known_.of(other);
+    const double nearer = z - finite(other_depth.depth.at(other_depth.depth.row(row), column));
+    if (roundoff_) return !(nearer < -*roundoff_);
+    const int order = rounded_order(nearer, own_.error + other_depth.error);
+    return order != 0 ? order > 0
+                      : orders_.later_is_seen(other, fill_, PixelCentre(column, row, size_));
+  }
+
+  /// A depth as a z-buffer stores it, where infinity is the background.
+  static double finite(double z) {
+    constexpr double kLargest = std::numeric_limits<double>::max();
+    return std::clamp(z, -kLargest, kLargest);
+  }
+
+  /// Of a difference that is known to within `error`, and on the picture no larger than `largest`.
+  static DepthDifference in_single_precision(const DepthDifference& d, double largest,
+                                             double error) {
+    constexpr double kSingle = 0x1p-20, kLeast = 0x1p-900;
+    const double scale = 1.0 / largest;
+    const double bound = error * scale + kSingle;
+    if (!(largest > kLeast && scale > kLeast && bound < 1.0)) {
+      return {.from = d.from, .error = kNothingKnown};
+    }
+    return {d.from, d.z * scale, d.dz_dx * scale, d.dz_dy * scale, static_cast<float>(bound)};
+  }
+
+  DepthDifference exact_difference(Fill other, const DepthComparison::Linear& other_less_own) {
+    const double dz_dx = -other_less_own.slope_x / size_.width;
+    const double dz_dy = -other_less_own.slope_y / size_.height;
+    const double z = 0.5 * (dz_dx + dz_dy) - other_less_own.constant;
+    return in_single_precision({.from = other, .z = z, .dz_dx = dz_dx, .dz_dy = dz_dy}, 4.0, 0.0);
+  }
+
+  DepthDifference rounded_difference(Fill other) {
+    const FillDepth &own = own_depth(), &from = known_.of(other);
+    const PixelDepth &a = own.depth, &b = from.depth;
+    const double width = size_.width, height = size_.height;
+    const auto largest = [&](const PixelDepth& d) {  // of what is computed with it
+      return std::abs(d.z0) + std::abs(d.dz_dx) * (std::abs(d.x0) + width) +
+             std::abs(d.dz_dy) * (std::abs(d.y0) + height);
+    };
+    const double z = a.at(a.row(0), 0) - b.at(b.row(0), 0) + roundoff_.value_or(0.0);
+    const double dz_dx = a.dz_dx - b.dz_dx, dz_dy = a.dz_dy - b.dz_dy;
+    const double error = own.error + from.error + 8.0 * kUnit * (largest(a) + largest(b));
+    return in_single_precision({.from = other, .z = z, .dz_dx = dz_dx, .dz_dy = dz_dy},
+                               std::abs(z) + width * std::abs(dz_dx) + height * std::abs(dz_dy),
+                               error);
+  }
+
+  const ViewedScene& scene_;
+  PictureSize size_;
+  std::optional<double> roundoff_;
+  const RowFills& fills_;
+  const BandRows& rows_;
+  Fill fill_ = ViewedScene::kBackground;
+  KnownDepths known_;
+  Fill own_fill_ = ViewedScene::kBackground;
+  FillDepth own_;
+  PairOrders orders_;
+  ScanConverter converter_;
+  std::vector<Span> spans_;
+};
 
 }  // namespace
 
-void ZBuffer::begin_polygon(std::span<const Point3> vertices, const Plane& plane) {
-  depth_ = PixelDepth(plane, size_.width, size_.height);
-  current_ = static_cast<Owner>(polygons_.size());
-  if (roundoff_) {
-    margin_ = *roundoff_;
-    polygons_.push_back({plane.p, plane.q, plane.r, 0.0});
-    return;
+void ZBuffer::prepare(const Request& request, int threads) {
+  request_.emplace(request);
+  fills_ = RowFills(request.scene, request.size, threads);
+  sort_into_bands();
+}
+
+/// A counting sort: within a band the order of entry stays.
+void ZBuffer::sort_into_bands() {
+  const auto bands = static_cast<std::size_t>((request_->size.height - 1) / kRowsOfABand + 1);
+  const auto for_each_band = [&](Fill fill, auto&& visit) {
+    const RowFill& f = fills_[fill];
+    if (f.row_begin >= f.row_end) return;
+    const int last = (f.row_end - 1) / kRowsOfABand;
+    for (int band = f.row_begin / kRowsOfABand; band <= last; ++band) {
+      visit(static_cast<std::size_t>(band));
+    }
+  };
+  band_begin_.assign(bands + 1, 0);
+  for (Fill fill = 1; fill < fills_.end(); ++fill) {
+    for_each_band(fill, [&](std::size_t band) { ++band_begin_[band + 1]; });
   }
-  const DepthBound bound = depth_bound(vertices, plane, depth_, size_);
-  const double error = bound.largest < kLargestFloatDepth
-                           ? bound.error + kFloatUnit * bound.largest + 1e-44
-                           : std::numeric_limits<double>::infinity();
-  largest_error_ = std::max(largest_error_, error);
-  margin_ = 2.0 * (error + largest_error_);
-  polygons_.push_back({plane.p, plane.q, plane.r, error});
-  close_.begin(plane);
+  for (std::size_t band = 0; band < bands; ++band) band_begin_[band + 1] += band_begin_[band];
+  in_bands_.resize(band_begin_[bands]);
+  std::vector<std::uint32_t> next(band_begin_.begin(), band_begin_.end() - 1);
+  for (Fill fill = 1; fill < fills_.end(); ++fill) {
+    for_each_band(fill, [&](std::size_t band) { in_bands_[next[band]++] = fill; });
+  }
+}
+
+void ZBuffer::draw_rows(int row_begin, int row_end, const SeenRun& seen) const {
+  const auto width = static_cast<std::size_t>(request_->size.width);
+  const std::size_t stride = width + BandRows::kPadding;
+  const std::size_t pixels = stride * kRowsOfABand;
+  const auto z = std::make_unique_for_overwrite<float[]>(pixels);
+  const auto fill = std::make_unique_for_overwrite<Fill[]>(pixels);
+  BandRows rows{0, 0, request_->size.width, stride, z.get(), fill.get(), nullptr, nullptr};
+  std::vector<float> farthest(rows.tiles() + BandRows::kPadding);
+  std::vector<Fill> whole(rows.tiles());
+  rows.farthest = farthest.data();
+  rows.whole = whole.data();
+  DepthDecisions decisions(*request_, fills_, rows);
+  const int last_band = (row_end - 1) / kRowsOfABand;
+  for (int band = row_begin / kRowsOfABand; band <= last_band; ++band) {
+    rows.row_begin = std::max(row_begin, band * kRowsOfABand);
+    rows.row_end = std::min(row_end, (band + 1) * kRowsOfABand);
+    std::fill_n(z.get(), pixels, -std::numeric_limits<float>::infinity());
+    std::fill_n(fill.get(), pixels, ViewedScene::kBackground);
+    std::ranges::fill(farthest, -std::numeric_limits<float>::infinity());
+    std::ranges::fill(whole, ViewedScene::kBackground);
+    const auto draw = decided_ == Decided::truly ? draw_into_band : draw_into_band_rounded;
+    draw(fills_, of_band(static_cast<std::size_t>(band)), rows, decisions);
+    for (int row = rows.row_begin; row < rows.row_end; ++row) {
+      seen(row, 0, {fill.get() + rows.index(row, 0), width});
+    }
+  }
 }
 
 }  // namespace displayfile

@@ -108,7 +108,7 @@ std::optional<AutoBounds> auto_bounds(const Report& report) {
   const std::vector<Column> all = columns(report);
   const auto automatic = std::ranges::find_if(all, &Column::is_automatic);
   if (automatic == all.end()) return std::nullopt;
-  AutoBounds bounds{0, 0.0, "", 0.0, "", ""};
+  AutoBounds bounds{0, 0.0, "", 0.0, "", "", 0};
   double total = 0.0;
   std::map<std::string, double> totals;  // infinite where a scene was skipped
   for (const SceneRow& row : report.scenes) {
@@ -127,6 +127,7 @@ std::optional<AutoBounds> auto_bounds(const Report& report) {
     ++bounds.scenes;
     total += own->time.median;
     const double ratio = own->time.median / best->time.median;
+    bounds.above_twice += ratio > 2.0 ? 1 : 0;
     if (ratio <= bounds.worst) continue;
     bounds.worst = figure(ratio);
     bounds.worst_scene = row.scene.id();

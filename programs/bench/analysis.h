@@ -56,6 +56,7 @@ struct AutoBounds {
   /// Its largest ratio to the best on a scene, there.
   double worst;
   std::string worst_scene, best_there;
+  std::size_t above_twice;  ///< scenes on which it takes more than twice the best's time
 };
 /// Nothing if `auto` or all fixed methods were left out.
 std::optional<AutoBounds> auto_bounds(const Report& report);

@@ -16,7 +16,6 @@ namespace displayfile::bench {
 
 namespace {
 
-constexpr std::uint64_t kSeed = 1;
 constexpr int kHardCaseSize = 32;
 constexpr std::string_view kWalk = "walk";
 constexpr std::string_view kDefault = "default";
@@ -57,7 +56,8 @@ void add_generated(std::string_view name, const SceneChoice& choice,
                    std::vector<BenchScene>& scenes) {
   const SharedScene shared = shared_scene(name, choice);
   const auto add = [&](std::size_t n, int size) {
-    scenes.push_back({BenchScene::Kind::generated, std::string(name), n, 0.0, false, size});
+    scenes.push_back(
+        {BenchScene::Kind::generated, std::string(name), n, 0.0, false, size, choice.seed});
   };
   for (const std::size_t n : polygon_counts(name, choice)) add(n, shared.size);
   for (const int size : picture_sizes(name, choice)) {
@@ -80,10 +80,12 @@ void add_hard_case(const HardCase& family, const SceneChoice& choice,
     severities.clear();
     for (int power = 1; power <= 17; power += choice.full ? 1 : 2) severities.push_back(power);
   }
-  const int size = choice.sizes.empty() ? kHardCaseSize : choice.sizes.front();
+  const std::vector<int> sizes = choice.sizes.empty() ? std::vector{kHardCaseSize} : choice.sizes;
   for (const double severity : severities) {
-    scenes.push_back({BenchScene::Kind::hard_case, std::string(family.name), family.size, severity,
-                      family.has_gap(), size});
+    for (const int size : sizes) {
+      scenes.push_back({BenchScene::Kind::hard_case, std::string(family.name), family.size,
+                        severity, family.has_gap(), size, choice.seed});
+    }
   }
 }
 
@@ -151,16 +153,17 @@ std::string BenchScene::id() const {
   if (kind == Kind::generated) text += fmt::format(" n={}", n);
   if (kind == Kind::hard_case && gap) text += fmt::format(" gap=1e-{:g}", severity);
   if (kind == Kind::hard_case && !gap) text += fmt::format(" severity={:g}", severity);
+  if (seed != kUsualSeed) text += fmt::format(" seed={}", seed);
   return text + fmt::format(" {0}x{0}", size);
 }
 
 DisplayFile BenchScene::make() const {
   if (kind == Kind::walk) return entered(walk(n).front()).display_file();
   if (kind == Kind::generated) {
-    return entered(generated_scene(name).make(n, kSeed)).display_file();
+    return entered(generated_scene(name).make(n, seed)).display_file();
   }
   if (kind == Kind::hard_case) {
-    return entered(hard_case(name).make(n, severity, kSeed)).display_file();
+    return entered(hard_case(name).make(n, severity, seed)).display_file();
   }
   GraphicsSystem system;
   enter_inputs(std::span(&name, 1), system);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,6 +19,9 @@ struct BenchScene {
   double severity = 0.0;  ///< of a hard case
   bool gap = false;       ///< the severity s is a gap of 10^-s
   int size = 0;           ///< pixels a side
+  std::uint64_t seed = kUsualSeed;  ///< of a generated scene and a hard case
+
+  static constexpr std::uint64_t kUsualSeed = 1;
 
   /// All of these in words, different for different scenes.
   std::string id() const;
@@ -31,8 +35,9 @@ struct BenchScene {
 struct SceneChoice {
   std::vector<std::string>
       names;  ///< none: "default", all generated scenes, the walk and all hard cases
-  std::vector<std::size_t> polygons;  ///< of generated scenes; none: the usual ones
-  std::vector<int> sizes;             ///< none: the usual ones
+  std::vector<std::size_t> polygons;            ///< of generated scenes; none: the usual ones
+  std::vector<int> sizes;                       ///< none: the usual ones
+  std::uint64_t seed = BenchScene::kUsualSeed;  ///< of all that are generated
   bool full = false;
 };
 

@@ -46,6 +46,7 @@ int run(int argc, char** argv) {
   command->add_option("--sizes", bench.scenes.sizes, "pixels a side, with commas between")
       ->delimiter(',')
       ->check(CLI::Range(1, 16384));
+  command->add_option("--seed", bench.scenes.seed, "of all scenes that are generated");
   command->add_option("--rounds", bench.rounds, "of each ratio")->check(CLI::Range(1, 1000));
   command
       ->add_option("--seconds", bench.most_seconds,

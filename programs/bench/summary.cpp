@@ -276,10 +276,10 @@ std::optional<Summary> automatic(const Report& report) {
       "auto",
       "The method that picks itself",
       fmt::format(
-          "--hidden auto looks at the scene and picks an exact method. Over {} scenes it "
+          "--hidden auto draws pixels by the z-buffer, whatever the scene. Over {} scenes it "
           "takes {} times what the best fixed method takes in total ({}); at worst it takes "
-          "{} times the best method on a scene ({}, where {} is best). What looking costs is "
-          "part of its time; --explain says why.",
+          "{} times the best method on a scene ({}, where {} is best). --explain says what it "
+          "picks, for vectors too.",
           bounds->scenes, number(bounds->total), bounds->best_fixed, number(bounds->worst),
           bounds->worst_scene, bounds->best_there),
       {}};

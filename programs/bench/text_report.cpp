@@ -69,9 +69,9 @@ std::string hard_cases_table(const Report& report) {
 std::string auto_line(const AutoBounds& bounds) {
   return fmt::format(
       "auto over {} scenes: {} times the best fixed method in total ({}); at worst {} times the "
-      "best on a scene ({}, where {} is)\n\n",
+      "best on a scene ({}, where {} is); above twice the best on {}\n\n",
       bounds.scenes, number(bounds.total), bounds.best_fixed, number(bounds.worst),
-      bounds.worst_scene, bounds.best_there);
+      bounds.worst_scene, bounds.best_there, bounds.above_twice);
 }
 
 Row row_of(const FeatureRow& row, const FeatureCosts& costs) {

@@ -19,11 +19,12 @@
 
 #include "displayfile/mesh/mesh.h"
 #include "interp/opengl/osmesa.h"
+#include "interp/raster/fill_paints.h"
 #include "interp/raster/software.h"
 #include "interp/scan/scan_convert.h"
-#include "interp/visibility/band_z_buffer.h"
 #include "interp/visibility/image_space.h"
 #include "interp/visibility/plain_z_buffer.h"
+#include "interp/visibility/z_buffer.h"
 #include "programs/bench/embree_rays.h"
 #include "programs/bench/growth.h"
 #include "programs/bench/side_by_side.h"
@@ -221,16 +222,17 @@ void print_exact_and_rays(const std::vector<std::function<NamedSystem()>>& scene
   for (const auto& make : scenes) {
     const NamedSystem named = make();
     const ViewedScene scene(named.system.display_file());
-    BandZBuffer exact, rounded(BandZBuffer::Decisions::rounded);
-    for (BandZBuffer* method : {&exact, &rounded}) {
+    ZBuffer exact, rounded(ZBuffer::Decided::in_single_precision);
+    for (ZBuffer* method : {&exact, &rounded}) {
       method->prepare({scene, {kSide, kSide}, std::nullopt}, 1);
     }
+    const FillPaints paints(scene, kBackgroundPixel);
     std::vector<std::uint32_t> pixels(std::size_t{kSide} * kSide);
-    const auto draw = [&](const BandZBuffer& method) {
+    const auto draw = [&](const ZBuffer& method) {
       return [&] {
         method.draw_rows(0, kSide, [&](int row, int first, std::span<const ViewedScene::Fill> run) {
           std::uint32_t* const to = pixels.data() + row * kSide + first;
-          for (std::size_t i = 0; i < run.size(); ++i) to[i] = scene.colour(run[i]);
+          for (std::size_t i = 0; i < run.size(); ++i) to[i] = paints.pixel(run[i]);
         });
       };
     };

@@ -9,9 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "interp/visibility/band_z_buffer.h"
-#include "interp/visibility/polygon_z_buffer.h"
 #include "interp/visibility/warnock.h"
+#include "interp/visibility/z_buffer.h"
 #include "programs/bench/side_by_side.h"
 #include "programs/scenes/generated_scenes.h"
 
@@ -61,8 +60,7 @@ std::string ratios(ImageSpaceMethod& other, ImageSpaceMethod& warnock, const Vie
 void measure(const std::string& name, std::size_t polygons, int rounds) {
   const GraphicsSystem system = entered(generated_scene(name).make(polygons, 1));
   const ViewedScene scene(system.display_file());
-  PolygonZBuffer polygon_by_polygon;
-  BandZBuffer bands;
+  ZBuffer z_buffer;
   fmt::print("{}, {} polygons\n", name, scene.end() - 1);
   for (const auto& [finish, form] :
        {std::pair{Warnock::Finish::at_pixels, "at pixels"}, {Warnock::Finish::early, "early"}}) {
@@ -72,9 +70,9 @@ void measure(const std::string& name, std::size_t polygons, int rounds) {
     const auto visited = static_cast<double>(areas.visited);
     fmt::print(
         "  {:<9}: {:>8.5f} areas a pixel, {:>7.2f} polygons an area\n"
-        "             of PolygonZBuffer's time {}\n             of BandZBuffer's time    {}\n",
+        "             of the z-buffer's time {}\n",
         form, visited / (1024.0 * 1024.0), static_cast<double>(areas.listed) / visited,
-        ratios(polygon_by_polygon, warnock, scene, rounds), ratios(bands, warnock, scene, rounds));
+        ratios(z_buffer, warnock, scene, rounds));
   }
 }
 

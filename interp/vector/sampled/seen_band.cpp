@@ -16,14 +16,14 @@ void SeenBand::find(int first_row, int end_row, std::span<const std::uint32_t> p
   for (const std::uint32_t polygon : polygons) {
     if (drawing_.polygons[polygon].filled) begun_.push_back(polygon);
   }
-  std::ranges::sort(begun_);  // the z-buffer takes what comes later to be entered later
-  ZBuffer z_buffer({drawing_.width, drawing_.height}, {});
+  std::ranges::sort(begun_);  // what comes later is taken to be entered later
+  SeenDepths depths({drawing_.width, drawing_.height});
   for (const std::uint32_t polygon : begun_) {
     const auto vertices = drawing_.vertices_of(drawing_.polygons[polygon]);
     const auto [p, q, r] = support_vertices(vertices).index;
-    z_buffer.begin_polygon(vertices, Plane(vertices[p], vertices[q], vertices[r]));
+    depths.begin_polygon(vertices, Plane(vertices[p], vertices[q], vertices[r]));
     scan_convert(polygon, first_kept_, end_kept_, [&](int row, int first, int end) {
-      z_buffer.draw_span(row, first, end, &cells_[index(0, row)]);
+      depths.draw_span(row, first, end, &cells_[index(0, row)]);
     });
   }
 }

@@ -7,13 +7,12 @@
 
 #include "interp/scan/scan_convert.h"
 #include "interp/vector/sampled/collected_drawing.h"
-#include "interp/visibility/z_buffer.h"
+#include "interp/vector/sampled/seen_depths.h"
 
 namespace displayfile {
 
 /// Which polygon is seen at each pixel centre, for a band of the picture's rows and some rows
-/// more on either side: the exact z-buffer's owners. Of equal depths the polygon entered later is
-/// seen.
+/// more on either side, decided exactly. Of equal depths the polygon entered later is seen.
 class SeenBand {
  public:
   static constexpr std::uint32_t kBackground = CollectedDrawing::kNone;
@@ -59,7 +58,7 @@ class SeenBand {
 
   const CollectedDrawing& drawing_;
   int first_row_ = 0, end_row_ = 0, first_kept_ = 0, end_kept_ = 0;
-  std::vector<ZBuffer::Cell<double>> cells_;
+  std::vector<SeenDepths::Cell> cells_;
   std::vector<std::uint32_t> begun_;  // the polygon of each owner
   ScanConverter converter_;
 };

@@ -1,4 +1,4 @@
-#include "interp/visibility/row_z_buffer.h"
+#include "interp/visibility/depth_row.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,15 +11,15 @@ constexpr double kFarthest = -std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-RowZBuffer::RowZBuffer(const ViewedScene& scene, const PictureSize& size,
-                       std::optional<double> roundoff)
+DepthRow::DepthRow(const ViewedScene& scene, const PictureSize& size,
+                   std::optional<double> roundoff)
     : size_(size),
       exact_(!roundoff),
       depth_(static_cast<std::size_t>(size.width)),
       owner_(depth_.size()),
       orders_(scene) {}
 
-void RowZBuffer::begin(int row) {
+void DepthRow::begin(int row) {
   row_ = row;
   std::ranges::fill(depth_, kFarthest);
   std::ranges::fill(owner_, kBackground);
@@ -27,13 +27,13 @@ void RowZBuffer::begin(int row) {
   largest_error_ = 0.0;
 }
 
-void RowZBuffer::begin_fill(Fill fill, const FillDepth& depth) {
+void DepthRow::begin_fill(Fill fill, const FillDepth& depth) {
   drawn_.push_back({fill, depth.error});
   largest_error_ = std::max(largest_error_, depth.error);
   current_ = depth;
 }
 
-void RowZBuffer::draw_span(int first, int end) {
+void DepthRow::draw_span(int first, int end) {
   const PixelDepth depth = current_.depth;  // the loop's own: its stores cannot change them
   const double row_depth = depth.row(row_);
   const double margin = 2.0 * (current_.error + largest_error_);
@@ -51,14 +51,14 @@ void RowZBuffer::draw_span(int first, int end) {
   }
 }
 
-std::span<const RowZBuffer::Fill> RowZBuffer::seen() {
+std::span<const DepthRow::Fill> DepthRow::seen() {
   static_assert(sizeof(Owner) == sizeof(Fill));
   for (Owner& owner : owner_) owner = drawn_[owner].fill;
   return owner_;
 }
 
 /// What the rounded depths do not tell, by the largest error of the row's fills.
-bool RowZBuffer::hides_closely(double nearer, const Rest& rest) {
+bool DepthRow::hides_closely(double nearer, const Rest& rest) {
   if (rest.column < run_.end) return run_.later_is_seen(rest.column);
   const Owner owner = owner_[static_cast<std::size_t>(rest.column)];
   if (owner == kBackground) return true;
@@ -71,7 +71,7 @@ bool RowZBuffer::hides_closely(double nearer, const Rest& rest) {
 }
 
 /// By exact arithmetic: at once for all that the two fills share, or else for a run of pixels.
-DecidedRun RowZBuffer::decided_run(const Rest& rest) {
+DecidedRun DepthRow::decided_run(const Rest& rest) {
   const Owner owner = owner_[static_cast<std::size_t>(rest.column)];
   const Fill fill = drawn_.back().fill, other = drawn_[owner].fill;
   return run_of(rest.column, end_of_run(rest), [&](int column) {
@@ -80,7 +80,7 @@ DecidedRun RowZBuffer::decided_run(const Rest& rest) {
 }
 
 /// Of the pixels from there on that show the same fill.
-int RowZBuffer::end_of_run(const Rest& rest) const {
+int DepthRow::end_of_run(const Rest& rest) const {
   const Owner* const owners = owner_.data();
   int end = rest.column + 1;
   while (end < rest.end && owners[end] == owners[rest.column]) ++end;

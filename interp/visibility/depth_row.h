@@ -10,14 +10,14 @@
 
 namespace displayfile {
 
-/// A z-buffer one row high: the depth and the fill seen at each pixel of a row. Which of two fills
-/// is seen is decided as FillDepths does, but for many pixels together where it takes exact
-/// arithmetic (interp/visibility/scan_line_z.md).
-class RowZBuffer {
+/// All the z-buffer that a scan-line z-buffer has: the depth and the fill seen at each pixel of one
+/// row. Which of two fills is seen is decided as FillDepths does, but for many pixels together
+/// where it takes exact arithmetic (interp/visibility/scan_line_z.md).
+class DepthRow {
  public:
   using Fill = ViewedScene::Fill;
 
-  RowZBuffer(const ViewedScene& scene, const PictureSize& size, std::optional<double> roundoff);
+  DepthRow(const ViewedScene& scene, const PictureSize& size, std::optional<double> roundoff);
 
   /// Clears it for a row.
   void begin(int row);

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "interp/visibility/row_fills.h"
+
+namespace displayfile {
+
+// The heart of the z-buffer: fills are drawn into a band of rows, in vectors of single precision
+// (interp/visibility/z_buffer.md).
+
+/// The depths and fills of some rows of a picture. Rows lie `stride` apart and may be written up
+/// to their stride.
+struct BandRows {
+  static constexpr int kMostRows = 16;
+  static constexpr std::size_t kPadding = 16;  ///< columns beyond the picture's
+  static constexpr int kTileColumns = 16;
+
+  int row_begin, row_end;  ///< no more than kMostRows
+  int width;
+  std::size_t stride;
+  float* z;                 ///< minus infinity: background; NaN: of a fill that is not certain
+  ViewedScene::Fill* fill;  ///< ViewedScene::kBackground: none
+
+  // Tiles are kTileColumns columns of all these rows.
+  /// A depth that no pixel of the tile is beyond, minus infinity if none is known. There is room
+  /// for kPadding more.
+  float* farthest;
+  /// The fill that a tile shows all over, which is written into its pixels later; the background,
+  /// which is there already; or kSeveral.
+  ViewedScene::Fill* whole;
+  static constexpr ViewedScene::Fill kSeveral = ~ViewedScene::Fill{0};
+
+  std::size_t tiles() const { return static_cast<std::size_t>((width - 1) / kTileColumns + 1); }
+  std::size_t index(int row, int column) const {
+    return static_cast<std::size_t>(row - row_begin) * stride + static_cast<std::size_t>(column);
+  }
+};
+
+/// The depth of a fill less that of one drawn before it, times some positive number: z + dz_dx i +
+/// dz_dy j at column i of row j of the picture, about 1 where it is largest. The fill is seen where
+/// it is positive.
+struct DepthDifference {
+  ViewedScene::Fill from = ViewedScene::kBackground;  ///< the one drawn before
+  double z = 0.0, dz_dx = 0.0, dz_dy = 0.0;
+  /// Bounds the error of what single precision makes of it.
+  float error = 0.0F;
+};
+
+/// What the depths in single precision leave undecided, and how far apart two of them decide. The
+/// policy of the z-buffer, exact or with a ROUNDOFF, is here and nowhere else.
+class BandDecisions {
+ public:
+  using Fill = ViewedScene::Fill;
+  struct Span {
+    int row, first, end;
+  };
+
+  virtual ~BandDecisions() = default;
+  /// Depths in single precision that are farther apart tell which of two certain fills is seen.
+  virtual float margin() const = 0;
+  /// True if what a pixel shows is never replaced by what is farther, so that a tile's farthest
+  /// depth stays one.
+  virtual bool keep_the_nearest() const = 0;
+  /// The fill that is drawn until the next call.
+  virtual void begin(Fill fill) = 0;
+  /// Where the fill begun covers centres of these rows; valid until the next call.
+  virtual std::span<const Span> spans(int row_begin, int row_end) = 0;
+  /// Between the fill begun and another, by what is known of the two now.
+  virtual DepthDifference difference_from(Fill other) = 0;
+  /// Draws those pixels of a row, from `column`, whose bits are set, one after another: the fill
+  /// begun covers them, and each shows another. True as soon as more is known of two fills than
+  /// before: then the others may be decided by it.
+  virtual bool draw(int row, int column, std::uint32_t bits) = 0;
+};
+
+/// Draws the fills, given in order of entry, into rows that were cleared or drawn into before.
+/// In the widest vectors that the processor has; the fills seen are the same with any.
+void draw_into_band(const RowFills& fills, std::span<const ViewedScene::Fill> to_draw,
+                    const BandRows& rows, BandDecisions& decisions);
+
+/// The same with rounded decisions only, to measure what the exact ones cost.
+void draw_into_band_rounded(const RowFills& fills, std::span<const ViewedScene::Fill> to_draw,
+                            const BandRows& rows, BandDecisions& decisions);
+
+}  // namespace displayfile

@@ -360,6 +360,7 @@ void WorldRays::build() {
     nodes_.emplace_back();
   }
   std::vector<Polygon> ordered;
+  ordered.reserve(order.size());
   for (const std::uint32_t k : order) ordered.push_back(polygons_[k]);
   polygons_ = std::move(ordered);
 }

@@ -8,12 +8,12 @@
 #include "programs/segment_outputs.h"
 
 int main(int argc, char** argv) {
-  CLI::App app("Compares segment outputs with golden files.", "segment_outputs");
-  app.require_subcommand(1);
-  displayfile::CheckCommand check;
-  check.add_to(app);
-  CLI11_PARSE(app, argc, argv);
   try {
+    CLI::App app("Compares segment outputs with golden files.", "segment_outputs");
+    app.require_subcommand(1);
+    displayfile::CheckCommand check;
+    check.add_to(app);
+    CLI11_PARSE(app, argc, argv);
     return check.run();
   } catch (const std::exception& e) {
     std::cerr << "segment_outputs: " << e.what() << '\n';

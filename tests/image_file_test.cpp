@@ -302,6 +302,7 @@ TEST_F(ImageFile, BadNpyIsAnError) {
   EXPECT_TRUE(mentions(read(""), "not a .npy file"));
   EXPECT_TRUE(mentions(read("PK\x03\x04 a zipped .npz"), "not a .npy file"));
   EXPECT_TRUE(mentions(read(npy("{}", "", 9)), "version 9: expected 1 to 3"));
+  EXPECT_TRUE(mentions(read(npy("{}", "", '\xC8')), "version 200: expected 1 to 3"));
   EXPECT_TRUE(mentions(read(std::string("\x93NUMPY\x01\x00\xff\xff{", 11)), "truncated"));
   EXPECT_TRUE(mentions(read(std::string("\x93NUMPY\x02\x00\xff\xff\xff\xff{", 13)), "header of"));
   for (const char* dictionary : {"{}", "", "{'descr': '<i4'}", "{'descr': '<i4', 'shape': (1, 1)}",

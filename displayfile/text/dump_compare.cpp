@@ -110,7 +110,7 @@ std::string segment_difference(std::string_view actual, std::string_view expecte
 
 std::optional<std::string> first_difference_of_dumps(std::string_view actual,
                                                      std::string_view expected) {
-  std::string_view segment = "";
+  std::string_view segment;
   std::size_t instruction = 0;  // the last one that was the same
   while (!actual.empty() || !expected.empty()) {
     const std::string_view actual_from = actual, expected_from = expected;

@@ -220,13 +220,13 @@ Header read_header(BinaryInput& input) {
   if (!input.stream() || std::string_view(start.data(), kMagic.size()) != kMagic) {
     input.fail("not a .npy file");
   }
-  const int version = start[6];
+  const int version = static_cast<unsigned char>(start[6]);
   if (version < 1 || version > 3) {
     input.fail(fmt::format(".npy format version {}: expected 1 to 3", version));
   }
   std::array<char, 4> length_bytes{};
   input.read(length_bytes.data(), version == 1 ? 2 : 4);
-  const std::uint32_t length = from_little_endian<std::uint32_t>(length_bytes.data());
+  const auto length = from_little_endian<std::uint32_t>(length_bytes.data());
   if (length > kLongestHeader) {
     input.fail(fmt::format(".npy header of {} bytes: expected at most {}", length, kLongestHeader));
   }

@@ -165,7 +165,7 @@ bool NearestAtCentres::is_seen(Owner other, int row, int column) {
 }
 
 NearestAtCentres::Owner NearestAtCentres::take_place(const Seen& polygon) {
-  Owner place = static_cast<Owner>(owners_.size());
+  auto place = static_cast<Owner>(owners_.size());
   if (free_.empty()) {
     owners_.push_back({polygon, layers_, 0});
   } else {

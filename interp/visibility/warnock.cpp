@@ -14,7 +14,7 @@ namespace {
 /// Early finishing: at this many polygons, and at areas of so many pixels, scan conversion costs
 /// less than more subdivision (measured: interp/visibility/warnock.md).
 constexpr std::size_t kFewPolygons = 4;
-constexpr long long kSmallArea = 32 * 32;
+constexpr long long kSmallArea = 32LL * 32;
 
 }  // namespace
 

@@ -113,7 +113,7 @@ std::optional<Advice> plot_in_a_paper(const Report& report) {
                             "polygon: {}",
                             listed(fragments)),
                 {}};
-  advice.why.push_back(
+  advice.why.emplace_back(
       "Vectors need polygons in an order, so only the sorts in object space can "
       "draw them; an image-space method gives pixels.");
   advice.why.push_back(fmt::format(

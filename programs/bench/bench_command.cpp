@@ -42,7 +42,7 @@ std::vector<double> roundoffs(const BenchCommand& command) {
 }
 
 std::vector<Contender> chosen_contenders(const BenchCommand& command) {
-  const std::vector<Contender> all = contenders(roundoffs(command));
+  std::vector<Contender> all = contenders(roundoffs(command));
   if (command.methods.empty()) return all;
   std::vector<Contender> chosen;
   for (const std::string& name : command.methods) {

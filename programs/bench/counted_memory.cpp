@@ -25,6 +25,7 @@ struct Uncounted {
   template <class U>
   explicit Uncounted(const Uncounted<U>&) {}
   T* allocate(std::size_t n) {
+    // NOLINTNEXTLINE(bugprone-sizeof-expression): a hash table allocates pointers too
     if (void* p = std::malloc(n * sizeof(T))) return static_cast<T*>(p);
     throw std::bad_alloc();
   }

@@ -21,7 +21,7 @@ extern "C" [[gnu::noinline]] void displayfile_feature_counted(const FeatureUse* 
 
 namespace {
 
-constexpr std::string_view kNone = "";
+constexpr std::string_view kNone;
 constexpr const char* kCounted = "displayfile_feature_counted";
 
 /// The last time what is made once for all is there.

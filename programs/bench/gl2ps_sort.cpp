@@ -140,7 +140,8 @@ bool Gl2psSort::ends() const {
 }
 
 std::vector<Gl2psSort::Piece> Gl2psSort::pieces() const {
-  if (corners.size() / 3 > kSteps * kSteps * kSteps) throw Error("gl2ps: too many triangles");
+  if (corners.size() / 3 > std::size_t{kSteps} * kSteps * kSteps)
+    throw Error("gl2ps: too many triangles");
   Page page(corners, window, GL2PS_PGF);
   page.end();
   constexpr std::string_view kColour = "\\color[rgb]", kMove = "\\pgfpathmoveto{\\pgfpoint",

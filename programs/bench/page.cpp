@@ -333,7 +333,7 @@ class Page {
     std::erase_if(shown, [&](const Column& column) { return !in_hard_cases(column); });
     for (const Column& column : shown) map.columns.push_back(column.name());
     map.rows = families;
-    map.rows.push_back("all");
+    map.rows.emplace_back("all");
     for (const std::string& family : map.rows) {
       for (const Column& column : shown) {
         const Wrong sum = wrong_pixels(report_, family == "all" ? "" : family, column);

@@ -314,6 +314,7 @@ std::vector<Summary> summaries(const Report& report) {
 
 std::vector<std::string> summary_names() {
   std::vector<std::string> names;
+  names.reserve(kEntries.size());
   for (const Entry& entry : kEntries) names.emplace_back(entry.name);
   return names;
 }

@@ -11,7 +11,7 @@ Scene t_junctions(std::size_t n, double pixels, std::uint64_t seed) {
   // A wall of bricks of unlike lengths, turned so that corners lie on pixel centres and edges run
   // through others; where bricks meet, a corner of one lies exactly on an edge of another.
   const auto corner = [&](std::size_t along, std::size_t up, double z) {
-    const double u = static_cast<double>(along), v = static_cast<double>(up);
+    const auto u = static_cast<double>(along), v = static_cast<double>(up);
     return Point3((3.0 * u - v + 4.5) / pixels, (u + 3.0 * v - 3.5) / pixels, z);
   };
   for (std::size_t row = 0; row < n; ++row) {

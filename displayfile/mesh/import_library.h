@@ -14,7 +14,7 @@ namespace displayfile {
 /// unknown format or bad.
 Mesh read_by_import_library(const std::string& path, bool with_normals);
 
-/// Of the library that is loaded; nothing if there is none.
+/// The version of the library, which is loaded for that; nothing if there is none.
 std::optional<std::string> import_library_version();
 
 }  // namespace displayfile

@@ -40,7 +40,7 @@ struct Mesh {
   std::span<const std::uint32_t> face(std::size_t i) const {
     return std::span(corners).subspan(first_corner[i], first_corner[i + 1] - first_corner[i]);
   }
-  /// Of the surface at a corner, zero if it is not known; where there are corner_normals.
+  /// The surface's normal at a corner, zero if it is not known. There must be corner_normals.
   Point3 normal(std::size_t corner) const {
     const std::uint32_t n = corner_normals[corner];
     return n == kNoNormal ? Point3(0.0) : normals[n];

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kHeader = 80, kCount = 4, kFacet = 50, kNormal = 12;  // bytes
 
-/// Of a binary file; 0 if it is too short to say.
+/// What a binary file says; 0 if it is too short for that.
 std::uint64_t announced_facets(std::string_view data) {
   if (data.size() < kHeader + kCount) return 0;
   return binary_value<std::uint32_t>(data.substr(kHeader), std::endian::little);

@@ -19,8 +19,7 @@ double angle_at(const Point3& corner, const Point3& before, const Point3& after)
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-/// Of the faces' vertices made one: the sum of the normals of the faces around each, times their
-/// angles there.
+/// For each vertex, the sum of the normals of the faces around it, times their angles there.
 std::vector<Point3> angle_weighted_normals(const WeldedFaces& faces) {
   std::vector<Point3> sum(faces.vertices.size(), Point3(0.0));
   std::vector<Point3> polygon;

@@ -136,7 +136,7 @@ std::vector<Feature> table() {
        "set-precision exact",
        "z-buffer",
        [](FeatureUse& u) { u.precision = {}; },
-       {"ExactNumber", "ExactPoint", "DepthComparison", "libgmp"}},
+       {}},
       {"scan line",
        "set-hidden-method scan-line",
        "",

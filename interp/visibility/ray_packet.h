@@ -6,7 +6,7 @@
 #include <span>
 
 #include "interp/visibility/box_tree.h"
-#include "interp/visibility/pair_orders.h"
+#include "interp/visibility/close_depths.h"
 
 namespace displayfile {
 

@@ -5,8 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "displayfile/viewed_scene.h"
 #include "hidden/exact/depth_comparison.h"
-#include "interp/visibility/fill_depths.h"
+#include "interp/visibility/coplanar_fills.h"
+#include "interp/visibility/pair_table.h"
 
 namespace displayfile {
 
@@ -43,66 +45,27 @@ class PairOrders {
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   struct Pair {
-    Fill earlier = ViewedScene::kBackground, later = ViewedScene::kBackground;
     Order order = Order::varies;
     bool looked_for = false;           ///< the order
     bool is_ready = false;             ///< more is known than the filter tells,
     std::uint8_t times_asked = 0;      ///< before it was
     std::uint32_t comparison = kNone;  ///< and this knows it: a place in comparisons_
+
+    Pair forgotten() const { return {.comparison = comparison}; }
   };
-  static constexpr int kFewestPairs = 5, kMostPairs = 12;  ///< places for them, as powers of two
   /// A pair that is asked for again: its order is looked for, and then exact arithmetic asked.
   static constexpr int kOften = 2, kVeryOften = 8;
-  static constexpr std::size_t kProbed = 4;  ///< a pair's place is among so many from its hash on
 
-  Pair& pair(Fill earlier, Fill later);
-  std::size_t first_place_of(Fill earlier, Fill later) const;
-  Pair* place_of(Fill earlier, Fill later);
-  void make_places(int power);
   DepthComparison comparison_of(Fill earlier, Fill later) const;
-  bool are_in_one_plane(Fill earlier, Fill later);
-  Fill one_of_plane(Fill fill);
-  void keep(const DepthComparison& comparison, Pair& pair);
-  void find_order(Pair& pair, const DepthComparison& comparison);
-  Order order_of_extents(const Pair& pair, const DepthComparison& comparison) const;
+  Order find_order(Pair& pair, Fill earlier, Fill later, const DepthComparison& comparison);
+  Order order_of_extents(Fill earlier, Fill later, const DepthComparison& comparison) const;
+  void keep(Pair& pair, Fill earlier, Fill later, const DepthComparison& comparison);
 
   const ViewedScene* scene_;
-  std::vector<Pair> pairs_;  // by a hash of the two; more places are made as they fill
-  int power_ = 0;
+  PairTable<Pair> pairs_;
   std::vector<DepthComparison> comparisons_;
-  std::vector<Fill> same_plane_;  // another fill of its plane, or itself; empty: none is known
+  CoplanarFills coplanar_;
   std::size_t times_learnt_ = 0;
-};
-
-/// Which of a scene's fills is seen at a centre. Exact: by rounded depths, and where these are too
-/// close by exact arithmetic, pairs being remembered (interp/visibility/close_depths.md). With a
-/// ROUNDOFF closer depths count as equal. Of equally near fills the one entered later is seen in
-/// both. For one thread.
-class CloseDepths {
- public:
-  using Fill = ViewedScene::Fill;
-
-  CloseDepths(const ViewedScene& scene, const FillDepths& depths, const PictureSize& size)
-      : depths_(&depths), size_(size), orders_(scene) {}
-
-  /// True if a is seen rather than b, of two fills that cover the centre, neither of them the
-  /// background.
-  bool hides(Fill a, Fill b, int column, int row) {
-    const int order = rounded_order(depths_->at(a, column, row) - depths_->at(b, column, row),
-                                    depths_->error(a) + depths_->error(b));
-    return order != 0 ? order > 0 : hides_closely(a, b, column, row);
-  }
-
-  /// The same where the rounded depths are known to be too close.
-  bool hides_closely(Fill a, Fill b, int column, int row);
-
-  /// True only if a is seen rather than b wherever both cover a centre.
-  bool always_hides(Fill a, Fill b);
-
- private:
-  const FillDepths* depths_;
-  PictureSize size_;
-  PairOrders orders_;
 };
 
 }  // namespace displayfile

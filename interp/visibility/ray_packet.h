@@ -6,7 +6,7 @@
 #include <span>
 
 #include "interp/scan/pixel_box.h"
-#include "interp/visibility/pair_orders.h"
+#include "interp/visibility/close_depths.h"
 
 namespace displayfile {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "interp/visibility/active_polygons.h"
-#include "interp/visibility/pair_orders.h"
+#include "interp/visibility/close_depths.h"
 
 namespace displayfile {
 

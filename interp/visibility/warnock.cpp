@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "interp/scan/scan_convert.h"
+#include "interp/visibility/close_depths.h"
 #include "interp/visibility/decided_run.h"
-#include "interp/visibility/pair_orders.h"
 
 namespace displayfile {
 

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "interp/visibility/fill_depths.h"
+#include "interp/visibility/pair_orders.h"
+
+namespace displayfile {
+
+/// Which of a scene's fills is seen at a centre. Exact: by rounded depths, and where these are too
+/// close by exact arithmetic, pairs being remembered (interp/visibility/close_depths.md). With a
+/// ROUNDOFF closer depths count as equal. Of equally near fills the one entered later is seen in
+/// both. For one thread.
+class CloseDepths {
+ public:
+  using Fill = ViewedScene::Fill;
+
+  CloseDepths(const ViewedScene& scene, const FillDepths& depths, const PictureSize& size)
+      : depths_(&depths), size_(size), orders_(scene) {}
+
+  /// True if a is seen rather than b, of two fills that cover the centre, neither of them the
+  /// background.
+  bool hides(Fill a, Fill b, int column, int row) {
+    const int order = rounded_order(depths_->at(a, column, row) - depths_->at(b, column, row),
+                                    depths_->error(a) + depths_->error(b));
+    return order != 0 ? order > 0 : hides_closely(a, b, column, row);
+  }
+
+  /// The same where the rounded depths are known to be too close.
+  bool hides_closely(Fill a, Fill b, int column, int row);
+
+  /// True only if a is seen rather than b wherever both cover a centre.
+  bool always_hides(Fill a, Fill b);
+
+ private:
+  const FillDepths* depths_;
+  PictureSize size_;
+  PairOrders orders_;
+};
+
+}  // namespace displayfile

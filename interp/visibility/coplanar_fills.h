@@ -1,0 +1,26 @@
+#pragma once
+
+#include "displayfile/viewed_scene.h"
+#include "hidden/disjoint_sets.h"
+
+namespace displayfile {
+
+/// The fills that are known to lie in one plane: of n of them n - 1 pairs need be compared to know
+/// it of all.
+class CoplanarFills {
+ public:
+  using Fill = ViewedScene::Fill;
+
+  bool are(Fill a, Fill b) { return same_plane_.size() > 0 && same_plane_.joined(a, b); }
+
+  /// Two fills of a scene whose last fill is before `end`.
+  void add(Fill a, Fill b, Fill end) {
+    if (same_plane_.size() == 0) same_plane_.resize(end);
+    same_plane_.join(a, b);
+  }
+
+ private:
+  DisjointSets same_plane_;  // empty while none is known
+};
+
+}  // namespace displayfile

@@ -40,7 +40,7 @@ struct Feature {
   void (*turn_on)(FeatureUse&);
   /// What only it needs: parts of the names of functions, with their classes, or of libraries.
   std::vector<std::string_view> functions;
-  std::string_view not_counted = "";  ///< why what it costs is not counted
+  std::string_view not_counted{};  ///< why what it costs is not counted
 };
 
 /// One entry a feature; each comes after the one that it is over.

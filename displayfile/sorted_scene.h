@@ -83,6 +83,14 @@ class PieceWriter {
   }
 
  private:
+  /// A fill style, every value of which is always there.
+  struct FillInForce {
+    bool known = false, solid = false;
+    Colour colour{0.0};
+    bool shadowed = false;
+    FillShadow shadow{Colour(0.0), HomogeneousPoint(0.0)};
+  };
+
   const ViewedScene& scene() const { return *ordered_->scene; }
 
   void check_segment(std::uint32_t item) {
@@ -111,11 +119,16 @@ class PieceWriter {
 
   /// CHECK-STYLE (algorithm 9.18): a style is sent only where it changes.
   void check_fill_style(std::uint32_t item) {
-    const FillStyle style = scene().fill_style(item);
-    if (fill_known_ && fill_ == style) return;
-    fill_known_ = true;
-    fill_ = style;
-    visit_.fill(style);
+    const bool solid = scene().kind(item) == Primitives::Kind::solid;
+    const Colour colour = solid ? scene().fill_colour(item) : Colour(0.0);
+    const FillShadow* const shadow = solid ? scene().shadow_of_item(item) : nullptr;
+    const bool same = fill_.solid == solid && fill_.colour == colour &&
+                      fill_.shadowed == (shadow != nullptr) &&
+                      (shadow == nullptr || fill_.shadow == *shadow);
+    if (fill_.known && same) return;
+    fill_ = {true, solid, colour, shadow != nullptr,
+             shadow != nullptr ? *shadow : FillInForce().shadow};
+    visit_.fill(scene().fill_style(item));
   }
   void check_line_style(std::uint32_t item) {
     const LineStyle& style = scene().line_style(item);
@@ -172,8 +185,7 @@ class PieceWriter {
 
   Visitor& visit_;
   const OrderedScene* ordered_ = nullptr;
-  FillStyle fill_;
-  bool fill_known_ = false;
+  FillInForce fill_;
   std::optional<LineStyle> line_;
   std::optional<std::int32_t> pick_;
   std::optional<Point3> pen_;

@@ -71,6 +71,10 @@ class ViewedScene {
     return intensities_.subspan(first_intensity_[item], items_[item].sides);
   }
   FillStyle fill_style(Item item) const;
+  /// Null if no shadow is seen on the item's fill.
+  const FillShadow* shadow_of_item(Item item) const {
+    return item >= shadow_.size() || shadow_[item] == kNone ? nullptr : &shadows_[shadow_[item]];
+  }
   const Colour& fill_colour(Item item) const;  ///< of the fill of a solid polygon
   const LineStyle& line_style(Item item) const;
   std::int32_t pick_of_item(Item item) const { return pick_[item]; }  ///< a line's has no meaning
@@ -133,9 +137,6 @@ class ViewedScene {
                bool in_place);
   void finish(bool in_place);
   void add_fill(std::span<const Point3> vertices);
-  const FillShadow* shadow_of_item(Item item) const {
-    return item >= shadow_.size() || shadow_[item] == kNone ? nullptr : &shadows_[shadow_[item]];
-  }
 
   std::vector<Source> sources_;
   std::span<const Point3> points_;  // the source's own, or else own_points_

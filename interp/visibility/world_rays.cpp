@@ -405,9 +405,9 @@ class WorldRays::Caster {
       SpaceTree::Lanes met;
       for (std::size_t k = 0; k < met.size(); ++k) {
         // Where a bound is no number nothing is known to be missed.
-        const bool missed =
-            (left[k] > 0.0) | (right[k] < 0.0) | (lowest[k] > 0.0) | (highest[k] < 0.0);
-        met[k] = missed ? 0 : 1;
+        const int missed = static_cast<int>(left[k] > 0.0) | static_cast<int>(right[k] < 0.0) |
+                           static_cast<int>(lowest[k] > 0.0) | static_cast<int>(highest[k] < 0.0);
+        met[k] = 1 - missed;
       }
       return met;
     };

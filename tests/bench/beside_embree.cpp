@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "displayfile/display_file.h"
 #include "hidden/parallel.h"
 #include "interp/visibility/image_space.h"
 #include "programs/bench/embree_rays.h"

@@ -20,7 +20,7 @@ class View {
   void set_reference_point(const Point3& world);
   /// Points away from the viewer, into the scene; any length but zero.
   void set_plane_normal(const Point3& world);
-  /// From the view reference point to the view plane, along the normal.
+  /// The distance from the view reference point to the view plane, along the normal.
   void set_distance(double distance);
   /// A world direction that appears upright; any length but zero.
   void set_up(const Point3& world);

@@ -19,7 +19,7 @@ class Islands {
  public:
   using Index = PolygonTable::Index;
 
-  /// Of all entries of the scene's table; nothing if too many overlap to be listed.
+  /// The islands among all entries of the scene's table; nothing if too many overlap to be listed.
   static std::optional<Islands> find(const SortScene<Policy>& scene, int threads) {
     const std::size_t most = 64 * std::size_t{scene.table.free()} + 4096;
     auto [extents, pairs] = overlapping_pairs(scene, most, threads);

@@ -37,7 +37,7 @@ class SortPolygons {
       islands_ = Islands<Policy>::find(scene_, options_.threads);
     hidden_surface_check(list);
   }
-  /// These entries only.
+  /// Sorts these entries only.
   void sort(std::span<const Index> polygons) {
     Index list = kNone;
     for (const Index i : polygons) link(list, i, false);

@@ -57,7 +57,8 @@ struct SortScene {
   }
 
  private:
-  /// Of a polygon that is edge-on, or in world coordinates in line, there is no plane.
+  /// The vertices that give the polygon's plane. A polygon that is edge-on, or in world coordinates
+  /// in line, has no plane.
   static SupportVertices plane_vertices(std::span<const Point3> points, SortSpace space) {
     return space == SortSpace::device ? support_vertices(points) : spread_vertices(points);
   }

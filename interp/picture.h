@@ -31,7 +31,7 @@ struct RasterRequest {
   /// the cheapest (interp/visibility/auto_method.h): the nearest fill is seen, wherever it stands
   /// in the order; any other: what is drawn last.
   HiddenMethod method = HiddenMethod::none;
-  /// Of what is drawn in order: the order drawn is an exact back-to-front order, so what is nearest
+  /// Where fills are drawn in order: the order is an exact back-to-front order, so what is nearest
   /// is to be seen also where cuts were rounded and where polygons touch.
   bool sorted = false;
   bool ids = false, depth = false;

@@ -16,13 +16,14 @@ struct PixelDepth {
   double x0 = 0.0, y0 = 0.0, z0 = 0.0, dz_dx = 0.0, dz_dy = 0.0;
 
   PixelDepth() = default;
-  /// Of a polygon in normalised device coordinates, not edge-on, on a picture of width x height.
+  /// The depth of a polygon in normalised device coordinates, not edge-on, on a picture of width x
+  /// height.
   PixelDepth(std::span<const Point3> device, const SupportVertices& support, double width,
              double height)
       : PixelDepth(
             Plane(device[support.index[0]], device[support.index[1]], device[support.index[2]]),
             width, height) {}
-  /// Of a plane in normalised device coordinates.
+  /// The depth of a plane in normalised device coordinates.
   PixelDepth(const Plane& plane, double width, double height)
       : x0(plane.p.x * width), y0(plane.p.y * height), z0(plane.p.z) {
     const double per_c = -1.0 / plane.normal.z;

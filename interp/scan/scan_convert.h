@@ -39,7 +39,7 @@ class ScanConverter {
   /// cross itself.
   Rows begin(std::span<const Point3> polygon, const Region& region);
 
-  /// Of the polygon begun, scan() shall also tell which centres may lie this close (in pixels,
+  /// For the polygon begun, scan() shall also tell which centres may lie this close (in pixels,
   /// along x and along y) to a side that crosses their row.
   void watch(const Point2& distance);
 

@@ -31,7 +31,7 @@ struct ScanEdge {
   double error;        ///< bounds that of a crossing; what is watched, added
   Point2 low, high;    ///< the ends in device coordinates
 
-  /// Of the side between two points of different height.
+  /// The side between two points of different height.
   ScanEdge(const Point2& low_, const Point2& high_, int first_row_, int last_row_,
            const PictureSize& size)
       : first_row(first_row_), last_row(last_row_), low(low_), high(high_) {

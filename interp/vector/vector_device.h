@@ -60,7 +60,8 @@ class VectorDevice : public OutputDevice {
 
   virtual void open_group(int segment_name) = 0;
   virtual void close_group() = 0;
-  /// Even-odd; within pixel blocks if there are any; with the line that closes the seams if asked.
+  /// Paints by the even-odd rule; within pixel blocks if there are any; with the line that closes
+  /// the seams if asked.
   virtual void paint_fill(const Path& path, const Colour& colour, bool seam,
                           std::span<const PixelBox> within) = 0;
   virtual void paint_lines(const Path& path, const LineStyle& style) = 0;

@@ -77,11 +77,12 @@ class BandDecisions {
 };
 
 /// Draws the fills, given in order of entry, into rows that were cleared or drawn into before.
-/// In the widest vectors that the processor has; the fills seen are the same with any.
+/// Computes in the widest vectors that the processor has; the fills seen are the same with any.
 void draw_into_band(const RowFills& fills, std::span<const ViewedScene::Fill> to_draw,
                     const BandRows& rows, BandDecisions& decisions);
 
-/// The same with rounded decisions only, to measure what the exact ones cost.
+/// Draws as draw_into_band does, but with rounded decisions only, to measure what the exact ones
+/// cost.
 void draw_into_band_rounded(const RowFills& fills, std::span<const ViewedScene::Fill> to_draw,
                             const BandRows& rows, BandDecisions& decisions);
 

@@ -31,7 +31,7 @@ class View {
   /// Front and back planes, as distances from the view reference point along the normal.
   void set_depth(double front, double back);
   void set_window(const Rectangle& view_plane);
-  /// Within [0,1] x [0,1].
+  /// The viewport lies within [0,1] x [0,1].
   void set_viewport(const Rectangle& device);
 
   Point3 reference_point{0.0, 0.0, 0.0};

@@ -112,13 +112,13 @@ class GraphicsSystem {
   void set_fill_style(const FillStyle& style);  ///< Error: a colour outside of [0,1].
   /// Errors: a colour outside of [0,1], width, dash or gap not positive.
   void set_line_style(const LineStyle& style);
-  /// Toward the light, a world direction of any length but zero; ambient in [0,1]. A polygon's
-  /// fill colour is multiplied by ambient + (1 - ambient) max(0, cosine of the angle between
-  /// the light and the side of it that is seen).
+  /// Sets the light: a world direction toward it, of any length but zero; ambient in [0,1]. A
+  /// polygon's fill colour is multiplied by ambient + (1 - ambient) max(0, cosine of the angle
+  /// between the light and the side of it that is seen).
   void set_light(const Point3& toward, double ambient = 0.2);
   /// Gouraud shading (displayfile/gouraud.md): where there is light, a polygon whose vertices have
-  /// normals is lit at each of them, and the intensities are interpolated over its picture. Of more
-  /// than three sides it is entered as triangles whose diagonals are invisible. Any other polygon
+  /// normals is lit at each of them, and the intensities are interpolated over its picture. One of
+  /// more than three sides is entered as triangles whose diagonals are invisible. Any other polygon
   /// is shaded flat.
   void set_shading(Shading shading);
   /// Shadows (interp/raster/shadows.md): where there is light, the solid polygons that follow are

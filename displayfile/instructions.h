@@ -41,8 +41,8 @@ class Instructions {
   void set_style(const LineStyle& line);
   void set_pick(std::int32_t id) { pick_ = id; }
   void enter_line(const Point3& from, const Point3& to);  ///< a move first, if the pen is elsewhere
-  /// 3 vertices or more; edge_visible is of the edge that ends at the vertex. Of a shaded polygon
-  /// one intensity a vertex, of a flat one none.
+  /// 3 vertices or more; edge_visible is of the edge that ends at the vertex. A shaded polygon has
+  /// one intensity a vertex, a flat one none.
   void enter_polygon(std::span<const Point3> vertices, std::span<const std::uint8_t> edge_visible,
                      std::span<const double> intensities = {});
 

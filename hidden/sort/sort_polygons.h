@@ -27,7 +27,7 @@ class SortPolygons {
   SortPolygons(const SortPolygons&) = delete;  // its parts know each other by reference
   SortPolygons& operator=(const SortPolygons&) = delete;
 
-  /// All entries of the table.
+  /// Sorts all entries of the table.
   void sort_all() {
     Index list = kNone;
     for (Index i = 0; i < table_.free(); ++i) {

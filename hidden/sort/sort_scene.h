@@ -63,7 +63,7 @@ struct SortScene {
     return space == SortSpace::device ? support_vertices(points) : spread_vertices(points);
   }
 
-  /// One for each polygon that has one, in order of entry.
+  /// A plane for each polygon that has one, in order of entry.
   static std::vector<Plane> planes_of(const Primitives& all, SortSpace space) {
     std::vector<Plane> planes;
     planes.reserve(all.items.size());

@@ -33,7 +33,7 @@ struct PixelDepth {
 
   double row(int j) const { return z0 + dz_dy * (j + 0.5 - y0); }
   double at(double row_depth, int i) const { return row_depth + dz_dx * (i + 0.5 - x0); }
-  /// At any point.
+  /// The depth at any point.
   double at_point(double x, double y) const { return z0 + dz_dy * (y - y0) + dz_dx * (x - x0); }
 
   /// Bounds the error of at() for the plane that this is of, at centres that are no farther

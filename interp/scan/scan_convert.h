@@ -54,7 +54,7 @@ class ScanConverter {
   template <class FillSpan, class Close = Unwatched>
   void scan(FillSpan&& fill_span, Close&& close = {});
 
-  /// Both in one.
+  /// Does begin and scan in one.
   template <class FillSpan>
   void scan_convert(std::span<const Point3> polygon, const Region& region, FillSpan&& fill_span) {
     begin(polygon, region);

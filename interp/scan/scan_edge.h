@@ -28,7 +28,7 @@ inline int first_row_above(double y, int height) {
 struct ScanEdge {
   int first_row, last_row;
   double x, y, dx_dy;  ///< the lower end, and the change of x for each row
-  double error;        ///< bounds that of a crossing; what is watched, added
+  double error;        ///< bounds the error of a crossing; what is watched is added
   Point2 low, high;    ///< the ends in device coordinates
 
   /// The side between two points of different height.

@@ -33,7 +33,7 @@ class VectorDevice : public OutputDevice {
   void fill(const DrawnPolygon& polygon) final;
   void edges(const DrawnPolygon& polygon) final;
   void line(const DrawnLine& line) final;
-  /// The inside, but only within these pixels, which do not overlap: for a polygon that was
+  /// Draws the inside, but only within these pixels, which do not overlap: for a polygon that was
   /// covered where it must be seen, since no order of whole polygons is right.
   void fill_within(const DrawnPolygon& polygon, std::span<const PixelBox> pixels);
 

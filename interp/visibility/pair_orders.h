@@ -28,7 +28,7 @@ class PairOrders {
   /// `second`; `varies` if that varies, or if it is not found out without exact arithmetic.
   enum class Order : std::uint8_t { varies, first, second };
   Order order_of(Fill earlier, Fill later);
-  /// Tells what order_of tells, but does not look for the order of a pair that is met for the first
+  /// Does what order_of does, but does not look for the order of a pair that is met for the first
   /// time.
   Order order_if_often(Fill earlier, Fill later);
 

@@ -41,7 +41,7 @@ struct DeepPixelBox {
   }
 };
 
-/// Eight of them.
+/// Eight of these boxes.
 struct PixelBoxes {
   using Box = DeepPixelBox;
   static constexpr std::size_t kBoxes = 8;

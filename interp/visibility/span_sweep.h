@@ -101,7 +101,7 @@ inline void SpanSweep::add(const ActivePolygons::Polygon& polygon, ActivePolygon
   begins_[static_cast<std::size_t>(first) / 64] |= std::uint64_t{1} << (first % 64);
 }
 
-/// CloseDepths::hides, from what is at hand.
+/// Does what CloseDepths::hides does, from what is at hand.
 inline bool SpanSweep::hides(const Span& a, const Span& b, int column) {
   ++counts_.comparisons;
   const double nearer = a.depth(column) - b.depth(column);

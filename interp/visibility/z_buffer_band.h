@@ -66,9 +66,9 @@ class BandDecisions {
   virtual bool keep_the_nearest() const = 0;
   /// The fill that is drawn until the next call.
   virtual void begin(Fill fill) = 0;
-  /// Where the fill begun covers centres of these rows; valid until the next call.
+  /// The spans in which the fill begun covers centres of these rows; valid until the next call.
   virtual std::span<const Span> spans(int row_begin, int row_end) = 0;
-  /// Between the fill begun and another, by what is known of the two now.
+  /// The difference between the fill begun and another, by what is known of the two now.
   virtual DepthDifference difference_from(Fill other) = 0;
   /// Draws those pixels of a row, from `column`, whose bits are set, one after another: the fill
   /// begun covers them, and each shows another. True as soon as more is known of two fills than

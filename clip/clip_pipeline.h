@@ -77,7 +77,7 @@ class ClipPipeline {
   V cut(const V& inside, const V& outside, ClipPlane plane) const;
   template <class V>
   void clip_stage(ClipPlane plane, Stages<V>& stage) const;
-  /// The vertices, transformed, through all stages that they need: into stage.in.
+  /// Takes the vertices, transformed, through all stages that they need: into stage.in.
   template <class V>
   void run_stages(std::span<const Point3> world, std::span<const std::uint8_t> edge_visible,
                   std::span<const double> intensities, Stages<V>& stage) const;

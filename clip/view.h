@@ -20,7 +20,7 @@ class View {
   void set_reference_point(const Point3& world);
   /// Points away from the viewer, into the scene; any length but zero.
   void set_plane_normal(const Point3& world);
-  /// From the view reference point to the view plane, along the normal.
+  /// The distance from the view reference point to the view plane, along the normal.
   void set_distance(double distance);
   /// A world direction that appears upright; any length but zero.
   void set_up(const Point3& world);
@@ -31,7 +31,7 @@ class View {
   /// Front and back planes, as distances from the view reference point along the normal.
   void set_depth(double front, double back);
   void set_window(const Rectangle& view_plane);
-  /// Within [0,1] x [0,1].
+  /// The viewport lies within [0,1] x [0,1].
   void set_viewport(const Rectangle& device);
 
   Point3 reference_point{0.0, 0.0, 0.0};

@@ -28,7 +28,7 @@ class DisplayFile {
   bool contains(int name) const { return place_.contains(name); }
 
   const std::vector<Segment>& segments() const { return segments_; }
-  /// In order of creation, until a segment is created or removed.
+  /// The visible segments in order of creation; valid until a segment is created or removed.
   std::vector<const Segment*> visible_segments() const;
   std::size_t polygons() const;  ///< as entered
   std::size_t bytes() const;     ///< of the instruction arrays, as used

@@ -31,8 +31,8 @@ class GouraudLighting {
   std::vector<double> intensities_;
 };
 
-/// How a clipped polygon is entered: of one intensity with the fill lit so, and none for its
-/// vertices; hollow likewise. Otherwise with the fill as it is.
+/// The fill that a clipped polygon is entered with: lit, if it is hollow or has one intensity at
+/// all vertices, and the vertices' intensities are then removed; otherwise as it is.
 FillStyle shaded_fill(const FillStyle& fill, ClippedPolygon& clipped);
 
 }  // namespace displayfile

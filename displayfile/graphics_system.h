@@ -66,7 +66,7 @@ class GraphicsSystem {
   void delete_all_segments();
   /// Errors: no such segment, new name in use, segment still open.
   void rename_segment(int from, int to);
-  /// Error: no such segment; so for the image transformation.
+  /// Error: no such segment, as in the routines of the image transformation.
   void set_visibility(int name, bool on);
   /// The image transformation, in normalised device coordinates: scale about the origin, then
   /// rotate about it, then translate. Each routine sets its own part.
@@ -112,13 +112,13 @@ class GraphicsSystem {
   void set_fill_style(const FillStyle& style);  ///< Error: a colour outside of [0,1].
   /// Errors: a colour outside of [0,1], width, dash or gap not positive.
   void set_line_style(const LineStyle& style);
-  /// Toward the light, a world direction of any length but zero; ambient in [0,1]. A polygon's
-  /// fill colour is multiplied by ambient + (1 - ambient) max(0, cosine of the angle between
-  /// the light and the side of it that is seen).
+  /// Sets the light: a world direction toward it, of any length but zero; ambient in [0,1]. A
+  /// polygon's fill colour is multiplied by ambient + (1 - ambient) max(0, cosine of the angle
+  /// between the light and the side of it that is seen).
   void set_light(const Point3& toward, double ambient = 0.2);
   /// Gouraud shading (displayfile/gouraud.md): where there is light, a polygon whose vertices have
-  /// normals is lit at each of them, and the intensities are interpolated over its picture. Of more
-  /// than three sides it is entered as triangles whose diagonals are invisible. Any other polygon
+  /// normals is lit at each of them, and the intensities are interpolated over its picture. One of
+  /// more than three sides is entered as triangles whose diagonals are invisible. Any other polygon
   /// is shaded flat.
   void set_shading(Shading shading);
   /// Shadows (interp/raster/shadows.md): where there is light, the solid polygons that follow are
@@ -126,9 +126,9 @@ class GraphicsSystem {
   /// one was entered with shadows on or off. What is clipped or removed as a back face hides no
   /// light. In pixels of the software device only.
   void set_shadows(bool on);
-  /// Of the vertices of the next polygon, in its order: directions of any length, in the
-  /// coordinates of its vertices, as Newell's sums turn out of the light face. Zero stands for the
-  /// polygon's own normal. No normals: takes back what was set. With flat shading they have no
+  /// The normals of the vertices of the next polygon, in its order: directions of any length, in
+  /// the coordinates of its vertices, as Newell's sums turn out of the light face. Zero stands for
+  /// the polygon's own normal. No normals: takes back what was set. With flat shading they have no
   /// effect. Errors: one or two normals; a component that is not finite or exceeds
   /// kCoordinateLimit. A polygon of another number of sides is then an error.
   void set_vertex_normals(std::span<const Point3> normals);
@@ -144,9 +144,9 @@ class GraphicsSystem {
   void set_hidden_line_removal(bool on);
   void set_back_face_removal(bool on);
   void set_hidden_method(HiddenMethod method);  ///< Error: a method that is not built yet.
-  /// Not set, it is `segment` for segments as they are closed.
+  /// A scope that is not set is `segment` for segments as they are closed.
   void set_hidden_scope(HiddenScope scope);
-  /// Of the method that finds hidden surfaces. Error: a ROUNDOFF outside of [0,1).
+  /// The precision of the method that finds hidden surfaces. Error: a ROUNDOFF outside of [0,1).
   void set_precision(const Precision& precision);
   void set_z_buffer(bool on);
 
@@ -166,7 +166,7 @@ class GraphicsSystem {
   std::int64_t polygons_entered() const { return ordinal_; }  ///< calls of the polygon routines
   std::int64_t polygons_triangulated() const { return triangulated_; }  ///< for not being flat
 
-  /// For close_segment's sort, whose result is the same for any number of threads.
+  /// Sets the threads of close_segment's sort, whose result is the same for any number of them.
   void set_threads(int threads) { sort_options_.threads = threads; }
 
   /// Records every routine that succeeds from now on; null stops. The recorder must live on.

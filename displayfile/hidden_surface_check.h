@@ -24,8 +24,9 @@ std::shared_ptr<const SortedScene> hidden_surface_check(
     const std::shared_ptr<const Instructions>& entered, const ImageTransformation& image,
     HiddenMethod method, const SortOptions& options);
 
-/// The same for several segments together, in order of creation, with a segment instruction
-/// wherever the segment changes. Of coplanar polygons the one of the segment created later is seen.
+/// HIDDEN-SURFACE-CHECK of several segments together, in order of creation, with a segment
+/// instruction wherever the segment changes. Of coplanar polygons the one of the segment created
+/// later is seen.
 std::shared_ptr<const SortedScene> hidden_surface_check(std::span<const Segment* const> segments,
                                                         HiddenMethod method,
                                                         const SortOptions& options);

@@ -41,13 +41,13 @@ class Instructions {
   void set_style(const LineStyle& line);
   void set_pick(std::int32_t id) { pick_ = id; }
   void enter_line(const Point3& from, const Point3& to);  ///< a move first, if the pen is elsewhere
-  /// 3 vertices or more; edge_visible is of the edge that ends at the vertex. Of a shaded polygon
-  /// one intensity a vertex, of a flat one none.
+  /// 3 vertices or more; edge_visible is of the edge that ends at the vertex. A shaded polygon has
+  /// one intensity a vertex, a flat one none.
   void enter_polygon(std::span<const Point3> vertices, std::span<const std::uint8_t> edge_visible,
                      std::span<const double> intensities = {});
 
-  /// The same for a flat polygon of n sides, all visible, where point(i) is its vertex i. Quick
-  /// where polygons with z, whose pick identifiers count on, are entered in a row.
+  /// Enters a flat polygon of n sides, all visible, where point(i) is its vertex i. Quick where
+  /// polygons with z, whose pick identifiers count on, are entered in a row.
   template <class PointAt>
   void enter_next_polygon(std::uint32_t n, const PointAt& point) {
     if (!stores_z_ || !stored_picks_.in_run || pick_ != stored_picks_.next) {
@@ -75,7 +75,7 @@ class Instructions {
   template <class Visitor>
   void walk(Visitor&& visit) const;
 
-  /// The same with points after an image transformation.
+  /// Calls the visitor as walk does, with points after an image transformation.
   template <class Visitor>
   void walk_transformed(const ImageTransformation& image, Visitor&& visit) const;
 
@@ -88,7 +88,7 @@ class Instructions {
   /// All points in order of entry: of a line the one it ends at, preceded, whatever was entered
   /// before, by the one it starts at; of a polygon its vertices. Empty unless z is stored.
   std::span<const Point3> stored_points() const { return points_; }
-  /// Of the vertices of all shaded polygons, in order of entry.
+  /// The intensities of the vertices of all shaded polygons, in order of entry.
   std::span<const double> stored_intensities() const { return intensities_; }
   std::size_t bytes() const;  ///< of the instruction arrays, as used
   /// Makes room for so many codes and points more, at once.

@@ -16,8 +16,8 @@ struct IntensityPlane {
   double low = 0.0, high = 0.0;  ///< of the vertices: rounding leads nowhere else
 
   IntensityPlane() = default;
-  /// Through the vertices that span the most (hidden/exact/support_plane.h). If the polygon is
-  /// edge-on, or so nearly that doubles know no slope, the mean everywhere.
+  /// The plane through the vertices that span the most (hidden/exact/support_plane.h). If the
+  /// polygon is edge-on, or so nearly that doubles know no slope, the mean everywhere.
   IntensityPlane(std::span<const Point3> device, std::span<const double> intensities);
 
   double within(double intensity) const {

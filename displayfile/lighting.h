@@ -15,8 +15,8 @@ struct Light {
   bool operator==(const Light&) const = default;
 };
 
-/// Of a surface of that normal, of any length or zero: ambient + (1 - ambient) max(0, cosine of the
-/// angle between the light and the normal, turned round if it is turned away).
+/// The intensity of a surface of that normal (of any length, or zero): ambient + (1 - ambient)
+/// max(0, cosine of the angle between the light and the normal, turned round if it is turned away).
 double intensity(const Light& light, const Point3& normal, bool turned_away);
 
 /// The fill of a polygon of that normal (of any length, out of its light face; zero if it has

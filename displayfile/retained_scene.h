@@ -65,7 +65,7 @@ class RetainedScene {
 
   /// A scene of those segments for which the function says so.
   RetainedScene selected(const std::function<bool(const Segment&)>& is_selected) const;
-  /// Of those that are visible in the display file of the system that retained them.
+  /// A scene of the segments that are visible in the display file of the system that retained them.
   RetainedScene visible_in(const DisplayFile& display_file) const;
 
   // For the GraphicsSystem, when the call has succeeded.
@@ -73,7 +73,7 @@ class RetainedScene {
   void remove(int name);
   void remove_all();
   void rename(int from, int to);
-  /// Into the segment opened last. Throws Error, and enters nothing, if there are more than
+  /// Enters into the segment opened last. Throws Error, and enters nothing, if there are more than
   /// 2^32 - 2 points then.
   void enter_polygon(const WorldPolygon& polygon, const Attributes& attributes);
   void enter_line(const Point3& from, const Point3& to, const Attributes& attributes);

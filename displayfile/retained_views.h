@@ -38,7 +38,7 @@ class RetainedViews {
   DisplayFile view(const View& view, const glm::dmat3& lights_turned = glm::dmat3(1.0));
 
   std::size_t trees() const { return parts_.size(); }
-  /// Of the trees, for all views. Comparisons are those of building them.
+  /// The counts of the trees, for all views. Comparisons are those of building them.
   const SortCounts& counts() const { return counts_; }
   std::uint64_t walks() const;   ///< of a tree
   std::uint64_t reused() const;  ///< orders that needed no walk, since the eye crossed no plane

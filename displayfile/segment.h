@@ -76,18 +76,19 @@ class Segment {
     }
     entered_->walk_transformed(image, visit);
   }
-  /// In order of entry, with points as stored.
+  /// Walks the instructions in order of entry, with points as stored.
   template <class Visitor>
   void walk_entered(Visitor&& visit) const {
     entered_->walk(visit);
   }
-  /// In order of entry, with points after the image transformation: what is judged.
+  /// Walks the instructions in order of entry, with points after the image transformation: what is
+  /// judged.
   template <class Visitor>
   void walk_entered_drawn(Visitor&& visit) const {
     entered_->walk_transformed(image, visit);
   }
 
-  // Of the instructions as entered.
+  // What the instructions hold as they were entered.
   std::size_t polygons() const { return entered_->polygons(); }
   std::size_t lines() const { return entered_->lines(); }
   bool stores_z() const { return entered_->stores_z(); }

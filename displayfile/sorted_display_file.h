@@ -44,11 +44,11 @@ class SortedDisplayFile {
   const DisplayFile& update(const GraphicsSystem& system, HiddenMethod method,
                             const HiddenSurfaceOptions& options = {});
 
-  /// As of the last update.
+  /// The display file as the last update left it.
   const DisplayFile& display_file() const { return file_; }
 
-  /// Of the last update with scope all: how many groups of segments that overlap there are, and
-  /// how many of them had to be sorted, since one of their segments changed.
+  /// The work of the last update with scope all: how many groups of segments that overlap there
+  /// are, and how many of them had to be sorted, since one of their segments changed.
   struct Work {
     std::size_t groups = 0, sorted = 0;
   };
@@ -74,7 +74,7 @@ class SortedDisplayFile {
   Work work_;
 };
 
-/// Of the sorts that are drawn: the sums, and the deepest tree.
+/// The counts of the sorts that are drawn: the sums, and the deepest tree.
 SortCounts counts_of_sorts(const DisplayFile& display_file);
 
 /// True if something is drawn in an order that is exactly back to front.

@@ -56,7 +56,7 @@ struct SortedScene {
   /// front, as Instructions::walk does; a style, a pick identifier and a segment where they change.
   template <class Visitor>
   void walk(Visitor&& visit) const;
-  /// The same with points after an image transformation.
+  /// Calls the visitor as walk does, with points after an image transformation.
   template <class Visitor>
   void walk_transformed(const ImageTransformation& moved, Visitor&& visit) const {
     if (moved.is_identity()) return walk(visit);

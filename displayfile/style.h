@@ -13,8 +13,9 @@ using Colour = glm::dvec3;
 /// How a solid fill is drawn where another fill hides the light (interp/raster/shadows.md).
 struct FillShadow {
   Colour colour;
-  /// In normalised device coordinates, homogeneous: far away, but in a perspective view at a point
-  /// that need not be. Of a ray toward it all points are (p + u light) / (1 + u w), u > 0.
+  /// Where the light comes from, in normalised device coordinates, homogeneous: far away, but in a
+  /// perspective view at a point that need not be. All points of a ray toward it are (p + u light)
+  /// / (1 + u w), u > 0.
   HomogeneousPoint light;
   bool operator==(const FillShadow&) const = default;
 };

@@ -19,8 +19,9 @@ class Turntable {
     glm::dmat3 lights;  ///< a rotation
   };
 
-  /// Of the scene's visible segments, all drawn in one view; `attributes` says which are visible.
-  /// Without any, `otherwise` is the view. Throws Error if they were drawn in several views.
+  /// A turntable for the scene's visible segments, all drawn in one view; `attributes` says which
+  /// are visible. Without any, `otherwise` is the view. Throws Error if they were drawn in several
+  /// views.
   Turntable(const RetainedScene& scene, const DisplayFile& attributes, const View& otherwise);
 
   /// The scene turned by so many degrees, counterclockwise seen from above. At 0 the view is what

@@ -29,7 +29,7 @@ ViewRounding::ViewRounding(const View& view, const ViewVolume& volume) : matrix_
   per_w_at_0_ = eye / (eye - back);
 }
 
-/// Of x or y and of w: what their rounding is a part of.
+/// The size that the rounding of x or y and of w is a part of.
 double ViewRounding::size_of(const Point3& p) const {
   const auto size = [&](int row) { return row_size(matrix_, row, p) + std::abs(matrix_[3][row]); };
   return std::max(size(0), size(1)) + size(3);

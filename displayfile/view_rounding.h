@@ -14,8 +14,8 @@ class ViewRounding {
   /// `volume` is the view's, and must stay.
   ViewRounding(const View& view, const ViewVolume& volume);
 
-  /// Of a polygon or line and its pieces. `device` is what clipping left of it, `off_plane` how far
-  /// a vertex lies from the plane that the tree takes the polygon to be in.
+  /// The bound for a polygon or line and its pieces. `device` is what clipping left of it,
+  /// `off_plane` how far a vertex lies from the plane that the tree takes the polygon to be in.
   double of(std::span<const Point3> world, std::span<const Point3> device, double off_plane) const;
 
  private:

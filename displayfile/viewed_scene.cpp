@@ -86,7 +86,7 @@ struct ViewedScene::Collector {
     for (const std::int32_t side : sides) scene.edge_visible_.push_back(side == op::line ? 1 : 0);
   }
 
-  /// Of the item saved next, as the shadow and the support vertices are.
+  /// The intensities belong to the item saved next, as the shadow and the support vertices do.
   void save_intensities(std::span<const double> shading) {
     if (shading.empty()) return;
     const std::size_t first =

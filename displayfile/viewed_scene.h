@@ -61,11 +61,11 @@ class ViewedScene {
   std::span<const Point3> points(Item item) const {
     return points_.subspan(items_[item].first, items_[item].sides);
   }
-  /// Of the side that ends at the item's vertex of that number.
+  /// True if the side that ends at the item's vertex of that number is drawn.
   bool edge_visible(Item item, std::size_t vertex) const {
     return edge_visible_.empty() || edge_visible_[items_[item].first + vertex] != 0;
   }
-  /// Of the vertices of a shaded polygon; empty if it is not shaded.
+  /// The intensities of the vertices of a shaded polygon; empty if it is not shaded.
   std::span<const double> intensities(Item item) const {
     if (item >= first_intensity_.size() || first_intensity_[item] == kNone) return {};
     return intensities_.subspan(first_intensity_[item], items_[item].sides);
@@ -154,7 +154,7 @@ class ViewedScene {
   std::span<const double> intensities_;
   std::vector<double> own_intensities_;
   std::vector<std::uint32_t> first_intensity_;  // of items up to the last shaded one, or kNone
-  std::vector<std::uint32_t> shadow_;           // likewise, in shadows_
+  std::vector<std::uint32_t> shadow_;           // of items, a place in shadows_ or kNone
   std::vector<FillShadow> shadows_;
   bool has_lines_ = false;
   double largest_depth_ = 0.0;

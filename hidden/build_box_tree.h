@@ -39,7 +39,7 @@ struct MiddlesSpread {
     }
   }
   double along(std::size_t axis) const { return high[axis] - low[axis]; }
-  /// Of equal ones the first.
+  /// The axis along which the middles spread the farthest, the first of equal ones.
   std::size_t widest() const {
     std::size_t widest = 0;
     for (std::size_t axis = 1; axis < Box::kAxes; ++axis) {

@@ -50,7 +50,7 @@ struct FlatBox {
   }
 };
 
-/// Eight of them.
+/// Eight of these boxes.
 struct FlatBoxes {
   using Box = FlatBox;
   static constexpr std::size_t kBoxes = 8;
@@ -65,7 +65,7 @@ struct FlatBoxes {
   }
   FlatBox box(std::size_t k) const { return {x_min[k], x_max[k], y_min[k], y_max[k]}; }
 
-  /// All at once, without branches.
+  /// Tests all eight at once, without branches.
   std::array<std::int32_t, kBoxes> meets(const FlatBox& b) const {
     std::array<std::int32_t, kBoxes> met;
     for (std::size_t k = 0; k < kBoxes; ++k) {

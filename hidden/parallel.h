@@ -5,7 +5,7 @@
 
 namespace displayfile {
 
-/// Of so many threads asked for, how many this machine runs at a time; at least 1.
+/// How many of so many threads asked for this machine runs at a time; at least 1.
 int useful_threads(int threads);
 
 /// Calls work(k) once for each k < count, in any order, on up to useful_threads(threads) threads.

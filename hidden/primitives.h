@@ -14,7 +14,7 @@ struct Primitives {
   enum class Kind : std::uint8_t {
     solid,   ///< hides what is behind it
     hollow,  ///< an outline: hidden by solid polygons, hides nothing
-    line,    ///< two points; likewise
+    line,    ///< two points: hidden by solid polygons, hides nothing
   };
   struct Item {
     std::uint32_t first;  ///< of its points
@@ -22,7 +22,7 @@ struct Primitives {
     Kind kind;
   };
   std::span<const Point3> points;
-  /// Of the side that ends at the point of the same index: 0 if it is not drawn. Empty: all are.
+  /// Whether the side that ends at the point of the same index is drawn: 0 if not. Empty: all are.
   std::span<const std::uint8_t> visible;
   std::span<const Item> items;
 

@@ -31,7 +31,7 @@ using SpaceTree = BoxTree<SpaceBoxes>;
 template <>
 void SpaceTree::build(std::size_t items, const std::function<Bounds(Item)>& box_of, int threads);
 
-/// From a point without end; the direction is not zero.
+/// A ray from a point, without end; the direction is not zero.
 class SpaceRay {
  public:
   SpaceRay(const Point3& from, const Point3& direction) : from_(from) {

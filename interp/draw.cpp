@@ -92,7 +92,7 @@ const RasterDevice& device_of(std::string_view name) {
   throw Error(fmt::format("unknown device '{}': expected {}", name, names(kDevices, " or ", kAny)));
 }
 
-/// Of what is drawn in the order that the display file has.
+/// The request for what is drawn in the order that the display file has.
 RasterRequest raster_request(const DisplayFile& file, const DrawOptions& options) {
   RasterRequest request;
   request.width = options.width;
@@ -151,7 +151,7 @@ void draw_colours(const DisplayFile& file, const RasterRequest& request, const D
                SampleAverage(request.width, n, take));
 }
 
-/// In memory; what is not a colour is not antialiased.
+/// Draws in memory; what is not a colour is not antialiased.
 Picture draw_pixels(const DisplayFile& file, const RasterRequest& request,
                     const DrawOptions& options) {
   if (options.samples == 1) return draw_samples(file, request, options);
@@ -196,7 +196,7 @@ void write_picture(const DisplayFile& drawn, const RasterRequest& request, bool 
   }
 }
 
-/// Of what is drawn; throws Error.
+/// Checks the size of what is drawn; throws Error.
 void require_raster_size(const DrawOptions& options) {
   if (options.samples < 1 || options.samples > kMostSamples) {
     throw Error(fmt::format("{} samples along a pixel's side: expected 1 to {}", options.samples,
@@ -252,7 +252,7 @@ void draw(const GraphicsSystem& system, const std::filesystem::path& file,
           const DrawOptions& options, SortedDisplayFile& kept) {
   require_drawable(file, options);
   const HiddenSurfaceOptions hidden = hidden_surface_options(options);
-  // For pixels the renderer picks.
+  // For a picture of pixels it is the renderer that picks a method.
   const HiddenMethod method = picture_kind(file) == PictureKind::raster
                                   ? method_in_force(system, hidden)
                                   : drawing_method(system, options, PictureKind::vector);

@@ -57,8 +57,9 @@ void draw(const GraphicsSystem& system, const std::filesystem::path& file,
 void draw(const GraphicsSystem& system, const std::filesystem::path& file,
           const DrawOptions& options = {});
 
-/// Draws a display file that is ready: the visible segments in the order that it has. Of the
-/// options those that say how hidden surfaces are found have no meaning. Otherwise the same.
+/// Draws a display file that is ready: the visible segments in the order that it has. The options
+/// that say how hidden surfaces are found have no meaning; otherwise it does what drawing a system
+/// into a file does.
 void draw(const DisplayFile& display_file, const std::filesystem::path& file,
           const DrawOptions& options);
 

@@ -19,8 +19,9 @@ struct DrawnPolygon {
   const FillStyle& fill;
   const LineStyle& line;
   std::int32_t pick;
-  /// Of the vertices of a shaded polygon, which was cut from one triangle: the fill colour is to be
-  /// multiplied by the intensity, linear over the picture. Empty if the polygon is flat.
+  /// The intensities of the vertices of a shaded polygon, which was cut from one triangle: the fill
+  /// colour is to be multiplied by the intensity, linear over the picture. Empty if the polygon is
+  /// flat.
   std::span<const double> intensities = {};
 };
 

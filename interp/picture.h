@@ -31,8 +31,8 @@ struct RasterRequest {
   /// the cheapest (interp/visibility/auto_method.h): the nearest fill is seen, wherever it stands
   /// in the order; any other: what is drawn last.
   HiddenMethod method = HiddenMethod::none;
-  /// Of what is drawn in order: the order drawn is an exact back-to-front order, so what is nearest
-  /// is to be seen also where cuts were rounded and where polygons touch.
+  /// True if fills that are drawn in order are in exact back-to-front order: what is nearest is
+  /// then to be seen also where cuts were rounded and where polygons touch.
   bool sorted = false;
   bool ids = false, depth = false;
   int threads = 1;

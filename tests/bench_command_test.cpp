@@ -276,7 +276,7 @@ TEST_F(Bench, WritesAReadmesBlocksFromTheReport) {
                                      wrong.at("bsp roundoff=1e-9"), wrong.at("bsp roundoff=1e-6"))),
             written.npos)
       << written;
-  // The same again: only figures change.
+  // The same command again: only figures change.
   ASSERT_EQ(run(kTiny + "--threads 1 --readme R.md"), 0) << err_;
   EXPECT_EQ(std::ranges::count(read(folder_ / "R.md"), '\n'), std::ranges::count(written, '\n'));
 }
@@ -310,7 +310,7 @@ TEST_F(Bench, SpeedIsThatOfThePeersOverTheReference) {
   }
 }
 
-/// Of one scene, so that each method's time is its median.
+/// One scene is measured, so that each method's time is its median.
 TEST_F(Bench, AdvisesTheFirstOfTheMethodsThatNoneIsClearlyFasterThan) {
   write("R.md", block("methods", ""));
   ASSERT_EQ(run("bench soup --polygons 24 --sizes 24 --roundoff none --threads 1 --rounds 3 "

@@ -428,7 +428,8 @@ TEST_P(HiddenSurfaceCheck, SegmentsBeginAndEndWhereTheyChange) {
             "end\n");
 }
 
-/// Of coplanar polygons the one entered later is seen, the later segment's before all others.
+/// Where polygons are coplanar the one entered later is seen, the later segment's before all
+/// others.
 TEST_P(HiddenSurfaceCheck, CoplanarPolygonsOfSeveralSegments) {
   GraphicsSystem g = sorting_system(GetParam());
   g.set_hidden_scope(HiddenScope::all);

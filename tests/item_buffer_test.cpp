@@ -61,7 +61,7 @@ struct Drawn {
 
   Real depth(Real i, Real j) const { return z0 + dz_di * (i - i0) + dz_dj * (j - j0); }
 
-  /// Of the triangles of the polygon's fan that hold the point, or all but hold it, the largest
+  /// The largest, among the triangles of the polygon's fan that hold the point, or all but hold it,
   /// of their range of z times longest side over height.
   Real thinness(Real i, Real j) const {
     Real largest = 0;

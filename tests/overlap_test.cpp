@@ -309,7 +309,8 @@ std::vector<QPoint> clipped(const std::vector<QPoint>& a, const QPoint& p, const
   return kept;
 }
 
-/// Of convex polygons: whether their insides meet; with `touching`, whether they do at all.
+/// Whether the insides of two convex polygons meet; with `touching`, whether the polygons meet at
+/// all.
 bool meet_in_truth(const Loop& a, const Loop& b, int turning_of_b, bool touching) {
   std::vector<QPoint> part;
   for (const Point3& p : a) part.push_back(rational(p));

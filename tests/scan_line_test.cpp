@@ -22,7 +22,7 @@ using test::Vertices;
 using Fill = ViewedScene::Fill;
 using Polygons = std::vector<Vertices>;
 
-/// Of polygons in device coordinates, entered in this order: fills A, B, C, ...
+/// A display file of polygons in device coordinates, entered in this order: fills A, B, C, ...
 DisplayFile file_of(const Polygons& polygons) {
   DisplayFile file;
   Segment& segment = file.create(1);
@@ -67,7 +67,7 @@ class Lines {
         });
     return text;
   }
-  /// Of what was asked last.
+  /// The counts of what was asked last.
   const ScanLine::Counts& counts() const { return counts_; }
 
   ScanLine::Counts draw_all() {
@@ -234,8 +234,8 @@ TEST(ScanLine, HiddenPolygonsRestWhileNothingChanges) {
   EXPECT_EQ(counts.sweep.painted, std::uint64_t{kRows});
 }
 
-/// So do coplanar ones, of which the last is seen, and sheets that only exact arithmetic tells
-/// apart.
+/// Coplanar polygons rest too, of which the last is seen, and so do sheets that only exact
+/// arithmetic tells apart.
 TEST(ScanLine, CoplanarPolygonsRestToo) {
   Polygons sheets;
   for (int k = 0; k < 20; ++k) {

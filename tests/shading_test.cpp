@@ -492,7 +492,8 @@ constexpr int kCubeFaces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
 
 Point3 cube_corner(int i) { return {2 * (i & 1) - 1, (i & 2) - 1, (i >> 1 & 2) - 1}; }
 
-/// Of triangles, cut along either diagonal, so that a corner has three to six faces.
+/// A cube of triangles, its sides cut along either diagonal, so that a corner has three to six
+/// faces.
 std::string cube_obj() {
   std::string text;
   for (int i = 0; i < 8; ++i) {

@@ -137,7 +137,7 @@ struct Agreement {
   std::size_t lit = 0, in_shadow = 0, close = 0, wrong = 0;
 };
 
-/// Of a picture of convex polygons whose identifiers are their places.
+/// Judges a picture of convex polygons whose identifiers are their places.
 Agreement agreement(const Picture& seen, const Polygons& polygons, const Point3& light,
                     const Viewer& viewer) {
   Agreement sum;

@@ -227,7 +227,7 @@ TEST(WarnockSteps, AreasAlongAnEdge) {
   }
 }
 
-/// Of equal depth within the ROUNDOFF is the one entered later.
+/// Among depths that are equal within the ROUNDOFF that of the polygon entered later is seen.
 TEST(WarnockSteps, Roundoff) {
   const ViewedScene scene = scene_of({rectangle(0, 8, 0, 8, 0.5), rectangle(0, 8, 0, 8, 0.5 - 1e-7),
                                       rectangle(1, 3, 1, 3, 0.5 - 2e-7)});

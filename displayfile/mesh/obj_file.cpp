@@ -24,7 +24,7 @@ class ObjIndices {
 
   void define(Kind kind) { ++defined_[kind]; }
 
-  /// From 0, of what may be still to come.
+  /// A field's index, counted from 0; what it names may be still to come.
   std::uint32_t resolved(Kind kind, std::string_view field, const TextCursor& text) {
     const std::int64_t index = text.integer(field, "an index");
     if (index < 0 && index >= -defined_[kind]) {

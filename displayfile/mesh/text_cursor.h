@@ -83,7 +83,7 @@ class TextCursor {
   std::size_t at_ = 0;
 };
 
-/// The same for data that must be text: throws Error at the first zero byte.
+/// A cursor over data that must be text: throws Error at the first zero byte.
 TextCursor text_of(std::string_view path, std::string_view data);
 
 }  // namespace displayfile

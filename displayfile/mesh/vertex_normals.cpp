@@ -13,7 +13,7 @@ namespace displayfile {
 
 namespace {
 
-/// Between the sides that meet in the corner; 0 if one has no length.
+/// The angle between the sides that meet in the corner; 0 if one has no length.
 double angle_at(const Point3& corner, const Point3& before, const Point3& after) {
   const Point3 a = before - corner, b = after - corner;
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));

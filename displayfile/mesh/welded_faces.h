@@ -22,13 +22,13 @@ struct WeldedFaces {
   }
 };
 
-/// The same for equal positions.
+/// A hash of a position; equal positions have equal hashes.
 std::uint64_t position_hash(const Point3& p);
 
 /// All faces of a mesh, which must outlive them.
 WeldedFaces weld(const Mesh& mesh);
 
-/// Those of one object each, in the order of the objects.
+/// Welds the faces of one object at a time, in the order of the objects.
 class WeldedObjects {
  public:
   explicit WeldedObjects(const WeldedFaces& all) : all_(all), number_(all.vertices.size(), kNone) {}

@@ -17,7 +17,8 @@ namespace displayfile {
 /// before the error did stands.
 void replay(std::string_view text, std::string_view file_name, GraphicsSystem& system);
 
-/// The same for a file; "-" is standard input. Throws Error if it cannot be read.
+/// Carries out the drawing program in a file; "-" is standard input. Throws as replay does, and
+/// Error if the file cannot be read.
 void replay_file(const std::string& path, GraphicsSystem& system);
 
 }  // namespace displayfile

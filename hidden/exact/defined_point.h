@@ -46,16 +46,16 @@ inline bool is_known(const DefinedPoint& v, int axis) {
   return v.kind == DefinedPoint::Kind::stored ||
          (v.kind == DefinedPoint::Kind::lifted && v.axis != axis);
 }
-/// The same of both coordinates of the projection.
+/// True if near's x and y are the point's own.
 inline bool is_known_in_projection(const DefinedPoint& v) {
   return is_known(v, 0) && is_known(v, 1);
 }
 
 DefinedPoint stored_point(const Point3& p);
-/// Plane own must not be parallel to the axis; nor in lifted_edge_cut.
+/// Plane own must not be parallel to the axis, here and in lifted_edge_cut.
 DefinedPoint lifted_point(const Definitions& all, std::uint32_t a, std::uint32_t own, int axis = 2);
-/// The line and the plane must meet in one point; where they do not, a predicate that comes to
-/// its exact stage throws Error. So for the other cuts.
+/// The line and the plane must meet in one point; where they do not, a predicate that comes to its
+/// exact stage throws Error. This holds for the other cuts too.
 DefinedPoint edge_cut(const Definitions& all, std::uint32_t a, std::uint32_t b, std::uint32_t cut);
 DefinedPoint lifted_edge_cut(const Definitions& all, std::uint32_t a, std::uint32_t b,
                              std::uint32_t own, std::uint32_t cut, int axis = 2);
@@ -86,9 +86,9 @@ int compare_x(const Definitions& all, const DefinedPoint& a, const DefinedPoint&
 int compare_y(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b);
 int compare_z(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b);
 
-/// By x, then y: 0 if they are the same point of the projection.
+/// The order by x, then y: 0 if they are the same point of the projection.
 int compare_xy(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b);
-/// By x, then y, then z: 0 if they are the same point.
+/// The order by x, then y, then z: 0 if they are the same point.
 int compare_xyz(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b);
 
 /// The point with the closest doubles there are beside its definition, so that the filters decide

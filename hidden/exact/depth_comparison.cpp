@@ -42,7 +42,7 @@ int side_of_line(const Point2& from, const Point2& to, const Point2& at) {
   return orientation(from, to, at);
 }
 
-/// The same at a pixel's centre, exactly: 1 on the left of the line.
+/// Which side of the line a pixel's centre is on, exactly: 1 on the left of it.
 int side_of_line(const Point2& from, const Point2& to, const PixelCentre& centre) {
   if (from.y != to.y) return (to.y > from.y ? 1 : -1) * crossing(from, to, centre);
   return (to.x > from.x ? -1 : 1) * compare_with_centres(from.y, centre.size.height, centre.row);

@@ -19,18 +19,19 @@ class DepthComparison {
   /// Neither plane may be edge-on.
   DepthComparison(const Plane& a, const Plane& b) : a_(a), b_(b) {}
 
-  /// At a pixel's centre; the planes in device coordinates.
+  /// The order at a pixel's centre; the planes in device coordinates.
   int order(const PixelCentre& centre) {
     const int order = filtered({centre.x, centre.y, centre.error});
     return order != 0 ? order : exact(centre);
   }
-  /// At a point of the projection.
+  /// The order at a point of the projection.
   int order(const Point2& at) {
     const int order = filtered({at.x, at.y, 0.0});
     return order != 0 ? order : exact(at);
   }
 
-  /// The same if that takes no exact arithmetic with both planes now.
+  /// The order at a point of the projection, if that takes no exact arithmetic with both planes
+  /// now.
   std::optional<int> order_at_hand(const Point2& at) const;
 
   /// True once more is known than the first filter.
@@ -43,7 +44,7 @@ class DepthComparison {
 
   /// What is known once it is ready: za - zb at (x, y) is x slope_x + y slope_y + constant times
   /// some positive number. Each is off by less than 2^-38 of the largest, which is from 1/2 to 1
-  /// unless all are zero. None of planes that meet in a line far off the picture.
+  /// unless all are zero. Planes that meet in a line far off the picture have none.
   struct Linear {
     double slope_x = 0.0, slope_y = 0.0, constant = 0.0;
   };

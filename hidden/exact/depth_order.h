@@ -56,7 +56,7 @@ int exact_depth_order(const Plane& a, const Plane& b, const Point2& at);
 int exact_depth_order(const Definitions& all, const Plane& a, const Plane& b,
                       const DefinedPoint& at);
 
-/// At a pixel's centre; the planes in device coordinates.
+/// The order at a pixel's centre; the planes in device coordinates.
 inline int depth_order(const Plane& a, const Plane& b, const PixelCentre& centre) {
   const int order = filtered_depth_order(a, b, {centre.x, centre.y, centre.error});
   if (order != 0) [[likely]]
@@ -64,7 +64,7 @@ inline int depth_order(const Plane& a, const Plane& b, const PixelCentre& centre
   return exact_depth_order(a, b, centre);
 }
 
-/// At a point of the projection.
+/// The order at a point of the projection.
 inline int depth_order(const Plane& a, const Plane& b, const Point2& at) {
   const int order = filtered_depth_order(a, b, {at.x, at.y, 0.0});
   if (order != 0) [[likely]]
@@ -72,7 +72,7 @@ inline int depth_order(const Plane& a, const Plane& b, const Point2& at) {
   return exact_depth_order(a, b, at);
 }
 
-/// At a defined point's x and y.
+/// The order at a defined point's x and y.
 inline int depth_order(const Definitions& all, const Plane& a, const Plane& b,
                        const DefinedPoint& at) {
   const int order = filtered_depth_order(a, b, {at.near.x, at.near.y, at.radius});

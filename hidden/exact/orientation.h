@@ -44,7 +44,7 @@ inline int orientation(const Point2& a, const Point2& b, const Point2& c) {
   return exact_orientation(a, b, c);
 }
 
-/// The same in the projection along z.
+/// Which way a, b, c turn in the projection along z.
 inline int orientation(const Point3& a, const Point3& b, const Point3& c) {
   return orientation(Point2(a.x, a.y), Point2(b.x, b.y), Point2(c.x, c.y));
 }

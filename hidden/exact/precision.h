@@ -142,9 +142,9 @@ class Exact {
   Lift lift_;
 };
 
-/// The textbook's: plain doubles, and SIGNOF with ROUNDOFF (algorithm 9.13). A plane's
-/// coefficients are taken as scaled to |A| + |B| + |C| = 1 and a line's likewise, so that
-/// ROUNDOFF is a length, whatever the polygon's size.
+/// The textbook's: plain doubles, and SIGNOF with ROUNDOFF (algorithm 9.13). A plane's coefficients
+/// are taken as scaled to |A| + |B| + |C| = 1 and so are a line's, so that ROUNDOFF is a length,
+/// whatever the polygon's size.
 class Roundoff {
  public:
   using Vertex = Point3;

@@ -35,7 +35,7 @@ using PredicateCounts = std::array<StageCounts, kPredicates>;
 PredicateCounts predicate_counts();
 void reset_predicate_counts();
 
-// For the slow stages.
+// Called by the slow stages, to count themselves.
 void count_by_definition(Predicate predicate);
 void count_exact(Predicate predicate);
 

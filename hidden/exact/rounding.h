@@ -31,7 +31,7 @@ constexpr int decided_sign(double x) {
   return static_cast<int>(std::bit_cast<std::int64_t>(x) >> 63) | 1;
 }
 
-/// The same of x y.
+/// The sign of a product x y that is not zero, from the sign bits of both.
 constexpr int decided_sign(double x, double y) {
   return static_cast<int>((std::bit_cast<std::int64_t>(x) ^ std::bit_cast<std::int64_t>(y)) >> 63) |
          1;

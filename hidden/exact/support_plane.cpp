@@ -9,7 +9,7 @@ namespace displayfile {
 
 namespace {
 
-/// In space; exactly.
+/// True if the points are in line in space, exactly.
 bool in_line(const Point3& p, const Point3& q, const Point3& r) {
   const auto in_projection = [&](int x, int y) {
     return orientation(Point2(p[x], p[y]), Point2(q[x], q[y]), Point2(r[x], r[y])) == 0;

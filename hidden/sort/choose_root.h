@@ -31,7 +31,7 @@ class RootChooser {
               RootChoice choice)
       : scene_(scene), table_(scene.table), islands_(islands), choice_(choice) {}
 
-  /// For a list of members: where islands are known, the one last separated.
+  /// The root for a list of members, which must be the one last separated where islands are known.
   Root choose(std::span<const Index> members) {
     across_.reset();
     if (choice_ == RootChoice::last) return last_with_plane(members);

@@ -31,7 +31,8 @@ class ComparePolys {
       signs_[i] = static_cast<std::int8_t>(sign);
     });
   }
-  /// The same for several threads at once.
+  /// On which side of the plane the polygon lies. No sign is kept, so several threads may ask at
+  /// once.
   PlaneSide where(Index test, std::uint32_t plane) const {
     return compare(test, plane, [](std::uint32_t, int) {});
   }

@@ -306,7 +306,7 @@ class DepthSort {
     return cuts;
   }
 
-  /// Of two that go through each other the smaller is cut by the larger one's plane.
+  /// Cuts the smaller of two that go through each other by the larger one's plane.
   bool cut_one_of(Group& group, std::uint32_t k, std::uint32_t m) {
     if (size_of(group.pieces[k]) > size_of(group.pieces[m])) std::swap(k, m);
     if (table_[group.pieces[m]].plane == kNoPlane) std::swap(k, m);

@@ -38,8 +38,8 @@ struct SortedPiece {
 /// plane, the line.
 struct SortedPieces {
   std::vector<SortedPiece> pieces;
-  /// Of the pieces that were cut: coordinates, each rounded once, and whether the side that ends
-  /// at the point is drawn (the sides that cuts made are not).
+  /// The points of the pieces that were cut: coordinates, each rounded once, and whether the side
+  /// that ends at the point is drawn (the sides that cuts made are not).
   std::vector<Point3> points;
   std::vector<std::uint8_t> visible;
 

@@ -19,7 +19,7 @@ class Islands {
  public:
   using Index = PolygonTable::Index;
 
-  /// Of all entries of the scene's table; nothing if too many overlap to be listed.
+  /// The islands among all entries of the scene's table; nothing if too many overlap to be listed.
   static std::optional<Islands> find(const SortScene<Policy>& scene, int threads) {
     const std::size_t most = 64 * std::size_t{scene.table.free()} + 4096;
     auto [extents, pairs] = overlapping_pairs(scene, most, threads);
@@ -29,14 +29,14 @@ class Islands {
 
   const Extent& extent(Index entry) const { return extents_[entry]; }
 
-  /// After an entry was cut in two, one of them new.
+  /// To be called after an entry was cut in two, one of them new.
   void add_cut(Index entry, Index front, Index back) {
     origin_of_.push_back(origin_of_[entry]);
     extents_.resize(scene_->table.free());
     extents_[front] = scene_->extent(front);
     extents_[back] = scene_->extent(back);
   }
-  /// After a node without a polygon was added to the table.
+  /// To be called after a node without a polygon was added to the table.
   void add_node() {
     origin_of_.push_back(0);
     extents_.push_back(Extent::nothing());

@@ -14,7 +14,7 @@ struct Outline {
   int turning;  ///< 1 counterclockwise and convex, -1 clockwise and convex, 0 anything else
 };
 
-/// Of the vertices, decided as the table's policy decides.
+/// Which way the vertices turn (Outline::turning), decided as the table's policy decides.
 template <class Policy>
 int convex_turning(const VertexTable<Policy>& table, std::span<const std::uint32_t> v) {
   return convex_turning(

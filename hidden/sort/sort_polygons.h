@@ -27,7 +27,7 @@ class SortPolygons {
   SortPolygons(const SortPolygons&) = delete;  // its parts know each other by reference
   SortPolygons& operator=(const SortPolygons&) = delete;
 
-  /// All entries of the table.
+  /// Sorts all entries of the table.
   void sort_all() {
     Index list = kNone;
     for (Index i = 0; i < table_.free(); ++i) {
@@ -37,7 +37,7 @@ class SortPolygons {
       islands_ = Islands<Policy>::find(scene_, options_.threads);
     hidden_surface_check(list);
   }
-  /// These entries only.
+  /// Sorts these entries only.
   void sort(std::span<const Index> polygons) {
     Index list = kNone;
     for (const Index i : polygons) link(list, i, false);

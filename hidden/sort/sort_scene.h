@@ -57,12 +57,13 @@ struct SortScene {
   }
 
  private:
-  /// Of a polygon that is edge-on, or in world coordinates in line, there is no plane.
+  /// The vertices that give the polygon's plane. A polygon that is edge-on, or in world coordinates
+  /// in line, has no plane.
   static SupportVertices plane_vertices(std::span<const Point3> points, SortSpace space) {
     return space == SortSpace::device ? support_vertices(points) : spread_vertices(points);
   }
 
-  /// One for each polygon that has one, in order of entry.
+  /// A plane for each polygon that has one, in order of entry.
   static std::vector<Plane> planes_of(const Primitives& all, SortSpace space) {
     std::vector<Plane> planes;
     planes.reserve(all.items.size());

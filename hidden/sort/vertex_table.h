@@ -38,7 +38,7 @@ class VertexTable {
     return static_cast<std::uint32_t>(planes_.size() - 1);
   }
 
-  /// For a plane that no vertex is defined by.
+  /// Replaces a plane that no vertex is defined by.
   void set_plane(std::uint32_t i, const Plane& plane) { planes_[i] = plane; }
 
   double tolerance() const { return policy_.tolerance(); }
@@ -54,7 +54,7 @@ class VertexTable {
       return policy_.turn(Point2(*p), Point2(*q), Point2(*r));
     return policy_.turn(at(a), at(b), at(c));
   }
-  /// The same for points as entered, in the projection.
+  /// Which way points as entered turn in the projection.
   int turn(const Point2& a, const Point2& b, const Point2& c) const {
     return policy_.turn(a, b, c);
   }
@@ -72,8 +72,8 @@ class VertexTable {
   std::size_t made() const { return made_.size(); }
   std::size_t number_made(std::uint32_t v) const { return v - points_.size(); }
   const Point3& entered(std::uint32_t v) const { return points_[v]; }
-  /// Of the way from a to b in the projection: 1 to the right, or straight up; 0 if they are the
-  /// same point there.
+  /// The direction from a to b in the projection: 1 to the right or straight up, -1 the other way;
+  /// 0 if they are the same point there.
   int direction(std::uint32_t a, std::uint32_t b) const {
     return a == b ? 0 : policy_.compare_xy(at(b), at(a));
   }
@@ -83,7 +83,7 @@ class VertexTable {
     if (v < points_.size()) return {points_[v], 0.0};
     return policy_.near(made_[v - points_.size()]);
   }
-  /// For the display file.
+  /// The vertex's coordinates for the display file.
   Point3 coordinates(std::uint32_t v) const {
     return v < points_.size() ? points_[v] : policy_.coordinates(made_[v - points_.size()]);
   }

@@ -41,7 +41,7 @@ struct WorldTree::Placed {
   Index entry, parent;
   bool in_front;
 
-  /// In the order of a walk that takes the front first.
+  /// The nodes in the order of a walk that takes the front first.
   static std::vector<Placed> front_first(const PolygonTable& table, Index root) {
     std::vector<Placed> placed, waiting;
     if (root != PolygonTable::kNone) waiting.push_back({root, 0, false});

@@ -32,7 +32,7 @@ class WorldTree {
  public:
   using Index = std::uint32_t;
 
-  /// Of the options the precision; the root is chosen by RootChoice::sample, since overlaps in a
+  /// The options give the precision; the root is chosen by RootChoice::sample, since overlaps in a
   /// projection belong to one view.
   WorldTree(const Primitives& world, const SortOptions& options);
 
@@ -45,12 +45,12 @@ class WorldTree {
   /// also among the pieces. Coplanar ones are in order of entry, lines last. The eye's coordinates
   /// are up to kCoordinateLimit.
   void far_to_near(const Eye& eye, std::vector<Index>& order) const;
-  /// The reverse.
+  /// The reverse of what far_to_near gives.
   void near_to_far(const Eye& eye, std::vector<Index>& order) const;
 
-  /// The same as far_to_near, and how far the eye may move, at the least, before the order can
-  /// change: until it comes to the nearest plane. Of an eye at infinity the vector's end may move
-  /// that far.
+  /// Does what far_to_near does, and returns how far the eye may move, at the least, before the
+  /// order can change: until it comes to the nearest plane. If the eye is at infinity, the vector's
+  /// end may move that far.
   double far_to_near_until(const Eye& eye, std::vector<Index>& order) const;
 
  private:

@@ -26,7 +26,7 @@ void write_npy(std::span<const std::int32_t> values, int width, int height,
 void write_npy(std::span<const double> values, int width, int height,
                const std::filesystem::path& path);
 
-/// The same of a picture's ids, or of its depth, that come row by row.
+/// The file that write_npy writes, of a picture's ids or of its depth, that come row by row.
 std::unique_ptr<RowFile> ids_row_file(const std::filesystem::path& path, int width, int height);
 std::unique_ptr<RowFile> depth_row_file(const std::filesystem::path& path, int width, int height);
 

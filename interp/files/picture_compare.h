@@ -12,14 +12,15 @@ struct PictureDifference {
   bool same_size = true;          ///< if not, nothing else was compared
   std::int64_t pixels = 0;        ///< compared
   std::int64_t wrong_pixels = 0;  ///< that are not equal
-  /// Of pictures, the largest difference of a channel, 0 to 255; of arrays, the largest absolute
-  /// difference of two values: infinite where one is infinite or NaN and the other is not equal.
+  /// The largest difference of a channel of two pictures, 0 to 255, or the largest absolute
+  /// difference of two values of arrays: infinite where one is infinite or NaN and the other is not
+  /// equal.
   double largest = 0.0;
-  /// Of two int32 arrays taken as item buffers: wrong pixels where one of the two shows the
-  /// background (a negative identifier), and where both show polygons.
+  /// For two int32 arrays, taken as item buffers: the number of wrong pixels where one of the two
+  /// shows the background (a negative identifier), and of those where both show polygons.
   std::int64_t background_and_polygon = 0, polygon_and_polygon = 0;
   std::int64_t background_in_first = 0;  ///< of background_and_polygon: the second has the polygon
-  /// Of two float64 arrays taken as depths: over the pixels where both are finite the largest and
+  /// For two float64 arrays, taken as depths: over the pixels where both are finite the largest and
   /// the mean absolute error, and how many pixels are finite in both and in only one.
   double largest_error = 0.0, mean_error = 0.0;
   std::int64_t finite_in_both = 0, finite_in_one = 0;

@@ -13,7 +13,8 @@ namespace displayfile {
 /// cannot be written or the picture's size is not 1 to kLargestSide.
 void write_png(const Picture& picture, const std::filesystem::path& path);
 
-/// The same for a picture of width x height that comes row by row; the bytes are the same.
+/// The file that write_png writes, byte for byte, of a picture of width x height that comes row by
+/// row.
 std::unique_ptr<RowFile> png_row_file(const std::filesystem::path& path, int width, int height);
 
 /// Reads a PNG file of any colour type; 16-bit samples are cut to 8, and what is transparent is

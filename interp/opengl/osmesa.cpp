@@ -151,7 +151,7 @@ struct DepthMapping {
   double z(double depth) const { return low + depth * (high - low); }
 };
 
-/// As it lies in a vertex buffer: x, y and z in OpenGL's normalised coordinates.
+/// A vertex as it lies in a vertex buffer: x, y and z in OpenGL's normalised coordinates.
 struct ResidentVertex {
   float x, y, z;
   std::uint32_t colour;

@@ -34,9 +34,9 @@ std::string osmesa_description(int depth_bits = 24);
 Picture draw_with_osmesa(const DisplayFile& display_file, const RasterRequest& request,
                          int depth_bits = 24);
 
-/// The same in steps, so that drawing is timed alone: the triangles of a display file, resident
-/// in vertex buffers, to be drawn any number of times. To be used by one thread at a time; no
-/// OSMesa context is current after a call.
+/// Draws as draw_with_osmesa does, but in steps, so that drawing is timed alone: the triangles of a
+/// display file, resident in vertex buffers, to be drawn any number of times. To be used by one
+/// thread at a time; no OSMesa context is current after a call.
 class OsmesaScene {
  public:
   /// Throws as draw_with_osmesa does.

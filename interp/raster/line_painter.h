@@ -67,7 +67,8 @@ class LinePainter {
   struct DepthRange {
     double nearest, farthest;
   };
-  /// Of the vertices, and a little more: rounding may put the polygon's own fill there.
+  /// The range of the vertices' depths, and a little more: rounding may put the polygon's own fill
+  /// there.
   static DepthRange depth_range(std::span<const Point3> vertices) {
     double nearest = vertices[0].z, farthest = nearest;
     for (const Point3& v : vertices) {

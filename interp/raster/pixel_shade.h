@@ -29,7 +29,7 @@ class PixelShade {
         di_dx_(plane.di_dx / size.width),
         di_dy_(plane.di_dy / size.height) {}
 
-  /// Columns first, first + 1, ... of a row, as in Picture::pixels.
+  /// Paints the columns first, first + 1, ... of a row, as in Picture::pixels.
   void paint(int row, int first, std::span<std::uint32_t> pixels) const {
     const double of_row = plane_.i0 + di_dy_ * (row + 0.5 - y0_);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -68,7 +68,7 @@ class FillColour {
     shadow_.emplace(*shadows, v, plane, *polygon.fill.shadow, size);
   }
 
-  /// As PixelShade::paint; so at().
+  /// Paints what PixelShade::paint does; at() is the pixel at one place.
   void paint(int row, int first, std::span<std::uint32_t> pixels) const {
     if (shade_) {
       shade_->paint(row, first, pixels);

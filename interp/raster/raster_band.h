@@ -32,14 +32,14 @@ struct RasterBand {
   int held_end;
   const Shadows* shadows;  ///< null if none are seen
 
-  /// Of the whole picture.
+  /// The size of the whole picture.
   const PictureSize& size() const { return region.size; }
-  /// In the picture's arrays.
+  /// The index of a pixel in the picture's arrays.
   std::size_t index(int row, int column) const {
     return static_cast<std::size_t>(held_end - 1 - row) * static_cast<std::size_t>(size().width) +
            static_cast<std::size_t>(column);
   }
-  /// Columns first <= i < end of a row.
+  /// Paints the columns first <= i < end of a row.
   void paint(int row, int first, int end, const FillColour& colour, std::int32_t pick) {
     colour.paint(
         row, first,

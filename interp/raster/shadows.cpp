@@ -22,8 +22,8 @@ constexpr double kVertexError = 0x1p-40;
 /// Pays for what the bounds leave out, and their own rounding.
 constexpr double kSafety = 2.0;
 
-/// Of the plane's values at points that lie on the polygon: how far its vertices are off the plane,
-/// and what rounding adds.
+/// Bounds the plane's values at points that lie on the polygon: how far its vertices are off the
+/// plane, and what rounding adds.
 double largest_value(std::span<const Point3> vertices, const Plane& plane) {
   double largest = 0.0;
   for (const Point3& v : vertices) {
@@ -111,8 +111,8 @@ bool Shadows::hides(const Polygon& polygon, const Ray& ray) const {
   return side * at_light < 0.0 && is_met(polygon, ray);
 }
 
-/// By the even-odd rule, seen along the ray. An edge that two polygons share is always taken from
-/// its lower end: one of the two is met and not the other, bit for bit.
+/// Decided by the even-odd rule, seen along the ray. An edge that two polygons share is always
+/// taken from its lower end: one of the two is met and not the other, bit for bit.
 bool Shadows::is_met(const Polygon& polygon, const Ray& ray) const {
   const auto vertices = scene_->points(polygon.item);
   bool inside = false;

@@ -54,13 +54,13 @@ class Shadows {
 /// The pixels of one fill that are in shadow.
 class ShadowedFill {
  public:
-  /// Of a fill (device coordinates) and its support plane, which is not edge-on.
+  /// The fill is in device coordinates; the plane is its support plane, which is not edge-on.
   ShadowedFill(const Shadows& shadows, std::span<const Point3> fill, const Plane& plane,
                const FillShadow& shadow, const PictureSize& size);
 
-  /// Of columns first, first + 1, ... of a row, where the fill is seen: those in shadow get its
-  /// colour there. As in Picture::pixels. A pixel is always judged by the same expressions of its
-  /// centre, wherever a run begins.
+  /// Paints the columns first, first + 1, ... of a row, where the fill is seen: those in shadow get
+  /// its colour there, as in Picture::pixels. A pixel is always judged by the same expressions of
+  /// its centre, wherever a run begins.
   void paint(int row, int first, std::span<std::uint32_t> pixels) const;
 
  private:

@@ -51,7 +51,7 @@ int rows_worth_a_walk(const RasterRequest& request, std::size_t polygons) {
   return static_cast<int>(std::min(rows, static_cast<std::size_t>(request.height)));
 }
 
-/// For so many values, in place of those it holds.
+/// Makes room for so many values, in place of those held.
 template <class T>
 void make_room(std::vector<T>& values, std::size_t size) {
   if (size > values.capacity()) values = std::vector<T>();
@@ -260,7 +260,7 @@ const Picture& SoftwareRenderer::draw(const DisplayFile& display_file,
   return picture_;
 }
 
-/// From the top, in strips that are whole bands of the method's.
+/// Draws from the top, in strips that are whole bands of the method's.
 void SoftwareRenderer::draw(const DisplayFile& display_file, const RasterRequest& request,
                             const TakeRows& take) {
   prepare(display_file, request);

@@ -28,8 +28,8 @@ class SoftwareRenderer {
   /// The picture stays until the next call; its memory is used again. Throws Error for a size
   /// outside of 1 to kLargestSide.
   const Picture& draw(const DisplayFile& display_file, const RasterRequest& request);
-  /// The same picture, some rows at a time from the top: no more of it is in memory than a few rows
-  /// for each thread.
+  /// Draws the same picture, some rows at a time from the top: no more of it is in memory than a
+  /// few rows for each thread.
   void draw(const DisplayFile& display_file, const RasterRequest& request, const TakeRows& take);
   Picture take_picture() { return std::move(picture_); }
 

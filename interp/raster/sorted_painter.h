@@ -32,8 +32,8 @@ class SortedPainter : public OutputDevice {
   std::size_t decide_centres();
 
  private:
-  /// Of the fills of a segment, the centres whose nearest polygon the order of drawing may not
-  /// show.
+  /// Which of the centres that a segment's fills cover may have a nearest polygon that the order of
+  /// drawing does not show.
   enum class Undecided {
     none,           ///< it was not sorted exactly: what is drawn last is meant to be seen
     at_boundaries,  ///< of fills

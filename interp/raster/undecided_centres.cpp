@@ -11,8 +11,8 @@ namespace displayfile {
 
 namespace {
 
-/// Of the largest coordinate. Rounding moves a vertex by half of kUnit; the rest is more than
-/// the tests lose (interp/raster/undecided_centres.md).
+/// How far a boundary may be off, as a part of the largest coordinate. Rounding moves a vertex by
+/// half of kUnit; the rest is more than the tests lose (interp/raster/undecided_centres.md).
 constexpr double kBoundaryError = 64.0 * kUnit;
 
 /// An error up to which a vertex is close to one row of centres at most.

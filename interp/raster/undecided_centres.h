@@ -38,7 +38,7 @@ class NearestAtCentres {
     FillColour colour;
     std::int32_t pick;
   };
-  /// Of polygons of one layer covering a centre, which is seen.
+  /// Which of the polygons that cover a centre in one layer is seen.
   enum class Layer {
     nearest,  ///< the nearest, of equally near ones the one entered later
     painted,  ///< the one entered last

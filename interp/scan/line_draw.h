@@ -19,8 +19,8 @@ struct LineSteps {
   double first, last;
 };
 
-/// Of a flat line's columns, no fewer than those in which what lies within `reach` of it (pixels,
-/// up and down) is in the region's rows. A long line costs each of many bands its own part.
+/// The columns of a flat line in which what lies within `reach` of it (pixels, up and down) is in
+/// the region's rows, and perhaps more. A long line costs each of many bands its own part.
 inline LineSteps columns_in_rows(const Point3& low, const Point3& high, double reach,
                                  const ScanConverter::Region& region, const LineSteps& all) {
   const double rise = high.y - low.y, run = high.x - low.x;

@@ -16,13 +16,14 @@ struct PixelDepth {
   double x0 = 0.0, y0 = 0.0, z0 = 0.0, dz_dx = 0.0, dz_dy = 0.0;
 
   PixelDepth() = default;
-  /// Of a polygon in normalised device coordinates, not edge-on, on a picture of width x height.
+  /// The depth of a polygon in normalised device coordinates, not edge-on, on a picture of width x
+  /// height.
   PixelDepth(std::span<const Point3> device, const SupportVertices& support, double width,
              double height)
       : PixelDepth(
             Plane(device[support.index[0]], device[support.index[1]], device[support.index[2]]),
             width, height) {}
-  /// Of a plane in normalised device coordinates.
+  /// The depth of a plane in normalised device coordinates.
   PixelDepth(const Plane& plane, double width, double height)
       : x0(plane.p.x * width), y0(plane.p.y * height), z0(plane.p.z) {
     const double per_c = -1.0 / plane.normal.z;
@@ -32,7 +33,7 @@ struct PixelDepth {
 
   double row(int j) const { return z0 + dz_dy * (j + 0.5 - y0); }
   double at(double row_depth, int i) const { return row_depth + dz_dx * (i + 0.5 - x0); }
-  /// At any point.
+  /// The depth at any point.
   double at_point(double x, double y) const { return z0 + dz_dy * (y - y0) + dz_dx * (x - x0); }
 
   /// Bounds the error of at() for the plane that this is of, at centres that are no farther

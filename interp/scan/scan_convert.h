@@ -39,7 +39,7 @@ class ScanConverter {
   /// cross itself.
   Rows begin(std::span<const Point3> polygon, const Region& region);
 
-  /// Of the polygon begun, scan() shall also tell which centres may lie this close (in pixels,
+  /// For the polygon begun, scan() shall also tell which centres may lie this close (in pixels,
   /// along x and along y) to a side that crosses their row.
   void watch(const Point2& distance);
 
@@ -54,7 +54,7 @@ class ScanConverter {
   template <class FillSpan, class Close = Unwatched>
   void scan(FillSpan&& fill_span, Close&& close = {});
 
-  /// Both in one.
+  /// Does begin and scan in one.
   template <class FillSpan>
   void scan_convert(std::span<const Point3> polygon, const Region& region, FillSpan&& fill_span) {
     begin(polygon, region);

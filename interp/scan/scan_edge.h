@@ -28,10 +28,10 @@ inline int first_row_above(double y, int height) {
 struct ScanEdge {
   int first_row, last_row;
   double x, y, dx_dy;  ///< the lower end, and the change of x for each row
-  double error;        ///< bounds that of a crossing; what is watched, added
+  double error;        ///< bounds the error of a crossing; what is watched is added
   Point2 low, high;    ///< the ends in device coordinates
 
-  /// Of the side between two points of different height.
+  /// The side between two points of different height.
   ScanEdge(const Point2& low_, const Point2& high_, int first_row_, int last_row_,
            const PictureSize& size)
       : first_row(first_row_), last_row(last_row_), low(low_), high(high_) {

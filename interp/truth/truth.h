@@ -15,7 +15,7 @@ using TruthProgress = std::function<void(std::size_t done, std::size_t polygons)
 /// length, no tolerance, and nothing shared with the methods that it judges. interp/truth/truth.md
 /// explains.
 ///
-/// Of the visible segments' solid polygons, after the image transformation, the item buffer holds
+/// The item buffer holds, of the visible segments' solid polygons after the image transformation,
 /// the pick identifier of the nearest that covers the centre (of equally near ones the one entered
 /// later), -1 where none does. If depth is asked for, it is that of the polygon seen, rounded once
 /// to the nearest double, and minus infinity where none is. No colours: `pixels` stays empty.

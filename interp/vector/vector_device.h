@@ -33,7 +33,7 @@ class VectorDevice : public OutputDevice {
   void fill(const DrawnPolygon& polygon) final;
   void edges(const DrawnPolygon& polygon) final;
   void line(const DrawnLine& line) final;
-  /// The inside, but only within these pixels, which do not overlap: for a polygon that was
+  /// Draws the inside, but only within these pixels, which do not overlap: for a polygon that was
   /// covered where it must be seen, since no order of whole polygons is right.
   void fill_within(const DrawnPolygon& polygon, std::span<const PixelBox> pixels);
 
@@ -60,7 +60,8 @@ class VectorDevice : public OutputDevice {
 
   virtual void open_group(int segment_name) = 0;
   virtual void close_group() = 0;
-  /// Even-odd; within pixel blocks if there are any; with the line that closes the seams if asked.
+  /// Paints by the even-odd rule; within pixel blocks if there are any; with the line that closes
+  /// the seams if asked.
   virtual void paint_fill(const Path& path, const Colour& colour, bool seam,
                           std::span<const PixelBox> within) = 0;
   virtual void paint_lines(const Path& path, const LineStyle& style) = 0;

@@ -24,7 +24,7 @@ class CloseDepths {
     return order != 0 ? order > 0 : hides_closely(a, b, column, row);
   }
 
-  /// The same where the rounded depths are known to be too close.
+  /// True if a is seen rather than b, where the rounded depths are known to be too close.
   bool hides_closely(Fill a, Fill b, int column, int row);
 
   /// True only if a is seen rather than b wherever both cover a centre.

@@ -9,10 +9,11 @@
 
 namespace displayfile {
 
-/// A polygon compared with polygons entered before it that share pixels with it: which is seen,
-/// by exact arithmetic at the pixels' centres (interp/visibility/close_depths.md). One pair of
-/// planes is remembered, the last: it is for polygons that come one after another and belong to no
-/// scene by whose numbers PairOrders could remember all pairs.
+/// A polygon compared with polygons entered before it that share pixels with it: which is seen, by
+/// exact arithmetic at the pixels' centres (interp/visibility/close_depths.md). One pair of planes
+/// is remembered, the last. This memory stands beside PairOrders, which remembers pairs by the
+/// numbers of a scene's fills: the polygons compared here, those over undecided centres and those
+/// of the sampled vectors, come one after another and belong to no scene.
 class ClosePlanes {
  public:
   explicit ClosePlanes(const PictureSize& size) : size_(size) {}
@@ -32,7 +33,7 @@ class ClosePlanes {
   bool later_is_seen(int column, int row) {
     return comparison_.order(PixelCentre(column, row, size_)) >= 0;
   }
-  /// The same for columns that all show the polygon compared with.
+  /// Whether it is seen in columns that all show the polygon compared with.
   DecidedRun run(int row, int first, int end) {
     return run_of(first, end, [&](int column) { return later_is_seen(column, row); });
   }

@@ -2,7 +2,7 @@
 
 namespace displayfile {
 
-/// Of columns of a row up to `end`, where the later of two polygons is seen rather than the one
+/// Where, in columns of a row up to `end`, the later of two polygons is seen rather than the one
 /// entered before it: before the column of the change or from it on.
 struct DecidedRun {
   int change, end;
@@ -12,14 +12,14 @@ struct DecidedRun {
   struct Columns {
     int first, end;
   };
-  /// Those from `first` on where the later one is seen.
+  /// The columns from `first` on where the later polygon is seen.
   Columns seen_from(int first) const {
     return seen_before_change ? Columns{first, change} : Columns{change, end};
   }
 };
 
-/// Of columns first <= i < end, which both polygons cover; at least one of them. later_is_seen(i)
-/// tells it, truly, for one column.
+/// Decides the columns first <= i < end, at least one, all of which both polygons cover.
+/// later_is_seen(i) tells truly whether the later polygon is seen in one column.
 ///
 /// Along a row the difference of two depths is linear: if it has one sign at both ends of a run,
 /// it has that sign between them; if not, it changes once, and halving finds where.

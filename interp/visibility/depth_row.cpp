@@ -70,7 +70,8 @@ bool DepthRow::hides_closely(double nearer, const Rest& rest) {
   return run_.later_is_seen(rest.column);
 }
 
-/// By exact arithmetic: at once for all that the two fills share, or else for a run of pixels.
+/// Decides by exact arithmetic: at once for all that the two fills share, or else for a run of
+/// pixels.
 DecidedRun DepthRow::decided_run(const Rest& rest) {
   const Owner owner = owner_[static_cast<std::size_t>(rest.column)];
   const Fill fill = drawn_.back().fill, other = drawn_[owner].fill;
@@ -79,7 +80,7 @@ DecidedRun DepthRow::decided_run(const Rest& rest) {
   });
 }
 
-/// Of the pixels from there on that show the same fill.
+/// The end of the pixels from there on that show the same fill.
 int DepthRow::end_of_run(const Rest& rest) const {
   const Owner* const owners = owner_.data();
   int end = rest.column + 1;

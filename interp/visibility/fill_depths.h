@@ -53,7 +53,7 @@ class FillDepths {
   std::vector<FillDepth> of_fill_;
 };
 
-/// Of a polygon (device coordinates) and the depth of its plane: bounds the error of the depth at
+/// Bounds, for a polygon (device coordinates) and the depth of its plane, the error of the depth at
 /// the centres that the polygon may cover, and the size of what is computed there.
 struct DepthBound {
   double error;    ///< infinity if it is not known

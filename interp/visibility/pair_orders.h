@@ -15,7 +15,8 @@ namespace displayfile {
 /// Which of two fills is seen where their rounded depths are too close to tell, remembered pair by
 /// pair: where one is seen all over what both can cover, as with coplanar and with parallel ones
 /// and with those that lie on one side of the other's plane, exact arithmetic is asked once and not
-/// for each centre; where it varies, what exact arithmetic found out of the pair is kept. For one
+/// for each centre; where it varies, what exact arithmetic found out of the pair is kept. Polygons
+/// that belong to no scene have no numbers to be remembered by: ClosePlanes compares them. For one
 /// thread.
 class PairOrders {
  public:
@@ -23,14 +24,15 @@ class PairOrders {
 
   explicit PairOrders(const ViewedScene& scene) : scene_(&scene) {}
 
-  /// Of two fills, the first of them entered first, wherever both cover a centre: `first` and
-  /// `second` are what is seen; it varies, or that is not found out without exact arithmetic.
+  /// Which of two fills is seen wherever both cover a centre: the `first`, entered first, or the
+  /// `second`; `varies` if that varies, or if it is not found out without exact arithmetic.
   enum class Order : std::uint8_t { varies, first, second };
   Order order_of(Fill earlier, Fill later);
-  /// The same, but of a pair that is met for the first time it is not looked for.
+  /// Does what order_of does, but does not look for the order of a pair that is met for the first
+  /// time.
   Order order_if_often(Fill earlier, Fill later);
 
-  /// The same at a centre that both cover.
+  /// True if the later fill is seen at a centre that both cover.
   bool later_is_seen(Fill earlier, Fill later, const PixelCentre& centre);
 
   /// What exact arithmetic has found out of the two.

@@ -17,7 +17,7 @@ class PairTable {
  public:
   using Fill = ViewedScene::Fill;
 
-  /// Of two fills, the first of them entered first; valid until the next call.
+  /// What is known of two fills; the reference is valid until the next call.
   Known& operator()(Fill earlier, Fill later) {
     if (places_.empty()) make_places(kFewest);
     Place* place = place_of(earlier, later);

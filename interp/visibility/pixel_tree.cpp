@@ -41,7 +41,7 @@ struct WideBox {
       least[k] = other.least[k] < least[k] ? other.least[k] : least[k];
     }
   }
-  /// In proportion to the packets that meet it.
+  /// A number in proportion to the packets that meet the box.
   double packets() const {
     const double columns = -static_cast<double>(least[2]) - least[0];
     const double rows = -static_cast<double>(least[3]) - least[1];

@@ -41,7 +41,7 @@ struct DeepPixelBox {
   }
 };
 
-/// Eight of them.
+/// Eight of these boxes.
 struct PixelBoxes {
   using Box = DeepPixelBox;
   static constexpr std::size_t kBoxes = 8;
@@ -56,7 +56,7 @@ struct PixelBoxes {
     end_row[k] = box.pixels.end_row;
     nearest[k] = box.nearest;
   }
-  /// Which share a centre with the rays'.
+  /// Which of the boxes share a centre with the rays' box.
   std::array<std::int32_t, kBoxes> meets(const PixelBox& rays) const {
     const auto below = [](std::int32_t a, std::int32_t b) { return a < b ? 1 : 0; };
     std::array<std::int32_t, kBoxes> met;

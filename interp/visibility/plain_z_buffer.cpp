@@ -66,7 +66,7 @@ class PlainZBuffer {
                Depth::kFarthest),
         seen_(depth_.size(), ViewedScene::kBackground) {}
 
-  /// In display-file coordinates.
+  /// Draws a polygon in display-file coordinates.
   void fill(std::span<const Point3> vertices, Number number) {
     make_edge_table(vertices);
     active_.clear();
@@ -86,7 +86,7 @@ class PlainZBuffer {
     return std::span(seen_).subspan(start_of(row), static_cast<std::size_t>(size_.width));
   }
 
-  /// As stored; minus infinity for the background.
+  /// The depths as stored; minus infinity for the background.
   std::vector<double> depths() const {
     std::vector<double> z(depth_.size());
     std::ranges::transform(depth_, z.begin(), [](const auto& stored) {
@@ -162,7 +162,7 @@ class PlainZBuffer {
   std::vector<Edge> edges_, active_;
 };
 
-/// As a method among others.
+/// The plain z-buffer as a method of a picture, among others.
 template <class Depth>
 class PlainMethod : public ImageSpaceMethod {
  public:
@@ -181,7 +181,7 @@ class PlainMethod : public ImageSpaceMethod {
   std::optional<PlainZBuffer<Depth>> z_buffer_;
 };
 
-/// By itself: numbers the fills from the interpreter.
+/// The plain z-buffer by itself: numbers the fills from the interpreter.
 template <class Depth>
 class PlainPicture : public OutputDevice {
  public:

@@ -18,7 +18,7 @@ class RayCast : public ImageSpaceMethod {
  public:
   void prepare(const Request& request, int threads) override;
   void draw_rows(int row_begin, int row_end, const SeenRun& seen) const override;
-  /// A packet's.
+  /// The rows of a packet.
   int rows_at_a_time() const override { return 8; }
 
  private:

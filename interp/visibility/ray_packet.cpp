@@ -32,7 +32,7 @@ bool RayPacket::begin_next_cast() {
   return true;
 }
 
-/// Of a depth that is no number the error is infinite, and then nothing is known to be hidden.
+/// The error of a depth that is no number is infinite, and then nothing is known to be hidden.
 void RayPacket::find_farthest() {
   std::array<double, kSide> least;
   std::copy_n(z_.begin(), kSide, least.begin());

@@ -67,7 +67,7 @@ class RayPacket {
   std::size_t index(int row, int column) const {
     return static_cast<std::size_t>((row - rays_.first_row) * kSide + column - rays_.first_column);
   }
-  /// By which depths are told apart: none while only the nearest is looked for.
+  /// The error by which depths are told apart: none while only the nearest is looked for.
   double error_of(Fill fill) const { return cast_ == Cast::for_fills ? depths_.error(fill) : 0.0; }
   bool hides_closely(Fill other, int column, int row) {
     return other == ViewedScene::kBackground || close_.hides(fill_, other, column, row);

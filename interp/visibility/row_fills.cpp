@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::size_t kMostSides = 16;  ///< of what is drawn as a convex polygon
 
-/// Of single precision, in any rounding mode; derived in interp/visibility/z_buffer.md.
+/// Bounds of what single precision loses, in any rounding mode; derived in
+/// interp/visibility/z_buffer.md.
 constexpr double kEdgeUnit = 0x1p-21, kDepthUnit = 0x1p-20, kDepthError = 0x1p-17;
 constexpr double kLargestEdgeError = 0.25;
 
@@ -87,7 +88,7 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, Fill fill
   if (turn != 0) make_edges(vertices, size, turn, made);
 }
 
-/// Of a side that runs up, the inside is on the left if the polygon runs counterclockwise.
+/// The inside is on the left of a side that runs up if the polygon runs counterclockwise.
 void RowFills::make_edges(std::span<const Point3> vertices, const PictureSize& size, int turn,
                           RowFill& made) {
   const auto rows = static_cast<double>(made.row_end - made.row_begin);

@@ -36,7 +36,7 @@ class RowFills {
   using Fill = ViewedScene::Fill;
 
   RowFills() = default;
-  /// On up to so many threads.
+  /// Makes them ready on up to so many threads.
   RowFills(const ViewedScene& scene, const PictureSize& size, int threads);
 
   Fill end() const { return static_cast<Fill>(fills_.size()); }

@@ -35,7 +35,10 @@ void ScanLineZ::prepare(const Request& request, int /*threads*/) {
   }
 }
 
-/// The rows from row_begin to row_end, one after the other from the bottom.
+/// The rows from row_begin to row_end, one after the other from the bottom. Its active edge list is
+/// not ActivePolygons, which keeps polygons in no order and an entry for each row of the picture:
+/// here the spans of a row are drawn in the order of entry, and nothing grows with the picture's
+/// height.
 class ScanLineZ::Sweep {
  public:
   Sweep(const ScanLineZ& method, int row_begin, int row_end)
@@ -102,8 +105,8 @@ void ScanLineZ::Sweep::find_active_below(int row) {
   std::ranges::sort(active_, {}, &ActivePolygon::fill);
 }
 
-/// Those that begin in this row. Spans are drawn in the order of entry, so that of equal depths
-/// the later one is seen.
+/// Enters the polygons that begin in this row. Spans are drawn in the order of entry, so that of
+/// equal depths the later one is seen.
 void ScanLineZ::Sweep::enter_polygons(int row) {
   const auto& table = method_.table_;
   const auto before = static_cast<std::ptrdiff_t>(active_.size());

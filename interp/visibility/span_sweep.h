@@ -101,7 +101,7 @@ inline void SpanSweep::add(const ActivePolygons::Polygon& polygon, ActivePolygon
   begins_[static_cast<std::size_t>(first) / 64] |= std::uint64_t{1} << (first % 64);
 }
 
-/// CloseDepths::hides, from what is at hand.
+/// Does what CloseDepths::hides does, from what is at hand.
 inline bool SpanSweep::hides(const Span& a, const Span& b, int column) {
   ++counts_.comparisons;
   const double nearer = a.depth(column) - b.depth(column);
@@ -111,9 +111,9 @@ inline bool SpanSweep::hides(const Span& a, const Span& b, int column) {
   return close_->hides_closely(a.fill, b.fill, column, row_);
 }
 
-/// Of two spans that have not ended at the column, the one seen there; the other becomes its child.
-/// What comes later is compared at the last column that both cover: along a row one plane passes
-/// another once at most.
+/// Returns the one of two spans, neither ended at the column, that is seen there; the other becomes
+/// its child. What comes later is compared at the last column that both cover: along a row one
+/// plane passes another once at most.
 template <class Hidden>
 SpanSweep::Index SpanSweep::meld(Index a, Index b, int column, Hidden&& hidden) {
   const bool a_seen = hides(spans_[a], spans_[b], column);

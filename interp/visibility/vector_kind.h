@@ -9,11 +9,11 @@ namespace displayfile {
 /// it is loaded.
 enum class VectorKind { baseline, sse4, avx2, avx512 };
 
-/// The widest; found at the first call.
+/// The widest vectors that can be run; found at the first call.
 VectorKind widest_vectors();
 
-/// Of the forms of a function, in the order of VectorKind and null if not compiled, the one for the
-/// widest vectors that can be run.
+/// The form of a function for the widest vectors that can be run. The forms are given in the order
+/// of VectorKind, null where not compiled.
 template <class Function>
 Function* widest_form(Function* baseline, Function* sse4, Function* avx2, Function* avx512) {
   const VectorKind widest = widest_vectors();

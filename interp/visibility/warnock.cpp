@@ -101,8 +101,8 @@ void Warnock::Subdivision::run(const std::function<void(const Visit&)>& watch) {
   }
 }
 
-/// Those of the parent's list that are not disjoint. A polygon that surrounds the parent's area
-/// surrounds this one too; the others are classified again.
+/// Lists the polygons of the parent's list that are not disjoint. A polygon that surrounds the
+/// parent's area surrounds this one too; the others are classified again.
 void Warnock::Subdivision::make_list(const Pending& pending) {
   area_ = pending.area;
   lists_.resize(pending.list_end);
@@ -117,7 +117,7 @@ void Warnock::Subdivision::make_list(const Pending& pending) {
   }
 }
 
-/// Of the polygons that surround the area, the one that is seen in its middle.
+/// The polygon that is seen in the middle of the area, among those that surround it.
 std::optional<Warnock::Fill> Warnock::Subdivision::nearest_surrounding() {
   const int column = area_.first_column + area_.columns() / 2;
   const int row = area_.first_row + area_.rows() / 2;
@@ -194,7 +194,8 @@ void Warnock::Subdivision::subdivide() {
   }
 }
 
-/// Where the fill is seen before what is there, in runs of pixels that show the same.
+/// Paints the fill where it is seen rather than what is there, in runs of pixels that show the
+/// same.
 void Warnock::Subdivision::paint(Fill fill, int row, int first, int end) {
   Fill* seen = row_of(row);
   while (first < end) {

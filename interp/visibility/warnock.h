@@ -52,7 +52,7 @@ class Warnock : public ImageSpaceMethod {
     std::span<const Listed> list;
     Decision decision;
   };
-  /// The same, and tells of every area visited: each before its parts.
+  /// Draws the rows, and tells of every area visited: each before its parts.
   void draw_rows(int row_begin, int row_end, const SeenRun& seen,
                  const std::function<void(const Visit&)>& watch) const;
 

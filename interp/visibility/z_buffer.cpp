@@ -119,7 +119,8 @@ class DepthDecisions : public BandDecisions {
     return own_;
   }
 
-  /// Where the depth of the fill begun is z, and the pixel shows another.
+  /// True if the fill begun, of depth z at the pixel, is seen rather than the fill that the pixel
+  /// shows.
   bool is_seen(int row, int column, double z, Fill other) {
     const FillDepth& other_depth = known_.of(other);
     const double nearer = z - finite(other_depth.depth.at(other_depth.depth.row(row), column));
@@ -135,7 +136,8 @@ class DepthDecisions : public BandDecisions {
     return std::clamp(z, -kLargest, kLargest);
   }
 
-  /// Of a difference that is known to within `error`, and on the picture no larger than `largest`.
+  /// A difference that is known to within `error`, and on the picture no larger than `largest`,
+  /// scaled for single precision.
   static DepthDifference in_single_precision(const DepthDifference& d, double largest,
                                              double error) {
     constexpr double kSingle = 0x1p-20, kLeast = 0x1p-900;

@@ -84,8 +84,8 @@ class RowDrawer {
     begun_ = true;
   }
 
-  /// Of the crossings of the sides on one side, taken as lines, the one that bounds the polygon in
-  /// a row is the rightmost of the left ones, the leftmost of the right ones.
+  /// The crossing that bounds the polygon in a row, on its left or on its right: with the sides
+  /// there taken as lines, the rightmost of the left crossings, the leftmost of the right ones.
   HWY_INLINE Floats crossing(const RowEdge* edges, int count, bool rightmost, Floats row) const {
     Floats x = hn::MulAdd(hn::Set(f_, edges[0].slope), row, hn::Set(f_, edges[0].x));
     for (int k = 1; k < count; ++k) {
@@ -419,8 +419,8 @@ class RowDrawer {
     }
   }
 
-  /// Of a fill that lies before or behind the one begun in all rows, neighbouring pixels and rows
-  /// are decided without looking at the difference again.
+  /// Remembers a fill that lies before or behind the one begun in all rows: neighbouring pixels and
+  /// rows are then decided without looking at the difference again.
   void keep_order(const DepthDifference& d) {
     const int order = order_over(d, box_);
     if (order != 0) ordered_ = {d.from, order > 0};
@@ -442,7 +442,7 @@ class RowDrawer {
               .z = 1.0};  // what is drawn over the background is seen
   }
 
-  /// From now on the one that is close.
+  /// The difference from the other fill, which is the close one from now on.
   const DepthDifference& difference_from(Fill other) {
     if (other == ViewedScene::kBackground) return close_ = {.from = other, .z = 1.0};
     Remembered& known = differences_[other % differences_.size()];
@@ -479,7 +479,7 @@ class RowDrawer {
   bool wholes_known_ = true;  // BandRows::whole is kept
   bool begun_ = false;
   Box box_{};  // that holds all that is drawn of the fill begun
-  /// From fills that were drawn before the one begun, by their numbers.
+  /// Differences from fills that were drawn before the one begun, by their numbers.
   struct Remembered {
     DepthDifference difference;
     std::uint64_t generation = 0;  // others are forgotten

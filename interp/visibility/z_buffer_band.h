@@ -66,9 +66,9 @@ class BandDecisions {
   virtual bool keep_the_nearest() const = 0;
   /// The fill that is drawn until the next call.
   virtual void begin(Fill fill) = 0;
-  /// Where the fill begun covers centres of these rows; valid until the next call.
+  /// The spans in which the fill begun covers centres of these rows; valid until the next call.
   virtual std::span<const Span> spans(int row_begin, int row_end) = 0;
-  /// Between the fill begun and another, by what is known of the two now.
+  /// The difference between the fill begun and another, by what is known of the two now.
   virtual DepthDifference difference_from(Fill other) = 0;
   /// Draws those pixels of a row, from `column`, whose bits are set, one after another: the fill
   /// begun covers them, and each shows another. True as soon as more is known of two fills than
@@ -77,11 +77,12 @@ class BandDecisions {
 };
 
 /// Draws the fills, given in order of entry, into rows that were cleared or drawn into before.
-/// In the widest vectors that the processor has; the fills seen are the same with any.
+/// Computes in the widest vectors that the processor has; the fills seen are the same with any.
 void draw_into_band(const RowFills& fills, std::span<const ViewedScene::Fill> to_draw,
                     const BandRows& rows, BandDecisions& decisions);
 
-/// The same with rounded decisions only, to measure what the exact ones cost.
+/// Draws as draw_into_band does, but with rounded decisions only, to measure what the exact ones
+/// cost.
 void draw_into_band_rounded(const RowFills& fills, std::span<const ViewedScene::Fill> to_draw,
                             const BandRows& rows, BandDecisions& decisions);
 

@@ -26,7 +26,7 @@ struct Mean {
 /// What is less than this part of another's time is clearly faster: two runs agree on it.
 constexpr double kClearly = 0.9;
 
-/// Of those that none is clearly faster than, the first in the tables.
+/// The first in the tables of those that none is clearly faster than.
 const Mean& best_of(std::span<const Mean> by_time) {
   const double most = by_time.front().time / kClearly;
   const auto end = std::ranges::find_if(by_time, [&](const Mean& m) { return m.time > most; });
@@ -59,7 +59,7 @@ std::vector<Mean> means(const Report& report, const Rows& rows,
   return all;
 }
 
-/// Of the fixed methods, one of which is to be advised.
+/// True for the fixed methods that are exact, one of which is to be advised.
 bool is_exact(const Column& column) { return column.exact && !column.is_automatic(); }
 std::optional<double> time_of(const Cell& cell) { return cell.time.median; }
 

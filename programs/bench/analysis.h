@@ -42,7 +42,7 @@ std::vector<Fit> fits(const Report& report);
 const Cell* measured(const SceneRow& row, std::string_view method, std::string_view precision,
                      int threads = 1);
 
-/// Of the scene's cells on one thread, those that no other beats both in time and in wrong pixels,
+/// Those of the scene's cells on one thread that no other beats both in time and in wrong pixels,
 /// by time.
 std::vector<const Cell*> pareto_front(const SceneRow& row);
 
@@ -64,18 +64,18 @@ std::optional<AutoBounds> auto_bounds(const Report& report);
 /// The scene of a name that is shown: that with the most polygons, and of these the largest
 /// picture.
 const SceneRow& shown_scene(const Report& report, std::string_view name);
-/// Of the scenes that are of this kind, in order.
+/// The names of the scenes that are of this kind, in order.
 std::vector<std::string> names(const Report& report, BenchScene::Kind kind);
 std::vector<std::string> names_but_hard_cases(const Report& report);
 
-/// What a scene's name is in a table: of an input that of its file.
+/// What a scene's name is in a table: for an input that of its file.
 std::string short_name(const std::string& scene);
 
 /// All but the hard cases and the walk: each picture is one by itself.
 std::vector<const SceneRow*> still_scenes(const Report& report);
 int most_threads(const Report& report);  ///< of any cell
 
-/// Of several ratios: that which they would all have to give the same product.
+/// The one value that several ratios would all have to have to give the same product.
 double geometric_mean(const std::vector<double>& values);
 
 /// A method at a precision, as a column or a curve.
@@ -97,8 +97,8 @@ struct Wrong {
     return pixels == 0 ? 0.0 : 100.0 * static_cast<double>(wrong) / static_cast<double>(pixels);
   }
 };
-/// Of one family, or of all if the name is empty; on one thread. `gap` limits them to that severity
-/// of the families with a gap, unless it is negative.
+/// The wrong pixels of one family, or of all if the name is empty; on one thread. `gap` limits them
+/// to that severity of the families with a gap, unless it is negative.
 Wrong wrong_pixels(const Report& report, std::string_view family, const Column& column,
                    double gap = -1.0);
 

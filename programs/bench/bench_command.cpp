@@ -70,7 +70,7 @@ std::vector<int> thread_counts(const BenchCommand& command) {
   return counts;
 }
 
-/// Of the scenes of a name, the one that is measured whole; the others show how times grow.
+/// True for the scene of its name that is measured whole; the others show how times grow.
 bool is_largest(const BenchScene& scene, const std::vector<BenchScene>& scenes) {
   return std::ranges::none_of(scenes, [&](const BenchScene& other) {
     return other.name == scene.name &&

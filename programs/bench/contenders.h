@@ -24,9 +24,9 @@ class Drawing {
   virtual ~Drawing() = default;
   /// A picture from the display file, with nothing kept from earlier ones.
   virtual void draw_anew() = 0;
-  /// The same picture again, with all that the last one left; after draw_anew.
+  /// Draws the picture again, with all that the last drawing left; after draw_anew.
   virtual void draw_again() { draw_anew(); }
-  /// The same again with the item buffer and the depths; after draw_anew.
+  /// Draws the picture again with the item buffer and the depths; after draw_anew.
   virtual Picture judged() = 0;
   /// Polygons and lines after the sort of a method that sorts; after judged.
   virtual std::optional<std::uint64_t> pieces() const { return std::nullopt; }
@@ -44,7 +44,7 @@ struct Contender {
   bool exact;             ///< claims that no pixel is wrong
   bool threaded;          ///< can use several threads here
   bool counted;           ///< its memory comes from operator new, its predicates are ours
-  /// Of a display file that lives on.
+  /// Makes the drawing of a display file that lives on.
   std::function<std::unique_ptr<Drawing>(const DisplayFile&, const Frame&)> draw;
 
   std::string name() const { return precision.empty() ? method : method + ", " + precision; }

@@ -15,7 +15,7 @@ struct CountedMemory {
 /// it. Counts, the same in every run that allocates in the same order.
 CountedMemory counted_memory(const std::function<void()>& work);
 
-/// Of these the bytes.
+/// The most bytes that counted_memory counts as held.
 inline std::int64_t most_bytes_held(const std::function<void()>& work) {
   return counted_memory(work).most_bytes;
 }

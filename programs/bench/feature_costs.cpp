@@ -61,7 +61,7 @@ struct Memory {
   CountedMemory counted;
 };
 
-/// Of a second drawing: what is made once for all is there.
+/// The memory of a second drawing: what is made once for all is there.
 Memory memory_of(const FeatureUse& use, const Scene& scene) {
   Memory memory;
   draw_with(use, scene,
@@ -86,7 +86,7 @@ double spare_bytes_a_polygon() {
   return per_polygon(spare(kFeaturePolygons) - spare(kFew), kFeaturePolygons - kFew);
 }
 
-/// Of each drawing, or why there are none.
+/// The counts of each drawing; `not_counted` says why there are none.
 std::map<std::string_view, WorkCount> instructions(std::string& not_counted) {
   std::map<std::string_view, WorkCount> counts;
   const auto drawn = drawings();
@@ -119,7 +119,7 @@ void add_memory(const Memory& off, const Memory& on, FeatureRow& row) {
   row.most_bytes = {off.counted.most_bytes, on.counted.most_bytes};
 }
 
-/// Of the functions that are the feature's own.
+/// What the functions cost that are the feature's own.
 FeatureRow::Own own(const WorkCount& work, const Feature& feature) {
   return {work.instructions_of(feature.functions), work.allocations_of(feature.functions)};
 }

@@ -23,7 +23,7 @@ struct Measurer::Scene {
 
   explicit Scene(const BenchScene& s);
   std::unique_ptr<Drawing> drawing(const Contender& contender, int threads) const;
-  /// Of work on so many threads; `once` is about what it takes.
+  /// The time of work on so many threads over that of the reference; `once` is about what it takes.
   Spread over_reference(const Effort& effort, int threads, double once, const auto& work) const;
   double polygons() const { return static_cast<double>(file.polygons()); }
   double pixels() const { return static_cast<double>(scene.pixels()); }

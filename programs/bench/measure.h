@@ -26,7 +26,7 @@ class Measurer {
   /// The scene that is measured from now on, with its truth. Scenes of a name grow from the first.
   void take(const BenchScene& scene, const Effort& effort);
   std::size_t polygons() const;
-  /// Of the reference, as in SceneRow.
+  /// The growth of the reference's time, as in SceneRow.
   Spread growth();
 
   Cell measure(const Contender& contender, int threads);

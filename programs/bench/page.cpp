@@ -347,7 +347,7 @@ class Page {
            svg(map) + "</div>\n";
   }
 
-  /// Of the shown scenes: a row a contender, a column a scene.
+  /// A table of the shown scenes: a row a contender, a column a scene.
   std::string matrix(const std::string& head, const std::function<bool(const Column&)>& shown,
                      const std::function<std::string(const SceneRow&, const Cell&)>& value) const {
     std::vector<std::string> heads{head};

@@ -49,7 +49,7 @@ struct SceneRow {
 
 /// What a feature costs; "off" is a drawing without it and "on" one with it.
 struct FeatureRow {
-  /// Of the functions that only the feature needs.
+  /// What the functions cost that only the feature needs.
   struct Own {
     std::uint64_t instructions = 0, allocations = 0;
   };

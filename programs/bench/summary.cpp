@@ -83,7 +83,7 @@ std::optional<Summary> wrong_pixels_of_hard_cases(const Report& report) {
     for (const Column& column : all) {
       const Wrong sum = wrong_pixels(report, "", column);
       if (column.method != method || sum.pixels == 0) continue;
-      // Of a peer that cannot draw some of them.
+      // A peer may have drawn only some of the pixels.
       const std::string count =
           sum.pixels == pixels ? grouped(sum.wrong)
                                : fmt::format("{} of {}", grouped(sum.wrong), grouped(sum.pixels));
@@ -102,7 +102,8 @@ std::optional<Summary> wrong_pixels_of_hard_cases(const Report& report) {
   return summary;
 }
 
-/// Of a name, that with the largest picture, and of these with the most polygons.
+/// The scene of that name with the largest picture, and of several such the one with the most
+/// polygons.
 const SceneRow& largest_picture(const Report& report, std::string_view name) {
   const SceneRow* largest = nullptr;
   for (const SceneRow& row : report.scenes) {

@@ -17,7 +17,7 @@ struct Summary {
   /// The first is the head; none: no table.
   std::vector<std::vector<std::string>> rows;
 
-  /// Of a column of the table: numbers stand to the right.
+  /// True if the column is of numbers, which stand to the right.
   bool is_of_numbers(std::size_t column) const;
 };
 

@@ -20,7 +20,8 @@ struct HardCase {
   Scene (*make)(std::size_t n, double severity, std::uint64_t seed);
   std::string_view hard;  ///< what is hard about it, for the document
 
-  /// Of those with a gap that shrinks, in powers of ten, the sweep shows where each method breaks.
+  /// True for those with a gap that shrinks in powers of ten: the sweep shows where each method
+  /// breaks.
   bool has_gap() const { return severity_means == "gap 10^-s"; }
 };
 

@@ -44,7 +44,7 @@ struct Scene {
 /// are the ordinals.
 void enter(const Scene& scene, GraphicsSystem& system);
 
-/// The same into a new system.
+/// Enters the scene into a new system.
 GraphicsSystem entered(const Scene& scene);
 
 }  // namespace displayfile

@@ -106,7 +106,7 @@ std::vector<Drawer> drawers(const Options& options) {
   return all;
 }
 
-/// Of the pixels that polygons cover: how many polygons cover one, on the average, and how many a
+/// Averages over the pixels that polygons cover: how many polygons cover one, and how many pixels a
 /// polygon covers in a row.
 struct Cover {
   double deep, wide;

@@ -301,7 +301,7 @@ void memory(const std::string& program, const Options& options, std::vector<Resu
   }
 }
 
-/// Of the polygons entered, of which the tree makes more.
+/// Counts the polygons as entered, of which the tree makes more.
 Result traversal_of(const DeviceScene& scene) {
   constexpr double kAsked = 20e6;
   constexpr int kEyes = 64;

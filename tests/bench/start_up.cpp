@@ -22,7 +22,7 @@
 namespace displayfile::bench {
 namespace {
 
-/// Of a whole process. The memory is at least this program's own, which is small.
+/// The cost of a whole process. The memory is at least this program's own, which is small.
 struct Cost {
   double wall, processor;  // seconds
   double peak_memory;      // bytes

@@ -8,7 +8,7 @@
 
 namespace displayfile::bench {
 
-/// Of a word that is not empty, one after the other.
+/// How often a word that is not empty occurs, without overlaps.
 inline std::size_t occurrences(std::string_view text, std::string_view word) {
   std::size_t found = 0;
   for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + word.size())) {

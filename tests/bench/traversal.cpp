@@ -16,7 +16,7 @@ Point3 direction(int k, int of) {
   return {r * std::cos(angle), r * std::sin(angle), z};
 }
 
-/// Of a scene in the unit cube.
+/// Eye k of so many, for a scene in the unit cube.
 Eye eye(int k, int of) {
   const Point3 from = direction(k, of);
   switch (k % 4) {

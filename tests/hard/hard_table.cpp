@@ -173,7 +173,7 @@ bool exact_methods_are_right(const std::vector<TableRow>& rows,
   return right;
 }
 
-/// Of all methods and scenes together.
+/// Prints the counts of all methods and scenes together.
 void print_exact_stage_counts() {
   fmt::print("The predicates' exact stage was asked:\n");
   const PredicateCounts counts = predicate_counts();

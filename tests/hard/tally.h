@@ -29,7 +29,7 @@ struct TableRow {
 /// For people: rows and columns aligned, with the total.
 std::string text_table(std::span<const TableRow> rows, std::span<const Method> methods,
                        const std::string& first_column);
-/// The same in Markdown.
+/// The same table in Markdown.
 std::string markdown_table(std::span<const TableRow> rows, std::span<const Method> methods,
                            const std::string& first_column);
 /// For programs: comma-separated, one line a row, without the total.

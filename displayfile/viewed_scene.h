@@ -97,7 +97,7 @@ class ViewedScene {
   std::uint32_t first_vertex(Fill fill) const { return items_[item_of(fill)].first; }
   std::size_t all_vertices() const { return points_.size(); }
   double largest_depth() const { return largest_depth_; }  ///< of the fills' vertices, |z|
-  /// Through the support vertices (the design's section 4), which are not in line.
+  /// Through the support vertices (interp/truth/truth.md), which are not in line.
   Plane plane(Fill fill) const {
     const Item item = item_of(fill);
     const Point3* const v = points_.data() + items_[item].first;

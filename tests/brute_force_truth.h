@@ -15,7 +15,7 @@
 #include "displayfile/display_file.h"
 #include "interp/picture.h"
 
-// The definition of truth (the design's section 4) in rationals, in the most naive way that can
+// The definition of truth (interp/truth/truth.md) in rationals, in the most naive way that can
 // be read against it: every row, every polygon, every edge, every centre. It shares no line with
 // interp/truth/truth.cpp or with any method. For small pictures and few polygons: about 10 ms for 8
 // polygons at 32 x 32.

@@ -48,7 +48,7 @@ struct Mesh {
 };
 
 /// Reads a mesh: OBJ, OFF, PLY and STL in the precision of the file, any other format through the
-/// import library (import_library.h); mesh.md tells what is read of each. An object is an object
+/// import library (import_library.h); README.md tells what is read of each. An object is an object
 /// or a group of OBJ, a solid of an STL text, a node of the library's scene, or else the whole
 /// file. Throws Error, naming the file and, where known, line and column: unreadable, unknown
 /// format, truncated, an index out of range, a coordinate that is not finite or larger than

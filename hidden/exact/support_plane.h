@@ -9,7 +9,7 @@
 namespace displayfile {
 
 /// The three vertices whose plane is the polygon's depth everywhere (the support plane of
-/// the design's definition of truth): a triangle's own; otherwise the first vertex p, the
+/// the definition in interp/truth/truth.md): a triangle's own; otherwise the first vertex p, the
 /// one farthest from p in the projection, and the one farthest from the line through both
 /// in the projection, first of equals. Device coordinates.
 struct SupportVertices {

@@ -16,8 +16,8 @@ namespace displayfile {
 /// ViewedScene::kBackground where there is none. Rows count from the bottom.
 using SeenRun = std::function<void(int row, int first, std::span<const ViewedScene::Fill> seen)>;
 
-/// A way to find hidden surfaces in image space: which fill is seen at each pixel centre (the
-/// design's section 4). Each method is one file and one line in the list of image_space_methods().
+/// A way to find hidden surfaces in image space: which fill is seen at each pixel centre
+/// (interp/truth/truth.md). Each method is one file and one line in the list of image_space_methods().
 class ImageSpaceMethod {
  public:
   virtual ~ImageSpaceMethod() = default;

@@ -18,7 +18,7 @@ inline bool is_pixel(const SampleArea& area) { return area.columns() == 1 && are
 /// it covers none.
 enum class AreaCategory { surrounding, intersecting, contained, disjoint };
 
-/// True if the polygon covers the centre by the definition (the design's section 4): exact.
+/// True if the polygon covers the centre by the definition (interp/truth/truth.md): exact.
 bool covers(std::span<const Point3> polygon, const PixelCentre& centre);
 
 /// The category of a polygon with these extents. Surrounding and disjoint are never said in error;

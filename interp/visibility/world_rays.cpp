@@ -157,7 +157,7 @@ bool clip(const Linear<Number>& inside, std::vector<WorldPoint<Number>>& points,
   return true;
 }
 
-/// Even-odd, as the design's section 4 has it: 1, 0, or kUndecided.
+/// Even-odd, as interp/truth/truth.md defines it: 1, 0, or kUndecided.
 template <class Number>
 int covers(const std::vector<WorldPoint<Number>>& points, const Ray<Number>& ray) {
   if (points.empty()) return 0;

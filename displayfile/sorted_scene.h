@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -98,7 +97,7 @@ class PieceWriter {
     const int name = scene().segment_name(item);
     if (name == segment_) return;
     segment_ = name;
-    pen_.reset();
+    pen_known_ = false;
     if constexpr (requires { visit_.segment(name); }) visit_.segment(name);
   }
 
@@ -107,13 +106,14 @@ class PieceWriter {
     const auto points = points_of(piece);
     if (scene().kind(piece.item) == Primitives::Kind::line) {
       check_line_style(piece.item);
-      if (pen_ != points[0]) visit_.move(points[0]);
+      if (!pen_known_ || pen_ != points[0]) visit_.move(points[0]);
       visit_.line(points[1]);
     } else {
       check_fill_style(piece.item);
       check_line_style(piece.item);
       send_polygon(piece, points);
     }
+    pen_known_ = true;
     pen_ = points.back();
   }
 
@@ -132,7 +132,8 @@ class PieceWriter {
   }
   void check_line_style(std::uint32_t item) {
     const LineStyle& style = scene().line_style(item);
-    if (line_ == style) return;
+    if (line_known_ && line_ == style) return;
+    line_known_ = true;
     line_ = style;
     visit_.line_style(style);
   }
@@ -163,7 +164,8 @@ class PieceWriter {
       }
       points = padded_;
     }
-    if (const std::int32_t pick = scene().pick_of_item(piece.item); pick_ != pick) {
+    if (const std::int32_t pick = scene().pick_of_item(piece.item); !pick_known_ || pick_ != pick) {
+      pick_known_ = true;
       pick_ = pick;
       visit_.pick(pick);
     }
@@ -186,9 +188,10 @@ class PieceWriter {
   Visitor& visit_;
   const OrderedScene* ordered_ = nullptr;
   FillInForce fill_;
-  std::optional<LineStyle> line_;
-  std::optional<std::int32_t> pick_;
-  std::optional<Point3> pen_;
+  bool line_known_ = false, pick_known_ = false, pen_known_ = false;
+  LineStyle line_;
+  std::int32_t pick_ = 0;
+  Point3 pen_{0.0};
   int segment_ = 0;  // names are 1 or more
   std::vector<std::int32_t> sides_;
   std::vector<Point3> padded_;

@@ -77,6 +77,14 @@ class ViewedScene {
   }
   const Colour& fill_colour(Item item) const;  ///< of the fill of a solid polygon
   const LineStyle& line_style(Item item) const;
+  /// What the items from `first` on are drawn in.
+  template <class Style>
+  struct Run {
+    Item first;
+    Style style;
+  };
+  /// The colours of all fills, for who goes through them in order.
+  std::span<const Run<Colour>> fill_colours() const { return colours_; }
   std::int32_t pick_of_item(Item item) const { return pick_[item]; }  ///< a line's has no meaning
 
   /// The segments' names, and where their items begin. None if the scene names no segments.
@@ -118,12 +126,6 @@ class ViewedScene {
 
  private:
   struct Collector;
-  /// What the items from `first` on are drawn in.
-  template <class Style>
-  struct Run {
-    Item first;
-    Style style;
-  };
   /// What the scene was made of.
   struct Source {
     std::shared_ptr<const Instructions> instructions;

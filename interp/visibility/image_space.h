@@ -17,7 +17,8 @@ namespace displayfile {
 using SeenRun = std::function<void(int row, int first, std::span<const ViewedScene::Fill> seen)>;
 
 /// A way to find hidden surfaces in image space: which fill is seen at each pixel centre
-/// (interp/truth/truth.md). Each method is one file and one line in the list of image_space_methods().
+/// (interp/truth/truth.md). Each method is one file and one line in the list of
+/// image_space_methods().
 class ImageSpaceMethod {
  public:
   virtual ~ImageSpaceMethod() = default;

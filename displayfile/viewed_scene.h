@@ -105,7 +105,7 @@ class ViewedScene {
   std::uint32_t first_vertex(Fill fill) const { return items_[item_of(fill)].first; }
   std::size_t all_vertices() const { return points_.size(); }
   double largest_depth() const { return largest_depth_; }  ///< of the fills' vertices, |z|
-  /// Through the support vertices (interp/truth/truth.md), which are not in line.
+  /// The plane through the support vertices (interp/truth/truth.md), which are not in line.
   Plane plane(Fill fill) const {
     const Item item = item_of(fill);
     const Point3* const v = points_.data() + items_[item].first;
@@ -118,7 +118,7 @@ class ViewedScene {
   }
   bool has_shades() const { return !first_intensity_.empty(); }  ///< some polygon is shaded
   bool has_shadows() const { return !shadows_.empty(); }         ///< some fill shows them
-  /// Null if none is seen on the fill, which is not the background.
+  /// The shadow of a fill that is not the background; null if none is seen on it.
   const FillShadow* shadow(Fill fill) const { return shadow_of_item(item_of(fill)); }
 
   bool has_lines() const { return has_lines_; }  ///< or polygons with visible edges

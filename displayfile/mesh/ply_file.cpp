@@ -149,7 +149,7 @@ class PlyText {
     return text_.announced(next(place), "values of a list", 2);
   }
   void skip(PlyType, const PlyPlace& place) { next(place); }
-  /// About the value that was read last.
+  /// Throws Error about the value that was read last.
   [[noreturn]] void fail(const PlyPlace&, const std::string& what) const {
     text_.fail(last_, what);
   }

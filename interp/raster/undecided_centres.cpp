@@ -36,7 +36,7 @@ Pixels centres_in(const Interval& interval, int begin, int end) {
 struct RealBox {
   Interval x, y;
 };
-/// In pixel units.
+/// The polygon's bounding box with a margin, in pixel units.
 RealBox bounding_box(std::span<const Point3> polygon, const PictureSize& size,
                      const Point2& margin) {
   const FlatExtent e = flat_extent(polygon);

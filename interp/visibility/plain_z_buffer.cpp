@@ -220,7 +220,7 @@ class PlainPicture : public OutputDevice {
   std::vector<std::int32_t> picks_{-1};
 };
 
-/// Calls work(policy) with the format's.
+/// Calls work(policy) with the format's policy.
 template <class Work>
 auto with_depth(DepthFormat format, Work&& work) {
   switch (format) {

@@ -22,7 +22,7 @@ void RayPacket::begin(const PixelBox& rays) {
   changed_ = false;
 }
 
-/// The depths stay: they are the nearest.
+/// The depths of the first cast stay: they are the nearest.
 bool RayPacket::begin_next_cast() {
   if (cast_ == Cast::for_fills) return false;
   cast_ = Cast::for_fills;

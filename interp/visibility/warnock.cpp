@@ -177,8 +177,8 @@ void Warnock::Subdivision::scan_convert() {
   }
 }
 
-/// Into quarters; an area more than twice as long as it is wide into halves, so that areas come
-/// near to squares.
+/// Divides the area into quarters; an area more than twice as long as it is wide into halves, so
+/// that areas come near to squares.
 void Warnock::Subdivision::subdivide() {
   const auto [left, right, bottom, top] = area_;
   const int columns = area_.columns(), rows = area_.rows();

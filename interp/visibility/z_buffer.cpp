@@ -39,7 +39,7 @@ class KnownDepths {
   std::vector<Known> known_;
 };
 
-/// First in doubles, and then exactly by exact arithmetic; or as the textbook's SIGNOF does: closer
+/// Decides first in doubles, and then by exact arithmetic; or as the textbook's SIGNOF does: closer
 /// than ROUNDOFF counts as equal, and of equals the later is seen.
 class DepthDecisions : public BandDecisions {
  public:
@@ -58,7 +58,7 @@ class DepthDecisions : public BandDecisions {
     return static_cast<float>(margin) * (1.0F + 0x1p-20F);
   }
 
-  /// Equal within ROUNDOFF may be farther, and so step by step much farther.
+  /// What is equal within ROUNDOFF may be farther, and so step by step much farther.
   bool keep_the_nearest() const override { return !roundoff_; }
 
   void begin(Fill fill) override { fill_ = fill; }

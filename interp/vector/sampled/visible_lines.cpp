@@ -8,6 +8,8 @@ namespace displayfile {
 
 namespace {
 
+using Fill = ViewedScene::Fill;
+
 constexpr double kStepsPerPixel = 2.0;
 /// Of half a pixel: to 1/2048 pixel.
 constexpr int kBisections = 10;
@@ -22,18 +24,18 @@ double slope(const PixelDepth& depth) { return std::abs(depth.dz_dx) + std::abs(
 
 }  // namespace
 
-VisibleLines::VisibleLines(const CollectedDrawing& drawing) : drawing_(drawing) {}
+VisibleLines::VisibleLines(const SampledScene& drawing) : drawing_(drawing) {}
 
 /// Clips the line to the picture and half its width around it (Liang and Barsky).
-VisibleLines::Steps VisibleLines::steps_of(const CollectedDrawing::Line& line) const {
+VisibleLines::Steps VisibleLines::steps_of(const SampledScene::Line& line) const {
   const Point3 a = drawing_.to_pixels(line.from), b = drawing_.to_pixels(line.to);
   for (const double v : {a.x, a.y, a.z, b.x, b.y, b.z}) {
     if (!std::isfinite(v)) return {};
   }
-  const double reach = drawing_.line_styles[line.style].width / 2 + 1.0;
+  const double reach = line.style.width / 2 + 1.0;
   double enter = 0.0, leave = 1.0;
-  const double size[2] = {static_cast<double>(drawing_.width),
-                          static_cast<double>(drawing_.height)};
+  const double size[2] = {static_cast<double>(drawing_.size.width),
+                          static_cast<double>(drawing_.size.height)};
   for (int axis = 0; axis < 2; ++axis) {
     for (const double sign : {1.0, -1.0}) {
       const double bound = sign > 0.0 ? -reach : size[axis] + reach;
@@ -49,19 +51,21 @@ VisibleLines::Steps VisibleLines::steps_of(const CollectedDrawing::Line& line) c
           std::max(std::int64_t{1}, static_cast<std::int64_t>(std::ceil(length * kStepsPerPixel)))};
 }
 
-Point3 VisibleLines::point(const CollectedDrawing::Line& line, double t) const {
+Point3 VisibleLines::point(const SampledScene::Line& line, double t) const {
   return drawing_.to_pixels(line.from + t * (line.to - line.from));
 }
 
 /// The row that judges a point; beyond the picture, its nearest row.
-int VisibleLines::row_of(const CollectedDrawing::Line& line, double t) const {
-  return static_cast<int>(std::clamp(std::floor(point(line, t).y), 0.0, drawing_.height - 1.0));
+int VisibleLines::row_of(const SampledScene::Line& line, double t) const {
+  return static_cast<int>(
+      std::clamp(std::floor(point(line, t).y), 0.0, drawing_.size.height - 1.0));
 }
 
-std::vector<ItemsByRow::Rows> VisibleLines::rows() const {
-  std::vector<ItemsByRow::Rows> rows;
+std::vector<ActiveByRow::Rows> VisibleLines::rows() const {
+  std::vector<ActiveByRow::Rows> rows;
   rows.reserve(drawing_.lines.size());
-  for (const CollectedDrawing::Line& line : drawing_.lines) {
+  for (std::uint32_t index = 0; index < drawing_.lines.size(); ++index) {
+    const SampledScene::Line line = drawing_.line(index);
     const Steps steps = steps_of(line);
     if (steps.count < 0) {
       rows.push_back({1, 0});
@@ -73,37 +77,36 @@ std::vector<ItemsByRow::Rows> VisibleLines::rows() const {
   return rows;
 }
 
-bool VisibleLines::visible(const SeenBand& band, const CollectedDrawing::Line& line,
-                           double t) const {
+bool VisibleLines::visible(const SeenBand& band, const SampledScene::Line& line, double t) const {
   const Point3 p = point(line, t);
   const auto centre = [](double v, int first, int end) {
     return static_cast<int>(std::clamp(std::floor(v), static_cast<double>(first), end - 1.0));
   };
-  std::array<std::uint32_t, 4> tried{};
+  std::array<Fill, 4> tried{};
   std::size_t tries = 0;
   bool all_nearer = true;
   for (int k = 0; k < 4; ++k) {
-    const int i = centre(p.x - 0.5 + (k & 1), 0, drawing_.width);
+    const int i = centre(p.x - 0.5 + (k & 1), 0, drawing_.size.width);
     const int j = centre(p.y - 0.5 + (k >> 1), band.first_row_kept(), band.end_row_kept());
-    const std::uint32_t seen = band.seen(i, j);
-    if (seen == SeenBand::kBackground || seen == line.polygon) {
+    const Fill seen = band.seen(i, j);
+    if (seen == ViewedScene::kBackground || seen == line.fill) {
       all_nearer = false;
       continue;
     }
-    const CollectedDrawing::Polygon& fill = drawing_.polygons[seen];
-    all_nearer = all_nearer && band.depth(i, j) - slope(fill.depth) > p.z + kDepthTolerance;
+    const SampledScene::Depths& fill = drawing_.depths[seen];
+    all_nearer = all_nearer && band.depth(i, j) - slope(fill.plane) > p.z + kDepthTolerance;
     if (std::find(tried.begin(), tried.begin() + tries, seen) != tried.begin() + tries) continue;
     tried[tries++] = seen;
-    const double z = std::clamp(fill.depth.at_point(p.x, p.y), fill.farthest, fill.nearest);
-    if (z > p.z + kDepthTolerance + kPixelTolerance * slope(fill.depth) &&
-        drawing_.covers(fill, p.x, p.y)) {
+    const double z = std::clamp(fill.plane.at_point(p.x, p.y), fill.farthest, fill.nearest);
+    if (z > p.z + kDepthTolerance + kPixelTolerance * slope(fill.plane) &&
+        drawing_.covers(seen, p.x, p.y)) {
       return false;
     }
   }
   return !all_nearer;
 }
 
-double VisibleLines::find_change(const SeenBand& band, const CollectedDrawing::Line& line,
+double VisibleLines::find_change(const SeenBand& band, const SampledScene::Line& line,
                                  double before, double after, bool visible_before) const {
   for (int i = 0; i < kBisections; ++i) {
     const double middle = 0.5 * (before + after);
@@ -114,7 +117,7 @@ double VisibleLines::find_change(const SeenBand& band, const CollectedDrawing::L
 
 /// Rows only grow, or only fall, along a line, so the step is found by halving; one beyond the
 /// last if there is none.
-std::int64_t VisibleLines::first_step_in(const SeenBand& band, const CollectedDrawing::Line& line,
+std::int64_t VisibleLines::first_step_in(const SeenBand& band, const SampledScene::Line& line,
                                          const Steps& steps) const {
   const bool rising = row_of(line, steps.from) <= row_of(line, steps.to);
   const auto before_band = [&](std::int64_t k) {
@@ -135,7 +138,7 @@ std::int64_t VisibleLines::first_step_in(const SeenBand& band, const CollectedDr
 
 void VisibleLines::look(const SeenBand& band, std::span<const std::uint32_t> lines) {
   for (const std::uint32_t index : lines) {
-    const CollectedDrawing::Line& line = drawing_.lines[index];
+    const SampledScene::Line line = drawing_.line(index);
     const Steps steps = steps_of(line);
     // Each step belongs to the band that holds the row of its beginning.
     const auto in_band = [&](std::int64_t k) {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "interp/vector/sampled/collected_drawing.h"
+#include "interp/vector/sampled/sampled_scene.h"
 #include "interp/vector/sampled/seen_band.h"
 
 namespace displayfile {
@@ -23,10 +23,10 @@ class VisibleLines {
     double from, to;
   };
 
-  explicit VisibleLines(const CollectedDrawing& drawing);
+  explicit VisibleLines(const SampledScene& drawing);
 
-  /// The rows that each line reaches, for ItemsByRow.
-  std::vector<ItemsByRow::Rows> rows() const;
+  /// The rows that each line reaches, for ActiveByRow.
+  std::vector<ActiveByRow::Rows> rows() const;
   /// Looks at the steps that lie in the band's rows, of these lines. To be called once a band.
   void look(const SeenBand& band, std::span<const std::uint32_t> lines);
   /// To be called when all bands were looked at.
@@ -52,16 +52,16 @@ class VisibleLines {
     bool to_visible;
   };
 
-  Steps steps_of(const CollectedDrawing::Line& line) const;
-  std::int64_t first_step_in(const SeenBand& band, const CollectedDrawing::Line& line,
+  Steps steps_of(const SampledScene::Line& line) const;
+  std::int64_t first_step_in(const SeenBand& band, const SampledScene::Line& line,
                              const Steps& steps) const;
-  Point3 point(const CollectedDrawing::Line& line, double t) const;
-  int row_of(const CollectedDrawing::Line& line, double t) const;
-  bool visible(const SeenBand& band, const CollectedDrawing::Line& line, double t) const;
-  double find_change(const SeenBand& band, const CollectedDrawing::Line& line, double before,
+  Point3 point(const SampledScene::Line& line, double t) const;
+  int row_of(const SampledScene::Line& line, double t) const;
+  bool visible(const SeenBand& band, const SampledScene::Line& line, double t) const;
+  double find_change(const SeenBand& band, const SampledScene::Line& line, double before,
                      double after, bool visible_before) const;
 
-  const CollectedDrawing& drawing_;
+  const SampledScene& drawing_;
   std::vector<Change> changes_;
   std::vector<std::size_t> first_change_;  // of each line, once finished
   std::vector<Part> parts_;

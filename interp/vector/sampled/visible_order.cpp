@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "interp/picture.h"
-#include "interp/vector/sampled/collected_drawing.h"
 #include "interp/vector/sampled/drawing_order.h"
+#include "interp/vector/sampled/sampled_scene.h"
 #include "interp/vector/sampled/seen_band.h"
 #include "interp/vector/sampled/visible_lines.h"
 
@@ -15,16 +15,18 @@ namespace displayfile {
 
 namespace {
 
+using Fill = ViewedScene::Fill;
+
 /// Of the z-buffer at one time.
 constexpr int kPixelsPerBand = 1 << 22;
 
-/// A polygon that reaches no centre is compared with the pixels it touches if these are few.
+/// A fill that reaches no centre is compared with the pixels it touches if these are few.
 constexpr int kFewPixels = SeenBand::kMargin - 2;
 
-/// A polygon beyond what is seen by less than this is kept: it may be part of the same surface.
+/// A fill beyond what is seen by less than this is kept: it may be part of the same surface.
 constexpr double kSameSurface = 1e-6;
 
-/// What the z-buffer tells of the polygons.
+/// What the z-buffer tells of the fills.
 struct Visibility {
   std::vector<std::uint8_t> drawn;  ///< seen somewhere, or reaching no centre and not hidden
   std::vector<Overlap> overlaps;
@@ -33,120 +35,116 @@ struct Visibility {
 /// The picture's rows, band by band from the bottom.
 class Bands {
  public:
-  explicit Bands(const CollectedDrawing& drawing) : drawing_(drawing), band_(drawing) {
-    rows_.reserve(drawing.polygons.size());
-    for (const auto& p : drawing.polygons) {
-      rows_.push_back(p.filled ? ItemsByRow::Rows{p.first_row, p.last_row}
-                               : ItemsByRow::Rows{1, 0});
+  explicit Bands(const SampledScene& drawing) : drawing_(drawing), band_(drawing) {
+    rows_.reserve(drawing.scene.end());
+    rows_.push_back({1, 0});  // the background
+    for (Fill fill = 1; fill < drawing.scene.end(); ++fill) {
+      rows_.push_back(rows_reached(drawing.scene.vertices(fill), drawing.size.height));
     }
   }
 
-  /// Calls use(band, polygons that reach it). A picture of one band keeps it for the next time.
+  /// Calls use(band, fills that reach it). A picture of one band keeps it for the next time.
   template <class Use>
   void for_each(Use&& use) {
-    ItemsByRow polygons(rows_);
-    const int step = std::max(SeenBand::kMargin, kPixelsPerBand / drawing_.width);
-    for (int row = 0; row < drawing_.height; row += step) {
-      const int end = std::min(drawing_.height, row + step);
-      const auto reaching = polygons.reaching(row - SeenBand::kMargin, end + SeenBand::kMargin);
-      if (band_.first_row() != row || band_.end_row() != end) band_.find(row, end, reaching);
-      use(band_, reaching);
+    ActiveByRow fills(rows_);
+    const auto [width, height] = drawing_.size;
+    const int step = std::max(SeenBand::kMargin, kPixelsPerBand / width);
+    for (int row = 0; row < height; row += step) {
+      const int end = std::min(height, row + step);
+      if (band_.first_row() != row || band_.end_row() != end) band_.find(row, end);
+      use(band_, fills.reaching(row - SeenBand::kMargin, end + SeenBand::kMargin));
     }
   }
 
  private:
-  const CollectedDrawing& drawing_;
-  std::vector<ItemsByRow::Rows> rows_;
+  const SampledScene& drawing_;
+  std::vector<ActiveByRow::Rows> rows_;
   SeenBand band_;
 };
 
-/// Who is seen, and which polygons hide which of these.
+/// Who is seen, and which fills hide which of these.
 class OverlapFinder {
  public:
-  OverlapFinder(const CollectedDrawing& drawing, Visibility& visibility)
+  OverlapFinder(const SampledScene& drawing, Visibility& visibility)
       : drawing_(drawing), visibility_(visibility) {}
 
-  void find_seen(SeenBand& band, std::span<const std::uint32_t> polygons) {
+  void find_seen(SeenBand& band, std::span<const Fill> fills) {
     for (int row = band.first_row(); row < band.end_row(); ++row) {
-      for (int i = 0; i < drawing_.width; ++i) {
-        if (const std::uint32_t seen = band.seen(i, row); seen != SeenBand::kBackground) {
-          visibility_.drawn[seen] = 1;
-        }
-      }
+      for (int i = 0; i < drawing_.size.width; ++i) visibility_.drawn[band.seen(i, row)] = 1;
     }
-    for (const std::uint32_t polygon : polygons) {
-      if (visibility_.drawn[polygon] != 0) continue;
+    visibility_.drawn[ViewedScene::kBackground] = 0;
+    for (const Fill fill : fills) {
+      if (visibility_.drawn[fill] != 0) continue;
       bool reaches_a_centre = false;
-      band.for_each_run(polygon, [&](int, int, int) { reaches_a_centre = true; });
-      if (!reaches_a_centre) compare_between_centres(band, polygon);
+      band.for_each_run(fill, [&](int, int, int) { reaches_a_centre = true; });
+      if (!reaches_a_centre) compare_between_centres(band, fill);
     }
   }
 
-  /// To be called when all that is drawn was found: there may be many polygons of which nothing
+  /// To be called when all that is drawn was found: there may be many fills of which nothing
   /// is seen, and what hides them does not matter.
-  void find_overlaps(SeenBand& band, std::span<const std::uint32_t> polygons) {
-    for (const std::uint32_t polygon : polygons) {
-      if (visibility_.drawn[polygon] != 0) compare_at_centres(band, polygon);
+  void find_overlaps(SeenBand& band, std::span<const Fill> fills) {
+    for (const Fill fill : fills) {
+      if (visibility_.drawn[fill] != 0) compare_at_centres(band, fill);
     }
   }
 
  private:
-  void compare_at_centres(SeenBand& band, std::uint32_t polygon) {
+  void compare_at_centres(SeenBand& band, Fill fill) {
     hiders_.clear();
-    band.for_each_run(polygon, [&](int row, int first, int end) {
+    band.for_each_run(fill, [&](int row, int first, int end) {
       for (int i = first; i < end; ++i) {
-        const std::uint32_t seen = band.seen(i, row);
-        if (seen != polygon && (hiders_.empty() || hiders_.back() != seen)) {
+        const Fill seen = band.seen(i, row);
+        if (seen != fill && (hiders_.empty() || hiders_.back() != seen)) {
           hiders_.push_back(seen);
         }
       }
     });
     std::ranges::sort(hiders_);
     hiders_.erase(std::unique(hiders_.begin(), hiders_.end()), hiders_.end());
-    for (const std::uint32_t seen : hiders_) visibility_.overlaps.push_back({polygon, seen});
+    for (const Fill seen : hiders_) visibility_.overlaps.push_back({fill, seen});
   }
 
-  /// A polygon that lies between the centres is left out only if it is small and what is seen
+  /// A fill that lies between the centres is left out only if it is small and what is seen
   /// all around is nearer; otherwise it is ordered by what is seen at its middle.
-  void compare_between_centres(const SeenBand& band, std::uint32_t index) {
-    const CollectedDrawing::Polygon& polygon = drawing_.polygons[index];
-    Point3 low = drawing_.to_pixels(drawing_.vertices[polygon.first]), high = low, middle(0.0);
-    for (const Point3& v : drawing_.vertices_of(polygon)) {
+  void compare_between_centres(const SeenBand& band, Fill fill) {
+    const auto vertices = drawing_.scene.vertices(fill);
+    Point3 low = drawing_.to_pixels(vertices[0]), high = low, middle(0.0);
+    for (const Point3& v : vertices) {
       const Point3 p = drawing_.to_pixels(v);
       low = {std::min(low.x, p.x), std::min(low.y, p.y), 0.0};
       high = {std::max(high.x, p.x), std::max(high.y, p.y), 0.0};
       middle += p;
     }
-    middle /= static_cast<double>(polygon.size);
-    const int column = pixel(middle.x, drawing_.width), row = pixel(middle.y, drawing_.height);
+    middle /= static_cast<double>(vertices.size());
+    const int column = pixel(middle.x, drawing_.size.width);
+    const int row = pixel(middle.y, drawing_.size.height);
     if (row < band.first_row() || row >= band.end_row()) return;  // another band's
     if (high.x - low.x < kFewPixels && high.y - low.y < kFewPixels &&
-        is_hidden(band, polygon, low, high)) {
+        is_hidden(band, fill, low, high)) {
       return;
     }
-    visibility_.drawn[index] = 1;
-    const std::uint32_t seen = band.seen(column, row);
-    if (seen == SeenBand::kBackground) return;
-    const CollectedDrawing::Polygon& other = drawing_.polygons[seen];
-    if (!drawing_.covers(other, middle.x, middle.y) ||
-        !drawing_.covers(polygon, middle.x, middle.y)) {
+    visibility_.drawn[fill] = 1;
+    const Fill seen = band.seen(column, row);
+    if (seen == ViewedScene::kBackground) return;
+    if (!drawing_.covers(seen, middle.x, middle.y) || !drawing_.covers(fill, middle.x, middle.y)) {
       return;
     }
-    const double z = polygon.depth.at_point(middle.x, middle.y);
-    const double other_z = other.depth.at_point(middle.x, middle.y);
-    const bool nearer = z > other_z || (z == other_z && index > seen);
-    visibility_.overlaps.push_back(nearer ? Overlap{seen, index} : Overlap{index, seen});
+    const double z = drawing_.depths[fill].plane.at_point(middle.x, middle.y);
+    const double seen_z = drawing_.depths[seen].plane.at_point(middle.x, middle.y);
+    const bool nearer = z > seen_z || (z == seen_z && fill > seen);
+    visibility_.overlaps.push_back(nearer ? Overlap{seen, fill} : Overlap{fill, seen});
   }
 
-  bool is_hidden(const SeenBand& band, const CollectedDrawing::Polygon& polygon, const Point3& low,
-                 const Point3& high) const {
-    const int first_column = pixel(low.x - 1.0, drawing_.width);
-    const int last_column = pixel(high.x + 1.0, drawing_.width);
-    const int first_row = std::max(pixel(low.y - 1.0, drawing_.height), band.first_row_kept());
-    const int last_row = std::min(pixel(high.y + 1.0, drawing_.height), band.end_row_kept() - 1);
+  bool is_hidden(const SeenBand& band, Fill fill, const Point3& low, const Point3& high) const {
+    const int first_column = pixel(low.x - 1.0, drawing_.size.width);
+    const int last_column = pixel(high.x + 1.0, drawing_.size.width);
+    const int first_row = std::max(pixel(low.y - 1.0, drawing_.size.height), band.first_row_kept());
+    const int last_row =
+        std::min(pixel(high.y + 1.0, drawing_.size.height), band.end_row_kept() - 1);
     for (int j = first_row; j <= last_row; ++j) {
       for (int i = first_column; i <= last_column; ++i) {
-        if (!(band.depth(i, j) > polygon.nearest + kSameSurface)) return false;
+        if (!(band.depth(i, j) > drawing_.depths[fill].nearest + kSameSurface)) return false;
       }
     }
     return true;
@@ -156,12 +154,12 @@ class OverlapFinder {
     return static_cast<int>(std::clamp(std::floor(v), 0.0, limit - 1.0));
   }
 
-  const CollectedDrawing& drawing_;
+  const SampledScene& drawing_;
   Visibility& visibility_;
-  std::vector<std::uint32_t> hiders_;
+  std::vector<Fill> hiders_;
 };
 
-/// Where each polygon that has to be mended is seen: runs of pixels, those that are equal in
+/// Where each fill that has to be mended is seen: runs of pixels, those that are equal in
 /// consecutive rows joined.
 class SeenPixels {
  public:
@@ -173,22 +171,22 @@ class SeenPixels {
 
   bool empty() const { return blocks_.empty(); }
 
-  void look(SeenBand& band, std::span<const std::uint32_t> polygons) {
-    for (const std::uint32_t polygon : polygons) {
-      const auto found = blocks_.find(polygon);
+  void look(SeenBand& band, std::span<const Fill> fills) {
+    for (const Fill fill : fills) {
+      const auto found = blocks_.find(fill);
       if (found == blocks_.end()) continue;
-      band.for_each_run(polygon, [&](int row, int first, int end) {
+      band.for_each_run(fill, [&](int row, int first, int end) {
         for (int i = first; i < end;) {
-          while (i < end && band.seen(i, row) != polygon) ++i;
+          while (i < end && band.seen(i, row) != fill) ++i;
           const int start = i;
-          while (i < end && band.seen(i, row) == polygon) ++i;
+          while (i < end && band.seen(i, row) == fill) ++i;
           if (start < i) add(found->second, start, i, row);
         }
       });
     }
   }
 
-  std::span<const PixelBox> of(std::uint32_t polygon) const { return blocks_.at(polygon); }
+  std::span<const PixelBox> of(Fill fill) const { return blocks_.at(fill); }
 
  private:
   static void add(std::vector<PixelBox>& blocks, int first, int end, int row) {
@@ -200,68 +198,69 @@ class SeenPixels {
     }
   }
 
-  std::unordered_map<std::uint32_t, std::vector<PixelBox>> blocks_;
+  std::unordered_map<Fill, std::vector<PixelBox>> blocks_;
 };
 
 /// Begins and ends segments as what is drawn asks for.
 class SegmentSwitch {
  public:
-  SegmentSwitch(const CollectedDrawing& drawing, OutputDevice& device)
-      : drawing_(drawing), device_(device) {}
-  void enter(std::uint32_t segment) {
-    if (segment == current_) return;
+  SegmentSwitch(const ViewedScene& scene, OutputDevice& device) : scene_(scene), device_(device) {}
+  void enter_that_of(ViewedScene::Item item) {
+    const int segment = scene_.segment_name(item);
+    if (open_ && segment == current_) return;
     leave();
-    device_.begin_segment(drawing_.segments[segment]);
+    device_.begin_segment(segment);
     current_ = segment;
+    open_ = true;
   }
   void leave() {
-    if (current_ != CollectedDrawing::kNone) device_.end_segment();
-    current_ = CollectedDrawing::kNone;
+    if (open_) device_.end_segment();
+    open_ = false;
   }
 
  private:
-  const CollectedDrawing& drawing_;
+  const ViewedScene& scene_;
   OutputDevice& device_;
-  std::uint32_t current_ = CollectedDrawing::kNone;
+  bool open_ = false;
+  int current_ = 0;
 };
 
-Visibility find_visibility(const CollectedDrawing& drawing, Bands& bands, VisibleLines& lines) {
+Visibility find_visibility(const SampledScene& drawing, Bands& bands, VisibleLines& lines) {
   Visibility visibility;
-  visibility.drawn.assign(drawing.polygons.size(), 0);
+  visibility.drawn.assign(drawing.scene.end(), 0);
   OverlapFinder overlaps(drawing, visibility);
-  ItemsByRow line_rows(lines.rows());
-  bands.for_each([&](SeenBand& band, std::span<const std::uint32_t> polygons) {
-    overlaps.find_seen(band, polygons);
+  ActiveByRow line_rows(lines.rows());
+  bands.for_each([&](SeenBand& band, std::span<const Fill> fills) {
+    overlaps.find_seen(band, fills);
     lines.look(band, line_rows.reaching(band.first_row(), band.end_row()));
   });
   lines.finish();
-  bands.for_each([&](SeenBand& band, std::span<const std::uint32_t> polygons) {
-    overlaps.find_overlaps(band, polygons);
-  });
+  bands.for_each(
+      [&](SeenBand& band, std::span<const Fill> fills) { overlaps.find_overlaps(band, fills); });
   return visibility;
 }
 
-void draw_fills(const CollectedDrawing& drawing, Bands& bands, Visibility visibility,
+void draw_fills(const SampledScene& drawing, Bands& bands, Visibility visibility,
                 VectorDevice& device, SegmentSwitch& segments) {
   std::vector<double> farthest;
-  farthest.reserve(drawing.polygons.size());
-  for (const auto& p : drawing.polygons) farthest.push_back(p.farthest);
+  farthest.reserve(drawing.depths.size());
+  for (const SampledScene::Depths& depths : drawing.depths) farthest.push_back(depths.farthest);
   const std::vector<DrawStep> steps =
       drawing_order(std::move(visibility.overlaps), farthest, visibility.drawn);
   SeenPixels seen(steps);
   if (!seen.empty()) {
-    bands.for_each([&](SeenBand& band, std::span<const std::uint32_t> polygons) {
-      seen.look(band, polygons);
-    });
+    bands.for_each([&](SeenBand& band, std::span<const Fill> fills) { seen.look(band, fills); });
   }
   for (const DrawStep& step : steps) {
-    const CollectedDrawing::Polygon& polygon = drawing.polygons[step.polygon];
-    segments.enter(polygon.segment);
-    if (step.mend) {
-      device.fill_within(drawing.drawn(polygon), seen.of(step.polygon));
-    } else {
-      device.fill(drawing.drawn(polygon));
-    }
+    const ViewedScene::Item item = drawing.scene.item_of(step.polygon);
+    segments.enter_that_of(item);
+    drawing.draw_polygon(item, [&](const DrawnPolygon& polygon) {
+      if (step.mend) {
+        device.fill_within(polygon, seen.of(step.polygon));
+      } else {
+        device.fill(polygon);
+      }
+    });
   }
 }
 
@@ -269,11 +268,12 @@ void draw_fills(const CollectedDrawing& drawing, Bands& bands, Visibility visibi
 /// were seen.
 class LinePartsDrawer {
  public:
-  LinePartsDrawer(const CollectedDrawing& drawing, OutputDevice& device)
+  LinePartsDrawer(const SampledScene& drawing, OutputDevice& device)
       : drawing_(drawing), device_(device) {}
 
-  void draw(const CollectedDrawing::Line& line, const VisibleLines::Part& part) {
-    const LineStyle& style = drawing_.line_styles[line.style];
+  void draw(std::uint32_t index, const VisibleLines::Part& part) {
+    const SampledScene::Line line = drawing_.line(index);
+    const LineStyle& style = line.style;
     constexpr double kShortestPeriod = 0.1;  // pixels; below it a dashed line looks solid
     if (style.kind != LineStyle::Kind::dashed || style.dash + style.gap < kShortestPeriod) {
       return draw_piece(line, part.from, part.to, style);
@@ -281,18 +281,18 @@ class LinePartsDrawer {
     const Point3 a = drawing_.to_pixels(line.from), b = drawing_.to_pixels(line.to);
     const double length = std::hypot(b.x - a.x, b.y - a.y);
     const double period = style.dash + style.gap;
-    const double start = line.dash_start + part.from * length;
-    const double end = line.dash_start + part.to * length;
+    const double before = drawing_.lines[index].dash_start;
+    const double start = before + part.from * length, end = before + part.to * length;
     for (double dash = std::floor(start / period) * period; dash < end; dash += period) {
       const double from = std::max(start, dash), to = std::min(end, dash + style.dash);
       if (from < to) {
-        draw_piece(line, (from - line.dash_start) / length, (to - line.dash_start) / length, style);
+        draw_piece(line, (from - before) / length, (to - before) / length, style);
       }
     }
   }
 
  private:
-  void draw_piece(const CollectedDrawing::Line& line, double from, double to, LineStyle style) {
+  void draw_piece(const SampledScene::Line& line, double from, double to, LineStyle style) {
     style.kind = LineStyle::Kind::solid;
     const auto point = [&](double t) {  // exactly an end at an end: lines that meet stay joined
       return t <= 0.0 ? line.from : t >= 1.0 ? line.to : line.from + t * (line.to - line.from);
@@ -300,11 +300,11 @@ class LinePartsDrawer {
     device_.line({point(from), point(to), style});
   }
 
-  const CollectedDrawing& drawing_;
+  const SampledScene& drawing_;
   OutputDevice& device_;
 };
 
-void draw_lines(const CollectedDrawing& drawing, VisibleLines& visible, VectorDevice& device,
+void draw_lines(const SampledScene& drawing, VisibleLines& visible, VectorDevice& device,
                 SegmentSwitch& segments) {
   LinePartsDrawer parts(drawing, device);
   const auto wholly_visible = [&](std::uint32_t line) {
@@ -312,23 +312,23 @@ void draw_lines(const CollectedDrawing& drawing, VisibleLines& visible, VectorDe
     return p.size() == 1 && p[0].from == 0.0 && p[0].to == 1.0;
   };
   for (std::uint32_t first = 0; first < drawing.lines.size();) {
-    const CollectedDrawing::Line& line = drawing.lines[first];
+    const ViewedScene::Item item = drawing.lines[first].item;
     std::uint32_t end = first + 1;
-    if (line.polygon != CollectedDrawing::kNone) {
-      while (end < drawing.lines.size() && drawing.lines[end].polygon == line.polygon) ++end;
+    if (drawing.scene.kind(item) != Primitives::Kind::line) {
+      while (end < drawing.lines.size() && drawing.lines[end].item == item) ++end;
       bool whole = true;
       for (std::uint32_t i = first; i < end && whole; ++i) whole = wholly_visible(i);
       if (whole) {
-        segments.enter(line.segment);
-        device.edges(drawing.drawn(drawing.polygons[line.polygon]));
+        segments.enter_that_of(item);
+        drawing.draw_polygon(item, [&](const DrawnPolygon& polygon) { device.edges(polygon); });
         first = end;
         continue;
       }
     }
     for (; first < end; ++first) {
       for (const VisibleLines::Part& part : visible.parts(first)) {
-        segments.enter(line.segment);
-        parts.draw(drawing.lines[first], part);
+        segments.enter_that_of(item);
+        parts.draw(first, part);
       }
     }
   }
@@ -339,11 +339,11 @@ void draw_lines(const CollectedDrawing& drawing, VisibleLines& visible, VectorDe
 void draw_in_visible_order(const DisplayFile& display_file, int width, int height,
                            VectorDevice& device) {
   require_picture_size(width, height);
-  const CollectedDrawing drawing = collect(display_file, width, height);
+  const SampledScene drawing(display_file, {width, height});
   Bands bands(drawing);
   VisibleLines lines(drawing);
   Visibility visibility = find_visibility(drawing, bands, lines);
-  SegmentSwitch segments(drawing, device);
+  SegmentSwitch segments(drawing.scene, device);
   draw_fills(drawing, bands, std::move(visibility), device, segments);
   draw_lines(drawing, lines, device, segments);
   segments.leave();

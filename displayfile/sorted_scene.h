@@ -82,12 +82,10 @@ class PieceWriter {
   }
 
  private:
-  /// A fill style, every value of which is always there.
-  struct FillInForce {
-    bool known = false, solid = false;
-    Colour colour{0.0};
-    bool shadowed = false;
-    FillShadow shadow{Colour(0.0), HomogeneousPoint(0.0)};
+  /// Whose fill style is in force.
+  struct ItemOfScene {
+    const ViewedScene* scene = nullptr;
+    ViewedScene::Item item = 0;
   };
 
   const ViewedScene& scene() const { return *ordered_->scene; }
@@ -119,16 +117,11 @@ class PieceWriter {
 
   /// CHECK-STYLE (algorithm 9.18): a style is sent only where it changes.
   void check_fill_style(std::uint32_t item) {
-    const bool solid = scene().kind(item) == Primitives::Kind::solid;
-    const Colour colour = solid ? scene().fill_colour(item) : Colour(0.0);
-    const FillShadow* const shadow = solid ? scene().shadow_of_item(item) : nullptr;
-    const bool same = fill_.solid == solid && fill_.colour == colour &&
-                      fill_.shadowed == (shadow != nullptr) &&
-                      (shadow == nullptr || fill_.shadow == *shadow);
-    if (fill_.known && same) return;
-    fill_ = {true, solid, colour, shadow != nullptr,
-             shadow != nullptr ? *shadow : FillInForce().shadow};
-    visit_.fill(scene().fill_style(item));
+    const FillStyle style = scene().fill_style(item);
+    const bool same =
+        fill_of_.scene != nullptr && fill_of_.scene->fill_style(fill_of_.item) == style;
+    fill_of_ = {&scene(), item};
+    if (!same) visit_.fill(style);
   }
   void check_line_style(std::uint32_t item) {
     const LineStyle& style = scene().line_style(item);
@@ -187,7 +180,7 @@ class PieceWriter {
 
   Visitor& visit_;
   const OrderedScene* ordered_ = nullptr;
-  FillInForce fill_;
+  ItemOfScene fill_of_;
   bool line_known_ = false, pick_known_ = false, pen_known_ = false;
   LineStyle line_;
   std::int32_t pick_ = 0;

@@ -71,10 +71,6 @@ class ViewedScene {
     return intensities_.subspan(first_intensity_[item], items_[item].sides);
   }
   FillStyle fill_style(Item item) const;
-  /// Null if no shadow is seen on the item's fill.
-  const FillShadow* shadow_of_item(Item item) const {
-    return item >= shadow_.size() || shadow_[item] == kNone ? nullptr : &shadows_[shadow_[item]];
-  }
   const Colour& fill_colour(Item item) const;  ///< of the fill of a solid polygon
   const LineStyle& line_style(Item item) const;
   /// What the items from `first` on are drawn in.
@@ -137,6 +133,10 @@ class ViewedScene {
   void collect(std::span<const Segment* const> segments);
   void collect(const std::shared_ptr<const Instructions>& entered, const ImageTransformation& image,
                bool in_place);
+  /// Null if no shadow is seen on the item's fill.
+  const FillShadow* shadow_of_item(Item item) const {
+    return item >= shadow_.size() || shadow_[item] == kNone ? nullptr : &shadows_[shadow_[item]];
+  }
   void finish(bool in_place);
   void add_fill(std::span<const Point3> vertices);
 

@@ -49,16 +49,20 @@ class PixelShade {
   double x0_, y0_, di_dx_, di_dy_;
 };
 
+/// The colour of a fill where it is lit and of full intensity. What changes it is added here, for
+/// fills that are painted in an order (FillColour) and for fills seen (FillPaints).
+inline const Colour& painted_colour(const FillStyle& fill) { return fill.colour; }
+
 /// What a polygon is filled with: one colour, or a shade; and another colour in shadow.
 class FillColour {
  public:
   /// Null: no shadows are seen.
   FillColour(const DrawnPolygon& polygon, const PictureSize& size, const Shadows* shadows) {
     if (polygon.intensities.empty()) {
-      colour_ = pixel_of(polygon.fill.colour);
+      colour_ = pixel_of(painted_colour(polygon.fill));
     } else {
-      shade_.emplace(polygon.fill.colour, IntensityPlane(polygon.vertices, polygon.intensities),
-                     size);
+      shade_.emplace(painted_colour(polygon.fill),
+                     IntensityPlane(polygon.vertices, polygon.intensities), size);
     }
     if (shadows == nullptr || !polygon.fill.shadow) return;
     const std::span<const Point3> v = polygon.vertices;

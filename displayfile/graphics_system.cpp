@@ -171,6 +171,7 @@ void GraphicsSystem::retain(RetainedScene* scene) {
     throw Error("there are segments already: expected to retain from the first one on");
   }
   retained_ = scene;
+  own_retained_.reset();
 }
 
 // ---- Segments --------------------------------------------------------------------------
@@ -181,7 +182,7 @@ void GraphicsSystem::open_segment(int name) {
   display_file_.create(name);
   view_stage_.emplace(volume);
   open_ = name;
-  if (retained_ != nullptr) retained_->open_segment(name, view_);
+  if (RetainedScene* scene = retaining()) scene->open_segment(name, view_);
   record("open-segment", {name});
 }
 
@@ -202,21 +203,21 @@ void GraphicsSystem::close_segment() {
 void GraphicsSystem::delete_segment(int name) {
   if (open_ == name) throw Error(fmt::format("segment {} still open: close it first", name));
   display_file_.remove(name);
-  if (retained_ != nullptr) retained_->remove(name);
+  if (RetainedScene* scene = retaining()) scene->remove(name);
   record("delete-segment", {name});
 }
 
 void GraphicsSystem::delete_all_segments() {
   if (open_) throw Error(fmt::format("segment {} still open: close it first", *open_));
   display_file_.remove_all();
-  if (retained_ != nullptr) retained_->remove_all();
+  if (RetainedScene* scene = retaining()) scene->remove_all();
   record("delete-all-segments", {});
 }
 
 void GraphicsSystem::rename_segment(int from, int to) {
   if (open_ == from) throw Error(fmt::format("segment {} still open: close it first", from));
   display_file_.rename(from, to);
-  if (retained_ != nullptr) retained_->rename(from, to);
+  if (RetainedScene* scene = retaining()) scene->rename(from, to);
   record("rename-segment", {from, to});
 }
 
@@ -269,7 +270,7 @@ void GraphicsSystem::line_to(const Point3& object) {
   require_open();
   const Pen end{object, to_world(object)};
   if (attributes_.line.kind != LineStyle::Kind::none) {
-    if (retained_ != nullptr) retained_->enter_line(pen_.world, end.world, attributes_);
+    if (RetainedScene* scene = retaining()) scene->enter_line(pen_.world, end.world, attributes_);
     view_stage_->enter_line(pen_.world, end.world, attributes_.line, display_file_.segment(*open_));
   }
   pen_ = end;
@@ -400,7 +401,7 @@ void GraphicsSystem::enter_triangles(const Point3& normal, std::span<const Point
 }
 
 void GraphicsSystem::enter(const WorldPolygon& polygon) {
-  if (retained_ != nullptr) retained_->enter_polygon(polygon, attributes_);
+  if (RetainedScene* scene = retaining()) scene->enter_polygon(polygon, attributes_);
   view_stage_->enter_polygon(polygon, attributes_, display_file_.segment(*open_));
 }
 
@@ -480,7 +481,7 @@ void GraphicsSystem::enter_shared(std::span<const Point3> world,
   ++ordinal_;
   world_points_.clear();
   const bool triangle = corners.size() == 3;
-  if (!triangle || attributes_.light || retained_ != nullptr) {
+  if (!triangle || attributes_.light || retained() != nullptr) {
     for (const std::uint32_t corner : corners) world_points_.push_back(world[corner]);
   }
   const Point3 normal = attributes_.light ? newell_normal(world_points_) : Point3(0.0);
@@ -489,7 +490,7 @@ void GraphicsSystem::enter_shared(std::span<const Point3> world,
     return enter_triangles(normal, {}, pick);
   }
   const WorldPolygon polygon{world_points_, {}, normal, {}, pick};
-  if (retained_ != nullptr) retained_->enter_polygon(polygon, attributes_);
+  if (RetainedScene* scene = retaining()) scene->enter_polygon(polygon, attributes_);
   view_stage_->enter_shared(world, corners, polygon, attributes_, segment);
 }
 
@@ -582,7 +583,16 @@ void GraphicsSystem::set_back_face_removal(bool on) {
 }
 
 void GraphicsSystem::set_hidden_method(HiddenMethod method) {
-  method_ = displayfile::hidden_method(name_of(method));  // refuses what is not built yet
+  const HiddenMethod known = displayfile::hidden_method(name_of(method));  // or refuses
+  if (known == HiddenMethod::world_ray_cast && retained() == nullptr) {
+    if (!display_file_.segments().empty()) {
+      throw Error(
+          "world-ray-cast needs world coordinates, which the segments that there are have not "
+          "retained: expected it before the first segment");
+    }
+    own_retained_.emplace();
+  }
+  method_ = known;
   record("set-hidden-method", {name_of(method)});
 }
 

@@ -143,7 +143,10 @@ class GraphicsSystem {
   /// Also turns back-face removal on or off, as in the textbook.
   void set_hidden_line_removal(bool on);
   void set_back_face_removal(bool on);
-  void set_hidden_method(HiddenMethod method);  ///< Error: a method that is not built yet.
+  /// Ray casting in object space, world_ray_cast, reads what was drawn in world coordinates: where
+  /// no scene is retained, it is retained in the system from now on. Errors: a method that is not
+  /// built yet; that one, if there are segments that were not retained.
+  void set_hidden_method(HiddenMethod method);
   /// A scope that is not set is `segment` for segments as they are closed.
   void set_hidden_scope(HiddenScope scope);
   /// The precision of the method that finds hidden surfaces. Error: a ROUNDOFF outside of [0,1).
@@ -175,6 +178,8 @@ class GraphicsSystem {
   /// Keeps what is drawn in world coordinates too, from now on; null stops. The scene must live
   /// on. Error: there are segments already.
   void retain(RetainedScene* scene);
+  /// What is retained, by retain or set_hidden_method; null if nothing is.
+  const RetainedScene* retained() const { return own_retained_ ? &*own_retained_ : retained_; }
 
  private:
   struct Pen {
@@ -199,6 +204,7 @@ class GraphicsSystem {
   std::span<const Point3> shared_world(std::span<const Point3> vertices);
   void enter_shared(std::span<const Point3> world, std::span<const std::uint32_t> corners,
                     Segment& segment);
+  RetainedScene* retaining() { return own_retained_ ? &*own_retained_ : retained_; }
   void attributes_changed() {
     if (view_stage_) view_stage_->attributes_changed();
   }
@@ -221,7 +227,8 @@ class GraphicsSystem {
   std::optional<HiddenScope> scope_;
   SortOptions sort_options_;
   Recorder* recorder_ = nullptr;
-  RetainedScene* retained_ = nullptr;
+  RetainedScene* retained_ = nullptr;          // the application's
+  std::optional<RetainedScene> own_retained_;  // in its place, for world_ray_cast
 
   Triangulation triangulation_;
   std::vector<Point3> object_points_, world_points_;  // of the polygon being entered

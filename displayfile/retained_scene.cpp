@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <optional>
 
 #include "clip/error.h"
 #include "displayfile/display_file.h"
@@ -82,6 +83,32 @@ RetainedScene RetainedScene::selected(
 RetainedScene RetainedScene::visible_in(const DisplayFile& display_file) const {
   return selected(
       [&](const Segment& segment) { return display_file.segment(segment.name).visible; });
+}
+
+void RetainedScene::enter_viewed(const Segment& part, ViewStage& stage,
+                                 const glm::dmat3& lights_turned, displayfile::Segment& segment,
+                                 const std::function<void(std::uint32_t)>& is_item) const {
+  std::optional<std::uint32_t> in_force;
+  Attributes attributes;
+  for (std::uint32_t i = part.first; i < part.end; ++i) {
+    if (in_force != primitives_[i].attributes) {
+      in_force = primitives_[i].attributes;
+      attributes = attributes_[*in_force];
+      if (attributes.light) attributes.light->toward = lights_turned * attributes.light->toward;
+      stage.attributes_changed();
+    }
+    if (enter_viewed(i, attributes, stage, segment) && draws(i)) is_item(i);
+  }
+}
+
+/// False if nothing of it is seen.
+bool RetainedScene::enter_viewed(std::uint32_t i, const Attributes& attributes, ViewStage& stage,
+                                 displayfile::Segment& segment) const {
+  if (primitives_[i].is_line()) {
+    const auto ends = points(i);
+    return stage.enter_line(ends[0], ends[1], attributes.line, segment);
+  }
+  return !stage.enter_polygon(polygon(i), attributes, segment).empty();
 }
 
 /// A segment of another scene, with all its primitives.

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <glm/mat3x3.hpp>
 #include <span>
 #include <vector>
 
@@ -68,6 +69,14 @@ class RetainedScene {
   /// A scene of the segments that are visible in the display file of the system that retained them.
   RetainedScene visible_in(const DisplayFile& display_file) const;
 
+  /// Enters one of the scene's segments into a display file's, whole and in order of entry, as the
+  /// application did, through the stage of a view; lights are turned by `lights_turned`. Calls
+  /// is_item(primitive) for each of which something was entered and that draws something: they
+  /// are the items, in order, of the viewed scene (displayfile/viewed_scene.h).
+  void enter_viewed(const Segment& part, ViewStage& stage, const glm::dmat3& lights_turned,
+                    displayfile::Segment& segment,
+                    const std::function<void(std::uint32_t)>& is_item) const;
+
   // For the GraphicsSystem, when the call has succeeded.
   void open_segment(int name, const View& view);
   void remove(int name);
@@ -84,6 +93,8 @@ class RetainedScene {
     return std::span(of_points).subspan(primitives_[i].first, primitives_[i].sides);
   }
   void enter(std::span<const Point3> points, const Attributes& attributes, std::int32_t pick);
+  bool enter_viewed(std::uint32_t i, const Attributes& attributes, ViewStage& stage,
+                    displayfile::Segment& segment) const;
   void append(const RetainedScene& other, const Segment& segment);
 
   std::vector<Segment> segments_;

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <optional>
 #include <span>
 #include <utility>
 
@@ -83,30 +82,10 @@ class RetainedViews::Part {
     for (const RetainedScene::Segment& part : world_.segments()) {
       Segment& segment = file.create(part.name);
       segment.image = image_;
-      std::optional<std::uint32_t> in_force;
-      Attributes attributes;
-      for (std::uint32_t i = part.first; i < part.end; ++i) {
-        if (in_force != world_[i].attributes) {
-          in_force = world_[i].attributes;
-          attributes = world_.attributes(i);
-          if (attributes.light) attributes.light->toward = lights_turned * attributes.light->toward;
-          stage.attributes_changed();
-        }
-        if (enter_primitive(i, attributes, stage, segment) && world_.draws(i)) {
-          item_of_[i] = items++;
-        }
-      }
+      world_.enter_viewed(part, stage, lights_turned, segment,
+                          [&](std::uint32_t i) { item_of_[i] = items++; });
       segment.close();
     }
-  }
-
-  bool enter_primitive(std::uint32_t i, const Attributes& attributes, ViewStage& stage,
-                       Segment& segment) const {
-    if (world_[i].is_line()) {
-      const auto ends = world_.points(i);
-      return stage.enter_line(ends[0], ends[1], attributes.line, segment);
-    }
-    return !stage.enter_polygon(world_.polygon(i), attributes, segment).empty();
   }
 
   /// Segments that are sorted together keep points after the image transformation, one by itself

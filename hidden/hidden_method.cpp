@@ -21,6 +21,7 @@ constexpr std::array kMethods{
     HiddenMethodEntry{scan_line, "scan-line", true},
     HiddenMethodEntry{scan_line_z, "scan-line-z", true},
     HiddenMethodEntry{ray_cast, "ray-cast", true},
+    HiddenMethodEntry{world_ray_cast, "world-ray-cast", true},
     HiddenMethodEntry{warnock, "warnock", true},
     HiddenMethodEntry{plain_z_buffer, "plain-z-buffer", true},
     HiddenMethodEntry{plain_z_buffer, "plain-z-buffer=float", true},

@@ -17,8 +17,9 @@ enum class HiddenMethod {
   scan_line,   ///< in image space, row by row, without a z-buffer (interp/visibility/scan_line.md)
   scan_line_z,  ///< in image space, row by row, with a z-buffer one row high
   ray_cast,     ///< in image space, a ray through each pixel centre (interp/visibility/ray_cast.md)
-  warnock,      ///< in image space, areas subdivided until it is easy to tell
-                ///< (interp/visibility/warnock.md)
+  world_ray_cast,  ///< in object space, before viewing: the same by rays in world coordinates
+  warnock,         ///< in image space, areas subdivided until it is easy to tell
+                   ///< (interp/visibility/warnock.md)
   plain_z_buffer,  ///< the z-buffer as textbooks give it, with the depths' rounding and all that it
                    ///< gets wrong (interp/visibility/plain_z_buffer.h): depths as floats;
   plain_z_buffer_16,      ///< as integers of 16 bits,

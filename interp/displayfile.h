@@ -2,8 +2,8 @@
 
 /// What an application includes, as "displayfile/displayfile.h": the user routines
 /// (GraphicsSystem), drawing them into pictures and files (draw), what is thrown (Error), drawing
-/// programs, meshes, dumps, and views of a retained scene. This header and those that it includes
-/// are all that is installed (interp/public_headers.cmake); they need GLM alone.
+/// programs, meshes, dumps, and views of a retained scene and picking in it. This header and those
+/// that it includes are all that is installed (interp/public_headers.cmake); they need GLM alone.
 
 #include "clip/error.h"
 #include "displayfile/graphics_system.h"
@@ -15,3 +15,4 @@
 #include "displayfile/text/dump.h"
 #include "displayfile/turntable.h"
 #include "interp/draw.h"
+#include "interp/world_views.h"

@@ -114,6 +114,27 @@ RasterRequest raster_request(const GraphicsSystem& system, const DisplayFile& fi
   return request;
 }
 
+RasterRequest raster_request(const ViewedWorld& world, const DrawOptions& options) {
+  RasterRequest request = raster_request(world.display_file, options);
+  request.method = HiddenMethod::world_ray_cast;
+  request.world = &world;
+  if (options.precision && !options.precision->exact) {
+    request.roundoff = options.precision->roundoff;
+  }
+  return request;
+}
+
+/// What the application drew, where the method in force casts rays before viewing.
+std::optional<ViewedWorld> world_in_force(const GraphicsSystem& system, HiddenMethod method) {
+  if (method != HiddenMethod::world_ray_cast) return std::nullopt;
+  if (system.retained() == nullptr) {
+    throw Error(
+        "hidden-surface method 'world-ray-cast' needs world coordinates: expected it to be set, or "
+        "the scene to be retained, before the first segment");
+  }
+  return WorldViews(*system.retained(), system.display_file()).as_drawn();
+}
+
 /// Every output must be writable before any is written.
 void require_writable(const std::filesystem::path& file, const DrawOptions& options) {
   OutputFile{file.string()};
@@ -196,6 +217,11 @@ void write_picture(const DisplayFile& drawn, const RasterRequest& request, bool 
   }
 }
 
+DrawOptions with_precision(const GraphicsSystem& system, DrawOptions options) {
+  options.precision = precision_in_force(system, hidden_surface_options(options));
+  return options;
+}
+
 /// Checks the size of what is drawn; throws Error.
 void require_raster_size(const DrawOptions& options) {
   if (options.samples < 1 || options.samples > kMostSamples) {
@@ -239,7 +265,11 @@ void require_drawable(const std::filesystem::path& file, const DrawOptions& opti
 Picture draw(const GraphicsSystem& system, const DrawOptions& options, SortedDisplayFile& kept) {
   require_raster_size(options);
   const HiddenSurfaceOptions hidden = hidden_surface_options(options);
-  const DisplayFile& sorted = kept.update(system, method_in_force(system, hidden), hidden);
+  const HiddenMethod method = method_in_force(system, hidden);
+  const DisplayFile& sorted = kept.update(system, method, hidden);
+  if (const auto world = world_in_force(system, method)) {
+    return draw(*world, with_precision(system, options));
+  }
   return draw_pixels(sorted, raster_request(system, sorted, options), options);
 }
 
@@ -257,6 +287,9 @@ void draw(const GraphicsSystem& system, const std::filesystem::path& file,
                                   ? method_in_force(system, hidden)
                                   : drawing_method(system, options, PictureKind::vector);
   const DisplayFile& sorted = kept.update(system, method, hidden);
+  if (const auto world = world_in_force(system, method)) {
+    return draw(*world, file, with_precision(system, options));
+  }
   write_picture(sorted, raster_request(system, sorted, options), is_image_space(method), file,
                 options);
 }
@@ -265,6 +298,16 @@ void draw(const DisplayFile& display_file, const std::filesystem::path& file,
           const DrawOptions& options) {
   require_drawable(file, options);
   write_picture(display_file, raster_request(display_file, options), false, file, options);
+}
+
+void draw(const ViewedWorld& world, const std::filesystem::path& file, const DrawOptions& options) {
+  require_drawable(file, options);
+  write_picture(world.display_file, raster_request(world, options), true, file, options);
+}
+
+Picture draw(const ViewedWorld& world, const DrawOptions& options) {
+  require_raster_size(options);
+  return draw_pixels(world.display_file, raster_request(world, options), options);
 }
 
 void draw(const GraphicsSystem& system, const std::filesystem::path& file,

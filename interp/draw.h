@@ -10,6 +10,7 @@
 #include "displayfile/sorted_display_file.h"
 #include "hidden/exact/precision.h"
 #include "interp/picture.h"
+#include "interp/world_views.h"
 
 namespace displayfile {
 
@@ -62,6 +63,12 @@ void draw(const GraphicsSystem& system, const std::filesystem::path& file,
 /// into a file does.
 void draw(const DisplayFile& display_file, const std::filesystem::path& file,
           const DrawOptions& options);
+
+/// Draws a retained scene in a view (interp/world_views.h): pixels by rays cast in world
+/// coordinates, world_ray_cast, vectors and what the OSMesa device draws as by any image-space
+/// method. Otherwise the same. Throws Error too for a precision with a ROUNDOFF.
+void draw(const ViewedWorld& world, const std::filesystem::path& file, const DrawOptions& options);
+Picture draw(const ViewedWorld& world, const DrawOptions& options = {});
 
 /// What a picture can be drawn as, or what can draw it: a name, and a few words about it.
 struct Choice {

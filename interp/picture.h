@@ -10,6 +10,8 @@
 
 namespace displayfile {
 
+struct ViewedWorld;
+
 /// What becomes of a display file: pixels, or vectors.
 enum class PictureKind { raster, vector };
 
@@ -39,6 +41,8 @@ struct RasterRequest {
   double line_scale = 1.0;  ///< of the widths and dashes of lines
   /// Depths closer than this count as equal (the textbook's ROUNDOFF); none: exact.
   std::optional<double> roundoff = std::nullopt;
+  /// Whose display file it is, for world_ray_cast. A renderer that is used again needs it alive.
+  const ViewedWorld* world = nullptr;
 };
 
 /// A colour as a pixel: each component rounded to the nearest of 0 to 255.

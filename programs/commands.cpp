@@ -119,6 +119,8 @@ int DrawCommand::run() const {
     return 0;
   }
   GraphicsSystem system;
+  RetainedScene scene;
+  if (options.hidden == HiddenMethod::world_ray_cast) system.retain(&scene);
   system.set_threads(options.threads);
   system.set_shading(shading);
   DrawOptions drawing = options;

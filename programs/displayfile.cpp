@@ -84,7 +84,8 @@ int run(int argc, char** argv) {
   command->add_option("--depth", draw.options.depth,
                       "depth as .npy: of the fill seen, -inf for none");
   command->add_option("--turntable", turntable,
-                      "N views, turned evenly all around the view-up axis, from one BSP tree: "
+                      "N views, turned evenly all around the view-up axis, from one BSP tree, "
+                      "or with --hidden world-ray-cast from one tree of boxes: "
                       "OUT.png becomes OUT-000.png, OUT-001.png, ..., --ids and --depth likewise");
   command->add_option("--shading", shading, shading_words)->capture_default_str();
   command->add_flag("--stats", draw.stats, "print what was drawn");

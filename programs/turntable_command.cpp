@@ -18,10 +18,12 @@ namespace {
 
 void require_tree(const DrawOptions& options) {
   const HiddenMethod method = options.hidden.value_or(HiddenMethod::automatic);
-  if (method != HiddenMethod::bsp && method != HiddenMethod::automatic) {
+  if (method != HiddenMethod::bsp && method != HiddenMethod::automatic &&
+      method != HiddenMethod::world_ray_cast) {
     throw Error(
-        fmt::format("--turntable draws all views from one BSP tree, not by {}: expected --hidden "
-                    "bsp, or no --hidden",
+        fmt::format("--turntable draws all views from one BSP tree, or by rays from one tree of "
+                    "boxes, not by {}: expected --hidden bsp, --hidden world-ray-cast, or no "
+                    "--hidden",
                     name_of(method)));
   }
 }
@@ -48,19 +50,32 @@ RetainedViews::Options tree_options(const GraphicsSystem& system, const DrawOpti
           options.precision.value_or(system.precision())};
 }
 
+/// What of the statistics does not depend on the kind of tree.
+std::string polygons_entered(const GraphicsSystem& system) {
+  return fmt::format("polygons entered   {} ({} not flat, triangulated)\n",
+                     system.polygons_entered(), system.polygons_triangulated());
+}
+
 std::string statistics(const GraphicsSystem& system, const RetainedViews& trees, int views) {
   const SortCounts& counts = trees.counts();
-  return fmt::format(
-      "polygons entered   {} ({} not flat, triangulated)\n"
-      "views              {}, from {} tree{} in world coordinates\n"
-      "pieces             {}\n"
-      "cuts               {}\n"
-      "comparisons        {}\n"
-      "depth of the tree  {}\n"
-      "walks              {}, and {} needless: the eye crossed no plane\n",
-      system.polygons_entered(), system.polygons_triangulated(), views, trees.trees(),
-      trees.trees() == 1 ? "" : "s", counts.pieces, counts.cuts, counts.comparisons, counts.depth,
-      trees.walks(), trees.reused());
+  return polygons_entered(system) +
+         fmt::format(
+             "views              {}, from {} tree{} in world coordinates\n"
+             "pieces             {}\n"
+             "cuts               {}\n"
+             "comparisons        {}\n"
+             "depth of the tree  {}\n"
+             "walks              {}, and {} needless: the eye crossed no plane\n",
+             views, trees.trees(), trees.trees() == 1 ? "" : "s", counts.pieces, counts.cuts,
+             counts.comparisons, counts.depth, trees.walks(), trees.reused());
+}
+
+std::string statistics(const GraphicsSystem& system, const WorldViews& trees, int views) {
+  return polygons_entered(system) +
+         fmt::format(
+             "views              {}, from 1 tree of boxes in world coordinates\n"
+             "polygons cast at   {}\n",
+             views, trees.polygons());
 }
 
 }  // namespace
@@ -95,14 +110,20 @@ void draw_turntable(std::span<const std::string> inputs, const std::filesystem::
   enter_inputs(inputs, system, static_cast<double>(options.width) / options.height);
   Turntable turntable(scene, system.display_file(), system.view());
   if (std::ranges::none_of(inputs, is_drawing_program)) turntable.fit_window(views);
-  RetainedViews trees(scene, system.display_file(), tree_options(system, options));
-  Progress progress(fmt::format("drawing {} views", views));
-  for (int k = 0; k < views; ++k) {
-    const auto [view, lights] = turntable.at(360.0 * k / views);
-    draw(trees.view(view, lights), numbered(output, k, views), options_of_view(options, k, views));
-    progress.update(static_cast<std::size_t>(k) + 1, static_cast<std::size_t>(views));
+  const auto draw_all = [&](auto trees) {
+    Progress progress(fmt::format("drawing {} views", views));
+    for (int k = 0; k < views; ++k) {
+      const auto [view, lights] = turntable.at(360.0 * k / views);
+      draw(trees.view(view, lights), numbered(output, k, views),
+           options_of_view(options, k, views));
+      progress.update(static_cast<std::size_t>(k) + 1, static_cast<std::size_t>(views));
+    }
+    if (stats) std::cout << statistics(system, trees, views);
+  };
+  if (options.hidden == HiddenMethod::world_ray_cast) {
+    return draw_all(WorldViews(scene, system.display_file()));
   }
-  if (stats) std::cout << statistics(system, trees, views);
+  draw_all(RetainedViews(scene, system.display_file(), tree_options(system, options)));
 }
 
 }  // namespace displayfile

@@ -63,6 +63,13 @@ TEST(Application, ViewsARetainedScene) {
   g.close_segment();
   displayfile::RetainedViews views(scene, g.display_file(), {});
   EXPECT_EQ(views.view(g.view()).polygons(), 1u);
+  const displayfile::WorldViews world(scene, g.display_file());
+  const std::optional<displayfile::Pick> pick = world.pick(g.view(), 0.5, 0.5);
+  ASSERT_TRUE(pick);
+  EXPECT_EQ(pick->segment, 1);
+  displayfile::DrawOptions options{.width = 9, .height = 9};
+  EXPECT_EQ(displayfile::draw(world.view(g.view()), options).pixels,
+            displayfile::draw(g, options).pixels);
 }
 
 }  // namespace

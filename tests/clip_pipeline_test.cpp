@@ -299,7 +299,7 @@ TEST(ClipToRectangle, SolvedCases) {
     const auto first = std::ranges::find(polygon, c.inside.empty() ? Point3(0.0) : c.inside[0]);
     if (!polygon.empty()) {
       ASSERT_NE(first, polygon.end());
-      std::ranges::rotate(polygon, first);
+      std::rotate(polygon.begin(), first, polygon.end());
     }
     EXPECT_EQ(polygon, c.inside);
   }

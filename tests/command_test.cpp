@@ -259,6 +259,38 @@ TEST_F(Command, TurntableDrawsNumberedViews) {
   EXPECT_TRUE(fs::exists(folder_ / "v-1000.ppm"));
 }
 
+TEST_F(Command, CastsRaysBeforeViewing) {
+  const std::string text =
+      "set-perspective 0.3 0.4 3\nset-light 1 2 3\nset-shadows on\nopen-segment 1\n"
+      "set-fill-style solid 0.9 0.5 0.2\npolygon-abs-3 -0.8 -0.7 0.3  0.7 -0.6 -0.4  0.1 0.8 0.2\n"
+      "set-fill-style solid 0.2 0.5 0.9\npolygon-abs-3 0.6 -0.7 0.4  -0.7 -0.5 -0.3  -0.1 0.7 0\n"
+      "close-segment\n";
+  write("t.draw", text);
+  const std::string drawn = "draw t.draw --size 60x50 ";
+  const std::string by_rays = drawn + "--hidden world-ray-cast ";
+  EXPECT_EQ(run(drawn + "-o z.png --ids z.npy --depth zd.npy --hidden z-buffer"), 0) << err_;
+  EXPECT_EQ(run(by_rays + "-o w.png --ids w.npy --depth wd.npy --threads 2"), 0) << err_;
+  EXPECT_EQ(run("compare z.png w.png"), 0) << out_;
+  EXPECT_EQ(run("compare z.npy w.npy"), 0) << out_;
+  EXPECT_EQ(run("compare zd.npy wd.npy"), 0) << out_;
+  EXPECT_EQ(run(by_rays + "-o s.svg"), 0) << err_;
+  EXPECT_EQ(run(by_rays + "-o t.png --turntable 3 --stats"), 0) << err_;
+  EXPECT_NE(out_.find("3, from 1 tree of boxes"), std::string::npos) << out_;
+  EXPECT_EQ(run("compare t-000.png w.png"), 0) << out_;
+  EXPECT_EQ(run(drawn + "-o b.png --turntable 3"), 0) << err_;
+  EXPECT_EQ(run("compare b-001.png t-001.png"), 0) << out_;
+  write("own.draw",
+        "set-hidden-line-removal on\nset-back-face-removal off\n"
+        "set-hidden-method world-ray-cast\n" +
+            text);
+  EXPECT_EQ(run("draw own.draw --size 60x50 -o own.png"), 0) << err_;
+  EXPECT_EQ(run("compare own.png w.png"), 0) << out_;
+  write("late.draw", text + "set-hidden-method world-ray-cast\n");
+  expect_error("draw late.draw -o late.png", "late.draw:10:1: world-ray-cast needs world");
+  write("image.draw", text + "set-image-scale 1 0.5 0.5\n");
+  expect_error("draw image.draw -o i.png --hidden world-ray-cast", "image transformation");
+}
+
 TEST_F(Command, TurntableRefuses) {
   write("t.draw", kTriangle);
   for (const char* views :

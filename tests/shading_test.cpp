@@ -105,6 +105,7 @@ void enter(const Scene& scene, Shading shading, GraphicsSystem& g) {
 
 GraphicsSystem drawn(const Scene& scene, Shading shading, bool perspective = false) {
   GraphicsSystem g;
+  g.set_hidden_method(HiddenMethod::world_ray_cast);  // retains, in case it is drawn by that
   if (perspective) g.set_perspective({0.3, 0.4, 3.0});
   g.set_view_depth(-2, 2);
   enter(scene, shading, g);

@@ -139,8 +139,8 @@ TEST(ZBuffer, ARectangleIsConvexFromWhicheverVertexItBegins) {
     EXPECT_EQ(turn_if_convex(rectangle), 1);
     EXPECT_EQ(turn_if_convex(test::Vertices(rectangle.rbegin(), rectangle.rend())), -1);
     EXPECT_EQ(turn_if_convex(notched), 0);
-    std::ranges::rotate(rectangle, rectangle.begin() + 1);
-    std::ranges::rotate(notched, notched.begin() + 1);
+    std::rotate(rectangle.begin(), rectangle.begin() + 1, rectangle.end());
+    std::rotate(notched.begin(), notched.begin() + 1, notched.end());
   }
 }
 

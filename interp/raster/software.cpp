@@ -171,15 +171,15 @@ void SoftwareRenderer::prepare(const DisplayFile& display_file, const RasterRequ
   if (!image_space) return;
   const PictureSize size{request.width, request.height};
   if (prepared_ && prepared_->method == request.method && prepared_->size == size &&
-      prepared_->roundoff == request.roundoff) {
+      prepared_->roundoff == request.roundoff && prepared_->world == request.world) {
     return;
   }
   prepared_.reset();
   const HiddenMethod method =
       request.method == HiddenMethod::automatic ? kMethodForPixels : request.method;
-  auto finder = make_image_space_method(method);
+  auto finder = make_image_space_method(method, request.world);
   finder->prepare({*scene_, size, request.roundoff}, request.threads);
-  prepared_ = Prepared{request.method, size, request.roundoff, std::move(finder)};
+  prepared_ = Prepared{request.method, size, request.roundoff, request.world, std::move(finder)};
 }
 
 /// No fewer are drawn as cheaply each.

@@ -39,6 +39,7 @@ class SoftwareRenderer {
     HiddenMethod method;  // as asked for
     PictureSize size;
     std::optional<double> roundoff;
+    const ViewedWorld* world;
     std::unique_ptr<ImageSpaceMethod> finder;
   };
   void prepare(const DisplayFile& display_file, const RasterRequest& request);

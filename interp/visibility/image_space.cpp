@@ -10,6 +10,7 @@
 #include "interp/visibility/scan_line.h"
 #include "interp/visibility/scan_line_z.h"
 #include "interp/visibility/warnock.h"
+#include "interp/visibility/world_ray_cast.h"
 #include "interp/visibility/z_buffer.h"
 
 namespace displayfile {
@@ -45,11 +46,13 @@ constexpr std::size_t kExact = 5;  // the first, which decide exactly unless a R
 std::span<const ImageSpaceEntry> image_space_methods() { return std::span(kMethods).first(kExact); }
 
 bool is_image_space(HiddenMethod method) {
-  return method == HiddenMethod::automatic ||
+  return method == HiddenMethod::automatic || method == HiddenMethod::world_ray_cast ||
          std::ranges::find(kMethods, method, &ImageSpaceEntry::method) != kMethods.end();
 }
 
-std::unique_ptr<ImageSpaceMethod> make_image_space_method(HiddenMethod method) {
+std::unique_ptr<ImageSpaceMethod> make_image_space_method(HiddenMethod method,
+                                                          const ViewedWorld* world) {
+  if (method == HiddenMethod::world_ray_cast) return std::make_unique<WorldRayCast>(world);
   const auto entry = std::ranges::find(kMethods, method, &ImageSpaceEntry::method);
   if (entry == kMethods.end()) {
     throw Error("hidden-surface method '" + std::string(name_of(method)) +

@@ -12,6 +12,8 @@
 
 namespace displayfile {
 
+struct ViewedWorld;
+
 /// Called with the fills seen at the centres of columns first, first + 1, ... of a row:
 /// ViewedScene::kBackground where there is none. Rows count from the bottom.
 using SeenRun = std::function<void(int row, int first, std::span<const ViewedScene::Fill> seen)>;
@@ -48,13 +50,16 @@ struct ImageSpaceEntry {
   HiddenMethod method;
   std::unique_ptr<ImageSpaceMethod> (*make)();
 };
-/// Those that decide exactly: all but the plain z-buffer.
+/// Those that decide exactly by the viewed scene: all but world_ray_cast and the plain z-buffer.
 std::span<const ImageSpaceEntry> image_space_methods();
 
-/// True also of `automatic`, which for a picture in pixels picks one of them.
+/// True also of `automatic`, which for a picture in pixels picks one of them, and of
+/// world_ray_cast, which tells of the viewed scene what was found before viewing.
 bool is_image_space(HiddenMethod method);
 
-/// Throws Error if the method does not work in image space.
-std::unique_ptr<ImageSpaceMethod> make_image_space_method(HiddenMethod method);
+/// Throws Error if the method does not work in image space. world_ray_cast works on `world`, which
+/// must live on: what the scene is a view of.
+std::unique_ptr<ImageSpaceMethod> make_image_space_method(HiddenMethod method,
+                                                          const ViewedWorld* world = nullptr);
 
 }  // namespace displayfile

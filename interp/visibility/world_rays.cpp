@@ -5,7 +5,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <optional>
+#include <memory>
+#include <utility>
 
 #include "clip/error.h"
 #include "clip/view_volume.h"
@@ -97,15 +98,16 @@ template <class Number>
 struct Ray {
   Linear<Number> column, row;
 };
+/// A device coordinate as a quotient of doubles, as that of a pixel's centre is exactly.
+struct Quotient {
+  double above, below;
+};
+Quotient centre(int pixel, int pixels) { return {2.0 * pixel + 1.0, 2.0 * pixels}; }
+
+/// All points whose device coordinate is that; `along` is its row of the view's.
 template <class Number>
-Linear<Number> column_plane(const ViewRows<Number>& view, int column, const PictureSize& size) {
-  return view.x.times(number<Number>(2.0 * size.width)) -
-         view.w.times(number<Number>(2.0 * column + 1.0));
-}
-template <class Number>
-Linear<Number> row_plane(const ViewRows<Number>& view, int row, const PictureSize& size) {
-  return view.y.times(number<Number>(2.0 * size.height)) -
-         view.w.times(number<Number>(2.0 * row + 1.0));
+Linear<Number> plane_at(const Linear<Number>& along, const Quotient& at, const Linear<Number>& w) {
+  return along.times(number<Number>(at.below)) - w.times(number<Number>(at.above));
 }
 
 template <class Number>
@@ -212,6 +214,27 @@ Hit<Number> hit_of(const std::array<Point3, 3>& plane, const Ray<Number>& ray,
   }
   hit.nearness = perspective ? -hit.w : hit.z;
   return hit;
+}
+
+/// The same point, rounded, in world coordinates.
+Point3 point_hit(const std::array<Point3, 3>& plane, const Ray<ExactNumber>& ray) {
+  std::array<ExactNumber, 3> u, v, sum;
+  for (std::size_t i = 0; i < 3; ++i) {
+    u[i] = ray.column.at(world_point<ExactNumber>(plane[i]));
+    v[i] = ray.row.at(world_point<ExactNumber>(plane[i]));
+  }
+  ExactNumber weights;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    const ExactNumber weight = cross(u[j], v[j], u[k], v[k]);
+    weights = weights + weight;
+    for (int axis = 0; axis < 3; ++axis) {
+      auto& of_axis = sum[static_cast<std::size_t>(axis)];
+      of_axis = of_axis + weight * ExactNumber(plane[i][axis]);
+    }
+  }
+  return {rounded_quotient(sum[0], weights), rounded_quotient(sum[1], weights),
+          rounded_quotient(sum[2], weights)};
 }
 
 /// The sign of a's depth less b's, or kUndecided. Neither is edge-on.
@@ -339,53 +362,29 @@ void WorldRays::build() {
 
 class WorldRays::Caster {
  public:
-  Caster(const WorldRays& world, const View& view, const PictureSize& size)
+  Caster(const WorldRays& world, const View& view, std::function<bool(std::uint32_t)> is_there)
       : world_(world),
-        view_(view),
-        size_(size),
+        is_there_(std::move(is_there)),
         perspective_(view.projection == View::Projection::perspective),
         volume_(view),
         near_(view, volume_),
         exact_(view, volume_),
         nearness_(
             perspective_ ? Linear<Ball>{-near_.w.a, -near_.w.b, -near_.w.c, -near_.w.d} : near_.z,
-            world.size_) {
-    for (int column = 0; column < size.width; ++column) {
-      columns_.push_back(column_plane(near_, column, size));
-      columns_over_boxes_.emplace_back(columns_.back(), world.size_);
-    }
-  }
+            world.size_) {}
 
-  void cast_row(int row, std::span<std::int32_t> picks) const {
-    std::ranges::fill(picks, -1);
-    const Rectangle& viewport = view_.viewport;
-    if (compare_with_centres(viewport.y_min, size_.height, row) >= 0 ||
-        compare_with_centres(viewport.y_max, size_.height, row) < 0) {
-      return;
-    }
-    Work work;
-    work.row = row;
-    work.near.row = row_plane(near_, row, size_);
-    const OverBoxes row_over_boxes(work.near.row, world_.size_);
-    for (int column = 0; column < size_.width; ++column) {
-      if (compare_with_centres(viewport.x_min, size_.width, column) > 0 ||
-          compare_with_centres(viewport.x_max, size_.width, column) <= 0) {
-        continue;
-      }
-      work.column = column;
-      work.near.column = columns_[static_cast<std::size_t>(column)];
-      work.exact.reset();
-      const Polygon* const seen = cast(work, row_over_boxes);
-      if (seen != nullptr) {
-        picks[static_cast<std::size_t>(column)] = world_.world_[seen->primitive].pick;
-      }
-    }
-  }
+  /// All rays of a column or of a row of pixels, or of a point, lie in a plane.
+  struct Side {
+    Quotient at;
+    Linear<Ball> plane;
+    OverBoxes over_boxes;
+  };
+  Side column(const Quotient& at) const { return side(near_.x, at); }
+  Side row(const Quotient& at) const { return side(near_.y, at); }
 
- private:
   /// One ray, and what it has hit so far.
   struct Work {
-    int column, row;
+    const Side *column, *row;
     Ray<Ball> near;
     std::optional<Ray<ExactNumber>> exact;
     const Polygon* seen;
@@ -394,13 +393,17 @@ class WorldRays::Caster {
     std::vector<WorldPoint<Ball>> points, cut;
   };
 
-  const Polygon* cast(Work& work, const OverBoxes& row) const {
+  /// The primitive seen, or kNothing.
+  std::uint32_t cast(const Side& column, const Side& row, Work& work) const {
+    work.column = &column;
+    work.row = &row;
+    work.near = {column.plane, row.plane};
+    work.exact.reset();
     work.seen = nullptr;
     work.hidden = -std::numeric_limits<double>::infinity();
-    const OverBoxes& column = columns_over_boxes_[static_cast<std::size_t>(work.column)];
     const auto meets = [&](const SpaceBoxes& boxes, OverBoxes::EachBox& nearest) {
-      const auto left = column.least(boxes), right = column.most(boxes);
-      const auto lowest = row.least(boxes), highest = row.most(boxes);
+      const auto left = column.over_boxes.least(boxes), right = column.over_boxes.most(boxes);
+      const auto lowest = row.over_boxes.least(boxes), highest = row.over_boxes.most(boxes);
       nearest = nearness_.most(boxes);
       SpaceTree::Lanes met;
       for (std::size_t k = 0; k < met.size(); ++k) {
@@ -414,11 +417,23 @@ class WorldRays::Caster {
     world_.tree_.near_to_far<double>(
         meets, [&](double nearest) { return nearest < work.hidden; },
         [&](SpaceTree::Position at) { intersect(world_.polygons_[at], work); });
-    return work.seen;
+    return work.seen == nullptr ? kNothing : work.seen->primitive;
+  }
+
+  /// Where the ray cast last hits what it sees.
+  Point3 point_seen(Work& work) const {
+    return point_hit(plane_of(world_.points(*work.seen), work.seen->spread), exact_ray(work));
+  }
+
+ private:
+  Side side(const Linear<Ball>& along, const Quotient& at) const {
+    const Linear<Ball> plane = plane_at(along, at, near_.w);
+    return {at, plane, OverBoxes(plane, world_.size_)};
   }
 
   void intersect(const Polygon& polygon, Work& work) const {
     int covered = kUndecided;
+    if (is_there_ && !is_there_(polygon.primitive)) return;
     const bool known = vertices_of(polygon, near_, work.points, work.cut);
     if (known) covered = covers(work.points, work.near);
     if (covered == kUndecided) covered = covers_exactly(polygon, work);
@@ -459,8 +474,8 @@ class WorldRays::Caster {
 
   const Ray<ExactNumber>& exact_ray(Work& work) const {
     if (!work.exact) {
-      work.exact = Ray<ExactNumber>{column_plane(exact_, work.column, size_),
-                                    row_plane(exact_, work.row, size_)};
+      work.exact = Ray<ExactNumber>{plane_at(exact_.x, work.column->at, exact_.w),
+                                    plane_at(exact_.y, work.row->at, exact_.w)};
     }
     return *work.exact;
   }
@@ -485,28 +500,84 @@ class WorldRays::Caster {
   }
 
   const WorldRays& world_;
-  const View& view_;
-  PictureSize size_;
+  std::function<bool(std::uint32_t)> is_there_;
   bool perspective_;
   ViewVolume volume_;
   ViewRows<Ball> near_;
   ViewRows<ExactNumber> exact_;
   OverBoxes nearness_;
-  std::vector<Linear<Ball>> columns_;
-  std::vector<OverBoxes> columns_over_boxes_;
 };
+
+/// The rays through the pixel centres of a viewport.
+class WorldRays::PictureRays {
+ public:
+  PictureRays(const WorldRays& world, const View& view, const PictureSize& size,
+              std::function<bool(std::uint32_t)> is_there)
+      : caster_(world, view, std::move(is_there)), viewport_(view.viewport), size_(size) {
+    for (int column = 0; column < size.width; ++column) {
+      columns_.push_back(caster_.column(centre(column, size.width)));
+    }
+  }
+
+  void cast_row(int row, std::span<std::uint32_t> seen) const {
+    std::ranges::fill(seen, kNothing);
+    if (compare_with_centres(viewport_.y_min, size_.height, row) >= 0 ||
+        compare_with_centres(viewport_.y_max, size_.height, row) < 0) {
+      return;
+    }
+    Caster::Work work;
+    const Caster::Side row_side = caster_.row(centre(row, size_.height));
+    for (int column = 0; column < size_.width; ++column) {
+      if (compare_with_centres(viewport_.x_min, size_.width, column) > 0 ||
+          compare_with_centres(viewport_.x_max, size_.width, column) <= 0) {
+        continue;
+      }
+      const auto k = static_cast<std::size_t>(column);
+      seen[k] = caster_.cast(columns_[k], row_side, work);
+    }
+  }
+
+ private:
+  Caster caster_;
+  Rectangle viewport_;
+  PictureSize size_;
+  std::vector<Caster::Side> columns_;
+};
+
+WorldRays::CastRow WorldRays::rays(const View& view, const PictureSize& size,
+                                   std::function<bool(std::uint32_t)> is_there) const {
+  const auto rays = std::make_shared<const PictureRays>(*this, view, size, std::move(is_there));
+  return [rays](int row, std::span<std::uint32_t> seen) { rays->cast_row(row, seen); };
+}
 
 std::vector<std::int32_t> WorldRays::picks(const View& view, const PictureSize& size,
                                            int threads) const {
   const auto width = static_cast<std::size_t>(size.width);
   std::vector<std::int32_t> picks(width * static_cast<std::size_t>(size.height));
-  const Caster caster(*this, view, size);
+  const PictureRays rays(*this, view, size, {});
   const auto cast_row = [&](std::size_t from_top) {
-    const int row = size.height - 1 - static_cast<int>(from_top);
-    caster.cast_row(row, std::span(picks).subspan(from_top * width, width));
+    std::vector<std::uint32_t> seen(width);
+    rays.cast_row(size.height - 1 - static_cast<int>(from_top), seen);
+    const auto pick = [&](std::uint32_t i) { return i == kNothing ? -1 : world_[i].pick; };
+    std::ranges::transform(seen, picks.begin() + static_cast<std::ptrdiff_t>(from_top * width),
+                           pick);
   };
   in_parallel(threads, static_cast<std::size_t>(size.height), cast_row);
   return picks;
+}
+
+/// Edges of the viewport are covered as a polygon's are: the left and the upper one.
+std::optional<WorldRays::Seen> WorldRays::seen_at(const View& view, const Point2& at) const {
+  const Rectangle& viewport = view.viewport;
+  const Caster caster(*this, view, {});
+  const bool inside = at.x >= viewport.x_min && at.x < viewport.x_max && at.y > viewport.y_min &&
+                      at.y <= viewport.y_max;
+  if (!inside) return std::nullopt;
+  Caster::Work work;
+  const Caster::Side column = caster.column({at.x, 1.0}), row = caster.row({at.y, 1.0});
+  const std::uint32_t primitive = caster.cast(column, row, work);
+  if (primitive == kNothing) return std::nullopt;
+  return Seen{primitive, caster.point_seen(work)};
 }
 
 }  // namespace displayfile

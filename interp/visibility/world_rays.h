@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,6 +32,25 @@ class WorldRays {
   /// threads, with the same result. Throws Error as ViewVolume does.
   std::vector<std::int32_t> picks(const View& view, const PictureSize& size, int threads = 1) const;
 
+  /// Casts the rays of a row of pixel centres, which counts from the bottom: tells of each which
+  /// primitive of scene() is seen, or kNothing. May be called by several threads at a time.
+  using CastRow = std::function<void(int row, std::span<std::uint32_t> seen)>;
+  static constexpr std::uint32_t kNothing = ~std::uint32_t{0};
+  /// The rays of a picture, which must not outlive this. They see those primitives alone for which
+  /// `is_there` says so, all if it is empty. Throws Error as ViewVolume does.
+  CastRow rays(const View& view, const PictureSize& size,
+               std::function<bool(std::uint32_t)> is_there = {}) const;
+
+  /// What the ray through one point sees.
+  struct Seen {
+    std::uint32_t primitive;
+    Point3 point;  ///< where, in world coordinates, rounded
+  };
+  /// At a point of the picture (device coordinates, 0 to 1 over the picture); nothing outside of
+  /// the viewport. Throws Error as ViewVolume does.
+  std::optional<Seen> seen_at(const View& view, const Point2& at) const;
+
+  const RetainedScene& scene() const { return world_; }  ///< the visible segments
   std::size_t polygons() const { return polygons_.size(); }
 
  private:
@@ -43,6 +64,7 @@ class WorldRays {
     bool both_sides;   ///< back faces are kept
   };
   class Caster;
+  class PictureRays;
 
   void enter(std::uint32_t primitive);
   Bounds bounds_of(const Polygon& polygon) const;

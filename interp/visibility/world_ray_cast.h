@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "interp/visibility/fill_depths.h"
+#include "interp/visibility/image_space.h"
+#include "interp/visibility/world_rays.h"
+
+namespace displayfile {
+
+/// Ray casting in object space as a method: which fill of the viewed scene is seen at each pixel
+/// centre is what the rays in world coordinates see (interp/visibility/ray_cast.md). What viewing
+/// leaves nothing of, rays go through.
+class WorldRayCast : public ImageSpaceMethod {
+ public:
+  /// The world must live on; null: there is none, and prepare throws Error.
+  explicit WorldRayCast(const ViewedWorld* world) : world_(world) {}
+
+  /// Of a viewed scene of the world's display file. Throws Error with a ROUNDOFF.
+  void prepare(const Request& request, int threads) override;
+  void draw_rows(int row_begin, int row_end, const SeenRun& seen) const override;
+
+ private:
+  using Fill = ViewedScene::Fill;
+
+  const ViewedWorld* world_;
+  std::optional<Request> request_;
+  std::vector<Fill> fill_of_;             // of the world's primitives
+  std::vector<WorldRays::CastRow> rays_;  // of each view
+  FillDepths depths_;                     // where views must be told apart by them
+};
+
+}  // namespace displayfile

@@ -1,0 +1,73 @@
+#include "interp/world_views.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "clip/error.h"
+#include "displayfile/view_stage.h"
+#include "interp/visibility/world_rays.h"
+
+namespace displayfile {
+
+namespace {
+
+/// Enters the segments of a scene, each in one of some views.
+class ViewedSegments {
+ public:
+  explicit ViewedSegments(std::shared_ptr<const WorldRays> rays) {
+    world_.sources.resize(rays->scene().size());
+    world_.rays = std::move(rays);
+  }
+
+  void enter(const RetainedScene::Segment& part, const View& view,
+             const glm::dmat3& lights_turned) {
+    const auto number =
+        static_cast<std::uint32_t>(std::ranges::find(world_.views, view) - world_.views.begin());
+    if (number == world_.views.size()) world_.views.push_back(view);
+    const ViewVolume volume(view);
+    ViewStage stage(volume);
+    Segment& segment = world_.display_file.create(part.name);
+    world_.rays->scene().enter_viewed(part, stage, lights_turned, segment, [&](std::uint32_t i) {
+      world_.sources[i] = {items_++, number};
+    });
+    segment.close();
+  }
+  ViewedWorld take() { return std::move(world_); }
+
+ private:
+  ViewedWorld world_;
+  std::uint32_t items_ = 0;
+};
+
+}  // namespace
+
+WorldViews::WorldViews(const RetainedScene& scene, const DisplayFile& attributes)
+    : rays_(std::make_shared<WorldRays>(scene, attributes)) {}
+
+ViewedWorld WorldViews::view(const View& view, const glm::dmat3& lights_turned) const {
+  ViewedSegments segments(rays_);
+  for (const RetainedScene::Segment& part : rays_->scene().segments()) {
+    segments.enter(part, view, lights_turned);
+  }
+  return segments.take();
+}
+
+ViewedWorld WorldViews::as_drawn() const {
+  ViewedSegments segments(rays_);
+  for (const RetainedScene::Segment& part : rays_->scene().segments()) {
+    segments.enter(part, part.view, glm::dmat3(1.0));
+  }
+  return segments.take();
+}
+
+std::optional<Pick> WorldViews::pick(const View& view, double x, double y) const {
+  if (!std::isfinite(x) || !std::isfinite(y)) throw Error("a point to pick at is not finite");
+  const auto seen = rays_->seen_at(view, {x, y});
+  if (!seen) return std::nullopt;
+  const RetainedScene& scene = rays_->scene();
+  return Pick{scene[seen->primitive].pick, scene.segment_of(seen->primitive).name, seen->point};
+}
+
+std::size_t WorldViews::polygons() const { return rays_->polygons(); }
+
+}  // namespace displayfile

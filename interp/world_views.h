@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "clip/view.h"
+#include "displayfile/display_file.h"
+#include "displayfile/retained_scene.h"
+
+namespace displayfile {
+
+class WorldRays;
+
+/// What is seen at a point of a picture.
+struct Pick {
+  std::int32_t id;  ///< the polygon's pick identifier
+  int segment;      ///< the name of the segment that it is in
+  Point3 point;     ///< where it is seen, in world coordinates: the exact point, rounded
+};
+
+/// A retained scene in its views, to be drawn by draw (interp/draw.h) as a display file is: what is
+/// seen is found by rays cast in world coordinates.
+struct ViewedWorld {
+  /// Of a primitive that is an item of the viewed scene (displayfile/viewed_scene.h).
+  struct Source {
+    static constexpr std::uint32_t kNotSeen = ~std::uint32_t{0};
+    std::uint32_t item = kNotSeen;
+    std::uint32_t view = 0;  ///< its number
+  };
+  DisplayFile display_file;     ///< as if the application had drawn it there
+  std::vector<View> views;      ///< one, or those that the segments were drawn in
+  std::vector<Source> sources;  ///< of the primitives
+  std::shared_ptr<const WorldRays> rays;
+};
+
+/// One tree of boxes, many views: ray casting in object space for pictures of a retained scene and
+/// for picking in it (interp/visibility/ray_cast.md). Which polygon is seen at a pixel's centre or
+/// at a point picked is decided exactly, as if the polygons went through the view's matrix
+/// unrounded; of equally near ones it is the one entered later.
+class WorldViews {
+ public:
+  /// Takes the visible segments of the scene, as they now are; `attributes` is the display file of
+  /// the system that retained them. Throws Error if one has an image transformation: those act
+  /// after viewing.
+  WorldViews(const RetainedScene& scene, const DisplayFile& attributes);
+
+  /// The scene in a view. Lights are turned by `lights_turned`, a rotation. Throws Error as
+  /// ViewVolume does.
+  ViewedWorld view(const View& view, const glm::dmat3& lights_turned = glm::dmat3(1.0)) const;
+  /// Each segment in the view that the application drew it in. Where these overlap in the picture
+  /// the nearer polygon is seen, by its depth in its own view.
+  ViewedWorld as_drawn() const;
+
+  /// What is seen of the whole scene in that view at a point of the picture: device coordinates,
+  /// 0 to 1 over the picture, y up. Solid fills alone are seen, through what clipping and
+  /// back-face removal take away. Nothing where there is none, and outside of the viewport. Throws
+  /// Error as ViewVolume does, and for coordinates that are not finite.
+  std::optional<Pick> pick(const View& view, double x, double y) const;
+
+  std::size_t polygons() const;  ///< in the tree
+
+ private:
+  std::shared_ptr<const WorldRays> rays_;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,248 @@
+// Ray casting in object space as its users meet it: pictures of what is retained, and picking.
+
+#include "interp/world_views.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include "clip/error.h"
+#include "clip/view_volume.h"
+#include "displayfile/text/drawing_program.h"
+#include "displayfile/turntable.h"
+#include "interp/draw.h"
+#include "interp/raster/software.h"
+#include "interp/truth/truth.h"
+#include "programs/scenes/generated_scenes.h"
+#include "tests/retained_truth.h"
+#include "tests/world_truth.h"
+
+namespace displayfile {
+namespace {
+
+using test::Retained;
+
+constexpr int kWidth = 80, kHeight = 64;
+
+DrawOptions options_of(HiddenMethod method) {
+  DrawOptions options;
+  options.width = kWidth;
+  options.height = kHeight;
+  options.hidden = method;
+  options.ids = options.depth = "in memory";
+  return options;
+}
+
+/// Painted as by the z-buffer.
+void expect_right_painting(const Picture& picture, const DisplayFile& file) {
+  RasterRequest request;
+  request.width = kWidth;
+  request.height = kHeight;
+  request.method = HiddenMethod::z_buffer;
+  request.ids = request.depth = true;
+  const Picture by_z_buffer = draw_with_software(file, request);
+  EXPECT_EQ(picture.pixels, by_z_buffer.pixels);
+  EXPECT_EQ(picture.depth, by_z_buffer.depth);
+}
+
+/// Seen as the truth is, and painted so.
+void expect_right(const Picture& picture, const DisplayFile& file) {
+  EXPECT_EQ(picture.ids, truth(file, kWidth, kHeight, false).ids);
+  expect_right_painting(picture, file);
+}
+
+/// The same, except where the rounding of the transformation decides. Returns at how many pixels.
+std::size_t expect_right_unrounded(const Picture& picture, const Retained& retained) {
+  const auto right = truth(retained.system.display_file(), kWidth, kHeight, false).ids;
+  const test::WorldTruth world(retained.scene);
+  std::size_t other = 0;
+  for (int row = 0; row < kHeight; ++row) {
+    for (int column = 0; column < kWidth; ++column) {
+      const auto k = static_cast<std::size_t>((kHeight - 1 - row) * kWidth + column);
+      if (picture.ids[k] == right[k]) continue;
+      ++other;
+      EXPECT_EQ(picture.ids[k],
+                world.seen_at(retained.system.view(), {column, row, {kWidth, kHeight}}))
+          << column << "," << row;
+    }
+  }
+  if (other == 0) expect_right_painting(picture, retained.system.display_file());
+  return other;
+}
+
+bool has_image_transformations(const DisplayFile& file) {
+  return std::ranges::any_of(file.visible_segments(),
+                             [](const Segment* segment) { return !segment->image.is_identity(); });
+}
+
+/// Lines, light, shadows, smooth shading, clipping, several views in one picture. The terrain has
+/// faces in the plane of the sea: there alone viewing, which rounds, tells them apart.
+TEST(WorldViews, DrawTheGallery) {
+  int drawn = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(DISPLAYFILE_SOURCE_DIR "/programs")) {
+    if (entry.path().extension() != ".draw") continue;
+    SCOPED_TRACE(entry.path().filename());
+    Retained retained;
+    replay_file(entry.path().string(), retained.system);
+    const DisplayFile& file = retained.system.display_file();
+    const DrawOptions options = options_of(HiddenMethod::world_ray_cast);
+    if (has_image_transformations(file)) {
+      EXPECT_THROW(draw(retained.system, options), Error);
+      continue;
+    }
+    const bool coplanar = entry.path().stem() == "terrain";
+    const std::size_t other = expect_right_unrounded(draw(retained.system, options), retained);
+    EXPECT_EQ(other > 0, coplanar) << other << " pixels";
+    ++drawn;
+  }
+  EXPECT_GE(drawn, 10);
+}
+
+TEST(WorldViews, DrawAllViewsFromOneTree) {
+  Retained retained;
+  enter(generated_scene("city").make(300, 2), retained.system);
+  const DisplayFile& file = retained.system.display_file();
+  const Turntable turntable(retained.scene, file, {});
+  const WorldViews trees(retained.scene, file);
+  for (const double degrees : {0.0, 40.0, 130.0, 255.0}) {
+    SCOPED_TRACE(degrees);
+    const auto [view, lights] = turntable.at(degrees);
+    const ViewedWorld world = trees.view(view, lights);
+    DrawOptions options = options_of(HiddenMethod::world_ray_cast);
+    const Picture picture = draw(world, options);
+    expect_right(picture, world.display_file);
+    EXPECT_GT(std::ranges::count_if(picture.ids, [](int id) { return id >= 0; }), 500);
+    options.threads = 3;
+    EXPECT_EQ(draw(world, options).ids, picture.ids);
+    options.samples = 2;
+    EXPECT_EQ(draw(world, options).ids, picture.ids);
+  }
+}
+
+/// Linear over depths that agree in all views: a parallel projection along z.
+void enter_segment(GraphicsSystem& g, int name, const Rectangle& viewport, double z) {
+  g.set_viewport(viewport.x_min, viewport.x_max, viewport.y_min, viewport.y_max);
+  g.open_segment(name);
+  g.polygon_abs_3({{-0.9, -0.9, z}, {0.9, -0.8, z}, {0.0, 0.9, -z}});
+  g.close_segment();
+}
+
+TEST(WorldViews, OfSeveralViewsThatOverlapTheNearestIsSeen) {
+  Retained retained;
+  enter_segment(retained.system, 1, {0.0, 0.7, 0.0, 0.7}, 0.5);
+  enter_segment(retained.system, 2, {0.2, 1.0, 0.2, 1.0}, 0.1);
+  enter_segment(retained.system, 3, {0.1, 0.9, 0.3, 0.8}, 0.5);
+  const Picture picture = draw(retained.system, options_of(HiddenMethod::world_ray_cast));
+  expect_right(picture, retained.system.display_file());
+  for (const int id : {0, 1, 2}) EXPECT_GT(std::ranges::count(picture.ids, id), 20) << id;
+}
+
+TEST(WorldViews, SettingTheMethodRetains) {
+  GraphicsSystem g;
+  g.set_hidden_line_removal(true);
+  g.set_hidden_method(HiddenMethod::world_ray_cast);
+  test::enter_two_segments(g);
+  ASSERT_NE(g.retained(), nullptr);
+  EXPECT_EQ(g.retained()->segments().size(), 2u);
+  DrawOptions options = options_of(HiddenMethod::world_ray_cast);
+  options.hidden.reset();
+  expect_right(draw(g, options), g.display_file());
+
+  GraphicsSystem copy = g;  // has its own
+  copy.delete_segment(4);
+  copy.set_viewport(0.0, 0.5, 0.0, 1.0);
+  EXPECT_EQ(g.retained()->segments().size(), 2u);
+  expect_right(draw(copy, options), copy.display_file());
+  expect_right(draw(g, options), g.display_file());
+  g.set_visibility(4, false);
+  expect_right(draw(g, options), g.display_file());
+  g.retain(nullptr);
+  EXPECT_THROW(draw(g, options), Error);
+}
+
+TEST(WorldViews, RefuseWhatTheyCannotDraw) {
+  GraphicsSystem g;
+  test::enter_two_segments(g);
+  EXPECT_THROW(draw(g, options_of(HiddenMethod::world_ray_cast)), Error);
+  EXPECT_THROW(g.set_hidden_method(HiddenMethod::world_ray_cast), Error);
+  EXPECT_EQ(g.hidden_method(), HiddenMethod::automatic);
+  EXPECT_EQ(g.retained(), nullptr);
+
+  Retained retained;
+  test::enter_two_segments(retained.system);
+  DrawOptions options = options_of(HiddenMethod::world_ray_cast);
+  EXPECT_NO_THROW(draw(retained.system, options));
+  options.precision = Precision{.exact = false, .roundoff = 1e-6};
+  EXPECT_THROW(draw(retained.system, options), Error);
+  options.precision.reset();
+  retained.system.set_precision({.exact = false, .roundoff = 1e-6});
+  EXPECT_THROW(draw(retained.system, options), Error);
+  retained.system.set_precision({});
+  retained.system.set_image_translation(2, 0.1, 0.0);
+  EXPECT_THROW(draw(retained.system, options), Error);
+}
+
+// ---- Picking ---------------------------------------------------------------------------
+
+/// At every pixel's centre what the item buffer has there; where it is goes back to the centre.
+TEST(Picking, TellsWhatIsSeenAndWhere) {
+  Retained retained;
+  test::enter_two_segments(retained.system);
+  const DisplayFile& file = retained.system.display_file();
+  const View& view = retained.system.view();
+  const WorldViews world(retained.scene, file);
+  const ViewVolume volume(view);
+  const Picture right = truth(file, kWidth, kHeight, true);
+  int hits = 0;
+  for (int row = 0; row < kHeight; ++row) {
+    for (int column = 0; column < kWidth; ++column) {
+      // 1/160 is no double: the points are those of pixels but for a rounding.
+      const double x = (column + 0.5) / kWidth, y = (row + 0.5) / kHeight;
+      const auto k = static_cast<std::size_t>((kHeight - 1 - row) * kWidth + column);
+      const auto pick = world.pick(view, x, y);
+      ASSERT_EQ(pick ? pick->id : -1, right.ids[k]) << column << "," << row;
+      if (!pick) continue;
+      ++hits;
+      EXPECT_EQ(pick->segment, pick->id >= 70 ? 2 : 4);
+      const HomogeneousPoint p = volume.transform(pick->point);
+      EXPECT_NEAR(p.x / p.w, x, 1e-14);
+      EXPECT_NEAR(p.y / p.w, y, 1e-14);
+      EXPECT_NEAR(p.z / p.w, right.depth[k], 1e-14);
+    }
+  }
+  EXPECT_GT(hits, 500);
+}
+
+/// Common edges and corners belong to one polygon alone, and of coplanar ones the later is seen.
+TEST(Picking, DecidesExactly) {
+  Retained retained;
+  GraphicsSystem& g = retained.system;
+  g.open_segment(8);
+  g.polygon_abs_3({{-0.5, -0.5, 0.0}, {0.0, -0.5, 0.0}, {0.0, 0.5, 0.0}, {-0.5, 0.5, 0.0}});
+  g.polygon_abs_3({{0.0, -0.5, 0.0}, {0.5, -0.5, 0.0}, {0.5, 0.5, 0.0}, {0.0, 0.5, 0.0}});
+  g.close_segment();
+  g.open_segment(9);
+  g.polygon_abs_3({{0.25, -0.5, 0.0}, {0.5, -0.5, 0.0}, {0.5, 0.0, 0.0}, {0.25, 0.0, 0.0}});
+  g.close_segment();
+  const WorldViews world(retained.scene, g.display_file());
+  const auto at = [&](double x, double y) { return world.pick(g.view(), x, y); };
+  const double half = 0.5, below = std::nextafter(half, 0.0), above = std::nextafter(half, 1.0);
+  EXPECT_EQ(at(below, 0.6)->id, 0);
+  EXPECT_EQ(at(half, 0.6)->id, 1);
+  EXPECT_EQ(at(0.625, above)->id, 1);
+  EXPECT_EQ(at(0.625, half)->id, 2);
+  EXPECT_EQ(at(0.625, half)->segment, 9);
+  EXPECT_EQ(at(0.625, half)->point, Point3(0.25, 0.0, 0.0));
+  EXPECT_FALSE(at(0.75, 0.6));  // a right edge is not covered
+  EXPECT_TRUE(at(std::nextafter(0.75, 0.0), 0.6));
+  EXPECT_FALSE(at(-0.1, 0.5));
+  EXPECT_FALSE(at(0.5, 1e300));
+  EXPECT_THROW(at(std::nan(""), 0.5), Error);
+}
+
+}  // namespace
+}  // namespace displayfile

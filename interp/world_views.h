@@ -24,7 +24,7 @@ struct Pick {
 /// A retained scene in its views, to be drawn by draw (interp/draw.h) as a display file is: what is
 /// seen is found by rays cast in world coordinates.
 struct ViewedWorld {
-  /// Of a primitive that is an item of the viewed scene (displayfile/viewed_scene.h).
+  /// What is noted of a primitive that is an item of the viewed scene (displayfile/viewed_scene.h).
   struct Source {
     static constexpr std::uint32_t kNotSeen = ~std::uint32_t{0};
     std::uint32_t item = kNotSeen;

@@ -11,6 +11,7 @@
 
 #include "clip/error.h"
 #include "clip/view_volume.h"
+#include "displayfile/mesh/mesh.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/turntable.h"
 #include "interp/draw.h"
@@ -121,6 +122,40 @@ TEST(WorldViews, DrawAllViewsFromOneTree) {
     options.samples = 2;
     EXPECT_EQ(draw(world, options).ids, picture.ids);
   }
+}
+
+/// Polygons of a mesh share their vertices, and rays go through common edges of neighbours.
+TEST(WorldViews, DrawAMesh) {
+  constexpr int kSide = 24;
+  Mesh mesh;
+  mesh.objects = {{"waves", 0, 2 * kSide * kSide}};
+  mesh.first_corner = {0};
+  for (int i = 0; i <= kSide; ++i) {
+    for (int j = 0; j <= kSide; ++j) {
+      // Sheared, so that no edge runs through pixel centres, where rounding would decide.
+      mesh.vertices.emplace_back(i / 8.0 + 0.0131 * j, j / 8.0 - 0.0173 * i,
+                                 0.125 * ((i * i + 3 * j) % 5));
+    }
+  }
+  for (std::uint32_t i = 0; i < kSide; ++i) {
+    for (std::uint32_t j = 0; j < kSide; ++j) {
+      const std::uint32_t a = i * (kSide + 1) + j, b = a + kSide + 1;
+      for (const std::uint32_t corner : {a, b, b + 1}) mesh.corners.push_back(corner);
+      mesh.first_corner.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+      for (const std::uint32_t corner : {a, b + 1, a + 1}) mesh.corners.push_back(corner);
+      mesh.first_corner.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+    }
+  }
+  Retained retained;
+  retained.system.set_window(-0.5, 3.5, -0.5, 3.5);
+  retained.system.set_perspective({1.0, -2.0, 6.0});
+  retained.system.set_light({1.0, 2.0, 3.0});
+  enter_mesh(mesh, retained.system, 1);
+  const DisplayFile& file = retained.system.display_file();
+  ASSERT_EQ(file.polygons(), std::size_t{2 * kSide * kSide});
+  const Picture picture = draw(retained.system, options_of(HiddenMethod::world_ray_cast));
+  expect_right(picture, file);
+  EXPECT_GT(std::ranges::count_if(picture.ids, [](int id) { return id >= 0; }), 800);
 }
 
 /// Linear over depths that agree in all views: a parallel projection along z.

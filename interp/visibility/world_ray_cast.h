@@ -16,7 +16,7 @@ class WorldRayCast : public ImageSpaceMethod {
   /// The world must live on; null: there is none, and prepare throws Error.
   explicit WorldRayCast(const ViewedWorld* world) : world_(world) {}
 
-  /// Of a viewed scene of the world's display file. Throws Error with a ROUNDOFF.
+  /// Takes up a viewed scene of the world's display file. Throws Error with a ROUNDOFF.
   void prepare(const Request& request, int threads) override;
   void draw_rows(int row_begin, int row_end, const SeenRun& seen) const override;
 

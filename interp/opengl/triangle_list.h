@@ -28,7 +28,10 @@ struct TriangleBatch {
   std::size_t first, count;  ///< vertices, three a triangle
 };
 
-/// A display file as triangles, for a device that knows only these. Their order is that of
+/// A display file as triangles, for a device that knows only these. They are that device's output
+/// format, as paths are SVG's, and no representation of the scene: single precision, the order and
+/// pass of one picture, and lines widened for its size are in them, and nothing but OpenGL reads
+/// them. Their order is that of
 /// the instructions, and a batch is cut only by a polygon that is not convex.
 ///
 /// Of a shaded polygon each vertex has its own colour, of any other all have the same. Fills lie in

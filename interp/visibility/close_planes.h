@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "hidden/exact/depth_comparison.h"
+#include "hidden/exact/pixel_centre.h"
 #include "hidden/exact/plane.h"
-#include "interp/visibility/decided_run.h"
 
 namespace displayfile {
 
@@ -32,10 +32,6 @@ class ClosePlanes {
   /// Whether the polygon entered last is seen at a centre, rather than the one compared with.
   bool later_is_seen(int column, int row) {
     return comparison_.order(PixelCentre(column, row, size_)) >= 0;
-  }
-  /// Whether it is seen in columns that all show the polygon compared with.
-  DecidedRun run(int row, int first, int end) {
-    return run_of(first, end, [&](int column) { return later_is_seen(column, row); });
   }
 
  private:

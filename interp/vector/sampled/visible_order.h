@@ -16,9 +16,10 @@ namespace displayfile {
 /// are left out. Then the seen parts of lines and edges are drawn
 /// (interp/vector/sampled/visible_lines.h). A segment may begin and end several times.
 ///
-/// Memory: the display file's polygons once more, and a z-buffer of a few million pixels; larger
-/// pictures are worked through in bands of rows. Throws Error for a size outside of 1 to
-/// kLargestSide.
+/// All that is drawn is read from the one scene (displayfile/viewed_scene.h). Memory beside it: the
+/// z-buffer's fills, some depths a fill, and what a few million pixels show; larger pictures are
+/// worked through in bands of rows. This is the room's only door. Throws Error for a size outside
+/// of 1 to kLargestSide.
 void draw_in_visible_order(const DisplayFile& display_file, int width, int height,
                            VectorDevice& device);
 

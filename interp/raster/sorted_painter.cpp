@@ -67,7 +67,7 @@ SortedPainter::Undecided SortedPainter::undecided_of(int segment_name) const {
   return segment.sorted_as_drawn() ? Undecided::at_boundaries : Undecided::all;
 }
 
-/// How far the segment's boundaries may be off besides (SortedInstructions::boundary_error).
+/// How far the segment's boundaries may be off besides (SortedScene::boundary_error).
 double SortedPainter::sort_boundary_error(int segment_name) const {
   if (display_file_.sorted()) return display_file_.sorted()->boundary_error;
   const Segment& segment = display_file_.segment(segment_name);

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <ranges>
 #include <set>
 #include <span>
 #include <utility>
@@ -144,8 +143,11 @@ void put_in_order(std::span<const FlatBox> boxes, std::span<std::uint32_t> part)
   }
   const auto position = [&](std::uint32_t i, std::size_t axis) { return boxes[i].position(axis); };
   const auto spread = [&](std::size_t axis) {
-    const auto [low, high] = std::ranges::minmax(
-        part | std::views::transform([&](std::uint32_t i) { return position(i, axis); }));
+    auto low = position(part[0], axis), high = low;
+    for (const std::uint32_t i : part) {
+      low = std::min(low, position(i, axis));
+      high = std::max(high, position(i, axis));
+    }
     return high - low;
   };
   const std::size_t axis = spread(1) > spread(0) ? 1 : 0;

@@ -268,7 +268,7 @@ class OverBoxes {
   }
 
  private:
-  /// Of one axis after the other, as rising or falling along it says.
+  /// Looks at one axis after the other, as rising or falling along it says.
   template <class Sides>
   EachBox at_corners(const Sides& rising, const Sides& falling, double offset) const {
     const auto& x = normal_[0] < 0.0 ? falling[0] : rising[0];

@@ -29,7 +29,7 @@ class SeenBand {
 
   /// Within the band and its margins.
   Fill seen(int column, int row) const { return seen_[index(column, row)]; }
-  /// Of the fill seen; minus infinity for the background.
+  /// The depth of the fill seen; minus infinity for the background.
   double depth(int column, int row) const {
     const Fill fill = seen(column, row);
     if (fill == ViewedScene::kBackground) return -std::numeric_limits<double>::infinity();

@@ -17,7 +17,7 @@ namespace {
 
 using Fill = ViewedScene::Fill;
 
-/// Of the z-buffer at one time.
+/// How many pixels the z-buffer holds at one time.
 constexpr int kPixelsPerBand = 1 << 22;
 
 /// A fill that reaches no centre is compared with the pixels it touches if these are few.

@@ -448,6 +448,7 @@ void GraphicsSystem::polygons_abs_3(std::span<const Point3> vertices,
   const std::span<const Point3> world = shared_world(vertices);
   Segment& segment = display_file_.segment(*open_);
   view_stage_->view_vertices(world);
+  if (RetainedScene* scene = retaining()) scene->begin_shared(world.size());
   const FillStyle in_force = attributes_.fill;
   const std::size_t polygons = sides.empty() ? corners.size() / 3 : sides.size();
   segment.reserve_polygons(polygons, corners.size());
@@ -474,24 +475,21 @@ std::span<const Point3> GraphicsSystem::shared_world(std::span<const Point3> ver
   return shared_world_;
 }
 
-/// One polygon of many; its vertices in world coordinates are gathered only if they are needed.
+/// One polygon of many.
 void GraphicsSystem::enter_shared(std::span<const Point3> world,
                                   std::span<const std::uint32_t> corners, Segment& segment) {
   const int pick = pick_ >= 0 ? pick_ : static_cast<int>(ordinal_);
   ++ordinal_;
-  world_points_.clear();
-  const bool triangle = corners.size() == 3;
-  if (!triangle || attributes_.light || retained() != nullptr) {
-    for (const std::uint32_t corner : corners) world_points_.push_back(world[corner]);
-  }
-  const Point3 normal = attributes_.light ? newell_normal(world_points_) : Point3(0.0);
-  if (!triangle && !is_flat(world_points_)) {
+  const PointRow vertices(world, corners);
+  const Point3 normal = attributes_.light ? newell_normal(vertices) : Point3(0.0);
+  if (corners.size() != 3 && !is_flat(vertices)) {
     ++triangulated_;
+    world_points_.assign(vertices.begin(), vertices.end());
     return enter_triangles(normal, {}, pick);
   }
-  const WorldPolygon polygon{world_points_, {}, normal, {}, pick};
-  if (RetainedScene* scene = retaining()) scene->enter_polygon(polygon, attributes_);
-  view_stage_->enter_shared(world, corners, polygon, attributes_, segment);
+  const WorldPolygon polygon{std::span(vertices), {}, normal, {}, pick};
+  if (RetainedScene* scene = retaining()) scene->enter_shared(corners, polygon, attributes_);
+  view_stage_->enter_shared(corners, polygon, attributes_, segment);
 }
 
 // ---- Attributes ------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include "clip/error.h"
@@ -17,6 +18,7 @@ namespace displayfile {
 namespace {
 
 constexpr Point3 kNone(0.0);
+constexpr std::uint32_t kNotKept = std::numeric_limits<std::uint32_t>::max();
 
 /// The value of that index, of those that are stored up to the last that is not zero.
 Point3 stored(const std::vector<Point3>& values, std::uint32_t i) {
@@ -43,7 +45,7 @@ bool RetainedScene::draws(std::uint32_t i) const {
 }
 
 double RetainedScene::off_plane(std::uint32_t i) const {
-  const auto polygon = points(i);
+  const PointRow polygon = points(i);
   if (polygon.size() <= 3) return 0.0;
   const SupportVertices support = spread_vertices(polygon);
   if (support.edge_on) return 0.0;
@@ -90,6 +92,7 @@ void RetainedScene::enter_viewed(const Segment& part, ViewStage& stage,
                                  const std::function<void(std::uint32_t)>& is_item) const {
   std::optional<std::uint32_t> in_force;
   Attributes attributes;
+  if (has_shared()) stage.view_vertices(points(part), part.first_point);
   for (std::uint32_t i = part.first; i < part.end; ++i) {
     if (in_force != primitives_[i].attributes) {
       in_force = primitives_[i].attributes;
@@ -105,21 +108,26 @@ void RetainedScene::enter_viewed(const Segment& part, ViewStage& stage,
 bool RetainedScene::enter_viewed(std::uint32_t i, const Attributes& attributes, ViewStage& stage,
                                  displayfile::Segment& segment) const {
   if (primitives_[i].is_line()) {
-    const auto ends = points(i);
+    const PointRow ends = points(i);
     return stage.enter_line(ends[0], ends[1], attributes.line, segment);
   }
+  if (has_shared()) return stage.enter_shared(corners(i), polygon(i), attributes, segment);
   return !stage.enter_polygon(polygon(i), attributes, segment).empty();
 }
 
-/// A segment of another scene, with all its primitives.
+/// A segment of another scene, with all its primitives; what they shared they share here.
 void RetainedScene::append(const RetainedScene& other, const Segment& segment) {
   open_segment(segment.name, segment.view);
+  const auto moved_by = static_cast<std::uint32_t>(points_.size()) - segment.first_point;
+  const auto points = other.points(segment);
+  points_.insert(points_.end(), points.begin(), points.end());
   for (std::uint32_t i = segment.first; i < segment.end; ++i) {
-    if (other.primitives_[i].is_line()) {
-      enter_line(other.points(i)[0], other.points(i)[1], other.attributes(i));
-    } else {
-      enter_polygon(other.polygon(i), other.attributes(i));
+    const Primitive& primitive = other.primitives_[i];
+    begin_primitive(primitive.sides, other.attributes(i), primitive.pick);
+    if (other.has_shared()) {
+      for (const std::uint32_t corner : other.corners(i)) corners_.push_back(corner + moved_by);
     }
+    finish_primitive(other.polygon(i));
   }
 }
 
@@ -141,10 +149,75 @@ void RetainedScene::rename(int from, int to) {
 
 void RetainedScene::enter_polygon(const WorldPolygon& polygon, const Attributes& attributes) {
   if (segments_.empty()) return;  // opened before the scene was retained
-  enter(polygon.vertices, attributes, polygon.pick);
+  begin_primitive(polygon.vertices.size(), attributes, polygon.pick);
+  enter_corners(polygon.vertices);
+  finish_primitive(polygon);
+}
+
+void RetainedScene::enter_line(const Point3& from, const Point3& to, const Attributes& attributes) {
+  if (segments_.empty()) return;
+  begin_primitive(2, attributes, -1);
+  const std::array ends{from, to};
+  enter_corners(ends);
+  finish_primitive(
+      {.vertices = ends, .edge_visible = {}, .normal = kNone, .vertex_normals = {}, .pick = -1});
+}
+
+void RetainedScene::begin_shared(std::size_t vertices) {
+  number_of_shared_.assign(vertices, kNotKept);
+}
+
+void RetainedScene::enter_shared(std::span<const std::uint32_t> corners,
+                                 const WorldPolygon& polygon, const Attributes& attributes) {
+  if (segments_.empty()) return;
+  begin_primitive(corners.size(), attributes, polygon.pick);
+  name_points();
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    std::uint32_t& number = number_of_shared_[corners[k]];
+    if (number == kNotKept) {
+      number = static_cast<std::uint32_t>(points_.size());
+      points_.push_back(polygon.vertices[k]);
+    }
+    corners_.push_back(number);
+  }
+  finish_primitive(polygon);
+}
+
+/// From here on corners may share points.
+void RetainedScene::name_points() {
+  if (!corners_.empty()) return;
+  corners_.resize(points_.size());
+  std::iota(corners_.begin(), corners_.end(), 0u);
+}
+
+/// Makes sure that there is room for its corners, before anything is changed.
+void RetainedScene::begin_primitive(std::size_t sides, const Attributes& attributes,
+                                    std::int32_t pick) {
+  if (all_corners() + sides >= std::numeric_limits<std::uint32_t>::max()) {
+    throw Error("too many points to retain: expected fewer than 2^32 - 1");
+  }
+  if (attributes_.empty() || attributes_.back() != attributes) attributes_.push_back(attributes);
+  primitives_.push_back({static_cast<std::uint32_t>(all_corners()),
+                         static_cast<std::uint32_t>(sides),
+                         static_cast<std::uint32_t>(attributes_.size() - 1), pick});
+  segments_.back().end = size();
+}
+
+/// Corners with points of their own.
+void RetainedScene::enter_corners(std::span<const Point3> points) {
+  for (const Point3& p : points) {
+    if (has_shared()) corners_.push_back(static_cast<std::uint32_t>(points_.size()));
+    points_.push_back(p);
+  }
+}
+
+/// What it has besides its corners, which have been entered.
+void RetainedScene::finish_primitive(const WorldPolygon& polygon) {
+  segments_.back().end_point = static_cast<std::uint32_t>(points_.size());
+  const std::size_t corners = all_corners() + polygon.vertices.size();
   edge_visible_.insert(edge_visible_.end(), polygon.edge_visible.begin(),
                        polygon.edge_visible.end());
-  edge_visible_.resize(points_.size(), 1);
+  edge_visible_.resize(corners, 1);
   if (polygon.normal != kNone) {
     normals_.resize(primitives_.size() - 1, kNone);
     normals_.push_back(polygon.normal);
@@ -154,26 +227,6 @@ void RetainedScene::enter_polygon(const WorldPolygon& polygon, const Attributes&
     vertex_normals_.insert(vertex_normals_.end(), polygon.vertex_normals.begin(),
                            polygon.vertex_normals.end());
   }
-}
-
-void RetainedScene::enter_line(const Point3& from, const Point3& to, const Attributes& attributes) {
-  if (segments_.empty()) return;
-  enter(std::array{from, to}, attributes, -1);
-  edge_visible_.resize(points_.size(), 1);
-}
-
-void RetainedScene::enter(std::span<const Point3> points, const Attributes& attributes,
-                          std::int32_t pick) {
-  if (points_.size() + points.size() >= std::numeric_limits<std::uint32_t>::max()) {
-    throw Error("too many points to retain: expected fewer than 2^32 - 1");
-  }
-  if (attributes_.empty() || attributes_.back() != attributes) attributes_.push_back(attributes);
-  primitives_.push_back({static_cast<std::uint32_t>(points_.size()),
-                         static_cast<std::uint32_t>(points.size()),
-                         static_cast<std::uint32_t>(attributes_.size() - 1), pick});
-  points_.insert(points_.end(), points.begin(), points.end());
-  segments_.back().end = size();
-  segments_.back().end_point = static_cast<std::uint32_t>(points_.size());
 }
 
 }  // namespace displayfile

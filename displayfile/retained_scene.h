@@ -22,7 +22,7 @@ class RetainedScene {
  public:
   /// A polygon, or a line of two points.
   struct Primitive {
-    std::uint32_t first;  ///< of its points
+    std::uint32_t first;  ///< of its corners
     std::uint32_t sides;  ///< 2: a line
     std::uint32_t attributes;
     std::int32_t pick;
@@ -32,7 +32,7 @@ class RetainedScene {
     int name;
     View view;                             ///< in which the application drew it
     std::uint32_t first, end;              ///< of its primitives
-    std::uint32_t first_point, end_point;  ///< of their points
+    std::uint32_t first_point, end_point;  ///< of their points, each of which some corner is
   };
 
   /// Segments in order of creation. What they are drawn with, visibility and image
@@ -46,7 +46,14 @@ class RetainedScene {
   /// The primitives of all segments, in order of entry.
   std::uint32_t size() const { return static_cast<std::uint32_t>(primitives_.size()); }
   const Primitive& operator[](std::uint32_t i) const { return primitives_[i]; }
-  std::span<const Point3> points(std::uint32_t i) const { return of(points_, i); }
+  PointRow points(std::uint32_t i) const {
+    if (corners_.empty()) return of(points_, i);
+    return {points_, corners(i)};
+  }
+  /// The indices of its points; there must be shared ones.
+  std::span<const std::uint32_t> corners(std::uint32_t i) const { return of(corners_, i); }
+  /// Some polygons were entered with vertices that they share.
+  bool has_shared() const { return !corners_.empty(); }
   const Attributes& attributes(std::uint32_t i) const {
     return attributes_[primitives_[i].attributes];
   }
@@ -61,7 +68,7 @@ class RetainedScene {
   /// and edges are the scene's own. primitive_of is filled with the items' primitives.
   std::vector<Primitives::Item> items(std::vector<std::uint32_t>& primitive_of) const;
   Primitives primitives(std::span<const Primitives::Item> items) const {
-    return {points_, edge_visible_, items};
+    return {points_, corners_, edge_visible_, items};
   }
 
   /// A scene of those segments for which the function says so.
@@ -86,13 +93,23 @@ class RetainedScene {
   /// 2^32 - 2 points then.
   void enter_polygon(const WorldPolygon& polygon, const Attributes& attributes);
   void enter_line(const Point3& from, const Point3& to, const Attributes& attributes);
+  /// The polygons that are entered by enter_shared from here on share so many vertices; those that
+  /// some polygon uses are kept, once each.
+  void begin_shared(std::size_t vertices);
+  /// A polygon whose vertices are those of these indices among the shared ones.
+  void enter_shared(std::span<const std::uint32_t> corners, const WorldPolygon& polygon,
+                    const Attributes& attributes);
 
  private:
   template <class T>
-  std::span<const T> of(const std::vector<T>& of_points, std::uint32_t i) const {
-    return std::span(of_points).subspan(primitives_[i].first, primitives_[i].sides);
+  std::span<const T> of(const std::vector<T>& of_corners, std::uint32_t i) const {
+    return std::span(of_corners).subspan(primitives_[i].first, primitives_[i].sides);
   }
-  void enter(std::span<const Point3> points, const Attributes& attributes, std::int32_t pick);
+  std::size_t all_corners() const { return edge_visible_.size(); }
+  void begin_primitive(std::size_t sides, const Attributes& attributes, std::int32_t pick);
+  void enter_corners(std::span<const Point3> points);
+  void finish_primitive(const WorldPolygon& polygon);
+  void name_points();
   bool enter_viewed(std::uint32_t i, const Attributes& attributes, ViewStage& stage,
                     displayfile::Segment& segment) const;
   void append(const RetainedScene& other, const Segment& segment);
@@ -101,9 +118,11 @@ class RetainedScene {
   std::vector<Primitive> primitives_;
   std::vector<Attributes> attributes_;
   std::vector<Point3> points_;
-  std::vector<std::uint8_t> edge_visible_;  // of the side that ends at the point
+  std::vector<std::uint32_t> corners_;      // their points; empty: these in a row
+  std::vector<std::uint8_t> edge_visible_;  // of the side that ends at the corner
   std::vector<Point3> normals_;             // of primitives up to the last that has one
-  std::vector<Point3> vertex_normals_;  // of points up to those of the last polygon that has some
+  std::vector<Point3> vertex_normals_;  // of corners up to those of the last polygon that has some
+  std::vector<std::uint32_t> number_of_shared_;  // as points, or kNotKept
 };
 
 }  // namespace displayfile

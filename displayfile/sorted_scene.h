@@ -131,7 +131,7 @@ class PieceWriter {
     visit_.line_style(style);
   }
 
-  std::span<const Point3> points_of(const SortedPiece& piece) const {
+  PointRow points_of(const SortedPiece& piece) const {
     if (piece.first == SortedPiece::kWhole) return scene().points(piece.item);
     return std::span(ordered_->pieces.points).subspan(piece.first, piece.sides);
   }

@@ -14,35 +14,36 @@ std::span<const Point3> ViewStage::enter_polygon(const WorldPolygon& polygon,
   return enter_clipped(clipped, polygon, attributes, segment);
 }
 
-void ViewStage::view_vertices(std::span<const Point3> world) {
+void ViewStage::view_vertices(std::span<const Point3> world, std::uint32_t first) {
+  first_shared_ = first;
   shared_.clear();
   shared_.reserve(world.size());
   for (const Point3& p : world) shared_.push_back(pipeline_.view(p));
 }
 
-bool ViewStage::enter_shared(std::span<const Point3> world, std::span<const std::uint32_t> corners,
-                             const WorldPolygon& polygon, const Attributes& attributes,
-                             Segment& segment) {
+bool ViewStage::enter_shared(std::span<const std::uint32_t> corners, const WorldPolygon& polygon,
+                             const Attributes& attributes, Segment& segment) {
   Outcode any = 0, all = ~0u;
   for (const std::uint32_t corner : corners) {
-    any |= shared_[corner].outcode;
-    all &= shared_[corner].outcode;
+    any |= viewed(corner).outcode;
+    all &= viewed(corner).outcode;
   }
   if (all != 0) return false;  // wholly outside of one plane
-  corners_.clear();
-  if (any != 0) {
-    for (const std::uint32_t corner : corners) corners_.push_back(world[corner]);
-    return !enter_clipped(pipeline_.clip_polygon(corners_), polygon, attributes, segment).empty();
+  if (any != 0 || !polygon.vertex_normals.empty()) {
+    return !enter_polygon(polygon, attributes, segment).empty();
   }
-  if (styles_entered_ && !attributes.light && !attributes.back_face_removal) {
+  const bool all_drawn = polygon.edge_visible.empty();
+  if (all_drawn && styles_entered_ && !attributes.light && !attributes.back_face_removal) {
     segment.set_pick(polygon.pick);
     segment.enter_next_polygon(static_cast<std::uint32_t>(corners.size()),
-                               [&](std::uint32_t i) { return shared_[corners[i]].device; });
+                               [&](std::uint32_t i) { return viewed(corners[i]).device; });
     return true;
   }
-  for (const std::uint32_t corner : corners) corners_.push_back(shared_[corner].device);
+  device_.clear();
+  for (const std::uint32_t corner : corners) device_.push_back(viewed(corner).device);
   if (all_edges_.size() < corners.size()) all_edges_.resize(corners.size(), 1);
-  const ClippedPolygon whole{corners_, std::span(all_edges_).first(corners.size())};
+  const ClippedPolygon whole{
+      device_, all_drawn ? std::span(all_edges_).first(corners.size()) : polygon.edge_visible};
   return !enter_clipped(whole, polygon, attributes, segment).empty();
 }
 

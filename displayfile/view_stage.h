@@ -13,7 +13,7 @@ namespace displayfile {
 
 /// A polygon in world coordinates.
 struct WorldPolygon {
-  std::span<const Point3> vertices;
+  PointRow vertices;
   std::span<const std::uint8_t> edge_visible;  ///< of the side that ends at the vertex; empty: all
   Point3 normal;  ///< Newell's of the whole polygon that it is of, where there is light
   std::span<const Point3> vertex_normals;  ///< if it is shaded smoothly, and where there is light
@@ -35,19 +35,20 @@ class ViewStage {
   /// face that is removed. Valid until the next call.
   std::span<const Point3> enter_polygon(const WorldPolygon& polygon, const Attributes& attributes,
                                         Segment& segment);
-  /// Views vertices that several polygons share, once each, for enter_shared.
-  void view_vertices(std::span<const Point3> world);
-  /// A polygon, all sides visible, whose corners are indices into the vertices that were viewed
-  /// last, `world`; it has no normals of vertices, and its own vertices are not looked at. True if
+  /// Views vertices that several polygons share, once each, for enter_shared; they are numbered
+  /// from `first` on.
+  void view_vertices(std::span<const Point3> world, std::uint32_t first = 0);
+  /// A polygon whose vertices are those of these numbers among the ones viewed last. True if
   /// something of it was entered.
-  bool enter_shared(std::span<const Point3> world, std::span<const std::uint32_t> corners,
-                    const WorldPolygon& polygon, const Attributes& attributes, Segment& segment);
+  bool enter_shared(std::span<const std::uint32_t> corners, const WorldPolygon& polygon,
+                    const Attributes& attributes, Segment& segment);
   /// The line style is not none. False if nothing of the line is inside.
   bool enter_line(const Point3& from, const Point3& to, const LineStyle& style, Segment& segment);
 
   ClipPipeline& pipeline() { return pipeline_; }
 
  private:
+  const ViewedVertex& viewed(std::uint32_t corner) const { return shared_[corner - first_shared_]; }
   std::span<const Point3> enter_clipped(ClippedPolygon clipped, const WorldPolygon& polygon,
                                         const Attributes& attributes, Segment& segment);
   FillStyle lit_fill(const WorldPolygon& polygon, const Attributes& attributes,
@@ -57,7 +58,8 @@ class ViewStage {
   GouraudLighting lighting_;
   bool styles_entered_ = false;  // both, in the segment; where there is light, no matter
   std::vector<ViewedVertex> shared_;
-  std::vector<Point3> corners_;          // of a polygon
+  std::uint32_t first_shared_ = 0;
+  std::vector<Point3> device_;           // of a polygon
   std::vector<std::uint8_t> all_edges_;  // ones
 };
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "clip/point_row.h"
 #include "displayfile/instructions.h"
 #include "displayfile/style.h"
 #include "hidden/exact/plane.h"
@@ -55,10 +56,10 @@ class ViewedScene {
 
   // ---- Items -----------------------------------------------------------------------------
 
-  Primitives primitives() const { return {points_, edge_visible_, items_}; }
+  Primitives primitives() const { return {points_, {}, edge_visible_, items_}; }
   std::uint32_t items() const { return static_cast<std::uint32_t>(items_.size()); }
   Primitives::Kind kind(Item item) const { return items_[item].kind; }
-  std::span<const Point3> points(Item item) const {
+  PointRow points(Item item) const {
     return points_.subspan(items_[item].first, items_[item].sides);
   }
   /// True if the side that ends at the item's vertex of that number is drawn.
@@ -96,7 +97,7 @@ class ViewedScene {
   /// One more than the last fill.
   Fill end() const { return fills_ + 1; }
   Item item_of(Fill fill) const { return fill_item_.empty() ? fill - 1 : fill_item_[fill - 1]; }
-  std::span<const Point3> vertices(Fill fill) const { return points(item_of(fill)); }
+  PointRow vertices(Fill fill) const { return points(item_of(fill)); }
   /// The place of its first vertex among those of all items.
   std::uint32_t first_vertex(Fill fill) const { return items_[item_of(fill)].first; }
   std::size_t all_vertices() const { return points_.size(); }

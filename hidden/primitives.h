@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "clip/point.h"
+#include "clip/point_row.h"
 
 namespace displayfile {
 
@@ -17,19 +17,27 @@ struct Primitives {
     line,    ///< two points: hidden by solid polygons, hides nothing
   };
   struct Item {
-    std::uint32_t first;  ///< of its points
+    std::uint32_t first;  ///< of its corners
     std::uint32_t sides;
     Kind kind;
   };
   std::span<const Point3> points;
-  /// Whether the side that ends at the point of the same index is drawn: 0 if not. Empty: all are.
+  /// The points of the corners, as indices: corners that share a point name it twice. Empty: the
+  /// corners are the points in a row.
+  std::span<const std::uint32_t> corners;
+  /// Whether the side that ends at the corner of the same index is drawn: 0 if not. Empty: all are.
   std::span<const std::uint8_t> visible;
   std::span<const Item> items;
 
-  std::span<const Point3> points_of(const Item& item) const {
-    return points.subspan(item.first, item.sides);
+  std::size_t all_corners() const { return corners.empty() ? points.size() : corners.size(); }
+  std::uint32_t point(std::uint32_t corner) const {
+    return corners.empty() ? corner : corners[corner];
   }
-  bool is_visible(std::uint32_t point) const { return visible.empty() || visible[point] != 0; }
+  PointRow points_of(const Item& item) const {
+    if (corners.empty()) return points.subspan(item.first, item.sides);
+    return {points, corners.subspan(item.first, item.sides)};
+  }
+  bool is_visible(std::uint32_t corner) const { return visible.empty() || visible[corner] != 0; }
 };
 
 }  // namespace displayfile

@@ -469,6 +469,69 @@ TEST(ManyPolygons, AreEnteredAsOneByOne) {
   }
 }
 
+/// Two segments of polygons with shared vertices, one with own, and a line in each; retained.
+struct RetainedPolygons {
+  RetainedScene scene;
+  GraphicsSystem system;
+
+  explicit RetainedPolygons(bool at_once) {
+    system.retain(&scene);
+    system.set_light({1, 2, 3});
+    for (const int name : {3, 1, 2}) {
+      const SharedPolygons polygons(static_cast<std::uint32_t>(name));
+      system.open_segment(name);
+      system.line_rel_3(0.1, 0.2, 0.3);
+      if (at_once && name != 1) {
+        system.polygons_abs_3(polygons.vertices, polygons.corners, polygons.sides);
+      } else {
+        polygons.enter_one_by_one(system, {});
+      }
+      system.line_rel_3(-0.1, 0.1, 0.1);
+      system.close_segment();
+    }
+  }
+  std::string views() const {
+    RetainedViews drawn(scene, system.display_file(), {});
+    std::string text;
+    View view = system.view();
+    for (const Point3& eye : {Point3(0.5, 0.25, 3), Point3(-2, 1, 2), Point3(0, 0.5, 4)}) {
+      view.set_perspective(eye);
+      text += dump(drawn.view(view));
+    }
+    return text;
+  }
+};
+
+TEST(ManyPolygons, AreRetainedWithTheirVerticesShared) {
+  RetainedPolygons shared(true), own(false);
+  const auto points = [](const RetainedPolygons& of, std::size_t segment) {
+    return of.scene.points(of.scene.segments()[segment]).size();
+  };
+  EXPECT_LT(points(shared, 0), points(own, 0));
+  EXPECT_EQ(points(shared, 1), points(own, 1));
+  EXPECT_LT(points(shared, 2), points(own, 2));
+  EXPECT_EQ(shared.views(), own.views());
+  for (RetainedPolygons* of : {&shared, &own}) {
+    of->system.delete_segment(3);
+    of->system.set_visibility(1, false);
+  }
+  EXPECT_LT(points(shared, 1), points(own, 1));
+  EXPECT_EQ(shared.views(), own.views());
+}
+
+TEST(ManyPolygons, OnlyVerticesInUseAreRetained) {
+  RetainedScene scene;
+  GraphicsSystem g;
+  g.retain(&scene);
+  g.open_segment(1);
+  const std::vector<Point3> vertices{{9, 9, 9}, {0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}, {-9, 9, 9}};
+  g.polygons_abs_3(vertices, std::vector<std::uint32_t>{3, 1, 2, 2, 3, 1});
+  g.close_segment();
+  const auto kept = scene.points(scene.segments()[0]);
+  EXPECT_EQ(std::vector<Point3>(kept.begin(), kept.end()),
+            (std::vector<Point3>{vertices[3], vertices[1], vertices[2]}));
+}
+
 TEST(ManyPolygons, ErrorsEnterNothing) {
   GraphicsSystem g;
   g.set_viewport(0, 1, 0, 1);

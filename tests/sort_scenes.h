@@ -43,7 +43,7 @@ struct ItemList {
   std::span<const std::uint8_t> visible_of(std::size_t i) const {
     return std::span(visible).subspan(items[i].first, items[i].sides);
   }
-  Primitives view() const { return {points, visible, items}; }
+  Primitives view() const { return {points, {}, visible, items}; }
 
   ItemList without(std::size_t item) const {
     ItemList rest;

@@ -27,7 +27,8 @@ class WorldTruth {
   /// transformations.
   explicit WorldTruth(const RetainedScene& scene) {
     for (std::uint32_t i = 0; i < scene.size(); ++i) {
-      polygons_.push_back({scene.points(i), scene[i].pick});
+      const PointRow points = scene.points(i);
+      polygons_.push_back({{points.begin(), points.end()}, scene[i].pick});
     }
   }
 
@@ -52,7 +53,7 @@ class WorldTruth {
 
  private:
   struct Polygon {
-    std::span<const Point3> points;
+    std::vector<Point3> points;
     std::int32_t pick;
   };
   struct HPoint {

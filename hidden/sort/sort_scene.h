@@ -69,7 +69,7 @@ struct SortScene {
     planes.reserve(all.items.size());
     for (const Primitives::Item& item : all.items) {
       if (item.kind == Primitives::Kind::line) continue;
-      const auto points = all.points_of(item);
+      const PointRow points = all.points_of(item);
       const SupportVertices support = plane_vertices(points, space);
       if (support.edge_on) continue;
       const auto& [p, q, r] = support.index;
@@ -83,12 +83,12 @@ struct SortScene {
 
   void save_items() {
     table.entries.reserve(items.items.size());
-    table.d.reserve(items.points.size());
+    table.d.reserve(items.all_corners());
     std::uint32_t next_plane = 0;
     for (std::uint32_t i = 0; i < items.items.size(); ++i) {
       const Primitives::Item& item = items.items[i];
       if (item.kind == Primitives::Kind::line) {
-        save_line(i, item.first, item.first + 1, true);
+        save_line(i, items.point(item.first), items.point(item.first + 1), true);
       } else if (plane_vertices(items.points_of(item), space).edge_on) {
         save_outline(i);
       } else {
@@ -101,9 +101,10 @@ struct SortScene {
   void save_poly_for_hsc(std::uint32_t i, std::uint32_t plane) {
     const Primitives::Item& item = items.items[i];
     table.entries.push_back({table.d.free(), item.sides, i, plane});
-    std::uint32_t from = item.first + item.sides - 1;
-    for (std::uint32_t to = item.first; to < item.first + item.sides; ++to) {
-      table.d.put({vertices.enter(to, plane), SideLine::edge(from, to), items.is_visible(to)});
+    std::uint32_t from = items.point(item.first + item.sides - 1);
+    for (std::uint32_t corner = item.first; corner < item.first + item.sides; ++corner) {
+      const std::uint32_t to = items.point(corner);
+      table.d.put({vertices.enter(to, plane), SideLine::edge(from, to), items.is_visible(corner)});
       from = to;
     }
   }
@@ -119,9 +120,10 @@ struct SortScene {
   void save_outline(std::uint32_t i) {
     const Primitives::Item& item = items.items[i];
     bool drawn = false;
-    std::uint32_t from = item.first + item.sides - 1;
-    for (std::uint32_t to = item.first; to < item.first + item.sides; ++to) {
-      if (items.is_visible(to)) {
+    std::uint32_t from = items.point(item.first + item.sides - 1);
+    for (std::uint32_t corner = item.first; corner < item.first + item.sides; ++corner) {
+      const std::uint32_t to = items.point(corner);
+      if (items.is_visible(corner)) {
         save_line(i, from, to, false);
         drawn = true;
       }

@@ -60,15 +60,15 @@ PairOrder PairOrders::find_order(Pair& pair, Fill earlier, Fill later,
 PairOrder PairOrders::order_of_extents(Fill earlier, Fill later,
                                        const DepthComparison& comparison) const {
   constexpr std::size_t kFewVertices = 8;
-  const auto of_earlier = scene_->vertices(earlier), of_later = scene_->vertices(later);
+  const PointRow of_earlier = scene_->vertices(earlier), of_later = scene_->vertices(later);
   const FlatExtent a = flat_extent(of_earlier), b = flat_extent(of_later);
   const Point2 low(std::max(a.left, b.left), std::max(a.bottom, b.bottom));
   const Point2 high(std::min(a.right, b.right), std::min(a.top, b.top));
   const std::array corners{low, high, Point2(low.x, high.y), Point2(high.x, low.y)};
   Order order = order_over(comparison, corners);
-  for (const auto& vertices : {of_earlier, of_later}) {
-    if (order != Order::varies || vertices.size() > kFewVertices) continue;
-    order = order_over(comparison, vertices);
+  for (const PointRow* vertices : {&of_earlier, &of_later}) {
+    if (order != Order::varies || vertices->size() > kFewVertices) continue;
+    order = order_over(comparison, *vertices);
   }
   return order;
 }

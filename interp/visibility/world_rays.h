@@ -69,9 +69,7 @@ class WorldRays {
   void enter(std::uint32_t primitive);
   Bounds bounds_of(const Polygon& polygon) const;
   void build();
-  std::span<const Point3> points(const Polygon& polygon) const {
-    return world_.points(polygon.primitive);
-  }
+  PointRow points(const Polygon& polygon) const { return world_.points(polygon.primitive); }
 
   RetainedScene world_;
   std::vector<Polygon> polygons_;  // as the tree has them

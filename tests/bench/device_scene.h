@@ -19,7 +19,7 @@ struct DeviceScene {
   std::vector<Primitives::Item> polygons;
 
   void add(const Point3* polygon, std::size_t sides);
-  Primitives items() const { return {points, visible, polygons}; }
+  Primitives items() const { return {points, {}, visible, polygons}; }
   std::size_t size() const { return polygons.size(); }
 };
 

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "clip/point.h"
+
+namespace displayfile {
+
+/// The points of a polygon's corners in a row: where they are, or gathered here if they are among
+/// points that polygons share. A span of them is valid as long as this.
+class PointRow {
+ public:
+  /// Points that are in a row: a span, an array, a vector. They must stay.
+  template <std::convertible_to<std::span<const Point3>> Row>
+  requires(!std::same_as<Row, PointRow>) PointRow(const Row& row) : row_(row) {}
+  /// The points of those indices.
+  PointRow(std::span<const Point3> points, std::span<const std::uint32_t> corners) {
+    if (corners.size() > kFew) many_.resize(corners.size());
+    Point3* const row = corners.size() > kFew ? many_.data() : few_.data();
+    for (std::size_t i = 0; i < corners.size(); ++i) row[i] = points[corners[i]];
+    row_ = {row, corners.size()};
+  }
+  PointRow(const PointRow&) = delete;
+  PointRow& operator=(const PointRow&) = delete;
+
+  const Point3* data() const { return row_.data(); }
+  std::size_t size() const { return row_.size(); }
+  bool empty() const { return row_.empty(); }
+  const Point3& operator[](std::size_t i) const { return row_[i]; }
+  const Point3& front() const { return row_.front(); }
+  const Point3& back() const { return row_.back(); }
+  auto begin() const { return row_.begin(); }
+  auto end() const { return row_.end(); }
+
+ private:
+  static constexpr std::size_t kFew = 8;
+  std::array<Point3, kFew> few_;
+  std::vector<Point3> many_;
+  std::span<const Point3> row_;
+};
+
+}  // namespace displayfile

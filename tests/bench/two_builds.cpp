@@ -1,0 +1,163 @@
+// Every method by two builds of the command, on generated scenes, in turn: what drawing takes
+// beyond starting and reading, by the second build in units of the first. A build before a change
+// is held against the one after it.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdint>
+#include <exception>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "clip/error.h"
+#include "displayfile/graphics_system.h"
+#include "displayfile/recorder.h"
+#include "programs/scenes/generated_scenes.h"
+#include "programs/scenes/scene.h"
+#include "tests/bench/process.h"
+
+namespace displayfile::bench {
+namespace {
+
+struct Wanted {
+  std::string before, after;
+  std::vector<std::string> methods{"none",      "bsp",         "depth-sort", "z-buffer",
+                                   "scan-line", "scan-line-z", "ray-cast",   "warnock"};
+  std::vector<std::string> precisions{"exact", "roundoff"};
+  std::vector<std::string> scenes;
+  std::vector<std::size_t> polygons{2000};
+  std::vector<int> sizes{384};
+  std::uint64_t seed = 1;
+  int rounds = 7;
+};
+
+/// Whole processes, the least of all rounds: what disturbs them only adds.
+struct Least {
+  double time = 1e300, memory = 1e300;
+  void take(const ProcessCost& cost) {
+    time = std::min(time, cost.processor);
+    memory = std::min(memory, cost.peak_memory);
+  }
+};
+
+/// A drawing that takes as good as no time: the processes differ in their start and in reading.
+ProcessCost started(const std::string& command, const std::string& program,
+                    const TemporaryFolder& folder) {
+  return cost_of({command, "draw", program, "-o", folder.file("start.ppm"), "--size", "1x1",
+                  "--hidden", "none", "--threads", "1"});
+}
+
+struct Ratios {
+  double time, memory;
+};
+
+class TwoBuilds {
+ public:
+  explicit TwoBuilds(const Wanted& wanted) : wanted_(wanted) {}
+
+  void compare() {
+    fmt::print("{:<28}{:<12}{:<10}{:>8}{:>8}\n", "scene", "method", "precision", "time", "memory");
+    for (const GeneratedScene& scene : generated_scenes()) {
+      const bool all = wanted_.scenes.empty();
+      if (!all && std::ranges::find(wanted_.scenes, scene.name) == wanted_.scenes.end()) continue;
+      for (const std::size_t n : wanted_.polygons) compare(scene, n);
+    }
+    fmt::print("largest: time {:.3f}, memory {:.3f}\n", largest_.time, largest_.memory);
+  }
+
+ private:
+  void compare(const GeneratedScene& scene, std::size_t polygons) {
+    const std::string program = folder_.file("scene.draw");
+    write(scene.make(polygons, wanted_.seed), program);
+    Least start[2];
+    for (int round = 0; round < wanted_.rounds; ++round) {
+      start[0].take(started(wanted_.before, program, folder_));
+      start[1].take(started(wanted_.after, program, folder_));
+    }
+    for (const int size : wanted_.sizes) {
+      for (const std::string& method : wanted_.methods) {
+        for (const std::string& precision : wanted_.precisions) {
+          fmt::print("{:<28}{:<12}{:<10}",
+                     fmt::format("{} n={} {}x{}", scene.name, polygons, size, size), method,
+                     precision);
+          print(program, size, method, precision, start);
+          std::fflush(stdout);
+        }
+      }
+    }
+  }
+
+  /// A method that has a limit, as depth sort has, says so instead.
+  void print(const std::string& program, int size, const std::string& method,
+             const std::string& precision, const Least (&start)[2]) {
+    try {
+      const Ratios ratios = compare(program, size, method, precision, start);
+      fmt::print("{:>8.3f}{:>8.3f}\n", ratios.time, ratios.memory);
+      largest_.time = std::max(largest_.time, ratios.time);
+      largest_.memory = std::max(largest_.memory, ratios.memory);
+    } catch (const Error& error) {
+      fmt::print("  {}\n", error.what());
+    }
+  }
+
+  static void write(const Scene& scene, const std::string& path) {
+    std::ofstream file(path);
+    Recorder recorder(file);
+    GraphicsSystem system;
+    system.set_recorder(&recorder);
+    enter(scene, system);
+  }
+
+  /// Memory includes what starting takes, since a build may start with less of it. Throws Error if
+  /// a build does not draw the scene so.
+  Ratios compare(const std::string& program, int size, const std::string& method,
+                 const std::string& precision, const Least (&start)[2]) {
+    Least drawn[2];
+    const std::string* const commands[2]{&wanted_.before, &wanted_.after};
+    for (int round = 0; round < wanted_.rounds; ++round) {
+      for (const int k : {0, 1}) {
+        drawn[k].take(cost_of({*commands[k], "draw", program, "-o", folder_.file("drawn.ppm"),
+                               "--size", fmt::format("{}x{}", size, size), "--hidden", method,
+                               "--precision", precision, "--threads", "1"}));
+      }
+    }
+    const auto beyond = [&](int k) { return drawn[k].time - start[k].time; };
+    return {beyond(1) / beyond(0), drawn[1].memory / drawn[0].memory};
+  }
+
+  Wanted wanted_;
+  TemporaryFolder folder_;
+  Ratios largest_{0.0, 0.0};
+};
+
+int compare_builds(int argc, char** argv) {
+  Wanted wanted;
+  CLI::App app("Every method by two builds of the command: time beyond starting, and peak memory");
+  app.add_option("BEFORE", wanted.before, "the command as one build made it")->required();
+  app.add_option("AFTER", wanted.after, "and as another did")->required();
+  app.add_option("--methods", wanted.methods, "only these")->delimiter(',');
+  app.add_option("--precisions", wanted.precisions)->delimiter(',');
+  app.add_option("--scenes", wanted.scenes, "only these")->delimiter(',');
+  app.add_option("--polygons", wanted.polygons)->delimiter(',');
+  app.add_option("--sizes", wanted.sizes, "pixels a side")->delimiter(',');
+  app.add_option("--seed", wanted.seed);
+  app.add_option("--rounds", wanted.rounds)->check(CLI::Range(1, 1000));
+  CLI11_PARSE(app, argc, argv);
+  TwoBuilds(wanted).compare();
+  return 0;
+}
+
+}  // namespace
+}  // namespace displayfile::bench
+
+int main(int argc, char** argv) {
+  try {
+    return displayfile::bench::compare_builds(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "two_builds: {}\n", error.what());
+    return 2;
+  }
+}

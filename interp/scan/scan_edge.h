@@ -9,6 +9,7 @@
 
 #include "clip/point.h"
 #include "hidden/exact/pixel_centre.h"
+#include "interp/scan/sort_stably.h"
 
 namespace displayfile {
 
@@ -97,16 +98,7 @@ inline void append_edges(std::span<const Point3> polygon, const PictureSize& siz
     from = to;
     from_row = to_row;
   }
-  const std::span appended = std::span(edges).subspan(start);
-  if (appended.size() <= 8) {
-    for (std::size_t i = 1; i < appended.size(); ++i) {
-      for (std::size_t k = i; k > 0 && appended[k].first_row < appended[k - 1].first_row; --k) {
-        std::swap(appended[k], appended[k - 1]);
-      }
-    }
-  } else {
-    std::ranges::sort(appended, {}, &ScanEdge::first_row);
-  }
+  sort_stably(std::span(edges).subspan(start), &ScanEdge::first_row);
 }
 
 }  // namespace displayfile

@@ -1,4 +1,5 @@
 #include "interp/visibility/active_polygons.h"
+#include "interp/scan/sort_stably.h"
 
 #include <limits>
 
@@ -99,13 +100,7 @@ void ActivePolygons::make_edge_table(Fill fill) {
     from = to;
     from_row = to_row;
   }
-  const std::span sides = std::span(sides_).subspan(table);
-  if (sides.size() > 8) return std::ranges::sort(sides, {}, &ScanEdge::first_row), void();
-  for (std::size_t i = 1; i < sides.size(); ++i) {
-    for (std::size_t k = i; k > 0 && sides[k].first_row < sides[k - 1].first_row; --k) {
-      std::swap(sides[k], sides[k - 1]);
-    }
-  }
+  sort_stably(std::span(sides_).subspan(table), &ScanEdge::first_row);
 }
 
 void ActivePolygons::update_active_edges(Polygon& polygon) {

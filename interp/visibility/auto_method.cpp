@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "interp/scan/flat_extent.h"
+#include "interp/scan/sort_stably.h"
 
 namespace displayfile {
 
@@ -18,7 +19,7 @@ bool boxes_are_apart(const ViewedScene& scene) {
   std::vector<FlatExtent> boxes;
   for (Fill fill = 1; fill < scene.end(); ++fill)
     boxes.push_back(flat_extent(scene.vertices(fill)));
-  std::ranges::sort(boxes, {}, &FlatExtent::left);
+  sort_stably(boxes, &FlatExtent::left);
   std::size_t tests_left = 8 * boxes.size();
   std::vector<FlatExtent> open;  // those that the sweep line crosses
   for (const FlatExtent& box : boxes) {

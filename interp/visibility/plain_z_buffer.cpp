@@ -10,6 +10,7 @@
 
 #include "displayfile/viewed_scene.h"
 #include "interp/interpreter.h"
+#include "interp/scan/sort_stably.h"
 
 namespace displayfile {
 
@@ -116,7 +117,7 @@ class PlainZBuffer {
       }
       from = to;
     }
-    std::ranges::sort(edges_, {}, &Edge::first_row);
+    sort_stably(edges_, &Edge::first_row);
   }
 
   /// The lecture's "updating the active edge list", section 4; the additions are the
@@ -128,7 +129,7 @@ class PlainZBuffer {
       edge.z += edge.dz;
     }
     while (next < edges_.size() && edges_[next].first_row == row) active_.push_back(edges_[next++]);
-    std::ranges::sort(active_, {}, &Edge::x);
+    sort_stably(active_, &Edge::x);
   }
 
   /// The lecture's section 3, "along a scan line": z_new = z_old + dz.

@@ -58,7 +58,9 @@ class SpanSweep {
   struct Due {
     int column;
     Index span;
-    bool operator<(const Due& other) const { return column > other.column; }  // the first on top
+    bool operator<(const Due& other) const {  // the first on top
+      return column != other.column ? column > other.column : span > other.span;
+    }
   };
 
   bool hides(const Span& a, const Span& b, int column);

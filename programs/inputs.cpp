@@ -34,4 +34,12 @@ void enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system, d
   }
 }
 
+/// The inputs' display file, in the order that is drawn.
+DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options) {
+  GraphicsSystem system;
+  system.set_threads(options.threads);
+  enter_inputs(inputs, system);
+  return SortedDisplayFile{}.update(system, method_in_force(system, options), options);
+}
+
 }  // namespace displayfile

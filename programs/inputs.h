@@ -5,6 +5,7 @@
 
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
+#include "displayfile/sorted_display_file.h"
 
 namespace displayfile {
 
@@ -16,6 +17,9 @@ bool is_drawing_program(const std::string& input);
 /// program before them gave a view get a fitted one, for a picture of this aspect ratio (width
 /// over height). Throws Error, naming the file and the place.
 void enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system, double aspect = 1.0);
+
+/// The inputs' display file, in the order that is drawn.
+DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options);
 
 /// Says on standard error what of the meshes was left out, if anything was.
 void report_skipped(const Mesh::Skipped& skipped);

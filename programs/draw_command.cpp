@@ -4,13 +4,21 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
+#include <map>
 #include <span>
+#include <system_error>
 
+#include "clip/error.h"
+#include "displayfile/input_file.h"
 #include "hidden/exact/predicate_counts.h"
+#include "hidden/parallel.h"
 #include "interp/raster/antialias.h"
 #include "interp/visibility/auto_method.h"
+#include "programs/each_input.h"
 #include "programs/inputs.h"
+#include "programs/output_name.h"
 #include "programs/progress.h"
 #include "programs/turntable_command.h"
 
@@ -84,6 +92,13 @@ std::string listed(std::span<const Choice> choices) {
   return text;
 }
 
+std::string names_of(std::span<const Choice> formats) {
+  std::string text;
+  for (const Choice& format : formats)
+    text += fmt::format("{}{}", text.empty() ? "" : " ", format.name.substr(1));
+  return text;
+}
+
 }  // namespace
 
 CLI::App& DrawCommand::add_to(CLI::App& app) {
@@ -91,8 +106,16 @@ CLI::App& DrawCommand::add_to(CLI::App& app) {
   command
       .add_option("INPUT", inputs, "drawing programs (.draw, or - for standard input) and meshes")
       ->required();
-  command.add_option("-o,--output", output, "the picture: " + listed(picture_formats()))
+  command
+      .add_option("-o,--output", output,
+                  "the picture: " + listed(picture_formats()) +
+                      "; or - for standard output. With {name} or other fields in it, such as "
+                      "'thumbnails/{name}.png', a picture of each input: {name} is its file name, "
+                      "{ext} its extension, {folder} its folder, {number} its place on the line")
       ->required();
+  command.add_option("--format", options.format,
+                     "of the picture, if it is not what its name ends in: " +
+                         names_of(picture_formats()) + "; png on standard output");
   size.add_to(command);
   hidden_surfaces.add_to(command);
   command.add_option("--device", options.device, listed(raster_devices()))->capture_default_str();
@@ -125,35 +148,135 @@ DrawOptions DrawCommand::all_options() const {
   all.scope = sorting.scope;
   all.precision = sorting.precision;
   require_raster_device(options.device);
+  if (!all.format.empty() && !all.format.starts_with('.')) all.format = "." + all.format;
   return all;
 }
 
-int DrawCommand::run() const {
-  const Shading start_with = shading.shading();
-  DrawOptions drawing = all_options();
+/// Of a picture of its own for each input, the folders that fields name are made.
+void DrawCommand::make_folder(const std::filesystem::path& file) const {
+  if (!is_name_pattern(output) || !file.has_parent_path()) return;
+  std::error_code error;
+  std::filesystem::create_directories(file.parent_path(), error);
+  if (error) {
+    throw Error(
+        fmt::format("{}: cannot be made: {}", file.parent_path().string(), error.message()));
+  }
+}
+
+std::string DrawCommand::draw_into(std::span<const std::string> drawn,
+                                   const std::filesystem::path& file, DrawOptions drawing) const {
+  const auto make_folders = [&] {
+    for (const auto& written : {file, drawing.ids, drawing.depth}) make_folder(written);
+  };
   if (turntable) {
-    draw_turntable(inputs, output, drawing, start_with, turntable_views(*turntable), stats);
-    return 0;
+    make_folders();
+    return draw_turntable(drawn, file, drawing, shading.shading(), turntable_views(*turntable),
+                          stats);
   }
   GraphicsSystem system;
   RetainedScene scene;
   if (drawing.hidden == HiddenMethod::world_ray_cast) system.retain(&scene);
   system.set_threads(drawing.threads);
-  system.set_shading(start_with);
-  enter_inputs(inputs, system, static_cast<double>(drawing.width) / drawing.height);
-  if (!drawing.hidden && std::ranges::none_of(inputs, is_drawing_program)) {
+  system.set_shading(shading.shading());
+  enter_inputs(drawn, system, static_cast<double>(drawing.width) / drawing.height);
+  if (!drawing.hidden && std::ranges::none_of(drawn, is_drawing_program)) {
     drawing.hidden = HiddenMethod::automatic;
   }
-  if (explain) std::cout << explanation(system, drawing, picture_kind(output));
+  const PictureKind kind = picture_kind(file, drawing);
+  std::string text = explain ? explanation(system, drawing, kind) : "";
   SortedDisplayFile sorted;
   {
     const Progress progress(fmt::format("drawing {} polygons", system.display_file().polygons()));
-    draw(system, output, drawing, sorted);
+    make_folders();
+    draw(system, file, drawing, sorted);
   }
   if (stats) {
-    std::cout << statistics(system, sorted.display_file(), drawing, picture_kind(output))
-              << exact_stage_counts();
+    text += statistics(system, sorted.display_file(), drawing, kind) + exact_stage_counts();
   }
+  return text;
+}
+
+/// The files of each input, checked before any is drawn.
+std::vector<DrawCommand::Outputs> DrawCommand::outputs_of_each(const DrawOptions& drawing) const {
+  std::vector<Outputs> of_each;
+  std::map<std::filesystem::path, std::size_t> made;
+  const auto name = [&](const std::filesystem::path& pattern, std::size_t k) {
+    if (pattern.empty()) return std::filesystem::path();
+    const std::filesystem::path file = output_name(pattern.string(), inputs[k], k, inputs.size());
+    const auto [other, is_new] = made.emplace(file.lexically_normal(), k);
+    if (is_new) return file;
+    throw Error(
+        fmt::format("{}: the output of {} and of {}: expected a name for each, by {{name}}, "
+                    "{{ext}}, {{folder}} or {{number}}",
+                    file.string(), input_name(inputs[other->second]), input_name(inputs[k])));
+  };
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    of_each.push_back({name(output, k), name(drawing.ids, k), name(drawing.depth, k)});
+  }
+  return of_each;
+}
+
+namespace {
+
+/// What would keep all inputs from being drawn: an option, or a folder that is not there.
+void require_drawable_names(const std::string& output, const DrawOptions& options,
+                            const std::filesystem::path& first, const std::filesystem::path& ids,
+                            const std::filesystem::path& depth) {
+  picture_kind(output, options);  // an unknown extension is told with the name as given
+  const auto beside = [](const std::filesystem::path& pattern, const std::filesystem::path& file) {
+    return file.empty() ? file : folder_before_fields(pattern.string()) / file.filename();
+  };
+  DrawOptions of_first = options;
+  of_first.ids = beside(options.ids, ids);
+  of_first.depth = beside(options.depth, depth);
+  require_drawable(beside(output, first), of_first);
+}
+
+}  // namespace
+
+int DrawCommand::draw_each(const DrawOptions& drawing) const {
+  const std::vector<Outputs> outputs = outputs_of_each(drawing);
+  require_drawable_names(output, drawing, outputs[0].picture, outputs[0].ids, outputs[0].depth);
+  // llvmpipe has threads of its own.
+  const bool several = drawing.device == raster_devices().front().name;
+  const int at_a_time =
+      several ? static_cast<int>(std::min<std::size_t>(
+                    inputs.size(), static_cast<std::size_t>(useful_threads(drawing.threads))))
+              : 1;
+  std::vector<std::string> bad;
+  for_each_input(
+      inputs, at_a_time, fmt::format("drawing {} pictures", inputs.size()),
+      [&](std::size_t k) {
+        DrawOptions of_one = drawing;
+        of_one.threads = std::max(1, drawing.threads / at_a_time);
+        of_one.ids = outputs[k].ids;
+        of_one.depth = outputs[k].depth;
+        return draw_into(std::span(&inputs[k], 1), outputs[k].picture, of_one);
+      },
+      [&](std::size_t k, const InputResult& result) {
+        if (!result.text.empty()) std::cout << inputs[k] << ":\n" << result.text;
+        if (result.error.empty()) return;
+        std::cerr << "displayfile: " << result.error << '\n';
+        bad.push_back(input_name(inputs[k]));
+      });
+  if (bad.empty()) return 0;
+  std::cerr << fmt::format("displayfile: {} of {} inputs not drawn:\n  {}\n", bad.size(),
+                           inputs.size(), fmt::join(bad, "\n  "));
+  return 2;
+}
+
+int DrawCommand::run() const {
+  const DrawOptions drawing = all_options();
+  shading.shading();
+  if (turntable) turntable_views(*turntable);
+  if (is_name_pattern(output)) return draw_each(drawing);
+  for (const auto& file : {drawing.ids, drawing.depth}) {
+    if (!is_name_pattern(file.string())) continue;
+    throw Error(fmt::format("{}: has a field, and {} has none: expected both or neither",
+                            file.string(), output));
+  }
+  const std::string text = draw_into(inputs, output, drawing);
+  (output == "-" ? std::cerr : std::cout) << text;
   return 0;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,7 +19,7 @@ namespace displayfile {
 /// if its input, an option or an output is wrong.
 struct DrawCommand {
   std::vector<std::string> inputs;
-  std::string output;
+  std::string output;   ///< with fields (programs/output_name.h): a picture of each input
   DrawOptions options;  ///< but for what is words
   PictureSizeWord size;
   HiddenSurfaceWords hidden_surfaces;
@@ -30,7 +32,17 @@ struct DrawCommand {
   int run() const;
 
  private:
+  struct Outputs {
+    std::filesystem::path picture, ids, depth;  ///< empty: not asked for
+  };
+
   DrawOptions all_options() const;
+  void make_folder(const std::filesystem::path& file) const;
+  /// What the printed options have to say of it.
+  std::string draw_into(std::span<const std::string> drawn, const std::filesystem::path& file,
+                        DrawOptions drawing) const;
+  std::vector<Outputs> outputs_of_each(const DrawOptions& drawing) const;
+  int draw_each(const DrawOptions& drawing) const;
 };
 
 }  // namespace displayfile

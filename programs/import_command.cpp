@@ -31,7 +31,7 @@ int ImportCommand::run() const {
   const Progress progress("importing " + meshes.front());
   const Mesh::Skipped skipped = import_meshes(meshes, system);
   file.commit();
-  report_skipped(skipped);
+  report_skipped(meshes, skipped);
   return 0;
 }
 

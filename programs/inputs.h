@@ -21,7 +21,7 @@ void enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system, d
 /// The inputs' display file, in the order that is drawn.
 DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options);
 
-/// Says on standard error what of the meshes was left out, if anything was.
-void report_skipped(const Mesh::Skipped& skipped);
+/// Warns of what of the meshes was left out, if anything was (programs/warnings.h).
+void report_skipped(std::span<const std::string> meshes, const Mesh::Skipped& skipped);
 
 }  // namespace displayfile

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "clip/nearest_word.h"
 #include "displayfile/output_file.h"
 #include "interp/files/npy_file.h"
 #include "interp/files/png_file.h"
@@ -74,6 +75,12 @@ std::string names(const Table& table, const char* between, Which which) {
   }
   return all;
 }
+template <class Table>
+std::string meant_by(const Table& table, std::string_view name) {
+  std::vector<std::string_view> known;
+  for (const auto& entry : table) known.push_back(entry.choice.name);
+  return did_you_mean(name, known);
+}
 constexpr auto kAny = [](const auto&) { return true; };
 
 const PictureFormat& format_of(const std::filesystem::path& file, const DrawOptions& options) {
@@ -82,15 +89,16 @@ const PictureFormat& format_of(const std::filesystem::path& file, const DrawOpti
   for (const PictureFormat& format : kFormats) {
     if (format.choice.name == extension) return format;
   }
-  throw Error(fmt::format("{}: unknown picture format '{}': expected one of {}", file.string(),
-                          extension, names(kFormats, " ", kAny)));
+  throw Error(fmt::format("{}: unknown picture format '{}':{} expected one of {}", file.string(),
+                          extension, meant_by(kFormats, extension), names(kFormats, " ", kAny)));
 }
 
 const RasterDevice& device_of(std::string_view name) {
   for (const RasterDevice& device : kDevices) {
     if (device.choice.name == name) return device;
   }
-  throw Error(fmt::format("unknown device '{}': expected {}", name, names(kDevices, " or ", kAny)));
+  throw Error(fmt::format("unknown device '{}':{} expected {}", name, meant_by(kDevices, name),
+                          names(kDevices, " or ", kAny)));
 }
 
 /// The request for what is drawn in the order that the display file has.

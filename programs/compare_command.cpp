@@ -12,7 +12,6 @@
 #include "interp/files/npy_file.h"
 #include "interp/files/picture_compare.h"
 #include "interp/files/png_file.h"
-#include "interp/files/ppm_file.h"
 
 namespace displayfile {
 
@@ -37,15 +36,6 @@ std::string measures(const PictureDifference& d) {
   return text;
 }
 
-/// Marks the wrong pixels if that is asked for, and prints what was found; the exit status.
-template <class Raster>
-int report(const Raster& a, const Raster& b, const std::string& marks) {
-  const PictureDifference difference = compare(a, b);
-  if (!marks.empty()) write_png(marked(a, b), marks);
-  std::cout << measures(difference);
-  return difference.differs() ? 1 : 0;
-}
-
 }  // namespace
 
 CLI::App& CompareCommand::add_to(CLI::App& app) {
@@ -57,6 +47,7 @@ CLI::App& CompareCommand::add_to(CLI::App& app) {
   command.add_option("B", b)->required();
   command.add_option("--marks", marks,
                      "picture (.png) of where: wrong pixels red, the rest light grey");
+  tolerance.add_to(command);
   return command;
 }
 
@@ -64,20 +55,33 @@ int CompareCommand::run() const {
   const auto extension = [](const std::string& name) {
     return std::filesystem::path(name).extension().string();
   };
-  const auto read_picture = [&](const std::string& name) {
-    return extension(name) == ".png" ? read_png(name) : read_ppm(name);
-  };
-  const auto is_picture = [&](const std::string& name) {
-    return extension(name) == ".png" || extension(name) == ".ppm";
-  };
-  if (is_picture(a) != is_picture(b) || (extension(a) == ".npy") != (extension(b) == ".npy")) {
+  if (is_picture_file(a) != is_picture_file(b) ||
+      (extension(a) == ".npy") != (extension(b) == ".npy")) {
     throw Error(fmt::format("{} and {}: expected two pictures, two .npy files or two dumps", a, b));
   }
   if (!marks.empty() && extension(marks) != ".png") {
     throw Error(fmt::format("{}: expected a .png file for the marks", marks));
   }
-  if (is_picture(a)) return report(read_picture(a), read_picture(b), marks);
-  if (extension(a) == ".npy") return report(read_npy(a), read_npy(b), marks);
+  const auto print = [](const PictureDifference& difference, bool passes) {
+    std::cout << measures(difference);
+    return passes ? 0 : 1;
+  };
+  tolerance.require_number();
+  if (is_picture_file(a)) {
+    const Picture first = read_picture(a), second = read_picture(b);
+    const PictureDifference difference = displayfile::compare(first, second, tolerance.channel);
+    if (!marks.empty()) write_png(marked(first, second, tolerance.channel), marks);
+    return print(difference, tolerance.passes(difference));
+  }
+  if (tolerance.is_set()) {
+    throw Error(fmt::format("{} and {}: --tolerance and --wrong-pixels are of pictures", a, b));
+  }
+  if (extension(a) == ".npy") {
+    const NpyArray first = read_npy(a), second = read_npy(b);
+    const PictureDifference difference = displayfile::compare(first, second);
+    if (!marks.empty()) write_png(marked(first, second), marks);
+    return print(difference, !difference.differs());
+  }
   if (!marks.empty()) throw Error(fmt::format("{} and {}: dumps have no pixels to mark", a, b));
   const auto difference = first_difference(read_text_file(a), read_text_file(b));
   std::cout << (difference ? *difference : std::string("no difference")) << '\n';

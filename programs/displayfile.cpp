@@ -1,11 +1,18 @@
 // The command `displayfile`: draws, dumps, checks and compares drawing programs and meshes.
 // Exit status: 0 done, 1 a difference was found, 2 the input or the command line was wrong.
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <functional>
+#include <string>
+#include <string_view>
 #include <thread>
+#include <vector>
 
+#include "clip/error.h"
+#include "clip/nearest_word.h"
 #include "programs/bench_program.h"
 #include "programs/check_command.h"
 #include "programs/compare_command.h"
@@ -13,14 +20,48 @@
 #include "programs/dump_command.h"
 #include "programs/exit_status.h"
 #include "programs/import_command.h"
+#include "programs/picture_check.h"
 #include "programs/truth_command.h"
+#include "programs/version.h"
 
 namespace displayfile {
 namespace {
 
+/// What is in the place of a subcommand's name must be one.
+void require_known_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  const std::string_view name = argv[1];
+  if (std::ranges::find(names, name) != names.end()) return;
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  throw Error(fmt::format("unknown command '{}':{} expected one of {}", name,
+                          did_you_mean(name, known), fmt::join(names, " ")));
+}
+
+/// The message about an option that is not one of the command's, or else about what was wrong.
+std::string wrong_command_line(const CLI::App& app, const CLI::ParseError& error) {
+  const auto chosen = app.get_subcommands();
+  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  const std::string help =
+      (chosen.empty() ? "" : app.get_name() + " ") + command.get_name() + " --help lists all";
+  const std::vector<std::string> extras = app.remaining(true);
+  const auto starts_with_dash = [](const std::string& word) { return word.starts_with('-'); };
+  const auto unknown = std::ranges::find_if(extras, starts_with_dash);
+  if (unknown == extras.end()) return fmt::format("{}: {}", error.what(), help);
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  const std::string name = unknown->substr(0, unknown->find('='));
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  return fmt::format("unknown option '{}':{} {}", name, did_you_mean(name, known), help);
+}
+
 int run(int argc, char** argv) {
   CLI::App app("A display-file, retained-mode 3D graphics system in the textbook style.",
                "displayfile");
+  app.set_version_flag("--version", version, "Print the version and the libraries that were found");
   app.require_subcommand(1);
   std::function<int()> chosen;
   const auto add = [&](auto& command) {
@@ -32,6 +73,8 @@ int run(int argc, char** argv) {
   TruthCommand truth;
   CompareCommand compare;
   ImportCommand import;
+  PictureCheck pictures;
+  check.other = &pictures;
   draw.options.threads = dump.threads = check.threads =
       static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   add(draw);
@@ -42,11 +85,13 @@ int run(int argc, char** argv) {
   add(import);
   const CLI::App& bench = add_bench(app);
 
+  require_known_command(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (bench.parsed()) start_bench(argv);  // that was --help
-    return app.exit(e) == 0 ? 0 : 2;
+    if (e.get_exit_code() == 0) return app.exit(e);
+    throw Error(wrong_command_line(app, e));
   }
   if (bench.parsed()) start_bench(argv);
   return chosen();

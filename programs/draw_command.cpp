@@ -16,8 +16,9 @@
 #include "hidden/parallel.h"
 #include "interp/raster/antialias.h"
 #include "interp/visibility/auto_method.h"
+#include "programs/drawn_inputs.h"
 #include "programs/each_input.h"
-#include "programs/inputs.h"
+#include "programs/option_groups.h"
 #include "programs/output_name.h"
 #include "programs/progress.h"
 #include "programs/turntable_command.h"
@@ -106,37 +107,58 @@ CLI::App& DrawCommand::add_to(CLI::App& app) {
   command
       .add_option("INPUT", inputs, "drawing programs (.draw, or - for standard input) and meshes")
       ->required();
+  add_output_options(command);
+  add_picture_options(command);
+  hidden_surfaces.add_to(command);
+  command.add_flag("--stats", stats, "print what was drawn")->group(kReportOptions);
+  command.add_flag("--explain", explain, "say which method auto picked, and why")
+      ->group(kReportOptions);
+  return command;
+}
+
+void DrawCommand::add_output_options(CLI::App& command) {
   command
       .add_option("-o,--output", output,
                   "the picture: " + listed(picture_formats()) +
                       "; or - for standard output. With {name} or other fields in it, such as "
                       "'thumbnails/{name}.png', a picture of each input: {name} is its file name, "
                       "{ext} its extension, {folder} its folder, {number} its place on the line")
-      ->required();
-  command.add_option("--format", options.format,
-                     "of the picture, if it is not what its name ends in: " +
-                         names_of(picture_formats()) + "; png on standard output");
+      ->required()
+      ->group(kOutputOptions);
+  command
+      .add_option("--format", options.format,
+                  "of the picture, if it is not what its name ends in: " +
+                      names_of(picture_formats()) + "; png on standard output")
+      ->group(kOutputOptions);
+  command
+      .add_option("--ids", options.ids,
+                  "item buffer as .npy: the pick identifier seen, -1 for none")
+      ->group(kOutputOptions);
+  command.add_option("--depth", options.depth, "depth as .npy: of the fill seen, -inf for none")
+      ->group(kOutputOptions);
+}
+
+void DrawCommand::add_picture_options(CLI::App& command) {
   size.add_to(command);
-  hidden_surfaces.add_to(command);
-  command.add_option("--device", options.device, listed(raster_devices()))->capture_default_str();
-  command.add_option("--threads", options.threads, "the picture is the same for any number")
-      ->check(CLI::Range(1, 1024));
   command
       .add_option("--samples", options.samples,
                   "antialiasing: the mean of N x N samples for each pixel")
       ->check(CLI::Range(1, kMostSamples))
-      ->capture_default_str();
-  command.add_flag("--explain", explain, "say which method auto picked, and why");
-  command.add_option("--ids", options.ids,
-                     "item buffer as .npy: the pick identifier seen, -1 for none");
-  command.add_option("--depth", options.depth, "depth as .npy: of the fill seen, -inf for none");
-  command.add_option("--turntable", turntable,
-                     "N views, turned evenly all around the view-up axis, from one BSP tree, "
-                     "or with --hidden world-ray-cast from one tree of boxes: "
-                     "OUT.png becomes OUT-000.png, OUT-001.png, ..., --ids and --depth likewise");
+      ->capture_default_str()
+      ->group(kPictureOptions);
   shading.add_to(command);
-  command.add_flag("--stats", stats, "print what was drawn");
-  return command;
+  command
+      .add_option("--turntable", turntable,
+                  "N views, turned evenly all around the view-up axis, from one BSP tree, "
+                  "or with --hidden world-ray-cast from one tree of boxes: "
+                  "OUT.png becomes OUT-000.png, OUT-001.png, ..., --ids and --depth likewise")
+      ->group(kPictureOptions);
+  command.add_option("--device", options.device, listed(raster_devices()))
+      ->capture_default_str()
+      ->group(kPictureOptions);
+  command.add_option("--threads", options.threads, "the picture is the same for any number")
+      ->check(CLI::Range(1, 1024))
+      ->group(kPictureOptions);
 }
 
 /// With those that are words on the command line.
@@ -164,7 +186,8 @@ void DrawCommand::make_folder(const std::filesystem::path& file) const {
 }
 
 std::string DrawCommand::draw_into(std::span<const std::string> drawn,
-                                   const std::filesystem::path& file, DrawOptions drawing) const {
+                                   const std::filesystem::path& file,
+                                   const DrawOptions& drawing) const {
   const auto make_folders = [&] {
     for (const auto& written : {file, drawing.ids, drawing.depth}) make_folder(written);
   };
@@ -173,25 +196,20 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
     return draw_turntable(drawn, file, drawing, shading.shading(), turntable_views(*turntable),
                           stats);
   }
-  GraphicsSystem system;
-  RetainedScene scene;
-  if (drawing.hidden == HiddenMethod::world_ray_cast) system.retain(&scene);
-  system.set_threads(drawing.threads);
-  system.set_shading(shading.shading());
-  enter_inputs(drawn, system, static_cast<double>(drawing.width) / drawing.height);
-  if (!drawing.hidden && std::ranges::none_of(drawn, is_drawing_program)) {
-    drawing.hidden = HiddenMethod::automatic;
-  }
+  const DrawnInputs entered(drawn, drawing, shading.shading());
+  const GraphicsSystem& system = entered.system();
   const PictureKind kind = picture_kind(file, drawing);
-  std::string text = explain ? explanation(system, drawing, kind) : "";
+  std::string text = explain ? explanation(system, entered.options(), kind) : "";
   SortedDisplayFile sorted;
   {
     const Progress progress(fmt::format("drawing {} polygons", system.display_file().polygons()));
     make_folders();
-    draw(system, file, drawing, sorted);
+    draw(system, file, entered.options(), sorted);
   }
+  entered.warn_if_nothing_is_seen();
   if (stats) {
-    text += statistics(system, sorted.display_file(), drawing, kind) + exact_stage_counts();
+    text +=
+        statistics(system, sorted.display_file(), entered.options(), kind) + exact_stage_counts();
   }
   return text;
 }

@@ -36,11 +36,13 @@ struct DrawCommand {
     std::filesystem::path picture, ids, depth;  ///< empty: not asked for
   };
 
+  void add_output_options(CLI::App& command);
+  void add_picture_options(CLI::App& command);
   DrawOptions all_options() const;
   void make_folder(const std::filesystem::path& file) const;
   /// What the printed options have to say of it.
   std::string draw_into(std::span<const std::string> drawn, const std::filesystem::path& file,
-                        DrawOptions drawing) const;
+                        const DrawOptions& drawing) const;
   std::vector<Outputs> outputs_of_each(const DrawOptions& drawing) const;
   int draw_each(const DrawOptions& drawing) const;
 };

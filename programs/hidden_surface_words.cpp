@@ -1,6 +1,7 @@
 #include "programs/hidden_surface_words.h"
 
 #include "hidden/exact/precision.h"
+#include "programs/option_groups.h"
 
 namespace displayfile {
 
@@ -9,12 +10,16 @@ void HiddenSurfaceWords::add_to(CLI::App& command) {
   for (const auto& entry : hidden_methods()) {
     if (entry.available) methods += " " + std::string(entry.name);
   }
-  command.add_option("--hidden", hidden,
-                     "hidden-surface method in place of the program's:" + methods);
-  command.add_option("--scope", scope,
-                     "sort each segment, or all visible ones together: segment all");
-  command.add_option("--precision", precision,
-                     "exact, roundoff or roundoff=EPS; exact unless a program sets another");
+  command
+      .add_option("--hidden", hidden, "hidden-surface method in place of the program's:" + methods)
+      ->group(kHiddenSurfaceOptions);
+  command
+      .add_option("--scope", scope, "sort each segment, or all visible ones together: segment all")
+      ->group(kHiddenSurfaceOptions);
+  command
+      .add_option("--precision", precision,
+                  "exact, roundoff or roundoff=EPS; exact unless a program sets another")
+      ->group(kHiddenSurfaceOptions);
 }
 
 HiddenSurfaceOptions HiddenSurfaceWords::options(int threads) const {

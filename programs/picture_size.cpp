@@ -6,11 +6,14 @@
 
 #include "clip/error.h"
 #include "interp/picture.h"
+#include "programs/option_groups.h"
 
 namespace displayfile {
 
 void PictureSizeWord::add_to(CLI::App& command) {
-  command.add_option("--size", size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+  command.add_option("--size", size, "WIDTHxHEIGHT in pixels")
+      ->capture_default_str()
+      ->group(kPictureOptions);
 }
 
 void PictureSizeWord::read(int& width, int& height) const {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "displayfile/shading.h"
+#include "programs/option_groups.h"
 
 namespace displayfile {
 
@@ -15,7 +16,8 @@ struct ShadingWord {
     command
         .add_option("--shading", word,
                     "flat, or gouraud for smooth meshes; what the inputs start with")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->group(kPictureOptions);
   }
   /// Throws Error for an unknown word.
   Shading shading() const { return displayfile::shading(word); }

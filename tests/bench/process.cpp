@@ -2,10 +2,13 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdlib>
 #include <system_error>
 
@@ -37,6 +40,41 @@ Finished run(const std::vector<std::string>& arguments) {
   finished.succeeded = started && waitpid(child, &status, 0) == child && WIFEXITED(status) &&
                        WEXITSTATUS(status) == 0;
   return finished;
+}
+
+namespace {
+
+double seconds(const timeval& t) {
+  return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+}
+
+}  // namespace
+
+Cost cost_of(std::vector<std::string> arguments) {
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  const auto begun = std::chrono::steady_clock::now();
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  pid_t child = 0;
+  int status = 0;
+  rusage used{};
+  if (posix_spawn(&child, argv[0], &files, nullptr, argv.data(), environ) != 0 ||
+      wait4(child, &status, 0, &used) != child || !WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    throw Error(arguments[0] + " failed");
+  }
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begun;
+  posix_spawn_file_actions_destroy(&files);
+  return {wall.count(), seconds(used.ru_utime) + seconds(used.ru_stime),
+          1024.0 * static_cast<double>(used.ru_maxrss)};
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
 }
 
 TemporaryFolder::TemporaryFolder() {

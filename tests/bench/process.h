@@ -15,6 +15,17 @@ struct Finished {
 /// error goes nowhere.
 Finished run(const std::vector<std::string>& arguments);
 
+/// The cost of a whole process. The memory is at least this program's own, which is small.
+struct Cost {
+  double wall, processor;  // seconds
+  double peak_memory;      // bytes
+};
+/// Runs a program and waits for it. Throws Error unless it ends with status 0.
+Cost cost_of(std::vector<std::string> arguments);
+
+/// There is at least one value.
+double median(std::vector<double> values);
+
 /// A new folder, removed with all that is in it.
 class TemporaryFolder {
  public:

@@ -110,6 +110,13 @@ void Instructions::add_z() {
   stores_z_ = true;
 }
 
+bool Instructions::shows() const {
+  return std::ranges::any_of(op_, [](std::int32_t code) {
+    return code == op::line_solid || code == op::line_dashed || code == op::fill_solid ||
+           code == op::fill_shadowed;
+  });
+}
+
 std::size_t Instructions::bytes() const {
   return op_.size() * sizeof(op_[0]) + points_.size() * sizeof(points_[0]) +
          flat_points_.size() * sizeof(flat_points_[0]) +

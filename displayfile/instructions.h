@@ -90,6 +90,9 @@ class Instructions {
   std::span<const Point3> stored_points() const { return points_; }
   /// The intensities of the vertices of all shaded polygons, in order of entry.
   std::span<const double> stored_intensities() const { return intensities_; }
+  /// False if nothing that was entered shows: there is nothing, or all is hollow and of line style
+  /// none. Looks no further than the first style that shows.
+  bool shows() const;
   std::size_t bytes() const;  ///< of the instruction arrays, as used
   /// Makes room for so many codes and points more, at once.
   void reserve_more(std::size_t codes, std::size_t points);

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <iostream>
 #include <system_error>
 
 #include "clip/error.h"
@@ -22,6 +24,18 @@ constexpr std::size_t kLongestStem = 200;  // of a name of 255 bytes at most
 
 bool may_write(const std::string& path) {
   return ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0;
+}
+
+/// False, with the reason in errno, if not all could be written.
+bool write_all(int descriptor, const char* bytes, std::size_t count) {
+  while (count > 0) {
+    const ssize_t written = ::write(descriptor, bytes, count);
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    bytes += written;
+    count -= static_cast<std::size_t>(written);
+  }
+  return true;
 }
 
 /// A name beside the target, of this process.
@@ -43,6 +57,14 @@ void OutputFile::fail_to_write() const {
 OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_) {
   if (path_.empty()) throw Error("the output file has no name");
   std::error_code error;
+  if (path_ == "-") {
+    path_ = "standard output";
+    if (::fcntl(STDOUT_FILENO, F_GETFD) < 0) fail_to_write();
+    standard_output_ = true;
+    target_ = (fs::temp_directory_path() / "displayfile").string();
+    create_temporary();
+    return;
+  }
   const fs::file_status status = fs::status(path_, error);
   if (fs::is_directory(status)) fail("is a folder: expected a file name");
   if (fs::exists(status) && !may_write(path_)) fail_to_write();
@@ -102,6 +124,7 @@ void OutputFile::commit() {
     }
   }
   if (direct_) return;
+  if (standard_output_) return copy_to_standard_output();
   std::error_code error;
   fs::rename(temporary_, target_, error);
   if (error) {
@@ -109,6 +132,25 @@ void OutputFile::commit() {
     fail("cannot be replaced: " + error.message());
   }
   pending_ = false;
+}
+
+/// The temporary file is removed before the first byte is written: a reader that goes away may end
+/// this process.
+void OutputFile::copy_to_standard_output() {
+  std::cout.flush();
+  const int from = ::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC);
+  if (from < 0) fail_to_write();
+  remove_temporary();
+  std::array<char, 1 << 16> block;
+  ssize_t count = 0;
+  bool written = true;
+  while (written && (count = ::read(from, block.data(), block.size())) > 0) {
+    written = write_all(STDOUT_FILENO, block.data(), static_cast<std::size_t>(count));
+  }
+  const int reason = errno;
+  ::close(from);
+  errno = reason;
+  if (!written || count < 0) fail_to_write();
 }
 
 }  // namespace displayfile

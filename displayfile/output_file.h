@@ -12,6 +12,9 @@ namespace displayfile {
 ///   OutputFile out("picture.svg");
 ///   out.stream() << ...;          // or hand out.temporary_path() to a library that writes
 ///   out.commit();
+///
+/// The path "-" is standard output: what is written goes to a temporary file too, and commit()
+/// copies it there.
 class OutputFile {
  public:
   /// Creates the temporary file. Throws Error, naming the path, if the folder does not exist
@@ -22,9 +25,10 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  const std::string& path() const { return path_; }  ///< of the target
+  const std::string& path() const { return path_; }  ///< of the target, as messages name it
   /// What to open for a writer that takes a path; the file exists and is empty. It is in the
-  /// target's folder and ends in the target's extension. Do not use stream() then.
+  /// target's folder, or for standard output in that for temporary files, and ends in the target's
+  /// extension. Do not use stream() then.
   const std::string& temporary_path() const { return temporary_; }
   /// Binary; the first call opens it.
   std::ostream& stream();
@@ -39,10 +43,12 @@ class OutputFile {
   [[noreturn]] void fail_to_write() const;  // with the reason in errno
   void create_temporary();
   void remove_temporary();
+  void copy_to_standard_output();
 
   std::string path_, target_, temporary_;  // target_: path_ with a symbolic link followed
-  bool direct_ = false;                    // the target is written to in place
-  bool pending_ = false;                   // the temporary file is ours to remove
+  bool standard_output_ = false;
+  bool direct_ = false;   // the target is written to in place
+  bool pending_ = false;  // the temporary file is ours to remove
   std::ofstream stream_;
 };
 

@@ -93,6 +93,7 @@ class Segment {
   std::size_t lines() const { return entered_->lines(); }
   bool stores_z() const { return entered_->stores_z(); }
   bool has_shadows() const { return entered_->has_shadows(); }
+  bool shows() const { return entered_->shows(); }
   std::size_t bytes() const;  ///< of the instruction arrays of both orders, as used
 
  private:

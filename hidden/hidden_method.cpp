@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
 #include "clip/error.h"
+#include "clip/nearest_word.h"
 
 namespace displayfile {
 
@@ -43,6 +45,14 @@ std::string available_names() {
   return names;
 }
 
+std::string meant_by(std::string_view name) {
+  std::vector<std::string_view> available;
+  for (const auto& entry : kMethods) {
+    if (entry.available) available.push_back(entry.name);
+  }
+  return did_you_mean(name, available);
+}
+
 }  // namespace
 
 std::span<const HiddenMethodEntry> hidden_methods() { return kMethods; }
@@ -50,8 +60,8 @@ std::span<const HiddenMethodEntry> hidden_methods() { return kMethods; }
 HiddenMethod hidden_method(std::string_view name) {
   const auto entry = std::ranges::find(kMethods, name, &HiddenMethodEntry::name);
   if (entry == kMethods.end()) {
-    throw Error("unknown hidden-surface method '" + std::string(name) + "': expected one of " +
-                available_names());
+    throw Error("unknown hidden-surface method '" + std::string(name) + "':" + meant_by(name) +
+                " expected one of " + available_names());
   }
   if (!entry->available) {
     throw Error("hidden-surface method '" + std::string(name) +

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "clip/nearest_word.h"
 #include "displayfile/output_file.h"
 #include "interp/files/npy_file.h"
 #include "interp/files/png_file.h"
@@ -74,22 +75,30 @@ std::string names(const Table& table, const char* between, Which which) {
   }
   return all;
 }
+template <class Table>
+std::string meant_by(const Table& table, std::string_view name) {
+  std::vector<std::string_view> known;
+  for (const auto& entry : table) known.push_back(entry.choice.name);
+  return did_you_mean(name, known);
+}
 constexpr auto kAny = [](const auto&) { return true; };
 
-const PictureFormat& format_of(const std::filesystem::path& file) {
-  const std::string extension = file.extension().string();
+const PictureFormat& format_of(const std::filesystem::path& file, const DrawOptions& options) {
+  std::string extension = options.format.empty() ? file.extension().string() : options.format;
+  if (extension.empty() && file == "-") extension = kFormats.front().choice.name;
   for (const PictureFormat& format : kFormats) {
     if (format.choice.name == extension) return format;
   }
-  throw Error(fmt::format("{}: unknown picture format '{}': expected one of {}", file.string(),
-                          extension, names(kFormats, " ", kAny)));
+  throw Error(fmt::format("{}: unknown picture format '{}':{} expected one of {}", file.string(),
+                          extension, meant_by(kFormats, extension), names(kFormats, " ", kAny)));
 }
 
 const RasterDevice& device_of(std::string_view name) {
   for (const RasterDevice& device : kDevices) {
     if (device.choice.name == name) return device;
   }
-  throw Error(fmt::format("unknown device '{}': expected {}", name, names(kDevices, " or ", kAny)));
+  throw Error(fmt::format("unknown device '{}':{} expected {}", name, meant_by(kDevices, name),
+                          names(kDevices, " or ", kAny)));
 }
 
 /// The request for what is drawn in the order that the display file has.
@@ -200,7 +209,7 @@ void write_picture(const DisplayFile& drawn, const RasterRequest& request, bool 
   const auto open = [&](auto* row_file, const std::filesystem::path& path) {
     return row_file(path, options.width, options.height);
   };
-  const PictureFormat& format = format_of(file);
+  const PictureFormat& format = format_of(file, options);
   RowFiles files, colours;
   if (!options.ids.empty()) files.push_back(open(ids_row_file, options.ids));
   if (!options.depth.empty()) files.push_back(open(depth_row_file, options.depth));
@@ -239,8 +248,9 @@ HiddenSurfaceOptions hidden_surface_options(const DrawOptions& options) {
   return {options.hidden, options.scope, options.precision, options.threads};
 }
 
-PictureKind picture_kind(const std::filesystem::path& file) {
-  return format_of(file).write_vectors != nullptr ? PictureKind::vector : PictureKind::raster;
+PictureKind picture_kind(const std::filesystem::path& file, const DrawOptions& options) {
+  return format_of(file, options).write_vectors != nullptr ? PictureKind::vector
+                                                           : PictureKind::raster;
 }
 
 HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& options,
@@ -251,7 +261,7 @@ HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& opt
 }
 
 void require_drawable(const std::filesystem::path& file, const DrawOptions& options) {
-  const PictureFormat& format = format_of(file);
+  const PictureFormat& format = format_of(file, options);
   require_raster_size(options);
   const RasterDevice& device = device_of(options.device);  // the first unless one was asked for
   if (format.write_vectors != nullptr && &device != &kDevices.front()) {
@@ -283,7 +293,7 @@ void draw(const GraphicsSystem& system, const std::filesystem::path& file,
   require_drawable(file, options);
   const HiddenSurfaceOptions hidden = hidden_surface_options(options);
   // For a picture of pixels it is the renderer that picks a method.
-  const HiddenMethod method = picture_kind(file) == PictureKind::raster
+  const HiddenMethod method = picture_kind(file, options) == PictureKind::raster
                                   ? method_in_force(system, hidden)
                                   : drawing_method(system, options, PictureKind::vector);
   const DisplayFile& sorted = kept.update(system, method, hidden);

@@ -21,6 +21,9 @@ struct DrawOptions {
       std::nullopt;  ///< these three in place of what the application set
   std::optional<HiddenScope> scope = std::nullopt;
   std::optional<Precision> precision = std::nullopt;
+  /// The extension of one of picture_formats(), in place of the file's own; without one it is .png
+  /// for "-", standard output.
+  std::string format = {};
   std::string device = "software";  ///< of raster pictures: one of raster_devices()
   int threads = 1;
   /// Antialiasing: the mean of samples x samples for each pixel, 1 to kMostSamples; vectors, ids
@@ -33,7 +36,8 @@ struct DrawOptions {
 /// The part of the options that says how hidden surfaces are found.
 HiddenSurfaceOptions hidden_surface_options(const DrawOptions& options);
 
-PictureKind picture_kind(const std::filesystem::path& file);  ///< Error: an unknown extension
+/// Of what is drawn into that file. Error: an unknown extension.
+PictureKind picture_kind(const std::filesystem::path& file, const DrawOptions& options = {});
 
 /// The method that draws the picture: that of the options, or else what the application set
 /// with set_hidden_line_removal, set_hidden_method and set_z_buffer; never `automatic`, for
@@ -50,9 +54,9 @@ void require_drawable(const std::filesystem::path& file, const DrawOptions& opti
 Picture draw(const GraphicsSystem& system, const DrawOptions& options, SortedDisplayFile& kept);
 Picture draw(const GraphicsSystem& system, const DrawOptions& options = {});
 
-/// Draws the visible segments into a file whose extension says its format. It appears whole
-/// or not at all. Throws Error for an unknown extension, a size that a device cannot draw, or
-/// a file that cannot be written.
+/// Draws the visible segments into a file, or "-", standard output. Its extension says its format,
+/// if the options do not. It appears whole or not at all. Throws Error for an unknown extension, a
+/// size that a device cannot draw, or a file that cannot be written.
 void draw(const GraphicsSystem& system, const std::filesystem::path& file,
           const DrawOptions& options, SortedDisplayFile& kept);
 void draw(const GraphicsSystem& system, const std::filesystem::path& file,

@@ -4,153 +4,94 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
+#include <algorithm>
 #include <functional>
-#include <optional>
-#include <span>
+#include <string>
+#include <string_view>
 #include <thread>
+#include <vector>
 
 #include "clip/error.h"
-#include "displayfile/sorted_display_file.h"
-#include "interp/raster/software.h"
+#include "clip/nearest_word.h"
 #include "programs/bench_program.h"
-#include "programs/commands.h"
+#include "programs/check_command.h"
+#include "programs/compare_command.h"
+#include "programs/draw_command.h"
+#include "programs/dump_command.h"
 #include "programs/exit_status.h"
-#include "programs/segment_outputs.h"
-#include "programs/turntable_command.h"
+#include "programs/import_command.h"
+#include "programs/picture_check.h"
+#include "programs/truth_command.h"
+#include "programs/version.h"
 
 namespace displayfile {
 namespace {
 
-void parse_size(const std::string& text, int& pixels_across, int& pixels_up) {
-  long long width = 0, height = 0;
-  const char *p = text.data(), *end = p + text.size();
-  const auto w = std::from_chars(p, end, width);
-  const bool cross = w.ec == std::errc{} && w.ptr != end && (*w.ptr == 'x' || *w.ptr == 'X');
-  const auto h = cross ? std::from_chars(w.ptr + 1, end, height) : w;
-  if (!cross || h.ec != std::errc{} || h.ptr != end) {
-    throw Error(fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, such as 512x512", text));
-  }
-  require_picture_size(width, height);
-  pixels_across = static_cast<int>(width);
-  pixels_up = static_cast<int>(height);
+/// What is in the place of a subcommand's name must be one.
+void require_known_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  const std::string_view name = argv[1];
+  if (std::ranges::find(names, name) != names.end()) return;
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  throw Error(fmt::format("unknown command '{}':{} expected one of {}", name,
+                          did_you_mean(name, known), fmt::join(names, " ")));
 }
 
-/// For --help.
-std::string listed(std::span<const Choice> choices) {
-  std::string text;
-  for (const Choice& choice : choices) {
-    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", choice.name, choice.what);
+/// The message about an option that is not one of the command's, or else about what was wrong.
+std::string wrong_command_line(const CLI::App& app, const CLI::ParseError& error) {
+  const auto chosen = app.get_subcommands();
+  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  const std::string help =
+      (chosen.empty() ? "" : app.get_name() + " ") + command.get_name() + " --help lists all";
+  const std::vector<std::string> extras = app.remaining(true);
+  const auto starts_with_dash = [](const std::string& word) { return word.starts_with('-'); };
+  const auto unknown = std::ranges::find_if(extras, starts_with_dash);
+  if (unknown == extras.end()) return fmt::format("{}: {}", error.what(), help);
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   }
-  return text;
+  const std::string name = unknown->substr(0, unknown->find('='));
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  return fmt::format("unknown option '{}':{} {}", name, did_you_mean(name, known), help);
 }
 
 int run(int argc, char** argv) {
   CLI::App app("A display-file, retained-mode 3D graphics system in the textbook style.",
                "displayfile");
+  app.set_version_flag("--version", version, "Print the version and the libraries that were found");
   app.require_subcommand(1);
   std::function<int()> chosen;
-
+  const auto add = [&](auto& command) {
+    command.add_to(app).callback([&] { chosen = [&] { return command.run(); }; });
+  };
   DrawCommand draw;
-  std::string size = "512x512";
-  std::optional<std::string> turntable;
-  std::string shading = "flat";
-  const char* const shading_words =
-      "flat, or gouraud for smooth meshes; what the inputs start with";
-  HiddenSurfaceWords words;
-  const int processors = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  draw.options.threads = processors;
-  auto* command = app.add_subcommand("draw", "Draw drawing programs and meshes");
-  command
-      ->add_option("INPUT", draw.inputs,
-                   "drawing programs (.draw, or - for standard input) and meshes")
-      ->required();
-  command->add_option("-o,--output", draw.output, "the picture: " + listed(picture_formats()))
-      ->required();
-  command->add_option("--size", size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-  words.add_to(*command);
-  command->add_option("--device", draw.options.device, listed(raster_devices()))
-      ->capture_default_str();
-  command->add_option("--threads", draw.options.threads, "the picture is the same for any number")
-      ->check(CLI::Range(1, 1024));
-  command
-      ->add_option("--samples", draw.options.samples,
-                   "antialiasing: the mean of N x N samples for each pixel")
-      ->check(CLI::Range(1, kMostSamples))
-      ->capture_default_str();
-  command->add_flag("--explain", draw.explain, "say which method auto picked, and why");
-  command->add_option("--ids", draw.options.ids,
-                      "item buffer as .npy: the pick identifier seen, -1 for none");
-  command->add_option("--depth", draw.options.depth,
-                      "depth as .npy: of the fill seen, -inf for none");
-  command->add_option("--turntable", turntable,
-                      "N views, turned evenly all around the view-up axis, from one BSP tree, "
-                      "or with --hidden world-ray-cast from one tree of boxes: "
-                      "OUT.png becomes OUT-000.png, OUT-001.png, ..., --ids and --depth likewise");
-  command->add_option("--shading", shading, shading_words)->capture_default_str();
-  command->add_flag("--stats", draw.stats, "print what was drawn");
-  command->callback([&] {
-    parse_size(size, draw.options.width, draw.options.height);
-    const HiddenSurfaceOptions sorting = words.options(draw.options.threads);
-    draw.options.hidden = sorting.method;
-    draw.options.scope = sorting.scope;
-    draw.options.precision = sorting.precision;
-    require_raster_device(draw.options.device);
-    draw.shading = displayfile::shading(shading);
-    if (turntable) draw.turntable = turntable_views(*turntable);
-    chosen = [&] { return draw.run(); };
-  });
-
   DumpCommand dump;
-  dump.threads = processors;
-  dump.add_to(app).callback([&] { chosen = [&] { return dump.run(); }; });
-
   CheckCommand check;
-  check.threads = processors;
-  check.add_to(app).callback([&] { chosen = [&] { return check.run(); }; });
-
   TruthCommand truth;
-  command = app.add_subcommand(
-      "truth", "What is seen at each pixel, by exact arithmetic alone, whatever the methods do");
-  command->add_option("INPUT", truth.inputs, "drawing programs and meshes")->required();
-  command->add_option("--size", size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-  command
-      ->add_option("--ids", truth.ids, "item buffer as .npy: the pick identifier seen, -1 for none")
-      ->required();
-  command->add_option("--depth", truth.depth,
-                      "depth as .npy: of the fill seen, rounded once, -inf for none");
-  command->callback([&] {
-    parse_size(size, truth.width, truth.height);
-    chosen = [&] { return truth.run(); };
-  });
-
   CompareCommand compare;
-  command = app.add_subcommand("compare",
-                               "Wrong pixels and largest difference of two pictures or .npy files, "
-                               "or the first difference of two dumps; exit 1 if they differ");
-  command->add_option("A", compare.a)->required();
-  command->add_option("B", compare.b)->required();
-  command->add_option("--marks", compare.marks,
-                      "picture (.png) of where: wrong pixels red, the rest light grey");
-  command->callback([&] { chosen = [&] { return compare.run(); }; });
-
   ImportCommand import;
-  command = app.add_subcommand("import", "Write a drawing program from meshes");
-  command->add_option("MESH", import.meshes)->required();
-  command->add_option("-o,--output", import.output, "the drawing program, .draw")->required();
-  command->add_option("--shading", shading, shading_words)->capture_default_str();
-  command->callback([&] {
-    import.shading = displayfile::shading(shading);
-    chosen = [&] { return import.run(); };
-  });
-
+  PictureCheck pictures;
+  check.other = &pictures;
+  draw.options.threads = dump.threads = check.threads =
+      static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  add(draw);
+  add(dump);
+  add(check);
+  add(truth);
+  add(compare);
+  add(import);
   const CLI::App& bench = add_bench(app);
 
+  require_known_command(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (bench.parsed()) start_bench(argv);  // that was --help
-    return app.exit(e) == 0 ? 0 : 2;
+    if (e.get_exit_code() == 0) return app.exit(e);
+    throw Error(wrong_command_line(app, e));
   }
   if (bench.parsed()) start_bench(argv);
   return chosen();

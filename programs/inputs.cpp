@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <iostream>
+#include <ostream>
 
 #include "displayfile/text/drawing_program.h"
 #include "programs/progress.h"
+#include "programs/warnings.h"
 
 namespace displayfile {
 
@@ -13,10 +14,11 @@ bool is_drawing_program(const std::string& input) {
   return input == "-" || input.ends_with(".draw");
 }
 
-void report_skipped(const Mesh::Skipped& skipped) {
+void report_skipped(std::span<const std::string> meshes, const Mesh::Skipped& skipped) {
   if (skipped.points_and_lines + skipped.degenerate_faces == 0) return;
-  std::cerr << fmt::format("left out: {} points and lines, {} faces of fewer than 3 positions\n",
-                           skipped.points_and_lines, skipped.degenerate_faces);
+  warnings() << fmt::format(
+      "{}{}: left out: {} points and lines, {} faces of fewer than 3 positions\n", meshes.front(),
+      meshes.size() > 1 ? " and others" : "", skipped.points_and_lines, skipped.degenerate_faces);
 }
 
 void enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system, double aspect) {
@@ -29,9 +31,18 @@ void enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system, d
     std::size_t end = i;  // meshes that follow each other share a fitted view
     while (end < inputs.size() && !is_drawing_program(inputs[end])) ++end;
     const Progress progress("reading " + inputs[i] + (end - i > 1 ? " and others" : ""));
-    report_skipped(import_meshes(inputs.subspan(i, end - i), system, aspect));
+    const auto meshes = inputs.subspan(i, end - i);
+    report_skipped(meshes, import_meshes(meshes, system, aspect));
     i = end;
   }
+}
+
+/// The inputs' display file, in the order that is drawn.
+DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options) {
+  GraphicsSystem system;
+  system.set_threads(options.threads);
+  enter_inputs(inputs, system);
+  return SortedDisplayFile{}.update(system, method_in_force(system, options), options);
 }
 
 }  // namespace displayfile

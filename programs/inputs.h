@@ -5,6 +5,7 @@
 
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
+#include "displayfile/sorted_display_file.h"
 
 namespace displayfile {
 
@@ -17,7 +18,10 @@ bool is_drawing_program(const std::string& input);
 /// over height). Throws Error, naming the file and the place.
 void enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system, double aspect = 1.0);
 
-/// Says on standard error what of the meshes was left out, if anything was.
-void report_skipped(const Mesh::Skipped& skipped);
+/// The inputs' display file, in the order that is drawn.
+DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options);
+
+/// Warns of what of the meshes was left out, if anything was (programs/warnings.h).
+void report_skipped(std::span<const std::string> meshes, const Mesh::Skipped& skipped);
 
 }  // namespace displayfile

@@ -2,26 +2,34 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdio>
 
 namespace displayfile {
 
-Progress::Progress(const std::string& what) : what_(what), terminal_(isatty(STDERR_FILENO) == 1) {
-  if (!terminal_) return;
+namespace {
+std::atomic<bool> one_is_shown = false;
+}
+
+Progress::Progress(const std::string& what)
+    : what_(what), shown_(isatty(STDERR_FILENO) == 1 && !one_is_shown.exchange(true)) {
+  if (!shown_) return;
   std::fputs(("\r\x1b[K" + what + " ...").c_str(), stderr);
   std::fflush(stderr);
 }
 
 void Progress::update(std::size_t done, std::size_t all) {
   const std::size_t percent = all == 0 ? 100 : 100 * done / all;
-  if (!terminal_ || percent == percent_) return;
+  if (!shown_ || percent == percent_) return;
   percent_ = percent;
   std::fputs(("\r\x1b[K" + what_ + " ... " + std::to_string(percent) + "%").c_str(), stderr);
   std::fflush(stderr);
 }
 
 Progress::~Progress() {
-  if (terminal_) std::fputs("\r\x1b[K", stderr);
+  if (!shown_) return;
+  std::fputs("\r\x1b[K", stderr);
+  one_is_shown = false;
 }
 
 }  // namespace displayfile

@@ -5,8 +5,8 @@
 
 namespace displayfile {
 
-/// Says on standard error what long work is being done, if that is a terminal; nothing
-/// otherwise. The line is wiped when the work is done.
+/// Says on standard error what long work is being done, if that is a terminal and no other is being
+/// said to be done; nothing otherwise. The line is wiped when the work is done.
 class Progress {
  public:
   explicit Progress(const std::string& what);
@@ -19,7 +19,7 @@ class Progress {
 
  private:
   std::string what_;
-  bool terminal_;
+  bool shown_;
   std::size_t percent_ = 0;
 };
 

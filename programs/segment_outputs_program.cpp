@@ -5,7 +5,7 @@
 #include <exception>
 #include <iostream>
 
-#include "programs/segment_outputs.h"
+#include "programs/check_command.h"
 
 int main(int argc, char** argv) {
   try {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <iostream>
 
 #include "clip/error.h"
 #include "displayfile/retained_views.h"
@@ -39,7 +38,7 @@ DrawOptions options_of_view(const DrawOptions& options, int number, int views) {
 /// Before the long work, and before any file is written.
 void require_all_drawable(const std::filesystem::path& output, const DrawOptions& options,
                           int views) {
-  picture_kind(output);  // an unknown extension is told with the name as given
+  picture_kind(output, options);  // an unknown extension is told with the name as given
   for (int k = 0; k < views; ++k) {
     require_drawable(numbered(output, k, views), options_of_view(options, k, views));
   }
@@ -98,9 +97,10 @@ std::filesystem::path numbered(const std::filesystem::path& file, int number, in
   return file.parent_path() / name;
 }
 
-void draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
-                    const DrawOptions& options, Shading shading, int views, bool stats) {
+std::string draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
+                           const DrawOptions& options, Shading shading, int views, bool stats) {
   require_tree(options);
+  if (output == "-") throw Error("--turntable writes many pictures: expected a file name, not -");
   require_all_drawable(output, options, views);
   GraphicsSystem system;
   RetainedScene scene;
@@ -110,7 +110,7 @@ void draw_turntable(std::span<const std::string> inputs, const std::filesystem::
   enter_inputs(inputs, system, static_cast<double>(options.width) / options.height);
   Turntable turntable(scene, system.display_file(), system.view());
   if (std::ranges::none_of(inputs, is_drawing_program)) turntable.fit_window(views);
-  const auto draw_all = [&](auto trees) {
+  const auto draw_all = [&](auto trees) -> std::string {
     Progress progress(fmt::format("drawing {} views", views));
     for (int k = 0; k < views; ++k) {
       const auto [view, lights] = turntable.at(360.0 * k / views);
@@ -118,12 +118,12 @@ void draw_turntable(std::span<const std::string> inputs, const std::filesystem::
            options_of_view(options, k, views));
       progress.update(static_cast<std::size_t>(k) + 1, static_cast<std::size_t>(views));
     }
-    if (stats) std::cout << statistics(system, trees, views);
+    return stats ? statistics(system, trees, views) : "";
   };
   if (options.hidden == HiddenMethod::world_ray_cast) {
     return draw_all(WorldViews(scene, system.display_file()));
   }
-  draw_all(RetainedViews(scene, system.display_file(), tree_options(system, options)));
+  return draw_all(RetainedViews(scene, system.display_file(), tree_options(system, options)));
 }
 
 }  // namespace displayfile

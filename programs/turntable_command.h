@@ -20,8 +20,10 @@ int turntable_views(const std::string& text);
 /// buffers and depths of the options. Each appears whole or not at all, and none if one of them
 /// could not be written at the start. Throws Error for a hidden-surface method other than those
 /// two, and if the segments were drawn in several views.
-void draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
-                    const DrawOptions& options, Shading shading, int views, bool stats);
+///
+/// Returns the statistics, if they are asked for.
+std::string draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
+                           const DrawOptions& options, Shading shading, int views, bool stats);
 
 /// The name of one of `views` files: with a number of three digits or more before the extension.
 std::filesystem::path numbered(const std::filesystem::path& file, int number, int views);

@@ -374,6 +374,73 @@ TEST_F(Command, BadCommandLinesAndOutputs) {
   EXPECT_EQ(run("--help"), 0);
 }
 
+TEST_F(Command, SaysWhatAnUnknownWordMayHaveMeant) {
+  write("t.draw", kTriangle);
+  expect_error("drew t.draw -o x.png", "unknown command 'drew': did you mean 'draw'? expected one");
+  expect_error("frobnicate", "unknown command 'frobnicate': expected one of draw dump check");
+  expect_error("draw t.draw --sise 5x5 -o x.png",
+               "unknown option '--sise': did you mean '--size'?");
+  expect_error("draw t.draw --sise=5x5 -o x.png",
+               "unknown option '--sise': did you mean '--size'?");
+  expect_error("draw --otput x.png", "unknown option '--otput': did you mean '--output'?");
+  expect_error("check t.draw --glden g", "did you mean '--golden'? displayfile check --help lists");
+  expect_error("draw t.draw -o x.png -q", "unknown option '-q': displayfile draw --help lists all");
+  expect_error("--hepl", "unknown option '--hepl': did you mean '--help'? displayfile --help");
+  expect_error("draw t.draw", "--output is required: displayfile draw --help lists all");
+  expect_error("", "A subcommand is required: displayfile --help lists all");
+  expect_error("draw t.draw -o x.png --hidden bps", "'bps': did you mean 'bsp'? expected one of");
+  expect_error("draw t.draw -o x.png --device osmsea", "did you mean 'osmesa'? expected software");
+  expect_error("draw t.draw -o x.pngg", "did you mean '.png'? expected one of .png");
+  expect_error("draw t.draw -o x --format pgn", "did you mean '.png'? expected one of .png");
+  write("u.draw", "set-hidden-method bps\n");
+  expect_error("draw u.draw -o x.png", "u.draw:1:19: unknown hidden-surface method 'bps': did you");
+  write("v.draw", "opensegment 1\n");
+  expect_error("draw v.draw -o x.png",
+               "unknown routine 'opensegment': did you mean 'open-segment'?");
+}
+
+TEST_F(Command, VersionIsTheProjectsAndTellsLibraries) {
+  EXPECT_EQ(run("--version"), 0) << err_;
+  EXPECT_TRUE(out_.starts_with("displayfile " DISPLAYFILE_VERSION "\n")) << out_;
+  EXPECT_NE(out_.find("\nimport library (Assimp)  "), std::string::npos) << out_;
+  EXPECT_NE(out_.find("\nOSMesa  "), std::string::npos) << out_;
+}
+
+TEST_F(Command, HelpGroupsOptionsByWhatTheyAreFor) {
+  for (const char* command : {"draw", "check", "dump"}) {
+    EXPECT_EQ(run(std::string(command) + " --help"), 0);
+    EXPECT_NE(out_.find("\nHidden surfaces:\n"), std::string::npos) << out_;
+  }
+  EXPECT_EQ(run("draw --help"), 0);
+  EXPECT_LT(out_.find("\nOutput:\n  -o,--output"), out_.find("\nPicture:\n  --size")) << out_;
+}
+
+TEST_F(Command, WarnsWhyNothingIsSeen) {
+  write("t.draw", "translate-3 9 0 0\n" + kTriangle);
+  EXPECT_EQ(run("draw t.draw -o t.png"), 0);
+  EXPECT_EQ(err_,
+            "t.draw: nothing is seen: the only polygon or line is to the right of the window\n");
+  EXPECT_TRUE(fs::exists(folder_ / "t.png"));
+  EXPECT_EQ(run("draw t.draw -o t.svg --hidden world-ray-cast"), 0);
+  EXPECT_EQ(err_,
+            "t.draw: nothing is seen: the only polygon or line is to the right of the window\n");
+  EXPECT_EQ(run("draw - -o t.png", "t.draw"), 0);
+  EXPECT_NE(err_.find("standard input: nothing is seen: "), std::string::npos) << err_;
+  write("u.draw", kTriangle);
+  EXPECT_EQ(run("draw t.draw u.draw -o '{name}.png'"), 0);
+  EXPECT_EQ(err_,
+            "t.draw: nothing is seen: the only polygon or line is to the right of the window\n");
+  write("away.draw", "set-view-reference-point 50 0 0\n");
+  write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\np 1\n");
+  EXPECT_EQ(run("draw away.draw m.obj -o m.png"), 0);
+  EXPECT_NE(err_.find("away.draw and others: nothing is seen: the only polygon or line is to the "
+                      "left of the window\n"),
+            std::string::npos)
+      << err_;
+  EXPECT_EQ(run("check t.draw --golden gold --picture --update"), 0);
+  EXPECT_NE(err_.find("t.draw: nothing is seen"), std::string::npos) << err_;
+}
+
 TEST_F(Command, HelpNamesEveryFormatAndDevice) {
   ASSERT_EQ(run("draw --help"), 0);
   const std::string help = out_;

@@ -253,11 +253,16 @@ struct Wrong {
 TEST(DrawingProgram, ErrorsNamePlaceAndExpectation) {
   const Wrong cases[] = {
       {"# one\n\npolygon-abs-4 1 2 3\n",
-       "3:1: unknown routine 'polygon-abs-4': expected a user routine, such as polygon-abs-3 or "
-       "polygon-abs-2"},
+       "3:1: unknown routine 'polygon-abs-4': did you mean 'polygon-abs-3'? expected a user "
+       "routine"},
       {"  SET_WINDOW 0 1 0 1\n",
-       "1:3: unknown routine 'SET_WINDOW': expected a user routine, such as set-window or "
-       "set-shadows"},
+       "1:3: unknown routine 'SET_WINDOW': did you mean 'set-window'? expected a user routine"},
+      {"open-segmnet 1\n",
+       "1:1: unknown routine 'open-segmnet': did you mean 'open-segment'? expected a user routine"},
+      {"line-style none\n",
+       "1:1: unknown routine 'line-style': did you mean 'set-line-style'? expected a user routine"},
+      {"circle 0 0 1\n",
+       "1:1: unknown routine 'circle': expected a user routine, such as scale-3 or line-rel-3"},
       {"set-window 0 1 0  \n",
        "1:17: set-window: 3 arguments, expected 4: x-min x-max y-min y-max"},
       {"set-window 0 1 0 1 9\n",

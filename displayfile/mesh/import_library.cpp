@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -67,6 +68,9 @@ Scene import_scene(const ImportLibrary& library, const std::string& path) {
   const std::unique_ptr<aiPropertyStore, decltype(&aiReleasePropertyStore)> properties(
       library.create_properties(), library.release_properties);
   library.set_property(properties.get(), AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
+  // The library keeps the message of what failed last in one place for all threads.
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
   Scene scene(library.import_file(path.c_str(), 0, nullptr, properties.get()), library.release);
   if (scene == nullptr || scene->mRootNode == nullptr) {
     throw Error(fmt::format("{}: not a mesh that can be read: {}", path, library.error()));

@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,6 +16,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "clip/nearest_word.h"
 #include "displayfile/input_file.h"
 
 namespace displayfile {
@@ -355,34 +355,17 @@ constexpr auto kRoutines = std::to_array<Routine>({
     fixed<&G::set_z_buffer>("set-z-buffer", "on|off"),
 });
 
-/// How many characters to insert, remove or replace to turn one name into the other.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, replaced});
-    }
-  }
-  return row.back();
-}
-
 [[noreturn]] void unknown_routine(std::string_view name) {
-  std::string asked(name.substr(0, 64));
-  for (char& c : asked) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  std::array<std::pair<std::size_t, std::size_t>, kRoutines.size()> near;  // distance, place
-  for (std::size_t i = 0; i < kRoutines.size(); ++i) {
-    near[i] = {edit_distance(asked, kRoutines[i].name), i};
+  std::array<std::string_view, kRoutines.size()> names;
+  std::ranges::transform(kRoutines, names.begin(), &Routine::name);
+  std::string message = fmt::format("unknown routine {}:", quoted(name));
+  if (const std::string meant = did_you_mean(name, names); !meant.empty()) {
+    message += meant + " expected a user routine";
+  } else {
+    const auto near = nearest_words(name, names);
+    message += fmt::format(" expected a user routine, such as {} or {}", near[0], near[1]);
   }
-  std::ranges::partial_sort(near, near.begin() + 2);
-  throw ErrorAt(
-      name.data(),
-      fmt::format("unknown routine {}: expected a user routine, such as {} or {}", quoted(name),
-                  kRoutines[near[0].second].name, kRoutines[near[1].second].name));
+  throw ErrorAt(name.data(), message);
 }
 
 void carry_out(Line& line, GraphicsSystem& system) {

@@ -18,17 +18,6 @@ namespace {
 constexpr std::string_view kFirstLine = "displayfile-dump 1\n";
 constexpr std::string_view kLastLine = "\nend\n";
 
-void require_dump(std::string_view text, std::string_view name) {
-  if (!text.starts_with(kFirstLine)) {
-    throw Error(fmt::format(
-        "{}:1:1: not a display-file dump: expected 'displayfile-dump 1' in the first line", name));
-  }
-  if (!text.ends_with(kLastLine)) {
-    throw Error(fmt::format("{}:{}:1: the dump is cut short: expected 'end' in the last line", name,
-                            std::ranges::count(text, '\n') + 1));
-  }
-}
-
 std::string_view take_line(std::string_view& rest) {
   const std::size_t length = std::min(rest.find('\n'), rest.size());
   const std::string_view line = rest.substr(0, length);
@@ -138,6 +127,17 @@ std::optional<std::string> first_difference_of_dumps(std::string_view actual,
 }
 
 }  // namespace
+
+void require_dump(std::string_view text, std::string_view name) {
+  if (!text.starts_with(kFirstLine)) {
+    throw Error(fmt::format(
+        "{}:1:1: not a display-file dump: expected 'displayfile-dump 1' in the first line", name));
+  }
+  if (!text.ends_with(kLastLine)) {
+    throw Error(fmt::format("{}:{}:1: the dump is cut short: expected 'end' in the last line", name,
+                            std::ranges::count(text, '\n') + 1));
+  }
+}
 
 std::optional<std::string> first_difference(std::string_view actual, std::string_view expected) {
   require_dump(actual, "the dump");

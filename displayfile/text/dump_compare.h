@@ -15,6 +15,9 @@ namespace displayfile {
 /// Throws Error if one of the texts is not a whole dump.
 std::optional<std::string> first_difference(std::string_view actual, std::string_view expected);
 
+/// Throws Error, with the name and the place, if the text is not a whole dump.
+void require_dump(std::string_view text, std::string_view name);
+
 /// The first difference between what is dumped of the display file and a golden file, which
 /// holds a dump. Throws Error, naming the file, if it cannot be read or is not a whole dump.
 std::optional<std::string> check_golden(const DisplayFile& display_file,

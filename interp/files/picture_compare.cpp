@@ -76,7 +76,7 @@ void require_same_size(bool same) {
 
 }  // namespace
 
-PictureDifference compare(const Picture& a, const Picture& b) {
+PictureDifference compare(const Picture& a, const Picture& b, int tolerance) {
   PictureDifference result;
   if (a.width != b.width || a.height != b.height || a.pixels.size() != b.pixels.size()) {
     result.same_size = false;
@@ -86,8 +86,9 @@ PictureDifference compare(const Picture& a, const Picture& b) {
   int largest = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
     if (a.pixels[i] == b.pixels[i]) continue;
-    ++result.wrong_pixels;
-    largest = std::max(largest, largest_channel_difference(a.pixels[i], b.pixels[i]));
+    const int apart = largest_channel_difference(a.pixels[i], b.pixels[i]);
+    result.wrong_pixels += apart > tolerance ? 1 : 0;
+    largest = std::max(largest, apart);
   }
   result.largest = largest;
   return result;
@@ -121,11 +122,12 @@ PictureDifference compare(const NpyArray& a, const NpyArray& b) {
   return result;
 }
 
-Picture marked(const Picture& a, const Picture& b) {
+Picture marked(const Picture& a, const Picture& b, int tolerance) {
   require_same_size(a.width == b.width && a.height == b.height);
   Picture marks{a.width, a.height, {}, {}, {}};
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    marks.pixels.push_back(a.pixels[i] == b.pixels[i] ? lightened(a.pixels[i]) : kMark);
+    const bool wrong = largest_channel_difference(a.pixels[i], b.pixels[i]) > tolerance;
+    marks.pixels.push_back(wrong ? kMark : lightened(a.pixels[i]));
   }
   return marks;
 }

@@ -11,7 +11,7 @@ namespace displayfile {
 struct PictureDifference {
   bool same_size = true;          ///< if not, nothing else was compared
   std::int64_t pixels = 0;        ///< compared
-  std::int64_t wrong_pixels = 0;  ///< that are not equal
+  std::int64_t wrong_pixels = 0;  ///< that are not equal, but for a tolerance
   /// The largest difference of a channel of two pictures, 0 to 255, or the largest absolute
   /// difference of two values of arrays: infinite where one is infinite or NaN and the other is not
   /// equal.
@@ -28,8 +28,9 @@ struct PictureDifference {
   bool differs() const { return !same_size || wrong_pixels != 0; }
 };
 
-/// Compares colours; the item and depth buffers are not looked at.
-PictureDifference compare(const Picture& a, const Picture& b);
+/// Compares colours; the item and depth buffers are not looked at. Pixels whose channels, 0 to 255,
+/// differ by no more than the tolerance are not wrong.
+PictureDifference compare(const Picture& a, const Picture& b, int tolerance = 0);
 
 /// Compares values; NaN equals NaN, and an int32 array may be compared with a float64 one.
 PictureDifference compare(const NpyArray& a, const NpyArray& b);
@@ -37,7 +38,7 @@ PictureDifference compare(const NpyArray& a, const NpyArray& b);
 /// Where the wrong pixels are: those red, the others in light grey, of item buffers a tone for
 /// each identifier and white for the background, of float64 arrays one tone where finite, of
 /// pictures their own brightness. Throws Error if the sizes differ.
-Picture marked(const Picture& a, const Picture& b);
+Picture marked(const Picture& a, const Picture& b, int tolerance = 0);
 Picture marked(const NpyArray& a, const NpyArray& b);
 
 }  // namespace displayfile

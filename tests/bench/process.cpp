@@ -50,19 +50,23 @@ double seconds(const timeval& t) {
 
 }  // namespace
 
-ProcessCost cost_of(const std::vector<std::string>& arguments) {
+Cost cost_of(std::vector<std::string> arguments) {
   std::vector<char*> argv;
-  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
   const auto begun = std::chrono::steady_clock::now();
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
   pid_t child = 0;
   int status = 0;
   rusage used{};
-  if (posix_spawn(&child, argv[0], nullptr, nullptr, argv.data(), environ) != 0 ||
+  if (posix_spawn(&child, argv[0], &files, nullptr, argv.data(), environ) != 0 ||
       wait4(child, &status, 0, &used) != child || !WIFEXITED(status) || WEXITSTATUS(status) != 0) {
     throw Error(arguments[0] + " failed");
   }
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begun;
+  posix_spawn_file_actions_destroy(&files);
   return {wall.count(), seconds(used.ru_utime) + seconds(used.ru_stime),
           1024.0 * static_cast<double>(used.ru_maxrss)};
 }

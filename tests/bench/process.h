@@ -15,15 +15,15 @@ struct Finished {
 /// error goes nowhere.
 Finished run(const std::vector<std::string>& arguments);
 
-/// What a whole process took. The memory is at least this program's own, which is small.
-struct ProcessCost {
-  double wall, processor;  ///< seconds; all its threads together
-  double peak_memory;      ///< bytes
+/// The cost of a whole process. The memory is at least this program's own, which is small.
+struct Cost {
+  double wall, processor;  // seconds
+  double peak_memory;      // bytes
 };
-/// Runs a program by its path and waits for it. Throws Error if it does not end with status 0.
-ProcessCost cost_of(const std::vector<std::string>& arguments);
+/// Runs a program and waits for it. Throws Error unless it ends with status 0.
+Cost cost_of(std::vector<std::string> arguments);
 
-/// The middle value, of one or more.
+/// There is at least one value.
 double median(std::vector<double> values);
 
 /// A new folder, removed with all that is in it.

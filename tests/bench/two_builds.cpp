@@ -37,14 +37,14 @@ struct Wanted {
 /// Whole processes, the least of all rounds: what disturbs them only adds.
 struct Least {
   double time = 1e300, memory = 1e300;
-  void take(const ProcessCost& cost) {
+  void take(const Cost& cost) {
     time = std::min(time, cost.processor);
     memory = std::min(memory, cost.peak_memory);
   }
 };
 
 /// A drawing that takes as good as no time: the processes differ in their start and in reading.
-ProcessCost started(const std::string& command, const std::string& program,
+Cost started(const std::string& command, const std::string& program,
                     const TemporaryFolder& folder) {
   return cost_of({command, "draw", program, "-o", folder.file("start.ppm"), "--size", "1x1",
                   "--hidden", "none", "--threads", "1"});

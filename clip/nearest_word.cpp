@@ -1,0 +1,58 @@
+#include "clip/nearest_word.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace displayfile {
+
+namespace {
+
+constexpr std::size_t kLongest = 64;  // characters of a word that are looked at
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+}  // namespace
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1), before(b.size() + 1), two_before;
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    two_before = std::exchange(before, row);
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const bool same = lower(a[i]) == lower(b[j]);
+      row[j + 1] = std::min({before[j + 1] + 1, row[j] + 1, before[j] + (same ? 0 : 1)});
+      const bool exchanged =
+          i > 0 && j > 0 && lower(a[i]) == lower(b[j - 1]) && lower(a[i - 1]) == lower(b[j]);
+      if (exchanged) row[j + 1] = std::min(row[j + 1], two_before[j - 1] + 1);
+    }
+  }
+  return row.back();
+}
+
+std::vector<std::string_view> nearest_words(std::string_view word,
+                                            std::span<const std::string_view> known) {
+  std::vector<std::pair<std::size_t, std::string_view>> near;
+  for (const std::string_view other : known) {
+    near.emplace_back(edit_distance(word.substr(0, kLongest), other), other);
+  }
+  std::ranges::stable_sort(near, {}, &std::pair<std::size_t, std::string_view>::first);
+  std::vector<std::string_view> words;
+  for (const auto& [distance, other] : near) words.push_back(other);
+  return words;
+}
+
+std::string did_you_mean(std::string_view word, std::span<const std::string_view> known) {
+  if (known.empty() || word.size() < 2 || word.size() > kLongest) return "";
+  std::string_view meant = nearest_words(word, known).front();
+  if (edit_distance(word, meant) > std::max<std::size_t>(1, word.size() / 3)) {
+    const auto starts = [&](std::string_view other) { return other.starts_with(word); };
+    const auto begun = std::ranges::find_if(known, starts);
+    if (begun == known.end()) return "";
+    meant = *begun;
+  }
+  return " did you mean '" + std::string(meant) + "'?";
+}
+
+}  // namespace displayfile

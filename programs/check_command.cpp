@@ -1,0 +1,202 @@
+#include "programs/check_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <span>
+
+#include "clip/error.h"
+#include "displayfile/input_file.h"
+#include "displayfile/text/dump.h"
+#include "displayfile/text/dump_compare.h"
+#include "programs/each_input.h"
+#include "programs/inputs.h"
+#include "programs/option_groups.h"
+#include "programs/output_name.h"
+
+namespace displayfile {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What an input's segments hold, against a dump.
+class InstructionCheck : public GoldenCheck {
+ public:
+  explicit InstructionCheck(const HiddenSurfaceOptions& options) : options_(options) {}
+
+  std::string_view extension() const override { return ".txt"; }
+  void read_golden(const std::string& file) override {
+    if (is_drawing_program(file)) {
+      golden_ = dump(as_drawn(std::span(&file, 1), options_));
+    } else {
+      golden_ = read_text_file(file);
+      require_dump(golden_, file);
+    }
+  }
+  std::optional<std::string> difference(const std::string& input) const override {
+    return first_difference(dump(as_drawn(std::span(&input, 1), options_)), golden_);
+  }
+  void update(const std::string& input, const std::string& golden) const override {
+    update_golden(as_drawn(std::span(&input, 1), options_), golden);
+  }
+
+ private:
+  HiddenSurfaceOptions options_;
+  std::string golden_;  // a dump
+};
+
+std::string flat_name(const std::string& input, std::string_view extension) {
+  if (input == "-") throw Error("check needs files: the name of a golden file is its input's");
+  return fs::path(input).stem().string() + std::string(extension);
+}
+
+void make_folder_of(const std::string& file) {
+  const fs::path folder = fs::path(file).parent_path();
+  std::error_code error;
+  if (!folder.empty()) fs::create_directories(folder, error);
+  if (error) throw Error(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
+}
+
+void require_golden(const std::string& file, const std::string& input) {
+  if (fs::exists(file)) return;
+  throw Error(fmt::format("{}: there is no golden file {}: --update writes it", input, file));
+}
+
+enum class Kind { passed, differs, bad };
+
+struct Row {
+  Kind kind;
+  std::string input, text;
+};
+
+std::string table(std::span<const Row> rows) {
+  std::size_t widest = 0;
+  for (const Row& row : rows) widest = std::max(widest, row.input.size());
+  std::string text;
+  for (const auto& [kind, input, what] : rows) {
+    const char* const word = kind == Kind::passed ? "passed "
+                             : kind == Kind::bad  ? "bad    "
+                                                  : "differs";
+    text += what.empty() ? fmt::format("{}  {}\n", word, input)
+                         : fmt::format("{}  {:<{}}  {}\n", word, input, widest, what);
+  }
+  return text;
+}
+
+std::string totals(std::span<const Row> rows) {
+  const auto count = [&](Kind kind) { return std::ranges::count(rows, kind, &Row::kind); };
+  return fmt::format("{} inputs: {} passed, {} differ, {} bad\n", rows.size(), count(Kind::passed),
+                     count(Kind::differs), count(Kind::bad));
+}
+
+/// Without the input's name before it.
+std::string without_name(const std::string& message, const std::string& input) {
+  return message.starts_with(input + ": ") ? message.substr(input.size() + 2) : message;
+}
+
+}  // namespace
+
+CLI::App& CheckCommand::add_to(CLI::App& app) {
+  CLI::App& command = *app.add_subcommand(
+      "check",
+      "Compare each input's dump with a golden file; exit 1 and the first difference of each that "
+      "differs");
+  command.add_option("INPUT", inputs, "drawing programs and meshes")->required();
+  command
+      .add_option(
+          "--golden", golden,
+          "folder of golden files, NAME.txt for NAME.draw, or FOLDER/NAME.txt where inputs "
+          "of several folders have one name; or one file that all inputs are compared with: "
+          "a golden file or a drawing program")
+      ->required()
+      ->group(kGoldenOptions);
+  command.add_flag("--update", update, "write the golden files")->group(kGoldenOptions);
+  command
+      .add_flag("--summary", summary,
+                "a table of all inputs: passed, differs and how, or bad; and how many of each")
+      ->group(kReportOptions);
+  if (other != nullptr) other->add_to(command);
+  hidden_surfaces.add_to(command);
+  return command;
+}
+
+bool CheckCommand::is_one_file() const {
+  if (fs::exists(golden)) return !fs::is_directory(golden);
+  const std::string extension = fs::path(golden).extension().string();
+  return extension == ".txt" || extension == ".png" || extension == ".draw";
+}
+
+/// Of each input, in a folder.
+std::vector<std::string> CheckCommand::golden_files(std::string_view extension) const {
+  std::map<std::string, int> of_that_name;
+  for (const std::string& input : inputs) ++of_that_name[flat_name(input, extension)];
+  std::map<std::string, std::string> input_of;
+  std::vector<std::string> files;
+  for (const std::string& input : inputs) {
+    const std::string flat = flat_name(input, extension);
+    const fs::path in_folder = fs::path(golden) / folder_within(input) / flat;
+    const bool keeps_folder = of_that_name[flat] > 1 || fs::exists(in_folder);
+    files.push_back((keeps_folder ? in_folder : fs::path(golden) / flat).string());
+    const auto [other_input, is_new] = input_of.emplace(files.back(), input);
+    if (!is_new) {
+      throw Error(fmt::format("{} and {}: two inputs have the golden file {}", other_input->second,
+                              input, files.back()));
+    }
+  }
+  return files;
+}
+
+int CheckCommand::run() const {
+  const HiddenSurfaceOptions options = hidden_surfaces.options(threads);
+  InstructionCheck instructions(options);
+  GoldenCheck& check = other != nullptr && other->asked_for(options)
+                           ? static_cast<GoldenCheck&>(*other)
+                           : instructions;
+  const bool one_file = is_one_file();
+  if (one_file && update && (inputs.size() > 1 || is_drawing_program(golden))) {
+    throw Error(
+        fmt::format("{}: --update writes a golden file for each input: expected a folder", golden));
+  }
+  const std::vector<std::string> files =
+      one_file ? std::vector(inputs.size(), golden) : golden_files(check.extension());
+  if (one_file && !update) {
+    require_golden(golden, inputs.front());
+    check.read_golden(golden);
+  }
+  std::vector<Row> rows;
+  for_each_input(
+      inputs, 1, "checking",
+      [&](std::size_t k) -> std::string {
+        if (update) {
+          make_folder_of(files[k]);
+          check.update(inputs[k], files[k]);
+          return "";
+        }
+        if (!one_file) {
+          require_golden(files[k], inputs[k]);
+          check.read_golden(files[k]);
+        }
+        return check.difference(inputs[k]).value_or("");
+      },
+      [&](std::size_t k, const InputResult& result) {
+        const bool bad = !result.error.empty();
+        const Kind kind = bad ? Kind::bad : result.text.empty() ? Kind::passed : Kind::differs;
+        if (bad) std::cerr << "displayfile: " << result.error << '\n';
+        if (kind == Kind::differs && !summary)
+          std::cout << inputs[k] << ": " << result.text << '\n';
+        rows.push_back(
+            {kind, inputs[k], bad ? without_name(result.error, inputs[k]) : result.text});
+      });
+  const bool any_bad = std::ranges::find(rows, Kind::bad, &Row::kind) != rows.end();
+  const bool any_differs = std::ranges::find(rows, Kind::differs, &Row::kind) != rows.end();
+  if (summary) std::cout << table(rows);
+  if (summary || (rows.size() > 1 && (any_bad || any_differs))) std::cout << totals(rows);
+  return any_bad ? 2 : any_differs ? 1 : 0;
+}
+
+}  // namespace displayfile

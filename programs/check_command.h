@@ -1,0 +1,33 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+#include <vector>
+
+#include "programs/golden_check.h"
+#include "programs/hidden_surface_words.h"
+
+namespace displayfile {
+
+/// `displayfile check`: inputs against golden files, by their instructions: what segments hold, in
+/// the order that is drawn. It draws nothing, but for what another check does.
+struct CheckCommand {
+  std::vector<std::string> inputs;
+  HiddenSurfaceWords hidden_surfaces;
+  int threads = 1;
+  /// A folder, or one file for all inputs. In a folder the golden file of FOLDER/NAME.draw is
+  /// FOLDER/NAME.txt if it is there or another of the inputs has that name; otherwise NAME.txt.
+  std::string golden;
+  bool update = false;
+  bool summary = false;
+  GoldenCheckOption* other = nullptr;  ///< in place of instructions, if asked for
+
+  CLI::App& add_to(CLI::App& app);
+  int run() const;  ///< 2 if an input is bad, otherwise 1 if one differs
+
+ private:
+  bool is_one_file() const;
+  std::vector<std::string> golden_files(std::string_view extension) const;
+};
+
+}  // namespace displayfile

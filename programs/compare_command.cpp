@@ -1,0 +1,91 @@
+#include "programs/compare_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+
+#include "clip/error.h"
+#include "displayfile/input_file.h"
+#include "displayfile/text/dump_compare.h"
+#include "interp/files/npy_file.h"
+#include "interp/files/picture_compare.h"
+#include "interp/files/png_file.h"
+
+namespace displayfile {
+
+namespace {
+
+std::string measures(const PictureDifference& d) {
+  if (!d.same_size) return "the sizes differ\n";
+  std::string text = fmt::format("{} wrong pixels of {}, largest difference {}\n", d.wrong_pixels,
+                                 d.pixels, d.largest);
+  if (d.background_and_polygon + d.polygon_and_polygon > 0) {
+    text += fmt::format(
+        "  {} show the background in the first only, {} in the second only, {} different "
+        "polygons\n",
+        d.background_in_first, d.background_and_polygon - d.background_in_first,
+        d.polygon_and_polygon);
+  }
+  if (d.finite_in_both + d.finite_in_one > 0) {
+    text += fmt::format("  depth error: largest {}, mean {}, over {} pixels finite in both\n",
+                        d.largest_error, d.mean_error, d.finite_in_both);
+    text += fmt::format("  {} pixels finite in only one\n", d.finite_in_one);
+  }
+  return text;
+}
+
+}  // namespace
+
+CLI::App& CompareCommand::add_to(CLI::App& app) {
+  CLI::App& command =
+      *app.add_subcommand("compare",
+                          "Wrong pixels and largest difference of two pictures or .npy files, "
+                          "or the first difference of two dumps; exit 1 if they differ");
+  command.add_option("A", a)->required();
+  command.add_option("B", b)->required();
+  command.add_option("--marks", marks,
+                     "picture (.png) of where: wrong pixels red, the rest light grey");
+  tolerance.add_to(command);
+  return command;
+}
+
+int CompareCommand::run() const {
+  const auto extension = [](const std::string& name) {
+    return std::filesystem::path(name).extension().string();
+  };
+  if (is_picture_file(a) != is_picture_file(b) ||
+      (extension(a) == ".npy") != (extension(b) == ".npy")) {
+    throw Error(fmt::format("{} and {}: expected two pictures, two .npy files or two dumps", a, b));
+  }
+  if (!marks.empty() && extension(marks) != ".png") {
+    throw Error(fmt::format("{}: expected a .png file for the marks", marks));
+  }
+  const auto print = [](const PictureDifference& difference, bool passes) {
+    std::cout << measures(difference);
+    return passes ? 0 : 1;
+  };
+  tolerance.require_number();
+  if (is_picture_file(a)) {
+    const Picture first = read_picture(a), second = read_picture(b);
+    const PictureDifference difference = displayfile::compare(first, second, tolerance.channel);
+    if (!marks.empty()) write_png(marked(first, second, tolerance.channel), marks);
+    return print(difference, tolerance.passes(difference));
+  }
+  if (tolerance.is_set()) {
+    throw Error(fmt::format("{} and {}: --tolerance and --wrong-pixels are of pictures", a, b));
+  }
+  if (extension(a) == ".npy") {
+    const NpyArray first = read_npy(a), second = read_npy(b);
+    const PictureDifference difference = displayfile::compare(first, second);
+    if (!marks.empty()) write_png(marked(first, second), marks);
+    return print(difference, !difference.differs());
+  }
+  if (!marks.empty()) throw Error(fmt::format("{} and {}: dumps have no pixels to mark", a, b));
+  const auto difference = first_difference(read_text_file(a), read_text_file(b));
+  std::cout << (difference ? *difference : std::string("no difference")) << '\n';
+  return difference ? 1 : 0;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,301 @@
+#include "programs/draw_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <span>
+#include <system_error>
+
+#include "clip/error.h"
+#include "displayfile/input_file.h"
+#include "hidden/exact/predicate_counts.h"
+#include "hidden/parallel.h"
+#include "interp/raster/antialias.h"
+#include "interp/visibility/auto_method.h"
+#include "programs/drawn_inputs.h"
+#include "programs/each_input.h"
+#include "programs/option_groups.h"
+#include "programs/output_name.h"
+#include "programs/progress.h"
+#include "programs/turntable_command.h"
+
+namespace displayfile {
+
+namespace {
+
+/// How often the predicates' filters were undecided.
+std::string exact_stage_counts() {
+  std::string text;
+  const PredicateCounts counts = predicate_counts();
+  for (std::size_t i = 0; i < kPredicates; ++i) {
+    const StageCounts& count = counts[i];
+    if (count.exact + count.by_definition == 0) continue;
+    text += fmt::format("exact stage        {}: {} times, and {} zero by definition\n",
+                        name_of(static_cast<Predicate>(i)), count.exact, count.by_definition);
+  }
+  return text.empty() ? "exact stage        never asked\n" : text;
+}
+
+/// What sorting the hidden surfaces cost; nothing if none were sorted.
+std::string sort_counts(const DisplayFile& file, std::size_t polygons_and_lines) {
+  const SortCounts counts = counts_of_sorts(file);
+  if (counts.pieces == 0) return "";
+  return fmt::format(
+      "pieces             {} ({:.4f} a polygon or line)\n"
+      "cuts               {}\n"
+      "comparisons        {}\n"
+      "depth of the tree  {}\n",
+      counts.pieces, static_cast<double>(counts.pieces) / static_cast<double>(polygons_and_lines),
+      counts.cuts, counts.comparisons, counts.depth);
+}
+
+std::string statistics(const GraphicsSystem& system, const DisplayFile& file,
+                       const DrawOptions& options, PictureKind kind) {
+  std::size_t lines = 0, visible = 0, drawn = 0;
+  for (const Segment& segment : file.segments()) {
+    lines += segment.lines();
+    visible += segment.visible ? 1 : 0;
+    drawn += segment.visible ? segment.polygons() + segment.lines() : 0;
+  }
+  const std::size_t polygons = file.polygons();
+  std::string text = fmt::format(
+      "segments           {} ({} visible)\n"
+      "polygons entered   {} ({} not flat, triangulated)\n"
+      "polygons stored    {}\n"
+      "lines stored       {}\n"
+      "display file       {} bytes ({:.1f} a polygon)\n"
+      "picture            {} x {}, hidden surfaces by {}\n",
+      file.segments().size(), visible, system.polygons_entered(), system.polygons_triangulated(),
+      polygons, lines, file.bytes(),
+      polygons == 0 ? 0.0 : static_cast<double>(file.bytes()) / static_cast<double>(polygons),
+      options.width, options.height, name_of(drawing_method(system, options, kind)));
+  return text + sort_counts(file, drawn);
+}
+
+std::string explanation(const GraphicsSystem& system, const DrawOptions& options,
+                        PictureKind kind) {
+  const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
+  if (method != HiddenMethod::automatic) return fmt::format("{}: as asked for\n", name_of(method));
+  const MethodChoice choice = choose_method(system.display_file(), kind);
+  return fmt::format("auto: {}: {}\n", name_of(choice.method), choice.reason);
+}
+
+/// For --help.
+std::string listed(std::span<const Choice> choices) {
+  std::string text;
+  for (const Choice& choice : choices) {
+    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", choice.name, choice.what);
+  }
+  return text;
+}
+
+std::string names_of(std::span<const Choice> formats) {
+  std::string text;
+  for (const Choice& format : formats)
+    text += fmt::format("{}{}", text.empty() ? "" : " ", format.name.substr(1));
+  return text;
+}
+
+}  // namespace
+
+CLI::App& DrawCommand::add_to(CLI::App& app) {
+  CLI::App& command = *app.add_subcommand("draw", "Draw drawing programs and meshes");
+  command
+      .add_option("INPUT", inputs, "drawing programs (.draw, or - for standard input) and meshes")
+      ->required();
+  add_output_options(command);
+  add_picture_options(command);
+  hidden_surfaces.add_to(command);
+  command.add_flag("--stats", stats, "print what was drawn")->group(kReportOptions);
+  command.add_flag("--explain", explain, "say which method auto picked, and why")
+      ->group(kReportOptions);
+  return command;
+}
+
+void DrawCommand::add_output_options(CLI::App& command) {
+  command
+      .add_option("-o,--output", output,
+                  "the picture: " + listed(picture_formats()) +
+                      "; or - for standard output. With {name} or other fields in it, such as "
+                      "'thumbnails/{name}.png', a picture of each input: {name} is its file name, "
+                      "{ext} its extension, {folder} its folder, {number} its place on the line")
+      ->required()
+      ->group(kOutputOptions);
+  command
+      .add_option("--format", options.format,
+                  "of the picture, if it is not what its name ends in: " +
+                      names_of(picture_formats()) + "; png on standard output")
+      ->group(kOutputOptions);
+  command
+      .add_option("--ids", options.ids,
+                  "item buffer as .npy: the pick identifier seen, -1 for none")
+      ->group(kOutputOptions);
+  command.add_option("--depth", options.depth, "depth as .npy: of the fill seen, -inf for none")
+      ->group(kOutputOptions);
+}
+
+void DrawCommand::add_picture_options(CLI::App& command) {
+  size.add_to(command);
+  command
+      .add_option("--samples", options.samples,
+                  "antialiasing: the mean of N x N samples for each pixel")
+      ->check(CLI::Range(1, kMostSamples))
+      ->capture_default_str()
+      ->group(kPictureOptions);
+  shading.add_to(command);
+  command
+      .add_option("--turntable", turntable,
+                  "N views, turned evenly all around the view-up axis, from one BSP tree, "
+                  "or with --hidden world-ray-cast from one tree of boxes: "
+                  "OUT.png becomes OUT-000.png, OUT-001.png, ..., --ids and --depth likewise")
+      ->group(kPictureOptions);
+  command.add_option("--device", options.device, listed(raster_devices()))
+      ->capture_default_str()
+      ->group(kPictureOptions);
+  command.add_option("--threads", options.threads, "the picture is the same for any number")
+      ->check(CLI::Range(1, 1024))
+      ->group(kPictureOptions);
+}
+
+/// With those that are words on the command line.
+DrawOptions DrawCommand::all_options() const {
+  DrawOptions all = options;
+  size.read(all.width, all.height);
+  const HiddenSurfaceOptions sorting = hidden_surfaces.options(options.threads);
+  all.hidden = sorting.method;
+  all.scope = sorting.scope;
+  all.precision = sorting.precision;
+  require_raster_device(options.device);
+  if (!all.format.empty() && !all.format.starts_with('.')) all.format = "." + all.format;
+  return all;
+}
+
+/// Of a picture of its own for each input, the folders that fields name are made.
+void DrawCommand::make_folder(const std::filesystem::path& file) const {
+  if (!is_name_pattern(output) || !file.has_parent_path()) return;
+  std::error_code error;
+  std::filesystem::create_directories(file.parent_path(), error);
+  if (error) {
+    throw Error(
+        fmt::format("{}: cannot be made: {}", file.parent_path().string(), error.message()));
+  }
+}
+
+std::string DrawCommand::draw_into(std::span<const std::string> drawn,
+                                   const std::filesystem::path& file,
+                                   const DrawOptions& drawing) const {
+  const auto make_folders = [&] {
+    for (const auto& written : {file, drawing.ids, drawing.depth}) make_folder(written);
+  };
+  if (turntable) {
+    make_folders();
+    return draw_turntable(drawn, file, drawing, shading.shading(), turntable_views(*turntable),
+                          stats);
+  }
+  const DrawnInputs entered(drawn, drawing, shading.shading());
+  const GraphicsSystem& system = entered.system();
+  const PictureKind kind = picture_kind(file, drawing);
+  std::string text = explain ? explanation(system, entered.options(), kind) : "";
+  SortedDisplayFile sorted;
+  {
+    const Progress progress(fmt::format("drawing {} polygons", system.display_file().polygons()));
+    make_folders();
+    draw(system, file, entered.options(), sorted);
+  }
+  entered.warn_if_nothing_is_seen();
+  if (stats) {
+    text +=
+        statistics(system, sorted.display_file(), entered.options(), kind) + exact_stage_counts();
+  }
+  return text;
+}
+
+/// The files of each input, checked before any is drawn.
+std::vector<DrawCommand::Outputs> DrawCommand::outputs_of_each(const DrawOptions& drawing) const {
+  std::vector<Outputs> of_each;
+  std::map<std::filesystem::path, std::size_t> made;
+  const auto name = [&](const std::filesystem::path& pattern, std::size_t k) {
+    if (pattern.empty()) return std::filesystem::path();
+    const std::filesystem::path file = output_name(pattern.string(), inputs[k], k, inputs.size());
+    const auto [other, is_new] = made.emplace(file.lexically_normal(), k);
+    if (is_new) return file;
+    throw Error(
+        fmt::format("{}: the output of {} and of {}: expected a name for each, by {{name}}, "
+                    "{{ext}}, {{folder}} or {{number}}",
+                    file.string(), input_name(inputs[other->second]), input_name(inputs[k])));
+  };
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    of_each.push_back({name(output, k), name(drawing.ids, k), name(drawing.depth, k)});
+  }
+  return of_each;
+}
+
+namespace {
+
+/// What would keep all inputs from being drawn: an option, or a folder that is not there.
+void require_drawable_names(const std::string& output, const DrawOptions& options,
+                            const std::filesystem::path& first, const std::filesystem::path& ids,
+                            const std::filesystem::path& depth) {
+  picture_kind(output, options);  // an unknown extension is told with the name as given
+  const auto beside = [](const std::filesystem::path& pattern, const std::filesystem::path& file) {
+    return file.empty() ? file : folder_before_fields(pattern.string()) / file.filename();
+  };
+  DrawOptions of_first = options;
+  of_first.ids = beside(options.ids, ids);
+  of_first.depth = beside(options.depth, depth);
+  require_drawable(beside(output, first), of_first);
+}
+
+}  // namespace
+
+int DrawCommand::draw_each(const DrawOptions& drawing) const {
+  const std::vector<Outputs> outputs = outputs_of_each(drawing);
+  require_drawable_names(output, drawing, outputs[0].picture, outputs[0].ids, outputs[0].depth);
+  // llvmpipe has threads of its own.
+  const bool several = drawing.device == raster_devices().front().name;
+  const int at_a_time =
+      several ? static_cast<int>(std::min<std::size_t>(
+                    inputs.size(), static_cast<std::size_t>(useful_threads(drawing.threads))))
+              : 1;
+  std::vector<std::string> bad;
+  for_each_input(
+      inputs, at_a_time, fmt::format("drawing {} pictures", inputs.size()),
+      [&](std::size_t k) {
+        DrawOptions of_one = drawing;
+        of_one.threads = std::max(1, drawing.threads / at_a_time);
+        of_one.ids = outputs[k].ids;
+        of_one.depth = outputs[k].depth;
+        return draw_into(std::span(&inputs[k], 1), outputs[k].picture, of_one);
+      },
+      [&](std::size_t k, const InputResult& result) {
+        if (!result.text.empty()) std::cout << inputs[k] << ":\n" << result.text;
+        if (result.error.empty()) return;
+        std::cerr << "displayfile: " << result.error << '\n';
+        bad.push_back(input_name(inputs[k]));
+      });
+  if (bad.empty()) return 0;
+  std::cerr << fmt::format("displayfile: {} of {} inputs not drawn:\n  {}\n", bad.size(),
+                           inputs.size(), fmt::join(bad, "\n  "));
+  return 2;
+}
+
+int DrawCommand::run() const {
+  const DrawOptions drawing = all_options();
+  shading.shading();
+  if (turntable) turntable_views(*turntable);
+  if (is_name_pattern(output)) return draw_each(drawing);
+  for (const auto& file : {drawing.ids, drawing.depth}) {
+    if (!is_name_pattern(file.string())) continue;
+    throw Error(fmt::format("{}: has a field, and {} has none: expected both or neither",
+                            file.string(), output));
+  }
+  const std::string text = draw_into(inputs, output, drawing);
+  (output == "-" ? std::cerr : std::cout) << text;
+  return 0;
+}
+
+}  // namespace displayfile

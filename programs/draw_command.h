@@ -1,0 +1,50 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "interp/draw.h"
+#include "programs/hidden_surface_words.h"
+#include "programs/picture_size.h"
+#include "programs/shading_word.h"
+
+namespace displayfile {
+
+/// `displayfile draw`. Like the other subcommands it adds itself to the command line, and run()
+/// returns the exit status, 0 or 1 (a difference was found), or throws Error, with nothing written,
+/// if its input, an option or an output is wrong.
+struct DrawCommand {
+  std::vector<std::string> inputs;
+  std::string output;   ///< with fields (programs/output_name.h): a picture of each input
+  DrawOptions options;  ///< but for what is words
+  PictureSizeWord size;
+  HiddenSurfaceWords hidden_surfaces;
+  ShadingWord shading;  ///< that the inputs start with
+  bool stats = false;
+  bool explain = false;                  ///< what `auto` picked, and why
+  std::optional<std::string> turntable;  ///< so many views of it (programs/turntable_command.h)
+
+  CLI::App& add_to(CLI::App& app);
+  int run() const;
+
+ private:
+  struct Outputs {
+    std::filesystem::path picture, ids, depth;  ///< empty: not asked for
+  };
+
+  void add_output_options(CLI::App& command);
+  void add_picture_options(CLI::App& command);
+  DrawOptions all_options() const;
+  void make_folder(const std::filesystem::path& file) const;
+  /// What the printed options have to say of it.
+  std::string draw_into(std::span<const std::string> drawn, const std::filesystem::path& file,
+                        const DrawOptions& drawing) const;
+  std::vector<Outputs> outputs_of_each(const DrawOptions& drawing) const;
+  int draw_each(const DrawOptions& drawing) const;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,36 @@
+#include "programs/dump_command.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "clip/error.h"
+#include "displayfile/output_file.h"
+#include "displayfile/text/dump.h"
+#include "programs/inputs.h"
+
+namespace displayfile {
+
+CLI::App& DumpCommand::add_to(CLI::App& app) {
+  CLI::App& command =
+      *app.add_subcommand("dump", "Every segment's instructions, as canonical text");
+  command.add_option("INPUT", inputs, "drawing programs and meshes")->required();
+  command.add_option("-o,--output", output, "file to write; standard output if not given");
+  hidden_surfaces.add_to(command);
+  return command;
+}
+
+int DumpCommand::run() const {
+  const DisplayFile file = as_drawn(inputs, hidden_surfaces.options(threads));
+  if (output.empty()) {
+    dump(file, std::cout);
+    std::cout.flush();
+    if (!std::cout) throw Error("standard output cannot be written");
+    return 0;
+  }
+  OutputFile written(output);
+  dump(file, written.stream());
+  written.commit();
+  return 0;
+}
+
+}  // namespace displayfile

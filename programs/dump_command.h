@@ -1,0 +1,22 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+#include <vector>
+
+#include "programs/hidden_surface_words.h"
+
+namespace displayfile {
+
+/// `displayfile dump`: what segments hold, in the order that is drawn. It draws nothing.
+struct DumpCommand {
+  std::vector<std::string> inputs;
+  HiddenSurfaceWords hidden_surfaces;
+  int threads = 1;
+  std::string output;  ///< standard output if empty
+
+  CLI::App& add_to(CLI::App& app);
+  int run() const;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,66 @@
+#include "programs/each_input.h"
+
+#include <exception>
+#include <iostream>
+#include <mutex>
+#include <new>
+#include <optional>
+#include <sstream>
+
+#include "displayfile/input_file.h"
+#include "hidden/parallel.h"
+#include "programs/progress.h"
+#include "programs/warnings.h"
+
+namespace displayfile {
+
+namespace {
+
+std::string naming(const std::string& input, const std::string& message) {
+  const std::string name = input_name(input);
+  return message.starts_with(name) ? message : name + ": " + message;
+}
+
+InputResult result_of(const std::string& input, std::size_t k,
+                      const std::function<std::string(std::size_t)>& work) {
+  try {
+    return {work(k), ""};
+  } catch (const std::bad_alloc&) {
+    return {"", naming(input, "out of memory")};
+  } catch (const std::exception& e) {
+    return {"", naming(input, e.what())};
+  }
+}
+
+}  // namespace
+
+void for_each_input(std::span<const std::string> inputs, int threads, const std::string& what,
+                    const std::function<std::string(std::size_t k)>& work,
+                    const std::function<void(std::size_t k, const InputResult&)>& take) {
+  struct Done {
+    InputResult result;
+    std::string warnings;
+  };
+  std::vector<std::optional<Done>> done(inputs.size());
+  std::size_t finished = 0, taken = 0;
+  std::mutex mutex;
+  Progress progress(what);
+  in_parallel(threads, inputs.size(), [&](std::size_t k) {
+    std::ostringstream warned;
+    InputResult result;
+    {
+      const CollectedWarnings collected(warned);
+      result = result_of(inputs[k], k, work);
+    }
+    const std::lock_guard lock(mutex);
+    done[k] = Done{std::move(result), warned.str()};
+    progress.update(++finished, inputs.size());
+    for (; taken < done.size() && done[taken]; ++taken) {
+      std::cerr << done[taken]->warnings;
+      take(taken, done[taken]->result);
+      *done[taken] = {};
+    }
+  });
+}
+
+}  // namespace displayfile

@@ -1,0 +1,34 @@
+#include "programs/hidden_surface_words.h"
+
+#include "hidden/exact/precision.h"
+#include "programs/option_groups.h"
+
+namespace displayfile {
+
+void HiddenSurfaceWords::add_to(CLI::App& command) {
+  std::string methods;
+  for (const auto& entry : hidden_methods()) {
+    if (entry.available) methods += " " + std::string(entry.name);
+  }
+  command
+      .add_option("--hidden", hidden, "hidden-surface method in place of the program's:" + methods)
+      ->group(kHiddenSurfaceOptions);
+  command
+      .add_option("--scope", scope, "sort each segment, or all visible ones together: segment all")
+      ->group(kHiddenSurfaceOptions);
+  command
+      .add_option("--precision", precision,
+                  "exact, roundoff or roundoff=EPS; exact unless a program sets another")
+      ->group(kHiddenSurfaceOptions);
+}
+
+HiddenSurfaceOptions HiddenSurfaceWords::options(int threads) const {
+  HiddenSurfaceOptions read;
+  read.threads = threads;
+  if (!hidden.empty()) read.method = hidden_method(hidden);
+  if (!scope.empty()) read.scope = hidden_scope(scope);
+  if (!precision.empty()) read.precision = displayfile::precision(precision);
+  return read;
+}
+
+}  // namespace displayfile

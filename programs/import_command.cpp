@@ -1,0 +1,38 @@
+#include "programs/import_command.h"
+
+#include <CLI/CLI.hpp>
+
+#include "clip/error.h"
+#include "displayfile/graphics_system.h"
+#include "displayfile/output_file.h"
+#include "programs/inputs.h"
+#include "programs/progress.h"
+
+namespace displayfile {
+
+CLI::App& ImportCommand::add_to(CLI::App& app) {
+  CLI::App& command = *app.add_subcommand("import", "Write a drawing program from meshes");
+  command.add_option("MESH", meshes)->required();
+  command.add_option("-o,--output", output, "the drawing program, .draw")->required();
+  shading.add_to(command);
+  return command;
+}
+
+int ImportCommand::run() const {
+  const Shading start_with = shading.shading();
+  OutputFile file(output);
+  GraphicsSystem system;
+  Recorder recorder(file.stream());
+  system.set_recorder(&recorder);
+  for (const std::string& mesh : meshes) {
+    if (is_drawing_program(mesh)) throw Error(mesh + " is a drawing program: expected a mesh");
+  }
+  if (start_with != Shading::flat) system.set_shading(start_with);
+  const Progress progress("importing " + meshes.front());
+  const Mesh::Skipped skipped = import_meshes(meshes, system);
+  file.commit();
+  report_skipped(meshes, skipped);
+  return 0;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+#include <vector>
+
+#include "programs/shading_word.h"
+
+namespace displayfile {
+
+/// `displayfile import`: a drawing program from meshes.
+struct ImportCommand {
+  std::vector<std::string> meshes;
+  ShadingWord shading;  ///< gouraud: with normals of vertices
+  std::string output;
+
+  CLI::App& add_to(CLI::App& app);
+  int run() const;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,81 @@
+#include "programs/picture_check.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <span>
+
+#include "clip/error.h"
+#include "interp/files/picture_compare.h"
+#include "interp/files/png_file.h"
+#include "programs/drawn_inputs.h"
+#include "programs/inputs.h"
+#include "programs/option_groups.h"
+
+namespace displayfile {
+
+void PictureCheck::add_to(CLI::App& command) {
+  command
+      .add_flag("--picture", asked_,
+                "compare pictures, NAME.png for NAME.draw, in place of instructions")
+      ->group(kPictureOptions);
+  command
+      .add_option("--size", size_.size,
+                  "WIDTHxHEIGHT in pixels; if not given, that of the golden picture, and 512x512 "
+                  "for --update")
+      ->group(kPictureOptions);
+  tolerance_.add_to(command);
+}
+
+bool PictureCheck::asked_for(const HiddenSurfaceOptions& hidden_surfaces) {
+  if (!asked_) {
+    if (!size_.size.empty() || tolerance_.is_set()) {
+      throw Error("--size, --tolerance and --wrong-pixels are of pictures: expected --picture too");
+    }
+    return false;
+  }
+  tolerance_.require_number();
+  if (!size_.size.empty()) size_.read(options_.width, options_.height);
+  options_.hidden = hidden_surfaces.method;
+  options_.scope = hidden_surfaces.scope;
+  options_.precision = hidden_surfaces.precision;
+  options_.threads = hidden_surfaces.threads;
+  return true;
+}
+
+Picture PictureCheck::picture_of(const std::string& input, const DrawOptions& options) const {
+  const DrawnInputs entered(std::span(&input, 1), options, Shading::flat);
+  Picture picture = draw(entered.system(), entered.options());
+  entered.warn_if_nothing_is_seen();
+  return picture;
+}
+
+void PictureCheck::read_golden(const std::string& file) {
+  golden_ = is_picture_file(file) ? read_picture(file) : picture_of(file, options_);
+}
+
+std::optional<std::string> PictureCheck::difference(const std::string& input) const {
+  DrawOptions options = options_;
+  if (size_.size.empty()) {
+    options.width = golden_.width;
+    options.height = golden_.height;
+  }
+  const PictureDifference difference =
+      compare(picture_of(input, options), golden_, tolerance_.channel);
+  if (tolerance_.passes(difference)) return std::nullopt;
+  if (!difference.same_size) {
+    return fmt::format("the picture is {} x {} pixels, expected {} x {}", options.width,
+                       options.height, golden_.width, golden_.height);
+  }
+  return fmt::format(
+      "{} wrong pixels of {} ({:.2f}%), largest difference {}", difference.wrong_pixels,
+      difference.pixels,
+      100.0 * static_cast<double>(difference.wrong_pixels) / static_cast<double>(difference.pixels),
+      difference.largest);
+}
+
+void PictureCheck::update(const std::string& input, const std::string& golden) const {
+  write_png(picture_of(input, options_), golden);
+}
+
+}  // namespace displayfile

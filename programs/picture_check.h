@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+#include "interp/draw.h"
+#include "programs/golden_check.h"
+#include "programs/picture_size.h"
+#include "programs/picture_tolerance.h"
+
+namespace displayfile {
+
+/// `displayfile check --picture`: the picture of an input, drawn by the software device, against a
+/// golden picture.
+class PictureCheck : public GoldenCheckOption {
+ public:
+  void add_to(CLI::App& command) override;
+  bool asked_for(const HiddenSurfaceOptions& hidden_surfaces) override;
+
+  std::string_view extension() const override { return ".png"; }
+  void read_golden(const std::string& file) override;
+  std::optional<std::string> difference(const std::string& input) const override;
+  void update(const std::string& input, const std::string& golden) const override;
+
+ private:
+  Picture picture_of(const std::string& input, const DrawOptions& options) const;
+
+  bool asked_ = false;
+  PictureSizeWord size_{""};
+  PictureTolerance tolerance_;
+  DrawOptions options_;  // of a golden file that is written or drawn
+  Picture golden_;
+};
+
+}  // namespace displayfile

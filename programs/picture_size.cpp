@@ -1,0 +1,33 @@
+#include "programs/picture_size.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "clip/error.h"
+#include "interp/picture.h"
+#include "programs/option_groups.h"
+
+namespace displayfile {
+
+void PictureSizeWord::add_to(CLI::App& command) {
+  command.add_option("--size", size, "WIDTHxHEIGHT in pixels")
+      ->capture_default_str()
+      ->group(kPictureOptions);
+}
+
+void PictureSizeWord::read(int& width, int& height) const {
+  long long across = 0, up = 0;
+  const char *p = size.data(), *end = p + size.size();
+  const auto w = std::from_chars(p, end, across);
+  const bool cross = w.ec == std::errc{} && w.ptr != end && (*w.ptr == 'x' || *w.ptr == 'X');
+  const auto h = cross ? std::from_chars(w.ptr + 1, end, up) : w;
+  if (!cross || h.ec != std::errc{} || h.ptr != end) {
+    throw Error(fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, such as 512x512", size));
+  }
+  require_picture_size(across, up);
+  width = static_cast<int>(across);
+  height = static_cast<int>(up);
+}
+
+}  // namespace displayfile

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+
+#include "displayfile/shading.h"
+#include "programs/option_groups.h"
+
+namespace displayfile {
+
+/// The option --shading, as a word.
+struct ShadingWord {
+  std::string word = "flat";
+
+  void add_to(CLI::App& command) {
+    command
+        .add_option("--shading", word,
+                    "flat, or gouraud for smooth meshes; what the inputs start with")
+        ->capture_default_str()
+        ->group(kPictureOptions);
+  }
+  /// Throws Error for an unknown word.
+  Shading shading() const { return displayfile::shading(word); }
+};
+
+}  // namespace displayfile

@@ -1,0 +1,21 @@
+#include "programs/version.h"
+
+#include <fmt/format.h>
+
+#include "displayfile/mesh/import_library.h"
+#include "interp/opengl/osmesa.h"
+
+namespace displayfile {
+
+std::string version() {
+  const std::string assimp =
+      import_library_version().value_or("not found: OBJ, OFF, PLY, STL only");
+  return fmt::format(
+      "displayfile {}\n"
+      "import library (Assimp)  {}\n"
+      "OSMesa                   {}",
+      DISPLAYFILE_VERSION, assimp,
+      osmesa_available() ? osmesa_description() : "not found: no --device osmesa");
+}
+
+}  // namespace displayfile

@@ -1,0 +1,259 @@
+// Pictures of many inputs in one call of the command, and pictures on standard output.
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <string>
+#include <vector>
+
+#include "tests/command_fixture.h"
+
+namespace {
+
+std::string square(const std::string& colour) {
+  return "set-window 0 1 0 1\nset-line-style none\nset-fill-style solid " + colour +
+         "\nopen-segment 1\npolygon-abs-3 0 0 0  0.5 0 0  0.5 0.5 0  0 0.5 0\nclose-segment\n";
+}
+
+const std::string kRed = square("1 0 0"), kGreen = square("0 1 0"), kBlue = square("0 0 1");
+const std::string kMesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+class Batch : public Command {
+ protected:
+  Batch() {
+    write("red.draw", kRed);
+    write("green.draw", kGreen);
+    write("mesh.obj", kMesh);
+    for (const char* folder : {"a", "b", "a/deep"}) fs::create_directory(folder_ / folder);
+    write("a/house.draw", kRed);
+    write("b/house.draw", kGreen);
+    write("a/deep/house.draw", kBlue);
+  }
+
+  /// The one is what drawing the other alone gives.
+  void expect_picture_of(const std::string& input, const std::string& picture) {
+    ASSERT_EQ(run("draw '" + input + "' --size 40x30 -o alone.png"), 0) << err_;
+    EXPECT_EQ(read(folder_ / "alone.png"), read(folder_ / picture)) << picture;
+  }
+};
+
+TEST_F(Batch, DrawsAPictureOfEachInput) {
+  for (const char* threads : {"1", "2", "7"}) {
+    EXPECT_EQ(run("draw red.draw mesh.obj green.draw -o '{name}.png' --ids '{name}.npy' "
+                  "--size 40x30 --threads " +
+                  std::string(threads)),
+              0)
+        << err_;
+    EXPECT_EQ(out_ + err_, "");
+    expect_picture_of("red.draw", "red.png");
+    expect_picture_of("mesh.obj", "mesh.png");
+    expect_picture_of("green.draw", "green.png");
+    EXPECT_TRUE(fs::exists(folder_ / "green.npy"));
+    for (const char* file : {"red.png", "mesh.png", "green.png"}) fs::remove(folder_ / file);
+  }
+}
+
+TEST_F(Batch, FieldsAreTheInputsFolderNameExtensionAndPlace) {
+  const std::string inputs = " --size 40x30 a/house.draw b/house.draw a/deep/house.draw ";
+  EXPECT_EQ(run("draw" + inputs + "-o '{folder}/{name}.png'"), 0) << err_;
+  expect_picture_of("a/deep/house.draw", "a/deep/house.png");
+  EXPECT_EQ(run("draw" + inputs + "-o '{folder}-{name}.png'"), 0) << err_;
+  expect_picture_of("a/deep/house.draw", "a/deep-house.png");
+  fs::create_directory(folder_ / "out");
+  EXPECT_EQ(run("draw" + inputs + "-o 'out/{folder}/{name}.png' --ids 'out/{folder}/i/{name}.npy'"),
+            0)
+      << err_;
+  expect_picture_of("b/house.draw", "out/b/house.png");
+  expect_picture_of("a/deep/house.draw", "out/a/deep/house.png");
+  EXPECT_TRUE(fs::exists(folder_ / "out/a/deep/i/house.npy"));
+  EXPECT_EQ(run("draw" + inputs + "-o 'out/{number}.{ext}.png'"), 0) << err_;
+  expect_picture_of("a/deep/house.draw", "out/002.draw.png");
+  EXPECT_EQ(run("draw red.draw -o '{{{name}}}.png' --size 40x30"), 0) << err_;
+  expect_picture_of("red.draw", "{red}.png");
+  EXPECT_EQ(run("draw red.draw --size 40x30 -o 'out/{folder}/{name}.png'"), 0) << err_;
+  expect_picture_of("red.draw", "out/red.png");
+  EXPECT_EQ(run("draw - --size 40x30 -o '{name}.png'", "red.draw"), 0) << err_;
+  expect_picture_of("red.draw", "stdin.png");
+}
+
+/// What stands before the folder is never left, whatever the input's is.
+TEST_F(Batch, FoldersStayBelowWhatStandsBeforeThem) {
+  fs::create_directory(folder_ / "out");
+  const std::string root = folder_.string();
+  EXPECT_EQ(run("draw --size 40x30 a/../../" + folder_.filename().string() + "/b/house.draw " +
+                root + "/a/house.draw -o 'out/{folder}/{name}.png'"),
+            0)
+      << err_;
+  EXPECT_TRUE(fs::exists(folder_ / "out" / folder_.filename() / "b/house.png"));
+  EXPECT_TRUE(fs::exists(fs::path(root + "/out" + root) / "a/house.png"));
+  EXPECT_EQ(run("draw --size 40x30 " + root + "/a/house.draw -o '{folder}/beside.png'"), 0) << err_;
+  EXPECT_TRUE(fs::exists(folder_ / "a/beside.png"));
+}
+
+TEST_F(Batch, OddNames) {
+  const std::vector<std::string> names{"with space", "üñï",   "semi;colon", "quote\"",
+                                       "new\nline",  "-dash", "{brace}",    "a.b.c",
+                                       ".hidden",    "100%"};
+  std::string inputs;
+  for (const std::string& name : names) {
+    write(name + ".draw", kRed);
+    inputs += " './" + name + ".draw'";
+  }
+  EXPECT_EQ(run("draw" + inputs + " -o 'p-{name}.png' --size 40x30"), 0) << err_;
+  for (const std::string& name : names) expect_picture_of("red.draw", "p-" + name + ".png");
+}
+
+TEST_F(Batch, OneBadFileIsReportedAndTheOthersAreDrawn) {
+  write("bad.draw", "open-segment 1\nfly\n");
+  write("bad.obj", "v 0 0 0\nf 1 2 3\n");
+  for (const char* threads : {"1", "3"}) {
+    const std::string options = " -o '{name}-{ext}.png' --size 40x30 --threads ";
+    EXPECT_EQ(
+        run("draw red.draw bad.draw missing.obj green.draw bad.obj mesh.obj" + options + threads),
+        2);
+    expect_picture_of("red.draw", "red-draw.png");
+    expect_picture_of("green.draw", "green-draw.png");
+    expect_picture_of("mesh.obj", "mesh-obj.png");
+    for (const char* file : {"bad-draw.png", "missing-obj.png", "bad-obj.png"}) {
+      EXPECT_FALSE(fs::exists(folder_ / file)) << file;
+    }
+    EXPECT_EQ(
+        run("draw red.draw bad.draw missing.obj green.draw bad.obj mesh.obj" + options + threads),
+        2);
+    const auto place = [&](const std::string& words) {
+      EXPECT_NE(err_.find(words), std::string::npos) << words << " in\n" << err_;
+      return err_.find(words);
+    };
+    EXPECT_LT(place("displayfile: bad.draw:2:1: unknown routine 'fly'"),
+              place("displayfile: missing.obj: no such file"));
+    EXPECT_LT(place("missing.obj: no such file"), place("displayfile: bad.obj:2:"));
+    EXPECT_NE(err_.find("displayfile: 3 of 6 inputs not drawn:\n  bad.draw\n  missing.obj\n  "
+                        "bad.obj\n"),
+              std::string::npos)
+        << err_;
+    EXPECT_EQ(out_, "");
+  }
+}
+
+/// Nothing is left of a file that could not be written, nor of a folder for a bad input.
+TEST_F(Batch, NothingIsLeftOfWhatIsNotDrawn) {
+  write("a/bad.draw", "fly\n");
+  write("b/bad.draw", "fly\n");
+  fs::create_directory(folder_ / "out");
+  EXPECT_EQ(run("draw a/bad.draw b/bad.draw -o 'out/{folder}/{name}.png'"), 2);
+  EXPECT_TRUE(fs::is_empty(folder_ / "out"));
+  fs::create_directory(folder_ / "red.png");
+  EXPECT_EQ(run("draw green.draw red.draw -o '{name}.png' --size 40x30"), 2);
+  EXPECT_NE(err_.find("red.draw: red.png: is a folder"), std::string::npos) << err_;
+  expect_picture_of("green.draw", "green.png");
+}
+
+TEST_F(Batch, EveryMessageNamesItsFile) {
+  write("two.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2\nl 1 2\n");
+  EXPECT_EQ(run("draw two.obj red.draw -o '{name}.png' --stats --explain"), 0) << err_;
+  EXPECT_TRUE(err_.starts_with("two.obj: left out: 1 points and lines, 1 faces")) << err_;
+  EXPECT_TRUE(out_.starts_with("two.obj:\nauto: ")) << out_;
+  EXPECT_NE(out_.find("\nred.draw:\n"), std::string::npos) << out_;
+}
+
+TEST_F(Batch, TurntablesOfEachInput) {
+  EXPECT_EQ(run("draw red.draw mesh.obj -o '{name}.png' --turntable 3 --size 40x30"), 0) << err_;
+  EXPECT_TRUE(fs::exists(folder_ / "red-002.png"));
+  EXPECT_TRUE(fs::exists(folder_ / "mesh-000.png"));
+}
+
+TEST_F(Batch, RefusesBeforeAnythingIsDrawn) {
+  expect_error(
+      "draw a/house.draw red.draw b/house.draw -o '{name}.png'",
+      "house.png: the output of a/house.draw and of b/house.draw: expected a name for each");
+  expect_error("draw red.draw ./red.draw -o '{folder}/{name}.png'", "red.png: the output of");
+  expect_error("draw red.draw green.draw -o '{name}.png' --ids i.npy", "i.npy: the output of");
+  expect_error("draw red.draw green.draw -o '{name}.png' --depth i.npy", "i.npy: the output of");
+  expect_error("draw red.draw -o '{name}.png' --depth '{name}.png'", "red.png: the output of");
+  expect_error("draw red.draw green.draw -o red.png --ids '{name}.npy'", "red.png has none");
+  expect_error("draw red.draw -o '{nme}.png'", "unknown field '{nme}': did you mean 'name'?");
+  expect_error("draw red.draw -o '{}.png'", "unknown field '{}': expected {name}");
+  expect_error("draw red.draw -o '{name.png'", "a brace by itself");
+  expect_error("draw red.draw -o 'name}.png'", "a brace by itself");
+  expect_error("draw red.draw -o '{na{name}.png'", "a brace by itself");
+  expect_error("draw red.draw green.draw -o '{name}.gif'", "{name}.gif: unknown picture format");
+  expect_error("draw red.draw green.draw -o '{name}'", "unknown picture format ''");
+  expect_error("draw red.draw green.draw -o 'nowhere/{name}.png'", "nowhere/red.png");
+  expect_error("draw red.draw -o '{name}.png' --ids 'nowhere/{name}.npy'", "nowhere/red.npy");
+  expect_error("draw red.draw -o '{name}.svg' --device osmesa", "osmesa");
+  expect_error("draw red.draw -o '{name}.png' --size 1x", "--size 1x");
+  expect_error("draw red.draw -o '{name}.png' --turntable 0", "--turntable 0");
+}
+
+using StandardOutput = Batch;
+
+TEST_F(StandardOutput, TakesAPictureInAnyFormat) {
+  EXPECT_EQ(run("draw red.draw -o -"), 0) << err_;
+  const std::string piped = out_;
+  for (const char* format : {"png", "ppm", "svg"}) {
+    EXPECT_EQ(run(std::string("draw red.draw -o file.") + format), 0) << err_;
+    EXPECT_EQ(run(std::string("draw red.draw -o - --format ") + format), 0) << err_;
+    EXPECT_EQ(out_, read(folder_ / (std::string("file.") + format))) << format;
+    EXPECT_EQ(run(std::string("draw red.draw -o - --format .") + format), 0) << err_;
+  }
+  EXPECT_EQ(run("draw red.draw -o - --format pdf"), 0) << err_;
+  EXPECT_EQ(out_.substr(0, 5), "%PDF-");
+  EXPECT_EQ(piped, read(folder_ / "file.png"));
+  EXPECT_EQ(run("draw red.draw -o - --stats"), 0);
+  EXPECT_EQ(out_, piped);
+  EXPECT_NE(err_.find("polygons entered   1"), std::string::npos);
+  EXPECT_FALSE(fs::exists(folder_ / "-"));
+  EXPECT_EQ(run("dump red.draw"), 0);
+  const std::string dumped = out_;
+  EXPECT_EQ(run("dump red.draw -o -"), 0);
+  EXPECT_EQ(out_, dumped);
+}
+
+TEST_F(StandardOutput, FormatIsAskedForWhateverTheNameEndsIn) {
+  EXPECT_EQ(run("draw red.draw -o picture.tmp --format png"), 0) << err_;
+  EXPECT_EQ(run("draw red.draw -o picture.png"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "picture.tmp"), read(folder_ / "picture.png"));
+  EXPECT_EQ(run("draw red.draw green.draw -o '{name}' --format svg"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "green").substr(0, 5), "<?xml");
+  expect_error("draw red.draw -o - --format gif", "expected one of .png .ppm .svg .pdf");
+  expect_error("draw red.draw -o - --format svg --device osmesa", "the osmesa device draws pixels");
+  expect_error("draw red.draw -o - --turntable 3", "expected a file name, not -");
+}
+
+TEST_F(StandardOutput, SaysThatItCannotBeWritten) {
+  const auto expect_failure = [&](const std::string& redirected, const std::string& why) {
+    const std::string line = "cd '" + folder_.string() +
+                             "' && '" DISPLAYFILE_COMMAND "' draw red.draw -o - " + redirected +
+                             " 2>.err";
+    const int status = std::system(line.c_str());
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 2) << status;
+    EXPECT_EQ(read(folder_ / ".err"), "displayfile: standard output: cannot be written: " + why);
+  };
+  expect_failure(">&-", "Bad file descriptor\n");
+  expect_failure(">/dev/full", "No space left on device\n");
+}
+
+/// A reader that goes away ends the command as it ends any other, or is told if that is ignored;
+/// no temporary file stays.
+TEST_F(StandardOutput, ReaderThatGoesAway) {
+  fs::create_directory(folder_ / "temporary");
+  const std::string command =
+      "cd '" + folder_.string() + "' && TMPDIR='" + (folder_ / "temporary").string() +
+      "' bash -c '" DISPLAYFILE_COMMAND
+      " draw red.draw -o - --format ppm --size 2000x2000 2>.err | true; echo ${PIPESTATUS[0]} "
+      ">.status'";
+  const auto run_with = [&](void (*on_pipe)(int)) {
+    const auto before = std::signal(SIGPIPE, on_pipe);
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    std::signal(SIGPIPE, before);
+    EXPECT_TRUE(fs::is_empty(folder_ / "temporary"));
+    return read(folder_ / ".status");
+  };
+  EXPECT_EQ(run_with(SIG_DFL), "141\n");
+  EXPECT_EQ(read(folder_ / ".err"), "");
+  EXPECT_EQ(run_with(SIG_IGN), "2\n");
+  EXPECT_EQ(read(folder_ / ".err"),
+            "displayfile: standard output: cannot be written: Broken pipe\n");
+}
+
+}  // namespace

@@ -1,0 +1,160 @@
+// `displayfile check`: golden files of instructions and of pictures, of one input and of many.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/command_fixture.h"
+
+namespace {
+
+std::string square(const std::string& colour, const std::string& side = "0.5") {
+  return "set-window 0 1 0 1\nset-line-style none\nset-fill-style solid " + colour +
+         "\nopen-segment 1\npolygon-abs-3 0 0 0  " + side + " 0 0  " + side + " 1 0  0 1 0\n" +
+         "close-segment\n";
+}
+
+class Check : public Command {
+ protected:
+  Check() {
+    for (const char* folder : {"a", "b"}) fs::create_directory(folder_ / folder);
+    write("a/house.draw", square("1 0 0"));
+    write("b/house.draw", square("0 1 0"));
+    write("tree.draw", square("0 0 1"));
+  }
+};
+
+TEST_F(Check, GoldenFilesOfOneNameKeepTheirFolders) {
+  EXPECT_EQ(run("check a/house.draw b/house.draw tree.draw --golden gold --update"), 0) << err_;
+  for (const char* file : {"gold/a/house.txt", "gold/b/house.txt", "gold/tree.txt"}) {
+    EXPECT_TRUE(fs::exists(folder_ / file)) << file;
+  }
+  EXPECT_EQ(run("check a/house.draw b/house.draw tree.draw --golden gold"), 0) << out_ << err_;
+  EXPECT_EQ(out_ + err_, "");
+  EXPECT_EQ(run("check b/house.draw --golden gold"), 0) << out_ << err_;  // alone, it is the same
+  write("b/house.draw", square("1 0 0"));
+  EXPECT_EQ(run("check b/house.draw --golden gold"), 1);
+  EXPECT_EQ(run("check b/house.draw --golden gold --update"), 0) << err_;
+  EXPECT_FALSE(fs::exists(folder_ / "gold/house.txt"));
+  EXPECT_EQ(run("check b/house.draw --golden gold"), 0) << out_;
+  EXPECT_EQ(run("check b/house.draw --golden flat --update"), 0) << err_;
+  EXPECT_TRUE(fs::exists(folder_ / "flat/house.txt"));
+  EXPECT_EQ(run("check " + folder_.string() + "/b/../b/house.draw --golden flat"), 0) << err_;
+}
+
+TEST_F(Check, TwoInputsOfOneGoldenFileAreAnError) {
+  expect_error("check a/house.draw ./a/house.draw --golden gold --update",
+               "two inputs have the golden file gold/a/house.txt");
+  write("a/house.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  expect_error("check a/house.draw a/house.obj --golden gold", "two inputs have the golden file");
+  expect_error("check - --golden gold", "check needs files");
+}
+
+TEST_F(Check, MissingGoldenFileNamesTheOptionThatWritesIt) {
+  expect_error("check tree.draw --golden gold",
+               "tree.draw: there is no golden file gold/tree.txt: --update writes it");
+  expect_error("check tree.draw --golden gold.txt",
+               "there is no golden file gold.txt: --update writes it");
+  expect_error("check tree.draw --golden gold --picture", "gold/tree.png: --update writes it");
+}
+
+TEST_F(Check, OneGoldenFileForAllInputs) {
+  EXPECT_EQ(run("check a/house.draw --golden gold.txt --update"), 0) << err_;
+  EXPECT_EQ(run("draw a/house.draw -o gold.png --size 20x10"), 0) << err_;
+  for (const char* golden :
+       {"gold.txt", "a/house.draw", "gold.png --picture", "a/house.draw --picture --size 30x30"}) {
+    const std::string options = std::string(" --golden ") + golden;
+    EXPECT_EQ(run("check a/house.draw a/house.draw" + options), 0) << out_ << err_;
+    EXPECT_EQ(run("check a/house.draw b/house.draw tree.draw" + options), 1) << err_;
+    EXPECT_NE(out_.find("b/house.draw: "), std::string::npos) << out_;
+    EXPECT_NE(out_.find("tree.draw: "), std::string::npos) << out_;
+    EXPECT_NE(out_.find("3 inputs: 1 passed, 2 differ, 0 bad\n"), std::string::npos) << out_;
+  }
+  expect_error("check a/house.draw b/house.draw --golden gold.txt --update", "expected a folder");
+  expect_error("check a/house.draw --golden tree.draw --update", "expected a folder");
+  write("bad.draw", "fly\n");
+  expect_error("check a/house.draw b/house.draw --golden bad.draw", "bad.draw:1:1");
+  write("bad.txt", "nothing\n");
+  expect_error("check a/house.draw b/house.draw --golden bad.txt", "bad.txt:1:1");
+  write("bad.png", "nothing\n");
+  expect_error("check a/house.draw --picture --golden bad.png", "bad.png: not a PNG file");
+}
+
+/// A bad input is told, and the others are checked.
+TEST_F(Check, SummaryOfAllInputs) {
+  write("bad.draw", "open-segment 1\nfly\n");
+  const std::string all = "check a/house.draw bad.draw b/house.draw --golden a/house.draw";
+  EXPECT_EQ(run(all + " --summary"), 2);
+  EXPECT_EQ(err_,
+            "displayfile: bad.draw:2:1: unknown routine 'fly': expected a user routine, such as "
+            "scale-3 or set-light\n");
+  EXPECT_EQ(
+      out_,
+      "passed   a/house.draw\n"
+      "bad      bad.draw      bad.draw:2:1: unknown routine 'fly': expected a user routine, "
+      "such as scale-3 or set-light\n"
+      "differs  b/house.draw  segment 1, instruction 1 (fill solid 0 1 0): red is 0, expected "
+      "1\n"
+      "3 inputs: 1 passed, 1 differ, 1 bad\n");
+  EXPECT_EQ(run(all), 2);
+  EXPECT_EQ(out_,
+            "b/house.draw: segment 1, instruction 1 (fill solid 0 1 0): red is 0, expected 1\n"
+            "3 inputs: 1 passed, 1 differ, 1 bad\n");
+  EXPECT_EQ(run("check a/house.draw --golden a/house.draw --summary"), 0) << err_;
+  EXPECT_EQ(out_, "passed   a/house.draw\n1 inputs: 1 passed, 0 differ, 0 bad\n");
+  EXPECT_EQ(run("check tree.draw bad.draw --golden gold --update"), 2);
+  EXPECT_TRUE(fs::exists(folder_ / "gold/tree.txt"));
+  EXPECT_FALSE(fs::exists(folder_ / "gold/bad.txt"));
+}
+
+TEST_F(Check, PicturesWithinATolerance) {
+  EXPECT_EQ(run("check a/house.draw --golden gold --picture --update --size 20x10"), 0) << err_;
+  // It is another program and the same picture.
+  write("a/house.draw",
+        "set-line-style none\n" + square("1 0 0", "0.25") +
+            square("1 0 0").replace(square("1 0 0").find("segment 1"), 9, "segment 2"));
+  EXPECT_EQ(run("check a/house.draw --golden gold --picture"), 0) << out_ << err_;
+  // Of 200 pixels 10 are wrong, by 255.
+  write("a/house.draw", square("1 0 0", "0.55"));
+  EXPECT_EQ(run("check a/house.draw --golden gold --picture"), 1);
+  EXPECT_EQ(out_, "a/house.draw: 10 wrong pixels of 200 (5.00%), largest difference 255\n");
+  for (const auto& [tolerance, status] :
+       {std::pair("--wrong-pixels 9", 1), std::pair("--wrong-pixels 10", 0),
+        std::pair("--wrong-pixels 4.9%", 1), std::pair("--wrong-pixels 5%", 0),
+        std::pair("--tolerance 254", 1), std::pair("--tolerance 255", 0)}) {
+    EXPECT_EQ(run("check a/house.draw --golden gold --picture " + std::string(tolerance)), status)
+        << tolerance << out_ << err_;
+  }
+  write("a/house.draw", square("0.99 0.01 0"));
+  EXPECT_EQ(run("check a/house.draw --golden gold --picture --tolerance 2"), 1);
+  EXPECT_EQ(run("check a/house.draw --golden gold --picture --tolerance 3"), 0) << out_;
+  EXPECT_EQ(run("check a/house.draw --golden gold --picture --size 21x10"), 1);
+  EXPECT_EQ(out_, "a/house.draw: the picture is 21 x 10 pixels, expected 20 x 10\n");
+  EXPECT_EQ(run("draw a/house.draw -o x.png --size 20x10"), 0);
+  EXPECT_EQ(run("compare x.png gold/house.png"), 1);
+  EXPECT_EQ(run("compare x.png gold/house.png --tolerance 3 --marks m.png"), 0) << out_;
+  EXPECT_EQ(run("compare x.png gold/house.png --wrong-pixels 50%"), 0) << out_;
+  EXPECT_EQ(run("compare x.png gold/house.png --wrong-pixels 49%"), 1) << out_;
+}
+
+TEST_F(Check, BadOptions) {
+  EXPECT_EQ(run("check tree.draw --golden gold --picture --update"), 0) << err_;
+  for (const char* wrong : {"-1", "1.5", "many", "101%", "-1%", "%", "nan", "1e99", "2 %"}) {
+    expect_error(
+        "check tree.draw --golden gold --picture --wrong-pixels='" + std::string(wrong) + "'",
+        "expected a number of pixels, such as 20, or 0% to 100% of all");
+  }
+  for (const char* wrong : {"-1", "256", "one"}) {
+    expect_error("check tree.draw --golden gold --picture --tolerance=" + std::string(wrong),
+                 "--tolerance");
+  }
+  expect_error("check tree.draw --golden gold --picture --size 5", "--size 5");
+  expect_error("check tree.draw --golden gold --size 5x5", "expected --picture too");
+  expect_error("check tree.draw --golden gold --tolerance 1", "expected --picture too");
+  expect_error("check tree.draw --golden gold --wrong-pixels 1", "expected --picture too");
+  write("t.txt", "displayfile-dump 1\nend\n");
+  expect_error("compare t.txt t.txt --tolerance 1", "are of pictures");
+  expect_error("compare gold/tree.png gold/tree.png --wrong-pixels x", "--wrong-pixels x");
+}
+
+}  // namespace

@@ -1,0 +1,49 @@
+// What an unknown word may have meant.
+
+#include "clip/nearest_word.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace displayfile {
+namespace {
+
+TEST(NearestWord, EditDistanceCountsWhatIsChanged) {
+  EXPECT_EQ(edit_distance("", ""), 0u);
+  EXPECT_EQ(edit_distance("bsp", "bsp"), 0u);
+  EXPECT_EQ(edit_distance("bsp", "BSP"), 0u);
+  EXPECT_EQ(edit_distance("", "bsp"), 3u);
+  EXPECT_EQ(edit_distance("bsp", ""), 3u);
+  EXPECT_EQ(edit_distance("bps", "bsp"), 1u);  // neighbours exchanged
+  EXPECT_EQ(edit_distance("bs", "bsp"), 1u);
+  EXPECT_EQ(edit_distance("bspp", "bsp"), 1u);
+  EXPECT_EQ(edit_distance("bst", "bsp"), 1u);
+  EXPECT_EQ(edit_distance("kitten", "sitting"), 3u);
+  EXPECT_EQ(edit_distance("sitting", "kitten"), 3u);
+}
+
+TEST(NearestWord, NearestComesFirstAndOfEqualOnesTheFirst) {
+  const std::vector<std::string_view> known{"scan-line", "z-buffer", "scan-line-z", "bsp", "asp"};
+  EXPECT_EQ(nearest_words("scanline-z", known).front(), "scan-line-z");
+  EXPECT_EQ(nearest_words("csp", known).front(), "bsp");
+  EXPECT_EQ(nearest_words("csp", known)[1], "asp");
+}
+
+TEST(NearestWord, OnlyWordsThatAreNearAreMeant) {
+  const std::vector<std::string_view> known{"--size", "--samples", "--shading", "depth-sort"};
+  EXPECT_EQ(did_you_mean("--sise", known), " did you mean '--size'?");
+  EXPECT_EQ(did_you_mean("--SIZE", known), " did you mean '--size'?");
+  EXPECT_EQ(did_you_mean("--sample", known), " did you mean '--samples'?");
+  EXPECT_EQ(did_you_mean("depth", known), " did you mean 'depth-sort'?");  // its start
+  EXPECT_EQ(did_you_mean("frobnicate", known), "");
+  EXPECT_EQ(did_you_mean("", known), "");
+  EXPECT_EQ(did_you_mean("x", known), "");
+  EXPECT_EQ(did_you_mean("--size", {}), "");
+  EXPECT_EQ(did_you_mean(std::string(100000, '-'), known), "");
+}
+
+}  // namespace
+}  // namespace displayfile

@@ -8,6 +8,7 @@
 
 #include "clip/back_face.h"
 #include "clip/error.h"
+#include "clip/memory.h"
 #include "displayfile/hidden_surface_check.h"
 
 namespace displayfile {
@@ -295,8 +296,12 @@ void GraphicsSystem::line_to(const Point3& object) {
   require_open();
   const Pen end{object, to_world(object)};
   if (attributes_.line.kind != LineStyle::Kind::none) {
-    if (RetainedScene* scene = retaining()) scene->enter_line(pen_.world, end.world, attributes_);
-    view_stage_->enter_line(pen_.world, end.world, attributes_.line, display_file_.segment(*open_));
+    Segment& segment = display_file_.segment(*open_);
+    segment.set_line_pick(pick_);
+    if (RetainedScene* scene = retaining()) {
+      scene->enter_line(pen_.world, end.world, attributes_, pick_);
+    }
+    view_stage_->enter_line(pen_.world, end.world, attributes_.line, segment);
   }
   pen_ = end;
 }
@@ -470,12 +475,17 @@ void GraphicsSystem::polygons_abs_3(std::span<const Point3> vertices,
   for (const FillStyle& fill : fills) {
     if (fill.kind == FillStyle::Kind::solid) require_colour(fill.colour);
   }
-  const std::span<const Point3> world = shared_world(vertices);
   Segment& segment = display_file_.segment(*open_);
-  view_stage_->view_vertices(world);
-  const FillStyle in_force = attributes_.fill;
   const std::size_t polygons = sides.empty() ? corners.size() / 3 : sides.size();
-  segment.reserve_polygons(polygons, corners.size());
+  const std::span<const Point3> world = with_memory(
+      vertices.size() * sizeof(Point3) + corners.size() * (sizeof(Point3) + sizeof(std::int32_t)),
+      fmt::format("entering {} polygons of {} corners", polygons, corners.size()), [&] {
+        const std::span<const Point3> of_all = shared_world(vertices);
+        view_stage_->view_vertices(of_all);
+        segment.reserve_polygons(polygons, corners.size());
+        return of_all;
+      });
+  const FillStyle in_force = attributes_.fill;
   std::size_t first = 0;
   for (std::size_t k = 0; k < polygons; ++k) {
     if (k < fills.size()) set_fill_style(fills[k]);

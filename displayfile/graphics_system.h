@@ -143,8 +143,8 @@ class GraphicsSystem {
   void set_vertex_normals(std::initializer_list<Point3> normals) {
     set_vertex_normals(span(normals));
   }
-  /// The pick identifier of the polygons that follow, 0 or more; -1 gives each its ordinal in
-  /// the program again.
+  /// The pick identifier of the polygons and lines that follow, 0 or more; -1 gives each polygon
+  /// its ordinal in the program again, and lines none.
   void set_pick_id(int id);
 
   // Hidden surfaces.

@@ -106,6 +106,7 @@ bool RetainedScene::enter_viewed(std::uint32_t i, const Attributes& attributes, 
                                  displayfile::Segment& segment) const {
   if (primitives_[i].is_line()) {
     const auto ends = points(i);
+    segment.set_line_pick(primitives_[i].pick);
     return stage.enter_line(ends[0], ends[1], attributes.line, segment);
   }
   return !stage.enter_polygon(polygon(i), attributes, segment).empty();
@@ -116,7 +117,8 @@ void RetainedScene::append(const RetainedScene& other, const Segment& segment) {
   open_segment(segment.name, segment.view);
   for (std::uint32_t i = segment.first; i < segment.end; ++i) {
     if (other.primitives_[i].is_line()) {
-      enter_line(other.points(i)[0], other.points(i)[1], other.attributes(i));
+      enter_line(other.points(i)[0], other.points(i)[1], other.attributes(i),
+                 other.primitives_[i].pick);
     } else {
       enter_polygon(other.polygon(i), other.attributes(i));
     }
@@ -156,9 +158,10 @@ void RetainedScene::enter_polygon(const WorldPolygon& polygon, const Attributes&
   }
 }
 
-void RetainedScene::enter_line(const Point3& from, const Point3& to, const Attributes& attributes) {
+void RetainedScene::enter_line(const Point3& from, const Point3& to, const Attributes& attributes,
+                               std::int32_t pick) {
   if (segments_.empty()) return;
-  enter(std::array{from, to}, attributes, -1);
+  enter(std::array{from, to}, attributes, pick);
   edge_visible_.resize(points_.size(), 1);
 }
 

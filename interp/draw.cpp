@@ -219,9 +219,7 @@ void with_memory_of_drawing(const DisplayFile& display_file, const std::filesyst
       static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
   const std::size_t samples = static_cast<std::size_t>(options.samples * options.samples);
   with_memory(display_file.bytes() + (by_rows ? 0 : kBytesOfPixel * pixels * samples),
-              fmt::format("{}: a drawing of {} polygons, {} x {}", file.string(),
-                          display_file.polygons(), options.width, options.height),
-              draw);
+              fmt::format("{} of {} x {}", file.string(), options.width, options.height), draw);
 }
 
 /// Draws in memory; what is not a colour is not antialiased.

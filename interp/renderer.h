@@ -12,7 +12,8 @@ namespace displayfile {
 /// Draws a system's pictures one after another, and tells what is seen in them: as draw
 /// (interp/draw.h) does, but with what is made ready for a picture kept for the next. While the
 /// display file, the size and the method stay the same, nothing is made anew; where only some
-/// segments changed, only these are sorted again. For one thread.
+/// segments changed, only these are sorted again. What world_ray_cast needs is made anew each time:
+/// WorldViews (interp/world_views.h) keeps that. For one thread.
 class Renderer {
  public:
   Renderer();

@@ -49,9 +49,11 @@ class WorldViews {
   ViewedWorld as_drawn() const;
 
   /// What is seen of the whole scene in that view at a point of the picture: normalised device
-  /// coordinates, 0 to 1 over the picture, y up. Solid fills alone are seen, through what clipping
-  /// and back-face removal take away. Nothing where there is none, and outside of the viewport.
-  /// Throws Error as ViewVolume does, and for coordinates that are not finite.
+  /// coordinates, 0 to 1 over the picture, y up (the upper left corner of pixel (i, j), which
+  /// Renderer::pick asks about, is (i / width, 1 - j / height)). Solid fills alone are seen,
+  /// through what clipping and back-face removal take away. Nothing where there is none, and
+  /// outside of the viewport. Throws Error as ViewVolume does, and for coordinates that are not
+  /// finite.
   std::optional<Pick> pick(const View& view, double x, double y) const;
 
   std::size_t polygons() const;  ///< in the tree

@@ -134,6 +134,7 @@ int DrawCommand::run() const {
     const Progress progress(fmt::format("drawing {} polygons", system.display_file().polygons()));
     draw(system, output, drawing, sorted);
   }
+  if (pick) std::cout << picked(system, *pick, drawing);
   if (stats) {
     std::cout << statistics(system, sorted.display_file(), drawing, picture_kind(output))
               << exact_stage_counts();

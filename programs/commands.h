@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "interp/draw.h"
+#include "programs/pick_option.h"
 
 namespace displayfile {
 
@@ -18,6 +19,7 @@ struct DrawCommand {
   bool stats = false;
   bool explain = false;             ///< what `auto` picked, and why
   Shading shading = Shading::flat;  ///< that the inputs start with
+  std::optional<PickOption> pick;   ///< what is seen there
   std::optional<int> turntable;     ///< so many views of it (programs/turntable_command.h)
   int run() const;
 };

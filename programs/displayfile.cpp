@@ -53,7 +53,7 @@ int run(int argc, char** argv) {
 
   DrawCommand draw;
   std::string size = "512x512";
-  std::optional<std::string> turntable;
+  std::optional<std::string> turntable, pick;
   std::string shading = "flat";
   const char* const shading_words =
       "flat, or gouraud for smooth meshes; what the inputs start with";
@@ -83,6 +83,9 @@ int run(int argc, char** argv) {
                       "item buffer as .npy: the pick identifier seen, -1 for none");
   command->add_option("--depth", draw.options.depth,
                       "depth as .npy: of the fill seen, -inf for none");
+  command->add_option("--pick", pick,
+                      "X,Y[,REACH] in pixels from the upper left corner: print what is seen there, "
+                      "a polygon, or a line or edge within REACH of it");
   command->add_option("--turntable", turntable,
                       "N views, turned evenly all around the view-up axis, from one BSP tree, "
                       "or with --hidden world-ray-cast from one tree of boxes: "
@@ -98,6 +101,7 @@ int run(int argc, char** argv) {
     require_raster_device(draw.options.device);
     draw.shading = displayfile::shading(shading);
     if (turntable) draw.turntable = turntable_views(*turntable);
+    if (pick) draw.pick = pick_option(*pick);
     chosen = [&] { return draw.run(); };
   });
 

@@ -88,12 +88,28 @@ glm::dmat4 rotation(int from, int to, double degrees) {
 }  // namespace
 
 void ModellingTransformation::create() {
-  matrix_ = glm::dmat4(1.0);
-  identity_ = true;
+  called_ = glm::dmat4(1.0);
+  compose();
+}
+
+void ModellingTransformation::save() {
+  saved_.push_back({matrix_, called_});
+  called_ = glm::dmat4(1.0);
+}
+
+void ModellingTransformation::restore() {
+  called_ = saved_.back().called;
+  saved_.pop_back();
+  compose();
 }
 
 void ModellingTransformation::then(const glm::dmat4& step) {
-  matrix_ = step * matrix_;
+  called_ = step * called_;
+  compose();
+}
+
+void ModellingTransformation::compose() {
+  matrix_ = saved_.empty() ? called_ : saved_.back().matrix * called_;
   identity_ = matrix_ == glm::dmat4(1.0);
 }
 
@@ -134,6 +150,9 @@ ImageMatrix::ImageMatrix(const ImageTransformation& t)
   xy_ = -sine * t.scale.y;
   yx_ = sine * t.scale.x;
   yy_ = cosine * t.scale.y;
+  if (t.centre == Point2(0.0, 0.0)) return;
+  tx_ += t.centre.x - (xx_ * t.centre.x + xy_ * t.centre.y);
+  ty_ += t.centre.y - (yx_ * t.centre.x + yy_ * t.centre.y);
 }
 
 }  // namespace displayfile

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "clip/point.h"
 
 namespace displayfile {
@@ -13,9 +16,17 @@ SineCosine sine_cosine_of_degrees(double degrees);
 /// The current modelling transformation: object coordinates to world coordinates.
 /// Each routine acts after those called before it, as in the textbook's chapter 8:
 /// translate, then rotate, moves a point first and then turns it about the origin.
+///
+/// What is saved acts last, on the result of all that is called until it is restored. So a part is
+/// placed in the coordinates of the one that carries it, and a chain is written from the outside
+/// in: PHIGS's global and local modelling transformations.
 class ModellingTransformation {
  public:
-  void create();  ///< Starts anew with the identity (CREATE-TRANSFORMATION-3).
+  /// Starts anew with the identity (CREATE-TRANSFORMATION-3): in the coordinates saved last.
+  void create();
+  void save();     ///< Points are transformed as before; what is called next acts first.
+  void restore();  ///< What it was when it was saved last. Something must be saved.
+  std::size_t saved() const { return saved_.size(); }
   void translate(const Point3& t);
   void scale(const Point3& s);
   void rotate_x(double degrees);  ///< Counterclockwise, seen from the positive axis.
@@ -32,17 +43,26 @@ class ModellingTransformation {
 
  private:
   void then(const glm::dmat4& step);
+  void compose();
 
-  glm::dmat4 matrix_{1.0};
+  /// What was in force when it was saved, and what had been called since the time before.
+  struct Saved {
+    glm::dmat4 matrix, called;
+  };
+  glm::dmat4 called_{1.0};  // since it was saved last, in order
+  std::vector<Saved> saved_;
+  glm::dmat4 matrix_{1.0};  // all of it
   bool identity_ = true;
 };
 
 /// A segment's image transformation, in normalised device coordinates: scaled about
-/// the origin, then rotated about it, then translated (Harrington, chapter 5).
+/// the centre, then rotated about it, then translated (Harrington, chapter 5, where the centre is
+/// the origin).
 struct ImageTransformation {
   Point2 scale{1.0, 1.0};
   double rotation = 0.0;  ///< degrees, counterclockwise
   Point2 translation{0.0, 0.0};
+  Point2 centre{0.0, 0.0};
 
   bool is_identity() const {
     return scale == Point2(1.0, 1.0) && rotation == 0.0 && translation == Point2(0.0, 0.0);

@@ -8,35 +8,40 @@
 
 #include "clip/back_face.h"
 #include "clip/error.h"
+#include "clip/memory.h"
 #include "displayfile/hidden_surface_check.h"
 
 namespace displayfile {
 
 namespace {
 
-void require_finite(std::initializer_list<double> values, const char* what) {
+/// A limit of magnitudes, and how messages write it.
+struct Limit {
+  double most;
+  const char* text;
+};
+constexpr Limit kOfCoordinates{kCoordinateLimit, "1e100"};
+/// Device coordinates stay within what the interpreter's predicates are proven for; so do the
+/// products of a scale and a centre.
+constexpr Limit kOfImageParts{1e90, "1e90"}, kOfImageCentres{1e9, "1e9"};
+
+void require_within(const Limit& limit, std::initializer_list<double> values, const char* what) {
   for (double v : values) {
-    if (!(std::abs(v) <= kCoordinateLimit)) {
-      throw Error(
-          fmt::format("{} is {}: expected a finite number of magnitude at most 1e100", what, v));
+    if (!(std::abs(v) <= limit.most)) {
+      throw Error(fmt::format("{} is {}: expected a finite number of magnitude at most {}", what, v,
+                              limit.text));
     }
   }
+}
+
+void require_finite(std::initializer_list<double> values, const char* what) {
+  require_within(kOfCoordinates, values, what);
 }
 
 void require_colour(const Colour& c) {
   for (int i = 0; i < 3; ++i) {
     if (!(c[i] >= 0.0 && c[i] <= 1.0)) {
       throw Error(fmt::format("colour component {} out of range: expected 0 to 1", c[i]));
-    }
-  }
-}
-
-/// Device coordinates stay within what the interpreter's predicates are proven for.
-void require_image_part(std::initializer_list<double> values, const char* what) {
-  for (double v : values) {
-    if (!(std::abs(v) <= 1e90)) {
-      throw Error(
-          fmt::format("{} is {}: expected a finite number of magnitude at most 1e90", what, v));
     }
   }
 }
@@ -166,6 +171,21 @@ void GraphicsSystem::rotate_z_3(double angle) {
   record("rotate-z-3", {angle});
 }
 
+void GraphicsSystem::save_transformation_3() {
+  if (modelling_.saved() == kMostSaved) {
+    throw Error(fmt::format("{} transformations are saved: expected no more, or one to be restored",
+                            kMostSaved));
+  }
+  modelling_.save();
+  record("save-transformation-3", {});
+}
+
+void GraphicsSystem::restore_transformation_3() {
+  if (modelling_.saved() == 0) throw Error("no transformation saved");
+  modelling_.restore();
+  record("restore-transformation-3", {});
+}
+
 void GraphicsSystem::retain(RetainedScene* scene) {
   if (scene != nullptr && !display_file_.segments().empty()) {
     throw Error("there are segments already: expected to retain from the first one on");
@@ -227,13 +247,13 @@ void GraphicsSystem::set_visibility(int name, bool on) {
 }
 
 void GraphicsSystem::set_image_translation(int name, double tx, double ty) {
-  require_image_part({tx, ty}, "image translation");
+  require_within(kOfImageParts, {tx, ty}, "image translation");
   display_file_.segment(name).image.translation = {tx, ty};
   record("set-image-translation", {name, tx, ty});
 }
 
 void GraphicsSystem::set_image_scale(int name, double sx, double sy) {
-  require_image_part({sx, sy}, "image scale");
+  require_within(kOfImageParts, {sx, sy}, "image scale");
   display_file_.segment(name).image.scale = {sx, sy};
   record("set-image-scale", {name, sx, sy});
 }
@@ -242,6 +262,12 @@ void GraphicsSystem::set_image_rotation(int name, double angle) {
   require_finite({angle}, "angle");
   display_file_.segment(name).image.rotation = angle;
   record("set-image-rotation", {name, angle});
+}
+
+void GraphicsSystem::set_image_centre(int name, double x, double y) {
+  require_within(kOfImageCentres, {x, y}, "image centre");
+  display_file_.segment(name).image.centre = {x, y};
+  record("set-image-centre", {name, x, y});
 }
 
 // ---- Primitives ------------------------------------------------------------------------
@@ -270,8 +296,12 @@ void GraphicsSystem::line_to(const Point3& object) {
   require_open();
   const Pen end{object, to_world(object)};
   if (attributes_.line.kind != LineStyle::Kind::none) {
-    if (RetainedScene* scene = retaining()) scene->enter_line(pen_.world, end.world, attributes_);
-    view_stage_->enter_line(pen_.world, end.world, attributes_.line, display_file_.segment(*open_));
+    Segment& segment = display_file_.segment(*open_);
+    segment.set_line_pick(pick_);
+    if (RetainedScene* scene = retaining()) {
+      scene->enter_line(pen_.world, end.world, attributes_, pick_);
+    }
+    view_stage_->enter_line(pen_.world, end.world, attributes_.line, segment);
   }
   pen_ = end;
 }
@@ -445,13 +475,18 @@ void GraphicsSystem::polygons_abs_3(std::span<const Point3> vertices,
   for (const FillStyle& fill : fills) {
     if (fill.kind == FillStyle::Kind::solid) require_colour(fill.colour);
   }
-  const std::span<const Point3> world = shared_world(vertices);
   Segment& segment = display_file_.segment(*open_);
-  view_stage_->view_vertices(world);
+  const std::size_t polygons = sides.empty() ? corners.size() / 3 : sides.size();
+  const std::span<const Point3> world = with_memory(
+      vertices.size() * sizeof(Point3) + corners.size() * (sizeof(Point3) + sizeof(std::int32_t)),
+      fmt::format("entering {} polygons of {} corners", polygons, corners.size()), [&] {
+        const std::span<const Point3> of_all = shared_world(vertices);
+        view_stage_->view_vertices(of_all);
+        segment.reserve_polygons(polygons, corners.size());
+        return of_all;
+      });
   if (RetainedScene* scene = retaining()) scene->begin_shared(world.size());
   const FillStyle in_force = attributes_.fill;
-  const std::size_t polygons = sides.empty() ? corners.size() / 3 : sides.size();
-  segment.reserve_polygons(polygons, corners.size());
   std::size_t first = 0;
   for (std::size_t k = 0; k < polygons; ++k) {
     if (k < fills.size()) set_fill_style(fills[k]);

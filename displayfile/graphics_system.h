@@ -52,6 +52,12 @@ class GraphicsSystem {
   void rotate_x_3(double angle);
   void rotate_y_3(double angle);
   void rotate_z_3(double angle);
+  /// What is in force is saved, on a stack. It stays in force, and what is called next acts before
+  /// it: in a part's own coordinates. Error: kMostSaved are saved.
+  void save_transformation_3();
+  /// The transformation is again what it was when it was saved last. Error: none is saved.
+  void restore_transformation_3();
+  static constexpr std::size_t kMostSaved = 1024;
 
   // Segments. Names are positive integers.
   /// CREATE-SEGMENT. Errors: a segment is open, the name is in use or not positive, the view
@@ -68,11 +74,13 @@ class GraphicsSystem {
   void rename_segment(int from, int to);
   /// Error: no such segment, as in the routines of the image transformation.
   void set_visibility(int name, bool on);
-  /// The image transformation, in normalised device coordinates: scale about the origin, then
-  /// rotate about it, then translate. Each routine sets its own part.
+  /// The image transformation, in normalised device coordinates: scale about the image's centre,
+  /// then rotate about it, then translate. Each routine sets its own part; the centre is the origin
+  /// unless it is set.
   void set_image_translation(int name, double tx, double ty);
   void set_image_scale(int name, double sx, double sy);
   void set_image_rotation(int name, double angle);
+  void set_image_centre(int name, double x, double y);  ///< Error: more than 1e9 in magnitude.
 
   // Primitives. Error: no segment open; a coordinate that is not finite or exceeds
   // kCoordinateLimit in world coordinates. The 2D routines keep the current position's z.
@@ -135,8 +143,8 @@ class GraphicsSystem {
   void set_vertex_normals(std::initializer_list<Point3> normals) {
     set_vertex_normals(span(normals));
   }
-  /// The pick identifier of the polygons that follow, 0 or more; -1 gives each its ordinal in
-  /// the program again.
+  /// The pick identifier of the polygons and lines that follow, 0 or more; -1 gives each polygon
+  /// its ordinal in the program again, and lines none.
   void set_pick_id(int id);
 
   // Hidden surfaces.
@@ -166,6 +174,7 @@ class GraphicsSystem {
   std::optional<HiddenScope> hidden_scope() const { return scope_; }  ///< if it was set
   const Precision& precision() const { return sort_options_.precision; }
   bool z_buffer() const { return z_buffer_; }
+  std::size_t transformations_saved() const { return modelling_.saved(); }
   std::int64_t polygons_entered() const { return ordinal_; }  ///< calls of the polygon routines
   std::int64_t polygons_triangulated() const { return triangulated_; }  ///< for not being flat
 

@@ -1,6 +1,10 @@
 #include "displayfile/hidden_surface_check.h"
 
+#include <fmt/format.h>
+
 #include <utility>
+
+#include "clip/memory.h"
 
 namespace displayfile {
 
@@ -17,6 +21,14 @@ std::shared_ptr<const SortedScene> sorted_scene(ViewedScene viewed,
       SortedScene{{std::move(ordered)}, image, method, options.precision, counts});
 }
 
+/// What `sort` returns, which has every point in its tables at least.
+template <class Sort>
+std::shared_ptr<const SortedScene> with_memory_of_sort(std::size_t points, HiddenMethod method,
+                                                       Sort&& sort) {
+  return with_memory(points * sizeof(Point3),
+                     fmt::format("sorting {} points by {}", points, name_of(method)), sort);
+}
+
 }  // namespace
 
 bool sorts(HiddenMethod method) {
@@ -26,13 +38,18 @@ bool sorts(HiddenMethod method) {
 std::shared_ptr<const SortedScene> hidden_surface_check(
     const std::shared_ptr<const Instructions>& entered, const ImageTransformation& image,
     HiddenMethod method, const SortOptions& options) {
-  return sorted_scene(ViewedScene(entered, image), image, method, options);
+  return with_memory_of_sort(entered->points(), method, [&] {
+    return sorted_scene(ViewedScene(entered, image), image, method, options);
+  });
 }
 
 std::shared_ptr<const SortedScene> hidden_surface_check(std::span<const Segment* const> segments,
                                                         HiddenMethod method,
                                                         const SortOptions& options) {
-  return sorted_scene(ViewedScene(segments), {}, method, options);
+  std::size_t points = 0;
+  for (const Segment* segment : segments) points += segment->entered()->points();
+  return with_memory_of_sort(
+      points, method, [&] { return sorted_scene(ViewedScene(segments), {}, method, options); });
 }
 
 }  // namespace displayfile

@@ -57,6 +57,10 @@ void Instructions::enter_pick() {
 }
 
 void Instructions::enter_line(const Point3& from, const Point3& to) {
+  if (line_pick_ != last_line_pick_) {
+    op_.insert(op_.end(), {op::line_pick, line_pick_});
+    last_line_pick_ = line_pick_;
+  }
   if (pen_ != from) {
     op_.push_back(op::move);
     enter_points({&from, 1});

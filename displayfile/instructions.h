@@ -28,6 +28,8 @@ inline constexpr std::int32_t pick = -32;           ///< the next code is the pi
 /// The next code is the pick identifier of the polygon that follows, and each polygon after it has
 /// the next one, until another is entered: identifiers that are ordinals cost nothing a polygon.
 inline constexpr std::int32_t pick_run = -33;
+/// The next code is the pick identifier of the lines that follow; at the start they have none.
+inline constexpr std::int32_t line_pick = -34;
 inline constexpr std::int32_t intensities = -64;  ///< of the vertices of the polygon that follows
 }  // namespace op
 
@@ -40,6 +42,7 @@ class Instructions {
   void set_style(const FillStyle& fill);
   void set_style(const LineStyle& line);
   void set_pick(std::int32_t id) { pick_ = id; }
+  void set_line_pick(std::int32_t id) { line_pick_ = id; }  ///< of lines; -1: none
   void enter_line(const Point3& from, const Point3& to);  ///< a move first, if the pen is elsewhere
   /// 3 vertices or more; edge_visible is of the edge that ends at the vertex. A shaded polygon has
   /// one intensity a vertex, a flat one none.
@@ -70,8 +73,8 @@ class Instructions {
   ///   fill(FillStyle), line_style(LineStyle), pick(int), move(Point3), line(Point3),
   ///   polygon(span<const Point3> vertices, span<const int32_t> sides) - sides holds op::line
   ///   or op::move for the edge that ends at the vertex of the same index - and, if the visitor
-  ///   has it, before a shaded polygon intensities(span<const double>), which stay until the walk
-  ///   is over.
+  ///   has them, before a shaded polygon intensities(span<const double>), which stay until the
+  ///   walk is over, and line_pick(int), of the lines that follow.
   template <class Visitor>
   void walk(Visitor&& visit) const;
 
@@ -103,6 +106,10 @@ class Instructions {
   static void visit_intensities(Visitor& visit, std::span<const double> of_vertices) {
     if constexpr (requires { visit.intensities(of_vertices); }) visit.intensities(of_vertices);
   }
+  template <class Visitor>
+  static void visit_line_pick(Visitor& visit, std::int32_t id) {
+    if constexpr (requires { visit.line_pick(id); }) visit.line_pick(id);
+  }
   /// What tells a walk the pick identifiers.
   struct Picks {
     bool in_run = false;
@@ -127,9 +134,10 @@ class Instructions {
   std::optional<LineStyle> line_;
   std::optional<std::int32_t> pick_;  // of the next polygon
   std::optional<std::int32_t> last_pick_;
-  bool last_pick_repeats_ = false;  // the last two polygons have it
-  Picks stored_picks_;              // what a walk knows after the last polygon
-  std::optional<Point3> pen_;       // always the point entered last
+  bool last_pick_repeats_ = false;                     // the last two polygons have it
+  Picks stored_picks_;                                 // what a walk knows after the last polygon
+  std::int32_t line_pick_ = -1, last_line_pick_ = -1;  // of the next line, and in force
+  std::optional<Point3> pen_;                          // always the point entered last
 };
 
 template <class Visitor>
@@ -187,6 +195,7 @@ void Instructions::walk(Visitor&& visit) const {
         break;
       }
       case op::pick_run: picks = {true, op_[++i]}; break;
+      case op::line_pick: visit_line_pick(visit, op_[++i]); break;
       case op::intensities: {
         const auto sides = static_cast<std::size_t>(op_[i + 1]);
         if (picks.in_run) visit.pick(picks.take());
@@ -223,6 +232,9 @@ class TransformedVisitor {
   }
   void intensities(std::span<const double> values) {
     if constexpr (requires { visit_.intensities(values); }) visit_.intensities(values);
+  }
+  void line_pick(std::int32_t id) {
+    if constexpr (requires { visit_.line_pick(id); }) visit_.line_pick(id);
   }
   void move(const Point3& p) { visit_.move(matrix_.apply(p)); }
   void line(const Point3& p) { visit_.line(matrix_.apply(p)); }

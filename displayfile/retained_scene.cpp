@@ -109,6 +109,7 @@ bool RetainedScene::enter_viewed(std::uint32_t i, const Attributes& attributes, 
                                  displayfile::Segment& segment) const {
   if (primitives_[i].is_line()) {
     const PointRow ends = points(i);
+    segment.set_line_pick(primitives_[i].pick);
     return stage.enter_line(ends[0], ends[1], attributes.line, segment);
   }
   if (has_shared()) return stage.enter_shared(corners(i), polygon(i), attributes, segment);
@@ -154,9 +155,10 @@ void RetainedScene::enter_polygon(const WorldPolygon& polygon, const Attributes&
   finish_primitive(polygon);
 }
 
-void RetainedScene::enter_line(const Point3& from, const Point3& to, const Attributes& attributes) {
+void RetainedScene::enter_line(const Point3& from, const Point3& to, const Attributes& attributes,
+                               std::int32_t pick) {
   if (segments_.empty()) return;
-  begin_primitive(2, attributes, -1);
+  begin_primitive(2, attributes, pick);
   const std::array ends{from, to};
   enter_corners(ends);
   finish_primitive(

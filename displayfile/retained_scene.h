@@ -25,7 +25,7 @@ class RetainedScene {
     std::uint32_t first;  ///< of its corners
     std::uint32_t sides;  ///< 2: a line
     std::uint32_t attributes;
-    std::int32_t pick;
+    std::int32_t pick;  ///< of a line -1 if it has none
     bool is_line() const { return sides == 2; }
   };
   struct Segment {
@@ -92,7 +92,8 @@ class RetainedScene {
   /// Enters into the segment opened last. Throws Error, and enters nothing, if there are more than
   /// 2^32 - 2 points then.
   void enter_polygon(const WorldPolygon& polygon, const Attributes& attributes);
-  void enter_line(const Point3& from, const Point3& to, const Attributes& attributes);
+  void enter_line(const Point3& from, const Point3& to, const Attributes& attributes,
+                  std::int32_t pick);
   /// The polygons that are entered by enter_shared from here on share so many vertices; those that
   /// some polygon uses are kept, once each.
   void begin_shared(std::size_t vertices);

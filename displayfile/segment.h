@@ -39,6 +39,7 @@ class Segment {
   void set_style(const FillStyle& fill) { writable().set_style(fill); }
   void set_style(const LineStyle& line) { writable().set_style(line); }
   void set_pick(std::int32_t id) { writable().set_pick(id); }
+  void set_line_pick(std::int32_t id) { writable().set_line_pick(id); }
   void enter_line(const Point3& from, const Point3& to) { writable().enter_line(from, to); }
   void enter_polygon(std::span<const Point3> vertices, std::span<const std::uint8_t> edge_visible,
                      std::span<const double> intensities = {}) {

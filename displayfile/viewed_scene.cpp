@@ -39,12 +39,13 @@ struct ViewedScene::Collector {
   std::size_t intensities_seen = 0;  // of these instructions
   FillStyle fill_style{};
   LineStyle style{};
-  std::int32_t pick_id = -1;
+  std::int32_t pick_id = -1, line_pick_id = -1;
   std::span<const double> of_vertices{};  // of the polygon that follows
 
   void fill(const FillStyle& s) { fill_style = s; }
   void line_style(const LineStyle& s) { style = s; }
   void pick(std::int32_t id) { pick_id = id; }
+  void line_pick(std::int32_t id) { line_pick_id = id; }
   void intensities(std::span<const double> values) { of_vertices = values; }
   void move(const Point3& p) { take({&p, 1}); }
   void line(const Point3& p) {
@@ -120,7 +121,7 @@ struct ViewedScene::Collector {
     }
     scene.items_.push_back(
         {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(sides), kind});
-    scene.pick_.push_back(pick_id);
+    scene.pick_.push_back(kind == Primitives::Kind::line ? line_pick_id : pick_id);
     scene.has_lines_ |= outlined();
   }
 };
@@ -191,6 +192,7 @@ bool ViewedScene::is_of(const DisplayFile& display_file) const {
   for (const Segment& segment : display_file.segments()) {
     if (!segment.visible) continue;
     if (k == sources_.size()) return false;
+    if (k < segments_.size() && segments_[k].name != segment.name()) return false;
     const Source& source = sources_[k++];
     if (source.instructions != segment.entered() || !(source.image == segment.image) ||
         source.codes != segment.entered()->codes()) {

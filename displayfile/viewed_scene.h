@@ -82,7 +82,7 @@ class ViewedScene {
   };
   /// The colours of all fills, for who goes through them in order.
   std::span<const Run<Colour>> fill_colours() const { return colours_; }
-  std::int32_t pick_of_item(Item item) const { return pick_[item]; }  ///< a line's has no meaning
+  std::int32_t pick_of_item(Item item) const { return pick_[item]; }  ///< -1: a line without one
 
   /// The segments' names, and where their items begin. None if the scene names no segments.
   struct SegmentStart {

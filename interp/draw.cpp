@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "clip/memory.h"
 #include "clip/nearest_word.h"
 #include "displayfile/output_file.h"
 #include "interp/files/npy_file.h"
@@ -18,10 +19,12 @@
 #include "interp/opengl/osmesa.h"
 #include "interp/raster/antialias.h"
 #include "interp/raster/software.h"
+#include "interp/renderer.h"
 #include "interp/vector/pdf_device.h"
 #include "interp/vector/svg_device.h"
 #include "interp/visibility/auto_method.h"
 #include "interp/visibility/image_space.h"
+#include "interp/visibility/picker.h"
 
 namespace displayfile {
 
@@ -42,19 +45,26 @@ constexpr std::array kFormats{
 };
 
 /// One line a device that draws pixels, the whole picture or, row by row, however large it is. One
-/// that has the whole picture in memory anyway leaves out the latter.
+/// that has the whole picture in memory anyway leaves out the latter. `kept` is the first device's.
 struct RasterDevice {
   Choice choice;
-  Picture (*draw)(const DisplayFile&, const RasterRequest&);
-  void (*draw_rows)(const DisplayFile&, const RasterRequest&, const TakeRows&);
+  Picture (*draw)(const DisplayFile&, const RasterRequest&, SoftwareRenderer& kept);
+  void (*draw_rows)(const DisplayFile&, const RasterRequest&, SoftwareRenderer& kept,
+                    const TakeRows&);
 };
 constexpr std::array kDevices{
-    RasterDevice{
-        {"software", "by our own scan conversion"}, draw_with_software, draw_rows_with_software},
-    RasterDevice{
-        {"osmesa", "by OpenGL, to compare with"},
-        [](const DisplayFile& d, const RasterRequest& r) { return draw_with_osmesa(d, r); },
-        nullptr},
+    RasterDevice{{"software", "by our own scan conversion"},
+                 [](const DisplayFile& d, const RasterRequest& r, SoftwareRenderer& kept) {
+                   kept.draw(d, r);
+                   return kept.take_picture();
+                 },
+                 [](const DisplayFile& d, const RasterRequest& r, SoftwareRenderer& kept,
+                    const TakeRows& take) { kept.draw(d, r, take); }},
+    RasterDevice{{"osmesa", "by OpenGL, to compare with"},
+                 [](const DisplayFile& d, const RasterRequest& r, SoftwareRenderer&) {
+                   return draw_with_osmesa(d, r);
+                 },
+                 nullptr},
 };
 
 template <class Table>
@@ -107,8 +117,8 @@ RasterRequest raster_request(const DisplayFile& file, const DrawOptions& options
   request.width = options.width;
   request.height = options.height;
   request.sorted = has_exact_order(file);
-  request.ids = !options.ids.empty();
-  request.depth = !options.depth.empty();
+  request.ids = options.with_ids || !options.ids.empty();
+  request.depth = options.with_depth || !options.depth.empty();
   request.threads = options.threads;
   return request;
 }
@@ -152,16 +162,16 @@ void require_writable(const std::filesystem::path& file, const DrawOptions& opti
 }
 
 Picture draw_samples(const DisplayFile& file, const RasterRequest& request,
-                     const DrawOptions& options) {
-  return device_of(options.device).draw(file, request);
+                     const DrawOptions& options, SoftwareRenderer& kept) {
+  return device_of(options.device).draw(file, request, kept);
 }
 
 /// Rows are passed on as they are drawn, if the device can.
 void draw_samples(const DisplayFile& file, const RasterRequest& request, const DrawOptions& options,
-                  const TakeRows& take) {
+                  SoftwareRenderer& kept, const TakeRows& take) {
   const RasterDevice& device = device_of(options.device);
-  if (device.draw_rows == nullptr) return take(device.draw(file, request));
-  device.draw_rows(file, request, take);
+  if (device.draw_rows == nullptr) return take(device.draw(file, request, kept));
+  device.draw_rows(file, request, kept, take);
 }
 
 /// A pixel's samples in place of the pixel: colours only.
@@ -175,22 +185,62 @@ RasterRequest request_of_samples(RasterRequest request, int samples) {
 
 /// The colours of a picture, antialiased.
 void draw_colours(const DisplayFile& file, const RasterRequest& request, const DrawOptions& options,
-                  const TakeRows& take) {
+                  SoftwareRenderer& kept, const TakeRows& take) {
   const int n = options.samples;
-  draw_samples(file, request_of_samples(request, n), options,
+  draw_samples(file, request_of_samples(request, n), options, kept,
                SampleAverage(request.width, n, take));
+}
+
+/// Checks the size of what is drawn; throws Error.
+void require_raster_size(const DrawOptions& options) {
+  if (options.samples < 1 || options.samples > kMostSamples) {
+    throw Error(fmt::format("{} samples along a pixel's side: expected 1 to {}", options.samples,
+                            kMostSamples));
+  }
+  const auto n = static_cast<long long>(options.samples);
+  require_picture_size(options.width, options.height);
+  require_picture_size(n * options.width, n * options.height);
+}
+
+/// What `draw` returns: a picture in memory, for which there must be room before any work is done.
+template <class Draw>
+Picture with_memory_of_picture(const DrawOptions& options, const SoftwareRenderer& kept,
+                               Draw&& draw) {
+  require_raster_size(options);
+  const auto pixels =
+      static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
+  const std::size_t of_pixel = sizeof(Picture::pixels[0]) +
+                               (options.with_ids ? sizeof(Picture::ids[0]) : 0) +
+                               (options.with_depth ? sizeof(Picture::depth[0]) : 0);
+  return with_memory(pixels * of_pixel,
+                     fmt::format("a picture of {} x {} pixels", options.width, options.height),
+                     draw, kept.bytes_of_picture());
+}
+
+/// Draws into a file: by rows, but for a device that has the whole picture in memory, with a depth
+/// for each of its pixels. What a method makes of the display file is no smaller than it is.
+template <class Draw>
+void with_memory_of_drawing(const DisplayFile& display_file, const std::filesystem::path& file,
+                            const DrawOptions& options, Draw&& draw) {
+  constexpr std::size_t kBytesOfPixel = 8;
+  const bool by_rows = device_of(options.device).draw_rows != nullptr;
+  const auto pixels =
+      static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
+  const std::size_t samples = static_cast<std::size_t>(options.samples * options.samples);
+  with_memory(display_file.bytes() + (by_rows ? 0 : kBytesOfPixel * pixels * samples),
+              fmt::format("{} of {} x {}", file.string(), options.width, options.height), draw);
 }
 
 /// Draws in memory; what is not a colour is not antialiased.
 Picture draw_pixels(const DisplayFile& file, const RasterRequest& request,
-                    const DrawOptions& options) {
-  if (options.samples == 1) return draw_samples(file, request, options);
+                    const DrawOptions& options, SoftwareRenderer& kept) {
+  if (options.samples == 1) return draw_samples(file, request, options, kept);
   Picture picture;
-  if (request.ids || request.depth) picture = draw_samples(file, request, options);
+  if (request.ids || request.depth) picture = draw_samples(file, request, options, kept);
   picture.width = request.width;
   picture.height = request.height;
   picture.pixels.clear();
-  draw_colours(file, request, options, [&](const Picture& rows) {
+  draw_colours(file, request, options, kept, [&](const Picture& rows) {
     picture.pixels.insert(picture.pixels.end(), rows.pixels.begin(), rows.pixels.end());
   });
   return picture;
@@ -205,7 +255,8 @@ TakeRows write_rows(const RowFiles& files) {
 }
 
 void write_picture(const DisplayFile& drawn, const RasterRequest& request, bool vectors_by_depth,
-                   const std::filesystem::path& file, const DrawOptions& options) {
+                   const std::filesystem::path& file, const DrawOptions& options,
+                   SoftwareRenderer& kept) {
   const auto open = [&](auto* row_file, const std::filesystem::path& path) {
     return row_file(path, options.width, options.height);
   };
@@ -216,8 +267,8 @@ void write_picture(const DisplayFile& drawn, const RasterRequest& request, bool 
   if (format.pixel_file != nullptr) {
     (options.samples == 1 ? files : colours).push_back(open(format.pixel_file, file));
   }
-  if (!files.empty()) draw_samples(drawn, request, options, write_rows(files));
-  if (!colours.empty()) draw_colours(drawn, request, options, write_rows(colours));
+  if (!files.empty()) draw_samples(drawn, request, options, kept, write_rows(files));
+  if (!colours.empty()) draw_colours(drawn, request, options, kept, write_rows(colours));
   if (format.write_vectors != nullptr) {
     format.write_vectors(drawn, options.width, options.height, vectors_by_depth, file);
   }
@@ -229,17 +280,6 @@ void write_picture(const DisplayFile& drawn, const RasterRequest& request, bool 
 DrawOptions with_precision(const GraphicsSystem& system, DrawOptions options) {
   options.precision = precision_in_force(system, hidden_surface_options(options));
   return options;
-}
-
-/// Checks the size of what is drawn; throws Error.
-void require_raster_size(const DrawOptions& options) {
-  if (options.samples < 1 || options.samples > kMostSamples) {
-    throw Error(fmt::format("{} samples along a pixel's side: expected 1 to {}", options.samples,
-                            kMostSamples));
-  }
-  const auto n = static_cast<long long>(options.samples);
-  require_picture_size(options.width, options.height);
-  require_picture_size(n * options.width, n * options.height);
 }
 
 }  // namespace
@@ -272,15 +312,60 @@ void require_drawable(const std::filesystem::path& file, const DrawOptions& opti
   require_writable(file, options);
 }
 
-Picture draw(const GraphicsSystem& system, const DrawOptions& options, SortedDisplayFile& kept) {
-  require_raster_size(options);
-  const HiddenSurfaceOptions hidden = hidden_surface_options(options);
-  const HiddenMethod method = method_in_force(system, hidden);
-  const DisplayFile& sorted = kept.update(system, method, hidden);
+namespace {
+
+/// What is kept from one picture to the next.
+struct KeptForPictures {
+  SortedDisplayFile& sorted;
+  SoftwareRenderer& software;
+};
+
+/// Gives the display file, brought up to date, and what is asked of it; or the view of a retained
+/// scene.
+template <class DrawFile, class DrawWorld>
+auto draw_up_to_date(const GraphicsSystem& system, const DrawOptions& options, HiddenMethod method,
+                     SortedDisplayFile& kept, DrawFile&& draw_file, DrawWorld&& draw_world) {
+  const DisplayFile& sorted = kept.update(system, method, hidden_surface_options(options));
   if (const auto world = world_in_force(system, method)) {
-    return draw(*world, with_precision(system, options));
+    return draw_world(*world, with_precision(system, options));
   }
-  return draw_pixels(sorted, raster_request(system, sorted, options), options);
+  return draw_file(sorted, raster_request(system, sorted, options));
+}
+
+Picture draw_in_memory(const GraphicsSystem& system, const DrawOptions& options,
+                       const KeptForPictures& kept) {
+  return with_memory_of_picture(options, kept.software, [&] {
+    return draw_up_to_date(
+        system, options, method_in_force(system, hidden_surface_options(options)), kept.sorted,
+        [&](const DisplayFile& sorted, const RasterRequest& request) {
+          return draw_pixels(sorted, request, options, kept.software);
+        },
+        [](const ViewedWorld& world, const DrawOptions& exact) { return draw(world, exact); });
+  });
+}
+
+void draw_into_file(const GraphicsSystem& system, const std::filesystem::path& file,
+                    const DrawOptions& options, const KeptForPictures& kept) {
+  require_drawable(file, options);
+  // For a picture of pixels it is the renderer that picks a method.
+  const HiddenMethod method = picture_kind(file, options) == PictureKind::raster
+                                  ? method_in_force(system, hidden_surface_options(options))
+                                  : drawing_method(system, options, PictureKind::vector);
+  with_memory_of_drawing(system.display_file(), file, options, [&] {
+    draw_up_to_date(
+        system, options, method, kept.sorted,
+        [&](const DisplayFile& sorted, const RasterRequest& request) {
+          write_picture(sorted, request, is_image_space(method), file, options, kept.software);
+        },
+        [&](const ViewedWorld& world, const DrawOptions& exact) { draw(world, file, exact); });
+  });
+}
+
+}  // namespace
+
+Picture draw(const GraphicsSystem& system, const DrawOptions& options, SortedDisplayFile& kept) {
+  SoftwareRenderer software;
+  return draw_in_memory(system, options, {kept, software});
 }
 
 Picture draw(const GraphicsSystem& system, const DrawOptions& options) {
@@ -290,40 +375,77 @@ Picture draw(const GraphicsSystem& system, const DrawOptions& options) {
 
 void draw(const GraphicsSystem& system, const std::filesystem::path& file,
           const DrawOptions& options, SortedDisplayFile& kept) {
-  require_drawable(file, options);
-  const HiddenSurfaceOptions hidden = hidden_surface_options(options);
-  // For a picture of pixels it is the renderer that picks a method.
-  const HiddenMethod method = picture_kind(file, options) == PictureKind::raster
-                                  ? method_in_force(system, hidden)
-                                  : drawing_method(system, options, PictureKind::vector);
-  const DisplayFile& sorted = kept.update(system, method, hidden);
-  if (const auto world = world_in_force(system, method)) {
-    return draw(*world, file, with_precision(system, options));
-  }
-  write_picture(sorted, raster_request(system, sorted, options), is_image_space(method), file,
-                options);
+  SoftwareRenderer software;
+  draw_into_file(system, file, options, {kept, software});
 }
 
 void draw(const DisplayFile& display_file, const std::filesystem::path& file,
           const DrawOptions& options) {
   require_drawable(file, options);
-  write_picture(display_file, raster_request(display_file, options), false, file, options);
+  SoftwareRenderer software;
+  write_picture(display_file, raster_request(display_file, options), false, file, options,
+                software);
 }
 
 void draw(const ViewedWorld& world, const std::filesystem::path& file, const DrawOptions& options) {
   require_drawable(file, options);
-  write_picture(world.display_file, raster_request(world, options), true, file, options);
+  SoftwareRenderer software;
+  write_picture(world.display_file, raster_request(world, options), true, file, options, software);
 }
 
 Picture draw(const ViewedWorld& world, const DrawOptions& options) {
-  require_raster_size(options);
-  return draw_pixels(world.display_file, raster_request(world, options), options);
+  SoftwareRenderer software;
+  return with_memory_of_picture(options, software, [&] {
+    return draw_pixels(world.display_file, raster_request(world, options), options, software);
+  });
 }
 
 void draw(const GraphicsSystem& system, const std::filesystem::path& file,
           const DrawOptions& options) {
   SortedDisplayFile kept;
   draw(system, file, options, kept);
+}
+
+// ---- What is kept ------------------------------------------------------------------------
+
+struct Renderer::Kept {
+  SortedDisplayFile sorted;
+  SoftwareRenderer software;
+  Picture picture;  ///< where the software renderer has not the whole of it
+  std::optional<Picker> picker;
+};
+
+Renderer::Renderer() : kept_(std::make_unique<Kept>()) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&& other) noexcept = default;
+Renderer& Renderer::operator=(Renderer&& other) noexcept = default;
+
+const Picture& Renderer::draw(const GraphicsSystem& system, const DrawOptions& options) {
+  auto& [sorted, software, picture, picker] = *kept_;
+  software.give_back(std::move(picture));
+  picture = draw_in_memory(system, options, {sorted, software});
+  return picture;
+}
+
+void Renderer::draw(const GraphicsSystem& system, const std::filesystem::path& file,
+                    const DrawOptions& options) {
+  draw_into_file(system, file, options, {kept_->sorted, kept_->software});
+}
+
+std::optional<Pick> Renderer::pick(const GraphicsSystem& system, double x, double y,
+                                   const DrawOptions& options, double reach) {
+  require_picture_size(options.width, options.height);
+  const PictureSize size{options.width, options.height};
+  auto& [sorted, software, picture, picker] = *kept_;
+  const bool same_scene = picker && picker->scene().is_of(system.display_file());
+  if (!same_scene || !(picker->size() == size)) {
+    picker.reset();
+    const std::size_t polygons = system.display_file().polygons();
+    with_memory(
+        system.display_file().bytes(), fmt::format("picking among {} polygons", polygons),
+        [&] { picker.emplace(software.scene_of(system.display_file()), size, options.threads); });
+  }
+  return picker->pick(x, y, reach);
 }
 
 std::span<const Choice> picture_formats() { return kFormatChoices; }

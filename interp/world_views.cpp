@@ -65,7 +65,10 @@ std::optional<Pick> WorldViews::pick(const View& view, double x, double y) const
   const auto seen = rays_->seen_at(view, {x, y});
   if (!seen) return std::nullopt;
   const RetainedScene& scene = rays_->scene();
-  return Pick{scene[seen->primitive].pick, scene.segment_of(seen->primitive).name, seen->point};
+  const ViewVolume volume(view);
+  return Pick{Pick::Kind::polygon, scene[seen->primitive].pick,
+              scene.segment_of(seen->primitive).name,
+              volume.to_device(volume.transform(seen->point)).z, seen->point};
 }
 
 std::size_t WorldViews::polygons() const { return rays_->polygons(); }

@@ -9,17 +9,11 @@
 #include "clip/view.h"
 #include "displayfile/display_file.h"
 #include "displayfile/retained_scene.h"
+#include "interp/pick.h"
 
 namespace displayfile {
 
 class WorldRays;
-
-/// What is seen at a point of a picture.
-struct Pick {
-  std::int32_t id;  ///< the polygon's pick identifier
-  int segment;      ///< the name of the segment that it is in
-  Point3 point;     ///< where it is seen, in world coordinates: the exact point, rounded
-};
 
 /// A retained scene in its views, to be drawn by draw (interp/draw.h) as a display file is: what is
 /// seen is found by rays cast in world coordinates.
@@ -54,10 +48,12 @@ class WorldViews {
   /// the nearer polygon is seen, by its depth in its own view.
   ViewedWorld as_drawn() const;
 
-  /// What is seen of the whole scene in that view at a point of the picture: device coordinates,
-  /// 0 to 1 over the picture, y up. Solid fills alone are seen, through what clipping and
-  /// back-face removal take away. Nothing where there is none, and outside of the viewport. Throws
-  /// Error as ViewVolume does, and for coordinates that are not finite.
+  /// What is seen of the whole scene in that view at a point of the picture: normalised device
+  /// coordinates, 0 to 1 over the picture, y up (the upper left corner of pixel (i, j), which
+  /// Renderer::pick asks about, is (i / width, 1 - j / height)). Solid fills alone are seen,
+  /// through what clipping and back-face removal take away. Nothing where there is none, and
+  /// outside of the viewport. Throws Error as ViewVolume does, and for coordinates that are not
+  /// finite.
   std::optional<Pick> pick(const View& view, double x, double y) const;
 
   std::size_t polygons() const;  ///< in the tree

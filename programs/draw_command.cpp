@@ -20,6 +20,7 @@
 #include "programs/each_input.h"
 #include "programs/option_groups.h"
 #include "programs/output_name.h"
+#include "programs/pick_option.h"
 #include "programs/progress.h"
 #include "programs/turntable_command.h"
 
@@ -111,6 +112,11 @@ CLI::App& DrawCommand::add_to(CLI::App& app) {
   add_picture_options(command);
   hidden_surfaces.add_to(command);
   command.add_flag("--stats", stats, "print what was drawn")->group(kReportOptions);
+  command
+      .add_option("--pick", pick,
+                  "X,Y[,REACH] in pixels from the upper left corner: print what is seen there, "
+                  "a polygon, or a line or edge within REACH of it")
+      ->group(kReportOptions);
   command.add_flag("--explain", explain, "say which method auto picked, and why")
       ->group(kReportOptions);
   return command;
@@ -207,6 +213,7 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
     draw(system, file, entered.options(), sorted);
   }
   entered.warn_if_nothing_is_seen();
+  if (pick) text += picked(system, pick_option(*pick), entered.options());
   if (stats) {
     text +=
         statistics(system, sorted.display_file(), entered.options(), kind) + exact_stage_counts();
@@ -287,6 +294,7 @@ int DrawCommand::run() const {
   const DrawOptions drawing = all_options();
   shading.shading();
   if (turntable) turntable_views(*turntable);
+  if (pick) pick_option(*pick);
   if (is_name_pattern(output)) return draw_each(drawing);
   for (const auto& file : {drawing.ids, drawing.depth}) {
     if (!is_name_pattern(file.string())) continue;

@@ -9,6 +9,7 @@
 
 #include "interp/draw.h"
 #include "programs/hidden_surface_words.h"
+#include "programs/pick_option.h"
 #include "programs/picture_size.h"
 #include "programs/shading_word.h"
 
@@ -26,6 +27,7 @@ struct DrawCommand {
   ShadingWord shading;  ///< that the inputs start with
   bool stats = false;
   bool explain = false;                  ///< what `auto` picked, and why
+  std::optional<std::string> pick;       ///< where (programs/pick_option.h)
   std::optional<std::string> turntable;  ///< so many views of it (programs/turntable_command.h)
 
   CLI::App& add_to(CLI::App& app);

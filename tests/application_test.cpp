@@ -54,6 +54,34 @@ TEST(Application, EntersMeshes) {
   EXPECT_EQ(g.polygons_entered(), 1);
 }
 
+TEST(Application, AnimatesAndPicks) {
+  displayfile::GraphicsSystem g;
+  displayfile::Renderer renderer;
+  const displayfile::DrawOptions options{.width = 40, .height = 40, .with_ids = true};
+  for (int frame = 0; frame < 3; ++frame) {
+    if (frame > 0) g.delete_segment(2);
+    g.open_segment(2);
+    g.create_transformation_3();
+    g.rotate_z_3(45.0 * frame);
+    g.save_transformation_3();
+    g.translate_3(0.5, 0, 0);
+    g.set_pick_id(7);
+    g.polygon_abs_3({{0, -0.1, 0}, {0.4, -0.1, 0}, {0.4, 0.1, 0}, {0, 0.1, 0}});
+    g.restore_transformation_3();
+    g.close_segment();
+    const displayfile::Picture& picture = renderer.draw(g, options);
+    ASSERT_EQ(picture.ids.size(), 1600u);
+    EXPECT_EQ(picture.ids[20 * 40 + 34], frame == 0 ? 7 : -1);
+    EXPECT_EQ(picture.ids[6 * 40 + 20], frame == 2 ? 7 : -1);
+    const std::optional<displayfile::Pick> pick = renderer.pick(g, 20, 6, options);
+    EXPECT_EQ(pick.has_value(), frame == 2);
+  }
+  g.set_image_centre(2, 0.5, 0.5);
+  g.set_image_rotation(2, -90);
+  EXPECT_EQ(renderer.pick(g, 34, 20, options)->id, 7);
+  EXPECT_EQ(renderer.pick(g, 36, 16, options, 4)->kind, displayfile::Pick::Kind::edge);
+}
+
 TEST(Application, ViewsARetainedScene) {
   displayfile::GraphicsSystem g;
   displayfile::RetainedScene scene;

@@ -22,8 +22,9 @@ class Command : public displayfile::test::TemporaryFolder {
 
   /// Runs the command in the test's folder; standard output and error go to out_ and err_.
   int run(const std::string& arguments, const std::string& input = "/dev/null") {
-    const std::string line = "cd '" + folder_.string() + "' && '" DISPLAYFILE_COMMAND "' " +
-                             arguments + " <" + input + " >.out 2>.err";
+    const std::string line = "cd '" + folder_.string() + "' && " + before_ +
+                             "'" DISPLAYFILE_COMMAND "' " + arguments + " <" + input +
+                             " >.out 2>.err";
     const int status = std::system(line.c_str());
     out_ = read(folder_ / ".out");
     err_ = read(folder_ / ".err");
@@ -51,5 +52,6 @@ class Command : public displayfile::test::TemporaryFolder {
     EXPECT_EQ(files(), before) << arguments;
   }
 
+  std::string before_;  ///< what the shell does first
   std::string out_, err_;
 };

@@ -494,4 +494,36 @@ TEST_F(Command, AFailedRunLeavesTheOldOutput) {
   EXPECT_EQ(read(folder_ / "x.png"), before);
 }
 
+TEST_F(Command, PickSaysWhatIsSeenThere) {
+  write("p.draw",
+        "open-segment 3\nset-pick-id 12\npolygon-abs-3 -1 -1 0  1 -1 0  1 0 0  -1 0 0\n"
+        "set-pick-id -1\nmove-abs-2 -1 0.5\nline-abs-2 1 0.5\nclose-segment\n");
+  const auto picked = [&](const std::string& at) {
+    EXPECT_EQ(run("draw p.draw -o p.png --size 100x100 --pick " + at), 0) << err_;
+    return out_;
+  };
+  EXPECT_EQ(picked("50,70"), "at 50,70: polygon 12 of segment 3, depth 0\n");
+  EXPECT_EQ(picked("50,98.5,2"), "at 50,98.5: an edge of polygon 12 of segment 3, depth 0\n");
+  EXPECT_EQ(picked("50,26,2"), "at 50,26: line of segment 3, depth 0\n");
+  EXPECT_EQ(picked("50,26"), "at 50,26: nothing\n");
+  EXPECT_EQ(picked("500,26"), "at 500,26: nothing\n");
+  fs::remove(folder_ / "p.png");
+  for (const char* wrong : {"x", "1", "1,", "1,2,", "1,2,3,4", "1;2", "nan,1", "1,inf", "1,2,-1",
+                            "1,2,1e9", "1,2 ", "''"}) {
+    expect_error(std::string("draw p.draw -o p.png --pick \"") + wrong + "\"", "--pick");
+  }
+}
+
+/// What is too much for the memory there is said with its bytes, before any work, and nothing is
+/// written.
+TEST_F(Command, OutOfMemoryStatesTheBytes) {
+  write("cube.draw", "open-segment 1\npolygon-abs-3 0 0 0  1 0 0  0 1 0\nclose-segment\n");
+  before_ = "ulimit -v 2000000 && ";
+  expect_error("truth cube.draw --size 60000x60000 --ids ids.npy",
+               "out of memory: the truth of 60000 x 60000 pixels needs at least 61200000000 bytes");
+  expect_error("draw cube.draw -o out.png --size 16384x16384 --samples 1 --device osmesa",
+               "out of memory: out.png of 16384 x 16384 needs at least 2147483");
+  EXPECT_EQ(run("truth cube.draw --size 60x60 --ids ids.npy"), 0) << err_;
+}
+
 }  // namespace

@@ -86,6 +86,7 @@ TEST(DrawingProgram, EveryRoutineIsTheApplicationsCall) {
       {"set-image-translation 1 .2 .3", [](G& g) { g.set_image_translation(1, 0.2, 0.3); }},
       {"set-image-scale 1 2 3", [](G& g) { g.set_image_scale(1, 2, 3); }},
       {"set-image-rotation 1 30", [](G& g) { g.set_image_rotation(1, 30); }},
+      {"set-image-centre 1 .5 .25", [](G& g) { g.set_image_centre(1, 0.5, 0.25); }},
       {"set-hidden-line-removal on", [](G& g) { g.set_hidden_line_removal(true); }},
       {"set-back-face-removal on", [](G& g) { g.set_back_face_removal(true); }},
       {"set-hidden-method z-buffer", [](G& g) { g.set_hidden_method(HiddenMethod::z_buffer); }},
@@ -103,6 +104,7 @@ TEST(DrawingProgram, EveryRoutineIsTheApplicationsCall) {
       {"rotate-x-3 10", [](G& g) { g.rotate_x_3(10); }},
       {"rotate-y-3 20", [](G& g) { g.rotate_y_3(20); }},
       {"rotate-z-3 30", [](G& g) { g.rotate_z_3(30); }},
+      {"restore-transformation-3", [](G& g) { g.restore_transformation_3(); }},
       {"move-abs-3 1 2 3", [](G& g) { g.move_abs_3(1, 2, 3); }},
       {"line-abs-3 .1 .2 .3", [](G& g) { g.line_abs_3(0.1, 0.2, 0.3); }},
       {"move-rel-3 1 2 3", [](G& g) { g.move_rel_3(1, 2, 3); }},
@@ -173,6 +175,7 @@ TEST(DrawingProgram, EveryRoutineIsTheApplicationsCall) {
     for (GraphicsSystem* g : {&by_program, &by_call}) {
       g->open_segment(1);
       if (!segment_open) g->close_segment();
+      g->save_transformation_3();
     }
     EXPECT_EQ(error_of(routine.line + "\n", by_program),
               routine.line == "open-segment 8"
@@ -241,6 +244,21 @@ TEST(DrawingProgram, SegmentThatTheApplicationOpenedMayStayOpen) {
   system.open_segment(1);
   EXPECT_EQ(error_of("polygon-abs-3 0 0 0 1 0 0 0 1 0\n", system), "");
   EXPECT_EQ(system.open_segment_name(), 1);
+}
+
+/// What a program saves it restores; what the application saved stays.
+TEST(DrawingProgram, SavedTransformationsAreRestoredAtTheEnd) {
+  GraphicsSystem system;
+  EXPECT_NE(
+      error_of("save-transformation-3\n  save-transformation-3\nrestore-transformation-3\n", system)
+          .find("3:25: 1 transformation still saved at the end: expected "
+                "restore-transformation-3"),
+      std::string::npos);
+  EXPECT_EQ(system.transformations_saved(), 1u);
+  EXPECT_EQ(error_of("save-transformation-3\nrestore-transformation-3\n", system), "");
+  system.restore_transformation_3();
+  EXPECT_NE(error_of("\n restore-transformation-3\n", system).find("2:2: no transformation saved"),
+            std::string::npos);
 }
 
 // ---- What is wrong with a program ---------------------------------------------------------

@@ -155,6 +155,9 @@ class RandomApplication {
       }
       case 27: return system_.set_z_buffer(chance(50));
       case 28: return system_.close_segment();
+      case 29: return system_.save_transformation_3();
+      case 30: return system_.restore_transformation_3();
+      case 31: return system_.set_image_centre(name(), coordinate(), coordinate());
       default: return system_.open_segment(name());
     }
   }
@@ -194,6 +197,7 @@ TEST(RecordReplay, RandomApplications) {
     RandomApplication application(static_cast<std::uint64_t>(seed), first);
     for (int i = 0; i < kCalls; ++i) application.call();
     if (first.open_segment_name()) first.close_segment();
+    while (first.transformations_saved() > 0) first.restore_transformation_3();
     refused += application.refused();
 
     ASSERT_NO_THROW(replay(recording.str(), "recording", second));
@@ -210,7 +214,7 @@ TEST(RecordReplay, RandomApplications) {
   }
   // The applications did something: every routine, and pictures of some size.
   if (test::kSlower == 1) {
-    EXPECT_EQ(routines.size(), 49u);
+    EXPECT_EQ(routines.size(), 52u);
   }
   EXPECT_GT(instructions, 100000u / test::kSlower);
   EXPECT_GT(refused, 1000 / test::kSlower);

@@ -243,10 +243,12 @@ TEST(Picking, TellsWhatIsSeenAndWhere) {
       if (!pick) continue;
       ++hits;
       EXPECT_EQ(pick->segment, pick->id >= 70 ? 2 : 4);
-      const HomogeneousPoint p = volume.transform(pick->point);
+      const HomogeneousPoint p = volume.transform(*pick->world);
       EXPECT_NEAR(p.x / p.w, x, 1e-14);
       EXPECT_NEAR(p.y / p.w, y, 1e-14);
       EXPECT_NEAR(p.z / p.w, right.depth[k], 1e-14);
+      EXPECT_NEAR(pick->depth, right.depth[k], 1e-14);
+      EXPECT_EQ(pick->kind, Pick::Kind::polygon);
     }
   }
   EXPECT_GT(hits, 500);
@@ -271,7 +273,7 @@ TEST(Picking, DecidesExactly) {
   EXPECT_EQ(at(0.625, above)->id, 1);
   EXPECT_EQ(at(0.625, half)->id, 2);
   EXPECT_EQ(at(0.625, half)->segment, 9);
-  EXPECT_EQ(at(0.625, half)->point, Point3(0.25, 0.0, 0.0));
+  EXPECT_EQ(at(0.625, half)->world, Point3(0.25, 0.0, 0.0));
   EXPECT_FALSE(at(0.75, 0.6));  // a right edge is not covered
   EXPECT_TRUE(at(std::nextafter(0.75, 0.0), 0.6));
   EXPECT_FALSE(at(-0.1, 0.5));

@@ -327,6 +327,7 @@ constexpr auto kRoutines = std::to_array<Routine>({
     fixed<&G::set_image_translation>("set-image-translation", "name tx ty"),
     fixed<&G::set_image_scale>("set-image-scale", "name sx sy"),
     fixed<&G::set_image_rotation>("set-image-rotation", "name angle"),
+    fixed<&G::set_image_centre>("set-image-centre", "name x y"),
 
     fixed<&G::create_transformation_3>("create-transformation-3", ""),
     fixed<&G::translate_3>("translate-3", "tx ty tz"),
@@ -334,6 +335,8 @@ constexpr auto kRoutines = std::to_array<Routine>({
     fixed<&G::rotate_x_3>("rotate-x-3", "angle"),
     fixed<&G::rotate_y_3>("rotate-y-3", "angle"),
     fixed<&G::rotate_z_3>("rotate-z-3", "angle"),
+    fixed<&G::save_transformation_3>("save-transformation-3", ""),
+    fixed<&G::restore_transformation_3>("restore-transformation-3", ""),
 
     fixed<&G::set_view_reference_point>("set-view-reference-point", "x y z"),
     fixed<&G::set_view_plane_normal>("set-view-plane-normal", "dx dy dz"),
@@ -453,6 +456,7 @@ void replay(std::string_view text, std::string_view file_name, GraphicsSystem& s
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // byte order mark
   require_text(text, file_name);
   const std::optional<int> open_before = system.open_segment_name();
+  const std::size_t saved_before = system.transformations_saved();
   Line line;
   for (std::string_view rest = text; !rest.empty();) {
     const std::size_t length = std::min(rest.find('\n'), rest.size());
@@ -467,10 +471,17 @@ void replay(std::string_view text, std::string_view file_name, GraphicsSystem& s
       throw error_at(file_name, text, line.name().data(), error.what());
     }
   }
-  if (const auto open = system.open_segment_name(); open && open != open_before) {
+  const auto at_end = [&](const std::string& message) {
     const std::size_t last = text.find_last_not_of(" \t\r\n") + 1;
-    throw error_at(file_name, text, text.data() + last,
-                   fmt::format("segment {} still open at the end: expected close-segment", *open));
+    return error_at(file_name, text, text.data() + last, message);
+  };
+  if (const auto open = system.open_segment_name(); open && open != open_before) {
+    throw at_end(fmt::format("segment {} still open at the end: expected close-segment", *open));
+  }
+  if (const std::size_t saved = system.transformations_saved(); saved > saved_before) {
+    throw at_end(
+        fmt::format("{} transformation{} still saved at the end: expected restore-transformation-3",
+                    saved - saved_before, saved - saved_before == 1 ? "" : "s"));
   }
 }
 

@@ -164,7 +164,7 @@ void SoftwareRenderer::prepare(const DisplayFile& display_file, const RasterRequ
   if (scene_ == nullptr || !scene_->is_of(display_file)) {
     prepared_.reset();
     shadows_.reset();
-    scene_ = std::make_unique<ViewedScene>(display_file);
+    scene_ = std::make_shared<const ViewedScene>(display_file);
     paints_ = FillPaints(*scene_, kBackgroundPixel);
   }
   if (shadows && shadows_ == nullptr) shadows_ = std::make_unique<Shadows>(*scene_);
@@ -203,10 +203,27 @@ void SoftwareRenderer::draw_rows(const DisplayFile& display_file, const RasterRe
       static_cast<std::size_t>(picture_.width) * static_cast<std::size_t>(picture_.height);
   make_room(picture_.pixels, pixels);
   make_room(picture_.ids, request.ids ? pixels : 0);
+  const bool spare = lines && !request.depth;
+  if (spare) std::swap(picture_.depth, spare_depth_);
   make_room(picture_.depth, request.depth || lines ? pixels : 0);
   if (!image_space) return paint_in_order(display_file, request, rows);
   find_fills_seen(request, rows);
   if (lines) draw_lines_over_fills(display_file, request, rows);
+  if (spare) {
+    std::swap(picture_.depth, spare_depth_);
+    picture_.depth.clear();
+  }
+}
+
+std::size_t SoftwareRenderer::bytes_of_picture() const {
+  const auto held = [](const auto& values) { return values.capacity() * sizeof(values[0]); };
+  return held(picture_.pixels) + held(picture_.ids) + held(picture_.depth);
+}
+
+std::shared_ptr<const ViewedScene> SoftwareRenderer::scene_of(
+    const DisplayFile& display_file) const {
+  if (scene_ != nullptr && scene_->is_of(display_file)) return scene_;
+  return std::make_shared<const ViewedScene>(display_file);
 }
 
 void SoftwareRenderer::paint_in_order(const DisplayFile& display_file, const RasterRequest& request,
@@ -279,9 +296,7 @@ void SoftwareRenderer::draw(const DisplayFile& display_file, const RasterRequest
 Picture draw_with_software(const DisplayFile& display_file, const RasterRequest& request) {
   SoftwareRenderer renderer;
   renderer.draw(display_file, request);
-  Picture picture = renderer.take_picture();
-  if (!request.depth) picture.depth = {};
-  return picture;
+  return renderer.take_picture();
 }
 
 void draw_rows_with_software(const DisplayFile& display_file, const RasterRequest& request,

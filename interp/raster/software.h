@@ -32,6 +32,11 @@ class SoftwareRenderer {
   /// few rows for each thread.
   void draw(const DisplayFile& display_file, const RasterRequest& request, const TakeRows& take);
   Picture take_picture() { return std::move(picture_); }
+  /// A picture whose memory the next one may use.
+  void give_back(Picture picture) { picture_ = std::move(picture); }
+  std::size_t bytes_of_picture() const;  ///< held for the next one
+  /// The scene of a display file: the one drawn last if it is that, or else a new one.
+  std::shared_ptr<const ViewedScene> scene_of(const DisplayFile& display_file) const;
 
  private:
   /// An image-space method that has taken up the scene.
@@ -52,8 +57,9 @@ class SoftwareRenderer {
   void draw_lines_over_fills(const DisplayFile& display_file, const RasterRequest& request,
                              const RowRange& rows);
 
-  Picture picture_;  // or the rows of it that are being drawn
-  std::unique_ptr<ViewedScene> scene_;
+  Picture picture_;                  // or the rows of it that are being drawn
+  std::vector<double> spare_depth_;  // of lines over fills, while the picture has none
+  std::shared_ptr<const ViewedScene> scene_;
   FillPaints paints_;                 // of the scene
   std::unique_ptr<Shadows> shadows_;  // null if none are seen
   std::optional<Prepared> prepared_;

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "clip/memory.h"
 
 namespace displayfile {
 
@@ -305,6 +306,9 @@ class TruePicture {
   void enter(std::span<const Point3> polygon, std::int32_t pick);
   Picture take(bool depth);
 
+  /// Coverage, identifier, depth and owner.
+  static constexpr std::size_t kBytesOfPixel = 17;
+
  private:
   /// A polygon that is, or was, seen somewhere: its place in `seen_`.
   using Owner = std::uint32_t;
@@ -449,16 +453,21 @@ struct SegmentWalk {
 Picture truth(const DisplayFile& display_file, int width, int height, bool depth,
               const TruthProgress& progress) {
   require_picture_size(width, height);
-  TruePicture picture(width, height);
-  std::size_t done = 0, polygons = 0;
-  for (const Segment& segment : display_file.segments()) {
-    if (segment.visible) polygons += segment.polygons();
-  }
-  for (const Segment& segment : display_file.segments()) {
-    if (!segment.visible) continue;
-    segment.walk_entered_drawn(SegmentWalk{picture, segment.name(), progress, done, polygons});
-  }
-  return picture.take(depth);
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  return with_memory(TruePicture::kBytesOfPixel * pixels,
+                     fmt::format("the truth of {} x {} pixels", width, height), [&] {
+                       TruePicture picture(width, height);
+                       std::size_t done = 0, polygons = 0;
+                       for (const Segment& segment : display_file.segments()) {
+                         if (segment.visible) polygons += segment.polygons();
+                       }
+                       for (const Segment& segment : display_file.segments()) {
+                         if (!segment.visible) continue;
+                         segment.walk_entered_drawn(
+                             SegmentWalk{picture, segment.name(), progress, done, polygons});
+                       }
+                       return picture.take(depth);
+                     });
 }
 
 }  // namespace displayfile

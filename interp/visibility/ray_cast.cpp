@@ -212,4 +212,13 @@ void RayCast::draw_rows(int row_begin, int row_end, const SeenRun& seen) const {
   }
 }
 
+ViewedScene::Fill RayCast::seen_at(int column, int row) const {
+  RayPacket packet(request_->scene, depths_, request_->size);
+  packet.begin({column, column + 1, row, row + 1});
+  Caster caster(*this, row, row + 1);
+  do caster.cast(packet);
+  while (packet.begin_next_cast());
+  return packet.seen(row).front();
+}
+
 }  // namespace displayfile

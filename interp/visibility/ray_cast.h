@@ -21,6 +21,9 @@ class RayCast : public ImageSpaceMethod {
   /// The rows of a packet.
   int rows_at_a_time() const override { return 8; }
 
+  /// What one ray sees: that through the centre of a pixel, the row counted from the bottom.
+  ViewedScene::Fill seen_at(int column, int row) const;
+
  private:
   /// A fill that covers a centre perhaps.
   struct Target {

@@ -21,7 +21,7 @@ void compare(const std::string& a, const std::string& b, int rounds) {
   };
   std::vector<double> wall, processor, memory;
   for (int round = 0; round < rounds; ++round) {
-    const ProcessCost first = draw(a), second = draw(b);
+    const Cost first = draw(a), second = draw(b);
     wall.push_back(second.wall / first.wall);
     processor.push_back(second.processor / first.processor);
     memory.push_back(second.peak_memory / first.peak_memory);

@@ -24,6 +24,7 @@ inline std::optional<std::string> difference_after_record_and_replay(std::string
     replay(program, "program", first);
   } catch (const Error&) {  // what it drew before stands
     if (first.open_segment_name()) first.close_segment();
+    while (first.transformations_saved() > 0) first.restore_transformation_3();
   }
   replay(recording.str(), "recording", second);
   return first_difference(dump(second.display_file()), dump(first.display_file()));

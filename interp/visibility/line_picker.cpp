@@ -1,0 +1,313 @@
+#include "interp/visibility/line_picker.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "hidden/exact/defined_point.h"
+#include "hidden/exact/support_plane.h"
+
+namespace displayfile {
+
+namespace {
+
+/// Of the picture: a seen piece that short may be a crumb of rounding (interp/truth/truth.md).
+constexpr double kCrumb = 1e-9;
+/// Pixels: distances closer than this are of one point, computed twice.
+constexpr double kSameDistance = 1e-6;
+
+Point2 flat(const Point3& p) { return {p.x, p.y}; }
+
+}  // namespace
+
+/// A line with its ends as the rule has them: a side's lie on the plane of its polygon.
+struct LinePicker::Line {
+  std::array<Point3, 2> stored;
+  Plane own;            ///< if lifted
+  bool lifted = false;  ///< off that plane, and moved on to it
+  std::array<DefinedPoint, 2> ends;
+  Fill fill = ViewedScene::kBackground;
+
+  Definitions definitions() const { return {stored, {&own, 1}}; }
+  Point2 from() const { return flat(stored[0]); }
+  Point2 to() const { return flat(stored[1]); }
+  double depth(double t) const { return ends[0].near.z + t * (ends[1].near.z - ends[0].near.z); }
+};
+
+/// A part of a line, from 0 at its one end to 1 at its other.
+struct LinePicker::Stretch {
+  double from, to;
+};
+
+/// A fill that is nearer than the line somewhere.
+struct LinePicker::Hider {
+  Stretch nearer;  ///< where its plane is
+  /// Where a point that moves along the line, close to it on its left or on its right, comes into
+  /// the fill or out of it.
+  std::array<std::vector<double>, 2> crossings;
+
+  bool covers(int side, double t) const {
+    const auto& all = crossings[static_cast<std::size_t>(side)];
+    return std::ranges::count_if(all, [&](double c) { return c > t; }) % 2 == 1;
+  }
+};
+
+LinePicker::LinePicker(const ViewedScene& scene, const PictureSize& size, int threads)
+    : scene_(scene), size_(size) {
+  enter_lines(threads);
+  if (!entries_.empty()) enter_fills(threads);
+}
+
+/// All pixels that something between two corners (device coordinates) reaches, those beyond the
+/// picture being its border's.
+PixelBox LinePicker::box_of(const Point2& low, const Point2& high, double margin) const {
+  const auto pixel = [&](double device, int pixels, double reach) {
+    return static_cast<std::int32_t>(
+        std::floor(std::clamp(device * pixels + reach, -2.0, pixels + 2.0)));
+  };
+  const double beyond = margin + 1.0;
+  return {pixel(low.x, size_.width, -beyond), pixel(high.x, size_.width, beyond) + 1,
+          pixel(low.y, size_.height, -beyond), pixel(high.y, size_.height, beyond) + 1};
+}
+
+void LinePicker::enter_lines(int threads) {
+  Fill next = 1;
+  for (Item item = 0; item < scene_.items(); ++item) {
+    const bool is_fill = next < scene_.end() && scene_.item_of(next) == item;
+    const Fill fill = is_fill ? next++ : ViewedScene::kBackground;
+    if (scene_.line_style(item).kind == LineStyle::Kind::none) continue;
+    const auto points = static_cast<std::uint32_t>(scene_.points(item).size());
+    const bool line = scene_.kind(item) == Primitives::Kind::line;
+    for (std::uint32_t to = line ? 1 : 0; to < points; ++to) {
+      if (line || scene_.edge_visible(item, to)) entries_.push_back({item, to, fill});
+    }
+  }
+  lines_.build(
+      entries_.size(),
+      [&](PixelTree::Item i) {
+        const Entry& entry = entries_[i];
+        const auto points = scene_.points(entry.item);
+        const Point2 to = flat(points[entry.to]);
+        const Point2 from = flat(points[(entry.to + points.size() - 1) % points.size()]);
+        const double margin = scene_.line_style(entry.item).width / 2.0;
+        return DeepPixelBox{box_of(glm::min(from, to), glm::max(from, to), margin), 0.0F};
+      },
+      threads);
+}
+
+void LinePicker::enter_fills(int threads) {
+  fills_.build(
+      scene_.end() - 1,
+      [&](PixelTree::Item i) {
+        const auto points = scene_.vertices(i + 1);
+        Point2 low = flat(points[0]), high = low;
+        for (const Point3& p : points) {
+          low = glm::min(low, flat(p));
+          high = glm::max(high, flat(p));
+        }
+        return DeepPixelBox{box_of(low, high, 0.0), 0.0F};
+      },
+      threads);
+}
+
+LinePicker::Line LinePicker::line_of(const Entry& entry) const {
+  const auto points = scene_.points(entry.item);
+  const Point3& from = points[(entry.to + points.size() - 1) % points.size()];
+  Line line;
+  line.stored = {from, points[entry.to]};
+  line.ends = {stored_point(line.stored[0]), stored_point(line.stored[1])};
+  line.fill = entry.fill;
+  if (points.size() <= 3) return line;
+  const auto [support, edge_on] = support_vertices(points);
+  if (edge_on) return line;
+  line.own = Plane(points[support[0]], points[support[1]], points[support[2]]);
+  const auto is_off = [&](const Point3& p) { return side_of_plane(p, line.own) != 0; };
+  line.lifted = is_off(line.stored[0]) || is_off(line.stored[1]);
+  if (!line.lifted || facing(line.own) == 0) return line;
+  for (std::uint32_t k = 0; k < 2; ++k) line.ends[k] = lifted_point(line.definitions(), k, 0);
+  return line;
+}
+
+/// Where the line is in the picture and no farther from the point than that.
+std::optional<LinePicker::Stretch> LinePicker::stretch_within(const Line& line, const Point2& at,
+                                                              double reach) const {
+  const Point2 from = pixel(line.stored[0]), along = pixel(line.stored[1]) - from;
+  const double length = std::hypot(along.x, along.y);
+  if (!(length > 0.0) || !std::isfinite(length)) return std::nullopt;
+  const Point2 direction = along / length, to_point = at - from;
+  const double nearest = glm::dot(to_point, direction);
+  const double aside = std::abs(direction.x * to_point.y - direction.y * to_point.x);
+  if (aside > reach) return std::nullopt;
+  const double half = std::sqrt(reach * reach - aside * aside);
+  Stretch part{std::max(0.0, (nearest - half) / length), std::min(1.0, (nearest + half) / length)};
+  const Point2 size(size_.width, size_.height);
+  for (int axis = 0; axis < 2; ++axis) {  // Liang and Barsky
+    for (const double sign : {1.0, -1.0}) {
+      const double inside = sign > 0.0 ? from[axis] : size[axis] - from[axis];
+      const double change = sign * along[axis];
+      if (change == 0.0 && inside < 0.0) return std::nullopt;
+      if (change > 0.0) part.from = std::max(part.from, -inside / change);
+      if (change < 0.0) part.to = std::min(part.to, -inside / change);
+    }
+  }
+  if (!(part.from <= part.to)) return std::nullopt;
+  return part;
+}
+
+/// Nothing if the fill hides no part of the line.
+std::optional<LinePicker::Hider> LinePicker::hider(const Line& line, Fill fill) const {
+  const Plane plane = scene_.plane(fill);
+  const int toward_viewer = facing(plane);
+  const auto before = [&](const DefinedPoint& end) {
+    return side_of_plane(line.definitions(), end, plane) * toward_viewer;
+  };
+  const int from = before(line.ends[0]), to = before(line.ends[1]);
+  if (from >= 0 && to >= 0) return std::nullopt;
+  Hider hider{{0.0, 1.0}, {}};
+  if (from > 0 || to > 0) {
+    const double a = std::abs(plane_value(line.ends[0].near, plane).value);
+    const double b = std::abs(plane_value(line.ends[1].near, plane).value);
+    const double meets = a + b > 0.0 ? a / (a + b) : 0.5;
+    (from > 0 ? hider.nearer.from : hider.nearer.to) = meets;
+  }
+
+  const Point2 start = line.from(), along = line.to() - start;
+  const double square = glm::dot(along, along);
+  const auto vertices = scene_.vertices(fill);
+  struct Vertex {
+    double t;         // along the line
+    double distance;  // from it, times its length
+    int side;
+  };
+  const auto place = [&](const Point3& v) {
+    const Point2 p = flat(v);
+    return Vertex{glm::dot(p - start, along) / square,
+                  std::abs(orientation_value(start, line.to(), p).determinant),
+                  orientation(start, line.to(), p)};
+  };
+  Vertex p = place(vertices.back());
+  for (const Point3& vertex : vertices) {
+    const Vertex q = place(vertex);
+    const std::array<bool, 2> crosses{(p.side > 0) != (q.side > 0), (p.side < 0) != (q.side < 0)};
+    if (crosses[0] || crosses[1]) {
+      const double all = p.distance + q.distance;
+      const double t = p.side == 0   ? p.t
+                       : q.side == 0 ? q.t
+                       : all > 0.0   ? p.t + (q.t - p.t) * (p.distance / all)
+                                     : (p.t + q.t) / 2.0;
+      for (std::size_t side = 0; side < 2; ++side) {
+        if (crosses[side]) hider.crossings[side].push_back(t);
+      }
+    }
+    p = q;
+  }
+  return hider;
+}
+
+std::vector<LinePicker::Hider> LinePicker::hiders_of(const Line& line,
+                                                     const Stretch& stretch) const {
+  const Point2 along = line.to() - line.from();
+  const Point2 a = line.from() + stretch.from * along, b = line.from() + stretch.to * along;
+  const PixelBox reached = box_of(glm::min(a, b), glm::max(a, b), 0.0);
+  std::vector<Hider> all;
+  fills_.any([&](const PixelBoxes& boxes) { return boxes.meets(reached); },
+             [&](PixelTree::Position position) {
+               const Fill fill = fills_.order()[position] + 1;
+               if (fill == line.fill) return false;
+               if (auto found = hider(line, fill)) all.push_back(std::move(*found));
+               return false;
+             });
+  return all;
+}
+
+/// The parts of the stretch that no fills hide: on one side of them at least.
+std::vector<LinePicker::Stretch> LinePicker::seen_parts(const Line& line,
+                                                        const Stretch& stretch) const {
+  const std::vector<Hider> hiders = hiders_of(line, stretch);
+  std::vector<double> changes{stretch.from, stretch.to};
+  const auto add = [&](double t) {
+    if (t > stretch.from && t < stretch.to) changes.push_back(t);
+  };
+  for (const Hider& hider : hiders) {
+    add(hider.nearer.from);
+    add(hider.nearer.to);
+    for (const auto& of_side : hider.crossings) std::ranges::for_each(of_side, add);
+  }
+  std::ranges::sort(changes);
+  const auto hidden = [&](double t) {
+    std::array<bool, 2> on_side{};
+    for (const Hider& hider : hiders) {
+      if (!(t > hider.nearer.from && t < hider.nearer.to)) continue;
+      for (int side = 0; side < 2; ++side) {
+        bool& covered = on_side[static_cast<std::size_t>(side)];
+        covered = covered || hider.covers(side, t);
+      }
+    }
+    return on_side[0] && on_side[1];
+  };
+  std::vector<Stretch> parts;
+  for (std::size_t i = 0; i + 1 < changes.size(); ++i) {
+    const double from = changes[i], to = changes[i + 1];
+    const bool point = from == to;
+    if ((point && changes.size() > 2) || hidden(from + (to - from) / 2.0)) continue;
+    if (!parts.empty() && parts.back().to == from) {
+      parts.back().to = to;
+    } else {
+      parts.push_back({from, to});
+    }
+  }
+  const double crumb = kCrumb / std::max(glm::distance(line.from(), line.to()), kCrumb);
+  if (stretch.to - stretch.from > crumb) {
+    std::erase_if(parts, [&](const Stretch& part) { return part.to - part.from < crumb; });
+  }
+  return parts;
+}
+
+std::optional<LinePicker::Found> LinePicker::nearest(const Point2& at, double reach,
+                                                     Fill seen_there) const {
+  struct Candidate {
+    Found found;
+    std::uint32_t entry;
+    bool of_seen;
+  };
+  std::vector<Candidate> all;
+  const Point2 device(at.x / size_.width, at.y / size_.height);
+  const PixelBox reached = box_of(device, device, reach);
+  const auto look = [&](PixelTree::Position position) {
+    const std::uint32_t number = lines_.order()[position];
+    const Entry& entry = entries_[number];
+    const Line line = line_of(entry);
+    const double far = std::max(reach, scene_.line_style(entry.item).width / 2.0);
+    const auto stretch = stretch_within(line, at, far);
+    if (!stretch) return false;
+    const Point2 from = pixel(line.stored[0]), along = pixel(line.stored[1]) - from;
+    const double nearest = glm::dot(at - from, along) / glm::dot(along, along);
+    for (const Stretch& part : seen_parts(line, *stretch)) {
+      const double t = std::clamp(nearest, part.from, part.to);
+      const bool is_edge = scene_.kind(entry.item) != Primitives::Kind::line;
+      const bool of_seen = entry.fill != ViewedScene::kBackground && entry.fill == seen_there;
+      all.push_back({{entry.item, is_edge, glm::distance(at, from + t * along), line.depth(t)},
+                     number,
+                     of_seen});
+    }
+    return false;
+  };
+  lines_.any([&](const PixelBoxes& boxes) { return boxes.meets(reached); }, look);
+  if (all.empty()) return std::nullopt;
+  const auto distance = [](const Candidate& c) { return c.found.distance; };
+  const double least = distance(*std::ranges::min_element(all, {}, distance));
+  const Candidate* best = nullptr;
+  const auto better = [](const Candidate& a, const Candidate& b) {
+    if (a.of_seen != b.of_seen) return a.of_seen;
+    if (a.found.depth != b.found.depth) return a.found.depth > b.found.depth;
+    return a.entry > b.entry;
+  };
+  for (const Candidate& candidate : all) {
+    if (candidate.found.distance > least + kSameDistance) continue;
+    if (best == nullptr || better(candidate, *best)) best = &candidate;
+  }
+  return best->found;
+}
+
+}  // namespace displayfile

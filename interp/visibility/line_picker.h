@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "displayfile/viewed_scene.h"
+#include "interp/visibility/pixel_tree.h"
+
+namespace displayfile {
+
+/// The lines of a scene, and the drawn sides of its polygons, to be found near a point of a picture
+/// where they are seen: by the rule of lines (interp/truth/truth.md). On which side of a line a
+/// vertex lies, and which of a line's ends lie behind a fill, is decided exactly; where along the
+/// line that changes is rounded (interp/visibility/ray_cast.md).
+class LinePicker {
+ public:
+  using Item = ViewedScene::Item;
+  using Fill = ViewedScene::Fill;
+
+  /// Of a scene that must live on.
+  LinePicker(const ViewedScene& scene, const PictureSize& size, int threads);
+
+  struct Found {
+    Item item;
+    bool is_edge;     ///< of a polygon
+    double distance;  ///< pixels from the point to the line's axis
+    double depth;     ///< there
+  };
+  /// The line of which a seen point lies nearest to a point (pixels, y up), but no farther than
+  /// `reach` pixels or half the line's width. Of those as near, which have that nearest point in
+  /// common, a side of the fill seen there, or else the one nearer to the viewer, or else the one
+  /// entered later. A line seen end-on is not found.
+  std::optional<Found> nearest(const Point2& at, double reach, Fill seen_there) const;
+
+ private:
+  /// A line, or the side of a polygon that ends at a vertex.
+  struct Entry {
+    Item item;
+    std::uint32_t to;  ///< which of the item's points it ends at
+    Fill fill;         ///< whose side it is, if of any
+  };
+  struct Line;
+  struct Stretch;
+  struct Hider;
+
+  void enter_lines(int threads);
+  void enter_fills(int threads);
+  PixelBox box_of(const Point2& low, const Point2& high, double margin) const;
+  Line line_of(const Entry& entry) const;
+  Point2 pixel(const Point3& device) const {
+    return {device.x * size_.width, device.y * size_.height};
+  }
+  std::optional<Stretch> stretch_within(const Line& line, const Point2& at, double reach) const;
+  std::vector<Hider> hiders_of(const Line& line, const Stretch& stretch) const;
+  std::optional<Hider> hider(const Line& line, Fill fill) const;
+  std::vector<Stretch> seen_parts(const Line& line, const Stretch& stretch) const;
+
+  const ViewedScene& scene_;
+  PictureSize size_;
+  std::vector<Entry> entries_;
+  PixelTree lines_, fills_;
+};
+
+}  // namespace displayfile

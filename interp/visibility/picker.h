@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "displayfile/viewed_scene.h"
+#include "hidden/exact/pixel_centre.h"
+#include "interp/pick.h"
+#include "interp/visibility/line_picker.h"
+#include "interp/visibility/ray_cast.h"
+
+namespace displayfile {
+
+/// Tells what is seen at a pixel: by one ray through its centre, so that it is what every exact
+/// method draws there, and by the rule of lines. What it has made ready serves all picks.
+class Picker {
+ public:
+  Picker(std::shared_ptr<const ViewedScene> scene, const PictureSize& size, int threads);
+
+  const ViewedScene& scene() const { return *scene_; }
+  const PictureSize& size() const { return size_; }
+
+  /// At the pixel that holds the point: pixels from the upper left corner, y down. A line that is
+  /// seen within `reach` pixels of the pixel's centre comes before the fill there; with a reach of
+  /// 0 no line is looked for. Throws Error for a point that is not finite and for a reach that is
+  /// not 0 to kLargestSide.
+  std::optional<Pick> pick(double x, double y, double reach);
+
+ private:
+  std::shared_ptr<const ViewedScene> scene_;
+  PictureSize size_;
+  int threads_;
+  RayCast fills_;
+  std::optional<LinePicker> lines_;  // made when they are first asked for
+};
+
+}  // namespace displayfile

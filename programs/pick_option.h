@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "interp/draw.h"
+
+namespace displayfile {
+
+/// Where `displayfile draw --pick` asks what is seen, in pixels from the upper left corner.
+struct PickOption {
+  double x = 0.0, y = 0.0;
+  double reach = 0.0;  ///< of lines
+};
+
+/// Throws Error for a text that is not X,Y or X,Y,REACH.
+PickOption pick_option(std::string_view text);
+
+/// One line that says what is seen there.
+std::string picked(const GraphicsSystem& system, const PickOption& at, const DrawOptions& options);
+
+}  // namespace displayfile

@@ -1,0 +1,161 @@
+// Running out of memory, each in a process of its own whose memory is limited.
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "clip/error.h"
+#include "displayfile/text/dump.h"
+#include "interp/renderer.h"
+#include "interp/truth/truth.h"
+
+namespace displayfile {
+namespace {
+
+constexpr std::size_t kMegabyte = 1000000;
+
+/// No more memory than there is in use, and so much more.
+void limit_memory(std::size_t more) {
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  const rlim_t most = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + more;
+  const rlimit limit{most, most};
+  setrlimit(RLIMIT_AS, &limit);
+}
+
+/// What work() returns, in a process that has so much memory more than this one.
+std::string within(std::size_t more, const std::function<std::string()>& work) {
+  int ends[2];
+  if (pipe(ends) != 0) return "no pipe";
+  const pid_t child = fork();
+  if (child == 0) {
+    std::string result;
+    try {
+      limit_memory(more);
+      result = work();
+    } catch (const std::exception& other) {
+      result = std::string("not an Error: ") + other.what();
+    }
+    const bool written =
+        write(ends[1], result.data(), result.size()) == static_cast<ssize_t>(result.size());
+    _exit(written ? 0 : 1);
+  }
+  close(ends[1]);
+  std::string result;
+  char bytes[512];
+  for (ssize_t n = 0; (n = read(ends[0], bytes, sizeof bytes)) > 0;) {
+    result.append(bytes, static_cast<std::size_t>(n));
+  }
+  close(ends[0]);
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? result : "the process ended: " + result;
+}
+
+std::string error_of(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+GraphicsSystem triangle() {
+  GraphicsSystem g;
+  g.open_segment(1);
+  g.polygon_abs_3({{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}});
+  g.close_segment();
+  return g;
+}
+
+TEST(OutOfMemory, OfAPictureIsSaidBeforeAnyWork) {
+  const GraphicsSystem g = triangle();
+  EXPECT_EQ(within(500 * kMegabyte,
+                   [&] { return error_of([&] { draw(g, {.width = 60000, .height = 60000}); }); }),
+            "out of memory: a picture of 60000 x 60000 pixels needs at least 14400000000 bytes");
+  EXPECT_EQ(within(500 * kMegabyte,
+                   [&] {
+                     Renderer renderer;
+                     renderer.draw(g, {.width = 100, .height = 100});
+                     DrawOptions all{.width = 60000, .height = 60000};
+                     all.with_ids = all.with_depth = true;
+                     const std::string error = error_of([&] { renderer.draw(g, all); });
+                     const Picture& next = renderer.draw(g, {.width = 100, .height = 100});
+                     return error + (next.pixels == draw(g, {.width = 100, .height = 100}).pixels
+                                         ? ""
+                                         : ", and another picture");
+                   }),
+            "out of memory: a picture of 60000 x 60000 pixels needs at least 57600000000 bytes");
+  EXPECT_EQ(within(500 * kMegabyte,
+                   [&] { return error_of([&] { truth(g.display_file(), 65535, 65535, false); }); }),
+            "out of memory: the truth of 65535 x 65535 pixels needs at least 73012215825 bytes");
+}
+
+/// The memory of the picture before is used again: it is not asked for a second time.
+TEST(OutOfMemory, ARendererNeedsOnePictureOnly) {
+  const GraphicsSystem g = triangle();
+  EXPECT_EQ(within(150 * kMegabyte,
+                   [&] {
+                     Renderer renderer;
+                     return error_of([&] {
+                       for (int k = 0; k < 3; ++k)
+                         renderer.draw(g, {.width = 5000, .height = 5000});
+                     });
+                   }),
+            "no error");
+}
+
+TEST(OutOfMemory, OfManyPolygonsLeavesTheStateAsItWas) {
+  const std::vector<Point3> vertices{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
+  std::vector<std::uint32_t> corners(12000000);
+  for (std::size_t k = 0; k < corners.size(); ++k) corners[k] = static_cast<std::uint32_t>(k % 3);
+  GraphicsSystem g = triangle();
+  g.open_segment(2);
+  g.polygon_abs_3({{-1, -1, 0.5}, {1, -1, 0}, {0, 1, 0}});
+  const std::string before = dump(g.display_file());
+  EXPECT_EQ(within(200 * kMegabyte,
+                   [&] {
+                     const std::string error =
+                         error_of([&] { g.polygons_abs_3(vertices, corners); });
+                     if (dump(g.display_file()) != before) return std::string("another state");
+                     g.polygons_abs_3(vertices, std::span(corners).first(6));
+                     g.close_segment();
+                     return error + ", then " + std::to_string(g.polygons_entered());
+                   }),
+            "out of memory: entering 4000000 polygons of 12000000 corners needs at least 336000072 "
+            "bytes, then 4");
+}
+
+TEST(OutOfMemory, OfASortLeavesTheSegmentOpen) {
+  const std::vector<Point3> vertices{{-1, -1, 0}, {1, -1, 0.1}, {0, 1, 0}};
+  std::vector<std::uint32_t> corners(3000000);
+  for (std::size_t k = 0; k < corners.size(); ++k) corners[k] = static_cast<std::uint32_t>(k % 3);
+  GraphicsSystem g;
+  g.set_hidden_line_removal(true);
+  g.set_hidden_method(HiddenMethod::bsp);
+  g.open_segment(2);
+  g.polygons_abs_3(vertices, corners);
+  for (const std::size_t more : {10 * kMegabyte, 120 * kMegabyte}) {
+    EXPECT_EQ(within(more,
+                     [&] {
+                       const std::string error = error_of([&] { g.close_segment(); });
+                       if (g.open_segment_name() != 2) return std::string("not open");
+                       g.set_hidden_line_removal(false);
+                       g.close_segment();
+                       return error;
+                     }),
+              "out of memory: sorting 3000000 points by bsp needs at least 72000000 bytes");
+  }
+}
+
+}  // namespace
+}  // namespace displayfile

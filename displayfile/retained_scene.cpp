@@ -85,12 +85,25 @@ RetainedScene RetainedScene::visible_in(const DisplayFile& display_file) const {
       [&](const Segment& segment) { return display_file.segment(segment.name).visible; });
 }
 
+template <class OnPrimitive, class OnText>
+void RetainedScene::in_order_of_entry(const Segment& segment, OnPrimitive&& on_primitive,
+                                      OnText&& on_text) const {
+  auto texts = this->texts(segment);
+  for (std::uint32_t i = segment.first;; ++i) {
+    for (; !texts.empty() && texts.front().next == i; texts = texts.subspan(1)) {
+      on_text(texts.front());
+    }
+    if (i == segment.end) return;
+    on_primitive(i);
+  }
+}
+
 void RetainedScene::enter_viewed(const Segment& part, ViewStage& stage,
                                  const glm::dmat3& lights_turned, displayfile::Segment& segment,
                                  const std::function<void(std::uint32_t)>& is_item) const {
   std::optional<std::uint32_t> in_force;
   Attributes attributes;
-  for (std::uint32_t i = part.first; i < part.end; ++i) {
+  const auto enter_primitive = [&](std::uint32_t i) {
     if (in_force != primitives_[i].attributes) {
       in_force = primitives_[i].attributes;
       attributes = attributes_[*in_force];
@@ -98,7 +111,10 @@ void RetainedScene::enter_viewed(const Segment& part, ViewStage& stage,
       stage.attributes_changed();
     }
     if (enter_viewed(i, attributes, stage, segment) && draws(i)) is_item(i);
-  }
+  };
+  in_order_of_entry(part, enter_primitive, [&](const Text& text) {
+    stage.enter_text(text.anchor, text.characters, attributes_[text.attributes], segment);
+  });
 }
 
 /// False if nothing of it is seen.
@@ -114,18 +130,22 @@ bool RetainedScene::enter_viewed(std::uint32_t i, const Attributes& attributes, 
 /// A segment of another scene, with all its primitives.
 void RetainedScene::append(const RetainedScene& other, const Segment& segment) {
   open_segment(segment.name, segment.view);
-  for (std::uint32_t i = segment.first; i < segment.end; ++i) {
+  const auto append_primitive = [&](std::uint32_t i) {
     if (other.primitives_[i].is_line()) {
       enter_line(other.points(i)[0], other.points(i)[1], other.attributes(i));
     } else {
       enter_polygon(other.polygon(i), other.attributes(i));
     }
-  }
+  };
+  other.in_order_of_entry(segment, append_primitive, [&](const Text& text) {
+    enter_text(text.anchor, text.characters, other.attributes_[text.attributes]);
+  });
 }
 
 void RetainedScene::open_segment(int name, const View& view) {
   const auto points = static_cast<std::uint32_t>(points_.size());
-  segments_.push_back({name, view, size(), size(), points, points});
+  const auto texts = static_cast<std::uint32_t>(texts_.size());
+  segments_.push_back({name, view, size(), size(), points, points, texts, texts});
 }
 
 void RetainedScene::remove(int name) {
@@ -162,15 +182,26 @@ void RetainedScene::enter_line(const Point3& from, const Point3& to, const Attri
   edge_visible_.resize(points_.size(), 1);
 }
 
+void RetainedScene::enter_text(const Point3& anchor, std::string_view characters,
+                               const Attributes& attributes) {
+  if (segments_.empty()) return;
+  texts_.push_back({anchor, size(), number_of(attributes), std::string(characters)});
+  segments_.back().end_text = static_cast<std::uint32_t>(texts_.size());
+}
+
+/// They are numbered anew wherever they change.
+std::uint32_t RetainedScene::number_of(const Attributes& attributes) {
+  if (attributes_.empty() || attributes_.back() != attributes) attributes_.push_back(attributes);
+  return static_cast<std::uint32_t>(attributes_.size() - 1);
+}
+
 void RetainedScene::enter(std::span<const Point3> points, const Attributes& attributes,
                           std::int32_t pick) {
   if (points_.size() + points.size() >= std::numeric_limits<std::uint32_t>::max()) {
     throw Error("too many points to retain: expected fewer than 2^32 - 1");
   }
-  if (attributes_.empty() || attributes_.back() != attributes) attributes_.push_back(attributes);
   primitives_.push_back({static_cast<std::uint32_t>(points_.size()),
-                         static_cast<std::uint32_t>(points.size()),
-                         static_cast<std::uint32_t>(attributes_.size() - 1), pick});
+                         static_cast<std::uint32_t>(points.size()), number_of(attributes), pick});
   points_.insert(points_.end(), points.begin(), points.end());
   segments_.back().end = size();
   segments_.back().end_point = static_cast<std::uint32_t>(points_.size());

@@ -505,6 +505,13 @@ TEST_F(TextFile, SvgByEveryMethodHidesTheSame) {
     EXPECT_EQ(svg.find("behind"), svg.npos) << name_of(method);
     EXPECT_NE(svg.find("side"), svg.npos) << name_of(method);
   }
+  // What auto takes must not depend on whether polygons hide each other.
+  EXPECT_EQ(drawn("set-hidden-line-removal on\nset-line-style none\nopen-segment 1\n"
+                  "polygon-abs-2 0 0 1 0 1 1\nmove-abs-3 .7 .3 -1\ntext \"behind\"\n"
+                  "close-segment\n",
+                  "a.svg")
+                .find("behind"),
+            std::string::npos);
   DrawOptions none;
   none.hidden = HiddenMethod::none;
   EXPECT_NE(

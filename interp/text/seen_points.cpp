@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "hidden/exact/orientation.h"
 #include "hidden/exact/plane.h"

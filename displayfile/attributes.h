@@ -11,6 +11,7 @@ namespace displayfile {
 struct Attributes {
   FillStyle fill;
   LineStyle line;
+  TextStyle text;
   std::optional<Light> light;  ///< the fill is lit in each view
   bool back_face_removal = false;
   bool shadows = false;

@@ -84,4 +84,9 @@ bool DisplayFile::has_shadows() const {
       segments_, [](const Segment& segment) { return segment.visible && segment.has_shadows(); });
 }
 
+bool DisplayFile::has_texts() const {
+  return std::ranges::any_of(
+      segments_, [](const Segment& segment) { return segment.visible && segment.has_texts(); });
+}
+
 }  // namespace displayfile

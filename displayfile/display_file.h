@@ -33,6 +33,7 @@ class DisplayFile {
   std::size_t polygons() const;  ///< as entered
   std::size_t bytes() const;     ///< of the instruction arrays, as used
   bool has_shadows() const;      ///< some fill of a visible segment shows them
+  bool has_texts() const;        ///< some visible segment has them
 
   /// All visible segments sorted together, back to front, points after the image
   /// transformations: drawn in place of the segments' own orders. Null if they were not, or if a

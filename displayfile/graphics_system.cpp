@@ -9,6 +9,7 @@
 #include "clip/back_face.h"
 #include "clip/error.h"
 #include "clip/memory.h"
+#include "displayfile/characters.h"
 #include "displayfile/hidden_surface_check.h"
 
 namespace displayfile {
@@ -527,6 +528,26 @@ void GraphicsSystem::enter_shared(std::span<const Point3> world,
   view_stage_->enter_shared(corners, polygon, attributes_, segment);
 }
 
+void GraphicsSystem::text(std::string_view characters) {
+  require_open();
+  if (characters.size() > kLongestText) {
+    throw Error(
+        fmt::format("text of {} bytes: expected at most {}", characters.size(), kLongestText));
+  }
+  if (const std::size_t good = drawable_length(characters); good < characters.size()) {
+    throw Error(not_drawable(characters.substr(good)));
+  }
+  if (!characters.empty()) {
+    if (RetainedScene* scene = retaining()) {
+      scene->enter_text(pen_.world, characters, attributes_);
+    }
+    view_stage_->enter_text(pen_.world, characters, attributes_, display_file_.segment(*open_));
+  }
+  if (recorder_ == nullptr) return;
+  const std::string quoted = in_quotation_marks(characters);
+  record("text", {std::string_view(quoted)});
+}
+
 // ---- Attributes ------------------------------------------------------------------------
 
 void GraphicsSystem::set_fill_style(const FillStyle& style) {
@@ -563,6 +584,19 @@ void GraphicsSystem::set_line_style(const LineStyle& style) {
     attributes_.line.dash = LineStyle{}.dash;  // of no meaning here: one style, one representation
     attributes_.line.gap = LineStyle{}.gap;
     record("set-line-style", {"solid", c.r, c.g, c.b, style.width});
+  }
+}
+
+void GraphicsSystem::set_text_style(const TextStyle& style) {
+  if (!(style.size > 0.0 && style.size <= 1.0)) {
+    throw Error(fmt::format(
+        "text size {}: expected more than 0 and at most 1, the picture's height", style.size));
+  }
+  attributes_.text = style;
+  if (style.always) {
+    record("set-text-style", {style.size, name_of(style.alignment), "always"});
+  } else {
+    record("set-text-style", {style.size, name_of(style.alignment)});
   }
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "clip/planarity.h"
 #include "clip/transformation.h"
@@ -31,6 +32,8 @@ namespace displayfile {
 /// transformation) unless said otherwise, angles degrees, colours in [0,1].
 class GraphicsSystem {
  public:
+  static constexpr std::size_t kLongestText = 65535;
+
   // View parameters (clip/view.h says what each means and refuses). They take effect when a
   // segment is opened; setting one while a segment is open is an error.
   void set_view_reference_point(const Point3& p);
@@ -116,10 +119,17 @@ class GraphicsSystem {
                       std::span<const std::uint32_t> sides = {},
                       std::span<const FillStyle> fills = {});
 
+  /// A text at the current position, which stays: UTF-8, on one line. It is drawn if the position
+  /// is within the view volume and, where hidden surfaces are removed, nothing hides it
+  /// (interp/truth/truth.md); an image transformation moves it, but does not scale or turn its
+  /// letters. Errors: more than kLongestText bytes; not UTF-8, or a control character.
+  void text(std::string_view characters);
+
   // Attributes of the primitives that follow.
   void set_fill_style(const FillStyle& style);  ///< Error: a colour outside of [0,1].
   /// Errors: a colour outside of [0,1], width, dash or gap not positive.
   void set_line_style(const LineStyle& style);
+  void set_text_style(const TextStyle& style);  ///< Error: a size not above 0, or above 1.
   /// Sets the light: a world direction toward it, of any length but zero; ambient in [0,1]. A
   /// polygon's fill colour is multiplied by ambient + (1 - ambient) max(0, cosine of the angle
   /// between the light and the side of it that is seen).

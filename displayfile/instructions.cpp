@@ -38,6 +38,14 @@ void Instructions::set_style(const LineStyle& line) {
   line_ = line;
 }
 
+void Instructions::set_style(const TextStyle& text) {
+  if (text_style_ == text) return;
+  op_.push_back(op::text_style);
+  op_.push_back(static_cast<std::int32_t>(text.alignment) + (text.always ? op::text_always : 0));
+  style_operands_.push_back(text.size);
+  text_style_ = text;
+}
+
 /// A run is begun where one more than the last identifier comes, unless polygons have each
 /// identifier several times, as triangles of one polygon do.
 void Instructions::enter_pick() {
@@ -90,6 +98,12 @@ void Instructions::enter_polygon(std::span<const Point3> vertices,
   ++polygons_;
 }
 
+void Instructions::enter_text(const Point3& anchor, std::string_view characters) {
+  op_.push_back(op::text);
+  characters_ += characters;
+  texts_.push_back({anchor, characters_.size()});
+}
+
 void Instructions::enter_points(std::span<const Point3> points) {
   if (!stores_z_) {
     if (flat_points_.empty()) flat_z_ = points.front().z;
@@ -125,7 +139,8 @@ std::size_t Instructions::bytes() const {
   return op_.size() * sizeof(op_[0]) + points_.size() * sizeof(points_[0]) +
          flat_points_.size() * sizeof(flat_points_[0]) +
          style_operands_.size() * sizeof(style_operands_[0]) +
-         intensities_.size() * sizeof(intensities_[0]);
+         intensities_.size() * sizeof(intensities_[0]) + texts_.size() * sizeof(texts_[0]) +
+         characters_.size();
 }
 
 /// At least twice the room there is, so that many small calls cost no more than one.
@@ -143,6 +158,8 @@ void Instructions::shrink_to_fit() {
   flat_points_.shrink_to_fit();
   style_operands_.shrink_to_fit();
   intensities_.shrink_to_fit();
+  texts_.shrink_to_fit();
+  characters_.shrink_to_fit();
 }
 
 }  // namespace displayfile

@@ -4,6 +4,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -31,6 +34,10 @@ inline constexpr std::int32_t pick_run = -33;
 /// The next code is the pick identifier of the lines that follow; at the start they have none.
 inline constexpr std::int32_t line_pick = -34;
 inline constexpr std::int32_t intensities = -64;  ///< of the vertices of the polygon that follows
+inline constexpr std::int32_t text = -128;        ///< its anchor and characters are kept apart
+/// The next code is the alignment, and with bit 2 set the text is always seen.
+inline constexpr std::int32_t text_style = -129;
+inline constexpr std::int32_t text_always = 4;
 }  // namespace op
 
 /// Display-file instructions in arrays of their own, in the order in which they were entered.
@@ -41,6 +48,7 @@ class Instructions {
   /// they differ from those in force; at the start there are none in force.
   void set_style(const FillStyle& fill);
   void set_style(const LineStyle& line);
+  void set_style(const TextStyle& text);
   void set_pick(std::int32_t id) { pick_ = id; }
   void set_line_pick(std::int32_t id) { line_pick_ = id; }  ///< of lines; -1: none
   void enter_line(const Point3& from, const Point3& to);  ///< a move first, if the pen is elsewhere
@@ -48,6 +56,10 @@ class Instructions {
   /// one intensity a vertex, a flat one none.
   void enter_polygon(std::span<const Point3> vertices, std::span<const std::uint8_t> edge_visible,
                      std::span<const double> intensities = {});
+
+  /// A text at a point: UTF-8 that can be drawn (displayfile/characters.h). The pen stays where it
+  /// is.
+  void enter_text(const Point3& anchor, std::string_view characters);
 
   /// Enters a flat polygon of n sides, all visible, where point(i) is its vertex i. Quick where
   /// polygons with z, whose pick identifiers count on, are entered in a row.
@@ -74,7 +86,9 @@ class Instructions {
   ///   polygon(span<const Point3> vertices, span<const int32_t> sides) - sides holds op::line
   ///   or op::move for the edge that ends at the vertex of the same index - and, if the visitor
   ///   has them, before a shaded polygon intensities(span<const double>), which stay until the
-  ///   walk is over, and line_pick(int), of the lines that follow.
+  ///   walk is over, line_pick(int), of the lines that follow, and text_style(TextStyle),
+  ///   text(Point3 anchor, string_view), in the colour of the line style. A text does not move
+  ///   the pen.
   template <class Visitor>
   void walk(Visitor&& visit) const;
 
@@ -84,6 +98,7 @@ class Instructions {
 
   std::size_t polygons() const { return polygons_; }
   std::size_t lines() const { return lines_; }
+  bool has_texts() const { return !texts_.empty(); }
   std::size_t codes() const { return op_.size(); }
   std::size_t points() const { return points_.size() + flat_points_.size(); }
   bool stores_z() const { return stores_z_; }
@@ -110,6 +125,16 @@ class Instructions {
   static void visit_line_pick(Visitor& visit, std::int32_t id) {
     if constexpr (requires { visit.line_pick(id); }) visit.line_pick(id);
   }
+  /// The points of texts are apart from the others, of which they are no part.
+  struct TextAt {
+    Point3 anchor;
+    std::size_t end;  ///< of its characters
+  };
+  template <class Visitor>
+  static constexpr bool kTakesTexts = requires(Visitor& visit, const TextStyle& style) {
+    visit.text_style(style);
+    visit.text(Point3(), std::string_view());
+  };
   /// What tells a walk the pick identifiers.
   struct Picks {
     bool in_run = false;
@@ -125,6 +150,8 @@ class Instructions {
   std::vector<Point2> flat_points_;  // otherwise, all at depth flat_z_
   std::vector<double> style_operands_;
   std::vector<double> intensities_;
+  std::vector<TextAt> texts_;
+  std::string characters_;  // of all texts
   double flat_z_ = 0.0;
   bool stores_z_ = false;
   std::size_t polygons_ = 0, lines_ = 0;
@@ -132,6 +159,7 @@ class Instructions {
 
   std::optional<FillStyle> fill_;
   std::optional<LineStyle> line_;
+  std::optional<TextStyle> text_style_;
   std::optional<std::int32_t> pick_;  // of the next polygon
   std::optional<std::int32_t> last_pick_;
   bool last_pick_repeats_ = false;                     // the last two polygons have it
@@ -147,6 +175,7 @@ void Instructions::walk(Visitor&& visit) const {
   const Point2* next_flat = flat_points_.data();
   const double* operand = style_operands_.data();
   const double* next_intensity = intensities_.data();
+  std::size_t next_text = 0;
   Picks picks;
   const auto take = [&](std::size_t n) -> std::span<const Point3> {
     if (stores_z_) {
@@ -203,6 +232,21 @@ void Instructions::walk(Visitor&& visit) const {
         next_intensity += sides;
         break;
       }
+      case op::text_style: {
+        const std::int32_t code = op_[++i];
+        const TextStyle style{*operand++, TextStyle::Alignment(code % op::text_always),
+                              code >= op::text_always};
+        if constexpr (kTakesTexts<std::remove_reference_t<Visitor>>) visit.text_style(style);
+        break;
+      }
+      case op::text: {
+        const std::size_t start = next_text > 0 ? texts_[next_text - 1].end : 0;
+        const auto& [anchor, end] = texts_[next_text++];
+        if constexpr (kTakesTexts<std::remove_reference_t<Visitor>>) {
+          visit.text(anchor, std::string_view(characters_).substr(start, end - start));
+        }
+        break;
+      }
       default: {
         const auto sides = static_cast<std::size_t>(op_[i]);
         if (picks.in_run && op_[i - 1] != op::intensities) visit.pick(picks.take());
@@ -235,6 +279,15 @@ class TransformedVisitor {
   }
   void line_pick(std::int32_t id) {
     if constexpr (requires { visit_.line_pick(id); }) visit_.line_pick(id);
+  }
+  void text_style(const TextStyle& s) {
+    if constexpr (requires { visit_.text_style(s); }) visit_.text_style(s);
+  }
+  /// Only the anchor is moved: letters stay as large as they are, and upright.
+  void text(const Point3& anchor, std::string_view characters) {
+    if constexpr (requires { visit_.text(anchor, characters); }) {
+      visit_.text(matrix_.apply(anchor), characters);
+    }
   }
   void move(const Point3& p) { visit_.move(matrix_.apply(p)); }
   void line(const Point3& p) { visit_.line(matrix_.apply(p)); }

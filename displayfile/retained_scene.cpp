@@ -87,13 +87,26 @@ RetainedScene RetainedScene::visible_in(const DisplayFile& display_file) const {
       [&](const Segment& segment) { return display_file.segment(segment.name).visible; });
 }
 
+template <class OnPrimitive, class OnText>
+void RetainedScene::in_order_of_entry(const Segment& segment, OnPrimitive&& on_primitive,
+                                      OnText&& on_text) const {
+  auto texts = this->texts(segment);
+  for (std::uint32_t i = segment.first;; ++i) {
+    for (; !texts.empty() && texts.front().next == i; texts = texts.subspan(1)) {
+      on_text(texts.front());
+    }
+    if (i == segment.end) return;
+    on_primitive(i);
+  }
+}
+
 void RetainedScene::enter_viewed(const Segment& part, ViewStage& stage,
                                  const glm::dmat3& lights_turned, displayfile::Segment& segment,
                                  const std::function<void(std::uint32_t)>& is_item) const {
   std::optional<std::uint32_t> in_force;
   Attributes attributes;
   if (has_shared()) stage.view_vertices(points(part), part.first_point);
-  for (std::uint32_t i = part.first; i < part.end; ++i) {
+  const auto enter_primitive = [&](std::uint32_t i) {
     if (in_force != primitives_[i].attributes) {
       in_force = primitives_[i].attributes;
       attributes = attributes_[*in_force];
@@ -101,7 +114,10 @@ void RetainedScene::enter_viewed(const Segment& part, ViewStage& stage,
       stage.attributes_changed();
     }
     if (enter_viewed(i, attributes, stage, segment) && draws(i)) is_item(i);
-  }
+  };
+  in_order_of_entry(part, enter_primitive, [&](const Text& text) {
+    stage.enter_text(text.anchor, text.characters, attributes_[text.attributes], segment);
+  });
 }
 
 /// False if nothing of it is seen.
@@ -122,19 +138,23 @@ void RetainedScene::append(const RetainedScene& other, const Segment& segment) {
   const auto moved_by = static_cast<std::uint32_t>(points_.size()) - segment.first_point;
   const auto points = other.points(segment);
   points_.insert(points_.end(), points.begin(), points.end());
-  for (std::uint32_t i = segment.first; i < segment.end; ++i) {
+  const auto append_primitive = [&](std::uint32_t i) {
     const Primitive& primitive = other.primitives_[i];
     begin_primitive(primitive.sides, other.attributes(i), primitive.pick);
     if (other.has_shared()) {
       for (const std::uint32_t corner : other.corners(i)) corners_.push_back(corner + moved_by);
     }
     finish_primitive(other.polygon(i));
-  }
+  };
+  other.in_order_of_entry(segment, append_primitive, [&](const Text& text) {
+    enter_text(text.anchor, text.characters, other.attributes_[text.attributes]);
+  });
 }
 
 void RetainedScene::open_segment(int name, const View& view) {
   const auto points = static_cast<std::uint32_t>(points_.size());
-  segments_.push_back({name, view, size(), size(), points, points});
+  const auto texts = static_cast<std::uint32_t>(texts_.size());
+  segments_.push_back({name, view, size(), size(), points, points, texts, texts});
 }
 
 void RetainedScene::remove(int name) {
@@ -198,10 +218,8 @@ void RetainedScene::begin_primitive(std::size_t sides, const Attributes& attribu
   if (all_corners() + sides >= std::numeric_limits<std::uint32_t>::max()) {
     throw Error("too many points to retain: expected fewer than 2^32 - 1");
   }
-  if (attributes_.empty() || attributes_.back() != attributes) attributes_.push_back(attributes);
   primitives_.push_back({static_cast<std::uint32_t>(all_corners()),
-                         static_cast<std::uint32_t>(sides),
-                         static_cast<std::uint32_t>(attributes_.size() - 1), pick});
+                         static_cast<std::uint32_t>(sides), number_of(attributes), pick});
   segments_.back().end = size();
 }
 
@@ -229,6 +247,19 @@ void RetainedScene::finish_primitive(const WorldPolygon& polygon) {
     vertex_normals_.insert(vertex_normals_.end(), polygon.vertex_normals.begin(),
                            polygon.vertex_normals.end());
   }
+}
+
+void RetainedScene::enter_text(const Point3& anchor, std::string_view characters,
+                               const Attributes& attributes) {
+  if (segments_.empty()) return;
+  texts_.push_back({anchor, size(), number_of(attributes), std::string(characters)});
+  segments_.back().end_text = static_cast<std::uint32_t>(texts_.size());
+}
+
+/// They are numbered anew wherever they change.
+std::uint32_t RetainedScene::number_of(const Attributes& attributes) {
+  if (attributes_.empty() || attributes_.back() != attributes) attributes_.push_back(attributes);
+  return static_cast<std::uint32_t>(attributes_.size() - 1);
 }
 
 }  // namespace displayfile

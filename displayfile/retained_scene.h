@@ -4,6 +4,8 @@
 #include <functional>
 #include <glm/mat3x3.hpp>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "clip/view.h"
@@ -33,6 +35,14 @@ class RetainedScene {
     View view;                             ///< in which the application drew it
     std::uint32_t first, end;              ///< of its primitives
     std::uint32_t first_point, end_point;  ///< of their points, each of which some corner is
+    std::uint32_t first_text = 0, end_text = 0;
+  };
+  /// A text is no primitive: it hides nothing.
+  struct Text {
+    Point3 anchor;
+    std::uint32_t next;  ///< the primitive that was entered after it
+    std::uint32_t attributes;
+    std::string characters;
   };
 
   /// Segments in order of creation. What they are drawn with, visibility and image
@@ -40,6 +50,9 @@ class RetainedScene {
   const std::vector<Segment>& segments() const { return segments_; }
   std::span<const Point3> points(const Segment& segment) const {
     return std::span(points_).subspan(segment.first_point, segment.end_point - segment.first_point);
+  }
+  std::span<const Text> texts(const Segment& segment) const {
+    return std::span(texts_).subspan(segment.first_text, segment.end_text - segment.first_text);
   }
   const Segment& segment_of(std::uint32_t primitive) const;
 
@@ -100,6 +113,7 @@ class RetainedScene {
   /// A polygon whose vertices are those of these indices among the shared ones.
   void enter_shared(std::span<const std::uint32_t> corners, const WorldPolygon& polygon,
                     const Attributes& attributes);
+  void enter_text(const Point3& anchor, std::string_view characters, const Attributes& attributes);
 
  private:
   template <class T>
@@ -111,12 +125,18 @@ class RetainedScene {
   void enter_corners(std::span<const Point3> points);
   void finish_primitive(const WorldPolygon& polygon);
   void name_points();
+  std::uint32_t number_of(const Attributes& attributes);
+  /// Calls on_primitive(std::uint32_t) and on_text(const Text&) for all that a segment holds.
+  template <class OnPrimitive, class OnText>
+  void in_order_of_entry(const Segment& segment, OnPrimitive&& on_primitive,
+                         OnText&& on_text) const;
   bool enter_viewed(std::uint32_t i, const Attributes& attributes, ViewStage& stage,
                     displayfile::Segment& segment) const;
   void append(const RetainedScene& other, const Segment& segment);
 
   std::vector<Segment> segments_;
   std::vector<Primitive> primitives_;
+  std::vector<Text> texts_;
   std::vector<Attributes> attributes_;
   std::vector<Point3> points_;
   std::vector<std::uint32_t> corners_;      // their points; empty: these in a row

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include "clip/transformation.h"
@@ -38,12 +39,16 @@ class Segment {
   // Entering instructions (displayfile/instructions.h). A sorted order is dropped.
   void set_style(const FillStyle& fill) { writable().set_style(fill); }
   void set_style(const LineStyle& line) { writable().set_style(line); }
+  void set_style(const TextStyle& text) { writable().set_style(text); }
   void set_pick(std::int32_t id) { writable().set_pick(id); }
   void set_line_pick(std::int32_t id) { writable().set_line_pick(id); }
   void enter_line(const Point3& from, const Point3& to) { writable().enter_line(from, to); }
   void enter_polygon(std::span<const Point3> vertices, std::span<const std::uint8_t> edge_visible,
                      std::span<const double> intensities = {}) {
     writable().enter_polygon(vertices, edge_visible, intensities);
+  }
+  void enter_text(const Point3& anchor, std::string_view characters) {
+    writable().enter_text(anchor, characters);
   }
   template <class PointAt>
   void enter_next_polygon(std::uint32_t n, const PointAt& point) {
@@ -95,6 +100,7 @@ class Segment {
   bool stores_z() const { return entered_->stores_z(); }
   bool has_shadows() const { return entered_->has_shadows(); }
   bool shows() const { return entered_->shows(); }
+  bool has_texts() const { return entered_->has_texts(); }
   std::size_t bytes() const;  ///< of the instruction arrays of both orders, as used
 
  private:

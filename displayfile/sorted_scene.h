@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -53,6 +55,7 @@ struct SortedScene {
 
   /// SAVE-POLYGONS-IN-ORDER (algorithm 9.16): calls the visitor for each instruction, back to
   /// front, as Instructions::walk does; a style, a pick identifier and a segment where they change.
+  /// Texts follow all else.
   template <class Visitor>
   void walk(Visitor&& visit) const;
   /// Calls the visitor as walk does, with points after an image transformation.
@@ -76,8 +79,21 @@ class PieceWriter {
   void save_polygons_in_order(const OrderedScene& ordered) {
     ordered_ = &ordered;
     for (const SortedPiece& piece : ordered.pieces.pieces) {
-      check_segment(piece.item);
+      if (!scene().segments().empty()) check_segment(scene().segment_name(piece.item));
       send_to_df(piece);
+    }
+  }
+
+  /// For a visitor that takes texts.
+  void save_texts(const ViewedScene& scene) {
+    for (const ViewedText& text : scene.texts()) {
+      if (text.segment != 0) check_segment(text.segment);
+      check_line_style(text.line);
+      if (text_style_ != text.style) {
+        text_style_ = text.style;
+        visit_.text_style(text.style);
+      }
+      visit_.text(text.anchor, text.characters);
     }
   }
 
@@ -90,9 +106,7 @@ class PieceWriter {
 
   const ViewedScene& scene() const { return *ordered_->scene; }
 
-  void check_segment(std::uint32_t item) {
-    if (scene().segments().empty()) return;
-    const int name = scene().segment_name(item);
+  void check_segment(int name) {
     if (name == segment_) return;
     segment_ = name;
     pen_known_ = false;
@@ -103,12 +117,12 @@ class PieceWriter {
   void send_to_df(const SortedPiece& piece) {
     const auto points = points_of(piece);
     if (scene().kind(piece.item) == Primitives::Kind::line) {
-      check_line_style(piece.item);
+      check_line_style(scene().line_style(piece.item));
       if (!pen_known_ || pen_ != points[0]) visit_.move(points[0]);
       visit_.line(points[1]);
     } else {
       check_fill_style(piece.item);
-      check_line_style(piece.item);
+      check_line_style(scene().line_style(piece.item));
       send_polygon(piece, points);
     }
     pen_known_ = true;
@@ -123,8 +137,7 @@ class PieceWriter {
     fill_of_ = {&scene(), item};
     if (!same) visit_.fill(style);
   }
-  void check_line_style(std::uint32_t item) {
-    const LineStyle& style = scene().line_style(item);
+  void check_line_style(const LineStyle& style) {
     if (line_known_ && line_ == style) return;
     line_known_ = true;
     line_ = style;
@@ -183,6 +196,7 @@ class PieceWriter {
   ItemOfScene fill_of_;
   bool line_known_ = false, pick_known_ = false, pen_known_ = false;
   LineStyle line_;
+  std::optional<TextStyle> text_style_;
   std::int32_t pick_ = 0;
   Point3 pen_{0.0};
   int segment_ = 0;  // names are 1 or more
@@ -195,6 +209,9 @@ template <class Visitor>
 void SortedScene::walk(Visitor&& visit) const {
   PieceWriter<std::remove_reference_t<Visitor>> writer(visit);
   for (const auto& part : parts) writer.save_polygons_in_order(*part);
+  if constexpr (requires { visit.text(Point3(), std::string_view()); }) {
+    for (const auto& part : parts) writer.save_texts(*part->scene);
+  }
 }
 
 }  // namespace displayfile

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "clip/point.h"
+#include "displayfile/text_style.h"
 
 namespace displayfile {
 

@@ -35,7 +35,9 @@ Turntable::Turntable(const RetainedScene& scene, const DisplayFile& attributes,
   const RetainedScene::Segment* first = nullptr;
   Bounds bounds;
   for (const RetainedScene::Segment& segment : scene.segments()) {
-    if (!attributes.segment(segment.name).visible || segment.first == segment.end) continue;
+    if (!attributes.segment(segment.name).visible) continue;
+    const auto texts = scene.texts(segment);
+    if (segment.first == segment.end && texts.empty()) continue;
     if (first == nullptr) {
       first = &segment;
       view_ = segment.view;
@@ -47,6 +49,10 @@ Turntable::Turntable(const RetainedScene& scene, const DisplayFile& attributes,
     const auto points = scene.points(segment);
     for (const Point3& p : points) bounds.include(p);
     points_.insert(points_.end(), points.begin(), points.end());
+    for (const RetainedScene::Text& text : texts) {
+      bounds.include(text.anchor);
+      points_.push_back(text.anchor);
+    }
   }
   axis_ = unit(view_.up);
   middle_ = points_.empty() ? view_.reference_point : bounds.middle();

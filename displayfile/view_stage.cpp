@@ -89,4 +89,14 @@ bool ViewStage::enter_line(const Point3& from, const Point3& to, const LineStyle
   return true;
 }
 
+bool ViewStage::enter_text(const Point3& anchor, std::string_view characters,
+                           const Attributes& attributes, Segment& segment) {
+  const ViewedVertex viewed = pipeline_.view(anchor);
+  if (viewed.outcode != 0) return false;
+  segment.set_style(attributes.line);
+  segment.set_style(attributes.text);
+  segment.enter_text(viewed.device, characters);
+  return true;
+}
+
 }  // namespace displayfile

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "clip/clip_pipeline.h"
@@ -44,6 +45,11 @@ class ViewStage {
                     const Attributes& attributes, Segment& segment);
   /// The line style is not none. False if nothing of the line is inside.
   bool enter_line(const Point3& from, const Point3& to, const LineStyle& style, Segment& segment);
+
+  /// A text at a point, in the attributes' line style and text style. False if the point is
+  /// outside.
+  bool enter_text(const Point3& anchor, std::string_view characters, const Attributes& attributes,
+                  Segment& segment);
 
   ClipPipeline& pipeline() { return pipeline_; }
 

@@ -39,6 +39,7 @@ struct ViewedScene::Collector {
   std::size_t intensities_seen = 0;  // of these instructions
   FillStyle fill_style{};
   LineStyle style{};
+  TextStyle of_texts{};
   std::int32_t pick_id = -1, line_pick_id = -1;
   std::span<const double> of_vertices{};  // of the polygon that follows
 
@@ -47,6 +48,11 @@ struct ViewedScene::Collector {
   void pick(std::int32_t id) { pick_id = id; }
   void line_pick(std::int32_t id) { line_pick_id = id; }
   void intensities(std::span<const double> values) { of_vertices = values; }
+  void text_style(const TextStyle& s) { of_texts = s; }
+  void text(const Point3& anchor, std::string_view characters) {
+    const int segment = scene.segments_.empty() ? 0 : scene.segments_.back().name;
+    scene.texts_.push_back({anchor, of_texts, style, std::string(characters), segment});
+  }
   void move(const Point3& p) { take({&p, 1}); }
   void line(const Point3& p) {
     take({&p, 1});
@@ -220,9 +226,12 @@ int ViewedScene::segment_name(Item item) const {
 
 std::size_t ViewedScene::bytes() const {
   const auto size = [](const auto& array) { return array.size() * sizeof(array[0]); };
-  return size(own_points_) + size(edge_visible_) + size(items_) + size(pick_) + size(colours_) +
-         size(lines_) + size(segments_) + size(support_) + size(fill_item_) +
-         size(own_intensities_) + size(first_intensity_) + size(shadow_) + size(shadows_);
+  std::size_t characters = 0;
+  for (const ViewedText& text : texts_) characters += text.characters.size();
+  return characters + size(texts_) + size(own_points_) + size(edge_visible_) + size(items_) +
+         size(pick_) + size(colours_) + size(lines_) + size(segments_) + size(support_) +
+         size(fill_item_) + size(own_intensities_) + size(first_intensity_) + size(shadow_) +
+         size(shadows_);
 }
 
 }  // namespace displayfile

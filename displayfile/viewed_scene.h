@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "clip/point_row.h"
@@ -19,6 +20,15 @@ namespace displayfile {
 class DisplayFile;
 class Segment;
 
+/// A text of a viewed scene.
+struct ViewedText {
+  Point3 anchor;
+  TextStyle style;
+  LineStyle line;  ///< whose colour it has
+  std::string characters;
+  int segment;  ///< its name; 0 if the scene names none
+};
+
 /// The one scene that every method and device reads (displayfile/scenes.md): the polygons and lines
 /// that the visible segments of a display file draw, in order of entry and in device coordinates
 /// after the image transformations, with their styles, segments, pick identifiers and planes.
@@ -30,6 +40,8 @@ class Segment;
 /// A fill is a solid polygon that is not edge-on, which would cover nothing. Fill 0 stands for the
 /// background; the others count from 1 in order of entry, so that of two fills the one entered
 /// later has the larger number.
+///
+/// Texts hide nothing and are drawn after all else: they are no items.
 class ViewedScene {
  public:
   using Item = std::uint32_t;
@@ -118,6 +130,8 @@ class ViewedScene {
   /// The shadow of a fill that is not the background; null if none is seen on it.
   const FillShadow* shadow(Fill fill) const { return shadow_of_item(item_of(fill)); }
 
+  const std::vector<ViewedText>& texts() const { return texts_; }  ///< in order of entry
+
   bool has_lines() const { return has_lines_; }  ///< or polygons with visible edges
   std::size_t bytes() const;                     ///< of the scene's own arrays, as used
 
@@ -150,6 +164,7 @@ class ViewedScene {
   std::vector<Run<Colour>> colours_;   // of the items' fills
   std::vector<Run<LineStyle>> lines_;  // of the items' lines or edges
   std::vector<SegmentStart> segments_;
+  std::vector<ViewedText> texts_;
   /// The support vertices of items up to the last that has more than three sides.
   std::vector<std::array<std::uint32_t, 3>> support_;
   std::uint32_t fills_ = 0;

@@ -267,7 +267,9 @@ void write_picture(const DisplayFile& drawn, const RasterRequest& request, bool 
   if (format.pixel_file != nullptr) {
     (options.samples == 1 ? files : colours).push_back(open(format.pixel_file, file));
   }
-  if (!files.empty()) draw_samples(drawn, request, options, kept, write_rows(files));
+  RasterRequest of_files = request;
+  of_files.texts = format.pixel_file != nullptr;
+  if (!files.empty()) draw_samples(drawn, of_files, options, kept, write_rows(files));
   if (!colours.empty()) draw_colours(drawn, request, options, kept, write_rows(colours));
   if (format.write_vectors != nullptr) {
     format.write_vectors(drawn, options.width, options.height, vectors_by_depth, file);

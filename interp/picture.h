@@ -37,6 +37,7 @@ struct RasterRequest {
   /// then to be seen also where cuts were rounded and where polygons touch.
   bool sorted = false;
   bool ids = false, depth = false;
+  bool texts = true;  ///< drawn over the pixels: not where these are not kept
   int threads = 1;
   double line_scale = 1.0;  ///< of the widths and dashes of lines
   /// Depths closer than this count as equal (the textbook's ROUNDOFF); none: exact.

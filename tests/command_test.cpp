@@ -472,6 +472,9 @@ TEST_F(Command, LoadsWhatAPictureNeeds) {
     EXPECT_EQ(png.find(name), png.npos) << name;
   }
   EXPECT_NE(loaded("draw t.draw -o t.pdf").find("libcairo"), png.npos);
+  write("text.draw", "open-segment 1\ntext \"x\"\nclose-segment\n");
+  EXPECT_NE(loaded("draw text.draw -o t.png").find("libcairo"), png.npos);
+  EXPECT_EQ(loaded("draw text.draw -o t.svg --ids t.npy").find("libcairo"), png.npos);
 }
 
 TEST_F(Command, SaysThatALibraryIsNotThere) {
@@ -482,6 +485,10 @@ TEST_F(Command, SaysThatALibraryIsNotThere) {
   expect_error("draw t.draw -o t.pdf", "libcairo.so.2");
   expect_error("draw t.draw -o t.png --device osmesa", "has no OSMesa");
   EXPECT_EQ(run("draw t.draw -o t.png"), 0) << err_;
+  write("text.draw", "open-segment 1\ntext \"x\"\nclose-segment\n");
+  expect_error("draw text.draw -o text.png", "texts in pixels are drawn by Cairo");
+  expect_error("draw text.draw -o text.ppm --samples 3 --hidden scan-line-z", "libcairo.so.2");
+  EXPECT_EQ(run("draw text.draw -o text.svg --ids text.npy"), 0) << err_;
   unsetenv("LD_LIBRARY_PATH");
 }
 

@@ -164,6 +164,22 @@ TEST(DrawingProgram, EveryRoutineIsTheApplicationsCall) {
          g.set_light({1, 2, 3}, 0.5);
        }},
       {"set-pick-id 12", [](G& g) { g.set_pick_id(12); }},
+      {"text \"a  b\"", [](G& g) { g.text("a  b"); }},
+      {"text \"#1, \\\"x\\\" \\\\\"# a label", [](G& g) { g.text("#1, \"x\" \\"); }},
+      {"text \"\"", [](G& g) { g.text(""); }},
+      {"set-text-style .05", [](G& g) { g.set_text_style({0.05}); }},
+      {"set-text-style .05 centre",
+       [](G& g) {
+         g.set_text_style({0.05, TextStyle::Alignment::centre});
+       }},
+      {"set-text-style .05 always",
+       [](G& g) {
+         g.set_text_style({0.05, TextStyle::Alignment::left, true});
+       }},
+      {"set-text-style 1 right always",
+       [](G& g) {
+         g.set_text_style({1, TextStyle::Alignment::right, true});
+       }},
   };
   const auto check = [](const RoutineCase& routine, bool segment_open) {
     SCOPED_TRACE(routine.line);

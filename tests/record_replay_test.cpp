@@ -87,8 +87,21 @@ class RandomApplication {
     return {kKinds[below(3)], colour(), uniform(-0.1, 9), uniform(0.1, 9), uniform(0.1, 9)};
   }
 
+  TextStyle text_style() {
+    using enum TextStyle::Alignment;
+    constexpr std::array kAlignments{left, centre, right};
+    return {uniform(-0.05, 1.05), kAlignments[below(3)], chance(30)};
+  }
+  std::string characters() {
+    constexpr std::array kParts{"a",      " ",      "\"",         "\\", "#",
+                                "\u00e9", "\u2212", "\U0001F4D0", "<",  "'"};
+    std::string text;
+    for (std::uint64_t n = below(6); n > 0; --n) text += kParts[below(kParts.size())];
+    return chance(4) ? text + "\t" : text;
+  }
+
   void call_primitive() {
-    switch (below(23)) {
+    switch (below(25)) {
       case 0: return system_.move_abs_3(coordinate(), coordinate(), coordinate());
       case 1: return system_.line_abs_3(coordinate(), coordinate(), coordinate());
       case 2: return system_.move_rel_3(coordinate(), coordinate(), coordinate());
@@ -112,6 +125,8 @@ class RandomApplication {
         return system_.polygon_abs_3(vertices);
       }
       case 18: return system_.set_shadows(chance(70));
+      case 19: return system_.text(characters());
+      case 20: return system_.set_text_style(text_style());
       default: return system_.polygon_abs_3(points<Point3>());
     }
   }
@@ -214,7 +229,7 @@ TEST(RecordReplay, RandomApplications) {
   }
   // The applications did something: every routine, and pictures of some size.
   if (test::kSlower == 1) {
-    EXPECT_EQ(routines.size(), 52u);
+    EXPECT_EQ(routines.size(), 54u);
   }
   EXPECT_GT(instructions, 100000u / test::kSlower);
   EXPECT_GT(refused, 1000 / test::kSlower);
@@ -253,6 +268,10 @@ TEST(RecordReplay, LinesOfTheRecording) {
   system.set_line_style({LineStyle::Kind::dashed, {1, 0, 0}, 2, 3, 4});
   system.polygon_abs_3({{0, 0, 0}, {0.1, 0, 0}, {0, 1.0 / 3.0, 5e-324}});
   system.polygon_rel_2({{0, 0}, {0.5, 0}, {0, 0.5}});
+  system.set_text_style({0.05, TextStyle::Alignment::right});
+  system.set_text_style({1, TextStyle::Alignment::left, true});
+  system.text("\u03c0, # \"q\" \\");
+  system.text("");
   system.close_segment();
   system.set_visibility(12, false);
   EXPECT_EQ(recording.str(),
@@ -263,6 +282,10 @@ TEST(RecordReplay, LinesOfTheRecording) {
             "set-line-style dashed 1 0 0 2 3 4\n"
             "polygon-abs-3  0 0 0  0.1 0 0  0 0.3333333333333333 5e-324\n"
             "polygon-rel-2  0 0  0.5 0  0 0.5\n"
+            "set-text-style 0.05 right\n"
+            "set-text-style 1 left always\n"
+            "text \"\u03c0, # \\\"q\\\" \\\\\"\n"
+            "text \"\"\n"
             "close-segment\n"
             "set-visibility 12 off\n");
 }

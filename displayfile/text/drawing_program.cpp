@@ -17,6 +17,7 @@
 
 #include "clip/error.h"
 #include "clip/nearest_word.h"
+#include "displayfile/characters.h"
 #include "displayfile/input_file.h"
 
 namespace displayfile {
@@ -34,7 +35,7 @@ struct ErrorAt : Error {
 struct Routine;
 
 /// One line of a drawing program as words: the routine's name, then its arguments, which are
-/// taken in order.
+/// taken in order. What stands in quotation marks is one word, with them.
 class Line {
  public:
   void split(std::string_view text);
@@ -55,6 +56,7 @@ class Line {
  private:
   std::vector<std::string_view> words_;
   std::size_t taken_ = 0;  // words
+  std::string characters_;
   std::tuple<std::vector<Point2>, std::vector<Point3>> points_;
 };
 
@@ -69,6 +71,14 @@ constexpr auto kInWord = [] {
 }();
 bool in_word(char c) { return kInWord[static_cast<unsigned char>(c)]; }
 
+/// Where a word that begins with a quotation mark ends: with the next one that no backslash stands
+/// before, and what follows it up to a blank; or else with the line.
+const char* end_of_quoted(const char* p, const char* end) {
+  do ++p;
+  while (p != end && *p != '"' && (*p != '\\' || ++p != end));
+  return p;
+}
+
 void Line::split(std::string_view text) {
   words_.clear();
   taken_ = 1;
@@ -78,6 +88,7 @@ void Line::split(std::string_view text) {
     while (p != end && !in_word(*p) && *p != '#') ++p;
     if (p == end || *p == '#') return;
     const char* const start = p;
+    if (*p == '"') p = end_of_quoted(p, end);
     while (p != end && in_word(*p)) ++p;
     words_.emplace_back(start, static_cast<std::size_t>(p - start));
   }
@@ -175,6 +186,39 @@ Shading Line::take<Shading>() {
 template <>
 Precision Line::take<Precision>() {
   return understood(words_[taken_++], precision);
+}
+
+/// A text in quotation marks, without them. Valid until the next line is split.
+template <>
+std::string_view Line::take<std::string_view>() {
+  const std::string_view word = words_[taken_++];
+  if (word[0] != '"') {
+    throw ErrorAt(word.data(), "expected a text in quotation marks, not " + quoted(word));
+  }
+  characters_.clear();
+  std::size_t i = 1;
+  for (; i < word.size() && word[i] != '"'; ++i) {
+    if (word[i] == '\\' && ++i < word.size() && word[i] != '"' && word[i] != '\\') {
+      throw ErrorAt(&word[i - 1], "expected \\\" or \\\\ after a backslash in a text");
+    }
+    if (i < word.size()) characters_ += word[i];
+  }
+  if (i >= word.size()) {
+    throw ErrorAt(word.data() + word.size(), "the text does not end: expected a quotation mark");
+  }
+  if (i + 1 != word.size()) {
+    throw ErrorAt(&word[i + 1], "expected a blank after the text's quotation mark");
+  }
+  const auto drawable = word.substr(0, drawable_length(word));
+  if (drawable.size() < word.size()) {
+    throw ErrorAt(word.data() + drawable.size(), not_drawable(word.substr(drawable.size())));
+  }
+  return characters_;
+}
+
+template <>
+TextStyle::Alignment Line::take<TextStyle::Alignment>() {
+  return understood(words_[taken_++], alignment);
 }
 
 // ---- The routines ------------------------------------------------------------------------
@@ -292,6 +336,21 @@ void light(GraphicsSystem& system, Line& line, const Routine& routine) {
   system.set_light(toward, line.take<double>());
 }
 
+void text_style(GraphicsSystem& system, Line& line, const Routine& routine) {
+  const std::size_t count = line.arguments();
+  if (count < 1 || count > 3) wrong_count(line, routine);
+  TextStyle style;
+  style.size = line.take<double>();
+  style.always = count > 1 && line.argument(count - 1) == "always";
+  const std::size_t others = count - (style.always ? 2 : 1);
+  if (others > 0) style.alignment = line.take<TextStyle::Alignment>();
+  if (others > 1) {
+    const std::string_view word = line.argument(2);
+    throw ErrorAt(word.data(), "expected always, or nothing, not " + quoted(word));
+  }
+  system.set_text_style(style);
+}
+
 using G = GraphicsSystem;
 
 /// Every user routine. They are looked up in this order: those that fill programs come first.
@@ -309,9 +368,11 @@ constexpr auto kRoutines = std::to_array<Routine>({
     fixed<&G::line_rel_2>("line-rel-2", "dx dy"),
     fixed<&G::move_rel_2>("move-rel-2", "dx dy"),
     fixed<&G::set_pick_id>("set-pick-id", "n"),
+    fixed<&G::text>("text", "\"characters\""),
     {"set-fill-style", "solid r g b | hollow", kVaries, fill_style},
     {"set-line-style", "solid r g b [width] | dashed r g b [width [dash gap]] | none", kVaries,
      line_style},
+    {"set-text-style", "size [left|centre|right] [always]", kVaries, text_style},
     {"set-light", "3 or 4: x y z [ambient]", kVaries, light},
     {"set-vertex-normals", "a multiple of 3: x y z ...", kVaries,
      points<Point3, &G::set_vertex_normals>},
@@ -399,22 +460,10 @@ Error error_at(std::string_view file_name, std::string_view text, const char* at
 bool is_plain(char c) { return (c >= ' ' && c <= '~') || c == '\n' || c == '\t' || c == '\r'; }
 
 /// Length in bytes of the character at the text's start, 0 if it is none that a drawing
-/// program may hold: a control character or not UTF-8 (RFC 3629, section 4).
+/// program may hold: a control character or not UTF-8.
 std::size_t character_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
-  };
-  const auto in = [](unsigned value, unsigned low, unsigned high) {
-    return value >= low && value <= high;
-  };
   if (is_plain(text[0])) return 1;
-  const unsigned first = byte(0);
-  if (in(first, 0xC2, 0xDF)) return in(byte(1), 0x80, 0xBF) ? 2 : 0;
-  const unsigned second_low = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
-  const unsigned second_high = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
-  if (!in(byte(1), second_low, second_high) || !in(byte(2), 0x80, 0xBF)) return 0;
-  if (in(first, 0xE0, 0xEF)) return 3;
-  return in(first, 0xF0, 0xF4) && in(byte(3), 0x80, 0xBF) ? 4 : 0;
+  return static_cast<unsigned char>(text[0]) < 0x80 ? 0 : utf8_length(text);
 }
 
 constexpr std::size_t kBytesAtOnce = 64;

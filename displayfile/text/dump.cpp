@@ -5,7 +5,10 @@
 
 #include <ostream>
 #include <sstream>
+#include <string_view>
 #include <unordered_set>
+
+#include "displayfile/characters.h"
 
 namespace displayfile {
 
@@ -50,6 +53,13 @@ class Dumper {
         return write_line(FMT_COMPILE("line-style dashed {} {} {} {} {} {}"), c.r, c.g, c.b,
                           style.width, style.dash, style.gap);
     }
+  }
+  void text_style(const TextStyle& style) {
+    write_line(FMT_COMPILE("text-style {} {}{}"), style.size, name_of(style.alignment),
+               style.always ? " always" : "");
+  }
+  void text(const Point3& p, std::string_view characters) {
+    write_line(FMT_COMPILE("text {} {} {} {}"), p.x, p.y, p.z, in_quotation_marks(characters));
   }
   void segment(int name, bool visible = true) {
     met_.insert(name);

@@ -25,11 +25,14 @@ namespace displayfile {
 ///   line X Y Z
 ///   polygon SIDES X Y Z                  (its last vertex, where it starts; then SIDES lines)
 ///   line X Y Z | move X Y Z              (a side to that vertex; move: an invisible edge)
+///   text-style SIZE left|centre|right [always]
+///   text X Y Z "CHARACTERS"              (a backslash before quotation marks and backslashes; the
+///                                        pen stays where it is)
 ///   end                                  (of the dump)
 ///
-/// Sorted segments are dumped back to front. Where all visible segments were sorted together, a
-/// segment line stands wherever the segment changes, styles stay in force across it, and the
-/// segments of which nothing is drawn follow at the end.
+/// Sorted segments are dumped back to front, their texts after all else. Where all visible segments
+/// were sorted together, a segment line stands wherever the segment changes, styles stay in force
+/// across it, and the segments of which nothing is drawn follow at the end.
 ///
 /// The stream tells by its state if it could not be written.
 void dump(const DisplayFile& display_file, std::ostream& out);

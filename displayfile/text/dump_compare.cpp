@@ -28,7 +28,8 @@ std::string_view take_line(std::string_view& rest) {
 std::vector<std::string_view> words_of(std::string_view line) {
   std::vector<std::string_view> words;
   for (;;) {
-    const std::size_t length = std::min(line.find(' '), line.size());
+    const bool is_text = line.starts_with('"');  // the last word
+    const std::size_t length = is_text ? line.size() : std::min(line.find(' '), line.size());
     words.push_back(line.substr(0, length));
     if (length == line.size()) return words;
     line.remove_prefix(length + 1);
@@ -46,13 +47,16 @@ struct InstructionFields {
 };
 constexpr std::string_view kPoint[] = {"x", "y", "z"};
 constexpr std::string_view kPolygon[] = {"number of sides", "x", "y", "z"};
+constexpr std::string_view kText[] = {"x", "y", "z", "text"};
+constexpr std::string_view kTextStyle[] = {"size", "alignment"};
 constexpr std::string_view kPick[] = {"pick identifier"};
 constexpr std::string_view kStyle[] = {"kind", "red", "green", "blue", "line width", "dash", "gap"};
 constexpr std::string_view kShadow[] = {"red",     "green",   "blue",   "light x",
                                         "light y", "light z", "light w"};
 constexpr InstructionFields kInstructions[] = {
-    {"line ", kPoint}, {"move ", kPoint},       {"polygon ", kPolygon}, {"pick ", kPick},
-    {"fill ", kStyle}, {"line-style ", kStyle}, {"shadow ", kShadow},
+    {"line ", kPoint},    {"move ", kPoint}, {"polygon ", kPolygon},
+    {"pick ", kPick},     {"fill ", kStyle}, {"line-style ", kStyle},
+    {"shadow ", kShadow}, {"text ", kText},  {"text-style ", kTextStyle},
 };
 
 std::string_view field_name(std::string_view instruction, std::size_t field) {

@@ -16,6 +16,8 @@
 #include "interp/opengl/opengl.h"
 #include "interp/opengl/triangle_list.h"
 #include "interp/picture.h"
+#include "interp/text/seen_texts.h"
+#include "interp/text/text_painter.h"
 #include "interp/visibility/image_space.h"
 
 namespace displayfile {
@@ -397,7 +399,12 @@ std::string osmesa_description(int depth_bits) {
 
 Picture draw_with_osmesa(const DisplayFile& display_file, const RasterRequest& request,
                          int depth_bits) {
-  return OsmesaScene(display_file, request, depth_bits).picture();
+  Picture picture = OsmesaScene(display_file, request, depth_bits).picture();
+  if (request.texts) {
+    paint_texts(seen_texts(display_file, is_image_space(request.method)),
+                {request.width, request.height}, 0, request.height, picture);
+  }
+  return picture;
 }
 
 OsmesaScene::OsmesaScene(const DisplayFile& display_file, const RasterRequest& request,

@@ -12,6 +12,8 @@
 #include "interp/raster/raster_band.h"
 #include "interp/raster/sorted_painter.h"
 #include "interp/scan/pixel_depth.h"
+#include "interp/text/seen_texts.h"
+#include "interp/text/text_painter.h"
 #include "interp/visibility/auto_method.h"
 
 namespace displayfile {
@@ -182,6 +184,12 @@ void SoftwareRenderer::prepare(const DisplayFile& display_file, const RasterRequ
   prepared_ = Prepared{request.method, size, request.roundoff, request.world, std::move(finder)};
 }
 
+void SoftwareRenderer::find_texts(const DisplayFile& display_file, const RasterRequest& request) {
+  texts_.clear();
+  if (!request.texts || !display_file.has_texts()) return;
+  texts_ = is_image_space(request.method) ? seen_texts(*scene_) : seen_texts(display_file, false);
+}
+
 /// No fewer are drawn as cheaply each.
 int SoftwareRenderer::rows_at_a_time(const DisplayFile& display_file,
                                      const RasterRequest& request) const {
@@ -206,9 +214,13 @@ void SoftwareRenderer::draw_rows(const DisplayFile& display_file, const RasterRe
   const bool spare = lines && !request.depth;
   if (spare) std::swap(picture_.depth, spare_depth_);
   make_room(picture_.depth, request.depth || lines ? pixels : 0);
-  if (!image_space) return paint_in_order(display_file, request, rows);
-  find_fills_seen(request, rows);
-  if (lines) draw_lines_over_fills(display_file, request, rows);
+  if (image_space) {
+    find_fills_seen(request, rows);
+    if (lines) draw_lines_over_fills(display_file, request, rows);
+  } else {
+    paint_in_order(display_file, request, rows);
+  }
+  paint_texts(texts_, {request.width, request.height}, rows.begin, rows.end, picture_);
   if (spare) {
     std::swap(picture_.depth, spare_depth_);
     picture_.depth.clear();
@@ -273,6 +285,7 @@ void SoftwareRenderer::draw_lines_over_fills(const DisplayFile& display_file,
 const Picture& SoftwareRenderer::draw(const DisplayFile& display_file,
                                       const RasterRequest& request) {
   prepare(display_file, request);
+  find_texts(display_file, request);
   draw_rows(display_file, request, {0, request.height});
   return picture_;
 }
@@ -281,6 +294,7 @@ const Picture& SoftwareRenderer::draw(const DisplayFile& display_file,
 void SoftwareRenderer::draw(const DisplayFile& display_file, const RasterRequest& request,
                             const TakeRows& take) {
   prepare(display_file, request);
+  find_texts(display_file, request);
   const int band = rows_at_a_time(display_file, request);
   const int bands =
       std::max(useful_threads(request.threads), kPixelsAtATime / request.width / band);

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "displayfile/display_file.h"
 #include "displayfile/viewed_scene.h"
@@ -18,7 +19,8 @@ namespace displayfile {
 /// Draws display files by our own scan conversion, on a white background. With an image-space
 /// method the nearest fill is seen, of equally near ones the one entered later, and a line where
 /// no fill is nearer; without one, whatever is drawn last. On fills that show them shadows are
-/// drawn (interp/raster/shadows.md), whatever the method. Coverage and, unless roundoff is asked
+/// drawn (interp/raster/shadows.md), whatever the method; texts lie over all (interp/text/).
+/// Coverage and, unless roundoff is asked
 /// for, nearness are decided exactly. The picture is the same for any number of threads.
 ///
 /// What was made ready for a picture is used again while the display file's fills, the size and
@@ -48,6 +50,7 @@ class SoftwareRenderer {
     std::unique_ptr<ImageSpaceMethod> finder;
   };
   void prepare(const DisplayFile& display_file, const RasterRequest& request);
+  void find_texts(const DisplayFile& display_file, const RasterRequest& request);
   int rows_at_a_time(const DisplayFile& display_file, const RasterRequest& request) const;
   void draw_rows(const DisplayFile& display_file, const RasterRequest& request,
                  const RowRange& rows);
@@ -63,6 +66,7 @@ class SoftwareRenderer {
   FillPaints paints_;                 // of the scene
   std::unique_ptr<Shadows> shadows_;  // null if none are seen
   std::optional<Prepared> prepared_;
+  std::vector<ViewedText> texts_;  // that are seen
 };
 
 /// One picture by a renderer of its own.

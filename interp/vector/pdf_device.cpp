@@ -6,9 +6,10 @@
 
 #include "clip/error.h"
 #include "displayfile/output_file.h"
+#include "interp/cairo.h"
 #include "interp/interpreter.h"
 #include "interp/picture.h"
-#include "interp/vector/cairo.h"
+#include "interp/text/cairo_text.h"
 #include "interp/vector/sampled/visible_order.h"
 
 namespace displayfile {
@@ -114,6 +115,11 @@ void PdfDevice::paint_lines(const Path& path, const LineStyle& style) {
   if (dot) cairo().set_line_cap(context, CAIRO_LINE_CAP_BUTT);
 }
 
+void PdfDevice::paint_text(const ViewedText& text, const Point2& anchor, double size) {
+  set_colour(text.line.colour);
+  CairoText(context_.get(), text, anchor, size).show();
+}
+
 void PdfDevice::finish() {
   finish_lines();
   cairo().show_page(context_.get());
@@ -133,6 +139,7 @@ void write_pdf(const DisplayFile& display_file, int width, int height, bool z_bu
     } else {
       interpret(display_file, device);
     }
+    device.draw_texts(display_file, z_buffer);
     device.finish();
   } catch (const Error& e) {
     throw Error(fmt::format("{}: {}", path.string(), e.what()));

@@ -13,7 +13,8 @@ struct _cairo_surface;
 namespace displayfile {
 
 /// Draws a PDF page through Cairo, one point a pixel, on a white background. The bytes depend on
-/// what is drawn (and on Cairo's version) alone. Cairo keeps coordinates to 1/256 point.
+/// what is drawn (and on Cairo's version; of texts on the fonts that it finds) alone. Cairo keeps
+/// coordinates to 1/256 point.
 class PdfDevice : public VectorDevice {
  public:
   /// The stream must live on until finish(). Throws Error unless both sides are 1 to
@@ -31,6 +32,7 @@ class PdfDevice : public VectorDevice {
   void paint_fill(const Path& path, const Colour& colour, bool seam,
                   std::span<const PixelBox> within) override;
   void paint_lines(const Path& path, const LineStyle& style) override;
+  void paint_text(const ViewedText& text, const Point2& anchor, double size) override;
 
   void set_colour(const Colour& colour);
   void set_path(const Path& path);

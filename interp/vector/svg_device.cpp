@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <ostream>
+#include <string_view>
 
 #include "displayfile/output_file.h"
 #include "interp/interpreter.h"
@@ -27,6 +28,27 @@ void append_coordinate(std::string& out, double v) {
     fmt::format_to(std::back_inserter(out), ".{:03}", fraction);
     while (out.back() == '0') out.pop_back();
   }
+}
+
+/// Characters as XML has them.
+void append_escaped(std::string& out, std::string_view characters) {
+  for (const char c : characters) {
+    switch (c) {
+      case '&': out += "&amp;"; break;
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      default: out.push_back(c);
+    }
+  }
+}
+
+std::string_view text_anchor(TextStyle::Alignment alignment) {
+  switch (alignment) {
+    case TextStyle::Alignment::left: return "start";
+    case TextStyle::Alignment::centre: return "middle";
+    case TextStyle::Alignment::right: break;
+  }
+  return "end";
 }
 
 std::string hex(std::uint32_t pixel) {
@@ -121,9 +143,27 @@ void SvgDevice::paint_lines(const Path& path, const LineStyle& style) {
   joinable_ = {};
 }
 
+/// Blanks are kept where XML would take several for one.
+void SvgDevice::paint_text(const ViewedText& text, const Point2& anchor, double size) {
+  const TextKey key{pixel_of(text.line.colour), size, text.style.alignment};
+  const std::size_t number = text_classes_.try_emplace(key, text_classes_.size() + 1).first->second;
+  const std::string& characters = text.characters;
+  const bool blanks = characters.front() == ' ' || characters.back() == ' ' ||
+                      characters.find("  ") != std::string::npos;
+  fmt::format_to(std::back_inserter(body_), "<text class=\"t{}\"{} x=\"", number,
+                 blanks ? " xml:space=\"preserve\"" : "");
+  append_coordinate(body_, anchor.x);
+  body_ += "\" y=\"";
+  append_coordinate(body_, anchor.y);
+  body_ += "\">";
+  append_escaped(body_, characters);
+  body_ += "</text>\n";
+}
+
 void SvgDevice::finish(std::ostream& out) {
   finish_lines();
-  std::vector<std::string> fills(fill_classes_.size()), lines(line_classes_.size());
+  std::vector<std::string> fills(fill_classes_.size()), lines(line_classes_.size()),
+      texts(text_classes_.size());
   for (const auto& [key, number] : fill_classes_) {
     const auto [pixel, seam] = key;
     fills[number - 1] = fmt::format(".f{}{{fill:{}{}}}\n", number, hex(pixel),
@@ -135,6 +175,14 @@ void SvgDevice::finish(std::ostream& out) {
         fmt::format(".l{}{{stroke:{};stroke-width:{}{}}}\n", number, hex(pixel), width,
                     dash > 0.0 ? fmt::format(";stroke-dasharray:{} {}", dash, gap) : "");
   }
+  for (const auto& [key, number] : text_classes_) {
+    const auto [pixel, size, alignment] = key;
+    std::string& rule = texts[number - 1];
+    rule = fmt::format(".t{}{{fill:{};font-size:", number, hex(pixel));
+    append_coordinate(rule, size);
+    rule += fmt::format("px;text-anchor:{}}}\n", text_anchor(alignment));
+  }
+  if (!texts.empty()) texts.insert(texts.begin(), "text{font-family:sans-serif}\n");
   out << fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{0}\" height=\"{1}\" "
@@ -145,6 +193,7 @@ void SvgDevice::finish(std::ostream& out) {
       width(), height(), kSeamWidth);
   for (const std::string& rule : fills) out << rule;
   for (const std::string& rule : lines) out << rule;
+  for (const std::string& rule : texts) out << rule;
   out << fmt::format("</style>\n<rect class=\"background\" width=\"{}\" height=\"{}\"/>\n", width(),
                      height());
   out << body_ << "</svg>\n";
@@ -159,6 +208,7 @@ void write_svg(const DisplayFile& display_file, int width, int height, bool z_bu
   } else {
     interpret(display_file, device);
   }
+  device.draw_texts(display_file, z_buffer);
   device.finish(file.stream());
   file.commit();
 }

@@ -19,7 +19,7 @@ namespace displayfile {
 /// Draws an SVG picture (version 1.1 with CSS classes), in pixels of the size asked for, on a
 /// white background. Each segment is a group, `<g id="segment-NAME" class="segment">`; one that is
 /// opened again is `segment-NAME-2`, and so on. Every style is a class: f1, f2, ... of fills, l1,
-/// l2, ... of lines. Coordinates have three decimals at most.
+/// l2, ... of lines, t1, t2, ... of texts. Coordinates have three decimals at most.
 class SvgDevice : public VectorDevice {
  public:
   /// Throws Error unless both sides are 1 to kLargestSide.
@@ -31,6 +31,7 @@ class SvgDevice : public VectorDevice {
 
  private:
   using FillKey = std::tuple<std::uint32_t, bool>;  // pixel_of the colour, with seam
+  using TextKey = std::tuple<std::uint32_t, double, TextStyle::Alignment>;
   using LineKey = std::tuple<std::uint32_t, double, double, double>;  // width, dash, gap or 0
 
   void open_group(int segment_name) override;
@@ -38,6 +39,7 @@ class SvgDevice : public VectorDevice {
   void paint_fill(const Path& path, const Colour& colour, bool seam,
                   std::span<const PixelBox> within) override;
   void paint_lines(const Path& path, const LineStyle& style) override;
+  void paint_text(const ViewedText& text, const Point2& anchor, double size) override;
 
   void append_path_data(const Path& path);
   void append_clip_path(std::span<const PixelBox> pixels);
@@ -45,6 +47,7 @@ class SvgDevice : public VectorDevice {
   std::string body_;
   std::map<FillKey, std::size_t> fill_classes_;
   std::map<LineKey, std::size_t> line_classes_;
+  std::map<TextKey, std::size_t> text_classes_;
   std::unordered_map<int, int> times_opened_;
   std::size_t clip_paths_ = 0;
 

@@ -6,6 +6,7 @@
 #include "clip/clip_to_rectangle.h"
 #include "hidden/exact/support_plane.h"
 #include "interp/picture.h"
+#include "interp/text/seen_texts.h"
 
 namespace displayfile {
 
@@ -166,6 +167,20 @@ void VectorDevice::line(const DrawnLine& line) {
   lines_.points.push_back(b);
   lines_end_ = line.to;
   if (b != whole_b) finish_lines();
+}
+
+void VectorDevice::draw_texts(const DisplayFile& display_file, bool by_depth) {
+  int segment = 0;  // names are 1 or more
+  for (const ViewedText& text : seen_texts(display_file, by_depth)) {
+    const Point2 anchor = to_page(text.anchor);
+    if (!finite(anchor) || !near_the_page(anchor, kReach)) continue;
+    if (text.segment != segment) {
+      if (segment != 0) end_segment();
+      begin_segment(segment = text.segment);
+    }
+    paint_text(text, anchor, text.style.size * height_);
+  }
+  if (segment != 0) end_segment();
 }
 
 void VectorDevice::finish_lines() {

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "displayfile/display_file.h"
+#include "displayfile/viewed_scene.h"
 #include "interp/output_device.h"
 #include "interp/scan/pixel_box.h"
 
@@ -36,6 +38,9 @@ class VectorDevice : public OutputDevice {
   /// Draws the inside, but only within these pixels, which do not overlap: for a polygon that was
   /// covered where it must be seen, since no order of whole polygons is right.
   void fill_within(const DrawnPolygon& polygon, std::span<const PixelBox> pixels);
+  /// Draws the texts that are to be seen of the visible segments, after all else
+  /// (interp/text/seen_texts.h).
+  void draw_texts(const DisplayFile& display_file, bool by_depth);
 
  protected:
   /// Points of lines; each run starts at its own first point and is closed or open.
@@ -65,6 +70,8 @@ class VectorDevice : public OutputDevice {
   virtual void paint_fill(const Path& path, const Colour& colour, bool seam,
                           std::span<const PixelBox> within) = 0;
   virtual void paint_lines(const Path& path, const LineStyle& style) = 0;
+  /// `anchor` is on or close to the page; `size` of the letters in pixels.
+  virtual void paint_text(const ViewedText& text, const Point2& anchor, double size) = 0;
 
  private:
   Point2 to_page(const Point3& device) const;

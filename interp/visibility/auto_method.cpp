@@ -58,6 +58,9 @@ MethodChoice choose_for_vectors(const ViewedScene& scene) {
     return {HiddenMethod::depth_sort,
             "vectors with lines: depth sort cuts least and hides lines behind polygons"};
   }
+  if (!scene.texts().empty()) {
+    return {HiddenMethod::depth_sort, "vectors with texts, which polygons may hide: depth sort"};
+  }
   if (nothing_hides(scene)) {
     return {HiddenMethod::none, "no polygon can hide another: any order is right"};
   }

@@ -92,6 +92,12 @@ std::vector<Feature> table() {
        "",
        [](FeatureUse& u) { u.pick_identifiers = true; },
        {"GraphicsSystem::set_pick_id"}},
+      {"texts",
+       "text",
+       "",
+       [](FeatureUse& u) { u.texts = true; },
+       {"GraphicsSystem::text", "enter_text", "seen_texts", "TextPainter", "CairoText", "libcairo"},
+       "what letters take is not ours"},
       {"back-face removal",
        "set-back-face-removal",
        "",
@@ -241,7 +247,13 @@ void enter_polygons(const FeatureUse& use, const Scene& scene, GraphicsSystem& s
   std::vector<Point3> polygon, normals;
   const Point3* vertex = scene.points.data();
   for (std::size_t k = 0; k < scene.polygons(); vertex += scene.sides[k], ++k) {
-    if (k % each == 0) system.open_segment(static_cast<int>(k / each) + 1);
+    if (k % each == 0) {
+      system.open_segment(static_cast<int>(k / each) + 1);
+      if (use.texts) {
+        system.move_abs_3(0.5, 0.5, 0.5);
+        system.text("a");
+      }
+    }
     polygon.assign(vertex, vertex + scene.sides[k]);
     if (use.bent_polygons) {
       polygon.push_back(polygon.back() + Point3(0.01, 0.02, 0.03));

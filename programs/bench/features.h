@@ -23,6 +23,7 @@ struct FeatureUse {
   LineStyle::Kind lines = LineStyle::Kind::none;
   bool colours = false;           ///< another fill style for each polygon
   bool pick_identifiers = false;  ///< set for each polygon
+  bool texts = false;             ///< one in each segment
   bool back_face_removal = false, light = false, vertex_normals = false, shadows = false;
   std::optional<HiddenMethod> method;  ///< set by the application; none: hidden-line removal off
   Precision precision;

@@ -21,6 +21,14 @@ class Cairo {
   DISPLAYFILE_CAIRO(destroy);
   DISPLAYFILE_CAIRO(fill);
   DISPLAYFILE_CAIRO(fill_preserve);
+  DISPLAYFILE_CAIRO(font_options_create);
+  DISPLAYFILE_CAIRO(font_options_destroy);
+  DISPLAYFILE_CAIRO(font_options_set_antialias);
+  DISPLAYFILE_CAIRO(font_options_set_hint_metrics);
+  DISPLAYFILE_CAIRO(font_options_set_hint_style);
+  DISPLAYFILE_CAIRO(image_surface_create);
+  DISPLAYFILE_CAIRO(image_surface_get_data);
+  DISPLAYFILE_CAIRO(image_surface_get_stride);
   DISPLAYFILE_CAIRO(line_to);
   DISPLAYFILE_CAIRO(move_to);
   DISPLAYFILE_CAIRO(new_path);
@@ -29,19 +37,26 @@ class Cairo {
   DISPLAYFILE_CAIRO(rectangle);
   DISPLAYFILE_CAIRO(restore);
   DISPLAYFILE_CAIRO(save);
+  DISPLAYFILE_CAIRO(select_font_face);
   DISPLAYFILE_CAIRO(set_dash);
   DISPLAYFILE_CAIRO(set_fill_rule);
+  DISPLAYFILE_CAIRO(set_font_options);
+  DISPLAYFILE_CAIRO(set_font_size);
   DISPLAYFILE_CAIRO(set_line_cap);
   DISPLAYFILE_CAIRO(set_line_join);
   DISPLAYFILE_CAIRO(set_line_width);
   DISPLAYFILE_CAIRO(set_source_rgb);
   DISPLAYFILE_CAIRO(show_page);
+  DISPLAYFILE_CAIRO(show_text);
   DISPLAYFILE_CAIRO(status);
   DISPLAYFILE_CAIRO(status_to_string);
   DISPLAYFILE_CAIRO(stroke);
   DISPLAYFILE_CAIRO(surface_destroy);
   DISPLAYFILE_CAIRO(surface_finish);
+  DISPLAYFILE_CAIRO(surface_flush);
   DISPLAYFILE_CAIRO(surface_status);
+  DISPLAYFILE_CAIRO(text_extents);
+  DISPLAYFILE_CAIRO(translate);
 #undef DISPLAYFILE_CAIRO
 };
 

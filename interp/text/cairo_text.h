@@ -1,0 +1,30 @@
+#pragma once
+
+#include "clip/point.h"
+#include "displayfile/viewed_scene.h"
+#include "interp/cairo.h"
+
+namespace displayfile {
+
+/// A text on a Cairo context, in the font "sans-serif", whose shapes and widths are the same at any
+/// size and place. Coordinates are the context's, y down.
+class CairoText {
+ public:
+  struct Box {
+    double left, top, right, bottom;
+  };
+
+  /// Sets the context's font. `size` is of the letters. Throws Error if Cairo fails.
+  CairoText(cairo_t* context, const ViewedText& text, const Point2& anchor, double size);
+
+  Box ink() const;    ///< what the letters cover
+  void show() const;  ///< in the context's source colour; throws Error if Cairo fails
+
+ private:
+  cairo_t* context_;
+  const ViewedText& text_;
+  Point2 start_;
+  cairo_text_extents_t extents_;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "displayfile/display_file.h"
+#include "displayfile/viewed_scene.h"
+
+namespace displayfile {
+
+/// The texts of the visible segments that are to be drawn, after all else and in order of entry.
+/// Where hidden surfaces are removed those whose anchor is hidden (interp/text/seen_points.h) are
+/// left out, unless their style has them seen always. `by_depth` says that an image-space method
+/// removes them; otherwise they are removed where the display file is sorted: by the fills of all
+/// visible segments, or in a segment that is sorted by itself by its own.
+std::vector<ViewedText> seen_texts(const DisplayFile& display_file, bool by_depth);
+
+/// Those of a scene whose hidden surfaces are removed.
+std::vector<ViewedText> seen_texts(const ViewedScene& scene);
+
+}  // namespace displayfile

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+
+#include "displayfile/viewed_scene.h"
+#include "hidden/exact/pixel_centre.h"
+#include "interp/picture.h"
+
+namespace displayfile {
+
+/// Paints texts, in their order, over rows first_row <= j < end_row of a picture of that size,
+/// which are all that is in memory of it. Letters are antialiased, by Cairo; no other pixel
+/// changes, nor do identifiers and depths. The pixels are the same whichever rows are in memory.
+/// Throws Error if there is a text and this system has no Cairo; if there is none, it is not
+/// looked for.
+void paint_texts(std::span<const ViewedText> texts, const PictureSize& size, int first_row,
+                 int end_row, Picture& rows);
+
+}  // namespace displayfile

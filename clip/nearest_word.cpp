@@ -47,10 +47,12 @@ std::string did_you_mean(std::string_view word, std::span<const std::string_view
   if (known.empty() || word.size() < 2 || word.size() > kLongest) return "";
   std::string_view meant = nearest_words(word, known).front();
   if (edit_distance(word, meant) > std::max<std::size_t>(1, word.size() / 3)) {
-    const auto starts = [&](std::string_view other) { return other.starts_with(word); };
-    const auto begun = std::ranges::find_if(known, starts);
-    if (begun == known.end()) return "";
-    meant = *begun;
+    const auto is_part = [&](std::string_view other) {
+      return other.starts_with(word) || other.ends_with(word);
+    };
+    const auto whole = std::ranges::find_if(known, is_part);
+    if (whole == known.end()) return "";
+    meant = *whole;
   }
   return " did you mean '" + std::string(meant) + "'?";
 }

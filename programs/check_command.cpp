@@ -90,8 +90,9 @@ std::string table(std::span<const Row> rows) {
 
 std::string totals(std::span<const Row> rows) {
   const auto count = [&](Kind kind) { return std::ranges::count(rows, kind, &Row::kind); };
-  return fmt::format("{} inputs: {} passed, {} differ, {} bad\n", rows.size(), count(Kind::passed),
-                     count(Kind::differs), count(Kind::bad));
+  return fmt::format("{} input{}: {} passed, {} differ, {} bad\n", rows.size(),
+                     rows.size() == 1 ? "" : "s", count(Kind::passed), count(Kind::differs),
+                     count(Kind::bad));
 }
 
 /// Without the input's name before it.

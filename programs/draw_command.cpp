@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -96,8 +97,9 @@ std::string listed(std::span<const Choice> choices) {
 
 std::string names_of(std::span<const Choice> formats) {
   std::string text;
-  for (const Choice& format : formats)
+  for (const Choice& format : formats) {
     text += fmt::format("{}{}", text.empty() ? "" : " ", format.name.substr(1));
+  }
   return text;
 }
 
@@ -202,6 +204,7 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
     return draw_turntable(drawn, file, drawing, shading.shading(), turntable_views(*turntable),
                           stats);
   }
+  if (stats) reset_predicate_counts();
   const DrawnInputs entered(drawn, drawing, shading.shading());
   const GraphicsSystem& system = entered.system();
   const PictureKind kind = picture_kind(file, drawing);
@@ -262,8 +265,8 @@ void require_drawable_names(const std::string& output, const DrawOptions& option
 int DrawCommand::draw_each(const DrawOptions& drawing) const {
   const std::vector<Outputs> outputs = outputs_of_each(drawing);
   require_drawable_names(output, drawing, outputs[0].picture, outputs[0].ids, outputs[0].depth);
-  // llvmpipe has threads of its own.
-  const bool several = drawing.device == raster_devices().front().name;
+  // llvmpipe has threads of its own, and the exact stage counts for the whole process.
+  const bool several = drawing.device == raster_devices().front().name && !stats;
   const int at_a_time =
       several ? static_cast<int>(std::min<std::size_t>(
                     inputs.size(), static_cast<std::size_t>(useful_threads(drawing.threads))))
@@ -295,6 +298,10 @@ int DrawCommand::run() const {
   shading.shading();
   if (turntable) turntable_views(*turntable);
   if (pick) pick_option(*pick);
+  const std::array<std::filesystem::path, 3> files{output, drawing.ids, drawing.depth};
+  if (std::ranges::count(files, "-") > 1) {
+    throw Error("-: two outputs on standard output: expected one, and file names for the others");
+  }
   if (is_name_pattern(output)) return draw_each(drawing);
   for (const auto& file : {drawing.ids, drawing.depth}) {
     if (!is_name_pattern(file.string())) continue;

@@ -100,7 +100,9 @@ std::filesystem::path numbered(const std::filesystem::path& file, int number, in
 std::string draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
                            const DrawOptions& options, Shading shading, int views, bool stats) {
   require_tree(options);
-  if (output == "-") throw Error("--turntable writes many pictures: expected a file name, not -");
+  for (const auto& file : {output, options.ids, options.depth}) {
+    if (file == "-") throw Error("--turntable draws many views: expected a file name, not -");
+  }
   require_all_drawable(output, options, views);
   GraphicsSystem system;
   RetainedScene scene;

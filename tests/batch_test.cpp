@@ -156,6 +156,18 @@ TEST_F(Batch, EveryMessageNamesItsFile) {
   EXPECT_NE(out_.find("\nred.draw:\n"), std::string::npos) << out_;
 }
 
+/// What one input cost is not counted in what the next did.
+TEST_F(Batch, StatisticsAreThoseOfEachInput) {
+  const std::string options = " --size 40x30 --stats -o ";
+  std::string each;
+  for (const char* input : {"red.draw", "mesh.obj", "mesh.obj"}) {
+    EXPECT_EQ(run("draw " + std::string(input) + options + "alone.png"), 0) << err_;
+    each += std::string(input) + ":\n" + out_;
+  }
+  EXPECT_EQ(run("draw red.draw mesh.obj mesh.obj" + options + "'{number}.png'"), 0) << err_;
+  EXPECT_EQ(out_, each);
+}
+
 TEST_F(Batch, TurntablesOfEachInput) {
   EXPECT_EQ(run("draw red.draw mesh.obj -o '{name}.png' --turntable 3 --size 40x30"), 0) << err_;
   EXPECT_TRUE(fs::exists(folder_ / "red-002.png"));
@@ -218,6 +230,8 @@ TEST_F(StandardOutput, FormatIsAskedForWhateverTheNameEndsIn) {
   expect_error("draw red.draw -o - --format gif", "expected one of .png .ppm .svg .pdf");
   expect_error("draw red.draw -o - --format svg --device osmesa", "the osmesa device draws pixels");
   expect_error("draw red.draw -o - --turntable 3", "expected a file name, not -");
+  expect_error("draw red.draw -o x.png --ids - --turntable 3", "expected a file name, not -");
+  expect_error("draw red.draw -o - --ids -", "two outputs on standard output");
 }
 
 TEST_F(StandardOutput, SaysThatItCannotBeWritten) {

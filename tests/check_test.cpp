@@ -101,7 +101,7 @@ TEST_F(Check, SummaryOfAllInputs) {
             "b/house.draw: segment 1, instruction 1 (fill solid 0 1 0): red is 0, expected 1\n"
             "3 inputs: 1 passed, 1 differ, 1 bad\n");
   EXPECT_EQ(run("check a/house.draw --golden a/house.draw --summary"), 0) << err_;
-  EXPECT_EQ(out_, "passed   a/house.draw\n1 inputs: 1 passed, 0 differ, 0 bad\n");
+  EXPECT_EQ(out_, "passed   a/house.draw\n1 input: 1 passed, 0 differ, 0 bad\n");
   EXPECT_EQ(run("check tree.draw bad.draw --golden gold --update"), 2);
   EXPECT_TRUE(fs::exists(folder_ / "gold/tree.txt"));
   EXPECT_FALSE(fs::exists(folder_ / "gold/bad.txt"));

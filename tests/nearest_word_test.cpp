@@ -38,6 +38,7 @@ TEST(NearestWord, OnlyWordsThatAreNearAreMeant) {
   EXPECT_EQ(did_you_mean("--SIZE", known), " did you mean '--size'?");
   EXPECT_EQ(did_you_mean("--sample", known), " did you mean '--samples'?");
   EXPECT_EQ(did_you_mean("depth", known), " did you mean 'depth-sort'?");  // its start
+  EXPECT_EQ(did_you_mean("sort", known), " did you mean 'depth-sort'?");   // its end
   EXPECT_EQ(did_you_mean("frobnicate", known), "");
   EXPECT_EQ(did_you_mean("", known), "");
   EXPECT_EQ(did_you_mean("x", known), "");

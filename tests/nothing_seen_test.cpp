@@ -42,7 +42,7 @@ TEST(NothingSeen, TellsWhereEverythingIs) {
   EXPECT_EQ(why(triangle_at("5", "0", "0")), only + "to the right of the window");
   EXPECT_EQ(why(triangle_at("0", "-5", "0")), only + "below the window");
   EXPECT_EQ(why(triangle_at("0", "5", "0")), only + "above the window");
-  EXPECT_EQ(why("open-segment 1\npolygon-abs-3 1.5 0 0  0 1.5 0  2 2 0\nclose-segment\n"),
+  EXPECT_EQ(why("open-segment 1\npolygon-abs-3 2.5 0 0  0 2.5 0  3 3 0\nclose-segment\n"),
             only + "outside of the view volume");
   EXPECT_EQ(why("open-segment 1\nmove-abs-2 1.5 0\nline-abs-2 0.8 1.5\nclose-segment\n"),
             only + "outside of the view volume");

@@ -423,10 +423,10 @@ Renderer::Renderer(Renderer&& other) noexcept = default;
 Renderer& Renderer::operator=(Renderer&& other) noexcept = default;
 
 const Picture& Renderer::draw(const GraphicsSystem& system, const DrawOptions& options) {
-  auto& [sorted, software, picture, picker] = *kept_;
-  software.give_back(std::move(picture));
-  picture = draw_in_memory(system, options, {sorted, software});
-  return picture;
+  Kept& kept = *kept_;
+  kept.software.give_back(std::move(kept.picture));
+  kept.picture = draw_in_memory(system, options, {kept.sorted, kept.software});
+  return kept.picture;
 }
 
 void Renderer::draw(const GraphicsSystem& system, const std::filesystem::path& file,
@@ -438,14 +438,16 @@ std::optional<Pick> Renderer::pick(const GraphicsSystem& system, double x, doubl
                                    const DrawOptions& options, double reach) {
   require_picture_size(options.width, options.height);
   const PictureSize size{options.width, options.height};
-  auto& [sorted, software, picture, picker] = *kept_;
+  Kept& kept = *kept_;
+  std::optional<Picker>& picker = kept.picker;
   const bool same_scene = picker && picker->scene().is_of(system.display_file());
   if (!same_scene || !(picker->size() == size)) {
     picker.reset();
     const std::size_t polygons = system.display_file().polygons();
     with_memory(
-        system.display_file().bytes(), fmt::format("picking among {} polygons", polygons),
-        [&] { picker.emplace(software.scene_of(system.display_file()), size, options.threads); });
+        system.display_file().bytes(), fmt::format("picking among {} polygons", polygons), [&] {
+          picker.emplace(kept.software.scene_of(system.display_file()), size, options.threads);
+        });
   }
   return picker->pick(x, y, reach);
 }

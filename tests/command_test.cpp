@@ -509,9 +509,9 @@ TEST_F(Command, PickSaysWhatIsSeenThere) {
     EXPECT_EQ(run("draw p.draw -o p.png --size 100x100 --pick " + at), 0) << err_;
     return out_;
   };
-  EXPECT_EQ(picked("50,70"), "at 50,70: polygon 12 of segment 3, depth 0\n");
-  EXPECT_EQ(picked("50,98.5,2"), "at 50,98.5: an edge of polygon 12 of segment 3, depth 0\n");
-  EXPECT_EQ(picked("50,26,2"), "at 50,26: line of segment 3, depth 0\n");
+  EXPECT_EQ(picked("50,70"), "at 50,70: polygon 12 of segment 3, depth 0.75\n");
+  EXPECT_EQ(picked("50,98.5,2"), "at 50,98.5: an edge of polygon 12 of segment 3, depth 0.75\n");
+  EXPECT_EQ(picked("50,26,2"), "at 50,26: line of segment 3, depth 0.75\n");
   EXPECT_EQ(picked("50,26"), "at 50,26: nothing\n");
   EXPECT_EQ(picked("500,26"), "at 500,26: nothing\n");
   fs::remove(folder_ / "p.png");

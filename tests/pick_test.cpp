@@ -257,7 +257,7 @@ class NaiveLines {
   };
   enum class Seen { no, yes, unclear };
 
-  NaiveLines(const ViewedScene& scene, double size) : scene_(scene), size_(size) {
+  explicit NaiveLines(const ViewedScene& scene) : scene_(scene) {
     for (ViewedScene::Item item = 0; item < scene.items(); ++item) {
       const auto points = scene.points(item);
       const bool line = scene.kind(item) == Primitives::Kind::line;
@@ -320,7 +320,6 @@ class NaiveLines {
   }
 
   const ViewedScene& scene_;
-  double size_;
   std::vector<Line> lines_;
 };
 
@@ -352,7 +351,7 @@ TEST(PickingLines, FollowTheRuleOnRandomScenes) {
     }
     const ViewedScene scene(segment.entered(), {});
     const LinePicker picker(scene, {kSize, kSize}, 1);
-    const NaiveLines naive(scene, kSize);
+    const NaiveLines naive(scene);
     for (const NaiveLines::Line& line : naive.lines()) {
       if (Point2(line.from) == Point2(line.to)) continue;
       const double t = dice.part();

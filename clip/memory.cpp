@@ -19,12 +19,13 @@ void out_of_memory(std::size_t bytes, const std::string& what) {
 
 /// The system's pages are asked for, not the library's allocator: a compiler may leave out what is
 /// allocated and released at once, and an application may count what it allocates.
-void require_memory(std::size_t bytes, const std::string& what) {
-  if (bytes < kWorthAsking) return;
+bool has_memory(std::size_t bytes) {
+  if (bytes < kWorthAsking) return true;
   void* const pages =
       mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (pages == MAP_FAILED) out_of_memory(bytes, what);
+  if (pages == MAP_FAILED) return false;
   munmap(pages, bytes);
+  return true;
 }
 
 }  // namespace displayfile

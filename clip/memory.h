@@ -7,26 +7,26 @@
 
 namespace displayfile {
 
-/// Throws Error, which states the bytes and what they are for, if the system does not give so much
-/// memory now. It is only asked for: nothing is written, and nothing is kept. Little memory is not
-/// worth asking for.
-void require_memory(std::size_t bytes, const std::string& what);
+/// True if the system gives so much memory now. It is only asked for: nothing is written, and
+/// nothing is kept. Little memory is not worth asking for.
+bool has_memory(std::size_t bytes);
 
-/// Throws that Error.
+/// Throws Error, which states the bytes and what needs them.
 [[noreturn]] void out_of_memory(std::size_t bytes, const std::string& what);
 
 /// What `work` returns, which needs that many bytes at least: they are asked for first, so that
 /// what cannot be done is known before any time is spent; where more is needed, and there is none,
-/// it is the same Error. Where so much is `held` already, it is not asked for.
-template <class Work>
-auto with_memory(std::size_t bytes, const std::string& what, Work&& work, std::size_t held = 0) {
-  if (bytes > held) require_memory(bytes, what);
+/// it is the same Error. what() tells what they are for. Where so much is `held` already, it is not
+/// asked for.
+template <class What, class Work>
+auto with_memory(std::size_t bytes, What&& what, Work&& work, std::size_t held = 0) {
+  if (bytes > held && !has_memory(bytes)) out_of_memory(bytes, what());
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    out_of_memory(bytes, what);
+    out_of_memory(bytes, what());
   } catch (const std::length_error&) {
-    out_of_memory(bytes, what);
+    out_of_memory(bytes, what());
   }
 }
 

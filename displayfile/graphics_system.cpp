@@ -480,7 +480,8 @@ void GraphicsSystem::polygons_abs_3(std::span<const Point3> vertices,
   const std::size_t polygons = sides.empty() ? corners.size() / 3 : sides.size();
   const std::span<const Point3> world = with_memory(
       vertices.size() * sizeof(Point3) + corners.size() * (sizeof(Point3) + sizeof(std::int32_t)),
-      fmt::format("entering {} polygons of {} corners", polygons, corners.size()), [&] {
+      [&] { return fmt::format("entering {} polygons of {} corners", polygons, corners.size()); },
+      [&] {
         const std::span<const Point3> of_all = shared_world(vertices);
         view_stage_->view_vertices(of_all);
         segment.reserve_polygons(polygons, corners.size());

@@ -25,8 +25,9 @@ std::shared_ptr<const SortedScene> sorted_scene(ViewedScene viewed,
 template <class Sort>
 std::shared_ptr<const SortedScene> with_memory_of_sort(std::size_t points, HiddenMethod method,
                                                        Sort&& sort) {
-  return with_memory(points * sizeof(Point3),
-                     fmt::format("sorting {} points by {}", points, name_of(method)), sort);
+  return with_memory(
+      points * sizeof(Point3),
+      [&] { return fmt::format("sorting {} points by {}", points, name_of(method)); }, sort);
 }
 
 }  // namespace

@@ -212,9 +212,10 @@ Picture with_memory_of_picture(const DrawOptions& options, const SoftwareRendere
   const std::size_t of_pixel = sizeof(Picture::pixels[0]) +
                                (options.with_ids ? sizeof(Picture::ids[0]) : 0) +
                                (options.with_depth ? sizeof(Picture::depth[0]) : 0);
-  return with_memory(pixels * of_pixel,
-                     fmt::format("a picture of {} x {} pixels", options.width, options.height),
-                     draw, kept.bytes_of_picture());
+  return with_memory(
+      pixels * of_pixel,
+      [&] { return fmt::format("a picture of {} x {} pixels", options.width, options.height); },
+      draw, kept.bytes_of_picture());
 }
 
 /// Draws into a file: by rows, but for a device that has the whole picture in memory, with a depth
@@ -227,8 +228,10 @@ void with_memory_of_drawing(const DisplayFile& display_file, const std::filesyst
   const auto pixels =
       static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
   const std::size_t samples = static_cast<std::size_t>(options.samples * options.samples);
-  with_memory(display_file.bytes() + (by_rows ? 0 : kBytesOfPixel * pixels * samples),
-              fmt::format("{} of {} x {}", file.string(), options.width, options.height), draw);
+  with_memory(
+      display_file.bytes() + (by_rows ? 0 : kBytesOfPixel * pixels * samples),
+      [&] { return fmt::format("{} of {} x {}", file.string(), options.width, options.height); },
+      draw);
 }
 
 /// Draws in memory; what is not a colour is not antialiased.
@@ -445,7 +448,9 @@ std::optional<Pick> Renderer::pick(const GraphicsSystem& system, double x, doubl
     picker.reset();
     const std::size_t polygons = system.display_file().polygons();
     with_memory(
-        system.display_file().bytes(), fmt::format("picking among {} polygons", polygons), [&] {
+        system.display_file().bytes(),
+        [&] { return fmt::format("picking among {} polygons", polygons); },
+        [&] {
           picker.emplace(kept.software.scene_of(system.display_file()), size, options.threads);
         });
   }

@@ -454,20 +454,22 @@ Picture truth(const DisplayFile& display_file, int width, int height, bool depth
               const TruthProgress& progress) {
   require_picture_size(width, height);
   const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  return with_memory(TruePicture::kBytesOfPixel * pixels,
-                     fmt::format("the truth of {} x {} pixels", width, height), [&] {
-                       TruePicture picture(width, height);
-                       std::size_t done = 0, polygons = 0;
-                       for (const Segment& segment : display_file.segments()) {
-                         if (segment.visible) polygons += segment.polygons();
-                       }
-                       for (const Segment& segment : display_file.segments()) {
-                         if (!segment.visible) continue;
-                         segment.walk_entered_drawn(
-                             SegmentWalk{picture, segment.name(), progress, done, polygons});
-                       }
-                       return picture.take(depth);
-                     });
+  return with_memory(
+      TruePicture::kBytesOfPixel * pixels,
+      [&] { return fmt::format("the truth of {} x {} pixels", width, height); },
+      [&] {
+        TruePicture picture(width, height);
+        std::size_t done = 0, polygons = 0;
+        for (const Segment& segment : display_file.segments()) {
+          if (segment.visible) polygons += segment.polygons();
+        }
+        for (const Segment& segment : display_file.segments()) {
+          if (!segment.visible) continue;
+          segment.walk_entered_drawn(
+              SegmentWalk{picture, segment.name(), progress, done, polygons});
+        }
+        return picture.take(depth);
+      });
 }
 
 }  // namespace displayfile

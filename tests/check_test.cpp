@@ -87,12 +87,12 @@ TEST_F(Check, SummaryOfAllInputs) {
   EXPECT_EQ(run(all + " --summary"), 2);
   EXPECT_EQ(err_,
             "displayfile: bad.draw:2:1: unknown routine 'fly': expected a user routine, such as "
-            "scale-3 or set-light\n");
+            "open-segment or polygon-abs-3\n");
   EXPECT_EQ(
       out_,
       "passed   a/house.draw\n"
       "bad      bad.draw      bad.draw:2:1: unknown routine 'fly': expected a user routine, "
-      "such as scale-3 or set-light\n"
+      "such as open-segment or polygon-abs-3\n"
       "differs  b/house.draw  segment 1, instruction 1 (fill solid 0 1 0): red is 0, expected "
       "1\n"
       "3 inputs: 1 passed, 1 differ, 1 bad\n");

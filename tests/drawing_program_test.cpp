@@ -296,7 +296,7 @@ TEST(DrawingProgram, ErrorsNamePlaceAndExpectation) {
       {"line-style none\n",
        "1:1: unknown routine 'line-style': did you mean 'set-line-style'? expected a user routine"},
       {"circle 0 0 1\n",
-       "1:1: unknown routine 'circle': expected a user routine, such as scale-3 or line-rel-3"},
+       "1:1: unknown routine 'circle': expected a user routine, such as open-segment or polygon-abs-3"},
       {"set-window 0 1 0  \n",
        "1:17: set-window: 3 arguments, expected 4: x-min x-max y-min y-max"},
       {"set-window 0 1 0 1 9\n",

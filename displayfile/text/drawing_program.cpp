@@ -426,8 +426,7 @@ constexpr auto kRoutines = std::to_array<Routine>({
   if (const std::string meant = did_you_mean(name, names); !meant.empty()) {
     message += meant + " expected a user routine";
   } else {
-    const auto near = nearest_words(name, names);
-    message += fmt::format(" expected a user routine, such as {} or {}", near[0], near[1]);
+    message += " expected a user routine, such as open-segment or polygon-abs-3";
   }
   throw ErrorAt(name.data(), message);
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "displayfile/background.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/sorted_display_file.h"
 #include "hidden/exact/precision.h"
@@ -18,11 +19,12 @@ namespace displayfile {
 struct DrawOptions {
   int width = 512, height = 512;  ///< pixels; of a PDF, points
   std::optional<HiddenMethod> hidden =
-      std::nullopt;  ///< these three in place of what the application set
+      std::nullopt;  ///< these four in place of what the application set
   std::optional<HiddenScope> scope = std::nullopt;
   std::optional<Precision> precision = std::nullopt;
   std::string device = "software";  ///< of raster pictures: one of raster_devices()
   int threads = 1;
+  std::optional<Background> background = std::nullopt;
   /// Antialiasing: the mean of samples x samples for each pixel, 1 to kMostSamples; vectors, ids
   /// and depth are not affected.
   int samples = 1;

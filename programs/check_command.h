@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "programs/camera_options.h"
 #include "programs/hidden_surface_words.h"
+#include "programs/picture_size.h"
 
 namespace displayfile {
 
@@ -13,6 +15,8 @@ namespace displayfile {
 struct CheckCommand {
   std::vector<std::string> inputs;
   HiddenSurfaceWords hidden_surfaces;
+  PictureSizeWord size;  ///< of the picture that windows are made for
+  CameraWords camera;
   int threads = 1;
   std::string golden_folder;
   bool update = false;

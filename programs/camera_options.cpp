@@ -117,19 +117,20 @@ void CameraWords::start(GraphicsSystem& system, double aspect) const {
   if (widen) system.set_window_fit(WindowFit::widen);
 }
 
-void warn_of_stretched_window(const GraphicsSystem& system, int width, int height) {
+void warn_of_stretched_window(const GraphicsSystem& system, const std::string& picture, int width,
+                              int height) {
   const auto& stretched = system.stretched_window();
   if (!stretched) return;
   const double factor = stretched->window / stretched->viewport;
   const double pixels = std::max(factor, 1.0 / factor) - 1.0;
   if (pixels * std::max(width, height) < 1.0) return;
   std::cerr << fmt::format(
-      "warning: segment {}: a window {:.4g} times as wide as high is stretched to a viewport "
+      "warning: {}: segment {}: a window {:.4g} times as wide as high is stretched to a viewport "
       "{:.4g} "
       "times as wide as high in {} x {} pixels: --widen widens it, set-window-fit stretch says "
       "that "
       "it is meant\n",
-      stretched->segment, stretched->window, stretched->viewport, width, height);
+      picture, stretched->segment, stretched->window, stretched->viewport, width, height);
 }
 
 }  // namespace displayfile

@@ -26,8 +26,9 @@ struct CameraWords {
   std::vector<std::string> given() const;
 };
 
-/// On standard error, a line if a window was stretched by a pixel or more and nobody said that it
-/// should be.
-void warn_of_stretched_window(const GraphicsSystem& system, int width, int height);
+/// On standard error, a line if a window of a picture was stretched by a pixel or more and nobody
+/// said that it should be.
+void warn_of_stretched_window(const GraphicsSystem& system, const std::string& picture, int width,
+                              int height);
 
 }  // namespace displayfile

@@ -65,7 +65,7 @@ int CompareCommand::run() const {
     return std::filesystem::path(name).extension().string();
   };
   const auto read_picture = [&](const std::string& name) {
-    return extension(name) == ".png" ? read_png(name) : read_ppm(name);
+    return extension(name) == ".png" ? read_png(name, Alpha::stored) : read_ppm(name);
   };
   const auto is_picture = [&](const std::string& name) {
     return extension(name) == ".png" || extension(name) == ".ppm";

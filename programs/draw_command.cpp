@@ -144,7 +144,7 @@ int DrawCommand::run() const {
   system.set_threads(drawing.threads);
   system.set_shading(start_with);
   enter_inputs(inputs, system, camera, size.aspect());
-  warn_of_stretched_window(system, drawing.width, drawing.height);
+  warn_of_stretched_window(system, output, drawing.width, drawing.height);
   if (!drawing.hidden && std::ranges::none_of(inputs, is_drawing_program)) {
     drawing.hidden = HiddenMethod::automatic;
   }

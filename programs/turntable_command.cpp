@@ -110,7 +110,7 @@ void draw_turntable(std::span<const std::string> inputs, const std::filesystem::
   system.retain(&scene);
   const double aspect = static_cast<double>(options.width) / options.height;
   const bool fitted = enter_inputs(inputs, system, camera, aspect);
-  warn_of_stretched_window(system, options.width, options.height);
+  warn_of_stretched_window(system, output.string(), options.width, options.height);
   Turntable turntable(scene, system.display_file(), system.view());
   const Camera looking = camera.camera();
   if (fitted) turntable.set_axis(looking.upright.up);

@@ -155,6 +155,10 @@ class RandomApplication {
       }
       case 27: return system_.set_z_buffer(chance(50));
       case 28: return system_.close_segment();
+      case 38: return system_.set_window_fit(chance(50) ? WindowFit::widen : WindowFit::stretch);
+      case 39:
+        return system_.set_background(
+            {chance(50) ? Background::Kind::none : Background::Kind::solid, colour()});
       default: return system_.open_segment(name());
     }
   }
@@ -175,6 +179,7 @@ void expect_same_state(const GraphicsSystem& a, const GraphicsSystem& b) {
   EXPECT_EQ(a.polygons_entered(), b.polygons_entered());
   EXPECT_EQ(a.polygons_triangulated(), b.polygons_triangulated());
   EXPECT_EQ(a.view_was_set(), b.view_was_set());
+  EXPECT_EQ(a.background(), b.background());
 }
 
 /// Whatever the application called, its recording makes the same display file, bit for bit
@@ -210,7 +215,7 @@ TEST(RecordReplay, RandomApplications) {
   }
   // The applications did something: every routine, and pictures of some size.
   if (test::kSlower == 1) {
-    EXPECT_EQ(routines.size(), 49u);
+    EXPECT_EQ(routines.size(), 51u);
   }
   EXPECT_GT(instructions, 100000u / test::kSlower);
   EXPECT_GT(refused, 1000 / test::kSlower);

@@ -17,7 +17,9 @@ namespace displayfile {
 
 /// How a display file becomes a picture.
 struct DrawOptions {
-  int width = 512, height = 512;  ///< pixels; of a PDF, points
+  /// Pixels; of a PDF, points. Not square: GraphicsSystem::set_aspect_ratio before the first segment
+  /// keeps windows from being stretched.
+  int width = 512, height = 512;
   std::optional<HiddenMethod> hidden =
       std::nullopt;  ///< these four in place of what the application set
   std::optional<HiddenScope> scope = std::nullopt;

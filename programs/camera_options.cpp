@@ -88,6 +88,7 @@ Camera CameraWords::camera() const {
   if (!fov.empty()) camera.angle_of_view = angle_of_view(fov);
   camera.parallel = parallel;
   camera.fit = fit;
+  camera.turning = turning;
   return camera;
 }
 

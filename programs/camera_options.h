@@ -13,6 +13,7 @@ namespace displayfile {
 struct CameraWords {
   std::string eye, look_at, up, fov;
   bool parallel = false, fit = true, widen = false;
+  bool turning = false;  ///< no option: the camera is one of a turntable
 
   void add_to(CLI::App& command);
   /// Throws Error, naming the option, for a word that is not what it expects.

@@ -108,7 +108,7 @@ CLI::App& DrawCommand::add_to(CLI::App& app) {
                      "item buffer as .npy: the pick identifier seen, -1 for none");
   command.add_option("--depth", options.depth, "depth as .npy: of the fill seen, -inf for none");
   command.add_option("--turntable", turntable,
-                     "N views, turned evenly all around the view-up axis, from one BSP tree, "
+                     "N views, turned evenly all around the axis that is up, from one BSP tree, "
                      "or with --hidden world-ray-cast from one tree of boxes: "
                      "OUT.png becomes OUT-000.png, OUT-001.png, ..., --ids and --depth likewise");
   shading.add_to(command);

@@ -109,7 +109,9 @@ void draw_turntable(std::span<const std::string> inputs, const std::filesystem::
   system.set_shading(shading);
   system.retain(&scene);
   const double aspect = static_cast<double>(options.width) / options.height;
-  const bool fitted = enter_inputs(inputs, system, camera, aspect);
+  CameraWords turning = camera;
+  turning.turning = true;
+  const bool fitted = enter_inputs(inputs, system, turning, aspect);
   warn_of_stretched_window(system, output.string(), options.width, options.height);
   Turntable turntable(scene, system.display_file(), system.view());
   const Camera looking = camera.camera();

@@ -15,7 +15,7 @@ int turntable_views(const std::string& text);
 /// Draws the inputs turned about the view-up axis through their middle, before a camera and lights
 /// that stay, in `views` views evenly around, all from one BSP tree in world coordinates
 /// (hidden/sort/world_tree.md), or by rays from one tree of boxes (interp/visibility/ray_cast.md).
-/// A window that was fitted to a mesh is fitted to all views; with an angle of view, it stays.
+/// What was fitted to a mesh is fitted to all views: the window, or the eye's distance.
 ///
 /// The files are numbered: OUT-000.png, OUT-001.png and so on for OUT.png, and likewise the item
 /// buffers and depths of the options. Each appears whole or not at all, and none if one of them

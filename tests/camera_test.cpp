@@ -196,6 +196,34 @@ TEST_F(CameraTest, AngleOfViewIsThatFromBottomToTop) {
   }
 }
 
+TEST_F(CameraTest, AnAngleOfViewHoldsAMeshThatTurns) {
+  const Mesh mesh = mesh_of(wedge(true));
+  Camera camera;
+  camera.upright = upright("z");
+  camera.angle_of_view = 50.0;
+  camera.turning = true;
+  const View turning = view_of(mesh, camera, 1.5);
+  const ViewVolume volume(turning);
+  const Point3 middle(2.5, -1.5, 2.0);
+  double nearest_to_a_side = 1.0;
+  for (double turn = 0.0; turn < 6.28; turn += 0.01) {
+    for (const Point3& vertex : mesh.vertices) {
+      const double x = vertex.x - middle.x, y = vertex.y - middle.y;
+      const Point3 turned(middle.x + x * std::cos(turn) - y * std::sin(turn),
+                          middle.y + x * std::sin(turn) + y * std::cos(turn), vertex.z);
+      const Point3 p = volume.to_device(volume.transform(turned));
+      for (int axis = 0; axis < 2; ++axis) {
+        nearest_to_a_side = std::min({nearest_to_a_side, p[axis], 1.0 - p[axis]});
+      }
+    }
+  }
+  EXPECT_NEAR(nearest_to_a_side, 0.05, 0.01);
+  camera.turning = false;
+  const View still = view_of(mesh, camera, 1.5);
+  EXPECT_LT(glm::length(still.centre_of_projection - still.reference_point),
+            glm::length(turning.centre_of_projection - turning.reference_point));
+}
+
 TEST_F(CameraTest, WithoutFitNothingDependsOnTheMesh) {
   for (Camera camera : cameras()) {
     camera.fit = false;

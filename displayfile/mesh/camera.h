@@ -41,6 +41,9 @@ struct Camera {
   /// Otherwise nothing depends on the mesh: the view is that of a ball of radius 1 at the origin or
   /// at what is looked at.
   bool fit = true;
+  /// Finds the eye's distance for the mesh as it turns about the axis that is up, through its
+  /// middle.
+  bool turning = false;
 };
 
 }  // namespace displayfile

@@ -67,6 +67,25 @@ Rectangle about_the_middle(double half_height, double aspect) {
   return {-aspect * half_height, aspect * half_height, -half_height, half_height};
 }
 
+/// The points, and where they are as they turn about the axis that is up: at so many places that
+/// between two of them none goes farther out by more than a hundredth of its way.
+std::vector<Point3> turned(std::span<const Point3> world, const Point3& middle,
+                           const Upright& upright) {
+  constexpr int kPlaces = 32;
+  std::vector<Point3> all;
+  for (int k = 0; k < kPlaces; ++k) {
+    const auto [sine, cosine] = sine_cosine_of_degrees(360.0 * k / kPlaces);
+    for (const Point3& p : world) {
+      const Point3 from_middle = p - middle;
+      const double across = glm::dot(from_middle, upright.right);
+      const double along = glm::dot(from_middle, upright.front);
+      all.push_back(p + (across * (cosine - 1.0) + along * sine) * upright.right +
+                    (along * (cosine - 1.0) - across * sine) * upright.front);
+    }
+  }
+  return all;
+}
+
 /// What of the points is needed to fit a view to them, in the view plane's coordinates.
 class FittedView {
  public:
@@ -114,10 +133,16 @@ FittedView::FittedView(std::span<const Point3> world, double aspect, const Camer
   View from_far = view_;  // any will do for the axes of the view plane
   from_far.set_parallel(toward_eye_);
   view_plane_ = ViewVolume(from_far).view_plane();
+  const bool stands_back = camera.angle_of_view && direction != nullptr && camera.fit;
+  std::vector<Point3> places;
+  if (stands_back && camera.turning) {
+    places = turned(world, scene.middle(), camera.upright);
+    world = places;
+  }
   for (const Point3& p : world) points_.emplace_back(view_plane_ * HomogeneousPoint(p, 1.0));
   if (camera.angle_of_view) {
     const double slope = slope_of(*camera.angle_of_view);
-    if (direction != nullptr && camera.fit) stand_back(slope);
+    if (stands_back) stand_back(slope);
     if (direction != nullptr && !camera.fit) place_eye(seen_radius / slope);
     view_.set_window(about_the_middle(slope * distance_, aspect));
   } else if (camera.fit) {

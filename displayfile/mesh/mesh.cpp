@@ -162,20 +162,25 @@ Mesh::Skipped import_meshes(std::span<const std::string> paths, GraphicsSystem& 
   return skipped_of(meshes);
 }
 
+Mesh::Skipped import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
+                            double aspect) {
+  const double before = system.aspect_ratio();
+  system.set_aspect_ratio(aspect);
+  try {
+    return import_meshes(paths, system);
+  } catch (...) {
+    system.set_aspect_ratio(before);
+    throw;
+  }
+}
+
 Mesh::Skipped import_mesh(const std::string& path, GraphicsSystem& system,
                           const MeshOptions& options) {
   return import_meshes(std::span(&path, 1), system, options);
 }
 
 Mesh::Skipped import_mesh(const std::string& path, GraphicsSystem& system, double aspect) {
-  const double before = system.aspect_ratio();
-  system.set_aspect_ratio(aspect);
-  try {
-    return import_mesh(path, system);
-  } catch (...) {
-    if (!system.open_segment_name()) system.set_aspect_ratio(before);
-    throw;
-  }
+  return import_meshes(std::span(&path, 1), system, aspect);
 }
 
 Mesh::Skipped skipped_of(std::span<const Mesh> meshes) {

@@ -91,6 +91,8 @@ void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
 /// the aspect ratio is not positive; then nothing was changed.
 Mesh::Skipped import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
                             const MeshOptions& options = {});
+Mesh::Skipped import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
+                            double aspect);
 Mesh::Skipped import_mesh(const std::string& path, GraphicsSystem& system,
                           const MeshOptions& options = {});
 Mesh::Skipped import_mesh(const std::string& path, GraphicsSystem& system, double aspect);

@@ -17,16 +17,16 @@ namespace displayfile {
 
 /// How a display file becomes a picture.
 struct DrawOptions {
-  /// Pixels; of a PDF, points. Not square: GraphicsSystem::set_aspect_ratio before the first segment
-  /// keeps windows from being stretched.
+  /// Pixels; of a PDF, points. For a picture that is not square, set_aspect_ratio before the first
+  /// segment keeps windows from being stretched.
   int width = 512, height = 512;
   std::optional<HiddenMethod> hidden =
-      std::nullopt;  ///< these four in place of what the application set
+      std::nullopt;  ///< these three in place of what the application set
   std::optional<HiddenScope> scope = std::nullopt;
   std::optional<Precision> precision = std::nullopt;
   std::string device = "software";  ///< of raster pictures: one of raster_devices()
   int threads = 1;
-  std::optional<Background> background = std::nullopt;
+  std::optional<Background> background = std::nullopt;  ///< in place of the application's
   /// Antialiasing: the mean of samples x samples for each pixel, 1 to kMostSamples; vectors, ids
   /// and depth are not affected.
   int samples = 1;

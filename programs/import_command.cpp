@@ -32,6 +32,7 @@ int ImportCommand::run() const {
     if (is_drawing_program(mesh)) throw Error(mesh + " is a drawing program: expected a mesh");
   }
   camera.start(system, aspect);
+  system.set_window_fit(WindowFit::widen);  // whatever the size that it will be drawn in
   if (start_with != Shading::flat) system.set_shading(start_with);
   const Progress progress("importing " + meshes.front());
   const Mesh::Skipped skipped = import_meshes(meshes, system, {.camera = looking});

@@ -644,12 +644,12 @@ TEST_F(MeshTest, FittedViewShowsTheWholeMesh) {
 
 TEST_F(MeshTest, FittedViewRefusesWhatItCannotFit) {
   GraphicsSystem system;
-  file("a.obj", cube());
+  const std::string path = file("a.obj", cube());
   for (const double aspect : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
-    EXPECT_THROW(import_mesh(file("a.obj"), system, aspect), Error);
+    EXPECT_THROW(import_mesh(path, system, aspect), Error);
     EXPECT_EQ(system.aspect_ratio(), 1.0);
   }
-  EXPECT_THROW(import_mesh(file("missing.obj"), system, 2.0), Error);
+  EXPECT_THROW(import_mesh("missing.obj", system, 2.0), Error);
   EXPECT_EQ(system.aspect_ratio(), 1.0);
   EXPECT_THROW(fit_view(std::span<const Mesh>(), system), Error);
   EXPECT_FALSE(system.view_was_set());

@@ -249,7 +249,6 @@ void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camer
   const Rectangle& window = view.window;
   system.set_window(window.x_min, window.x_max, window.y_min, window.y_max);
   system.set_viewport(0.0, 1.0, 0.0, 1.0);
-  if (!system.said().contains(Setting::window_fit)) system.set_window_fit(WindowFit::widen);
 }
 
 void fit_view(std::span<const Mesh> meshes, GraphicsSystem& system, const Camera& camera) {

@@ -17,8 +17,7 @@ void append_used_vertices(const Mesh& mesh, const ModellingTransformation& model
 /// Sets a view that shows the points whole, by a camera: unless it says otherwise a three-quarter
 /// perspective from the front, a little from the right and from above; the window fitted to what is
 /// projected with a small margin, in the shape of the system's pictures; the view depth enclosing
-/// the points. Later windows are widened to their pictures' shapes, unless the application said
-/// what should become of them.
+/// the points.
 ///
 /// Throws Error, with no view set, if there are no points, a segment is open, or the camera cannot
 /// be: an eye at what it looks at, an angle of view out of range, or, to be fitted, points that are

@@ -61,78 +61,104 @@ void GraphicsSystem::require_view_may_change() const {
 void GraphicsSystem::set_view_reference_point(const Point3& p) {
   require_view_may_change();
   view_.set_reference_point(p);
-  view_was_set_ = true;
-  record("set-view-reference-point", {p.x, p.y, p.z});
+  record_said(Setting::view, "set-view-reference-point", {p.x, p.y, p.z});
 }
 
 void GraphicsSystem::set_view_plane_normal(const Point3& n) {
   require_view_may_change();
   view_.set_plane_normal(n);
-  view_was_set_ = true;
-  record("set-view-plane-normal", {n.x, n.y, n.z});
+  record_said(Setting::view, "set-view-plane-normal", {n.x, n.y, n.z});
 }
 
 void GraphicsSystem::set_view_distance(double d) {
   require_view_may_change();
   view_.set_distance(d);
-  view_was_set_ = true;
-  record("set-view-distance", {d});
+  record_said(Setting::view, "set-view-distance", {d});
 }
 
 void GraphicsSystem::set_view_up(const Point3& up) {
   require_view_may_change();
   view_.set_up(up);
-  view_was_set_ = true;
-  record("set-view-up", {up.x, up.y, up.z});
+  record_said(Setting::view, "set-view-up", {up.x, up.y, up.z});
 }
 
 void GraphicsSystem::set_parallel(const Point3& direction) {
   require_view_may_change();
   view_.set_parallel(direction);
-  view_was_set_ = true;
-  record("set-parallel", {direction.x, direction.y, direction.z});
+  record_said(Setting::view, "set-parallel", {direction.x, direction.y, direction.z});
 }
 
 void GraphicsSystem::set_perspective(const Point3& centre) {
   require_view_may_change();
   view_.set_perspective(centre);
-  view_was_set_ = true;
-  record("set-perspective", {centre.x, centre.y, centre.z});
+  record_said(Setting::view, "set-perspective", {centre.x, centre.y, centre.z});
 }
 
 void GraphicsSystem::set_view_depth(double front, double back) {
   require_view_may_change();
   view_.set_depth(front, back);
-  view_was_set_ = true;
-  record("set-view-depth", {front, back});
+  record_said(Setting::view, "set-view-depth", {front, back});
 }
 
 void GraphicsSystem::set_front_plane_clipping(bool on) {
   require_view_may_change();
   view_.front_clipping = on;
-  view_was_set_ = true;
-  record("set-front-plane-clipping", {on});
+  record_said(Setting::view, "set-front-plane-clipping", {on});
 }
 
 void GraphicsSystem::set_back_plane_clipping(bool on) {
   require_view_may_change();
   view_.back_clipping = on;
-  view_was_set_ = true;
-  record("set-back-plane-clipping", {on});
+  record_said(Setting::view, "set-back-plane-clipping", {on});
 }
 
 void GraphicsSystem::set_window(double x_min, double x_max, double y_min, double y_max) {
   require_view_may_change();
   view_.set_window({x_min, x_max, y_min, y_max});
-  view_was_set_ = true;
-  record("set-window", {x_min, x_max, y_min, y_max});
+  said_.insert(Setting::window);
+  record_said(Setting::view, "set-window", {x_min, x_max, y_min, y_max});
 }
 
 void GraphicsSystem::set_viewport(double x_min, double x_max, double y_min, double y_max) {
   require_view_may_change();
   view_.set_viewport({x_min, x_max, y_min, y_max});
-  view_was_set_ = true;
-  record("set-viewport", {x_min, x_max, y_min, y_max});
+  said_.insert(Setting::window);
+  record_said(Setting::view, "set-viewport", {x_min, x_max, y_min, y_max});
+}
+
+void GraphicsSystem::set_window_fit(WindowFit fit) {
+  require_view_may_change();
+  window_fit_ = fit;
+  record_said(Setting::window_fit, "set-window-fit", {name_of(fit)});
+}
+
+void GraphicsSystem::set_aspect_ratio(double aspect) {
+  require_view_may_change();
+  if (!(aspect > 0.0 && aspect <= kCoordinateLimit)) {
+    throw Error(fmt::format("aspect ratio {}: expected a positive number", aspect));
+  }
+  aspect_ = aspect;
+}
+
+/// The view in force, its window in the shape that the picture wants.
+View GraphicsSystem::view_in_picture() const {
+  View view = view_;
+  const bool widen = said_.contains(Setting::window_fit) ? window_fit_ == WindowFit::widen
+                                                         : !said_.contains(Setting::window);
+  if (widen) view.window = widened(view.window, shape_in_picture(view.viewport, aspect_));
+  return view;
+}
+
+/// Of the segment just opened, unless the application said that its window should be stretched.
+void GraphicsSystem::note_stretched_window(const View& view) {
+  if (said_.contains(Setting::window_fit)) return;
+  const StretchedWindow stretched{*open_, shape_of(view.window),
+                                  shape_in_picture(view.viewport, aspect_)};
+  const auto how_far = [](const StretchedWindow& w) {
+    return std::abs(std::log(w.window / w.viewport));
+  };
+  if (!shapes_differ(stretched.window, stretched.viewport)) return;
+  if (!stretched_ || how_far(stretched) > how_far(*stretched_)) stretched_ = stretched;
 }
 
 // ---- The modelling transformation ------------------------------------------------------
@@ -199,11 +225,13 @@ void GraphicsSystem::retain(RetainedScene* scene) {
 
 void GraphicsSystem::open_segment(int name) {
   if (open_) throw Error(fmt::format("segment already open: segment {}; close it first", *open_));
-  const ViewVolume volume(view_);
+  const View view = view_in_picture();
+  const ViewVolume volume(view);
   display_file_.create(name);
   view_stage_.emplace(volume);
   open_ = name;
-  if (RetainedScene* scene = retaining()) scene->open_segment(name, view_);
+  if (RetainedScene* scene = retaining()) scene->open_segment(name, view);
+  note_stretched_window(view);
   record("open-segment", {name});
 }
 
@@ -489,6 +517,7 @@ void GraphicsSystem::polygons_abs_3(std::span<const Point3> vertices,
       });
   if (RetainedScene* scene = retaining()) scene->begin_shared(world.size());
   const FillStyle in_force = attributes_.fill;
+  const SaidSettings said = said_;
   std::size_t first = 0;
   for (std::size_t k = 0; k < polygons; ++k) {
     if (k < fills.size()) set_fill_style(fills[k]);
@@ -501,6 +530,7 @@ void GraphicsSystem::polygons_abs_3(std::span<const Point3> vertices,
     recorder_->write("polygon-abs-3", object_points_, 3);
   }
   if (!fills.empty()) set_fill_style(in_force);
+  said_ = said;
   if (!corners.empty()) pen_ = {vertices[corners.back()], world[corners.back()]};
 }
 
@@ -556,18 +586,19 @@ void GraphicsSystem::set_fill_style(const FillStyle& style) {
   if (style.kind == FillStyle::Kind::hollow) {
     attributes_.fill = {
         FillStyle::Kind::hollow};  // a colour has no meaning here: one representation
-    return record("set-fill-style", {"hollow"});
+    return record_said(Setting::fill_style, "set-fill-style", {"hollow"});
   }
   require_colour(style.colour);
   attributes_.fill = {FillStyle::Kind::solid, style.colour};
-  record("set-fill-style", {"solid", style.colour.r, style.colour.g, style.colour.b});
+  record_said(Setting::fill_style, "set-fill-style",
+              {"solid", style.colour.r, style.colour.g, style.colour.b});
 }
 
 void GraphicsSystem::set_line_style(const LineStyle& style) {
   attributes_changed();
   if (style.kind == LineStyle::Kind::none) {
     attributes_.line = {LineStyle::Kind::none};
-    return record("set-line-style", {"none"});
+    return record_said(Setting::line_style, "set-line-style", {"none"});
   }
   require_colour(style.colour);
   const bool dashed = style.kind == LineStyle::Kind::dashed;
@@ -580,11 +611,12 @@ void GraphicsSystem::set_line_style(const LineStyle& style) {
   attributes_.line = style;
   const Colour& c = style.colour;
   if (dashed) {
-    record("set-line-style", {"dashed", c.r, c.g, c.b, style.width, style.dash, style.gap});
+    record_said(Setting::line_style, "set-line-style",
+                {"dashed", c.r, c.g, c.b, style.width, style.dash, style.gap});
   } else {
     attributes_.line.dash = LineStyle{}.dash;  // of no meaning here: one style, one representation
     attributes_.line.gap = LineStyle{}.gap;
-    record("set-line-style", {"solid", c.r, c.g, c.b, style.width});
+    record_said(Setting::line_style, "set-line-style", {"solid", c.r, c.g, c.b, style.width});
   }
 }
 
@@ -608,7 +640,7 @@ void GraphicsSystem::set_light(const Point3& toward, double ambient) {
     throw Error(fmt::format("ambient light {}: expected 0 to 1", ambient));
   }
   attributes_.light = {unit(toward), ambient};
-  record("set-light", {toward.x, toward.y, toward.z, ambient});
+  record_said(Setting::light, "set-light", {toward.x, toward.y, toward.z, ambient});
 }
 
 void GraphicsSystem::set_shading(Shading shading) {
@@ -631,6 +663,17 @@ void GraphicsSystem::set_vertex_normals(std::span<const Point3> normals) {
   if (recorder_ != nullptr) recorder_->write("set-vertex-normals", normals, 3);
 }
 
+void GraphicsSystem::set_background(const Background& background) {
+  if (background.kind == Background::Kind::none) {
+    background_ = {Background::Kind::none};
+    return record("set-background", {"none"});
+  }
+  require_colour(background.colour);
+  background_ = background;
+  const Colour& c = background.colour;
+  record("set-background", {c.r, c.g, c.b});
+}
+
 void GraphicsSystem::set_pick_id(int id) {
   if (id < -1) throw Error(fmt::format("pick identifier {}: expected 0 or more, or -1", id));
   pick_ = id;
@@ -642,12 +685,13 @@ void GraphicsSystem::set_pick_id(int id) {
 void GraphicsSystem::set_hidden_line_removal(bool on) {
   hidden_ = on;
   attributes_.back_face_removal = on;
-  record("set-hidden-line-removal", {on});
+  said_.insert(Setting::back_face_removal);
+  record_said(Setting::hidden_line_removal, "set-hidden-line-removal", {on});
 }
 
 void GraphicsSystem::set_back_face_removal(bool on) {
   attributes_.back_face_removal = on;
-  record("set-back-face-removal", {on});
+  record_said(Setting::back_face_removal, "set-back-face-removal", {on});
 }
 
 void GraphicsSystem::set_hidden_method(HiddenMethod method) {

@@ -10,11 +10,14 @@
 #include "clip/planarity.h"
 #include "clip/transformation.h"
 #include "clip/view.h"
+#include "clip/window_fit.h"
 #include "displayfile/attributes.h"
+#include "displayfile/background.h"
 #include "displayfile/display_file.h"
 #include "displayfile/hidden_scope.h"
 #include "displayfile/recorder.h"
 #include "displayfile/retained_scene.h"
+#include "displayfile/said_settings.h"
 #include "displayfile/shading.h"
 #include "displayfile/style.h"
 #include "displayfile/view_stage.h"
@@ -23,6 +26,12 @@
 #include "hidden/sort/hidden_surface_sort.h"
 
 namespace displayfile {
+
+/// A window that is mapped to a viewport of another shape, width over height, in the picture.
+struct StretchedWindow {
+  int segment;  ///< that was opened with it
+  double window, viewport;
+};
 
 /// The application API: the textbook's user routines, under their names in drawing programs
 /// with underscores for hyphens. One object that the caller owns; no globals.
@@ -47,6 +56,14 @@ class GraphicsSystem {
   void set_back_plane_clipping(bool on);
   void set_window(double x_min, double x_max, double y_min, double y_max);
   void set_viewport(double x_min, double x_max, double y_min, double y_max);
+  /// What becomes of a window whose shape is not that of its viewport in the picture. As long as
+  /// this was not said, a window is widened unless the application set it, or the viewport: then
+  /// it is stretched. view() tells the window as it was set.
+  void set_window_fit(WindowFit fit);
+  /// The width over the height of the pictures that segments opened from now on will be drawn as
+  /// [1]. It is a matter of the device and not recorded: whoever replays says it again. Errors: not
+  /// a positive number up to kCoordinateLimit, a segment is open.
+  void set_aspect_ratio(double aspect);
 
   // The modelling transformation (clip/transformation.h).
   void create_transformation_3();
@@ -157,6 +174,10 @@ class GraphicsSystem {
   /// its ordinal in the program again, and lines none.
   void set_pick_id(int id);
 
+  /// What the pictures show where nothing is drawn, of all segments. Error: a colour outside of
+  /// [0,1].
+  void set_background(const Background& background);
+
   // Hidden surfaces.
   /// Also turns back-face removal on or off, as in the textbook.
   void set_hidden_line_removal(bool on);
@@ -174,7 +195,16 @@ class GraphicsSystem {
   // What the application and the interpreter may ask.
   const DisplayFile& display_file() const { return display_file_; }
   const View& view() const { return view_; }
-  bool view_was_set() const { return view_was_set_; }  ///< by any view-parameter routine
+  const SaidSettings& said() const { return said_; }
+  /// By any view-parameter routine.
+  bool view_was_set() const { return said_.contains(Setting::view); }
+  double aspect_ratio() const { return aspect_; }
+  /// The worst of the windows that were stretched although the application did not say that they
+  /// should be.
+  const std::optional<StretchedWindow>& stretched_window() const { return stretched_; }
+  const ModellingTransformation& modelling_transformation() const { return modelling_; }
+  const Attributes& attributes() const { return attributes_; }
+  const Background& background() const { return background_; }
   std::optional<int> open_segment_name() const { return open_; }
   bool hidden_line_removal() const { return hidden_; }
   bool back_face_removal() const { return attributes_.back_face_removal; }
@@ -187,6 +217,16 @@ class GraphicsSystem {
   std::size_t transformations_saved() const { return modelling_.saved(); }
   std::int64_t polygons_entered() const { return ordinal_; }  ///< calls of the polygon routines
   std::int64_t polygons_triangulated() const { return triangulated_; }  ///< for not being flat
+
+  /// Sets something for the case that the application does not say it: calls set() unless it was
+  /// said before, and what set() sets counts as not said.
+  template <class Set>
+  void by_default(Setting setting, Set&& set) {
+    if (said_.contains(setting)) return;
+    const SaidSettings said = said_;
+    set();
+    said_ = said;
+  }
 
   /// Sets the threads of close_segment's sort, whose result is the same for any number of them.
   void set_threads(int threads) { sort_options_.threads = threads; }
@@ -213,8 +253,15 @@ class GraphicsSystem {
   void record(std::string_view routine, std::initializer_list<Recorder::Argument> arguments) {
     if (recorder_ != nullptr) recorder_->write(routine, arguments);
   }
+  void record_said(Setting setting, std::string_view routine,
+                   std::initializer_list<Recorder::Argument> arguments) {
+    said_.insert(setting);
+    record(routine, arguments);
+  }
   void require_open() const;
   void require_view_may_change() const;
+  View view_in_picture() const;
+  void note_stretched_window(const View& view);
   Point3 to_world(const Point3& object) const;
   void move_to(const Point3& object);
   void line_to(const Point3& object);
@@ -230,13 +277,17 @@ class GraphicsSystem {
   void enter_triangles(const Point3& normal, std::span<const Point3> vertex_normals, int pick);
   std::span<const Point3> world_normals(const Point3& own);
   View view_;
-  bool view_was_set_ = false;
+  WindowFit window_fit_ = WindowFit::widen;
+  double aspect_ = 1.0;
+  std::optional<StretchedWindow> stretched_;
+  SaidSettings said_;
   ModellingTransformation modelling_;
   DisplayFile display_file_;
   std::optional<int> open_;
   std::optional<ViewStage> view_stage_;  // of the open segment
   Pen pen_;
   Attributes attributes_;
+  Background background_;
   Shading shading_ = Shading::flat;
   std::vector<Point3> vertex_normals_;  // of the next polygon, as the application gave them
   std::int32_t pick_ = -1;

@@ -58,6 +58,8 @@ Turntable::Turntable(const RetainedScene& scene, const DisplayFile& attributes,
   middle_ = points_.empty() ? view_.reference_point : bounds.middle();
 }
 
+void Turntable::set_axis(const Point3& world) { axis_ = unit(world); }
+
 Turntable::Turn Turntable::at(double degrees) const {
   if (degrees == 0.0) return {view_, glm::dmat3(1.0)};
   const glm::dmat3 turn = rotation_about(axis_, -degrees);
@@ -65,6 +67,7 @@ Turntable::Turn Turntable::at(double degrees) const {
   View view = view_;
   view.set_reference_point(about_middle(view_.reference_point));
   view.set_plane_normal(turn * view_.plane_normal);
+  if (unit(view_.up) != axis_) view.set_up(turn * view_.up);
   if (view_.projection == View::Projection::perspective) {
     view.set_perspective(about_middle(view_.centre_of_projection));
   } else {

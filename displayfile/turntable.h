@@ -9,9 +9,9 @@
 
 namespace displayfile {
 
-/// Turns what is drawn about the view-up axis through its middle, before a camera and lights that
-/// stay: as the world is not to move (its tree is built once), the camera and the lights go round
-/// it the other way.
+/// Turns what is drawn about the view-up axis, or another, through its middle, before a camera and
+/// lights that stay: as the world is not to move (its tree is built once), the camera and the
+/// lights go round it the other way.
 class Turntable {
  public:
   struct Turn {
@@ -27,6 +27,9 @@ class Turntable {
   /// The scene turned by so many degrees, counterclockwise seen from above. At 0 the view is what
   /// it was, to the last bit.
   Turn at(double degrees) const;
+
+  /// Turns about another axis than the view's up, of any length but zero.
+  void set_axis(const Point3& world);
 
   /// Sets the window so that it shows the scene whole, with a small margin, in as many views
   /// evenly around; its aspect ratio stays.

@@ -30,18 +30,27 @@ namespace displayfile {
 
 namespace {
 
-/// One line a format: how it is written, from pixels or from the display file itself.
+/// One line a format: how it is written, from pixels or from the display file itself, and whether
+/// it can do without a background.
 struct PictureFormat {
   Choice choice;
-  std::unique_ptr<RowFile> (*pixel_file)(const std::filesystem::path&, int width, int height);
+  bool transparent;
+  std::unique_ptr<RowFile> (*pixel_file)(const std::filesystem::path&, int width, int height,
+                                         Alpha);
   void (*write_vectors)(const DisplayFile&, int width, int height, bool z_buffer,
-                        const std::filesystem::path&);
+                        const std::filesystem::path&, const Background&);
 };
+
 constexpr std::array kFormats{
-    PictureFormat{{".png", "pixels, compressed"}, png_row_file, nullptr},
-    PictureFormat{{".ppm", "pixels, plain"}, ppm_row_file, nullptr},
-    PictureFormat{{".svg", "vectors, for the web"}, nullptr, write_svg},
-    PictureFormat{{".pdf", "vectors, for print"}, nullptr, write_pdf},
+    PictureFormat{{".png", "pixels, compressed"}, true, png_row_file, nullptr},
+    PictureFormat{{".ppm", "pixels, plain"},
+                  false,
+                  [](const std::filesystem::path& path, int width, int height, Alpha) {
+                    return ppm_row_file(path, width, height);
+                  },
+                  nullptr},
+    PictureFormat{{".svg", "vectors, for the web"}, true, nullptr, write_svg},
+    PictureFormat{{".pdf", "vectors, for print"}, true, nullptr, write_pdf},
 };
 
 /// One line a device that draws pixels, the whole picture or, row by row, however large it is. One
@@ -111,6 +120,10 @@ const RasterDevice& device_of(std::string_view name) {
                           names(kDevices, " or ", kAny)));
 }
 
+bool has_background(const DrawOptions& options) {
+  return options.background.value_or(Background{}).kind != Background::Kind::none;
+}
+
 /// The request for what is drawn in the order that the display file has.
 RasterRequest raster_request(const DisplayFile& file, const DrawOptions& options) {
   RasterRequest request;
@@ -119,6 +132,7 @@ RasterRequest raster_request(const DisplayFile& file, const DrawOptions& options
   request.sorted = has_exact_order(file);
   request.ids = options.with_ids || !options.ids.empty();
   request.depth = options.with_depth || !options.depth.empty();
+  request.background = options.background.value_or(Background{});
   request.threads = options.threads;
   return request;
 }
@@ -260,22 +274,24 @@ TakeRows write_rows(const RowFiles& files) {
 void write_picture(const DisplayFile& drawn, const RasterRequest& request, bool vectors_by_depth,
                    const std::filesystem::path& file, const DrawOptions& options,
                    SoftwareRenderer& kept) {
-  const auto open = [&](auto* row_file, const std::filesystem::path& path) {
-    return row_file(path, options.width, options.height);
+  const auto open = [&](auto* row_file, const std::filesystem::path& path, auto... alpha) {
+    return row_file(path, options.width, options.height, alpha...);
   };
+  const Alpha alpha = has_background(options) ? Alpha::none : Alpha::stored;
   const PictureFormat& format = format_of(file, options);
   RowFiles files, colours;
   if (!options.ids.empty()) files.push_back(open(ids_row_file, options.ids));
   if (!options.depth.empty()) files.push_back(open(depth_row_file, options.depth));
   if (format.pixel_file != nullptr) {
-    (options.samples == 1 ? files : colours).push_back(open(format.pixel_file, file));
+    (options.samples == 1 ? files : colours).push_back(open(format.pixel_file, file, alpha));
   }
   RasterRequest of_files = request;
   of_files.texts = format.pixel_file != nullptr;
   if (!files.empty()) draw_samples(drawn, of_files, options, kept, write_rows(files));
   if (!colours.empty()) draw_colours(drawn, request, options, kept, write_rows(colours));
   if (format.write_vectors != nullptr) {
-    format.write_vectors(drawn, options.width, options.height, vectors_by_depth, file);
+    format.write_vectors(drawn, options.width, options.height, vectors_by_depth, file,
+                         request.background);
   }
   for (const auto* written : {&files, &colours}) {
     for (const auto& pixel_file : *written) pixel_file->commit();
@@ -284,6 +300,11 @@ void write_picture(const DisplayFile& drawn, const RasterRequest& request, bool 
 
 DrawOptions with_precision(const GraphicsSystem& system, DrawOptions options) {
   options.precision = precision_in_force(system, hidden_surface_options(options));
+  return options;
+}
+
+DrawOptions with_background(const GraphicsSystem& system, DrawOptions options) {
+  if (!options.background) options.background = system.background();
   return options;
 }
 
@@ -314,6 +335,11 @@ void require_drawable(const std::filesystem::path& file, const DrawOptions& opti
     throw Error(fmt::format("{}: the {} device draws pixels: expected {}", file.string(),
                             device.choice.name, names(kFormats, " or ", of_pixels)));
   }
+  if (!has_background(options) && !format.transparent) {
+    const auto transparent = [](const PictureFormat& f) { return f.transparent; };
+    throw Error(fmt::format("{}: {} files have no alpha: expected a background, or one of {}",
+                            file.string(), format.choice.name, names(kFormats, " ", transparent)));
+  }
   require_writable(file, options);
 }
 
@@ -337,8 +363,9 @@ auto draw_up_to_date(const GraphicsSystem& system, const DrawOptions& options, H
   return draw_file(sorted, raster_request(system, sorted, options));
 }
 
-Picture draw_in_memory(const GraphicsSystem& system, const DrawOptions& options,
+Picture draw_in_memory(const GraphicsSystem& system, const DrawOptions& as_asked,
                        const KeptForPictures& kept) {
+  const DrawOptions options = with_background(system, as_asked);
   return with_memory_of_picture(options, kept.software, [&] {
     return draw_up_to_date(
         system, options, method_in_force(system, hidden_surface_options(options)), kept.sorted,
@@ -350,7 +377,8 @@ Picture draw_in_memory(const GraphicsSystem& system, const DrawOptions& options,
 }
 
 void draw_into_file(const GraphicsSystem& system, const std::filesystem::path& file,
-                    const DrawOptions& options, const KeptForPictures& kept) {
+                    const DrawOptions& as_asked, const KeptForPictures& kept) {
+  const DrawOptions options = with_background(system, as_asked);
   require_drawable(file, options);
   // For a picture of pixels it is the renderer that picks a method.
   const HiddenMethod method = picture_kind(file, options) == PictureKind::raster

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "displayfile/background.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/sorted_display_file.h"
 #include "hidden/exact/precision.h"
@@ -16,7 +17,9 @@ namespace displayfile {
 
 /// How a display file becomes a picture.
 struct DrawOptions {
-  int width = 512, height = 512;  ///< pixels; of a PDF, points
+  /// Pixels; of a PDF, points. For a picture that is not square, set_aspect_ratio before the first
+  /// segment keeps windows from being stretched.
+  int width = 512, height = 512;
   std::optional<HiddenMethod> hidden =
       std::nullopt;  ///< these three in place of what the application set
   std::optional<HiddenScope> scope = std::nullopt;
@@ -26,6 +29,7 @@ struct DrawOptions {
   std::string format = {};
   std::string device = "software";  ///< of raster pictures: one of raster_devices()
   int threads = 1;
+  std::optional<Background> background = std::nullopt;  ///< in place of the application's
   /// Antialiasing: the mean of samples x samples for each pixel, 1 to kMostSamples; vectors, ids
   /// and depth are not affected.
   int samples = 1;

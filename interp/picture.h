@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "displayfile/background.h"
 #include "displayfile/style.h"
 #include "hidden/hidden_method.h"
 
@@ -18,7 +19,10 @@ enum class PictureKind { raster, vector };
 /// A raster picture, top row first. ids and depth are empty unless they were asked for.
 struct Picture {
   int width = 0, height = 0;
-  std::vector<std::uint32_t> pixels;  ///< 0xAABBGGRR: bytes R, G, B, A in memory; opaque
+  /// 0xAABBGGRR: bytes R, G, B, A in memory, colours not multiplied by A. Opaque, unless there is
+  /// no background: then 0 where nothing is drawn, and A the part that is covered where samples
+  /// were averaged.
+  std::vector<std::uint32_t> pixels;
   std::vector<std::int32_t> ids;  ///< item buffer: pick identifier of the fill seen, -1 for none
   std::vector<double> depth;      ///< of the fill seen; minus infinity for none
   /// Pixel centres that a sorted display file's painting left to be decided
@@ -36,6 +40,7 @@ struct RasterRequest {
   /// True if fills that are drawn in order are in exact back-to-front order: what is nearest is
   /// then to be seen also where cuts were rounded and where polygons touch.
   bool sorted = false;
+  Background background = {};
   bool ids = false, depth = false;
   bool texts = true;  ///< drawn over the pixels: not where these are not kept
   int threads = 1;
@@ -50,6 +55,11 @@ struct RasterRequest {
 inline std::uint32_t pixel_of(const Colour& colour) {
   const auto byte = [](double c) { return static_cast<std::uint32_t>(c * 255.0 + 0.5); };
   return 0xFF000000u | byte(colour.b) << 16 | byte(colour.g) << 8 | byte(colour.r);
+}
+
+/// The background as a pixel; 0 if there is none.
+inline std::uint32_t pixel_of(const Background& background) {
+  return background.kind == Background::Kind::none ? 0 : pixel_of(background.colour);
 }
 
 /// The limits of a picture's size that the devices state and keep.

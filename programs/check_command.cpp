@@ -27,26 +27,31 @@ namespace fs = std::filesystem;
 /// What an input's segments hold, against a dump.
 class InstructionCheck : public GoldenCheck {
  public:
-  explicit InstructionCheck(const HiddenSurfaceOptions& options) : options_(options) {}
+  explicit InstructionCheck(const CheckedInputs& inputs) : inputs_(inputs) {}
 
   std::string_view extension() const override { return ".txt"; }
   void read_golden(const std::string& file) override {
     if (is_drawing_program(file)) {
-      golden_ = dump(as_drawn(std::span(&file, 1), options_));
+      golden_ = dump(drawn(file));
     } else {
       golden_ = read_text_file(file);
       require_dump(golden_, file);
     }
   }
   std::optional<std::string> difference(const std::string& input) const override {
-    return first_difference(dump(as_drawn(std::span(&input, 1), options_)), golden_);
+    return first_difference(dump(drawn(input)), golden_);
   }
   void update(const std::string& input, const std::string& golden) const override {
-    update_golden(as_drawn(std::span(&input, 1), options_), golden);
+    update_golden(drawn(input), golden);
   }
 
  private:
-  HiddenSurfaceOptions options_;
+  DisplayFile drawn(const std::string& input) const {
+    const double aspect = inputs_.size.size.empty() ? 1.0 : inputs_.size.aspect();
+    return as_drawn(std::span(&input, 1), inputs_.hidden_surfaces, inputs_.camera, aspect);
+  }
+
+  const CheckedInputs& inputs_;
   std::string golden_;  // a dump
 };
 
@@ -123,6 +128,12 @@ CLI::App& CheckCommand::add_to(CLI::App& app) {
       ->group(kReportOptions);
   if (other != nullptr) other->add_to(command);
   hidden_surfaces.add_to(command);
+  command
+      .add_option("--size", size.size,
+                  "WIDTHxHEIGHT in pixels; if not given, for pictures that of the golden picture, "
+                  "and 512x512 for --update; for instructions a square")
+      ->group(kPictureOptions);
+  camera.add_to(command);
   return command;
 }
 
@@ -153,9 +164,9 @@ std::vector<std::string> CheckCommand::golden_files(std::string_view extension) 
 }
 
 int CheckCommand::run() const {
-  const HiddenSurfaceOptions options = hidden_surfaces.options(threads);
-  InstructionCheck instructions(options);
-  GoldenCheck& check = other != nullptr && other->asked_for(options)
+  const CheckedInputs checked{hidden_surfaces.options(threads), camera, size};
+  InstructionCheck instructions(checked);
+  GoldenCheck& check = other != nullptr && other->asked_for(checked)
                            ? static_cast<GoldenCheck&>(*other)
                            : instructions;
   const bool one_file = is_one_file();

@@ -4,8 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "programs/camera_options.h"
 #include "programs/golden_check.h"
 #include "programs/hidden_surface_words.h"
+#include "programs/picture_size.h"
 
 namespace displayfile {
 
@@ -14,6 +16,8 @@ namespace displayfile {
 struct CheckCommand {
   std::vector<std::string> inputs;
   HiddenSurfaceWords hidden_surfaces;
+  PictureSizeWord size{""};  ///< of the pictures, or of those that windows are made for
+  CameraWords camera;
   int threads = 1;
   /// A folder, or one file for all inputs. In a folder the golden file of FOLDER/NAME.draw is
   /// FOLDER/NAME.txt if it is there or another of the inputs has that name; otherwise NAME.txt.

@@ -112,6 +112,7 @@ CLI::App& DrawCommand::add_to(CLI::App& app) {
       ->required();
   add_output_options(command);
   add_picture_options(command);
+  camera.add_to(command);
   hidden_surfaces.add_to(command);
   command.add_flag("--stats", stats, "print what was drawn")->group(kReportOptions);
   command
@@ -155,9 +156,10 @@ void DrawCommand::add_picture_options(CLI::App& command) {
       ->capture_default_str()
       ->group(kPictureOptions);
   shading.add_to(command);
+  background.add_to(command);
   command
       .add_option("--turntable", turntable,
-                  "N views, turned evenly all around the view-up axis, from one BSP tree, "
+                  "N views, turned evenly all around the axis that is up, from one BSP tree, "
                   "or with --hidden world-ray-cast from one tree of boxes: "
                   "OUT.png becomes OUT-000.png, OUT-001.png, ..., --ids and --depth likewise")
       ->group(kPictureOptions);
@@ -177,6 +179,7 @@ DrawOptions DrawCommand::all_options() const {
   all.hidden = sorting.method;
   all.scope = sorting.scope;
   all.precision = sorting.precision;
+  all.background = background.background();
   require_raster_device(options.device);
   if (!all.format.empty() && !all.format.starts_with('.')) all.format = "." + all.format;
   return all;
@@ -201,11 +204,12 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
   };
   if (turntable) {
     make_folders();
-    return draw_turntable(drawn, file, drawing, shading.shading(), turntable_views(*turntable),
-                          stats);
+    return draw_turntable(drawn, file, drawing, camera, shading.shading(),
+                          turntable_views(*turntable), stats);
   }
   if (stats) reset_predicate_counts();
-  const DrawnInputs entered(drawn, drawing, shading.shading());
+  const DrawnInputs entered(drawn, drawing, camera, shading.shading());
+  warn_of_stretched_window(entered.system(), file.string(), drawing.width, drawing.height);
   const GraphicsSystem& system = entered.system();
   const PictureKind kind = picture_kind(file, drawing);
   std::string text = explain ? explanation(system, entered.options(), kind) : "";

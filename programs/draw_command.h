@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "interp/draw.h"
+#include "programs/background_option.h"
+#include "programs/camera_options.h"
 #include "programs/hidden_surface_words.h"
 #include "programs/pick_option.h"
 #include "programs/picture_size.h"
@@ -24,6 +26,8 @@ struct DrawCommand {
   DrawOptions options;  ///< but for what is words
   PictureSizeWord size;
   HiddenSurfaceWords hidden_surfaces;
+  CameraWords camera;
+  BackgroundWord background;
   ShadingWord shading;  ///< that the inputs start with
   bool stats = false;
   bool explain = false;                  ///< what `auto` picked, and why

@@ -6,6 +6,7 @@
 #include "displayfile/graphics_system.h"
 #include "displayfile/retained_scene.h"
 #include "interp/draw.h"
+#include "programs/camera_options.h"
 
 namespace displayfile {
 
@@ -13,7 +14,8 @@ namespace displayfile {
 class DrawnInputs {
  public:
   /// Throws Error as enter_inputs does. The inputs must live on.
-  DrawnInputs(std::span<const std::string> inputs, const DrawOptions& options, Shading shading);
+  DrawnInputs(std::span<const std::string> inputs, const DrawOptions& options,
+              const CameraWords& camera, Shading shading);
   DrawnInputs(const DrawnInputs&) = delete;
   DrawnInputs& operator=(const DrawnInputs&) = delete;
 
@@ -31,6 +33,7 @@ class DrawnInputs {
 
   std::span<const std::string> inputs_;
   DrawOptions options_;
+  CameraWords camera_;
   Shading shading_;
   RetainedScene scene_;  // of the system, if it retains
   GraphicsSystem system_;

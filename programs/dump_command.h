@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "programs/camera_options.h"
 #include "programs/hidden_surface_words.h"
+#include "programs/picture_size.h"
 
 namespace displayfile {
 
@@ -12,6 +14,8 @@ namespace displayfile {
 struct DumpCommand {
   std::vector<std::string> inputs;
   HiddenSurfaceWords hidden_surfaces;
+  PictureSizeWord size;  ///< of the picture that windows are made for
+  CameraWords camera;
   int threads = 1;
   std::string output;  ///< standard output if empty
 

@@ -5,7 +5,9 @@
 #include <string>
 #include <string_view>
 
+#include "programs/camera_options.h"
 #include "programs/hidden_surface_words.h"
+#include "programs/picture_size.h"
 
 namespace displayfile {
 
@@ -24,12 +26,19 @@ class GoldenCheck {
   virtual void update(const std::string& input, const std::string& golden) const = 0;
 };
 
+/// How the inputs are drawn.
+struct CheckedInputs {
+  HiddenSurfaceOptions hidden_surfaces;
+  CameraWords camera;
+  PictureSizeWord size;  ///< empty: not given
+};
+
 /// A check that the command line may ask for in place of the usual one.
 class GoldenCheckOption : public GoldenCheck {
  public:
   virtual void add_to(CLI::App& command) = 0;
   /// True if it is asked for. Its options are then read; throws Error if one is wrong.
-  virtual bool asked_for(const HiddenSurfaceOptions& hidden_surfaces) = 0;
+  virtual bool asked_for(const CheckedInputs& inputs) = 0;
 };
 
 }  // namespace displayfile

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "programs/camera_options.h"
+#include "programs/picture_size.h"
 #include "programs/shading_word.h"
 
 namespace displayfile {
@@ -11,6 +13,8 @@ namespace displayfile {
 /// `displayfile import`: a drawing program from meshes.
 struct ImportCommand {
   std::vector<std::string> meshes;
+  PictureSizeWord size;  ///< of the picture that the window is made for
+  CameraWords camera;
   ShadingWord shading;  ///< gouraud: with normals of vertices
   std::string output;
 

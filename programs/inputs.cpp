@@ -2,8 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
 #include <ostream>
+#include <vector>
 
+#include "displayfile/input_file.h"
+#include "displayfile/mesh/fitted_view.h"
 #include "displayfile/text/drawing_program.h"
 #include "programs/progress.h"
 #include "programs/warnings.h"
@@ -21,27 +26,84 @@ void report_skipped(std::span<const std::string> meshes, const Mesh::Skipped& sk
       meshes.size() > 1 ? " and others" : "", skipped.points_and_lines, skipped.degenerate_faces);
 }
 
-void enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system, double aspect) {
-  for (std::size_t i = 0; i < inputs.size();) {
-    if (is_drawing_program(inputs[i])) {
-      const Progress progress("replaying " + inputs[i]);
-      replay_file(inputs[i++], system);
+namespace {
+
+/// Inputs as read, and what is known of the meshes before any of them is entered.
+struct InputsRead {
+  std::vector<std::string> programs;  // their texts
+  std::vector<Mesh> meshes;
+  std::vector<Point3> bare;  // world coordinates of meshes before which no program sets the view
+};
+
+/// Replays the programs before a mesh ahead of their time, beside the system: what they draw is to
+/// be in the view that is fitted to the mesh as they place it.
+InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem& system) {
+  InputsRead read;
+  auto meshes_left = std::ranges::count_if(inputs, std::not_fn(is_drawing_program));
+  GraphicsSystem ahead;
+  ahead.set_shading(system.shading());
+  for (const std::string& input : inputs) {
+    const Progress progress("reading " + input);
+    if (is_drawing_program(input)) {
+      read.programs.push_back(read_text_file(input));
+      if (meshes_left > 0) replay(read.programs.back(), input_name(input), ahead);
       continue;
     }
-    std::size_t end = i;  // meshes that follow each other share a fitted view
-    while (end < inputs.size() && !is_drawing_program(inputs[end])) ++end;
-    const Progress progress("reading " + inputs[i] + (end - i > 1 ? " and others" : ""));
-    const auto meshes = inputs.subspan(i, end - i);
-    report_skipped(meshes, import_meshes(meshes, system, aspect));
-    i = end;
+    --meshes_left;
+    const bool smooth = ahead.shading() == Shading::gouraud;
+    Mesh& mesh = read.meshes.emplace_back(read_mesh(input, smooth));
+    if (smooth) complete_normals(mesh);
+    if (system.view_was_set() || ahead.view_was_set()) continue;
+    append_used_vertices(mesh, ahead.modelling_transformation(), read.bare);
   }
+  return read;
+}
+
+}  // namespace
+
+bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
+                  const MeshOptions& options) {
+  if (std::ranges::all_of(inputs, is_drawing_program)) {
+    for (const std::string& input : inputs) {
+      const Progress progress("replaying " + input);
+      replay_file(input, system);
+    }
+    return false;
+  }
+  const InputsRead read = read_inputs(inputs, system);
+  if (!read.bare.empty()) fit_view(read.bare, system, options.camera);
+  const Progress progress("entering " + inputs.front() + (inputs.size() > 1 ? " and others" : ""));
+  auto program = read.programs.begin();
+  std::span<const Mesh> meshes = read.meshes;
+  for (std::size_t i = 0; i < inputs.size();) {
+    if (is_drawing_program(inputs[i])) {
+      replay(*program++, input_name(inputs[i++]), system);
+      continue;
+    }
+    const std::size_t begin = i;
+    while (i < inputs.size() && !is_drawing_program(inputs[i])) ++i;
+    enter_meshes(meshes.first(i - begin), system, options);
+    report_skipped(inputs.subspan(begin, i - begin), skipped_of(meshes.first(i - begin)));
+    meshes = meshes.subspan(i - begin);
+  }
+  return !read.bare.empty();
+}
+
+bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
+                  const CameraWords& camera, double aspect) {
+  const MeshOptions options{.camera = camera.camera()};
+  camera.start(system, aspect);
+  const bool fitted = enter_inputs(inputs, system, options);
+  camera.require_fitted(fitted);
+  return fitted;
 }
 
 /// The inputs' display file, in the order that is drawn.
-DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options) {
+DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options,
+                     const CameraWords& camera, double aspect) {
   GraphicsSystem system;
   system.set_threads(options.threads);
-  enter_inputs(inputs, system);
+  enter_inputs(inputs, system, camera, aspect);
   return SortedDisplayFile{}.update(system, method_in_force(system, options), options);
 }
 

@@ -6,6 +6,7 @@
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/sorted_display_file.h"
+#include "programs/camera_options.h"
 
 namespace displayfile {
 
@@ -13,13 +14,19 @@ namespace displayfile {
 /// else is a mesh.
 bool is_drawing_program(const std::string& input);
 
-/// Replays drawing programs and imports meshes, in order, into one system. Meshes that no
-/// program before them gave a view get a fitted one, for a picture of this aspect ratio (width
-/// over height). Throws Error, naming the file and the place.
-void enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system, double aspect = 1.0);
+/// Replays drawing programs and enters meshes, in order, into one system. Where no program before
+/// the first mesh sets the view, one is fitted to all meshes before which none does: it is in force
+/// from the start, so that programs before a mesh and after it share it. True if one was. Throws
+/// Error, naming the file and the place.
+bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
+                  const MeshOptions& options = {});
+/// The same with the command's options of the camera, for pictures of an aspect ratio.
+bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
+                  const CameraWords& camera, double aspect);
 
 /// The inputs' display file, in the order that is drawn.
-DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options);
+DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options,
+                     const CameraWords& camera, double aspect);
 
 /// Warns of what of the meshes was left out, if anything was (programs/warnings.h).
 void report_skipped(std::span<const std::string> meshes, const Mesh::Skipped& skipped);

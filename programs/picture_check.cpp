@@ -19,23 +19,21 @@ void PictureCheck::add_to(CLI::App& command) {
       .add_flag("--picture", asked_,
                 "compare pictures, NAME.png for NAME.draw, in place of instructions")
       ->group(kPictureOptions);
-  command
-      .add_option("--size", size_.size,
-                  "WIDTHxHEIGHT in pixels; if not given, that of the golden picture, and 512x512 "
-                  "for --update")
-      ->group(kPictureOptions);
   tolerance_.add_to(command);
 }
 
-bool PictureCheck::asked_for(const HiddenSurfaceOptions& hidden_surfaces) {
+bool PictureCheck::asked_for(const CheckedInputs& inputs) {
   if (!asked_) {
-    if (!size_.size.empty() || tolerance_.is_set()) {
-      throw Error("--size, --tolerance and --wrong-pixels are of pictures: expected --picture too");
+    if (tolerance_.is_set()) {
+      throw Error("--tolerance and --wrong-pixels are of pictures: expected --picture too");
     }
     return false;
   }
   tolerance_.require_number();
-  if (!size_.size.empty()) size_.read(options_.width, options_.height);
+  has_size_ = !inputs.size.size.empty();
+  if (has_size_) inputs.size.read(options_.width, options_.height);
+  camera_ = inputs.camera;
+  const HiddenSurfaceOptions& hidden_surfaces = inputs.hidden_surfaces;
   options_.hidden = hidden_surfaces.method;
   options_.scope = hidden_surfaces.scope;
   options_.precision = hidden_surfaces.precision;
@@ -44,7 +42,7 @@ bool PictureCheck::asked_for(const HiddenSurfaceOptions& hidden_surfaces) {
 }
 
 Picture PictureCheck::picture_of(const std::string& input, const DrawOptions& options) const {
-  const DrawnInputs entered(std::span(&input, 1), options, Shading::flat);
+  const DrawnInputs entered(std::span(&input, 1), options, camera_, Shading::flat);
   Picture picture = draw(entered.system(), entered.options());
   entered.warn_if_nothing_is_seen();
   return picture;
@@ -56,7 +54,7 @@ void PictureCheck::read_golden(const std::string& file) {
 
 std::optional<std::string> PictureCheck::difference(const std::string& input) const {
   DrawOptions options = options_;
-  if (size_.size.empty()) {
+  if (!has_size_) {
     options.width = golden_.width;
     options.height = golden_.height;
   }

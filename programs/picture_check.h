@@ -14,7 +14,7 @@ namespace displayfile {
 class PictureCheck : public GoldenCheckOption {
  public:
   void add_to(CLI::App& command) override;
-  bool asked_for(const HiddenSurfaceOptions& hidden_surfaces) override;
+  bool asked_for(const CheckedInputs& inputs) override;
 
   std::string_view extension() const override { return ".png"; }
   void read_golden(const std::string& file) override;
@@ -25,7 +25,8 @@ class PictureCheck : public GoldenCheckOption {
   Picture picture_of(const std::string& input, const DrawOptions& options) const;
 
   bool asked_ = false;
-  PictureSizeWord size_{""};
+  CameraWords camera_;
+  bool has_size_ = false;
   PictureTolerance tolerance_;
   DrawOptions options_;  // of a golden file that is written or drawn
   Picture golden_;

@@ -30,4 +30,10 @@ void PictureSizeWord::read(int& width, int& height) const {
   height = static_cast<int>(up);
 }
 
+double PictureSizeWord::aspect() const {
+  int width = 0, height = 0;
+  read(width, height);
+  return static_cast<double>(width) / height;
+}
+
 }  // namespace displayfile

@@ -54,7 +54,7 @@ bool is_picture_file(const std::string& name) {
 }
 
 Picture read_picture(const std::string& name) {
-  return name.ends_with(".ppm") ? read_ppm(name) : read_png(name);
+  return name.ends_with(".ppm") ? read_ppm(name) : read_png(name, Alpha::stored);
 }
 
 }  // namespace displayfile

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "programs/camera_options.h"
 #include "programs/picture_size.h"
 
 namespace displayfile {
@@ -12,6 +13,7 @@ namespace displayfile {
 struct TruthCommand {
   std::vector<std::string> inputs;
   PictureSizeWord size;
+  CameraWords camera;
   std::string ids;
   std::string depth;  ///< not written if empty
 

@@ -98,7 +98,8 @@ std::filesystem::path numbered(const std::filesystem::path& file, int number, in
 }
 
 std::string draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
-                           const DrawOptions& options, Shading shading, int views, bool stats) {
+                           const DrawOptions& options, const CameraWords& camera, Shading shading,
+                           int views, bool stats) {
   require_tree(options);
   for (const auto& file : {output, options.ids, options.depth}) {
     if (file == "-") throw Error("--turntable draws many views: expected a file name, not -");
@@ -109,15 +110,23 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
   system.set_threads(options.threads);
   system.set_shading(shading);
   system.retain(&scene);
-  enter_inputs(inputs, system, static_cast<double>(options.width) / options.height);
+  const double aspect = static_cast<double>(options.width) / options.height;
+  CameraWords turning = camera;
+  turning.turning = true;
+  const bool fitted = enter_inputs(inputs, system, turning, aspect);
+  warn_of_stretched_window(system, output.string(), options.width, options.height);
   Turntable turntable(scene, system.display_file(), system.view());
-  if (std::ranges::none_of(inputs, is_drawing_program)) turntable.fit_window(views);
+  const Camera looking = camera.camera();
+  if (fitted) turntable.set_axis(looking.upright.up);
+  if (fitted && looking.fit && !looking.angle_of_view) turntable.fit_window(views);
+  DrawOptions drawing = options;
+  if (!drawing.background) drawing.background = system.background();
   const auto draw_all = [&](auto trees) -> std::string {
     Progress progress(fmt::format("drawing {} views", views));
     for (int k = 0; k < views; ++k) {
       const auto [view, lights] = turntable.at(360.0 * k / views);
       draw(trees.view(view, lights), numbered(output, k, views),
-           options_of_view(options, k, views));
+           options_of_view(drawing, k, views));
       progress.update(static_cast<std::size_t>(k) + 1, static_cast<std::size_t>(views));
     }
     return stats ? statistics(system, trees, views) : "";

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "interp/draw.h"
+#include "programs/camera_options.h"
 
 namespace displayfile {
 
@@ -14,7 +15,7 @@ int turntable_views(const std::string& text);
 /// Draws the inputs turned about the view-up axis through their middle, before a camera and lights
 /// that stay, in `views` views evenly around, all from one BSP tree in world coordinates
 /// (hidden/sort/world_tree.md), or by rays from one tree of boxes (interp/visibility/ray_cast.md).
-/// A bare mesh's window is fitted to all views.
+/// What was fitted to a mesh is fitted to all views: the window, or the eye's distance.
 ///
 /// The files are numbered: OUT-000.png, OUT-001.png and so on for OUT.png, and likewise the item
 /// buffers and depths of the options. Each appears whole or not at all, and none if one of them
@@ -23,7 +24,8 @@ int turntable_views(const std::string& text);
 ///
 /// Returns the statistics, if they are asked for.
 std::string draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
-                           const DrawOptions& options, Shading shading, int views, bool stats);
+                           const DrawOptions& options, const CameraWords& camera, Shading shading,
+                           int views, bool stats);
 
 /// The name of one of `views` files: with a number of three digits or more before the extension.
 std::filesystem::path numbered(const std::filesystem::path& file, int number, int views);

@@ -16,7 +16,7 @@ const std::string kTriangle =
     "polygon-abs-3 0 0 0  1 0 0  0 1 0\nclose-segment\n";
 
 TEST_F(Command, DrawsEveryFormatWithIdsAndDepth) {
-  write("t.draw", kTriangle);
+  write("t.draw", "set-window-fit stretch\n" + kTriangle);
   for (const char* format : {"png", "ppm", "svg", "pdf"}) {
     const std::string out = std::string("t.") + format;
     EXPECT_EQ(run("draw t.draw -o " + out + " --size 64x32 --ids ids.npy --depth z.npy"), 0)

@@ -615,7 +615,8 @@ TEST_F(MeshTest, FittedViewShowsTheWholeMesh) {
     const Mesh mesh = read_mesh(file("a.obj", obj));
     for (const double aspect : {1.0, 16.0 / 9.0, 0.5, 10.0, 0.1}) {
       GraphicsSystem system;
-      fit_view(std::span(&mesh, 1), system, aspect);
+      system.set_aspect_ratio(aspect);
+      fit_view(std::span(&mesh, 1), system);
       enter_mesh(mesh, system, 1);
       CollectedPoints seen;
       for (const Segment& s : system.display_file().segments()) s.walk_drawn(seen);
@@ -643,11 +644,14 @@ TEST_F(MeshTest, FittedViewShowsTheWholeMesh) {
 
 TEST_F(MeshTest, FittedViewRefusesWhatItCannotFit) {
   GraphicsSystem system;
-  const Mesh mesh = read_mesh(file("a.obj", cube()));
+  const std::string path = file("a.obj", cube());
   for (const double aspect : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
-    EXPECT_THROW(fit_view(std::span(&mesh, 1), system, aspect), Error);
+    EXPECT_THROW(import_mesh(path, system, aspect), Error);
+    EXPECT_EQ(system.aspect_ratio(), 1.0);
   }
-  EXPECT_THROW(fit_view({}, system), Error);
+  EXPECT_THROW(import_mesh("missing.obj", system, 2.0), Error);
+  EXPECT_EQ(system.aspect_ratio(), 1.0);
+  EXPECT_THROW(fit_view(std::span<const Mesh>(), system), Error);
   EXPECT_FALSE(system.view_was_set());
 }
 
@@ -665,6 +669,7 @@ TEST_F(MeshTest, AViewThatWasSetHolds) {
   GraphicsSystem system;
   replay(
       "set-window -9 9 -9 9\nset-view-depth -9 9\nset-fill-style solid 1 0 0\n"
+      "set-light 0 0 1 1\nset-back-face-removal off\n"
       "open-segment 7\nclose-segment\n",
       "program", system);
   import_mesh(file("a.obj", cube()), system);

@@ -173,6 +173,10 @@ class RandomApplication {
       case 29: return system_.save_transformation_3();
       case 30: return system_.restore_transformation_3();
       case 31: return system_.set_image_centre(name(), coordinate(), coordinate());
+      case 38: return system_.set_window_fit(chance(50) ? WindowFit::widen : WindowFit::stretch);
+      case 39:
+        return system_.set_background(
+            {chance(50) ? Background::Kind::none : Background::Kind::solid, colour()});
       default: return system_.open_segment(name());
     }
   }
@@ -193,6 +197,7 @@ void expect_same_state(const GraphicsSystem& a, const GraphicsSystem& b) {
   EXPECT_EQ(a.polygons_entered(), b.polygons_entered());
   EXPECT_EQ(a.polygons_triangulated(), b.polygons_triangulated());
   EXPECT_EQ(a.view_was_set(), b.view_was_set());
+  EXPECT_EQ(a.background(), b.background());
 }
 
 /// Whatever the application called, its recording makes the same display file, bit for bit
@@ -229,7 +234,7 @@ TEST(RecordReplay, RandomApplications) {
   }
   // The applications did something: every routine, and pictures of some size.
   if (test::kSlower == 1) {
-    EXPECT_EQ(routines.size(), 54u);
+    EXPECT_EQ(routines.size(), 56u);
   }
   EXPECT_GT(instructions, 100000u / test::kSlower);
   EXPECT_GT(refused, 1000 / test::kSlower);

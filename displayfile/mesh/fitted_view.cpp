@@ -5,91 +5,258 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <vector>
 
 #include "clip/bounds.h"
 #include "clip/error.h"
-#include "clip/transformation.h"
 #include "clip/view_volume.h"
+#include "clip/window_fit.h"
 #include "displayfile/mesh/fitted_window.h"
 
 namespace displayfile {
 
 namespace {
 
-constexpr double kFromTheRight = 30.0;  // degrees
-constexpr double kFromAbove = 20.0;
-constexpr double kEyeDistance = 4.0;   // of the view plane, in radii of the scene
-constexpr double kDepthMargin = 0.01;  // in radii, before and behind the scene
+constexpr double kEyeDistance = 4.0;      // of the view plane, in radii of the scene
+constexpr double kDepthMargin = 0.01;     // in radii, before and behind the scene
+constexpr double kNearestFront = 1e-3;    // of the front plane to the eye, in the eye's distance
+constexpr double kParallelToUp = 1e-9;    // the sine of an angle
+constexpr double kFreeAtEachSide = 0.05;  // of a picture with an angle of view
 
-/// The positions that faces use, each vertex once.
-std::vector<Point3> used_vertices(std::span<const Mesh> meshes) {
-  std::vector<Point3> used;
-  for (const Mesh& mesh : meshes) {
-    std::vector<bool> is_used(mesh.vertices.size());
-    for (const std::uint32_t corner : mesh.corners) is_used[corner] = true;
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-      if (is_used[v]) used.push_back(mesh.vertices[v]);
+/// Where the eye is, from what it looks at.
+struct Line {
+  Point3 toward_eye;      ///< a unit vector
+  Point3 upright;         ///< that appears so
+  double distance = 0.0;  ///< 0 if it is not known yet
+};
+
+/// The direction of the eye and, where that is up or down, what appears upright then: the limit of
+/// what does so as the eye rises.
+Line from_direction(const EyeDirection& eye, const Upright& world) {
+  const auto [across, along] = sine_cosine_of_degrees(eye.azimuth);
+  const auto [rise, level] = sine_cosine_of_degrees(eye.elevation);
+  const Point3 toward =
+      world.right * (across * level) + world.up * rise + world.front * (along * level);
+  if (std::abs(level) > kParallelToUp) return {toward, world.up};
+  const Point3 ahead = world.right * across + world.front * along;
+  return {toward, rise > 0.0 ? -ahead : ahead};
+}
+
+Line from_position(const Point3& eye, const Point3& at, const Upright& world) {
+  const double distance = glm::length(eye - at);
+  if (!(distance > 0.0)) {
+    throw Error("the eye is at what it looks at: expected another point");
+  }
+  const Point3 toward = (eye - at) / distance;
+  const bool along_up = glm::length(glm::cross(toward, world.up)) <= kParallelToUp;
+  const bool above = glm::dot(toward, world.up) > 0.0;
+  const Point3 upright = !along_up ? world.up : above ? -world.front : world.front;
+  return {toward, upright, distance};
+}
+
+/// Half of the height that is seen at a distance of 1.
+double slope_of(double angle_of_view) {
+  if (!(angle_of_view > 0.0 && angle_of_view < 180.0)) {
+    throw Error(fmt::format("angle of view {}: expected degrees, more than 0 and less than 180",
+                            angle_of_view));
+  }
+  const auto [sine, cosine] = sine_cosine_of_degrees(0.5 * angle_of_view);
+  return sine / cosine;
+}
+
+Rectangle about_the_middle(double half_height, double aspect) {
+  return {-aspect * half_height, aspect * half_height, -half_height, half_height};
+}
+
+/// The points, and where they are as they turn about the axis that is up: at so many places that
+/// between two of them none goes farther out by more than a hundredth of its way.
+std::vector<Point3> turned(std::span<const Point3> world, const Point3& middle,
+                           const Upright& upright) {
+  constexpr int kPlaces = 32;
+  std::vector<Point3> all;
+  for (int k = 0; k < kPlaces; ++k) {
+    const auto [sine, cosine] = sine_cosine_of_degrees(360.0 * k / kPlaces);
+    for (const Point3& p : world) {
+      const Point3 from_middle = p - middle;
+      const double across = glm::dot(from_middle, upright.right);
+      const double along = glm::dot(from_middle, upright.front);
+      all.push_back(p + (across * (cosine - 1.0) + along * sine) * upright.right +
+                    (along * (cosine - 1.0) - across * sine) * upright.front);
     }
   }
-  return used;
+  return all;
 }
 
-Point3 toward_viewer() {
-  const auto [sine_right, cosine_right] = sine_cosine_of_degrees(kFromTheRight);
-  const auto [sine_above, cosine_above] = sine_cosine_of_degrees(kFromAbove);
-  return {sine_right * cosine_above, sine_above, cosine_right * cosine_above};
+/// What of the points is needed to fit a view to them, in the view plane's coordinates.
+class FittedView {
+ public:
+  FittedView(std::span<const Point3> world, double aspect, const Camera& camera);
+  const View& view() const { return view_; }
+
+ private:
+  void place_eye(double distance);
+  void stand_back(double slope);
+  void fit_window();
+  void enclose_depth();
+
+  const Camera& camera_;
+  double aspect_;
+  double radius_;  // of the scene
+  double distance_ = 0.0;
+  Point3 toward_eye_{0.0};
+  glm::dmat4 view_plane_{1.0};
+  std::vector<Point3> points_;
+  View view_;
+};
+
+FittedView::FittedView(std::span<const Point3> world, double aspect, const Camera& camera)
+    : camera_(camera), aspect_(aspect) {
+  Bounds scene;
+  for (const Point3& p : world) scene.include(p);
+  if (scene.empty()) throw Error("no faces to fit the view to");
+  const double diagonal = glm::length(scene.high - scene.low);
+  radius_ = diagonal > 0.0 ? 0.5 * diagonal : 1.0;
+  const double seen_radius = camera.fit ? radius_ : 1.0;
+  const Point3 at = camera.look_at.value_or(camera.fit ? scene.middle() : Point3(0.0));
+
+  const auto* const direction = std::get_if<EyeDirection>(&camera.eye);
+  const Line line = direction != nullptr
+                        ? from_direction(*direction, camera.upright)
+                        : from_position(std::get<Point3>(camera.eye), at, camera.upright);
+  toward_eye_ = line.toward_eye;
+  view_.set_reference_point(at);
+  view_.set_plane_normal(-toward_eye_);
+  view_.set_up(line.upright);
+  place_eye(direction != nullptr ? kEyeDistance * seen_radius : line.distance);
+  view_.set_depth(-radius_, radius_);
+  view_.set_window({-radius_, radius_, -radius_, radius_});
+
+  View from_far = view_;  // any will do for the axes of the view plane
+  from_far.set_parallel(toward_eye_);
+  view_plane_ = ViewVolume(from_far).view_plane();
+  const bool stands_back = camera.angle_of_view && direction != nullptr && camera.fit;
+  std::vector<Point3> places;
+  if (stands_back && camera.turning) {
+    places = turned(world, scene.middle(), camera.upright);
+    world = places;
+  }
+  for (const Point3& p : world) points_.emplace_back(view_plane_ * HomogeneousPoint(p, 1.0));
+  if (camera.angle_of_view) {
+    const double slope = slope_of(*camera.angle_of_view);
+    if (stands_back) stand_back(slope);
+    if (direction != nullptr && !camera.fit) place_eye(seen_radius / slope);
+    view_.set_window(about_the_middle(slope * distance_, aspect));
+  } else if (camera.fit) {
+    fit_window();
+  } else {
+    view_.set_window(widened(about_the_middle(1.0, 1.0), aspect));
+  }
+  enclose_depth();
 }
 
-/// Where the projector of a point meets the view plane (x, y), and the point's own z.
-Point3 projected(const Point3& world, const glm::dmat4& view_plane, double eye_distance) {
-  const Point3 p(view_plane * HomogeneousPoint(world, 1.0));
-  const double w = 1.0 - p.z / eye_distance;
-  return {p.x / w, p.y / w, p.z};
+void FittedView::place_eye(double distance) {
+  distance_ = distance;
+  if (camera_.parallel) {
+    view_.set_parallel(toward_eye_);
+  } else {
+    view_.set_perspective(view_.reference_point + distance * toward_eye_);
+  }
+}
+
+/// Moves the eye, and what it looks at unless that is given, to where the points just fill the
+/// angle of view: a point is seen as long as the eye is so far in front of it.
+void FittedView::stand_back(double slope) {
+  const double free = 1.0 - 2.0 * kFreeAtEachSide;
+  const Point2 slopes(slope * aspect_ * free, slope * free);
+  Point2 low(-HUGE_VAL), high(-HUGE_VAL);
+  double nearest = -HUGE_VAL;
+  for (const Point3& p : points_) {
+    nearest = std::max(nearest, p.z);
+    for (int axis = 0; axis < 2; ++axis) {
+      low[axis] = std::max(low[axis], slopes[axis] * p.z - p[axis]);
+      high[axis] = std::max(high[axis], slopes[axis] * p.z + p[axis]);
+    }
+  }
+  Point2 middle(0.0);
+  if (!camera_.look_at) middle = 0.5 * (high - low);
+  double distance = nearest + kDepthMargin * radius_;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double half = std::max(low[axis] + middle[axis], high[axis] - middle[axis]);
+    distance = std::max(distance, half / slopes[axis]);
+  }
+  const glm::dmat4 axes = glm::transpose(view_plane_);  // rows: the viewer's right, up and back
+  view_.set_reference_point(view_.reference_point + middle.x * Point3(axes[0]) +
+                            middle.y * Point3(axes[1]));
+  place_eye(distance);
+}
+
+void FittedView::fit_window() {
+  Bounds seen;
+  for (const Point3& p : points_) {
+    const double w = camera_.parallel ? 1.0 : 1.0 - p.z / distance_;
+    if (!(w > kNearestFront)) {
+      throw Error(
+          "the mesh is not all before the eye: expected an eye farther away, an angle of view, or "
+          "nothing to be fitted");
+    }
+    seen.include({p.x / w, p.y / w, p.z});
+  }
+  if (camera_.look_at) {
+    const Point3 reach = glm::max(glm::abs(seen.low), glm::abs(seen.high));
+    seen.include({-reach.x, -reach.y, seen.low.z});
+    seen.include({reach.x, reach.y, seen.low.z});
+  }
+  view_.set_window(fitted_window(seen, aspect_, kDepthMargin * radius_));
+}
+
+/// The front plane stays before the eye.
+void FittedView::enclose_depth() {
+  double front = -HUGE_VAL, back = HUGE_VAL;
+  for (const Point3& p : points_) {
+    front = std::max(front, p.z);
+    back = std::min(back, p.z);
+  }
+  const double margin = kDepthMargin * radius_;
+  front += margin;
+  if (!camera_.parallel) front = std::min(front, (1.0 - kNearestFront) * distance_);
+  view_.set_depth(-front, -std::min(back, front) + margin);
 }
 
 }  // namespace
 
-void fit_view(std::span<const Mesh> meshes, GraphicsSystem& system, double aspect) {
-  if (!(aspect > 0.0 && aspect <= kCoordinateLimit)) {
-    throw Error(fmt::format("aspect ratio {}: expected a positive number", aspect));
+void append_used_vertices(const Mesh& mesh, const ModellingTransformation& modelling,
+                          std::vector<Point3>& world) {
+  std::vector<bool> is_used(mesh.vertices.size());
+  for (const std::uint32_t corner : mesh.corners) is_used[corner] = true;
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (is_used[v]) world.push_back(modelling.apply(mesh.vertices[v]));
   }
-  Bounds scene;
-  const std::vector<Point3> vertices = used_vertices(meshes);
-  for (const Point3& p : vertices) scene.include(p);
-  if (scene.empty()) throw Error("no faces to fit the view to");
+}
 
-  const Point3 centre = scene.middle();
-  const double diagonal = glm::length(scene.high - scene.low);
-  const double radius = diagonal > 0.0 ? 0.5 * diagonal : 1.0;
-  const double eye_distance = kEyeDistance * radius;
-
-  View view;
-  view.set_reference_point(centre);
-  view.set_plane_normal(-toward_viewer());
-  view.set_perspective(centre + eye_distance * toward_viewer());
-  view.set_depth(-radius, radius);
-  view.set_window({-radius, radius, -radius, radius});
-  const glm::dmat4 view_plane = ViewVolume(view).view_plane();
-
-  Bounds seen;
-  for (const Point3& p : vertices) seen.include(projected(p, view_plane, eye_distance));
-  const Rectangle window = fitted_window(seen, aspect, kDepthMargin * radius);
-
+void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera) {
+  const View view = FittedView(world, system.aspect_ratio(), camera).view();
   system.set_view_reference_point(view.reference_point);
   system.set_view_plane_normal(view.plane_normal);
   system.set_view_distance(view.distance);
   system.set_view_up(view.up);
-  system.set_perspective(view.centre_of_projection);
-  system.set_view_depth(-seen.high.z - kDepthMargin * radius, -seen.low.z + kDepthMargin * radius);
+  if (camera.parallel) {
+    system.set_parallel(view.direction_of_projection);
+  } else {
+    system.set_perspective(view.centre_of_projection);
+  }
+  system.set_view_depth(view.front, view.back);
   system.set_front_plane_clipping(false);
   system.set_back_plane_clipping(false);
+  const Rectangle& window = view.window;
   system.set_window(window.x_min, window.x_max, window.y_min, window.y_max);
   system.set_viewport(0.0, 1.0, 0.0, 1.0);
+}
 
-  // The rows of the view-plane transformation are the viewer's right, up and back.
-  const glm::dmat4 axes = glm::transpose(view_plane);
-  system.set_light(Point3(axes[2]) + 0.6 * Point3(axes[1]) - 0.5 * Point3(axes[0]), 0.25);
+void fit_view(std::span<const Mesh> meshes, GraphicsSystem& system, const Camera& camera) {
+  std::vector<Point3> world;
+  for (const Mesh& mesh : meshes) {
+    append_used_vertices(mesh, system.modelling_transformation(), world);
+  }
+  fit_view(world, system, camera);
 }
 
 }  // namespace displayfile

@@ -1,17 +1,29 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
+#include "clip/transformation.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/mesh/camera.h"
 #include "displayfile/mesh/mesh.h"
 
 namespace displayfile {
 
-/// Sets a view that shows the meshes whole: a three-quarter perspective from the front (the side
-/// of positive z), a little from the right and from above, y up; the window fitted to the
-/// projected faces with a small margin, the view depth enclosing them. `aspect` is the picture's
-/// width over its height. Also sets the light, from over the viewer's left shoulder. Throws Error
-/// if the aspect ratio is not a positive number, the meshes have no faces, or a segment is open.
-void fit_view(std::span<const Mesh> meshes, GraphicsSystem& system, double aspect = 1.0);
+/// Appends the positions that faces use, each vertex once, in world coordinates.
+void append_used_vertices(const Mesh& mesh, const ModellingTransformation& modelling,
+                          std::vector<Point3>& world);
+
+/// Sets a view that shows the points whole, by a camera: unless it says otherwise a three-quarter
+/// perspective from the front, a little from the right and from above; the window fitted to what is
+/// projected with a small margin, in the shape of the system's pictures; the view depth enclosing
+/// the points.
+///
+/// Throws Error, with no view set, if there are no points, a segment is open, or the camera cannot
+/// be: an eye at what it looks at, an angle of view out of range, or, to be fitted, points that are
+/// not before the eye.
+void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera = {});
+/// The same for meshes, in the modelling transformation in force.
+void fit_view(std::span<const Mesh> meshes, GraphicsSystem& system, const Camera& camera = {});
 
 }  // namespace displayfile

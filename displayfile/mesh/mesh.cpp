@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "clip/view_volume.h"
 #include "displayfile/mesh/fitted_view.h"
 
 namespace displayfile {
@@ -103,42 +104,92 @@ void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name
   }
 }
 
+namespace {
+
+/// Over the viewer's left shoulder.
+void set_mesh_light(GraphicsSystem& system) {
+  // The rows of the view-plane transformation are the viewer's right, up and back.
+  const glm::dmat4 axes = glm::transpose(ViewVolume(system.view()).view_plane());
+  system.set_light(Point3(axes[2]) + 0.6 * Point3(axes[1]) - 0.5 * Point3(axes[0]), 0.25);
+}
+
+/// Sets what the application did not say.
+void bring_defaults(GraphicsSystem& system) {
+  system.by_default(Setting::light, [&] { set_mesh_light(system); });
+  system.by_default(Setting::fill_style, [&] {
+    system.set_fill_style({FillStyle::Kind::solid, kNeutral});
+  });
+  system.by_default(Setting::line_style, [&] { system.set_line_style({LineStyle::Kind::none}); });
+  system.by_default(Setting::hidden_line_removal, [&] {
+    const bool back_face_removal = system.back_face_removal();
+    const bool said = system.said().contains(Setting::back_face_removal);
+    system.set_hidden_line_removal(true);
+    if (said) system.set_back_face_removal(back_face_removal);
+  });
+}
+
+}  // namespace
+
+void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system, const MeshOptions&) {
+  require_no_open_segment(system);
+  const Attributes before = system.attributes();
+  bring_defaults(system);
+  for (const Mesh& mesh : meshes) {
+    system.by_default(Setting::back_face_removal, [&] {  // removed faces would hide no light
+      system.set_back_face_removal(!system.shadows() && closed_and_consistently_oriented(mesh));
+    });
+    enter_mesh(mesh, system, static_cast<int>(name_after_all_in_use(system.display_file())));
+  }
+  system.by_default(Setting::fill_style, [&] { system.set_fill_style(before.fill); });
+  system.by_default(Setting::line_style, [&] { system.set_line_style(before.line); });
+}
+
 Mesh::Skipped import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
-                            double aspect) {
+                            const MeshOptions& options) {
   require_no_open_segment(system);
   std::vector<Mesh> meshes;
   std::int64_t name = name_after_all_in_use(system.display_file());
-  std::int64_t end = name;
   for (const std::string& path : paths) {
     const bool smooth = system.shading() == Shading::gouraud;
     meshes.push_back(read_mesh(path, smooth));
     if (smooth) complete_normals(meshes.back());
-    require_free_names(meshes.back(), system, end);
-    end += static_cast<std::int64_t>(meshes.back().objects.size());
+    require_free_names(meshes.back(), system, name);
+    name += static_cast<std::int64_t>(meshes.back().objects.size());
   }
-  const bool bare = !system.view_was_set();
-  if (bare && !meshes.empty()) {
-    fit_view(meshes, system, aspect);
-    system.create_transformation_3();
-    system.set_fill_style({FillStyle::Kind::solid, kNeutral});
-    system.set_line_style({LineStyle::Kind::none});
-    system.set_hidden_line_removal(true);
+  if (meshes.empty()) return {};
+  if (!system.view_was_set()) fit_view(meshes, system, options.camera);
+  enter_meshes(meshes, system, options);
+  return skipped_of(meshes);
+}
+
+Mesh::Skipped import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
+                            double aspect) {
+  const double before = system.aspect_ratio();
+  system.set_aspect_ratio(aspect);
+  try {
+    return import_meshes(paths, system);
+  } catch (...) {
+    system.set_aspect_ratio(before);
+    throw;
   }
-  Mesh::Skipped skipped;
-  for (const Mesh& mesh : meshes) {
-    if (bare) {  // removed faces would hide no light
-      system.set_back_face_removal(!system.shadows() && closed_and_consistently_oriented(mesh));
-    }
-    enter_mesh(mesh, system, static_cast<int>(name));
-    name += static_cast<std::int64_t>(mesh.objects.size());
-    skipped.points_and_lines += mesh.skipped.points_and_lines;
-    skipped.degenerate_faces += mesh.skipped.degenerate_faces;
-  }
-  return skipped;
+}
+
+Mesh::Skipped import_mesh(const std::string& path, GraphicsSystem& system,
+                          const MeshOptions& options) {
+  return import_meshes(std::span(&path, 1), system, options);
 }
 
 Mesh::Skipped import_mesh(const std::string& path, GraphicsSystem& system, double aspect) {
   return import_meshes(std::span(&path, 1), system, aspect);
+}
+
+Mesh::Skipped skipped_of(std::span<const Mesh> meshes) {
+  Mesh::Skipped skipped;
+  for (const Mesh& mesh : meshes) {
+    skipped.points_and_lines += mesh.skipped.points_and_lines;
+    skipped.degenerate_faces += mesh.skipped.degenerate_faces;
+  }
+  return skipped;
 }
 
 }  // namespace displayfile

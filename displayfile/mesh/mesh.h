@@ -8,6 +8,7 @@
 
 #include "clip/point.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/mesh/mesh_options.h"
 
 namespace displayfile {
 
@@ -73,20 +74,30 @@ bool closed_and_consistently_oriented(const Mesh& mesh);
 /// Throws Error if a segment is open or one of the names is in use; then nothing was entered.
 void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name);
 
-/// Reads meshes and enters them, in segments named from the first number that follows all in use;
-/// where Gouraud shading is in force, with normals of the vertices, from the file or else
-/// completed.
+/// Enters meshes in the view in force, in segments named from the first number that follows all in
+/// use. What the application said holds for them; where it did not, they bring a light over the
+/// viewer's left shoulder, a neutral fill style, no lines, and hidden-line removal, with back-face
+/// removal for those meshes that are closed_and_consistently_oriented. Light and hidden-line
+/// removal stay; styles are then what they were. Throws Error if a segment is open.
+void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
+                  const MeshOptions& options = {});
+
+/// Reads meshes and enters them so; where Gouraud shading is in force, with normals of the
+/// vertices, from the file or else completed. If no view was set before, one is fitted to them
+/// (fitted_view.h), which stays set: in the modelling transformation in force, for the system's
+/// aspect ratio, or for the one given, which then stays that of the system.
 ///
-/// If no view was set before, they are bare: they get a fitted camera and light (fitted_view.h)
-/// for a picture of the given aspect ratio, width over height; a new modelling transformation;
-/// neutral styles; hidden-line removal on, with back-face removal for those meshes that are
-/// closed_and_consistently_oriented. All this stays set. If a view was set, the program's view,
-/// styles and settings hold.
-///
-/// Returns what was left out. Throws Error as read_mesh does, or if a segment is open or the
-/// aspect ratio is not positive; then nothing was changed.
+/// Returns what was left out. Throws Error as read_mesh and fit_view do, or if a segment is open or
+/// the aspect ratio is not positive; then nothing was changed.
 Mesh::Skipped import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
-                            double aspect = 1.0);
-Mesh::Skipped import_mesh(const std::string& path, GraphicsSystem& system, double aspect = 1.0);
+                            const MeshOptions& options = {});
+Mesh::Skipped import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
+                            double aspect);
+Mesh::Skipped import_mesh(const std::string& path, GraphicsSystem& system,
+                          const MeshOptions& options = {});
+Mesh::Skipped import_mesh(const std::string& path, GraphicsSystem& system, double aspect);
+
+/// What all of them left out.
+Mesh::Skipped skipped_of(std::span<const Mesh> meshes);
 
 }  // namespace displayfile

@@ -184,6 +184,11 @@ Shading Line::take<Shading>() {
 }
 
 template <>
+WindowFit Line::take<WindowFit>() {
+  return understood(words_[taken_++], window_fit);
+}
+
+template <>
 Precision Line::take<Precision>() {
   return understood(words_[taken_++], precision);
 }
@@ -329,6 +334,18 @@ void line_style(GraphicsSystem& system, Line& line, const Routine& routine) {
   system.set_line_style(style);
 }
 
+void background(GraphicsSystem& system, Line& line, const Routine& routine) {
+  if (line.arguments() != 1 && line.arguments() != 3) wrong_count(line, routine);
+  if (line.arguments() == 3) {
+    return system.set_background({Background::Kind::solid, line.take<Point3>()});
+  }
+  if (line.argument(0) != "none") {
+    throw ErrorAt(line.argument(0).data(),
+                  "expected none, or three numbers: r g b, not " + quoted(line.argument(0)));
+  }
+  system.set_background({Background::Kind::none});
+}
+
 void light(GraphicsSystem& system, Line& line, const Routine& routine) {
   if (line.arguments() != 3 && line.arguments() != 4) wrong_count(line, routine);
   const auto toward = line.take<Point3>();
@@ -410,6 +427,8 @@ constexpr auto kRoutines = std::to_array<Routine>({
     fixed<&G::set_back_plane_clipping>("set-back-plane-clipping", "on|off"),
     fixed<&G::set_window>("set-window", "x-min x-max y-min y-max"),
     fixed<&G::set_viewport>("set-viewport", "x-min x-max y-min y-max"),
+    fixed<&G::set_window_fit>("set-window-fit", "widen|stretch"),
+    {"set-background", "r g b | none", kVaries, background},
 
     fixed<&G::set_hidden_line_removal>("set-hidden-line-removal", "on|off"),
     fixed<&G::set_back_face_removal>("set-back-face-removal", "on|off"),

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <png.h>
 
+#include <algorithm>
 #include <array>
 #include <csetjmp>
 #include <cstring>
@@ -105,9 +106,16 @@ void lay_over_white(std::span<std::uint8_t> rgba) {
   }
 }
 
+/// The colour of what is wholly transparent is nobody's.
+void clear_transparent(std::span<std::uint32_t> pixels) {
+  for (std::uint32_t& pixel : pixels) {
+    if (pixel >> 24 == 0) pixel = 0;
+  }
+}
+
 class PngRowFile : public RowFile {
  public:
-  PngRowFile(const std::filesystem::path& path, int width, int height);
+  PngRowFile(const std::filesystem::path& path, int width, int height, Alpha alpha);
   void write(const Picture& rows) override;
   void commit() override;
 
@@ -121,19 +129,21 @@ class PngRowFile : public RowFile {
 
   OutputFile file_;
   PngWriter writer_;
+  std::size_t channels_;
   std::vector<std::uint8_t> row_;
 };
 
-PngRowFile::PngRowFile(const std::filesystem::path& path, int width, int height)
-    : file_(path.string()) {
+PngRowFile::PngRowFile(const std::filesystem::path& path, int width, int height, Alpha alpha)
+    : file_(path.string()), channels_(alpha == Alpha::stored ? 4 : 3) {
   require_picture_size(width, height);
-  row_.resize(3 * static_cast<std::size_t>(width));
+  row_.resize(channels_ * static_cast<std::size_t>(width));
   if (writer_.info == nullptr) throw Error("not enough memory for a PNG file");
   std::ostream* out = &file_.stream();
+  const int colour_type = alpha == Alpha::stored ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB;
   write_by([&] {
     png_set_write_fn(writer_.png, out, write_bytes, flush_nothing);
     png_set_IHDR(writer_.png, writer_.info, static_cast<png_uint_32>(width),
-                 static_cast<png_uint_32>(height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 static_cast<png_uint_32>(height), 8, colour_type, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     // Flat faces repeat from row to row. About a third of the time of libpng's own choice, for
     // files of about the same length.
@@ -147,7 +157,9 @@ void PngRowFile::write(const Picture& rows) {
   const auto* rgba = reinterpret_cast<const std::uint8_t*>(rows.pixels.data());
   write_by([&] {
     for (int y = 0; y < rows.height; ++y) {
-      for (std::size_t x = 0; x < row_.size(); x += 3, rgba += 4) std::memcpy(&row_[x], rgba, 3);
+      for (std::size_t x = 0; x < row_.size(); x += channels_, rgba += 4) {
+        std::memcpy(&row_[x], rgba, channels_);
+      }
       png_write_row(writer_.png, row_.data());
     }
   });
@@ -160,17 +172,19 @@ void PngRowFile::commit() {
 
 }  // namespace
 
-std::unique_ptr<RowFile> png_row_file(const std::filesystem::path& path, int width, int height) {
-  return std::make_unique<PngRowFile>(path, width, height);
+std::unique_ptr<RowFile> png_row_file(const std::filesystem::path& path, int width, int height,
+                                      Alpha alpha) {
+  return std::make_unique<PngRowFile>(path, width, height, alpha);
 }
 
 void write_png(const Picture& picture, const std::filesystem::path& path) {
-  PngRowFile file(path, picture.width, picture.height);
+  const bool opaque = std::ranges::all_of(picture.pixels, [](auto p) { return p >> 24 == 0xFF; });
+  PngRowFile file(path, picture.width, picture.height, opaque ? Alpha::none : Alpha::stored);
   file.write(picture);
   file.commit();
 }
 
-Picture read_png(const std::filesystem::path& path) {
+Picture read_png(const std::filesystem::path& path, Alpha alpha) {
   BinaryInput input(path);
   const std::uint64_t file_bytes = input.bytes_left();
   std::array<png_byte, 8> signature{};
@@ -217,7 +231,11 @@ Picture read_png(const std::filesystem::path& path) {
     png_read_end(reader.png, nullptr);
   });
   if (!pixels_read) fail();
-  lay_over_white({bytes, 4 * picture.pixels.size()});
+  if (alpha == Alpha::stored) {
+    clear_transparent(picture.pixels);
+  } else {
+    lay_over_white({bytes, 4 * picture.pixels.size()});
+  }
   return picture;
 }
 

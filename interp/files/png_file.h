@@ -8,18 +8,23 @@
 
 namespace displayfile {
 
-/// Writes the pixels as a PNG file, 8-bit RGB. The bytes depend on the pixels alone (no time or
-/// text is stored); the file appears whole or not at all. Throws Error, naming the file, if it
-/// cannot be written or the picture's size is not 1 to kLargestSide.
+/// Whether a file of pixels has alpha.
+enum class Alpha { none, stored };
+
+/// Writes the pixels as a PNG file, 8-bit RGB, or RGBA if one is not opaque. The bytes depend on
+/// the pixels alone (no time or text is stored); the file appears whole or not at all. Throws
+/// Error, naming the file, if it cannot be written or the picture's size is not 1 to kLargestSide.
 void write_png(const Picture& picture, const std::filesystem::path& path);
 
 /// The file that write_png writes, byte for byte, of a picture of width x height that comes row by
-/// row.
-std::unique_ptr<RowFile> png_row_file(const std::filesystem::path& path, int width, int height);
+/// row: RGBA if alpha is to be stored.
+std::unique_ptr<RowFile> png_row_file(const std::filesystem::path& path, int width, int height,
+                                      Alpha alpha = Alpha::none);
 
-/// Reads a PNG file of any colour type; 16-bit samples are cut to 8, and what is transparent is
-/// laid over white. Throws Error, naming the file: not a PNG, truncated, damaged, or of a size
-/// that is beyond kLargestSide or that the file's length cannot hold.
-Picture read_png(const std::filesystem::path& path);
+/// Reads a PNG file of any colour type; 16-bit samples are cut to 8. What is transparent is laid
+/// over white, or stays so if alpha is to be kept; then what is wholly transparent is 0. Throws
+/// Error, naming the file: not a PNG, truncated, damaged, or of a size that is beyond kLargestSide
+/// or that the file's length cannot hold.
+Picture read_png(const std::filesystem::path& path, Alpha alpha = Alpha::none);
 
 }  // namespace displayfile

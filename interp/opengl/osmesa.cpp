@@ -336,13 +336,15 @@ class OsmesaScene::Drawing {
     gl().ClearStencil(0);
   }
 
-  static void clear(float value) {
-    gl().ClearColor(value, value, value, value);
+  /// To a pixel's bytes, R, G, B, A.
+  static void clear(std::uint32_t pixel) {
+    const auto part = [&](int shift) { return static_cast<float>(pixel >> shift & 0xFF) / 255.0f; };
+    gl().ClearColor(part(0), part(8), part(16), part(24));
     gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   }
 
   void draw_colours() const {
-    clear(1.0f);
+    clear(pixel_of(request_.background));
     if (!is_image_space(request_.method)) return others_.draw(Paint::colours, GL_ALWAYS);
     fills_.draw(Paint::colours, GL_GEQUAL);
     gl().Enable(GL_POLYGON_OFFSET_FILL);
@@ -352,7 +354,7 @@ class OsmesaScene::Drawing {
 
   /// A pixel's 32 bits are the pick identifier's own; all ones, white, is the background's -1.
   void measure(Picture& picture) const {
-    clear(1.0f);
+    clear(0xFFFFFFFF);
     fills_.draw(Paint::ids, is_image_space(request_.method) ? GL_GEQUAL : GL_ALWAYS);
     if (request_.ids) read(picture, GL_RGBA, GL_UNSIGNED_BYTE, picture.ids);
     if (!request_.depth) return;

@@ -28,9 +28,9 @@ bool osmesa_available();
 /// for, and the largest picture: for reports. Without OSMesa it says that there is none.
 std::string osmesa_description(int depth_bits = 24);
 
-/// Draws the display file, on white. Throws Error for a size outside of 1 to the renderer's
-/// limit (16384 pixels for llvmpipe), for depth bits other than 16, 24 and 32, for a coordinate
-/// that triangle_list refuses, and when memory runs out.
+/// Draws the display file, on the background. Throws Error for a size outside of 1 to the
+/// renderer's limit (16384 pixels for llvmpipe), for depth bits other than 16, 24 and 32, for a
+/// coordinate that triangle_list refuses, and when memory runs out.
 Picture draw_with_osmesa(const DisplayFile& display_file, const RasterRequest& request,
                          int depth_bits = 24);
 

@@ -9,7 +9,7 @@ SampleAverage::SampleAverage(int width, int samples, TakeRows take)
     : width_(width),
       samples_(samples),
       take_(std::move(take)),
-      sums_(3 * static_cast<std::size_t>(width)) {}
+      sums_(4 * static_cast<std::size_t>(width)) {}
 
 void SampleAverage::operator()(const Picture& rows) {
   Picture averaged;
@@ -23,23 +23,29 @@ void SampleAverage::operator()(const Picture& rows) {
 }
 
 void SampleAverage::add_row(const std::uint32_t* samples) {
-  for (std::size_t i = 0; i < sums_.size(); i += 3) {
+  for (std::size_t i = 0; i < sums_.size(); i += 4) {
     for (int k = 0; k < samples_; ++k, ++samples) {
       sums_[i] += *samples & 0xFF;
       sums_[i + 1] += *samples >> 8 & 0xFF;
       sums_[i + 2] += *samples >> 16 & 0xFF;
+      sums_[i + 3] += *samples >> 31;  // samples are opaque, or all 0
     }
   }
   ++rows_added_;
 }
 
-/// Each component is rounded to the nearest.
+/// The mean colour of the samples that something covers, and how many of all do. Each component is
+/// rounded to the nearest.
 void SampleAverage::pass_on(Picture& averaged) {
   const auto of_pixel = static_cast<std::uint32_t>(samples_ * samples_);
-  const auto mean = [&](std::uint32_t sum) { return (2 * sum + of_pixel) / (2 * of_pixel); };
-  for (std::size_t i = 0; i < sums_.size(); i += 3) {
-    averaged.pixels.push_back(0xFF000000u | mean(sums_[i + 2]) << 16 | mean(sums_[i + 1]) << 8 |
-                              mean(sums_[i]));
+  const auto divided = [](std::uint32_t sum, std::uint32_t by) {
+    return (2 * sum + by) / (2 * by);
+  };
+  for (std::size_t i = 0; i < sums_.size(); i += 4) {
+    const std::uint32_t covered = sums_[i + 3], by = std::max(covered, 1u);
+    averaged.pixels.push_back(divided(255 * covered, of_pixel) << 24 |
+                              divided(sums_[i + 2], by) << 16 | divided(sums_[i + 1], by) << 8 |
+                              divided(sums_[i], by));
   }
   ++averaged.height;
   rows_added_ = 0;

@@ -10,7 +10,8 @@ namespace displayfile {
 
 /// Antialiasing by samples x samples centres for each pixel: a picture drawn so many times as
 /// large, its colours averaged. Takes its rows from the top and passes on those of the picture; of
-/// pixels only.
+/// pixels only. Where there is no background, a pixel that samples cover in part has the mean of
+/// their colours, and alpha for the part that they cover.
 class SampleAverage {
  public:
   /// The width of the picture passed on.
@@ -24,7 +25,7 @@ class SampleAverage {
 
   int width_, samples_;
   TakeRows take_;
-  std::vector<std::uint32_t> sums_;  // red, green, blue of each pixel of the row begun
+  std::vector<std::uint32_t> sums_;  // red, green, blue, alpha of each pixel of the row begun
   int rows_added_ = 0;
 };
 

@@ -4,13 +4,12 @@
 
 namespace displayfile {
 
-FillPaints::FillPaints(const ViewedScene& scene, std::uint32_t background) {
+FillPaints::FillPaints(const ViewedScene& scene) {
   pixel_.reserve(scene.end());
-  pixel_.push_back(background);
   const auto runs = scene.fill_colours();
   auto run = runs.begin();  // that the fill is in: fills come in the order of the runs
   Colour colour(0.0);
-  std::uint32_t pixel = background;
+  std::uint32_t pixel = 0;
   const auto take_colour = [&](ViewedScene::Item item) {
     colour = painted_colour(scene.fill_style(item));
     pixel = pixel_of(colour);

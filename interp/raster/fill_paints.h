@@ -16,8 +16,9 @@ class FillPaints {
   using Fill = ViewedScene::Fill;
 
   FillPaints() = default;
-  /// The background is as given.
-  FillPaints(const ViewedScene& scene, std::uint32_t background);
+  explicit FillPaints(const ViewedScene& scene);
+  /// As in Picture::pixels; white until then.
+  void set_background(std::uint32_t pixel) { pixel_[ViewedScene::kBackground] = pixel; }
 
   std::uint32_t pixel(Fill fill) const { return pixel_[fill]; }  ///< as in Picture::pixels
   /// A fill whose colour is not the same everywhere, but multiplied by an intensity.
@@ -34,7 +35,7 @@ class FillPaints {
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  std::vector<std::uint32_t> pixel_;
+  std::vector<std::uint32_t> pixel_{0xFFFFFFFF};  // the background's first
   std::vector<std::uint32_t> shade_;  // of the fills up to the last that has one: in shades_
   std::vector<Shade> shades_;
 };

@@ -10,8 +10,6 @@
 
 namespace displayfile {
 
-inline constexpr std::uint32_t kBackgroundPixel = 0xFFFFFFFF;  // white
-
 /// Rows of a picture, counted from the bottom.
 struct RowRange {
   int begin, end;
@@ -20,14 +18,16 @@ struct RowRange {
 /// The rows that one thread draws, of those that are in memory: a picture of the rows `held` of the
 /// whole one, or of all of them.
 struct RasterBand {
-  RasterBand(Picture& picture_, const PictureSize& size, const RowRange& held,
-             const RowRange& drawn, const Shadows* shadows_ = nullptr)
+  RasterBand(Picture& picture_, const PictureSize& size, std::uint32_t background_,
+             const RowRange& held, const RowRange& drawn, const Shadows* shadows_ = nullptr)
       : picture(picture_),
+        background(background_),
         region{size, drawn.begin, drawn.end},
         held_end(held.end),
         shadows(shadows_) {}
 
   Picture& picture;
+  std::uint32_t background;  ///< as in Picture::pixels
   ScanConverter::Region region;
   int held_end;
   const Shadows* shadows;  ///< null if none are seen

@@ -167,8 +167,9 @@ void SoftwareRenderer::prepare(const DisplayFile& display_file, const RasterRequ
     prepared_.reset();
     shadows_.reset();
     scene_ = std::make_shared<const ViewedScene>(display_file);
-    paints_ = FillPaints(*scene_, kBackgroundPixel);
+    paints_ = FillPaints(*scene_);
   }
+  paints_.set_background(pixel_of(request.background));
   if (shadows && shadows_ == nullptr) shadows_ = std::make_unique<Shadows>(*scene_);
   if (!image_space) return;
   const PictureSize size{request.width, request.height};
@@ -240,13 +241,15 @@ std::shared_ptr<const ViewedScene> SoftwareRenderer::scene_of(
 
 void SoftwareRenderer::paint_in_order(const DisplayFile& display_file, const RasterRequest& request,
                                       const RowRange& rows) {
-  std::ranges::fill(picture_.pixels, kBackgroundPixel);
+  const std::uint32_t background = pixel_of(request.background);
+  std::ranges::fill(picture_.pixels, background);
   std::ranges::fill(picture_.ids, -1);
   std::ranges::fill(picture_.depth, kNothingSeen);
   std::atomic<std::size_t> undecided = 0;
   const int at_a_time = rows_worth_a_walk(request, display_file.polygons());
   for_bands_of_rows(request, rows, at_a_time, [&](const RowRange& of_band) {
-    const RasterBand band(picture_, {request.width, request.height}, rows, of_band, shadows_.get());
+    const RasterBand band(picture_, {request.width, request.height}, background, rows, of_band,
+                          shadows_.get());
     if (request.sorted) {
       SortedPainter painter(display_file, band);
       interpret(display_file, painter, Pass::everything, Order::drawn, request.line_scale);
@@ -263,7 +266,12 @@ void SoftwareRenderer::find_fills_seen(const RasterRequest& request, const RowRa
   const ImageSpaceMethod& finder = *prepared_->finder;
   for_bands_of_rows(request, rows, finder.rows_at_a_time(), [&](const RowRange& band) {
     FillsShown shown(*scene_, paints_,
-                     {picture_, {request.width, request.height}, rows, band, shadows_.get()});
+                     {picture_,
+                      {request.width, request.height},
+                      pixel_of(request.background),
+                      rows,
+                      band,
+                      shadows_.get()});
     finder.draw_rows(band.begin, band.end, [&](int row, int first, std::span<const Fill> seen) {
       shown.show(row, first, seen);
     });
@@ -276,7 +284,8 @@ void SoftwareRenderer::draw_lines_over_fills(const DisplayFile& display_file,
   if (request.depth) of_fills = picture_.depth;
   const int at_a_time = rows_worth_a_walk(request, display_file.polygons());
   for_bands_of_rows(request, rows, at_a_time, [&](const RowRange& band) {
-    LinesOverFills lines({picture_, {request.width, request.height}, rows, band});
+    LinesOverFills lines(
+        {picture_, {request.width, request.height}, pixel_of(request.background), rows, band});
     interpret(display_file, lines, Pass::lines, Order::entered, request.line_scale);
   });
   if (request.depth) picture_.depth = std::move(of_fills);

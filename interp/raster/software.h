@@ -16,7 +16,7 @@
 
 namespace displayfile {
 
-/// Draws display files by our own scan conversion, on a white background. With an image-space
+/// Draws display files by our own scan conversion, on the background. With an image-space
 /// method the nearest fill is seen, of equally near ones the one entered later, and a line where
 /// no fill is nearer; without one, whatever is drawn last. On fills that show them shadows are
 /// drawn (interp/raster/shadows.md), whatever the method; texts lie over all (interp/text/).

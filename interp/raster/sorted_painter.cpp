@@ -119,7 +119,7 @@ std::size_t SortedPainter::decide_centres() {
       const std::size_t at = band_.index(row, column);
       if (!picture.ids.empty()) picture.ids[at] = seen ? seen->pick : -1;
       if (lines_on_top_.contains(row, column)) return;
-      picture.pixels[at] = seen ? seen->colour.at(row, column) : kBackgroundPixel;
+      picture.pixels[at] = seen ? seen->colour.at(row, column) : band_.background;
     });
   }
   if (!picture.depth.empty()) show_depth_of_whole_polygons();

@@ -35,8 +35,8 @@ void PdfDevice::Destroy::operator()(_cairo_surface* surface) const {
   cairo().surface_destroy(surface);
 }
 
-PdfDevice::PdfDevice(std::ostream& out, int width, int height)
-    : VectorDevice(width, height),
+PdfDevice::PdfDevice(std::ostream& out, int width, int height, const Background& background)
+    : VectorDevice(width, height, background),
       surface_(cairo().pdf_surface_create_for_stream(write_to_stream, &out, width, height)) {
   require_success(cairo().surface_status(surface_.get()));
   // Left to itself Cairo stores the time.
@@ -47,7 +47,8 @@ PdfDevice::PdfDevice(std::ostream& out, int width, int height)
   cairo().set_fill_rule(context_.get(), CAIRO_FILL_RULE_EVEN_ODD);
   cairo().set_line_join(context_.get(), CAIRO_LINE_JOIN_ROUND);
   cairo().set_line_cap(context_.get(), CAIRO_LINE_CAP_BUTT);
-  set_colour(Colour(1.0));
+  if (background.kind == Background::Kind::none) return;
+  set_colour(background.colour);
   cairo().rectangle(context_.get(), 0.0, 0.0, width, height);
   cairo().fill(context_.get());
 }
@@ -129,11 +130,11 @@ void PdfDevice::finish() {
 }
 
 void write_pdf(const DisplayFile& display_file, int width, int height, bool z_buffer,
-               const std::filesystem::path& path) {
+               const std::filesystem::path& path, const Background& background) {
   require_picture_size(width, height);
   OutputFile file(path.string());
   try {
-    PdfDevice device(file.stream(), width, height);
+    PdfDevice device(file.stream(), width, height, background);
     if (z_buffer) {
       draw_in_visible_order(display_file, width, height, device);
     } else {

@@ -12,15 +12,15 @@ struct _cairo_surface;
 
 namespace displayfile {
 
-/// Draws a PDF page through Cairo, one point a pixel, on a white background. The bytes depend on
-/// what is drawn (and on Cairo's version; of texts on the fonts that it finds) alone. Cairo keeps
-/// coordinates to 1/256 point.
+/// Draws a PDF page through Cairo, one point a pixel, on a background unless there is none. The
+/// bytes depend on what is drawn (and on Cairo's version; of texts on the fonts that it finds)
+/// alone. Cairo keeps coordinates to 1/256 point.
 class PdfDevice : public VectorDevice {
  public:
   /// The stream must live on until finish(). Throws Error unless both sides are 1 to
   /// kLargestSide, or if Cairo cannot make the surface. (Readers may show less: the PDF
   /// specification advises pages of at most 14,400 points.)
-  PdfDevice(std::ostream& out, int width, int height);
+  PdfDevice(std::ostream& out, int width, int height, const Background& background = {});
   ~PdfDevice() override;
 
   /// Completes the document. To be called once. Throws Error if Cairo failed.
@@ -51,6 +51,6 @@ class PdfDevice : public VectorDevice {
 /// at all. Throws Error, naming the file, if it cannot be written, or for a size outside of 1 to
 /// kLargestSide.
 void write_pdf(const DisplayFile& display_file, int width, int height, bool z_buffer,
-               const std::filesystem::path& path);
+               const std::filesystem::path& path, const Background& background = {});
 
 }  // namespace displayfile

@@ -183,25 +183,30 @@ void SvgDevice::finish(std::ostream& out) {
     rule += fmt::format("px;text-anchor:{}}}\n", text_anchor(alignment));
   }
   if (!texts.empty()) texts.insert(texts.begin(), "text{font-family:sans-serif}\n");
+  const bool solid = background().kind == Background::Kind::solid;
   out << fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{0}\" height=\"{1}\" "
       "viewBox=\"0 0 {0} {1}\">\n"
       "<style>\n"
-      ".background{{fill:#ffffff}}\n"
-      ".segment{{fill:none;fill-rule:evenodd;stroke-width:{2};stroke-linejoin:round}}\n",
-      width(), height(), kSeamWidth);
+      "{2}.segment{{fill:none;fill-rule:evenodd;stroke-width:{3};stroke-linejoin:round}}\n",
+      width(), height(),
+      solid ? fmt::format(".background{{fill:{}}}\n", hex(pixel_of(background()))) : "",
+      kSeamWidth);
   for (const std::string& rule : fills) out << rule;
   for (const std::string& rule : lines) out << rule;
   for (const std::string& rule : texts) out << rule;
-  out << fmt::format("</style>\n<rect class=\"background\" width=\"{}\" height=\"{}\"/>\n", width(),
-                     height());
+  out << "</style>\n";
+  if (solid) {
+    out << fmt::format("<rect class=\"background\" width=\"{}\" height=\"{}\"/>\n", width(),
+                       height());
+  }
   out << body_ << "</svg>\n";
 }
 
 void write_svg(const DisplayFile& display_file, int width, int height, bool z_buffer,
-               const std::filesystem::path& path) {
-  SvgDevice device(width, height);
+               const std::filesystem::path& path, const Background& background) {
+  SvgDevice device(width, height, background);
   OutputFile file(path.string());
   if (z_buffer) {
     draw_in_visible_order(display_file, width, height, device);

@@ -17,13 +17,15 @@
 namespace displayfile {
 
 /// Draws an SVG picture (version 1.1 with CSS classes), in pixels of the size asked for, on a
-/// white background. Each segment is a group, `<g id="segment-NAME" class="segment">`; one that is
-/// opened again is `segment-NAME-2`, and so on. Every style is a class: f1, f2, ... of fills, l1,
-/// l2, ... of lines, t1, t2, ... of texts. Coordinates have three decimals at most.
+/// background, or on nothing if it is none. Each segment is a group, `<g id="segment-NAME"
+/// class="segment">`; one that is opened again is `segment-NAME-2`, and so on. Every style is a
+/// class: f1, f2, ... of fills, l1, l2, ... of lines, t1, t2, ... of texts. Coordinates have three
+/// decimals at most.
 class SvgDevice : public VectorDevice {
  public:
   /// Throws Error unless both sides are 1 to kLargestSide.
-  SvgDevice(int width, int height) : VectorDevice(width, height) {}
+  SvgDevice(int width, int height, const Background& background = {})
+      : VectorDevice(width, height, background) {}
 
   /// Writes the document. It is kept in memory until then: the classes come first and are
   /// known last. To be called once.
@@ -62,6 +64,6 @@ class SvgDevice : public VectorDevice {
 /// (interp/vector/sampled/visible_order.h). The file appears whole or not at all. Throws Error,
 /// naming the file, if it cannot be written, or for a size outside of 1 to kLargestSide.
 void write_svg(const DisplayFile& display_file, int width, int height, bool z_buffer,
-               const std::filesystem::path& path);
+               const std::filesystem::path& path, const Background& background = {});
 
 }  // namespace displayfile

@@ -39,7 +39,8 @@ std::span<const Point2> VectorDevice::Path::run(std::size_t i) const {
   return std::span(points).subspan(runs[i].first, end - runs[i].first);
 }
 
-VectorDevice::VectorDevice(int width, int height) : width_(width), height_(height) {
+VectorDevice::VectorDevice(int width, int height, const Background& background)
+    : width_(width), height_(height), background_(background) {
   require_picture_size(width, height);
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "displayfile/background.h"
 #include "displayfile/display_file.h"
 #include "displayfile/viewed_scene.h"
 #include "interp/output_device.h"
@@ -28,7 +29,7 @@ inline constexpr double kSeamWidth = 0.75;
 class VectorDevice : public OutputDevice {
  public:
   /// Throws Error unless both sides are 1 to kLargestSide.
-  VectorDevice(int width, int height);
+  VectorDevice(int width, int height, const Background& background = {});
 
   void begin_segment(int name) final;
   void end_segment() final;
@@ -60,6 +61,7 @@ class VectorDevice : public OutputDevice {
 
   int width() const { return width_; }
   int height() const { return height_; }
+  const Background& background() const { return background_; }
   /// To be called by the derived class when all is drawn.
   void finish_lines();
 
@@ -80,6 +82,7 @@ class VectorDevice : public OutputDevice {
   void paint_inside(const DrawnPolygon& polygon, std::span<const PixelBox> within);
 
   int width_, height_;
+  Background background_;
   Path path_;
   Path lines_;  // that continue each other, not painted yet
   Point3 lines_end_{0.0};

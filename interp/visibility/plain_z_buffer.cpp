@@ -186,7 +186,8 @@ class PlainMethod : public ImageSpaceMethod {
 template <class Depth>
 class PlainPicture : public OutputDevice {
  public:
-  explicit PlainPicture(const PictureSize& size) : z_buffer_(size) {}
+  PlainPicture(const PictureSize& size, const Background& background)
+      : z_buffer_(size), colours_{pixel_of(background)} {}
 
   void fill(const DrawnPolygon& polygon) override {
     colours_.push_back(pixel_of(even_fill(polygon).colour));
@@ -217,7 +218,7 @@ class PlainPicture : public OutputDevice {
   }
 
   PlainZBuffer<Depth> z_buffer_;
-  std::vector<std::uint32_t> colours_{0xFFFFFFFF};  // by number, the background's first
+  std::vector<std::uint32_t> colours_;  // by number, the background's first
   std::vector<std::int32_t> picks_{-1};
 };
 
@@ -256,7 +257,8 @@ Picture draw_with_plain_z_buffer(const DisplayFile& display_file, const RasterRe
                                  DepthFormat format) {
   require_picture_size(request.width, request.height);
   return with_depth(format, [&](auto depth) {
-    PlainPicture<decltype(depth)> drawing(PictureSize{request.width, request.height});
+    PlainPicture<decltype(depth)> drawing(PictureSize{request.width, request.height},
+                                          request.background);
     interpret(display_file, drawing, Pass::fills, Order::entered);
     return drawing.picture(request);
   });

@@ -31,9 +31,9 @@ std::span<const DepthFormatEntry> depth_formats();
 /// when it takes up the scene, in one thread, and knows no ROUNDOFF.
 std::unique_ptr<ImageSpaceMethod> make_plain_z_buffer(DepthFormat format);
 
-/// Draws by the plain z-buffer alone, to be measured: the fills of the visible segments on white;
-/// lines are left out. Only the size, ids and depth (as stored, in z) of the request count; there
-/// are no threads. Throws Error for a size outside of 1 to kLargestSide.
+/// Draws by the plain z-buffer alone, to be measured: the fills of the visible segments on the
+/// background; lines are left out. Only the size, ids and depth (as stored, in z) of the request
+/// count; there are no threads. Throws Error for a size outside of 1 to kLargestSide.
 Picture draw_with_plain_z_buffer(const DisplayFile& display_file, const RasterRequest& request,
                                  DepthFormat format);
 

@@ -40,7 +40,7 @@ class EmbreeDrawing : public Drawing {
       : file_(file), size_(size_of(frame)), hits_(size_, false) {}
   void draw_anew() override {
     scene_ = ViewedScene(file_);
-    paints_ = FillPaints(scene_, kBackgroundPixel);
+    paints_ = FillPaints(scene_);
     rays_.reset();
     rays_ = std::make_unique<EmbreeRays>(in_triangles(scene_), size_, 1);
     draw_again();
@@ -78,7 +78,7 @@ class Gl2psDrawing : public Drawing {
   Gl2psDrawing(const DisplayFile& file, const Frame& frame) : file_(file), size_(size_of(frame)) {}
   void draw_anew() override {
     scene_ = ViewedScene(file_);
-    paints_ = FillPaints(scene_, kBackgroundPixel);
+    paints_ = FillPaints(scene_);
     triangles_ = in_triangles(scene_);
     const Gl2psSort gl2ps{triangles_.corners, size_};
     if (!tried_ && !gl2ps.ends()) throw CannotDraw{"gl2ps's sort does not come to an end"};

@@ -226,7 +226,7 @@ void print_exact_and_rays(const std::vector<std::function<NamedSystem()>>& scene
     for (ZBuffer* method : {&exact, &rounded}) {
       method->prepare({scene, {kSide, kSide}, std::nullopt}, 1);
     }
-    const FillPaints paints(scene, kBackgroundPixel);
+    const FillPaints paints(scene);
     std::vector<std::uint32_t> pixels(std::size_t{kSide} * kSide);
     const auto draw = [&](const ZBuffer& method) {
       return [&] {

@@ -118,10 +118,7 @@ class TemporaryFile {
 void enter_bare(const Mesh& mesh) {
   GraphicsSystem system;
   fit_view(std::span(&mesh, 1), system);
-  system.set_line_style({LineStyle::Kind::none});
-  system.set_hidden_line_removal(true);
-  system.set_back_face_removal(closed_and_consistently_oriented(mesh));
-  enter_mesh(mesh, system, 1);
+  enter_meshes(std::span(&mesh, 1), system);
 }
 
 void print(const std::string& what, const Spread& faster) {

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string_view>
+
+#include "clip/view.h"
+
+namespace displayfile {
+
+/// What becomes of a window whose shape, width over height, is not that of its viewport in the
+/// picture.
+enum class WindowFit {
+  widen,    ///< it is made wider or higher about its middle: the picture is not distorted
+  stretch,  ///< it is mapped to the viewport as it is
+};
+
+/// Reads `widen` or `stretch`; throws Error for anything else.
+WindowFit window_fit(std::string_view text);
+std::string_view name_of(WindowFit fit);
+
+/// Width over height.
+double shape_of(const Rectangle& rectangle);
+
+/// The width over the height of a viewport in a picture of this aspect ratio, its width over its
+/// height.
+double shape_in_picture(const Rectangle& viewport, double aspect);
+
+/// True if two shapes differ by more than rounding.
+bool shapes_differ(double a, double b);
+
+/// The smallest window of this shape that has the same middle and holds all of the one given, which
+/// is returned to the bit if it has that shape but for rounding.
+Rectangle widened(const Rectangle& window, double shape);
+
+}  // namespace displayfile

@@ -1,0 +1,27 @@
+#include "programs/background_option.h"
+
+#include <CLI/CLI.hpp>
+
+#include "clip/error.h"
+#include "programs/colour_word.h"
+#include "programs/option_groups.h"
+
+namespace displayfile {
+
+void BackgroundWord::add_to(CLI::App& command) {
+  command
+      .add_option("--background", word,
+                  "R,G,B, each 0 to 1, #rrggbb, white, black, or none: transparent in .png, "
+                  "nothing in vectors; in place of the programs' [white]")
+      ->group(kPictureOptions);
+}
+
+std::optional<Background> BackgroundWord::background() const {
+  if (word.empty()) return std::nullopt;
+  if (word == "none") return Background{Background::Kind::none};
+  if (const auto colour = colour_of(word)) return Background{Background::Kind::solid, *colour};
+  throw Error("--background " + word +
+              ": expected R,G,B, each 0 to 1, #rrggbb, white, black, or none");
+}
+
+}  // namespace displayfile

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+
+#include "displayfile/background.h"
+
+namespace displayfile {
+
+/// The option --background, as a word.
+struct BackgroundWord {
+  std::string word;
+
+  void add_to(CLI::App& command);
+  /// None if it was not given. Throws Error for a word that is no background.
+  std::optional<Background> background() const;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+#include <vector>
+
+#include "displayfile/graphics_system.h"
+#include "displayfile/mesh/camera.h"
+
+namespace displayfile {
+
+/// The options that say how a bare mesh is looked at, and in what windows, as words.
+struct CameraWords {
+  std::string eye, look_at, up, fov;
+  bool parallel = false, fit = true, widen = false;
+  bool turning = false;  ///< no option: the camera is one of a turntable
+
+  void add_to(CLI::App& command);
+  /// Throws Error, naming the option, for a word that is not what it expects.
+  Camera camera() const;
+  /// Throws Error, naming the options, if some change a fitted view and there is none.
+  void require_fitted(bool fitted) const;
+  /// What the inputs start with.
+  void start(GraphicsSystem& system, double aspect) const;
+
+ private:
+  std::vector<std::string> given() const;
+};
+
+/// On standard error, a line if a window of a picture was stretched by a pixel or more and nobody
+/// said that it should be.
+void warn_of_stretched_window(const GraphicsSystem& system, const std::string& picture, int width,
+                              int height);
+
+}  // namespace displayfile

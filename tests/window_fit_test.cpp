@@ -1,0 +1,132 @@
+// Windows whose shape is not that of their viewport in the picture.
+
+#include "clip/window_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "clip/error.h"
+#include "displayfile/graphics_system.h"
+#include "displayfile/text/drawing_program.h"
+#include "displayfile/text/dump.h"
+#include "interp/draw.h"
+
+namespace displayfile {
+namespace {
+
+TEST(WindowFit, WidensAboutTheMiddle) {
+  EXPECT_EQ(widened({0, 2, 0, 2}, 2.0), (Rectangle{-1, 3, 0, 2}));
+  EXPECT_EQ(widened({0, 2, 0, 2}, 0.5), (Rectangle{0, 2, -1, 3}));
+  EXPECT_EQ(widened({-3, 1, 5, 6}, 1.0), (Rectangle{-3, 1, 3.5, 7.5}));
+  const Rectangle thirds{0.1, 0.7, -0.3, 1.3};
+  EXPECT_EQ(widened(thirds, shape_of(thirds) * (1.0 + 1e-14)), thirds) << "rounding is no shape";
+}
+
+TEST(WindowFit, ReadsItsWords) {
+  for (const WindowFit fit : {WindowFit::widen, WindowFit::stretch}) {
+    EXPECT_EQ(window_fit(name_of(fit)), fit);
+  }
+  EXPECT_THROW(window_fit("Widen"), Error);
+}
+
+/// A square of a side of 1 about the origin, drawn in a picture of an aspect ratio of 2.
+std::string dump_of(const std::string& settings, double aspect = 2.0) {
+  GraphicsSystem g;
+  g.set_aspect_ratio(aspect);
+  replay(
+      settings +
+          "open-segment 1\npolygon-abs-2 -0.5 -0.5  0.5 -0.5  0.5 0.5  -0.5 0.5\nclose-segment\n",
+      "program", g);
+  return dump(g.display_file());
+}
+
+TEST(WindowFit, WhoSetNoWindowHasItWidened) {
+  const std::string widened = dump_of("set-window -2 2 -1 1\n");
+  const std::string stretched = dump_of("", 1.0);
+  EXPECT_EQ(dump_of(""), widened);
+  EXPECT_EQ(dump_of("set-perspective 0 0 9\n"),
+            dump_of("set-perspective 0 0 9\nset-window -2 2 -1 1\n"));
+  EXPECT_EQ(dump_of("set-window -1 1 -1 1\n"), stretched) << "it is the program's own";
+  EXPECT_EQ(dump_of("set-viewport 0 1 0 1\n"), stretched);
+  EXPECT_EQ(dump_of("set-window-fit stretch\n"), stretched);
+  EXPECT_EQ(dump_of("set-window-fit widen\nset-window -1 1 -1 1\n"), widened);
+  EXPECT_EQ(dump_of("set-viewport 0 0.5 0 1\nset-window-fit widen\n"),
+            dump_of("set-viewport 0 0.5 0 1\n", 1.0))
+      << "half of a wide picture is square";
+  EXPECT_NE(dump_of("set-viewport 0 0.5 0 1\nset-window-fit widen\n", 1.0),
+            dump_of("set-viewport 0 0.5 0 1\n", 1.0));
+}
+
+TEST(WindowFit, TellsTheWorstOfTheWindowsThatWereStretched) {
+  GraphicsSystem g;
+  g.set_aspect_ratio(1.5);
+  const auto open = [&](int name, const Rectangle& w) {
+    g.set_window(w.x_min, w.x_max, w.y_min, w.y_max);
+    g.open_segment(name);
+    g.close_segment();
+  };
+  g.open_segment(9);
+  g.close_segment();
+  open(1, {0, 3, 0, 2});
+  EXPECT_FALSE(g.stretched_window());
+  open(2, {0, 2, 0, 2});
+  open(3, {0, 1, 0, 4});
+  open(4, {0, 2, 0, 2});
+  ASSERT_TRUE(g.stretched_window());
+  EXPECT_EQ(g.stretched_window()->segment, 3);
+  EXPECT_EQ(g.stretched_window()->window, 0.25);
+  EXPECT_EQ(g.stretched_window()->viewport, 1.5);
+  GraphicsSystem said;
+  said.set_window_fit(WindowFit::stretch);
+  said.set_window(0, 1, 0, 4);
+  said.open_segment(1);
+  said.close_segment();
+  EXPECT_FALSE(said.stretched_window());
+}
+
+TEST(WindowFit, RefusesWhatCannotBe) {
+  GraphicsSystem g;
+  for (const double aspect : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+    EXPECT_THROW(g.set_aspect_ratio(aspect), Error);
+  }
+  EXPECT_EQ(g.aspect_ratio(), 1.0);
+  g.open_segment(1);
+  EXPECT_THROW(g.set_aspect_ratio(2.0), Error);
+  EXPECT_THROW(g.set_window_fit(WindowFit::widen), Error);
+}
+
+/// How many columns and rows of a picture show something.
+Point2 extent(const Picture& picture) {
+  int left = picture.width, right = -1, top = picture.height, bottom = -1;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      if (picture.ids[static_cast<std::size_t>(y * picture.width + x)] < 0) continue;
+      left = std::min(left, x);
+      right = std::max(right, x);
+      top = std::min(top, y);
+      bottom = std::max(bottom, y);
+    }
+  }
+  return {right - left + 1, bottom - top + 1};
+}
+
+TEST(WindowFit, ASquareIsAsHighAsWide) {
+  for (const auto& [width, height] : {std::pair(640, 480), std::pair(90, 200), std::pair(64, 64)}) {
+    GraphicsSystem g;
+    g.set_aspect_ratio(static_cast<double>(width) / height);
+    g.open_segment(1);
+    g.polygon_abs_2({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}});
+    g.close_segment();
+    DrawOptions options;
+    options.width = width;
+    options.height = height;
+    options.ids = "in memory";
+    const Point2 seen = extent(draw(g, options));
+    EXPECT_NEAR(seen.x, seen.y, 1.0) << width << " x " << height;
+    EXPECT_NEAR(seen.x, 0.5 * std::min(width, height), 1.0);
+  }
+}
+
+}  // namespace
+}  // namespace displayfile

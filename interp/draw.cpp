@@ -30,27 +30,22 @@ namespace displayfile {
 
 namespace {
 
-/// One line a format: how it is written, from pixels or from the display file itself, and whether
-/// it can do without a background.
+/// One line a format: how it is written, from pixels, with alpha where there is no background, or
+/// from the display file itself.
 struct PictureFormat {
   Choice choice;
-  bool transparent;
-  std::unique_ptr<RowFile> (*pixel_file)(const std::filesystem::path&, int width, int height,
-                                         Alpha);
+  std::unique_ptr<RowFile> (*pixel_file)(const std::filesystem::path&, int width, int height);
+  std::unique_ptr<RowFile> (*alpha_file)(const std::filesystem::path&, int width, int height);
   void (*write_vectors)(const DisplayFile&, int width, int height, bool z_buffer,
                         const std::filesystem::path&, const Background&);
-};
 
+  bool can_be_transparent() const { return alpha_file != nullptr || write_vectors != nullptr; }
+};
 constexpr std::array kFormats{
-    PictureFormat{{".png", "pixels, compressed"}, true, png_row_file, nullptr},
-    PictureFormat{{".ppm", "pixels, plain"},
-                  false,
-                  [](const std::filesystem::path& path, int width, int height, Alpha) {
-                    return ppm_row_file(path, width, height);
-                  },
-                  nullptr},
-    PictureFormat{{".svg", "vectors, for the web"}, true, nullptr, write_svg},
-    PictureFormat{{".pdf", "vectors, for print"}, true, nullptr, write_pdf},
+    PictureFormat{{".png", "pixels, compressed"}, png_row_file, png_alpha_row_file, nullptr},
+    PictureFormat{{".ppm", "pixels, plain"}, ppm_row_file, nullptr, nullptr},
+    PictureFormat{{".svg", "vectors, for the web"}, nullptr, nullptr, write_svg},
+    PictureFormat{{".pdf", "vectors, for print"}, nullptr, nullptr, write_pdf},
 };
 
 /// One line a device that draws pixels, the whole picture or, row by row, however large it is. One
@@ -274,16 +269,16 @@ TakeRows write_rows(const RowFiles& files) {
 void write_picture(const DisplayFile& drawn, const RasterRequest& request, bool vectors_by_depth,
                    const std::filesystem::path& file, const DrawOptions& options,
                    SoftwareRenderer& kept) {
-  const auto open = [&](auto* row_file, const std::filesystem::path& path, auto... alpha) {
-    return row_file(path, options.width, options.height, alpha...);
+  const auto open = [&](auto* row_file, const std::filesystem::path& path) {
+    return row_file(path, options.width, options.height);
   };
-  const Alpha alpha = has_background(options) ? Alpha::none : Alpha::stored;
   const PictureFormat& format = format_of(file, options);
   RowFiles files, colours;
   if (!options.ids.empty()) files.push_back(open(ids_row_file, options.ids));
   if (!options.depth.empty()) files.push_back(open(depth_row_file, options.depth));
   if (format.pixel_file != nullptr) {
-    (options.samples == 1 ? files : colours).push_back(open(format.pixel_file, file, alpha));
+    (options.samples == 1 ? files : colours)
+        .push_back(open(has_background(options) ? format.pixel_file : format.alpha_file, file));
   }
   RasterRequest of_files = request;
   of_files.texts = format.pixel_file != nullptr;
@@ -335,8 +330,8 @@ void require_drawable(const std::filesystem::path& file, const DrawOptions& opti
     throw Error(fmt::format("{}: the {} device draws pixels: expected {}", file.string(),
                             device.choice.name, names(kFormats, " or ", of_pixels)));
   }
-  if (!has_background(options) && !format.transparent) {
-    const auto transparent = [](const PictureFormat& f) { return f.transparent; };
+  if (!has_background(options) && !format.can_be_transparent()) {
+    const auto transparent = [](const PictureFormat& f) { return f.can_be_transparent(); };
     throw Error(fmt::format("{}: {} files have no alpha: expected a background, or one of {}",
                             file.string(), format.choice.name, names(kFormats, " ", transparent)));
   }

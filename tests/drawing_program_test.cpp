@@ -78,6 +78,12 @@ TEST(DrawingProgram, EveryRoutineIsTheApplicationsCall) {
       {"set-back-plane-clipping off", [](G& g) { g.set_back_plane_clipping(false); }},
       {"set-window -1 2 -3 4", [](G& g) { g.set_window(-1, 2, -3, 4); }},
       {"set-viewport .1 .2 .3 .4", [](G& g) { g.set_viewport(0.1, 0.2, 0.3, 0.4); }},
+      {"set-window-fit stretch", [](G& g) { g.set_window_fit(WindowFit::stretch); }},
+      {"set-background .1 .2 .3",
+       [](G& g) {
+         g.set_background({Background::Kind::solid, {0.1, 0.2, 0.3}});
+       }},
+      {"set-background none", [](G& g) { g.set_background({Background::Kind::none}); }},
       {"open-segment 8", [](G& g) { g.open_segment(8); }},
       {"delete-segment 1", [](G& g) { g.delete_segment(1); }},
       {"delete-all-segments", [](G& g) { g.delete_all_segments(); }},
@@ -328,6 +334,9 @@ TEST(DrawingProgram, ErrorsNamePlaceAndExpectation) {
        "1:25: set-fill-style: 3 arguments, expected solid r g b | hollow"},
       {"set-fill-style hollow 1\n", "1:24: set-fill-style: 2 arguments, expected"},
       {"set-fill-style solid 1 0 x\n", "1:26: expected a number, not 'x'"},
+      {"set-window-fit shrink\n", "1:16: window fit is widen or stretch, not 'shrink'"},
+      {"set-background white\n", "1:16: expected none, or three numbers: r g b, not 'white'"},
+      {"set-background 1 1\n", "1:19: set-background: 2 arguments, expected r g b | none"},
       {"set-line-style dotted 0 0 0\n", "1:16: expected solid, dashed or none, not 'dotted'"},
       {"set-line-style dashed 0 0 0 1 2\n",
        "1:32: set-line-style: 6 arguments, expected solid r g b [width] | dashed r g b [width "
@@ -436,9 +445,6 @@ TEST(DrawingProgram, RefusedCallsKeepTheState) {
       {"set-view-depth 1 1", "front plane behind back plane"},
       {"set-window 1 -1 0 1", "window has no area"},
       {"set-window 0 1 1 1", "window has no area"},
-      {"set-window-fit shrink", "window fit is widen or stretch, not 'shrink'"},
-      {"set-background white", "expected none, or three numbers: r g b, not 'white'"},
-      {"set-background 1 1", "2 arguments, expected r g b | none"},
       {"set-background 0 0 2", "colour component 2 out of range"},
       {"set-viewport 0 0 0 1", "viewport has no area"},
       {"set-viewport 0 2 0 1", "viewport leaves the display"},

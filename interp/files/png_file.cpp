@@ -172,9 +172,13 @@ void PngRowFile::commit() {
 
 }  // namespace
 
-std::unique_ptr<RowFile> png_row_file(const std::filesystem::path& path, int width, int height,
-                                      Alpha alpha) {
-  return std::make_unique<PngRowFile>(path, width, height, alpha);
+std::unique_ptr<RowFile> png_row_file(const std::filesystem::path& path, int width, int height) {
+  return std::make_unique<PngRowFile>(path, width, height, Alpha::none);
+}
+
+std::unique_ptr<RowFile> png_alpha_row_file(const std::filesystem::path& path, int width,
+                                            int height) {
+  return std::make_unique<PngRowFile>(path, width, height, Alpha::stored);
 }
 
 void write_png(const Picture& picture, const std::filesystem::path& path) {

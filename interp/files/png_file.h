@@ -17,9 +17,10 @@ enum class Alpha { none, stored };
 void write_png(const Picture& picture, const std::filesystem::path& path);
 
 /// The file that write_png writes, byte for byte, of a picture of width x height that comes row by
-/// row: RGBA if alpha is to be stored.
-std::unique_ptr<RowFile> png_row_file(const std::filesystem::path& path, int width, int height,
-                                      Alpha alpha = Alpha::none);
+/// row: with RGB, or with RGBA.
+std::unique_ptr<RowFile> png_row_file(const std::filesystem::path& path, int width, int height);
+std::unique_ptr<RowFile> png_alpha_row_file(const std::filesystem::path& path, int width,
+                                            int height);
 
 /// Reads a PNG file of any colour type; 16-bit samples are cut to 8. What is transparent is laid
 /// over white, or stays so if alpha is to be kept; then what is wholly transparent is 0. Throws

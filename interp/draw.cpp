@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "displayfile/file_extension.h"
 #include "displayfile/output_file.h"
 #include "interp/files/npy_file.h"
 #include "interp/files/png_file.h"
@@ -77,12 +78,12 @@ std::string names(const Table& table, const char* between, Which which) {
 constexpr auto kAny = [](const auto&) { return true; };
 
 const PictureFormat& format_of(const std::filesystem::path& file) {
-  const std::string extension = file.extension().string();
+  const std::string extension = extension_of(file);
   for (const PictureFormat& format : kFormats) {
     if (format.choice.name == extension) return format;
   }
   throw Error(fmt::format("{}: unknown picture format '{}': expected one of {}", file.string(),
-                          extension, names(kFormats, " ", kAny)));
+                          file.extension().string(), names(kFormats, " ", kAny)));
 }
 
 const RasterDevice& device_of(std::string_view name) {

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <iostream>
 
 #include "clip/error.h"
+#include "displayfile/file_extension.h"
 #include "displayfile/input_file.h"
 #include "displayfile/text/dump_compare.h"
 #include "interp/files/npy_file.h"
@@ -61,23 +61,21 @@ CLI::App& CompareCommand::add_to(CLI::App& app) {
 }
 
 int CompareCommand::run() const {
-  const auto extension = [](const std::string& name) {
-    return std::filesystem::path(name).extension().string();
+  const auto read_picture = [](const std::string& name) {
+    return extension_of(name) == ".png" ? read_png(name) : read_ppm(name);
   };
-  const auto read_picture = [&](const std::string& name) {
-    return extension(name) == ".png" ? read_png(name) : read_ppm(name);
+  const auto is_picture = [](const std::string& name) {
+    return extension_of(name) == ".png" || extension_of(name) == ".ppm";
   };
-  const auto is_picture = [&](const std::string& name) {
-    return extension(name) == ".png" || extension(name) == ".ppm";
-  };
-  if (is_picture(a) != is_picture(b) || (extension(a) == ".npy") != (extension(b) == ".npy")) {
+  const auto is_npy = [](const std::string& name) { return extension_of(name) == ".npy"; };
+  if (is_picture(a) != is_picture(b) || is_npy(a) != is_npy(b)) {
     throw Error(fmt::format("{} and {}: expected two pictures, two .npy files or two dumps", a, b));
   }
-  if (!marks.empty() && extension(marks) != ".png") {
+  if (!marks.empty() && extension_of(marks) != ".png") {
     throw Error(fmt::format("{}: expected a .png file for the marks", marks));
   }
   if (is_picture(a)) return report(read_picture(a), read_picture(b), marks);
-  if (extension(a) == ".npy") return report(read_npy(a), read_npy(b), marks);
+  if (is_npy(a)) return report(read_npy(a), read_npy(b), marks);
   if (!marks.empty()) throw Error(fmt::format("{} and {}: dumps have no pixels to mark", a, b));
   const auto difference = first_difference(read_text_file(a), read_text_file(b));
   std::cout << (difference ? *difference : std::string("no difference")) << '\n';

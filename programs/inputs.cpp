@@ -4,13 +4,14 @@
 
 #include <iostream>
 
+#include "displayfile/file_extension.h"
 #include "displayfile/text/drawing_program.h"
 #include "programs/progress.h"
 
 namespace displayfile {
 
 bool is_drawing_program(const std::string& input) {
-  return input == "-" || input.ends_with(".draw");
+  return input == "-" || extension_of(input) == ".draw";
 }
 
 void report_skipped(const Mesh::Skipped& skipped) {

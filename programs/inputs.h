@@ -9,8 +9,8 @@
 
 namespace displayfile {
 
-/// True for a drawing program: a file that ends in .draw, or "-", standard input. Anything
-/// else is a mesh.
+/// True for a drawing program: a file that ends in .draw, in letters of either case, or "-",
+/// standard input. Anything else is a mesh.
 bool is_drawing_program(const std::string& input);
 
 /// Replays drawing programs and imports meshes, in order, into one system. Meshes that no

@@ -174,6 +174,10 @@ class GraphicsSystem {
 
   /// Records every routine that succeeds from now on; null stops. The recorder must live on.
   void set_recorder(Recorder* recorder) { recorder_ = recorder; }
+  /// A remark in what is recorded, on a line of its own; it does nothing else.
+  void comment(std::string_view text) {
+    if (recorder_ != nullptr) recorder_->comment(text);
+  }
 
   /// Keeps what is drawn in world coordinates too, from now on; null stops. The scene must live
   /// on. Error: there are segments already.

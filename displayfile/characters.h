@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace displayfile {
+
+/// Length in bytes of the UTF-8 character at the start of a text that is not empty; 0 if there is
+/// none (RFC 3629, section 4).
+std::size_t utf8_length(std::string_view text);
+
+/// How many bytes at the start of the text are characters that can be drawn: UTF-8, without control
+/// characters and what XML cannot hold (U+FFFE and U+FFFF). All of them, if the text is one.
+std::size_t drawable_length(std::string_view text);
+
+/// What is wrong at the start of a text whose first byte is of no character that can be drawn: for
+/// messages.
+std::string not_drawable(std::string_view text);
+
+/// The text in quotation marks, as drawing programs and dumps have it: a backslash stands before
+/// quotation marks and backslashes, and nowhere else.
+std::string in_quotation_marks(std::string_view text);
+
+}  // namespace displayfile

@@ -448,21 +448,21 @@ void GraphicsSystem::polygons_abs_3(std::span<const Point3> vertices,
   const std::span<const Point3> world = shared_world(vertices);
   Segment& segment = display_file_.segment(*open_);
   view_stage_->view_vertices(world);
-  const FillStyle in_force = attributes_.fill;
   const std::size_t polygons = sides.empty() ? corners.size() / 3 : sides.size();
   segment.reserve_polygons(polygons, corners.size());
-  std::size_t first = 0;
-  for (std::size_t k = 0; k < polygons; ++k) {
-    if (k < fills.size()) set_fill_style(fills[k]);
-    const auto polygon = corners.subspan(first, sides.empty() ? 3 : sides[k]);
-    first += polygon.size();
-    enter_shared(world, polygon, segment);
-    if (recorder_ == nullptr) continue;
-    object_points_.clear();
-    for (const std::uint32_t corner : polygon) object_points_.push_back(vertices[corner]);
-    recorder_->write("polygon-abs-3", object_points_, 3);
-  }
-  if (!fills.empty()) set_fill_style(in_force);
+  keep_fill_style([&] {
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < polygons; ++k) {
+      if (k < fills.size() && fills[k] != attributes_.fill) set_fill_style(fills[k]);
+      const auto polygon = corners.subspan(first, sides.empty() ? 3 : sides[k]);
+      first += polygon.size();
+      enter_shared(world, polygon, segment);
+      if (recorder_ == nullptr) continue;
+      object_points_.clear();
+      for (const std::uint32_t corner : polygon) object_points_.push_back(vertices[corner]);
+      recorder_->write("polygon-abs-3", object_points_, 3);
+    }
+  });
   if (!corners.empty()) pen_ = {vertices[corners.back()], world[corners.back()]};
 }
 
@@ -496,14 +496,22 @@ void GraphicsSystem::enter_shared(std::span<const Point3> world,
 
 // ---- Attributes ------------------------------------------------------------------------
 
+void GraphicsSystem::set_fill_style_by_default(const FillStyle& style) {
+  if (fill_style_was_set_) return;
+  set_fill_style(style);
+  fill_style_was_set_ = false;
+}
+
 void GraphicsSystem::set_fill_style(const FillStyle& style) {
   attributes_changed();
   if (style.kind == FillStyle::Kind::hollow) {
+    fill_style_was_set_ = true;
     attributes_.fill = {
         FillStyle::Kind::hollow};  // a colour has no meaning here: one representation
     return record("set-fill-style", {"hollow"});
   }
   require_colour(style.colour);
+  fill_style_was_set_ = true;
   attributes_.fill = {FillStyle::Kind::solid, style.colour};
   record("set-fill-style", {"solid", style.colour.r, style.colour.g, style.colour.b});
 }

@@ -157,6 +157,8 @@ class GraphicsSystem {
   const DisplayFile& display_file() const { return display_file_; }
   const View& view() const { return view_; }
   bool view_was_set() const { return view_was_set_; }  ///< by any view-parameter routine
+  const FillStyle& fill_style() const { return attributes_.fill; }  ///< in force
+  bool fill_style_was_set() const { return fill_style_was_set_; }   ///< by the application
   std::optional<int> open_segment_name() const { return open_; }
   bool hidden_line_removal() const { return hidden_; }
   bool back_face_removal() const { return attributes_.back_face_removal; }
@@ -168,6 +170,27 @@ class GraphicsSystem {
   bool z_buffer() const { return z_buffer_; }
   std::int64_t polygons_entered() const { return ordinal_; }  ///< calls of the polygon routines
   std::int64_t polygons_triangulated() const { return triangulated_; }  ///< for not being flat
+
+  /// Sets the fill style if the application did not; then it counts as not set.
+  void set_fill_style_by_default(const FillStyle& style);
+  /// Calls enter(), which may set fill styles for what it enters; the one in force before is in
+  /// force afterwards, also if enter() throws, and counts as set if it did.
+  template <class Enter>
+  void keep_fill_style(Enter&& enter) {
+    const FillStyle in_force = attributes_.fill;
+    const bool was_set = fill_style_was_set_;
+    const auto restore = [&] {
+      if (attributes_.fill != in_force) set_fill_style(in_force);
+      fill_style_was_set_ = was_set;
+    };
+    try {
+      enter();
+    } catch (...) {
+      restore();
+      throw;
+    }
+    restore();
+  }
 
   /// Sets the threads of close_segment's sort, whose result is the same for any number of them.
   void set_threads(int threads) { sort_options_.threads = threads; }
@@ -222,6 +245,7 @@ class GraphicsSystem {
   std::optional<ViewStage> view_stage_;  // of the open segment
   Pen pen_;
   Attributes attributes_;
+  bool fill_style_was_set_ = false;
   Shading shading_ = Shading::flat;
   std::vector<Point3> vertex_normals_;  // of the next polygon, as the application gave them
   std::int32_t pick_ = -1;

@@ -31,11 +31,13 @@ CLI::App& CheckCommand::add_to(CLI::App& app) {
       ->required();
   command.add_flag("--update", update, "write the golden files");
   hidden_surfaces.add_to(command);
+  meshes.add_to(command);
   return command;
 }
 
 int CheckCommand::run() const {
   const HiddenSurfaceOptions options = hidden_surfaces.options(threads);
+  const MeshOptions entering = meshes.options();
   std::set<std::string> names;
   for (const std::string& input : inputs) {
     if (!names.insert(golden_name(input)).second) {
@@ -45,7 +47,7 @@ int CheckCommand::run() const {
   if (update) std::filesystem::create_directories(golden_folder);
   int status = 0;
   for (const std::string& input : inputs) {
-    const DisplayFile file = as_drawn(std::span(&input, 1), options);
+    const DisplayFile file = as_drawn(std::span(&input, 1), options, entering);
     const std::string golden = (std::filesystem::path(golden_folder) / golden_name(input)).string();
     if (update) {
       update_golden(file, golden);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "programs/hidden_surface_words.h"
+#include "programs/mesh_words.h"
 
 namespace displayfile {
 
@@ -13,6 +14,7 @@ namespace displayfile {
 struct CheckCommand {
   std::vector<std::string> inputs;
   HiddenSurfaceWords hidden_surfaces;
+  MeshWords meshes;
   int threads = 1;
   std::string golden_folder;
   bool update = false;

@@ -112,6 +112,7 @@ CLI::App& DrawCommand::add_to(CLI::App& app) {
                      "or with --hidden world-ray-cast from one tree of boxes: "
                      "OUT.png becomes OUT-000.png, OUT-001.png, ..., --ids and --depth likewise");
   shading.add_to(command);
+  meshes.add_to(command);
   command.add_flag("--stats", stats, "print what was drawn");
   return command;
 }
@@ -132,7 +133,8 @@ int DrawCommand::run() const {
   const Shading start_with = shading.shading();
   DrawOptions drawing = all_options();
   if (turntable) {
-    draw_turntable(inputs, output, drawing, start_with, turntable_views(*turntable), stats);
+    draw_turntable(inputs, output, drawing, start_with, turntable_views(*turntable), stats,
+                   meshes.options());
     return 0;
   }
   GraphicsSystem system;
@@ -140,7 +142,8 @@ int DrawCommand::run() const {
   if (drawing.hidden == HiddenMethod::world_ray_cast) system.retain(&scene);
   system.set_threads(drawing.threads);
   system.set_shading(start_with);
-  enter_inputs(inputs, system, static_cast<double>(drawing.width) / drawing.height);
+  enter_inputs(inputs, system, static_cast<double>(drawing.width) / drawing.height,
+               meshes.options());
   if (!drawing.hidden && std::ranges::none_of(inputs, is_drawing_program)) {
     drawing.hidden = HiddenMethod::automatic;
   }

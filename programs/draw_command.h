@@ -7,6 +7,7 @@
 
 #include "interp/draw.h"
 #include "programs/hidden_surface_words.h"
+#include "programs/mesh_words.h"
 #include "programs/picture_size.h"
 #include "programs/shading_word.h"
 
@@ -22,6 +23,7 @@ struct DrawCommand {
   PictureSizeWord size;
   HiddenSurfaceWords hidden_surfaces;
   ShadingWord shading;  ///< that the inputs start with
+  MeshWords meshes;
   bool stats = false;
   bool explain = false;                  ///< what `auto` picked, and why
   std::optional<std::string> turntable;  ///< so many views of it (programs/turntable_command.h)

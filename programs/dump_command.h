@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "programs/hidden_surface_words.h"
+#include "programs/mesh_words.h"
 
 namespace displayfile {
 
@@ -12,6 +13,7 @@ namespace displayfile {
 struct DumpCommand {
   std::vector<std::string> inputs;
   HiddenSurfaceWords hidden_surfaces;
+  MeshWords meshes;
   int threads = 1;
   std::string output;  ///< standard output if empty
 

@@ -15,11 +15,13 @@ CLI::App& ImportCommand::add_to(CLI::App& app) {
   command.add_option("MESH", meshes)->required();
   command.add_option("-o,--output", output, "the drawing program, .draw")->required();
   shading.add_to(command);
+  options.add_to(command);
   return command;
 }
 
 int ImportCommand::run() const {
   const Shading start_with = shading.shading();
+  const MeshOptions entering = options.options();
   OutputFile file(output);
   GraphicsSystem system;
   Recorder recorder(file.stream());
@@ -29,9 +31,9 @@ int ImportCommand::run() const {
   }
   if (start_with != Shading::flat) system.set_shading(start_with);
   const Progress progress("importing " + meshes.front());
-  const Mesh::Skipped skipped = import_meshes(meshes, system);
+  const std::vector<Mesh::Skipped> skipped = import_meshes(meshes, system, 1.0, entering);
   file.commit();
-  report_skipped(skipped);
+  report_skipped(meshes, skipped);
   return 0;
 }
 

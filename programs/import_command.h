@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "programs/mesh_words.h"
 #include "programs/shading_word.h"
 
 namespace displayfile {
@@ -12,6 +13,7 @@ namespace displayfile {
 struct ImportCommand {
   std::vector<std::string> meshes;
   ShadingWord shading;  ///< gouraud: with normals of vertices
+  MeshWords options;
   std::string output;
 
   CLI::App& add_to(CLI::App& app);

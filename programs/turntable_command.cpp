@@ -99,7 +99,8 @@ std::filesystem::path numbered(const std::filesystem::path& file, int number, in
 }
 
 void draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
-                    const DrawOptions& options, Shading shading, int views, bool stats) {
+                    const DrawOptions& options, Shading shading, int views, bool stats,
+                    const MeshOptions& meshes) {
   require_tree(options);
   require_all_drawable(output, options, views);
   GraphicsSystem system;
@@ -107,7 +108,7 @@ void draw_turntable(std::span<const std::string> inputs, const std::filesystem::
   system.set_threads(options.threads);
   system.set_shading(shading);
   system.retain(&scene);
-  enter_inputs(inputs, system, static_cast<double>(options.width) / options.height);
+  enter_inputs(inputs, system, static_cast<double>(options.width) / options.height, meshes);
   Turntable turntable(scene, system.display_file(), system.view());
   if (std::ranges::none_of(inputs, is_drawing_program)) turntable.fit_window(views);
   const auto draw_all = [&](auto trees) {

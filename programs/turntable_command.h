@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "displayfile/mesh/mesh_options.h"
 #include "interp/draw.h"
 
 namespace displayfile {
@@ -21,7 +22,8 @@ int turntable_views(const std::string& text);
 /// could not be written at the start. Throws Error for a hidden-surface method other than those
 /// two, and if the segments were drawn in several views.
 void draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
-                    const DrawOptions& options, Shading shading, int views, bool stats);
+                    const DrawOptions& options, Shading shading, int views, bool stats,
+                    const MeshOptions& meshes = {});
 
 /// The name of one of `views` files: with a number of three digits or more before the extension.
 std::filesystem::path numbered(const std::filesystem::path& file, int number, int views);

@@ -45,10 +45,36 @@ std::int64_t name_after_all_in_use(const DisplayFile& display_file) {
   return largest + 1;
 }
 
+FillStyle solid(const Colour& colour) { return {FillStyle::Kind::solid, colour}; }
+
+/// What the faces of an object are filled in: nothing if all are in the style in force, one style
+/// for all, or one for each.
+std::vector<FillStyle> fills_of(const Mesh& mesh, const Mesh::Object& object,
+                                const FillStyle& in_force) {
+  if (mesh.face_materials.empty()) return {};
+  const auto of_faces = std::span(mesh.face_materials).subspan(object.first_face, object.faces);
+  const auto fill_of = [&](std::uint32_t material) {
+    const bool coloured = material != Mesh::kNoMaterial && mesh.materials[material].colour;
+    return coloured ? solid(*mesh.materials[material].colour) : in_force;
+  };
+  if (std::ranges::count(of_faces, of_faces[0]) == std::ssize(of_faces)) {
+    return {fill_of(of_faces[0])};
+  }
+  std::vector<FillStyle> fills;
+  fills.reserve(of_faces.size());
+  for (const std::uint32_t material : of_faces) fills.push_back(fill_of(material));
+  return fills;
+}
+
 /// One polygon after another, each with its normals if there are some.
-void enter_one_by_one(const Mesh& mesh, const Mesh::Object& object, GraphicsSystem& system) {
+void enter_one_by_one(const Mesh& mesh, const Mesh::Object& object,
+                      std::span<const FillStyle> fills, GraphicsSystem& system) {
   std::vector<Point3> polygon, normals;
   for (std::size_t i = object.first_face; i < object.first_face + object.faces; ++i) {
+    if (!fills.empty()) {
+      const FillStyle& fill = fills.size() == 1 ? fills[0] : fills[i - object.first_face];
+      if (fill != system.fill_style()) system.set_fill_style(fill);
+    }
     polygon.clear();
     for (const std::uint32_t corner : mesh.face(i)) polygon.push_back(mesh.vertices[corner]);
     if (!mesh.corner_normals.empty()) {
@@ -64,7 +90,8 @@ void enter_one_by_one(const Mesh& mesh, const Mesh::Object& object, GraphicsSyst
 
 /// The polygons at once, of those vertices between the first and the last that the object has. An
 /// object whose few vertices lie far apart among all is entered one by one instead.
-void enter_object(const Mesh& mesh, const Mesh::Object& object, GraphicsSystem& system) {
+void enter_object(const Mesh& mesh, const Mesh::Object& object, std::span<const FillStyle> fills,
+                  GraphicsSystem& system) {
   const std::size_t begin = mesh.first_corner[object.first_face];
   const std::size_t end = mesh.first_corner[object.first_face + object.faces];
   std::vector<std::uint32_t> corners(mesh.corners.begin() + static_cast<std::ptrdiff_t>(begin),
@@ -72,26 +99,31 @@ void enter_object(const Mesh& mesh, const Mesh::Object& object, GraphicsSystem& 
   const auto [low, high] = std::ranges::minmax(corners);
   const std::size_t vertices = std::size_t{high} - low + 1;
   if (!mesh.corner_normals.empty() || vertices > 2 * corners.size()) {
-    return enter_one_by_one(mesh, object, system);
+    return system.keep_fill_style([&] { enter_one_by_one(mesh, object, fills, system); });
   }
   for (std::uint32_t& corner : corners) corner -= low;
   std::vector<std::uint32_t> sides;
   for (std::size_t i = object.first_face; i < object.first_face + object.faces; ++i) {
     sides.push_back(static_cast<std::uint32_t>(mesh.face(i).size()));
   }
-  system.polygons_abs_3(std::span(mesh.vertices).subspan(low, vertices), corners, sides);
+  system.polygons_abs_3(std::span(mesh.vertices).subspan(low, vertices), corners, sides, fills);
 }
 
 }  // namespace
 
-void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name) {
+void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name,
+                const MeshOptions& options) {
   require_no_open_segment(system);
   require_free_names(mesh, system, first_segment_name);
   int next = first_segment_name;
   try {
     for (const Mesh::Object& object : mesh.objects) {
+      if (!object.name.empty()) system.comment(object.name);
       system.open_segment(next++);
-      enter_object(mesh, object, system);
+      enter_object(mesh, object,
+                   options.colour ? std::vector{solid(*options.colour)}
+                                  : fills_of(mesh, object, system.fill_style()),
+                   system);
       system.close_segment();
     }
   } catch (...) {
@@ -103,9 +135,10 @@ void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name
   }
 }
 
-Mesh::Skipped import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
-                            double aspect) {
+std::vector<Mesh::Skipped> import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
+                                         double aspect, const MeshOptions& options) {
   require_no_open_segment(system);
+  if (options.colour) GraphicsSystem{}.set_fill_style(solid(*options.colour));  // or refuses
   std::vector<Mesh> meshes;
   std::int64_t name = name_after_all_in_use(system.display_file());
   std::int64_t end = name;
@@ -120,25 +153,26 @@ Mesh::Skipped import_meshes(std::span<const std::string> paths, GraphicsSystem& 
   if (bare && !meshes.empty()) {
     fit_view(meshes, system, aspect);
     system.create_transformation_3();
-    system.set_fill_style({FillStyle::Kind::solid, kNeutral});
+    system.set_fill_style_by_default(solid(kNeutral));
     system.set_line_style({LineStyle::Kind::none});
     system.set_hidden_line_removal(true);
   }
-  Mesh::Skipped skipped;
-  for (const Mesh& mesh : meshes) {
+  std::vector<Mesh::Skipped> skipped;
+  for (Mesh& mesh : meshes) {
+    if (system.fill_style_was_set()) mesh.face_materials.clear();
     if (bare) {  // removed faces would hide no light
       system.set_back_face_removal(!system.shadows() && closed_and_consistently_oriented(mesh));
     }
-    enter_mesh(mesh, system, static_cast<int>(name));
+    enter_mesh(mesh, system, static_cast<int>(name), options);
     name += static_cast<std::int64_t>(mesh.objects.size());
-    skipped.points_and_lines += mesh.skipped.points_and_lines;
-    skipped.degenerate_faces += mesh.skipped.degenerate_faces;
+    skipped.push_back(std::move(mesh.skipped));
   }
   return skipped;
 }
 
-Mesh::Skipped import_mesh(const std::string& path, GraphicsSystem& system, double aspect) {
-  return import_meshes(std::span(&path, 1), system, aspect);
+Mesh::Skipped import_mesh(const std::string& path, GraphicsSystem& system, double aspect,
+                          const MeshOptions& options) {
+  return import_meshes(std::span(&path, 1), system, aspect, options).front();
 }
 
 }  // namespace displayfile

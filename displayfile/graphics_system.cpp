@@ -516,21 +516,19 @@ void GraphicsSystem::polygons_abs_3(std::span<const Point3> vertices,
         return of_all;
       });
   if (RetainedScene* scene = retaining()) scene->begin_shared(world.size());
-  const FillStyle in_force = attributes_.fill;
-  const SaidSettings said = said_;
-  std::size_t first = 0;
-  for (std::size_t k = 0; k < polygons; ++k) {
-    if (k < fills.size()) set_fill_style(fills[k]);
-    const auto polygon = corners.subspan(first, sides.empty() ? 3 : sides[k]);
-    first += polygon.size();
-    enter_shared(world, polygon, segment);
-    if (recorder_ == nullptr) continue;
-    object_points_.clear();
-    for (const std::uint32_t corner : polygon) object_points_.push_back(vertices[corner]);
-    recorder_->write("polygon-abs-3", object_points_, 3);
-  }
-  if (!fills.empty()) set_fill_style(in_force);
-  said_ = said;
+  keep_fill_style([&] {
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < polygons; ++k) {
+      if (k < fills.size() && fills[k] != attributes_.fill) set_fill_style(fills[k]);
+      const auto polygon = corners.subspan(first, sides.empty() ? 3 : sides[k]);
+      first += polygon.size();
+      enter_shared(world, polygon, segment);
+      if (recorder_ == nullptr) continue;
+      object_points_.clear();
+      for (const std::uint32_t corner : polygon) object_points_.push_back(vertices[corner]);
+      recorder_->write("polygon-abs-3", object_points_, 3);
+    }
+  });
   if (!corners.empty()) pen_ = {vertices[corners.back()], world[corners.back()]};
 }
 

@@ -227,12 +227,34 @@ class GraphicsSystem {
     set();
     said_ = said;
   }
+  /// Calls enter(), which may set fill styles for what it enters; the one in force before is in
+  /// force afterwards, also if enter() throws, and counts as said if it did.
+  template <class Enter>
+  void keep_fill_style(Enter&& enter) {
+    const FillStyle in_force = attributes_.fill;
+    const SaidSettings said = said_;
+    const auto restore = [&] {
+      if (attributes_.fill != in_force) set_fill_style(in_force);
+      said_ = said;
+    };
+    try {
+      enter();
+    } catch (...) {
+      restore();
+      throw;
+    }
+    restore();
+  }
 
   /// Sets the threads of close_segment's sort, whose result is the same for any number of them.
   void set_threads(int threads) { sort_options_.threads = threads; }
 
   /// Records every routine that succeeds from now on; null stops. The recorder must live on.
   void set_recorder(Recorder* recorder) { recorder_ = recorder; }
+  /// A remark in what is recorded, on a line of its own; it does nothing else.
+  void comment(std::string_view text) {
+    if (recorder_ != nullptr) recorder_->comment(text);
+  }
 
   /// Keeps what is drawn in world coordinates too, from now on; null stops. The scene must live
   /// on. Error: there are segments already.

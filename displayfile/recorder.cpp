@@ -5,6 +5,8 @@
 #include <iterator>
 #include <ostream>
 
+#include "displayfile/characters.h"
+
 namespace displayfile {
 
 namespace {
@@ -30,6 +32,19 @@ void Recorder::write(std::string_view routine, std::span<const Point3> points, i
   for (const Point3& p : points) {
     if (points.size() > 1) line_ += ' ';  // two blanks between points
     for (int i = 0; i < coordinates; ++i) Append{line_}(p[i]);
+  }
+  out_ << (line_ += '\n');
+}
+
+void Recorder::comment(std::string_view text) {
+  line_ = "# ";
+  while (!text.empty()) {
+    const std::size_t length = drawable_length(text);
+    line_ += text.substr(0, length);
+    text.remove_prefix(length);
+    if (text.empty()) break;
+    line_ += '?';
+    text.remove_prefix(1);
   }
   out_ << (line_ += '\n');
 }

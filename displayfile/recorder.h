@@ -24,6 +24,8 @@ class Recorder {
   void write(std::string_view routine, std::initializer_list<Argument> arguments);
   /// One line of points, `coordinates` (2 or 3) of each.
   void write(std::string_view routine, std::span<const Point3> points, int coordinates);
+  /// One line that replaying passes over. What a drawing program may not hold becomes '?'.
+  void comment(std::string_view text);
 
  private:
   std::ostream& out_;

@@ -12,6 +12,7 @@
 #include "clip/error.h"
 #include "clip/memory.h"
 #include "clip/nearest_word.h"
+#include "displayfile/file_extension.h"
 #include "displayfile/output_file.h"
 #include "interp/files/npy_file.h"
 #include "interp/files/png_file.h"
@@ -98,13 +99,15 @@ std::string meant_by(const Table& table, std::string_view name) {
 constexpr auto kAny = [](const auto&) { return true; };
 
 const PictureFormat& format_of(const std::filesystem::path& file, const DrawOptions& options) {
-  std::string extension = options.format.empty() ? file.extension().string() : options.format;
+  std::string extension =
+      extension_of(options.format.empty() ? file.string() : "x" + options.format);
   if (extension.empty() && file == "-") extension = kFormats.front().choice.name;
   for (const PictureFormat& format : kFormats) {
     if (format.choice.name == extension) return format;
   }
   throw Error(fmt::format("{}: unknown picture format '{}':{} expected one of {}", file.string(),
-                          extension, meant_by(kFormats, extension), names(kFormats, " ", kAny)));
+                          options.format.empty() ? file.extension().string() : options.format,
+                          meant_by(kFormats, extension), names(kFormats, " ", kAny)));
 }
 
 const RasterDevice& device_of(std::string_view name) {

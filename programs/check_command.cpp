@@ -48,7 +48,7 @@ class InstructionCheck : public GoldenCheck {
  private:
   DisplayFile drawn(const std::string& input) const {
     const double aspect = inputs_.size.size.empty() ? 1.0 : inputs_.size.aspect();
-    return as_drawn(std::span(&input, 1), inputs_.hidden_surfaces, inputs_.camera, aspect);
+    return as_drawn(std::span(&input, 1), inputs_.hidden_surfaces, inputs_.meshes, aspect);
   }
 
   const CheckedInputs& inputs_;
@@ -133,7 +133,7 @@ CLI::App& CheckCommand::add_to(CLI::App& app) {
                   "WIDTHxHEIGHT in pixels; if not given, for pictures that of the golden picture, "
                   "and 512x512 for --update; for instructions a square")
       ->group(kPictureOptions);
-  camera.add_to(command);
+  meshes.add_to(command);
   return command;
 }
 
@@ -164,7 +164,7 @@ std::vector<std::string> CheckCommand::golden_files(std::string_view extension) 
 }
 
 int CheckCommand::run() const {
-  const CheckedInputs checked{hidden_surfaces.options(threads), camera, size};
+  const CheckedInputs checked{hidden_surfaces.options(threads), meshes, size};
   InstructionCheck instructions(checked);
   GoldenCheck& check = other != nullptr && other->asked_for(checked)
                            ? static_cast<GoldenCheck&>(*other)

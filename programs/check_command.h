@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "programs/camera_options.h"
 #include "programs/golden_check.h"
 #include "programs/hidden_surface_words.h"
+#include "programs/mesh_words.h"
 #include "programs/picture_size.h"
 
 namespace displayfile {
@@ -17,7 +17,7 @@ struct CheckCommand {
   std::vector<std::string> inputs;
   HiddenSurfaceWords hidden_surfaces;
   PictureSizeWord size{""};  ///< of the pictures, or of those that windows are made for
-  CameraWords camera;
+  MeshWords meshes;
   int threads = 1;
   /// A folder, or one file for all inputs. In a folder the golden file of FOLDER/NAME.draw is
   /// FOLDER/NAME.txt if it is there or another of the inputs has that name; otherwise NAME.txt.

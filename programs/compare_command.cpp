@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <iostream>
 
 #include "clip/error.h"
+#include "displayfile/file_extension.h"
 #include "displayfile/input_file.h"
 #include "displayfile/text/dump_compare.h"
 #include "interp/files/npy_file.h"
@@ -52,14 +52,11 @@ CLI::App& CompareCommand::add_to(CLI::App& app) {
 }
 
 int CompareCommand::run() const {
-  const auto extension = [](const std::string& name) {
-    return std::filesystem::path(name).extension().string();
-  };
-  if (is_picture_file(a) != is_picture_file(b) ||
-      (extension(a) == ".npy") != (extension(b) == ".npy")) {
+  const auto is_npy = [](const std::string& name) { return extension_of(name) == ".npy"; };
+  if (is_picture_file(a) != is_picture_file(b) || is_npy(a) != is_npy(b)) {
     throw Error(fmt::format("{} and {}: expected two pictures, two .npy files or two dumps", a, b));
   }
-  if (!marks.empty() && extension(marks) != ".png") {
+  if (!marks.empty() && extension_of(marks) != ".png") {
     throw Error(fmt::format("{}: expected a .png file for the marks", marks));
   }
   const auto print = [](const PictureDifference& difference, bool passes) {
@@ -76,7 +73,7 @@ int CompareCommand::run() const {
   if (tolerance.is_set()) {
     throw Error(fmt::format("{} and {}: --tolerance and --wrong-pixels are of pictures", a, b));
   }
-  if (extension(a) == ".npy") {
+  if (is_npy(a)) {
     const NpyArray first = read_npy(a), second = read_npy(b);
     const PictureDifference difference = displayfile::compare(first, second);
     if (!marks.empty()) write_png(marked(first, second), marks);

@@ -112,7 +112,7 @@ CLI::App& DrawCommand::add_to(CLI::App& app) {
       ->required();
   add_output_options(command);
   add_picture_options(command);
-  camera.add_to(command);
+  meshes.add_to(command);
   hidden_surfaces.add_to(command);
   command.add_flag("--stats", stats, "print what was drawn")->group(kReportOptions);
   command
@@ -204,11 +204,11 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
   };
   if (turntable) {
     make_folders();
-    return draw_turntable(drawn, file, drawing, camera, shading.shading(),
+    return draw_turntable(drawn, file, drawing, meshes, shading.shading(),
                           turntable_views(*turntable), stats);
   }
   if (stats) reset_predicate_counts();
-  const DrawnInputs entered(drawn, drawing, camera, shading.shading());
+  const DrawnInputs entered(drawn, drawing, meshes, shading.shading());
   warn_of_stretched_window(entered.system(), file.string(), drawing.width, drawing.height);
   const GraphicsSystem& system = entered.system();
   const PictureKind kind = picture_kind(file, drawing);

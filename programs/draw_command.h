@@ -9,8 +9,8 @@
 
 #include "interp/draw.h"
 #include "programs/background_option.h"
-#include "programs/camera_options.h"
 #include "programs/hidden_surface_words.h"
+#include "programs/mesh_words.h"
 #include "programs/pick_option.h"
 #include "programs/picture_size.h"
 #include "programs/shading_word.h"
@@ -26,9 +26,9 @@ struct DrawCommand {
   DrawOptions options;  ///< but for what is words
   PictureSizeWord size;
   HiddenSurfaceWords hidden_surfaces;
-  CameraWords camera;
   BackgroundWord background;
   ShadingWord shading;  ///< that the inputs start with
+  MeshWords meshes;
   bool stats = false;
   bool explain = false;                  ///< what `auto` picked, and why
   std::optional<std::string> pick;       ///< where (programs/pick_option.h)

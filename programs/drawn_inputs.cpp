@@ -14,8 +14,8 @@
 namespace displayfile {
 
 DrawnInputs::DrawnInputs(std::span<const std::string> inputs, const DrawOptions& options,
-                         const CameraWords& camera, Shading shading)
-    : inputs_(inputs), options_(options), camera_(camera), shading_(shading) {
+                         const MeshWords& meshes, Shading shading)
+    : inputs_(inputs), options_(options), meshes_(meshes), shading_(shading) {
   if (options.hidden == HiddenMethod::world_ray_cast) system_.retain(&scene_);
   enter(system_);
   if (!options_.hidden && std::ranges::none_of(inputs, is_drawing_program)) {
@@ -26,7 +26,7 @@ DrawnInputs::DrawnInputs(std::span<const std::string> inputs, const DrawOptions&
 void DrawnInputs::enter(GraphicsSystem& system) const {
   system.set_threads(options_.threads);
   system.set_shading(shading_);
-  enter_inputs(inputs_, system, camera_, static_cast<double>(options_.width) / options_.height);
+  enter_inputs(inputs_, system, meshes_, static_cast<double>(options_.width) / options_.height);
 }
 
 /// What they drew is retained for that when they are read once more, as standard input cannot be.

@@ -6,7 +6,7 @@
 #include "displayfile/graphics_system.h"
 #include "displayfile/retained_scene.h"
 #include "interp/draw.h"
-#include "programs/camera_options.h"
+#include "programs/mesh_words.h"
 
 namespace displayfile {
 
@@ -15,7 +15,7 @@ class DrawnInputs {
  public:
   /// Throws Error as enter_inputs does. The inputs must live on.
   DrawnInputs(std::span<const std::string> inputs, const DrawOptions& options,
-              const CameraWords& camera, Shading shading);
+              const MeshWords& meshes, Shading shading);
   DrawnInputs(const DrawnInputs&) = delete;
   DrawnInputs& operator=(const DrawnInputs&) = delete;
 
@@ -33,7 +33,7 @@ class DrawnInputs {
 
   std::span<const std::string> inputs_;
   DrawOptions options_;
-  CameraWords camera_;
+  MeshWords meshes_;
   Shading shading_;
   RetainedScene scene_;  // of the system, if it retains
   GraphicsSystem system_;

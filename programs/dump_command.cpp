@@ -17,13 +17,13 @@ CLI::App& DumpCommand::add_to(CLI::App& app) {
   command.add_option("-o,--output", output, "file to write; standard output if not given");
   hidden_surfaces.add_to(command);
   size.add_to(command);
-  camera.add_to(command);
+  meshes.add_to(command);
   return command;
 }
 
 int DumpCommand::run() const {
   const DisplayFile file =
-      as_drawn(inputs, hidden_surfaces.options(threads), camera, size.aspect());
+      as_drawn(inputs, hidden_surfaces.options(threads), meshes, size.aspect());
   if (output.empty()) {
     dump(file, std::cout);
     std::cout.flush();

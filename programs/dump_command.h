@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "programs/camera_options.h"
 #include "programs/hidden_surface_words.h"
+#include "programs/mesh_words.h"
 #include "programs/picture_size.h"
 
 namespace displayfile {
@@ -15,7 +15,7 @@ struct DumpCommand {
   std::vector<std::string> inputs;
   HiddenSurfaceWords hidden_surfaces;
   PictureSizeWord size;  ///< of the picture that windows are made for
-  CameraWords camera;
+  MeshWords meshes;
   int threads = 1;
   std::string output;  ///< standard output if empty
 

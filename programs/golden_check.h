@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "programs/camera_options.h"
 #include "programs/hidden_surface_words.h"
+#include "programs/mesh_words.h"
 #include "programs/picture_size.h"
 
 namespace displayfile {
@@ -29,7 +29,7 @@ class GoldenCheck {
 /// How the inputs are drawn.
 struct CheckedInputs {
   HiddenSurfaceOptions hidden_surfaces;
-  CameraWords camera;
+  MeshWords meshes;
   PictureSizeWord size;  ///< empty: not given
 };
 

@@ -16,13 +16,13 @@ CLI::App& ImportCommand::add_to(CLI::App& app) {
   command.add_option("-o,--output", output, "the drawing program, .draw")->required();
   shading.add_to(command);
   size.add_to(command);
-  camera.add_to(command);
+  options.add_to(command);
   return command;
 }
 
 int ImportCommand::run() const {
   const Shading start_with = shading.shading();
-  const Camera looking = camera.camera();
+  const MeshOptions entering = options.options();
   const double aspect = size.aspect();
   OutputFile file(output);
   GraphicsSystem system;
@@ -31,11 +31,11 @@ int ImportCommand::run() const {
   for (const std::string& mesh : meshes) {
     if (is_drawing_program(mesh)) throw Error(mesh + " is a drawing program: expected a mesh");
   }
-  camera.start(system, aspect);
+  options.start(system, aspect);
   system.set_window_fit(WindowFit::widen);  // whatever the size that it will be drawn in
   if (start_with != Shading::flat) system.set_shading(start_with);
   const Progress progress("importing " + meshes.front());
-  const Mesh::Skipped skipped = import_meshes(meshes, system, {.camera = looking});
+  const std::vector<Mesh::Skipped> skipped = import_meshes(meshes, system, entering);
   file.commit();
   report_skipped(meshes, skipped);
   return 0;

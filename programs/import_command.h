@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "programs/camera_options.h"
+#include "programs/mesh_words.h"
 #include "programs/picture_size.h"
 #include "programs/shading_word.h"
 
@@ -16,6 +16,7 @@ struct ImportCommand {
   PictureSizeWord size;  ///< of the picture that the window is made for
   CameraWords camera;
   ShadingWord shading;  ///< gouraud: with normals of vertices
+  MeshWords options;
   std::string output;
 
   CLI::App& add_to(CLI::App& app);

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <functional>
 #include <ostream>
+#include <string_view>
 #include <vector>
 
+#include "displayfile/file_extension.h"
 #include "displayfile/input_file.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/text/drawing_program.h"
@@ -16,14 +18,34 @@
 namespace displayfile {
 
 bool is_drawing_program(const std::string& input) {
-  return input == "-" || input.ends_with(".draw");
+  return input == "-" || extension_of(input) == ".draw";
 }
 
-void report_skipped(std::span<const std::string> meshes, const Mesh::Skipped& skipped) {
-  if (skipped.points_and_lines + skipped.degenerate_faces == 0) return;
-  warnings() << fmt::format(
-      "{}{}: left out: {} points and lines, {} faces of fewer than 3 positions\n", meshes.front(),
-      meshes.size() > 1 ? " and others" : "", skipped.points_and_lines, skipped.degenerate_faces);
+namespace {
+
+std::string left_out(const Mesh::Skipped& skipped) {
+  std::string text;
+  const auto add = [&](std::size_t n, std::string_view what) {
+    if (n > 0) text += (text.empty() ? "" : ", ") + fmt::format(fmt::runtime(what), n);
+  };
+  add(skipped.points_and_lines, "{} points and lines");
+  add(skipped.degenerate_faces, "{} faces of fewer than 3 positions");
+  add(skipped.textured_faces, "the textures of {} faces");
+  add(skipped.transparent_faces, "the transparency of {} faces");
+  return text;
+}
+
+}  // namespace
+
+void report_skipped(std::span<const std::string> meshes, std::span<const Mesh::Skipped> skipped) {
+  for (std::size_t i = 0; i < skipped.size(); ++i) {
+    if (const std::string text = left_out(skipped[i]); !text.empty()) {
+      warnings() << fmt::format("{}: left out: {}\n", meshes[i], text);
+    }
+    for (const std::string& warning : skipped[i].warnings) {
+      warnings() << fmt::format("{}: {}\n", meshes[i], warning);
+    }
+  }
 }
 
 namespace {
@@ -83,27 +105,29 @@ bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
     const std::size_t begin = i;
     while (i < inputs.size() && !is_drawing_program(inputs[i])) ++i;
     enter_meshes(meshes.first(i - begin), system, options);
-    report_skipped(inputs.subspan(begin, i - begin), skipped_of(meshes.first(i - begin)));
+    for (std::size_t k = begin; k < i; ++k) {
+      report_skipped(inputs.subspan(k, 1), std::span(&meshes[k - begin].skipped, 1));
+    }
     meshes = meshes.subspan(i - begin);
   }
   return !read.bare.empty();
 }
 
 bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
-                  const CameraWords& camera, double aspect) {
-  const MeshOptions options{.camera = camera.camera()};
-  camera.start(system, aspect);
+                  const MeshWords& meshes, double aspect) {
+  const MeshOptions options = meshes.options();
+  meshes.start(system, aspect);
   const bool fitted = enter_inputs(inputs, system, options);
-  camera.require_fitted(fitted);
+  meshes.require_fitted(fitted);
   return fitted;
 }
 
 /// The inputs' display file, in the order that is drawn.
 DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options,
-                     const CameraWords& camera, double aspect) {
+                     const MeshWords& meshes, double aspect) {
   GraphicsSystem system;
   system.set_threads(options.threads);
-  enter_inputs(inputs, system, camera, aspect);
+  enter_inputs(inputs, system, meshes, aspect);
   return SortedDisplayFile{}.update(system, method_in_force(system, options), options);
 }
 

@@ -6,12 +6,12 @@
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/sorted_display_file.h"
-#include "programs/camera_options.h"
+#include "programs/mesh_words.h"
 
 namespace displayfile {
 
-/// True for a drawing program: a file that ends in .draw, or "-", standard input. Anything
-/// else is a mesh.
+/// True for a drawing program: a file that ends in .draw, in letters of either case, or "-",
+/// standard input. Anything else is a mesh.
 bool is_drawing_program(const std::string& input);
 
 /// Replays drawing programs and enters meshes, in order, into one system. Where no program before
@@ -20,15 +20,16 @@ bool is_drawing_program(const std::string& input);
 /// Error, naming the file and the place.
 bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
                   const MeshOptions& options = {});
-/// The same with the command's options of the camera, for pictures of an aspect ratio.
+/// The same with the command's options, for pictures of an aspect ratio.
 bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
-                  const CameraWords& camera, double aspect);
+                  const MeshWords& meshes, double aspect);
 
 /// The inputs' display file, in the order that is drawn.
 DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options,
-                     const CameraWords& camera, double aspect);
+                     const MeshWords& meshes, double aspect);
 
-/// Warns of what of the meshes was left out, if anything was (programs/warnings.h).
-void report_skipped(std::span<const std::string> meshes, const Mesh::Skipped& skipped);
+/// Warns of what of each mesh was left out, if anything was, with the file's name
+/// (programs/warnings.h).
+void report_skipped(std::span<const std::string> meshes, std::span<const Mesh::Skipped> skipped);
 
 }  // namespace displayfile

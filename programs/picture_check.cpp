@@ -32,7 +32,7 @@ bool PictureCheck::asked_for(const CheckedInputs& inputs) {
   tolerance_.require_number();
   has_size_ = !inputs.size.size.empty();
   if (has_size_) inputs.size.read(options_.width, options_.height);
-  camera_ = inputs.camera;
+  meshes_ = inputs.meshes;
   const HiddenSurfaceOptions& hidden_surfaces = inputs.hidden_surfaces;
   options_.hidden = hidden_surfaces.method;
   options_.scope = hidden_surfaces.scope;
@@ -42,7 +42,7 @@ bool PictureCheck::asked_for(const CheckedInputs& inputs) {
 }
 
 Picture PictureCheck::picture_of(const std::string& input, const DrawOptions& options) const {
-  const DrawnInputs entered(std::span(&input, 1), options, camera_, Shading::flat);
+  const DrawnInputs entered(std::span(&input, 1), options, meshes_, Shading::flat);
   Picture picture = draw(entered.system(), entered.options());
   entered.warn_if_nothing_is_seen();
   return picture;

@@ -25,7 +25,7 @@ class PictureCheck : public GoldenCheckOption {
   Picture picture_of(const std::string& input, const DrawOptions& options) const;
 
   bool asked_ = false;
-  CameraWords camera_;
+  MeshWords meshes_;
   bool has_size_ = false;
   PictureTolerance tolerance_;
   DrawOptions options_;  // of a golden file that is written or drawn

@@ -17,7 +17,7 @@ CLI::App& TruthCommand::add_to(CLI::App& app) {
       "truth", "What is seen at each pixel, by exact arithmetic alone, whatever the methods do");
   command.add_option("INPUT", inputs, "drawing programs and meshes")->required();
   size.add_to(command);
-  camera.add_to(command);
+  meshes.add_to(command);
   command.add_option("--ids", ids, "item buffer as .npy: the pick identifier seen, -1 for none")
       ->required();
   command.add_option("--depth", depth,
@@ -29,7 +29,7 @@ int TruthCommand::run() const {
   int width = 0, height = 0;
   size.read(width, height);
   GraphicsSystem system;
-  enter_inputs(inputs, system, camera, size.aspect());
+  enter_inputs(inputs, system, meshes, size.aspect());
   // Every output must be writable before the long work, and any is written.
   OutputFile{ids};
   if (!depth.empty()) OutputFile{depth};

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "programs/camera_options.h"
+#include "programs/mesh_words.h"
 #include "programs/picture_size.h"
 
 namespace displayfile {
@@ -13,7 +13,7 @@ namespace displayfile {
 struct TruthCommand {
   std::vector<std::string> inputs;
   PictureSizeWord size;
-  CameraWords camera;
+  MeshWords meshes;
   std::string ids;
   std::string depth;  ///< not written if empty
 

@@ -98,7 +98,7 @@ std::filesystem::path numbered(const std::filesystem::path& file, int number, in
 }
 
 std::string draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
-                           const DrawOptions& options, const CameraWords& camera, Shading shading,
+                           const DrawOptions& options, const MeshWords& meshes, Shading shading,
                            int views, bool stats) {
   require_tree(options);
   for (const auto& file : {output, options.ids, options.depth}) {
@@ -111,12 +111,12 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
   system.set_shading(shading);
   system.retain(&scene);
   const double aspect = static_cast<double>(options.width) / options.height;
-  CameraWords turning = camera;
+  MeshWords turning = meshes;
   turning.turning = true;
   const bool fitted = enter_inputs(inputs, system, turning, aspect);
   warn_of_stretched_window(system, output.string(), options.width, options.height);
   Turntable turntable(scene, system.display_file(), system.view());
-  const Camera looking = camera.camera();
+  const Camera looking = meshes.camera();
   if (fitted) turntable.set_axis(looking.upright.up);
   if (fitted && looking.fit && !looking.angle_of_view) turntable.fit_window(views);
   DrawOptions drawing = options;

@@ -4,8 +4,9 @@
 #include <span>
 #include <string>
 
+#include "displayfile/mesh/mesh_options.h"
 #include "interp/draw.h"
-#include "programs/camera_options.h"
+#include "programs/mesh_words.h"
 
 namespace displayfile {
 
@@ -24,7 +25,7 @@ int turntable_views(const std::string& text);
 ///
 /// Returns the statistics, if they are asked for.
 std::string draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
-                           const DrawOptions& options, const CameraWords& camera, Shading shading,
+                           const DrawOptions& options, const MeshWords& meshes, Shading shading,
                            int views, bool stats);
 
 /// The name of one of `views` files: with a number of three digits or more before the extension.

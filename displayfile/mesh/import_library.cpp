@@ -1,7 +1,9 @@
 #include "displayfile/mesh/import_library.h"
 
+#include <assimp/GltfMaterial.h>
 #include <assimp/cimport.h>
 #include <assimp/config.h>
+#include <assimp/material.h>
 #include <assimp/scene.h>
 #include <assimp/version.h>
 #include <fmt/format.h>
@@ -15,6 +17,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "displayfile/mesh/lost_detail.h"
 #include "displayfile/mesh/mesh_builder.h"
 #include "displayfile/shared_library.h"
 
@@ -39,6 +42,14 @@ struct ImportLibrary {
       library.function<decltype(&aiReleaseImport)>("aiReleaseImport");
   decltype(&aiGetErrorString) error =
       library.function<decltype(&aiGetErrorString)>("aiGetErrorString");
+  decltype(&aiGetMaterialColor) colour =
+      library.function<decltype(&aiGetMaterialColor)>("aiGetMaterialColor");
+  decltype(&aiGetMaterialFloatArray) numbers =
+      library.function<decltype(&aiGetMaterialFloatArray)>("aiGetMaterialFloatArray");
+  decltype(&aiGetMaterialString) text =
+      library.function<decltype(&aiGetMaterialString)>("aiGetMaterialString");
+  decltype(&aiGetMaterialTextureCount) textures =
+      library.function<decltype(&aiGetMaterialTextureCount)>("aiGetMaterialTextureCount");
   decltype(&aiGetVersionMajor) major =
       library.function<decltype(&aiGetVersionMajor)>("aiGetVersionMajor");
   decltype(&aiGetVersionMinor) minor =
@@ -111,11 +122,68 @@ std::vector<Node> nodes_in_order(const aiScene& scene) {
   return order;
 }
 
+/// What the library tells of a material. One that it made up for faces without any tells nothing.
+class MaterialReader {
+ public:
+  MaterialReader(const ImportLibrary& library, const aiMaterial& material)
+      : library_(library), material_(material) {}
+
+  Mesh::Material read() const {
+    Mesh::Material read;
+    if (text(AI_MATKEY_NAME) == AI_DEFAULT_MATERIAL_NAME) return read;
+    auto seen = colour(AI_MATKEY_BASE_COLOR);
+    if (!seen) seen = colour(AI_MATKEY_COLOR_DIFFUSE);
+    if (seen) read.colour = in_unit_range(*seen);
+    const bool opaque = text(AI_MATKEY_GLTF_ALPHAMODE) == "OPAQUE";  // whatever the numbers are
+    read.transparent = !opaque && (number(AI_MATKEY_OPACITY).value_or(1.0f) < 1.0f ||
+                                   textures(aiTextureType_OPACITY) > 0);
+    read.textured = textures(aiTextureType_DIFFUSE) + textures(aiTextureType_BASE_COLOR) > 0;
+    return read;
+  }
+
+ private:
+  static std::optional<Colour> in_unit_range(const aiColor4D& c) {
+    const Colour colour(c.r, c.g, c.b);
+    if (!in_range(colour)) return std::nullopt;
+    return brought_into_range(colour);
+  }
+
+  // A key is three arguments.
+  std::optional<aiColor4D> colour(const char* key, unsigned type, unsigned index) const {
+    aiColor4D c(0.0f, 0.0f, 0.0f, 1.0f);
+    if (library_.colour(&material_, key, type, index, &c) != aiReturn_SUCCESS) return std::nullopt;
+    return c;
+  }
+  std::optional<float> number(const char* key, unsigned type, unsigned index) const {
+    float value = 0.0f;
+    unsigned n = 1;
+    const aiReturn found = library_.numbers(&material_, key, type, index, &value, &n);
+    return found == aiReturn_SUCCESS && n == 1 ? std::optional(value) : std::nullopt;
+  }
+  std::string text(const char* key, unsigned type, unsigned index) const {
+    aiString value;
+    const aiReturn found = library_.text(&material_, key, type, index, &value);
+    return found == aiReturn_SUCCESS ? value.C_Str() : "";
+  }
+  unsigned textures(aiTextureType type) const { return library_.textures(&material_, type); }
+
+  const ImportLibrary& library_;
+  const aiMaterial& material_;
+};
+
 /// Copies the scene's meshes into a Mesh, checking every number on the way.
 class SceneReader {
  public:
   SceneReader(const std::string& path, bool with_normals)
       : path_(path), with_normals_(with_normals), mesh_(path) {}
+
+  /// Before any node.
+  void add_materials(const ImportLibrary& library, const aiScene& scene) {
+    for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
+      mesh_.add_material(MaterialReader(library, *scene.mMaterials[i]).read());
+    }
+    materials_ = scene.mNumMaterials;
+  }
 
   void add(const aiScene& scene, const Node& node) {
     name_ = node.node->mName.C_Str();
@@ -129,7 +197,16 @@ class SceneReader {
     }
   }
 
-  Mesh take() && { return std::move(mesh_).finish(); }
+  Mesh take() && {
+    const auto lost = lost_detail_.sentence();
+    if (lost) mesh_.warn(*lost);
+    try {
+      return std::move(mesh_).finish();
+    } catch (const Error& e) {
+      if (lost) throw Error(fmt::format("{}; {}", e.what(), *lost));
+      throw;
+    }
+  }
 
  private:
   void add_part(const aiMesh& part, const glm::dmat4& to_world) {
@@ -137,6 +214,7 @@ class SceneReader {
     const auto first_normal = static_cast<std::uint32_t>(mesh_.normals());
     add_vertices(part, to_world);
     if (with_normals_) add_normals(part, glm::dmat3(to_world));
+    mesh_.use_material(part.mMaterialIndex < materials_ ? part.mMaterialIndex : Mesh::kNoMaterial);
     const bool mirrored = glm::determinant(glm::dmat3(to_world)) < 0.0;
     std::vector<std::uint32_t> corners, normals;
     for (unsigned i = 0; i < part.mNumFaces; ++i) {
@@ -152,6 +230,7 @@ class SceneReader {
           normals.push_back(part.HasNormals() ? first_normal + index : Mesh::kNoNormal);
         }
       }
+      note_lost_detail(part, part.mFaces[i]);
       if (mirrored) {
         std::ranges::reverse(corners);
         std::ranges::reverse(normals);
@@ -171,6 +250,29 @@ class SceneReader {
                          p.z));
       }
       mesh_.add_vertex(p);
+      if (part.mColors[0] != nullptr) add_colour(i, part.mColors[0][i]);
+    }
+  }
+
+  /// Its opacity is not known: the library makes one up where the file has none.
+  void add_colour(unsigned vertex, const aiColor4D& c) {
+    const Rgba colour(c.r, c.g, c.b, kOpaque);
+    if (!in_range(Point3(colour))) {
+      fail(fmt::format("vertex {} has colour ({}, {}, {}): expected finite numbers", vertex, c.r,
+                       c.g, c.b));
+    }
+    mesh_.add_vertex_colour(colour);
+  }
+
+  /// Before the node's transformation, which is in double precision here.
+  void note_lost_detail(const aiMesh& part, const aiFace& face) {
+    const auto corner = [&](unsigned k) {
+      const aiVector3D& v = part.mVertices[face.mIndices[k]];
+      return Point3(v.x, v.y, v.z);
+    };
+    if (face.mNumIndices < 3) return;
+    for (unsigned k = 0; k < face.mNumIndices; ++k) {
+      lost_detail_.add_edge(corner(k), corner((k + 1) % face.mNumIndices));
     }
   }
 
@@ -193,14 +295,18 @@ class SceneReader {
   const std::string& path_;
   bool with_normals_;
   std::string name_;  // of the object that is read
+  unsigned materials_ = 0;
+  LostDetail lost_detail_;
   MeshBuilder mesh_;
 };
 
 }  // namespace
 
 Mesh read_by_import_library(const std::string& path, bool with_normals) {
-  const Scene scene = import_scene(library_for(path), path);
+  const ImportLibrary& library = library_for(path);
+  const Scene scene = import_scene(library, path);
   SceneReader reader(path, with_normals);
+  reader.add_materials(library, *scene);
   for (const Node& node : nodes_in_order(*scene)) reader.add(*scene, node);
   return std::move(reader).take();
 }

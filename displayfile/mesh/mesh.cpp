@@ -46,10 +46,37 @@ std::int64_t name_after_all_in_use(const DisplayFile& display_file) {
   return largest + 1;
 }
 
+FillStyle solid(const Colour& colour) { return {FillStyle::Kind::solid, colour}; }
+
+/// What the faces of an object are filled in: nothing if all are in the style in force, one style
+/// for all, or one for each.
+std::vector<FillStyle> fills_of(const Mesh& mesh, const Mesh::Object& object,
+                                const FillStyle& in_force, const MeshOptions& options) {
+  if (options.colour) return {solid(*options.colour)};
+  if (mesh.face_materials.empty() || !options.file_colours) return {};
+  const auto of_faces = std::span(mesh.face_materials).subspan(object.first_face, object.faces);
+  const auto fill_of = [&](std::uint32_t material) {
+    const bool coloured = material != Mesh::kNoMaterial && mesh.materials[material].colour;
+    return coloured ? solid(*mesh.materials[material].colour) : in_force;
+  };
+  if (std::ranges::count(of_faces, of_faces[0]) == std::ssize(of_faces)) {
+    return {fill_of(of_faces[0])};
+  }
+  std::vector<FillStyle> fills;
+  fills.reserve(of_faces.size());
+  for (const std::uint32_t material : of_faces) fills.push_back(fill_of(material));
+  return fills;
+}
+
 /// One polygon after another, each with its normals if there are some.
-void enter_one_by_one(const Mesh& mesh, const Mesh::Object& object, GraphicsSystem& system) {
+void enter_one_by_one(const Mesh& mesh, const Mesh::Object& object,
+                      std::span<const FillStyle> fills, GraphicsSystem& system) {
   std::vector<Point3> polygon, normals;
   for (std::size_t i = object.first_face; i < object.first_face + object.faces; ++i) {
+    if (!fills.empty()) {
+      const FillStyle& fill = fills.size() == 1 ? fills[0] : fills[i - object.first_face];
+      if (fill != system.attributes().fill) system.set_fill_style(fill);
+    }
     polygon.clear();
     for (const std::uint32_t corner : mesh.face(i)) polygon.push_back(mesh.vertices[corner]);
     if (!mesh.corner_normals.empty()) {
@@ -65,7 +92,8 @@ void enter_one_by_one(const Mesh& mesh, const Mesh::Object& object, GraphicsSyst
 
 /// The polygons at once, of those vertices between the first and the last that the object has. An
 /// object whose few vertices lie far apart among all is entered one by one instead.
-void enter_object(const Mesh& mesh, const Mesh::Object& object, GraphicsSystem& system) {
+void enter_object(const Mesh& mesh, const Mesh::Object& object, std::span<const FillStyle> fills,
+                  GraphicsSystem& system) {
   const std::size_t begin = mesh.first_corner[object.first_face];
   const std::size_t end = mesh.first_corner[object.first_face + object.faces];
   std::vector<std::uint32_t> corners(mesh.corners.begin() + static_cast<std::ptrdiff_t>(begin),
@@ -73,26 +101,28 @@ void enter_object(const Mesh& mesh, const Mesh::Object& object, GraphicsSystem& 
   const auto [low, high] = std::ranges::minmax(corners);
   const std::size_t vertices = std::size_t{high} - low + 1;
   if (!mesh.corner_normals.empty() || vertices > 2 * corners.size()) {
-    return enter_one_by_one(mesh, object, system);
+    return system.keep_fill_style([&] { enter_one_by_one(mesh, object, fills, system); });
   }
   for (std::uint32_t& corner : corners) corner -= low;
   std::vector<std::uint32_t> sides;
   for (std::size_t i = object.first_face; i < object.first_face + object.faces; ++i) {
     sides.push_back(static_cast<std::uint32_t>(mesh.face(i).size()));
   }
-  system.polygons_abs_3(std::span(mesh.vertices).subspan(low, vertices), corners, sides);
+  system.polygons_abs_3(std::span(mesh.vertices).subspan(low, vertices), corners, sides, fills);
 }
 
 }  // namespace
 
-void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name) {
+void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name,
+                const MeshOptions& options) {
   require_no_open_segment(system);
   require_free_names(mesh, system, first_segment_name);
   int next = first_segment_name;
   try {
     for (const Mesh::Object& object : mesh.objects) {
+      if (!object.name.empty()) system.comment(object.name);
       system.open_segment(next++);
-      enter_object(mesh, object, system);
+      enter_object(mesh, object, fills_of(mesh, object, system.attributes().fill, options), system);
       system.close_segment();
     }
   } catch (...) {
@@ -116,9 +146,7 @@ void set_mesh_light(GraphicsSystem& system) {
 /// Sets what the application did not say.
 void bring_defaults(GraphicsSystem& system) {
   system.by_default(Setting::light, [&] { set_mesh_light(system); });
-  system.by_default(Setting::fill_style, [&] {
-    system.set_fill_style({FillStyle::Kind::solid, kNeutral});
-  });
+  system.by_default(Setting::fill_style, [&] { system.set_fill_style(solid(kNeutral)); });
   system.by_default(Setting::line_style, [&] { system.set_line_style({LineStyle::Kind::none}); });
   system.by_default(Setting::hidden_line_removal, [&] {
     const bool back_face_removal = system.back_face_removal();
@@ -130,23 +158,28 @@ void bring_defaults(GraphicsSystem& system) {
 
 }  // namespace
 
-void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system, const MeshOptions&) {
+void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
+                  const MeshOptions& options) {
   require_no_open_segment(system);
   const Attributes before = system.attributes();
+  MeshOptions entering = options;
+  entering.file_colours &= !system.said().contains(Setting::fill_style);
   bring_defaults(system);
   for (const Mesh& mesh : meshes) {
     system.by_default(Setting::back_face_removal, [&] {  // removed faces would hide no light
       system.set_back_face_removal(!system.shadows() && closed_and_consistently_oriented(mesh));
     });
-    enter_mesh(mesh, system, static_cast<int>(name_after_all_in_use(system.display_file())));
+    enter_mesh(mesh, system, static_cast<int>(name_after_all_in_use(system.display_file())),
+               entering);
   }
   system.by_default(Setting::fill_style, [&] { system.set_fill_style(before.fill); });
   system.by_default(Setting::line_style, [&] { system.set_line_style(before.line); });
 }
 
-Mesh::Skipped import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
-                            const MeshOptions& options) {
+std::vector<Mesh::Skipped> import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
+                                         const MeshOptions& options) {
   require_no_open_segment(system);
+  if (options.colour) GraphicsSystem{}.set_fill_style(solid(*options.colour));  // or refuses
   std::vector<Mesh> meshes;
   std::int64_t name = name_after_all_in_use(system.display_file());
   for (const std::string& path : paths) {
@@ -159,11 +192,13 @@ Mesh::Skipped import_meshes(std::span<const std::string> paths, GraphicsSystem& 
   if (meshes.empty()) return {};
   if (!system.view_was_set()) fit_view(meshes, system, options.camera);
   enter_meshes(meshes, system, options);
-  return skipped_of(meshes);
+  std::vector<Mesh::Skipped> skipped;
+  for (Mesh& mesh : meshes) skipped.push_back(std::move(mesh.skipped));
+  return skipped;
 }
 
-Mesh::Skipped import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
-                            double aspect) {
+std::vector<Mesh::Skipped> import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
+                                         double aspect) {
   const double before = system.aspect_ratio();
   system.set_aspect_ratio(aspect);
   try {
@@ -176,20 +211,11 @@ Mesh::Skipped import_meshes(std::span<const std::string> paths, GraphicsSystem& 
 
 Mesh::Skipped import_mesh(const std::string& path, GraphicsSystem& system,
                           const MeshOptions& options) {
-  return import_meshes(std::span(&path, 1), system, options);
+  return import_meshes(std::span(&path, 1), system, options).front();
 }
 
 Mesh::Skipped import_mesh(const std::string& path, GraphicsSystem& system, double aspect) {
-  return import_meshes(std::span(&path, 1), system, aspect);
-}
-
-Mesh::Skipped skipped_of(std::span<const Mesh> meshes) {
-  Mesh::Skipped skipped;
-  for (const Mesh& mesh : meshes) {
-    skipped.points_and_lines += mesh.skipped.points_and_lines;
-    skipped.degenerate_faces += mesh.skipped.degenerate_faces;
-  }
-  return skipped;
+  return import_meshes(std::span(&path, 1), system, aspect).front();
 }
 
 }  // namespace displayfile

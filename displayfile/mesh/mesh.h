@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,15 +18,26 @@ namespace displayfile {
 /// no vertices are joined.
 struct Mesh {
   static constexpr std::uint32_t kNoNormal = 0xFFFFFFFFu;
+  static constexpr std::uint32_t kNoMaterial = 0xFFFFFFFFu;
 
   struct Object {
     std::string name;
     std::size_t first_face, faces;
   };
+  /// What faces of a file look like, as far as it is drawn.
+  struct Material {
+    std::optional<Colour> colour;  ///< nothing: the file does not say
+    bool textured = false;         ///< drawn in the colour alone
+    bool transparent = false;      ///< drawn opaque
+    bool operator==(const Material&) const = default;
+  };
   /// What a file held and the mesh leaves out.
   struct Skipped {
     std::size_t points_and_lines = 0;
-    std::size_t degenerate_faces = 0;  ///< of fewer than 3 different positions
+    std::size_t degenerate_faces = 0;   ///< of fewer than 3 different positions
+    std::size_t textured_faces = 0;     ///< drawn without their textures
+    std::size_t transparent_faces = 0;  ///< drawn opaque
+    std::vector<std::string> warnings;  ///< what else was lost, a sentence each
   };
 
   std::vector<Object> objects;            ///< in the order of the faces; each has some
@@ -35,11 +47,19 @@ struct Mesh {
   std::vector<std::size_t> first_corner;  ///< of each face; one more at the end
   /// Indices into normals or kNoNormal, as many as corners; or none at all.
   std::vector<std::uint32_t> corner_normals;
+  std::vector<Material> materials;
+  /// Indices into materials or kNoMaterial, as many as faces; or none at all.
+  std::vector<std::uint32_t> face_materials;
   Skipped skipped;
 
   std::size_t faces() const { return first_corner.empty() ? 0 : first_corner.size() - 1; }
   std::span<const std::uint32_t> face(std::size_t i) const {
     return std::span(corners).subspan(first_corner[i], first_corner[i + 1] - first_corner[i]);
+  }
+  /// The colour that the file gives a face; nothing if it gives none.
+  std::optional<Colour> colour(std::size_t face) const {
+    if (face_materials.empty() || face_materials[face] == kNoMaterial) return std::nullopt;
+    return materials[face_materials[face]].colour;
   }
   /// The surface's normal at a corner, zero if it is not known. There must be corner_normals.
   Point3 normal(std::size_t corner) const {
@@ -69,10 +89,14 @@ void complete_normals(Mesh& mesh);
 /// of equal position are the same), and every connected part encloses a positive volume.
 bool closed_and_consistently_oriented(const Mesh& mesh);
 
-/// One segment an object, named first_segment_name and up, in the view and the styles in force. The
-/// normals of the vertices, if the mesh has any, are set for each face.
-/// Throws Error if a segment is open or one of the names is in use; then nothing was entered.
-void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name);
+/// One segment an object, named first_segment_name and up, in the view and the styles in force;
+/// faces that have a colour are filled in it, or all in that of the options. The fill style in
+/// force stays what it was. The normals of the vertices, if the mesh has any, are set for each
+/// face. The name of an object is recorded as a comment.
+/// Throws Error if a segment is open, one of the names is in use or the colour is outside of [0,1];
+/// then nothing was entered.
+void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name,
+                const MeshOptions& options = {});
 
 /// Enters meshes in the view in force, in segments named from the first number that follows all in
 /// use. What the application said holds for them; where it did not, they bring a light over the
@@ -87,17 +111,18 @@ void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
 /// (fitted_view.h), which stays set: in the modelling transformation in force, for the system's
 /// aspect ratio, or for the one given, which then stays that of the system.
 ///
-/// Returns what was left out. Throws Error as read_mesh and fit_view do, or if a segment is open or
-/// the aspect ratio is not positive; then nothing was changed.
-Mesh::Skipped import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
-                            const MeshOptions& options = {});
-Mesh::Skipped import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
-                            double aspect);
+/// A face is filled in the first of these that there is: the colour of the options; the fill style
+/// that the application set; the colour that its file gives it; the neutral one.
+///
+/// Returns what was left out of each. Throws Error as read_mesh and fit_view do, or if a segment is
+/// open, the aspect ratio is not positive or the colour is outside of [0,1]; then nothing was
+/// changed.
+std::vector<Mesh::Skipped> import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
+                                         const MeshOptions& options = {});
+std::vector<Mesh::Skipped> import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
+                                         double aspect);
 Mesh::Skipped import_mesh(const std::string& path, GraphicsSystem& system,
                           const MeshOptions& options = {});
 Mesh::Skipped import_mesh(const std::string& path, GraphicsSystem& system, double aspect);
-
-/// What all of them left out.
-Mesh::Skipped skipped_of(std::span<const Mesh> meshes);
 
 }  // namespace displayfile

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "clip/error.h"
+#include "displayfile/mesh/welded_faces.h"
 
 namespace displayfile {
 
@@ -27,6 +29,27 @@ bool has_three_positions(const std::vector<Point3>& vertices,
   }
   return false;
 }
+
+// ---- Colours ---------------------------------------------------------------------------
+
+/// Stands for a vertex whose colour is not known.
+constexpr Rgba kNoColour(-1.0);
+
+/// Some programs write colours to 1, some to 255, whatever the type of the numbers: where one part
+/// of one colour is larger than this, all are of the latter.
+constexpr double kMostOfUnitRange = 2.0;
+
+void bring_to_unit_range(std::span<Rgba> colours) {
+  const auto largest = [](double most, const Rgba& c) { return std::max({most, c.r, c.g, c.b}); };
+  const bool bytes =
+      std::accumulate(colours.begin(), colours.end(), 0.0, largest) > kMostOfUnitRange;
+  for (Rgba& c : colours) {
+    if (c != kNoColour) c = brought_into_range(bytes ? c / 255.0 : c);
+  }
+}
+
+std::uint64_t hash_of(const Rgba& c) { return position_hash(Point3(c)); }
+std::uint64_t hash_of(const Mesh::Material& m) { return m.colour ? position_hash(*m.colour) : 0; }
 
 }  // namespace
 
@@ -66,9 +89,30 @@ void MeshBuilder::add_face(std::span<const std::uint32_t> corners,
   mesh_.corners.insert(mesh_.corners.end(), corners.begin(), corners.end());
   mesh_.corner_normals.insert(mesh_.corner_normals.end(), normals.begin(), normals.end());
   mesh_.first_corner.push_back(mesh_.corners.size());
+  if (material_ != Mesh::kNoMaterial) {
+    mesh_.face_materials.resize(mesh_.faces() - 1, Mesh::kNoMaterial);
+    mesh_.face_materials.push_back(material_);
+  }
+}
+
+std::uint32_t MeshBuilder::add_material(const Mesh::Material& material) {
+  mesh_.materials.push_back(material);
+  return static_cast<std::uint32_t>(mesh_.materials.size() - 1);
+}
+
+void MeshBuilder::use_colour(const std::optional<Rgba>& colour) {
+  material_ = colour ? face_colours_.number(*colour, hash_of(*colour)) : Mesh::kNoMaterial;
+}
+
+void MeshBuilder::add_vertex_colour(const Rgba& colour) {
+  vertex_colours_.resize(mesh_.vertices.size() - 1, kNoColour);
+  vertex_colours_.push_back(colour);
 }
 
 Mesh MeshBuilder::finish() && {
+  if (!mesh_.face_materials.empty()) {
+    mesh_.face_materials.resize(mesh_.faces(), Mesh::kNoMaterial);
+  }
   if (normals_as_vertices_) mesh_.corner_normals = mesh_.corners;
   if (mesh_.normals.empty()) mesh_.corner_normals.clear();
   for (std::size_t i = 0; i < runs_.size(); ++i) {
@@ -78,6 +122,7 @@ Mesh MeshBuilder::finish() && {
   if (!in_order) std::ranges::stable_sort(runs_, {}, &Run::object);
   if (!in_order || has_degenerate_faces()) gather_faces();
   name_objects();
+  give_faces_materials();
   if (mesh_.faces() == 0) {
     throw Error(
         fmt::format("{}: no faces: expected polygons (found {} points and lines, and {} faces of "
@@ -105,7 +150,7 @@ void MeshBuilder::gather_faces() {
     to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(first),
               from.begin() + static_cast<std::ptrdiff_t>(end));
   };
-  std::vector<std::uint32_t> corners, normals;
+  std::vector<std::uint32_t> corners, normals, materials;
   std::vector<std::size_t> first_corner{0};
   for (Run& run : runs_) {
     const std::size_t first_face = first_corner.size() - 1;
@@ -117,13 +162,72 @@ void MeshBuilder::gather_faces() {
       const std::size_t first = mesh_.first_corner[i], end = mesh_.first_corner[i + 1];
       append(corners, mesh_.corners, first, end);
       if (!mesh_.corner_normals.empty()) append(normals, mesh_.corner_normals, first, end);
+      if (!mesh_.face_materials.empty()) materials.push_back(mesh_.face_materials[i]);
       first_corner.push_back(corners.size());
     }
     run = {run.object, first_face, first_corner.size() - 1};
   }
   mesh_.corners = std::move(corners);
   mesh_.corner_normals = std::move(normals);
+  mesh_.face_materials = std::move(materials);
   mesh_.first_corner = std::move(first_corner);
+}
+
+void MeshBuilder::give_faces_materials() {
+  if (!face_colours_.values().empty()) {
+    std::vector<Rgba> colours = face_colours_.values();
+    bring_to_unit_range(colours);
+    mesh_.materials.clear();
+    for (const Rgba& c : colours) mesh_.materials.push_back({Colour(c), false, c.a < 1.0});
+  }
+  mix_in_colours_of_vertices();
+  for (const std::uint32_t m : mesh_.face_materials) {
+    if (m == Mesh::kNoMaterial) continue;
+    mesh_.skipped.textured_faces += mesh_.materials[m].textured ? 1 : 0;
+    mesh_.skipped.transparent_faces += mesh_.materials[m].transparent ? 1 : 0;
+  }
+  const auto says_nothing = [](const Mesh::Material& m) { return m == Mesh::Material{}; };
+  if (mesh_.face_materials.empty() || std::ranges::all_of(mesh_.materials, says_nothing)) {
+    mesh_.materials = {};
+    mesh_.face_materials = {};
+  }
+}
+
+/// A face that has a colour of its own keeps it.
+void MeshBuilder::mix_in_colours_of_vertices() {
+  if (vertex_colours_.empty()) return;
+  bring_to_unit_range(vertex_colours_);
+  vertex_colours_.resize(mesh_.vertices.size(), kNoColour);
+  mesh_.face_materials.resize(mesh_.faces(), Mesh::kNoMaterial);
+  const bool faces_have_colours = !face_colours_.values().empty();
+  Palette<Mesh::Material> mixed;
+  for (std::size_t i = 0; i < mesh_.faces(); ++i) {
+    std::uint32_t& index = mesh_.face_materials[i];
+    const bool has_material = index != Mesh::kNoMaterial;
+    Mesh::Material material = has_material ? mesh_.materials[index] : Mesh::Material{};
+    const auto mean = has_material && faces_have_colours ? std::nullopt : mean_colour(i);
+    if (mean) {
+      material.colour = material.colour.value_or(Colour(1.0)) * Colour(*mean);
+      material.transparent |= mean->a < 1.0;
+    }
+    if (has_material || mean) index = mixed.number(material, hash_of(material));
+  }
+  mesh_.materials = std::move(mixed).take();
+}
+
+std::optional<Rgba> MeshBuilder::mean_colour(std::size_t face) const {
+  std::optional<Rgba> first;
+  Rgba from_first(0.0);  // so that the mean of equal colours is that colour
+  double n = 0.0;
+  for (const std::uint32_t corner : mesh_.face(face)) {
+    const Rgba& colour = vertex_colours_[corner];
+    if (colour == kNoColour) continue;
+    if (!first) first = colour;
+    from_first += colour - *first;
+    ++n;
+  }
+  if (!first) return std::nullopt;
+  return brought_into_range(*first + from_first / n);
 }
 
 void MeshBuilder::name_objects() {

@@ -2,12 +2,16 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "displayfile/mesh/mesh.h"
+#include "displayfile/mesh/mesh_colour.h"
+#include "displayfile/mesh/palette.h"
 
 namespace displayfile {
 
@@ -35,6 +39,20 @@ class MeshBuilder {
                 std::span<const std::uint32_t> normals = {});
   void skip_points_and_lines(std::size_t n) { mesh_.skipped.points_and_lines += n; }
 
+  /// A material, by its index: the next one. It may be told later what it looks like.
+  std::uint32_t add_material(const Mesh::Material& material = {});
+  void set_material(std::uint32_t index, const Mesh::Material& material) {
+    mesh_.materials[index] = material;
+  }
+  /// The faces from here on are of this material, or of none (Mesh::kNoMaterial).
+  void use_material(std::uint32_t index) { material_ = index; }
+  /// The faces from here on have this colour of their own; nothing takes it back.
+  void use_colour(const std::optional<Rgba>& colour);
+  /// The colour of the vertex that was added last.
+  void add_vertex_colour(const Rgba& colour);
+  /// Something that the file lost, in a sentence.
+  void warn(std::string sentence) { mesh_.skipped.warnings.push_back(std::move(sentence)); }
+
   std::size_t vertices() const { return mesh_.vertices.size(); }
   std::size_t normals() const { return mesh_.normals.size(); }
 
@@ -42,7 +60,8 @@ class MeshBuilder {
   void share_normals_as_vertices() { normals_as_vertices_ = true; }
 
   /// Leaves out degenerate faces and objects without faces, and puts the faces in the order of the
-  /// objects. Throws Error if no face is left.
+  /// objects. Gives faces without colours of their own that of their material times the mean of
+  /// their vertices' colours, as far as there are any. Throws Error if no face is left.
   Mesh finish() &&;
 
  private:
@@ -56,12 +75,20 @@ class MeshBuilder {
   /// Keeps the faces that are not degenerate, in the order of the runs.
   void gather_faces();
   void name_objects();
+  /// The mean of the corners' colours, those that have one.
+  std::optional<Rgba> mean_colour(std::size_t face) const;
+  void mix_in_colours_of_vertices();
+  void give_faces_materials();
+  void count_what_is_not_drawn();
 
   std::string_view path_;
   Mesh mesh_;
   std::vector<std::string> names_;  // of the objects
   std::vector<Run> runs_;
   bool normals_as_vertices_ = false;
+  std::uint32_t material_ = Mesh::kNoMaterial;  // of the faces from here on, or the colour
+  Palette<Rgba> face_colours_;                  // if there are any, what face_materials means
+  std::vector<Rgba> vertex_colours_;            // of the vertices so far; kNoColour if unknown
 };
 
 }  // namespace displayfile

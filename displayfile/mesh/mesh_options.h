@@ -1,12 +1,17 @@
 #pragma once
 
+#include <optional>
+
 #include "displayfile/mesh/camera.h"
+#include "displayfile/style.h"
 
 namespace displayfile {
 
-/// How meshes are entered.
+/// How meshes are entered, where it is not as their files say.
 struct MeshOptions {
-  Camera camera;  ///< of the fitted view
+  Camera camera;                   ///< of the fitted view
+  std::optional<Colour> colour{};  ///< of all faces, whatever files and programs say
+  bool file_colours = true;        ///< the colours that files give faces are taken
 };
 
 }  // namespace displayfile

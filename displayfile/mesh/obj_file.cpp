@@ -10,6 +10,7 @@
 
 #include "displayfile/mesh/mesh_builder.h"
 #include "displayfile/mesh/mesh_file.h"
+#include "displayfile/mesh/obj_materials.h"
 #include "displayfile/mesh/text_cursor.h"
 
 namespace displayfile {
@@ -70,13 +71,17 @@ class ObjIndices {
 class ObjReader {
  public:
   explicit ObjReader(const MeshFile& file)
-      : text_(text_of(file.path, file.data)), mesh_(file.path), with_normals_(file.with_normals) {}
+      : text_(text_of(file.path, file.data)),
+        mesh_(file.path),
+        materials_(file.path),
+        with_normals_(file.with_normals) {}
 
   Mesh read() && {
     do {
       read_statement(text_.field());
     } while (text_.next_line());
     indices_.check_all_defined(text_);
+    materials_.tell(mesh_);
     return std::move(mesh_).finish();
   }
 
@@ -98,20 +103,23 @@ class ObjReader {
       read_corners();
       mesh_.skip_points_and_lines(corners_.size());
     } else if (keyword == "o") {
-      begin_object(text_.field());
+      begin_object(text_.rest_of_line());
     } else if (keyword == "g") {
       begin_group(text_.rest_of_line());
+    } else if (keyword == "usemtl") {
+      mesh_.use_material(materials_.named(text_.rest_of_line(), mesh_));
+    } else if (keyword == "mtllib") {
+      materials_.add_library(text_.rest_of_line());
     }
   }
 
-  /// x y z, then nothing, a weight w, or a colour, which is passed over.
+  /// x y z, then nothing, a weight w, or a colour r g b.
   void read_vertex() {
-    Point3 p = text_.position();
-    const std::string_view fourth = text_.field();
-    if (TextCursor::is_content(fourth) && !TextCursor::is_content(text_.field())) {
-      p = text_.over_weight(p, fourth);
-    }
-    mesh_.add_vertex(p);
+    const Point3 p = text_.position();
+    std::array<std::string_view, 5> fields;
+    const auto rest = text_.fields(fields);
+    mesh_.add_vertex(rest.size() == 1 ? text_.over_weight(p, rest[0]) : p);
+    if (const auto colour = text_.colour(rest)) mesh_.add_vertex_colour(*colour);
     indices_.define(ObjIndices::vertex);
   }
 
@@ -165,6 +173,7 @@ class ObjReader {
 
   TextCursor text_;
   MeshBuilder mesh_;
+  ObjMaterials materials_;
   bool with_normals_;
   ObjIndices indices_;
   std::vector<std::uint32_t> corners_, normals_;  // of the face that is read

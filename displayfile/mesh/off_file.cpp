@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <vector>
 
 #include "displayfile/mesh/mesh_builder.h"
@@ -15,7 +16,7 @@ namespace {
 /// What a vertex line begins with.
 struct OffVertex {
   int dimension = 3;
-  bool homogeneous = false, normal = false;
+  bool homogeneous = false, normal = false, colour = false, texture = false;
 
   int numbers() const { return dimension + (homogeneous ? 1 : 0); }
 };
@@ -32,8 +33,8 @@ OffVertex off_header(TextCursor& text) {
   TextCursor ahead = text;
   std::string_view keyword = ahead.field_on_any_line();
   OffVertex vertex;
-  take(keyword, "ST");  // texture coordinates and colours stand after what is read
-  take(keyword, "C");
+  vertex.texture = take(keyword, "ST");
+  vertex.colour = take(keyword, "C");
   vertex.normal = take(keyword, "N");
   vertex.homogeneous = take(keyword, "4");
   const bool has_dimension = take(keyword, "n");
@@ -82,7 +83,20 @@ class OffReader {
   void read_vertex(const OffVertex& vertex) {
     const Point3 p = text_.position(vertex.dimension);
     mesh_.add_vertex(vertex.homogeneous ? text_.over_weight(p, text_.field()) : p);
-    if (vertex.normal && with_normals_) mesh_.add_normal(text_.direction());
+    if (vertex.normal && with_normals_) {
+      mesh_.add_normal(text_.direction());
+    } else if (vertex.normal && vertex.colour) {
+      for (int axis = 0; axis < 3; ++axis) text_.field();
+    }
+    if (vertex.colour) read_colour_of_vertex(vertex.texture);
+  }
+
+  /// Texture coordinates stand after it.
+  void read_colour_of_vertex(bool texture) {
+    std::array<std::string_view, 7> fields;
+    auto rest = text_.fields(fields);
+    if (texture && rest.size() > 2) rest = rest.first(rest.size() - 2);
+    if (const auto colour = text_.colour(rest)) mesh_.add_vertex_colour(*colour);
   }
 
   void read_face(std::int64_t vertices) {
@@ -99,6 +113,9 @@ class OffReader {
       }
       corners_.push_back(static_cast<std::uint32_t>(index));
     }
+    // One number is an index into a map of colours that the file does not have.
+    std::array<std::string_view, 5> fields;
+    mesh_.use_colour(text_.colour(text_.fields(fields)));
     mesh_.add_face(corners_);
   }
 

@@ -29,6 +29,10 @@ enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64
 
 constexpr std::array<std::size_t, 8> kPlySizes = {1, 1, 2, 2, 4, 4, 4, 8};  // bytes
 
+/// What stands for all of a colour's part. Programs that write parts of four bytes mean 0 to 255.
+constexpr std::array<double, 8> kPlyWholeParts = {127, 255, 32767, 65535, 255, 255, 1, 1};
+
+constexpr double whole_part(PlyType type) { return kPlyWholeParts[static_cast<std::size_t>(type)]; }
 constexpr std::size_t size_of(PlyType type) { return kPlySizes[static_cast<std::size_t>(type)]; }
 constexpr bool is_integer(PlyType type) { return type < PlyType::float32; }
 
@@ -227,6 +231,33 @@ class PlyBinary {
 
 // ---- Elements --------------------------------------------------------------------------
 
+/// The colour that an element has: where its parts stand among the properties, and what they are.
+class PlyColour {
+ public:
+  explicit PlyColour(const PlyElement& element) {
+    constexpr std::array<std::string_view, 4> kNames = {"red", "green", "blue", "alpha"};
+    std::array<bool, 4> has{};
+    for (const PlyProperty& p : element.properties) {
+      std::string_view name = p.name;
+      if (name.starts_with("diffuse_")) name.remove_prefix(8);
+      const auto* const found = p.count ? kNames.end() : std::ranges::find(kNames, name);
+      parts_.push_back(static_cast<std::size_t>(found - kNames.begin()));
+      if (parts_.back() < 4) has[parts_.back()] = true;
+    }
+    is_there_ = has[0] && has[1] && has[2];
+  }
+
+  bool is_there() const { return is_there_; }
+  bool has(std::size_t property) const { return is_there_ && parts_[property] < 4; }
+  void set(std::size_t property, double part) { value_[static_cast<int>(parts_[property])] = part; }
+  const Rgba& value() const { return value_; }
+
+ private:
+  std::vector<std::size_t> parts_;  // which each property is; 4 if none
+  bool is_there_ = false;
+  Rgba value_{kOpaque};
+};
+
 template <class Values>
 class PlyReader {
  public:
@@ -277,6 +308,7 @@ class PlyReader {
     }
     const bool has_normals =
         std::ranges::any_of(parts, [](std::size_t k) { return k >= 3 && k < 6; });
+    PlyColour colour(element);
     std::array<double, 6> value{};
     for (PlyPlace place{element}; place.number < element.count; ++place.number) {
       for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -286,41 +318,59 @@ class PlyReader {
         } else if (parts[i] < 6) {
           value[parts[i]] = values_.real(property.type, place);
         } else {
-          skip(property, place);
+          read_other(colour, i, place);
         }
       }
       mesh_.add_vertex({value[0], value[1], value[2]});
       if (has_normals && with_normals_) mesh_.add_normal({value[3], value[4], value[5]});
+      if (colour.is_there()) mesh_.add_vertex_colour(colour.value());
     }
   }
 
-  /// Calls take(type, n, place) where n values of a list of vertices follow.
-  template <class Take>
-  void read_index_lists(const PlyElement& element, Take&& take) {
-    for (PlyPlace place{element}; place.number < element.count; ++place.number) {
-      for (const PlyProperty& property : element.properties) {
-        if (property.count &&
-            (property.name == "vertex_indices" || property.name == "vertex_index")) {
-          take(property.type, values_.list_count(property, place), place);
-        } else {
-          skip(property, place);
-        }
-      }
+  /// A property that is a part of a colour, or is passed over.
+  void read_other(PlyColour& colour, std::size_t property, const PlyPlace& place) {
+    const PlyProperty& p = place.element.properties[property];
+    if (!colour.has(property)) return skip(p, place);
+    const double part = values_.real(p.type, place);
+    if (!std::isfinite(part)) {
+      values_.fail(place, fmt::format("{} {}: expected a finite number", p.name, part));
     }
+    colour.set(property, part / whole_part(p.type));
+  }
+
+  static bool is_index_list(const PlyProperty& p) {
+    return p.count && (p.name == "vertex_indices" || p.name == "vertex_index");
   }
 
   void read_faces(const PlyElement& element) {
+    PlyColour colour(element);
     std::vector<std::uint32_t> corners;
-    read_index_lists(element, [&](PlyType type, std::int64_t n, const PlyPlace& place) {
-      corners.clear();
-      for (; n > 0; --n) corners.push_back(index(values_.real(type, place), place));
+    const auto add = [&] {
+      if (colour.is_there()) mesh_.use_colour(colour.value());
       mesh_.add_face(corners);
-    });
+    };
+    for (PlyPlace place{element}; place.number < element.count; ++place.number) {
+      bool has_list = false;
+      for (std::size_t i = 0; i < element.properties.size(); ++i) {
+        const PlyProperty& property = element.properties[i];
+        if (!is_index_list(property)) {
+          read_other(colour, i, place);
+          continue;
+        }
+        if (has_list) add();  // of two lists
+        corners.clear();
+        std::int64_t n = values_.list_count(property, place);
+        for (; n > 0; --n) corners.push_back(index(values_.real(property.type, place), place));
+        has_list = true;
+      }
+      if (has_list) add();
+    }
+    mesh_.use_colour(std::nullopt);
   }
 
   /// Each vertex ends a triangle with the two before it; -1 begins a new strip.
   void read_strips(const PlyElement& element) {
-    read_index_lists(element, [&](PlyType type, std::int64_t n, const PlyPlace& place) {
+    const auto read_strip = [&](PlyType type, std::int64_t n, const PlyPlace& place) {
       std::array<std::uint32_t, 3> triangle{};
       std::int64_t length = 0;
       for (; n > 0; --n) {
@@ -334,7 +384,16 @@ class PlyReader {
         const auto [a, b, c] = triangle;
         mesh_.add_face(length % 2 == 1 ? std::array{a, b, c} : std::array{b, a, c});
       }
-    });
+    };
+    for (PlyPlace place{element}; place.number < element.count; ++place.number) {
+      for (const PlyProperty& property : element.properties) {
+        if (is_index_list(property)) {
+          read_strip(property.type, values_.list_count(property, place), place);
+        } else {
+          skip(property, place);
+        }
+      }
+    }
   }
 
   std::uint32_t index(double value, const PlyPlace& place) const {

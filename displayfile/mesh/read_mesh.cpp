@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "clip/error.h"
+#include "displayfile/file_extension.h"
 #include "displayfile/mesh/import_library.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/mesh/mesh_file.h"
@@ -32,10 +33,7 @@ constexpr Format kFormats[] = {
 /// UTF-16 are none.
 const Format* format_of(const std::string& path, std::string_view beginning) {
   if (beginning.starts_with("\xFF\xFE") || beginning.starts_with("\xFE\xFF")) return nullptr;
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::ranges::transform(extension, extension.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-  });
+  const std::string extension = extension_of(path);
   for (const Format& format : kFormats) {
     if (!format.beginning.empty() && beginning.starts_with(format.beginning)) return &format;
   }

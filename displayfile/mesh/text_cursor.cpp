@@ -56,6 +56,12 @@ std::string_view TextCursor::field_on_any_line() {
   }
 }
 
+std::span<const std::string_view> TextCursor::fields(std::span<std::string_view> room) {
+  std::size_t n = 0;
+  for (auto f = field(); is_content(f) && n < room.size(); f = field()) room[n++] = f;
+  return room.first(n);
+}
+
 std::string_view TextCursor::rest_of_line() {
   const std::size_t end = std::min(text_.find('\n', at_), text_.size());
   std::string_view line = text_.substr(at_, end - at_);
@@ -103,6 +109,16 @@ Point3 TextCursor::direction() {
   return d;
 }
 
+std::optional<Rgba> TextCursor::colour(std::span<const std::string_view> fields) const {
+  if (fields.size() != 3 && fields.size() != 4) return std::nullopt;
+  Rgba colour(kOpaque);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (!number<double>(fields[i])) return std::nullopt;
+    colour[static_cast<int>(i)] = finite(fields[i], "a part of a colour");
+  }
+  return colour;
+}
+
 double TextCursor::coordinate(std::string_view f) const {
   const double value = real(f, "a coordinate");
   if (!(std::abs(value) <= kLargestCoordinate)) {
@@ -116,6 +132,12 @@ double TextCursor::real(std::string_view f, std::string_view expected) const {
   const std::optional<double> value = number<double>(f);
   if (!value) fail(f, fmt::format("{}: expected {}", quoted(f), expected));
   return *value;
+}
+
+double TextCursor::finite(std::string_view f, std::string_view expected) const {
+  const double value = real(f, expected);
+  if (!std::isfinite(value)) fail(f, fmt::format("{}: expected {}, finite", quoted(f), expected));
+  return value;
 }
 
 std::int64_t TextCursor::integer(std::string_view f, std::string_view expected) const {

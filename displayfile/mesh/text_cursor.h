@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <system_error>
 
 #include "clip/point.h"
+#include "displayfile/mesh/mesh_colour.h"
 
 namespace displayfile {
 
@@ -38,6 +40,8 @@ class TextCursor {
   /// The next field on this line or a later one, comments passed over; empty at the end of the
   /// file.
   std::string_view field_on_any_line();
+  /// The fields that are left of this line, before a comment; no more than there is room for.
+  std::span<const std::string_view> fields(std::span<std::string_view> room);
   /// What is left of this line, without blanks around it.
   std::string_view rest_of_line();
 
@@ -53,9 +57,14 @@ class TextCursor {
   /// The next three fields of this line as a direction, which need not be finite.
   Point3 direction();
 
+  /// Three or four fields as red, green, blue and opacity, if it is there. Nothing if they
+  /// are anything else.
+  std::optional<Rgba> colour(std::span<const std::string_view> fields) const;
+
   /// These throw Error at the field's place if it is no such number.
   double coordinate(std::string_view f) const;
   double real(std::string_view f, std::string_view expected) const;
+  double finite(std::string_view f, std::string_view expected) const;
   std::int64_t integer(std::string_view f, std::string_view expected) const;
   /// A count that the file announces, of things each of which takes at least `least_bytes` of what
   /// follows.

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+namespace displayfile {
+
+/// A path's extension with its dot, in lower case: x.PNG is what it looks like. The letters of
+/// other alphabets stay as they are. Empty if there is none.
+inline std::string extension_of(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::ranges::transform(extension, extension.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return extension;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,75 @@
+// The material library of Wavefront OBJ: Alias|Wavefront, "MTL material format", 1995.
+
+#include "displayfile/mesh/material_library.h"
+
+#include <string_view>
+
+#include "displayfile/mesh/text_cursor.h"
+
+namespace displayfile {
+
+namespace {
+
+class MaterialReader {
+ public:
+  explicit MaterialReader(const MeshFile& file) : text_(text_of(file.path, file.data)) {}
+
+  MaterialLibrary read() && {
+    do {
+      read_statement(text_.field());
+    } while (text_.next_line());
+    return std::move(library_);
+  }
+
+ private:
+  void read_statement(std::string_view keyword) {
+    if (keyword == "newmtl") {
+      material_ = &library_[std::string(text_.rest_of_line())];
+      has_dissolve_ = false;
+    } else if (material_ == nullptr) {
+      return;  // of no material
+    } else if (keyword == "Kd") {
+      read_colour(text_.field());
+    } else if (keyword == "d") {
+      material_->transparent = dissolve() < 1.0;
+      has_dissolve_ = true;
+    } else if (keyword == "Tr" && !has_dissolve_) {
+      const double transparency = part(text_.field());
+      // Some programs write 1 for what is opaque.
+      material_->transparent = transparency > 0.0 && transparency < 1.0;
+    } else if (keyword == "map_Kd" || keyword == "map_kd") {
+      material_->textured = true;
+    } else if (keyword == "map_d") {
+      material_->transparent = true;
+    }
+  }
+
+  /// r g b, or r for all three; what is given by a spectrum or as CIE XYZ is not known.
+  void read_colour(std::string_view red) {
+    if (red == "spectral" || red == "xyz") return;
+    Colour colour(part(red));
+    if (const std::string_view green = text_.field(); TextCursor::is_content(green)) {
+      colour.g = part(green);
+      colour.b = part(text_.field());
+    }
+    material_->colour = brought_into_range(colour);
+  }
+
+  double dissolve() {
+    const std::string_view f = text_.field();
+    return part(f == "-halo" ? text_.field() : f);
+  }
+
+  double part(std::string_view f) const { return text_.finite(f, "a part of a colour"); }
+
+  TextCursor text_;
+  MaterialLibrary library_;
+  Mesh::Material* material_ = nullptr;  // that the statements are of
+  bool has_dissolve_ = false;
+};
+
+}  // namespace
+
+MaterialLibrary read_material_library(const MeshFile& file) { return MaterialReader(file).read(); }
+
+}  // namespace displayfile

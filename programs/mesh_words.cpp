@@ -1,0 +1,34 @@
+#include "programs/mesh_words.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "clip/error.h"
+#include "programs/colour_word.h"
+#include "programs/option_groups.h"
+
+namespace displayfile {
+
+void MeshWords::add_to(CLI::App& command) {
+  CameraWords::add_to(command);
+  command
+      .add_option(
+          "--colour", colour,
+          "R,G,B, each 0 to 1, or #rrggbb: of all faces of meshes, in place of their files' "
+          "colours and a program's fill style")
+      ->group(kPictureOptions);
+}
+
+MeshOptions MeshWords::options() const {
+  MeshOptions options{.camera = camera()};
+  if (colour.empty()) return options;
+  options.colour = colour_of(colour);
+  if (!options.colour) {
+    throw Error(fmt::format(
+        "--colour {}: expected red, green and blue, each 0 to 1, such as 0.8,0.2,0.1", colour));
+  }
+  return options;
+}
+
+}  // namespace displayfile

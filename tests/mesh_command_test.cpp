@@ -1,0 +1,99 @@
+// Meshes on the command line: their colours, what is said of them, and names in either case.
+
+#include <string>
+
+#include "tests/command_fixture.h"
+
+namespace {
+
+constexpr const char* kCorners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+constexpr const char* kFaces = "usemtl red\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+class MeshCommand : public Command {
+ protected:
+  MeshCommand() {
+    write("m.mtl", "newmtl red\nKd 1 0 0\n");
+    write("m.obj", std::string("mtllib m.mtl\n") + kCorners + kFaces);
+    write("plain.obj", std::string(kCorners) + "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  }
+};
+
+TEST_F(MeshCommand, ColourIsThatOfAllMeshes) {
+  EXPECT_EQ(run("draw m.obj -o red.png"), 0) << err_;
+  EXPECT_EQ(err_, "");
+  EXPECT_EQ(run("draw plain.obj -o a.png --colour 1,0,0"), 0) << err_;
+  EXPECT_EQ(run("compare red.png a.png"), 0) << out_;
+  EXPECT_EQ(run("draw plain.obj -o grey.png"), 0) << err_;
+  EXPECT_EQ(run("compare red.png grey.png"), 1);
+  EXPECT_EQ(run("draw m.obj -o blue.png --colour 0,0,1"), 0) << err_;
+  EXPECT_EQ(run("draw plain.obj -o a.png --colour 0,0,1.0"), 0) << err_;
+  EXPECT_EQ(run("compare blue.png a.png"), 0) << "in place of the file's colours";
+  EXPECT_EQ(run("import m.obj -o m.draw --colour 0,0,1"), 0) << err_;
+  EXPECT_EQ(run("draw m.draw -o a.png"), 0) << err_;
+  EXPECT_EQ(run("compare blue.png a.png"), 0) << out_;
+  EXPECT_EQ(run("dump m.obj -o a.txt --colour 0,0,1"), 0) << err_;
+  EXPECT_EQ(run("dump m.draw -o b.txt"), 0) << err_;
+  EXPECT_EQ(run("compare a.txt b.txt"), 0) << out_;
+  EXPECT_EQ(run("check m.obj --golden golden --update --colour 0,0,1"), 0) << err_;
+  EXPECT_EQ(run("check m.obj --golden golden --colour 0,0,1"), 0) << out_;
+  EXPECT_EQ(run("check m.obj --golden golden"), 1);
+  write("blue.draw", "set-fill-style solid 0 0 1\n");
+  EXPECT_EQ(run("draw blue.draw m.obj -o a.png --hidden auto"), 0) << err_;
+  EXPECT_EQ(run("compare blue.png a.png"), 0) << "a program's fill style holds: " << out_;
+  EXPECT_EQ(run("draw blue.draw m.obj -o a.png --hidden auto --colour 1,0,0"), 0) << err_;
+  EXPECT_EQ(run("compare red.png a.png"), 0) << out_;
+  EXPECT_EQ(run("draw m.obj -o t.png --turntable 2 --colour 0,0,1"), 0) << err_;
+  EXPECT_EQ(run("draw plain.obj -o u.png --turntable 2 --colour 0,0,1"), 0) << err_;
+  EXPECT_EQ(run("compare t-001.png u-001.png"), 0) << out_;
+}
+
+TEST_F(MeshCommand, BadColoursAreRefused) {
+  for (const char* bad :
+       {"1", "1,0", "1,0,", "1,0,0,", "1,0,0,0", "1,0,0 ", "red", "1.5,0,0", "-0.1,0,0", "nan,0,0",
+        "inf,0,0", "1;0;0", "0x1,0,0", "255,0,0", "1e999,0,0", ",,", "1,,0"}) {
+    const std::string option = std::string("--colour '") + bad + "'";
+    const std::string message = std::string("--colour ") + bad + ": expected red, green and blue";
+    expect_error("draw m.obj -o x.png " + option, message);
+    expect_error("import m.obj -o x.draw " + option, message);
+    expect_error("dump m.obj " + option, message);
+    expect_error("check m.obj --golden g --update " + option, message);
+  }
+  EXPECT_EQ(run("draw m.obj -o x.png --colour"), 2);
+}
+
+/// One line for each file that there is something to say of, and the mesh is drawn.
+TEST_F(MeshCommand, WhatIsNotDrawnIsSaidOnce) {
+  write("t.mtl", "newmtl red\nKd 1 0 0\nmap_Kd a.png\nd 0.5\n");
+  write("t.obj", std::string("mtllib t.mtl\n") + kCorners + kFaces + "l 1 2 3\n");
+  write("gone.obj", std::string("mtllib nowhere.mtl\n") + kCorners + kFaces);
+  EXPECT_EQ(run("draw t.obj gone.obj m.obj -o a.png"), 0);
+  EXPECT_EQ(err_,
+            "t.obj: left out: 2 points and lines, the textures of 4 faces, the transparency of 4 "
+            "faces\ngone.obj: no material library 'nowhere.mtl' beside it\n");
+  EXPECT_EQ(run("import t.obj -o a.draw"), 0);
+  EXPECT_EQ(err_,
+            "t.obj: left out: 2 points and lines, the textures of 4 faces, the transparency of 4 "
+            "faces\n");
+  write("bad.mtl", "newmtl red\nKd 1 nan 0\n");
+  write("bad.obj", std::string("mtllib bad.mtl\n") + kCorners + kFaces);
+  expect_error("draw bad.obj -o x.png", "bad.mtl:2:6: 'nan'");
+}
+
+TEST_F(MeshCommand, ExtensionsMayBeInEitherCase) {
+  write("M.OBJ", read(folder_ / "m.obj"));
+  EXPECT_EQ(run("draw m.obj -o a.png --ids a.npy"), 0) << err_;
+  EXPECT_EQ(run("draw M.OBJ -o B.PNG --ids B.NPY"), 0) << err_;
+  EXPECT_EQ(run("compare a.png B.PNG"), 0) << out_;
+  EXPECT_EQ(run("compare B.NPY a.npy --marks C.Png"), 0) << out_;
+  EXPECT_EQ(read(folder_ / "B.PNG"), read(folder_ / "a.png"));
+  EXPECT_EQ(run("import M.OBJ -o P.DRAW"), 0) << err_;
+  EXPECT_EQ(run("draw P.DRAW -o c.Svg"), 0) << err_;
+  EXPECT_EQ(run("draw P.DRAW -o d.svg"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "c.Svg"), read(folder_ / "d.svg"));
+  EXPECT_EQ(run("draw m.obj -o T.PNG --turntable 2"), 0) << err_;
+  EXPECT_TRUE(fs::exists(folder_ / "T-001.PNG"));
+  EXPECT_EQ(run("dump P.DRAW -o a.txt"), 0) << err_;
+  expect_error("draw m.obj -o a.GIF", "unknown picture format '.GIF'");
+}
+
+}  // namespace

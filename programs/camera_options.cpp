@@ -128,11 +128,9 @@ void warn_of_stretched_window(const GraphicsSystem& system, const std::string& p
   const double pixels = std::max(factor, 1.0 / factor) - 1.0;
   if (pixels * std::max(width, height) < 1.0) return;
   warnings() << fmt::format(
-      "warning: {}: segment {}: a window {:.4g} times as wide as high is stretched to a viewport "
-      "{:.4g} "
+      "{}: segment {}: a window {:.4g} times as wide as high is stretched to a viewport {:.4g} "
       "times as wide as high in {} x {} pixels: --widen widens it, set-window-fit stretch says "
-      "that "
-      "it is meant\n",
+      "that it is meant\n",
       picture, stretched->segment, stretched->window, stretched->viewport, width, height);
 }
 

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "clip/error.h"
+#include "displayfile/file_extension.h"
 #include "displayfile/input_file.h"
 #include "displayfile/text/dump.h"
 #include "displayfile/text/dump_compare.h"
@@ -139,7 +140,7 @@ CLI::App& CheckCommand::add_to(CLI::App& app) {
 
 bool CheckCommand::is_one_file() const {
   if (fs::exists(golden)) return !fs::is_directory(golden);
-  const std::string extension = fs::path(golden).extension().string();
+  const std::string extension = extension_of(golden);
   return extension == ".txt" || extension == ".png" || extension == ".draw";
 }
 
@@ -165,6 +166,8 @@ std::vector<std::string> CheckCommand::golden_files(std::string_view extension) 
 
 int CheckCommand::run() const {
   const CheckedInputs checked{hidden_surfaces.options(threads), meshes, size};
+  checked.meshes.options();  // all words are understood before any work is done
+  if (!checked.size.size.empty()) checked.size.aspect();
   InstructionCheck instructions(checked);
   GoldenCheck& check = other != nullptr && other->asked_for(checked)
                            ? static_cast<GoldenCheck&>(*other)

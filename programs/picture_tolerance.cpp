@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "clip/error.h"
+#include "displayfile/file_extension.h"
 #include "interp/files/png_file.h"
 #include "interp/files/ppm_file.h"
 #include "programs/option_groups.h"
@@ -49,12 +50,12 @@ bool PictureTolerance::passes(const PictureDifference& difference) const {
 }
 
 bool is_picture_file(const std::string& name) {
-  const std::string extension = std::filesystem::path(name).extension().string();
+  const std::string extension = extension_of(name);
   return extension == ".png" || extension == ".ppm";
 }
 
 Picture read_picture(const std::string& name) {
-  return name.ends_with(".ppm") ? read_ppm(name) : read_png(name, Alpha::stored);
+  return extension_of(name) == ".ppm" ? read_ppm(name) : read_png(name, Alpha::stored);
 }
 
 }  // namespace displayfile

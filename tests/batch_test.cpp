@@ -11,7 +11,8 @@
 namespace {
 
 std::string square(const std::string& colour) {
-  return "set-window 0 1 0 1\nset-line-style none\nset-fill-style solid " + colour +
+  return "set-window 0 1 0 1\nset-window-fit stretch\nset-line-style none\nset-fill-style solid " +
+         colour +
          "\nopen-segment 1\npolygon-abs-3 0 0 0  0.5 0 0  0.5 0.5 0  0 0.5 0\nclose-segment\n";
 }
 

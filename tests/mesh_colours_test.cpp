@@ -479,10 +479,10 @@ class EnteredColours : public MeshColours {
                               "o green\nf 2 3 4\no \xC3\xA4 none\xFF\nusemtl none\nf 1 2 3\n");
   }
 
-  /// In the default view, where all is seen, without light.
+  /// In the default view, where all is seen, in light that is the same everywhere.
   std::string fills(const std::string& program, const MeshOptions& options = {}) const {
     GraphicsSystem system;
-    replay("set-window -9 9 -9 9\n" + program, "program", system);
+    replay("set-window -9 9 -9 9\nset-light 0 0 1 1\n" + program, "program", system);
     import_mesh(path_, system, options);
     system.open_segment(99);
     system.polygon_abs_3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
@@ -494,9 +494,9 @@ class EnteredColours : public MeshColours {
 };
 
 TEST_F(EnteredColours, AreFillStylesOfFacesAlone) {
-  EXPECT_EQ(fills(""), "0.8 0.8 0.8;1 0 0;0 1 0;|0 1 0;|0.8 0.8 0.8;|0.8 0.8 0.8;|");
-  EXPECT_EQ(fills("set-shading gouraud\nset-light 0 0 1 1\n"),
-            "0.8 0.8 0.8;1 0 0;0 1 0;|0 1 0;|0.8 0.8 0.8;|0.8 0.8 0.8;|")
+  EXPECT_EQ(fills(""), "0.87 0.85 0.81;1 0 0;0 1 0;|0 1 0;|0.87 0.85 0.81;|0.8 0.8 0.8;|");
+  EXPECT_EQ(fills("set-shading gouraud\n"),
+            "0.87 0.85 0.81;1 0 0;0 1 0;|0 1 0;|0.87 0.85 0.81;|0.8 0.8 0.8;|")
       << "with normals of vertices";
 }
 
@@ -550,7 +550,7 @@ TEST_F(EnteredColours, ThatAreBadChangeNothing) {
     EXPECT_FALSE(system.view_was_set());
     EXPECT_TRUE(system.display_file().segments().empty());
     system.set_window(-9, 9, -9, 9);
-    EXPECT_THROW(enter_mesh(read_mesh(path_), system, 1, {colour}), Error);
+    EXPECT_THROW(enter_mesh(read_mesh(path_), system, 1, {.camera = {}, .colour = colour}), Error);
     EXPECT_TRUE(system.display_file().segments().empty());
   }
 }

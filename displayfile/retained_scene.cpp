@@ -17,12 +17,12 @@ namespace displayfile {
 
 namespace {
 
-constexpr Point3 kNone(0.0);
+constexpr Point3 kNoDirection(0.0);
 constexpr std::uint32_t kNotKept = std::numeric_limits<std::uint32_t>::max();
 
 /// The value of that index, of those that are stored up to the last that is not zero.
 Point3 stored(const std::vector<Point3>& values, std::uint32_t i) {
-  return i < values.size() ? values[i] : kNone;
+  return i < values.size() ? values[i] : kNoDirection;
 }
 
 }  // namespace
@@ -34,7 +34,8 @@ const RetainedScene::Segment& RetainedScene::segment_of(std::uint32_t primitive)
 WorldPolygon RetainedScene::polygon(std::uint32_t i) const {
   const Primitive& primitive = primitives_[i];
   const std::size_t end = primitive.first + std::size_t{primitive.sides};
-  const bool smooth = end <= vertex_normals_.size() && vertex_normals_[primitive.first] != kNone;
+  const bool smooth =
+      end <= vertex_normals_.size() && vertex_normals_[primitive.first] != kNoDirection;
   return {points(i), of(edge_visible_, i), stored(normals_, i),
           smooth ? of(vertex_normals_, i) : std::span<const Point3>(), primitive.pick};
 }
@@ -181,8 +182,11 @@ void RetainedScene::enter_line(const Point3& from, const Point3& to, const Attri
   begin_primitive(2, attributes, pick);
   const std::array ends{from, to};
   enter_corners(ends);
-  finish_primitive(
-      {.vertices = ends, .edge_visible = {}, .normal = kNone, .vertex_normals = {}, .pick = -1});
+  finish_primitive({.vertices = ends,
+                    .edge_visible = {},
+                    .normal = kNoDirection,
+                    .vertex_normals = {},
+                    .pick = -1});
 }
 
 void RetainedScene::begin_shared(std::size_t vertices) {
@@ -238,12 +242,12 @@ void RetainedScene::finish_primitive(const WorldPolygon& polygon) {
   edge_visible_.insert(edge_visible_.end(), polygon.edge_visible.begin(),
                        polygon.edge_visible.end());
   edge_visible_.resize(corners, 1);
-  if (polygon.normal != kNone) {
-    normals_.resize(primitives_.size() - 1, kNone);
+  if (polygon.normal != kNoDirection) {
+    normals_.resize(primitives_.size() - 1, kNoDirection);
     normals_.push_back(polygon.normal);
   }
   if (!polygon.vertex_normals.empty()) {
-    vertex_normals_.resize(primitives_.back().first, kNone);
+    vertex_normals_.resize(primitives_.back().first, kNoDirection);
     vertex_normals_.insert(vertex_normals_.end(), polygon.vertex_normals.begin(),
                            polygon.vertex_normals.end());
   }

@@ -23,7 +23,7 @@ constexpr double kParallelToUp = 1e-9;    // the sine of an angle
 constexpr double kFreeAtEachSide = 0.05;  // of a picture with an angle of view
 
 /// Where the eye is, from what it looks at.
-struct Line {
+struct Sight {
   Point3 toward_eye;      ///< a unit vector
   Point3 upright;         ///< that appears so
   double distance = 0.0;  ///< 0 if it is not known yet
@@ -31,7 +31,7 @@ struct Line {
 
 /// The direction of the eye and, where that is up or down, what appears upright then: the limit of
 /// what does so as the eye rises.
-Line from_direction(const EyeDirection& eye, const Upright& world) {
+Sight from_direction(const EyeDirection& eye, const Upright& world) {
   const auto [across, along] = sine_cosine_of_degrees(eye.azimuth);
   const auto [rise, level] = sine_cosine_of_degrees(eye.elevation);
   const Point3 toward =
@@ -41,7 +41,7 @@ Line from_direction(const EyeDirection& eye, const Upright& world) {
   return {toward, rise > 0.0 ? -ahead : ahead};
 }
 
-Line from_position(const Point3& eye, const Point3& at, const Upright& world) {
+Sight from_position(const Point3& eye, const Point3& at, const Upright& world) {
   const double distance = glm::length(eye - at);
   if (!(distance > 0.0)) {
     throw Error("the eye is at what it looks at: expected another point");
@@ -119,14 +119,14 @@ FittedView::FittedView(std::span<const Point3> world, double aspect, const Camer
   const Point3 at = camera.look_at.value_or(camera.fit ? scene.middle() : Point3(0.0));
 
   const auto* const direction = std::get_if<EyeDirection>(&camera.eye);
-  const Line line = direction != nullptr
-                        ? from_direction(*direction, camera.upright)
-                        : from_position(std::get<Point3>(camera.eye), at, camera.upright);
-  toward_eye_ = line.toward_eye;
+  const Sight sight = direction != nullptr
+                          ? from_direction(*direction, camera.upright)
+                          : from_position(std::get<Point3>(camera.eye), at, camera.upright);
+  toward_eye_ = sight.toward_eye;
   view_.set_reference_point(at);
   view_.set_plane_normal(-toward_eye_);
-  view_.set_up(line.upright);
-  place_eye(direction != nullptr ? kEyeDistance * seen_radius : line.distance);
+  view_.set_up(sight.upright);
+  place_eye(direction != nullptr ? kEyeDistance * seen_radius : sight.distance);
   view_.set_depth(-radius_, radius_);
   view_.set_window({-radius_, radius_, -radius_, radius_});
 

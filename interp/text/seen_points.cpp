@@ -28,8 +28,6 @@ struct Surroundings {
   std::vector<SideRay> rays;
 };
 
-Point2 flat(const Point3& p) { return {p.x, p.y}; }
-
 /// The direction's place in a turn about the point, counterclockwise from just above +x: the half
 /// above, -x, the half below, +x.
 int part_of_turn(const Point2& point, const Point2& through) {
@@ -51,9 +49,9 @@ void add_polygon(std::span<const Point3> polygon, const Point2& point, Surroundi
   const auto number = static_cast<std::uint32_t>(around.covered.size());
   const std::size_t rays_before = around.rays.size();
   bool covered = false;
-  Point2 from = flat(polygon.back());
+  Point2 from = Point2(polygon.back());
   for (const Point3& vertex : polygon) {
-    const Point2 to = flat(vertex);
+    const Point2 to = Point2(vertex);
     const auto [low, high] = from.y <= to.y ? std::pair(from, to) : std::pair(to, from);
     from = to;
     if (point.y < low.y || point.y > high.y) continue;
@@ -117,12 +115,12 @@ std::vector<std::uint8_t> points_seen(const ViewedScene& scene, std::span<const 
       const Point3& point = points[*i];
       if (around[*i].hidden || point.x < left.x || point.x > right.x) continue;
       if (std::ranges::find(polygon, point) != polygon.end()) continue;
-      if (is_nearer(scene.plane(fill), point)) add_polygon(polygon, flat(point), around[*i]);
+      if (is_nearer(scene.plane(fill), point)) add_polygon(polygon, Point2(point), around[*i]);
     }
   }
   std::vector<std::uint8_t> seen(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    seen[i] = has_gap(flat(points[i]), around[i]) ? 1 : 0;
+    seen[i] = has_gap(Point2(points[i]), around[i]) ? 1 : 0;
   }
   return seen;
 }

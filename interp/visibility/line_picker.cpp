@@ -17,8 +17,6 @@ constexpr double kCrumb = 1e-9;
 /// Pixels: distances closer than this are of one point, computed twice.
 constexpr double kSameDistance = 1e-6;
 
-Point2 flat(const Point3& p) { return {p.x, p.y}; }
-
 }  // namespace
 
 /// A line with its ends as the rule has them: a side's lie on the plane of its polygon.
@@ -30,8 +28,8 @@ struct LinePicker::Line {
   Fill fill = ViewedScene::kBackground;
 
   Definitions definitions() const { return {stored, {&own, 1}}; }
-  Point2 from() const { return flat(stored[0]); }
-  Point2 to() const { return flat(stored[1]); }
+  Point2 from() const { return Point2(stored[0]); }
+  Point2 to() const { return Point2(stored[1]); }
   double depth(double t) const { return ends[0].near.z + t * (ends[1].near.z - ends[0].near.z); }
 };
 
@@ -88,8 +86,8 @@ void LinePicker::enter_lines(int threads) {
       [&](PixelTree::Item i) {
         const Entry& entry = entries_[i];
         const auto points = scene_.points(entry.item);
-        const Point2 to = flat(points[entry.to]);
-        const Point2 from = flat(points[(entry.to + points.size() - 1) % points.size()]);
+        const Point2 to = Point2(points[entry.to]);
+        const Point2 from = Point2(points[(entry.to + points.size() - 1) % points.size()]);
         const double margin = scene_.line_style(entry.item).width / 2.0;
         return DeepPixelBox{box_of(glm::min(from, to), glm::max(from, to), margin), 0.0F};
       },
@@ -101,10 +99,10 @@ void LinePicker::enter_fills(int threads) {
       scene_.end() - 1,
       [&](PixelTree::Item i) {
         const auto points = scene_.vertices(i + 1);
-        Point2 low = flat(points[0]), high = low;
+        Point2 low = Point2(points[0]), high = low;
         for (const Point3& p : points) {
-          low = glm::min(low, flat(p));
-          high = glm::max(high, flat(p));
+          low = glm::min(low, Point2(p));
+          high = glm::max(high, Point2(p));
         }
         return DeepPixelBox{box_of(low, high, 0.0), 0.0F};
       },
@@ -181,7 +179,7 @@ std::optional<LinePicker::Hider> LinePicker::hider(const Line& line, Fill fill) 
     int side;
   };
   const auto place = [&](const Point3& v) {
-    const Point2 p = flat(v);
+    const Point2 p = Point2(v);
     return Vertex{glm::dot(p - start, along) / square,
                   std::abs(orientation_value(start, line.to(), p).determinant),
                   orientation(start, line.to(), p)};

@@ -181,7 +181,7 @@ DrawOptions DrawCommand::all_options() const {
   all.precision = sorting.precision;
   all.background = background.background();
   require_raster_device(options.device);
-  if (!all.format.empty() && !all.format.starts_with('.')) all.format = "." + all.format;
+  if (!all.format.empty() && !all.format.starts_with('.')) all.format.insert(0, 1, '.');
   return all;
 }
 

@@ -8,7 +8,7 @@ namespace displayfile {
 void HiddenSurfaceWords::add_to(CLI::App& command) {
   std::string methods;
   for (const auto& entry : hidden_methods()) {
-    if (entry.available) methods += " " + std::string(entry.name);
+    if (entry.available) methods.append(" ").append(entry.name);
   }
   command
       .add_option("--hidden", hidden, "hidden-surface method in place of the program's:" + methods)

@@ -78,7 +78,12 @@ bool nothing_is_seen(const DisplayFile& display_file) {
 }
 
 std::string why_nothing_is_seen(const RetainedScene& scene, const DisplayFile& display_file) {
-  if (scene.size() == 0) return "no polygon or line was entered";
+  if (scene.size() == 0) {
+    const bool texts = std::ranges::any_of(
+        scene.segments(), [&](const auto& segment) { return !scene.texts(segment).empty(); });
+    return texts ? "no polygon or line was entered, and no text is in the view volume"
+                 : "no polygon or line was entered";
+  }
   std::array<std::size_t, kWords.size()> counts{};
   std::size_t all = 0;
   for (const RetainedScene::Segment& segment : scene.segments()) {

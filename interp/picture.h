@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "clip/error.h"
 #include "displayfile/background.h"
 #include "displayfile/style.h"
 #include "hidden/hidden_method.h"
@@ -67,6 +69,11 @@ inline constexpr int kLargestSide = 65535;
 inline constexpr int kMostSamples = 16;  ///< of antialiasing, along a pixel's side
 
 /// Throws Error unless both sides are 1 to kLargestSide.
-void require_picture_size(long long width, long long height);
+inline void require_picture_size(long long width, long long height) {
+  if (width >= 1 && height >= 1 && width <= kLargestSide && height <= kLargestSide) return;
+  const std::string most = std::to_string(kLargestSide);
+  throw Error("picture size " + std::to_string(width) + "x" + std::to_string(height) +
+              ": expected 1x1 to " + most + "x" + most + " pixels");
+}
 
 }  // namespace displayfile

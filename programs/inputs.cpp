@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <ostream>
 #include <string_view>
 #include <vector>
 
+#include "clip/error.h"
 #include "displayfile/file_extension.h"
 #include "displayfile/input_file.h"
 #include "displayfile/mesh/fitted_view.h"
@@ -54,31 +54,65 @@ namespace {
 struct InputsRead {
   std::vector<std::string> programs;  // their texts
   std::vector<Mesh> meshes;
-  std::vector<Point3> bare;  // world coordinates of meshes before which no program sets the view
+  /// World coordinates of meshes before which no program sets the view, and of what programs draw
+  /// in the same view.
+  std::vector<Point3> bare;
 };
 
-/// Replays the programs before a mesh ahead of their time, beside the system: what they draw is to
-/// be in the view that is fitted to the mesh as they place it.
+/// Adds what a program drew; none if a program set a view.
+void append_drawn(const GraphicsSystem& ahead, const RetainedScene& drawn,
+                  std::vector<Point3>& points) {
+  if (ahead.view_was_set()) return;
+  for (const RetainedScene::Segment& segment : drawn.segments()) {
+    const auto of_segment = drawn.points(segment);
+    points.insert(points.end(), of_segment.begin(), of_segment.end());
+    for (const RetainedScene::Text& text : drawn.texts(segment)) points.push_back(text.anchor);
+  }
+}
+
+/// As far as it goes without the meshes' segments: what is wrong with it is told when it is
+/// replayed among the others.
+void replay_ahead(const std::string& program, const std::string& name, GraphicsSystem& ahead) {
+  try {
+    replay(program, name, ahead);
+  } catch (const Error&) {
+    if (ahead.open_segment_name()) ahead.close_segment();
+  }
+}
+
+/// Replays the programs ahead of their time, beside the system: what they draw is to be in the view
+/// that is fitted to the meshes as they place them.
 InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem& system) {
   InputsRead read;
-  auto meshes_left = std::ranges::count_if(inputs, std::not_fn(is_drawing_program));
+  RetainedScene drawn;
   GraphicsSystem ahead;
+  ahead.retain(&drawn);
   ahead.set_shading(system.shading());
   for (const std::string& input : inputs) {
     const Progress progress("reading " + input);
     if (is_drawing_program(input)) {
       read.programs.push_back(read_text_file(input));
-      if (meshes_left > 0) replay(read.programs.back(), input_name(input), ahead);
+      replay_ahead(read.programs.back(), input_name(input), ahead);
       continue;
     }
-    --meshes_left;
     const bool smooth = ahead.shading() == Shading::gouraud;
     Mesh& mesh = read.meshes.emplace_back(read_mesh(input, smooth));
     if (smooth) complete_normals(mesh);
     if (system.view_was_set() || ahead.view_was_set()) continue;
     append_used_vertices(mesh, ahead.modelling_transformation(), read.bare);
   }
+  if (!read.bare.empty()) append_drawn(ahead, drawn, read.bare);
   return read;
+}
+
+/// A mesh that is read well may still be refused, by what else was set: then its name is told too.
+template <class Enter>
+void naming(const std::string& mesh, Enter&& enter) {
+  try {
+    enter();
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", mesh, error.what()));
+  }
 }
 
 }  // namespace
@@ -93,7 +127,10 @@ bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
     return false;
   }
   const InputsRead read = read_inputs(inputs, system);
-  if (!read.bare.empty()) fit_view(read.bare, system, options.camera);
+  const std::string& first_mesh = *std::ranges::find_if_not(inputs, is_drawing_program);
+  naming(first_mesh, [&] {
+    if (!read.bare.empty()) fit_view(read.bare, system, options.camera);
+  });
   const Progress progress("entering " + inputs.front() + (inputs.size() > 1 ? " and others" : ""));
   auto program = read.programs.begin();
   std::span<const Mesh> meshes = read.meshes;
@@ -104,7 +141,7 @@ bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
     }
     const std::size_t begin = i;
     while (i < inputs.size() && !is_drawing_program(inputs[i])) ++i;
-    enter_meshes(meshes.first(i - begin), system, options);
+    naming(inputs[begin], [&] { enter_meshes(meshes.first(i - begin), system, options); });
     for (std::size_t k = begin; k < i; ++k) {
       report_skipped(inputs.subspan(k, 1), std::span(&meshes[k - begin].skipped, 1));
     }
@@ -116,6 +153,9 @@ bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
 bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
                   const MeshWords& meshes, double aspect) {
   const MeshOptions options = meshes.options();
+  if (options.colour && std::ranges::all_of(inputs, is_drawing_program)) {
+    throw Error("--colour: expected a mesh among the inputs");
+  }
   meshes.start(system, aspect);
   const bool fitted = enter_inputs(inputs, system, options);
   meshes.require_fitted(fitted);

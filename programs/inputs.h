@@ -15,8 +15,9 @@ namespace displayfile {
 bool is_drawing_program(const std::string& input);
 
 /// Replays drawing programs and enters meshes, in order, into one system. Where no program before
-/// the first mesh sets the view, one is fitted to all meshes before which none does: it is in force
-/// from the start, so that programs before a mesh and after it share it. True if one was. Throws
+/// the first mesh sets the view, one is fitted to all meshes before which none does, and to what
+/// programs draw if none sets a view: it is in force from the start, so that programs before a mesh
+/// and after it share it. True if one was. Throws
 /// Error, naming the file and the place.
 bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
                   const MeshOptions& options = {});

@@ -13,10 +13,10 @@ namespace displayfile {
 void MeshWords::add_to(CLI::App& command) {
   CameraWords::add_to(command);
   command
-      .add_option(
-          "--colour", colour,
-          "R,G,B, each 0 to 1, or #rrggbb: of all faces of meshes, in place of their files' "
-          "colours and a program's fill style")
+      .add_option("--colour", colour,
+                  "R,G,B, each 0 to 1, #rrggbb, white or black: of all faces of meshes, in place "
+                  "of their files' "
+                  "colours and a program's fill style")
       ->group(kPictureOptions);
 }
 
@@ -26,7 +26,9 @@ MeshOptions MeshWords::options() const {
   options.colour = colour_of(colour);
   if (!options.colour) {
     throw Error(fmt::format(
-        "--colour {}: expected red, green and blue, each 0 to 1, such as 0.8,0.2,0.1", colour));
+        "--colour {}: expected red, green and blue, each 0 to 1, such as 0.8,0.2,0.1; #rrggbb, "
+        "white or black",
+        colour));
   }
   return options;
 }

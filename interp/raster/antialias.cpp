@@ -25,17 +25,18 @@ void SampleAverage::operator()(const Picture& rows) {
 void SampleAverage::add_row(const std::uint32_t* samples) {
   for (std::size_t i = 0; i < sums_.size(); i += 4) {
     for (int k = 0; k < samples_; ++k, ++samples) {
-      sums_[i] += *samples & 0xFF;
-      sums_[i + 1] += *samples >> 8 & 0xFF;
-      sums_[i + 2] += *samples >> 16 & 0xFF;
-      sums_[i + 3] += *samples >> 31;  // samples are opaque, or all 0
+      const std::uint32_t alpha = *samples >> 24;
+      sums_[i] += alpha * (*samples & 0xFF);
+      sums_[i + 1] += alpha * (*samples >> 8 & 0xFF);
+      sums_[i + 2] += alpha * (*samples >> 16 & 0xFF);
+      sums_[i + 3] += alpha;
     }
   }
   ++rows_added_;
 }
 
-/// The mean colour of the samples that something covers, and how many of all do. Each component is
-/// rounded to the nearest.
+/// The mean colour of the samples, each as much as it covers, and how much all cover. Each
+/// component is rounded to the nearest.
 void SampleAverage::pass_on(Picture& averaged) {
   const auto of_pixel = static_cast<std::uint32_t>(samples_ * samples_);
   const auto divided = [](std::uint32_t sum, std::uint32_t by) {
@@ -43,9 +44,8 @@ void SampleAverage::pass_on(Picture& averaged) {
   };
   for (std::size_t i = 0; i < sums_.size(); i += 4) {
     const std::uint32_t covered = sums_[i + 3], by = std::max(covered, 1u);
-    averaged.pixels.push_back(divided(255 * covered, of_pixel) << 24 |
-                              divided(sums_[i + 2], by) << 16 | divided(sums_[i + 1], by) << 8 |
-                              divided(sums_[i], by));
+    averaged.pixels.push_back(divided(covered, of_pixel) << 24 | divided(sums_[i + 2], by) << 16 |
+                              divided(sums_[i + 1], by) << 8 | divided(sums_[i], by));
   }
   ++averaged.height;
   rows_added_ = 0;

@@ -53,12 +53,14 @@ class LetterCoverage {
   std::unique_ptr<cairo_t, Destroy> context_;
 };
 
-/// Each component rounded to the nearest.
+/// The colour over the pixel, which may be transparent. Each component is rounded to the nearest.
 std::uint32_t blended(std::uint32_t below, std::uint32_t colour, std::uint32_t coverage) {
-  std::uint32_t pixel = below & 0xFF000000u;
+  const std::uint32_t of_below = (below >> 24) * (255 - coverage), of_colour = 255 * coverage;
+  const std::uint32_t both = of_below + of_colour;
+  std::uint32_t pixel = (2 * both + 255) / 510 << 24;
   for (int shift = 0; shift < 24; shift += 8) {
     const std::uint32_t a = below >> shift & 0xFF, b = colour >> shift & 0xFF;
-    pixel |= ((255 - coverage) * a + coverage * b + 127) / 255 << shift;
+    pixel |= (2 * (of_below * a + of_colour * b) + both) / (2 * both) << shift;
   }
   return pixel;
 }

@@ -120,6 +120,16 @@ TEST_F(Camera, ProgramsBeforeAMeshAndAfterItShareItsView) {
   draw("m.obj -o c.png --size 90x60");
   differ("a.png", "c.png");
   // One view of all meshes, wherever the program stands.
+  // What a program draws beside a mesh is shown whole, far as it may reach.
+  write("far.draw", "open-segment 7\nmove-abs-3 0 0 0\nline-abs-3 0 40 0\nclose-segment\n");
+  draw("m.obj far.draw --background none -o far.png --size 90x90");
+  write("far-2.draw", "open-segment 7\nmove-abs-3 0 0 0\nline-abs-3 0 80 0\nclose-segment\n");
+  draw("m.obj far-2.draw --background none -o far-2.png --size 90x90 --ids far-2.npy");
+  EXPECT_EQ(run("compare far.png far-2.png"), 1);
+  // A program may speak of a mesh's segments.
+  write("moved.draw", "set-image-translation 1 0.25 0\n");
+  draw("m.obj moved.draw -o moved.png --size 90x60");
+  EXPECT_EQ(run("compare a.png moved.png"), 1);
   draw("m.obj axes.draw n.obj -o d.png");
   draw("axes.draw m.obj n.obj -o e.png");
   draw("m.obj n.obj axes.draw -o f.png");

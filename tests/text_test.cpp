@@ -252,6 +252,35 @@ TEST(Text, InkStandsAtItsAnchor) {
   }
 }
 
+/// Over no background the picture, laid on white, is what it is over white, but for rounding: once
+/// in a component's steps, and a pixel of samples twice.
+TEST(Text, IsSeenOnTransparentGround) {
+  const std::string program =
+      "set-background none\n" + scene_with(
+                                    "set-text-style .25\nmove-abs-3 .02 .5 0\n"
+                                    "text \"HHHH\"\nset-line-style solid 1 0 0\n"
+                                    "move-abs-3 .04 .45 0\ntext \"OO\"\n");
+  for (const int samples : {1, 4}) {
+    DrawOptions options;
+    options.samples = samples;
+    const Picture clear = picture_of(program, options);
+    options.background = Background{};
+    const Picture white = picture_of(program, options);
+    std::size_t partly = 0;
+    for (std::size_t i = 0; i < clear.pixels.size(); ++i) {
+      const int alpha = static_cast<int>(clear.pixels[i] >> 24);
+      partly += alpha > 0 && alpha < 255 ? 1 : 0;
+      for (int shift = 0; shift < 24; shift += 8) {
+        const int colour = static_cast<int>(clear.pixels[i] >> shift & 0xFF);
+        const int on_white = (alpha * colour + (255 - alpha) * 255 + 127) / 255;
+        ASSERT_NEAR(on_white, static_cast<int>(white.pixels[i] >> shift & 0xFF), samples)
+            << samples << " samples, pixel " << i;
+      }
+    }
+    EXPECT_GT(partly, 50u);
+  }
+}
+
 TEST(Text, IsBlackInLineStyleNone) {
   const Picture picture = picture_of(
       scene_with("set-line-style none\nmove-abs-3 .2 .3 0\nset-text-style .5\ntext \"H\"\n"));

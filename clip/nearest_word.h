@@ -17,7 +17,8 @@ std::vector<std::string_view> nearest_words(std::string_view word,
                                             std::span<const std::string_view> known);
 
 /// For messages about an unknown word: " did you mean 'bsp'?", or nothing if no known word is near:
-/// within a third of the word's length, at least one character, or one that it is the start or the end of.
+/// within a third of the word's length, at least one character, or one that it is the start or the
+/// end of.
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> known);
 
 }  // namespace displayfile

@@ -2,9 +2,9 @@
 
 /// What an application includes, as "displayfile/displayfile.h": the user routines
 /// (GraphicsSystem), drawing them into pictures and files (draw, or a Renderer that keeps what the
-/// next picture needs and picks), what is thrown (Error), drawing programs, meshes, dumps, and views
-/// of a retained scene and picking in it. This header and those
-/// that it includes are all that is installed (interp/public_headers.cmake); they need GLM alone.
+/// next picture needs and picks), what is thrown (Error), drawing programs, meshes, dumps, and
+/// views of a retained scene and picking in it. This header and those that it includes are all that
+/// is installed (interp/public_headers.cmake); they need GLM alone.
 
 #include "clip/error.h"
 #include "displayfile/graphics_system.h"

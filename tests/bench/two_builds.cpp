@@ -45,7 +45,7 @@ struct Least {
 
 /// A drawing that takes as good as no time: the processes differ in their start and in reading.
 Cost started(const std::string& command, const std::string& program,
-                    const TemporaryFolder& folder) {
+             const TemporaryFolder& folder) {
   return cost_of({command, "draw", program, "-o", folder.file("start.ppm"), "--size", "1x1",
                   "--hidden", "none", "--threads", "1"});
 }

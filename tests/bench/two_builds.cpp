@@ -112,7 +112,7 @@ class TwoBuilds {
   }
 
   /// Memory includes what starting takes, since a build may start with less of it. Throws Error if
-  /// a build does not draw the scene so.
+  /// a build does not draw the scene so, or draws it in less time than it takes to start.
   Ratios compare(const std::string& program, int size, const std::string& method,
                  const std::string& precision, const Least (&start)[2]) {
     Least drawn[2];
@@ -125,6 +125,11 @@ class TwoBuilds {
       }
     }
     const auto beyond = [&](int k) { return drawn[k].time - start[k].time; };
+    for (const int k : {0, 1}) {
+      if (beyond(k) < start[k].time) {
+        throw Error("too short beside starting to be told: expected a larger scene or picture");
+      }
+    }
     return {beyond(1) / beyond(0), drawn[1].memory / drawn[0].memory};
   }
 

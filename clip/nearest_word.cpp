@@ -33,13 +33,20 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::vector<std::string_view> nearest_words(std::string_view word,
                                             std::span<const std::string_view> known) {
-  std::vector<std::pair<std::size_t, std::string_view>> near;
+  struct Near {
+    std::size_t distance, unlike;  // from which character on
+    std::string_view word;
+  };
+  std::vector<Near> near;
   for (const std::string_view other : known) {
-    near.emplace_back(edit_distance(word.substr(0, kLongest), other), other);
+    const auto apart = std::ranges::mismatch(word, other).in1 - word.begin();
+    near.push_back({edit_distance(word.substr(0, kLongest), other),
+                    kLongest - std::min(kLongest, static_cast<std::size_t>(apart)), other});
   }
-  std::ranges::stable_sort(near, {}, &std::pair<std::size_t, std::string_view>::first);
+  std::ranges::stable_sort(
+      near, {}, [](const Near& other) { return std::pair(other.distance, other.unlike); });
   std::vector<std::string_view> words;
-  for (const auto& [distance, other] : near) words.push_back(other);
+  for (const Near& other : near) words.push_back(other.word);
   return words;
 }
 

@@ -5,7 +5,9 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include "clip/error.h"
 
@@ -30,6 +32,11 @@ struct Close {
 std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }
 
 std::string read_text_file(const std::string& path) {
+  // To open a pipe without a writer would take for ever.
+  std::error_code unknown;
+  if (path != "-" && std::filesystem::is_fifo(path, unknown)) {
+    throw Error(path + ": not a regular file: expected one, or - for standard input");
+  }
   const std::unique_ptr<std::FILE, Close> file(path == "-" ? stdin
                                                            : std::fopen(path.c_str(), "rb"));
   if (!file) fail(path);

@@ -73,7 +73,7 @@ void require_golden(const std::string& file, const std::string& input) {
   throw Error(fmt::format("{}: there is no golden file {}: --update writes it", input, file));
 }
 
-enum class Kind { passed, differs, bad };
+enum class Kind { passed, written, differs, bad };
 
 struct Row {
   Kind kind;
@@ -85,9 +85,10 @@ std::string table(std::span<const Row> rows) {
   for (const Row& row : rows) widest = std::max(widest, row.input.size());
   std::string text;
   for (const auto& [kind, input, what] : rows) {
-    const char* const word = kind == Kind::passed ? "passed "
-                             : kind == Kind::bad  ? "bad    "
-                                                  : "differs";
+    const char* const word = kind == Kind::passed    ? "passed "
+                             : kind == Kind::written ? "written"
+                             : kind == Kind::bad     ? "bad    "
+                                                     : "differs";
     text += what.empty() ? fmt::format("{}  {}\n", word, input)
                          : fmt::format("{}  {:<{}}  {}\n", word, input, widest, what);
   }
@@ -96,6 +97,10 @@ std::string table(std::span<const Row> rows) {
 
 std::string totals(std::span<const Row> rows) {
   const auto count = [&](Kind kind) { return std::ranges::count(rows, kind, &Row::kind); };
+  if (count(Kind::written) > 0) {
+    return fmt::format("{} inputs: {} golden files written, {} bad\n", rows.size(),
+                       count(Kind::written), count(Kind::bad));
+  }
   return fmt::format("{} input{}: {} passed, {} differ, {} bad\n", rows.size(),
                      rows.size() == 1 ? "" : "s", count(Kind::passed), count(Kind::differs),
                      count(Kind::bad));
@@ -200,7 +205,10 @@ int CheckCommand::run() const {
       },
       [&](std::size_t k, const InputResult& result) {
         const bool bad = !result.error.empty();
-        const Kind kind = bad ? Kind::bad : result.text.empty() ? Kind::passed : Kind::differs;
+        const Kind kind = bad                   ? Kind::bad
+                          : update              ? Kind::written
+                          : result.text.empty() ? Kind::passed
+                                                : Kind::differs;
         if (bad) std::cerr << "displayfile: " << result.error << '\n';
         if (kind == Kind::differs && !summary)
           std::cout << inputs[k] << ": " << result.text << '\n';

@@ -1,6 +1,7 @@
 // `displayfile check`: golden files of instructions and of pictures, of one input and of many.
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <string>
 
@@ -135,6 +136,20 @@ TEST_F(Check, PicturesWithinATolerance) {
   EXPECT_EQ(run("compare x.png gold/house.png --tolerance 3 --marks m.png"), 0) << out_;
   EXPECT_EQ(run("compare x.png gold/house.png --wrong-pixels 50%"), 0) << out_;
   EXPECT_EQ(run("compare x.png gold/house.png --wrong-pixels 49%"), 1) << out_;
+}
+
+TEST_F(Check, UpdateSaysThatItWrote) {
+  EXPECT_EQ(run("check a/house.draw b/house.draw --golden gold --update --summary"), 0) << err_;
+  EXPECT_EQ(
+      out_,
+      "written  a/house.draw\nwritten  b/house.draw\n2 inputs: 2 golden files written, 0 bad\n");
+}
+
+TEST_F(Check, APipeStopsNothing) {
+  ASSERT_EQ(::mkfifo((folder_ / "pipe.draw").c_str(), 0600), 0);
+  EXPECT_EQ(run("check a/house.draw pipe.draw --golden a/house.draw --summary"), 2);
+  EXPECT_NE(err_.find("pipe.draw: not a regular file"), std::string::npos) << err_;
+  EXPECT_NE(out_.find("passed   a/house.draw\n"), std::string::npos) << out_;
 }
 
 TEST_F(Check, BadOptions) {

@@ -30,6 +30,8 @@ TEST(NearestWord, NearestComesFirstAndOfEqualOnesTheFirst) {
   EXPECT_EQ(nearest_words("scanline-z", known).front(), "scan-line-z");
   EXPECT_EQ(nearest_words("csp", known).front(), "bsp");
   EXPECT_EQ(nearest_words("csp", known)[1], "asp");
+  const std::vector<std::string_view> options{"--widen", "--hidden"};
+  EXPECT_EQ(nearest_words("--hiden", options).front(), "--hidden") << "which begins alike";
 }
 
 TEST(NearestWord, OnlyWordsThatAreNearAreMeant) {

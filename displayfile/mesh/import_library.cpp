@@ -179,8 +179,16 @@ class SceneReader {
 
   /// Before any node.
   void add_materials(const ImportLibrary& library, const aiScene& scene) {
+    std::vector<Mesh::Material> materials;
     for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
-      mesh_.add_material(MaterialReader(library, *scene.mMaterials[i]).read());
+      materials.push_back(MaterialReader(library, *scene.mMaterials[i]).read());
+    }
+    // The library's readers leave black what a file says nothing of.
+    const auto is_black = [](const Mesh::Material& m) { return m.colour == Colour(0.0); };
+    const bool says_nothing = std::ranges::all_of(materials, is_black);
+    for (Mesh::Material& material : materials) {
+      if (says_nothing) material.colour.reset();
+      mesh_.add_material(material);
     }
     materials_ = scene.mNumMaterials;
   }

@@ -184,10 +184,12 @@ class SceneReader {
       materials.push_back(MaterialReader(library, *scene.mMaterials[i]).read());
     }
     // The library's readers leave black what a file says nothing of.
-    const auto is_black = [](const Mesh::Material& m) { return m.colour == Colour(0.0); };
-    const bool says_nothing = std::ranges::all_of(materials, is_black);
+    const auto says_nothing = [](const Mesh::Material& material) {
+      return material.colour.value_or(Colour(0.0)) == Colour(0.0);
+    };
+    const bool none_does = std::ranges::all_of(materials, says_nothing);
     for (Mesh::Material& material : materials) {
-      if (says_nothing) material.colour.reset();
+      if (none_does) material.colour.reset();
       mesh_.add_material(material);
     }
     materials_ = scene.mNumMaterials;

@@ -249,8 +249,17 @@ class SceneReader {
     }
   }
 
+  /// Nothing but zeros, alpha too, is what some of the library's readers leave where there is none.
+  static bool says_colours(const aiMesh& part) {
+    if (part.mColors[0] == nullptr) return false;
+    return std::any_of(part.mColors[0], part.mColors[0] + part.mNumVertices, [](const auto& c) {
+      return c.r != 0.0f || c.g != 0.0f || c.b != 0.0f || c.a != 0.0f;
+    });
+  }
+
   void add_vertices(const aiMesh& part, const glm::dmat4& to_world) {
     const bool moved = to_world != glm::dmat4(1.0);
+    const bool coloured = says_colours(part);
     for (unsigned i = 0; i < part.mNumVertices; ++i) {
       const aiVector3D& v = part.mVertices[i];
       Point3 p(v.x, v.y, v.z);
@@ -260,7 +269,7 @@ class SceneReader {
                          p.z));
       }
       mesh_.add_vertex(p);
-      if (part.mColors[0] != nullptr) add_colour(i, part.mColors[0][i]);
+      if (coloured) add_colour(i, part.mColors[0][i]);
     }
   }
 

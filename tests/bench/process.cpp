@@ -44,7 +44,7 @@ Finished run(const std::vector<std::string>& arguments) {
 
 namespace {
 
-double seconds(const timeval& t) {
+double seconds_of(const timeval& t) {
   return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
 }
 
@@ -67,7 +67,7 @@ Cost cost_of(std::vector<std::string> arguments) {
   }
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begun;
   posix_spawn_file_actions_destroy(&files);
-  return {wall.count(), seconds(used.ru_utime) + seconds(used.ru_stime),
+  return {wall.count(), seconds_of(used.ru_utime) + seconds_of(used.ru_stime),
           1024.0 * static_cast<double>(used.ru_maxrss)};
 }
 

@@ -46,6 +46,7 @@ std::vector<std::string_view> nearest_words(std::string_view word,
   std::ranges::stable_sort(
       near, {}, [](const Near& other) { return std::pair(other.distance, other.unlike); });
   std::vector<std::string_view> words;
+  words.reserve(near.size());
   for (const Near& other : near) words.push_back(other.word);
   return words;
 }

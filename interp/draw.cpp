@@ -93,6 +93,7 @@ std::string names(const Table& table, const char* between, Which which) {
 template <class Table>
 std::string meant_by(const Table& table, std::string_view name) {
   std::vector<std::string_view> known;
+  known.reserve(std::size(table));
   for (const auto& entry : table) known.push_back(entry.choice.name);
   return did_you_mean(name, known);
 }
@@ -239,7 +240,7 @@ void with_memory_of_drawing(const DisplayFile& display_file, const std::filesyst
   const bool by_rows = device_of(options.device).draw_rows != nullptr;
   const auto pixels =
       static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
-  const std::size_t samples = static_cast<std::size_t>(options.samples * options.samples);
+  const auto samples = static_cast<std::size_t>(options.samples * options.samples);
   with_memory(
       display_file.bytes() + (by_rows ? 0 : kBytesOfPixel * pixels * samples),
       [&] { return fmt::format("{} of {} x {}", file.string(), options.width, options.height); },

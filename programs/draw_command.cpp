@@ -234,7 +234,7 @@ std::vector<DrawCommand::Outputs> DrawCommand::outputs_of_each(const DrawOptions
   std::map<std::filesystem::path, std::size_t> made;
   const auto name = [&](const std::filesystem::path& pattern, std::size_t k) {
     if (pattern.empty()) return std::filesystem::path();
-    const std::filesystem::path file = output_name(pattern.string(), inputs[k], k, inputs.size());
+    std::filesystem::path file = output_name(pattern.string(), inputs[k], k, inputs.size());
     const auto [other, is_new] = made.emplace(file.lexically_normal(), k);
     if (is_new) return file;
     throw Error(

@@ -193,6 +193,7 @@ std::vector<Mesh::Skipped> import_meshes(std::span<const std::string> paths, Gra
   if (!system.view_was_set()) fit_view(meshes, system, options.camera);
   enter_meshes(meshes, system, options);
   std::vector<Mesh::Skipped> skipped;
+  skipped.reserve(meshes.size());
   for (Mesh& mesh : meshes) skipped.push_back(std::move(mesh.skipped));
   return skipped;
 }

@@ -49,9 +49,9 @@ void add_polygon(std::span<const Point3> polygon, const Point2& point, Surroundi
   const auto number = static_cast<std::uint32_t>(around.covered.size());
   const std::size_t rays_before = around.rays.size();
   bool covered = false;
-  Point2 from = Point2(polygon.back());
+  Point2 from(polygon.back());
   for (const Point3& vertex : polygon) {
-    const Point2 to = Point2(vertex);
+    const Point2 to(vertex);
     const auto [low, high] = from.y <= to.y ? std::pair(from, to) : std::pair(to, from);
     from = to;
     if (point.y < low.y || point.y > high.y) continue;

@@ -86,8 +86,8 @@ void LinePicker::enter_lines(int threads) {
       [&](PixelTree::Item i) {
         const Entry& entry = entries_[i];
         const auto points = scene_.points(entry.item);
-        const Point2 to = Point2(points[entry.to]);
-        const Point2 from = Point2(points[(entry.to + points.size() - 1) % points.size()]);
+        const Point2 to(points[entry.to]);
+        const Point2 from(points[(entry.to + points.size() - 1) % points.size()]);
         const double margin = scene_.line_style(entry.item).width / 2.0;
         return DeepPixelBox{box_of(glm::min(from, to), glm::max(from, to), margin), 0.0F};
       },
@@ -99,7 +99,7 @@ void LinePicker::enter_fills(int threads) {
       scene_.end() - 1,
       [&](PixelTree::Item i) {
         const auto points = scene_.vertices(i + 1);
-        Point2 low = Point2(points[0]), high = low;
+        Point2 low(points[0]), high = low;
         for (const Point3& p : points) {
           low = glm::min(low, Point2(p));
           high = glm::max(high, Point2(p));
@@ -179,7 +179,7 @@ std::optional<LinePicker::Hider> LinePicker::hider(const Line& line, Fill fill) 
     int side;
   };
   const auto place = [&](const Point3& v) {
-    const Point2 p = Point2(v);
+    const Point2 p(v);
     return Vertex{glm::dot(p - start, along) / square,
                   std::abs(orientation_value(start, line.to(), p).determinant),
                   orientation(start, line.to(), p)};

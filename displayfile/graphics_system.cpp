@@ -545,6 +545,8 @@ void GraphicsSystem::enter_shared(std::span<const Point3> world,
                                   std::span<const std::uint32_t> corners, Segment& segment) {
   const int pick = pick_ >= 0 ? pick_ : static_cast<int>(ordinal_);
   ++ordinal_;
+  const bool plain = corners.size() == 3 && retaining() == nullptr;
+  if (plain && view_stage_->enter_plain(corners, pick, attributes_, segment)) return;
   const PointRow vertices(world, corners);
   const Point3 normal = attributes_.light ? newell_normal(vertices) : Point3(0.0);
   if (corners.size() != 3 && !is_flat(vertices)) {

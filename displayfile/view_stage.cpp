@@ -21,23 +21,39 @@ void ViewStage::view_vertices(std::span<const Point3> world, std::uint32_t first
   for (const Point3& p : world) shared_.push_back(pipeline_.view(p));
 }
 
+ViewStage::Outcodes ViewStage::outcodes(std::span<const std::uint32_t> corners) const {
+  Outcodes codes{0, ~0u};
+  for (const std::uint32_t corner : corners) {
+    codes.any |= viewed(corner).outcode;
+    codes.all &= viewed(corner).outcode;
+  }
+  return codes;
+}
+
+std::optional<bool> ViewStage::enter_plain(std::span<const std::uint32_t> corners,
+                                           std::int32_t pick, const Attributes& attributes,
+                                           Segment& segment) {
+  if (!styles_entered_ || attributes.light || attributes.back_face_removal) return std::nullopt;
+  const Outcodes codes = outcodes(corners);
+  if (codes.all != 0) return false;  // wholly outside of one plane
+  if (codes.any != 0) return std::nullopt;
+  segment.set_pick(pick);
+  segment.enter_next_polygon(static_cast<std::uint32_t>(corners.size()),
+                             [&](std::uint32_t i) { return viewed(corners[i]).device; });
+  return true;
+}
+
 bool ViewStage::enter_shared(std::span<const std::uint32_t> corners, const WorldPolygon& polygon,
                              const Attributes& attributes, Segment& segment) {
-  Outcode any = 0, all = ~0u;
-  for (const std::uint32_t corner : corners) {
-    any |= viewed(corner).outcode;
-    all &= viewed(corner).outcode;
-  }
-  if (all != 0) return false;  // wholly outside of one plane
-  if (any != 0 || !polygon.vertex_normals.empty()) {
-    return !enter_polygon(polygon, attributes, segment).empty();
-  }
   const bool all_drawn = polygon.edge_visible.empty();
-  if (all_drawn && styles_entered_ && !attributes.light && !attributes.back_face_removal) {
-    segment.set_pick(polygon.pick);
-    segment.enter_next_polygon(static_cast<std::uint32_t>(corners.size()),
-                               [&](std::uint32_t i) { return viewed(corners[i]).device; });
-    return true;
+  if (all_drawn && polygon.vertex_normals.empty()) {
+    const auto entered = enter_plain(corners, polygon.pick, attributes, segment);
+    if (entered) return *entered;
+  }
+  const Outcodes codes = outcodes(corners);
+  if (codes.all != 0) return false;
+  if (codes.any != 0 || !polygon.vertex_normals.empty()) {
+    return !enter_polygon(polygon, attributes, segment).empty();
   }
   device_.clear();
   for (const std::uint32_t corner : corners) device_.push_back(viewed(corner).device);

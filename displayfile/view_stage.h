@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,11 @@ class ViewStage {
   /// Views vertices that several polygons share, once each, for enter_shared; they are numbered
   /// from `first` on.
   void view_vertices(std::span<const Point3> world, std::uint32_t first = 0);
+  /// A polygon, all sides visible, of such vertices, if it needs no more than to be viewed: it is
+  /// not clipped, lit or checked for a back face, and its styles are entered. True if it was
+  /// entered, false if nothing of it is inside, nothing if it needs more: enter_shared.
+  std::optional<bool> enter_plain(std::span<const std::uint32_t> corners, std::int32_t pick,
+                                  const Attributes& attributes, Segment& segment);
   /// A polygon whose vertices are those of these numbers among the ones viewed last. True if
   /// something of it was entered.
   bool enter_shared(std::span<const std::uint32_t> corners, const WorldPolygon& polygon,
@@ -54,6 +60,10 @@ class ViewStage {
   ClipPipeline& pipeline() { return pipeline_; }
 
  private:
+  struct Outcodes {
+    Outcode any, all;  ///< of corners: the bits of one, and those of each
+  };
+  Outcodes outcodes(std::span<const std::uint32_t> corners) const;
   const ViewedVertex& viewed(std::uint32_t corner) const { return shared_[corner - first_shared_]; }
   std::span<const Point3> enter_clipped(ClippedPolygon clipped, const WorldPolygon& polygon,
                                         const Attributes& attributes, Segment& segment);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "clip/error.h"
@@ -453,8 +454,10 @@ Renderer::Renderer(Renderer&& other) noexcept = default;
 Renderer& Renderer::operator=(Renderer&& other) noexcept = default;
 
 const Picture& Renderer::draw(const GraphicsSystem& system, const DrawOptions& options) {
+  require_raster_size(options);
+  device_of(options.device);
   Kept& kept = *kept_;
-  kept.software.give_back(std::move(kept.picture));
+  kept.software.give_back(std::exchange(kept.picture, Picture()));  // none, if drawing fails
   kept.picture = draw_in_memory(system, options, {kept.sorted, kept.software});
   return kept.picture;
 }

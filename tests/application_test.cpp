@@ -102,16 +102,18 @@ TEST(Application, ViewsARetainedScene) {
 
 /// A picture that was refused leaves the one before as it is, or gives it up whole.
 TEST(Renderer, ARefusedPictureIsWholeOrNone) {
-  GraphicsSystem g;
+  displayfile::GraphicsSystem g;
   g.open_segment(1);
   g.polygon_abs_3({{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}});
   g.close_segment();
-  Renderer renderer;
-  const Picture& picture = renderer.draw(g, {.width = 32, .height = 32, .with_ids = true});
-  const Picture before = picture;
-  for (const DrawOptions& wrong :
-       {DrawOptions{.width = 0}, DrawOptions{.samples = 99}, DrawOptions{.device = "x"}}) {
-    EXPECT_THROW(renderer.draw(g, wrong), Error);
+  displayfile::Renderer renderer;
+  const displayfile::Picture& picture =
+      renderer.draw(g, {.width = 32, .height = 32, .with_ids = true});
+  const displayfile::Picture before = picture;
+  for (const displayfile::DrawOptions& wrong :
+       {displayfile::DrawOptions{.width = 0}, displayfile::DrawOptions{.samples = 99},
+        displayfile::DrawOptions{.device = "x"}}) {
+    EXPECT_THROW(renderer.draw(g, wrong), displayfile::Error);
     EXPECT_EQ(picture.width, 32);
     EXPECT_EQ(picture.pixels, before.pixels);
     EXPECT_EQ(picture.ids, before.ids);

@@ -10,7 +10,7 @@ unsigned byte(std::string_view text, std::size_t i) {
   return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
 }
 
-/// Of a character of that many bytes that can be written in UTF-8, but not drawn.
+/// Whether the character, of that many bytes, can be written in UTF-8 but not drawn.
 bool is_control(std::string_view text, std::size_t length) {
   const unsigned first = byte(text, 0), second = byte(text, 1);
   if (length == 1) return first < 0x20 || first == 0x7F;

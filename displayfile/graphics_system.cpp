@@ -149,7 +149,8 @@ View GraphicsSystem::view_in_picture() const {
   return view;
 }
 
-/// Of the segment just opened, unless the application said that its window should be stretched.
+/// Keeps the stretched window of the segment just opened for a warning, unless the application
+/// said that its window should be stretched.
 void GraphicsSystem::note_stretched_window(const View& view) {
   if (said_.contains(Setting::window_fit)) return;
   const StretchedWindow stretched{*open_, shape_of(view.window),

@@ -41,7 +41,7 @@ struct DrawOptions {
 /// The part of the options that says how hidden surfaces are found.
 HiddenSurfaceOptions hidden_surface_options(const DrawOptions& options);
 
-/// Of what is drawn into that file. Error: an unknown extension.
+/// The kind of picture that is drawn into that file. Error: an unknown extension.
 PictureKind picture_kind(const std::filesystem::path& file, const DrawOptions& options = {});
 
 /// The method that draws the picture: that of the options, or else what the application set

@@ -149,7 +149,7 @@ bool CheckCommand::is_one_file() const {
   return extension == ".txt" || extension == ".png" || extension == ".draw";
 }
 
-/// Of each input, in a folder.
+/// The golden file of each input; `golden` is a folder.
 std::vector<std::string> CheckCommand::golden_files(std::string_view extension) const {
   std::map<std::string, int> of_that_name;
   for (const std::string& input : inputs) ++of_that_name[flat_name(input, extension)];

@@ -185,7 +185,7 @@ DrawOptions DrawCommand::all_options() const {
   return all;
 }
 
-/// Of a picture of its own for each input, the folders that fields name are made.
+/// Where each input has a picture of its own, the folders that fields name are made.
 void DrawCommand::make_folder(const std::filesystem::path& file) const {
   if (!is_name_pattern(output) || !file.has_parent_path()) return;
   std::error_code error;

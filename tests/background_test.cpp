@@ -36,7 +36,7 @@ DrawOptions options(HiddenMethod method, const Background& background) {
   o.width = o.height = 24;
   o.hidden = method;
   o.background = background;
-  o.ids = "in memory";
+  o.with_ids = true;
   return o;
 }
 

@@ -65,7 +65,7 @@ TEST_F(Camera, TurntableTurnsAboutTheUpAxis) {
   draw("m.obj -o a.png --turntable 4 --up z --eye 0,90 --parallel --size 60x60 --ids a.npy");
   draw("m.obj -o b.png --up z --eye -90,90 --parallel --size 60x60 --ids b.npy --hidden bsp");
   differ("a-000.npy", "a-001.npy");
-  // Of four sides around the axis each takes its neighbour's place.
+  // Each of the four sides around the axis takes its neighbour's place.
   EXPECT_EQ(run("compare a-001.npy b.npy"), 0) << out_;
 }
 

@@ -76,7 +76,7 @@ class CameraTest : public test::TemporaryFolder {
     DrawOptions options;
     options.width = width;
     options.height = height;
-    options.ids = "in memory";
+    options.with_ids = true;
     return draw(g, options);
   }
 

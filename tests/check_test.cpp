@@ -115,7 +115,7 @@ TEST_F(Check, PicturesWithinATolerance) {
         "set-line-style none\n" + square("1 0 0", "0.25") +
             square("1 0 0").replace(square("1 0 0").find("segment 1"), 9, "segment 2"));
   EXPECT_EQ(run("check a/house.draw --golden gold --picture"), 0) << out_ << err_;
-  // Of 200 pixels 10 are wrong, by 255.
+  // 10 of the 200 pixels are wrong, by 255.
   write("a/house.draw", square("1 0 0", "0.55"));
   EXPECT_EQ(run("check a/house.draw --golden gold --picture"), 1);
   EXPECT_EQ(out_, "a/house.draw: 10 wrong pixels of 200 (5.00%), largest difference 255\n");

@@ -65,7 +65,7 @@ std::vector<std::int32_t> true_ids(const GraphicsSystem& g) {
 
 std::vector<std::int32_t> drawn_ids(const GraphicsSystem& g, DrawOptions options = {}) {
   options.width = options.height = kSize;
-  options.ids = "in memory";
+  options.with_ids = true;
   return draw(g, options).ids;
 }
 
@@ -510,7 +510,7 @@ TEST_P(HiddenSurfaceCheck, OnlyGroupsThatChangedAreSortedAgain) {
     EXPECT_EQ(kept.work().groups, groups);
     EXPECT_EQ(kept.work().sorted, sorted);
     draw_all.width = draw_all.height = kSize;
-    draw_all.ids = "in memory";
+    draw_all.with_ids = true;
     EXPECT_EQ(draw(g, draw_all, kept).ids, true_ids(g));
     EXPECT_EQ(kept.work().sorted, 0u);
   };

@@ -53,7 +53,7 @@ TEST(Turntable, TurnsTheSceneCounterclockwiseSeenFromAbove) {
     DrawOptions options;
     options.width = options.height = 64;
     options.hidden = HiddenMethod::z_buffer;
-    options.ids = "in memory";
+    options.with_ids = true;
     const Picture right = draw(turned, options);
     std::size_t other = 0;
     for (std::size_t i = 0; i < seen.ids.size(); ++i) other += seen.ids[i] != right.ids[i] ? 1 : 0;

@@ -121,7 +121,7 @@ TEST(WindowFit, ASquareIsAsHighAsWide) {
     DrawOptions options;
     options.width = width;
     options.height = height;
-    options.ids = "in memory";
+    options.with_ids = true;
     const Point2 seen = extent(draw(g, options));
     EXPECT_NEAR(seen.x, seen.y, 1.0) << width << " x " << height;
     EXPECT_NEAR(seen.x, 0.5 * std::min(width, height), 1.0);

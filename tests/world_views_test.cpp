@@ -33,7 +33,7 @@ DrawOptions options_of(HiddenMethod method) {
   options.width = kWidth;
   options.height = kHeight;
   options.hidden = method;
-  options.ids = options.depth = "in memory";
+  options.with_ids = options.with_depth = true;
   return options;
 }
 

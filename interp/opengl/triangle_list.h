@@ -34,7 +34,7 @@ struct TriangleBatch {
 /// them. Their order is that of
 /// the instructions, and a batch is cut only by a polygon that is not convex.
 ///
-/// Of a shaded polygon each vertex has its own colour, of any other all have the same. Fills lie in
+/// Each vertex of a shaded polygon has its own colour, all of any other have the same. Fills lie in
 /// their support planes (hidden/exact/support_plane.h): the other vertices of a polygon are moved
 /// along z on to it. A line is a parallelogram, cut upright if it is flat and level if it is steep,
 /// of the shape that draw_line (interp/scan/line_draw.h) fills, so that width 1 gives one pixel a
@@ -44,7 +44,7 @@ struct TriangleList {
   std::vector<TriangleVertex> vertices;
   std::vector<TriangleBatch> batches;
   bool shaded = false;  ///< some triangle's colours differ: linear between its vertices
-  /// Of the vertices; z_min > z_max if there are none.
+  /// The range of the vertices' depths; z_min > z_max if there are none.
   double z_min = std::numeric_limits<double>::infinity();
   double z_max = -std::numeric_limits<double>::infinity();
 };

@@ -36,7 +36,7 @@ int part_of_turn(const Point2& point, const Point2& through) {
   return through.x < point.x ? 1 : 3;
 }
 
-/// Of two directions -1 where the first comes earlier in the turn, 0 where they are one.
+/// -1 where the first direction comes earlier in the turn, 0 where the two are one, 1 otherwise.
 int compare_directions(const Point2& point, const Point2& a, const Point2& b) {
   const int part_a = part_of_turn(point, a), part_b = part_of_turn(point, b);
   if (part_a != part_b) return part_a < part_b ? -1 : 1;

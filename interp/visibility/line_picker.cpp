@@ -12,7 +12,8 @@ namespace displayfile {
 
 namespace {
 
-/// Of the picture: a seen piece that short may be a crumb of rounding (interp/truth/truth.md).
+/// A seen piece that is shorter than this part of the picture may be a crumb of rounding
+/// (interp/truth/truth.md).
 constexpr double kCrumb = 1e-9;
 /// Pixels: distances closer than this are of one point, computed twice.
 constexpr double kSameDistance = 1e-6;

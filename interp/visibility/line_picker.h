@@ -18,7 +18,7 @@ class LinePicker {
   using Item = ViewedScene::Item;
   using Fill = ViewedScene::Fill;
 
-  /// Of a scene that must live on.
+  /// The scene must live as long as the picker.
   LinePicker(const ViewedScene& scene, const PictureSize& size, int threads);
 
   struct Found {

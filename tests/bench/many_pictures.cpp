@@ -27,7 +27,7 @@ struct Work {
   int rounds = 5;
 };
 
-/// Of these inputs, into names that may have fields.
+/// The arguments that draw these inputs into names that may have fields.
 std::vector<std::string> drawing(const Work& work, std::vector<std::string> inputs,
                                  const std::string& output) {
   std::vector<std::string> arguments{work.command, "draw"};

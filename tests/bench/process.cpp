@@ -78,7 +78,7 @@ double median(std::vector<double> values) {
 }
 
 TemporaryFolder::TemporaryFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "sort_bench.XXXXXX").string();
+  std::string name = (std::filesystem::temp_directory_path() / "displayfile_bench.XXXXXX").string();
   if (mkdtemp(name.data()) == nullptr) throw Error(name + ": no temporary folder can be made");
   path_ = name;
 }

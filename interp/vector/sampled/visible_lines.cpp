@@ -11,7 +11,7 @@ namespace {
 using Fill = ViewedScene::Fill;
 
 constexpr double kStepsPerPixel = 2.0;
-/// Of half a pixel: to 1/2048 pixel.
+/// How often half a pixel is halved: to 1/2048 pixel.
 constexpr int kBisections = 10;
 
 /// A fill hides a line if it is nearer by more than this, so that rounding, and the tolerance

@@ -17,20 +17,6 @@ Point3 newell_normal(std::span<const Point3> vertices) {
   return sum;
 }
 
-double newell_c(std::span<const Point3> vertices) {
-  double c = 0.0;
-  if (vertices.empty()) return c;
-  const Point3 origin = vertices.front();
-  double px = vertices.back().x - origin.x, py = vertices.back().y - origin.y;
-  for (const Point3& vertex : vertices) {
-    const double qx = vertex.x - origin.x, qy = vertex.y - origin.y;
-    c += (px - qx) * (py + qy);
-    px = qx;
-    py = qy;
-  }
-  return c;
-}
-
 bool is_back_face(std::span<const Point3> vertices) { return newell_c(vertices) <= 0.0; }
 
 }  // namespace displayfile

@@ -38,6 +38,8 @@ struct ViewedVertex {
 class ClipPipeline {
  public:
   explicit ClipPipeline(const ViewVolume& volume) : volume_(volume) {}
+  /// From here on in another view.
+  void set_volume(const ViewVolume& volume) { volume_ = volume; }
 
   /// Clips a polygon of any number of sides, convex or not; edge_visible as in
   /// ClippedPolygon, empty for "all sides"; one intensity a vertex, or none.

@@ -21,7 +21,7 @@ constexpr Point3 kNoDirection(0.0);
 constexpr std::uint32_t kNotKept = std::numeric_limits<std::uint32_t>::max();
 
 /// The value of that index, of those that are stored up to the last that is not zero.
-Point3 stored(const std::vector<Point3>& values, std::uint32_t i) {
+const Point3& stored(const std::vector<Point3>& values, std::uint32_t i) {
   return i < values.size() ? values[i] : kNoDirection;
 }
 
@@ -32,12 +32,16 @@ const RetainedScene::Segment& RetainedScene::segment_of(std::uint32_t primitive)
 }
 
 WorldPolygon RetainedScene::polygon(std::uint32_t i) const {
+  return {points(i), of(edge_visible_, i), normal(i),
+          is_smooth(i) ? of(vertex_normals_, i) : std::span<const Point3>(), primitives_[i].pick};
+}
+
+const Point3& RetainedScene::normal(std::uint32_t i) const { return stored(normals_, i); }
+
+bool RetainedScene::is_smooth(std::uint32_t i) const {
   const Primitive& primitive = primitives_[i];
   const std::size_t end = primitive.first + std::size_t{primitive.sides};
-  const bool smooth =
-      end <= vertex_normals_.size() && vertex_normals_[primitive.first] != kNoDirection;
-  return {points(i), of(edge_visible_, i), stored(normals_, i),
-          smooth ? of(vertex_normals_, i) : std::span<const Point3>(), primitive.pick};
+  return end <= vertex_normals_.size() && vertex_normals_[primitive.first] != kNoDirection;
 }
 
 bool RetainedScene::draws(std::uint32_t i) const {

@@ -70,8 +70,11 @@ class RetainedScene {
   const Attributes& attributes(std::uint32_t i) const {
     return attributes_[primitives_[i].attributes];
   }
+  const Attributes& attributes(const Text& text) const { return attributes_[text.attributes]; }
   /// A primitive that is a polygon, for a view stage.
   WorldPolygon polygon(std::uint32_t i) const;
+  const Point3& normal(std::uint32_t i) const;  ///< of a lit polygon, out of its light face, or 0
+  bool is_smooth(std::uint32_t i) const;        ///< its vertices have normals
   bool draws(std::uint32_t i) const;  ///< not a hollow polygon of line style none
   /// How far a vertex lies from the plane that a tree takes the polygon to be in, at most: one of
   /// more than three sides counts as flat within a tolerance (clip/planarity.h).

@@ -4,14 +4,18 @@
 
 namespace displayfile {
 
-std::span<const Point3> ViewStage::enter_polygon(const WorldPolygon& polygon,
-                                                 const Attributes& attributes, Segment& segment) {
+ViewedPolygon ViewStage::view_polygon(const WorldPolygon& polygon, const Attributes& attributes) {
   const ClippedPolygon clipped =
       polygon.vertex_normals.empty()
           ? pipeline_.clip_polygon(polygon.vertices, polygon.edge_visible)
           : lighting_.clip(pipeline_, polygon.vertices, polygon.edge_visible,
                            polygon.vertex_normals, *attributes.light);
-  return enter_clipped(clipped, polygon, attributes, segment);
+  return view_clipped(clipped, polygon, attributes);
+}
+
+std::span<const Point3> ViewStage::enter_polygon(const WorldPolygon& polygon,
+                                                 const Attributes& attributes, Segment& segment) {
+  return enter(view_polygon(polygon, attributes), attributes, polygon.pick, segment);
 }
 
 void ViewStage::view_vertices(std::span<const Point3> world, std::uint32_t first) {
@@ -60,26 +64,32 @@ bool ViewStage::enter_shared(std::span<const std::uint32_t> corners, const World
   if (all_edges_.size() < corners.size()) all_edges_.resize(corners.size(), 1);
   const ClippedPolygon whole{
       device_, all_drawn ? std::span(all_edges_).first(corners.size()) : polygon.edge_visible};
-  return !enter_clipped(whole, polygon, attributes, segment).empty();
+  const ViewedPolygon drawn = view_clipped(whole, polygon, attributes);
+  return !enter(drawn, attributes, polygon.pick, segment).empty();
 }
 
-/// BACK-FACE-CHECK (algorithm 9.3) and what follows it.
-std::span<const Point3> ViewStage::enter_clipped(ClippedPolygon clipped,
-                                                 const WorldPolygon& polygon,
-                                                 const Attributes& attributes, Segment& segment) {
+/// BACK-FACE-CHECK (algorithm 9.3) and the light.
+ViewedPolygon ViewStage::view_clipped(ClippedPolygon clipped, const WorldPolygon& polygon,
+                                      const Attributes& attributes) {
   if (clipped.vertices.size() < 3) return {};
   if (attributes.back_face_removal && is_back_face(clipped.vertices)) return {};
-  if (attributes.light) {
-    segment.set_style(lit_fill(polygon, attributes, clipped));
+  if (!attributes.light) return {clipped, &attributes.fill};
+  lit_ = lit_fill(polygon, attributes, clipped);
+  return {clipped, &lit_};
+}
+
+std::span<const Point3> ViewStage::enter(const ViewedPolygon& viewed, const Attributes& attributes,
+                                         std::int32_t pick, Segment& segment) {
+  const ClippedPolygon& polygon = viewed.polygon;
+  if (polygon.vertices.empty()) return {};
+  if (attributes.light || !styles_entered_) {
+    segment.set_style(*viewed.fill);
     segment.set_style(attributes.line);
-  } else if (!styles_entered_) {
-    segment.set_style(attributes.fill);
-    segment.set_style(attributes.line);
-    styles_entered_ = true;
+    styles_entered_ = !attributes.light;
   }
-  segment.set_pick(polygon.pick);
-  segment.enter_polygon(clipped.vertices, clipped.edge_visible, clipped.intensities);
-  return clipped.vertices;
+  segment.set_pick(pick);
+  segment.enter_polygon(polygon.vertices, polygon.edge_visible, polygon.intensities);
+  return polygon.vertices;
 }
 
 /// The intensities of a polygon that is lit evenly after all are taken away.

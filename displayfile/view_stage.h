@@ -22,12 +22,23 @@ struct WorldPolygon {
   std::int32_t pick;
 };
 
-/// The one way from world coordinates into a segment, for polygons as they are entered and for a
+/// What is drawn of a polygon in a view. Valid until the stage's next call, and as long as the
+/// attributes that it was viewed with.
+struct ViewedPolygon {
+  ClippedPolygon polygon;  ///< no vertices: nothing is drawn
+  const FillStyle* fill = nullptr;
+};
+
+/// The one way from world coordinates to a view, for polygons as they are entered and for a
 /// retained scene in a new view: through the clip pipeline, checked for a back face (the end of
-/// algorithm 9.2), lit, and into the instructions.
+/// algorithm 9.2) and lit; and from there into the instructions of a segment.
 class ViewStage {
  public:
   explicit ViewStage(const ViewVolume& volume) : pipeline_(volume) {}
+  /// From here on in another view.
+  void set_volume(const ViewVolume& volume) { pipeline_.set_volume(volume); }
+
+  ViewedPolygon view_polygon(const WorldPolygon& polygon, const Attributes& attributes);
 
   /// To be called when another segment is entered into or the attributes are others than in the
   /// last call: a style is entered only then, unless there is light.
@@ -65,13 +76,16 @@ class ViewStage {
   };
   Outcodes outcodes(std::span<const std::uint32_t> corners) const;
   const ViewedVertex& viewed(std::uint32_t corner) const { return shared_[corner - first_shared_]; }
-  std::span<const Point3> enter_clipped(ClippedPolygon clipped, const WorldPolygon& polygon,
-                                        const Attributes& attributes, Segment& segment);
+  ViewedPolygon view_clipped(ClippedPolygon clipped, const WorldPolygon& polygon,
+                             const Attributes& attributes);
+  std::span<const Point3> enter(const ViewedPolygon& viewed, const Attributes& attributes,
+                                std::int32_t pick, Segment& segment);
   FillStyle lit_fill(const WorldPolygon& polygon, const Attributes& attributes,
                      ClippedPolygon& clipped) const;
 
   ClipPipeline pipeline_;
   GouraudLighting lighting_;
+  FillStyle lit_;
   bool styles_entered_ = false;  // both, in the segment; where there is light, no matter
   std::vector<ViewedVertex> shared_;
   std::uint32_t first_shared_ = 0;

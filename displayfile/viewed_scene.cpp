@@ -42,6 +42,7 @@ struct ViewedScene::Collector {
   TextStyle of_texts{};
   std::int32_t pick_id = -1, line_pick_id = -1;
   std::span<const double> of_vertices{};  // of the polygon that follows
+  std::vector<std::uint8_t> drawn{};      // its sides
 
   void fill(const FillStyle& s) { fill_style = s; }
   void line_style(const LineStyle& s) { style = s; }
@@ -56,81 +57,167 @@ struct ViewedScene::Collector {
   void move(const Point3& p) { take({&p, 1}); }
   void line(const Point3& p) {
     take({&p, 1});
-    if (outlined()) save(points - 2, 2, Primitives::Kind::line);
+    const Look look{fill_style, style, line_pick_id};
+    if (!look.is_outlined()) return;
+    scene.add_item({static_cast<std::uint32_t>(points - 2), 2, Primitives::Kind::line}, look);
   }
   /// SAVE-POLY-FOR-HSC (algorithm 9.7): collects one polygon.
   void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
     const std::size_t first = points;
     take(vertices);
     const auto shading = std::exchange(of_vertices, {});
-    const bool solid = fill_style.kind == FillStyle::Kind::solid;
+    const std::size_t first_intensity =
+        in_place ? intensities_seen : scene.own_intensities_.size();
     intensities_seen += shading.size();
-    if (!solid && !outlined()) return;
-    note_invisible_edges(first, sides);
-    if (solid) {
-      save_intensities(shading);
-      save_shadow();
+    const Look look{fill_style, style, pick_id};
+    if (!look.shows()) return;
+    if (!std::ranges::all_of(sides, [](std::int32_t s) { return s == op::line; })) {
+      drawn.clear();
+      for (const std::int32_t side : sides) drawn.push_back(side == op::line ? 1 : 0);
+      scene.note_edges(first, drawn);
     }
-    const SupportVertices support = support_vertices(vertices);
-    if (vertices.size() > 3) save_support(support);
-    save(first, vertices.size(), solid ? Primitives::Kind::solid : Primitives::Kind::hollow);
-    if (solid && !support.edge_on) scene.add_fill(vertices);
+    const bool shaded = fill_style.kind == FillStyle::Kind::solid && !shading.empty();
+    scene.add_polygon(static_cast<std::uint32_t>(first), vertices, look,
+                      shaded ? static_cast<std::uint32_t>(first_intensity) : kNone);
+    if (!shaded || in_place) return;
+    scene.own_intensities_.insert(scene.own_intensities_.end(), shading.begin(), shading.end());
   }
 
  private:
-  bool outlined() const { return style.kind != LineStyle::Kind::none; }
-
   /// Counts the points, which are in place already, or else takes copies.
   void take(std::span<const Point3> more) {
     points += more.size();
     if (!in_place) scene.own_points_.insert(scene.own_points_.end(), more.begin(), more.end());
   }
-
-  void note_invisible_edges(std::size_t first, std::span<const std::int32_t> sides) {
-    const bool all = std::ranges::all_of(sides, [](std::int32_t s) { return s == op::line; });
-    if (all) return;
-    scene.edge_visible_.resize(first, 1);
-    for (const std::int32_t side : sides) scene.edge_visible_.push_back(side == op::line ? 1 : 0);
-  }
-
-  /// The intensities belong to the item saved next, as the shadow and the support vertices do.
-  void save_intensities(std::span<const double> shading) {
-    if (shading.empty()) return;
-    const std::size_t first =
-        in_place ? intensities_seen - shading.size() : scene.own_intensities_.size();
-    scene.first_intensity_.resize(scene.items_.size(), kNone);
-    scene.first_intensity_.push_back(static_cast<std::uint32_t>(first));
-    if (in_place) return;
-    scene.own_intensities_.insert(scene.own_intensities_.end(), shading.begin(), shading.end());
-  }
-  void save_shadow() {
-    if (!fill_style.shadow) return;
-    if (scene.shadows_.empty() || scene.shadows_.back() != *fill_style.shadow) {
-      scene.shadows_.push_back(*fill_style.shadow);
-    }
-    scene.shadow_.resize(scene.items_.size(), kNone);
-    scene.shadow_.push_back(static_cast<std::uint32_t>(scene.shadows_.size() - 1));
-  }
-  void save_support(const SupportVertices& support) {
-    scene.support_.resize(scene.items_.size(), {0, 1, 2});
-    scene.support_.push_back(support.index);
-  }
-
-  void save(std::size_t first, std::size_t sides, Primitives::Kind kind) {
-    const Item item = scene.items();
-    if (kind == Primitives::Kind::solid &&
-        (scene.colours_.empty() || scene.colours_.back().style != fill_style.colour)) {
-      scene.colours_.push_back({item, fill_style.colour});
-    }
-    if (scene.lines_.empty() || scene.lines_.back().style != style) {
-      scene.lines_.push_back({item, style});
-    }
-    scene.items_.push_back(
-        {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(sides), kind});
-    scene.pick_.push_back(kind == Primitives::Kind::line ? line_pick_id : pick_id);
-    scene.has_lines_ |= outlined();
-  }
 };
+
+void ViewedScene::note_edges(std::size_t first, std::span<const std::uint8_t> visible) {
+  edge_visible_.resize(first, 1);
+  edge_visible_.insert(edge_visible_.end(), visible.begin(), visible.end());
+}
+
+void ViewedScene::add_polygon(std::uint32_t first, std::span<const Point3> vertices,
+                              const Look& look, std::uint32_t first_intensity) {
+  const bool solid = look.fill.kind == FillStyle::Kind::solid;
+  if (first_intensity != kNone) {
+    first_intensity_.resize(items_.size(), kNone);
+    first_intensity_.push_back(first_intensity);
+  }
+  if (solid && look.fill.shadow) {
+    if (shadows_.empty() || shadows_.back() != *look.fill.shadow) {
+      shadows_.push_back(*look.fill.shadow);
+    }
+    shadow_.resize(items_.size(), kNone);
+    shadow_.push_back(static_cast<std::uint32_t>(shadows_.size() - 1));
+  }
+  const SupportVertices support = support_vertices(vertices);
+  if (vertices.size() > 3) {
+    support_.resize(items_.size(), {0, 1, 2});
+    support_.push_back(support.index);
+  }
+  add_item({first, static_cast<std::uint32_t>(vertices.size()),
+            solid ? Primitives::Kind::solid : Primitives::Kind::hollow},
+           look);
+  if (!solid || support.edge_on) return;
+  add_fill();
+  for (const Point3& v : vertices) largest_depth_ = std::max(largest_depth_, std::abs(v.z));
+}
+
+void ViewedScene::clear() {
+  edge_visible_.clear();
+  items_.clear();
+  pick_.clear();
+  colours_.clear();
+  lines_.clear();
+  segments_.clear();
+  texts_.clear();
+  support_.clear();
+  fills_ = 0;
+  fill_item_.clear();
+  own_intensities_.clear();
+  first_intensity_.clear();
+  shadow_.clear();
+  shadows_.clear();
+  has_lines_ = false;
+  largest_depth_ = 0.0;
+}
+
+void ViewedScene::append(const ViewedScene& part, std::size_t corners, std::size_t points) {
+  const Item first_item = items();
+  const auto moved_by = static_cast<std::uint32_t>(own_points_.size() - points);
+  const auto append_all = [](auto& to, const auto& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  // Of the items, numbers of what is stored apart up to the last item that has some.
+  const auto append_numbers = [&](auto& to, const auto& from, std::size_t stored) {
+    if (from.empty()) return;
+    to.resize(first_item, kNone);
+    for (const std::uint32_t number : from) {
+      to.push_back(number == kNone ? kNone : number + static_cast<std::uint32_t>(stored));
+    }
+  };
+  const auto append_runs = [&](auto& to, const auto& from) {
+    for (const auto& run : from) {
+      if (!to.empty() && to.back().style == run.style) continue;
+      to.push_back({run.first + first_item, run.style});
+    }
+  };
+  if (!part.edge_visible_.empty()) {
+    edge_visible_.resize(corners + moved_by, 1);
+    append_all(edge_visible_, part.edge_visible_);
+  }
+  append_all(own_points_, part.own_points_);
+  append_numbers(first_intensity_, part.first_intensity_, own_intensities_.size());
+  append_all(own_intensities_, part.own_intensities_);
+  append_numbers(shadow_, part.shadow_, shadows_.size());
+  append_all(shadows_, part.shadows_);
+  append_runs(colours_, part.colours_);
+  append_runs(lines_, part.lines_);
+  if (!part.support_.empty()) {
+    support_.resize(first_item, {0, 1, 2});
+    append_all(support_, part.support_);
+  }
+  if (part.fills_ > 0 && (first_item != fills_ || part.items() != part.fills_)) {
+    if (fill_item_.empty()) {
+      fill_item_.resize(fills_);
+      std::iota(fill_item_.begin(), fill_item_.end(), Item{0});
+    }
+    for (Fill fill = 1; fill <= part.fills_; ++fill) {
+      fill_item_.push_back(first_item + part.item_of(fill));
+    }
+  }
+  fills_ += part.fills_;
+  const std::size_t end = items_.size();
+  append_all(items_, part.items_);
+  append_all(pick_, part.pick_);
+  for (Primitives::Item& item : std::span(items_).subspan(end)) {
+    if (item.first >= corners) item.first += moved_by;
+  }
+  has_lines_ |= part.has_lines_;
+  largest_depth_ = std::max(largest_depth_, part.largest_depth_);
+}
+
+void ViewedScene::add_item(const Primitives::Item& item, const Look& look) {
+  if (item.kind == Primitives::Kind::solid &&
+      (colours_.empty() || colours_.back().style != look.fill.colour)) {
+    colours_.push_back({items(), look.fill.colour});
+  }
+  if (lines_.empty() || lines_.back().style != look.line) lines_.push_back({items(), look.line});
+  items_.push_back(item);
+  pick_.push_back(look.pick);
+  has_lines_ |= look.is_outlined();
+}
+
+/// The item added last.
+void ViewedScene::add_fill() {
+  const Item item = items() - 1;
+  if (fill_item_.empty() && item != fills_) {
+    fill_item_.resize(fills_);
+    std::iota(fill_item_.begin(), fill_item_.end(), Item{0});
+  }
+  if (item != fills_) fill_item_.push_back(item);
+  ++fills_;
+}
 
 ViewedScene::ViewedScene(const DisplayFile& display_file) {
   collect(display_file.visible_segments());
@@ -181,18 +268,6 @@ void ViewedScene::finish(bool in_place) {
   if (!edge_visible_.empty()) edge_visible_.resize(points_.size(), 1);
 }
 
-/// The item saved last.
-void ViewedScene::add_fill(std::span<const Point3> vertices) {
-  const Item item = items() - 1;
-  if (fill_item_.empty() && item != fills_) {
-    fill_item_.resize(fills_);
-    std::iota(fill_item_.begin(), fill_item_.end(), Item{0});
-  }
-  if (item != fills_) fill_item_.push_back(item);
-  ++fills_;
-  for (const Point3& v : vertices) largest_depth_ = std::max(largest_depth_, std::abs(v.z));
-}
-
 bool ViewedScene::is_of(const DisplayFile& display_file) const {
   std::size_t k = 0;
   for (const Segment& segment : display_file.segments()) {
@@ -228,7 +303,7 @@ std::size_t ViewedScene::bytes() const {
   const auto size = [](const auto& array) { return array.size() * sizeof(array[0]); };
   std::size_t characters = 0;
   for (const ViewedText& text : texts_) characters += text.characters.size();
-  return characters + size(texts_) + size(own_points_) + size(edge_visible_) + size(items_) +
+  return characters + size(texts_) + size(own_points_) + size(corners_) + size(edge_visible_) + size(items_) +
          size(pick_) + size(colours_) + size(lines_) + size(segments_) + size(support_) +
          size(fill_item_) + size(own_intensities_) + size(first_intensity_) + size(shadow_) +
          size(shadows_);

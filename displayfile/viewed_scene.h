@@ -30,12 +30,13 @@ struct ViewedText {
 };
 
 /// The one scene that every method and device reads (displayfile/scenes.md): the polygons and lines
-/// that the visible segments of a display file draw, in order of entry and in device coordinates
-/// after the image transformations, with their styles, segments, pick identifiers and planes.
+/// that the visible segments of a display file draw, or of a retained scene in a new view
+/// (displayfile/scene_viewer.h), in order of entry and in device coordinates after the image
+/// transformations, with their styles, segments, pick identifiers and planes.
 ///
 /// An item is a polygon or a line. Items of which nothing can be seen, hollow polygons and lines of
 /// line style none, are left out. Points are not copied where one closed segment is all there is
-/// and its points are those of the picture.
+/// and its points are those of the picture; those of a retained scene are shared as they are there.
 ///
 /// A fill is a solid polygon that is not edge-on, which would cover nothing. Fill 0 stands for the
 /// background; the others count from 1 in order of entry, so that of two fills the one entered
@@ -68,11 +69,13 @@ class ViewedScene {
 
   // ---- Items -----------------------------------------------------------------------------
 
-  Primitives primitives() const { return {points_, {}, edge_visible_, items_}; }
+  Primitives primitives() const { return {points_, corners_, edge_visible_, items_}; }
   std::uint32_t items() const { return static_cast<std::uint32_t>(items_.size()); }
   Primitives::Kind kind(Item item) const { return items_[item].kind; }
   PointRow points(Item item) const {
-    return points_.subspan(items_[item].first, items_[item].sides);
+    const auto [first, sides, kind] = items_[item];
+    if (corners_.empty()) return points_.subspan(first, sides);
+    return {points_, std::span(corners_).subspan(first, sides)};
   }
   /// True if the side that ends at the item's vertex of that number is drawn.
   bool edge_visible(Item item, std::size_t vertex) const {
@@ -94,6 +97,8 @@ class ViewedScene {
   };
   /// The colours of all fills, for who goes through them in order.
   std::span<const Run<Colour>> fill_colours() const { return colours_; }
+  /// The line styles of all items, in order; the first of them begins at item 0.
+  std::span<const Run<LineStyle>> line_styles() const { return lines_; }
   std::int32_t pick_of_item(Item item) const { return pick_[item]; }  ///< -1: a line without one
 
   /// The segments' names, and where their items begin. None if the scene names no segments.
@@ -110,17 +115,17 @@ class ViewedScene {
   Fill end() const { return fills_ + 1; }
   Item item_of(Fill fill) const { return fill_item_.empty() ? fill - 1 : fill_item_[fill - 1]; }
   PointRow vertices(Fill fill) const { return points(item_of(fill)); }
-  /// The place of its first vertex among those of all items.
-  std::uint32_t first_vertex(Fill fill) const { return items_[item_of(fill)].first; }
-  std::size_t all_vertices() const { return points_.size(); }
-  double largest_depth() const { return largest_depth_; }  ///< of the fills' vertices, |z|
+  std::uint32_t sides(Fill fill) const { return items_[item_of(fill)].sides; }
+  std::size_t all_points() const { return points_.size(); }
+  /// The fills' vertices have none larger, |z|.
+  double largest_depth() const { return largest_depth_; }
   /// The plane through the support vertices (interp/truth/truth.md), which are not in line.
   Plane plane(Fill fill) const {
     const Item item = item_of(fill);
-    const Point3* const v = points_.data() + items_[item].first;
-    if (item >= support_.size()) return {v[0], v[1], v[2]};
+    const std::uint32_t first = items_[item].first;
+    if (item >= support_.size()) return {point(first), point(first + 1), point(first + 2)};
     const auto& [p, q, r] = support_[item];
-    return {v[p], v[q], v[r]};
+    return {point(first + p), point(first + q), point(first + r)};
   }
   std::int32_t pick(Fill fill) const {  ///< -1: the background
     return fill == kBackground ? -1 : pick_[item_of(fill)];
@@ -136,7 +141,16 @@ class ViewedScene {
   std::size_t bytes() const;                     ///< of the scene's own arrays, as used
 
  private:
+  friend class SceneViewer;
   struct Collector;
+  /// What an item is drawn with.
+  struct Look {
+    const FillStyle& fill;
+    const LineStyle& line;
+    std::int32_t pick;
+    bool is_outlined() const { return line.kind != LineStyle::Kind::none; }
+    bool shows() const { return fill.kind == FillStyle::Kind::solid || is_outlined(); }
+  };
   /// What the scene was made of.
   struct Source {
     std::shared_ptr<const Instructions> instructions;
@@ -152,12 +166,29 @@ class ViewedScene {
   const FillShadow* shadow_of_item(Item item) const {
     return item >= shadow_.size() || shadow_[item] == kNone ? nullptr : &shadows_[shadow_[item]];
   }
+  const Point3& point(std::uint32_t corner) const {
+    return points_[corners_.empty() ? corner : corners_[corner]];
+  }
   void finish(bool in_place);
-  void add_fill(std::span<const Point3> vertices);
+  void add_item(const Primitives::Item& item, const Look& look);
+  /// A polygon of which something can be seen, its first corner and its vertices; intensities
+  /// begin at that place among all, if it has some.
+  void add_polygon(std::uint32_t first, std::span<const Point3> vertices, const Look& look,
+                   std::uint32_t first_intensity = kNone);
+  void add_fill();
+  void clear();  ///< but for points and corners
+  /// Adds the items of another scene. Its items' corners are those of this scene up to `corners`,
+  /// and from there on its own points in a row; those are put behind the own points here, of which
+  /// the first `points` are of those corners.
+  void append(const ViewedScene& part, std::size_t corners, std::size_t points);
+  /// The sides of the polygon that is added next, whose first corner that is; all are drawn of
+  /// those that this was not called for.
+  void note_edges(std::size_t first, std::span<const std::uint8_t> visible);
 
   std::vector<Source> sources_;
   std::span<const Point3> points_;  // the source's own, or else own_points_
   std::vector<Point3> own_points_;
+  std::vector<std::uint32_t> corners_;  // their points; empty: these in a row
   std::vector<std::uint8_t> edge_visible_;  // empty: all are
   std::vector<Primitives::Item> items_;
   std::vector<std::int32_t> pick_;     // of the items

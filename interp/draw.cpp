@@ -15,6 +15,7 @@
 #include "clip/nearest_word.h"
 #include "displayfile/file_extension.h"
 #include "displayfile/output_file.h"
+#include "displayfile/scene_viewer.h"
 #include "interp/files/npy_file.h"
 #include "interp/files/png_file.h"
 #include "interp/files/ppm_file.h"
@@ -24,6 +25,7 @@
 #include "interp/renderer.h"
 #include "interp/vector/pdf_device.h"
 #include "interp/vector/svg_device.h"
+#include "interp/view_renderer.h"
 #include "interp/visibility/auto_method.h"
 #include "interp/visibility/image_space.h"
 #include "interp/visibility/picker.h"
@@ -124,16 +126,21 @@ bool has_background(const DrawOptions& options) {
   return options.background.value_or(Background{}).kind != Background::Kind::none;
 }
 
-/// The request for what is drawn in the order that the display file has.
-RasterRequest raster_request(const DisplayFile& file, const DrawOptions& options) {
+RasterRequest raster_request(const DrawOptions& options) {
   RasterRequest request;
   request.width = options.width;
   request.height = options.height;
-  request.sorted = has_exact_order(file);
   request.ids = options.with_ids || !options.ids.empty();
   request.depth = options.with_depth || !options.depth.empty();
   request.background = options.background.value_or(Background{});
   request.threads = options.threads;
+  return request;
+}
+
+/// The request for what is drawn in the order that the display file has.
+RasterRequest raster_request(const DisplayFile& file, const DrawOptions& options) {
+  RasterRequest request = raster_request(options);
+  request.sorted = has_exact_order(file);
   return request;
 }
 
@@ -151,6 +158,21 @@ RasterRequest raster_request(const ViewedWorld& world, const DrawOptions& option
   RasterRequest request = raster_request(world.display_file, options);
   request.method = HiddenMethod::world_ray_cast;
   request.world = &world;
+  if (options.precision && !options.precision->exact) {
+    request.roundoff = options.precision->roundoff;
+  }
+  return request;
+}
+
+/// A retained scene in a view. Throws Error for a method that does not draw one.
+RasterRequest raster_request_of_view(const DrawOptions& options) {
+  RasterRequest request = raster_request(options);
+  request.method = options.hidden.value_or(HiddenMethod::automatic);
+  if (!is_image_space(request.method) || request.method == HiddenMethod::world_ray_cast) {
+    throw Error(fmt::format("a view renderer finds hidden surfaces in image space, not by {}: "
+                            "expected a method of image space",
+                            name_of(request.method)));
+  }
   if (options.precision && !options.precision->exact) {
     request.roundoff = options.precision->roundoff;
   }
@@ -175,18 +197,87 @@ void require_writable(const std::filesystem::path& file, const DrawOptions& opti
   if (!options.depth.empty()) OutputFile{options.depth.string()};
 }
 
-Picture draw_samples(const DisplayFile& file, const RasterRequest& request,
-                     const DrawOptions& options, SoftwareRenderer& kept) {
-  return device_of(options.device).draw(file, request, kept);
-}
+/// What a picture is drawn of: a display file, or a retained scene in a view.
+class Source {
+ public:
+  virtual ~Source() = default;
+  virtual Picture draw(const RasterRequest& request) const = 0;
+  /// Rows are passed on as they are drawn, if the device can.
+  virtual void draw(const RasterRequest& request, const TakeRows& take) const = 0;
+  virtual void write_vectors(const PictureFormat& format, const std::filesystem::path& file,
+                             const RasterRequest& request) const = 0;
+};
 
-/// Rows are passed on as they are drawn, if the device can.
-void draw_samples(const DisplayFile& file, const RasterRequest& request, const DrawOptions& options,
-                  SoftwareRenderer& kept, const TakeRows& take) {
-  const RasterDevice& device = device_of(options.device);
-  if (device.draw_rows == nullptr) return take(device.draw(file, request, kept));
-  device.draw_rows(file, request, kept, take);
-}
+class DisplayFileSource : public Source {
+ public:
+  /// `by_depth`: vectors find their hidden surfaces themselves.
+  DisplayFileSource(const DisplayFile& file, bool by_depth, const DrawOptions& options,
+                    SoftwareRenderer& kept)
+      : file_(file), by_depth_(by_depth), device_(device_of(options.device)), kept_(kept) {}
+
+  Picture draw(const RasterRequest& request) const override {
+    return device_.draw(file_, request, kept_);
+  }
+  void draw(const RasterRequest& request, const TakeRows& take) const override {
+    if (device_.draw_rows == nullptr) return take(device_.draw(file_, request, kept_));
+    device_.draw_rows(file_, request, kept_, take);
+  }
+  void write_vectors(const PictureFormat& format, const std::filesystem::path& file,
+                     const RasterRequest& request) const override {
+    format.write_vectors(file_, request.width, request.height, by_depth_, file,
+                         request.background);
+  }
+
+ private:
+  const DisplayFile& file_;
+  bool by_depth_;
+  const RasterDevice& device_;
+  SoftwareRenderer& kept_;
+};
+
+/// Without a display file, but for a device that needs one.
+class ViewSource : public Source {
+  template <class Do>
+  auto of_display_file(Do&& work) const {
+    const DisplayFile file = viewer_.display_file(view_, lights_turned_);
+    return work(DisplayFileSource(file, true, options_, kept_));
+  }
+
+ public:
+  ViewSource(SceneViewer& viewer, const View& view, const glm::dmat3& lights_turned,
+             const DrawOptions& options, SoftwareRenderer& kept)
+      : viewer_(viewer),
+        view_(view),
+        lights_turned_(lights_turned),
+        options_(options),
+        kept_(kept) {}
+
+  Picture draw(const RasterRequest& request) const override {
+    if (!is_first_device()) return of_display_file([&](const Source& s) { return s.draw(request); });
+    kept_.draw(scene(request), request);
+    return kept_.take_picture();
+  }
+  void draw(const RasterRequest& request, const TakeRows& take) const override {
+    if (!is_first_device()) return of_display_file([&](const Source& s) { s.draw(request, take); });
+    kept_.draw(scene(request), request, take);
+  }
+  void write_vectors(const PictureFormat& format, const std::filesystem::path& file,
+                     const RasterRequest& request) const override {
+    of_display_file([&](const Source& s) { s.write_vectors(format, file, request); });
+  }
+
+ private:
+  bool is_first_device() const { return &device_of(options_.device) == kDevices.data(); }
+  const ViewedScene& scene(const RasterRequest& request) const {
+    return viewer_.view({view_, lights_turned_, PictureSize{request.width, request.height},
+                         request.threads});
+  }
+  SceneViewer& viewer_;
+  const View& view_;
+  const glm::dmat3& lights_turned_;
+  const DrawOptions& options_;
+  SoftwareRenderer& kept_;
+};
 
 /// A pixel's samples in place of the pixel: colours only.
 RasterRequest request_of_samples(RasterRequest request, int samples) {
@@ -198,11 +289,10 @@ RasterRequest request_of_samples(RasterRequest request, int samples) {
 }
 
 /// The colours of a picture, antialiased.
-void draw_colours(const DisplayFile& file, const RasterRequest& request, const DrawOptions& options,
-                  SoftwareRenderer& kept, const TakeRows& take) {
+void draw_colours(const Source& source, const RasterRequest& request, const DrawOptions& options,
+                  const TakeRows& take) {
   const int n = options.samples;
-  draw_samples(file, request_of_samples(request, n), options, kept,
-               SampleAverage(request.width, n, take));
+  source.draw(request_of_samples(request, n), SampleAverage(request.width, n, take));
 }
 
 /// Checks the size of what is drawn; throws Error.
@@ -249,15 +339,15 @@ void with_memory_of_drawing(const DisplayFile& display_file, const std::filesyst
 }
 
 /// Draws in memory; what is not a colour is not antialiased.
-Picture draw_pixels(const DisplayFile& file, const RasterRequest& request,
-                    const DrawOptions& options, SoftwareRenderer& kept) {
-  if (options.samples == 1) return draw_samples(file, request, options, kept);
+Picture draw_pixels(const Source& source, const RasterRequest& request,
+                    const DrawOptions& options) {
+  if (options.samples == 1) return source.draw(request);
   Picture picture;
-  if (request.ids || request.depth) picture = draw_samples(file, request, options, kept);
+  if (request.ids || request.depth) picture = source.draw(request);
   picture.width = request.width;
   picture.height = request.height;
   picture.pixels.clear();
-  draw_colours(file, request, options, kept, [&](const Picture& rows) {
+  draw_colours(source, request, options, [&](const Picture& rows) {
     picture.pixels.insert(picture.pixels.end(), rows.pixels.begin(), rows.pixels.end());
   });
   return picture;
@@ -271,9 +361,8 @@ TakeRows write_rows(const RowFiles& files) {
   };
 }
 
-void write_picture(const DisplayFile& drawn, const RasterRequest& request, bool vectors_by_depth,
-                   const std::filesystem::path& file, const DrawOptions& options,
-                   SoftwareRenderer& kept) {
+void write_picture(const Source& source, const RasterRequest& request,
+                   const std::filesystem::path& file, const DrawOptions& options) {
   const auto open = [&](auto* row_file, const std::filesystem::path& path) {
     return row_file(path, options.width, options.height);
   };
@@ -287,12 +376,9 @@ void write_picture(const DisplayFile& drawn, const RasterRequest& request, bool 
   }
   RasterRequest of_files = request;
   of_files.texts = format.pixel_file != nullptr;
-  if (!files.empty()) draw_samples(drawn, of_files, options, kept, write_rows(files));
-  if (!colours.empty()) draw_colours(drawn, request, options, kept, write_rows(colours));
-  if (format.write_vectors != nullptr) {
-    format.write_vectors(drawn, options.width, options.height, vectors_by_depth, file,
-                         request.background);
-  }
+  if (!files.empty()) source.draw(of_files, write_rows(files));
+  if (!colours.empty()) draw_colours(source, request, options, write_rows(colours));
+  if (format.write_vectors != nullptr) source.write_vectors(format, file, request);
   for (const auto* written : {&files, &colours}) {
     for (const auto& pixel_file : *written) pixel_file->commit();
   }
@@ -370,7 +456,8 @@ Picture draw_in_memory(const GraphicsSystem& system, const DrawOptions& as_asked
     return draw_up_to_date(
         system, options, method_in_force(system, hidden_surface_options(options)), kept.sorted,
         [&](const DisplayFile& sorted, const RasterRequest& request) {
-          return draw_pixels(sorted, request, options, kept.software);
+          return draw_pixels(DisplayFileSource(sorted, false, options, kept.software), request,
+                             options);
         },
         [](const ViewedWorld& world, const DrawOptions& exact) { return draw(world, exact); });
   });
@@ -388,7 +475,8 @@ void draw_into_file(const GraphicsSystem& system, const std::filesystem::path& f
     draw_up_to_date(
         system, options, method, kept.sorted,
         [&](const DisplayFile& sorted, const RasterRequest& request) {
-          write_picture(sorted, request, is_image_space(method), file, options, kept.software);
+          const DisplayFileSource source(sorted, is_image_space(method), options, kept.software);
+          write_picture(source, request, file, options);
         },
         [&](const ViewedWorld& world, const DrawOptions& exact) { draw(world, file, exact); });
   });
@@ -416,20 +504,22 @@ void draw(const DisplayFile& display_file, const std::filesystem::path& file,
           const DrawOptions& options) {
   require_drawable(file, options);
   SoftwareRenderer software;
-  write_picture(display_file, raster_request(display_file, options), false, file, options,
-                software);
+  write_picture(DisplayFileSource(display_file, false, options, software),
+                raster_request(display_file, options), file, options);
 }
 
 void draw(const ViewedWorld& world, const std::filesystem::path& file, const DrawOptions& options) {
   require_drawable(file, options);
   SoftwareRenderer software;
-  write_picture(world.display_file, raster_request(world, options), true, file, options, software);
+  write_picture(DisplayFileSource(world.display_file, true, options, software),
+                raster_request(world, options), file, options);
 }
 
 Picture draw(const ViewedWorld& world, const DrawOptions& options) {
   SoftwareRenderer software;
   return with_memory_of_picture(options, software, [&] {
-    return draw_pixels(world.display_file, raster_request(world, options), options, software);
+    return draw_pixels(DisplayFileSource(world.display_file, true, options, software),
+                       raster_request(world, options), options);
   });
 }
 
@@ -485,6 +575,45 @@ std::optional<Pick> Renderer::pick(const GraphicsSystem& system, double x, doubl
         });
   }
   return picker->pick(x, y, reach);
+}
+
+// ---- New views ---------------------------------------------------------------------------
+
+struct ViewRenderer::Kept {
+  SceneViewer viewer;
+  SoftwareRenderer software;
+  Picture picture;
+};
+
+ViewRenderer::ViewRenderer(const RetainedScene& scene, const DisplayFile& attributes)
+    : kept_(std::make_unique<Kept>(Kept{SceneViewer(scene, attributes), {}, {}})) {}
+ViewRenderer::~ViewRenderer() = default;
+ViewRenderer::ViewRenderer(ViewRenderer&& other) noexcept = default;
+ViewRenderer& ViewRenderer::operator=(ViewRenderer&& other) noexcept = default;
+
+const Picture& ViewRenderer::draw(const View& view, const DrawOptions& options,
+                                  const glm::dmat3& lights_turned) {
+  const RasterRequest request = raster_request_of_view(options);
+  device_of(options.device);
+  Kept& kept = *kept_;
+  kept.software.give_back(std::exchange(kept.picture, Picture()));
+  kept.picture = with_memory_of_picture(options, kept.software, [&] {
+    return draw_pixels(ViewSource(kept.viewer, view, lights_turned, options, kept.software),
+                       request, options);
+  });
+  return kept.picture;
+}
+
+void ViewRenderer::draw(const View& view, const std::filesystem::path& file,
+                        const DrawOptions& options, const glm::dmat3& lights_turned) {
+  const RasterRequest request = raster_request_of_view(options);
+  require_drawable(file, options);
+  write_picture(ViewSource(kept_->viewer, view, lights_turned, options, kept_->software), request,
+                file, options);
+}
+
+DisplayFile ViewRenderer::display_file(const View& view, const glm::dmat3& lights_turned) const {
+  return kept_->viewer.display_file(view, lights_turned);
 }
 
 std::span<const Choice> picture_formats() { return kFormatChoices; }

@@ -4,6 +4,13 @@ namespace displayfile {
 
 namespace {
 
+LineStyle scaled(LineStyle style, double by) {
+  style.width *= by;
+  style.dash *= by;
+  style.gap *= by;
+  return style;
+}
+
 /// Instructions in order, with the styles and the pen position in force.
 struct Interpretation {
   OutputDevice& device;
@@ -26,12 +33,7 @@ struct Interpretation {
     in_segment = false;
   }
   void fill(const FillStyle& s) { fill_style = s; }
-  void line_style(const LineStyle& s) {
-    style = s;
-    style.width = s.width * line_scale;
-    style.dash = s.dash * line_scale;
-    style.gap = s.gap * line_scale;
-  }
+  void line_style(const LineStyle& s) { style = scaled(s, line_scale); }
   void pick(int id) { pick_id = id; }
   void intensities(std::span<const double> values) { of_vertices = values; }
   void move(const Point3& p) { pen = p; }
@@ -63,6 +65,30 @@ void interpret(const DisplayFile& display_file, OutputDevice& device, Pass pass,
     one.segment(segment.name());
     order == Order::drawn ? segment.walk_drawn(one) : segment.walk_entered_drawn(one);
     one.end_segment();
+  }
+}
+
+void interpret_lines(const ViewedScene& scene, OutputDevice& device, double line_scale) {
+  const FillStyle fill;
+  std::vector<std::int32_t> sides;
+  const auto runs = scene.line_styles();
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const LineStyle style = scaled(runs[k].style, line_scale);
+    if (style.kind == LineStyle::Kind::none) continue;
+    const ViewedScene::Item end = k + 1 < runs.size() ? runs[k + 1].first : scene.items();
+    for (ViewedScene::Item item = runs[k].first; item < end; ++item) {
+      const PointRow points = scene.points(item);
+      if (scene.kind(item) == Primitives::Kind::line) {
+        device.line({points[0], points[1], style});
+        continue;
+      }
+      sides.clear();
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        sides.push_back(scene.edge_visible(item, i) ? op::line : op::move);
+      }
+      device.edges({std::span<const Point3>(points.data(), points.size()), sides, fill, style,
+                    scene.pick_of_item(item)});
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "displayfile/display_file.h"
+#include "displayfile/viewed_scene.h"
 #include "interp/output_device.h"
 
 namespace displayfile {
@@ -20,5 +21,9 @@ enum class Order { drawn, entered };
 /// large: they are in pixels, and a pixel may have several samples across.
 void interpret(const DisplayFile& display_file, OutputDevice& device, Pass pass = Pass::everything,
                Order order = Order::drawn, double line_scale = 1.0);
+
+/// Hands the lines and the drawn sides of a scene's polygons to the device, in order of entry, as
+/// interpret does with Pass::lines.
+void interpret_lines(const ViewedScene& scene, OutputDevice& device, double line_scale = 1.0);
 
 }  // namespace displayfile

@@ -51,6 +51,23 @@ inline int compare_with_centres(double coordinate, std::int32_t pixels, std::int
   return exact_compare_with_centres(coordinate, pixels, index);
 }
 
+/// The first row, from 0 to height, whose centre is above y: device coordinates.
+inline std::int32_t first_row_above(double y, std::int32_t height) {
+  const double t = y * height - 0.5;
+  if (t < -0.5) return 0;
+  if (!(t < height)) return height;
+  const std::int32_t row = static_cast<std::int32_t>(t + 1.0) - 1;  // t's floor
+  // The rounded product can be off by less than a row.
+  if (row >= 0 && compare_with_centres(y, height, row) < 0) return row;
+  return compare_with_centres(y, height, row + 1) < 0 ? row + 1 : std::min(row + 2, height);
+}
+
+/// The first column, from 0 to width, whose centre is at or right of x: device coordinates.
+inline std::int32_t first_column_from(double x, std::int32_t width) {
+  const std::int32_t column = first_row_above(x, width);
+  return column > 0 && compare_with_centres(x, width, column - 1) == 0 ? column - 1 : column;
+}
+
 /// The sign of the x at which the line through a and b crosses the row of the centre, less the
 /// centre's x: the crossing is at or left of the centre where this is not 1. Device
 /// coordinates; a.y and b.y must differ, in either order.

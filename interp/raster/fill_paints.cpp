@@ -4,8 +4,11 @@
 
 namespace displayfile {
 
-FillPaints::FillPaints(const ViewedScene& scene) {
+void FillPaints::take(const ViewedScene& scene) {
+  pixel_.resize(1);
   pixel_.reserve(scene.end());
+  shade_.clear();
+  shades_.clear();
   const auto runs = scene.fill_colours();
   auto run = runs.begin();  // that the fill is in: fills come in the order of the runs
   Colour colour(0.0);

@@ -157,51 +157,76 @@ class LinesOverFills : public OutputDevice {
 
 }  // namespace
 
-void SoftwareRenderer::prepare(const DisplayFile& display_file, const RasterRequest& request) {
+SoftwareRenderer::Drawn SoftwareRenderer::prepare(const DisplayFile& display_file,
+                                                  const RasterRequest& request) {
   require_picture_size(request.width, request.height);
   const bool image_space = is_image_space(request.method);
-  const bool shadows = display_file.has_shadows();
-  if (!shadows) shadows_.reset();
-  if (!image_space && !shadows) return;
-  if (scene_ == nullptr || !scene_->is_of(display_file)) {
-    prepared_.reset();
+  if (image_space || display_file.has_shadows()) {
+    if (scene_ == nullptr || !scene_->is_of(display_file)) {
+      prepared_.reset();
+      shadows_.reset();
+      scene_ = std::make_shared<const ViewedScene>(display_file);
+      paints_.take(*scene_);
+    }
+    take_up_scene(request);
+  } else {
     shadows_.reset();
-    scene_ = std::make_shared<const ViewedScene>(display_file);
-    paints_ = FillPaints(*scene_);
   }
+  texts_.clear();
+  if (request.texts && display_file.has_texts()) {
+    texts_ = image_space ? seen_texts(*scene_) : seen_texts(display_file, false);
+  }
+  return {&display_file, display_file.polygons()};
+}
+
+SoftwareRenderer::Drawn SoftwareRenderer::prepare(const ViewedScene& scene,
+                                                  const RasterRequest& request) {
+  require_picture_size(request.width, request.height);
+  scene_ = std::shared_ptr<const ViewedScene>(std::shared_ptr<void>(), &scene);  // not its owner
+  if (prepared_) prepared_->scene = nullptr;
+  shadows_.reset();
+  paints_.take(scene);
+  take_up_scene(request);
+  texts_.clear();
+  if (request.texts && !scene.texts().empty()) texts_ = seen_texts(scene);
+  return {nullptr, scene.items()};
+}
+
+/// The method and the shadows take up the scene, unless they have it.
+void SoftwareRenderer::take_up_scene(const RasterRequest& request) {
   paints_.set_background(pixel_of(request.background));
-  if (shadows && shadows_ == nullptr) shadows_ = std::make_unique<Shadows>(*scene_);
-  if (!image_space) return;
+  if (scene_->has_shadows() && shadows_ == nullptr) shadows_ = std::make_unique<Shadows>(*scene_);
+  if (!is_image_space(request.method)) return;
   const PictureSize size{request.width, request.height};
-  if (prepared_ && prepared_->method == request.method && prepared_->size == size &&
+  if (prepared_ && prepared_->method != request.method) prepared_.reset();
+  if (prepared_ && prepared_->scene == scene_.get() && prepared_->size == size &&
       prepared_->roundoff == request.roundoff && prepared_->world == request.world) {
     return;
   }
-  prepared_.reset();
-  const HiddenMethod method =
-      request.method == HiddenMethod::automatic ? kMethodForPixels : request.method;
-  auto finder = make_image_space_method(method, request.world);
-  finder->prepare({*scene_, size, request.roundoff}, request.threads);
-  prepared_ = Prepared{request.method, size, request.roundoff, request.world, std::move(finder)};
-}
-
-void SoftwareRenderer::find_texts(const DisplayFile& display_file, const RasterRequest& request) {
-  texts_.clear();
-  if (!request.texts || !display_file.has_texts()) return;
-  texts_ = is_image_space(request.method) ? seen_texts(*scene_) : seen_texts(display_file, false);
+  if (!prepared_ || request.world != nullptr) {
+    const HiddenMethod method =
+        request.method == HiddenMethod::automatic ? kMethodForPixels : request.method;
+    prepared_ = Prepared{.method = request.method,
+                         .finder = make_image_space_method(method, request.world)};
+  }
+  prepared_->scene = nullptr;  // unless it succeeds
+  prepared_->finder->prepare({*scene_, size, request.roundoff}, request.threads);
+  prepared_->scene = scene_.get();
+  prepared_->size = size;
+  prepared_->roundoff = request.roundoff;
+  prepared_->world = request.world;
 }
 
 /// No fewer are drawn as cheaply each.
-int SoftwareRenderer::rows_at_a_time(const DisplayFile& display_file,
-                                     const RasterRequest& request) const {
-  const int rows = rows_worth_a_walk(request, display_file.polygons());
+int SoftwareRenderer::rows_at_a_time(const Drawn& drawn, const RasterRequest& request) const {
+  const int rows = rows_worth_a_walk(request, drawn.polygons);
   if (!is_image_space(request.method)) return rows;
   const int of_method = prepared_->finder->rows_at_a_time();
   return scene_->has_lines() ? std::max(rows, of_method) : of_method;
 }
 
 /// The picture becomes these rows of it.
-void SoftwareRenderer::draw_rows(const DisplayFile& display_file, const RasterRequest& request,
+void SoftwareRenderer::draw_rows(const Drawn& drawn, const RasterRequest& request,
                                  const RowRange& rows) {
   const bool image_space = is_image_space(request.method);
   const bool lines = image_space && scene_->has_lines();
@@ -217,9 +242,9 @@ void SoftwareRenderer::draw_rows(const DisplayFile& display_file, const RasterRe
   make_room(picture_.depth, request.depth || lines ? pixels : 0);
   if (image_space) {
     find_fills_seen(request, rows);
-    if (lines) draw_lines_over_fills(display_file, request, rows);
+    if (lines) draw_lines_over_fills(request, rows);
   } else {
-    paint_in_order(display_file, request, rows);
+    paint_in_order(*drawn.display_file, request, rows);
   }
   paint_texts(texts_, {request.width, request.height}, rows.begin, rows.end, picture_);
   if (spare) {
@@ -278,42 +303,58 @@ void SoftwareRenderer::find_fills_seen(const RasterRequest& request, const RowRa
   });
 }
 
-void SoftwareRenderer::draw_lines_over_fills(const DisplayFile& display_file,
-                                             const RasterRequest& request, const RowRange& rows) {
+void SoftwareRenderer::draw_lines_over_fills(const RasterRequest& request, const RowRange& rows) {
   std::vector<double> of_fills;
   if (request.depth) of_fills = picture_.depth;
-  const int at_a_time = rows_worth_a_walk(request, display_file.polygons());
+  const int at_a_time = rows_worth_a_walk(request, scene_->items());
   for_bands_of_rows(request, rows, at_a_time, [&](const RowRange& band) {
     LinesOverFills lines(
         {picture_, {request.width, request.height}, pixel_of(request.background), rows, band});
-    interpret(display_file, lines, Pass::lines, Order::entered, request.line_scale);
+    interpret_lines(*scene_, lines, request.line_scale);
   });
   if (request.depth) picture_.depth = std::move(of_fills);
 }
 
-const Picture& SoftwareRenderer::draw(const DisplayFile& display_file,
-                                      const RasterRequest& request) {
-  prepare(display_file, request);
-  find_texts(display_file, request);
-  draw_rows(display_file, request, {0, request.height});
+const Picture& SoftwareRenderer::draw(const Drawn& drawn, const RasterRequest& request) {
+  draw_rows(drawn, request, {0, request.height});
   return picture_;
 }
 
 /// Draws from the top, in strips that are whole bands of the method's.
-void SoftwareRenderer::draw(const DisplayFile& display_file, const RasterRequest& request,
+void SoftwareRenderer::draw(const Drawn& drawn, const RasterRequest& request,
                             const TakeRows& take) {
-  prepare(display_file, request);
-  find_texts(display_file, request);
-  const int band = rows_at_a_time(display_file, request);
+  const int band = rows_at_a_time(drawn, request);
   const int bands =
       std::max(useful_threads(request.threads), kPixelsAtATime / request.width / band);
   const int rows = std::min(band * bands, request.height);
   for (int end = request.height; end > 0;) {
     const int begin = (end - 1) / rows * rows;
-    draw_rows(display_file, request, {begin, end});
+    draw_rows(drawn, request, {begin, end});
     take(picture_);
     end = begin;
   }
+}
+
+const Picture& SoftwareRenderer::draw(const DisplayFile& display_file,
+                                      const RasterRequest& request) {
+  return draw(prepare(display_file, request), request);
+}
+
+void SoftwareRenderer::draw(const DisplayFile& display_file, const RasterRequest& request,
+                            const TakeRows& take) {
+  draw(prepare(display_file, request), request, take);
+}
+
+const Picture& SoftwareRenderer::draw(const ViewedScene& scene, const RasterRequest& request) {
+  const Picture& picture = draw(prepare(scene, request), request);
+  scene_.reset();
+  return picture;
+}
+
+void SoftwareRenderer::draw(const ViewedScene& scene, const RasterRequest& request,
+                            const TakeRows& take) {
+  draw(prepare(scene, request), request, take);
+  scene_.reset();
 }
 
 Picture draw_with_software(const DisplayFile& display_file, const RasterRequest& request) {

@@ -33,6 +33,10 @@ class SoftwareRenderer {
   /// Draws the same picture, some rows at a time from the top: no more of it is in memory than a
   /// few rows for each thread.
   void draw(const DisplayFile& display_file, const RasterRequest& request, const TakeRows& take);
+  /// The same of a scene that is no display file's, by an image-space method other than
+  /// world_ray_cast. What was made ready is never used again, but its memory is.
+  const Picture& draw(const ViewedScene& scene, const RasterRequest& request);
+  void draw(const ViewedScene& scene, const RasterRequest& request, const TakeRows& take);
   Picture take_picture() { return std::move(picture_); }
   /// A picture whose memory the next one may use.
   void give_back(Picture picture) { picture_ = std::move(picture); }
@@ -44,21 +48,28 @@ class SoftwareRenderer {
   /// An image-space method that has taken up the scene.
   struct Prepared {
     HiddenMethod method;  // as asked for
-    PictureSize size;
-    std::optional<double> roundoff;
-    const ViewedWorld* world;
-    std::unique_ptr<ImageSpaceMethod> finder;
+    PictureSize size{};
+    std::optional<double> roundoff = std::nullopt;
+    const ViewedScene* scene = nullptr;
+    const ViewedWorld* world = nullptr;
+    std::unique_ptr<ImageSpaceMethod> finder = nullptr;
   };
-  void prepare(const DisplayFile& display_file, const RasterRequest& request);
-  void find_texts(const DisplayFile& display_file, const RasterRequest& request);
-  int rows_at_a_time(const DisplayFile& display_file, const RasterRequest& request) const;
-  void draw_rows(const DisplayFile& display_file, const RasterRequest& request,
-                 const RowRange& rows);
+  /// What is drawn: a scene, or by a method that is none of image space what its display file has.
+  struct Drawn {
+    const DisplayFile* display_file;
+    std::size_t polygons;
+  };
+  Drawn prepare(const DisplayFile& display_file, const RasterRequest& request);
+  Drawn prepare(const ViewedScene& scene, const RasterRequest& request);
+  void take_up_scene(const RasterRequest& request);
+  const Picture& draw(const Drawn& drawn, const RasterRequest& request);
+  void draw(const Drawn& drawn, const RasterRequest& request, const TakeRows& take);
+  int rows_at_a_time(const Drawn& drawn, const RasterRequest& request) const;
+  void draw_rows(const Drawn& drawn, const RasterRequest& request, const RowRange& rows);
   void paint_in_order(const DisplayFile& display_file, const RasterRequest& request,
                       const RowRange& rows);
   void find_fills_seen(const RasterRequest& request, const RowRange& rows);
-  void draw_lines_over_fills(const DisplayFile& display_file, const RasterRequest& request,
-                             const RowRange& rows);
+  void draw_lines_over_fills(const RasterRequest& request, const RowRange& rows);
 
   Picture picture_;                  // or the rows of it that are being drawn
   std::vector<double> spare_depth_;  // of lines over fills, while the picture has none

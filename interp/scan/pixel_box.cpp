@@ -1,18 +1,6 @@
 #include "interp/scan/pixel_box.h"
 
-#include "interp/scan/scan_edge.h"
-
 namespace displayfile {
-
-namespace {
-
-/// The first column whose centre is at x (device) or right of it, from 0 to the width.
-int first_column_from(double x, int width) {
-  const int column = first_row_above(x, width);
-  return column > 0 && compare_with_centres(x, width, column - 1) == 0 ? column - 1 : column;
-}
-
-}  // namespace
 
 PixelBox extents_of(std::span<const Point3> polygon, const PictureSize& size) {
   Point2 low(polygon[0]), high = low;

@@ -13,17 +13,6 @@
 
 namespace displayfile {
 
-/// The first row whose centre is above y (device), no less than 0 and no more than the height.
-inline int first_row_above(double y, int height) {
-  const double t = y * height - 0.5;
-  if (t < -0.5) return 0;
-  if (!(t < height)) return height;
-  const int row = static_cast<int>(t + 1.0) - 1;  // t's floor
-  // The rounded product can be off by less than a row.
-  if (row >= 0 && compare_with_centres(y, height, row) < 0) return row;
-  return compare_with_centres(y, height, row + 1) < 0 ? row + 1 : std::min(row + 2, height);
-}
-
 /// A side of a polygon that crosses the rows first_row to last_row, in pixel units; where it
 /// crosses them is decided exactly (interp/scan/scan_convert.md).
 struct ScanEdge {

@@ -38,7 +38,7 @@ bool boxes_are_apart(const ViewedScene& scene) {
 /// back faces: where two fills overlap their planes meet, and of equal depths the later is seen.
 bool nothing_lies_in_front(const ViewedScene& scene) {
   constexpr std::size_t kMostVertices = 256;
-  if (scene.all_vertices() > kMostVertices) return false;
+  if (scene.all_points() > kMostVertices) return false;
   for (Fill fill = 1; fill < scene.end(); ++fill) {
     const Plane plane = scene.plane(fill);
     const int toward_viewer = facing(plane);

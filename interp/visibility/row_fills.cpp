@@ -37,9 +37,15 @@ int turn_if_convex(std::span<const Point3> vertices) {
   return known ? turning : 0;
 }
 
-RowFills::RowFills(const ViewedScene& scene, const PictureSize& size, int threads)
-    : fills_(scene.end()), edges_(scene.all_vertices()) {
+void RowFills::make(const ViewedScene& scene, const PictureSize& size, int threads) {
+  fills_.resize(scene.end());
   depth_error_ = static_cast<float>(kDepthError * std::max(1.0, scene.largest_depth()));
+  std::uint32_t edges = 0;
+  for (Fill fill = 1; fill < scene.end(); ++fill) {
+    fills_[fill] = {.edges = edges};
+    edges += scene.sides(fill);
+  }
+  edges_.resize(edges);
   constexpr std::size_t kFillsAtATime = 1024;
   in_parallel(threads, (scene.end() + kFillsAtATime - 1) / kFillsAtATime, [&](std::size_t k) {
     const auto begin = std::max<std::size_t>(1, k * kFillsAtATime);
@@ -68,7 +74,6 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, Fill fill
   const double columns = made.column_end - made.column;
   made.row_begin = row_begin;
   made.row_end = row_end;
-  made.edges = scene.first_vertex(fill);
 
   const Plane plane = scene.plane(fill);
   const PixelDepth depth(plane, size.width, size.height);

@@ -35,9 +35,8 @@ class RowFills {
  public:
   using Fill = ViewedScene::Fill;
 
-  RowFills() = default;
-  /// Makes them ready on up to so many threads.
-  RowFills(const ViewedScene& scene, const PictureSize& size, int threads);
+  /// Makes them ready, in place of those before, on up to so many threads.
+  void make(const ViewedScene& scene, const PictureSize& size, int threads);
 
   Fill end() const { return static_cast<Fill>(fills_.size()); }
   const RowFill& operator[](Fill fill) const { return fills_[fill]; }

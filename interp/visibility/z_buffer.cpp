@@ -190,7 +190,7 @@ class DepthDecisions : public BandDecisions {
 
 void ZBuffer::prepare(const Request& request, int threads) {
   request_.emplace(request);
-  fills_ = RowFills(request.scene, request.size, threads);
+  fills_.make(request.scene, request.size, threads);
   sort_into_bands();
 }
 

@@ -6,7 +6,7 @@ namespace displayfile::bench {
 
 Triangles in_triangles(const ViewedScene& scene) {
   Triangles triangles;
-  triangles.corners.reserve(3 * scene.all_vertices());
+  triangles.corners.reserve(3 * std::size_t{scene.end()});
   Triangulation triangulation;
   for (ViewedScene::Fill fill = 1; fill < scene.end(); ++fill) {
     const auto p = scene.vertices(fill);

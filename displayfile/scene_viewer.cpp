@@ -1,0 +1,381 @@
+#include "displayfile/scene_viewer.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "clip/back_face.h"
+#include "displayfile/view_stage.h"
+#include "hidden/parallel.h"
+
+namespace displayfile {
+
+namespace {
+
+constexpr std::uint32_t kPrimitivesOfAPart = 8192;
+constexpr std::uint32_t kPointsOfABlock = 8192;
+
+/// Calls visit(first, end) for runs of at most so many that together are all from `first` on.
+template <class Visit>
+void for_each_run(std::uint32_t first, std::uint32_t end, std::uint32_t most, Visit&& visit) {
+  for (; first < end; first += std::min(most, end - first)) {
+    visit(first, first + std::min(most, end - first));
+  }
+}
+
+/// Finds points that are equal to the last bit; a table of places, no less than half of them free.
+class EqualPoints {
+ public:
+  EqualPoints(std::vector<Point3>& points, std::size_t most)
+      : points_(points), table_(std::bit_ceil(2 * most + 1), kFree) {}
+
+  /// From here on only points that are added later are found.
+  void forget() { first_ = points_.size(); }
+  /// The number of that point, which is added if there is none.
+  std::uint32_t number_of(const Point3& p) {
+    std::size_t at = hash(p) & (table_.size() - 1);
+    while (table_[at] != kFree && !is(table_[at], p)) at = (at + 1) & (table_.size() - 1);
+    if (table_[at] == kFree) {
+      table_[at] = static_cast<std::uint32_t>(points_.size());
+      points_.push_back(p);
+    }
+    return table_[at];
+  }
+
+ private:
+  static constexpr std::uint32_t kFree = std::numeric_limits<std::uint32_t>::max();
+  using Bits = std::array<std::uint64_t, 3>;
+
+  static std::size_t hash(const Point3& p) {
+    std::uint64_t h = 0;
+    for (const std::uint64_t bits : std::bit_cast<Bits>(p)) {
+      h = (h ^ bits) * 0x9E3779B97F4A7C15u;
+      h ^= h >> 32;
+    }
+    return h;
+  }
+  bool is(std::uint32_t number, const Point3& p) const {
+    return number >= first_ && std::bit_cast<Bits>(points_[number]) == std::bit_cast<Bits>(p);
+  }
+
+  std::vector<Point3>& points_;
+  std::vector<std::uint32_t> table_;
+  std::size_t first_ = 0;
+};
+
+bool is_solid(const Attributes& attributes) {
+  return attributes.fill.kind == FillStyle::Kind::solid;
+}
+bool is_outlined(const Attributes& attributes) {
+  return attributes.line.kind != LineStyle::Kind::none;
+}
+
+}  // namespace
+
+/// Some primitives of one segment, and what of them is in the view: the items of a scene whose
+/// points are those of all, and after these its own.
+class SceneViewer::Part {
+ public:
+  Part(std::uint32_t segment, std::uint32_t first, std::uint32_t end)
+      : segment_(segment), first_(first), end_(end) {}
+
+  std::uint32_t segment() const { return segment_; }
+  const ViewedScene& seen() const { return seen_; }
+
+  /// What is the same for all parts.
+  struct InView {
+    const SceneViewer& viewer;
+    const Wanted& wanted;
+    const ViewVolume& volume;
+    bool by_centres;
+  };
+  void view(const InView& in_view, const ImageTransformation& image) {
+    forget();
+    in_view_ = &in_view;
+    seen_.items_.reserve(end_ - first_);
+    seen_.pick_.reserve(end_ - first_);
+    if (!stage_) stage_.emplace(in_view.volume);
+    stage_->set_volume(in_view.volume);
+    matrix_.reset();
+    if (!image.is_identity()) matrix_.emplace(image);
+    const RetainedScene& scene = *in_view.viewer.scene_;
+    std::optional<std::uint32_t> in_force;
+    for (std::uint32_t i = first_; i < end_; ++i) {
+      const RetainedScene::Primitive& primitive = scene[i];
+      if (in_force != primitive.attributes) {
+        in_force = primitive.attributes;
+        take(scene.attributes(i));
+      }
+      if (draws_ && !view_whole(i, primitive)) view_in_stage(i, primitive);
+    }
+  }
+  void forget() {
+    seen_.clear();
+    seen_.own_points_.clear();
+  }
+
+ private:
+  using Primitive = RetainedScene::Primitive;
+
+  void take(const Attributes& attributes) {
+    attributes_ = attributes;
+    if (attributes_.light) {
+      attributes_.light->toward = in_view_->wanted.lights_turned * attributes_.light->toward;
+    }
+    outlined_ = is_outlined(attributes_);
+    draws_ = is_solid(attributes_) || outlined_;
+    by_centres_ = in_view_->by_centres && !outlined_;
+  }
+
+  /// A polygon none of whose vertices is outside, and that is lit evenly: its points are among
+  /// those of all. False if it needs more.
+  bool view_whole(std::uint32_t i, const Primitive& primitive) {
+    if (matrix_ || primitive.is_line()) return false;
+    const SceneViewer& viewer = in_view_->viewer;
+    const std::uint32_t* const corners = viewer.viewed_.corners_.data() + primitive.first;
+    const Place first = viewer.places_[corners[0]];
+    std::uint32_t any = first.outcode, all = first.outcode;
+    unsigned columns = 0, rows = 0;  // bits in which corners differ
+    for (std::uint32_t k = 1; k < primitive.sides; ++k) {
+      const Place& place = viewer.places_[corners[k]];
+      any |= place.outcode;
+      all &= place.outcode;
+      columns |= static_cast<unsigned>(place.column ^ first.column);
+      rows |= static_cast<unsigned>(place.row ^ first.row);
+    }
+    if (any != 0) return all != 0;
+    if (by_centres_ && (columns == 0 || rows == 0)) return true;
+    const RetainedScene& scene = *viewer.scene_;
+    if (attributes_.light && (attributes_.shadows || scene.is_smooth(i))) return false;
+    const PointRow vertices(viewer.viewed_.own_points_, {corners, primitive.sides});
+    const double c =
+        attributes_.back_face_removal || attributes_.light ? newell_c(vertices) : 0.0;
+    if (attributes_.back_face_removal && c <= 0.0) return true;
+    const bool turned_away = !attributes_.back_face_removal && c < 0.0;
+    const FillStyle& fill = attributes_.light ? lit_ = lit(attributes_.fill, *attributes_.light,
+                                                           scene.normal(i), turned_away)
+                                              : attributes_.fill;
+    seen_.add_polygon(primitive.first, vertices, {fill, attributes_.line, primitive.pick});
+    return true;
+  }
+
+  void view_in_stage(std::uint32_t i, const Primitive& primitive) {
+    const RetainedScene& scene = *in_view_->viewer.scene_;
+    const auto first =
+        static_cast<std::uint32_t>(in_view_->viewer.corners_ + seen_.own_points_.size());
+    if (primitive.is_line()) {
+      const PointRow ends = scene.points(i);
+      std::array<Point3, 2> clipped;
+      if (!outlined_ || !stage_->pipeline().clip_line(ends[0], ends[1], clipped[0], clipped[1])) {
+        return;
+      }
+      take_points(clipped);
+      return seen_.add_item({first, 2, Primitives::Kind::line},
+                            {attributes_.fill, attributes_.line, primitive.pick});
+    }
+    const ViewedPolygon viewed = stage_->view_polygon(scene.polygon(i), attributes_);
+    const ClippedPolygon& polygon = viewed.polygon;
+    if (polygon.vertices.empty()) return;
+    const FillStyle* fill = viewed.fill;
+    if (matrix_ && fill->shadow) {
+      lit_ = *fill;
+      lit_.shadow->light = matrix_->apply(lit_.shadow->light);
+      fill = &lit_;
+    }
+    if (std::ranges::find(polygon.edge_visible, 0) != polygon.edge_visible.end()) {
+      seen_.note_edges(seen_.own_points_.size(), polygon.edge_visible);
+    }
+    std::optional<std::uint32_t> first_intensity;
+    if (!polygon.intensities.empty() && is_solid(attributes_)) {
+      first_intensity = static_cast<std::uint32_t>(seen_.own_intensities_.size());
+      seen_.own_intensities_.insert(seen_.own_intensities_.end(), polygon.intensities.begin(),
+                                    polygon.intensities.end());
+    }
+    take_points(polygon.vertices);
+    const auto vertices = std::span(seen_.own_points_).last(polygon.vertices.size());
+    seen_.add_polygon(first, vertices, {*fill, attributes_.line, primitive.pick},
+                      first_intensity.value_or(ViewedScene::kNone));
+  }
+
+  void take_points(std::span<const Point3> points) {
+    for (const Point3& p : points) {
+      seen_.own_points_.push_back(matrix_ ? matrix_->apply(p) : p);
+    }
+  }
+
+  std::uint32_t segment_, first_, end_;
+  ViewedScene seen_;
+  const InView* in_view_ = nullptr;
+  std::optional<ViewStage> stage_;
+  std::optional<ImageMatrix> matrix_;
+  Attributes attributes_;  // in force, the light turned
+  bool outlined_ = false, draws_ = false, by_centres_ = false;
+  FillStyle lit_;
+};
+
+SceneViewer::SceneViewer(const RetainedScene& scene, const DisplayFile& attributes)
+    : scene_(&scene), attributes_(&attributes) {
+  const Primitives all = scene.primitives({});
+  corners_ = all.all_corners();
+  all_edges_drawn_ = std::ranges::find(all.visible, 0) == all.visible.end();
+  if (scene.has_shared()) {
+    points_ = all.points;
+    viewed_.corners_.assign(all.corners.begin(), all.corners.end());
+    for (const RetainedScene::Segment& segment : scene.segments()) {
+      segments_.push_back({segment.first_point, segment.end_point});
+    }
+  } else {
+    share_equal_vertices();
+  }
+  const auto segments = static_cast<std::uint32_t>(scene.segments().size());
+  for (std::uint32_t k = 0; k < segments; ++k) {
+    const RetainedScene::Segment& segment = scene.segments()[k];
+    for_each_run(segments_[k].first_point, segments_[k].end_point, kPointsOfABlock,
+                 [&](std::uint32_t first, std::uint32_t end) {
+                   blocks_.push_back({k, first, end, 0.0});
+                 });
+    for_each_run(segment.first, segment.end, kPrimitivesOfAPart,
+                 [&](std::uint32_t first, std::uint32_t end) {
+                   parts_.push_back(std::make_unique<Part>(k, first, end));
+                 });
+  }
+  for (std::uint32_t i = 0; i < scene.size(); ++i) shows_shadows_ |= scene.attributes(i).shadows;
+}
+
+SceneViewer::~SceneViewer() = default;
+SceneViewer::SceneViewer(SceneViewer&&) noexcept = default;
+SceneViewer& SceneViewer::operator=(SceneViewer&&) noexcept = default;
+
+/// Segments share none with each other.
+void SceneViewer::share_equal_vertices() {
+  const std::span<const Point3> points = scene_->primitives({}).points;
+  EqualPoints equal(welded_, points.size());
+  viewed_.corners_.reserve(points.size());
+  for (const RetainedScene::Segment& segment : scene_->segments()) {
+    equal.forget();
+    const auto first = static_cast<std::uint32_t>(welded_.size());
+    for (const Point3& p : scene_->points(segment)) viewed_.corners_.push_back(equal.number_of(p));
+    segments_.push_back({first, static_cast<std::uint32_t>(welded_.size())});
+  }
+  welded_.shrink_to_fit();
+  points_ = welded_;
+}
+
+const ViewedScene& SceneViewer::view(const Wanted& wanted) {
+  const ViewVolume volume(wanted.view);
+  for (std::size_t k = 0; k < segments_.size(); ++k) {
+    const Segment& now = attributes_->segment(scene_->segments()[k].name);
+    segments_[k].visible = now.visible;
+    segments_[k].image = now.image;
+  }
+  view_points(wanted, volume);
+  const Part::InView in_view{*this, wanted, volume, wanted.centres_of && !shows_shadows_};
+  in_parallel(wanted.threads, parts_.size(), [&](std::size_t k) {
+    Part& part = *parts_[k];
+    const SegmentNow& segment = segments_[part.segment()];
+    segment.visible ? part.view(in_view, segment.image) : part.forget();
+  });
+  join_parts();
+  view_texts(volume);
+  return viewed_;
+}
+
+void SceneViewer::view_points(const Wanted& wanted, const ViewVolume& volume) {
+  places_.resize(points_.size());
+  viewed_.own_points_.resize(points_.size());
+  const ClipPipeline pipeline(volume);
+  in_parallel(wanted.threads, blocks_.size(), [&](std::size_t k) {
+    Block& block = blocks_[k];
+    block.largest_depth = 0.0;
+    if (!segments_[block.segment].visible) return;
+    for (std::uint32_t i = block.first; i < block.end; ++i) {
+      const auto [device, outcode] = pipeline.view(points_[i]);
+      viewed_.own_points_[i] = device;
+      places_[i] = {0, 0, outcode};
+      block.largest_depth = std::max(block.largest_depth, std::abs(device.z));
+      if (!wanted.centres_of) continue;
+      const auto& [width, height] = *wanted.centres_of;
+      places_[i].column = static_cast<std::uint16_t>(first_column_from(device.x, width));
+      places_[i].row = static_cast<std::uint16_t>(first_row_above(device.y, height));
+    }
+  });
+}
+
+/// Puts the parts one after another, in order of entry.
+void SceneViewer::join_parts() {
+  viewed_.clear();
+  viewed_.own_points_.resize(points_.size());
+  viewed_.items_.reserve(scene_->size());
+  viewed_.pick_.reserve(scene_->size());
+  if (!all_edges_drawn_) {
+    const auto drawn = scene_->primitives({}).visible;
+    viewed_.edge_visible_.assign(drawn.begin(), drawn.end());
+  }
+  for (const Block& block : blocks_) {
+    viewed_.largest_depth_ = std::max(viewed_.largest_depth_, block.largest_depth);
+  }
+  std::size_t k = 0;
+  for (std::uint32_t segment = 0; segment < segments_.size(); ++segment) {
+    if (!segments_[segment].visible) continue;
+    viewed_.segments_.push_back({scene_->segments()[segment].name, viewed_.items()});
+    while (k < parts_.size() && parts_[k]->segment() < segment) ++k;
+    for (; k < parts_.size() && parts_[k]->segment() == segment; ++k) {
+      viewed_.append(parts_[k]->seen(), corners_, points_.size());
+    }
+  }
+  viewed_.points_ = viewed_.own_points_;
+  viewed_.intensities_ = viewed_.own_intensities_;
+  number_own_corners();
+  if (!viewed_.edge_visible_.empty()) viewed_.edge_visible_.resize(viewed_.corners_.size(), 1);
+}
+
+/// The points that come after those of the retained scene are corners of their own.
+void SceneViewer::number_own_corners() {
+  std::vector<std::uint32_t>& corners = viewed_.corners_;
+  const std::size_t own = viewed_.own_points_.size() - points_.size();
+  while (corners.size() < corners_ + own) {
+    corners.push_back(static_cast<std::uint32_t>(points_.size() + corners.size() - corners_));
+  }
+}
+
+void SceneViewer::view_texts(const ViewVolume& volume) {
+  const ClipPipeline pipeline(volume);
+  for (std::size_t k = 0; k < segments_.size(); ++k) {
+    if (!segments_[k].visible) continue;
+    const RetainedScene::Segment& segment = scene_->segments()[k];
+    for (const RetainedScene::Text& text : scene_->texts(segment)) {
+      const auto [device, outcode] = pipeline.view(text.anchor);
+      if (outcode != 0) continue;
+      const Attributes& look = scene_->attributes(text);
+      const Point3 anchor = segments_[k].image.is_identity()
+                                ? device
+                                : ImageMatrix(segments_[k].image).apply(device);
+      viewed_.texts_.push_back({anchor, look.text, look.line, text.characters, segment.name});
+    }
+  }
+}
+
+DisplayFile SceneViewer::display_file(const View& view, const glm::dmat3& lights_turned) const {
+  DisplayFile file;
+  const ViewVolume volume(view);
+  ViewStage stage(volume);
+  for (const RetainedScene::Segment& part : scene_->segments()) {
+    const Segment& now = attributes_->segment(part.name);
+    if (!now.visible) continue;
+    Segment& segment = file.create(part.name);
+    segment.image = now.image;
+    scene_->enter_viewed(part, stage, lights_turned, segment, [](std::uint32_t) {});
+    segment.close();
+  }
+  return file;
+}
+
+std::size_t SceneViewer::bytes() const {
+  const auto size = [](const auto& array) { return array.size() * sizeof(array[0]); };
+  std::size_t sum = size(welded_) + size(places_) + viewed_.bytes();
+  for (const auto& part : parts_) sum += part->seen().bytes();
+  return sum;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "clip/view.h"
+#include "displayfile/display_file.h"
+#include "displayfile/retained_scene.h"
+#include "displayfile/viewed_scene.h"
+#include "hidden/exact/pixel_centre.h"
+
+namespace displayfile {
+
+/// A retained scene in new views, without a sort: what is in a view, for any method that works in
+/// image space (displayfile/scene_viewer.md). A vertex is viewed once however many polygons share
+/// it; polygons that are outside, turned away or between pixel centres cost a few instructions; and
+/// from the third view on no memory is asked for, as long as what is clipped does not grow.
+class SceneViewer {
+ public:
+  /// The scene, and the display file of the system that retained it, which says which segments are
+  /// visible and how their images are transformed. Both must live on; of the scene nothing may
+  /// change. Vertices that are equal to the last bit are found here, if the application shared
+  /// none.
+  SceneViewer(const RetainedScene& scene, const DisplayFile& attributes);
+  ~SceneViewer();
+  SceneViewer(SceneViewer&&) noexcept;
+  SceneViewer& operator=(SceneViewer&&) noexcept;
+
+  struct Wanted {
+    View view;
+    glm::dmat3 lights_turned = glm::dmat3(1.0);  ///< a rotation
+    /// For a picture of that size alone: fills of no drawn side that cannot cover a pixel's centre
+    /// are left out, unless shadows are seen. Sides up to 65535.
+    std::optional<PictureSize> centres_of = std::nullopt;
+    int threads = 1;  ///< the scene is the same for any number
+  };
+  /// The visible segments as they are now, in that view: the scene that display_file(view) has, but
+  /// for what is left out. It stays until the next call. Throws Error as ViewVolume does.
+  const ViewedScene& view(const Wanted& wanted);
+
+  /// What the display file would be if the application had drawn in that view: the polygons clipped
+  /// and checked for back faces, whole and in order of entry.
+  DisplayFile display_file(const View& view,
+                           const glm::dmat3& lights_turned = glm::dmat3(1.0)) const;
+
+  std::size_t bytes() const;  ///< of the arrays, as used in the last view
+
+ private:
+  class Part;
+  /// A vertex against the rows and columns of pixel centres, and against the view volume.
+  struct Place {
+    std::uint16_t column, row;  ///< the first at or right of it, the first above it
+    std::uint32_t outcode;
+  };
+  struct Block {
+    std::uint32_t segment, first, end;  ///< of points
+    double largest_depth;               ///< of them, in the last view
+  };
+  struct SegmentNow {
+    std::uint32_t first_point, end_point;
+    bool visible = false;
+    ImageTransformation image = {};
+  };
+  void share_equal_vertices();
+  void view_points(const Wanted& wanted, const ViewVolume& volume);
+  void join_parts();
+  void number_own_corners();
+  void view_texts(const ViewVolume& volume);
+
+  const RetainedScene* scene_;
+  const DisplayFile* attributes_;
+  std::vector<Point3> welded_;      // points, if the application shared none
+  std::span<const Point3> points_;  // in world coordinates
+  std::size_t corners_ = 0;         // of the retained scene
+  bool all_edges_drawn_ = true;
+  bool shows_shadows_ = false;  // then what covers no centre matters
+  std::vector<SegmentNow> segments_;
+  std::vector<Block> blocks_;
+  std::vector<Place> places_;  // of the points
+  std::vector<std::unique_ptr<Part>> parts_;
+  ViewedScene viewed_;
+};
+
+}  // namespace displayfile

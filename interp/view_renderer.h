@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/mat3x3.hpp>
+#include <memory>
+
+#include "clip/view.h"
+#include "displayfile/display_file.h"
+#include "displayfile/retained_scene.h"
+#include "interp/draw.h"
+
+namespace displayfile {
+
+/// Draws a retained scene from new eyes, one picture after another, by any method that works in
+/// image space (displayfile/scene_viewer.md): nothing is sorted, each vertex is viewed once, what
+/// no pixel's centre can show is left out, and memory is kept from picture to picture. What is
+/// seen is what the system would have drawn in that view, to the last bit. For one thread, which
+/// shares the work among as many as the options say.
+class ViewRenderer {
+ public:
+  /// The scene, and the display file of the system that retained it, which says which segments are
+  /// visible and how their images are transformed. Both must live on, and nothing of the scene may
+  /// change.
+  ViewRenderer(const RetainedScene& scene, const DisplayFile& attributes);
+  ~ViewRenderer();
+  ViewRenderer(ViewRenderer&& other) noexcept;
+  ViewRenderer& operator=(ViewRenderer&& other) noexcept;
+
+  /// The visible segments in that view, with the lights turned by a rotation. The options' method
+  /// is `automatic`, the z-buffer, unless they say otherwise; scope has no meaning. The picture
+  /// stays until the next call, which uses its memory again. Throws Error as draw (interp/draw.h)
+  /// and ViewVolume do, and for a method that does not work in image space.
+  const Picture& draw(const View& view, const DrawOptions& options = {},
+                      const glm::dmat3& lights_turned = glm::dmat3(1.0));
+  void draw(const View& view, const std::filesystem::path& file, const DrawOptions& options = {},
+            const glm::dmat3& lights_turned = glm::dmat3(1.0));
+
+  /// The display file as if the application had drawn in that view, written for who asks.
+  DisplayFile display_file(const View& view,
+                           const glm::dmat3& lights_turned = glm::dmat3(1.0)) const;
+
+ private:
+  struct Kept;
+  std::unique_ptr<Kept> kept_;
+};
+
+}  // namespace displayfile

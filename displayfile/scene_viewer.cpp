@@ -7,6 +7,8 @@
 
 #include "clip/back_face.h"
 #include "displayfile/view_stage.h"
+#include "hidden/exact/few_centres.h"
+#include "hidden/exact/orientation.h"
 #include "hidden/parallel.h"
 
 namespace displayfile {
@@ -100,14 +102,14 @@ class SceneViewer::Part {
     matrix_.reset();
     if (!image.is_identity()) matrix_.emplace(image);
     const RetainedScene& scene = *in_view.viewer.scene_;
-    std::optional<std::uint32_t> in_force;
-    for (std::uint32_t i = first_; i < end_; ++i) {
-      const RetainedScene::Primitive& primitive = scene[i];
-      if (in_force != primitive.attributes) {
-        in_force = primitive.attributes;
-        take(scene.attributes(i));
+    for (std::uint32_t i = first_; i < end_;) {
+      std::uint32_t end = i + 1;
+      while (end < end_ && scene[end].attributes == scene[i].attributes) ++end;
+      take(scene.attributes(i));
+      if (draws_) {
+        attributes_.light || outlined_ || matrix_ ? view_all(i, end) : view_unlit(i, end);
       }
-      if (draws_ && !view_whole(i, primitive)) view_in_stage(i, primitive);
+      i = end;
     }
   }
   void forget() {
@@ -127,6 +129,57 @@ class SceneViewer::Part {
     draws_ = is_solid(attributes_) || outlined_;
     by_centres_ = in_view_->by_centres && !outlined_;
   }
+
+  void view_all(std::uint32_t first, std::uint32_t end) {
+    const RetainedScene& scene = *in_view_->viewer.scene_;
+    for (std::uint32_t i = first; i < end; ++i) {
+      if (!view_whole(i, scene[i])) view_in_stage(i, scene[i]);
+    }
+  }
+
+  /// The same, for what most large meshes are: triangles are looked at as quickly as can be.
+  void view_unlit(std::uint32_t first, std::uint32_t end) {
+    const SceneViewer& viewer = in_view_->viewer;
+    const RetainedScene& scene = *viewer.scene_;
+    const std::uint32_t* const corners = viewer.viewed_.corners_.data();
+    const Point3* const points = viewer.viewed_.own_points_.data();
+    const Place* const places = viewer.places_.data();
+    const PictureSize size = in_view_->wanted.centres_of.value_or(PictureSize{1, 1});
+    for (std::uint32_t i = first; i < end; ++i) {
+      const Primitive& primitive = scene[i];
+      if (primitive.sides != 3) {
+        if (!view_whole(i, primitive)) view_in_stage(i, primitive);
+        continue;
+      }
+      const std::uint32_t* const corner = corners + primitive.first;
+      const Place &a = places[corner[0]], &b = places[corner[1]], &c = places[corner[2]];
+      if ((a.outcode | b.outcode | c.outcode) != 0) [[unlikely]] {
+        if ((a.outcode & b.outcode & c.outcode) == 0) view_in_stage(i, primitive);
+        continue;
+      }
+      const Point3 &p = points[corner[0]], &q = points[corner[1]], &r = points[corner[2]];
+      if (by_centres_) {
+        const auto [left, right] = std::minmax({a.column, b.column, c.column});
+        const auto [bottom, top] = std::minmax({a.row, b.row, c.row});
+        const std::int32_t columns = right - left, rows = top - bottom;
+        if (columns * rows <= kFew &&
+            (columns * rows == 0 ||
+             covers_none_of_few(p, q, r, size, left, columns, bottom, rows))) {
+          continue;
+        }
+      }
+      const auto [twice_area, bound] = orientation_value(Point2(p), Point2(q), Point2(r));
+      if (!(std::abs(twice_area) > bound)) [[unlikely]] {
+        view_whole(i, primitive);
+        continue;
+      }
+      if (attributes_.back_face_removal && newell_c(std::array{p, q, r}) <= 0.0) continue;
+      seen_.add_item({primitive.first, 3, Primitives::Kind::solid},
+                     {attributes_.fill, attributes_.line, primitive.pick});
+      seen_.add_fill();
+    }
+  }
+  static constexpr std::int32_t kFew = 6;  // centres, which it is worth looking at
 
   /// A polygon none of whose vertices is outside, and that is lit evenly: its points are among
   /// those of all. False if it needs more.

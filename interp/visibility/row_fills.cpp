@@ -57,8 +57,9 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, int threa
 static_assert(sizeof(RowFill) == 40);
 
 void RowFills::make(const ViewedScene& scene, const PictureSize& size, Fill fill) {
-  const auto vertices = scene.vertices(fill);
   RowFill& made = fills_[fill];
+  if (scene.sides(fill) == 3 && make_triangle(scene, size, fill)) return;
+  const auto vertices = scene.vertices(fill);
   const FlatExtent extent = flat_extent(vertices);
   const double left = extent.left * size.width, right = extent.right * size.width;
   const double width = size.width;
@@ -91,6 +92,92 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, Fill fill
   if (vertices.size() > kMostSides) return;
   const int turn = turn_if_convex(vertices);
   if (turn != 0) make_edges(vertices, size, turn, made);
+}
+
+/// What make would make of it, in less: a triangle needs no test whether it is convex, and its
+/// plane is that of its corners. False if it needs more.
+bool RowFills::make_triangle(const ViewedScene& scene, const PictureSize& size, Fill fill) {
+  RowFill& made = fills_[fill];
+  const auto [p, q, r] = scene.corners_of_triangle(fill);
+  const double width = size.width, height = size.height;
+  const double x[3] = {p->x * width, q->x * width, r->x * width};
+  const double y[3] = {p->y * height, q->y * height, r->y * height};
+  // Far from the picture the bounds below are another's.
+  const auto [left, right] = std::minmax({x[0], x[1], x[2]});
+  const auto [bottom, top] = std::minmax({y[0], y[1], y[2]});
+  if (!(left >= -width && right <= 2.0 * width && bottom >= -height && top <= 2.0 * height)) {
+    return false;
+  }
+  const double first = std::ceil(left - std::abs(left) * 0x1p-50 - 0.5);
+  const double end = std::ceil(right + std::abs(right) * 0x1p-50 - 0.5);
+  if (!(first < end && first < width && end > 0.0)) return true;
+  const int rows[3] = {first_row_above(p->y, size.height), first_row_above(q->y, size.height),
+                       first_row_above(r->y, size.height)};
+  const int row_begin = std::min({rows[0], rows[1], rows[2]});
+  const int row_end = std::max({rows[0], rows[1], rows[2]});
+  if (row_begin == row_end) return true;
+  const double column = std::clamp(first, 0.0, width - 1.0);
+
+  const double px = x[1] - x[0], py = y[1] - y[0], pz = q->z - p->z;
+  const double qx = x[2] - x[0], qy = y[2] - y[0], qz = r->z - p->z;
+  const double area = px * qy - py * qx, per_area = 1.0 / area;
+  const double across = std::max(right - left, top - bottom);
+  const double coordinates = 0x1p-50 * (3.0 * (width + height) + across);
+  const double area_error = coordinates * across;
+  if (!(std::abs(area) > 2.0 * area_error)) return false;
+  const double dz_dx = (pz * qy - qz * py) * per_area, dz_dy = (qz * px - pz * qx) * per_area;
+  const double slopes = std::abs(dz_dx) + std::abs(dz_dy);
+  const double deep = std::abs(pz) + std::abs(qz);
+  const double slope_error =
+      2.0 * std::abs(per_area) * (4.0 * coordinates * deep + slopes * area_error);
+  const double reach = across + 2.0;
+  const double z = p->z + (row_begin + 0.5 - y[0]) * dz_dy + (column + 0.5 - x[0]) * dz_dx;
+  const double largest = std::abs(z) + std::abs(p->z) + 2.0 * reach * slopes;
+  const double error = 2.0 * reach * slope_error + slopes * coordinates + kDepthUnit * largest;
+  made.row_begin = row_begin;
+  made.row_end = row_end;
+  made.column = static_cast<int>(column);
+  made.column_end = static_cast<int>(std::min(end, width));
+  made.certain = error <= static_cast<double>(depth_error_);
+  if (made.certain) {
+    made.z = static_cast<float>(z);
+    made.dz_dx = static_cast<float>(dz_dx);
+    made.dz_dy = static_cast<float>(dz_dy);
+  }
+  make_edges_of_triangle(x, y, rows, area > 0.0, made);
+  return true;
+}
+
+/// As make_edges. A side that crosses no row of centres bounds none.
+void RowFills::make_edges_of_triangle(const double (&x)[3], const double (&y)[3],
+                                      const int (&rows)[3], bool counterclockwise, RowFill& made) {
+  RowEdge* const edges = edges_.data() + made.edges;
+  const double all_rows = made.row_end - made.row_begin;
+  RowEdge on_right[2];
+  int left = 0, right = 0;
+  double error = 0.0;
+  for (int k = 0, from = 2; k < 3; from = k++) {
+    if (rows[from] == rows[k]) continue;
+    const double rise = y[k] - y[from], slope = (x[k] - x[from]) / rise;
+    const double heights = std::abs(y[from]) + std::abs(y[k]);
+    if (!(std::abs(rise) > 8.0 * kUnit * heights)) return;
+    const double at = x[from] + (made.row_begin + 0.5 - y[from]) * slope - 0.5 - made.column;
+    const double of_double = 16.0 * kUnit *
+                             (std::abs(x[from]) + std::abs(x[k]) + std::abs(slope) * heights) *
+                             (2.0 + all_rows / std::abs(rise));
+    error = std::max(error, of_double + kEdgeUnit * (std::abs(at) + std::abs(slope) * all_rows));
+    const RowEdge edge{static_cast<float>(at), static_cast<float>(slope)};
+    if ((rise > 0.0) == counterclockwise) {
+      on_right[right++ & 1] = edge;
+    } else {
+      edges[left++] = edge;
+    }
+  }
+  if (!(error < kLargestEdgeError) || left == 0 || right == 0 || right > 2) return;
+  std::copy_n(on_right, right, edges + left);
+  made.edge_error = static_cast<float>(error * (1.0 + 0x1p-20));
+  made.left = static_cast<std::uint8_t>(left);
+  made.right = static_cast<std::uint8_t>(right);
 }
 
 /// The inside is on the left of a side that runs up if the polygon runs counterclockwise.

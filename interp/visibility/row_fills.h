@@ -46,6 +46,9 @@ class RowFills {
 
  private:
   void make(const ViewedScene& scene, const PictureSize& size, Fill fill);
+  bool make_triangle(const ViewedScene& scene, const PictureSize& size, Fill fill);
+  void make_edges_of_triangle(const double (&x)[3], const double (&y)[3], const int (&rows)[3],
+                              bool counterclockwise, RowFill& made);
   void make_edges(std::span<const Point3> vertices, const PictureSize& size, int turn,
                   RowFill& made);
 

@@ -99,15 +99,14 @@ TEST(RayCast, TheSameOnAnyNumberOfThreads) {
 }
 
 /// By definition, ray by ray: of the fills hit within ROUNDOFF of the nearest the last.
-TEST(RayCast, WithRoundoffTheLastOfTheNearestIsSeen) {
-  constexpr double kRoundoff = 0.05;
+void expect_the_last_of_the_nearest(double roundoff) {
   const PictureSize size{29, 23};
   for (const auto& family : {test::SceneFamily{"anything", test::scenes::anything},
                              test::SceneFamily{"grid", test::scenes::on_a_grid}}) {
     const DisplayFile file = test::scene(family, 9, 60);
     const ViewedScene scene(file);
-    const FillDepths depths(scene, size, kRoundoff);
-    const auto seen = drawn(scene, size, kRoundoff, 1, size.height);
+    const FillDepths depths(scene, size, roundoff);
+    const auto seen = drawn(scene, size, roundoff, 1, size.height);
     // Each fill alone tells which rays hit it.
     const auto pixels = static_cast<std::size_t>(size.width * size.height);
     std::vector<std::vector<bool>> hit(scene.end(), std::vector<bool>(pixels));
@@ -137,13 +136,16 @@ TEST(RayCast, WithRoundoffTheLastOfTheNearestIsSeen) {
         }
         Fill last = ViewedScene::kBackground;
         for (Fill fill = 1; fill < scene.end(); ++fill) {
-          if (hit[fill][at] && depths.at(fill, column, row) >= nearest - kRoundoff) last = fill;
+          if (hit[fill][at] && depths.at(fill, column, row) >= nearest - roundoff) last = fill;
         }
         ASSERT_EQ(seen[at], last) << family.name << ", column " << column << ", row " << row;
       }
     }
   }
 }
+
+TEST(RayCast, WithRoundoffTheLastOfTheNearestIsSeen) { expect_the_last_of_the_nearest(0.05); }
+TEST(RayCast, WithARoundoffOfZeroTheLastOfTheNearestIsSeen) { expect_the_last_of_the_nearest(0.0); }
 
 std::vector<DeepPixelBox> random_boxes(test::Dice& dice, int count, int side) {
   std::vector<DeepPixelBox> boxes;

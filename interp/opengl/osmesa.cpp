@@ -14,6 +14,7 @@
 
 #include "clip/error.h"
 #include "interp/opengl/opengl.h"
+#include "interp/opengl/osmesa_context.h"
 #include "interp/opengl/triangle_list.h"
 #include "interp/picture.h"
 #include "interp/text/seen_texts.h"
@@ -23,61 +24,6 @@
 namespace displayfile {
 
 namespace {
-
-void require_osmesa() {
-  try {
-    gl();
-  } catch (const Error& error) {
-    throw Error(
-        fmt::format("this system has no OSMesa: {} (Mesa 25.1 and later have none); draw "
-                    "with the software device",
-                    error.what()));
-  }
-}
-
-/// An OpenGL context of OSMesa, current for as long as a Current lives. What it draws into is
-/// a framebuffer object: unlike OSMesa's own buffers that has a depth of 16, 24 or 32 bits as
-/// asked for, and is not copied each time a picture is finished. All objects go with the context.
-class Context {
- public:
-  Context() {
-    const std::array attributes = {OSMESA_FORMAT,
-                                   OSMESA_RGBA,
-                                   OSMESA_DEPTH_BITS,
-                                   0,
-                                   OSMESA_STENCIL_BITS,
-                                   0,
-                                   OSMESA_ACCUM_BITS,
-                                   0,
-                                   OSMESA_PROFILE,
-                                   OSMESA_COMPAT_PROFILE,
-                                   0,
-                                   0};
-    require_osmesa();
-    context_ = gl().CreateContextAttribs(attributes.data(), nullptr);
-    if (context_ == nullptr) throw Error("OSMesa: no OpenGL context could be made");
-  }
-  ~Context() { gl().DestroyContext(context_); }
-  Context(const Context&) = delete;
-  Context& operator=(const Context&) = delete;
-
-  class Current {
-   public:
-    explicit Current(Context& context) {
-      if (gl().MakeCurrent(context.context_, &context.own_pixel_, GL_UNSIGNED_BYTE, 1, 1) !=
-          GL_TRUE) {
-        throw Error("OSMesa: the OpenGL context could not be made current");
-      }
-    }
-    ~Current() { gl().MakeCurrent(nullptr, nullptr, 0, 0, 0); }
-    Current(const Current&) = delete;
-    Current& operator=(const Current&) = delete;
-  };
-
- private:
-  OSMesaContext context_ = nullptr;
-  std::uint32_t own_pixel_ = 0;  // OSMesa wants a buffer of its own, however small
-};
 
 GLint integer(GLenum name) {
   GLint value = 0;
@@ -91,47 +37,6 @@ int largest_side() {
   std::array<GLint, 2> viewport{};
   gl().GetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
   return std::min({viewport[0], viewport[1], integer(GL_MAX_RENDERBUFFER_SIZE)});
-}
-
-void require_no_gl_error(const char* doing) {
-  const GLenum error = gl().GetError();
-  if (error == GL_NO_ERROR) return;
-  while (gl().GetError() != GL_NO_ERROR) {
-  }
-  throw Error(error == GL_OUT_OF_MEMORY
-                  ? fmt::format("OSMesa ran out of memory while {}", doing)
-                  : fmt::format("OSMesa reports OpenGL error 0x{:04X} while {}", error, doing));
-}
-
-/// Makes a framebuffer object and binds it; returns the depth bits that it has.
-int bind_framebuffer(int width, int height, int depth_bits, bool stencil) {
-  const bool only_depth = depth_bits == 16 && !stencil;
-  const GLenum format = only_depth         ? GL_DEPTH_COMPONENT16
-                        : depth_bits == 32 ? GL_DEPTH32F_STENCIL8
-                                           : GL_DEPTH24_STENCIL8;
-  std::array<GLuint, 2> buffer{};
-  GLuint framebuffer = 0;
-  gl().GenFramebuffers(1, &framebuffer);
-  gl().BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  gl().GenRenderbuffers(2, buffer.data());
-  gl().BindRenderbuffer(GL_RENDERBUFFER, buffer[0]);
-  gl().RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
-  gl().FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer[0]);
-  gl().BindRenderbuffer(GL_RENDERBUFFER, buffer[1]);
-  gl().RenderbufferStorage(GL_RENDERBUFFER, format, width, height);
-  gl().FramebufferRenderbuffer(GL_FRAMEBUFFER,
-                               only_depth ? GL_DEPTH_ATTACHMENT : GL_DEPTH_STENCIL_ATTACHMENT,
-                               GL_RENDERBUFFER, buffer[1]);
-  require_no_gl_error("making the frame buffer");
-  if (gl().CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw Error(
-        fmt::format("OSMesa cannot draw into a frame buffer of {}x{} pixels with {} depth "
-                    "bits",
-                    width, height, depth_bits));
-  }
-  GLint granted = 0;
-  gl().GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_DEPTH_SIZE, &granted);
-  return granted;
 }
 
 /// Display-file z to OpenGL depth in [0,1]: the range that occurs, and a little room at both
@@ -272,7 +177,7 @@ class OsmesaScene::Drawing {
     if (depth_bits != 16 && depth_bits != 24 && depth_bits != 32) {
       throw Error(fmt::format("{} depth bits: expected 16, 24 or 32", depth_bits));
     }
-    const Context::Current current(context_);
+    const OsmesaContext::Current current(context_);
     if (std::max(request.width, request.height) > largest_side()) {
       throw Error(fmt::format("picture size {}x{}: OSMesa ({}) draws at most {}x{} pixels",
                               request.width, request.height, renderer(), largest_side(),
@@ -295,13 +200,13 @@ class OsmesaScene::Drawing {
   }
 
   void draw() {
-    const Context::Current current(context_);
+    const OsmesaContext::Current current(context_);
     draw_colours();
     gl().Finish();
   }
 
   Picture picture() {
-    const Context::Current current(context_);
+    const OsmesaContext::Current current(context_);
     Picture picture;
     picture.width = request_.width;
     picture.height = request_.height;
@@ -374,7 +279,7 @@ class OsmesaScene::Drawing {
   }
 
   RasterRequest request_;
-  Context context_;
+  OsmesaContext context_;
   DepthMapping mapping_;
   int depth_bits_ = 0;
   ResidentTriangles fills_, others_;
@@ -391,8 +296,8 @@ bool osmesa_available() {
 
 std::string osmesa_description(int depth_bits) {
   if (!osmesa_available()) return "none: this system has no OSMesa";
-  Context context;
-  const Context::Current current(context);
+  OsmesaContext context;
+  const OsmesaContext::Current current(context);
   const int granted = bind_framebuffer(1, 1, depth_bits, false);
   return fmt::format("{}, {}, {} depth bits, at most {}x{} pixels", renderer(),
                      reinterpret_cast<const char*>(gl().GetString(GL_VERSION)), granted,

@@ -9,7 +9,7 @@ namespace displayfile {
 void RayPacket::begin(const PixelBox& rays) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   rays_ = rays;
-  cast_ = depths_.are_exact() ? Cast::for_fills : Cast::for_depths;
+  cast_ = is_cast_once() ? Cast::for_fills : Cast::for_depths;
   seen_.fill(ViewedScene::kBackground);
   z_.fill(kInfinity);
   for (int row = rays.first_row; row < rays.end_row; ++row) {

@@ -16,7 +16,7 @@ namespace displayfile {
 /// Exact: the nearest, the later of equally near ones. With a ROUNDOFF: the one entered last of
 /// those within ROUNDOFF of the nearest. "Closer than ROUNDOFF" is no order, so that what is seen
 /// would depend on the order of the hits if rays were cast once: they are cast again when the
-/// nearest depths are known.
+/// nearest depths are known. A ROUNDOFF of 0 is an order, and one cast is enough.
 class RayPacket {
  public:
   using Fill = ViewedScene::Fill;
@@ -72,6 +72,7 @@ class RayPacket {
   bool hides_closely(Fill other, int column, int row) {
     return other == ViewedScene::kBackground || close_.hides(fill_, other, column, row);
   }
+  bool is_cast_once() const { return depths_.are_exact() || *depths_.roundoff() == 0.0; }
   void find_farthest();
 
   const FillDepths& depths_;
@@ -92,7 +93,7 @@ class RayPacket {
 inline void RayPacket::hit(int row, int first, int end) {
   const PixelDepth depth = depth_;  // the loop's own: its stores cannot change them
   const double row_depth = depth.row(row), margin = margin_;
-  const bool exact = depths_.are_exact();
+  const bool ordered = is_cast_once();
   double* z_of = z_.data() + index(row, first);
   Fill* seen = seen_.data() + index(row, first);
   for (int column = first; column < end; ++column, ++z_of, ++seen) {
@@ -100,7 +101,7 @@ inline void RayPacket::hit(int row, int first, int end) {
     const double nearer = z - *z_of;
     if (nearer < -margin) continue;
     if (!(nearer > margin) && !hides_closely(*seen, column, row)) continue;
-    if (exact || nearer > 0.0) *z_of = z;  // with a ROUNDOFF the nearest stays
+    if (ordered || nearer > 0.0) *z_of = z;  // with a ROUNDOFF the nearest stays
     *seen = fill_;
     changed_ = true;
   }

@@ -16,13 +16,6 @@ namespace displayfile::bench {
 
 namespace {
 
-/// A column's mean over scenes; `place` is the column's in the tables.
-struct Mean {
-  Column column;
-  double time;
-  std::size_t place;
-};
-
 /// What is less than this part of another's time is clearly faster: two runs agree on it.
 constexpr double kClearly = 0.9;
 
@@ -34,34 +27,8 @@ const Mean& best_of(std::span<const Mean> by_time) {
                            [](const Mean& a, const Mean& b) { return a.place < b.place; });
 }
 
-using Rows = std::vector<const SceneRow*>;
-
-/// By time, those that were measured on all of the scenes; `value` is of a cell.
-std::vector<Mean> means(const Report& report, const Rows& rows,
-                        const std::function<bool(const Column&)>& wanted,
-                        const std::function<std::optional<double>(const Cell&)>& value) {
-  std::vector<Mean> all;
-  std::size_t place = 0;
-  for (const Column& column : columns(report)) {
-    ++place;
-    if (!wanted(column)) continue;
-    std::vector<double> values;
-    for (const SceneRow* row : rows) {
-      const Cell* cell = measured(*row, column.method, column.precision);
-      const auto v = cell == nullptr ? std::nullopt : value(*cell);
-      if (v) values.push_back(*v);
-    }
-    if (values.size() == rows.size()) {
-      all.push_back({column, figure(geometric_mean(values)), place});
-    }
-  }
-  std::ranges::stable_sort(all, {}, &Mean::time);
-  return all;
-}
-
 /// True for the fixed methods that are exact, one of which is to be advised.
 bool is_exact(const Column& column) { return column.exact && !column.is_automatic(); }
-std::optional<double> time_of(const Cell& cell) { return cell.time.median; }
 
 std::string listed(std::span<const Mean> all) {
   std::string text;
@@ -88,21 +55,24 @@ std::int64_t wrong_in(const Rows& rows, const Column& column) {
   return wrong;
 }
 
-/// Those on which no exact sort was left out for taking too long.
-Rows sorted_by_all(const Report& report) {
-  Rows rows = still_scenes(report);
-  std::erase_if(rows, [](const SceneRow* row) {
-    return std::ranges::any_of(row->cells, [](const Cell& cell) {
-      const bool sorts = cell.key.method == "bsp" || cell.key.method == "depth-sort";
-      return cell.exact && sorts && !cell.skipped.empty();
-    });
-  });
-  return rows;
+/// What the figures rest on, in words.
+std::string over(const Rows& rows, std::size_t of) {
+  const std::size_t left_out = of - rows.size();
+  return fmt::format("{} scene{}{}", rows.size(), rows.size() == 1 ? "" : "s",
+                     left_out == 0
+                         ? ""
+                         : fmt::format(" ({} more, from which an exact method was left out, "
+                                       "do not count)",
+                                       left_out));
 }
 
 /// Only what sorts can be written as vectors.
 std::optional<Advice> plot_in_a_paper(const Report& report) {
-  const Rows rows = sorted_by_all(report);
+  const Rows still = still_scenes(report);
+  const auto is_sort = [](const Column& c) {
+    return c.exact && (c.method == "bsp" || c.method == "depth-sort");
+  };
+  const Rows rows = with_nothing_left_out(report, still, is_sort);
   const auto fragments =
       means(report, rows, is_exact, [](const Cell& cell) { return cell.fragments; });
   if (rows.empty() || fragments.empty()) return std::nullopt;
@@ -110,19 +80,16 @@ std::optional<Advice> plot_in_a_paper(const Report& report) {
   Advice advice{"A plot in a paper: vectors, drawn once",
                 best.column.name(),
                 fmt::format("pixels cannot be scaled, so only the sorts draw vectors; pieces of a "
-                            "polygon: {}",
-                            listed(fragments)),
+                            "polygon, over {}: {}",
+                            over(rows, still.size()), listed(fragments)),
                 {}};
   advice.why.emplace_back(
       "Vectors need polygons in an order, so only the sorts in object space can "
       "draw them; an image-space method gives pixels.");
   advice.why.push_back(fmt::format(
-      "Fragments a polygon (geometric mean over {} scenes): {}. Fewer pieces are a smaller file.",
-      rows.size(), listed(fragments)));
-  const auto times = means(
-      report, rows,
-      [&](const Column& c) { return c.exact && (c.method == "bsp" || c.method == "depth-sort"); },
-      time_of);
+      "Fragments a polygon (geometric mean over {}): {}. Fewer pieces are a smaller file.",
+      over(rows, still.size()), listed(fragments)));
+  const auto times = means(report, rows, is_sort, time_of);
   advice.why.push_back(fmt::format("Time of a picture, in reference times: {}.", listed(times)));
   for (const Column& column : columns(report)) {
     if (column.method != best.column.method || column.exact) continue;
@@ -139,11 +106,11 @@ std::optional<Advice> plot_in_a_paper(const Report& report) {
 std::optional<Advice> game_level(const Report& report) {
   const auto walks = names(report, BenchScene::Kind::walk);
   if (walks.empty()) return std::nullopt;
-  const Rows rows{&shown_scene(report, walks.front())};
   const auto retained = [](const Column& c) { return c.precision == "retained tree"; };
-  const auto times = means(
-      report, rows, [&](const Column& c) { return is_exact(c) || retained(c); },
-      [](const Cell& cell) { return std::optional(cell.again->median); });
+  const auto wanted = [&](const Column& c) { return is_exact(c) || retained(c); };
+  const Rows rows = with_nothing_left_out(report, {&shown_scene(report, walks.front())}, wanted);
+  const auto times = means(report, rows, wanted,
+                           [](const Cell& cell) { return std::optional(cell.again->median); });
   if (times.empty()) return std::nullopt;
   const Column& best = best_of(times).column;
   Advice advice{
@@ -172,25 +139,26 @@ std::optional<Advice> game_level(const Report& report) {
 }
 
 std::optional<Advice> huge_image(const Report& report) {
-  Rows rows;
-  std::size_t pixels = 0;
+  Rows large;
   for (const std::string& name : names_but_hard_cases(report)) {
     const auto scenes = series(report, name, Fit::Against::pixels);
-    if (scenes.empty()) continue;
-    rows.push_back(scenes.back());
-    pixels = std::max(pixels, scenes.back()->scene.pixels());
+    if (!scenes.empty()) large.push_back(scenes.back());
   }
+  const Rows rows = with_nothing_left_out(report, large, is_exact);
+  std::size_t pixels = 0;
+  for (const SceneRow* row : rows) pixels = std::max(pixels, row->scene.pixels());
   const auto times = means(report, rows, is_exact, time_of);
   if (rows.empty() || times.empty()) return std::nullopt;
   const Column& best = best_of(times).column;
   Advice advice{"A huge image",
                 best.name(),
-                fmt::format("time at {} pixels: {}", pixels, first_of(times)),
+                fmt::format("time at {} pixels, over {}: {}", pixels, over(rows, large.size()),
+                            first_of(times)),
                 {}};
   advice.why.push_back(fmt::format(
       "At {} pixels, the most of this run, the exact methods take, in reference times (geometric "
-      "mean over {} scenes): {}. Wrong pixels of {} there: {}.",
-      pixels, rows.size(), listed(times), advice.use, wrong_in(rows, best)));
+      "mean over {}): {}. Wrong pixels of {} there: {}.",
+      pixels, over(rows, large.size()), listed(times), advice.use, wrong_in(rows, best)));
   std::map<std::string, std::vector<double>> exponents;
   for (const Fit& fit : fits(report)) {
     if (fit.against == Fit::Against::pixels && fit.precision == "exact") {
@@ -214,6 +182,7 @@ std::optional<Advice> thin_sheets(const Report& report) {
       rows.push_back(&row);
     }
   }
+  rows = with_nothing_left_out(report, rows, is_exact);
   const auto times = means(report, rows, is_exact, time_of);
   if (rows.empty() || times.empty()) return std::nullopt;
   const Column& best = best_of(times).column;
@@ -255,19 +224,19 @@ std::optional<Advice> thin_sheets(const Report& report) {
 }
 
 std::optional<Advice> fastest_exact(const Report& report) {
-  const Rows rows = still_scenes(report);
-  if (rows.empty()) return std::nullopt;
+  const Rows still = still_scenes(report);
+  const Rows rows = with_nothing_left_out(report, still, is_exact);
   const auto times = means(report, rows, is_exact, time_of);
   if (times.empty()) return std::nullopt;
   const Column& usual = best_of(times).column;
   Advice advice{
       "Any other picture of pixels",
       usual.name(),
-      fmt::format("least time of a picture over {} scenes: {}", rows.size(), first_of(times)),
+      fmt::format("least time of a picture over {}: {}", over(rows, still.size()), first_of(times)),
       {}};
-  advice.why.push_back(fmt::format(
-      "The least time of a picture over {} scenes (geometric mean, in reference times): {}.",
-      rows.size(), listed(times)));
+  advice.why.push_back(
+      fmt::format("The least time of a picture over {} (geometric mean, in reference times): {}.",
+                  over(rows, still.size()), listed(times)));
   for (const SceneRow* row : rows) {
     const Cell* best = measured(*row, usual.method, usual.precision);
     if (best == nullptr) continue;

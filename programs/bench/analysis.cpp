@@ -150,6 +150,16 @@ const SceneRow& shown_scene(const Report& report, std::string_view name) {
   return *shown;
 }
 
+const SceneRow& largest_picture(const Report& report, std::string_view name) {
+  const SceneRow* largest = nullptr;
+  for (const SceneRow& row : report.scenes) {
+    if (row.scene.name != name) continue;
+    const auto rank = [](const SceneRow& r) { return std::pair(r.scene.size, r.polygons); };
+    if (largest == nullptr || rank(row) > rank(*largest)) largest = &row;
+  }
+  return *largest;
+}
+
 std::string short_name(const std::string& scene) {
   return std::filesystem::path(scene).stem().string();
 }
@@ -211,8 +221,97 @@ std::vector<Column> columns(const Report& report) {
 }
 
 bool is_in_series(const Column& column) {
-  constexpr std::array<std::string_view, 5> kOthers{"", "float", "24 bits", "single", "bsp"};
+  constexpr std::array<std::string_view, 5> kOthers{"", "float", "24 bits", "single",
+                                                    "bsp, best root"};
   return column.exact || std::ranges::find(kOthers, column.precision) != kOthers.end();
+}
+
+Rows with_nothing_left_out(const Report& report, Rows rows,
+                           const std::function<bool(const Column&)>& wanted) {
+  for (const Column& column : columns(report)) {
+    if (!wanted(column)) continue;
+    const auto is_tried = [&](const SceneRow* row) {
+      return std::ranges::any_of(row->cells, [&](const Cell& cell) {
+        return cell.key.threads == 1 && cell.key.method == column.method &&
+               cell.key.precision == column.precision;
+      });
+    };
+    if (std::ranges::none_of(rows, is_tried)) continue;
+    std::erase_if(rows, [&](const SceneRow* row) {
+      return measured(*row, column.method, column.precision) == nullptr;
+    });
+  }
+  return rows;
+}
+
+std::vector<Mean> means(const Report& report, const Rows& rows,
+                        const std::function<bool(const Column&)>& wanted,
+                        const std::function<std::optional<double>(const Cell&)>& value) {
+  std::vector<Mean> all;
+  if (rows.empty()) return all;
+  std::size_t place = 0;
+  for (const Column& column : columns(report)) {
+    ++place;
+    if (!wanted(column)) continue;
+    std::vector<double> values;
+    for (const SceneRow* row : rows) {
+      const Cell* cell = measured(*row, column.method, column.precision);
+      const auto v = cell == nullptr ? std::nullopt : value(*cell);
+      if (v) values.push_back(*v);
+    }
+    if (values.size() == rows.size()) {
+      all.push_back({column, figure(geometric_mean(values)), place});
+    }
+  }
+  std::ranges::stable_sort(all, {}, &Mean::time);
+  return all;
+}
+
+namespace {
+
+double percent_wrong(const Rows& rows, const Column& column) {
+  Wrong sum;
+  for (const SceneRow* row : rows) {
+    const Cell* cell = measured(*row, column.method, column.precision);
+    if (cell == nullptr) continue;
+    sum.wrong += cell->wrong_pixels;
+    sum.pixels += static_cast<std::int64_t>(row->scene.pixels());
+  }
+  return sum.percent();
+}
+
+}  // namespace
+
+std::optional<FrontOfAll> front_of_all(const Report& report) {
+  const auto any = [](const Column&) { return true; };
+  const Rows still = still_scenes(report);
+  const Rows rows = with_nothing_left_out(report, still, any);
+  FrontOfAll found;
+  found.scenes = rows.size();
+  found.scenes_left_out = still.size() - rows.size();
+  found.hard_cases = static_cast<std::size_t>(std::ranges::count(
+      report.scenes, BenchScene::Kind::hard_case, [](const SceneRow& r) { return r.scene.kind; }));
+  for (const Mean& mean : means(report, rows, any, time_of)) {
+    const double percent = found.hard_cases > 0 ? wrong_pixels(report, "", mean.column).percent()
+                                                : percent_wrong(rows, mean.column);
+    found.all.push_back({mean.column, mean.time, figure(percent)});
+  }
+  if (found.all.empty()) return std::nullopt;
+  for (const SpeedAndError& one : found.all) {
+    if (found.front.empty() || one.percent < found.front.back().percent) {
+      found.front.push_back(one);
+    }
+  }
+  return found;
+}
+
+const Beside* find_beside(const Report& report, const std::string& scene, int threads,
+                          std::string_view other, std::string_view what) {
+  const auto found = std::ranges::find_if(report.beside, [&](const Beside& beside) {
+    return beside.scene == scene && beside.threads == threads && beside.other == other &&
+           beside.what == what;
+  });
+  return found == report.beside.end() ? nullptr : &*found;
 }
 
 Wrong wrong_pixels(const Report& report, std::string_view family, const Column& column,

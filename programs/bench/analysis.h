@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -64,6 +65,9 @@ std::optional<AutoBounds> auto_bounds(const Report& report);
 /// The scene of a name that is shown: that with the most polygons, and of these the largest
 /// picture.
 const SceneRow& shown_scene(const Report& report, std::string_view name);
+/// The scene of that name with the largest picture, and of several such the one with the most
+/// polygons.
+const SceneRow& largest_picture(const Report& report, std::string_view name);
 /// The names of the scenes that are of this kind, in order.
 std::vector<std::string> names(const Report& report, BenchScene::Kind kind);
 std::vector<std::string> names_but_hard_cases(const Report& report);
@@ -89,6 +93,46 @@ struct Column {
 std::vector<Column> columns(const Report& report);
 /// Those whose growth is shown: the exact ones, and one precision of each other method.
 bool is_in_series(const Column& column);
+
+using Rows = std::vector<const SceneRow*>;
+
+/// Those rows on which every one of the columns was measured, on one thread, that was tried on any.
+/// What rests on them compares no method with another that was left out.
+Rows with_nothing_left_out(const Report& report, Rows rows,
+                           const std::function<bool(const Column&)>& wanted);
+
+/// A column's mean over scenes; `place` is the column's in the tables.
+struct Mean {
+  Column column;
+  double time;
+  std::size_t place;
+};
+/// The geometric means of a cell's value, by size, of the columns that have one on all of the rows.
+std::vector<Mean> means(const Report& report, const Rows& rows,
+                        const std::function<bool(const Column&)>& wanted,
+                        const std::function<std::optional<double>(const Cell&)>& value);
+inline std::optional<double> time_of(const Cell& cell) { return cell.time.median; }
+
+/// A method's place between speed and error.
+struct SpeedAndError {
+  Column column;
+  double time;     ///< mean of a picture, in reference times
+  double percent;  ///< of pixels that are wrong
+};
+/// All methods and peers over the scenes on which none was left out; errors are those of the hard
+/// cases, or, without any, of the scenes.
+struct FrontOfAll {
+  std::vector<SpeedAndError> all;  ///< by time
+  /// Those that none is both faster and righter than, by time.
+  std::vector<SpeedAndError> front;
+  std::size_t scenes = 0, scenes_left_out = 0, hard_cases = 0;
+};
+/// Nothing if there is no such scene.
+std::optional<FrontOfAll> front_of_all(const Report& report);
+
+/// What was compared with that name on that scene; null if nothing was.
+const Beside* find_beside(const Report& report, const std::string& scene, int threads,
+                          std::string_view other, std::string_view what);
 
 /// Sums over hard cases.
 struct Wrong {

@@ -11,6 +11,7 @@
 #include "displayfile/output_file.h"
 #include "hidden/exact/precision.h"
 #include "programs/bench/analysis.h"
+#include "programs/bench/beside.h"
 #include "programs/bench/environment.h"
 #include "programs/bench/feature_costs.h"
 #include "programs/bench/json_report.h"
@@ -118,12 +119,15 @@ class Run {
         partial_(command.page + ".partial", identity_of(command)) {}
 
   Report report() {
-    Report report{kReference, environment(), {}, {}};
-    Progress progress("measuring");
-    for (std::size_t i = 0; i < scenes_.size(); ++i) {
-      progress.update(i, scenes_.size());
-      report.scenes.push_back(measured(scenes_[i]));
+    Report report{kReference, environment(), {}};
+    {
+      Progress progress("measuring");
+      for (std::size_t i = 0; i < scenes_.size(); ++i) {
+        progress.update(i, scenes_.size());
+        report.scenes.push_back(measured(scenes_[i]));
+      }
     }
+    compare(report);
     return report;
   }
   void finish() { partial_.remove(); }
@@ -162,6 +166,43 @@ class Run {
     visit_again(visited, row);
     for (const Visited& v : visited) partial_.add(key, row.cells[v.cell]);
     return row;
+  }
+
+  bool is_chosen(const std::string& method) const {
+    return std::ranges::find(contenders_, method, &Contender::method) != contenders_.end();
+  }
+
+  /// With what of the peers was chosen, on the largest picture of each scene; sorts on the most
+  /// polygons; and exact methods with themselves.
+  void compare(Report& report) {
+    Progress progress("comparing");
+    const std::vector<std::string> all_names = names_but_hard_cases(report);
+    for (std::size_t i = 0; i < all_names.size(); ++i) {
+      progress.update(i, all_names.size());
+      const SceneRow& large = largest_picture(report, all_names[i]);
+      if (large.scene.kind == BenchScene::Kind::walk) continue;
+      for (const int threads : threads_) {
+        for (const char* peer : {"osmesa", "embree"}) {
+          if (is_chosen(peer)) compare(large, threads, peer, report);
+        }
+      }
+      if (is_chosen("gl2ps")) compare(shown_scene(report, all_names[i]), 1, "gl2ps", report);
+      if (command_.methods.empty()) compare(large, 1, "rounded", report);
+    }
+  }
+
+  void compare(const SceneRow& row, int threads, const std::string& other, Report& report) {
+    BesideTask task{row.scene, threads, {other}, {}, effort_of(command_, row.scene)};
+    for (const Cell& cell : row.cells) {
+      if (cell.exact && cell.key.threads == 1 && !cell.skipped.empty()) {
+        task.left_out[cell.key.method] = cell.skipped;
+      }
+    }
+    const std::string key = scene_key(row.scene) + ' ' + to_json(task).dump();
+    const std::vector<Beside>* const before = partial_.find_beside(key);
+    const std::vector<Beside> found = before ? *before : compare_in_own_process(task);
+    if (before == nullptr) partial_.add(key, found);
+    report.beside.insert(report.beside.end(), found.begin(), found.end());
   }
 
   /// A cell of a scene so short that a pause of the machine's may fall on all rounds of it.
@@ -239,9 +280,14 @@ int BenchCommand::run() const {
     draw_features_to_be_counted();
     return 0;
   }
+  if (!beside.empty()) {
+    std::cout << compared(beside);
+    return 0;
+  }
   // Every output must be writable before the long work.
   OutputFile{page};
   if (!json.empty()) OutputFile{json};
+  if (!plot.empty()) OutputFile{plot};
   if (!readme.empty()) {
     OutputFile{readme};
     ReadmeFigures{readme};
@@ -254,6 +300,11 @@ int BenchCommand::run() const {
   if (features.value_or(has_default(scenes))) report.features = counted_features();
   if (!json.empty()) write_text(json, to_json(report).dump(1) + '\n');
   write_text(page, html_page(report));
+  if (!plot.empty()) {
+    const auto text = front_plot(report);
+    if (!text) throw Error(plot + ": there is no scene that all methods were measured on");
+    write_text(plot, *text);
+  }
   // Read anew: a long run is time enough to edit it.
   if (!readme.empty()) write_text(readme, ReadmeFigures(readme).with(summaries(report)));
   measuring.finish();

@@ -18,10 +18,13 @@ struct BenchCommand {
   double most_seconds = 0.0;           ///< of a cell's ratio; 0: the usual
   std::string page = "report.html";
   std::string json;    ///< not written if empty
+  std::string plot;    ///< the page's first, as SVG; not written if empty
   std::string readme;  ///< whose blocks are rewritten; none if empty
   /// Whether the costs of features are measured; not set: with the default scenes.
   std::optional<bool> features;
   bool features_under_callgrind = false;  ///< only draws what callgrind counts, for `features`
+
+  std::string beside;  ///< only makes the comparisons of this task (programs/bench/beside.h)
 
   /// 1 if a method that claims to be exact has a wrong pixel. Throws Error as the other commands.
   int run() const;

@@ -157,17 +157,20 @@ std::string BenchScene::id() const {
   return text + fmt::format(" {0}x{0}", size);
 }
 
+void BenchScene::enter(GraphicsSystem& system) const {
+  switch (kind) {
+    case Kind::walk: return displayfile::enter(walk(n).front(), system);
+    case Kind::generated: return displayfile::enter(generated_scene(name).make(n, seed), system);
+    case Kind::hard_case:
+      return displayfile::enter(hard_case(name).make(n, severity, seed), system);
+    case Kind::input: enter_inputs(std::span(&name, 1), system);
+  }
+}
+
 DisplayFile BenchScene::make() const {
-  if (kind == Kind::walk) return entered(walk(n).front()).display_file();
-  if (kind == Kind::generated) {
-    return entered(generated_scene(name).make(n, seed)).display_file();
-  }
-  if (kind == Kind::hard_case) {
-    return entered(hard_case(name).make(n, severity, seed)).display_file();
-  }
   GraphicsSystem system;
-  enter_inputs(std::span(&name, 1), system);
-  return as_entered(system);
+  enter(system);
+  return kind == Kind::input ? as_entered(system) : system.display_file();
 }
 
 bool has_default(const SceneChoice& choice) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "displayfile/display_file.h"
+#include "displayfile/graphics_system.h"
 
 namespace displayfile::bench {
 
@@ -26,8 +27,10 @@ struct BenchScene {
   /// All of these in words, different for different scenes.
   std::string id() const;
   std::size_t pixels() const;  ///< of all views
-  /// Hidden surfaces are not sorted, whatever a drawing program says. Throws Error for an input
-  /// that cannot be read.
+  /// Enters it into a new system, of a walk its first view. Throws Error for an input that cannot
+  /// be read.
+  void enter(GraphicsSystem& system) const;
+  /// Hidden surfaces are not sorted, whatever a drawing program says. Throws Error as enter.
   DisplayFile make() const;
 };
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "displayfile/hidden_surface_check.h"
-#include "interp/opengl/osmesa.h"
 #include "interp/raster/software.h"
 #include "interp/visibility/image_space.h"
 #include "interp/visibility/plain_z_buffer.h"
@@ -65,7 +64,9 @@ class SortedDrawing : public Drawing {
   }
   void draw_again() override { renderer_->draw(sorted_, request_); }
   Picture judged() override { return renderer_->draw(sorted_, with_ids_and_depth(request_)); }
-  std::optional<std::uint64_t> pieces() const override { return sorted_.sorted()->counts.pieces; }
+  std::optional<Pieces> pieces() const override {
+    return Pieces{file_.polygons(), sorted_.sorted()->counts.pieces};
+  }
 
  private:
   const DisplayFile& file_;
@@ -89,29 +90,6 @@ class PlainDrawing : public Drawing {
   const DisplayFile& file_;
   RasterRequest request_;
   DepthFormat format_;
-  Picture picture_;
-};
-
-/// The triangles stay resident in vertex buffers.
-class OsmesaDrawing : public Drawing {
- public:
-  OsmesaDrawing(const DisplayFile& file, const RasterRequest& request, int depth_bits)
-      : file_(file), request_(request), depth_bits_(depth_bits) {}
-  void draw_anew() override {
-    scene_.reset();
-    scene_ = std::make_unique<OsmesaScene>(file_, request_, depth_bits_);
-    picture_ = scene_->picture();
-  }
-  void draw_again() override { scene_->draw(); }
-  Picture judged() override {
-    return OsmesaScene(file_, with_ids_and_depth(request_), depth_bits_).picture();
-  }
-
- private:
-  const DisplayFile& file_;
-  RasterRequest request_;
-  int depth_bits_;
-  std::unique_ptr<OsmesaScene> scene_;
   Picture picture_;
 };
 
@@ -170,18 +148,6 @@ Contender plain(const DepthFormatEntry& entry) {
           }};
 }
 
-Contender osmesa(int depth_bits) {
-  return {"osmesa",
-          fmt::format("{} bits", depth_bits),
-          false,
-          false,
-          false,
-          [=](const DisplayFile& file, const Frame& frame) {
-            return std::make_unique<OsmesaDrawing>(file, request_of(frame, HiddenMethod::z_buffer),
-                                                   depth_bits);
-          }};
-}
-
 }  // namespace
 
 std::vector<Contender> contenders(std::span<const double> roundoffs) {
@@ -195,9 +161,6 @@ std::vector<Contender> contenders(std::span<const double> roundoffs) {
     for (const Precision& p : precisions) all.push_back(sort(method, p));
   }
   for (const DepthFormatEntry& entry : depth_formats()) all.push_back(plain(entry));
-  if (osmesa_available()) {
-    for (const int bits : {32, 24, 16}) all.push_back(osmesa(bits));
-  }
   for (Contender& peer : peers()) all.push_back(std::move(peer));
   return all;
 }

@@ -22,14 +22,18 @@ struct CannotDraw {
 class Drawing {
  public:
   virtual ~Drawing() = default;
-  /// A picture from the display file, with nothing kept from earlier ones.
+  /// A picture from the display file, with nothing kept from earlier ones. A peer is warm, and has
+  /// what it gets in its own form: it hands that over, and draws.
   virtual void draw_anew() = 0;
   /// Draws the picture again, with all that the last drawing left; after draw_anew.
   virtual void draw_again() { draw_anew(); }
   /// Draws the picture again with the item buffer and the depths; after draw_anew.
   virtual Picture judged() = 0;
-  /// Polygons and lines after the sort of a method that sorts; after judged.
-  virtual std::optional<std::uint64_t> pieces() const { return std::nullopt; }
+  /// Polygons and lines before and after the sort of a method that sorts; after judged.
+  struct Pieces {
+    std::uint64_t of, made;
+  };
+  virtual std::optional<Pieces> pieces() const { return std::nullopt; }
 };
 
 /// A picture's size in pixels, and on how many threads it is drawn.

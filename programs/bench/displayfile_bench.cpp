@@ -26,6 +26,8 @@ int run(int argc, char** argv) {
                    "goes on from there")
       ->capture_default_str();
   command->add_option("--json", bench.json, "the figures for programs");
+  command->add_option("--plot", bench.plot,
+                      "the plot that the page begins with, .svg: speed against error of all");
   command->add_option("--readme", bench.readme,
                       "rewrite the blocks of this file that are marked <!-- bench: NAME -->");
   command->add_flag("--full", bench.scenes.full,
@@ -56,6 +58,7 @@ int run(int argc, char** argv) {
       "--features,!--no-features", bench.features,
       "what each feature costs, off and on; without it, only where no SCENE is named");
   command->add_flag("--features-under-callgrind", bench.features_under_callgrind)->group("");
+  command->add_option("--beside", bench.beside)->group("");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

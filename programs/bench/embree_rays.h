@@ -11,15 +11,36 @@
 namespace displayfile::bench {
 
 /// Embree's primary rays (Wald et al., Embree 3) in this process: parallel rays along z through
-/// the pixel centres, in coherent packets of eight. Its triangles are in single precision, and
-/// lie in pixels.
+/// the pixel centres, in coherent packets that are as wide as the processor's vectors. Its
+/// triangles are in single precision, and lie in pixels.
 class EmbreeRays {
  public:
+  /// How well the tree is built: "moderate" and "high" are Embree's own (RTC_BUILD_QUALITY_MEDIUM,
+  /// RTC_BUILD_QUALITY_HIGH). A better one takes longer to build, and less for each ray.
+  enum class Quality { moderate, high };
+
   /// Embree's version; nothing if this build has no Embree.
   static std::optional<std::string> version();
+  /// How many rays of a packet the processor casts at a time: 4, 8 or 16.
+  static int packet_width();
 
-  /// Commits a scene, on so many threads.
-  EmbreeRays(const Triangles& triangles, const PictureSize& size, int threads);
+  /// What Embree is given, in its own form.
+  class Input {
+   public:
+    Input(const Triangles& triangles, const PictureSize& size);
+
+   private:
+    friend class EmbreeRays;
+    PictureSize size_;
+    std::vector<float> corners_;            // x, y and z of three a triangle
+    std::vector<ViewedScene::Fill> fills_;  // of the triangles
+    double depth_scale_ = 1.0;  // a power of two: Embree has no coordinates beyond 1.8e18
+    float origin_ = 0.0F;       // z of the rays', before all triangles
+  };
+
+  /// Commits a scene of an input that lives on, on so many threads, by a device that is made before
+  /// (and for others of as many threads).
+  EmbreeRays(const Input& input, int threads, Quality quality = Quality::moderate);
   ~EmbreeRays();
   EmbreeRays(const EmbreeRays&) = delete;
   EmbreeRays& operator=(const EmbreeRays&) = delete;

@@ -5,9 +5,9 @@ namespace displayfile::bench {
 
 struct EmbreeRays::Scene {};
 std::optional<std::string> EmbreeRays::version() { return std::nullopt; }
-EmbreeRays::EmbreeRays(const Triangles&, const PictureSize&, int) {
-  throw Error("this build has no Embree");
-}
+int EmbreeRays::packet_width() { return 0; }
+EmbreeRays::Input::Input(const Triangles&, const PictureSize& size) : size_(size) {}
+EmbreeRays::EmbreeRays(const Input&, int, Quality) { throw Error("this build has no Embree"); }
 EmbreeRays::~EmbreeRays() = default;
 void EmbreeRays::cast(int, int, Hits&) const {}
 

@@ -15,7 +15,7 @@
 #include <string_view>
 
 #include "clip/error.h"
-#include "programs/bench/side_by_side.h"
+#include "programs/bench/timing.h"
 
 namespace displayfile::bench {
 
@@ -42,17 +42,17 @@ std::uint32_t read_number(const std::array<double, 3>& colour) {
 /// A page of gl2ps, written to memory.
 class Page {
  public:
-  Page(std::span<const Point3> corners, const PictureSize& window, GLint format)
-      : stream_(open_memstream(&text_, &size_)) {
-    std::array<GLint, 4> viewport{0, 0, window.width, window.height};
+  Page(const Gl2psSort& sort, GLint format) : stream_(open_memstream(&text_, &size_)) {
+    std::array<GLint, 4> viewport{0, 0, sort.window.width, sort.window.height};
     constexpr GLint kOptions = GL2PS_NO_OPENGL_CONTEXT | GL2PS_NO_BLENDING | GL2PS_SILENT;
+    const GLint options = kOptions | (sort.best_root ? GL2PS_BEST_ROOT : GL2PS_NONE);
     if (stream_ == nullptr ||
-        gl2psBeginPage("", "", viewport.data(), format, GL2PS_BSP_SORT, kOptions, GL_RGBA, 0,
+        gl2psBeginPage("", "", viewport.data(), format, GL2PS_BSP_SORT, options, GL_RGBA, 0,
                        nullptr, 0, 0, 0, 0, stream_, "") != GL2PS_SUCCESS) {
       throw Error("gl2ps: the page cannot be begun");
     }
-    for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
-      add(corners.subspan(i, 3), window, static_cast<std::uint32_t>(i / 3));
+    for (std::size_t i = 0; i + 2 < sort.corners.size(); i += 3) {
+      add(sort.corners.subspan(i, 3), sort.window, static_cast<std::uint32_t>(i / 3));
     }
   }
   ~Page() {
@@ -114,8 +114,8 @@ std::optional<std::string> Gl2psSort::version() {
 }
 
 double Gl2psSort::sort() const {
-  Page page(corners, window, GL2PS_TEX);
-  return seconds([&] { page.end(); });
+  Page page(*this, GL2PS_TEX);
+  return seconds_each(Clock::processor, 1, [&] { page.end(); });
 }
 
 bool Gl2psSort::ends() const {
@@ -127,7 +127,7 @@ bool Gl2psSort::ends() const {
     timer.it_value.tv_sec = static_cast<time_t>(std::ceil(limit));
     setitimer(ITIMER_PROF, &timer, nullptr);  // its signal ends the process
     try {
-      Page(corners, window, GL2PS_TEX).end();
+      Page(*this, GL2PS_TEX).end();
     } catch (const Error&) {
       _exit(1);
     }
@@ -142,7 +142,7 @@ bool Gl2psSort::ends() const {
 std::vector<Gl2psSort::Piece> Gl2psSort::pieces() const {
   if (corners.size() / 3 > std::size_t{kSteps} * kSteps * kSteps)
     throw Error("gl2ps: too many triangles");
-  Page page(corners, window, GL2PS_PGF);
+  Page page(*this, GL2PS_PGF);
   page.end();
   constexpr std::string_view kColour = "\\color[rgb]", kMove = "\\pgfpathmoveto{\\pgfpoint",
                              kLine = "\\pgflineto{\\pgfpoint";

@@ -17,13 +17,14 @@ namespace displayfile::bench {
 struct Gl2psSort {
   std::span<const Point3> corners;  ///< three a triangle, in normalised device coordinates
   PictureSize window;
+  bool best_root = true;  ///< GL2PS_BEST_ROOT: of some candidates the root that cuts least
 
   /// gl2ps's version; nothing if this build has no gl2ps.
   static std::optional<std::string> version();
 
   /// Hands the triangles over and sorts them, in a format that writes no polygons (GL2PS_TEX):
-  /// depth is rescaled, the tree built, traversed and freed. Returns the seconds without the
-  /// handing over, those of gl2psEndPage.
+  /// depth is rescaled, the tree built, traversed and freed. Returns the processor's
+  /// seconds without the handing over, those of gl2psEndPage.
   double sort() const;
 
   /// False if it does not come to an end within a limit of the processor's time that grows with the

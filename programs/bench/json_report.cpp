@@ -110,6 +110,25 @@ Cell cell_from_json(const Json& json) {
   return cell;
 }
 
+Json to_json(const Beside& beside) {
+  Json json{{"scene", beside.scene},
+            {"threads", beside.threads},
+            {"other", beside.other},
+            {"what", beside.what}};
+  if (beside.times_faster) json["times_faster"] = to_json(*beside.times_faster);
+  if (beside.count) json["count"] = *beside.count;
+  if (!beside.left_out.empty()) json["left_out"] = beside.left_out;
+  return json;
+}
+
+Beside beside_from_json(const Json& json) {
+  Beside beside{json.at("scene"), json.at("threads"), json.at("other"), json.at("what")};
+  if (json.contains("times_faster")) beside.times_faster = spread_from_json(json["times_faster"]);
+  if (json.contains("count")) beside.count = json["count"];
+  if (json.contains("left_out")) beside.left_out = json["left_out"];
+  return beside;
+}
+
 Json to_json(const SceneRow& row) {
   Json json{{"scene", row.scene.id()},
             {"name", row.scene.name},
@@ -128,6 +147,8 @@ Json to_json(const Report& report) {
   for (const SceneRow& row : report.scenes) {
     for (const Cell& cell : row.cells) json["cells"].push_back(to_json(cell));
   }
+  json["beside"] = Json::array();
+  for (const Beside& beside : report.beside) json["beside"].push_back(to_json(beside));
   json["fits"] = Json::array();
   for (const Fit& fit : fits(report)) json["fits"].push_back(to_json(fit));
   if (const auto bounds = auto_bounds(report)) json["auto"] = to_json(*bounds);

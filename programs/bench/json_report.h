@@ -14,6 +14,10 @@ using Json = nlohmann::ordered_json;
 Json to_json(const Cell& cell);
 Cell cell_from_json(const Json& json);
 
+/// Likewise.
+Json to_json(const Beside& beside);
+Beside beside_from_json(const Json& json);
+
 Json to_json(const SceneRow& row);
 Json to_json(const Report& report);
 

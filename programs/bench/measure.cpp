@@ -1,7 +1,6 @@
 #include "programs/bench/measure.h"
 
 #include <fmt/format.h>
-#include <time.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,54 +31,6 @@ struct Measurer::Scene {
 namespace {
 
 Spread figures(const Spread& s) { return {figure(s.least), figure(s.median), figure(s.greatest)}; }
-
-/// As often as fills the time that is the least of a round's side.
-int repetitions(double once, double least_seconds) {
-  return static_cast<int>(std::clamp(std::ceil(least_seconds / std::max(once, 1e-9)), 1.0, 1e5));
-}
-
-/// What else the machine does is not in a processor's time; that of several threads together is not
-/// what a user waits for.
-enum class Clock { processor, wall };
-
-double now(Clock clock) {
-  timespec t{};
-  clock_gettime(clock == Clock::processor ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-double seconds_each(Clock clock, int times, const auto& work) {
-  const double start = now(clock);
-  for (int i = 0; i < times; ++i) work();
-  return (now(clock) - start) / times;
-}
-
-/// The least of a few where the work is short: a single one may have waited for something, and by
-/// what it takes is decided how often it is repeated.
-double seconds_once(const auto& work) {
-  constexpr double kLong = 0.001;
-  constexpr int kMost = 5;
-  double least = seconds_each(Clock::processor, 1, work);
-  for (int i = 1; i < kMost && least < kLong; ++i) {
-    least = std::min(least, seconds_each(Clock::processor, 1, work));
-  }
-  return least;
-}
-
-/// The work's time over the reference's, in turn; `once` is about what each takes.
-Spread ratio(const Effort& effort, Clock clock, double once, const auto& work,
-             double reference_once, const auto& reference) {
-  const int times = repetitions(once, effort.least_seconds);
-  const int reference_times = repetitions(reference_once, effort.least_seconds);
-  const double round = once * times + reference_once * reference_times;
-  const int rounds = std::clamp(static_cast<int>(effort.most_seconds / round), 1, effort.rounds);
-  std::vector<double> ratios;
-  for (int i = 0; i < rounds; ++i) {
-    const double reference_seconds = seconds_each(clock, reference_times, reference);
-    ratios.push_back(seconds_each(clock, times, work) / reference_seconds);
-  }
-  return figures(spread(std::move(ratios)));
-}
 
 std::uint64_t exact_calls() {
   std::uint64_t sum = 0;
@@ -121,8 +72,8 @@ std::unique_ptr<Drawing> Measurer::Scene::drawing(const Contender& contender, in
 
 Spread Measurer::Scene::over_reference(const Effort& effort, int threads, double once,
                                        const auto& work) const {
-  return ratio(effort, threads == 1 ? Clock::processor : Clock::wall, once, work, reference_seconds,
-               [&] { reference->draw_anew(); });
+  return figures(ratio(effort, clock_of(threads), once, work, reference_seconds,
+                       [&] { reference->draw_anew(); }));
 }
 
 Measurer::Measurer() = default;
@@ -144,9 +95,9 @@ std::size_t Measurer::polygons() const { return scene_->file.polygons(); }
 
 Spread Measurer::growth() {
   if (first_ == nullptr) return {1.0, 1.0, 1.0};
-  return ratio(
+  return figures(ratio(
       effort_, Clock::processor, scene_->reference_seconds, [&] { scene_->reference->draw_anew(); },
-      first_->reference_seconds, [&] { first_->reference->draw_anew(); });
+      first_->reference_seconds, [&] { first_->reference->draw_anew(); }));
 }
 
 /// What took longer on a smaller scene of the name than on the least: that part may take twice as
@@ -229,8 +180,8 @@ void Measurer::measure(const Contender& contender, Cell& cell) {
   if (contender.counted) count(*drawing, cell);
   compare(drawing->judged(), cell);
   if (const auto pieces = drawing->pieces()) {
-    cell.fragments = figure(static_cast<double>(*pieces) /
-                            static_cast<double>(std::max<std::size_t>(1, polygons())));
+    cell.fragments = figure(static_cast<double>(pieces->made) /
+                            static_cast<double>(std::max<std::uint64_t>(1, pieces->of)));
   }
   cell.time = scene_->over_reference(effort_, threads, once, [&] { drawing->draw_anew(); });
   remember(cell);

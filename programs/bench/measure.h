@@ -7,15 +7,9 @@
 
 #include "programs/bench/contenders.h"
 #include "programs/bench/report.h"
+#include "programs/bench/timing.h"
 
 namespace displayfile::bench {
-
-/// How much is done for a ratio.
-struct Effort {
-  int rounds = 5;                ///< the method and the reference in turn
-  double least_seconds = 0.002;  ///< of a round's side: shorter work is repeated
-  double most_seconds = 1.0;     ///< for all rounds of a ratio; there is one at least
-};
 
 /// Measures one scene after another.
 class Measurer {

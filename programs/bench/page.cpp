@@ -59,6 +59,35 @@ Mark mark_of(const std::vector<Column>& all, const Column& column) {
 
 Column column_of(const Cell& cell) { return {cell.key.method, cell.key.precision, cell.exact}; }
 
+struct PlotAndCurves {
+  Plot plot;
+  std::vector<Curve> curves;
+};
+
+PlotAndCurves plot_of(const FrontOfAll& found, const std::vector<Column>& all) {
+  PlotAndCurves made;
+  Plot& plot = made.plot;
+  plot = {"All methods and peers: below and left is better",
+          "time of a picture / time of the exact z-buffer", "wrong pixels, %", true};
+  plot.width = 980.0;
+  plot.height = 600.0;
+  plot.zero_band = 124.0;
+  for (const SpeedAndError& one : found.front) plot.front.push_back({one.time, one.percent});
+  for (const SpeedAndError& one : found.all) {
+    // One precision of a method is written out: the others have its colour.
+    made.curves.push_back(
+        {mark_of(all, one.column),
+         false,
+         {{one.time, one.percent, std::nullopt,
+           fmt::format("{}: time {:.3g}, {:.3g} % wrong", one.column.name(), one.time, one.percent),
+           is_in_series(one.column) ? one.column.name() : ""}}});
+  }
+  plot.notes = {{Mark{"#444", 0, true}, "filled: claims to be exact"},
+                {Mark{"#444", 1, false}, "open: other precisions of the colour's method"},
+                {std::nullopt, "dashed: the front"}};
+  return made;
+}
+
 class Page {
  public:
   explicit Page(const Report& report) : report_(report), columns_(columns(report)) {}
@@ -90,9 +119,11 @@ class Page {
     return text + "</div>\n";
   }
 
+  /// The picture first: who is on the front.
   std::string head() const {
-    std::string text = fmt::format(
-        "<h1>Speed against error</h1>\n<p>Every time is a ratio to that of the reference, {}, "
+    std::string text = "<h1>Speed against error</h1>\n" + front_of_all_plot();
+    text += fmt::format(
+        "<p>Every time is a ratio to that of the reference, {}, "
         "drawing the same scene in the same run, in turn; given are the median and the least and "
         "the greatest of the rounds. A wrong pixel is one whose polygon is not the one that exact "
         "arithmetic gives. Depth errors are in units of the view volume's depth.</p>\n",
@@ -102,6 +133,13 @@ class Page {
       text += fmt::format("<tr><td>{}<td class='l'>{}\n", escaped(name), escaped(value));
     }
     return text + "</table></details>\n";
+  }
+
+  std::string front_of_all_plot() const {
+    const auto found = front_of_all(report_);
+    if (!found) return "";
+    const auto [plot, curves] = plot_of(*found, columns_);
+    return "<div class='wide'>" + svg(plot, curves) + "</div>\n";
   }
 
   std::string which_when() const {
@@ -501,5 +539,12 @@ class Page {
 }  // namespace
 
 std::string html_page(const Report& report) { return Page(report).html(); }
+
+std::optional<std::string> front_plot(const Report& report) {
+  const auto found = front_of_all(report);
+  if (!found) return std::nullopt;
+  const auto [plot, curves] = plot_of(*found, columns(report));
+  return svg_file(plot, curves);
+}
 
 }  // namespace displayfile::bench

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "programs/bench/report.h"
@@ -9,5 +10,9 @@ namespace displayfile::bench {
 /// The report as one HTML page that needs nothing else: which method to use when, plots in SVG, and
 /// every figure of the JSON in tables.
 std::string html_page(const Report& report);
+
+/// The plot that the page begins with, as an SVG file: all methods and peers, speed against error.
+/// Nothing if there is no scene that all of them were measured on.
+std::optional<std::string> front_plot(const Report& report);
 
 }  // namespace displayfile::bench

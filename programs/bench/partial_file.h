@@ -1,6 +1,7 @@
 #pragma once
 
 #include <fstream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -8,9 +9,9 @@
 
 namespace displayfile::bench {
 
-/// The finished cells of a run, a line each, in a file beside its output, so that a run that was
-/// interrupted is taken up again. The first line holds what the cells hold for: another build,
-/// another processor or another effort starts anew.
+/// The finished cells and comparisons of a run, a line each, in a file beside its output, so that a
+/// run that was interrupted is taken up again. The first line holds what the cells hold for:
+/// another build, another processor or another effort starts anew.
 class PartialFile {
  public:
   /// Reads what an earlier run left; lines that are not whole are left out. Throws Error if the
@@ -19,12 +20,13 @@ class PartialFile {
 
   /// What was finished before; null if it was not. `scene` is the scene's key.
   const Cell* find(const std::string& scene_key, const CellKey& key) const;
+  /// The comparisons of a task (programs/bench/beside.h), which is told by `task`; likewise.
+  const std::vector<Beside>* find_beside(const std::string& task) const;
   /// Throws Error if it cannot be written.
   void add(const std::string& scene_key, const Cell& cell);
+  void add(const std::string& task, const std::vector<Beside>& beside);
   /// The run has come to its end: the file is not needed any more.
   void remove();
-
-  std::size_t read_from_before() const { return finished_.size(); }
 
  private:
   struct Finished {
@@ -35,7 +37,9 @@ class PartialFile {
 
   std::string path_;
   std::ofstream out_;
-  std::vector<Finished> finished_;  // by an earlier run
+  // By an earlier run.
+  std::vector<Finished> finished_;
+  std::map<std::string, std::vector<Beside>> beside_;  // by their tasks
 };
 
 }  // namespace displayfile::bench

@@ -1,16 +1,21 @@
 #include "programs/bench/peers.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <limits>
 #include <utility>
 
+#include "interp/opengl/osmesa.h"
 #include "interp/raster/fill_paints.h"
 #include "interp/raster/raster_band.h"
 #include "interp/raster/software.h"
 #include "interp/scan/pixel_depth.h"
 #include "programs/bench/embree_rays.h"
 #include "programs/bench/gl2ps_sort.h"
+#include "programs/bench/indexed_triangles.h"
+#include "programs/bench/opengl_mesh.h"
 
 namespace displayfile::bench {
 
@@ -33,16 +38,88 @@ void turn_over(const std::vector<From>& rows, int width, std::vector<To>& pictur
   }
 }
 
-/// A ray for each pixel, on one thread. The committed scene is what is kept.
+/// Depths from 0 to 1, as far as the triangles' go: OpenGL's clip coordinates have y downward here.
+std::vector<Point3> in_clip_coordinates(std::vector<Point3> corners) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Point3& p : corners) {
+    low = std::min(low, p.z);
+    high = std::max(high, p.z);
+  }
+  const double range = high > low ? high - low : 1.0;
+  for (Point3& p : corners) {
+    p = {2.0 * p.x - 1.0, 1.0 - 2.0 * p.y, 2.0 * (p.z - low) / range - 1.0};
+  }
+  return corners;
+}
+
+/// The display file's triangles as OpenGL has them: anew, the vertices are handed over and drawn in
+/// a context that is there; again, they are resident. What is judged is what our own OSMesa device
+/// draws; that also draws what has lines, from its buffers.
+class OsmesaDrawing : public Drawing {
+ public:
+  OsmesaDrawing(const DisplayFile& file, const Frame& frame, int depth_bits)
+      : file_(file), frame_(frame), depth_bits_(depth_bits) {
+    const ViewedScene scene(file);
+    if (scene.has_lines() || scene.end() == 1) {
+      device_ = std::make_unique<OsmesaScene>(file, request(), depth_bits);
+      return;
+    }
+    const Triangles triangles = in_triangles(scene);
+    const FillPaints paints(scene);
+    std::vector<std::uint32_t> colours;
+    for (const Fill fill : triangles.fills) colours.push_back(paints.pixel(fill));
+    triangles_ = indexed_triangles(in_clip_coordinates(triangles.corners), colours);
+    mesh_ = std::make_unique<OpenGlMesh>(
+        triangles_, OpenGlMesh::Options{size_of(frame), depth_bits, false, pixel_of(Background{})});
+    mesh_->set_matrix(glm::dmat4(1.0));
+  }
+  void draw_anew() override {
+    resident_ = false;
+    device_ ? device_->draw() : mesh_->draw_with_new_vertices();
+  }
+  void draw_again() override {
+    if (device_) return device_->draw();
+    if (!resident_) mesh_->make_resident();
+    resident_ = true;
+    mesh_->draw();
+  }
+  Picture judged() override {
+    RasterRequest judged = request();
+    judged.ids = judged.depth = true;
+    return OsmesaScene(file_, judged, depth_bits_).picture();
+  }
+
+ private:
+  RasterRequest request() const {
+    RasterRequest request;
+    request.width = frame_.width;
+    request.height = frame_.height;
+    request.method = HiddenMethod::z_buffer;
+    return request;
+  }
+
+  const DisplayFile& file_;
+  Frame frame_;
+  int depth_bits_;
+  IndexedTriangles triangles_;
+  std::unique_ptr<OpenGlMesh> mesh_;
+  std::unique_ptr<OsmesaScene> device_;
+  bool resident_ = false;
+};
+
+/// A ray for each pixel, on one thread: anew, the tree is built and the rays are cast; again, they
+/// are cast. The triangles are there in Embree's form.
 class EmbreeDrawing : public Drawing {
  public:
   EmbreeDrawing(const DisplayFile& file, const Frame& frame)
-      : file_(file), size_(size_of(frame)), hits_(size_, false) {}
+      : size_(size_of(frame)),
+        scene_(file),
+        paints_(scene_),
+        input_(in_triangles(scene_), size_),
+        hits_(size_, false) {}
   void draw_anew() override {
-    scene_ = ViewedScene(file_);
-    paints_ = FillPaints(scene_);
     rays_.reset();
-    rays_ = std::make_unique<EmbreeRays>(in_triangles(scene_), size_, 1);
+    rays_ = std::make_unique<EmbreeRays>(input_, 1);
     draw_again();
   }
   void draw_again() override {
@@ -62,31 +139,32 @@ class EmbreeDrawing : public Drawing {
   }
 
  private:
-  const DisplayFile& file_;
   PictureSize size_;
   ViewedScene scene_;
   FillPaints paints_;
+  EmbreeRays::Input input_;
   std::unique_ptr<EmbreeRays> rays_;
   EmbreeRays::Hits hits_;
   Picture picture_;
 };
 
-/// The sort alone; it makes no pixels. What is judged is the pieces that it writes, painted in its
-/// order.
+/// The sort alone, handing over the triangles included; it makes no pixels. What is judged is the
+/// pieces that it writes, painted in its order.
 class Gl2psDrawing : public Drawing {
  public:
-  Gl2psDrawing(const DisplayFile& file, const Frame& frame) : file_(file), size_(size_of(frame)) {}
+  Gl2psDrawing(const DisplayFile& file, const Frame& frame, bool best_root)
+      : size_(size_of(frame)),
+        best_root_(best_root),
+        scene_(file),
+        paints_(scene_),
+        triangles_(in_triangles(scene_)) {}
   void draw_anew() override {
-    scene_ = ViewedScene(file_);
-    paints_ = FillPaints(scene_);
-    triangles_ = in_triangles(scene_);
-    const Gl2psSort gl2ps{triangles_.corners, size_};
-    if (!tried_ && !gl2ps.ends()) throw CannotDraw{"gl2ps's sort does not come to an end"};
+    if (!tried_ && !gl2ps().ends()) throw CannotDraw{"gl2ps's sort does not come to an end"};
     tried_ = true;
-    gl2ps.sort();
+    gl2ps().sort();
   }
   Picture judged() override {
-    const auto pieces = Gl2psSort{triangles_.corners, size_}.pieces();
+    const auto pieces = gl2ps().pieces();
     count_ = pieces.size();
     RasterRequest request;
     request.width = size_.width;
@@ -94,9 +172,10 @@ class Gl2psDrawing : public Drawing {
     request.ids = true;
     return with_ids_and_depth(draw_with_software(painted(pieces), request));
   }
-  std::optional<std::uint64_t> pieces() const override { return count_; }
+  std::optional<Pieces> pieces() const override { return Pieces{triangles_.size(), count_}; }
 
  private:
+  Gl2psSort gl2ps() const { return {triangles_.corners, size_, best_root_}; }
   /// The fills' numbers in place of their items.
   DisplayFile painted(const std::vector<Gl2psSort::Piece>& pieces) const {
     DisplayFile file;
@@ -127,24 +206,24 @@ class Gl2psDrawing : public Drawing {
     return picture;
   }
 
-  const DisplayFile& file_;
   PictureSize size_;
+  bool best_root_;
   ViewedScene scene_;
   FillPaints paints_;
   Triangles triangles_;
-  std::optional<std::uint64_t> count_;
+  std::uint64_t count_ = 0;
   bool tried_ = false;
 };
 
 template <class Peer>
-Contender peer(std::string method, std::string precision) {
+Contender peer(std::string method, std::string precision, auto... options) {
   return {std::move(method),
           std::move(precision),
           false,
           false,
           false,
-          [](const DisplayFile& file, const Frame& frame) {
-            return std::make_unique<Peer>(file, frame);
+          [=](const DisplayFile& file, const Frame& frame) {
+            return std::make_unique<Peer>(file, frame, options...);
           }};
 }
 
@@ -152,8 +231,16 @@ Contender peer(std::string method, std::string precision) {
 
 std::vector<Contender> peers() {
   std::vector<Contender> all;
+  if (osmesa_available()) {
+    for (const int bits : {32, 24, 16}) {
+      all.push_back(peer<OsmesaDrawing>("osmesa", fmt::format("{} bits", bits), bits));
+    }
+  }
   if (EmbreeRays::version()) all.push_back(peer<EmbreeDrawing>("embree", "single"));
-  if (Gl2psSort::version()) all.push_back(peer<Gl2psDrawing>("gl2ps", "bsp"));
+  if (Gl2psSort::version()) {
+    all.push_back(peer<Gl2psDrawing>("gl2ps", "bsp", false));
+    all.push_back(peer<Gl2psDrawing>("gl2ps", "bsp, best root", true));
+  }
   return all;
 }
 

@@ -6,8 +6,8 @@
 
 namespace displayfile::bench {
 
-/// Those of other makers that this build has beside OSMesa: Embree and gl2ps. They draw fills, cut
-/// into triangles, and neither lines nor shades.
+/// Those of other makers that this build and system have: OSMesa at each of its depth formats,
+/// Embree and gl2ps. They get fills, cut into triangles; neither lines nor shades but for OSMesa.
 std::vector<Contender> peers();
 
 }  // namespace displayfile::bench

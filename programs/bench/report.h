@@ -47,6 +47,17 @@ struct SceneRow {
   std::vector<Cell> cells;
 };
 
+/// Ours beside another's, or beside the same code without its exact stages, on one scene
+/// (programs/bench/beside.h).
+struct Beside {
+  std::string scene;  ///< BenchScene::id
+  int threads = 1;    ///< of both sides
+  std::string other, what;
+  std::optional<Spread> times_faster = std::nullopt;  ///< ours is than the other
+  std::optional<double> count = std::nullopt;
+  std::string left_out = {};  ///< why there is neither; else empty
+};
+
 /// What a feature costs; "off" is a drawing without it and "on" one with it.
 struct FeatureRow {
   /// What the functions cost that only the feature needs.
@@ -85,7 +96,8 @@ struct Report {
   std::string reference;  ///< what all times are given in
   std::vector<std::pair<std::string, std::string>> environment;
   std::vector<SceneRow> scenes;
-  std::optional<FeatureCosts> features;
+  std::vector<Beside> beside = {};
+  std::optional<FeatureCosts> features = std::nullopt;
 };
 
 /// "on" over "off".

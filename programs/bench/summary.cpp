@@ -9,6 +9,7 @@
 
 #include "programs/bench/advice.h"
 #include "programs/bench/analysis.h"
+#include "programs/bench/beside.h"
 #include "programs/bench/json_report.h"
 
 namespace displayfile::bench {
@@ -16,8 +17,6 @@ namespace displayfile::bench {
 namespace {
 
 using Row = std::vector<std::string>;
-
-std::string_view reference_method() { return name_of(HiddenMethod::z_buffer); }
 
 /// A ratio as it is read: 0.42, 3.2, 17.
 std::string times(double ratio) {
@@ -102,172 +101,338 @@ std::optional<Summary> wrong_pixels_of_hard_cases(const Report& report) {
   return summary;
 }
 
-/// The scene of that name with the largest picture, and of several such the one with the most
-/// polygons.
-const SceneRow& largest_picture(const Report& report, std::string_view name) {
-  const SceneRow* largest = nullptr;
-  for (const SceneRow& row : report.scenes) {
-    if (row.scene.name != name) continue;
-    const auto rank = [](const SceneRow& r) { return std::pair(r.scene.size, r.polygons); };
-    if (largest == nullptr || rank(row) > rank(*largest)) largest = &row;
-  }
-  return *largest;
-}
+constexpr const char* kSkipped = "skipped";
 
-/// How many times as fast the reference is as a peer; empty if one of them was not measured.
-struct Faster {
-  std::string first, again, threads;
+/// Why figures of a table are not there, after its text: a sentence for each.
+class LeftOut {
+ public:
+  void add(const std::string& scene, const std::string& whose, const std::string& why) {
+    words_ += fmt::format("{} {}: {}, {}.", words_.empty() ? " Skipped:" : "", whose,
+                          short_name(scene), why);
+  }
+  const std::string& words() const { return words_; }
+
+ private:
+  std::string words_;
 };
-Faster faster(const SceneRow& row, std::string_view peer, std::string_view precision, int threads) {
-  const Cell* theirs = measured(row, peer, precision);
-  if (theirs == nullptr) return {};
-  Faster result{times(theirs->time.median), "", ""};  // in reference times
-  const Cell* ours = measured(row, reference_method(), "exact");
-  if (ours != nullptr && ours->again && theirs->again) {
-    result.again = times(theirs->again->median / ours->again->median);
+
+/// Many times, few times or a count, of a comparison; kSkipped if it was left out, and empty if it
+/// was not made.
+std::string shown(const Report& report, const SceneRow& row, int threads, std::string_view other,
+                  std::string_view what, LeftOut& left_out) {
+  const Beside* const found = find_beside(report, row.scene.id(), threads, other, what);
+  if (found == nullptr) return "";
+  if (!found->left_out.empty()) {
+    left_out.add(row.scene.name, fmt::format("{} of {}", what, other), found->left_out);
+    return kSkipped;
   }
-  const Cell* together = measured(row, reference_method(), "exact", threads);
-  if (threads > 1 && together != nullptr) {
-    result.threads = times(theirs->time.median / together->time.median);
-  }
-  return result;
+  if (found->times_faster) return times(found->times_faster->median);
+  return fmt::format("{:g}", *found->count);
 }
 
-std::optional<Summary> speed(const Report& report) {
-  const int threads = most_threads(report);
-  Summary summary{
-      "speed",
-      "Speed beside others",
-      "How many times as fast the exact z-buffer is as OSMesa with 24 bits of depth and as "
-      "Embree's "
-      "primary rays, from the same display file, on one thread each, by the processor's time. A "
-      "first picture makes everything anew: OSMesa's its context and its vertex buffers, and it is "
-      "read back; Embree's its scene. Again is the same picture with what is kept, OSMesa's not "
-      "read "
-      "back.",
-      {{"scene", "polygons", "picture", "OSMesa, first", "OSMesa, again"}}};
-  Row& head = summary.rows.front();
-  if (threads > 1) head.push_back(fmt::format("OSMesa, first, ours on {} threads", threads));
-  head.insert(head.end(), {"Embree, first", "Embree, again"});
+/// Rows of the largest picture of each scene.
+template <class Cells>
+void add_rows(const Report& report, Summary& summary, Cells&& cells_of) {
   for (const std::string& name : names_but_hard_cases(report)) {
     const SceneRow& row = largest_picture(report, name);
-    if (row.scene.kind == BenchScene::Kind::walk) continue;
-    const Faster osmesa = faster(row, "osmesa", "24 bits", threads);
-    const Faster embree = faster(row, "embree", "single", 1);
-    if (osmesa.first.empty() && embree.first.empty()) continue;
-    Row cells{short_name(row.scene.name), grouped(static_cast<std::int64_t>(row.polygons)),
-              fmt::format("{0} x {0}", row.scene.size), osmesa.first, osmesa.again};
-    if (threads > 1) cells.push_back(osmesa.threads);
-    cells.insert(cells.end(), {embree.first, embree.again});
+    const Row figures = cells_of(row);
+    if (std::ranges::all_of(figures, [](const auto& text) { return text.empty(); })) continue;
+    Row cells{short_name(name), grouped(static_cast<std::int64_t>(row.polygons)),
+              fmt::format("{0} x {0}", row.scene.size)};
+    cells.insert(cells.end(), figures.begin(), figures.end());
     summary.rows.push_back(std::move(cells));
   }
+}
+
+/// The numbers of threads that something was compared on.
+std::vector<int> threads_of(const Report& report, std::string_view other) {
+  std::vector<int> all;
+  for (const Beside& b : report.beside) {
+    if (b.other == other && std::ranges::find(all, b.threads) == all.end()) {
+      all.push_back(b.threads);
+    }
+  }
+  return all;
+}
+
+std::string on_threads(std::string_view what, int threads) {
+  return threads == 1 ? std::string(what) : fmt::format("{}, {} threads", what, threads);
+}
+
+std::optional<Summary> beside_osmesa(const Report& report) {
+  using namespace beside;
+  Summary summary{
+      "osmesa",
+      "Beside OSMesa",
+      "How many times as fast the exact z-buffer is as OSMesa with 24 bits of depth: the same "
+      "polygons in the same colours, back faces removed on both sides or on neither, as many "
+      "threads on both sides (one: the processor's time; several: the time on the wall). OSMesa "
+      "draws an indexed mesh whose vertices triangles share, flat, in a context that is there, and "
+      "waits until all is drawn; nothing is read back, while our picture is in memory. Start-up: "
+      "everything new and a picture of one triangle; ours a system and a picture, OSMesa's a "
+      "context, a frame buffer and its vertices. New vertices: ours enters all polygons anew and "
+      "draws them; OSMesa's vertices are handed over anew and drawn. Moving camera: a turn of 8 "
+      "views; ours views what it retains and draws it, in OSMesa all is resident, in buffers or in "
+      "a "
+      "display list, whichever is faster, and each view is another matrix. Same picture again: the "
+      "display file and the mesh as they were.",
+      {{"scene", "polygons", "picture"}}};
+  const std::vector<int> threads = threads_of(report, kOsmesa);
+  for (const int n : threads) {
+    for (const char* what : {kStartUp, kNewVertices, kNewViews, kAgain}) {
+      summary.rows.front().push_back(on_threads(what, n));
+    }
+  }
+  LeftOut left_out;
+  add_rows(report, summary, [&](const SceneRow& row) {
+    Row cells;
+    for (const int n : threads) {
+      for (const char* what : {kStartUp, kNewVertices, kNewViews, kAgain}) {
+        cells.push_back(shown(report, row, n, kOsmesa, what, left_out));
+      }
+    }
+    return cells;
+  });
   if (summary.rows.size() == 1) return std::nullopt;
+  summary.text += left_out.words();
   return summary;
 }
 
-/// The method's exact time over its time with a ROUNDOFF, on each scene measured with both.
-std::vector<double> costs_of_exactness(const Report& report, const std::string& method,
-                                       const std::string& precision) {
-  std::vector<double> ratios;
-  for (const SceneRow& row : report.scenes) {
-    if (row.scene.kind == BenchScene::Kind::hard_case) continue;
-    const Cell* exact = measured(row, method, "exact");
-    const Cell* rounded = measured(row, method, precision);
-    if (exact == nullptr || rounded == nullptr) continue;
-    ratios.push_back(exact->time.median / rounded->time.median);
+/// How many rays Embree casts at a time.
+std::string packet_width(const Report& report) {
+  for (const Beside& b : report.beside) {
+    if (b.what == beside::kPacket) return fmt::format("{:g}", *b.count);
   }
-  return ratios;
+  return "";
 }
 
+std::optional<Summary> beside_embree(const Report& report) {
+  using namespace beside;
+  Summary summary{
+      "embree",
+      "Rays beside Embree",
+      fmt::format(
+          "How many times as fast our ray caster (ray-cast, exact) is as Embree, which is in "
+          "single "
+          "precision: the same triangles, one ray a pixel through its centre, as many threads on "
+          "both sides. Embree casts coherent packets of {} rays, as wide as this processor's "
+          "vectors, of which what is the same for all is filled in once; its device is there and "
+          "its triangles are in its own form. Rays: cast at a tree that is there, and for each "
+          "pixel what is hit is noted. Building: making that tree, ours with the edges and planes "
+          "of the triangles. Moderate and high are the qualities of Embree's tree.",
+          packet_width(report)),
+      {{"scene", "polygons", "picture"}}};
+  const std::vector<int> threads = threads_of(report, kEmbree);
+  const std::array<std::pair<const char*, const char*>, 2> qualities{
+      std::pair(kEmbree, "moderate"), std::pair(kEmbreeHigh, "high")};
+  for (const int n : threads) {
+    for (const char* what : {kRays, kBuilding}) {
+      for (const auto& [other, quality] : qualities) {
+        summary.rows.front().push_back(on_threads(fmt::format("{}, {}", what, quality), n));
+      }
+    }
+  }
+  LeftOut left_out;
+  add_rows(report, summary, [&](const SceneRow& row) {
+    Row cells;
+    for (const int n : threads) {
+      for (const char* what : {kRays, kBuilding}) {
+        for (const auto& [other, quality] : qualities) {
+          cells.push_back(shown(report, row, n, other, what, left_out));
+        }
+      }
+    }
+    return cells;
+  });
+  if (summary.rows.size() == 1) return std::nullopt;
+  summary.text += left_out.words();
+  return summary;
+}
+
+/// A row a method: all the scenes together.
 std::optional<Summary> exactness(const Report& report) {
-  const std::vector<Column> all = columns(report);
-  const Row precisions = roundoffs(all);
-  Summary summary{"exactness",
-                  "What exactness costs",
-                  "The time of a method that decides exactly, over its time with a ROUNDOFF: the "
-                  "geometric mean over the scenes that were measured with both, and the least and "
-                  "the greatest.",
-                  {{"method"}}};
-  Row& head = summary.rows.front();
-  head.insert(head.end(), precisions.begin(), precisions.end());
-  for (const std::string& method :
-       distinct(all, &Column::method, [](const Column& c) { return is_roundoff(c.precision); })) {
-    Row row{method};
-    for (const std::string& precision : precisions) {
-      const auto ratios = costs_of_exactness(report, method, precision);
-      if (ratios.empty()) {
-        row.emplace_back();
+  Summary summary{
+      "exactness",
+      "What exactness costs",
+      "The time of a method that decides exactly, over that of the same code without its exact "
+      "stages, on one thread: the geometric mean over the scenes, the least and the greatest; and "
+      "the wrong pixels that it then has on these scenes. What is timed is the method's own work "
+      "on "
+      "a viewed scene, from making ready to what is seen at every pixel; of a sort, the sort and "
+      "the "
+      "painting of its order. The code without exact stages has a ROUNDOFF of 0: what doubles tell "
+      "is taken. The z-buffer's takes what single precision tells. Without any ROUNDOFF a sort "
+      "would "
+      "cut what crosses by rounding alone, and has one of 1e-12.",
+      {{"method", "exact over rounded", "scenes", "wrong pixels without"}}};
+  LeftOut left_out;
+  std::vector<std::string> methods;
+  for (const Beside& b : report.beside) {
+    if (b.other != beside::kRounded) continue;
+    if (std::ranges::find(methods, b.what) == methods.end()) methods.push_back(b.what);
+  }
+  for (const std::string& method : methods) {
+    std::vector<double> ratios;
+    std::int64_t wrong = 0;
+    for (const Beside& b : report.beside) {
+      if (b.other != beside::kRounded || b.what != method) continue;
+      if (!b.left_out.empty()) {
+        left_out.add(b.scene, method, b.left_out);
         continue;
       }
-      const Spread range = spread(ratios);
-      row.push_back(fmt::format("{:.2f} ({:.2f} to {:.2f})", geometric_mean(ratios), range.least,
-                                range.greatest));
+      ratios.push_back(1.0 / b.times_faster->median);
+      wrong += static_cast<std::int64_t>(*b.count);
     }
-    if (std::ranges::any_of(row.begin() + 1, row.end(), [](const auto& t) { return !t.empty(); })) {
-      summary.rows.push_back(std::move(row));
-    }
+    if (ratios.empty()) continue;
+    const Spread range = spread(ratios);
+    summary.rows.push_back({method,
+                            fmt::format("{:.2f} ({:.2f} to {:.2f})", geometric_mean(ratios),
+                                        range.least, range.greatest),
+                            fmt::format("{}", ratios.size()), grouped(wrong)});
   }
   if (summary.rows.size() == 1) return std::nullopt;
+  summary.text += left_out.words();
   return summary;
 }
 
-/// On the scene of the name with the most polygons, in the largest picture where it was measured.
-std::optional<double> fragments(const Report& report, const SceneRow& shown, const Column& column) {
-  std::optional<double> found;
-  int size = 0;
-  for (const SceneRow& row : report.scenes) {
-    if (row.scene.name != shown.scene.name || row.polygons != shown.polygons) continue;
-    const Cell* cell = measured(row, column.method, column.precision);
-    if (cell == nullptr || !cell->fragments || row.scene.size < size) continue;
-    found = cell->fragments;
-    size = row.scene.size;
-  }
-  return found;
-}
-
-/// A row a scene, a column a sort: the exact ones, and the peers'.
+/// A row a scene: ours and gl2ps's, of the same triangles.
 std::optional<Summary> pieces(const Report& report) {
-  std::vector<const SceneRow*> scenes;
+  using namespace beside;
+  const std::string bsp(name_of(HiddenMethod::bsp)), depth_sort(name_of(HiddenMethod::depth_sort));
+  Summary summary{
+      "pieces",
+      "Pieces of a triangle, beside gl2ps",
+      "Pieces that a sort makes of a triangle; 1 is a sort that cut nothing. All get the same "
+      "triangles, gl2ps's in single precision, with and without GL2PS_BEST_ROOT; and how many "
+      "times "
+      "as fast ours is as each, on one thread by the processor's time, as gl2ps has but one. Timed "
+      "is the sort alone: ours from the triangles to the order and the points of its pieces, "
+      "gl2ps's "
+      "gl2psEndPage in a format that writes no polygons, without the handing over.",
+      {{"scene", "triangles", bsp, depth_sort, kGl2ps, kGl2psBestRoot, bsp + " beside gl2ps",
+        bsp + " beside best root", depth_sort + " beside gl2ps",
+        depth_sort + " beside best root"}}};
+  LeftOut left_out;
   for (const std::string& name : names_but_hard_cases(report)) {
-    scenes.push_back(&shown_scene(report, name));
+    const SceneRow& row = shown_scene(report, name);
+    const auto cell = [&](std::string_view other, std::string_view what) {
+      return shown(report, row, 1, other, what, left_out);
+    };
+    const Beside* const triangles = find_beside(report, row.scene.id(), 1, kGl2ps, kTriangles);
+    if (triangles == nullptr) continue;
+    summary.rows.push_back({short_name(name), grouped(static_cast<std::int64_t>(*triangles->count)),
+                            cell(bsp, kPieces), cell(depth_sort, kPieces), cell(kGl2ps, kPieces),
+                            cell(kGl2psBestRoot, kPieces), cell(kGl2ps, bsp),
+                            cell(kGl2psBestRoot, bsp), cell(kGl2ps, depth_sort),
+                            cell(kGl2psBestRoot, depth_sort)});
   }
-  std::vector<Column> sorts = columns(report);
-  std::erase_if(sorts, [&](const Column& column) {
-    return is_roundoff(column.precision) || std::ranges::none_of(scenes, [&](const SceneRow* row) {
-             return fragments(report, *row, column).has_value();
-           });
-  });
-  if (sorts.empty()) return std::nullopt;
-  Summary summary{"pieces",
-                  "Pieces of a polygon",
-                  "Pieces that a sort makes of a polygon; 1 is a sort that cut nothing. gl2ps gets "
-                  "triangles.",
-                  {{"scene", "polygons"}}};
-  for (const Column& column : sorts) summary.rows.front().push_back(column.name());
-  for (const SceneRow* shown : scenes) {
-    Row row{short_name(shown->scene.name), grouped(static_cast<std::int64_t>(shown->polygons))};
-    bool any = false;
-    for (const Column& column : sorts) {
-      const auto each = fragments(report, *shown, column);
-      row.push_back(each ? fmt::format("{:g}", *each) : "");
-      any = any || each;
-    }
-    if (any) summary.rows.push_back(std::move(row));
-  }
+  if (summary.rows.size() == 1) return std::nullopt;
+  summary.text += left_out.words();
   return summary;
 }
 
-std::optional<Summary> methods(const Report& report) {
-  Summary summary{"methods",
-                  "Methods",
-                  "Which method when, from this run alone; times are in those of " +
-                      report.reference +
-                      ", geometric means over the scenes. Of methods within a tenth of the "
-                      "fastest the first of the tables is named.",
+std::optional<Summary> which_when(const Report& report) {
+  Summary summary{"advice",
+                  "Which method when",
+                  "From this run alone; times are in those of " + report.reference +
+                      ", geometric means over the scenes from which no method was left out. Of "
+                      "methods within a tenth of the fastest the first of the tables is named.",
                   {{"for", "use", "why"}}};
   for (const Advice& a : advice(report)) summary.rows.push_back({a.purpose, a.use, a.reason});
   if (summary.rows.size() == 1) return std::nullopt;
   return summary;
+}
+
+/// The purposes that the method is advised for, in short.
+std::string used_for(const std::vector<Advice>& all, const Column& column) {
+  std::string text;
+  for (const Advice& a : all) {
+    if (a.use != column.name()) continue;
+    text += (text.empty() ? "" : "; ") + a.purpose.substr(0, a.purpose.find(':'));
+  }
+  return text;
+}
+
+/// One screen: a row a method or peer, of several precisions one.
+std::optional<Summary> methods(const Report& report) {
+  const auto shown = [](const Column& c) { return is_in_series(c); };
+  const Rows still = still_scenes(report);
+  const Rows rows = with_nothing_left_out(report, still, shown);
+  if (rows.empty()) return std::nullopt;
+  std::string names;
+  for (const SceneRow* row : rows) {
+    names += (names.empty() ? "" : ", ") + short_name(row->scene.name);
+  }
+  Summary summary{
+      "methods",
+      "Methods",
+      fmt::format(
+          "Times of a picture in those of {}, geometric means over the {} scenes from which "
+          "none was left out ({}): anew, from the display file; and the same picture again. "
+          "A peer is warm, and has the polygons in its own form. gl2ps sorts, and draws no "
+          "pixels. Wrong pixels are those of the hard cases, pieces those of a polygon, of "
+          "gl2ps of a triangle.",
+          report.reference, rows.size(), names),
+      {{"method", "anew", "again", "wrong pixels, %", "bytes a polygon", "pieces", "advised for"}}};
+  const std::vector<Advice> advised = advice(report);
+  const auto mean_of = [&](const Column& column, const auto& value) -> std::string {
+    const auto all = means(
+        report, rows, [&](const Column& c) { return c == column; }, value);
+    return all.empty() ? "" : fmt::format("{:.3g}", all.front().time);
+  };
+  for (const Column& column : columns(report)) {
+    if (!shown(column)) continue;
+    const std::string anew = mean_of(column, time_of);
+    if (anew.empty()) continue;
+    std::vector<double> bytes;
+    for (const SceneRow* row : rows) {
+      const Cell* cell = measured(*row, column.method, column.precision);
+      if (!cell->bytes) continue;
+      bytes.push_back(static_cast<double>(std::max<std::int64_t>(1, *cell->bytes)) /
+                      static_cast<double>(std::max<std::size_t>(1, row->polygons)));
+    }
+    const Wrong wrong = wrong_pixels(report, "", column);
+    summary.rows.push_back({column.name(), anew,
+                            mean_of(column,
+                                    [](const Cell& cell) {
+                                      return cell.again ? std::optional(cell.again->median)
+                                                        : std::nullopt;
+                                    }),
+                            wrong.pixels == 0 ? "" : fmt::format("{:.3g}", wrong.percent()),
+                            bytes.empty() ? "" : fmt::format("{:.0f}", geometric_mean(bytes)),
+                            mean_of(column, [](const Cell& cell) { return cell.fragments; }),
+                            used_for(advised, column)});
+  }
+  if (summary.rows.size() == 1) return std::nullopt;
+  return summary;
+}
+
+/// Who is on the front, in words.
+std::optional<Summary> front(const Report& report) {
+  const auto found = front_of_all(report);
+  if (!found) return std::nullopt;
+  std::string text;
+  for (const SpeedAndError& one : found->front) {
+    text += fmt::format("{} {} (time {:.3g}, {:.3g} % wrong)", text.empty() ? "" : ";",
+                        one.column.name(), one.time, one.percent);
+  }
+  return Summary{
+      "front",
+      "Speed against error",
+      fmt::format(
+          "On the front, from the fastest to the rightest:{}. Behind it something is both faster "
+          "and "
+          "righter. Time is that of a picture from the display file, in those of {}, the geometric "
+          "mean over the {} scene{} from which no method was left out{}; peers are warm, and have "
+          "the polygons in their own form. Errors are pixels in a hundred whose polygon is not the "
+          "one that exact arithmetic gives, {}.",
+          text, report.reference, found->scenes, found->scenes == 1 ? "" : "s",
+          found->scenes_left_out == 0
+              ? ""
+              : fmt::format(" ({} more do not count)", found->scenes_left_out),
+          found->hard_cases == 0 ? "of these scenes"
+                                 : fmt::format("of {} hard cases", found->hard_cases)),
+      {}};
 }
 
 std::optional<Summary> automatic(const Report& report) {
@@ -291,16 +456,22 @@ struct Entry {
   std::optional<Summary> (*of)(const Report&);
 };
 constexpr std::array kEntries{
-    Entry{"methods", methods},     Entry{"auto", automatic},
-    Entry{"speed", speed},         Entry{"wrong-pixels", wrong_pixels_of_hard_cases},
-    Entry{"exactness", exactness}, Entry{"pieces", pieces},
+    Entry{"front", front},
+    Entry{"methods", methods},
+    Entry{"osmesa", beside_osmesa},
+    Entry{"embree", beside_embree},
+    Entry{"pieces", pieces},
+    Entry{"exactness", exactness},
+    Entry{"advice", which_when},
+    Entry{"auto", automatic},
+    Entry{"wrong-pixels", wrong_pixels_of_hard_cases},
 };
 
 }  // namespace
 
 bool Summary::is_of_numbers(std::size_t column) const {
   return std::ranges::all_of(rows.begin() + 1, rows.end(), [&](const auto& row) {
-    return row[column].empty() ||
+    return row[column].empty() || row[column] == kSkipped ||
            std::string_view("0123456789").find(row[column].front()) != std::string_view::npos;
   });
 }

@@ -23,6 +23,7 @@ struct PlotPoint {
   double x, y;
   std::optional<std::pair<double, double>> x_spread = std::nullopt;  ///< least and greatest
   std::string title = {};  ///< shown where the pointer rests
+  std::string label = {};  ///< written beside it
 };
 
 struct Curve {
@@ -39,8 +40,16 @@ struct Plot {
   /// A staircase under the points, drawn behind them: none of them is below and left of it.
   std::vector<PlotPoint> front = {};
   std::optional<std::pair<double, double>> x_range = std::nullopt, y_range = std::nullopt;
+  double width = 470.0, height = 330.0;  ///< pixels
+  double zero_band = 46.0;               ///< its height
+  /// Written into the upper right corner, a line each, with a mark if it has one.
+  std::vector<std::pair<std::optional<Mark>, std::string>> notes = {};
 };
+/// Points that are labelled stand one below the other in the band of zeros, so that their labels do
+/// not meet; others beside each other by their shapes.
 std::string svg(const Plot& plot, std::span<const Curve> curves);
+/// The same as a file of its own.
+std::string svg_file(const Plot& plot, std::span<const Curve> curves);
 
 /// Percentages in rows and columns: zero light green, and from light to dark red by logarithm.
 struct HeatMap {

@@ -1,5 +1,7 @@
 #include "programs/bench/triangles.h"
 
+#include <span>
+
 #include "clip/planarity.h"
 
 namespace displayfile::bench {
@@ -21,6 +23,19 @@ Triangles in_triangles(const ViewedScene& scene) {
     }
   }
   return triangles;
+}
+
+DisplayFile display_file_of(const Triangles& triangles) {
+  DisplayFile file;
+  Segment& segment = file.create(1);
+  segment.set_style(LineStyle{LineStyle::Kind::none});
+  segment.set_style(FillStyle{FillStyle::Kind::solid});
+  const std::vector<std::uint8_t> edges(3, 1);
+  const std::span<const Point3> corners = triangles.corners;
+  for (std::size_t i = 0; i < corners.size(); i += 3) {
+    segment.enter_polygon(corners.subspan(i, 3), edges);
+  }
+  return file;
 }
 
 }  // namespace displayfile::bench

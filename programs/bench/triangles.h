@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "displayfile/display_file.h"
 #include "displayfile/viewed_scene.h"
 
 namespace displayfile::bench {
@@ -17,5 +18,9 @@ struct Triangles {
 /// Cut by clip/planarity.h: a fill that crosses itself has no tiling, and what is made of it covers
 /// other pixels.
 Triangles in_triangles(const ViewedScene& scene);
+
+/// A display file of the triangles, solid and without lines, for methods that are to get the same
+/// as such a peer.
+DisplayFile display_file_of(const Triangles& triangles);
 
 }  // namespace displayfile::bench

@@ -12,6 +12,15 @@ Colour colour_of(std::size_t polygon) {
   return {component(37), component(23), component(11)};
 }
 
+}  // namespace
+
+View unit_view() {
+  View view;
+  view.set_window({0.0, 1.0, 0.0, 1.0});
+  view.set_depth(-1.0, 0.0);
+  return view;
+}
+
 void set_view(const View& view, GraphicsSystem& system) {
   system.set_view_reference_point(view.reference_point);
   system.set_view_plane_normal(view.plane_normal);
@@ -27,15 +36,6 @@ void set_view(const View& view, GraphicsSystem& system) {
   system.set_back_plane_clipping(view.back_clipping);
   const auto& [x_min, x_max, y_min, y_max] = view.window;
   system.set_window(x_min, x_max, y_min, y_max);
-}
-
-}  // namespace
-
-View unit_view() {
-  View view;
-  view.set_window({0.0, 1.0, 0.0, 1.0});
-  view.set_depth(-1.0, 0.0);
-  return view;
 }
 
 void Scene::add(std::span<const Point3> polygon) {

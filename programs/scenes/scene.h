@@ -39,6 +39,9 @@ struct Scene {
   void open_segment(const ImageTransformation& image) { segments.push_back({polygons(), image}); }
 };
 
+/// Sets all of the view but the viewport. Throws Error as the system's routines do.
+void set_view(const View& view, GraphicsSystem& system);
+
 /// Enters the scene into a system without segments: sets the view, then segments 1, 2, … with
 /// solid fills of different colours, no lines, and no back-face removal. The pick identifiers
 /// are the ordinals.

@@ -1,0 +1,442 @@
+#include "programs/bench/beside.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <span>
+#include <utility>
+
+#include "clip/view_volume.h"
+#include "hidden/parallel.h"
+#include "hidden/sort/hidden_surface_sort.h"
+#include "interp/opengl/osmesa.h"
+#include "interp/renderer.h"
+#include "interp/visibility/image_space.h"
+#include "interp/visibility/z_buffer.h"
+#include "programs/bench/application_mesh.h"
+#include "programs/bench/contenders.h"
+#include "programs/bench/embree_rays.h"
+#include "programs/bench/gl2ps_sort.h"
+#include "programs/bench/indexed_triangles.h"
+#include "programs/bench/new_views.h"
+#include "programs/bench/opengl_mesh.h"
+#include "programs/bench/own_process.h"
+#include "programs/scenes/scene.h"
+
+namespace displayfile::bench {
+
+using namespace beside;
+
+namespace {
+
+using Fill = ViewedScene::Fill;
+
+Spread figures(const Spread& s) { return {figure(s.least), figure(s.median), figure(s.greatest)}; }
+
+PictureSize size_of(const BenchScene& scene) { return {scene.size, scene.size}; }
+
+/// Collects what is found of one task.
+class Comparison {
+ public:
+  explicit Comparison(const BesideTask& task) : task_(task) {}
+
+  const BesideTask& task() const { return task_; }
+  void add_ratio(const std::string& other, const std::string& what, const Spread& times_faster) {
+    add(other, what).times_faster = figures(times_faster);
+  }
+  /// In turn; how many times as fast ours is.
+  void time(const std::string& other, const std::string& what, const auto& ours,
+            const auto& others) {
+    add_ratio(other, what, warm_ratio(task_.effort, task_.threads, others, ours));
+  }
+  void count(const std::string& other, const std::string& what, double value) {
+    add(other, what).count = figure(value);
+  }
+  void leave_out(const std::string& other, const std::string& what, const std::string& why) {
+    add(other, what).left_out = why;
+  }
+  Beside& add(const std::string& other, const std::string& what) {
+    found.push_back({task_.scene.id(), task_.threads, other, what});
+    return found.back();
+  }
+
+  std::vector<Beside> found;
+
+ private:
+  const BesideTask& task_;
+};
+
+// ---- OSMesa ----------------------------------------------------------------------------
+
+/// From the view volume's homogeneous cube, over the part of its depth where the mesh is, to
+/// OpenGL's clip coordinates; y downward.
+glm::dmat4 opengl_matrix(const ViewVolume& volume, std::span<const Point3> vertices) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Point3& vertex : vertices) {
+    const HomogeneousPoint p = volume.transform(vertex);
+    const bool inside = p.w > 0.0 && p.x >= 0.0 && p.x <= p.w && p.y >= 0.0 && p.y <= p.w;
+    if (!inside) continue;
+    low = std::min(low, p.z / p.w);
+    high = std::max(high, p.z / p.w);
+  }
+  if (!(low < high)) low = 0.0, high = 1.0;
+  const double room = (high - low) / 16.0;
+  low -= room;
+  high += room;
+  glm::dmat4 clip(0.0);  // clip[column][row]
+  clip[0][0] = 2.0;
+  clip[3][0] = -1.0;
+  clip[1][1] = -2.0;
+  clip[3][1] = 1.0;
+  clip[2][2] = 2.0 / (high - low);
+  clip[3][2] = -2.0 * low / (high - low) - 1.0;
+  clip[3][3] = 1.0;
+  return clip * volume.matrix();
+}
+
+DrawOptions by_z_buffer(const BesideTask& task) {
+  DrawOptions options;
+  options.width = options.height = task.scene.size;
+  options.threads = task.threads;
+  options.hidden = HiddenMethod::z_buffer;
+  return options;
+}
+
+void compare_start_up(Comparison& comparison) {
+  const BesideTask& task = comparison.task();
+  const std::vector<Point3> triangle{{0.25, 0.25, 0.0}, {0.75, 0.25, 0.0}, {0.5, 0.75, 0.0}};
+  const auto indexed = indexed_triangles(triangle, std::vector<std::uint32_t>{0xFF0000FF});
+  comparison.time(
+      kOsmesa, kStartUp,
+      [&] {
+        GraphicsSystem system;
+        system.set_line_style({LineStyle::Kind::none});
+        system.open_segment(1);
+        system.polygon_abs_3(triangle);
+        system.close_segment();
+        draw(system, by_z_buffer(task));
+      },
+      [&] {
+        OpenGlMesh mesh(indexed, {size_of(task.scene)});
+        mesh.set_matrix(glm::dmat4(1.0));
+        mesh.draw_with_new_vertices();
+      });
+}
+
+/// In a hundred, at which the two pictures differ.
+double other_pixels(const Picture& a, const Picture& b) {
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) others += a.pixels[i] != b.pixels[i];
+  return 100.0 * static_cast<double>(others) / static_cast<double>(a.pixels.size());
+}
+
+void compare_new_views(Comparison& comparison, const ApplicationMesh& mesh,
+                       std::span<const glm::dmat4> matrices, OpenGlMesh& opengl) {
+  const BesideTask& task = comparison.task();
+  NewViews ours(mesh, size_of(task.scene), task.threads);
+  double most = 0.0;
+  for (std::size_t k = 0; k < mesh.views.size(); ++k) {
+    opengl.set_matrix(matrices[k]);
+    opengl.draw();
+    most = std::max(most, other_pixels(opengl.picture(), ours.draw_new_view(mesh.views[k])));
+  }
+  comparison.time(
+      kOsmesa, kNewViews,
+      [&] {
+        for (const View& view : mesh.views) ours.draw_new_view(view);
+      },
+      [&] {
+        for (const glm::dmat4& matrix : matrices) {
+          opengl.set_matrix(matrix);
+          opengl.draw();
+        }
+      });
+  comparison.count(kOsmesa, kOtherPixels, most);
+}
+
+void compare_with_osmesa(Comparison& comparison) {
+  compare_start_up(comparison);
+  const BesideTask& task = comparison.task();
+  ApplicationMesh mesh;
+  try {
+    mesh = application_mesh(task.scene);
+  } catch (const CannotDraw& reason) {
+    for (const char* what : {kNewVertices, kNewViews, kAgain}) {
+      comparison.leave_out(kOsmesa, what, reason.why);
+    }
+    return;
+  }
+  const ColouredTriangles triangles = triangles_of(mesh);
+  const IndexedTriangles indexed = indexed_triangles(triangles.corners, triangles.colours);
+  comparison.count(kOsmesa, kTriangles, static_cast<double>(indexed.size()));
+  std::vector<glm::dmat4> matrices;
+  for (const View& view : mesh.views) {
+    matrices.push_back(opengl_matrix(ViewVolume(view), mesh.vertices));
+  }
+  OpenGlMesh opengl(indexed,
+                    {size_of(task.scene), 24, mesh.back_faces_removed, pixel_of(Background{})});
+  opengl.set_matrix(matrices.front());
+
+  GraphicsSystem system;
+  system.set_threads(task.threads);
+  set_view(mesh.views.front(), system);
+  Renderer renderer;
+  const DrawOptions options = by_z_buffer(task);
+  comparison.time(
+      kOsmesa, kNewVertices,
+      [&] {
+        enter(mesh, system);
+        renderer.draw(system, options);
+      },
+      [&] { opengl.draw_with_new_vertices(); });
+  opengl.make_resident();
+  comparison.time(
+      kOsmesa, kAgain, [&] { renderer.draw(system, options); }, [&] { opengl.draw(); });
+  compare_new_views(comparison, mesh, matrices, opengl);
+}
+
+// ---- Embree ----------------------------------------------------------------------------
+
+/// Rows in tasks, on so many threads.
+void for_rows(int rows, int threads, const auto& draw) {
+  constexpr int kRowsOfTask = 16;
+  const int tasks = (rows + kRowsOfTask - 1) / kRowsOfTask;
+  in_parallel(threads, static_cast<std::size_t>(tasks), [&](std::size_t k) {
+    const auto task = static_cast<int>(k);
+    draw(task * kRowsOfTask, std::min(rows, (task + 1) * kRowsOfTask));
+  });
+}
+
+/// The rays of a method that has taken up a scene.
+void find_seen(const ImageSpaceMethod& method, const PictureSize& size, int threads,
+               std::vector<Fill>& seen) {
+  const auto width = static_cast<std::size_t>(size.width);
+  for_rows(size.height, threads, [&](int begin, int end) {
+    method.draw_rows(begin, end, [&](int row, int first, std::span<const Fill> fills) {
+      std::ranges::copy(fills, seen.data() + static_cast<std::size_t>(row) * width + first);
+    });
+  });
+}
+
+std::vector<Fill> room_for(const PictureSize& size) {
+  return std::vector<Fill>(static_cast<std::size_t>(size.width) *
+                           static_cast<std::size_t>(size.height));
+}
+
+void compare_with_embree(Comparison& comparison) {
+  const BesideTask& task = comparison.task();
+  const PictureSize size = size_of(task.scene);
+  const DisplayFile file = display_file_of(in_triangles(ViewedScene(task.scene.make())));
+  const ViewedScene scene(file);
+  const auto method = make_image_space_method(HiddenMethod::ray_cast);
+  const ImageSpaceMethod::Request request{scene, size, std::nullopt};
+  method->prepare(request, task.threads);
+  std::vector<Fill> seen = room_for(size);
+  const auto ours = [&] { find_seen(*method, size, task.threads, seen); };
+  const EmbreeRays::Input input(in_triangles(scene), size);
+  EmbreeRays::Hits hits(size, false);
+  for (const auto quality : {EmbreeRays::Quality::moderate, EmbreeRays::Quality::high}) {
+    const char* const name = quality == EmbreeRays::Quality::high ? kEmbreeHigh : kEmbree;
+    const EmbreeRays embree(input, task.threads, quality);
+    comparison.time(name, kRays, ours, [&] {
+      for_rows(size.height, task.threads,
+               [&](int begin, int end) { embree.cast(begin, end, hits); });
+    });
+    const auto other = make_image_space_method(HiddenMethod::ray_cast);
+    comparison.time(
+        name, kBuilding, [&] { other->prepare(request, task.threads); },
+        [&] { EmbreeRays(input, task.threads, quality); });
+  }
+  comparison.count(kEmbree, kPacket, EmbreeRays::packet_width());
+}
+
+// ---- gl2ps -----------------------------------------------------------------------------
+
+constexpr HiddenMethod kSorts[] = {HiddenMethod::bsp, HiddenMethod::depth_sort};
+
+void compare_with_gl2ps(Comparison& comparison) {
+  const BesideTask& task = comparison.task();
+  const DisplayFile file = display_file_of(in_triangles(ViewedScene(task.scene.make())));
+  const ViewedScene scene(file);
+  const Triangles triangles = in_triangles(scene);
+  const auto count = static_cast<double>(std::max<std::size_t>(1, triangles.size()));
+  const auto left_out = [&](HiddenMethod sort) {
+    return task.left_out.contains(std::string(name_of(sort)));
+  };
+  comparison.count(kGl2ps, kTriangles, static_cast<double>(triangles.size()));
+  for (const HiddenMethod sort : kSorts) {
+    const std::string name(name_of(sort));
+    if (left_out(sort)) {
+      comparison.leave_out(name, kPieces, task.left_out.at(name));
+      continue;
+    }
+    const auto sorted = sort_hidden_surfaces(scene.primitives(), sort, SortOptions{});
+    comparison.count(name, kPieces, static_cast<double>(sorted.pieces.size()) / count);
+  }
+  for (const bool best_root : {false, true}) {
+    const char* const name = best_root ? kGl2psBestRoot : kGl2ps;
+    const Gl2psSort gl2ps{triangles.corners, size_of(task.scene), best_root};
+    if (!gl2ps.ends()) {
+      const char* const why = "gl2ps's sort does not come to an end";
+      comparison.leave_out(name, kPieces, why);
+      for (const HiddenMethod sort : kSorts) {
+        comparison.leave_out(name, std::string(name_of(sort)), why);
+      }
+      continue;
+    }
+    comparison.count(name, kPieces, static_cast<double>(gl2ps.pieces().size()) / count);
+    for (const HiddenMethod sort : kSorts) {
+      const std::string of(name_of(sort));
+      if (left_out(sort)) {
+        comparison.leave_out(name, of, task.left_out.at(of));
+        continue;
+      }
+      const auto ours = [&] { sort_hidden_surfaces(scene.primitives(), sort, SortOptions{}); };
+      const auto round = [&] {
+        const double our_seconds = seconds_each(Clock::processor, 1, ours);
+        return std::pair(our_seconds, gl2ps.sort());
+      };
+      const auto [our_first, first] = round();
+      const int rounds = std::clamp(
+          static_cast<int>(task.effort.most_seconds / (our_first + first)), 1, task.effort.rounds);
+      std::vector<double> ratios;
+      for (int i = 0; i < rounds; ++i) {
+        const auto [own, others] = round();
+        ratios.push_back(others / own);
+      }
+      comparison.add_ratio(name, of, spread(std::move(ratios)));
+    }
+  }
+}
+
+// ---- Without exact stages --------------------------------------------------------------
+
+/// What each of a method's forms does for a picture from a viewed scene: it makes ready, and finds
+/// what is seen at every pixel.
+void compare_image_space(Comparison& comparison, const ViewedScene& scene, HiddenMethod method) {
+  const BesideTask& task = comparison.task();
+  const PictureSize size = size_of(task.scene);
+  const auto exact = make_image_space_method(method);
+  const bool single = method == HiddenMethod::z_buffer;
+  const auto rounded = single ? std::make_unique<ZBuffer>(ZBuffer::Decided::in_single_precision)
+                              : make_image_space_method(method);
+  std::vector<Fill> seen = room_for(size), seen_rounded = seen;
+  const auto drawn = [&](ImageSpaceMethod& form, std::optional<double> roundoff,
+                         std::vector<Fill>& to) {
+    return [&, roundoff] {
+      form.prepare({scene, size, roundoff}, 1);
+      find_seen(form, size, 1, to);
+    };
+  };
+  const std::string name(name_of(method));
+  comparison.time(kRounded, name, drawn(*exact, std::nullopt, seen),
+                  drawn(*rounded, single ? std::nullopt : std::optional(0.0), seen_rounded));
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i) wrong += seen[i] != seen_rounded[i];
+  comparison.found.back().count = static_cast<double>(wrong);
+}
+
+/// Without any ROUNDOFF a sort cuts what crosses by rounding alone.
+void compare_sort(Comparison& comparison, const DisplayFile& file, HiddenMethod method) {
+  const BesideTask& task = comparison.task();
+  const std::string name(name_of(method));
+  const Frame frame{task.scene.size, task.scene.size};
+  constexpr double kRoundoff = 1e-12;
+  std::unique_ptr<Drawing> exact, rounded;
+  for (const Contender& contender : contenders(std::span(&kRoundoff, 1))) {
+    if (contender.method != name) continue;
+    (contender.exact ? exact : rounded) = contender.draw(file, frame);
+  }
+  comparison.time(
+      kRounded, name, [&] { exact->draw_anew(); }, [&] { rounded->draw_anew(); });
+  const Picture right = exact->judged(), other = rounded->judged();
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < right.ids.size(); ++i) wrong += right.ids[i] != other.ids[i];
+  comparison.found.back().count = static_cast<double>(wrong);
+}
+
+void compare_without_exact_stages(Comparison& comparison) {
+  const BesideTask& task = comparison.task();
+  const DisplayFile file = task.scene.make();
+  const ViewedScene scene(file);
+  const auto left_out = [&](HiddenMethod method) {
+    const auto why = task.left_out.find(std::string(name_of(method)));
+    if (why == task.left_out.end()) return false;
+    comparison.leave_out(kRounded, why->first, why->second);
+    return true;
+  };
+  for (const ImageSpaceEntry& entry : image_space_methods()) {
+    if (!left_out(entry.method)) compare_image_space(comparison, scene, entry.method);
+  }
+  for (const HiddenMethod sort : kSorts) {
+    if (!left_out(sort)) compare_sort(comparison, file, sort);
+  }
+}
+
+}  // namespace
+
+Json to_json(const BesideTask& task) {
+  const BenchScene& scene = task.scene;
+  return {{"kind", static_cast<int>(scene.kind)},
+          {"name", scene.name},
+          {"n", scene.n},
+          {"severity", scene.severity},
+          {"gap", scene.gap},
+          {"size", scene.size},
+          {"seed", scene.seed},
+          {"threads", task.threads},
+          {"others", task.others},
+          {"left_out", task.left_out},
+          {"rounds", task.effort.rounds},
+          {"least_seconds", task.effort.least_seconds},
+          {"most_seconds", task.effort.most_seconds}};
+}
+
+BesideTask beside_task_from_json(const Json& json) {
+  BesideTask task;
+  task.scene = {static_cast<BenchScene::Kind>(json.at("kind").get<int>()),
+                json.at("name"),
+                json.at("n"),
+                json.at("severity"),
+                json.at("gap"),
+                json.at("size"),
+                json.at("seed")};
+  task.threads = json.at("threads");
+  task.others = json.at("others").get<std::vector<std::string>>();
+  task.left_out = json.at("left_out").get<std::map<std::string, std::string>>();
+  task.effort = {json.at("rounds"), json.at("least_seconds"), json.at("most_seconds")};
+  return task;
+}
+
+std::vector<Beside> compare(const BesideTask& task) {
+  Comparison comparison(task);
+  for (const std::string& other : task.others) {
+    if (other == "osmesa" && osmesa_available()) compare_with_osmesa(comparison);
+    if (other == "embree" && EmbreeRays::version()) compare_with_embree(comparison);
+    if (other == "gl2ps" && Gl2psSort::version()) compare_with_gl2ps(comparison);
+    if (other == "rounded") compare_without_exact_stages(comparison);
+  }
+  return std::move(comparison.found);
+}
+
+std::string compared(const std::string& task) {
+  Json found = Json::array();
+  for (const Beside& beside : compare(beside_task_from_json(Json::parse(task)))) {
+    found.push_back(to_json(beside));
+  }
+  return found.dump();
+}
+
+std::vector<Beside> compare_in_own_process(const BesideTask& task) {
+  const std::string of_llvmpipe =
+      fmt::format("LP_NUM_THREADS={}", task.threads == 1 ? 0 : task.threads);
+  const std::string output =
+      output_of({"/proc/self/exe", "bench", "--beside", to_json(task).dump()}, of_llvmpipe);
+  std::vector<Beside> found;
+  for (const Json& json : Json::parse(output)) found.push_back(beside_from_json(json));
+  return found;
+}
+
+}  // namespace displayfile::bench

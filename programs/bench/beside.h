@@ -1,0 +1,74 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "programs/bench/json_report.h"
+#include "programs/bench/report.h"
+#include "programs/bench/timing.h"
+
+namespace displayfile::bench {
+
+/// Comparisons by one rule: the other side gets its best documented options, is warm, has the same
+/// primitives, the same number of threads, and is used as its applications use it.
+///
+/// | other | what | ours | the other's |
+/// |---|---|---|---|
+/// | kOsmesa | kStartUp | a new system, one triangle, its picture | a new context, one triangle |
+/// | | kNewVertices | the mesh entered anew, and drawn | its vertices handed over anew, and drawn |
+/// | | kNewViews | a retained scene in eight views | a resident mesh with as many matrices |
+/// | | kAgain | the same display file again | the resident mesh again |
+/// | kEmbree, kEmbreeHigh | kRays | rays cast at a tree that is there | the same |
+/// | | kBuilding | making that tree | the same |
+/// | kGl2ps, kGl2psBestRoot | a sort's name | that sort of the triangles | its BSP sort of them |
+/// | kRounded | a method's name | the method | the same code with a ROUNDOFF of 0, of a sort 1e-12;
+/// the z-buffer's in single precision |
+///
+/// and counts: kTriangles that kOsmesa and kGl2ps got; kPieces a triangle, of kGl2ps,
+/// kGl2psBestRoot and of our sorts; of kOsmesa kOtherPixels, in a hundred where its picture of a
+/// view is another than ours, the most of all views; of kEmbree kPacket, how many rays it casts at
+/// a time; of kRounded, with its time, the wrong pixels.
+namespace beside {
+inline constexpr const char* kOsmesa = "OSMesa";
+inline constexpr const char* kEmbree = "Embree";
+inline constexpr const char* kEmbreeHigh = "Embree, high quality";
+inline constexpr const char* kGl2ps = "gl2ps";
+inline constexpr const char* kGl2psBestRoot = "gl2ps, best root";
+inline constexpr const char* kRounded = "without exact stages";
+
+inline constexpr const char* kStartUp = "start-up";
+inline constexpr const char* kNewVertices = "new vertices";
+inline constexpr const char* kNewViews = "moving camera";
+inline constexpr const char* kAgain = "same picture again";
+inline constexpr const char* kRays = "rays";
+inline constexpr const char* kBuilding = "building the tree";
+inline constexpr const char* kTriangles = "triangles";
+inline constexpr const char* kPieces = "pieces a triangle";
+inline constexpr const char* kOtherPixels = "pixels that differ, %";
+inline constexpr const char* kPacket = "rays a packet";
+}  // namespace beside
+
+/// What is compared in one process: llvmpipe reads its number of threads once, when the process
+/// makes its first context.
+struct BesideTask {
+  BenchScene scene;
+  int threads = 1;
+  std::vector<std::string> others;              ///< "osmesa", "embree", "gl2ps", "rounded"
+  std::map<std::string, std::string> left_out;  ///< our methods that take too long here, and why
+  Effort effort;
+};
+Json to_json(const BesideTask& task);
+BesideTask beside_task_from_json(const Json& json);
+
+/// In this process.
+std::vector<Beside> compare(const BesideTask& task);
+
+/// In a process of its own, this program started again. Throws Error, with its words, if that
+/// fails.
+std::vector<Beside> compare_in_own_process(const BesideTask& task);
+
+/// What the process prints: the task as text in, the comparisons out.
+std::string compared(const std::string& task);
+
+}  // namespace displayfile::bench

@@ -70,6 +70,7 @@ class RetainedScene {
   const Attributes& attributes(std::uint32_t i) const {
     return attributes_[primitives_[i].attributes];
   }
+  std::span<const Attributes> all_attributes() const { return attributes_; }
   const Attributes& attributes(const Text& text) const { return attributes_[text.attributes]; }
   /// A primitive that is a polygon, for a view stage.
   WorldPolygon polygon(std::uint32_t i) const;

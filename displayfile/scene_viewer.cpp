@@ -102,14 +102,16 @@ class SceneViewer::Part {
     matrix_.reset();
     if (!image.is_identity()) matrix_.emplace(image);
     const RetainedScene& scene = *in_view.viewer.scene_;
-    for (std::uint32_t i = first_; i < end_;) {
-      std::uint32_t end = i + 1;
-      while (end < end_ && scene[end].attributes == scene[i].attributes) ++end;
-      take(scene.attributes(i));
-      if (draws_) {
-        attributes_.light || outlined_ || matrix_ ? view_all(i, end) : view_unlit(i, end);
+    in_force_ = kNone;
+    for (std::uint32_t i = first_; i < end_; ++i) {
+      const Primitive& primitive = scene[i];
+      const Look& look = in_view.viewer.looks_[primitive.attributes];
+      if (look.is_nothing) continue;
+      if (look.is_plain && primitive.sides == 3 && !matrix_) {
+        view_triangle(i, primitive, look);
+      } else {
+        view_any(i, primitive);
       }
-      i = end;
     }
   }
   void forget() {
@@ -120,64 +122,59 @@ class SceneViewer::Part {
  private:
   using Primitive = RetainedScene::Primitive;
 
-  void take(const Attributes& attributes) {
-    attributes_ = attributes;
-    if (attributes_.light) {
-      attributes_.light->toward = in_view_->wanted.lights_turned * attributes_.light->toward;
+  /// Where there is light they are copied, since it is turned with the view.
+  void take(std::uint32_t i, const Primitive& primitive) {
+    if (in_force_ == primitive.attributes) return;
+    in_force_ = primitive.attributes;
+    const Attributes& attributes = in_view_->viewer.scene_->attributes(i);
+    attributes_ = &attributes;
+    light_ = nullptr;
+    if (attributes.light) {
+      turned_ = attributes;
+      turned_.light->toward = in_view_->wanted.lights_turned * turned_.light->toward;
+      attributes_ = &turned_;
+      light_ = &*turned_.light;
     }
-    outlined_ = is_outlined(attributes_);
-    draws_ = is_solid(attributes_) || outlined_;
-    by_centres_ = in_view_->by_centres && !outlined_;
+    outlined_ = is_outlined(attributes);
   }
 
-  void view_all(std::uint32_t first, std::uint32_t end) {
-    const RetainedScene& scene = *in_view_->viewer.scene_;
-    for (std::uint32_t i = first; i < end; ++i) {
-      if (!view_whole(i, scene[i])) view_in_stage(i, scene[i]);
-    }
+  void view_any(std::uint32_t i, const Primitive& primitive) {
+    take(i, primitive);
+    if (!view_whole(i, primitive)) view_in_stage(i, primitive);
   }
 
-  /// The same, for what most large meshes are: triangles are looked at as quickly as can be.
-  void view_unlit(std::uint32_t first, std::uint32_t end) {
+  /// The same for what large meshes are: triangles of no drawn side, looked at as quickly as can be.
+  void view_triangle(std::uint32_t i, const Primitive& primitive, const Look& look) {
     const SceneViewer& viewer = in_view_->viewer;
-    const RetainedScene& scene = *viewer.scene_;
-    const std::uint32_t* const corners = viewer.viewed_.corners_.data();
-    const Point3* const points = viewer.viewed_.own_points_.data();
+    const std::uint32_t* const corner = viewer.viewed_.corners_.data() + primitive.first;
     const Place* const places = viewer.places_.data();
-    const PictureSize size = in_view_->wanted.centres_of.value_or(PictureSize{1, 1});
-    for (std::uint32_t i = first; i < end; ++i) {
-      const Primitive& primitive = scene[i];
-      if (primitive.sides != 3) {
-        if (!view_whole(i, primitive)) view_in_stage(i, primitive);
-        continue;
-      }
-      const std::uint32_t* const corner = corners + primitive.first;
-      const Place &a = places[corner[0]], &b = places[corner[1]], &c = places[corner[2]];
-      if ((a.outcode | b.outcode | c.outcode) != 0) [[unlikely]] {
-        if ((a.outcode & b.outcode & c.outcode) == 0) view_in_stage(i, primitive);
-        continue;
-      }
-      const Point3 &p = points[corner[0]], &q = points[corner[1]], &r = points[corner[2]];
-      if (by_centres_) {
-        const auto [left, right] = std::minmax({a.column, b.column, c.column});
-        const auto [bottom, top] = std::minmax({a.row, b.row, c.row});
-        const std::int32_t columns = right - left, rows = top - bottom;
-        if (columns * rows <= kFew &&
-            (columns * rows == 0 ||
-             covers_none_of_few(p, q, r, size, left, columns, bottom, rows))) {
-          continue;
-        }
-      }
-      const auto [twice_area, bound] = orientation_value(Point2(p), Point2(q), Point2(r));
-      if (!(std::abs(twice_area) > bound)) [[unlikely]] {
-        view_whole(i, primitive);
-        continue;
-      }
-      if (attributes_.back_face_removal && newell_c(std::array{p, q, r}) <= 0.0) continue;
-      seen_.add_item({primitive.first, 3, Primitives::Kind::solid},
-                     {attributes_.fill, attributes_.line, primitive.pick});
-      seen_.add_fill();
+    const Place &a = places[corner[0]], &b = places[corner[1]], &c = places[corner[2]];
+    if ((a.outcode | b.outcode | c.outcode) != 0) [[unlikely]] {
+      if ((a.outcode & b.outcode & c.outcode) == 0) view_any(i, primitive);
+      return;
     }
+    const Point3* const points = viewer.viewed_.own_points_.data();
+    const Point3 &p = points[corner[0]], &q = points[corner[1]], &r = points[corner[2]];
+    if (in_view_->by_centres) {
+      const auto [left, right] = std::minmax({a.column, b.column, c.column});
+      const auto [bottom, top] = std::minmax({a.row, b.row, c.row});
+      const std::int32_t columns = right - left, rows = top - bottom;
+      if (columns * rows == 0) return;
+      if (columns * rows <= kFew && covers_none_of_few(p, q, r, *in_view_->wanted.centres_of, left,
+                                                       columns, bottom, rows)) {
+        return;
+      }
+    }
+    const auto [twice_area, bound] = orientation_value(Point2(p), Point2(q), Point2(r));
+    if (!(std::abs(twice_area) > bound)) [[unlikely]] return view_any(i, primitive);
+    const double facing =
+        look.is_lit || look.removes_back_faces ? newell_c(std::array{p, q, r}) : 0.0;
+    if (look.removes_back_faces && facing <= 0.0) return;
+    if (!look.is_lit) return seen_.add_triangle(primitive.first, look.colour, primitive.pick);
+    take(i, primitive);
+    if (viewer.scene_->is_smooth(i)) return view_in_stage(i, primitive);
+    const FillStyle fill = lit(attributes_->fill, *light_, viewer.scene_->normal(i), facing < 0.0);
+    seen_.add_triangle(primitive.first, fill.colour, primitive.pick);
   }
   static constexpr std::int32_t kFew = 6;  // centres, which it is worth looking at
 
@@ -198,18 +195,20 @@ class SceneViewer::Part {
       rows |= static_cast<unsigned>(place.row ^ first.row);
     }
     if (any != 0) return all != 0;
-    if (by_centres_ && (columns == 0 || rows == 0)) return true;
+    if (in_view_->by_centres && !outlined_ && (columns == 0 || rows == 0)) return true;
     const RetainedScene& scene = *viewer.scene_;
-    if (attributes_.light && (attributes_.shadows || scene.is_smooth(i))) return false;
+    if (light_ != nullptr && (attributes_->shadows || scene.is_smooth(i))) return false;
     const PointRow vertices(viewer.viewed_.own_points_, {corners, primitive.sides});
     const double c =
-        attributes_.back_face_removal || attributes_.light ? newell_c(vertices) : 0.0;
-    if (attributes_.back_face_removal && c <= 0.0) return true;
-    const bool turned_away = !attributes_.back_face_removal && c < 0.0;
-    const FillStyle& fill = attributes_.light ? lit_ = lit(attributes_.fill, *attributes_.light,
-                                                           scene.normal(i), turned_away)
-                                              : attributes_.fill;
-    seen_.add_polygon(primitive.first, vertices, {fill, attributes_.line, primitive.pick});
+        attributes_->back_face_removal || light_ != nullptr ? newell_c(vertices) : 0.0;
+    if (attributes_->back_face_removal && c <= 0.0) return true;
+    const FillStyle* fill = &attributes_->fill;
+    if (light_ != nullptr) {
+      const bool turned_away = !attributes_->back_face_removal && c < 0.0;
+      lit_ = lit(*fill, *light_, scene.normal(i), turned_away);
+      fill = &lit_;
+    }
+    seen_.add_polygon(primitive.first, vertices, {*fill, attributes_->line, primitive.pick});
     return true;
   }
 
@@ -225,9 +224,9 @@ class SceneViewer::Part {
       }
       take_points(clipped);
       return seen_.add_item({first, 2, Primitives::Kind::line},
-                            {attributes_.fill, attributes_.line, primitive.pick});
+                            {attributes_->fill, attributes_->line, primitive.pick});
     }
-    const ViewedPolygon viewed = stage_->view_polygon(scene.polygon(i), attributes_);
+    const ViewedPolygon viewed = stage_->view_polygon(scene.polygon(i), *attributes_);
     const ClippedPolygon& polygon = viewed.polygon;
     if (polygon.vertices.empty()) return;
     const FillStyle* fill = viewed.fill;
@@ -240,14 +239,14 @@ class SceneViewer::Part {
       seen_.note_edges(seen_.own_points_.size(), polygon.edge_visible);
     }
     std::optional<std::uint32_t> first_intensity;
-    if (!polygon.intensities.empty() && is_solid(attributes_)) {
+    if (!polygon.intensities.empty() && is_solid(*attributes_)) {
       first_intensity = static_cast<std::uint32_t>(seen_.own_intensities_.size());
       seen_.own_intensities_.insert(seen_.own_intensities_.end(), polygon.intensities.begin(),
                                     polygon.intensities.end());
     }
     take_points(polygon.vertices);
     const auto vertices = std::span(seen_.own_points_).last(polygon.vertices.size());
-    seen_.add_polygon(first, vertices, {*fill, attributes_.line, primitive.pick},
+    seen_.add_polygon(first, vertices, {*fill, attributes_->line, primitive.pick},
                       first_intensity.value_or(ViewedScene::kNone));
   }
 
@@ -262,8 +261,12 @@ class SceneViewer::Part {
   const InView* in_view_ = nullptr;
   std::optional<ViewStage> stage_;
   std::optional<ImageMatrix> matrix_;
-  Attributes attributes_;  // in force, the light turned
-  bool outlined_ = false, draws_ = false, by_centres_ = false;
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  std::uint32_t in_force_ = kNone;          // of the attributes
+  const Attributes* attributes_ = nullptr;  // these, or turned_
+  Attributes turned_;
+  const Light* light_ = nullptr;
+  bool outlined_ = false;
   FillStyle lit_;
 };
 
@@ -293,7 +296,19 @@ SceneViewer::SceneViewer(const RetainedScene& scene, const DisplayFile& attribut
                    parts_.push_back(std::make_unique<Part>(k, first, end));
                  });
   }
-  for (std::uint32_t i = 0; i < scene.size(); ++i) shows_shadows_ |= scene.attributes(i).shadows;
+  for (const Attributes& look : scene.all_attributes()) {
+    looks_.push_back(look_of(look));
+    shows_shadows_ = shows_shadows_ || look.shadows;
+  }
+}
+
+SceneViewer::Look SceneViewer::look_of(const Attributes& attributes) {
+  const bool lit = attributes.light.has_value(), outlined = is_outlined(attributes);
+  return {.colour = attributes.fill.colour,
+          .is_nothing = !is_solid(attributes) && !outlined,
+          .is_plain = is_solid(attributes) && !outlined && !(lit && attributes.shadows),
+          .is_lit = lit,
+          .removes_back_faces = attributes.back_face_removal};
 }
 
 SceneViewer::~SceneViewer() = default;

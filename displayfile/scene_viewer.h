@@ -57,6 +57,14 @@ class SceneViewer {
     std::uint16_t column, row;  ///< the first at or right of it, the first above it
     std::uint32_t outcode;
   };
+  /// What viewing asks of attributes, in few bytes: polygons may have a colour each.
+  struct Look {
+    Colour colour;
+    bool is_nothing;  ///< hollow, and of line style none
+    bool is_plain;    ///< solid, of no drawn side and no shadow
+    bool is_lit, removes_back_faces;
+  };
+  static Look look_of(const Attributes& attributes);
   struct Block {
     std::uint32_t segment, first, end;  ///< of points
     double largest_depth;               ///< of them, in the last view
@@ -78,6 +86,7 @@ class SceneViewer {
   std::span<const Point3> points_;  // in world coordinates
   std::size_t corners_ = 0;         // of the retained scene
   bool all_edges_drawn_ = true;
+  std::vector<Look> looks_;     // of the attributes
   bool shows_shadows_ = false;  // then what covers no centre matters
   std::vector<SegmentNow> segments_;
   std::vector<Block> blocks_;

@@ -178,10 +178,7 @@ void ViewedScene::append(const ViewedScene& part, std::size_t corners, std::size
     append_all(support_, part.support_);
   }
   if (part.fills_ > 0 && (first_item != fills_ || part.items() != part.fills_)) {
-    if (fill_item_.empty()) {
-      fill_item_.resize(fills_);
-      std::iota(fill_item_.begin(), fill_item_.end(), Item{0});
-    }
+    number_fills();
     for (Fill fill = 1; fill <= part.fills_; ++fill) {
       fill_item_.push_back(first_item + part.item_of(fill));
     }
@@ -208,15 +205,10 @@ void ViewedScene::add_item(const Primitives::Item& item, const Look& look) {
   has_lines_ |= look.is_outlined();
 }
 
-/// The item added last.
-void ViewedScene::add_fill() {
-  const Item item = items() - 1;
-  if (fill_item_.empty() && item != fills_) {
-    fill_item_.resize(fills_);
-    std::iota(fill_item_.begin(), fill_item_.end(), Item{0});
-  }
-  if (item != fills_) fill_item_.push_back(item);
-  ++fills_;
+void ViewedScene::number_fills() {
+  if (!fill_item_.empty()) return;
+  fill_item_.resize(fills_);
+  std::iota(fill_item_.begin(), fill_item_.end(), Item{0});
 }
 
 ViewedScene::ViewedScene(const DisplayFile& display_file) {

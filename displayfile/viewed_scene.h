@@ -180,7 +180,26 @@ class ViewedScene {
   /// begin at that place among all, if it has some.
   void add_polygon(std::uint32_t first, std::span<const Point3> vertices, const Look& look,
                    std::uint32_t first_intensity = kNone);
-  void add_fill();
+  /// The item added last is a fill.
+  void add_fill() {
+    const Item item = items() - 1;
+    if (item != fills_) {
+      number_fills();
+      fill_item_.push_back(item);
+    }
+    ++fills_;
+  }
+  void number_fills();  ///< all items up to now are fills, unless they are numbered
+  /// A solid triangle of no drawn side that is not edge-on; largest_depth_ is another's care.
+  void add_triangle(std::uint32_t first, const Colour& colour, std::int32_t pick) {
+    if (colours_.empty() || colours_.back().style != colour) colours_.push_back({items(), colour});
+    if (lines_.empty() || lines_.back().style.kind != LineStyle::Kind::none) {
+      lines_.push_back({items(), {LineStyle::Kind::none}});
+    }
+    items_.push_back({first, 3, Primitives::Kind::solid});
+    pick_.push_back(pick);
+    add_fill();
+  }
   void clear();  ///< but for points and corners
   /// Adds the items of another scene. Its items' corners are those of this scene up to `corners`,
   /// and from there on its own points in a row; those are put behind the own points here, of which

@@ -10,19 +10,16 @@ void FillPaints::take(const ViewedScene& scene) {
   shade_.clear();
   shades_.clear();
   const auto runs = scene.fill_colours();
-  auto run = runs.begin();  // that the fill is in: fills come in the order of the runs
+  std::size_t next = 0;  // of the runs: fills come in their order
   Colour colour(0.0);
   std::uint32_t pixel = 0;
-  const auto take_colour = [&](ViewedScene::Item item) {
-    colour = painted_colour(scene.fill_style(item));
-    pixel = pixel_of(colour);
-  };
-  if (scene.end() > 1) take_colour(scene.item_of(1));
   for (Fill fill = 1; fill < scene.end(); ++fill) {
     const ViewedScene::Item item = scene.item_of(fill);
-    const auto before = run;
-    while (run + 1 != runs.end() && (run + 1)->first <= item) ++run;
-    if (run != before) take_colour(item);
+    if (next < runs.size() && runs[next].first <= item) {
+      while (next < runs.size() && runs[next].first <= item) ++next;
+      colour = painted_colour({FillStyle::Kind::solid, runs[next - 1].style});
+      pixel = pixel_of(colour);
+    }
     pixel_.push_back(pixel);
     const auto intensities = scene.intensities(item);
     if (intensities.empty()) continue;

@@ -15,6 +15,8 @@ class FillPaints {
  public:
   using Fill = ViewedScene::Fill;
 
+  FillPaints() = default;
+  explicit FillPaints(const ViewedScene& scene) { take(scene); }
   /// Takes those of a scene, in place of those before.
   void take(const ViewedScene& scene);
   /// As in Picture::pixels; white until then.

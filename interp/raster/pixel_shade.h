@@ -51,7 +51,7 @@ class PixelShade {
 
 /// The colour of a fill where it is lit and of full intensity. What changes it is added here, for
 /// fills that are painted in an order (FillColour) and for fills seen (FillPaints).
-inline const Colour& painted_colour(const FillStyle& fill) { return fill.colour; }
+inline Colour painted_colour(const FillStyle& fill) { return fill.colour; }
 
 /// What a polygon is filled with: one colour, or a shade; and another colour in shadow.
 class FillColour {

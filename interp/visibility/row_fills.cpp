@@ -21,6 +21,15 @@ constexpr std::size_t kMostSides = 16;  ///< of what is drawn as a convex polygo
 constexpr double kEdgeUnit = 0x1p-21, kDepthUnit = 0x1p-20, kDepthError = 0x1p-17;
 constexpr double kLargestEdgeError = 0.25;
 
+/// The first column, from 0 to width, whose centre is at x or after it, in pixels.
+int first_column_after(double x, int width) {
+  const double from_first = x - 0.5;
+  if (!(from_first > 0.0)) return 0;
+  if (from_first >= width) return width;
+  const int column = static_cast<int>(from_first);
+  return column < from_first ? column + 1 : column;
+}
+
 }  // namespace
 
 int turn_if_convex(std::span<const Point3> vertices) {
@@ -40,17 +49,22 @@ int turn_if_convex(std::span<const Point3> vertices) {
 void RowFills::make(const ViewedScene& scene, const PictureSize& size, int threads) {
   fills_.resize(scene.end());
   depth_error_ = static_cast<float>(kDepthError * std::max(1.0, scene.largest_depth()));
-  std::uint32_t edges = 0;
+  constexpr Fill kFillsAtATime = 1024;
+  first_edges_.assign(1, 0);
   for (Fill fill = 1; fill < scene.end(); ++fill) {
-    fills_[fill] = {.edges = edges};
-    edges += scene.sides(fill);
+    if (fill % kFillsAtATime == 1) first_edges_.push_back(first_edges_.back());
+    first_edges_.back() += scene.sides(fill);
   }
-  edges_.resize(edges);
-  constexpr std::size_t kFillsAtATime = 1024;
-  in_parallel(threads, (scene.end() + kFillsAtATime - 1) / kFillsAtATime, [&](std::size_t k) {
-    const auto begin = std::max<std::size_t>(1, k * kFillsAtATime);
-    const auto end = std::min<std::size_t>(scene.end(), (k + 1) * kFillsAtATime);
-    for (std::size_t fill = begin; fill < end; ++fill) make(scene, size, static_cast<Fill>(fill));
+  edges_.resize(first_edges_.back());
+  in_parallel(threads, first_edges_.size() - 1, [&](std::size_t k) {
+    const auto begin = static_cast<Fill>(1 + k * kFillsAtATime);
+    const Fill end = std::min(scene.end(), begin + kFillsAtATime);
+    std::uint32_t edges = first_edges_[k];
+    for (Fill fill = begin; fill < end; ++fill) {
+      fills_[fill] = {.edges = edges};
+      make(scene, size, fill);
+      edges += scene.sides(fill);
+    }
   });
 }
 
@@ -108,15 +122,14 @@ bool RowFills::make_triangle(const ViewedScene& scene, const PictureSize& size, 
   if (!(left >= -width && right <= 2.0 * width && bottom >= -height && top <= 2.0 * height)) {
     return false;
   }
-  const double first = std::ceil(left - std::abs(left) * 0x1p-50 - 0.5);
-  const double end = std::ceil(right + std::abs(right) * 0x1p-50 - 0.5);
-  if (!(first < end && first < width && end > 0.0)) return true;
+  const int first = first_column_after(left - std::abs(left) * 0x1p-50, size.width);
+  const int end = first_column_after(right + std::abs(right) * 0x1p-50, size.width);
+  if (first == end) return true;
   const int rows[3] = {first_row_above(p->y, size.height), first_row_above(q->y, size.height),
                        first_row_above(r->y, size.height)};
   const int row_begin = std::min({rows[0], rows[1], rows[2]});
   const int row_end = std::max({rows[0], rows[1], rows[2]});
   if (row_begin == row_end) return true;
-  const double column = std::clamp(first, 0.0, width - 1.0);
 
   const double px = x[1] - x[0], py = y[1] - y[0], pz = q->z - p->z;
   const double qx = x[2] - x[0], qy = y[2] - y[0], qz = r->z - p->z;
@@ -131,13 +144,13 @@ bool RowFills::make_triangle(const ViewedScene& scene, const PictureSize& size, 
   const double slope_error =
       2.0 * std::abs(per_area) * (4.0 * coordinates * deep + slopes * area_error);
   const double reach = across + 2.0;
-  const double z = p->z + (row_begin + 0.5 - y[0]) * dz_dy + (column + 0.5 - x[0]) * dz_dx;
+  const double z = p->z + (row_begin + 0.5 - y[0]) * dz_dy + (first + 0.5 - x[0]) * dz_dx;
   const double largest = std::abs(z) + std::abs(p->z) + 2.0 * reach * slopes;
   const double error = 2.0 * reach * slope_error + slopes * coordinates + kDepthUnit * largest;
   made.row_begin = row_begin;
   made.row_end = row_end;
-  made.column = static_cast<int>(column);
-  made.column_end = static_cast<int>(std::min(end, width));
+  made.column = first;
+  made.column_end = end;
   made.certain = error <= static_cast<double>(depth_error_);
   if (made.certain) {
     made.z = static_cast<float>(z);

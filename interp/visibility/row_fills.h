@@ -54,6 +54,7 @@ class RowFills {
 
   std::vector<RowFill> fills_;
   std::vector<RowEdge> edges_;
+  std::vector<std::uint32_t> first_edges_;  // of the fills that are made ready at a time
   float depth_error_ = 0.0F;
 };
 

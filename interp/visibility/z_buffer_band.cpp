@@ -1,5 +1,7 @@
 #include "interp/visibility/z_buffer_band.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -499,7 +501,17 @@ template <bool kExact>
 void draw_all(const RowFills& fills, std::span<const Fill> to_draw, const BandRows& rows,
               BandDecisions& decisions) {
   RowDrawer<kExact> drawer(fills, rows, decisions);
-  for (const Fill fill : to_draw) drawer.draw(fill);
+  constexpr std::size_t kAhead = 8;  // fills lie far apart
+  for (std::size_t k = 0; k < to_draw.size(); ++k) {
+    if (k + kAhead < to_draw.size()) {
+      const RowFill& ahead = fills[to_draw[k + kAhead]];
+      hwy::Prefetch(&ahead);
+    }
+    if (k + kAhead / 2 < to_draw.size()) {
+      hwy::Prefetch(fills.edges_of(fills[to_draw[k + kAhead / 2]]));
+    }
+    drawer.draw(to_draw[k]);
+  }
   drawer.write_wholes();
 }
 

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "displayfile/retained_scene.h"
+#include "displayfile/scene_viewer.h"
 #include "interp/raster/software.h"
-#include "interp/world_views.h"
 
 namespace displayfile::bench {
 
@@ -12,7 +12,7 @@ struct NewViews::Kept {
   RasterRequest request;
   RetainedScene scene;
   GraphicsSystem system;
-  std::optional<WorldViews> views;
+  std::optional<SceneViewer> viewer;
   SoftwareRenderer renderer;
 };
 
@@ -25,13 +25,16 @@ NewViews::NewViews(const ApplicationMesh& mesh, const PictureSize& size, int thr
   kept_->system.set_threads(threads);
   kept_->system.retain(&kept_->scene);
   enter(mesh, kept_->system);
-  kept_->views.emplace(kept_->scene, kept_->system.display_file());
+  kept_->viewer.emplace(kept_->scene, kept_->system.display_file());
 }
 
 NewViews::~NewViews() = default;
 
 const Picture& NewViews::draw_new_view(const View& view) {
-  return kept_->renderer.draw(kept_->views->view(view).display_file, kept_->request);
+  const PictureSize size{kept_->request.width, kept_->request.height};
+  const ViewedScene& seen =
+      kept_->viewer->view({.view = view, .centres_of = size, .threads = kept_->request.threads});
+  return kept_->renderer.draw(seen, kept_->request);
 }
 
 }  // namespace displayfile::bench

@@ -23,6 +23,8 @@ class FillPaints {
   void set_background(std::uint32_t pixel) { pixel_[ViewedScene::kBackground] = pixel; }
 
   std::uint32_t pixel(Fill fill) const { return pixel_[fill]; }  ///< as in Picture::pixels
+  /// The same of all fills, by number.
+  const std::uint32_t* pixels() const { return pixel_.data(); }
   /// A fill whose colour is not the same everywhere, but multiplied by an intensity.
   struct Shade {
     Colour colour;

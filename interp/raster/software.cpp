@@ -11,6 +11,7 @@
 #include "interp/raster/pixel_shade.h"
 #include "interp/raster/raster_band.h"
 #include "interp/raster/sorted_painter.h"
+#include "interp/raster/write_pixels.h"
 #include "interp/scan/pixel_depth.h"
 #include "interp/text/seen_texts.h"
 #include "interp/text/text_painter.h"
@@ -69,7 +70,7 @@ class FillsShown {
   void show(int row, int first, std::span<const Fill> seen) {
     Picture& picture = band_.picture;
     const std::size_t start = band_.index(row, first);
-    paint(seen, picture.pixels.data() + start);
+    write_pixels(seen, paints_.pixels(), picture.pixels.data() + start);
     if (paints_.has_shades()) shade(row, first, seen);
     if (band_.shadows != nullptr && scene_.has_shadows()) shadow(row, first, seen);
     if (!picture.ids.empty()) {
@@ -79,23 +80,6 @@ class FillsShown {
   }
 
  private:
-  /// Neighbours mostly show the same.
-  void paint(std::span<const Fill> seen, std::uint32_t* pixels) const {
-    constexpr std::size_t kNeighbours = 16;
-    std::size_t i = 0;
-    for (; i + kNeighbours <= seen.size(); i += kNeighbours) {
-      const Fill first = seen[i];
-      Fill differ = 0;
-      for (std::size_t k = 0; k < kNeighbours; ++k) differ |= seen[i + k] ^ first;
-      if (differ == 0) {
-        std::fill_n(pixels + i, kNeighbours, paints_.pixel(first));
-      } else {
-        for (std::size_t k = 0; k < kNeighbours; ++k) pixels[i + k] = paints_.pixel(seen[i + k]);
-      }
-    }
-    for (; i < seen.size(); ++i) pixels[i] = paints_.pixel(seen[i]);
-  }
-
   /// Calls paint(fill, column, pixels) for each run of a fill.
   template <class Paint>
   void for_each_run(int row, int first, std::span<const Fill> seen, Paint&& paint) {

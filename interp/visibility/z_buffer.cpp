@@ -197,50 +197,73 @@ void ZBuffer::prepare(const Request& request, int threads) {
 /// A counting sort: within a band the order of entry stays.
 void ZBuffer::sort_into_bands() {
   const auto bands = static_cast<std::size_t>((request_->size.height - 1) / kRowsOfABand + 1);
-  const auto for_each_band = [&](Fill fill, auto&& visit) {
-    const RowFill& f = fills_[fill];
-    if (f.row_begin >= f.row_end) return;
-    const int last = (f.row_end - 1) / kRowsOfABand;
-    for (int band = f.row_begin / kRowsOfABand; band <= last; ++band) {
-      visit(static_cast<std::size_t>(band));
+  const auto for_each_band = [&](const RowFill& fill, auto&& visit) {
+    if (fill.row_begin >= fill.row_end) return;
+    const int last = (fill.row_end - 1) / kRowsOfABand;
+    for (int band = fill.row_begin / kRowsOfABand; band <= last; ++band) {
+      visit(bands_[static_cast<std::size_t>(band)]);
     }
   };
-  band_begin_.assign(bands + 1, 0);
-  for (Fill fill = 1; fill < fills_.end(); ++fill) {
-    for_each_band(fill, [&](std::size_t band) { ++band_begin_[band + 1]; });
+  bands_.assign(bands, {.first_column = request_->size.width});
+  for (Fill k = 1; k < fills_.end(); ++k) {
+    const RowFill& fill = fills_[k];
+    for_each_band(fill, [&](Band& band) {
+      ++band.end;
+      band.first_column = std::min(band.first_column, fill.column);
+      band.end_column = std::max(band.end_column, fill.column_end);
+    });
   }
-  for (std::size_t band = 0; band < bands; ++band) band_begin_[band + 1] += band_begin_[band];
-  in_bands_.resize(band_begin_[bands]);
-  std::vector<std::uint32_t> next(band_begin_.begin(), band_begin_.end() - 1);
-  for (Fill fill = 1; fill < fills_.end(); ++fill) {
-    for_each_band(fill, [&](std::size_t band) { in_bands_[next[band]++] = fill; });
+  std::uint32_t all = 0;
+  for (Band& band : bands_) {
+    const std::uint32_t fills = band.end;
+    band.begin = band.end = all;
+    all += fills;
+  }
+  in_bands_.resize(all);
+  for (Fill k = 1; k < fills_.end(); ++k) {
+    for_each_band(fills_[k], [&](Band& band) { in_bands_[band.end++] = k; });
   }
 }
 
+/// Beyond the columns of a band's fills there is the background.
 void ZBuffer::draw_rows(int row_begin, int row_end, const SeenRun& seen) const {
-  const auto width = static_cast<std::size_t>(request_->size.width);
-  const std::size_t stride = width + BandRows::kPadding;
-  const std::size_t pixels = stride * kRowsOfABand;
-  const auto z = std::make_unique_for_overwrite<float[]>(pixels);
-  const auto fill = std::make_unique_for_overwrite<Fill[]>(pixels);
-  BandRows rows{0, 0, request_->size.width, stride, z.get(), fill.get(), nullptr, nullptr};
+  const int width = request_->size.width;
+  const std::size_t stride = static_cast<std::size_t>(width) + BandRows::kPadding;
+  const auto z = std::make_unique_for_overwrite<float[]>(stride * kRowsOfABand);
+  const auto fill = std::make_unique_for_overwrite<Fill[]>(stride * kRowsOfABand);
+  const std::vector<Fill> background(static_cast<std::size_t>(width), ViewedScene::kBackground);
+  BandRows rows{0, 0, width, stride, z.get(), fill.get(), nullptr, nullptr};
   std::vector<float> farthest(rows.tiles() + BandRows::kPadding);
   std::vector<Fill> whole(rows.tiles());
   rows.farthest = farthest.data();
   rows.whole = whole.data();
   DepthDecisions decisions(*request_, fills_, rows);
+  const auto draw = decided_ == Decided::truly ? draw_into_band : draw_into_band_rounded;
   const int last_band = (row_end - 1) / kRowsOfABand;
-  for (int band = row_begin / kRowsOfABand; band <= last_band; ++band) {
-    rows.row_begin = std::max(row_begin, band * kRowsOfABand);
-    rows.row_end = std::min(row_end, (band + 1) * kRowsOfABand);
-    std::fill_n(z.get(), pixels, -std::numeric_limits<float>::infinity());
-    std::fill_n(fill.get(), pixels, ViewedScene::kBackground);
+  for (int k = row_begin / kRowsOfABand; k <= last_band; ++k) {
+    const Band& band = bands_[static_cast<std::size_t>(k)];
+    rows.row_begin = std::max(row_begin, k * kRowsOfABand);
+    rows.row_end = std::min(row_end, (k + 1) * kRowsOfABand);
+    // Whole tiles, and vectors that begin in the last of them.
+    constexpr int kTile = BandRows::kTileColumns;
+    const int first = band.first_column / kTile * kTile;
+    const int end = std::max(first, std::min(width, (band.end_column + kTile - 1) / kTile * kTile));
+    const std::size_t columns = static_cast<std::size_t>(end - first) + BandRows::kPadding;
+    for (int row = rows.row_begin; row < rows.row_end && first < end; ++row) {
+      const std::size_t at = rows.index(row, first);
+      std::fill_n(z.get() + at, columns, -std::numeric_limits<float>::infinity());
+      std::fill_n(fill.get() + at, columns, ViewedScene::kBackground);
+    }
     std::ranges::fill(farthest, -std::numeric_limits<float>::infinity());
     std::ranges::fill(whole, ViewedScene::kBackground);
-    const auto draw = decided_ == Decided::truly ? draw_into_band : draw_into_band_rounded;
-    draw(fills_, of_band(static_cast<std::size_t>(band)), rows, decisions);
+    draw(fills_, of_band(band), rows, decisions);
+    const auto tell = [&](int row, int from, int to, const Fill* shown) {
+      if (from < to) seen(row, from, {shown, static_cast<std::size_t>(to - from)});
+    };
     for (int row = rows.row_begin; row < rows.row_end; ++row) {
-      seen(row, 0, {fill.get() + rows.index(row, 0), width});
+      tell(row, 0, std::min(first, width), background.data());
+      tell(row, first, end, fill.get() + rows.index(row, first));
+      tell(row, std::min(end, width), width, background.data());
     }
   }
 }

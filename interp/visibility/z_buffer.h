@@ -28,16 +28,19 @@ class ZBuffer : public ImageSpaceMethod {
   using Fill = ViewedScene::Fill;
   static constexpr int kRowsOfABand = 16;
 
+  struct Band {
+    std::uint32_t begin = 0, end = 0;           ///< of its fills
+    int first_column = 0, end_column = 0;       ///< that they cover
+  };
   void sort_into_bands();
-  std::span<const Fill> of_band(std::size_t band) const {
-    return std::span(in_bands_).subspan(band_begin_[band],
-                                        band_begin_[band + 1] - band_begin_[band]);
+  std::span<const Fill> of_band(const Band& band) const {
+    return std::span(in_bands_).subspan(band.begin, band.end - band.begin);
   }
 
   Decided decided_;
   std::optional<Request> request_;
   RowFills fills_;
-  std::vector<std::uint32_t> band_begin_;
+  std::vector<Band> bands_;
   std::vector<Fill> in_bands_;  ///< the fills of each band, in order of entry
 };
 

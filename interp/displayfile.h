@@ -17,4 +17,5 @@
 #include "displayfile/turntable.h"
 #include "interp/draw.h"
 #include "interp/renderer.h"
+#include "interp/view_renderer.h"
 #include "interp/world_views.h"

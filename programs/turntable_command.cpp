@@ -8,6 +8,8 @@
 #include "clip/error.h"
 #include "displayfile/retained_views.h"
 #include "displayfile/turntable.h"
+#include "interp/view_renderer.h"
+#include "interp/visibility/image_space.h"
 #include "programs/inputs.h"
 #include "programs/progress.h"
 
@@ -15,16 +17,21 @@ namespace displayfile {
 
 namespace {
 
-void require_tree(const DrawOptions& options) {
+/// Views without a sort: by a method that works in image space, named as such.
+bool draws_without_sort(const DrawOptions& options) {
   const HiddenMethod method = options.hidden.value_or(HiddenMethod::automatic);
-  if (method != HiddenMethod::bsp && method != HiddenMethod::automatic &&
-      method != HiddenMethod::world_ray_cast) {
-    throw Error(
-        fmt::format("--turntable draws all views from one BSP tree, or by rays from one tree of "
-                    "boxes, not by {}: expected --hidden bsp, --hidden world-ray-cast, or no "
-                    "--hidden",
-                    name_of(method)));
-  }
+  return method != HiddenMethod::automatic && method != HiddenMethod::world_ray_cast &&
+         is_image_space(method);
+}
+
+void require_views(const DrawOptions& options) {
+  const HiddenMethod method = options.hidden.value_or(HiddenMethod::automatic);
+  if (method == HiddenMethod::bsp || is_image_space(method)) return;
+  throw Error(
+      fmt::format("--turntable draws all views from one BSP tree, by rays from one tree of boxes, "
+                  "or by a method that works in image space, not by {}: expected --hidden bsp, "
+                  "--hidden z-buffer or another of those, or no --hidden",
+                  name_of(method)));
 }
 
 /// With the outputs of one view.
@@ -77,6 +84,11 @@ std::string statistics(const GraphicsSystem& system, const WorldViews& trees, in
              views, trees.polygons());
 }
 
+std::string statistics(const GraphicsSystem& system, const ViewRenderer&, int views) {
+  return polygons_entered(system) +
+         fmt::format("views              {}, each viewed anew and not sorted\n", views);
+}
+
 }  // namespace
 
 int turntable_views(const std::string& text) {
@@ -100,7 +112,7 @@ std::filesystem::path numbered(const std::filesystem::path& file, int number, in
 std::string draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
                            const DrawOptions& options, const MeshWords& meshes, Shading shading,
                            int views, bool stats) {
-  require_tree(options);
+  require_views(options);
   for (const auto& file : {output, options.ids, options.depth}) {
     if (file == "-") throw Error("--turntable draws many views: expected a file name, not -");
   }
@@ -121,20 +133,32 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
   if (fitted && looking.fit && !looking.angle_of_view) turntable.fit_window(views);
   DrawOptions drawing = options;
   if (!drawing.background) drawing.background = system.background();
-  const auto draw_all = [&](auto trees) -> std::string {
+  const auto draw_all = [&](auto trees, const auto& draw_view) -> std::string {
     Progress progress(fmt::format("drawing {} views", views));
     for (int k = 0; k < views; ++k) {
       const auto [view, lights] = turntable.at(360.0 * k / views);
-      draw(trees.view(view, lights), numbered(output, k, views),
-           options_of_view(drawing, k, views));
+      draw_view(trees, view, lights, numbered(output, k, views),
+                options_of_view(drawing, k, views));
       progress.update(static_cast<std::size_t>(k) + 1, static_cast<std::size_t>(views));
     }
     return stats ? statistics(system, trees, views) : "";
   };
-  if (options.hidden == HiddenMethod::world_ray_cast) {
-    return draw_all(WorldViews(scene, system.display_file()));
+  if (draws_without_sort(options)) {
+    return draw_all(ViewRenderer(scene, system.display_file()),
+                    [](ViewRenderer& renderer, const View& view, const glm::dmat3& lights,
+                       const std::filesystem::path& file, const DrawOptions& of_view) {
+                      renderer.draw(view, file, of_view, lights);
+                    });
   }
-  return draw_all(RetainedViews(scene, system.display_file(), tree_options(system, options)));
+  const auto draw_from_tree = [](auto& trees, const View& view, const glm::dmat3& lights,
+                                 const std::filesystem::path& file, const DrawOptions& of_view) {
+    draw(trees.view(view, lights), file, of_view);
+  };
+  if (options.hidden == HiddenMethod::world_ray_cast) {
+    return draw_all(WorldViews(scene, system.display_file()), draw_from_tree);
+  }
+  return draw_all(RetainedViews(scene, system.display_file(), tree_options(system, options)),
+                  draw_from_tree);
 }
 
 }  // namespace displayfile

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -121,6 +122,12 @@ class ViewedScene {
     return {&point(first), &point(first + 1), &point(first + 2)};
   }
   std::uint32_t sides(Fill fill) const { return items_[item_of(fill)].sides; }
+  /// How many fills, and corners of theirs, another view of the same retained scene may have: room
+  /// for them is made at once.
+  std::size_t most_fills() const { return items_.capacity(); }
+  std::size_t most_corners() const {
+    return std::max(points_.size(), corners_.size());
+  }
   std::size_t all_points() const { return points_.size(); }
   /// The fills' vertices have none larger, |z|.
   double largest_depth() const { return largest_depth_; }

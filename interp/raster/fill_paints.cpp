@@ -6,7 +6,7 @@ namespace displayfile {
 
 void FillPaints::take(const ViewedScene& scene) {
   pixel_.resize(1);
-  pixel_.reserve(scene.end());
+  pixel_.reserve(scene.most_fills() + 1);
   shade_.clear();
   shades_.clear();
   const auto runs = scene.fill_colours();

@@ -19,6 +19,8 @@ class CoplanarFills {
     same_plane_.join(a, b);
   }
 
+  void forget() { same_plane_.resize(0); }
+
  private:
   DisjointSets same_plane_;  // empty while none is known
 };

@@ -24,6 +24,14 @@ class PairOrders {
 
   explicit PairOrders(const ViewedScene& scene) : scene_(&scene) {}
 
+  /// Takes another scene, and forgets all pairs; memory stays.
+  void take(const ViewedScene& scene) {
+    scene_ = &scene;
+    pairs_.forget();
+    comparisons_.clear();
+    coplanar_.forget();
+  }
+
   /// Which of two fills is seen wherever both cover a centre: the `first`, entered first, or the
   /// `second`; `varies` if that varies, or if it is not found out without exact arithmetic.
   enum class Order : std::uint8_t { varies, first, second };

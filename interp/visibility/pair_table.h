@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -33,6 +34,9 @@ class PairTable {
     place->later = later;
     return place->known;
   }
+
+  /// Of all pairs; the places stay.
+  void forget() { std::ranges::fill(places_, Place{}); }
 
  private:
   static constexpr int kFewest = 5, kMost = 12;  ///< places, as powers of two

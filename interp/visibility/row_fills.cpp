@@ -47,14 +47,17 @@ int turn_if_convex(std::span<const Point3> vertices) {
 }
 
 void RowFills::make(const ViewedScene& scene, const PictureSize& size, int threads) {
+  fills_.reserve(scene.most_fills() + 1);
   fills_.resize(scene.end());
   depth_error_ = static_cast<float>(kDepthError * std::max(1.0, scene.largest_depth()));
   constexpr Fill kFillsAtATime = 1024;
+  first_edges_.reserve(scene.most_fills() / kFillsAtATime + 2);
   first_edges_.assign(1, 0);
   for (Fill fill = 1; fill < scene.end(); ++fill) {
     if (fill % kFillsAtATime == 1) first_edges_.push_back(first_edges_.back());
     first_edges_.back() += scene.sides(fill);
   }
+  edges_.reserve(scene.most_corners());
   edges_.resize(first_edges_.back());
   in_parallel(threads, first_edges_.size() - 1, [&](std::size_t k) {
     const auto begin = static_cast<Fill>(1 + k * kFillsAtATime);

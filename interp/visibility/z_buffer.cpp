@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <mutex>
 
 #include "interp/scan/scan_convert.h"
 #include "interp/visibility/fill_depths.h"
@@ -20,11 +21,16 @@ using Fill = ViewedScene::Fill;
 /// Depths in doubles of fills that were asked for lately.
 class KnownDepths {
  public:
-  KnownDepths(const ViewedScene& scene, const PictureSize& size) : scene_(scene), size_(size) {}
+  KnownDepths(const ViewedScene& scene, const PictureSize& size) : scene_(&scene), size_(size) {}
+  void take(const ViewedScene& scene, const PictureSize& size) {
+    scene_ = &scene;
+    size_ = size;
+    known_.clear();
+  }
   const FillDepth& of(Fill fill) {
-    if (known_.empty()) known_.resize(std::bit_ceil(std::min<std::size_t>(scene_.end(), kMost)));
+    if (known_.empty()) known_.resize(std::bit_ceil(std::min<std::size_t>(scene_->end(), kMost)));
     Known& known = known_[fill & (known_.size() - 1)];
-    if (known.fill != fill) known = {fill, FillDepth(scene_, fill, size_, std::nullopt)};
+    if (known.fill != fill) known = {fill, FillDepth(*scene_, fill, size_, std::nullopt)};
     return known.depth;
   }
 
@@ -34,7 +40,7 @@ class KnownDepths {
     Fill fill = ViewedScene::kBackground;
     FillDepth depth;
   };
-  const ViewedScene& scene_;
+  const ViewedScene* scene_;
   PictureSize size_;
   std::vector<Known> known_;
 };
@@ -45,13 +51,18 @@ class DepthDecisions : public BandDecisions {
  public:
   DepthDecisions(const ImageSpaceMethod::Request& request, const RowFills& fills,
                  const BandRows& rows)
-      : scene_(request.scene),
-        size_(request.size),
-        roundoff_(request.roundoff),
-        fills_(fills),
-        rows_(rows),
-        known_(scene_, size_),
-        orders_(scene_) {}
+      : fills_(fills), rows_(rows), known_(request.scene, request.size), orders_(request.scene) {
+    take(request);
+  }
+  /// For the pictures of another request, with the memory of those before.
+  void take(const ImageSpaceMethod::Request& request) {
+    scene_ = &request.scene;
+    size_ = request.size;
+    roundoff_ = request.roundoff;
+    fill_ = own_fill_ = ViewedScene::kBackground;
+    known_.take(request.scene, request.size);
+    orders_.take(request.scene);
+  }
 
   float margin() const override {
     const double margin = 2.0 * static_cast<double>(fills_.depth_error()) + roundoff_.value_or(0.0);
@@ -65,7 +76,7 @@ class DepthDecisions : public BandDecisions {
 
   std::span<const Span> spans(int row_begin, int row_end) override {
     spans_.clear();
-    converter_.scan_convert(scene_.vertices(fill_), {size_, row_begin, row_end},
+    converter_.scan_convert(scene_->vertices(fill_), {size_, row_begin, row_end},
                             [&](int row, int first, int end) {
                               spans_.push_back({row, first, end});
                             });
@@ -172,7 +183,7 @@ class DepthDecisions : public BandDecisions {
                                error);
   }
 
-  const ViewedScene& scene_;
+  const ViewedScene* scene_;
   PictureSize size_;
   std::optional<double> roundoff_;
   const RowFills& fills_;
@@ -188,10 +199,75 @@ class DepthDecisions : public BandDecisions {
 
 }  // namespace
 
+/// What one thread draws bands with.
+struct ZBuffer::Worker {
+  BandRows rows{};
+  std::vector<float> z, farthest;
+  std::vector<Fill> fill, whole, background;
+  BandScratch scratch;
+  std::optional<DepthDecisions> decisions;
+
+  void take(const Request& request, const RowFills& fills) {
+    const int width = request.size.width;
+    const std::size_t stride = static_cast<std::size_t>(width) + BandRows::kPadding;
+    z.resize(stride * kRowsOfABand);
+    fill.resize(stride * kRowsOfABand);
+    rows = {0, 0, width, stride, z.data(), fill.data(), nullptr, nullptr};
+    farthest.resize(rows.tiles() + BandRows::kPadding);
+    whole.resize(rows.tiles());
+    rows.farthest = farthest.data();
+    rows.whole = whole.data();
+    background.assign(static_cast<std::size_t>(width), ViewedScene::kBackground);
+    decisions ? decisions->take(request) : (void)decisions.emplace(request, fills, rows);
+  }
+  /// Begins a band that has fills in those columns.
+  void begin(int row_begin, int row_end, int first, int end) {
+    rows.row_begin = row_begin;
+    rows.row_end = row_end;
+    const std::size_t columns = static_cast<std::size_t>(end - first) + BandRows::kPadding;
+    for (int row = row_begin; row < row_end && first < end; ++row) {
+      const std::size_t at = rows.index(row, first);
+      std::fill_n(z.data() + at, columns, -std::numeric_limits<float>::infinity());
+      std::fill_n(fill.data() + at, columns, ViewedScene::kBackground);
+    }
+    std::ranges::fill(farthest, -std::numeric_limits<float>::infinity());
+    std::ranges::fill(whole, ViewedScene::kBackground);
+  }
+};
+
+/// The workers that are at rest.
+struct ZBuffer::Workers {
+  std::mutex mutex;
+  std::vector<std::unique_ptr<Worker>> at_rest;
+};
+
+ZBuffer::ZBuffer(Decided decided) : decided_(decided), workers_(std::make_unique<Workers>()) {}
+ZBuffer::~ZBuffer() = default;
+
 void ZBuffer::prepare(const Request& request, int threads) {
   request_.emplace(request);
   fills_.make(request.scene, request.size, threads);
   sort_into_bands();
+  for (const auto& worker : workers_->at_rest) worker->take(request, fills_);
+}
+
+std::unique_ptr<ZBuffer::Worker> ZBuffer::take_worker() const {
+  {
+    const std::lock_guard lock(workers_->mutex);
+    if (!workers_->at_rest.empty()) {
+      auto worker = std::move(workers_->at_rest.back());
+      workers_->at_rest.pop_back();
+      return worker;
+    }
+  }
+  auto worker = std::make_unique<Worker>();
+  worker->take(*request_, fills_);
+  return worker;
+}
+
+void ZBuffer::give_back(std::unique_ptr<Worker> worker) const {
+  const std::lock_guard lock(workers_->mutex);
+  workers_->at_rest.push_back(std::move(worker));
 }
 
 /// A counting sort: within a band the order of entry stays.
@@ -219,6 +295,7 @@ void ZBuffer::sort_into_bands() {
     band.begin = band.end = all;
     all += fills;
   }
+  if (all > in_bands_.capacity()) in_bands_.reserve(all + all / 2);  // for other views too
   in_bands_.resize(all);
   for (Fill k = 1; k < fills_.end(); ++k) {
     for_each_band(fills_[k], [&](Band& band) { in_bands_[band.end++] = k; });
@@ -227,45 +304,29 @@ void ZBuffer::sort_into_bands() {
 
 /// Beyond the columns of a band's fills there is the background.
 void ZBuffer::draw_rows(int row_begin, int row_end, const SeenRun& seen) const {
+  auto worker = take_worker();
   const int width = request_->size.width;
-  const std::size_t stride = static_cast<std::size_t>(width) + BandRows::kPadding;
-  const auto z = std::make_unique_for_overwrite<float[]>(stride * kRowsOfABand);
-  const auto fill = std::make_unique_for_overwrite<Fill[]>(stride * kRowsOfABand);
-  const std::vector<Fill> background(static_cast<std::size_t>(width), ViewedScene::kBackground);
-  BandRows rows{0, 0, width, stride, z.get(), fill.get(), nullptr, nullptr};
-  std::vector<float> farthest(rows.tiles() + BandRows::kPadding);
-  std::vector<Fill> whole(rows.tiles());
-  rows.farthest = farthest.data();
-  rows.whole = whole.data();
-  DepthDecisions decisions(*request_, fills_, rows);
   const auto draw = decided_ == Decided::truly ? draw_into_band : draw_into_band_rounded;
   const int last_band = (row_end - 1) / kRowsOfABand;
   for (int k = row_begin / kRowsOfABand; k <= last_band; ++k) {
     const Band& band = bands_[static_cast<std::size_t>(k)];
-    rows.row_begin = std::max(row_begin, k * kRowsOfABand);
-    rows.row_end = std::min(row_end, (k + 1) * kRowsOfABand);
-    // Whole tiles, and vectors that begin in the last of them.
     constexpr int kTile = BandRows::kTileColumns;
-    const int first = band.first_column / kTile * kTile;
-    const int end = std::max(first, std::min(width, (band.end_column + kTile - 1) / kTile * kTile));
-    const std::size_t columns = static_cast<std::size_t>(end - first) + BandRows::kPadding;
-    for (int row = rows.row_begin; row < rows.row_end && first < end; ++row) {
-      const std::size_t at = rows.index(row, first);
-      std::fill_n(z.get() + at, columns, -std::numeric_limits<float>::infinity());
-      std::fill_n(fill.get() + at, columns, ViewedScene::kBackground);
-    }
-    std::ranges::fill(farthest, -std::numeric_limits<float>::infinity());
-    std::ranges::fill(whole, ViewedScene::kBackground);
-    draw(fills_, of_band(band), rows, decisions);
+    const int end = std::min(width, (band.end_column + kTile - 1) / kTile * kTile);
+    const int first = std::min(band.first_column / kTile * kTile, end);
+    const BandRows& rows = worker->rows;
+    worker->begin(std::max(row_begin, k * kRowsOfABand),
+                  std::min(row_end, (k + 1) * kRowsOfABand), first, end);
+    draw(fills_, of_band(band), rows, *worker->decisions, worker->scratch);
     const auto tell = [&](int row, int from, int to, const Fill* shown) {
       if (from < to) seen(row, from, {shown, static_cast<std::size_t>(to - from)});
     };
     for (int row = rows.row_begin; row < rows.row_end; ++row) {
-      tell(row, 0, std::min(first, width), background.data());
-      tell(row, first, end, fill.get() + rows.index(row, first));
-      tell(row, std::min(end, width), width, background.data());
+      tell(row, 0, first, worker->background.data());
+      tell(row, first, end, rows.fill + rows.index(row, first));
+      tell(row, end, width, worker->background.data());
     }
   }
+  give_back(std::move(worker));
 }
 
 }  // namespace displayfile

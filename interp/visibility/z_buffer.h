@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "interp/visibility/image_space.h"
@@ -18,7 +19,8 @@ class ZBuffer : public ImageSpaceMethod {
     truly,
     in_single_precision  ///< gets pixels wrong: it is there to measure what deciding truly costs
   };
-  explicit ZBuffer(Decided decided = Decided::truly) : decided_(decided) {}
+  explicit ZBuffer(Decided decided = Decided::truly);
+  ~ZBuffer() override;
 
   void prepare(const Request& request, int threads) override;
   void draw_rows(int row_begin, int row_end, const SeenRun& seen) const override;
@@ -37,11 +39,17 @@ class ZBuffer : public ImageSpaceMethod {
     return std::span(in_bands_).subspan(band.begin, band.end - band.begin);
   }
 
+  struct Worker;
+  struct Workers;
+  std::unique_ptr<Worker> take_worker() const;
+  void give_back(std::unique_ptr<Worker> worker) const;
+
   Decided decided_;
   std::optional<Request> request_;
   RowFills fills_;
   std::vector<Band> bands_;
   std::vector<Fill> in_bands_;  ///< the fills of each band, in order of entry
+  std::unique_ptr<Workers> workers_;
 };
 
 }  // namespace displayfile

@@ -39,12 +39,16 @@ struct Columns {
 template <bool kExact>
 class RowDrawer {
  public:
-  RowDrawer(const RowFills& fills, const BandRows& rows, BandDecisions& decisions)
+  RowDrawer(const RowFills& fills, const BandRows& rows, BandDecisions& decisions,
+            BandScratch& scratch)
       : fills_(fills),
         rows_(rows),
         decisions_(decisions),
         margin_(hn::Set(f_, kExact ? decisions.margin() : 0.0F)),
-        keep_the_nearest_(decisions.keep_the_nearest()) {}
+        keep_the_nearest_(decisions.keep_the_nearest()),
+        open_(scratch.open),
+        own_farthest_(scratch.own_farthest),
+        runs_(scratch.runs) {}
 
   void draw(Fill fill) {
     const RowFill& f = fills_[fill];
@@ -226,7 +230,7 @@ class RowDrawer {
     for (int row = box.row_begin; row < box.row_end; ++row) {
       const int row_first = columns_.first[row - box.row_begin];
       const int row_end = columns_.end[row - box.row_begin];
-      for (const Run& run : runs_) {
+      for (const BandScratch::Run& run : runs_) {
         const int first = std::max(row_first, run.first), end = std::min(row_end, run.end);
         if (first < end) draw_span(f, fill, row, first, end);
       }
@@ -470,14 +474,11 @@ class RowDrawer {
   Floats margin_;
   bool keep_the_nearest_;
   Columns columns_;
-  struct Run {
-    int first, end;
-  };
   // The tiles of the fill begun.
   int first_tile_ = 0;
-  std::vector<std::uint32_t> open_;  // where it may be seen: a bit each, a word for each vector
-  std::vector<float> own_farthest_;
-  std::vector<Run> runs_;     // of columns, which it is to be drawn in
+  std::vector<std::uint32_t>& open_;
+  std::vector<float>& own_farthest_;
+  std::vector<BandScratch::Run>& runs_;
   bool wholes_known_ = true;  // BandRows::whole is kept
   bool begun_ = false;
   Box box_{};  // that holds all that is drawn of the fill begun
@@ -499,8 +500,8 @@ class RowDrawer {
 
 template <bool kExact>
 void draw_all(const RowFills& fills, std::span<const Fill> to_draw, const BandRows& rows,
-              BandDecisions& decisions) {
-  RowDrawer<kExact> drawer(fills, rows, decisions);
+              BandDecisions& decisions, BandScratch& scratch) {
+  RowDrawer<kExact> drawer(fills, rows, decisions, scratch);
   constexpr std::size_t kAhead = 8;  // fills lie far apart
   for (std::size_t k = 0; k < to_draw.size(); ++k) {
     if (k + kAhead < to_draw.size()) {
@@ -516,12 +517,12 @@ void draw_all(const RowFills& fills, std::span<const Fill> to_draw, const BandRo
 }
 
 void DrawExact(const RowFills& fills, std::span<const Fill> to_draw, const BandRows& rows,
-               BandDecisions& decisions) {
-  draw_all<true>(fills, to_draw, rows, decisions);
+               BandDecisions& decisions, BandScratch& scratch) {
+  draw_all<true>(fills, to_draw, rows, decisions, scratch);
 }
 void DrawRounded(const RowFills& fills, std::span<const Fill> to_draw, const BandRows& rows,
-                 BandDecisions& decisions) {
-  draw_all<false>(fills, to_draw, rows, decisions);
+                 BandDecisions& decisions, BandScratch& scratch) {
+  draw_all<false>(fills, to_draw, rows, decisions, scratch);
 }
 
 }  // namespace displayfile::HWY_NAMESPACE
@@ -531,13 +532,14 @@ HWY_AFTER_NAMESPACE();
 namespace displayfile {
 
 void draw_into_band(const RowFills& fills, std::span<const ViewedScene::Fill> to_draw,
-                    const BandRows& rows, BandDecisions& decisions) {
-  DISPLAYFILE_WIDEST_FORM(DrawExact)(fills, to_draw, rows, decisions);
+                    const BandRows& rows, BandDecisions& decisions, BandScratch& scratch) {
+  DISPLAYFILE_WIDEST_FORM(DrawExact)(fills, to_draw, rows, decisions, scratch);
 }
 
 void draw_into_band_rounded(const RowFills& fills, std::span<const ViewedScene::Fill> to_draw,
-                            const BandRows& rows, BandDecisions& decisions) {
-  DISPLAYFILE_WIDEST_FORM(DrawRounded)(fills, to_draw, rows, decisions);
+                            const BandRows& rows, BandDecisions& decisions,
+                            BandScratch& scratch) {
+  DISPLAYFILE_WIDEST_FORM(DrawRounded)(fills, to_draw, rows, decisions, scratch);
 }
 
 }  // namespace displayfile

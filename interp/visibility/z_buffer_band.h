@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "interp/visibility/row_fills.h"
 
@@ -37,6 +38,16 @@ struct BandRows {
   std::size_t index(int row, int column) const {
     return static_cast<std::size_t>(row - row_begin) * stride + static_cast<std::size_t>(column);
   }
+};
+
+/// What drawing into bands works with, kept from band to band and from picture to picture.
+struct BandScratch {
+  struct Run {
+    int first, end;
+  };
+  std::vector<std::uint32_t> open;    ///< where a fill may be seen: a bit a tile, a word a vector
+  std::vector<float> own_farthest;    ///< its depths in these tiles
+  std::vector<Run> runs;              ///< of columns, which it is to be drawn in
 };
 
 /// The depth of a fill less that of one drawn before it, times some positive number: z + dz_dx i +
@@ -79,11 +90,11 @@ class BandDecisions {
 /// Draws the fills, given in order of entry, into rows that were cleared or drawn into before.
 /// Computes in the widest vectors that the processor has; the fills seen are the same with any.
 void draw_into_band(const RowFills& fills, std::span<const ViewedScene::Fill> to_draw,
-                    const BandRows& rows, BandDecisions& decisions);
+                    const BandRows& rows, BandDecisions& decisions, BandScratch& scratch);
 
 /// Draws as draw_into_band does, but with rounded decisions only, to measure what the exact ones
 /// cost.
 void draw_into_band_rounded(const RowFills& fills, std::span<const ViewedScene::Fill> to_draw,
-                            const BandRows& rows, BandDecisions& decisions);
+                            const BandRows& rows, BandDecisions& decisions, BandScratch& scratch);
 
 }  // namespace displayfile

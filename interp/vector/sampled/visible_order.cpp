@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <unordered_map>
 #include <vector>
 
@@ -271,7 +272,7 @@ class LinePartsDrawer {
   LinePartsDrawer(const SampledScene& drawing, OutputDevice& device)
       : drawing_(drawing), device_(device) {}
 
-  void draw(std::uint32_t index, const VisibleLines::Part& part) {
+  void draw(std::uint32_t index, const LinePart& part) {
     const SampledScene::Line line = drawing_.line(index);
     const LineStyle& style = line.style;
     constexpr double kShortestPeriod = 0.1;  // pixels; below it a dashed line looks solid
@@ -279,7 +280,7 @@ class LinePartsDrawer {
       return draw_piece(line, part.from, part.to, style);
     }
     const Point3 a = drawing_.to_pixels(line.from), b = drawing_.to_pixels(line.to);
-    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    const double length = glm::length(Point2(b - a));
     const double period = style.dash + style.gap;
     const double before = drawing_.lines[index].dash_start;
     const double start = before + part.from * length, end = before + part.to * length;
@@ -326,7 +327,7 @@ void draw_lines(const SampledScene& drawing, VisibleLines& visible, VectorDevice
       }
     }
     for (; first < end; ++first) {
-      for (const VisibleLines::Part& part : visible.parts(first)) {
+      for (const LinePart& part : visible.parts(first)) {
         segments.enter_that_of(item);
         parts.draw(first, part);
       }

@@ -41,6 +41,17 @@ class VectorFile : public TemporaryFolder {
 
 std::string body(const std::string& svg) { return svg.substr(svg.find("<rect")); }
 
+/// Where depths decide, dashes are cut here: one that goes on in the next line is one path still.
+TEST_F(VectorFile, ADashGoesOnInTheLineThatContinuesItsOwn) {
+  GraphicsSystem g = unit_square_without_lines();
+  g.open_segment(1);
+  g.set_line_style({LineStyle::Kind::dashed, kBlue, 1.0, 1000.0, 1.0});
+  g.move_abs_2(0.05, 0.5);
+  for (int k = 1; k <= 60; ++k) g.line_abs_2(0.05 + 0.015 * k, 0.5 + 0.1 * (k % 3) / 7.0);
+  g.close_segment();
+  EXPECT_EQ(count(svg(g, 90, 60, true), "<path"), 1u);
+}
+
 TEST_F(VectorFile, SvgOfASmallScene) {
   GraphicsSystem g = unit_square_without_lines();
   g.open_segment(3);

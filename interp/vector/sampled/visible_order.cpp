@@ -287,7 +287,9 @@ class LinePartsDrawer {
     for (double dash = std::floor(start / period) * period; dash < end; dash += period) {
       const double from = std::max(start, dash), to = std::min(end, dash + style.dash);
       if (from < to) {
-        draw_piece(line, (from - before) / length, (to - before) / length, style);
+        // Exactly the part's ends: a dash goes on in the line that continues this one.
+        draw_piece(line, from == start ? part.from : (from - before) / length,
+                   to == end ? part.to : (to - before) / length, style);
       }
     }
   }

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "clip/view.h"
+#include "clip/rectangle.h"
 
 namespace displayfile {
 
@@ -37,6 +40,34 @@ void clip_to_rectangle(std::vector<Point>& polygon, std::vector<Point>& spare,
   clip(0, rectangle.x_max, -1.0);
   clip(1, rectangle.y_min, 1.0);
   clip(1, rectangle.y_max, -1.0);
+}
+
+/// A part of a line: 0 is the line's start and 1 its end.
+struct LinePart {
+  double from = 0.0, to = 1.0;
+};
+
+/// What lies in the rectangle of a part of the line from `start` to `end`, which must be finite;
+/// nothing if none of it does. Liang and Barsky, "A new concept and method for line clipping", ACM
+/// TOG 3 (1984).
+template <class Point>
+std::optional<LinePart> part_in_rectangle(const Point& start, const Point& end,
+                                          const Rectangle& rectangle, LinePart part = {}) {
+  const std::array low{rectangle.x_min, rectangle.y_min};
+  const std::array high{rectangle.x_max, rectangle.y_max};
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto k = static_cast<std::size_t>(axis);
+    for (const double inward : {1.0, -1.0}) {
+      const double limit = inward > 0.0 ? low[k] : high[k];
+      const double inside = inward * (start[axis] - limit);
+      const double change = inward * (end[axis] - start[axis]);
+      if (change == 0.0 && inside < 0.0) return std::nullopt;
+      if (change > 0.0) part.from = std::max(part.from, -inside / change);
+      if (change < 0.0) part.to = std::min(part.to, -inside / change);
+    }
+  }
+  if (!(part.from <= part.to)) return std::nullopt;
+  return part;
 }
 
 }  // namespace displayfile

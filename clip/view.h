@@ -1,14 +1,9 @@
 #pragma once
 
 #include "clip/point.h"
+#include "clip/rectangle.h"
 
 namespace displayfile {
-
-/// A rectangle: of the view plane (window) or of normalised device coordinates (viewport).
-struct Rectangle {
-  double x_min, x_max, y_min, y_max;
-  bool operator==(const Rectangle&) const = default;
-};
 
 /// The view parameters of the textbook's chapter 8. Each set_ routine checks what it can
 /// check alone and throws Error, leaving the view as it was; what depends on several

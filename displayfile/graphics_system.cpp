@@ -156,7 +156,7 @@ void GraphicsSystem::note_stretched_window(const View& view) {
   const StretchedWindow stretched{*open_, shape_of(view.window),
                                   shape_in_picture(view.viewport, aspect_)};
   const auto how_far = [](const StretchedWindow& w) {
-    return std::abs(std::log(w.window / w.viewport));
+    return std::max(w.window / w.viewport, w.viewport / w.window);
   };
   if (!shapes_differ(stretched.window, stretched.viewport)) return;
   if (!stretched_ || how_far(stretched) > how_far(*stretched_)) stretched_ = stretched;

@@ -9,16 +9,14 @@
 
 #include "clip/error.h"
 #include "interp/draw.h"
+#include "tests/unit_square.h"
 
 namespace displayfile {
 namespace {
 
 /// A system whose display coordinates are its world coordinates.
 GraphicsSystem system_of(HiddenMethod method) {
-  GraphicsSystem g;
-  g.set_window(0, 1, 0, 1);
-  g.set_view_depth(-1, 0);
-  g.set_line_style({LineStyle::Kind::none});
+  GraphicsSystem g = test::unit_square_without_lines();
   g.set_hidden_line_removal(true);
   g.set_back_face_removal(false);
   g.set_hidden_method(method);

@@ -16,15 +16,7 @@ namespace displayfile {
 namespace {
 
 DisplayFile file_of(const std::vector<test::Vertices>& polygons) {
-  DisplayFile file;
-  Segment& segment = file.create(1);
-  segment.set_style(LineStyle{LineStyle::Kind::none});
-  int pick = 0;
-  for (const auto& polygon : polygons) {
-    segment.set_pick(pick++);
-    segment.enter_polygon(polygon, std::vector<std::uint8_t>(polygon.size(), 0));
-  }
-  return file;
+  return test::file_of(polygons, {LineStyle::Kind::none});
 }
 
 test::Vertices square(double x, double y, double side, double z) {

@@ -16,10 +16,12 @@
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
 #include "interp/draw.h"
-#include "tests/temporary_folder.h"
+#include "tests/mesh_files.h"
 
 namespace displayfile {
 namespace {
+
+using test::cube;
 
 /// A ball of quadrilaterals, as a file.
 std::string ball() {
@@ -59,14 +61,9 @@ std::string wedge(bool z_up) {
   return text.str();
 }
 
-std::string cube() {
-  return "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
-         "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
-}
-
-class CameraTest : public test::TemporaryFolder {
+class CameraTest : public test::MeshFiles {
  protected:
-  Mesh mesh_of(const std::string& obj) { return read_mesh(file("a.obj", obj)); }
+  Mesh mesh_of(const std::string& obj) { return read("a.obj", obj); }
 
   /// What is seen of a mesh by a camera.
   Picture drawn(const std::string& obj, const Camera& camera, int width, int height) {

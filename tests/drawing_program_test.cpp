@@ -12,31 +12,14 @@
 
 #include "clip/error.h"
 #include "displayfile/text/dump.h"
+#include "tests/replayed.h"
 #include "tests/temporary_folder.h"
 
 namespace displayfile {
 namespace {
 
-/// The message that replaying the program gives; empty if it is carried out.
-std::string error_of(std::string_view program, GraphicsSystem& system) {
-  try {
-    replay(program, "scene.draw", system);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
-std::string error_of(std::string_view program) {
-  GraphicsSystem system;
-  return error_of(program, system);
-}
-
-std::string dump_of(std::string_view program) {
-  GraphicsSystem system;
-  replay(program, "scene.draw", system);
-  return dump(system.display_file());
-}
+using test::dump_of;
+using test::error_of_program;
 
 // ---- What programs say --------------------------------------------------------------------
 
@@ -199,7 +182,7 @@ TEST(DrawingProgram, EveryRoutineIsTheApplicationsCall) {
       if (!segment_open) g->close_segment();
       g->save_transformation_3();
     }
-    EXPECT_EQ(error_of(routine.line + "\n", by_program),
+    EXPECT_EQ(error_of_program(routine.line + "\n", by_program),
               routine.line == "open-segment 8"
                   ? "scene.draw:1:15: segment 8 still open at the end: expected close-segment"
                   : "");
@@ -264,7 +247,7 @@ TEST(DrawingProgram, PolygonOfManySides) {
 TEST(DrawingProgram, SegmentThatTheApplicationOpenedMayStayOpen) {
   GraphicsSystem system;
   system.open_segment(1);
-  EXPECT_EQ(error_of("polygon-abs-3 0 0 0 1 0 0 0 1 0\n", system), "");
+  EXPECT_EQ(error_of_program("polygon-abs-3 0 0 0 1 0 0 0 1 0\n", system), "");
   EXPECT_EQ(system.open_segment_name(), 1);
 }
 
@@ -272,14 +255,16 @@ TEST(DrawingProgram, SegmentThatTheApplicationOpenedMayStayOpen) {
 TEST(DrawingProgram, SavedTransformationsAreRestoredAtTheEnd) {
   GraphicsSystem system;
   EXPECT_NE(
-      error_of("save-transformation-3\n  save-transformation-3\nrestore-transformation-3\n", system)
+      error_of_program("save-transformation-3\n  save-transformation-3\nrestore-transformation-3\n",
+                       system)
           .find("3:25: 1 transformation still saved at the end: expected "
                 "restore-transformation-3"),
       std::string::npos);
   EXPECT_EQ(system.transformations_saved(), 1u);
-  EXPECT_EQ(error_of("save-transformation-3\nrestore-transformation-3\n", system), "");
+  EXPECT_EQ(error_of_program("save-transformation-3\nrestore-transformation-3\n", system), "");
   system.restore_transformation_3();
-  EXPECT_NE(error_of("\n restore-transformation-3\n", system).find("2:2: no transformation saved"),
+  EXPECT_NE(error_of_program("\n restore-transformation-3\n", system)
+                .find("2:2: no transformation saved"),
             std::string::npos);
 }
 
@@ -359,14 +344,14 @@ TEST(DrawingProgram, ErrorsNamePlaceAndExpectation) {
   };
   for (const auto& [program, message] : cases) {
     SCOPED_TRACE(program);
-    EXPECT_EQ(error_of(program).substr(0, 11 + message.size()), "scene.draw:" + message);
+    EXPECT_EQ(error_of_program(program).substr(0, 11 + message.size()), "scene.draw:" + message);
   }
 }
 
 TEST(DrawingProgram, LongWordIsCutInTheMessage) {
-  const std::string message = error_of("set-view-distance " + std::string(100000, 'x'));
+  const std::string message = error_of_program("set-view-distance " + std::string(100000, 'x'));
   EXPECT_EQ(message, "scene.draw:1:19: expected a number, not '" + std::string(40, 'x') + "...'");
-  EXPECT_LT(error_of(std::string(100000, 'p')).size(), 200u);
+  EXPECT_LT(error_of_program(std::string(100000, 'p')).size(), 200u);
 }
 
 TEST(DrawingProgram, BinaryInputIsRefusedBeforeAnyLineIsCarriedOut) {
@@ -390,10 +375,10 @@ TEST(DrawingProgram, BinaryInputIsRefusedBeforeAnyLineIsCarriedOut) {
   };
   for (const auto& [program, message] : cases) {
     SCOPED_TRACE(message);
-    EXPECT_EQ(error_of(program), "scene.draw:" + message + ", expected UTF-8 text");
+    EXPECT_EQ(error_of_program(program), "scene.draw:" + message + ", expected UTF-8 text");
     GraphicsSystem system;
     const std::string after_lines = "open-segment 1\nclose-segment\n" + program;
-    EXPECT_NE(error_of(after_lines, system), "");
+    EXPECT_NE(error_of_program(after_lines, system), "");
     EXPECT_TRUE(system.display_file().segments().empty());
   }
 }
@@ -402,8 +387,8 @@ TEST(DrawingProgram, BinaryInputIsRefusedBeforeAnyLineIsCarriedOut) {
 TEST(DrawingProgram, BinaryInputIsFoundAtEveryPlace) {
   for (std::size_t length = 0; length < 200; ++length) {
     const std::string comment(length + 1, '#');
-    EXPECT_EQ(error_of(comment + "\u2192\U0001F4D0\u00e9" + comment), "");
-    EXPECT_EQ(error_of(comment + '\x01' + comment),
+    EXPECT_EQ(error_of_program(comment + "\u2192\U0001F4D0\u00e9" + comment), "");
+    EXPECT_EQ(error_of_program(comment + '\x01' + comment),
               "scene.draw:1:" + std::to_string(length + 2) +
                   ": not a drawing program: byte 0x01, expected UTF-8 text");
   }
@@ -466,11 +451,11 @@ TEST(DrawingProgram, RefusedCallsKeepTheState) {
     GraphicsSystem system;
     replay(before, "before", system);
     const std::string dump_before = dump(system.display_file());
-    const std::string error = error_of("# wrong:\n\n " + line + "\n" + after, system);
+    const std::string error = error_of_program("# wrong:\n\n " + line + "\n" + after, system);
     EXPECT_EQ(error.substr(0, 16), "scene.draw:3:2: ");
     EXPECT_NE(error.find(message), std::string::npos) << error;
     EXPECT_EQ(dump(system.display_file()), dump_before);
-    EXPECT_EQ(error_of(after, system), "");
+    EXPECT_EQ(error_of_program(after, system), "");
     EXPECT_EQ(dump(system.display_file()), expected);
   }
 
@@ -500,11 +485,11 @@ TEST(DrawingProgram, RefusedCallsKeepTheState) {
     system.open_segment(4);
     system.move_abs_2(0, 0);
     const std::string dump_before = dump(system.display_file());
-    const std::string error = error_of(line, system);
+    const std::string error = error_of_program(line, system);
     EXPECT_EQ(error.substr(0, 16), "scene.draw:1:1: ");
     EXPECT_NE(error.find(message), std::string::npos) << error;
     EXPECT_EQ(dump(system.display_file()), dump_before);
-    EXPECT_EQ(error_of(after_in_segment + "close-segment\n", system), "");
+    EXPECT_EQ(error_of_program(after_in_segment + "close-segment\n", system), "");
     EXPECT_EQ(dump(system.display_file()), expected);
   }
 }
@@ -521,7 +506,7 @@ TEST(DrawingProgram, ViewsThatDoNotFitTogetherAreRefusedAtOpenSegment) {
   for (const auto& [lines, message] : cases) {
     SCOPED_TRACE(lines);
     GraphicsSystem system;
-    const std::string error = error_of(
+    const std::string error = error_of_program(
         "open-segment 1\nclose-segment\n" + lines + "\nopen-segment 2\nclose-segment\n", system);
     const std::string line = std::to_string(4 + std::ranges::count(lines, '\n'));
     EXPECT_EQ(error.substr(0, 16), "scene.draw:" + line + ":1: ");

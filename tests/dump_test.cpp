@@ -7,16 +7,14 @@
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
 #include "displayfile/text/dump_compare.h"
+#include "tests/error_of.h"
+#include "tests/replayed.h"
 #include "tests/temporary_folder.h"
 
 namespace displayfile {
 namespace {
 
-std::string dump_of(std::string_view program) {
-  GraphicsSystem system;
-  replay(program, "scene.draw", system);
-  return dump(system.display_file());
-}
+using test::dump_of;
 
 // ---- The format ---------------------------------------------------------------------------
 
@@ -158,12 +156,7 @@ TEST(DumpDifference, NamesSegmentInstructionAndBothValues) {
 }
 
 std::string error_of_difference(const std::string& actual, const std::string& expected) {
-  try {
-    first_difference(actual, expected);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { first_difference(actual, expected); });
 }
 
 TEST(DumpDifference, TextsThatAreNoDumpsAreErrors) {

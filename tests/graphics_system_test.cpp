@@ -2,76 +2,27 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
 #include <random>
 #include <span>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include "clip/error.h"
-#include "displayfile/retained_views.h"
-#include "displayfile/text/dump.h"
+#include "tests/error_of.h"
+#include "tests/listing.h"
 #include "tests/order_of_entry.h"
+#include "tests/unit_square.h"
 
 namespace displayfile {
 namespace {
 
-/// Instructions as short text, to hold against what the application called.
-struct Listing {
-  std::ostringstream out;
-  void fill(const FillStyle& s) {
-    if (s.kind == FillStyle::Kind::hollow) {
-      out << "hollow;";
-    } else {
-      out << "fill " << s.colour.r << ' ' << s.colour.g << ' ' << s.colour.b << ';';
-    }
-  }
-  void line_style(const LineStyle& s) {
-    out << (s.kind == LineStyle::Kind::none    ? "none;"
-            : s.kind == LineStyle::Kind::solid ? "solid;"
-                                               : "dashed;");
-  }
-  void pick(int id) { out << "pick " << id << ';'; }
-  void point(const Point3& p) { out << p.x << ' ' << p.y << ' ' << p.z << ';'; }
-  void move(const Point3& p) {
-    out << "move ";
-    point(p);
-  }
-  void line(const Point3& p) {
-    out << "line ";
-    point(p);
-  }
-  void polygon(std::span<const Point3> vertices, std::span<const std::int32_t>) {
-    out << "polygon " << vertices.size() << ';';
-    for (const Point3& p : vertices) point(p);
-  }
-};
-
-std::string listing(const GraphicsSystem& g, int name) {
-  Listing l;
-  g.display_file().segment(name).walk_drawn(l);
-  return l.out.str();
-}
-
-/// A system whose display coordinates are its world coordinates.
-GraphicsSystem unit_square() {
-  GraphicsSystem g;
-  g.set_window(0, 1, 0, 1);
-  g.set_view_depth(-1, 0);
-  return g;
-}
-
-void expect_error(const std::function<void()>& call, const std::string& words) {
-  try {
-    call();
-    ADD_FAILURE() << "expected an error: " << words;
-  } catch (const Error& e) {
-    EXPECT_NE(std::string(e.what()).find(words), std::string::npos) << e.what();
-  }
-}
+using test::expect_error;
+using test::listing;
+using test::unit_square;
+using test::unit_square_without_lines;
 
 TEST(GraphicsSystem, EntersPolygonsWithStylesAndPickIdentifiers) {
   GraphicsSystem g = unit_square();
@@ -87,8 +38,7 @@ TEST(GraphicsSystem, EntersPolygonsWithStylesAndPickIdentifiers) {
 }
 
 TEST(GraphicsSystem, PickIdentifiersCountPolygonCallsOverAllSegments) {
-  GraphicsSystem g = unit_square();
-  g.set_line_style({LineStyle::Kind::none});
+  GraphicsSystem g = unit_square_without_lines();
   const auto small = [&] { g.polygon_abs_2({{0, 0}, {1, 0}, {0, 1}}); };
   g.open_segment(1);
   small();
@@ -128,72 +78,6 @@ TEST(GraphicsSystem, AbsoluteAndRelativeAreTheSame) {
   r.close_segment();
   EXPECT_EQ(listing(a, 1), listing(r, 1));
   EXPECT_NE(listing(a, 1).find("line 0.5 0.5 0.75"), std::string::npos);
-}
-
-TEST(GraphicsSystem, ModellingTransformationsActInTheOrderOfTheCalls) {
-  GraphicsSystem g = unit_square();
-  g.open_segment(1);
-  g.translate_3(0.5, 0, 0);
-  g.rotate_z_3(90);  // turns the moved point about the origin, exactly
-  g.move_abs_3(0, 0, 0);
-  g.create_transformation_3();
-  g.line_abs_3(0.25, 0.25, 0);
-  g.scale_3(2, 4, 1);
-  g.line_abs_3(0.25, 0.25, 0);
-  g.close_segment();
-  EXPECT_EQ(listing(g, 1), "solid;move 0 0.5 0;line 0.25 0.25 0;line 0.5 1 0;");
-}
-
-TEST(GraphicsSystem, ImageTransformationScalesThenRotatesThenTranslates) {
-  GraphicsSystem g = unit_square();
-  g.open_segment(1);
-  g.move_abs_2(0, 0);
-  g.line_abs_2(0.5, 0.25);
-  g.close_segment();
-  g.set_image_translation(1, 0.5, 0.125);
-  g.set_image_rotation(1, 90);
-  g.set_image_scale(1, 2, 1);
-  EXPECT_EQ(listing(g, 1), "solid;move 0.5 0.125 0;line 0.25 1.125 0;");
-}
-
-/// The centre stays where it is, whatever the scale and the rotation; unset, or of no effect, it
-/// changes no bit.
-TEST(GraphicsSystem, ImageTransformationAboutACentreOfItsOwn) {
-  const auto drawn = [](const std::function<void(GraphicsSystem&)>& set) {
-    GraphicsSystem g = unit_square();
-    g.open_segment(1);
-    g.move_abs_2(0.5, 0.25);
-    g.line_abs_2(0.75, 0.375);
-    g.close_segment();
-    set(g);
-    return listing(g, 1);
-  };
-  EXPECT_EQ(drawn([](GraphicsSystem& g) {
-              g.set_image_centre(1, 0.5, 0.25);
-              g.set_image_rotation(1, 90);
-              g.set_image_scale(1, 2, 1);
-            }),
-            "solid;move 0.5 0.25 0;line 0.375 0.75 0;");
-  EXPECT_EQ(drawn([](GraphicsSystem& g) {
-              g.set_image_rotation(1, 180);
-              g.set_image_translation(1, 0.125, 0);
-              g.set_image_centre(1, 0.5, 0.25);
-            }),
-            "solid;move 0.625 0.25 0;line 0.375 0.125 0;");
-  const auto plain = drawn([](GraphicsSystem&) {});
-  EXPECT_EQ(drawn([](GraphicsSystem& g) { g.set_image_centre(1, 0.3, 0.7); }), plain);
-  EXPECT_EQ(drawn([](GraphicsSystem& g) {
-              g.set_image_rotation(1, 17);
-              g.set_image_centre(1, 0, 0);
-            }),
-            drawn([](GraphicsSystem& g) { g.set_image_rotation(1, 17); }));
-  drawn([](GraphicsSystem& g) {
-    for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), 1.1e9, -1e300}) {
-      expect_error([&] { g.set_image_centre(1, wrong, 0); }, "image centre is");
-      expect_error([&] { g.set_image_centre(1, 0, wrong); }, "at most 1e9");
-    }
-    EXPECT_EQ(g.display_file().segment(1).image, ImageTransformation{});
-  });
 }
 
 TEST(GraphicsSystem, ZIsStoredOnlyWhereItIsNeeded) {
@@ -329,8 +213,7 @@ TEST(GraphicsSystem, LightShadesTheSideThatIsSeen) {
 }
 
 TEST(GraphicsSystem, PolygonThatIsNotFlatIsTriangulatedAndCounted) {
-  GraphicsSystem g = unit_square();
-  g.set_line_style({LineStyle::Kind::none});
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
   g.polygon_abs_3({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5}, {0, 1, 0}});
   g.close_segment();
@@ -421,278 +304,12 @@ TEST(GraphicsSystem, ErrorsLeaveEverythingAsItWas) {
   g.open_segment(3);
 }
 
-/// What is saved acts last: an arm is written from the outside in.
-TEST(GraphicsSystem, WhatIsSavedActsOnAllThatIsCalledUntilItIsRestored) {
-  GraphicsSystem g = unit_square();
-  g.open_segment(1);
-  g.rotate_z_3(90);
-  g.translate_3(0.5, 0.25, 0);
-  g.move_abs_3(0, 0, 0);
-  g.save_transformation_3();
-  g.line_abs_3(0.125, 0, 0);  // as before
-  g.translate_3(0.25, 0, 0);  // along the arm, which stands upright
-  g.line_abs_3(0, 0, 0);
-  g.save_transformation_3();
-  g.rotate_z_3(90);
-  g.translate_3(0.125, 0, 0);
-  g.line_abs_3(0.125, 0, 0);
-  g.create_transformation_3();  // anew in the coordinates saved last
-  g.line_abs_3(0, 0, 0);
-  g.restore_transformation_3();
-  g.line_abs_3(0.0625, 0, 0);
-  g.restore_transformation_3();
-  g.line_abs_3(0, 0, 0);
-  g.create_transformation_3();
-  g.line_abs_3(1, 1, 0);
-  g.close_segment();
-  EXPECT_EQ(listing(g, 1),
-            "solid;move 0.5 0.25 0;line 0.5 0.375 0;line 0.5 0.5 0;line 0.375 0.625 0;"
-            "line 0.5 0.5 0;line 0.5 0.5625 0;line 0.5 0.25 0;line 1 1 0;");
-}
-
-/// What is restored is what was saved to the bit, normals of vertices go the same way, and a
-/// refused call changes nothing.
-TEST(GraphicsSystem, SavedTransformations) {
-  const auto draw = [](GraphicsSystem& g) {
-    g.set_vertex_normals({{0, 0, 1}, {1, 2, 3}, {0, 1, 1}});
-    g.polygon_abs_3({{0.1, 0.1, 0.3}, {0.3, 0.1, 0.1}, {0.1, 0.3, 0.2}});
-  };
-  const auto start = [](GraphicsSystem& g) {
-    g.set_light({1, 2, 3});
-    g.set_shading(Shading::gouraud);
-    g.open_segment(1);
-  };
-  GraphicsSystem plain, nested;
-  start(plain);
-  start(nested);
-  plain.rotate_x_3(33);
-  plain.scale_3(0.7, 0.8, -0.9);
-  plain.rotate_y_3(21);
-  draw(plain);
-  nested.rotate_y_3(21);
-  nested.save_transformation_3();
-  nested.scale_3(0.7, 0.8, -0.9);
-  nested.save_transformation_3();
-  nested.rotate_x_3(33);
-  draw(nested);
-  plain.close_segment();
-  nested.close_segment();
-  const auto values = [](const GraphicsSystem& g) {
-    std::vector<double> all;
-    for (const Point3& p : g.display_file().segment(1).entered()->stored_points()) {
-      all.insert(all.end(), {p.x, p.y, p.z});
-    }
-    const auto intensities = g.display_file().segment(1).entered()->stored_intensities();
-    all.insert(all.end(), intensities.begin(), intensities.end());
-    return all;
-  };
-  const auto of_plain = values(plain), of_nested = values(nested);
-  ASSERT_EQ(of_plain.size(), 12u);
-  ASSERT_EQ(of_nested.size(), 12u);
-  for (std::size_t i = 0; i < 12; ++i) EXPECT_NEAR(of_plain[i], of_nested[i], 1e-15);
-
-  GraphicsSystem g = unit_square();
-  expect_error([&] { g.restore_transformation_3(); }, "no transformation saved");
-  g.rotate_z_3(10);
-  g.translate_3(0.3, 0.2, 0.1);
-  for (std::size_t i = 0; i < GraphicsSystem::kMostSaved; ++i) g.save_transformation_3();
-  expect_error([&] { g.save_transformation_3(); }, "1024 transformations are saved");
-  EXPECT_EQ(g.transformations_saved(), GraphicsSystem::kMostSaved);
-  g.open_segment(1);
-  g.move_abs_3(0.1, 0.2, 0.3);
-  g.line_abs_3(0.2, 0.2, 0.4);
-  expect_error([&] { g.translate_3(std::numeric_limits<double>::quiet_NaN(), 0, 0); }, "nan");
-  g.rotate_x_3(50);
-  while (g.transformations_saved() > 0) g.restore_transformation_3();
-  g.move_abs_3(0.1, 0.2, 0.3);
-  g.line_abs_3(0.2, 0.2, 0.4);
-  g.close_segment();
-  const auto points = g.display_file().segment(1).entered()->stored_points();
-  ASSERT_EQ(points.size(), 4u);
-  EXPECT_EQ(points[0], points[2]);
-  EXPECT_EQ(points[1], points[3]);
-}
-
-TEST(GraphicsSystem, OverflowInTheModellingTransformationIsAnError) {
-  GraphicsSystem g = unit_square();
-  g.open_segment(1);
-  g.scale_3(1e60, 1, 1);
-  expect_error([&] { g.move_abs_3(1e60, 0, 0); }, "out of range after the modelling");
-}
-
 TEST(GraphicsSystem, LineStyleNoneDrawsNoLines) {
-  GraphicsSystem g = unit_square();
-  g.set_line_style({LineStyle::Kind::none});
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
   g.line_abs_2(1, 1);
   g.close_segment();
   EXPECT_EQ(g.display_file().segment(1).lines(), 0u);
-}
-
-// ---- Many polygons at once -------------------------------------------------------------------
-
-/// Vertices, corners and sides of polygons that share vertices; some cross the window's sides, and
-/// some are not flat.
-struct SharedPolygons {
-  std::vector<Point3> vertices;
-  std::vector<std::uint32_t> corners, sides;
-
-  explicit SharedPolygons(std::uint32_t seed) {
-    std::mt19937 random(seed);
-    std::uniform_int_distribution<int> grid(-8, 8);
-    for (int i = 0; i < 40; ++i) {
-      vertices.push_back(Point3(grid(random), grid(random), grid(random)) / 6.0);
-    }
-    for (int k = 0; k < 60; ++k) {
-      sides.push_back(3 + static_cast<std::uint32_t>(random() % 3));
-      for (std::uint32_t i = 0; i < sides.back(); ++i)
-        corners.push_back(static_cast<std::uint32_t>(random() % 40));
-    }
-  }
-  void enter_one_by_one(GraphicsSystem& g, std::span<const FillStyle> fills) const {
-    std::size_t first = 0;
-    for (std::size_t k = 0; k < sides.size(); ++k) {
-      if (!fills.empty()) g.set_fill_style(fills[fills.size() == 1 ? 0 : k]);
-      std::vector<Point3> polygon;
-      for (std::size_t i = 0; i < sides[k]; ++i) polygon.push_back(vertices[corners[first++]]);
-      g.polygon_abs_3(polygon);
-    }
-  }
-};
-
-TEST(ManyPolygons, AreEnteredAsOneByOne) {
-  for (std::uint32_t seed = 0; seed < 32; ++seed) {
-    const SharedPolygons polygons(seed);
-    std::vector<FillStyle> fills;
-    for (std::size_t k = 0; k < polygons.sides.size(); ++k) {
-      fills.push_back(
-          k % 7 == 0 ? FillStyle{FillStyle::Kind::hollow}
-                     : FillStyle{FillStyle::Kind::solid, Colour(static_cast<double>(k % 5) / 4.0)});
-    }
-    if (seed % 3 == 1) fills.resize(1);
-    if (seed % 3 == 2) fills.clear();
-    std::string dumps[2], programs[2];
-    for (const bool at_once : {false, true}) {
-      std::ostringstream program;
-      Recorder recorder(program);
-      RetainedScene retained;
-      GraphicsSystem g;
-      if (seed % 2 == 0) g.set_perspective({0.5, 0.25, 3});
-      if (seed % 4 < 2) g.set_light({1, 2, 3});
-      if (seed % 8 == 3) g.retain(&retained);
-      g.set_back_face_removal(seed % 5 == 0);
-      g.rotate_y_3(10.0 * seed);
-      g.open_segment(1);
-      if (at_once) g.set_recorder(&recorder);
-      if (at_once) {
-        g.polygons_abs_3(polygons.vertices, polygons.corners, polygons.sides, fills);
-      } else {
-        polygons.enter_one_by_one(g, fills);
-        if (!fills.empty()) g.set_fill_style({});
-      }
-      g.line_rel_3(0.1, 0.2, 0.3);
-      g.polygon_abs_3({{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}});
-      g.close_segment();
-      dumps[at_once] = dump(g.display_file());
-      if (seed % 8 == 3) {
-        dumps[at_once] += dump(RetainedViews(retained, g.display_file(), {}).view(g.view()));
-      }
-    }
-    EXPECT_EQ(dumps[0], dumps[1]) << "seed " << seed;
-  }
-}
-
-/// Two segments of polygons with shared vertices, one with own, and a line in each; retained.
-struct RetainedPolygons {
-  RetainedScene scene;
-  GraphicsSystem system;
-
-  explicit RetainedPolygons(bool at_once) {
-    system.retain(&scene);
-    system.set_light({1, 2, 3});
-    for (const int name : {3, 1, 2}) {
-      const SharedPolygons polygons(static_cast<std::uint32_t>(name));
-      system.open_segment(name);
-      system.line_rel_3(0.1, 0.2, 0.3);
-      if (at_once && name != 1) {
-        system.polygons_abs_3(polygons.vertices, polygons.corners, polygons.sides);
-      } else {
-        polygons.enter_one_by_one(system, {});
-      }
-      system.line_rel_3(-0.1, 0.1, 0.1);
-      system.close_segment();
-    }
-  }
-  std::string views() const {
-    RetainedViews drawn(scene, system.display_file(), {});
-    std::string text;
-    View view = system.view();
-    for (const Point3& eye : {Point3(0.5, 0.25, 3), Point3(-2, 1, 2), Point3(0, 0.5, 4)}) {
-      view.set_perspective(eye);
-      text += dump(drawn.view(view));
-    }
-    return text;
-  }
-};
-
-TEST(ManyPolygons, AreRetainedWithTheirVerticesShared) {
-  RetainedPolygons shared(true), own(false);
-  const auto points = [](const RetainedPolygons& of, std::size_t segment) {
-    return of.scene.points(of.scene.segments()[segment]).size();
-  };
-  EXPECT_LT(points(shared, 0), points(own, 0));
-  EXPECT_EQ(points(shared, 1), points(own, 1));
-  EXPECT_LT(points(shared, 2), points(own, 2));
-  EXPECT_EQ(shared.views(), own.views());
-  for (RetainedPolygons* of : {&shared, &own}) {
-    of->system.delete_segment(3);
-    of->system.set_visibility(1, false);
-  }
-  EXPECT_LT(points(shared, 1), points(own, 1));
-  EXPECT_EQ(shared.views(), own.views());
-}
-
-TEST(ManyPolygons, OnlyVerticesInUseAreRetained) {
-  RetainedScene scene;
-  GraphicsSystem g;
-  g.retain(&scene);
-  g.open_segment(1);
-  const std::vector<Point3> vertices{{9, 9, 9}, {0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}, {-9, 9, 9}};
-  g.polygons_abs_3(vertices, std::vector<std::uint32_t>{3, 1, 2, 2, 3, 1});
-  g.close_segment();
-  const auto kept = scene.points(scene.segments()[0]);
-  EXPECT_EQ(std::vector<Point3>(kept.begin(), kept.end()),
-            (std::vector<Point3>{vertices[3], vertices[1], vertices[2]}));
-}
-
-TEST(ManyPolygons, ErrorsEnterNothing) {
-  GraphicsSystem g;
-  g.set_viewport(0, 1, 0, 1);
-  const std::vector<Point3> vertices{{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}};
-  using Indices = std::vector<std::uint32_t>;
-  const Indices corners{0, 1, 2, 1, 2, 3};
-  expect_error([&] { g.polygons_abs_3(vertices, corners); }, "no segment open");
-  g.open_segment(1);
-  expect_error([&] { g.polygons_abs_3(vertices, Indices{0, 1, 2, 3, 0, 4}); }, "vertex 4 of 4");
-  expect_error([&] { g.polygons_abs_3(vertices, Indices{0, 1}); }, "2 corners");
-  expect_error([&] { g.polygons_abs_3(vertices, corners, Indices{4, 2}); }, "polygon of 2 sides");
-  expect_error(
-      [&] {
-        g.polygons_abs_3(vertices, corners, Indices{3, 4});
-      },
-      "6 corners: expected 7");
-  const std::vector<FillStyle> three(3), outside{FillStyle{FillStyle::Kind::solid, {2, 0, 0}}};
-  expect_error([&] { g.polygons_abs_3(vertices, corners, {}, three); }, "3 fill styles");
-  expect_error([&] { g.polygons_abs_3(vertices, corners, {}, outside); }, "colour component");
-  std::vector<Point3> far = vertices;
-  far.back().x = std::numeric_limits<double>::infinity();
-  expect_error([&] { g.polygons_abs_3(far, corners); }, "coordinates inf");
-  EXPECT_EQ(g.display_file().polygons(), 0u);
-  EXPECT_EQ(g.polygons_entered(), 0);
-  g.polygons_abs_3(vertices, corners);
-  EXPECT_EQ(g.display_file().polygons(), 2u);
-  g.polygons_abs_3({}, {});
-  EXPECT_EQ(g.display_file().polygons(), 2u);
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "interp/draw.h"
 #include "interp/interpreter.h"
 #include "interp/truth/truth.h"
+#include "tests/unit_square.h"
 
 namespace displayfile {
 namespace {
@@ -27,13 +28,10 @@ constexpr int kSize = 96;
 
 /// A system whose display coordinates are its world coordinates.
 GraphicsSystem sorting_system(HiddenMethod method) {
-  GraphicsSystem g;
-  g.set_window(0, 1, 0, 1);
-  g.set_view_depth(-1, 0);
+  GraphicsSystem g = test::unit_square_without_lines();
   g.set_hidden_line_removal(true);
   g.set_back_face_removal(false);
   g.set_hidden_method(method);
-  g.set_line_style({LineStyle::Kind::none});
   return g;
 }
 

@@ -18,6 +18,7 @@
 #include "interp/files/picture_compare.h"
 #include "interp/files/png_file.h"
 #include "interp/files/ppm_file.h"
+#include "tests/error_of.h"
 #include "tests/temporary_folder.h"
 
 namespace displayfile {
@@ -26,19 +27,9 @@ namespace {
 namespace fs = std::filesystem;
 
 using test::content;
+using test::error_of;
 
 class ImageFile : public test::TemporaryFolder {};
-
-/// The message of the Error that `call` throws; empty if it throws none.
-template <class Call>
-std::string error_of(Call&& call) {
-  try {
-    call();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return {};
-}
 
 bool mentions(const std::string& text, std::string_view part) {
   return text.find(part) != std::string::npos;

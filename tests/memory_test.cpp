@@ -16,9 +16,12 @@
 #include "displayfile/text/dump.h"
 #include "interp/renderer.h"
 #include "interp/truth/truth.h"
+#include "tests/error_of.h"
 
 namespace displayfile {
 namespace {
+
+using test::error_of;
 
 constexpr std::size_t kMegabyte = 1000000;
 
@@ -58,15 +61,6 @@ std::string within(std::size_t more, const std::function<std::string()>& work) {
   int status = 0;
   waitpid(child, &status, 0);
   return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? result : "the process ended: " + result;
-}
-
-std::string error_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 GraphicsSystem triangle() {
@@ -111,7 +105,7 @@ TEST(OutOfMemory, ARendererNeedsOnePictureOnly) {
                          renderer.draw(g, {.width = 5000, .height = 5000});
                      });
                    }),
-            "no error");
+            "");
 }
 
 TEST(OutOfMemory, OfManyPolygonsLeavesTheStateAsItWas) {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "clip/error.h"
+#include "tests/error_of.h"
 #include "tests/temporary_folder.h"
 
 namespace displayfile {
@@ -24,14 +25,11 @@ class OutputFileTest : public test::TemporaryFolder {
     std::ofstream(path, std::ios::binary) << text;
   }
   static std::string error_of(const std::string& path) {
-    try {
+    return test::error_of([&] {
       OutputFile file(path);
       file.stream() << "text";
       file.commit();
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "";
+    });
   }
   std::ptrdiff_t files() const {
     return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());

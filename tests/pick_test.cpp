@@ -19,20 +19,16 @@
 #include "tests/slower.h"
 #include "tests/temporary_folder.h"
 #include "tests/truth_scenes.h"
+#include "tests/unit_square.h"
 
 namespace displayfile {
 namespace {
 
+using test::unit_square;
+using test::unit_square_without_lines;
+
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// A system whose normalised device coordinates are its world coordinates.
-GraphicsSystem unit_square() {
-  GraphicsSystem g;
-  g.set_window(0, 1, 0, 1);
-  g.set_view_depth(-1, 0);
-  return g;
-}
 
 // ---- Polygons ------------------------------------------------------------------------------
 
@@ -79,8 +75,7 @@ TEST(Picking, IsTheTruthsItemBufferOnRandomScenes) {
 }
 
 TEST(Picking, NamesSegmentIdentifierAndDepth) {
-  GraphicsSystem g = unit_square();
-  g.set_line_style({LineStyle::Kind::none});
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(7);
   g.polygon_abs_3({{0, 0, 0.25}, {0.5, 0, 0.25}, {0.5, 1, 0.25}, {0, 1, 0.25}});
   g.close_segment();
@@ -193,8 +188,7 @@ TEST(PickingLines, WithinAReach) {
 /// The line's depth decides: behind, at equal depth, on an outline, and right behind an edge that
 /// two polygons share.
 TEST(PickingLines, WhereTheyAreSeen) {
-  GraphicsSystem g = unit_square();
-  g.set_line_style({LineStyle::Kind::none});
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
   g.polygon_abs_3({{0.2, 0.2, -0.5}, {0.5, 0.2, -0.5}, {0.5, 0.8, -0.5}, {0.2, 0.8, -0.5}});
   g.polygon_abs_3({{0.5, 0.2, -0.5}, {0.8, 0.2, -0.5}, {0.8, 0.8, -0.5}, {0.5, 0.8, -0.5}});

@@ -1,4 +1,4 @@
-#include "hidden/exact/precision.h"
+#include "hidden/exact/precision_policies.h"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "hidden/exact/precision.h"
 #include "tests/predicate_inputs.h"
 #include "tests/predicate_truth.h"
 

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <span>
+#include <sstream>
 #include <string>
 
 #include "clip/view.h"
@@ -23,6 +26,15 @@ struct Ball3 {
   Point3 middle{0.5};
   double radius = 0.87;  ///< of the unit cube's
 };
+/// A ball that all the points are well inside of.
+inline Ball3 ball_around(std::span<const Point3> points) {
+  Point3 low = points.front(), high = low;
+  for (const Point3& p : points) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  return {0.5 * (low + high), 0.51 * glm::length(high - low)};
+}
 
 /// Looking along `into`, which way up does not matter.
 inline View looking(const Point3& into) {
@@ -32,16 +44,20 @@ inline View looking(const Point3& into) {
   return view;
 }
 
-/// From outside, all of the scene in the window; every other one oblique.
-inline View any_parallel_view(Source& s, const Ball3& scene = {}) {
-  const Point3 into = any_direction(s);
-  const Point3 aside = 0.3 * any_direction(s);
+/// From outside, all of the scene in the window.
+inline View parallel_view(const Point3& into, const Point3& direction, const Ball3& scene) {
   View view = looking(into);
   view.set_reference_point(scene.middle);
-  view.set_parallel(s.below(2) == 0 ? into : into + aside);
+  view.set_parallel(direction);
   view.set_depth(-2.0 * scene.radius, 2.0 * scene.radius);
   view.set_window({-scene.radius, scene.radius, -scene.radius, scene.radius});
   return view;
+}
+/// Every other one is oblique.
+inline View any_parallel_view(Source& s, const Ball3& scene = {}) {
+  const Point3 into = any_direction(s);
+  const Point3 aside = 0.3 * any_direction(s);
+  return parallel_view(into, s.below(2) == 0 ? into : into + aside, scene);
 }
 
 inline View perspective_view(const Point3& eye, const Point3& into, double half_window,

@@ -15,6 +15,7 @@
 #include "interp/vector/pdf_device.h"
 #include "interp/vector/svg_device.h"
 #include "tests/temporary_folder.h"
+#include "tests/unit_square.h"
 #include "tests/vector_scenes.h"
 
 namespace displayfile {
@@ -101,7 +102,7 @@ int expect_the_z_buffers_colours(const GraphicsSystem& g, const Picture& picture
 }
 
 TEST_P(Rasterised, ColoursAndPlacesAreRight) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
   g.set_fill_style(solid({1.0, 0.5, 0.0}));
   g.polygon_abs_2({{0, 0}, {.5, 0}, {.5, .5}, {0, .5}});
@@ -130,7 +131,7 @@ TEST_P(Rasterised, ColoursAndPlacesAreRight) {
 }
 
 TEST_P(Rasterised, InterpenetratingTriangles) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
   enter(g, 0xff0000, {{.1, .1, .2}, {.9, .1, .8}, {.5, .9, .5}});  // z grows with x
   enter(g, 0x0000ff, {{.1, .1, .8}, {.9, .1, .2}, {.5, .9, .5}});  // z falls with x
@@ -147,13 +148,13 @@ TEST_P(Rasterised, CyclicOverlap) {
 }
 
 TEST_P(Rasterised, Cube) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   enter_cube(g);
   EXPECT_GT(expect_the_z_buffers_colours(g, draw(g, 200, 200, true)), 30'000);
 }
 
 TEST_P(Rasterised, ManyInterpenetratingPolygons) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   enter_random(g, 11, 30, 0.6, 4);
   EXPECT_GT(expect_the_z_buffers_colours(g, draw(g, 300, 300, true), 40), 50'000);
 }
@@ -161,7 +162,7 @@ TEST_P(Rasterised, ManyInterpenetratingPolygons) {
 TEST_P(Rasterised, NoSeamsBetweenNeighbours) {
   // Black triangles around a point: of 30 edges in all directions none may show the white
   // background. Without the lines that close the seams, a quarter of it would shine through.
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
   g.set_fill_style(solid(kBlack));
   constexpr int kTriangles = 30;
@@ -189,7 +190,7 @@ TEST_P(Rasterised, NoSeamsBetweenNeighbours) {
 }
 
 TEST_P(Rasterised, FarCoordinates) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
   g.set_fill_style(solid(kGreen));
   g.polygon_abs_2({{0, 0}, {1, 0}, {1, 1}});  // its long side runs through the picture's corners

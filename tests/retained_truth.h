@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <sstream>
@@ -25,6 +26,12 @@ struct Retained {
   Retained(const Retained&) = delete;
   Retained& operator=(const Retained&) = delete;
 };
+
+/// These act after viewing, which a retained scene does not see.
+inline bool has_image_transformations(const DisplayFile& file) {
+  return std::ranges::any_of(file.segments(),
+                             [](const Segment& segment) { return !segment.image.is_identity(); });
+}
 
 inline Picture drawn(const DisplayFile& file, int size) {
   RasterRequest request;

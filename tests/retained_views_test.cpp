@@ -5,9 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <iostream>
 #include <sstream>
@@ -19,6 +17,7 @@
 #include "displayfile/mesh/mesh.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/hard_cases.h"
+#include "tests/from_environment.h"
 #include "tests/random_views.h"
 #include "tests/retained_truth.h"
 #include "tests/slower.h"
@@ -30,24 +29,13 @@ namespace {
 
 using namespace test;
 
-int from_environment(const char* name, int usual) {
-  const char* const set = std::getenv(name);
-  return set == nullptr ? usual : std::atoi(set);
-}
-
-/// Around all points of a scene.
-test::Ball3 ball_around(const RetainedScene& scene) {
+test::Ball3 ball_around_all(const RetainedScene& scene) {
   std::vector<Point3> points;
   for (const RetainedScene::Segment& segment : scene.segments()) {
     const auto more = scene.points(segment);
     points.insert(points.end(), more.begin(), more.end());
   }
-  Point3 low = points.at(0), high = low;
-  for (const Point3& p : points) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  return {0.5 * (low + high), 0.51 * glm::length(high - low)};
+  return test::ball_around(points);
 }
 
 // ---- From a hundred eyes -----------------------------------------------------------------
@@ -72,7 +60,7 @@ TEST_P(GeneratedScenes, NoWrongPixelFromAnyEye) {
   enter(generated_scene(GetParam().name).make(static_cast<std::size_t>(polygons), 1),
         retained.system);
   RetainedViews views(retained.scene, retained.system.display_file(), {});
-  const test::Ball3 ball = ball_around(retained.scene);
+  const test::Ball3 ball = ball_around_all(retained.scene);
   Source s(1);
   std::size_t viewed = 0, pixels = 0, undecided = 0;
   for (int i = 0; i < 100; ++i) {
@@ -102,17 +90,7 @@ View special_view(Source& s, const Scene& scene, const test::Ball3& ball) {
   if (any(2) == 0) {
     return test::perspective_view(along_edge ? scene.points[i] : vertex, into, 1.0, ball);
   }
-  View view = test::looking(into);
-  view.set_reference_point(ball.middle);
-  view.set_parallel(into);
-  view.set_depth(-2.0 * ball.radius, 2.0 * ball.radius);
-  view.set_window({-ball.radius, ball.radius, -ball.radius, ball.radius});
-  return view;
-}
-
-bool has_image_transformations(const DisplayFile& file) {
-  return std::ranges::any_of(file.segments(),
-                             [](const Segment& segment) { return !segment.image.is_identity(); });
+  return test::parallel_view(into, into, ball);
 }
 
 /// What was found of a family.
@@ -131,7 +109,7 @@ void judge_family(const HardCase& family, int eyes, int size, Tally& tally) {
     if (has_image_transformations(retained.system.display_file())) continue;  // after viewing
     RetainedViews views(retained.scene, retained.system.display_file(), {});
     const test::WorldTruth world(retained.scene);
-    const test::Ball3 ball = ball_around(retained.scene);
+    const test::Ball3 ball = ball_around_all(retained.scene);
     Source s(1);
     for (int i = 0; i < eyes; ++i) {
       const View view = i % 2 == 0 ? special_view(s, scene, ball) : test::any_view(s, ball);
@@ -205,7 +183,7 @@ TEST(Meshes, NoWrongPixelFromAnyEye) {
     enter_mesh(mesh, retained.system, 1);
     RetainedViews views(retained.scene, retained.system.display_file(), {});
     const test::WorldTruth world(retained.scene);
-    const test::Ball3 ball = ball_around(retained.scene);
+    const test::Ball3 ball = ball_around_all(retained.scene);
     const std::size_t polygons = retained.system.display_file().polygons();
     Source s(1);
     Tally tally;

@@ -18,20 +18,10 @@
 namespace displayfile {
 namespace {
 
+using test::file_of;
 using test::Vertices;
 using Fill = ViewedScene::Fill;
 using Polygons = std::vector<Vertices>;
-
-/// A display file of polygons in device coordinates, entered in this order: fills A, B, C, ...
-DisplayFile file_of(const Polygons& polygons) {
-  DisplayFile file;
-  Segment& segment = file.create(1);
-  for (std::size_t k = 0; k < polygons.size(); ++k) {
-    segment.set_pick(static_cast<int>(k));
-    test::enter(segment, polygons[k]);
-  }
-  return file;
-}
 
 /// A rectangle, in eighths of the picture, with z at its left and at its right side.
 Vertices rectangle(double x_min, double y_min, double x_max, double y_max, double left,

@@ -28,12 +28,15 @@
 #include "interp/raster/software.h"
 #include "interp/vector/svg_device.h"
 #include "interp/visibility/image_space.h"
+#include "tests/error_of.h"
 #include "tests/mesa_leaks.h"
 #include "tests/temporary_folder.h"
 #include "tests/truth_scenes.h"
 
 namespace displayfile {
 namespace {
+
+using test::error_of;
 
 using test::Dice;
 
@@ -147,16 +150,6 @@ struct Held {
 
 double intensity_of(const Point3& normal) {
   return kAmbient + (1 - kAmbient) * std::max(0.0, glm::dot(unit(normal), unit(kLight)));
-}
-
-template <class Call>
-std::string error_of(Call&& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 // ---- Intensities -----------------------------------------------------------------------

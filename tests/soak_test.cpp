@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <deque>
 
 #include "displayfile/graphics_system.h"
 #include "displayfile/sorted_display_file.h"
 #include "interp/raster/software.h"
 #include "programs/bench/counted_memory.h"
+#include "tests/from_environment.h"
 #include "tests/slower.h"
 #include "tests/truth_scenes.h"
 
@@ -118,8 +118,7 @@ class Application {
 };
 
 TEST(Soak, ManySegmentsInTheMemoryOfAFew) {
-  const char* const set = std::getenv("DISPLAYFILE_SOAK_SEGMENTS");
-  const int segments = set != nullptr ? std::atoi(set) : 100'000 / test::kSlower;
+  const int segments = test::from_environment("DISPLAYFILE_SOAK_SEGMENTS", 100'000 / test::kSlower);
   const int few = segments / 5;
   Application application;
   const auto of_few = bench::most_bytes_held([&] { application.run(few); });

@@ -9,19 +9,16 @@
 #include "clip/error.h"
 #include "displayfile/graphics_system.h"
 #include "interp/scan/scan_convert.h"
+#include "tests/truth_scenes.h"
+#include "tests/unit_square.h"
 
 namespace displayfile {
 namespace {
 
-constexpr std::uint32_t kWhite = 0xFFFFFFFF;
+using test::letters_of;
+using test::unit_square_without_lines;
 
-GraphicsSystem unit_square() {
-  GraphicsSystem g;
-  g.set_window(0, 1, 0, 1);
-  g.set_view_depth(-1, 0);
-  g.set_line_style({LineStyle::Kind::none});
-  return g;
-}
+constexpr std::uint32_t kWhite = 0xFFFFFFFF;
 
 RasterRequest request(int width, int height, bool z_buffer) {
   RasterRequest r;
@@ -32,25 +29,12 @@ RasterRequest request(int width, int height, bool z_buffer) {
   return r;
 }
 
-/// Item buffer as rows of letters, top row first; '.' is background.
-std::string rows(const Picture& p) {
-  std::string text;
-  for (int y = 0; y < p.height; ++y) {
-    for (int x = 0; x < p.width; ++x) {
-      const int id = p.ids[static_cast<std::size_t>(y * p.width + x)];
-      text += id < 0 ? '.' : static_cast<char>('a' + id);
-    }
-    text += '\n';
-  }
-  return text;
-}
-
 TEST(ScanConvert, CentresOnLeftAndTopEdgesBelong) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);  // from centre to centre of a 4 x 4 picture
   g.polygon_abs_2({{0.125, 0.125}, {0.625, 0.125}, {0.625, 0.625}, {0.125, 0.625}});
   g.close_segment();
-  EXPECT_EQ(rows(draw_with_software(g.display_file(), request(4, 4, false))),
+  EXPECT_EQ(letters_of(draw_with_software(g.display_file(), request(4, 4, false))),
             "....\n"
             "aa..\n"
             "aa..\n"
@@ -58,16 +42,16 @@ TEST(ScanConvert, CentresOnLeftAndTopEdgesBelong) {
 }
 
 TEST(ScanConvert, EvenOddForConcaveAndSelfCrossingPolygons) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
   g.polygon_abs_2({{0, 0}, {1, 0}, {1, 1}, {0.5, 0.25}, {0, 1}});
   g.close_segment();
-  EXPECT_EQ(rows(draw_with_software(g.display_file(), request(8, 4, false))),
+  EXPECT_EQ(letters_of(draw_with_software(g.display_file(), request(8, 4, false))),
             "a......a\n"
             "aa....aa\n"
             "aaa..aaa\n"
             "aaaaaaaa\n");
-  GraphicsSystem h = unit_square();
+  GraphicsSystem h = unit_square_without_lines();
   h.open_segment(1);  // two squares, the inner one run through twice: a hole
   h.polygon_abs_2({{0, 0},
                    {1, 0},
@@ -80,7 +64,7 @@ TEST(ScanConvert, EvenOddForConcaveAndSelfCrossingPolygons) {
                    {0.25, 0.75},
                    {0.25, 0.25}});
   h.close_segment();
-  EXPECT_EQ(rows(draw_with_software(h.display_file(), request(4, 4, false))),
+  EXPECT_EQ(letters_of(draw_with_software(h.display_file(), request(4, 4, false))),
             "aaaa\n"
             "a..a\n"
             "a..a\n"
@@ -125,7 +109,7 @@ TEST(ScanConvert, HugeAndOffPictureCoordinatesAreClippedToTheRegion) {
 
 TEST(ZBuffer, NearestIsSeenWhateverTheOrder) {
   for (bool near_first : {true, false}) {
-    GraphicsSystem g = unit_square();
+    GraphicsSystem g = unit_square_without_lines();
     g.open_segment(1);
     const auto square = [&](double z, int id) {
       g.set_pick_id(id);
@@ -136,31 +120,31 @@ TEST(ZBuffer, NearestIsSeenWhateverTheOrder) {
     if (!near_first) square(0.75, 0);
     g.close_segment();
     const Picture p = draw_with_software(g.display_file(), request(2, 2, true));
-    EXPECT_EQ(rows(p), "aa\naa\n");
+    EXPECT_EQ(letters_of(p), "aa\naa\n");
     EXPECT_EQ(p.depth, std::vector<double>(4, 0.75));
   }
 }
 
 TEST(ZBuffer, OfEqualDepthsTheOneEnteredLaterIsSeen) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
   g.polygon_abs_3({{0, 0, 0.5}, {1, 0, 0.5}, {1, 1, 0.5}, {0, 1, 0.5}});
   g.polygon_abs_3({{0, 0, 0.5}, {0.5, 0, 0.5}, {0.5, 1, 0.5}, {0, 1, 0.5}});
   g.close_segment();
-  EXPECT_EQ(rows(draw_with_software(g.display_file(), request(4, 2, true))), "bbaa\nbbaa\n");
+  EXPECT_EQ(letters_of(draw_with_software(g.display_file(), request(4, 2, true))), "bbaa\nbbaa\n");
 }
 
 TEST(ZBuffer, InterpenetratingPlanesCrossWhereTheirDepthsAreEqual) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
   g.polygon_abs_3({{0, 0, 0}, {1, 0, 1}, {1, 1, 1}, {0, 1, 0}});
   g.polygon_abs_3({{0, 0, 0.5}, {1, 0, 0.5}, {1, 1, 0.5}, {0, 1, 0.5}});
   g.close_segment();
-  EXPECT_EQ(rows(draw_with_software(g.display_file(), request(8, 1, true))), "bbbbaaaa\n");
+  EXPECT_EQ(letters_of(draw_with_software(g.display_file(), request(8, 1, true))), "bbbbaaaa\n");
 }
 
 TEST(ZBuffer, DepthIsThatOfThePlaneAtThePixelCentre) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
   g.polygon_abs_3({{0, 0, 0}, {1, 0, 0.5}, {0, 1, 0.25}, {-0.5, 0.5, -0.125}});
   g.close_segment();
@@ -172,7 +156,7 @@ TEST(ZBuffer, DepthIsThatOfThePlaneAtThePixelCentre) {
 
 // Problem 10.8: the 2 x 2 display, with the book's depths turned to ours (z = 1 - the book's).
 TEST(ZBuffer, Problem10_8) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   const Colour a(1, 0, 0), b(0, 0, 1);
   g.set_z_buffer(true);
   g.open_segment(1);
@@ -200,7 +184,7 @@ TEST(ZBuffer, Problem10_8) {
 
 TEST(ZBuffer, ALineWinsAtEqualDepthAndLosesBehind) {
   for (double z : {0.5, 0.25}) {
-    GraphicsSystem g = unit_square();
+    GraphicsSystem g = unit_square_without_lines();
     g.open_segment(1);
     g.set_line_style({LineStyle::Kind::solid, {1, 0, 0}});
     g.move_abs_3(0, 0.5, z);
@@ -211,18 +195,18 @@ TEST(ZBuffer, ALineWinsAtEqualDepthAndLosesBehind) {
     const Picture p = draw_with_software(g.display_file(), request(4, 4, true));
     const auto red = std::count(p.pixels.begin(), p.pixels.end(), pixel_of({1, 0, 0}));
     EXPECT_EQ(red, z == 0.5 ? 4 : 0);
-    EXPECT_EQ(rows(p), "aaaa\naaaa\naaaa\naaaa\n");  // item buffers hold fills only
+    EXPECT_EQ(letters_of(p), "aaaa\naaaa\naaaa\naaaa\n");  // item buffers hold fills only
     EXPECT_EQ(p.depth, std::vector<double>(16, 0.5));
   }
 }
 
 TEST(ZBuffer, APolygonsOwnEdgesAreSeenWhole) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.set_line_style({LineStyle::Kind::solid, {0, 0, 0}});
   g.open_segment(1);  // steep: half a pixel aside its plane is far nearer or farther
   g.polygon_abs_3({{0.1, 0.1, 0}, {0.9, 0.2, 1}, {0.5, 0.9, -3}});
   g.close_segment();
-  GraphicsSystem h = unit_square();
+  GraphicsSystem h = unit_square_without_lines();
   h.set_line_style({LineStyle::Kind::solid, {0, 0, 0}});
   h.set_fill_style({FillStyle::Kind::hollow});
   h.open_segment(1);
@@ -238,24 +222,24 @@ TEST(ZBuffer, APolygonsOwnEdgesAreSeenWhole) {
 }
 
 TEST(HollowPolygon, CoversNothing) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.set_fill_style({FillStyle::Kind::hollow});
   g.open_segment(1);
   g.polygon_abs_2({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
   g.close_segment();
-  EXPECT_EQ(rows(draw_with_software(g.display_file(), request(2, 2, true))), "..\n..\n");
+  EXPECT_EQ(letters_of(draw_with_software(g.display_file(), request(2, 2, true))), "..\n..\n");
 }
 
 TEST(EdgeOnPolygon, CoversNothing) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
   g.polygon_abs_3({{0.5, 0, 0}, {0.5, 1, 0}, {0.5, 1, 1}, {0.5, 0, 1}});
   g.close_segment();
-  EXPECT_EQ(rows(draw_with_software(g.display_file(), request(4, 1, true))), "....\n");
+  EXPECT_EQ(letters_of(draw_with_software(g.display_file(), request(4, 1, true))), "....\n");
 }
 
 TEST(Lines, WidthAndDashes) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
   g.set_line_style({LineStyle::Kind::solid, {0, 0, 0}, 3.0});
   g.move_abs_2(0, 0.5);
@@ -276,7 +260,7 @@ TEST(Lines, WidthAndDashes) {
 }
 
 TEST(Lines, RunningFarOutOfThePictureAreClipped) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.set_line_style({LineStyle::Kind::solid, {0, 0, 0}});
   g.open_segment(1);
   g.move_abs_2(0, 0.5);
@@ -289,12 +273,12 @@ TEST(Lines, RunningFarOutOfThePictureAreClipped) {
 }
 
 TEST(Segments, InvisibleOnesAreNotDrawn) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
   g.polygon_abs_2({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
   g.close_segment();
   g.set_visibility(1, false);
-  EXPECT_EQ(rows(draw_with_software(g.display_file(), request(2, 1, false))), "..\n");
+  EXPECT_EQ(letters_of(draw_with_software(g.display_file(), request(2, 1, false))), "..\n");
 }
 
 TEST(Picture, SizesOutOfRangeAreErrors) {

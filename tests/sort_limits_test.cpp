@@ -14,6 +14,7 @@
 
 #include "clip/error.h"
 #include "tests/every_way.h"
+#include "tests/from_environment.h"
 
 namespace displayfile {
 namespace {
@@ -21,10 +22,7 @@ namespace {
 using namespace test;
 
 /// The largest scenes are that much larger with DISPLAYFILE_LARGER=10, or any other number.
-int larger(int size) {
-  const char* times = std::getenv("DISPLAYFILE_LARGER");
-  return times == nullptr ? size : size * std::max(1, std::atoi(times));
-}
+int larger(int size) { return size * std::max(1, from_environment("DISPLAYFILE_LARGER", 1)); }
 
 // ---- Bad input and scale ------------------------------------------------------------------------
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "clip/angle.h"
 #include "programs/scenes/random.h"
 
 namespace displayfile {
@@ -51,6 +52,32 @@ TEST(SineAndCosine, AreExactAtMultiplesOf90AndTheSameAfterFullTurns) {
     EXPECT_EQ(sine_cosine_of_degrees(turn * 360.0 - 90.0).sine, -1.0);
     EXPECT_EQ(sine_cosine_of_degrees(turn * 360.0 + 33.0).sine, sine_cosine_of_degrees(33.0).sine);
   }
+}
+
+// The directions are of any length, nearly along each other and nearly opposite too.
+TEST(AngleBetween, IsWithinEightUnitsInTheLastPlace) {
+  if (std::numeric_limits<long double>::digits < 64) GTEST_SKIP() << "no longer type to judge by";
+  Random random(2);
+  for (int i = 0; i < 100000; ++i) {
+    // In a plane of the axes, so that the sine and the cosine are products rounded once.
+    const double turn = random.between(-1.0, 1.0) * std::ldexp(1.0, -(i % 60));
+    const double far = std::ldexp(1.0, i % 200 - 100);
+    const Point3 along(far, 0, 0), aside((i % 2 == 0 ? 1.0 : -1.0) / far, turn / far, 0);
+    const long double truth =
+        std::atan2(std::abs(static_cast<long double>(aside.y)), static_cast<long double>(aside.x));
+    const double angle = angle_between(along, aside);
+    const double unit = std::nextafter(angle, 4.0) - angle;
+    ASSERT_LE(std::abs(static_cast<double>((angle - truth) / unit)), 8.0) << turn;
+    ASSERT_EQ(angle, angle_between(aside, along));
+  }
+}
+
+TEST(AngleBetween, IsZeroWithoutADirectionAndExactOnTheAxes) {
+  EXPECT_EQ(angle_between({0, 0, 0}, {1, 2, 3}), 0.0);
+  EXPECT_EQ(angle_between({1, 2, 3}, {2, 4, 6}), 0.0);
+  EXPECT_EQ(angle_between({1, 0, 0}, {-3, 0, 0}), std::numbers::pi);
+  EXPECT_NEAR(angle_between({1, 0, 0}, {0, 5, 0}), std::numbers::pi / 2, 1e-15);
+  EXPECT_NEAR(angle_between({1, 0, 0}, {1, 1, 0}), std::numbers::pi / 4, 1e-15);
 }
 
 }  // namespace

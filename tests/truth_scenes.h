@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "displayfile/display_file.h"
+#include "interp/picture.h"
 
 // Small random scenes in which everything touches everything, entered straight into a display
 // file, so that nothing is clipped and no coordinate is rounded on the way.
@@ -36,6 +37,36 @@ using Vertices = std::vector<Point3>;
 
 inline void enter(Segment& segment, const Vertices& vertices) {
   segment.enter_polygon(vertices, std::vector<std::uint8_t>(vertices.size(), 1));
+}
+
+/// One segment of polygons that are picked 0, 1, 2, ... in this order.
+inline DisplayFile file_of(const std::vector<Vertices>& polygons, const LineStyle& lines = {}) {
+  DisplayFile file;
+  Segment& segment = file.create(1);
+  segment.set_style(lines);
+  for (std::size_t k = 0; k < polygons.size(); ++k) {
+    segment.set_pick(static_cast<std::int32_t>(k));
+    enter(segment, polygons[k]);
+  }
+  return file;
+}
+
+/// The item buffer as rows of letters, top row first; '.' is background.
+inline std::string letters_of(const Picture& picture) {
+  std::string text;
+  for (std::size_t k = 0; k < picture.ids.size(); ++k) {
+    text += picture.ids[k] < 0 ? '.' : static_cast<char>('a' + picture.ids[k]);
+    if ((k + 1) % static_cast<std::size_t>(picture.width) == 0) text += '\n';
+  }
+  return text;
+}
+
+/// In how many places two item buffers of a size differ.
+inline std::size_t different(const std::vector<std::int32_t>& a,
+                             const std::vector<std::int32_t>& b) {
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) n += a[k] != b[k] ? 1 : 0;
+  return n;
 }
 
 /// `sides` vertices: concave and self-crossing as they come.

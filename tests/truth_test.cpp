@@ -22,30 +22,11 @@ namespace displayfile {
 namespace {
 
 using test::enter;
+using test::file_of;
+using test::letters_of;
 using test::Vertices;
 
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
-
-/// The item buffer as rows of letters, top row first; '.' is background.
-std::string rows(const Picture& picture) {
-  std::string text;
-  for (std::size_t k = 0; k < picture.ids.size(); ++k) {
-    text += picture.ids[k] < 0 ? '.' : static_cast<char>('a' + picture.ids[k]);
-    if ((k + 1) % static_cast<std::size_t>(picture.width) == 0) text += '\n';
-  }
-  return text;
-}
-
-/// One segment of polygons that are picked 0, 1, 2, ...
-DisplayFile file_of(const std::vector<Vertices>& polygons) {
-  DisplayFile file;
-  Segment& segment = file.create(1);
-  for (std::size_t k = 0; k < polygons.size(); ++k) {
-    segment.set_pick(static_cast<std::int32_t>(k));
-    enter(segment, polygons[k]);
-  }
-  return file;
-}
 
 Vertices rectangle(double x0, double y0, double x1, double y1, double z) {
   return {{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}};
@@ -80,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(All, TruthOfFamily, testing::ValuesIn(test::scene_famil
 
 TEST(Truth, CentresOnLeftAndTopEdgesBelong) {
   // From centre to centre of a 4 x 4 picture.
-  EXPECT_EQ(rows(truth(file_of({rectangle(0.125, 0.125, 0.625, 0.625, 0)}), 4, 4, false)),
+  EXPECT_EQ(letters_of(truth(file_of({rectangle(0.125, 0.125, 0.625, 0.625, 0)}), 4, 4, false)),
             "....\n"
             "aa..\n"
             "aa..\n"
@@ -91,13 +72,13 @@ TEST(Truth, EvenOddForConcaveAndSelfCrossingPolygons) {
   const Vertices with_hole = {{0, 0, 0},       {1, 0, 0},       {1, 1, 0},       {0, 1, 0},
                               {0, 0, 0},       {0.25, 0.25, 0}, {0.75, 0.25, 0}, {0.75, 0.75, 0},
                               {0.25, 0.75, 0}, {0.25, 0.25, 0}};
-  EXPECT_EQ(rows(truth(file_of({with_hole}), 4, 4, false)),
+  EXPECT_EQ(letters_of(truth(file_of({with_hole}), 4, 4, false)),
             "aaaa\n"
             "a..a\n"
             "a..a\n"
             "aaaa\n");
   const Vertices valley = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0.5, 0.25, 0}, {0, 1, 0}};
-  EXPECT_EQ(rows(truth(file_of({valley}), 8, 4, false)),
+  EXPECT_EQ(letters_of(truth(file_of({valley}), 8, 4, false)),
             "a......a\n"
             "aa....aa\n"
             "aaa..aaa\n"
@@ -106,10 +87,10 @@ TEST(Truth, EvenOddForConcaveAndSelfCrossingPolygons) {
 
 TEST(Truth, TheNearestIsSeenAndOfEqualOnesTheLater) {
   const Vertices left = rectangle(0, 0, 0.75, 1, 0.5), right = rectangle(0.25, 0, 1, 1, 0.5);
-  EXPECT_EQ(rows(truth(file_of({left, right}), 4, 1, false)), "abbb\n");
-  EXPECT_EQ(rows(truth(file_of({right, left}), 4, 1, false)), "bbba\n");
+  EXPECT_EQ(letters_of(truth(file_of({left, right}), 4, 1, false)), "abbb\n");
+  EXPECT_EQ(letters_of(truth(file_of({right, left}), 4, 1, false)), "bbba\n");
   const Vertices nearer = rectangle(0, 0, 0.75, 1, std::nextafter(0.5, 1.0));
-  EXPECT_EQ(rows(truth(file_of({nearer, right}), 4, 1, false)), "aaab\n");
+  EXPECT_EQ(letters_of(truth(file_of({nearer, right}), 4, 1, false)), "aaab\n");
 }
 
 TEST(Truth, DepthsThatNoDoubleTellsApartAreToldApart) {
@@ -122,10 +103,10 @@ TEST(Truth, DepthsThatNoDoubleTellsApartAreToldApart) {
   for (const Vertices& other : {above, below}) {
     EXPECT_EQ(truth(file_of({other}), 1, 1, true).depth[0], 0.5);
   }
-  EXPECT_EQ(rows(truth(file_of({level, above}), 1, 1, false)), "b\n");
-  EXPECT_EQ(rows(truth(file_of({above, level}), 1, 1, false)), "a\n");
-  EXPECT_EQ(rows(truth(file_of({level, below}), 1, 1, false)), "a\n");
-  EXPECT_EQ(rows(truth(file_of({below, level}), 1, 1, false)), "b\n");
+  EXPECT_EQ(letters_of(truth(file_of({level, above}), 1, 1, false)), "b\n");
+  EXPECT_EQ(letters_of(truth(file_of({above, level}), 1, 1, false)), "a\n");
+  EXPECT_EQ(letters_of(truth(file_of({level, below}), 1, 1, false)), "a\n");
+  EXPECT_EQ(letters_of(truth(file_of({below, level}), 1, 1, false)), "b\n");
 }
 
 TEST(Truth, SegmentsCountInOrderOfCreationAndOnlyVisibleOnes) {
@@ -153,16 +134,16 @@ TEST(Truth, HollowFillsAndLinesCoverNothing) {
   segment.set_pick(1);
   enter(segment, rectangle(0, 0, 1, 1, 1.0));
   segment.enter_line({0, 0.5, 1}, {1, 0.5, 1});
-  EXPECT_EQ(rows(truth(file, 3, 3, false)), "aaa\naaa\naaa\n");
+  EXPECT_EQ(letters_of(truth(file, 3, 3, false)), "aaa\naaa\naaa\n");
   segment.set_style(FillStyle{});
   enter(segment, rectangle(0, 0, 1, 1, 0.5));
-  EXPECT_EQ(rows(truth(file, 3, 3, false)), "bbb\nbbb\nbbb\n");
+  EXPECT_EQ(letters_of(truth(file, 3, 3, false)), "bbb\nbbb\nbbb\n");
 }
 
 TEST(Truth, TheImageTransformationComesFirst) {
   DisplayFile file = file_of({rectangle(0, 0, 0.5, 0.5, 0)});
   file.segment(1).image.translation = {0.5, 0.25};
-  EXPECT_EQ(rows(truth(file, 4, 4, false)),
+  EXPECT_EQ(letters_of(truth(file, 4, 4, false)),
             "....\n"
             "..aa\n"
             "..aa\n"
@@ -178,20 +159,21 @@ TEST(Truth, TheSupportPlaneIsTheDepthOfAVertexOffIt) {
 }
 
 TEST(Truth, EdgeOnPolygonsCoverNothing) {
-  EXPECT_EQ(
-      rows(truth(file_of({{{0, 0.5, 0}, {1, 0.5, 0}, {1, 0.5, 1}, {0, 0.5, 1}}}), 1, 1, true)),
-      ".\n");
+  EXPECT_EQ(letters_of(
+                truth(file_of({{{0, 0.5, 0}, {1, 0.5, 0}, {1, 0.5, 1}, {0, 0.5, 1}}}), 1, 1, true)),
+            ".\n");
   // The differences round to those of three points in line, so r's value is 0, as the definition
   // computes it; in exact arithmetic this triangle has an area, with the centre on its edge.
-  EXPECT_EQ(rows(truth(file_of({{{0x1p-60, 0, 0}, {1, 1, 0}, {0.25, 0.25, 0}}}), 1, 1, true)),
+  EXPECT_EQ(letters_of(truth(file_of({{{0x1p-60, 0, 0}, {1, 1, 0}, {0.25, 0.25, 0}}}), 1, 1, true)),
             ".\n");
   // p, q and r lie in line (y = 3x), although r's value in doubles is 2^-52, so that there is no
   // plane. The fourth vertex is an ulp beside the line, and the centre (1/8, 3/8) is on it.
   const double p = -0x1.f3f5f786b8a40p-2, q = 0x1.d6c126d0047a0p-3, r = 0x1.812d0ba1fa748p-3;
   const Vertices sliver = {
       {p, 3 * p, 0}, {q, 3 * q, 1}, {r, 3 * r, 0}, {0x1.669e6b68d4351p-4, 0x1.0cf6d08e9f27cp-2, 0}};
-  EXPECT_EQ(rows(truth(file_of({sliver}), 4, 4, true)), "....\n....\n....\n....\n");
-  EXPECT_EQ(rows(test::brute_force_truth(file_of({sliver}), 4, 4)), "....\n....\n....\n....\n");
+  EXPECT_EQ(letters_of(truth(file_of({sliver}), 4, 4, true)), "....\n....\n....\n....\n");
+  EXPECT_EQ(letters_of(test::brute_force_truth(file_of({sliver}), 4, 4)),
+            "....\n....\n....\n....\n");
 }
 
 TEST(Truth, DepthIsRoundedOnceToTheNearestDouble) {

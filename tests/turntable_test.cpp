@@ -11,6 +11,7 @@
 #include "displayfile/retained_views.h"
 #include "interp/draw.h"
 #include "tests/retained_truth.h"
+#include "tests/truth_scenes.h"
 
 namespace displayfile {
 namespace {
@@ -55,9 +56,7 @@ TEST(Turntable, TurnsTheSceneCounterclockwiseSeenFromAbove) {
     options.hidden = HiddenMethod::z_buffer;
     options.with_ids = true;
     const Picture right = draw(turned, options);
-    std::size_t other = 0;
-    for (std::size_t i = 0; i < seen.ids.size(); ++i) other += seen.ids[i] != right.ids[i] ? 1 : 0;
-    EXPECT_LE(other, 2u) << degrees;  // at most on edges
+    EXPECT_LE(different(seen.ids, right.ids), 2u) << degrees;  // at most on edges
     std::size_t colours = 0;
     for (std::size_t i = 0; i < seen.pixels.size(); ++i) {
       for (int shift = 0; shift < 24; shift += 8) {

@@ -14,7 +14,9 @@
 #include "interp/interpreter.h"
 #include "interp/vector/pdf_device.h"
 #include "interp/vector/svg_device.h"
+#include "tests/error_of.h"
 #include "tests/temporary_folder.h"
+#include "tests/unit_square.h"
 #include "tests/vector_scenes.h"
 
 namespace displayfile {
@@ -22,16 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace test;
-
-template <class Call>
-std::string error_of(Call&& call) {
-  try {
-    call();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return {};
-}
 
 std::size_t count(const std::string& text, std::string_view part) {
   std::size_t n = 0;
@@ -49,8 +41,19 @@ class VectorFile : public TemporaryFolder {
 
 std::string body(const std::string& svg) { return svg.substr(svg.find("<rect")); }
 
+/// Where depths decide, dashes are cut here: one that goes on in the next line is one path still.
+TEST_F(VectorFile, ADashGoesOnInTheLineThatContinuesItsOwn) {
+  GraphicsSystem g = unit_square_without_lines();
+  g.open_segment(1);
+  g.set_line_style({LineStyle::Kind::dashed, kBlue, 1.0, 1000.0, 1.0});
+  g.move_abs_2(0.05, 0.5);
+  for (int k = 1; k <= 60; ++k) g.line_abs_2(0.05 + 0.015 * k, 0.5 + 0.1 * (k % 3) / 7.0);
+  g.close_segment();
+  EXPECT_EQ(count(svg(g, 90, 60, true), "<path"), 1u);
+}
+
 TEST_F(VectorFile, SvgOfASmallScene) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(3);
   g.set_fill_style(solid({1.0, 0.5, 0.0}));
   g.set_line_style(line(kBlack, 1.5));
@@ -91,7 +94,7 @@ TEST_F(VectorFile, SvgOfASmallScene) {
 }
 
 TEST_F(VectorFile, NothingAndInvisibleSegmentsMakeAnEmptyPicture) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
   g.polygon_abs_2({{0, 0}, {1, 0}, {1, 1}});
   g.close_segment();
@@ -172,7 +175,7 @@ TEST(SvgDevice, EdgeOnAndNotFinitePolygonsAreLeftOut) {
 }
 
 TEST_F(VectorFile, FarCoordinatesAreCutOffOutsideOfThePicture) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
   g.set_line_style(line(kBlack));
   g.polygon_abs_2({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
@@ -196,7 +199,7 @@ TEST_F(VectorFile, FarCoordinatesAreCutOffOutsideOfThePicture) {
 }
 
 TEST_F(VectorFile, BadSizesAndPathsAreErrorsAndLeaveNothing) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   const DisplayFile& d = g.display_file();
   for (const auto& size : {std::pair{0, 0}, {0, 5}, {5, -1}, {70000, 5}, {5, 1000000}}) {
     const int w = size.first, h = size.second;
@@ -211,13 +214,13 @@ TEST_F(VectorFile, BadSizesAndPathsAreErrorsAndLeaveNothing) {
 
 TEST_F(VectorFile, FullDiskIsAnError) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   EXPECT_NE(error_of([&] { write_svg(g.display_file(), 9, 9, false, "/dev/full"); }), "");
   EXPECT_NE(error_of([&] { write_pdf(g.display_file(), 9, 9, false, "/dev/full"); }), "");
 }
 
 TEST_F(VectorFile, PdfBytesDependOnTheDrawingAlone) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
   g.polygon_abs_2({{0, 0}, {1, 0}, {1, 1}});
   g.close_segment();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "displayfile/graphics_system.h"
+#include "tests/unit_square.h"
 
 // Scenes of the tests of vector output: filled polygons whose colours tell them apart.
 
@@ -19,15 +20,6 @@ inline LineStyle line(const Colour& colour, double width = 1.0) {
   return {LineStyle::Kind::solid, colour, width};
 }
 inline const LineStyle kNoLine{LineStyle::Kind::none};
-
-/// World x and y are device x and y, and z is depth: nearer is larger.
-inline GraphicsSystem unit_square() {
-  GraphicsSystem g;
-  g.set_window(0, 1, 0, 1);
-  g.set_view_depth(-1, 0);
-  g.set_line_style(kNoLine);
-  return g;
-}
 
 /// The colour by which Canvas knows a polygon.
 inline FillStyle numbered(int id) {
@@ -66,7 +58,7 @@ inline void enter_random(GraphicsSystem& g, unsigned seed, int n, double size, s
 
 /// Three bars, each over the next.
 inline GraphicsSystem cyclic_overlap() {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
   const auto bar = [&](int id, double angle) {
     std::vector<Point3> vertices;

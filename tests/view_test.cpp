@@ -5,6 +5,7 @@
 #include <random>
 
 #include "clip/error.h"
+#include "tests/error_of.h"
 
 namespace displayfile {
 namespace {
@@ -154,12 +155,7 @@ TEST(ViewVolume, OppositeDirectionsOfProjectionAreTheSame) {
 }
 
 void expect_error(const View& view, const std::string& words) {
-  try {
-    ViewVolume volume(view);
-    FAIL() << "expected: " << words;
-  } catch (const Error& e) {
-    EXPECT_NE(std::string(e.what()).find(words), std::string::npos) << e.what();
-  }
+  test::expect_error([&] { ViewVolume volume(view); }, words);
 }
 
 TEST(ViewVolume, ParametersThatDoNotFitTogether) {

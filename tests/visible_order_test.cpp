@@ -16,6 +16,8 @@
 #include "interp/scan/scan_convert.h"
 #include "interp/vector/sampled/drawing_order.h"
 #include "interp/vector/vector_device.h"
+#include "tests/truth_scenes.h"
+#include "tests/unit_square.h"
 #include "tests/vector_scenes.h"
 
 namespace displayfile {
@@ -153,9 +155,7 @@ std::size_t wrong_pixels(const GraphicsSystem& g, const Canvas& canvas, int widt
   request.method = HiddenMethod::z_buffer;
   request.ids = true;
   const Picture picture = draw_with_software(g.display_file(), request);
-  std::size_t wrong = 0;
-  for (std::size_t i = 0; i < canvas.ids.size(); ++i) wrong += picture.ids[i] != canvas.ids[i];
-  return wrong;
+  return different(picture.ids, canvas.ids);
 }
 
 TEST(VisibleOrder, EveryPixelCentreShowsWhatTheZBufferShows) {
@@ -169,7 +169,7 @@ TEST(VisibleOrder, EveryPixelCentreShowsWhatTheZBufferShows) {
        {Scene{50, 0.5, 3, 100, 100}, Scene{300, 0.3, 3, 200, 130}, Scene{2000, 0.02, 3, 150, 150},
         Scene{60, 0.5, 7, 100, 100}, Scene{500, 0.6, 4, 64, 64}, Scene{3, 0.9, 3, 1, 1}}) {
     for (unsigned seed = 1; seed <= 5; ++seed) {
-      GraphicsSystem g = unit_square();
+      GraphicsSystem g = unit_square_without_lines();
       enter_random(g, seed, s.polygons, s.size, s.sides);
       const Canvas canvas = drawn(g, s.width, s.height);
       EXPECT_EQ(wrong_pixels(g, canvas, s.width, s.height), 0u)
@@ -179,7 +179,7 @@ TEST(VisibleOrder, EveryPixelCentreShowsWhatTheZBufferShows) {
 }
 
 TEST(VisibleOrder, OfEquallyNearPolygonsTheLaterIsSeen) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
   for (const int id : {1, 2, 3}) enter(g, id, {{0, 0, .5}, {1, 0, .5}, {1, 1, .5}, {0, 1, .5}});
   enter(g, 4, {{0, 0, .5}, {.5, 0, .5}, {.5, 1, .5}, {0, 1, .5}});
@@ -192,7 +192,7 @@ TEST(VisibleOrder, OfEquallyNearPolygonsTheLaterIsSeen) {
 }
 
 TEST(VisibleOrder, APolygonOnAnothersPlaneIsDrawnOverItWhole) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
   const auto on_plane = [](double x, double y) { return Point3(x, y, .125 + x / 2 + y / 4); };
   enter(g, 1, {on_plane(0, 0), on_plane(1, 0), on_plane(1, 1), on_plane(0, 1)});
@@ -212,7 +212,7 @@ TEST(VisibleOrder, CyclicOverlapMendsOne) {
 }
 
 TEST(VisibleOrder, OfACubeThreeFacesAreDrawnAndNineEdges) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.set_line_style(line(kBlack));
   enter_cube(g);
   const Canvas canvas = drawn(g, 200, 200);
@@ -247,7 +247,7 @@ TEST(VisibleOrder, OfACubeThreeFacesAreDrawnAndNineEdges) {
 TEST(VisibleOrder, PicturesLargerThanABandAreTheSame) {
   // Wider than high: the z-buffer is found in several bands, and polygons, cycles and lines cross
   // their borders.
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   enter_random(g, 3, 15, 0.5, 3);
   g.open_segment(9);
   g.set_line_style(line(kBlack));
@@ -268,7 +268,7 @@ TEST(VisibleOrder, PicturesLargerThanABandAreTheSame) {
 // ---- Lines and the z-buffer ------------------------------------------------------------
 
 TEST(VisibleOrder, ALineIsCutWhereAFillHidesIt) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
   enter(g, 1, {{.3, .2, .6}, {.7, .2, .6}, {.7, .8, .6}, {.3, .8, .6}});
   g.set_line_style(line(kBlack));
@@ -294,7 +294,7 @@ TEST(VisibleOrder, ALineIsCutWhereAFillHidesIt) {
 }
 
 TEST(VisibleOrder, DashesLieWhereTheyWouldIfAllWereSeen) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
   enter(g, 1, {{.33, .2, .6}, {.72, .2, .6}, {.72, .8, .6}, {.33, .8, .6}});
   g.set_line_style({LineStyle::Kind::dashed, kBlack, 1.0, 10.0, 5.0});
@@ -309,7 +309,7 @@ TEST(VisibleOrder, DashesLieWhereTheyWouldIfAllWereSeen) {
 }
 
 TEST(VisibleOrder, AMeshFinerThanThePixelsHidesLines) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
   constexpr int kSide = 150;  // on 40 pixels: triangles of a quarter of a pixel
   const auto point = [](int i, int j) {
@@ -330,7 +330,7 @@ TEST(VisibleOrder, AMeshFinerThanThePixelsHidesLines) {
 }
 
 TEST(VisibleOrder, EdgesOfAFineMeshAreNotHiddenByItself) {
-  GraphicsSystem g = unit_square();
+  GraphicsSystem g = unit_square_without_lines();
   g.set_line_style(line(kBlack, 0.1));
   g.open_segment(1);
   constexpr int kSide = 40;

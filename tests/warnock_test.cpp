@@ -26,14 +26,7 @@ using enum AreaCategory;
 using test::Vertices;
 
 DisplayFile file_of(const std::vector<Vertices>& polygons) {
-  DisplayFile file;
-  Segment& segment = file.create(1);
-  segment.set_style(LineStyle{LineStyle::Kind::none});
-  for (std::size_t k = 0; k < polygons.size(); ++k) {
-    segment.set_pick(static_cast<int>(k));
-    test::enter(segment, polygons[k]);
-  }
-  return file;
+  return test::file_of(polygons, {LineStyle::Kind::none});
 }
 ViewedScene scene_of(const std::vector<Vertices>& polygons) {
   return ViewedScene(file_of(polygons));

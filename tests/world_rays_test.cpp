@@ -5,8 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <iostream>
 #include <string>
@@ -16,40 +14,23 @@
 #include "interp/truth/truth.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/hard_cases.h"
+#include "tests/from_environment.h"
 #include "tests/random_views.h"
+#include "tests/retained_truth.h"
 #include "tests/world_truth.h"
 
 namespace displayfile {
 namespace {
 
+using test::from_environment;
+using test::has_image_transformations;
 using test::Source;
 
-int from_environment(const char* name, int usual) {
-  const char* const set = std::getenv(name);
-  return set == nullptr ? usual : std::atoi(set);
-}
-
 /// A scene as the application drew it and as it was retained.
-struct Retained {
-  RetainedScene scene;
-  GraphicsSystem system;
-  explicit Retained(const Scene& drawn) {
-    system.retain(&scene);
-    enter(drawn, system);
-  }
-  Retained(const Retained&) = delete;
-  Retained& operator=(const Retained&) = delete;
+struct Retained : test::Retained {
+  explicit Retained(const Scene& drawn) { enter(drawn, system); }
   WorldRays rays() const { return {scene, system.display_file()}; }
 };
-
-test::Ball3 ball_around(const Scene& scene) {
-  Point3 low = scene.points.at(0), high = low;
-  for (const Point3& p : scene.points) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  return {0.5 * (low + high), 0.51 * glm::length(high - low)};
-}
 
 /// The exact truth of the display file that the scene makes in the view.
 std::vector<std::int32_t> truth_in(Scene scene, const View& view, int size) {
@@ -69,7 +50,7 @@ TEST(WorldRays, NoWrongPixelFromAnyEye) {
     const Scene scene = generated.make(generated.name == "planes" ? 16 : 200, 1);
     const Retained retained(scene);
     const WorldRays rays = retained.rays();
-    const test::Ball3 ball = ball_around(scene);
+    const test::Ball3 ball = test::ball_around(scene.points);
     Source s(1);
     std::ptrdiff_t hits = 0;
     for (int i = 0; i < eyes; ++i) {
@@ -89,7 +70,7 @@ TEST(WorldRays, NoWrongPixelInViewsThatClip) {
   const Scene city = generated_scene("city").make(300, 2);
   const Retained retained(city);
   const WorldRays rays = retained.rays();
-  const test::Ball3 ball = ball_around(city);
+  const test::Ball3 ball = test::ball_around(city.points);
   Source s(3);
   for (int i = 0; i < 16; ++i) {
     View view = test::any_view(s, ball);
@@ -115,11 +96,6 @@ TEST(WorldRays, NoWrongPixelInViewsThatClip) {
   }
 }
 
-bool has_image_transformations(const DisplayFile& file) {
-  return std::ranges::any_of(file.segments(),
-                             [](const Segment& segment) { return !segment.image.is_identity(); });
-}
-
 /// Views in which much is edge-on or ties: from a vertex, or along an axis.
 View special_view(Source& s, const Scene& scene, const test::Ball3& ball) {
   Point3 axis(0.0);
@@ -128,12 +104,7 @@ View special_view(Source& s, const Scene& scene, const test::Ball3& ball) {
     const auto any = static_cast<std::size_t>(s.below(static_cast<int>(scene.points.size())));
     return test::perspective_view(scene.points[any], axis, 1.0, ball);
   }
-  View view = test::looking(axis);
-  view.set_reference_point(ball.middle);
-  view.set_parallel(axis);
-  view.set_depth(-2.0 * ball.radius, 2.0 * ball.radius);
-  view.set_window({-ball.radius, ball.radius, -ball.radius, ball.radius});
-  return view;
+  return test::parallel_view(axis, axis, ball);
 }
 
 /// On scenes made to break methods what is seen may differ from the truth of the display file only
@@ -151,7 +122,7 @@ TEST(WorldRays, DifferOnlyWhereTheTransformationsRoundingDecides) {
       if (has_image_transformations(retained.system.display_file())) continue;  // after viewing
       const WorldRays rays = retained.rays();
       const test::WorldTruth world(retained.scene);
-      const test::Ball3 ball = ball_around(scene);
+      const test::Ball3 ball = test::ball_around(scene.points);
       Source s(1);
       for (int i = 0; i < eyes; ++i) {
         const View view = i % 2 == 0 ? special_view(s, scene, ball) : test::any_view(s, ball);
@@ -187,7 +158,7 @@ TEST(WorldRays, SeesWhatTheWorldGivesUnrounded) {
     if (has_image_transformations(retained.system.display_file())) continue;
     const test::WorldTruth world(retained.scene);
     Source s(4);
-    const View view = special_view(s, scene, ball_around(scene));
+    const View view = special_view(s, scene, test::ball_around(scene.points));
     const auto seen = retained.rays().picks(view, {kSize, kSize});
     for (std::size_t k = 0; k < seen.size(); ++k) {
       ASSERT_EQ(seen[k], world.seen_at(view, centre_of_index(k, kSize)))

@@ -24,6 +24,7 @@
 namespace displayfile {
 namespace {
 
+using test::has_image_transformations;
 using test::Retained;
 
 constexpr int kWidth = 80, kHeight = 64;
@@ -72,11 +73,6 @@ std::size_t expect_right_unrounded(const Picture& picture, const Retained& retai
   }
   if (other == 0) expect_right_painting(picture, retained.system.display_file());
   return other;
-}
-
-bool has_image_transformations(const DisplayFile& file) {
-  return std::ranges::any_of(file.visible_segments(),
-                             [](const Segment* segment) { return !segment->image.is_identity(); });
 }
 
 /// Lines, light, shadows, smooth shading, clipping, several views in one picture. The terrain has

@@ -1,10 +1,9 @@
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <glm/geometric.hpp>
 #include <vector>
 
+#include "clip/angle.h"
 #include "clip/back_face.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/mesh/welded_faces.h"
@@ -15,8 +14,7 @@ namespace {
 
 /// The angle between the sides that meet in the corner; 0 if one has no length.
 double angle_at(const Point3& corner, const Point3& before, const Point3& after) {
-  const Point3 a = before - corner, b = after - corner;
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+  return angle_between(before - corner, after - corner);
 }
 
 /// For each vertex, the sum of the normals of the faces around it, times their angles there.

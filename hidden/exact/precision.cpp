@@ -1,6 +1,5 @@
 #include "hidden/exact/precision.h"
 
-#include <algorithm>
 #include <charconv>
 #include <string>
 
@@ -23,17 +22,6 @@ Precision precision(std::string_view text) {
   }
   throw Error("the precision is exact, roundoff or roundoff=EPS with 0 <= EPS < 1, not '" +
               std::string(text) + "'");
-}
-
-Roundoff Roundoff::relative(const Definitions& all, double part) {
-  if (all.points.empty()) return {all, 0.0};
-  Point3 low = all.points.front(), high = low;
-  for (const Point3& p : all.points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  const Point3 size = high - low;
-  return {all, part * std::max({size.x, size.y, size.z})};
 }
 
 }  // namespace displayfile

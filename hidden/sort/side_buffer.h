@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "hidden/exact/precision.h"
+#include "hidden/exact/precision_policies.h"
 
 namespace displayfile {
 

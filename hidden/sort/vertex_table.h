@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "hidden/exact/precision.h"
+#include "hidden/exact/precision_policies.h"
 
 namespace displayfile {
 

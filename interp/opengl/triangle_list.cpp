@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <utility>
 
@@ -90,7 +91,7 @@ struct Stroke {
       b.y = within_a_pixel(b.y);
     }
     run = b.x - a.x;
-    length = std::hypot(run, b.y - a.y);
+    length = glm::length(Point2(run, b.y - a.y));
     upright = line_width <= 1.0 ? 1.0 : line_width * (run == 0.0 ? 1.0 : length / std::abs(run));
   }
 

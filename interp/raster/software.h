@@ -20,8 +20,8 @@ namespace displayfile {
 /// method the nearest fill is seen, of equally near ones the one entered later, and a line where
 /// no fill is nearer; without one, whatever is drawn last. On fills that show them shadows are
 /// drawn (interp/raster/shadows.md), whatever the method; texts lie over all (interp/text/).
-/// Coverage and, unless roundoff is asked
-/// for, nearness are decided exactly. The picture is the same for any number of threads.
+/// Coverage and, unless roundoff is asked for, nearness are decided exactly. The picture is the
+/// same for any number of threads.
 ///
 /// What was made ready for a picture is used again while the display file's fills, the size and
 /// the method are the same.

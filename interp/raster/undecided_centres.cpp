@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "clip/rectangle.h"
 #include "hidden/exact/rounding.h"
 #include "hidden/exact/support_plane.h"
-#include "interp/scan/flat_extent.h"
 
 namespace displayfile {
 
@@ -33,22 +33,19 @@ Pixels centres_in(const Interval& interval, int begin, int end) {
   return {within(std::ceil(interval.low - 0.5)), within(std::floor(interval.high - 0.5) + 1.0)};
 }
 
-struct RealBox {
-  Interval x, y;
-};
 /// The polygon's bounding box with a margin, in pixel units.
-RealBox bounding_box(std::span<const Point3> polygon, const PictureSize& size,
-                     const Point2& margin) {
-  const FlatExtent e = flat_extent(polygon);
-  return {{e.left * size.width - margin.x, e.right * size.width + margin.x},
-          {e.bottom * size.height - margin.y, e.top * size.height + margin.y}};
+Rectangle bounding_box(std::span<const Point3> polygon, const PictureSize& size,
+                       const Point2& margin) {
+  const Rectangle e = bounding_rectangle(polygon);
+  return {e.x_min * size.width - margin.x, e.x_max * size.width + margin.x,
+          e.y_min * size.height - margin.y, e.y_max * size.height + margin.y};
 }
 
 void note_bounding_box(std::span<const Point3> polygon, const Point2& error,
                        const PictureSize& size, PixelSet& noted) {
-  const RealBox box = bounding_box(polygon, size, error);
-  const Pixels rows = centres_in(box.y, noted.row_begin(), noted.row_end());
-  const Pixels columns = centres_in(box.x, 0, size.width);
+  const Rectangle box = bounding_box(polygon, size, error);
+  const Pixels rows = centres_in({box.y_min, box.y_max}, noted.row_begin(), noted.row_end());
+  const Pixels columns = centres_in({box.x_min, box.x_max}, 0, size.width);
   for (int row = rows.first; row < rows.end; ++row) noted.add(row, columns.first, columns.end);
 }
 
@@ -117,9 +114,9 @@ void NearestAtCentres::begin_layer(Layer layer) {
 
 /// Most polygons are far from all centres: a look at the bits of their bounding box tells.
 ScanConverter::Region NearestAtCentres::rows_with_centres(std::span<const Point3> polygon) const {
-  const RealBox box = bounding_box(polygon, size_, {1.0, 1.0});
-  Pixels rows = centres_in(box.y, centres_.row_begin(), centres_.row_end());
-  const Pixels columns = centres_in(box.x, 0, size_.width);
+  const Rectangle box = bounding_box(polygon, size_, {1.0, 1.0});
+  Pixels rows = centres_in({box.y_min, box.y_max}, centres_.row_begin(), centres_.row_end());
+  const Pixels columns = centres_in({box.x_min, box.x_max}, 0, size_.width);
   const auto any = [&](int row) { return centres_.any(row, columns.first, columns.end); };
   while (rows.first < rows.end && !any(rows.first)) ++rows.first;
   while (rows.first < rows.end && !any(rows.end - 1)) --rows.end;

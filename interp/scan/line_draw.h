@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "clip/point.h"
 #include "displayfile/style.h"
@@ -51,7 +52,7 @@ void draw_line(Point3 a, Point3 b, const LineStyle& style, const ScanConverter::
     std::swap(b.x, b.y);
     std::swap(width, height);
   }
-  const double length = std::hypot(b.x - a.x, b.y - a.y);
+  const double length = glm::length(Point2(b - a));
   const double start = phase.length;
   phase.length += length;
   if (!(std::isfinite(length))) return;

@@ -47,9 +47,9 @@ CairoText::CairoText(cairo_t* context, const ViewedText& text, const Point2& anc
   start_ = {anchor.x - part_before_anchor(text.style.alignment) * extents_.x_advance, anchor.y};
 }
 
-CairoText::Box CairoText::ink() const {
+Rectangle CairoText::ink() const {
   const double left = start_.x + extents_.x_bearing, top = start_.y + extents_.y_bearing;
-  return {left, top, left + extents_.width, top + extents_.height};
+  return {left, left + extents_.width, top, top + extents_.height};
 }
 
 void CairoText::show() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "clip/point.h"
+#include "clip/rectangle.h"
 #include "displayfile/viewed_scene.h"
 #include "interp/cairo.h"
 
@@ -10,15 +11,11 @@ namespace displayfile {
 /// size and place. Coordinates are the context's, y down.
 class CairoText {
  public:
-  struct Box {
-    double left, top, right, bottom;
-  };
-
   /// Sets the context's font. `size` is of the letters. Throws Error if Cairo fails.
   CairoText(cairo_t* context, const ViewedText& text, const Point2& anchor, double size);
 
-  Box ink() const;    ///< what the letters cover
-  void show() const;  ///< in the context's source colour; throws Error if Cairo fails
+  Rectangle ink() const;  ///< what the letters cover
+  void show() const;      ///< in the context's source colour; throws Error if Cairo fails
 
  private:
   cairo_t* context_;

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "clip/rectangle.h"
 #include "hidden/exact/orientation.h"
 #include "hidden/exact/plane.h"
 
@@ -107,13 +108,11 @@ std::vector<std::uint8_t> points_seen(const ViewedScene& scene, std::span<const 
   std::vector<Surroundings> around(points.size());
   for (Fill fill = 1; fill < scene.end(); ++fill) {
     const auto polygon = scene.vertices(fill);
-    const auto [low, high] = std::ranges::minmax(polygon, {}, &Point3::y);
-    auto i = std::ranges::lower_bound(by_y, low.y, {}, y_of);
-    if (i == by_y.end() || y_of(*i) > high.y) continue;
-    const auto [left, right] = std::ranges::minmax(polygon, {}, &Point3::x);
-    for (; i != by_y.end() && y_of(*i) <= high.y; ++i) {
+    const Rectangle box = bounding_rectangle(polygon);
+    auto i = std::ranges::lower_bound(by_y, box.y_min, {}, y_of);
+    for (; i != by_y.end() && y_of(*i) <= box.y_max; ++i) {
       const Point3& point = points[*i];
-      if (around[*i].hidden || point.x < left.x || point.x > right.x) continue;
+      if (around[*i].hidden || point.x < box.x_min || point.x > box.x_max) continue;
       if (std::ranges::find(polygon, point) != polygon.end()) continue;
       if (is_nearer(scene.plane(fill), point)) add_polygon(polygon, Point2(point), around[*i]);
     }

@@ -72,15 +72,15 @@ class TextPainter {
       : size_(size), held_{0, top, size.width, bottom}, picture_(picture) {}
 
   void paint(const ViewedText& text) const {
-    const CairoText::Box ink = on_page(text, measure_.context()).ink();
+    const Rectangle ink = on_page(text, measure_.context()).ink();
     const auto bounded = [](double v, int low, int high) {
       return static_cast<int>(std::clamp(v, static_cast<double>(low), static_cast<double>(high)));
     };
-    if (!(ink.left < ink.right && ink.top < ink.bottom)) return;  // blanks, or far off
-    const int left = bounded(std::floor(ink.left - kMargin), held_.left, held_.right);
-    const int right = bounded(std::ceil(ink.right + kMargin), held_.left, held_.right);
-    const int top = bounded(std::floor(ink.top - kMargin), held_.top, held_.bottom);
-    const int bottom = bounded(std::ceil(ink.bottom + kMargin), held_.top, held_.bottom);
+    if (!(ink.x_min < ink.x_max && ink.y_min < ink.y_max)) return;  // blanks, or far off
+    const int left = bounded(std::floor(ink.x_min - kMargin), held_.left, held_.right);
+    const int right = bounded(std::ceil(ink.x_max + kMargin), held_.left, held_.right);
+    const int top = bounded(std::floor(ink.y_min - kMargin), held_.top, held_.bottom);
+    const int bottom = bounded(std::ceil(ink.y_max + kMargin), held_.top, held_.bottom);
     for (int y = top; y < bottom; y += kLargestTile) {
       for (int x = left; x < right; x += kLargestTile) {
         paint(text, {x, y, std::min(x + kLargestTile, right), std::min(y + kLargestTile, bottom)});

@@ -88,31 +88,19 @@ void VectorDevice::paint_inside(const DrawnPolygon& polygon, std::span<const Pix
   paint_fill(path_, even_fill(polygon).colour, !edges_cover_seams(polygon), within);
 }
 
-/// Liang and Barsky, "A new concept and method for line clipping", ACM TOG 3 (1984).
 bool VectorDevice::clip_to_neighbourhood(Point2& a, Point2& b, double reach) const {
   if (!finite(a) || !finite(b)) return false;
   if (near_the_page(a, reach) && near_the_page(b, reach)) return true;
-  double enter = 0.0, leave = 1.0;
-  const Point2 d = b - a;
-  const double size[2] = {static_cast<double>(width_), static_cast<double>(height_)};
-  for (int axis = 0; axis < 2; ++axis) {
-    for (const double sign : {1.0, -1.0}) {
-      const double bound = sign > 0.0 ? -reach : size[axis] + reach;
-      const double inside = sign * (a[axis] - bound), change = sign * d[axis];
-      if (change == 0.0 && inside < 0.0) return false;
-      if (change > 0.0) enter = std::max(enter, -inside / change);
-      if (change < 0.0) leave = std::min(leave, -inside / change);
-    }
-  }
-  if (!(enter <= leave)) return false;
-  const auto at = [&,
-                   start = a](double t) {  // clamped: far out, rounding is larger than the picture
-    const Point2 p = start + t * d;
-    return Point2(std::clamp(p.x, -reach, size[0] + reach),
-                  std::clamp(p.y, -reach, size[1] + reach));
+  const Rectangle around{-reach, width_ + reach, -reach, height_ + reach};
+  const auto part = part_in_rectangle(a, b, around);
+  if (!part) return false;
+  const auto at = [&, start = a, along = b - a](double t) {
+    const Point2 p = start + t * along;  // clamped: far out, rounding is larger than the picture
+    return Point2(std::clamp(p.x, around.x_min, around.x_max),
+                  std::clamp(p.y, around.y_min, around.y_max));
   };
-  if (enter > 0.0) a = at(enter);
-  if (leave < 1.0) b = at(leave);
+  if (part->from > 0.0) a = at(part->from);
+  if (part->to < 1.0) b = at(part->to);
   return true;
 }
 

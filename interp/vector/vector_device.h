@@ -19,7 +19,9 @@ namespace displayfile {
 /// background is left where one face covers t of a pixel, a quarter at worst. A line of width w
 /// along the edge covers s of the pixel too, and t(1 - t)(1 - s)^2 is left: 1/16 at worst for
 /// w = 0.5, 1/35 for 0.75, 1/64 for 1. But every outline grows by w / 2. 0.75 is where the
-/// seams can no longer be seen and outlines grow by little more than a third of a pixel.
+/// seams can no longer be seen and outlines grow by little more than a third of a pixel. Like the
+/// widths of lines it is in pixels of the picture's size: who shows a small picture enlarged sees
+/// both enlarged, and should draw it in the size in which it is shown.
 inline constexpr double kSeamWidth = 0.75;
 
 /// What the devices that draw lines and areas share: pixel coordinates with y down, from the

@@ -42,10 +42,12 @@ class PolygonList {
 };
 
 /// The active edge list of one scan line after another, kept polygon by polygon: the runs of whole
-/// pixels in which each polygon is IN (interp/visibility/scan_line.md). For one thread. ScanLineZ
-/// keeps a list of its own (interp/visibility/scan_line_z.cpp), since it needs the polygons of a
-/// row in the order of entry and memory that does not grow with the picture's height: here they
-/// stand in no order, and the polygon list and those that rest take an entry for each row.
+/// pixels in which each polygon is IN (interp/visibility/scan_line.md). For one thread. It is made
+/// of the same edges (ScanEdge) as that of ScanConverter, which has one polygon at a time and does
+/// not tell polygons apart. ScanLineZ keeps a list of its own (interp/visibility/scan_line_z.cpp),
+/// since it needs the polygons of a row in the order of entry and memory that does not grow with
+/// the picture's height: here they stand in no order, and the polygon list and those that rest take
+/// an entry for each row.
 class ActivePolygons {
  public:
   using Fill = ViewedScene::Fill;

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "interp/scan/flat_extent.h"
+#include "clip/rectangle.h"
 #include "interp/scan/sort_stably.h"
 
 namespace displayfile {
@@ -16,18 +16,18 @@ using Fill = ViewedScene::Fill;
 /// The minimax test of every pair, by a sweep from left to right. Boxes that only touch are apart:
 /// of two polygons on either side of a line exactly one covers a centre on it.
 bool boxes_are_apart(const ViewedScene& scene) {
-  std::vector<FlatExtent> boxes;
+  std::vector<Rectangle> boxes;
   for (Fill fill = 1; fill < scene.end(); ++fill)
-    boxes.push_back(flat_extent(scene.vertices(fill)));
-  sort_stably(boxes, &FlatExtent::left);
+    boxes.push_back(bounding_rectangle(scene.vertices(fill)));
+  sort_stably(boxes, &Rectangle::x_min);
   std::size_t tests_left = 8 * boxes.size();
-  std::vector<FlatExtent> open;  // those that the sweep line crosses
-  for (const FlatExtent& box : boxes) {
-    std::erase_if(open, [&](const FlatExtent& other) { return other.right <= box.left; });
+  std::vector<Rectangle> open;  // those that the sweep line crosses
+  for (const Rectangle& box : boxes) {
+    std::erase_if(open, [&](const Rectangle& other) { return other.x_max <= box.x_min; });
     if (open.size() > tests_left) return false;
     tests_left -= open.size();
-    for (const FlatExtent& other : open) {
-      if (other.bottom < box.top && box.bottom < other.top) return false;
+    for (const Rectangle& other : open) {
+      if (other.y_min < box.y_max && box.y_min < other.y_max) return false;
     }
     open.push_back(box);
   }

@@ -1,9 +1,8 @@
 #include "interp/visibility/fill_depths.h"
+#include "clip/rectangle.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include "interp/scan/flat_extent.h"
 
 namespace displayfile {
 
@@ -21,9 +20,9 @@ double reach(double low, double high, double origin, int pixels) {
 
 DepthBound depth_bound(std::span<const Point3> vertices, const Plane& plane,
                        const PixelDepth& depth, const PictureSize& size) {
-  const FlatExtent e = flat_extent(vertices);
-  const double dx = reach(e.left, e.right, depth.x0, size.width);
-  const double dy = reach(e.bottom, e.top, depth.y0, size.height);
+  const Rectangle e = bounding_rectangle(vertices);
+  const double dx = reach(e.x_min, e.x_max, depth.x0, size.width);
+  const double dy = reach(e.y_min, e.y_max, depth.y0, size.height);
   return {depth.error(plane, size.width, size.height, dx, dy),
           std::abs(depth.z0) + std::abs(depth.dz_dx) * dx + std::abs(depth.dz_dy) * dy};
 }

@@ -27,34 +27,47 @@ std::unique_ptr<ImageSpaceMethod> plain() {
   return make_plain_z_buffer(kFormat);
 }
 
-constexpr std::array kMethods{
+/// These decide exactly, unless a ROUNDOFF is asked for.
+constexpr std::array kExactMethods{
     ImageSpaceEntry{HiddenMethod::z_buffer, make<ZBuffer>},
     ImageSpaceEntry{HiddenMethod::warnock, make<Warnock>},
     ImageSpaceEntry{HiddenMethod::scan_line_z, make<ScanLineZ>},
     ImageSpaceEntry{HiddenMethod::scan_line, make<ScanLine>},
     ImageSpaceEntry{HiddenMethod::ray_cast, make<RayCast>},
+};
+constexpr std::array kPlainZBuffers{
     ImageSpaceEntry{HiddenMethod::plain_z_buffer, plain<DepthFormat::float_32>},
     ImageSpaceEntry{HiddenMethod::plain_z_buffer_16, plain<DepthFormat::integer_16>},
     ImageSpaceEntry{HiddenMethod::plain_z_buffer_24, plain<DepthFormat::integer_24>},
     ImageSpaceEntry{HiddenMethod::plain_z_buffer_32, plain<DepthFormat::integer_32>},
     ImageSpaceEntry{HiddenMethod::plain_z_buffer_double, plain<DepthFormat::float_64>},
 };
-constexpr std::size_t kExact = 5;  // the first, which decide exactly unless a ROUNDOFF is asked for
+
+/// Null if the method is in neither table.
+const ImageSpaceEntry* entry_of(HiddenMethod method) {
+  for (const std::span<const ImageSpaceEntry> table :
+       {std::span<const ImageSpaceEntry>(kExactMethods),
+        std::span<const ImageSpaceEntry>(kPlainZBuffers)}) {
+    const auto entry = std::ranges::find(table, method, &ImageSpaceEntry::method);
+    if (entry != table.end()) return &*entry;
+  }
+  return nullptr;
+}
 
 }  // namespace
 
-std::span<const ImageSpaceEntry> image_space_methods() { return std::span(kMethods).first(kExact); }
+std::span<const ImageSpaceEntry> image_space_methods() { return kExactMethods; }
 
 bool is_image_space(HiddenMethod method) {
   return method == HiddenMethod::automatic || method == HiddenMethod::world_ray_cast ||
-         std::ranges::find(kMethods, method, &ImageSpaceEntry::method) != kMethods.end();
+         entry_of(method) != nullptr;
 }
 
 std::unique_ptr<ImageSpaceMethod> make_image_space_method(HiddenMethod method,
                                                           const ViewedWorld* world) {
   if (method == HiddenMethod::world_ray_cast) return std::make_unique<WorldRayCast>(world);
-  const auto entry = std::ranges::find(kMethods, method, &ImageSpaceEntry::method);
-  if (entry == kMethods.end()) {
+  const ImageSpaceEntry* const entry = entry_of(method);
+  if (entry == nullptr) {
     throw Error("hidden-surface method '" + std::string(name_of(method)) +
                 "' does not work in image space");
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "clip/rectangle.h"
 #include "hidden/exact/defined_point.h"
 #include "hidden/exact/support_plane.h"
 
@@ -34,14 +35,9 @@ struct LinePicker::Line {
   double depth(double t) const { return ends[0].near.z + t * (ends[1].near.z - ends[0].near.z); }
 };
 
-/// A part of a line, from 0 at its one end to 1 at its other.
-struct LinePicker::Stretch {
-  double from, to;
-};
-
 /// A fill that is nearer than the line somewhere.
 struct LinePicker::Hider {
-  Stretch nearer;  ///< where its plane is
+  LinePart nearer;  ///< where its plane is
   /// Where a point that moves along the line, close to it on its left or on its right, comes into
   /// the fill or out of it.
   std::array<std::vector<double>, 2> crossings;
@@ -99,13 +95,9 @@ void LinePicker::enter_fills(int threads) {
   fills_.build(
       scene_.end() - 1,
       [&](PixelTree::Item i) {
-        const auto points = scene_.vertices(i + 1);
-        Point2 low(points[0]), high = low;
-        for (const Point3& p : points) {
-          low = glm::min(low, Point2(p));
-          high = glm::max(high, Point2(p));
-        }
-        return DeepPixelBox{box_of(low, high, 0.0), 0.0F};
+        const Rectangle around = bounding_rectangle(scene_.vertices(i + 1));
+        return DeepPixelBox{box_of({around.x_min, around.y_min}, {around.x_max, around.y_max}, 0.0),
+                            0.0F};
       },
       threads);
 }
@@ -129,29 +121,19 @@ LinePicker::Line LinePicker::line_of(const Entry& entry) const {
 }
 
 /// Where the line is in the picture and no farther from the point than that.
-std::optional<LinePicker::Stretch> LinePicker::stretch_within(const Line& line, const Point2& at,
-                                                              double reach) const {
-  const Point2 from = pixel(line.stored[0]), along = pixel(line.stored[1]) - from;
-  const double length = std::hypot(along.x, along.y);
+std::optional<LinePart> LinePicker::stretch_within(const Line& line, const Point2& at,
+                                                   double reach) const {
+  const Point2 from = pixel(line.stored[0]), to = pixel(line.stored[1]), along = to - from;
+  const double length = glm::length(along);
   if (!(length > 0.0) || !std::isfinite(length)) return std::nullopt;
   const Point2 direction = along / length, to_point = at - from;
   const double nearest = glm::dot(to_point, direction);
   const double aside = std::abs(direction.x * to_point.y - direction.y * to_point.x);
   if (aside > reach) return std::nullopt;
   const double half = std::sqrt(reach * reach - aside * aside);
-  Stretch part{std::max(0.0, (nearest - half) / length), std::min(1.0, (nearest + half) / length)};
-  const Point2 size(size_.width, size_.height);
-  for (int axis = 0; axis < 2; ++axis) {  // Liang and Barsky
-    for (const double sign : {1.0, -1.0}) {
-      const double inside = sign > 0.0 ? from[axis] : size[axis] - from[axis];
-      const double change = sign * along[axis];
-      if (change == 0.0 && inside < 0.0) return std::nullopt;
-      if (change > 0.0) part.from = std::max(part.from, -inside / change);
-      if (change < 0.0) part.to = std::min(part.to, -inside / change);
-    }
-  }
-  if (!(part.from <= part.to)) return std::nullopt;
-  return part;
+  return part_in_rectangle(
+      from, to, {0.0, static_cast<double>(size_.width), 0.0, static_cast<double>(size_.height)},
+      {std::max(0.0, (nearest - half) / length), std::min(1.0, (nearest + half) / length)});
 }
 
 /// Nothing if the fill hides no part of the line.
@@ -205,7 +187,7 @@ std::optional<LinePicker::Hider> LinePicker::hider(const Line& line, Fill fill) 
 }
 
 std::vector<LinePicker::Hider> LinePicker::hiders_of(const Line& line,
-                                                     const Stretch& stretch) const {
+                                                     const LinePart& stretch) const {
   const Point2 along = line.to() - line.from();
   const Point2 a = line.from() + stretch.from * along, b = line.from() + stretch.to * along;
   const PixelBox reached = box_of(glm::min(a, b), glm::max(a, b), 0.0);
@@ -221,8 +203,7 @@ std::vector<LinePicker::Hider> LinePicker::hiders_of(const Line& line,
 }
 
 /// The parts of the stretch that no fills hide: on one side of them at least.
-std::vector<LinePicker::Stretch> LinePicker::seen_parts(const Line& line,
-                                                        const Stretch& stretch) const {
+std::vector<LinePart> LinePicker::seen_parts(const Line& line, const LinePart& stretch) const {
   const std::vector<Hider> hiders = hiders_of(line, stretch);
   std::vector<double> changes{stretch.from, stretch.to};
   const auto add = [&](double t) {
@@ -245,7 +226,7 @@ std::vector<LinePicker::Stretch> LinePicker::seen_parts(const Line& line,
     }
     return on_side[0] && on_side[1];
   };
-  std::vector<Stretch> parts;
+  std::vector<LinePart> parts;
   for (std::size_t i = 0; i + 1 < changes.size(); ++i) {
     const double from = changes[i], to = changes[i + 1];
     const bool point = from == to;
@@ -258,7 +239,7 @@ std::vector<LinePicker::Stretch> LinePicker::seen_parts(const Line& line,
   }
   const double crumb = kCrumb / std::max(glm::distance(line.from(), line.to()), kCrumb);
   if (stretch.to - stretch.from > crumb) {
-    std::erase_if(parts, [&](const Stretch& part) { return part.to - part.from < crumb; });
+    std::erase_if(parts, [&](const LinePart& part) { return part.to - part.from < crumb; });
   }
   return parts;
 }
@@ -282,7 +263,7 @@ std::optional<LinePicker::Found> LinePicker::nearest(const Point2& at, double re
     if (!stretch) return false;
     const Point2 from = pixel(line.stored[0]), along = pixel(line.stored[1]) - from;
     const double nearest = glm::dot(at - from, along) / glm::dot(along, along);
-    for (const Stretch& part : seen_parts(line, *stretch)) {
+    for (const LinePart& part : seen_parts(line, *stretch)) {
       const double t = std::clamp(nearest, part.from, part.to);
       const bool is_edge = scene_.kind(entry.item) != Primitives::Kind::line;
       const bool of_seen = entry.fill != ViewedScene::kBackground && entry.fill == seen_there;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "clip/clip_to_rectangle.h"
 #include "displayfile/viewed_scene.h"
 #include "interp/visibility/pixel_tree.h"
 
@@ -41,7 +42,6 @@ class LinePicker {
     Fill fill;         ///< whose side it is, if of any
   };
   struct Line;
-  struct Stretch;
   struct Hider;
 
   void enter_lines(int threads);
@@ -51,10 +51,10 @@ class LinePicker {
   Point2 pixel(const Point3& device) const {
     return {device.x * size_.width, device.y * size_.height};
   }
-  std::optional<Stretch> stretch_within(const Line& line, const Point2& at, double reach) const;
-  std::vector<Hider> hiders_of(const Line& line, const Stretch& stretch) const;
+  std::optional<LinePart> stretch_within(const Line& line, const Point2& at, double reach) const;
+  std::vector<Hider> hiders_of(const Line& line, const LinePart& stretch) const;
   std::optional<Hider> hider(const Line& line, Fill fill) const;
-  std::vector<Stretch> seen_parts(const Line& line, const Stretch& stretch) const;
+  std::vector<LinePart> seen_parts(const Line& line, const LinePart& stretch) const;
 
   const ViewedScene& scene_;
   PictureSize size_;

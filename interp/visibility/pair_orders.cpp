@@ -1,11 +1,10 @@
 #include "interp/visibility/pair_orders.h"
+#include "clip/rectangle.h"
 
 #include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
-
-#include "interp/scan/flat_extent.h"
 
 namespace displayfile {
 
@@ -61,9 +60,9 @@ PairOrder PairOrders::order_of_extents(Fill earlier, Fill later,
                                        const DepthComparison& comparison) const {
   constexpr std::size_t kFewVertices = 8;
   const PointRow of_earlier = scene_->vertices(earlier), of_later = scene_->vertices(later);
-  const FlatExtent a = flat_extent(of_earlier), b = flat_extent(of_later);
-  const Point2 low(std::max(a.left, b.left), std::max(a.bottom, b.bottom));
-  const Point2 high(std::min(a.right, b.right), std::min(a.top, b.top));
+  const Rectangle a = bounding_rectangle(of_earlier), b = bounding_rectangle(of_later);
+  const Point2 low(std::max(a.x_min, b.x_min), std::max(a.y_min, b.y_min));
+  const Point2 high(std::min(a.x_max, b.x_max), std::min(a.y_max, b.y_max));
   const std::array corners{low, high, Point2(low.x, high.y), Point2(high.x, low.y)};
   Order order = order_over(comparison, corners);
   for (const PointRow* vertices : {&of_earlier, &of_later}) {

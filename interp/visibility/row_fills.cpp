@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "clip/rectangle.h"
 #include "hidden/convex_turning.h"
 #include "hidden/exact/orientation.h"
 #include "hidden/parallel.h"
-#include "interp/scan/flat_extent.h"
 #include "interp/scan/scan_edge.h"
 #include "interp/visibility/fill_depths.h"
 
@@ -77,15 +77,15 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, Fill fill
   RowFill& made = fills_[fill];
   if (scene.sides(fill) == 3 && make_triangle(scene, size, fill)) return;
   const auto vertices = scene.vertices(fill);
-  const FlatExtent extent = flat_extent(vertices);
-  const double left = extent.left * size.width, right = extent.right * size.width;
+  const Rectangle extent = bounding_rectangle(vertices);
+  const double left = extent.x_min * size.width, right = extent.x_max * size.width;
   const double width = size.width;
   // The columns of the centres between its left and its right, with what rounding can do.
   const double first = std::ceil(left - std::abs(left) * 0x1p-50 - 0.5);
   const double end = std::ceil(right + std::abs(right) * 0x1p-50 - 0.5);
   if (!(first < end && first < width && end > 0.0)) return;
-  const int row_begin = first_row_above(extent.bottom, size.height);
-  const int row_end = first_row_above(extent.top, size.height);
+  const int row_begin = first_row_above(extent.y_min, size.height);
+  const int row_end = first_row_above(extent.y_max, size.height);
   if (row_begin >= row_end) return;
   made.column = static_cast<int>(std::clamp(first, 0.0, width - 1.0));
   made.column_end = static_cast<int>(std::min(end, width));

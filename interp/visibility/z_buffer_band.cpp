@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "interp/scan/pixel_box.h"
 #include "interp/visibility/vector_kind.h"
 
 // The code below is compiled once for each kind of vector.
@@ -57,9 +58,10 @@ class RowDrawer {
     if (row_begin >= row_end) return;
     begun_ = false;
     forget_differences();
-    const Box& box = box_ = {f.column, f.column_end, row_begin, row_end};
+    const PixelBox& box = box_ = {f.column, f.column_end, row_begin, row_end};
     ordered_ = {};
-    const bool by_tiles = f.certain && keep_the_nearest_ && is_wide(box.end - box.first);
+    const bool by_tiles =
+        f.certain && keep_the_nearest_ && is_wide(box.end_column - box.first_column);
     if (f.left != 0) {
       find_columns(f, fill, row_begin, row_end);
     } else if ((by_tiles && !find_open_tiles(f, box)) || !decide_all_columns(f, fill, box)) {
@@ -130,10 +132,6 @@ class RowDrawer {
     }
   }
 
-  /// Columns and rows of the picture.
-  struct Box {
-    int first, end, row_begin, row_end;
-  };
   static constexpr int kTile = BandRows::kTileColumns;
 
   /// Looking at tiles costs as much as drawing a few rows.
@@ -142,8 +140,8 @@ class RowDrawer {
   /// Finds the tiles that the fill may be seen in, runs of them: in the others it lies behind all
   /// that was drawn. Depth is linear, so over what the fill covers of a tile it is nearest and
   /// farthest at corners. False if there is none.
-  HWY_NOINLINE bool find_open_tiles(const RowFill& f, const Box& box) {
-    const int low = box.row_begin - f.row_begin, high = box.row_end - 1 - f.row_begin;
+  HWY_NOINLINE bool find_open_tiles(const RowFill& f, const PixelBox& box) {
+    const int low = box.first_row - f.row_begin, high = box.end_row - 1 - f.row_begin;
     const bool rises = f.dz_dx > 0.0F, climbs = f.dz_dy > 0.0F;
     const Floats near_row = hn::Set(f_, f.z + static_cast<float>(climbs ? high : low) * f.dz_dy);
     const Floats far_row = hn::Set(f_, f.z + static_cast<float>(climbs ? low : high) * f.dz_dy);
@@ -151,14 +149,14 @@ class RowDrawer {
     const int lanes = static_cast<int>(hn::Lanes(f_));
     open_.clear();
     bool any = false;
-    first_tile_ = box.first / kTile;
-    const int end_tile = (box.end - 1) / kTile + 1;
+    first_tile_ = box.first_column / kTile;
+    const int end_tile = (box.end_column - 1) / kTile + 1;
     own_farthest_.resize(static_cast<std::size_t>(end_tile - first_tile_ + lanes));
     for (int tile = first_tile_; tile < end_tile; tile += lanes) {
       const Ints begin = hn::Mul(hn::Iota(i_, tile), hn::Set(i_, kTile));
       const Ints last = hn::Add(begin, hn::Set(i_, kTile - 1));
-      const Ints left = hn::Max(begin, hn::Set(i_, box.first));
-      const Ints right = hn::Min(last, hn::Set(i_, box.end - 1));
+      const Ints left = hn::Max(begin, hn::Set(i_, box.first_column));
+      const Ints right = hn::Min(last, hn::Set(i_, box.end_column - 1));
       const auto from_first = [&](Ints column) {
         return hn::ConvertTo(f_, hn::Sub(column, hn::Set(i_, f.column)));
       };
@@ -191,9 +189,9 @@ class RowDrawer {
 
   /// A tile that the fill covers shows nothing beyond the fill's own farthest depth from now on. If
   /// it showed one fill all over which is farther, or nothing, it now shows this one.
-  void draw_open_tiles(const RowFill& f, Fill fill, const Box& box) {
-    const bool all_rows = box.row_begin == rows_.row_begin && box.row_end == rows_.row_end;
-    const Common common = all_rows ? common_columns(box.row_end - box.row_begin) : Common{0, 0};
+  void draw_open_tiles(const RowFill& f, Fill fill, const PixelBox& box) {
+    const bool all_rows = box.first_row == rows_.row_begin && box.end_row == rows_.row_end;
+    const Common common = all_rows ? common_columns(box.end_row - box.first_row) : Common{0, 0};
     const int lanes = static_cast<int>(hn::Lanes(f_));
     runs_.clear();
     for (std::size_t k = 0; k < open_.size(); ++k) {
@@ -206,9 +204,10 @@ class RowDrawer {
               rows_.farthest[tile], own_farthest_[static_cast<std::size_t>(tile - first_tile_)]);
         }
         if (wholes_known_) {
-          const int order = order_in_tile(
-              tile, fill,
-              {std::max(first, box.first), std::min(end, box.end), box.row_begin, box.row_end});
+          const int order =
+              order_in_tile(tile, fill,
+                            {std::max(first, box.first_column), std::min(end, box.end_column),
+                             box.first_row, box.end_row});
           if (order < 0) continue;
           if (order > 0 && covered) {
             rows_.whole[tile] = fill;
@@ -226,10 +225,10 @@ class RowDrawer {
     if (!runs_.empty()) draw_runs(f, fill, box);
   }
 
-  void draw_runs(const RowFill& f, Fill fill, const Box& box) {
-    for (int row = box.row_begin; row < box.row_end; ++row) {
-      const int row_first = columns_.first[row - box.row_begin];
-      const int row_end = columns_.end[row - box.row_begin];
+  void draw_runs(const RowFill& f, Fill fill, const PixelBox& box) {
+    for (int row = box.first_row; row < box.end_row; ++row) {
+      const int row_first = columns_.first[row - box.first_row];
+      const int row_end = columns_.end[row - box.first_row];
       for (const BandScratch::Run& run : runs_) {
         const int first = std::max(row_first, run.first), end = std::min(row_end, run.end);
         if (first < end) draw_span(f, fill, row, first, end);
@@ -238,7 +237,7 @@ class RowDrawer {
   }
 
   /// Between the fill and what the tile shows, over part of it: as order_over.
-  int order_in_tile(int tile, Fill fill, const Box& part) {
+  int order_in_tile(int tile, Fill fill, const PixelBox& part) {
     const Fill shown = rows_.whole[tile];
     if (shown == ViewedScene::kBackground) return 1;
     if (shown == BandRows::kSeveral) return 0;
@@ -252,10 +251,10 @@ class RowDrawer {
 
   /// 1 if the fill that the difference is of is seen all over the box, -1 if nowhere; 0 if that is
   /// not known.
-  static int order_over(const DepthDifference& d, const Box& box) {
-    const double at = d.z + d.dz_dx * box.first + d.dz_dy * box.row_begin;
-    const double along = d.dz_dx * (box.end - 1 - box.first);
-    const double up = d.dz_dy * (box.row_end - 1 - box.row_begin);
+  static int order_over(const DepthDifference& d, const PixelBox& box) {
+    const double at = d.z + d.dz_dx * box.first_column + d.dz_dy * box.first_row;
+    const double along = d.dz_dx * (box.end_column - 1 - box.first_column);
+    const double up = d.dz_dy * (box.end_row - 1 - box.first_row);
     const double error = d.error;
     if (at + std::min(along, 0.0) + std::min(up, 0.0) > error) return 1;
     return at + std::max(along, 0.0) + std::max(up, 0.0) < -error ? -1 : 0;
@@ -276,12 +275,12 @@ class RowDrawer {
 
   /// The columns of a fill that is not known to be convex. If a row has several runs of them, they
   /// are drawn at once; then false.
-  HWY_NOINLINE bool decide_all_columns(const RowFill& f, Fill fill, const Box& box) {
+  HWY_NOINLINE bool decide_all_columns(const RowFill& f, Fill fill, const PixelBox& box) {
     begin(fill);
-    const auto spans = decisions_.spans(box.row_begin, box.row_end);
+    const auto spans = decisions_.spans(box.first_row, box.end_row);
     const auto same_row = [](const auto& a, const auto& b) { return a.row == b.row; };
     if (std::ranges::adjacent_find(spans, same_row) == spans.end()) {
-      take_columns(spans, box.row_begin, box.row_end, box.row_begin);
+      take_columns(spans, box.first_row, box.end_row, box.first_row);
       return true;
     }
     write_wholes();
@@ -481,7 +480,7 @@ class RowDrawer {
   std::vector<BandScratch::Run>& runs_;
   bool wholes_known_ = true;  // BandRows::whole is kept
   bool begun_ = false;
-  Box box_{};  // that holds all that is drawn of the fill begun
+  PixelBox box_{};  // that holds all that is drawn of the fill begun
   /// Differences from fills that were drawn before the one begun, by their numbers.
   struct Remembered {
     DepthDifference difference;

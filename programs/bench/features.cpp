@@ -37,7 +37,7 @@ std::vector<Feature> table() {
   using enum HiddenMethod;
   const Names sort{"hidden_surface_check", "SortScene",   "ComparePolys",
                    "SideBuffer",           "VertexTable", "separated_by_side_of",
-                   "overlapping_pairs",    "Extent"};
+                   "overlapping_pairs",    "Extent",      "FlatBoxes"};
   // Not all that is compiled for Exact: where it is the same code as that for Roundoff, compilers
   // keep one function, under either name.
   const Names exact_sort{"ExactNumber",   "ExactPoint",
@@ -118,7 +118,7 @@ std::vector<Feature> table() {
        "set-shadows",
        "lighting",
        [](FeatureUse& u) { u.shadows = true; },
-       {"Shadows::", "ShadowedFill::", "shadow_on"}},
+       {"Shadows::", "ShadowedFill::", "shadow_on", "SpaceBoxes"}},
       {"sort at close-segment, bsp", "set-hidden-line-removal, set-hidden-method", "",
        [](FeatureUse& u) { find_by(u, bsp); }, both(sort, {"SortPolygons"})},
       {"sort at close-segment, depth sort", "set-hidden-line-removal, set-hidden-method", "",
@@ -162,7 +162,7 @@ std::vector<Feature> table() {
        "set-hidden-method ray-cast",
        "",
        [](FeatureUse& u) { u.method = ray_cast; },
-       {"RayCast", "RayPacket", "BoxTree", "PixelTree", "ViewedScene"}},
+       {"RayCast", "RayPacket", "PixelBoxes", "ViewedScene"}},
       {"the method that picks itself",
        "set-hidden-method auto",
        "",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <optional>
 
 #include "displayfile/display_file.h"
@@ -30,7 +31,7 @@ SampledScene::Depths SampledScene::depths_of(std::span<const Point3> vertices,
 }
 
 double SampledScene::length(const Point3& a, const Point3& b) const {
-  return std::hypot((b.x - a.x) * size.width, (b.y - a.y) * size.height);
+  return glm::length(Point2((b.x - a.x) * size.width, (b.y - a.y) * size.height));
 }
 
 /// The items are those of one segment.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 namespace displayfile {
 
@@ -26,28 +27,18 @@ double slope(const PixelDepth& depth) { return std::abs(depth.dz_dx) + std::abs(
 
 VisibleLines::VisibleLines(const SampledScene& drawing) : drawing_(drawing) {}
 
-/// Clips the line to the picture and half its width around it (Liang and Barsky).
+/// Clips the line to the picture and half its width around it.
 VisibleLines::Steps VisibleLines::steps_of(const SampledScene::Line& line) const {
   const Point3 a = drawing_.to_pixels(line.from), b = drawing_.to_pixels(line.to);
   for (const double v : {a.x, a.y, a.z, b.x, b.y, b.z}) {
     if (!std::isfinite(v)) return {};
   }
   const double reach = line.style.width / 2 + 1.0;
-  double enter = 0.0, leave = 1.0;
-  const double size[2] = {static_cast<double>(drawing_.size.width),
-                          static_cast<double>(drawing_.size.height)};
-  for (int axis = 0; axis < 2; ++axis) {
-    for (const double sign : {1.0, -1.0}) {
-      const double bound = sign > 0.0 ? -reach : size[axis] + reach;
-      const double inside = sign * (a[axis] - bound), change = sign * (b[axis] - a[axis]);
-      if (change == 0.0 && inside < 0.0) return {};
-      if (change > 0.0) enter = std::max(enter, -inside / change);
-      if (change < 0.0) leave = std::min(leave, -inside / change);
-    }
-  }
-  if (!(enter <= leave)) return {};
-  const double length = std::hypot(b.x - a.x, b.y - a.y) * (leave - enter);
-  return {enter, leave,
+  const auto part = part_in_rectangle(
+      a, b, {-reach, drawing_.size.width + reach, -reach, drawing_.size.height + reach});
+  if (!part) return {};
+  const double length = glm::length(Point2(b - a)) * (part->to - part->from);
+  return {part->from, part->to,
           std::max(std::int64_t{1}, static_cast<std::int64_t>(std::ceil(length * kStepsPerPixel)))};
 }
 
@@ -172,7 +163,7 @@ void VisibleLines::finish() {
   for (std::size_t i = 1; i < first_change_.size(); ++i) first_change_[i] += first_change_[i - 1];
 }
 
-std::span<const VisibleLines::Part> VisibleLines::parts(std::uint32_t line) {
+std::span<const LinePart> VisibleLines::parts(std::uint32_t line) {
   parts_.clear();
   for (std::size_t i = first_change_[line]; i < first_change_[line + 1]; ++i) {
     if (changes_[i].to_visible) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "clip/clip_to_rectangle.h"
 #include "interp/vector/sampled/sampled_scene.h"
 #include "interp/vector/sampled/seen_band.h"
 
@@ -18,11 +19,6 @@ namespace displayfile {
 /// also where none of the four covers it (a mesh finer than the pixels).
 class VisibleLines {
  public:
-  /// A part of a line, 0 <= from <= to <= 1 from its one end to the other.
-  struct Part {
-    double from, to;
-  };
-
   explicit VisibleLines(const SampledScene& drawing);
 
   /// The rows that each line reaches, for ActiveByRow.
@@ -33,7 +29,7 @@ class VisibleLines {
   void finish();
 
   /// The parts that are seen, in order. Valid until the next call.
-  std::span<const Part> parts(std::uint32_t line);
+  std::span<const LinePart> parts(std::uint32_t line);
 
  private:
   /// The part of a line near the picture, and how many steps it is looked at in.
@@ -64,7 +60,7 @@ class VisibleLines {
   const SampledScene& drawing_;
   std::vector<Change> changes_;
   std::vector<std::size_t> first_change_;  // of each line, once finished
-  std::vector<Part> parts_;
+  std::vector<LinePart> parts_;
 };
 
 }  // namespace displayfile

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <unordered_map>
 #include <vector>
 
@@ -271,7 +272,7 @@ class LinePartsDrawer {
   LinePartsDrawer(const SampledScene& drawing, OutputDevice& device)
       : drawing_(drawing), device_(device) {}
 
-  void draw(std::uint32_t index, const VisibleLines::Part& part) {
+  void draw(std::uint32_t index, const LinePart& part) {
     const SampledScene::Line line = drawing_.line(index);
     const LineStyle& style = line.style;
     constexpr double kShortestPeriod = 0.1;  // pixels; below it a dashed line looks solid
@@ -279,14 +280,16 @@ class LinePartsDrawer {
       return draw_piece(line, part.from, part.to, style);
     }
     const Point3 a = drawing_.to_pixels(line.from), b = drawing_.to_pixels(line.to);
-    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    const double length = glm::length(Point2(b - a));
     const double period = style.dash + style.gap;
     const double before = drawing_.lines[index].dash_start;
     const double start = before + part.from * length, end = before + part.to * length;
     for (double dash = std::floor(start / period) * period; dash < end; dash += period) {
       const double from = std::max(start, dash), to = std::min(end, dash + style.dash);
       if (from < to) {
-        draw_piece(line, (from - before) / length, (to - before) / length, style);
+        // Exactly the part's ends: a dash goes on in the line that continues this one.
+        draw_piece(line, from == start ? part.from : (from - before) / length,
+                   to == end ? part.to : (to - before) / length, style);
       }
     }
   }
@@ -326,7 +329,7 @@ void draw_lines(const SampledScene& drawing, VisibleLines& visible, VectorDevice
       }
     }
     for (; first < end; ++first) {
-      for (const VisibleLines::Part& part : visible.parts(first)) {
+      for (const LinePart& part : visible.parts(first)) {
         segments.enter_that_of(item);
         parts.draw(first, part);
       }

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cstdlib>
+
+namespace displayfile::test {
+
+/// A number by which a test is made longer by hand, and what it usually is.
+inline int from_environment(const char* name, int usual) {
+  const char* const set = std::getenv(name);
+  return set == nullptr ? usual : std::atoi(set);
+}
+
+}  // namespace displayfile::test

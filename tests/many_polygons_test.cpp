@@ -1,0 +1,190 @@
+// Many polygons entered at once are what one call each makes of them.
+
+#include "displayfile/graphics_system.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <span>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "displayfile/retained_views.h"
+#include "displayfile/text/drawing_program.h"
+#include "displayfile/text/dump.h"
+#include "tests/error_of.h"
+
+namespace displayfile {
+namespace {
+
+using test::expect_error;
+
+/// Vertices, corners and sides of polygons that share vertices; some cross the window's sides, and
+/// some are not flat.
+struct SharedPolygons {
+  std::vector<Point3> vertices;
+  std::vector<std::uint32_t> corners, sides;
+
+  explicit SharedPolygons(std::uint32_t seed) {
+    std::mt19937 random(seed);
+    std::uniform_int_distribution<int> grid(-8, 8);
+    for (int i = 0; i < 40; ++i) {
+      vertices.push_back(Point3(grid(random), grid(random), grid(random)) / 6.0);
+    }
+    for (int k = 0; k < 60; ++k) {
+      sides.push_back(3 + static_cast<std::uint32_t>(random() % 3));
+      for (std::uint32_t i = 0; i < sides.back(); ++i)
+        corners.push_back(static_cast<std::uint32_t>(random() % 40));
+    }
+  }
+  void enter_one_by_one(GraphicsSystem& g, std::span<const FillStyle> fills) const {
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      if (!fills.empty()) g.set_fill_style(fills[fills.size() == 1 ? 0 : k]);
+      std::vector<Point3> polygon;
+      for (std::size_t i = 0; i < sides[k]; ++i) polygon.push_back(vertices[corners[first++]]);
+      g.polygon_abs_3(polygon);
+    }
+  }
+};
+
+TEST(ManyPolygons, AreEnteredAsOneByOne) {
+  for (std::uint32_t seed = 0; seed < 32; ++seed) {
+    const SharedPolygons polygons(seed);
+    std::vector<FillStyle> fills;
+    for (std::size_t k = 0; k < polygons.sides.size(); ++k) {
+      fills.push_back(
+          k % 7 == 0 ? FillStyle{FillStyle::Kind::hollow}
+                     : FillStyle{FillStyle::Kind::solid, Colour(static_cast<double>(k % 5) / 4.0)});
+    }
+    if (seed % 3 == 1) fills.resize(1);
+    if (seed % 3 == 2) fills.clear();
+    std::string dumps[2], programs[2];
+    for (const bool at_once : {false, true}) {
+      std::ostringstream program;
+      Recorder recorder(program);
+      RetainedScene retained;
+      GraphicsSystem g;
+      if (seed % 2 == 0) g.set_perspective({0.5, 0.25, 3});
+      if (seed % 4 < 2) g.set_light({1, 2, 3});
+      if (seed % 8 == 3) g.retain(&retained);
+      g.set_back_face_removal(seed % 5 == 0);
+      g.rotate_y_3(10.0 * seed);
+      g.open_segment(1);
+      if (at_once) g.set_recorder(&recorder);
+      if (at_once) {
+        g.polygons_abs_3(polygons.vertices, polygons.corners, polygons.sides, fills);
+      } else {
+        polygons.enter_one_by_one(g, fills);
+        if (!fills.empty()) g.set_fill_style({});
+      }
+      g.line_rel_3(0.1, 0.2, 0.3);
+      g.polygon_abs_3({{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}});
+      g.close_segment();
+      dumps[at_once] = dump(g.display_file());
+      if (seed % 8 == 3) {
+        dumps[at_once] += dump(RetainedViews(retained, g.display_file(), {}).view(g.view()));
+      }
+    }
+    EXPECT_EQ(dumps[0], dumps[1]) << "seed " << seed;
+  }
+}
+
+/// Two segments of polygons with shared vertices, one with own, and a line in each; retained.
+struct RetainedPolygons {
+  RetainedScene scene;
+  GraphicsSystem system;
+
+  explicit RetainedPolygons(bool at_once) {
+    system.retain(&scene);
+    system.set_light({1, 2, 3});
+    for (const int name : {3, 1, 2}) {
+      const SharedPolygons polygons(static_cast<std::uint32_t>(name));
+      system.open_segment(name);
+      system.line_rel_3(0.1, 0.2, 0.3);
+      if (at_once && name != 1) {
+        system.polygons_abs_3(polygons.vertices, polygons.corners, polygons.sides);
+      } else {
+        polygons.enter_one_by_one(system, {});
+      }
+      system.line_rel_3(-0.1, 0.1, 0.1);
+      system.close_segment();
+    }
+  }
+  std::string views() const {
+    RetainedViews drawn(scene, system.display_file(), {});
+    std::string text;
+    View view = system.view();
+    for (const Point3& eye : {Point3(0.5, 0.25, 3), Point3(-2, 1, 2), Point3(0, 0.5, 4)}) {
+      view.set_perspective(eye);
+      text += dump(drawn.view(view));
+    }
+    return text;
+  }
+};
+
+TEST(ManyPolygons, AreRetainedWithTheirVerticesShared) {
+  RetainedPolygons shared(true), own(false);
+  const auto points = [](const RetainedPolygons& of, std::size_t segment) {
+    return of.scene.points(of.scene.segments()[segment]).size();
+  };
+  EXPECT_LT(points(shared, 0), points(own, 0));
+  EXPECT_EQ(points(shared, 1), points(own, 1));
+  EXPECT_LT(points(shared, 2), points(own, 2));
+  EXPECT_EQ(shared.views(), own.views());
+  for (RetainedPolygons* of : {&shared, &own}) {
+    of->system.delete_segment(3);
+    of->system.set_visibility(1, false);
+  }
+  EXPECT_LT(points(shared, 1), points(own, 1));
+  EXPECT_EQ(shared.views(), own.views());
+}
+
+TEST(ManyPolygons, OnlyVerticesInUseAreRetained) {
+  RetainedScene scene;
+  GraphicsSystem g;
+  g.retain(&scene);
+  g.open_segment(1);
+  const std::vector<Point3> vertices{{9, 9, 9}, {0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}, {-9, 9, 9}};
+  g.polygons_abs_3(vertices, std::vector<std::uint32_t>{3, 1, 2, 2, 3, 1});
+  g.close_segment();
+  const auto kept = scene.points(scene.segments()[0]);
+  EXPECT_EQ(std::vector<Point3>(kept.begin(), kept.end()),
+            (std::vector<Point3>{vertices[3], vertices[1], vertices[2]}));
+}
+
+TEST(ManyPolygons, ErrorsEnterNothing) {
+  GraphicsSystem g;
+  g.set_viewport(0, 1, 0, 1);
+  const std::vector<Point3> vertices{{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}};
+  using Indices = std::vector<std::uint32_t>;
+  const Indices corners{0, 1, 2, 1, 2, 3};
+  expect_error([&] { g.polygons_abs_3(vertices, corners); }, "no segment open");
+  g.open_segment(1);
+  expect_error([&] { g.polygons_abs_3(vertices, Indices{0, 1, 2, 3, 0, 4}); }, "vertex 4 of 4");
+  expect_error([&] { g.polygons_abs_3(vertices, Indices{0, 1}); }, "2 corners");
+  expect_error([&] { g.polygons_abs_3(vertices, corners, Indices{4, 2}); }, "polygon of 2 sides");
+  expect_error(
+      [&] {
+        g.polygons_abs_3(vertices, corners, Indices{3, 4});
+      },
+      "6 corners: expected 7");
+  const std::vector<FillStyle> three(3), outside{FillStyle{FillStyle::Kind::solid, {2, 0, 0}}};
+  expect_error([&] { g.polygons_abs_3(vertices, corners, {}, three); }, "3 fill styles");
+  expect_error([&] { g.polygons_abs_3(vertices, corners, {}, outside); }, "colour component");
+  std::vector<Point3> far = vertices;
+  far.back().x = std::numeric_limits<double>::infinity();
+  expect_error([&] { g.polygons_abs_3(far, corners); }, "coordinates inf");
+  EXPECT_EQ(g.display_file().polygons(), 0u);
+  EXPECT_EQ(g.polygons_entered(), 0);
+  g.polygons_abs_3(vertices, corners);
+  EXPECT_EQ(g.display_file().polygons(), 2u);
+  g.polygons_abs_3({}, {});
+  EXPECT_EQ(g.display_file().polygons(), 2u);
+}
+
+}  // namespace
+}  // namespace displayfile

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "displayfile/text/drawing_program.h"
+#include "displayfile/text/dump.h"
+#include "tests/error_of.h"
+
+// What a drawing program makes. It is called scene.draw.
+
+namespace displayfile::test {
+
+inline GraphicsSystem replayed(std::string_view program) {
+  GraphicsSystem system;
+  replay(program, "scene.draw", system);
+  return system;
+}
+
+inline std::string dump_of(std::string_view program) {
+  return dump(replayed(program).display_file());
+}
+
+inline std::string error_of_program(std::string_view program, GraphicsSystem& system) {
+  return error_of([&] { replay(program, "scene.draw", system); });
+}
+inline std::string error_of_program(std::string_view program) {
+  GraphicsSystem system;
+  return error_of_program(program, system);
+}
+
+}  // namespace displayfile::test

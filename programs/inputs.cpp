@@ -162,7 +162,6 @@ bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
   return fitted;
 }
 
-/// The inputs' display file, in the order that is drawn.
 DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options,
                      const MeshWords& meshes, double aspect) {
   GraphicsSystem system;

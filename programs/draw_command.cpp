@@ -124,13 +124,12 @@ DrawOptions DrawCommand::all_options() const {
   all.precision = sorting.precision;
   all.background = background.background();
   require_raster_device(options.device);
-  if (!all.format.empty() && !all.format.starts_with('.')) all.format.insert(0, 1, '.');
   return all;
 }
 
 std::string DrawCommand::draw_into(std::span<const std::string> drawn,
                                    const std::filesystem::path& file, const DrawOptions& drawing,
-                                   MadeFolders* folders) const {
+                                   MadeFolders* folders, NotInVectors& left_out) const {
   const auto make_folders = [&] {
     if (folders == nullptr) return;
     for (const auto& written : {file, drawing.ids, drawing.depth}) folders->make_for(written);
@@ -138,7 +137,7 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
   if (turntable) {
     make_folders();
     return draw_turntable(drawn, file, drawing, meshes, shading.shading(),
-                          turntable_views(*turntable), stats);
+                          turntable_views(*turntable), stats, left_out);
   }
   if (stats) reset_predicate_counts();
   const DrawnInputs entered(drawn, drawing, meshes, shading.shading());
@@ -152,6 +151,7 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
     make_folders();
     draw(system, file, entered.options(), sorted);
   }
+  left_out.note(system.display_file(), drawing, kind);
   entered.warn_if_nothing_is_seen();
   if (pick) text += picked(system, pick_option(*pick), entered.options());
   if (stats) text += drawing_statistics(system, sorted.display_file(), entered.options(), kind);
@@ -202,7 +202,7 @@ void require_drawable_names(const std::string& output, const DrawOptions& option
 
 }  // namespace
 
-int DrawCommand::draw_each(const DrawOptions& drawing) const {
+int DrawCommand::draw_each(const DrawOptions& drawing, NotInVectors& left_out) const {
   const std::vector<Outputs> outputs = outputs_of_each(drawing);
   require_drawable_names(output, drawing, outputs[0].picture, outputs[0].ids, outputs[0].depth);
   // llvmpipe has threads of its own, and the exact stage counts for the whole process.
@@ -220,7 +220,7 @@ int DrawCommand::draw_each(const DrawOptions& drawing) const {
         of_one.threads = std::max(1, drawing.threads / at_a_time);
         of_one.ids = outputs[k].ids;
         of_one.depth = outputs[k].depth;
-        return draw_into(std::span(&inputs[k], 1), outputs[k].picture, of_one, &folders);
+        return draw_into(std::span(&inputs[k], 1), outputs[k].picture, of_one, &folders, left_out);
       },
       [&](std::size_t k, const InputResult& result) {
         if (!result.text.empty()) std::cout << inputs[k] << ":\n" << result.text;
@@ -243,13 +243,19 @@ int DrawCommand::run() const {
   if (std::ranges::count(files, "-") > 1) {
     throw Error("-: two outputs on standard output: expected one, and file names for the others");
   }
-  if (is_name_pattern(output)) return draw_each(drawing);
+  NotInVectors left_out;
+  if (is_name_pattern(output)) {
+    const int status = draw_each(drawing, left_out);
+    left_out.warn(output);
+    return status;
+  }
   for (const auto& file : {drawing.ids, drawing.depth}) {
     if (!is_name_pattern(file.string())) continue;
     throw Error(fmt::format("{}: has a field, and {} has none: expected both or neither",
                             file.string(), output));
   }
-  const std::string text = draw_into(inputs, output, drawing, nullptr);
+  const std::string text = draw_into(inputs, output, drawing, nullptr, left_out);
+  left_out.warn(output);
   (output == "-" ? std::cerr : std::cout) << text;
   return 0;
 }

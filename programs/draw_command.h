@@ -12,6 +12,7 @@
 #include "programs/hidden_surface_words.h"
 #include "programs/made_folders.h"
 #include "programs/mesh_words.h"
+#include "programs/not_in_vectors.h"
 #include "programs/pick_option.h"
 #include "programs/picture_size.h"
 #include "programs/shading_word.h"
@@ -49,9 +50,10 @@ struct DrawCommand {
   /// Draws inputs, and makes the folders of outputs, if any are to be made, when all is read.
   /// Returns what the printed options have to say of it.
   std::string draw_into(std::span<const std::string> drawn, const std::filesystem::path& file,
-                        const DrawOptions& drawing, MadeFolders* folders) const;
+                        const DrawOptions& drawing, MadeFolders* folders,
+                        NotInVectors& left_out) const;
   std::vector<Outputs> outputs_of_each(const DrawOptions& drawing) const;
-  int draw_each(const DrawOptions& drawing) const;
+  int draw_each(const DrawOptions& drawing, NotInVectors& left_out) const;
 };
 
 }  // namespace displayfile

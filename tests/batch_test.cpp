@@ -171,6 +171,32 @@ TEST_F(Batch, NothingIsLeftOfWhatIsNotDrawn) {
   expect_picture_of("green.draw", "green.png");
 }
 
+/// Once for all pictures, and only where something is left out.
+TEST_F(Batch, WhatVectorsLeaveOutIsSaidOnce) {
+  const std::string all = "draw red.draw tent.obj a/house.draw --size 40x30 -o '{number}";
+  write("tent.obj", "v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 1\nv 1 2 0\nv 0 2 0\nf 1 2 3 4\nf 4 3 5 6\n");
+  EXPECT_EQ(run(all + ".svg'"), 0);
+  EXPECT_EQ(err_, "");
+  EXPECT_EQ(run(all + ".svg' --samples 3"), 0);
+  EXPECT_EQ(err_, "{number}.svg: vectors leave out --samples\n");
+  for (const char* turned : {"", " --turntable 2"}) {
+    EXPECT_EQ(run(all + ".pdf' --samples 3 --shading gouraud" + turned), 0);
+    EXPECT_EQ(err_,
+              "{number}.pdf: vectors leave out Gouraud shading (a polygon is filled evenly), "
+              "--samples\n");
+    EXPECT_EQ(run(all + ".png' --samples 3 --shading gouraud" + turned), 0);
+    EXPECT_EQ(err_, "");
+  }
+  write("shadows.draw",
+        "set-light 0.3 0.2 1\nset-shadows on\nset-fill-style solid 1 1 1\nopen-segment "
+        "1\npolygon-abs-3 0 0 0  1 0 0  1 1 0  0 1 0\n"
+        "polygon-abs-3 0.2 0.2 0.3  0.6 0.2 0.3  0.6 0.6 0.3  0.2 0.6 0.3\nclose-segment\n");
+  EXPECT_EQ(run("draw shadows.draw -o s.svg"), 0);
+  EXPECT_EQ(err_, "s.svg: vectors leave out shadows\n");
+  EXPECT_EQ(run("draw shadows.draw -o s.png"), 0);
+  EXPECT_EQ(err_, "");
+}
+
 TEST_F(Batch, EveryMessageNamesItsFile) {
   write("two.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2\nl 1 2\n");
   EXPECT_EQ(run("draw two.obj red.draw -o '{name}.png' --stats --explain"), 0) << err_;

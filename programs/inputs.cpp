@@ -96,6 +96,7 @@ InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem
       continue;
     }
     const bool smooth = ahead.shading() == Shading::gouraud;
+    const NamedWarnings named(input);
     Mesh& mesh = read.meshes.emplace_back(read_mesh(input, smooth));
     if (smooth) complete_normals(mesh);
     if (system.view_was_set() || ahead.view_was_set()) continue;

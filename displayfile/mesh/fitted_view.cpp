@@ -225,8 +225,8 @@ void FittedView::fit_window() {
     const double w = camera_.parallel ? 1.0 : 1.0 - p.z / distance_;
     if (!(w > kNearestFront)) {
       throw Error(
-          "the mesh is not all before the eye: expected an eye farther away, an angle of view, or "
-          "nothing to be fitted");
+          "the mesh is not all before the eye: expected an eye farther away, an angle of view, "
+          "nothing to be fitted, or a window that is set");
     }
     const Point2 at = eye_ + (Point2(p) - slant_ * p.z - eye_) / w;
     seen.include({at.x, at.y, p.z});

@@ -34,6 +34,15 @@ std::size_t utf8_length(std::string_view text) {
   return in(first, 0xF0, 0xF4) && in(byte(text, 3), 0x80, 0xBF) ? 4 : 0;
 }
 
+bool begins_in_utf16(std::string_view text) {
+  const auto is_ascii = [](char high, char low) {
+    return high == 0 && low != 0 && static_cast<unsigned char>(low) < 0x80;
+  };
+  if (text.size() < 4) return false;
+  return (text.starts_with("\xFF\xFE") && is_ascii(text[3], text[2])) ||
+         (text.starts_with("\xFE\xFF") && is_ascii(text[2], text[3]));
+}
+
 std::size_t drawable_length(std::string_view text) {
   std::size_t drawable = 0;
   while (drawable < text.size()) {

@@ -10,6 +10,9 @@ namespace displayfile {
 /// none (RFC 3629, section 4).
 std::size_t utf8_length(std::string_view text);
 
+/// True if a text begins in UTF-16: with its byte order mark, and a character of ASCII.
+bool begins_in_utf16(std::string_view text);
+
 /// How many bytes at the start of the text are characters that can be drawn: UTF-8, without control
 /// characters and what XML cannot hold (U+FFFE and U+FFFF). All of them, if the text is one.
 std::size_t drawable_length(std::string_view text);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -61,69 +62,67 @@ void GraphicsSystem::require_view_may_change() const {
 void GraphicsSystem::set_view_reference_point(const Point3& p) {
   require_view_may_change();
   view_.set_reference_point(p);
-  record_said(Setting::view, "set-view-reference-point", {p.x, p.y, p.z});
+  record_said(Setting::camera, "set-view-reference-point", {p.x, p.y, p.z});
 }
 
 void GraphicsSystem::set_view_plane_normal(const Point3& n) {
   require_view_may_change();
   view_.set_plane_normal(n);
-  record_said(Setting::view, "set-view-plane-normal", {n.x, n.y, n.z});
+  record_said(Setting::camera, "set-view-plane-normal", {n.x, n.y, n.z});
 }
 
 void GraphicsSystem::set_view_distance(double d) {
   require_view_may_change();
   view_.set_distance(d);
-  record_said(Setting::view, "set-view-distance", {d});
+  record_said(Setting::camera, "set-view-distance", {d});
 }
 
 void GraphicsSystem::set_view_up(const Point3& up) {
   require_view_may_change();
   view_.set_up(up);
-  record_said(Setting::view, "set-view-up", {up.x, up.y, up.z});
+  record_said(Setting::camera, "set-view-up", {up.x, up.y, up.z});
 }
 
 void GraphicsSystem::set_parallel(const Point3& direction) {
   require_view_may_change();
   view_.set_parallel(direction);
-  record_said(Setting::view, "set-parallel", {direction.x, direction.y, direction.z});
+  record_said(Setting::camera, "set-parallel", {direction.x, direction.y, direction.z});
 }
 
 void GraphicsSystem::set_perspective(const Point3& centre) {
   require_view_may_change();
   view_.set_perspective(centre);
-  record_said(Setting::view, "set-perspective", {centre.x, centre.y, centre.z});
+  record_said(Setting::camera, "set-perspective", {centre.x, centre.y, centre.z});
 }
 
 void GraphicsSystem::set_view_depth(double front, double back) {
   require_view_may_change();
   view_.set_depth(front, back);
-  record_said(Setting::view, "set-view-depth", {front, back});
+  record_said(Setting::view_depth, "set-view-depth", {front, back});
 }
 
 void GraphicsSystem::set_front_plane_clipping(bool on) {
   require_view_may_change();
   view_.front_clipping = on;
-  record_said(Setting::view, "set-front-plane-clipping", {on});
+  record_said(Setting::front_plane_clipping, "set-front-plane-clipping", {on});
 }
 
 void GraphicsSystem::set_back_plane_clipping(bool on) {
   require_view_may_change();
   view_.back_clipping = on;
-  record_said(Setting::view, "set-back-plane-clipping", {on});
+  record_said(Setting::back_plane_clipping, "set-back-plane-clipping", {on});
 }
 
 void GraphicsSystem::set_window(double x_min, double x_max, double y_min, double y_max) {
   require_view_may_change();
   view_.set_window({x_min, x_max, y_min, y_max});
-  said_.insert(Setting::window);
-  record_said(Setting::view, "set-window", {x_min, x_max, y_min, y_max});
+  record_said(Setting::window, "set-window", {x_min, x_max, y_min, y_max});
 }
 
 void GraphicsSystem::set_viewport(double x_min, double x_max, double y_min, double y_max) {
   require_view_may_change();
   view_.set_viewport({x_min, x_max, y_min, y_max});
-  said_.insert(Setting::window);
-  record_said(Setting::view, "set-viewport", {x_min, x_max, y_min, y_max});
+  record_said(Setting::viewport, "set-viewport", {x_min, x_max, y_min, y_max});
 }
 
 void GraphicsSystem::set_window_fit(WindowFit fit) {
@@ -140,11 +139,22 @@ void GraphicsSystem::set_aspect_ratio(double aspect) {
   aspect_ = aspect;
 }
 
+bool GraphicsSystem::view_was_set() const {
+  constexpr std::array kOfView{Setting::camera,
+                               Setting::view_depth,
+                               Setting::front_plane_clipping,
+                               Setting::back_plane_clipping,
+                               Setting::window,
+                               Setting::viewport};
+  return std::ranges::any_of(kOfView, [&](Setting setting) { return said_.contains(setting); });
+}
+
 /// The view in force, its window in the shape that the picture wants.
 View GraphicsSystem::view_in_picture() const {
   View view = view_;
-  const bool widen = said_.contains(Setting::window_fit) ? window_fit_ == WindowFit::widen
-                                                         : !said_.contains(Setting::window);
+  const bool mapping_was_set = said_.contains(Setting::window) || said_.contains(Setting::viewport);
+  const bool widen =
+      said_.contains(Setting::window_fit) ? window_fit_ == WindowFit::widen : !mapping_was_set;
   if (widen) view.window = widened(view.window, shape_in_picture(view.viewport, aspect_));
   return view;
 }

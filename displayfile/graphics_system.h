@@ -197,7 +197,7 @@ class GraphicsSystem {
   const View& view() const { return view_; }
   const SaidSettings& said() const { return said_; }
   /// By any view-parameter routine.
-  bool view_was_set() const { return said_.contains(Setting::view); }
+  bool view_was_set() const;
   double aspect_ratio() const { return aspect_; }
   /// The worst of the windows that were stretched although the application did not say that they
   /// should be.

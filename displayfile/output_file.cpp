@@ -90,6 +90,10 @@ void OutputFile::create_temporary() {
       pending_ = true;
       return;
     }
+    const fs::path folder = fs::path(target_).parent_path();
+    if (errno == ENOENT && !folder.empty()) {
+      fail(fmt::format("cannot be written: there is no folder {}", folder.string()));
+    }
     if (errno != EEXIST) fail_to_write();
   }
   fail("cannot be written: every temporary name beside it is taken");

@@ -5,8 +5,12 @@ namespace displayfile {
 /// What an application may say of how things are drawn. Where it did not, a default holds, and a
 /// mesh brings its own (displayfile/mesh/mesh.h).
 enum class Setting {
-  view,    ///< any view parameter
-  window,  ///< the window, or the viewport that it is mapped to
+  camera,  ///< reference point, normal, distance and up of the view plane, and the projection
+  view_depth,
+  front_plane_clipping,
+  back_plane_clipping,
+  window,
+  viewport,
   window_fit,
   fill_style,
   line_style,

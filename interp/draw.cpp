@@ -102,16 +102,21 @@ std::string meant_by(const Table& table, std::string_view name) {
 }
 constexpr auto kAny = [](const auto&) { return true; };
 
-const PictureFormat& format_of(const std::filesystem::path& file, const DrawOptions& options) {
-  std::string extension =
-      extension_of(options.format.empty() ? file.string() : "x" + options.format);
-  if (extension.empty() && file == "-") extension = kFormats.front().choice.name;
+/// The format of an extension as it was given, in letters of either case, with its dot or without.
+/// Throws Error if there is none, with `whose` before the message.
+const PictureFormat& format_named(const std::string& extension, const std::string& whose = "") {
+  const std::string name = extension_of((extension.starts_with('.') ? "x" : "x.") + extension);
   for (const PictureFormat& format : kFormats) {
-    if (format.choice.name == extension) return format;
+    if (format.choice.name == name) return format;
   }
-  throw Error(fmt::format("{}: unknown picture format '{}':{} expected one of {}", file.string(),
-                          options.format.empty() ? file.extension().string() : options.format,
-                          meant_by(kFormats, extension), names(kFormats, " ", kAny)));
+  throw Error(fmt::format("{}unknown picture format '{}':{} expected one of {}", whose, extension,
+                          meant_by(kFormats, name), names(kFormats, " ", kAny)));
+}
+
+const PictureFormat& format_of(const std::filesystem::path& file, const DrawOptions& options) {
+  if (!options.format.empty()) return format_named(options.format);
+  if (file == "-") return kFormats.front();
+  return format_named(file.extension().string(), file.string() + ": ");
 }
 
 const RasterDevice& device_of(std::string_view name) {
@@ -295,22 +300,35 @@ void draw_colours(const Source& source, const RasterRequest& request, const Draw
   source.draw(request_of_samples(request, n), SampleAverage(request.width, n, take));
 }
 
-/// Checks the size of what is drawn; throws Error.
-void require_raster_size(const DrawOptions& options) {
+/// Checks numbers that are the same for a file and in memory; throws Error.
+void require_numbers(const DrawOptions& options) {
+  if (options.threads < 1) {
+    throw Error(fmt::format("{} threads: expected 1 or more", options.threads));
+  }
   if (options.samples < 1 || options.samples > kMostSamples) {
     throw Error(fmt::format("{} samples along a pixel's side: expected 1 to {}", options.samples,
                             kMostSamples));
   }
-  const auto n = static_cast<long long>(options.samples);
   require_picture_size(options.width, options.height);
-  require_picture_size(n * options.width, n * options.height);
+  const int most = kLargestSide / options.samples;
+  if (options.width <= most && options.height <= most) return;
+  throw Error(
+      fmt::format("picture size {}x{} with {} x {} samples a pixel: expected 1x1 to {}x{} pixels",
+                  options.width, options.height, options.samples, options.samples, most, most));
+}
+
+/// Checks what is asked of a picture in memory; throws Error.
+void require_drawable_in_memory(const DrawOptions& options) {
+  require_numbers(options);
+  device_of(options.device);
+  if (!options.format.empty()) format_named(options.format);
 }
 
 /// What `draw` returns: a picture in memory, for which there must be room before any work is done.
 template <class Draw>
 Picture with_memory_of_picture(const DrawOptions& options, const SoftwareRenderer& kept,
                                Draw&& draw) {
-  require_raster_size(options);
+  require_drawable_in_memory(options);
   const auto pixels =
       static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
   const std::size_t of_pixel = sizeof(Picture::pixels[0]) +
@@ -414,7 +432,7 @@ HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& opt
 
 void require_drawable(const std::filesystem::path& file, const DrawOptions& options) {
   const PictureFormat& format = format_of(file, options);
-  require_raster_size(options);
+  require_numbers(options);
   const RasterDevice& device = device_of(options.device);  // the first unless one was asked for
   if (format.write_vectors != nullptr && &device != &kDevices.front()) {
     const auto of_pixels = [](const PictureFormat& f) { return f.pixel_file != nullptr; };
@@ -544,8 +562,7 @@ Renderer::Renderer(Renderer&& other) noexcept = default;
 Renderer& Renderer::operator=(Renderer&& other) noexcept = default;
 
 const Picture& Renderer::draw(const GraphicsSystem& system, const DrawOptions& options) {
-  require_raster_size(options);
-  device_of(options.device);
+  require_drawable_in_memory(options);
   Kept& kept = *kept_;
   kept.software.give_back(std::exchange(kept.picture, Picture()));  // none, if drawing fails
   kept.picture = draw_in_memory(system, options, {kept.sorted, kept.software});
@@ -559,7 +576,7 @@ void Renderer::draw(const GraphicsSystem& system, const std::filesystem::path& f
 
 std::optional<Pick> Renderer::pick(const GraphicsSystem& system, double x, double y,
                                    const DrawOptions& options, double reach) {
-  require_picture_size(options.width, options.height);
+  require_drawable_in_memory(options);
   const PictureSize size{options.width, options.height};
   Kept& kept = *kept_;
   std::optional<Picker>& picker = kept.picker;

@@ -24,11 +24,11 @@ struct DrawOptions {
       std::nullopt;  ///< these three in place of what the application set
   std::optional<HiddenScope> scope = std::nullopt;
   std::optional<Precision> precision = std::nullopt;
-  /// The extension of one of picture_formats(), in place of the file's own; without one it is .png
-  /// for "-", standard output.
+  /// The extension of one of picture_formats(), with its dot or without, in place of the file's
+  /// own; if there is neither, it is .png for "-", standard output.
   std::string format = {};
   std::string device = "software";  ///< of raster pictures: one of raster_devices()
-  int threads = 1;
+  int threads = 1;                  ///< at most, 1 or more
   std::optional<Background> background = std::nullopt;  ///< in place of the application's
   /// Antialiasing: the mean of samples x samples for each pixel, 1 to kMostSamples; vectors, ids
   /// and depth are not affected.
@@ -50,8 +50,9 @@ PictureKind picture_kind(const std::filesystem::path& file, const DrawOptions& o
 HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& options,
                             PictureKind kind = PictureKind::raster);
 
-/// Throws the Errors that draw into that file would throw before it draws anything: an unknown
-/// extension, a size that a device cannot draw, a file that cannot be written.
+/// Throws the Errors that draw into that file would throw before it draws anything: an option out
+/// of its range, an unknown extension, a size that a device cannot draw, a file that cannot be
+/// written.
 void require_drawable(const std::filesystem::path& file, const DrawOptions& options);
 
 /// Draws the visible segments into a picture in memory. `kept` is what earlier calls sorted, used

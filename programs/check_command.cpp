@@ -16,6 +16,7 @@
 #include "displayfile/text/dump_compare.h"
 #include "programs/each_input.h"
 #include "programs/inputs.h"
+#include "programs/made_folders.h"
 #include "programs/option_groups.h"
 #include "programs/output_name.h"
 
@@ -59,13 +60,6 @@ class InstructionCheck : public GoldenCheck {
 std::string flat_name(const std::string& input, std::string_view extension) {
   if (input == "-") throw Error("check needs files: the name of a golden file is its input's");
   return fs::path(input).stem().string() + std::string(extension);
-}
-
-void make_folder_of(const std::string& file) {
-  const fs::path folder = fs::path(file).parent_path();
-  std::error_code error;
-  if (!folder.empty()) fs::create_directories(folder, error);
-  if (error) throw Error(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
 }
 
 void require_golden(const std::string& file, const std::string& input) {
@@ -188,12 +182,13 @@ int CheckCommand::run() const {
     require_golden(golden, inputs.front());
     check.read_golden(golden);
   }
+  MadeFolders folders;
   std::vector<Row> rows;
   for_each_input(
       inputs, 1, "checking",
       [&](std::size_t k) -> std::string {
         if (update) {
-          make_folder_of(files[k]);
+          folders.make_for(files[k]);
           check.update(inputs[k], files[k]);
           return "";
         }
@@ -209,9 +204,10 @@ int CheckCommand::run() const {
                           : update              ? Kind::written
                           : result.text.empty() ? Kind::passed
                                                 : Kind::differs;
-        if (bad) std::cerr << "displayfile: " << result.error << '\n';
-        if (kind == Kind::differs && !summary)
+        if (bad && !summary) std::cerr << "displayfile: " << result.error << '\n';
+        if (kind == Kind::differs && !summary) {
           std::cout << inputs[k] << ": " << result.text << '\n';
+        }
         rows.push_back(
             {kind, inputs[k], bad ? without_name(result.error, inputs[k]) : result.text});
       });

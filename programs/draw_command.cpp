@@ -9,16 +9,16 @@
 #include <iostream>
 #include <map>
 #include <span>
-#include <system_error>
 
 #include "clip/error.h"
 #include "displayfile/input_file.h"
 #include "hidden/exact/predicate_counts.h"
 #include "hidden/parallel.h"
 #include "interp/raster/antialias.h"
-#include "interp/visibility/auto_method.h"
+#include "programs/drawing_statistics.h"
 #include "programs/drawn_inputs.h"
 #include "programs/each_input.h"
+#include "programs/made_folders.h"
 #include "programs/option_groups.h"
 #include "programs/output_name.h"
 #include "programs/pick_option.h"
@@ -28,63 +28,6 @@
 namespace displayfile {
 
 namespace {
-
-/// How often the predicates' filters were undecided.
-std::string exact_stage_counts() {
-  std::string text;
-  const PredicateCounts counts = predicate_counts();
-  for (std::size_t i = 0; i < kPredicates; ++i) {
-    const StageCounts& count = counts[i];
-    if (count.exact + count.by_definition == 0) continue;
-    text += fmt::format("exact stage        {}: {} times, and {} zero by definition\n",
-                        name_of(static_cast<Predicate>(i)), count.exact, count.by_definition);
-  }
-  return text.empty() ? "exact stage        never asked\n" : text;
-}
-
-/// What sorting the hidden surfaces cost; nothing if none were sorted.
-std::string sort_counts(const DisplayFile& file, std::size_t polygons_and_lines) {
-  const SortCounts counts = counts_of_sorts(file);
-  if (counts.pieces == 0) return "";
-  return fmt::format(
-      "pieces             {} ({:.4f} a polygon or line)\n"
-      "cuts               {}\n"
-      "comparisons        {}\n"
-      "depth of the tree  {}\n",
-      counts.pieces, static_cast<double>(counts.pieces) / static_cast<double>(polygons_and_lines),
-      counts.cuts, counts.comparisons, counts.depth);
-}
-
-std::string statistics(const GraphicsSystem& system, const DisplayFile& file,
-                       const DrawOptions& options, PictureKind kind) {
-  std::size_t lines = 0, visible = 0, drawn = 0;
-  for (const Segment& segment : file.segments()) {
-    lines += segment.lines();
-    visible += segment.visible ? 1 : 0;
-    drawn += segment.visible ? segment.polygons() + segment.lines() : 0;
-  }
-  const std::size_t polygons = file.polygons();
-  std::string text = fmt::format(
-      "segments           {} ({} visible)\n"
-      "polygons entered   {} ({} not flat, triangulated)\n"
-      "polygons stored    {}\n"
-      "lines stored       {}\n"
-      "display file       {} bytes ({:.1f} a polygon)\n"
-      "picture            {} x {}, hidden surfaces by {}\n",
-      file.segments().size(), visible, system.polygons_entered(), system.polygons_triangulated(),
-      polygons, lines, file.bytes(),
-      polygons == 0 ? 0.0 : static_cast<double>(file.bytes()) / static_cast<double>(polygons),
-      options.width, options.height, name_of(drawing_method(system, options, kind)));
-  return text + sort_counts(file, drawn);
-}
-
-std::string explanation(const GraphicsSystem& system, const DrawOptions& options,
-                        PictureKind kind) {
-  const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
-  if (method != HiddenMethod::automatic) return fmt::format("{}: as asked for\n", name_of(method));
-  const MethodChoice choice = choose_method(system.display_file(), kind);
-  return fmt::format("auto: {}: {}\n", name_of(choice.method), choice.reason);
-}
 
 /// For --help.
 std::string listed(std::span<const Choice> choices) {
@@ -181,50 +124,37 @@ DrawOptions DrawCommand::all_options() const {
   all.precision = sorting.precision;
   all.background = background.background();
   require_raster_device(options.device);
-  if (!all.format.empty() && !all.format.starts_with('.')) all.format.insert(0, 1, '.');
   return all;
 }
 
-/// Where each input has a picture of its own, the folders that fields name are made.
-void DrawCommand::make_folder(const std::filesystem::path& file) const {
-  if (!is_name_pattern(output) || !file.has_parent_path()) return;
-  std::error_code error;
-  std::filesystem::create_directories(file.parent_path(), error);
-  if (error) {
-    throw Error(
-        fmt::format("{}: cannot be made: {}", file.parent_path().string(), error.message()));
-  }
-}
-
 std::string DrawCommand::draw_into(std::span<const std::string> drawn,
-                                   const std::filesystem::path& file,
-                                   const DrawOptions& drawing) const {
+                                   const std::filesystem::path& file, const DrawOptions& drawing,
+                                   MadeFolders* folders, NotInVectors& left_out) const {
   const auto make_folders = [&] {
-    for (const auto& written : {file, drawing.ids, drawing.depth}) make_folder(written);
+    if (folders == nullptr) return;
+    for (const auto& written : {file, drawing.ids, drawing.depth}) folders->make_for(written);
   };
   if (turntable) {
     make_folders();
     return draw_turntable(drawn, file, drawing, meshes, shading.shading(),
-                          turntable_views(*turntable), stats);
+                          turntable_views(*turntable), stats, left_out);
   }
   if (stats) reset_predicate_counts();
   const DrawnInputs entered(drawn, drawing, meshes, shading.shading());
   warn_of_stretched_window(entered.system(), file.string(), drawing.width, drawing.height);
   const GraphicsSystem& system = entered.system();
   const PictureKind kind = picture_kind(file, drawing);
-  std::string text = explain ? explanation(system, entered.options(), kind) : "";
+  std::string text = explain ? explanation_of_method(system, entered.options(), kind) : "";
   SortedDisplayFile sorted;
   {
     const Progress progress(fmt::format("drawing {} polygons", system.display_file().polygons()));
     make_folders();
     draw(system, file, entered.options(), sorted);
   }
+  left_out.note(system.display_file(), drawing, kind);
   entered.warn_if_nothing_is_seen();
   if (pick) text += picked(system, pick_option(*pick), entered.options());
-  if (stats) {
-    text +=
-        statistics(system, sorted.display_file(), entered.options(), kind) + exact_stage_counts();
-  }
+  if (stats) text += drawing_statistics(system, sorted.display_file(), entered.options(), kind);
   return text;
 }
 
@@ -256,7 +186,13 @@ void require_drawable_names(const std::string& output, const DrawOptions& option
                             const std::filesystem::path& depth) {
   picture_kind(output, options);  // an unknown extension is told with the name as given
   const auto beside = [](const std::filesystem::path& pattern, const std::filesystem::path& file) {
-    return file.empty() ? file : folder_before_fields(pattern.string()) / file.filename();
+    if (file.empty()) return file;
+    const std::filesystem::path folder = folder_before_fields(pattern.string());
+    if (!folder.empty() && !std::filesystem::exists(folder)) {
+      throw Error(fmt::format("{}: cannot be written: there is no folder {}", pattern.string(),
+                              folder.string()));
+    }
+    return folder / file.filename();
   };
   DrawOptions of_first = options;
   of_first.ids = beside(options.ids, ids);
@@ -266,7 +202,7 @@ void require_drawable_names(const std::string& output, const DrawOptions& option
 
 }  // namespace
 
-int DrawCommand::draw_each(const DrawOptions& drawing) const {
+int DrawCommand::draw_each(const DrawOptions& drawing, NotInVectors& left_out) const {
   const std::vector<Outputs> outputs = outputs_of_each(drawing);
   require_drawable_names(output, drawing, outputs[0].picture, outputs[0].ids, outputs[0].depth);
   // llvmpipe has threads of its own, and the exact stage counts for the whole process.
@@ -275,6 +211,7 @@ int DrawCommand::draw_each(const DrawOptions& drawing) const {
       several ? static_cast<int>(std::min<std::size_t>(
                     inputs.size(), static_cast<std::size_t>(useful_threads(drawing.threads))))
               : 1;
+  MadeFolders folders;
   std::vector<std::string> bad;
   for_each_input(
       inputs, at_a_time, fmt::format("drawing {} pictures", inputs.size()),
@@ -283,7 +220,7 @@ int DrawCommand::draw_each(const DrawOptions& drawing) const {
         of_one.threads = std::max(1, drawing.threads / at_a_time);
         of_one.ids = outputs[k].ids;
         of_one.depth = outputs[k].depth;
-        return draw_into(std::span(&inputs[k], 1), outputs[k].picture, of_one);
+        return draw_into(std::span(&inputs[k], 1), outputs[k].picture, of_one, &folders, left_out);
       },
       [&](std::size_t k, const InputResult& result) {
         if (!result.text.empty()) std::cout << inputs[k] << ":\n" << result.text;
@@ -306,13 +243,19 @@ int DrawCommand::run() const {
   if (std::ranges::count(files, "-") > 1) {
     throw Error("-: two outputs on standard output: expected one, and file names for the others");
   }
-  if (is_name_pattern(output)) return draw_each(drawing);
+  NotInVectors left_out;
+  if (is_name_pattern(output)) {
+    const int status = draw_each(drawing, left_out);
+    left_out.warn(output);
+    return status;
+  }
   for (const auto& file : {drawing.ids, drawing.depth}) {
     if (!is_name_pattern(file.string())) continue;
     throw Error(fmt::format("{}: has a field, and {} has none: expected both or neither",
                             file.string(), output));
   }
-  const std::string text = draw_into(inputs, output, drawing);
+  const std::string text = draw_into(inputs, output, drawing, nullptr, left_out);
+  left_out.warn(output);
   (output == "-" ? std::cerr : std::cout) << text;
   return 0;
 }

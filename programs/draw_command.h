@@ -10,7 +10,9 @@
 #include "interp/draw.h"
 #include "programs/background_option.h"
 #include "programs/hidden_surface_words.h"
+#include "programs/made_folders.h"
 #include "programs/mesh_words.h"
+#include "programs/not_in_vectors.h"
 #include "programs/pick_option.h"
 #include "programs/picture_size.h"
 #include "programs/shading_word.h"
@@ -45,12 +47,13 @@ struct DrawCommand {
   void add_output_options(CLI::App& command);
   void add_picture_options(CLI::App& command);
   DrawOptions all_options() const;
-  void make_folder(const std::filesystem::path& file) const;
-  /// What the printed options have to say of it.
+  /// Draws inputs, and makes the folders of outputs, if any are to be made, when all is read.
+  /// Returns what the printed options have to say of it.
   std::string draw_into(std::span<const std::string> drawn, const std::filesystem::path& file,
-                        const DrawOptions& drawing) const;
+                        const DrawOptions& drawing, MadeFolders* folders,
+                        NotInVectors& left_out) const;
   std::vector<Outputs> outputs_of_each(const DrawOptions& drawing) const;
-  int draw_each(const DrawOptions& drawing) const;
+  int draw_each(const DrawOptions& drawing, NotInVectors& left_out) const;
 };
 
 }  // namespace displayfile

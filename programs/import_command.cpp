@@ -1,5 +1,7 @@
 #include "programs/import_command.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 
 #include "clip/error.h"
@@ -7,6 +9,7 @@
 #include "displayfile/output_file.h"
 #include "programs/inputs.h"
 #include "programs/progress.h"
+#include "programs/warnings.h"
 
 namespace displayfile {
 
@@ -35,7 +38,11 @@ int ImportCommand::run() const {
   system.set_window_fit(WindowFit::widen);  // whatever the size that it will be drawn in
   if (start_with != Shading::flat) system.set_shading(start_with);
   const Progress progress("importing " + meshes.front());
-  const std::vector<Mesh::Skipped> skipped = import_meshes(meshes, system, entering);
+  std::vector<Mesh::Skipped> skipped;
+  {
+    const NamedWarnings named(fmt::format("{}", fmt::join(meshes, ", ")));
+    skipped = import_meshes(meshes, system, entering);
+  }
   file.commit();
   report_skipped(meshes, skipped);
   return 0;

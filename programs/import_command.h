@@ -14,8 +14,7 @@ namespace displayfile {
 struct ImportCommand {
   std::vector<std::string> meshes;
   PictureSizeWord size;  ///< of the picture that the window is made for
-  CameraWords camera;
-  ShadingWord shading;  ///< gouraud: with normals of vertices
+  ShadingWord shading;   ///< gouraud: with normals of vertices
   MeshWords options;
   std::string output;
 

@@ -54,16 +54,18 @@ namespace {
 struct InputsRead {
   std::vector<std::string> programs;  // their texts
   std::vector<Mesh> meshes;
-  /// World coordinates of meshes before which no program sets the view, and of what programs draw
+  /// World coordinates of meshes before which no program sets the window, and of what programs draw
   /// in the same view.
   std::vector<Point3> bare;
+  SaidView said;  ///< before the first of them
 };
 
-/// Adds what a program drew; none if a program set a view.
-void append_drawn(const GraphicsSystem& ahead, const RetainedScene& drawn,
-                  std::vector<Point3>& points) {
-  if (ahead.view_was_set()) return;
+/// Adds what a program drew in the view.
+void append_drawn(const View& view, const RetainedScene& drawn, std::vector<Point3>& points) {
   for (const RetainedScene::Segment& segment : drawn.segments()) {
+    View other = segment.view;
+    other.window = view.window;  // which may be widened
+    if (other != view) continue;
     const auto of_segment = drawn.points(segment);
     points.insert(points.end(), of_segment.begin(), of_segment.end());
     for (const RetainedScene::Text& text : drawn.texts(segment)) points.push_back(text.anchor);
@@ -96,12 +98,15 @@ InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem
       continue;
     }
     const bool smooth = ahead.shading() == Shading::gouraud;
+    const NamedWarnings named(input);
     Mesh& mesh = read.meshes.emplace_back(read_mesh(input, smooth));
     if (smooth) complete_normals(mesh);
-    if (system.view_was_set() || ahead.view_was_set()) continue;
+    const GraphicsSystem& before = system.view_was_set() ? system : ahead;
+    if (before.said().contains(Setting::window)) continue;
+    if (read.bare.empty()) read.said = {before.view(), before.said()};
     append_used_vertices(mesh, ahead.modelling_transformation(), read.bare);
   }
-  if (!read.bare.empty()) append_drawn(ahead, drawn, read.bare);
+  if (!read.bare.empty()) append_drawn(read.said.view, drawn, read.bare);
   return read;
 }
 
@@ -129,7 +134,7 @@ bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
   const InputsRead read = read_inputs(inputs, system);
   const std::string& first_mesh = *std::ranges::find_if_not(inputs, is_drawing_program);
   naming(first_mesh, [&] {
-    if (!read.bare.empty()) fit_view(read.bare, system, options.camera);
+    if (!read.bare.empty()) fit_view(read.bare, system, options.camera, read.said);
   });
   const Progress progress("entering " + inputs.front() + (inputs.size() > 1 ? " and others" : ""));
   auto program = read.programs.begin();
@@ -147,7 +152,7 @@ bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
     }
     meshes = meshes.subspan(i - begin);
   }
-  return !read.bare.empty();
+  return !read.bare.empty() && !read.said.settings.contains(Setting::camera);
 }
 
 bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
@@ -162,7 +167,6 @@ bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
   return fitted;
 }
 
-/// The inputs' display file, in the order that is drawn.
 DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options,
                      const MeshWords& meshes, double aspect) {
   GraphicsSystem system;

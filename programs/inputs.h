@@ -15,10 +15,11 @@ namespace displayfile {
 bool is_drawing_program(const std::string& input);
 
 /// Replays drawing programs and enters meshes, in order, into one system. Where no program before
-/// the first mesh sets the view, one is fitted to all meshes before which none does, and to what
-/// programs draw if none sets a view: it is in force from the start, so that programs before a mesh
-/// and after it share it. True if one was. Throws
-/// Error, naming the file and the place.
+/// the first mesh sets the window, a view is fitted to all meshes before which none does, and to
+/// what programs draw in the same view: it is in force from the start, so that programs before a
+/// mesh and after it share it. What programs say of the view before the first mesh stays (fit_view
+/// in displayfile/mesh/fitted_view.h). True if a camera was fitted. Throws Error, naming the file
+/// and the place.
 bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
                   const MeshOptions& options = {});
 /// The same with the command's options, for pictures of an aspect ratio.

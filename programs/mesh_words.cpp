@@ -15,8 +15,7 @@ void MeshWords::add_to(CLI::App& command) {
   command
       .add_option("--colour", colour,
                   "R,G,B, each 0 to 1, #rrggbb, white or black: of all faces of meshes, in place "
-                  "of their files' "
-                  "colours and a program's fill style")
+                  "of their files' colours and a program's fill style")
       ->group(kPictureOptions);
 }
 

@@ -57,6 +57,18 @@ const Field& field_of(std::string_view pattern, std::string_view field) {
       field, did_you_mean(field, names)));
 }
 
+/// An input without an extension leaves no dot where that would stand, and no folder without a
+/// name.
+void append(const std::string& value, std::string& made) {
+  if (!value.empty()) {
+    made += value;
+  } else if (made.empty() || made.ends_with('/')) {
+    made += '.';
+  } else if (made.ends_with('.')) {
+    made.pop_back();
+  }
+}
+
 }  // namespace
 
 bool is_name_pattern(std::string_view text) {
@@ -83,7 +95,7 @@ std::string output_name(std::string_view pattern, const std::string& input, std:
                               pattern, c, c));
     }
     const Field& field = field_of(pattern, pattern.substr(i, end - i));
-    made += field.value({input, k, inputs, made.empty()});
+    append(field.value({input, k, inputs, made.empty()}), made);
     i = end + 1;
   }
   return made;

@@ -2,35 +2,22 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <charconv>
-#include <cmath>
-
 #include "clip/error.h"
 #include "interp/renderer.h"
+#include "programs/number_list.h"
 
 namespace displayfile {
 
 PickOption pick_option(std::string_view text) {
-  std::array<double, 3> numbers{};
-  std::size_t count = 0;
-  const char *p = text.data(), *const end = p + text.size();
-  bool right = true;
-  while (right && count < numbers.size()) {
-    const auto [after, error] = std::from_chars(p, end, numbers[count]);
-    right = error == std::errc{} && std::isfinite(numbers[count]);
-    ++count;
-    p = after;
-    if (!right || p == end) break;
-    right = *p == ',';
-    ++p;
-  }
-  if (!right || p != end || text.ends_with(',') || count < 2 ||
-      !(numbers[2] >= 0.0 && numbers[2] <= kLargestSide)) {
+  const auto numbers = number_list(text);
+  const bool has_reach = numbers && numbers->size() == 3;
+  const double reach = has_reach ? numbers->back() : 0.0;
+  if (!numbers || (numbers->size() != 2 && !has_reach) ||
+      !(reach >= 0.0 && reach <= kLargestSide)) {
     throw Error(fmt::format(
         "--pick {}: expected X,Y or X,Y,REACH in pixels, such as 100,200 or 100,200,3", text));
   }
-  return {numbers[0], numbers[1], numbers[2]};
+  return {(*numbers)[0], (*numbers)[1], reach};
 }
 
 std::string picked(const GraphicsSystem& system, const PickOption& at, const DrawOptions& options) {

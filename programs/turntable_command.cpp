@@ -111,7 +111,7 @@ std::filesystem::path numbered(const std::filesystem::path& file, int number, in
 
 std::string draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
                            const DrawOptions& options, const MeshWords& meshes, Shading shading,
-                           int views, bool stats) {
+                           int views, bool stats, NotInVectors& left_out) {
   require_views(options);
   for (const auto& file : {output, options.ids, options.depth}) {
     if (file == "-") throw Error("--turntable draws many views: expected a file name, not -");
@@ -127,6 +127,7 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
   turning.turning = true;
   const bool fitted = enter_inputs(inputs, system, turning, aspect);
   warn_of_stretched_window(system, output.string(), options.width, options.height);
+  left_out.note(system.display_file(), options, picture_kind(output, options));
   Turntable turntable(scene, system.display_file(), system.view());
   const Camera looking = meshes.camera();
   if (fitted) turntable.set_axis(looking.upright.up);

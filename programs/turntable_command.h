@@ -7,6 +7,7 @@
 #include "displayfile/mesh/mesh_options.h"
 #include "interp/draw.h"
 #include "programs/mesh_words.h"
+#include "programs/not_in_vectors.h"
 
 namespace displayfile {
 
@@ -23,10 +24,10 @@ int turntable_views(const std::string& text);
 /// could not be written at the start. Throws Error for a hidden-surface method other than those
 /// two, and if the segments were drawn in several views.
 ///
-/// Returns the statistics, if they are asked for.
+/// Notes what vectors leave out. Returns the statistics, if they are asked for.
 std::string draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
                            const DrawOptions& options, const MeshWords& meshes, Shading shading,
-                           int views, bool stats);
+                           int views, bool stats, NotInVectors& left_out);
 
 /// The name of one of `views` files: with a number of three digits or more before the extension.
 std::filesystem::path numbered(const std::filesystem::path& file, int number, int views);

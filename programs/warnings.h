@@ -1,6 +1,9 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
+#include <sstream>
+#include <string>
 
 namespace displayfile {
 
@@ -8,6 +11,7 @@ namespace displayfile {
 /// them, so that those of several inputs that are drawn at a time do not mix.
 std::ostream& warnings();
 
+/// Collects the warnings of its thread, and what libraries write to std::cerr there.
 class CollectedWarnings {
  public:
   explicit CollectedWarnings(std::ostream& into);
@@ -17,6 +21,21 @@ class CollectedWarnings {
 
  private:
   std::ostream* before_;
+};
+
+/// Collects what a library says of a file, without its name, and warns of each line with the name
+/// before it in the end.
+class NamedWarnings {
+ public:
+  explicit NamedWarnings(std::string name);
+  ~NamedWarnings();
+  NamedWarnings(const NamedWarnings&) = delete;
+  NamedWarnings& operator=(const NamedWarnings&) = delete;
+
+ private:
+  std::string name_;
+  std::stringstream said_;
+  std::optional<CollectedWarnings> collected_;
 };
 
 }  // namespace displayfile

@@ -100,6 +100,41 @@ TEST(Application, ViewsARetainedScene) {
             displayfile::draw(g, options).pixels);
 }
 
+/// Every way to draw says what is wrong with an option, and in a file and in memory the same.
+TEST(Application, BadOptionsAreErrors) {
+  using displayfile::DrawOptions;
+  displayfile::GraphicsSystem g;
+  const auto said = [](auto&& draw) -> std::string {
+    try {
+      draw();
+    } catch (const displayfile::Error& error) {
+      return error.what();
+    }
+    return "nothing";
+  };
+  const std::pair<DrawOptions, const char*> cases[] = {
+      {DrawOptions{.threads = -1}, "-1 threads: expected 1 or more"},
+      {DrawOptions{.threads = 0}, "0 threads: expected 1 or more"},
+      {DrawOptions{.format = ".gif"}, "unknown picture format '.gif': expected one of "},
+      {DrawOptions{.format = "pgn"}, "unknown picture format 'pgn': did you mean '.png'"},
+      {DrawOptions{.device = "x"}, "unknown device 'x': expected "},
+      {DrawOptions{.samples = 0}, "0 samples along a pixel's side: expected 1 to 16"},
+      {DrawOptions{.width = 70000}, "picture size 70000x512: expected 1x1 to 65535x"},
+      {DrawOptions{.width = 10000, .height = 9, .samples = 16},
+       "picture size 10000x9 with 16 x 16 samples a pixel: expected 1x1 to 4095x4095 "}};
+  for (const auto& wrong_and_why : cases) {
+    const DrawOptions& wrong = wrong_and_why.first;
+    const char* const what = wrong_and_why.second;
+    EXPECT_TRUE(said([&] { draw(g, wrong); }).starts_with(what)) << said([&] { draw(g, wrong); });
+    EXPECT_TRUE(said([&] { draw(g, "/dev/null/x.png", wrong); }).starts_with(what)) << what;
+    EXPECT_TRUE(said([&] { displayfile::Renderer().draw(g, wrong); }).starts_with(what)) << what;
+    EXPECT_TRUE(said([&] { displayfile::Renderer().pick(g, 1, 1, wrong); }).starts_with(what));
+  }
+  EXPECT_EQ(said([&] { draw(g, {.width = 4095, .height = 1, .samples = 16}); }), "nothing");
+  EXPECT_EQ(said([&] { draw(g, {.width = 9, .height = 9, .format = ".PNG"}); }), "nothing");
+  EXPECT_EQ(said([&] { draw(g, {.width = 9, .height = 9, .format = "svg"}); }), "nothing");
+}
+
 /// A picture that was refused leaves the one before as it is, or gives it up whole.
 TEST(Renderer, ARefusedPictureIsWholeOrNone) {
   displayfile::GraphicsSystem g;

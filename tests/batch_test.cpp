@@ -77,6 +77,21 @@ TEST_F(Batch, FieldsAreTheInputsFolderNameExtensionAndPlace) {
   expect_picture_of("red.draw", "stdin.png");
 }
 
+/// An input without an extension gives a name like any other, and not the root folder.
+TEST_F(Batch, InputsWithoutAnExtension) {
+  write("triangle",
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float "
+        "y\nproperty float z\nelement face 1\nproperty list uchar int "
+        "vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  for (const auto& [pattern, made] : {std::pair("{name}.{ext}.png", "triangle.png"),
+                                      std::pair("{name}-{ext}.png", "triangle-.png"),
+                                      std::pair("{ext}/{name}-2.png", "triangle-2.png"),
+                                      std::pair("a/{ext}/{name}-3.png", "a/triangle-3.png")}) {
+    EXPECT_EQ(run("draw triangle --size 40x30 -o '" + std::string(pattern) + "'"), 0) << err_;
+    EXPECT_TRUE(fs::exists(folder_ / made)) << pattern;
+  }
+}
+
 /// What stands before the folder is never left, whatever the input's is.
 TEST_F(Batch, FoldersStayBelowWhatStandsBeforeThem) {
   fs::create_directory(folder_ / "out");
@@ -143,10 +158,43 @@ TEST_F(Batch, NothingIsLeftOfWhatIsNotDrawn) {
   fs::create_directory(folder_ / "out");
   EXPECT_EQ(run("draw a/bad.draw b/bad.draw -o 'out/{folder}/{name}.png'"), 2);
   EXPECT_TRUE(fs::is_empty(folder_ / "out"));
+  // It is read well, and cannot be drawn.
+  fs::create_directories(folder_ / "out/b/bad.png");
+  EXPECT_EQ(run("draw a/house.draw b/house.draw -o 'out/{folder}/bad.png' --ids "
+                "'out/{folder}/ids/{name}.npy'"),
+            2);
+  EXPECT_TRUE(fs::exists(folder_ / "out/a/ids/house.npy"));
+  EXPECT_FALSE(fs::exists(folder_ / "out/b/ids"));
   fs::create_directory(folder_ / "red.png");
   EXPECT_EQ(run("draw green.draw red.draw -o '{name}.png' --size 40x30"), 2);
   EXPECT_NE(err_.find("red.draw: red.png: is a folder"), std::string::npos) << err_;
   expect_picture_of("green.draw", "green.png");
+}
+
+/// Once for all pictures, and only where something is left out.
+TEST_F(Batch, WhatVectorsLeaveOutIsSaidOnce) {
+  const std::string all = "draw red.draw tent.obj a/house.draw --size 40x30 -o '{number}";
+  write("tent.obj", "v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 1\nv 1 2 0\nv 0 2 0\nf 1 2 3 4\nf 4 3 5 6\n");
+  EXPECT_EQ(run(all + ".svg'"), 0);
+  EXPECT_EQ(err_, "");
+  EXPECT_EQ(run(all + ".svg' --samples 3"), 0);
+  EXPECT_EQ(err_, "{number}.svg: vectors leave out --samples\n");
+  for (const char* turned : {"", " --turntable 2"}) {
+    EXPECT_EQ(run(all + ".pdf' --samples 3 --shading gouraud" + turned), 0);
+    EXPECT_EQ(err_,
+              "{number}.pdf: vectors leave out Gouraud shading (a polygon is filled evenly), "
+              "--samples\n");
+    EXPECT_EQ(run(all + ".png' --samples 3 --shading gouraud" + turned), 0);
+    EXPECT_EQ(err_, "");
+  }
+  write("shadows.draw",
+        "set-light 0.3 0.2 1\nset-shadows on\nset-fill-style solid 1 1 1\nopen-segment "
+        "1\npolygon-abs-3 0 0 0  1 0 0  1 1 0  0 1 0\n"
+        "polygon-abs-3 0.2 0.2 0.3  0.6 0.2 0.3  0.6 0.6 0.3  0.2 0.6 0.3\nclose-segment\n");
+  EXPECT_EQ(run("draw shadows.draw -o s.svg"), 0);
+  EXPECT_EQ(err_, "s.svg: vectors leave out shadows\n");
+  EXPECT_EQ(run("draw shadows.draw -o s.png"), 0);
+  EXPECT_EQ(err_, "");
 }
 
 TEST_F(Batch, EveryMessageNamesItsFile) {
@@ -191,8 +239,14 @@ TEST_F(Batch, RefusesBeforeAnythingIsDrawn) {
   expect_error("draw red.draw -o '{na{name}.png'", "a brace by itself");
   expect_error("draw red.draw green.draw -o '{name}.gif'", "{name}.gif: unknown picture format");
   expect_error("draw red.draw green.draw -o '{name}'", "unknown picture format ''");
-  expect_error("draw red.draw green.draw -o 'nowhere/{name}.png'", "nowhere/red.png");
-  expect_error("draw red.draw -o '{name}.png' --ids 'nowhere/{name}.npy'", "nowhere/red.npy");
+  expect_error("draw red.draw green.draw -o 'nowhere/{name}.png'",
+               "nowhere/{name}.png: cannot be written: there is no folder nowhere");
+  expect_error("draw a/house.draw -o 'nowhere/in/{folder}/{name}.png'",
+               "nowhere/in/{folder}/{name}.png: cannot be written: there is no folder nowhere/in");
+  expect_error("draw a/house.draw -o nowhere/in.png",
+               "nowhere/in.png: cannot be written: there is no folder nowhere");
+  expect_error("draw red.draw -o '{name}.png' --ids 'nowhere/{name}.npy'",
+               "nowhere/{name}.npy: cannot be written: there is no folder nowhere");
   expect_error("draw red.draw -o '{name}.svg' --device osmesa", "osmesa");
   expect_error("draw red.draw -o '{name}.png' --size 1x", "--size 1x");
   expect_error("draw red.draw -o '{name}.png' --turntable 0", "--turntable 0");

@@ -108,6 +108,30 @@ TEST_F(Camera, NeedsAMeshWhoseViewNoProgramSets) {
   expect_error("dump square.draw --parallel", "--parallel: " + words);
   expect_error("truth view.draw m.obj --no-fit --ids x.npy", "--no-fit: " + words);
   draw("m.obj view.draw -o x.png --up z");
+  write("half.draw", "set-viewport 0 0.5 0 1\n");
+  draw("half.draw m.obj -o x.png --up z --eye 10,5");
+}
+
+/// A mesh in a viewport is the picture of the mesh by itself, as large as the viewport.
+TEST_F(Camera, AViewportBeforeAMeshKeepsTheFit) {
+  write("m.obj", kPyramid);
+  write("half.draw", "set-viewport 0 0.5 0 1\n");
+  draw("half.draw m.obj -o half.png --size 80x60 --ids half.npy");
+  draw("m.obj -o m.png --size 40x60 --ids m.npy");
+  write("empty.draw", "# nothing\n");
+  const auto seen = [&](const std::string& file, const std::string& size) {
+    EXPECT_EQ(run("draw empty.draw -o e.png --ids e.npy --size " + size), 0);
+    EXPECT_EQ(run("compare " + file + " e.npy"), 1);
+    return std::stoi(out_);  // pixels that differ
+  };
+  const int pixels = seen("m.npy", "40x60");
+  EXPECT_GT(pixels, 200);
+  EXPECT_NEAR(seen("half.npy", "80x60"), pixels, 3);
+  write("eye.draw",
+        "set-perspective 1 2 9\nopen-segment 7\nmove-abs-3 0 0 0\nline-abs-3 0 4 0\n"
+        "close-segment\n");
+  draw("eye.draw m.obj -o eye.png --ids eye.npy");
+  EXPECT_GT(seen("eye.npy", "512x512"), 1000) << "what is not said is fitted";
 }
 
 TEST_F(Camera, ProgramsBeforeAMeshAndAfterItShareItsView) {

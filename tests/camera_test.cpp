@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -11,6 +12,7 @@
 
 #include "clip/error.h"
 #include "clip/view_volume.h"
+#include "clip/window_fit.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/text/drawing_program.h"
@@ -349,6 +351,85 @@ TEST_F(SettingsBeforeAMesh, OnlyTheCameraLeavesTheRestToTheMesh) {
   const std::string text = dump(g.display_file());
   EXPECT_NE(text.find("line-style none"), std::string::npos);
   EXPECT_EQ(text.find("fill solid 0.8 0.8 0.8"), std::string::npos);
+}
+
+/// What is said of the view replaces only that: the mesh is seen whole, unless the window was said.
+class ViewBeforeAMesh : public SettingsBeforeAMesh {
+ protected:
+  View view_after(const std::string& program) {
+    GraphicsSystem g;
+    enter(program, g);
+    EXPECT_FALSE(g.stretched_window()) << program;
+    return g.view();
+  }
+  /// How near to a side of the viewport a vertex is, in parts of the viewport.
+  double nearest_to_a_side(const View& view) {
+    const ViewVolume volume(view);
+    const Rectangle& v = view.viewport;
+    double nearest = 1.0;
+    for (const Point3& vertex : mesh_of(cube()).vertices) {
+      const Point3 p = volume.to_device(volume.transform(vertex));
+      const double x = (p.x - v.x_min) / (v.x_max - v.x_min);
+      const double y = (p.y - v.y_min) / (v.y_max - v.y_min);
+      nearest = std::min({nearest, x, 1.0 - x, y, 1.0 - y});
+      EXPECT_TRUE(p.z > 0.0 && p.z < 1.0) << "the depth encloses it";
+    }
+    return nearest;
+  }
+};
+
+TEST_F(ViewBeforeAMesh, ViewportDepthAndClippingStayAndTheRestIsFitted) {
+  const View bare = view_after("");
+  View wide = view_after("set-viewport 0 1 0.25 0.75\n");
+  EXPECT_EQ(wide.viewport, (Rectangle{0, 1, 0.25, 0.75}));
+  EXPECT_NEAR(shape_of(wide.window), 2.0, 1e-12);
+  EXPECT_NEAR(nearest_to_a_side(wide), 0.05, 1e-9);
+  wide.viewport = bare.viewport;
+  wide.window = bare.window;
+  EXPECT_EQ(wide, bare);
+  View clipped = bare;
+  clipped.front_clipping = true;
+  EXPECT_EQ(view_after("set-front-plane-clipping on\n"), clipped);
+  clipped.back_clipping = true;
+  EXPECT_EQ(view_after("set-front-plane-clipping on\nset-back-plane-clipping on\n"), clipped);
+  View deep = bare;
+  deep.set_depth(-0.5, 0.25);
+  EXPECT_EQ(view_after("set-view-depth -0.5 0.25\n"), deep);
+}
+
+TEST_F(ViewBeforeAMesh, OfACameraTheWindowIsFitted) {
+  for (const char* program :
+       {"set-perspective 3 2 6\n", "set-perspective 3 2 60\nset-view-distance 2\n",
+        "set-parallel 0.3 0.2 -1\n", "set-parallel 0 0 4\n", "set-view-plane-normal -1 -2 -3\n",
+        "set-view-reference-point 50 0 0\n", "set-view-up 1 0.5 0\n",
+        "set-view-reference-point 1 2 3\nset-view-plane-normal 0.5 -1 -2\nset-view-up 1 1 1\n"
+        "set-view-distance -4\nset-perspective -7 12 25\n",
+        "set-perspective 3 2 6\nset-viewport 0 0.5 0 1\n"}) {
+    GraphicsSystem only_said;
+    replay(program, "program", only_said);
+    const View view = view_after(program);
+    EXPECT_NEAR(nearest_to_a_side(view), 0.05, 1e-9) << program;
+    View said = only_said.view();
+    said.window = view.window;
+    said.set_depth(view.front, view.back);
+    EXPECT_EQ(view, said) << program;
+  }
+}
+
+TEST_F(ViewBeforeAMesh, AWindowThatWasSaidIsThatOfTheSaidView) {
+  for (const char* program :
+       {"set-window -3 3 -3 3\n", "set-window 0 2 0 2\nset-view-up 1 0 0\n"}) {
+    GraphicsSystem only_said;
+    replay(program, "program", only_said);
+    EXPECT_EQ(view_after(program), only_said.view());
+  }
+}
+
+TEST_F(ViewBeforeAMesh, AMeshThatIsNotBeforeTheSaidEyeIsRefused) {
+  GraphicsSystem g;
+  EXPECT_THROW(enter("set-perspective 0.5 0.5 0.5\n", g), Error);
+  EXPECT_TRUE(g.display_file().segments().empty());
+  EXPECT_FALSE(g.said().contains(Setting::window));
 }
 
 TEST_F(SettingsBeforeAMesh, StylesAreThenWhatTheyWere) {

@@ -430,7 +430,7 @@ TEST_F(Command, WarnsWhyNothingIsSeen) {
   EXPECT_EQ(run("draw t.draw u.draw -o '{name}.png'"), 0);
   EXPECT_EQ(err_,
             "t.draw: nothing is seen: the only polygon or line is to the right of the window\n");
-  write("away.draw", "set-view-reference-point 50 0 0\n");
+  write("away.draw", "set-view-reference-point 50 0 0\nset-window -1 1 -1 1\n");
   write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\np 1\n");
   EXPECT_EQ(run("draw away.draw m.obj -o m.png"), 0);
   EXPECT_NE(err_.find("away.draw and others: nothing is seen: the only polygon or line is to the "

@@ -361,9 +361,12 @@ TEST(DrawingProgram, BinaryInputIsRefusedBeforeAnyLineIsCarriedOut) {
       {"\x7F"s + "ELF\x02\x01\x01\0"s, "1:1: not a drawing program: byte 0x7f"},
       {"# PNG follows\n\x89PNG\r\n\x1A\n"s, "2:1: not a drawing program: byte 0x89"},
       {"# \x1b[0m\n"s, "1:3: not a drawing program: byte 0x1b"},
-      {"\xFF\xFEo\0p\0"s, "1:1: not a drawing program: byte 0xff"},  // UTF-16
-      {"# caf\xE9\n"s, "1:6: not a drawing program: byte 0xe9"},     // Latin-1
-      {"# \xC3"s, "1:3: not a drawing program: byte 0xc3"},          // cut short
+      {"\xFF\xFEo\0p\0"s, "1:1: not a drawing program: UTF-16"},
+      {"\xFE\xFF\0o\0p"s, "1:1: not a drawing program: UTF-16"},
+      {"\xFF\xFE"s, "1:1: not a drawing program: byte 0xff"},
+      {"\xFF\xFE\0\0o\0\0\0"s, "1:1: not a drawing program: byte 0xff"},  // UTF-32
+      {"# caf\xE9\n"s, "1:6: not a drawing program: byte 0xe9"},          // Latin-1
+      {"# \xC3"s, "1:3: not a drawing program: byte 0xc3"},               // cut short
       {"# \xE2\x86"s, "1:3: not a drawing program: byte 0xe2"},
       {"# \xF0\x9F\x93"s, "1:3: not a drawing program: byte 0xf0"},
       {"# \xC0\xAF"s, "1:3: not a drawing program: byte 0xc0"},  // too long for what it says

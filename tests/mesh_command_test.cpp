@@ -1,5 +1,6 @@
 // Meshes on the command line: their colours, what is said of them, and names in either case.
 
+#include <sstream>
 #include <string>
 
 #include "tests/command_fixture.h"
@@ -77,6 +78,75 @@ TEST_F(MeshCommand, WhatIsNotDrawnIsSaidOnce) {
   write("bad.mtl", "newmtl red\nKd 1 nan 0\n");
   write("bad.obj", std::string("mtllib bad.mtl\n") + kCorners + kFaces);
   expect_error("draw bad.obj -o x.png", "bad.mtl:2:6: 'nan'");
+}
+
+std::string in_utf16(const std::string& ascii, bool big_endian) {
+  std::string text = big_endian ? "\xFE\xFF" : "\xFF\xFE";
+  for (const char c : ascii) {
+    if (big_endian) text += '\0';
+    text += c;
+    if (!big_endian) text += '\0';
+  }
+  return text;
+}
+
+TEST_F(MeshCommand, TextInUtf16IsNamedAsSuch) {
+  for (const bool big_endian : {false, true}) {
+    for (const char* extension : {"obj", "OFF", "ply", "stl", "ac", "x", "draw", "weird"}) {
+      const std::string name = std::string("m.") + extension;
+      write(name, in_utf16("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", big_endian));
+      expect_error("draw " + name + " -o m.png", "UTF-16, expected UTF-8 text");
+      EXPECT_TRUE(err_.starts_with("displayfile: " + name + ":")) << err_;
+    }
+  }
+}
+
+/// The reason is that of the reader that the extension names, or none: what another format's reader
+/// says is of no use.
+TEST_F(MeshCommand, RefusedFilesGetTheRightReadersReason) {
+  write("m.ac", "nothing\n");
+  if (run("draw m.ac -o m.png"); err_.find("import library") != std::string::npos) {
+    GTEST_SKIP() << "no import library";
+  }
+  expect_error("draw m.ac -o m.png", "m.ac: not a mesh that can be read: AC3D");
+  for (const char* text :
+       {"v 1 2 3\nvn\nusemtl x\nf 7 8 9\n", "BLENDER", "BLENDER magic", "#VRML"}) {
+    write("m.wrl", text);
+    expect_error("draw m.wrl -o m.png", "m.wrl: not a mesh that can be read: no reader takes .wrl");
+    write("m", text);
+    expect_error("draw m -o m.png", "m: not a mesh that can be read: no reader takes it, and its");
+  }
+}
+
+/// A library writes some of its messages to standard error itself, without a name.
+TEST_F(MeshCommand, WhatAReaderSaysItselfIsToldWithTheFilesName) {
+  write("m.ogex", "CameraObject {}\n");
+  write("n.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  write("bad.ac", "nothing\n");
+  if (run("draw m.ogex -o m.png"); err_.find("import library") != std::string::npos) {
+    GTEST_SKIP() << "no import library";
+  }
+  for (const char* command :
+       {"draw m.ogex n.obj -o '{name}.png' --threads 1", "draw n.obj m.ogex -o '{name}.png'",
+        "draw m.ogex -o m.png", "dump m.ogex", "import m.ogex -o m.draw"}) {
+    EXPECT_EQ(run(command), 2);
+    std::istringstream lines(err_);
+    for (std::string line; std::getline(lines, line);) {
+      EXPECT_TRUE(line.starts_with("m.ogex: ") || line.starts_with("displayfile: m.ogex: ") ||
+                  line.starts_with("displayfile: 1 of 2") || line == "  m.ogex")
+          << command << "\n"
+          << line;
+    }
+    EXPECT_NE(
+        err_.find("displayfile: m.ogex: not a mesh that can be read: there is nothing in it\n"),
+        std::string::npos)
+        << command << "\n"
+        << err_;
+  }
+  EXPECT_EQ(run("draw bad.ac m.ogex -o '{name}.png' --threads 1"), 2);
+  EXPECT_NE(err_.find("m.ogex: not a mesh that can be read: there is nothing in it\n"),
+            std::string::npos)
+      << err_;
 }
 
 TEST_F(MeshCommand, ExtensionsMayBeInEitherCase) {

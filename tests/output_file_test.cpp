@@ -110,7 +110,8 @@ TEST_F(OutputFileTest, LongNameIsFine) {
 TEST_F(OutputFileTest, FolderOrMissingFolderOrNoNameIsAnError) {
   EXPECT_EQ(error_of(folder_.string()), folder_.string() + ": is a folder: expected a file name");
   const std::string nowhere = (folder_ / "missing" / "p.png").string();
-  EXPECT_EQ(error_of(nowhere), nowhere + ": cannot be written: No such file or directory");
+  EXPECT_EQ(error_of(nowhere),
+            nowhere + ": cannot be written: there is no folder " + (folder_ / "missing").string());
   EXPECT_EQ(error_of(""), "the output file has no name");
   EXPECT_EQ(files(), 0);
 }

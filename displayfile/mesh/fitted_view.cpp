@@ -89,19 +89,26 @@ std::vector<Point3> turned(std::span<const Point3> world, const Point3& middle,
 /// What of the points is needed to fit a view to them, in the view plane's coordinates.
 class FittedView {
  public:
+  /// By the camera.
   FittedView(std::span<const Point3> world, double aspect, const Camera& camera);
+  /// Only the window and the depth of a view whose camera was said.
+  FittedView(std::span<const Point3> world, double aspect, const View& said);
   const View& view() const { return view_; }
 
  private:
+  void take(std::span<const Point3> world);
   void place_eye(double distance);
   void stand_back(double slope);
   void fit_window();
   void enclose_depth();
 
-  const Camera& camera_;
+  Camera camera_;
   double aspect_;
-  double radius_;  // of the scene
+  Bounds scene_;
+  double radius_ = 1.0;  // of the scene
   double distance_ = 0.0;
+  Point2 eye_{0.0};    // of a perspective, across the view plane; its distance is distance_
+  Point2 slant_{0.0};  // of projectors in parallel, for each unit toward the viewer
   Point3 toward_eye_{0.0};
   glm::dmat4 view_plane_{1.0};
   std::vector<Point3> points_;
@@ -110,13 +117,9 @@ class FittedView {
 
 FittedView::FittedView(std::span<const Point3> world, double aspect, const Camera& camera)
     : camera_(camera), aspect_(aspect) {
-  Bounds scene;
-  for (const Point3& p : world) scene.include(p);
-  if (scene.empty()) throw Error("no faces to fit the view to");
-  const double diagonal = glm::length(scene.high - scene.low);
-  radius_ = diagonal > 0.0 ? 0.5 * diagonal : 1.0;
+  take(world);
   const double seen_radius = camera.fit ? radius_ : 1.0;
-  const Point3 at = camera.look_at.value_or(camera.fit ? scene.middle() : Point3(0.0));
+  const Point3 at = camera.look_at.value_or(camera.fit ? scene_.middle() : Point3(0.0));
 
   const auto* const direction = std::get_if<EyeDirection>(&camera.eye);
   const Sight sight = direction != nullptr
@@ -136,7 +139,7 @@ FittedView::FittedView(std::span<const Point3> world, double aspect, const Camer
   const bool stands_back = camera.angle_of_view && direction != nullptr && camera.fit;
   std::vector<Point3> places;
   if (stands_back && camera.turning) {
-    places = turned(world, scene.middle(), camera.upright);
+    places = turned(world, scene_.middle(), camera.upright);
     world = places;
   }
   for (const Point3& p : world) points_.emplace_back(view_plane_ * HomogeneousPoint(p, 1.0));
@@ -151,6 +154,33 @@ FittedView::FittedView(std::span<const Point3> world, double aspect, const Camer
     view_.set_window(widened(about_the_middle(1.0, 1.0), aspect));
   }
   enclose_depth();
+}
+
+FittedView::FittedView(std::span<const Point3> world, double aspect, const View& said)
+    : aspect_(aspect), view_(said) {
+  take(world);
+  camera_.parallel = said.projection == View::Projection::parallel;
+  View along_normal = said;  // any direction will do for the axes of the view plane
+  along_normal.set_parallel(said.plane_normal);
+  view_plane_ = ViewVolume(along_normal).view_plane();
+  for (const Point3& p : world) points_.emplace_back(view_plane_ * HomogeneousPoint(p, 1.0));
+  if (camera_.parallel) {
+    const Point3 along(view_plane_ * HomogeneousPoint(said.direction_of_projection, 0.0));
+    slant_ = Point2(along) / along.z;
+  } else {
+    const Point3 eye(view_plane_ * HomogeneousPoint(said.centre_of_projection, 1.0));
+    eye_ = Point2(eye);
+    distance_ = eye.z;
+  }
+  fit_window();
+  enclose_depth();
+}
+
+void FittedView::take(std::span<const Point3> world) {
+  for (const Point3& p : world) scene_.include(p);
+  if (scene_.empty()) throw Error("no faces to fit the view to");
+  const double diagonal = glm::length(scene_.high - scene_.low);
+  if (diagonal > 0.0) radius_ = 0.5 * diagonal;
 }
 
 void FittedView::place_eye(double distance) {
@@ -195,10 +225,11 @@ void FittedView::fit_window() {
     const double w = camera_.parallel ? 1.0 : 1.0 - p.z / distance_;
     if (!(w > kNearestFront)) {
       throw Error(
-          "the mesh is not all before the eye: expected an eye farther away, an angle of view, or "
-          "nothing to be fitted");
+          "the mesh is not all before the eye: expected an eye farther away, an angle of view, "
+          "nothing to be fitted, or a window that is set");
     }
-    seen.include({p.x / w, p.y / w, p.z});
+    const Point2 at = eye_ + (Point2(p) - slant_ * p.z - eye_) / w;
+    seen.include({at.x, at.y, p.z});
   }
   if (camera_.look_at) {
     const Point3 reach = glm::max(glm::abs(seen.low), glm::abs(seen.high));
@@ -218,7 +249,7 @@ void FittedView::enclose_depth() {
   const double margin = kDepthMargin * radius_;
   front += margin;
   if (!camera_.parallel) front = std::min(front, (1.0 - kNearestFront) * distance_);
-  view_.set_depth(-front, -std::min(back, front) + margin);
+  view_.set_depth(view_.distance - front, view_.distance - std::min(back, front) + margin);
 }
 
 }  // namespace
@@ -232,23 +263,41 @@ void append_used_vertices(const Mesh& mesh, const ModellingTransformation& model
   }
 }
 
-void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera) {
-  const View view = FittedView(world, system.aspect_ratio(), camera).view();
+namespace {
+
+void set_camera(const View& view, GraphicsSystem& system) {
   system.set_view_reference_point(view.reference_point);
   system.set_view_plane_normal(view.plane_normal);
   system.set_view_distance(view.distance);
   system.set_view_up(view.up);
-  if (camera.parallel) {
+  if (view.projection == View::Projection::parallel) {
     system.set_parallel(view.direction_of_projection);
   } else {
     system.set_perspective(view.centre_of_projection);
   }
-  system.set_view_depth(view.front, view.back);
-  system.set_front_plane_clipping(false);
-  system.set_back_plane_clipping(false);
+}
+
+}  // namespace
+
+void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera,
+              const SaidView& said) {
+  const auto is_said = [&](Setting setting) { return said.settings.contains(setting); };
+  const bool has_camera = is_said(Setting::camera);
+  if (is_said(Setting::window) || (has_camera && !camera.fit)) return;
+  const double aspect = shape_in_picture(said.view.viewport, system.aspect_ratio());
+  const View view = has_camera ? FittedView(world, aspect, said.view).view()
+                               : FittedView(world, aspect, camera).view();
+  if (!has_camera) set_camera(view, system);
+  if (!is_said(Setting::view_depth)) system.set_view_depth(view.front, view.back);
+  if (!is_said(Setting::front_plane_clipping)) system.set_front_plane_clipping(false);
+  if (!is_said(Setting::back_plane_clipping)) system.set_back_plane_clipping(false);
   const Rectangle& window = view.window;
   system.set_window(window.x_min, window.x_max, window.y_min, window.y_max);
-  system.set_viewport(0.0, 1.0, 0.0, 1.0);
+  if (!is_said(Setting::viewport)) system.set_viewport(0.0, 1.0, 0.0, 1.0);
+}
+
+void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera) {
+  fit_view(world, system, camera, {system.view(), system.said()});
 }
 
 void fit_view(std::span<const Mesh> meshes, GraphicsSystem& system, const Camera& camera) {

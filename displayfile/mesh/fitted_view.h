@@ -14,15 +14,28 @@ namespace displayfile {
 void append_used_vertices(const Mesh& mesh, const ModellingTransformation& modelling,
                           std::vector<Point3>& world);
 
+/// What an application said of the view before a mesh.
+struct SaidView {
+  View view;
+  SaidSettings settings;  ///< which parts of it were said
+};
+
 /// Sets a view that shows the points whole, by a camera: unless it says otherwise a three-quarter
 /// perspective from the front, a little from the right and from above; the window fitted to what is
 /// projected with a small margin, in the shape of the system's pictures; the view depth enclosing
 /// the points.
 ///
+/// What was said of the view stays, as the system has it or as `said` has it, to which a program
+/// that is yet to be replayed brings it: the window is made for its viewport, its depth and
+/// clipping are kept, and of its camera only the window is fitted. With a window that was said
+/// nothing is set.
+///
 /// Throws Error, with no view set, if there are no points, a segment is open, or the camera cannot
 /// be: an eye at what it looks at, an angle of view out of range, or, to be fitted, points that are
 /// not before the eye.
 void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera = {});
+void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera,
+              const SaidView& said);
 /// The same for meshes, in the modelling transformation in force.
 void fit_view(std::span<const Mesh> meshes, GraphicsSystem& system, const Camera& camera = {});
 

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "displayfile/file_extension.h"
 #include "displayfile/mesh/lost_detail.h"
 #include "displayfile/mesh/mesh_builder.h"
 #include "displayfile/shared_library.h"
@@ -42,6 +43,8 @@ struct ImportLibrary {
       library.function<decltype(&aiReleaseImport)>("aiReleaseImport");
   decltype(&aiGetErrorString) error =
       library.function<decltype(&aiGetErrorString)>("aiGetErrorString");
+  decltype(&aiIsExtensionSupported) supports =
+      library.function<decltype(&aiIsExtensionSupported)>("aiIsExtensionSupported");
   decltype(&aiGetMaterialColor) colour =
       library.function<decltype(&aiGetMaterialColor)>("aiGetMaterialColor");
   decltype(&aiGetMaterialFloatArray) numbers =
@@ -83,8 +86,10 @@ Scene import_scene(const ImportLibrary& library, const std::string& path) {
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
   Scene scene(library.import_file(path.c_str(), 0, nullptr, properties.get()), library.release);
+  // Where there is a scene, the message is that of a file before.
   if (scene == nullptr || scene->mRootNode == nullptr) {
-    throw Error(fmt::format("{}: not a mesh that can be read: {}", path, library.error()));
+    throw Error(fmt::format("{}: not a mesh that can be read: {}", path,
+                            scene == nullptr ? library.error() : "there is nothing in it"));
   }
   return scene;
 }
@@ -319,15 +324,31 @@ class SceneReader {
   MeshBuilder mesh_;
 };
 
-}  // namespace
-
-Mesh read_by_import_library(const std::string& path, bool with_normals) {
-  const ImportLibrary& library = library_for(path);
+Mesh read_by(const ImportLibrary& library, const std::string& path, bool with_normals) {
   const Scene scene = import_scene(library, path);
   SceneReader reader(path, with_normals);
   reader.add_materials(library, *scene);
   for (const Node& node : nodes_in_order(*scene)) reader.add(*scene, node);
   return std::move(reader).take();
+}
+
+}  // namespace
+
+/// A file whose extension is unknown goes to the first reader that takes it by how it begins, which
+/// may be a wrong one: then what that says of it is about another format.
+Mesh read_by_import_library(const std::string& path, bool with_normals) {
+  const ImportLibrary& library = library_for(path);
+  const std::string extension = extension_of(path);
+  if (!extension.empty() && library.supports(extension.c_str()) == AI_TRUE) {
+    return read_by(library, path, with_normals);
+  }
+  try {
+    return read_by(library, path, with_normals);
+  } catch (const Error&) {
+    throw Error(fmt::format(
+        "{}: not a mesh that can be read: no reader takes {}", path,
+        extension.empty() ? "it, and its name has no extension" : extension + " files"));
+  }
 }
 
 std::optional<std::string> import_library_version() {

@@ -11,7 +11,8 @@ namespace displayfile {
 /// Coordinates come in the single precision that it keeps. An object is a node of the file's scene
 /// that has faces; its transformation is applied, and one that mirrors keeps faces turned outward.
 /// Throws Error: the library was left out of this build or is not installed, the file is of an
-/// unknown format or bad.
+/// format that no reader takes or bad; then the reason is that of the reader that its extension
+/// names. Some readers write to std::cerr themselves.
 Mesh read_by_import_library(const std::string& path, bool with_normals);
 
 /// The version of the library, which is loaded for that; nothing if there is none.

@@ -107,7 +107,7 @@ void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
                   const MeshOptions& options = {});
 
 /// Reads meshes and enters them so; where Gouraud shading is in force, with normals of the
-/// vertices, from the file or else completed. If no view was set before, one is fitted to them
+/// vertices, from the file or else completed. If no window was set before, a view is fitted to them
 /// (fitted_view.h), which stays set: in the modelling transformation in force, for the system's
 /// aspect ratio, or for the one given, which then stays that of the system.
 ///

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "clip/error.h"
+#include "displayfile/characters.h"
 #include "displayfile/file_extension.h"
 #include "displayfile/mesh/import_library.h"
 #include "displayfile/mesh/mesh.h"
@@ -29,10 +30,8 @@ constexpr Format kFormats[] = {
     {".stl", "", read_stl},
 };
 
-/// The format that is read here: a file tells by how it begins, or else by its name. Texts in
-/// UTF-16 are none.
+/// The format that is read here: a file tells by how it begins, or else by its name.
 const Format* format_of(const std::string& path, std::string_view beginning) {
-  if (beginning.starts_with("\xFF\xFE") || beginning.starts_with("\xFE\xFF")) return nullptr;
   const std::string extension = extension_of(path);
   for (const Format& format : kFormats) {
     if (!format.beginning.empty() && beginning.starts_with(format.beginning)) return &format;
@@ -76,12 +75,23 @@ class InputFile {
   std::size_t size_ = 0;
 };
 
+/// Some of the import library's readers may take texts in UTF-16; none of those here does. What
+/// they say of one that they do not take is about bytes that its author never saw.
+Mesh read_utf16(const std::string& path, bool with_normals, const Format* format) {
+  try {
+    if (format == nullptr) return read_by_import_library(path, with_normals);
+  } catch (const Error&) {
+  }
+  throw Error(fmt::format("{}: not a mesh that can be read: UTF-16, expected UTF-8 text", path));
+}
+
 Mesh read_any(const std::string& path, bool with_normals) {
-  constexpr std::size_t kBeginning = 3;
+  constexpr std::size_t kBeginning = 4;
   InputFile in(path);
   MeshFile file{path, {}, with_normals};
   in.read_to(file.data, std::min(in.size(), kBeginning));
   const Format* format = format_of(path, file.data);
+  if (begins_in_utf16(file.data)) return read_utf16(path, with_normals, format);
   if (format == nullptr) return read_by_import_library(path, with_normals);
   in.read_to(file.data, in.size());
   return format->read(file);

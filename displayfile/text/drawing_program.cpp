@@ -499,6 +499,10 @@ bool is_plain_block(const char* block) {
 
 /// Throws Error if the text is binary.
 void require_text(std::string_view text, std::string_view file_name) {
+  if (begins_in_utf16(text)) {
+    throw error_at(file_name, text, text.data(),
+                   "not a drawing program: UTF-16, expected UTF-8 text");
+  }
   for (std::size_t i = 0; i < text.size();) {
     if (text.size() - i >= kBytesAtOnce && is_plain_block(&text[i])) {
       i += kBytesAtOnce;

@@ -10,8 +10,6 @@ namespace {
 /// A sheet whose depths are exact for coordinates with up to 40 bits.
 constexpr Sheet kExactSheet{0.25, 0.25, 0.125};
 
-}  // namespace
-
 Scene coplanar_copies(std::size_t n, double slope, std::uint64_t seed) {
   Random random(seed);
   Scene scene;
@@ -117,6 +115,76 @@ Scene coplanar_fan_over_polygon(std::size_t n, double slope, std::uint64_t seed)
   const Point3 middle = sheet.point(0.5, 0.5);
   for (std::size_t i = 0; i < n; i += 2) scene.add({middle, whole[i], whole[(i + 1) % n]});
   return scene;
+}
+
+}  // namespace
+
+std::vector<HardCase> coplanar_families() {
+  return {
+      {"coplanar_copies",
+       "one tilted triangle entered n times",
+       "slope",
+       16,
+       {0.0, 0.7, 30.0},
+       coplanar_copies,
+       "Every depth ties, and the last copy must be seen; the arithmetic is the same each time, so "
+       "this is the control of the group: whoever compares with 'nearer or equal' is right."},
+      {"coplanar_turned",
+       "one tilted triangle, begun at another vertex or run backwards each time",
+       "slope",
+       16,
+       {0.7, 30.0},
+       coplanar_turned,
+       "The plane is exactly the same, but a depth computed from another vertex or another edge "
+       "rounds otherwise, so the ties are broken at random."},
+      {"coplanar_patches",
+       "triangles in one plane, coordinates of few bits",
+       "bits of a coordinate",
+       20,
+       {4, 10, 20},
+       coplanar_patches,
+       "All triangles lie exactly in one plane and tie exactly wherever they overlap; adding "
+       "slopes from row to row and pixel to pixel breaks the ties."},
+      {"coplanar_rounded",
+       "triangles in one plane but for the rounding of their z",
+       "slope",
+       20,
+       {0.0, 0.7, 30.0},
+       coplanar_rounded,
+       "What looks coplanar is not: each vertex is off by half of its last place, and that "
+       "decides. A tolerance takes it for a tie and shows the later one."},
+      {"coplanar_entry_orders",
+       "stacks of coplanar squares, entered in every order",
+       "levels",
+       16,
+       {3, 8},
+       coplanar_entry_orders,
+       "The insets are rounded, so that the squares of a stack are coplanar only nearly, and each "
+       "stack comes in another order: a rule that is right for one order fails for the next."},
+      {"checker_over_base",
+       "tiles of a checker on a base polygon in the same plane",
+       "slope",
+       36,
+       {0.0, 0.7},
+       checker_over_base,
+       "The tiles' corners are sixths, so a tilted tile and the base differ by rounding alone."},
+      {"decals",
+       "triangles of half the size in the plane of the ones before",
+       "levels",
+       6,
+       {6},
+       decals,
+       "Exactly coplanar at every level, with coordinates of many bits; the last level entered "
+       "must be seen whole."},
+      {"coplanar_fan",
+       "every second triangle of a polygon's fan, on the polygon",
+       "slope",
+       30,
+       {0.0, 0.7},
+       coplanar_fan_over_polygon,
+       "A polygon and triangles through the same vertices have unlike support planes once the "
+       "vertices are rounded."},
+  };
 }
 
 }  // namespace displayfile

@@ -20,8 +20,6 @@ Point3 any_pixel(Random& random, double pixels) {
   return {x, y, random.unit()};
 }
 
-}  // namespace
-
 Scene edges_through_centres(std::size_t n, double pixels, std::uint64_t seed) {
   Random random(seed);
   Scene scene;
@@ -202,6 +200,114 @@ Scene steep_planes(std::size_t n, double severity, std::uint64_t seed) {
     scene.add(random_regular(random, 3, {0.2, 0.8}, {0.3, 0.6}, sheet));
   }
   return scene;
+}
+
+}  // namespace
+
+std::vector<HardCase> coverage_families() {
+  return {
+      {"edges_through_centres",
+       "edges of whole slopes, through pixel centres",
+       "picture size meant",
+       16,
+       {32, 64},
+       edges_through_centres,
+       "A centre on a left or top edge belongs, on a right or bottom edge not; stepping by a "
+       "rounded slope leaves the centre to one side or the other."},
+      {"vertices_at_centres",
+       "triangles with all vertices at pixel centres",
+       "picture size meant",
+       16,
+       {32, 64},
+       vertices_at_centres,
+       "A vertex on a row of centres must be counted once, by one of its two edges."},
+      {"edges_on_rows",
+       "level and upright edges on rows and columns of centres",
+       "picture size meant",
+       10,
+       {32, 64},
+       edges_on_rows,
+       "Level edges on a row of centres count for nothing; upright ones are inclusive on the left "
+       "and exclusive on the right."},
+      {"ulp_off_centres",
+       "vertices at centres, or off by the last place",
+       "picture size meant",
+       24,
+       {32, 64},
+       ulp_off_centres,
+       "In pixel units a coordinate's last place can be lost, and with it the side of the centre."},
+      {"edges_past_centres",
+       "long edges that pass a centre by their rounding",
+       "picture size meant",
+       40,
+       {32, 64},
+       edges_past_centres,
+       "Each edge would pass through a centre, but its ends are rounded: the side is decided far "
+       "below the last place of the crossing."},
+      {"pixel_sized",
+       "triangles as large as a pixel",
+       "picture size meant",
+       1500,
+       {32, 64},
+       pixel_sized,
+       "Most cover one centre or none; snapping vertices, as graphics hardware does, moves them by "
+       "a good part of themselves."},
+      {"subpixel",
+       "triangles around a centre, far smaller than a pixel",
+       "size 10^-s",
+       600,
+       {3, 9, 15},
+       subpixel,
+       "Whether the one centre is inside is decided by coordinates that differ in their last "
+       "digits; snapping makes such a triangle vanish."},
+      {"slivers",
+       "from centre to centre, as wide as the gap",
+       "width 10^-s",
+       60,
+       {2, 8, 15},
+       slivers,
+       "Thin triangles along lines of centres: the cover is decided by the last places, and the "
+       "plane is badly determined."},
+      {"crossing_needles",
+       "needles across the picture, at all depths",
+       "width",
+       60,
+       {0.03, 0.001},
+       crossing_needles,
+       "Thin bars, many of them steep in depth, which cross and pierce each other within a pixel."},
+      {"edge_on",
+       "walls exactly along the projectors",
+       "0: upright, 1: slanting",
+       16,
+       {0, 1},
+       edge_on,
+       "They cover nothing, though they have area in space and no finite depth slope: a control "
+       "for divisions by zero and for cracks."},
+      {"nearly_edge_on",
+       "walls that lean by the last place, through centres",
+       "ulps",
+       8,
+       {1, 3},
+       nearly_edge_on,
+       "A wall as wide as the last place covers a whole column of centres, and its depth goes from "
+       "one end of the range to the other within that width."},
+      {"ill_conditioned_planes",
+       "three vertices nearly in line in the projection",
+       "offset 10^-s",
+       100,
+       {1, 3, 8, 15},
+       ill_conditioned_planes,
+       "The plane's coefficients come out of cancellation, while the centres inside are still to "
+       "be ordered."},
+      {"steep_planes",
+       "planes that rise far more than the picture is wide",
+       "slope 10^s",
+       12,
+       {3, 9, 15},
+       steep_planes,
+       "Depths run out of [0,1]: integer formats clamp, and a step of one pixel is larger than the "
+       "range."},
+  };
 }
 
 }  // namespace displayfile

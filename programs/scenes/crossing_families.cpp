@@ -13,8 +13,6 @@ double centre_of_pixel(std::size_t i, double pixels) {
   return (static_cast<double>(i) + 0.5) / pixels;
 }
 
-}  // namespace
-
 Scene interpenetrating(std::size_t n, double slope, std::uint64_t seed) {
   Random random(seed);
   Scene scene;
@@ -209,6 +207,110 @@ Scene self_crossing_surface(std::size_t n, double /*severity*/, std::uint64_t se
   random.shuffle(all);
   scene.add(all);
   return scene;
+}
+
+}  // namespace
+
+std::vector<HardCase> crossing_families() {
+  return {
+      {"interpenetrating",
+       "large triangles at random",
+       "range of z",
+       12,
+       {1.0, 1e-6},
+       interpenetrating,
+       "No polygon is before another; the visible border runs along the lines where they cross."},
+      {"crossing_grid",
+       "planes of two families, all through each other",
+       "none",
+       6,
+       {0},
+       crossing_grid,
+       "All planes cross on one pattern of lines, many of them at the same points."},
+      {"pencil_of_planes",
+       "planes through one line, which runs through a column of centres",
+       "picture size meant",
+       16,
+       {32, 64},
+       pencil_of_planes,
+       "On the common line all depths tie exactly and the last plane must be seen; a column to the "
+       "left and right the order is reversed."},
+      {"oblique_pencil",
+       "triangles that share an oblique edge",
+       "range of z",
+       16,
+       {1.0, 1e-9},
+       oblique_pencil,
+       "Depths agree along an edge that no pixel grid knows, and the fan opens within 1e-9 of "
+       "depth."},
+      {"bundle_of_planes",
+       "planes through one point, a pixel's centre",
+       "picture size meant",
+       16,
+       {32, 64},
+       bundle_of_planes,
+       "At one pixel all depths tie exactly."},
+      {"crossing_at_centres",
+       "planes that cross along rows or columns of centres",
+       "picture size meant",
+       12,
+       {32, 64},
+       crossing_at_centres,
+       "The crossing line runs through centres: each pixel on it is an exact tie."},
+      {"undecided_at_one_pixel",
+       "pairs that meet at a pixel's centre but for the rounding of their vertices",
+       "picture size meant",
+       60,
+       {32, 64},
+       undecided_at_one_pixel,
+       "At one pixel of each pair the depths differ by less than a double can hold; neighbours are "
+       "far apart, so only that pixel can be wrong."},
+      {"equal_depth_lines",
+       "planes with equal depths at many centres",
+       "picture size meant",
+       8,
+       {32, 64},
+       equal_depth_lines,
+       "Slopes are quarters, so that planes tie exactly at centres all along slanting lines."},
+      {"piercing_needles",
+       "needles through a sheet",
+       "width",
+       40,
+       {0.1, 0.03, 0.003},
+       piercing_needles,
+       "Each thin bar is cut by the sheet: half of it must show."},
+      {"crossing_boxes",
+       "boxes on a coarse grid, through each other",
+       "shear",
+       8,
+       {0.0, 0.25},
+       crossing_boxes,
+       "Boxes with faces in common planes that also pass through each other, as careless modelling "
+       "leaves them."},
+      {"interlocked_links",
+       "frames with holes, through each other",
+       "gap 10^-s",
+       10,
+       {0, 6, 12},
+       interlocked_links,
+       "Concave frames, with a slit of no width, linked like a chain: seen through the holes is a "
+       "link that is before the frame elsewhere."},
+      {"moebius_strip",
+       "one-sided strip, its halves seen from both sides",
+       "half twists",
+       40,
+       {1, 5},
+       moebius_strip,
+       "There is no consistent front: back-face removal must be off, and with many twists the "
+       "strip passes through itself."},
+      {"self_crossing_surface",
+       "a closed surface that passes through itself",
+       "none",
+       100,
+       {0},
+       self_crossing_surface,
+       "A smooth surface with a curve of self-intersection, where triangles of unlike size cross."},
+  };
 }
 
 }  // namespace displayfile

@@ -11,8 +11,6 @@ namespace {
 /// they would tell nearer from farther however close.
 constexpr double kLevel = 0.4;
 
-}  // namespace
-
 Scene cycle(std::size_t n, double severity, std::uint64_t seed) {
   Random random(seed);
   Scene scene;
@@ -98,6 +96,51 @@ Scene mikado(std::size_t n, double severity, std::uint64_t seed) {
     scene.add(bar(Point3(middle - along, z - rise), Point3(middle + along, z + rise), 0.05));
   }
   return scene;
+}
+
+}  // namespace
+
+std::vector<HardCase> cycle_families() {
+  return {
+      {"cycle_of_3", "three bars, each over the next", "gap 10^-s", 3, kGaps, cycle,
+       "The smallest scene that no order of painting gets right; with a small gap it is z-fighting "
+       "as well."},
+      {"cycle", "a ring of n bars, each over the next", "gap 10^-s", 7, kGaps, cycle,
+       "As three bars, but the cycle is found only by looking at all."},
+      {"every_cycle",
+       "rings of 3, 4, ... n bars on each other",
+       "gap 10^-s",
+       20,
+       {2, 9},
+       every_cycle,
+       "Cycles of every length up to 20, which also overlap and pierce each other."},
+      {"nested_cycles",
+       "rings in rings, all at one depth",
+       "gap 10^-s",
+       6,
+       {2, 9, 15},
+       nested_cycles,
+       "Rings of unlike depth slopes lie across each other at the same depth: cycles between the "
+       "cycles."},
+      {"piercing_cycle",
+       "a ring of bars that also pass through each other",
+       "gap 10^-s",
+       6,
+       {2, 9, 15},
+       piercing_cycle,
+       "The bars roll: each passes through its neighbours as well as over and under them, so "
+       "neither sorting nor cutting at outlines suffices."},
+      {"weave", "strips over and under in turn", "gap 10^-s", 6, kGaps, weave,
+       "Every strip is before half of the others and behind the other half, and pieces of a strip "
+       "share edges that must not crack."},
+      {"mikado",
+       "long bars that lie across each other",
+       "gap 10^-s",
+       20,
+       {1, 9, 15},
+       mikado,
+       "Nearly coplanar bars in many cycles, with crossings among them."},
+  };
 }
 
 }  // namespace displayfile

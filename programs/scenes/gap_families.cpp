@@ -7,6 +7,8 @@
 
 namespace displayfile {
 
+namespace {
+
 Scene parallel_sheets(std::size_t n, double severity, std::uint64_t seed) {
   Random random(seed);
   Scene scene;
@@ -172,6 +174,71 @@ Scene shingles(std::size_t n, double severity, std::uint64_t seed) {
   random.shuffle(all);
   scene.add(all);
   return scene;
+}
+
+}  // namespace
+
+std::vector<HardCase> gap_families() {
+  return {
+      {"parallel_sheets", "tilted sheets, each nearer by the gap, entered in random order",
+       "gap 10^-s", 8, kGaps, parallel_sheets,
+       "The plainest case of z-fighting: as soon as the gap falls below what a format or a "
+       "tolerance can tell apart, the later sheet is seen instead of the nearer one, over the "
+       "whole overlap."},
+      {"nearly_coplanar", "random triangles within the gap of one plane", "gap 10^-s", 20, kGaps,
+       nearly_coplanar,
+       "The triangles also cross each other, at angles of the size of the gap, so there is no gap "
+       "that would be safe."},
+      {"shallow_crossing", "sheets that cross a base along a line, at an angle of the gap",
+       "gap 10^-s", 6, kGaps, shallow_crossing,
+       "The depths agree along a line and part by the gap over the whole picture: a band around "
+       "the line is undecided, and it widens to the whole picture."},
+      {"saw", "a sheet with teeth in turn before and behind it by the gap", "gap 10^-s", 16, kGaps,
+       saw,
+       "Half of the teeth must show and half must not: ties are wrong whichever way they are "
+       "broken."},
+      {"thin_plates", "plates as thick as the gap, the front entered before the back", "gap 10^-s",
+       6, kGaps, thin_plates,
+       "Without back-face removal the back of each plate shows through where the thickness is "
+       "lost; thin walls in building models are this."},
+      {"poking_corners",
+       "pyramids whose tips poke through a sheet by the gap",
+       "gap 10^-s",
+       12,
+       {2, 4, 9},
+       poking_corners,
+       "What shows of each pyramid is a tip of the size of the gap: few pixels, but each is "
+       "decided by a depth close to the sheet's."},
+      {"hinged_pages", "pages with a common spine, their outer corners a gap apart", "gap 10^-s", 8,
+       kGaps, hinged_pages,
+       "The gap closes toward the spine, so every format fails near the spine first."},
+      {"shingles", "rows that lie on each other's edges, a gap deep", "gap 10^-s", 10, kGaps,
+       shingles, "Each row passes from behind one neighbour to before the other within the gap."},
+      {"ulp_stack",
+       "level sheets, each nearer by the last place",
+       "ulps apart",
+       16,
+       {1, 4},
+       ulp_stack,
+       "The depths are stored numbers, no two alike, so a comparison of doubles is right; any "
+       "tolerance, and any narrower format, sees one plane."},
+      {"ulp_stack_tilted",
+       "tilted triangles, each nearer by the last place",
+       "ulps apart",
+       16,
+       {1, 4},
+       ulp_stack_tilted,
+       "As the level stack, but every depth is computed, and its rounding is as large as the "
+       "distance of the sheets."},
+      {"ulp_interleaved",
+       "tilted triangles, each vertex off by some of the last place",
+       "largest number of ulps",
+       16,
+       {1, 3, 100},
+       ulp_interleaved,
+       "The sheets cross each other everywhere within a few of the last place: only exact "
+       "comparisons are right."},
+  };
 }
 
 }  // namespace displayfile

@@ -7,6 +7,8 @@
 
 namespace displayfile {
 
+namespace {
+
 Scene offset_world(std::size_t n, double bits, std::uint64_t seed) {
   Random random(seed);
   Scene scene;
@@ -165,88 +167,98 @@ Scene collapsed_images(std::size_t n, double severity, std::uint64_t seed) {
   return scene;
 }
 
-namespace {
-
-/// The viewer at `eye` above the view plane z = 0, looking along -z at a window of two by two.
-View perspective_view(double eye, double front, double back) {
-  View view;
-  view.set_perspective({0.0, 0.0, eye});
-  view.set_depth(front, back);
-  return view;
-}
-
 }  // namespace
 
-Scene near_front_plane(std::size_t n, double severity, std::uint64_t seed) {
-  Random random(seed);
-  Scene scene;
-  // The front plane all but touches the viewer: depth is spent on what is near.
-  scene.view = perspective_view(1.0, -(1.0 - gap(severity)), 100.0);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double z = -random.between(1.0, 99.0), reach = 1.0 - z;
-    const Point2 place = random_place(random, {-1.0, 1.0});
-    Polygon face = regular(4, reach * place, reach * 0.7, random.unit(), {z, 0.01, 0.01});
-    scene.add(face);
-  }
-  return scene;
-}
-
-Scene ground_to_horizon(std::size_t n, double severity, std::uint64_t seed) {
-  Random random(seed);
-  Scene scene;
-  const double far = 1.0 / gap(severity);
-  scene.view = perspective_view(2.0, -1.0, far);
-  const double step = far / static_cast<double>(n);
-  for (std::size_t i = 0; i < n; ++i) {  // road and stripes on it, to the horizon
-    const double near = 1.0 - static_cast<double>(i) * step, back = near - 1.5 * step;
-    scene.add({{-far, -1.0, near}, {far, -1.0, near}, {far, -1.0, back}, {-far, -1.0, back}});
-    const double shift = random.between(-1.0, 1.0);
-    scene.add({{shift - 0.5, -1.0, near},
-               {shift + 0.5, -1.0, near},
-               {shift + 0.5, -1.0, back},
-               {shift - 0.5, -1.0, back}});
-  }
-  return scene;
-}
-
-Scene decals_in_perspective(std::size_t n, double slope, std::uint64_t seed) {
-  Random random(seed);
-  Scene scene;
-  scene.view = perspective_view(3.0, -1.0, 5.0);
-  const Sheet wall{-1.0, slope, slope / 2.0};
-  scene.add(rectangle(-2.0, -2.0, 2.0, 2.0, wall));
-  for (std::size_t i = 0; i < n; ++i) {
-    scene.add(random_regular(random, 4, {-1.5, 1.5}, {0.2, 0.8}, wall));
-  }
-  return scene;
-}
-
-Scene behind_the_viewer(std::size_t n, double reach, std::uint64_t seed) {
-  Random random(seed);
-  Scene scene;
-  scene.view = perspective_view(1.0, -0.5, 10.0);
-  for (std::size_t i = 0; i < n; ++i) {  // cut where it passes the viewer
-    Polygon triangle;
-    for (int k = 0; k < 3; ++k) {
-      const Point2 place = random_place(random, {-reach, reach});
-      triangle.emplace_back(place, random.between(-5.0, 5.0));
-    }
-    scene.add(triangle);
-  }
-  return scene;
-}
-
-Scene oblique_view(std::size_t n, double slant, std::uint64_t seed) {
-  Random random(seed);
-  Scene scene;
-  scene.view.set_parallel({slant, -slant / 3.0, 1.0});
-  for (std::size_t i = 0; i < n; ++i) {
-    const Point3 low{0.125 * static_cast<double>(random.below(6)),
-                     0.125 * static_cast<double>(random.below(6)),
-                     0.25 * static_cast<double>(random.below(3))};
-    scene.add(box(low, low + 0.25));
-  }
-  return scene;
+std::vector<HardCase> scale_families() {
+  return {
+      {"offset_world",
+       "a window far from the origin",
+       "offset 2^s",
+       12,
+       {20, 40, 49},
+       offset_world,
+       "World coordinates have only a few bits left below the window's size; vertices fall on a "
+       "coarse grid, and many on centres."},
+      {"offset_depth",
+       "all depths far from zero",
+       "offset 10^s",
+       12,
+       {3, 9, 15},
+       offset_depth,
+       "The detail is in the last digits of z: single precision has none left, and integers are "
+       "clamped. OSMesa is given a depth range that starts at the offset, and so loses nothing."},
+      {"extreme_depth_range",
+       "depths of all sizes in one scene",
+       "10^-s to 10^s",
+       16,
+       {3, 12, 50},
+       extreme_depth_range,
+       "One triangle's depths span a hundred powers of ten; scaling to [0,1] loses all that is "
+       "small."},
+      {"deep_background",
+       "small steps in depth before a far background",
+       "its depth -10^s",
+       12,
+       {1, 6, 12},
+       deep_background,
+       "Steps of 1e-6 before a background at up to -1e12: a depth range fitted to the scene, as "
+       "OSMesa is given, has nothing left for them. Below 0, integers clamp."},
+      {"subnormal_depths",
+       "depths of a few times the smallest double",
+       "steps",
+       12,
+       {2, 30},
+       subnormal_depths,
+       "Products of depth differences underflow to zero: all is one plane to every filter that "
+       "ignores underflow."},
+      {"tiny_coordinates",
+       "coordinates close to zero",
+       "size 10^-s",
+       16,
+       {12, 100, 300, 320},
+       tiny_coordinates,
+       "Corners within 1e-320 of the picture's corner, depths as small: products of two "
+       "coordinates underflow."},
+      {"shrunken_images",
+       "image transformations that shrink a segment about a pixel's centre",
+       "scale 10^-s",
+       100,
+       {3, 8, 15},
+       shrunken_images,
+       "A whole segment falls around one centre; slopes of depth become enormous, and "
+       "single-precision vertices coincide."},
+      {"giant_images",
+       "image transformations that enlarge far beyond the picture",
+       "scale 2^s",
+       12,
+       {10, 20, 40},
+       giant_images,
+       "Vertices a million pictures away, edges that pass through this one: absolute errors of the "
+       "vertices' size would cover the picture."},
+      {"giant_clipped",
+       "triangles far larger than the window, clipped",
+       "size 10^s",
+       12,
+       {3, 6, 12},
+       giant_clipped,
+       "The clip pipeline's cuts are rounded; what follows is judged by the clipped coordinates, "
+       "which are no longer quite flat."},
+      {"rotated_images",
+       "the same square, turned and mirrored by image transformations",
+       "angle in degrees",
+       8,
+       {90, 45, 1},
+       rotated_images,
+       "Coplanar by construction, up to the rounding of the transformation."},
+      {"collapsed_images",
+       "image transformations that flatten a segment",
+       "scale 10^-s",
+       20,
+       {3, 15},
+       collapsed_images,
+       "A scale of zero makes all edge-on: nothing may be drawn. A scale of 1e-15 leaves slivers "
+       "at centres."},
+  };
 }
 
 }  // namespace displayfile

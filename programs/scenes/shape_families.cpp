@@ -7,82 +7,6 @@ namespace displayfile {
 
 namespace {
 
-Sheet any_sheet(Random& random) {
-  const double z = random.between(0.3, 0.7);
-  return random_sheet(random, z, 0.5);
-}
-
-}  // namespace
-
-Scene repeated_vertices(std::size_t n, double times, std::uint64_t seed) {
-  Random random(seed);
-  Scene scene;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Polygon plain = random_triangle(random, any_sheet(random));
-    Polygon repeated;
-    for (const Point3& p : plain)
-      repeated.insert(repeated.end(), 1 + random.below(static_cast<std::size_t>(times)), p);
-    scene.add(begun_at(repeated, random.below(repeated.size())));
-  }
-  return scene;
-}
-
-Scene first_three_in_line(std::size_t n, double pieces, std::uint64_t seed) {
-  Random random(seed);
-  Scene scene;
-  for (std::size_t i = 0; i < n; ++i) {  // no plane can be had from the first three vertices
-    Polygon polygon;
-    for (int k = 0; k < 4; ++k) polygon.push_back({random.dyadic(4), random.dyadic(4), 0.0});
-    Polygon cut;
-    const auto parts = static_cast<std::size_t>(pieces);
-    for (std::size_t k = 0; k < 4; ++k) {
-      const Point3 from = polygon[k], to = polygon[(k + 1) % 4];
-      for (std::size_t part = 0; part < parts; ++part) {
-        cut.push_back(from + (to - from) * (static_cast<double>(part) / pieces));
-      }
-    }
-    const Sheet sheet{random.dyadic(3) / 2.0, 0.25, -0.125};
-    for (Point3& p : cut) p.z = sheet.at(p.x, p.y);
-    scene.add(cut);
-  }
-  return scene;
-}
-
-Scene zero_area(std::size_t n, double slope, std::uint64_t seed) {
-  Random random(seed);
-  Scene scene;
-  scene.add(rectangle(0.25, 0.25, 0.75, 0.75, {0.25, 0.125, slope}));
-  for (std::size_t i = 0; i < n; ++i) {
-    const Point3 a = random_point(random), b = random_point(random);
-    switch (i % 5) {
-      case 0: scene.add({a, a, a}); break;
-      case 1: scene.add({a, b, a}); break;
-      case 2: scene.add({a, b, b, a}); break;
-      case 3: scene.add({a, 0.5 * (a + b), b}); break;
-      default: {  // there and back, along two edges
-        const Point3 c = random_point(random);
-        scene.add({a, b, c, b});
-      }
-    }
-  }
-  return scene;
-}
-
-Scene spikes(std::size_t n, double length, std::uint64_t seed) {
-  Random random(seed);
-  Scene scene;
-  for (std::size_t i = 0; i < n; ++i) {  // a triangle with out-and-back edges at its corners
-    const Sheet sheet = any_sheet(random);
-    Polygon spiky;
-    for (const Point3& p : random_triangle(random, sheet)) {
-      const Point2 tip = Point2(p) + length * on_circle(random.unit());
-      spiky.insert(spiky.end(), {p, sheet.point(tip), p});
-    }
-    scene.add(spiky);
-  }
-  return scene;
-}
-
 Scene concave(std::size_t n, double depth, std::uint64_t seed) {
   Random random(seed);
   Scene scene;
@@ -259,6 +183,93 @@ Scene picket_fence(std::size_t n, double severity, std::uint64_t seed) {
   random.shuffle(pickets);
   scene.add(pickets);
   return scene;
+}
+
+}  // namespace
+
+std::vector<HardCase> shape_families() {
+  return {
+      {"concave",
+       "stars that do not cross themselves",
+       "inner radius",
+       8,
+       {0.5, 0.1},
+       concave,
+       "Several spans a row; a fan of triangles from the first vertex is wrong for these."},
+      {"combs",
+       "combs across each other",
+       "teeth",
+       6,
+       {8, 40},
+       combs,
+       "Up to forty spans a row, each thinner than a pixel."},
+      {"spirals",
+       "spirals of several turns",
+       "turns",
+       4,
+       {2, 5},
+       spirals,
+       "Concave polygons whose bounding boxes say nothing; overlap tests by box or by separating "
+       "line find nothing to separate."},
+      {"crossing_stars",
+       "stars that cross themselves, with even-odd holes",
+       "points",
+       6,
+       {5, 11},
+       crossing_stars,
+       "Filled by winding number, or as a fan, the middle is wrong."},
+      {"self_crossing",
+       "random polygons that cross themselves",
+       "sides",
+       6,
+       {5, 9, 30},
+       self_crossing,
+       "Many crossings, and holes between them, by the even-odd rule."},
+      {"holes",
+       "outlines with a hole, joined by a slit of no width",
+       "turn of the hole",
+       5,
+       {0.0, 0.1},
+       holes,
+       "The slit's two edges coincide and must leave no trace; the hole must show what is behind."},
+      {"run_through_twice",
+       "polygons run through several times",
+       "times",
+       8,
+       {2},
+       run_through_twice,
+       "By the even-odd rule twice is nothing and three times is once."},
+      {"many_sides",
+       "two polygons of n sides",
+       "roughness",
+       400,
+       {0.0, 0.3},
+       many_sides,
+       "Edges far shorter than a pixel, hundreds crossing a row when rough; the suite also enters "
+       "it with 10,000 sides."},
+      {"not_flat",
+       "polygons that are triangulated on entry",
+       "bend 10^-s",
+       10,
+       {1, 3},
+       not_flat,
+       "A polygon with no plane is cut into triangles that share its identifier."},
+      {"bent_within_tolerance",
+       "polygons kept whole though not quite flat",
+       "part of the tolerance",
+       12,
+       {0.9, 1e-6},
+       bent_within_tolerance,
+       "The definition takes the support plane of three vertices everywhere; interpolating along "
+       "the edges gives another surface."},
+      {"picket_fence",
+       "strips before strips",
+       "gap 10^-s",
+       20,
+       {1, 9, 15},
+       picket_fence,
+       "Narrow strips, edge to edge, a gap before others that lie across them."},
+  };
 }
 
 }  // namespace displayfile

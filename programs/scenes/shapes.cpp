@@ -95,6 +95,11 @@ Sheet random_sheet(Random& random, double z0, double slope) {
   return {z0 - 0.5 * (slopes.x + slopes.y), slopes.x, slopes.y};
 }
 
+Sheet any_sheet(Random& random) {
+  const double z = random.between(0.3, 0.7);
+  return random_sheet(random, z, 0.5);
+}
+
 std::vector<Polygon> box(const Point3& low, const Point3& high, const Point2& shear) {
   const auto corner = [&](int i) {
     const double z = i & 4 ? high.z : low.z;

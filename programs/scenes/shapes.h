@@ -53,6 +53,8 @@ Polygon random_regular(Random& random, std::size_t sides, const Range& place, co
                        const Sheet& sheet);
 /// A sheet through z0 in the picture's middle, with slopes between -slope/2 and slope/2.
 Sheet random_sheet(Random& random, double z0, double slope);
+/// A sheet in the middle of the depths, 0.3 to 0.7, with slopes of up to a quarter.
+Sheet any_sheet(Random& random);
 
 /// The six faces of a box, its light faces out; points are sheared by (dx, dy) for each unit
 /// of z, so that the sides show.

@@ -5,6 +5,8 @@
 
 namespace displayfile {
 
+namespace {
+
 Scene t_junctions(std::size_t n, double pixels, std::uint64_t seed) {
   Random random(seed);
   Scene scene;
@@ -207,6 +209,100 @@ Scene quads_rounded_off_plane(std::size_t n, double slope, std::uint64_t seed) {
   random.shuffle(all);
   scene.add(all);
   return scene;
+}
+
+}  // namespace
+
+std::vector<HardCase> touching_families() {
+  return {
+      {"t_junctions",
+       "turned rows of bricks of unlike lengths",
+       "picture size meant",
+       8,
+       {32, 64},
+       t_junctions,
+       "A brick's corner lies exactly on the edges of the row beside, at a pixel's centre: the "
+       "rule for edges must leave no crack and draw no pixel twice."},
+      {"shared_edges",
+       "a triangulated height field with vertices on a fine grid",
+       "roughness",
+       100,
+       {0.0, 0.5},
+       shared_edges,
+       "Neighbours share edges and run along them in opposite directions; many vertices are pixel "
+       "centres. An edge that is not stepped alike by both cracks."},
+      {"tiles_on_centres",
+       "triangles that meet at a pixel's centre, edges through others",
+       "picture size meant",
+       10,
+       {32, 64},
+       tiles_on_centres,
+       "Four triangles share a vertex on a centre and edges along diagonals of centres; each "
+       "centre must belong to one."},
+      {"fan_of_needles",
+       "needles that share a vertex at a pixel's centre",
+       "range of z",
+       300,
+       {0.0, 0.5},
+       fan_of_needles,
+       "Hundreds of edges run into one centre, where all depths tie; a needle is thinner than a "
+       "pixel nearly everywhere."},
+      {"vertex_on_plane",
+       "triangles with a vertex or two exactly on a sheet",
+       "reach off it",
+       20,
+       {1.0, 0x1p-30},
+       vertex_on_plane,
+       "A plane test of such a vertex must say 'on', or the splitter makes slivers; with a reach "
+       "of 2^-30 the rest is nearly coplanar as well."},
+      {"touching_points",
+       "tip to tip, from both sides",
+       "slope",
+       12,
+       {0.5},
+       touching_points,
+       "Nothing crosses: triangles touch in one point, where all depths tie, and coordinates on a "
+       "coarse grid put edges through centres."},
+      {"touching_edges",
+       "roofs and gutters on one ridge",
+       "slope",
+       8,
+       {0.5, 0x1p-40},
+       touching_edges,
+       "Planes touch along an edge without crossing, from both sides."},
+      {"nested_boxes",
+       "boxes that share a corner and parts of three faces",
+       "shear",
+       6,
+       {0.0, 0.25},
+       nested_boxes,
+       "Three faces of every box are coplanar with the next one's: over a third of the picture, "
+       "the order of entry decides."},
+      {"stacked_cubes",
+       "cubes whose faces coincide with their neighbours'",
+       "shear",
+       12,
+       {0.0, 0.25},
+       stacked_cubes,
+       "Faces coincide back to back, and cubes may occur twice: exact ties between opposite "
+       "orientations."},
+      {"folded_paper",
+       "two faces of a sheet on each other, in opposite directions",
+       "slope",
+       10,
+       {0.7, 30.0},
+       folded_paper,
+       "The same three vertices in another order give the same plane; computed depths do not "
+       "agree. The second face must win everywhere."},
+      {"quads_rounded",
+       "quadrilaterals on a turned grid, off their plane by rounding",
+       "slope",
+       36,
+       {0.0, 0.7},
+       quads_rounded_off_plane,
+       "Each quadrilateral's fourth vertex is off the plane of three by rounding, and a second "
+       "layer uses other vertices of nearly the same plane."},
+  };
 }
 
 }  // namespace displayfile

@@ -1,0 +1,35 @@
+#include "programs/made_folders.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "clip/error.h"
+
+namespace displayfile {
+
+namespace fs = std::filesystem;
+
+void MadeFolders::make_for(const fs::path& file) {
+  const std::lock_guard lock(one_at_a_time_);
+  const fs::path folder = file.parent_path();
+  std::error_code error;
+  std::vector<fs::path> missing;
+  for (fs::path above = folder; !above.empty() && !fs::exists(above, error);
+       above = above.parent_path()) {
+    missing.push_back(above);
+  }
+  if (missing.empty()) return;
+  made_.insert(made_.end(), missing.rbegin(), missing.rend());
+  fs::create_directories(folder, error);
+  if (error) throw Error(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
+}
+
+MadeFolders::~MadeFolders() {
+  std::ranges::reverse(made_);
+  std::error_code not_empty;
+  for (const fs::path& folder : made_) fs::remove(folder, not_empty);
+}
+
+}  // namespace displayfile

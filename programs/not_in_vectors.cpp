@@ -1,0 +1,40 @@
+#include "programs/not_in_vectors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+#include <string_view>
+#include <vector>
+
+#include "programs/warnings.h"
+
+namespace displayfile {
+
+namespace {
+
+bool has_shaded_polygons(const DisplayFile& drawn) {
+  return std::ranges::any_of(drawn.segments(), [](const Segment& segment) {
+    return segment.visible && !segment.entered()->stored_intensities().empty();
+  });
+}
+
+}  // namespace
+
+void NotInVectors::note(const DisplayFile& drawn, const DrawOptions& options, PictureKind kind) {
+  if (kind != PictureKind::vector) return;
+  if (has_shaded_polygons(drawn)) shading_ = true;
+  if (drawn.has_shadows()) shadows_ = true;
+  if (options.samples > 1) samples_ = true;
+}
+
+void NotInVectors::warn(const std::string& output) const {
+  std::vector<std::string_view> left_out;
+  if (shading_) left_out.push_back("Gouraud shading (a polygon is filled evenly)");
+  if (shadows_) left_out.push_back("shadows");
+  if (samples_) left_out.push_back("--samples");
+  if (left_out.empty()) return;
+  warnings() << fmt::format("{}: vectors leave out {}\n", output, fmt::join(left_out, ", "));
+}
+
+}  // namespace displayfile

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <atomic>
+#include <string>
+
+#include "interp/draw.h"
+
+namespace displayfile {
+
+/// What vectors leave out, told once for all pictures of a call of the command.
+class NotInVectors {
+ public:
+  /// Notes what a picture of that kind leaves out of the display file and the options. Several
+  /// threads may call it at a time.
+  void note(const DisplayFile& drawn, const DrawOptions& options, PictureKind kind);
+  /// Warns, with the output's name as given, if something was left out (programs/warnings.h).
+  void warn(const std::string& output) const;
+
+ private:
+  std::atomic<bool> shading_ = false, shadows_ = false, samples_ = false;
+};
+
+}  // namespace displayfile

@@ -15,6 +15,7 @@
 #include "displayfile/background.h"
 #include "displayfile/display_file.h"
 #include "displayfile/hidden_scope.h"
+#include "displayfile/picture_windows.h"
 #include "displayfile/recorder.h"
 #include "displayfile/retained_scene.h"
 #include "displayfile/said_settings.h"
@@ -26,12 +27,6 @@
 #include "hidden/sort/hidden_surface_sort.h"
 
 namespace displayfile {
-
-/// A window that is mapped to a viewport of another shape, width over height, in the picture.
-struct StretchedWindow {
-  int segment;  ///< that was opened with it
-  double window, viewport;
-};
 
 /// The application API: the textbook's user routines, under their names in drawing programs
 /// with underscores for hyphens. One object that the caller owns; no globals.
@@ -198,10 +193,10 @@ class GraphicsSystem {
   const SaidSettings& said() const { return said_; }
   /// By any view-parameter routine.
   bool view_was_set() const { return said_.contains(Setting::view); }
-  double aspect_ratio() const { return aspect_; }
+  double aspect_ratio() const { return windows_.aspect(); }
   /// The worst of the windows that were stretched although the application did not say that they
   /// should be.
-  const std::optional<StretchedWindow>& stretched_window() const { return stretched_; }
+  const std::optional<StretchedWindow>& stretched_window() const { return windows_.stretched(); }
   const ModellingTransformation& modelling_transformation() const { return modelling_; }
   const Attributes& attributes() const { return attributes_; }
   const Background& background() const { return background_; }
@@ -282,8 +277,6 @@ class GraphicsSystem {
   }
   void require_open() const;
   void require_view_may_change() const;
-  View view_in_picture() const;
-  void note_stretched_window(const View& view);
   Point3 to_world(const Point3& object) const;
   void move_to(const Point3& object);
   void line_to(const Point3& object);
@@ -298,10 +291,9 @@ class GraphicsSystem {
   }
   void enter_triangles(const Point3& normal, std::span<const Point3> vertex_normals, int pick);
   std::span<const Point3> world_normals(const Point3& own);
+
   View view_;
-  WindowFit window_fit_ = WindowFit::widen;
-  double aspect_ = 1.0;
-  std::optional<StretchedWindow> stretched_;
+  PictureWindows windows_;
   SaidSettings said_;
   ModellingTransformation modelling_;
   DisplayFile display_file_;

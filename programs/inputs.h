@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -17,13 +18,13 @@ bool is_drawing_program(const std::string& input);
 /// Replays drawing programs and enters meshes, in order, into one system. Where no program before
 /// the first mesh sets the view, one is fitted to all meshes before which none does, and to what
 /// programs draw if none sets a view: it is in force from the start, so that programs before a mesh
-/// and after it share it. True if one was. Throws
+/// and after it share it. Returns the axis that is up in it; nothing if none was fitted. Throws
 /// Error, naming the file and the place.
-bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
-                  const MeshOptions& options = {});
+std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
+                                    const MeshOptions& options = {});
 /// The same with the command's options, for pictures of an aspect ratio.
-bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
-                  const MeshWords& meshes, double aspect);
+std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
+                                    const MeshWords& meshes, double aspect);
 
 /// The inputs' display file, in the order that is drawn.
 DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options,

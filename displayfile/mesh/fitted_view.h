@@ -7,6 +7,7 @@
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/camera.h"
 #include "displayfile/mesh/mesh.h"
+#include "displayfile/mesh/up_axis.h"
 
 namespace displayfile {
 
@@ -19,11 +20,15 @@ void append_used_vertices(const Mesh& mesh, const ModellingTransformation& model
 /// projected with a small margin, in the shape of the system's pictures; the view depth enclosing
 /// the points.
 ///
+/// A camera that does not say which axis is up has y.
+///
 /// Throws Error, with no view set, if there are no points, a segment is open, or the camera cannot
 /// be: an eye at what it looks at, an angle of view out of range, or, to be fitted, points that are
 /// not before the eye.
 void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera = {});
-/// The same for meshes, in the modelling transformation in force.
-void fit_view(std::span<const Mesh> meshes, GraphicsSystem& system, const Camera& camera = {});
+/// The same for meshes, in the modelling transformation in force, upright as they stand where the
+/// camera does not say how.
+CommonUpright fit_view(std::span<const Mesh> meshes, GraphicsSystem& system,
+                       const Camera& camera = {});
 
 }  // namespace displayfile

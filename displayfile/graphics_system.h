@@ -68,7 +68,8 @@ class GraphicsSystem {
   void rotate_y_3(double angle);
   void rotate_z_3(double angle);
   /// What is in force is saved, on a stack. It stays in force, and what is called next acts before
-  /// it: in a part's own coordinates. Error: kMostSaved are saved.
+  /// it: in a part's own coordinates. The stack does not know segments: a part's may be several,
+  /// and what is not restored stays saved. Error: kMostSaved are saved.
   void save_transformation_3();
   /// The transformation is again what it was when it was saved last. Error: none is saved.
   void restore_transformation_3();
@@ -198,6 +199,12 @@ class GraphicsSystem {
   /// should be.
   const std::optional<StretchedWindow>& stretched_window() const { return windows_.stretched(); }
   const ModellingTransformation& modelling_transformation() const { return modelling_; }
+  /// Where a point of the model is, in the modelling transformation and the view in force: in
+  /// normalised device coordinates, before a segment's image transformation, as set_image_centre
+  /// takes it and the pixel_at of a picture (interp/picture.h). What is outside of the view volume
+  /// is told too; nothing if it is not before the eye, or too far out to be told. Errors: those of
+  /// a coordinate, and of a view that open_segment refuses.
+  std::optional<Point3> to_device(const Point3& p) const;
   const Attributes& attributes() const { return attributes_; }
   const Background& background() const { return background_; }
   std::optional<int> open_segment_name() const { return open_; }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "clip/error.h"
+#include "clip/view_volume.h"
 
 namespace displayfile {
 
@@ -90,6 +91,14 @@ void GraphicsSystem::set_window_fit(WindowFit fit) {
 void GraphicsSystem::set_aspect_ratio(double aspect) {
   require_view_may_change();
   windows_.set_aspect(aspect);
+}
+
+std::optional<Point3> GraphicsSystem::to_device(const Point3& p) const {
+  const ViewVolume volume(windows_.in_picture(view_, said_));
+  const HomogeneousPoint viewed = volume.transform(to_world(p));
+  if (!(viewed.w > 0.0)) return std::nullopt;
+  const Point3 device = volume.to_device(viewed);
+  return in_range(device) ? std::optional(device) : std::nullopt;
 }
 
 }  // namespace displayfile

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -13,6 +14,9 @@ struct Word {
   Value value;
   std::string_view word;
 };
+
+/// A word as messages show it: in quotes, a long one cut between two characters.
+std::string quoted(std::string_view word);
 
 /// Throws Error: "`expected` a, b or c, not 'word'", and which of them may be meant.
 [[noreturn]] void refuse_word(std::string_view word, std::span<const std::string_view> known,

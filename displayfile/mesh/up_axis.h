@@ -40,7 +40,7 @@ class CommonUpright {
   bool differ_ = false;
 };
 
-/// For a warning if they differ.
+/// The warning if they differ.
 inline constexpr std::string_view kStandDifferently =
     "it and what is drawn with it have different axes up: y is taken for all, where --up says "
     "nothing else";

@@ -15,7 +15,7 @@ struct Limit {
 
 /// Throws Error, saying what it is, for a value that is not finite or is larger.
 void require_within(const Limit& limit, std::initializer_list<double> values, const char* what);
-/// The same with kCoordinateLimit.
+/// Does so for a value larger than kCoordinateLimit.
 void require_finite(std::initializer_list<double> values, const char* what);
 
 /// Throws Error for a component outside of [0,1].

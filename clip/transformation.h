@@ -37,6 +37,10 @@ class ModellingTransformation {
   Point3 apply(const Point3& p) const {
     return identity_ ? p : Point3(matrix_ * HomogeneousPoint(p, 1.0));
   }
+  /// The difference of two points: not translated.
+  Point3 apply_to_difference(const Point3& d) const {
+    return identity_ ? d : Point3(matrix_ * HomogeneousPoint(d, 0.0));
+  }
   /// A normal as Newell's sums of the transformed polygon would turn and scale it, but for a common
   /// factor: by the cofactors of the matrix. Zero if the transformation leaves no normal.
   Point3 apply_to_normal(const Point3& n) const;

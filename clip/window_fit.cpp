@@ -1,19 +1,20 @@
 #include "clip/window_fit.h"
 
 #include <cmath>
-#include <string>
 
-#include "clip/error.h"
+#include "clip/words.h"
 
 namespace displayfile {
 
-WindowFit window_fit(std::string_view text) {
-  if (text == "widen") return WindowFit::widen;
-  if (text == "stretch") return WindowFit::stretch;
-  throw Error("window fit is widen or stretch, not '" + std::string(text) + "'");
-}
+namespace {
 
-std::string_view name_of(WindowFit fit) { return fit == WindowFit::widen ? "widen" : "stretch"; }
+constexpr Word<WindowFit> kWindowFits[] = {{WindowFit::widen, "widen"},
+                                           {WindowFit::stretch, "stretch"}};
+
+}  // namespace
+
+WindowFit window_fit(std::string_view text) { return value_of(kWindowFits, text, "window fit is"); }
+std::string_view name_of(WindowFit fit) { return word_of(kWindowFits, fit); }
 
 double shape_of(const Rectangle& rectangle) {
   return (rectangle.x_max - rectangle.x_min) / (rectangle.y_max - rectangle.y_min);

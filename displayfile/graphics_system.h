@@ -15,6 +15,7 @@
 #include "displayfile/background.h"
 #include "displayfile/display_file.h"
 #include "displayfile/hidden_scope.h"
+#include "displayfile/picture_windows.h"
 #include "displayfile/recorder.h"
 #include "displayfile/retained_scene.h"
 #include "displayfile/said_settings.h"
@@ -26,12 +27,6 @@
 #include "hidden/sort/hidden_surface_sort.h"
 
 namespace displayfile {
-
-/// A window that is mapped to a viewport of another shape, width over height, in the picture.
-struct StretchedWindow {
-  int segment;  ///< that was opened with it
-  double window, viewport;
-};
 
 /// The application API: the textbook's user routines, under their names in drawing programs
 /// with underscores for hyphens. One object that the caller owns; no globals.
@@ -73,7 +68,8 @@ class GraphicsSystem {
   void rotate_y_3(double angle);
   void rotate_z_3(double angle);
   /// What is in force is saved, on a stack. It stays in force, and what is called next acts before
-  /// it: in a part's own coordinates. Error: kMostSaved are saved.
+  /// it: in a part's own coordinates. The stack does not know segments: a part's may be several,
+  /// and what is not restored stays saved. Error: kMostSaved are saved.
   void save_transformation_3();
   /// The transformation is again what it was when it was saved last. Error: none is saved.
   void restore_transformation_3();
@@ -198,11 +194,17 @@ class GraphicsSystem {
   const SaidSettings& said() const { return said_; }
   /// By any view-parameter routine.
   bool view_was_set() const;
-  double aspect_ratio() const { return aspect_; }
+  double aspect_ratio() const { return windows_.aspect(); }
   /// The worst of the windows that were stretched although the application did not say that they
   /// should be.
-  const std::optional<StretchedWindow>& stretched_window() const { return stretched_; }
+  const std::optional<StretchedWindow>& stretched_window() const { return windows_.stretched(); }
   const ModellingTransformation& modelling_transformation() const { return modelling_; }
+  /// Where a point of the model is, in the modelling transformation and the view in force: in
+  /// normalised device coordinates, before a segment's image transformation, as set_image_centre
+  /// takes it and the pixel_at of a picture (interp/picture.h). What is outside of the view volume
+  /// is told too; nothing if it is not before the eye, or too far out to be told. Errors: those of
+  /// a coordinate, and of a view that open_segment refuses.
+  std::optional<Point3> to_device(const Point3& p) const;
   const Attributes& attributes() const { return attributes_; }
   const Background& background() const { return background_; }
   std::optional<int> open_segment_name() const { return open_; }
@@ -282,8 +284,6 @@ class GraphicsSystem {
   }
   void require_open() const;
   void require_view_may_change() const;
-  View view_in_picture() const;
-  void note_stretched_window(const View& view);
   Point3 to_world(const Point3& object) const;
   void move_to(const Point3& object);
   void line_to(const Point3& object);
@@ -298,10 +298,9 @@ class GraphicsSystem {
   }
   void enter_triangles(const Point3& normal, std::span<const Point3> vertex_normals, int pick);
   std::span<const Point3> world_normals(const Point3& own);
+
   View view_;
-  WindowFit window_fit_ = WindowFit::widen;
-  double aspect_ = 1.0;
-  std::optional<StretchedWindow> stretched_;
+  PictureWindows windows_;
   SaidSettings said_;
   ModellingTransformation modelling_;
   DisplayFile display_file_;

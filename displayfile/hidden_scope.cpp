@@ -1,19 +1,19 @@
 #include "displayfile/hidden_scope.h"
 
-#include <string>
-
-#include "clip/error.h"
+#include "clip/words.h"
 
 namespace displayfile {
 
-HiddenScope hidden_scope(std::string_view text) {
-  if (text == "segment") return HiddenScope::segment;
-  if (text == "all") return HiddenScope::all;
-  throw Error("the scope of hidden surfaces is segment or all, not '" + std::string(text) + "'");
-}
+namespace {
 
-std::string_view name_of(HiddenScope scope) {
-  return scope == HiddenScope::all ? "all" : "segment";
+constexpr Word<HiddenScope> kScopes[] = {{HiddenScope::segment, "segment"},
+                                         {HiddenScope::all, "all"}};
+
+}  // namespace
+
+HiddenScope hidden_scope(std::string_view text) {
+  return value_of(kScopes, text, "the scope of hidden surfaces is");
 }
+std::string_view name_of(HiddenScope scope) { return word_of(kScopes, scope); }
 
 }  // namespace displayfile

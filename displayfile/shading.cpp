@@ -1,17 +1,16 @@
 #include "displayfile/shading.h"
 
-#include <string>
-
-#include "clip/error.h"
+#include "clip/words.h"
 
 namespace displayfile {
 
-Shading shading(std::string_view text) {
-  if (text == "flat") return Shading::flat;
-  if (text == "gouraud") return Shading::gouraud;
-  throw Error("shading is flat or gouraud, not '" + std::string(text) + "'");
-}
+namespace {
 
-std::string_view name_of(Shading shading) { return shading == Shading::flat ? "flat" : "gouraud"; }
+constexpr Word<Shading> kShadings[] = {{Shading::flat, "flat"}, {Shading::gouraud, "gouraud"}};
+
+}  // namespace
+
+Shading shading(std::string_view text) { return value_of(kShadings, text, "shading is"); }
+std::string_view name_of(Shading shading) { return word_of(kShadings, shading); }
 
 }  // namespace displayfile

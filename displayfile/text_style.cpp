@@ -1,24 +1,20 @@
 #include "displayfile/text_style.h"
 
-#include <string>
-
-#include "clip/error.h"
+#include "clip/words.h"
 
 namespace displayfile {
 
+namespace {
+
 using Alignment = TextStyle::Alignment;
+constexpr Word<Alignment> kAlignments[] = {
+    {Alignment::left, "left"}, {Alignment::centre, "centre"}, {Alignment::right, "right"}};
 
-Alignment alignment(std::string_view text) {
-  for (const Alignment a : {Alignment::left, Alignment::centre, Alignment::right}) {
-    if (text == name_of(a)) return a;
-  }
-  throw Error("expected left, centre or right, not '" + std::string(text) + "'");
-}
+}  // namespace
 
-std::string_view name_of(Alignment alignment) {
-  return alignment == Alignment::left     ? "left"
-         : alignment == Alignment::centre ? "centre"
-                                          : "right";
+TextStyle::Alignment alignment(std::string_view text) {
+  return value_of(kAlignments, text, "expected");
 }
+std::string_view name_of(TextStyle::Alignment alignment) { return word_of(kAlignments, alignment); }
 
 }  // namespace displayfile

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "clip/point.h"
 #include "displayfile/background.h"
 #include "displayfile/style.h"
 #include "hidden/hidden_method.h"
@@ -62,6 +63,12 @@ inline std::uint32_t pixel_of(const Colour& colour) {
 /// The background as a pixel; 0 if there is none.
 inline std::uint32_t pixel_of(const Background& background) {
   return background.kind == Background::Kind::none ? 0 : pixel_of(background.colour);
+}
+
+/// Where a point in normalised device coordinates is in a picture of this size: in pixels from its
+/// upper left corner, y down, as Renderer::pick takes it.
+inline Point2 pixel_at(const Point3& device, int width, int height) {
+  return {device.x * width, (1.0 - device.y) * height};
 }
 
 /// The limits of a picture's size that the devices state and keep.

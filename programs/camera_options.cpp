@@ -36,6 +36,15 @@ std::variant<EyeDirection, Point3> eye_of(const std::string& word) {
   return EyeDirection{(*values)[0], (*values)[1]};
 }
 
+std::variant<UprightBy, Upright> upright_of(const std::string& word) {
+  if (word == "auto") return UprightBy::convention;
+  try {
+    return upright(word);
+  } catch (const Error&) {
+    refuse("--up", word, "x, y, z, -x, -y, -z or auto");
+  }
+}
+
 double angle_of_view(const std::string& word) {
   const auto values = number_list(word);
   if (!values || values->size() != 1 || !((*values)[0] > 0.0 && (*values)[0] < 180.0)) {
@@ -55,7 +64,9 @@ void CameraWords::add_to(CLI::App& command) {
          "0,90 from above; or X,Y,Z, where the eye is [30,20]");
   option("--look-at", look_at,
          "X,Y,Z, in the middle of the picture; if not given, the mesh's middle");
-  option("--up", up, "the axis that is upright: x y z -x -y -z [y]");
+  option("--up", up,
+         "the axis that is upright: x y z -x -y -z; or auto, by the custom of the format where the "
+         "file does not say it [as the file says, or y]");
   auto* const angle = option("--fov", fov,
                              "degrees from the bottom of the picture to its top; if not given, the "
                              "eye is four times the mesh's radius away");
@@ -80,13 +91,7 @@ Camera CameraWords::camera() const {
   Camera camera;
   if (!eye.empty()) camera.eye = eye_of(eye);
   if (!look_at.empty()) camera.look_at = point("--look-at", look_at);
-  if (!up.empty()) {
-    try {
-      camera.upright = upright(up);
-    } catch (const Error&) {
-      refuse("--up", up, "x, y, z, -x, -y or -z");
-    }
-  }
+  if (!up.empty()) camera.upright = upright_of(up);
   if (!fov.empty()) camera.angle_of_view = angle_of_view(fov);
   camera.parallel = parallel;
   camera.fit = fit;

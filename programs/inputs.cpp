@@ -57,7 +57,8 @@ struct InputsRead {
   /// World coordinates of meshes before which no program sets the window, and of what programs draw
   /// in the same view.
   std::vector<Point3> bare;
-  SaidView said;  ///< before the first of them
+  SaidView said;          ///< before the first of them
+  CommonUpright upright;  ///< of those meshes
 };
 
 /// Adds what a program drew in the view.
@@ -84,8 +85,9 @@ void replay_ahead(const std::string& program, const std::string& name, GraphicsS
 
 /// Replays the programs ahead of their time, beside the system: what they draw is to be in the view
 /// that is fitted to the meshes as they place them.
-InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem& system) {
-  InputsRead read;
+InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem& system,
+                       const Camera& camera) {
+  InputsRead read{{}, {}, {}, {}, CommonUpright(camera)};
   RetainedScene drawn;
   GraphicsSystem ahead;
   ahead.retain(&drawn);
@@ -105,6 +107,10 @@ InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem
     if (before.said().contains(Setting::window)) continue;
     if (read.bare.empty()) read.said = {before.view(), before.said()};
     append_used_vertices(mesh, ahead.modelling_transformation(), read.bare);
+    read.upright.add(mesh, ahead.modelling_transformation());
+  }
+  if (read.upright.differ()) {
+    read.meshes.front().skipped.warnings.emplace_back(kStandDifferently);
   }
   if (!read.bare.empty()) append_drawn(read.said.view, drawn, read.bare);
   return read;
@@ -122,19 +128,19 @@ void naming(const std::string& mesh, Enter&& enter) {
 
 }  // namespace
 
-bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
-                  const MeshOptions& options) {
+std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
+                                    const MeshOptions& options) {
   if (std::ranges::all_of(inputs, is_drawing_program)) {
     for (const std::string& input : inputs) {
       const Progress progress("replaying " + input);
       replay_file(input, system);
     }
-    return false;
+    return std::nullopt;
   }
-  const InputsRead read = read_inputs(inputs, system);
+  const InputsRead read = read_inputs(inputs, system, options.camera);
   const std::string& first_mesh = *std::ranges::find_if_not(inputs, is_drawing_program);
   naming(first_mesh, [&] {
-    if (!read.bare.empty()) fit_view(read.bare, system, options.camera, read.said);
+    if (!read.bare.empty()) fit_view(read.bare, system, read.upright.camera(), read.said);
   });
   const Progress progress("entering " + inputs.front() + (inputs.size() > 1 ? " and others" : ""));
   auto program = read.programs.begin();
@@ -152,18 +158,19 @@ bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
     }
     meshes = meshes.subspan(i - begin);
   }
-  return !read.bare.empty() && !read.said.settings.contains(Setting::camera);
+  if (read.bare.empty() || read.said.settings.contains(Setting::camera)) return std::nullopt;
+  return read.upright.upright();
 }
 
-bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
-                  const MeshWords& meshes, double aspect) {
+std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
+                                    const MeshWords& meshes, double aspect) {
   const MeshOptions options = meshes.options();
   if (options.colour && std::ranges::all_of(inputs, is_drawing_program)) {
     throw Error("--colour: expected a mesh among the inputs");
   }
   meshes.start(system, aspect);
-  const bool fitted = enter_inputs(inputs, system, options);
-  meshes.require_fitted(fitted);
+  const std::optional<Upright> fitted = enter_inputs(inputs, system, options);
+  meshes.require_fitted(fitted.has_value());
   return fitted;
 }
 

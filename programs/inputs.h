@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -18,13 +19,13 @@ bool is_drawing_program(const std::string& input);
 /// the first mesh sets the window, a view is fitted to all meshes before which none does, and to
 /// what programs draw in the same view: it is in force from the start, so that programs before a
 /// mesh and after it share it. What programs say of the view before the first mesh stays (fit_view
-/// in displayfile/mesh/fitted_view.h). True if a camera was fitted. Throws Error, naming the file
-/// and the place.
-bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
-                  const MeshOptions& options = {});
+/// in displayfile/mesh/fitted_view.h). Returns the axis that is up in a camera that was fitted;
+/// nothing if none was. Throws Error, naming the file and the place.
+std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
+                                    const MeshOptions& options = {});
 /// The same with the command's options, for pictures of an aspect ratio.
-bool enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
-                  const MeshWords& meshes, double aspect);
+std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
+                                    const MeshWords& meshes, double aspect);
 
 /// The inputs' display file, in the order that is drawn.
 DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options,

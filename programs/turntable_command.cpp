@@ -125,12 +125,12 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
   const double aspect = static_cast<double>(options.width) / options.height;
   MeshWords turning = meshes;
   turning.turning = true;
-  const bool fitted = enter_inputs(inputs, system, turning, aspect);
+  const std::optional<Upright> fitted = enter_inputs(inputs, system, turning, aspect);
   warn_of_stretched_window(system, output.string(), options.width, options.height);
   left_out.note(system.display_file(), options, picture_kind(output, options));
   Turntable turntable(scene, system.display_file(), system.view());
   const Camera looking = meshes.camera();
-  if (fitted) turntable.set_axis(looking.upright.up);
+  if (fitted) turntable.set_axis(fitted->up);
   if (fitted && looking.fit && !looking.angle_of_view) turntable.fit_window(views);
   DrawOptions drawing = options;
   if (!drawing.background) drawing.background = system.background();

@@ -135,6 +135,31 @@ TEST(Application, BadOptionsAreErrors) {
   EXPECT_EQ(said([&] { draw(g, {.width = 9, .height = 9, .format = "svg"}); }), "nothing");
 }
 
+/// A link that is drawn already turns about its joint, a point of the model.
+TEST(Application, TurnsAnImageAboutAPointOfTheModel) {
+  displayfile::GraphicsSystem g;
+  g.set_perspective({0, 0, 5});
+  g.rotate_y_3(30);
+  const displayfile::Point3 joint(0.5, 0.25, 0.5);
+  g.open_segment(1);
+  g.set_pick_id(3);
+  g.polygon_abs_3({joint - displayfile::Point3(0.2, 0.2, 0), joint + displayfile::Point3(0.2, 0, 0),
+                   joint + displayfile::Point3(0, 0.2, 0)});
+  g.close_segment();
+  const std::optional<displayfile::Point3> at = g.to_device(joint);
+  ASSERT_TRUE(at);
+  g.set_image_centre(1, at->x, at->y);
+  displayfile::Renderer renderer;
+  const displayfile::DrawOptions options{.width = 200, .height = 100};
+  const displayfile::Point2 pixel = displayfile::pixel_at(*at, options.width, options.height);
+  for (int turn = 0; turn < 360; turn += 45) {
+    g.set_image_rotation(1, turn);
+    const auto pick = renderer.pick(g, pixel.x, pixel.y, options);
+    ASSERT_TRUE(pick) << turn;
+    EXPECT_EQ(pick->id, 3);
+  }
+}
+
 /// A picture that was refused leaves the one before as it is, or gives it up whole.
 TEST(Renderer, ARefusedPictureIsWholeOrNone) {
   displayfile::GraphicsSystem g;

@@ -69,6 +69,26 @@ TEST_F(Camera, TurntableTurnsAboutTheUpAxis) {
   EXPECT_EQ(run("compare a-001.npy b.npy"), 0) << out_;
 }
 
+TEST_F(Camera, UpAutoIsTheCustomOfAFormat) {
+  write("m.stl",
+        "solid m\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 4\n"
+        "endloop\nendfacet\nendsolid m\n");
+  write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 4\nf 1 2 3\n");
+  draw("m.stl -o y.png");
+  draw("m.stl -o z.png --up z");
+  draw("m.stl -o auto.png --up auto");
+  draw("m.obj -o in-y.png --up auto");
+  same("auto.png", "z.png");
+  same("in-y.png", "y.png");
+  differ("y.png", "z.png");
+  draw("m.stl m.obj -o auto.png --up auto --turntable 2");
+  draw("m.stl m.obj -o z.png --up z --turntable 2");
+  same("auto-001.png", "z-001.png");
+  draw("m.stl m.obj -o {ext}.png --up auto");  // each picture stands by itself
+  same("stl.png", "z.png");
+  same("obj.png", "y.png");
+}
+
 TEST_F(Camera, BadValues) {
   write("m.obj", kPyramid);
   fs::create_directory(folder_ / "gold");
@@ -88,7 +108,7 @@ TEST_F(Camera, BadValues) {
   }
   refused("--look-at 1,2", "--look-at 1,2: expected X,Y,Z");
   refused("--look-at x", "--look-at x: expected X,Y,Z");
-  refused("--up w", "--up w: expected x, y, z, -x, -y or -z");
+  refused("--up w", "--up w: expected x, y, z, -x, -y, -z or auto");
   for (const char* fov : {"0", "180", "-5", "wide", "nan", "40,50"}) {
     refused(std::string("--fov ") + fov, std::string("--fov ") + fov + ": expected degrees");
   }

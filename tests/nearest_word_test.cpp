@@ -1,4 +1,4 @@
-// What an unknown word may have meant.
+// Words that are known, and what an unknown one may have meant.
 
 #include "clip/nearest_word.h"
 
@@ -7,6 +7,9 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "clip/error.h"
+#include "clip/words.h"
 
 namespace displayfile {
 namespace {
@@ -46,6 +49,33 @@ TEST(NearestWord, OnlyWordsThatAreNearAreMeant) {
   EXPECT_EQ(did_you_mean("x", known), "");
   EXPECT_EQ(did_you_mean("--size", {}), "");
   EXPECT_EQ(did_you_mean(std::string(100000, '-'), known), "");
+}
+
+enum class Size { small, large, any };
+constexpr Word<Size> kSizes[] = {
+    {Size::small, "small"}, {Size::large, "large"}, {Size::any, "any"}};
+
+TEST(Words, EachIsReadAndTold) {
+  for (const auto& [size, word] : kSizes) {
+    EXPECT_EQ(value_of(kSizes, word, "size is"), size);
+    EXPECT_EQ(word_of(kSizes, size), word);
+  }
+}
+
+TEST(Words, AnUnknownOneIsToldThoseThatThereAre) {
+  const auto message_for = [](std::string_view word) -> std::string {
+    try {
+      value_of(kSizes, word, "size is");
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(message_for("tall"), "size is small, large or any, not 'tall'");
+  EXPECT_EQ(message_for("larg"), "size is small, large or any, not 'larg': did you mean 'large'?");
+  EXPECT_EQ(message_for("Small"),
+            "size is small, large or any, not 'Small': did you mean 'small'?");
+  EXPECT_EQ(message_for(""), "size is small, large or any, not ''");
 }
 
 }  // namespace

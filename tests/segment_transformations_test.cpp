@@ -86,6 +86,42 @@ TEST(GraphicsSystem, ImageTransformationAboutACentreOfItsOwn) {
   });
 }
 
+/// A point is told where a line that goes there ends, to the bit.
+TEST(GraphicsSystem, ToDeviceIsWhereThingsAreDrawn) {
+  const auto expect_same = [](GraphicsSystem& g) {
+    const Point3 joint(0.125, -0.25, 0.5);
+    const std::optional<Point3> before = g.to_device(joint);
+    g.open_segment(1);
+    EXPECT_EQ(g.to_device(joint), before);
+    g.move_abs_3(0, 0, 0);
+    g.line_abs_3(joint.x, joint.y, joint.z);
+    g.close_segment();
+    EXPECT_EQ(g.display_file().segment(1).entered()->stored_points().back(), before);
+  };
+  GraphicsSystem parallel;
+  parallel.rotate_z_3(33);
+  parallel.translate_3(0.1, 0.2, -0.1);
+  expect_same(parallel);
+
+  GraphicsSystem perspective;
+  perspective.set_perspective({0.3, 0.2, 4});
+  perspective.set_window(-1, 1, -2, 1);
+  perspective.set_window_fit(WindowFit::widen);
+  perspective.set_viewport(0.25, 0.75, 0, 1);
+  perspective.set_aspect_ratio(1.5);
+  perspective.rotate_x_3(-20);
+  expect_same(perspective);
+  EXPECT_FALSE(perspective.to_device({0, -10, 20})) << "behind the eye";
+  perspective.create_transformation_3();
+  EXPECT_FALSE(perspective.to_device({0.3, 0.2, 4})) << "the eye";
+  const std::optional<Point3> outside = perspective.to_device({100, 0, 0});
+  ASSERT_TRUE(outside);
+  EXPECT_GT(outside->x, 1.0);
+  expect_error([&] { perspective.to_device({0, 0, 1e300}); }, "coordinates 0 0 1e+300");
+  perspective.set_perspective({0, 0, -4});
+  expect_error([&] { perspective.to_device({0, 0, 0}); }, "centre of projection");
+}
+
 /// What is saved acts last: an arm is written from the outside in.
 TEST(GraphicsSystem, WhatIsSavedActsOnAllThatIsCalledUntilItIsRestored) {
   GraphicsSystem g = unit_square();

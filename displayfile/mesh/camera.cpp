@@ -1,20 +1,21 @@
 #include "displayfile/mesh/camera.h"
 
-#include <string>
-
-#include "clip/error.h"
+#include "clip/words.h"
 
 namespace displayfile {
 
-Upright upright(std::string_view axis) {
-  const Point3 x(1.0, 0.0, 0.0), y(0.0, 1.0, 0.0), z(0.0, 0.0, 1.0);
-  if (axis == "x") return {-y, x, z};
-  if (axis == "y") return {x, y, z};
-  if (axis == "z") return {x, z, -y};
-  if (axis == "-x") return {y, -x, z};
-  if (axis == "-y") return {-x, -y, z};
-  if (axis == "-z") return {x, -z, y};
-  throw Error("up is x, y, z, -x, -y or -z, not '" + std::string(axis) + "'");
-}
+namespace {
+
+constexpr Point3 kX(1.0, 0.0, 0.0), kY(0.0, 1.0, 0.0), kZ(0.0, 0.0, 1.0);
+constexpr Point3 kMinusX(-1.0, 0.0, 0.0), kMinusY(0.0, -1.0, 0.0), kMinusZ(0.0, 0.0, -1.0);
+constexpr Word<Upright> kUprights[] = {
+    {{kMinusY, kX, kZ}, "x"},       {{kX, kY, kZ}, "y"},
+    {{kX, kZ, kMinusY}, "z"},       {{kY, kMinusX, kZ}, "-x"},
+    {{kMinusX, kMinusY, kZ}, "-y"}, {{kX, kMinusZ, kY}, "-z"},
+};
+
+}  // namespace
+
+Upright upright(std::string_view axis) { return value_of(kUprights, axis, "up is"); }
 
 }  // namespace displayfile

@@ -20,6 +20,13 @@ struct Upright {
 /// negative y, and x still runs to the right. Throws Error for anything else.
 Upright upright(std::string_view axis);
 
+/// Who says which axis is up, if the application does not. Of meshes that stand by different axes
+/// none is followed: then y is up.
+enum class UprightBy {
+  file,        ///< the file, or what its format lays down (up_axis.h); y where neither says it
+  convention,  ///< or else the custom of its format
+};
+
 /// From what is looked at to the eye, in degrees: azimuth 0 is from the front and 90 from the
 /// right, elevation 90 from above.
 struct EyeDirection {
@@ -32,7 +39,7 @@ struct Camera {
   std::variant<EyeDirection, Point3> eye = EyeDirection{};  ///< or where it is
   /// In the middle of the picture; if not given, the picture's middle is that of what is seen.
   std::optional<Point3> look_at = std::nullopt;
-  Upright upright = {};
+  std::variant<UprightBy, Upright> upright = UprightBy::file;
   /// In degrees, from the bottom to the top of the picture, more than 0 and less than 180. If not
   /// given, the eye is four times the mesh's radius away.
   std::optional<double> angle_of_view = std::nullopt;

@@ -103,6 +103,7 @@ class FittedView {
   void enclose_depth();
 
   Camera camera_;
+  Upright upright_;
   double aspect_;
   Bounds scene_;
   double radius_ = 1.0;  // of the scene
@@ -117,14 +118,15 @@ class FittedView {
 
 FittedView::FittedView(std::span<const Point3> world, double aspect, const Camera& camera)
     : camera_(camera), aspect_(aspect) {
+  if (const auto* said = std::get_if<Upright>(&camera.upright)) upright_ = *said;
   take(world);
   const double seen_radius = camera.fit ? radius_ : 1.0;
   const Point3 at = camera.look_at.value_or(camera.fit ? scene_.middle() : Point3(0.0));
 
   const auto* const direction = std::get_if<EyeDirection>(&camera.eye);
   const Sight sight = direction != nullptr
-                          ? from_direction(*direction, camera.upright)
-                          : from_position(std::get<Point3>(camera.eye), at, camera.upright);
+                          ? from_direction(*direction, upright_)
+                          : from_position(std::get<Point3>(camera.eye), at, upright_);
   toward_eye_ = sight.toward_eye;
   view_.set_reference_point(at);
   view_.set_plane_normal(-toward_eye_);
@@ -139,7 +141,7 @@ FittedView::FittedView(std::span<const Point3> world, double aspect, const Camer
   const bool stands_back = camera.angle_of_view && direction != nullptr && camera.fit;
   std::vector<Point3> places;
   if (stands_back && camera.turning) {
-    places = turned(world, scene_.middle(), camera.upright);
+    places = turned(world, scene_.middle(), upright_);
     world = places;
   }
   for (const Point3& p : world) points_.emplace_back(view_plane_ * HomogeneousPoint(p, 1.0));
@@ -300,12 +302,16 @@ void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camer
   fit_view(world, system, camera, {system.view(), system.said()});
 }
 
-void fit_view(std::span<const Mesh> meshes, GraphicsSystem& system, const Camera& camera) {
+CommonUpright fit_view(std::span<const Mesh> meshes, GraphicsSystem& system, const Camera& camera) {
+  const ModellingTransformation& modelling = system.modelling_transformation();
   std::vector<Point3> world;
+  CommonUpright common(camera);
   for (const Mesh& mesh : meshes) {
-    append_used_vertices(mesh, system.modelling_transformation(), world);
+    append_used_vertices(mesh, modelling, world);
+    common.add(mesh, modelling);
   }
-  fit_view(world, system, camera);
+  fit_view(world, system, common.camera());
+  return common;
 }
 
 }  // namespace displayfile

@@ -7,6 +7,7 @@
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/camera.h"
 #include "displayfile/mesh/mesh.h"
+#include "displayfile/mesh/up_axis.h"
 
 namespace displayfile {
 
@@ -28,7 +29,7 @@ struct SaidView {
 /// What was said of the view stays, as the system has it or as `said` has it, to which a program
 /// that is yet to be replayed brings it: the window is made for its viewport, its depth and
 /// clipping are kept, and of its camera only the window is fitted. With a window that was said
-/// nothing is set.
+/// nothing is set. A camera that does not say which axis is up has y.
 ///
 /// Throws Error, with no view set, if there are no points, a segment is open, or the camera cannot
 /// be: an eye at what it looks at, an angle of view out of range, or, to be fitted, points that are
@@ -36,7 +37,9 @@ struct SaidView {
 void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera = {});
 void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera,
               const SaidView& said);
-/// The same for meshes, in the modelling transformation in force.
-void fit_view(std::span<const Mesh> meshes, GraphicsSystem& system, const Camera& camera = {});
+/// The same for meshes, in the modelling transformation in force, upright as they stand where the
+/// camera does not say how.
+CommonUpright fit_view(std::span<const Mesh> meshes, GraphicsSystem& system,
+                       const Camera& camera = {});
 
 }  // namespace displayfile

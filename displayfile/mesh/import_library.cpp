@@ -20,6 +20,7 @@
 #include "displayfile/file_extension.h"
 #include "displayfile/mesh/lost_detail.h"
 #include "displayfile/mesh/mesh_builder.h"
+#include "displayfile/mesh/up_axis.h"
 #include "displayfile/shared_library.h"
 
 namespace displayfile {
@@ -125,6 +126,18 @@ std::vector<Node> nodes_in_order(const aiScene& scene) {
     }
   }
   return order;
+}
+
+/// The axis that is up in the scene: as the file says, after the root's transformation, by which
+/// the library turns some files to y up. Nothing if the library does not tell what the file says.
+std::optional<Upright> upright_said(const aiScene& scene) {
+  std::int32_t axis = -1, sign = 1;
+  if (scene.mMetaData == nullptr || !scene.mMetaData->Get("UpAxis", axis)) return std::nullopt;
+  if (axis < 0 || axis > 2) return std::nullopt;
+  scene.mMetaData->Get("UpAxisSign", sign);
+  Point3 up(0.0);
+  up[axis] = sign < 0 ? -1.0 : 1.0;
+  return nearest_upright(glm::dmat3(matrix(scene.mRootNode->mTransformation)) * up);
 }
 
 /// What the library tells of a material. One that it made up for faces without any tells nothing.
@@ -329,7 +342,9 @@ Mesh read_by(const ImportLibrary& library, const std::string& path, bool with_no
   SceneReader reader(path, with_normals);
   reader.add_materials(library, *scene);
   for (const Node& node : nodes_in_order(*scene)) reader.add(*scene, node);
-  return std::move(reader).take();
+  Mesh mesh = std::move(reader).take();
+  mesh.upright = upright_said(*scene);
+  return mesh;
 }
 
 }  // namespace

@@ -190,7 +190,10 @@ std::vector<Mesh::Skipped> import_meshes(std::span<const std::string> paths, Gra
     name += static_cast<std::int64_t>(meshes.back().objects.size());
   }
   if (meshes.empty()) return {};
-  if (!system.said().contains(Setting::window)) fit_view(meshes, system, options.camera);
+  if (!system.said().contains(Setting::window) &&
+      fit_view(meshes, system, options.camera).differ()) {
+    meshes.front().skipped.warnings.emplace_back(kStandDifferently);
+  }
   enter_meshes(meshes, system, options);
   std::vector<Mesh::Skipped> skipped;
   skipped.reserve(meshes.size());

@@ -40,11 +40,14 @@ struct Mesh {
     std::vector<std::string> warnings;  ///< what else was lost, a sentence each
   };
 
-  std::vector<Object> objects;            ///< in the order of the faces; each has some
-  std::vector<Point3> vertices;           ///< also those that no face uses
-  std::vector<Point3> normals;            ///< of any length; zero if not known
-  std::vector<std::uint32_t> corners;     ///< indices into vertices, face after face
-  std::vector<std::size_t> first_corner;  ///< of each face; one more at the end
+  /// The axis that is up: as the file says or its format lays down; nothing if neither does.
+  std::optional<Upright> upright{};
+  std::optional<Upright> usual_upright{};  ///< by the custom of the format, where neither does
+  std::vector<Object> objects;             ///< in the order of the faces; each has some
+  std::vector<Point3> vertices;            ///< also those that no face uses
+  std::vector<Point3> normals;             ///< of any length; zero if not known
+  std::vector<std::uint32_t> corners;      ///< indices into vertices, face after face
+  std::vector<std::size_t> first_corner;   ///< of each face; one more at the end
   /// Indices into normals or kNoNormal, as many as corners; or none at all.
   std::vector<std::uint32_t> corner_normals;
   std::vector<Material> materials;

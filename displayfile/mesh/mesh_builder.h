@@ -79,7 +79,6 @@ class MeshBuilder {
   std::optional<Rgba> mean_colour(std::size_t face) const;
   void mix_in_colours_of_vertices();
   void give_faces_materials();
-  void count_what_is_not_drawn();
 
   std::string_view path_;
   Mesh mesh_;

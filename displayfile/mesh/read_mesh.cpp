@@ -12,6 +12,7 @@
 #include "displayfile/mesh/import_library.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/mesh/mesh_file.h"
+#include "displayfile/mesh/up_axis.h"
 
 namespace displayfile {
 
@@ -92,9 +93,14 @@ Mesh read_any(const std::string& path, bool with_normals) {
   in.read_to(file.data, std::min(in.size(), kBeginning));
   const Format* format = format_of(path, file.data);
   if (begins_in_utf16(file.data)) return read_utf16(path, with_normals, format);
-  if (format == nullptr) return read_by_import_library(path, with_normals);
-  in.read_to(file.data, in.size());
-  return format->read(file);
+  const std::string extension =
+      format != nullptr ? std::string(format->extension) : extension_of(path);
+  if (format != nullptr || text_says_upright(extension)) in.read_to(file.data, in.size());
+  Mesh mesh = format != nullptr ? format->read(file) : read_by_import_library(path, with_normals);
+  set_upright_of_format(mesh, extension, file.data);
+  const bool is_known = mesh.upright || mesh.usual_upright;
+  if (format == nullptr && !is_known) mesh.upright = upright("y");  // as the library gives them
+  return mesh;
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 
 #include "clip/error.h"
 #include "clip/nearest_word.h"
+#include "clip/words.h"
 #include "displayfile/characters.h"
 #include "displayfile/input_file.h"
 
@@ -51,7 +52,6 @@ class Line {
   /// Takes all that are left. Throws ErrorAt if they do not make whole points.
   template <class Point>
   std::span<const Point> take_points(const Routine& routine);
-  void skip() { ++taken_; }
 
  private:
   std::vector<std::string_view> words_;
@@ -92,15 +92,6 @@ void Line::split(std::string_view text) {
     while (p != end && in_word(*p)) ++p;
     words_.emplace_back(start, static_cast<std::size_t>(p - start));
   }
-}
-
-/// A word as messages show it: in quotes, a long one cut.
-std::string quoted(std::string_view word) {
-  constexpr std::size_t kLongest = 40;
-  if (word.size() <= kLongest) return fmt::format("'{}'", word);
-  std::size_t length = kLongest;
-  while ((static_cast<unsigned char>(word[length]) & 0xC0) == 0x80) --length;  // not mid-character
-  return fmt::format("'{}...'", word.substr(0, length));
 }
 
 /// from_chars, but the whole word and with an optional plus sign.
@@ -150,22 +141,41 @@ int Line::take<int>() {
                                  : "expected a whole number, not " + quoted(word));
 }
 
-template <>
-bool Line::take<bool>() {
-  const std::string_view word = words_[taken_++];
-  if (word == "on") return true;
-  if (word == "off") return false;
-  throw ErrorAt(word.data(), "expected on or off, not " + quoted(word));
-}
-
 /// What `read` makes of a word; its Error, at the word.
-template <class Value>
-Value understood(std::string_view word, Value (*read)(std::string_view)) {
+template <class Read>
+auto understood(std::string_view word, const Read& read) {
   try {
     return read(word);
   } catch (const Error& error) {
     throw ErrorAt(word.data(), error.what());
   }
+}
+
+constexpr Word<bool> kSwitches[] = {{true, "on"}, {false, "off"}};
+constexpr Word<FillStyle::Kind> kFillKinds[] = {{FillStyle::Kind::solid, "solid"},
+                                                {FillStyle::Kind::hollow, "hollow"}};
+constexpr Word<LineStyle::Kind> kLineKinds[] = {{LineStyle::Kind::solid, "solid"},
+                                                {LineStyle::Kind::dashed, "dashed"},
+                                                {LineStyle::Kind::none, "none"}};
+
+template <class Value, std::size_t N>
+Value one_of(const Word<Value> (&known)[N], std::string_view word) {
+  return understood(word, [&](std::string_view w) { return value_of(known, w, "expected"); });
+}
+
+template <>
+bool Line::take<bool>() {
+  return one_of(kSwitches, words_[taken_++]);
+}
+
+template <>
+FillStyle::Kind Line::take<FillStyle::Kind>() {
+  return one_of(kFillKinds, words_[taken_++]);
+}
+
+template <>
+LineStyle::Kind Line::take<LineStyle::Kind>() {
+  return one_of(kLineKinds, words_[taken_++]);
 }
 
 template <>
@@ -298,34 +308,23 @@ void points(GraphicsSystem& system, Line& line, const Routine& entry) {
 
 void fill_style(GraphicsSystem& system, Line& line, const Routine& routine) {
   if (line.arguments() == 0) wrong_count(line, routine);
-  const std::string_view kind = line.argument(0);
-  line.skip();
-  if (kind == "solid") {
-    if (line.arguments() != 4) wrong_count(line, routine);
-    return system.set_fill_style({FillStyle::Kind::solid, line.take<Point3>()});
-  }
-  if (kind != "hollow") {
-    throw ErrorAt(kind.data(), "expected solid or hollow, not " + quoted(kind));
-  }
-  if (line.arguments() != 1) wrong_count(line, routine);
-  system.set_fill_style({FillStyle::Kind::hollow});
+  const auto kind = line.take<FillStyle::Kind>();
+  const bool solid = kind == FillStyle::Kind::solid;
+  if (line.arguments() != (solid ? 4 : 1)) wrong_count(line, routine);
+  system.set_fill_style(solid ? FillStyle{kind, line.take<Point3>()} : FillStyle{kind});
 }
 
 void line_style(GraphicsSystem& system, Line& line, const Routine& routine) {
   if (line.arguments() == 0) wrong_count(line, routine);
-  const std::string_view kind = line.argument(0);
   const std::size_t count = line.arguments();
-  line.skip();
-  if (kind == "none") {
+  const auto kind = line.take<LineStyle::Kind>();
+  if (kind == LineStyle::Kind::none) {
     if (count != 1) wrong_count(line, routine);
-    return system.set_line_style({LineStyle::Kind::none});
+    return system.set_line_style({kind});
   }
-  const bool dashed = kind == "dashed";
-  if (kind != "solid" && !dashed) {
-    throw ErrorAt(kind.data(), "expected solid, dashed or none, not " + quoted(kind));
-  }
+  const bool dashed = kind == LineStyle::Kind::dashed;
   if (count != 4 && count != 5 && !(dashed && count == 7)) wrong_count(line, routine);
-  LineStyle style{dashed ? LineStyle::Kind::dashed : LineStyle::Kind::solid, line.take<Point3>()};
+  LineStyle style{kind, line.take<Point3>()};
   if (count >= 5) style.width = line.take<double>();
   if (count == 7) {
     style.dash = line.take<double>();

@@ -1,0 +1,106 @@
+#include "displayfile/mesh/up_axis.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <variant>
+
+namespace displayfile {
+
+namespace {
+
+/// The two words in quotation marks that follow.
+std::array<std::string_view, 2> quoted_words(std::string_view text) {
+  std::array<std::string_view, 2> words;
+  for (std::string_view& word : words) {
+    const auto begin = text.find('"');
+    if (begin == text.npos) break;
+    text.remove_prefix(begin + 1);
+    word = text.substr(0, text.find('"'));
+    text.remove_prefix(std::min(word.size() + 1, text.size()));
+  }
+  return words;
+}
+
+/// OpenGEX: `Metric (key = "up") {string {"y"}}`; z where there is none.
+Upright upright_in_opengex(std::string_view text) {
+  constexpr std::string_view kMetric = "Metric";
+  for (auto at = text.find(kMetric); at != text.npos; at = text.find(kMetric, at + 1)) {
+    const auto [key, value] = quoted_words(text.substr(at));
+    if (key == "up") return upright(value == "y" ? "y" : "z");
+  }
+  return upright("z");
+}
+
+/// One line a format that is not as the import library gives others, with y up.
+struct FormatUpright {
+  std::string_view extension;
+  std::string_view axis;
+  bool laid_down;  ///< else a custom, which some files follow
+  Upright (*said)(std::string_view text) = nullptr;
+};
+constexpr FormatUpright kUprightFormats[] = {
+    {".3mf", "z", true},    // core specification: z away from the plate that is printed on
+    {".blend", "z", true},  // Blender's world
+    {".cob", "z", true},    // trueSpace's world
+    {".hmp", "z", true},    // 3D GameStudio: heights of a terrain
+    {".ogex", "z", true, upright_in_opengex},
+    {".scn", "z", true},   // trueSpace
+    {".smd", "z", true},   // Valve's engines
+    {".amf", "z", false},  // printed, as STL
+    {".q3o", "z", false},  // Quick3D
+    {".q3s", "z", false},
+    {".stl", "z", false},
+};
+
+const FormatUpright* format_named(std::string_view extension) {
+  const auto* found = std::ranges::find(kUprightFormats, extension, &FormatUpright::extension);
+  return found == std::end(kUprightFormats) ? nullptr : found;
+}
+
+}  // namespace
+
+Upright nearest_upright(const Point3& direction) {
+  Upright nearest;
+  for (const char* axis : {"x", "-x", "y", "-y", "z", "-z"}) {
+    const Upright other = upright(axis);
+    if (glm::dot(other.up, direction) > glm::dot(nearest.up, direction)) nearest = other;
+  }
+  return nearest;
+}
+
+bool text_says_upright(std::string_view extension) {
+  const FormatUpright* format = format_named(extension);
+  return format != nullptr && format->said != nullptr;
+}
+
+void set_upright_of_format(Mesh& mesh, std::string_view extension, std::string_view text) {
+  const FormatUpright* format = format_named(extension);
+  if (format == nullptr) return;
+  const Upright of_format = format->said != nullptr ? format->said(text) : upright(format->axis);
+  (format->laid_down ? mesh.upright : mesh.usual_upright) = of_format;
+}
+
+void CommonUpright::add(const Mesh& mesh, const ModellingTransformation& modelling) {
+  const auto* by = std::get_if<UprightBy>(&camera_.upright);
+  if (by == nullptr) return;
+  std::optional<Upright> in_mesh = mesh.upright;
+  if (!in_mesh && *by == UprightBy::convention) in_mesh = mesh.usual_upright;
+  if (!in_mesh) return;
+  const Upright in_world = nearest_upright(modelling.apply_to_difference(in_mesh->up));
+  differ_ |= of_meshes_ && *of_meshes_ != in_world;
+  of_meshes_ = in_world;
+}
+
+Upright CommonUpright::upright() const {
+  if (const auto* said = std::get_if<Upright>(&camera_.upright)) return *said;
+  return differ_ ? Upright{} : of_meshes_.value_or(Upright{});
+}
+
+Camera CommonUpright::camera() const {
+  Camera camera = camera_;
+  camera.upright = upright();
+  return camera;
+}
+
+}  // namespace displayfile

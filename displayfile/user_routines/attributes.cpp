@@ -1,0 +1,109 @@
+#include "displayfile/graphics_system.h"
+
+#include <fmt/format.h>
+
+#include "clip/error.h"
+#include "displayfile/user_routines/ranges.h"
+
+namespace displayfile {
+
+void GraphicsSystem::set_fill_style(const FillStyle& style) {
+  attributes_changed();
+  if (style.kind == FillStyle::Kind::hollow) {
+    attributes_.fill = {
+        FillStyle::Kind::hollow};  // a colour has no meaning here: one representation
+    return record_said(Setting::fill_style, "set-fill-style", {"hollow"});
+  }
+  require_colour(style.colour);
+  attributes_.fill = {FillStyle::Kind::solid, style.colour};
+  record_said(Setting::fill_style, "set-fill-style",
+              {"solid", style.colour.r, style.colour.g, style.colour.b});
+}
+
+void GraphicsSystem::set_line_style(const LineStyle& style) {
+  attributes_changed();
+  if (style.kind == LineStyle::Kind::none) {
+    attributes_.line = {LineStyle::Kind::none};
+    return record_said(Setting::line_style, "set-line-style", {"none"});
+  }
+  require_colour(style.colour);
+  const bool dashed = style.kind == LineStyle::Kind::dashed;
+  for (double length : {style.width, style.dash, style.gap}) {
+    if (!(length > 0.0 && length <= 1e6)) {
+      throw Error(fmt::format("line width or dash {}: expected more than 0 pixels and at most 1e6",
+                              length));
+    }
+  }
+  attributes_.line = style;
+  const Colour& c = style.colour;
+  if (dashed) {
+    record_said(Setting::line_style, "set-line-style",
+                {"dashed", c.r, c.g, c.b, style.width, style.dash, style.gap});
+  } else {
+    attributes_.line.dash = LineStyle{}.dash;  // of no meaning here: one style, one representation
+    attributes_.line.gap = LineStyle{}.gap;
+    record_said(Setting::line_style, "set-line-style", {"solid", c.r, c.g, c.b, style.width});
+  }
+}
+
+void GraphicsSystem::set_text_style(const TextStyle& style) {
+  if (!(style.size > 0.0 && style.size <= 1.0)) {
+    throw Error(fmt::format(
+        "text size {}: expected more than 0 and at most 1, the picture's height", style.size));
+  }
+  attributes_.text = style;
+  if (style.always) {
+    record("set-text-style", {style.size, name_of(style.alignment), "always"});
+  } else {
+    record("set-text-style", {style.size, name_of(style.alignment)});
+  }
+}
+
+void GraphicsSystem::set_light(const Point3& toward, double ambient) {
+  require_finite({toward.x, toward.y, toward.z}, "light direction");
+  if (toward == Point3(0.0)) throw Error("light direction is zero: expected a direction");
+  if (!(ambient >= 0.0 && ambient <= 1.0)) {
+    throw Error(fmt::format("ambient light {}: expected 0 to 1", ambient));
+  }
+  attributes_.light = {unit(toward), ambient};
+  record_said(Setting::light, "set-light", {toward.x, toward.y, toward.z, ambient});
+}
+
+void GraphicsSystem::set_shading(Shading shading) {
+  shading_ = shading;
+  record("set-shading", {name_of(shading)});
+}
+
+void GraphicsSystem::set_shadows(bool on) {
+  attributes_.shadows = on;
+  record("set-shadows", {on});
+}
+
+void GraphicsSystem::set_vertex_normals(std::span<const Point3> normals) {
+  if (normals.size() == 1 || normals.size() == 2) {
+    throw Error(
+        fmt::format("normals of {} vertices: expected at least 3, or none", normals.size()));
+  }
+  for (const Point3& n : normals) require_finite({n.x, n.y, n.z}, "vertex normal");
+  vertex_normals_.assign(normals.begin(), normals.end());
+  if (recorder_ != nullptr) recorder_->write("set-vertex-normals", normals, 3);
+}
+
+void GraphicsSystem::set_background(const Background& background) {
+  if (background.kind == Background::Kind::none) {
+    background_ = {Background::Kind::none};
+    return record("set-background", {"none"});
+  }
+  require_colour(background.colour);
+  background_ = background;
+  const Colour& c = background.colour;
+  record("set-background", {c.r, c.g, c.b});
+}
+
+void GraphicsSystem::set_pick_id(int id) {
+  if (id < -1) throw Error(fmt::format("pick identifier {}: expected 0 or more, or -1", id));
+  pick_ = id;
+  record("set-pick-id", {id});
+}
+
+}  // namespace displayfile

@@ -1,0 +1,89 @@
+#include "displayfile/graphics_system.h"
+
+#include <fmt/format.h>
+
+#include "clip/error.h"
+#include "displayfile/characters.h"
+
+namespace displayfile {
+
+void GraphicsSystem::move_to(const Point3& object) {
+  require_open();
+  pen_ = {object, to_world(object)};
+}
+
+void GraphicsSystem::line_to(const Point3& object) {
+  require_open();
+  const Pen end{object, to_world(object)};
+  if (attributes_.line.kind != LineStyle::Kind::none) {
+    Segment& segment = display_file_.segment(*open_);
+    segment.set_line_pick(pick_);
+    if (RetainedScene* scene = retaining()) {
+      scene->enter_line(pen_.world, end.world, attributes_, pick_);
+    }
+    view_stage_->enter_line(pen_.world, end.world, attributes_.line, segment);
+  }
+  pen_ = end;
+}
+
+void GraphicsSystem::move_abs_3(double x, double y, double z) {
+  move_to({x, y, z});
+  record("move-abs-3", {x, y, z});
+}
+
+void GraphicsSystem::line_abs_3(double x, double y, double z) {
+  line_to({x, y, z});
+  record("line-abs-3", {x, y, z});
+}
+
+void GraphicsSystem::move_rel_3(double dx, double dy, double dz) {
+  move_to(pen_.object + Point3(dx, dy, dz));
+  record("move-rel-3", {dx, dy, dz});
+}
+
+void GraphicsSystem::line_rel_3(double dx, double dy, double dz) {
+  line_to(pen_.object + Point3(dx, dy, dz));
+  record("line-rel-3", {dx, dy, dz});
+}
+
+void GraphicsSystem::move_abs_2(double x, double y) {
+  move_to({x, y, pen_.object.z});
+  record("move-abs-2", {x, y});
+}
+
+void GraphicsSystem::line_abs_2(double x, double y) {
+  line_to({x, y, pen_.object.z});
+  record("line-abs-2", {x, y});
+}
+
+void GraphicsSystem::move_rel_2(double dx, double dy) {
+  move_to(pen_.object + Point3(dx, dy, 0.0));
+  record("move-rel-2", {dx, dy});
+}
+
+void GraphicsSystem::line_rel_2(double dx, double dy) {
+  line_to(pen_.object + Point3(dx, dy, 0.0));
+  record("line-rel-2", {dx, dy});
+}
+
+void GraphicsSystem::text(std::string_view characters) {
+  require_open();
+  if (characters.size() > kLongestText) {
+    throw Error(
+        fmt::format("text of {} bytes: expected at most {}", characters.size(), kLongestText));
+  }
+  if (const std::size_t good = drawable_length(characters); good < characters.size()) {
+    throw Error(not_drawable(characters.substr(good)));
+  }
+  if (!characters.empty()) {
+    if (RetainedScene* scene = retaining()) {
+      scene->enter_text(pen_.world, characters, attributes_);
+    }
+    view_stage_->enter_text(pen_.world, characters, attributes_, display_file_.segment(*open_));
+  }
+  if (recorder_ == nullptr) return;
+  const std::string quoted = in_quotation_marks(characters);
+  record("text", {std::string_view(quoted)});
+}
+
+}  // namespace displayfile

@@ -1,0 +1,60 @@
+#include "displayfile/graphics_system.h"
+
+#include <fmt/format.h>
+
+#include "clip/error.h"
+#include "displayfile/user_routines/ranges.h"
+
+namespace displayfile {
+
+void GraphicsSystem::create_transformation_3() {
+  modelling_.create();
+  record("create-transformation-3", {});
+}
+
+void GraphicsSystem::translate_3(double tx, double ty, double tz) {
+  require_finite({tx, ty, tz}, "translation");
+  modelling_.translate({tx, ty, tz});
+  record("translate-3", {tx, ty, tz});
+}
+
+void GraphicsSystem::scale_3(double sx, double sy, double sz) {
+  require_finite({sx, sy, sz}, "scale");
+  modelling_.scale({sx, sy, sz});
+  record("scale-3", {sx, sy, sz});
+}
+
+void GraphicsSystem::rotate_x_3(double angle) {
+  require_finite({angle}, "angle");
+  modelling_.rotate_x(angle);
+  record("rotate-x-3", {angle});
+}
+
+void GraphicsSystem::rotate_y_3(double angle) {
+  require_finite({angle}, "angle");
+  modelling_.rotate_y(angle);
+  record("rotate-y-3", {angle});
+}
+
+void GraphicsSystem::rotate_z_3(double angle) {
+  require_finite({angle}, "angle");
+  modelling_.rotate_z(angle);
+  record("rotate-z-3", {angle});
+}
+
+void GraphicsSystem::save_transformation_3() {
+  if (modelling_.saved() == kMostSaved) {
+    throw Error(fmt::format("{} transformations are saved: expected no more, or one to be restored",
+                            kMostSaved));
+  }
+  modelling_.save();
+  record("save-transformation-3", {});
+}
+
+void GraphicsSystem::restore_transformation_3() {
+  if (modelling_.saved() == 0) throw Error("no transformation saved");
+  modelling_.restore();
+  record("restore-transformation-3", {});
+}
+
+}  // namespace displayfile

@@ -1,0 +1,214 @@
+#include "displayfile/graphics_system.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "clip/back_face.h"
+#include "clip/error.h"
+#include "clip/memory.h"
+#include "displayfile/user_routines/ranges.h"
+
+namespace displayfile {
+
+void GraphicsSystem::require_open() const {
+  if (!open_) throw Error("no segment open");
+}
+
+Point3 GraphicsSystem::to_world(const Point3& object) const {
+  if (!in_range(object)) {
+    throw Error(
+        fmt::format("coordinates {} {} {}: expected finite numbers of magnitude at most 1e100",
+                    object.x, object.y, object.z));
+  }
+  const Point3 world = modelling_.apply(object);
+  if (!in_range(world)) throw Error("coordinate out of range after the modelling transformation");
+  return world;
+}
+
+void GraphicsSystem::polygon_abs_3(std::span<const Point3> vertices) {
+  polygon(vertices);
+  if (recorder_ != nullptr) recorder_->write("polygon-abs-3", vertices, 3);
+}
+
+void GraphicsSystem::polygon_rel_3(std::span<const Point3> steps) {
+  object_points_.clear();
+  Point3 p = pen_.object;
+  for (const Point3& step : steps) object_points_.push_back(p += step);
+  polygon(object_points_);
+  if (recorder_ != nullptr) recorder_->write("polygon-rel-3", steps, 3);
+}
+
+void GraphicsSystem::polygon_abs_2(std::span<const Point2> vertices) {
+  object_points_.clear();
+  for (const Point2& v : vertices) object_points_.emplace_back(v, pen_.object.z);
+  polygon(object_points_);
+  if (recorder_ != nullptr) recorder_->write("polygon-abs-2", object_points_, 2);
+}
+
+void GraphicsSystem::polygon_rel_2(std::span<const Point2> steps) {
+  object_points_.clear();
+  Point3 p = pen_.object;
+  for (const Point2& step : steps) object_points_.push_back(p += Point3(step, 0.0));
+  polygon(object_points_);
+  if (recorder_ == nullptr) return;
+  object_points_.clear();
+  for (const Point2& step : steps) object_points_.emplace_back(step, 0.0);
+  recorder_->write("polygon-rel-2", object_points_, 2);
+}
+
+/// The way of one polygon: to world coordinates, to triangles if it is not flat or its vertices
+/// have normals that differ, and each piece through the pipeline into the display file.
+void GraphicsSystem::polygon(std::span<const Point3> object) {
+  require_open();
+  if (object.size() < 3) {
+    throw Error(fmt::format("polygon of {} sides: expected at least 3", object.size()));
+  }
+  if (!vertex_normals_.empty() && vertex_normals_.size() != object.size()) {
+    throw Error(fmt::format("polygon of {} sides: expected {}, as many as set-vertex-normals has",
+                            object.size(), vertex_normals_.size()));
+  }
+  world_points_.resize(object.size());
+  for (std::size_t i = 0; i < object.size(); ++i) world_points_[i] = to_world(object[i]);
+  const int pick = pick_ >= 0 ? pick_ : static_cast<int>(ordinal_);
+  const Point3 normal = attributes_.light ? newell_normal(world_points_) : Point3(0.0);
+  const bool smooth = attributes_.light && shading_ == Shading::gouraud && !vertex_normals_.empty();
+  const auto vertex_normals = smooth ? world_normals(normal) : std::span<const Point3>();
+  const bool flat = is_flat(world_points_);
+  if (flat && (object.size() == 3 || !differ(vertex_normals))) {
+    enter({world_points_, {}, normal, vertex_normals, pick});
+  } else {
+    enter_triangles(normal, vertex_normals, pick);
+  }
+  triangulated_ += flat ? 0 : 1;
+  ++ordinal_;
+  vertex_normals_.clear();
+  pen_ = {object.back(), world_points_.back()};
+}
+
+/// The normals that the application gave the polygon's vertices, in world coordinates.
+std::span<const Point3> GraphicsSystem::world_normals(const Point3& own) {
+  world_normals_.clear();
+  for (const Point3& n : vertex_normals_) world_normals_.push_back(modelling_.apply_to_normal(n));
+  orient(world_normals_, own);
+  return world_normals_;
+}
+
+void GraphicsSystem::enter_triangles(const Point3& normal, std::span<const Point3> vertex_normals,
+                                     int pick) {
+  const auto corners = [](std::span<const Point3> of_polygon, const auto& vertex) {
+    return std::array{of_polygon[vertex[0]], of_polygon[vertex[1]], of_polygon[vertex[2]]};
+  };
+  for (const auto& [vertex, edge_visible] : triangulation_.triangulate(world_points_)) {
+    const auto triangle = corners(world_points_, vertex);
+    if (vertex_normals.empty()) {
+      enter({triangle, edge_visible, normal, {}, pick});
+    } else {
+      const auto of_corners = corners(vertex_normals, vertex);
+      enter({triangle, edge_visible, normal, of_corners, pick});
+    }
+  }
+}
+
+void GraphicsSystem::enter(const WorldPolygon& polygon) {
+  if (RetainedScene* scene = retaining()) scene->enter_polygon(polygon, attributes_);
+  view_stage_->enter_polygon(polygon, attributes_, display_file_.segment(*open_));
+}
+
+namespace {
+
+/// Checks what polygons_abs_3 is given, but for coordinates.
+void require_polygons(std::size_t vertices, std::span<const std::uint32_t> corners,
+                      std::span<const std::uint32_t> sides, std::size_t fills) {
+  std::size_t of_all = 0;
+  for (const std::uint32_t n : sides) {
+    if (n < 3) throw Error(fmt::format("polygon of {} sides: expected at least 3", n));
+    of_all += n;
+  }
+  if (sides.empty() ? corners.size() % 3 != 0 : of_all != corners.size()) {
+    throw Error(fmt::format("{} corners: expected {}", corners.size(),
+                            sides.empty() ? "three of each polygon" : std::to_string(of_all)));
+  }
+  const std::size_t polygons = sides.empty() ? corners.size() / 3 : sides.size();
+  if (fills > 1 && fills != polygons) {
+    throw Error(fmt::format("{} fill styles of {} polygons: expected one, or one for each", fills,
+                            polygons));
+  }
+  for (const std::uint32_t corner : corners) {
+    if (corner >= vertices) {
+      throw Error(fmt::format("vertex {} of {}: expected an index from 0", corner, vertices));
+    }
+  }
+}
+
+}  // namespace
+
+void GraphicsSystem::polygons_abs_3(std::span<const Point3> vertices,
+                                    std::span<const std::uint32_t> corners,
+                                    std::span<const std::uint32_t> sides,
+                                    std::span<const FillStyle> fills) {
+  require_open();
+  require_polygons(vertices.size(), corners, sides, fills.size());
+  if (!vertex_normals_.empty()) {
+    throw Error("normals of one polygon's vertices are set: expected none before many polygons");
+  }
+  for (const FillStyle& fill : fills) {
+    if (fill.kind == FillStyle::Kind::solid) require_colour(fill.colour);
+  }
+  Segment& segment = display_file_.segment(*open_);
+  const std::size_t polygons = sides.empty() ? corners.size() / 3 : sides.size();
+  const std::span<const Point3> world = with_memory(
+      vertices.size() * sizeof(Point3) + corners.size() * (sizeof(Point3) + sizeof(std::int32_t)),
+      [&] { return fmt::format("entering {} polygons of {} corners", polygons, corners.size()); },
+      [&] {
+        const std::span<const Point3> of_all = shared_world(vertices);
+        view_stage_->view_vertices(of_all);
+        segment.reserve_polygons(polygons, corners.size());
+        return of_all;
+      });
+  if (RetainedScene* scene = retaining()) scene->begin_shared(world.size());
+  keep_fill_style([&] {
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < polygons; ++k) {
+      if (k < fills.size() && fills[k] != attributes_.fill) set_fill_style(fills[k]);
+      const auto polygon = corners.subspan(first, sides.empty() ? 3 : sides[k]);
+      first += polygon.size();
+      enter_shared(world, polygon, segment);
+      if (recorder_ == nullptr) continue;
+      object_points_.clear();
+      for (const std::uint32_t corner : polygon) object_points_.push_back(vertices[corner]);
+      recorder_->write("polygon-abs-3", object_points_, 3);
+    }
+  });
+  if (!corners.empty()) pen_ = {vertices[corners.back()], world[corners.back()]};
+}
+
+/// Valid until the next call, and as long as the vertices themselves.
+std::span<const Point3> GraphicsSystem::shared_world(std::span<const Point3> vertices) {
+  if (modelling_.is_identity() && std::ranges::all_of(vertices, in_range)) return vertices;
+  shared_world_.resize(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) shared_world_[i] = to_world(vertices[i]);
+  return shared_world_;
+}
+
+/// One polygon of many.
+void GraphicsSystem::enter_shared(std::span<const Point3> world,
+                                  std::span<const std::uint32_t> corners, Segment& segment) {
+  const int pick = pick_ >= 0 ? pick_ : static_cast<int>(ordinal_);
+  ++ordinal_;
+  const bool plain = corners.size() == 3 && retaining() == nullptr;
+  if (plain && view_stage_->enter_plain(corners, pick, attributes_, segment)) return;
+  const PointRow vertices(world, corners);
+  const Point3 normal = attributes_.light ? newell_normal(vertices) : Point3(0.0);
+  if (corners.size() != 3 && !is_flat(vertices)) {
+    ++triangulated_;
+    world_points_.assign(vertices.begin(), vertices.end());
+    return enter_triangles(normal, {}, pick);
+  }
+  const WorldPolygon polygon{std::span(vertices), {}, normal, {}, pick};
+  if (RetainedScene* scene = retaining()) scene->enter_shared(corners, polygon, attributes_);
+  view_stage_->enter_shared(corners, polygon, attributes_, segment);
+}
+
+}  // namespace displayfile

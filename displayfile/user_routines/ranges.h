@@ -1,0 +1,24 @@
+#pragma once
+
+#include <initializer_list>
+
+#include "clip/point.h"
+#include "displayfile/style.h"
+
+namespace displayfile {
+
+/// A limit of magnitudes, and how messages write it.
+struct Limit {
+  double most;
+  const char* text;
+};
+
+/// Throws Error, saying what it is, for a value that is not finite or is larger.
+void require_within(const Limit& limit, std::initializer_list<double> values, const char* what);
+/// Does so for a value larger than kCoordinateLimit.
+void require_finite(std::initializer_list<double> values, const char* what);
+
+/// Throws Error for a component outside of [0,1].
+void require_colour(const Colour& colour);
+
+}  // namespace displayfile

@@ -1,0 +1,103 @@
+#include "displayfile/graphics_system.h"
+
+#include <fmt/format.h>
+
+#include "clip/error.h"
+#include "displayfile/hidden_surface_check.h"
+#include "displayfile/user_routines/ranges.h"
+
+namespace displayfile {
+
+namespace {
+
+/// Device coordinates stay within what the interpreter's predicates are proven for; so do the
+/// products of a scale and a centre.
+constexpr Limit kOfImageParts{1e90, "1e90"}, kOfImageCentres{1e9, "1e9"};
+
+}  // namespace
+
+void GraphicsSystem::open_segment(int name) {
+  if (open_) throw Error(fmt::format("segment already open: segment {}; close it first", *open_));
+  const View view = windows_.in_picture(view_, said_);
+  const ViewVolume volume(view);
+  display_file_.create(name);
+  view_stage_.emplace(volume);
+  open_ = name;
+  if (RetainedScene* scene = retaining()) scene->open_segment(name, view);
+  windows_.opened(name, view, said_);
+  record("open-segment", {name});
+}
+
+/// Algorithm 9.5, CLOSE-SEGMENT. The polygons are already in the display file, in order of entry;
+/// if hidden surfaces are to be sorted they are added back to front.
+void GraphicsSystem::close_segment() {
+  if (!open_) throw Error("no segment open");
+  Segment& segment = display_file_.segment(*open_);
+  const bool each_on_its_own = scope_.value_or(HiddenScope::segment) == HiddenScope::segment;
+  if (hidden_ && sorts(method_) && each_on_its_own) {
+    segment.set_sorted(hidden_surface_check(segment.entered(), {}, method_, sort_options_));
+  }
+  segment.close();
+  open_.reset();
+  record("close-segment", {});
+}
+
+void GraphicsSystem::delete_segment(int name) {
+  if (open_ == name) throw Error(fmt::format("segment {} still open: close it first", name));
+  display_file_.remove(name);
+  if (RetainedScene* scene = retaining()) scene->remove(name);
+  record("delete-segment", {name});
+}
+
+void GraphicsSystem::delete_all_segments() {
+  if (open_) throw Error(fmt::format("segment {} still open: close it first", *open_));
+  display_file_.remove_all();
+  if (RetainedScene* scene = retaining()) scene->remove_all();
+  record("delete-all-segments", {});
+}
+
+void GraphicsSystem::rename_segment(int from, int to) {
+  if (open_ == from) throw Error(fmt::format("segment {} still open: close it first", from));
+  display_file_.rename(from, to);
+  if (RetainedScene* scene = retaining()) scene->rename(from, to);
+  record("rename-segment", {from, to});
+}
+
+void GraphicsSystem::set_visibility(int name, bool on) {
+  display_file_.segment(name).visible = on;
+  record("set-visibility", {name, on});
+}
+
+void GraphicsSystem::set_image_translation(int name, double tx, double ty) {
+  require_within(kOfImageParts, {tx, ty}, "image translation");
+  display_file_.segment(name).image.translation = {tx, ty};
+  record("set-image-translation", {name, tx, ty});
+}
+
+void GraphicsSystem::set_image_scale(int name, double sx, double sy) {
+  require_within(kOfImageParts, {sx, sy}, "image scale");
+  display_file_.segment(name).image.scale = {sx, sy};
+  record("set-image-scale", {name, sx, sy});
+}
+
+void GraphicsSystem::set_image_rotation(int name, double angle) {
+  require_finite({angle}, "angle");
+  display_file_.segment(name).image.rotation = angle;
+  record("set-image-rotation", {name, angle});
+}
+
+void GraphicsSystem::set_image_centre(int name, double x, double y) {
+  require_within(kOfImageCentres, {x, y}, "image centre");
+  display_file_.segment(name).image.centre = {x, y};
+  record("set-image-centre", {name, x, y});
+}
+
+void GraphicsSystem::retain(RetainedScene* scene) {
+  if (scene != nullptr && !display_file_.segments().empty()) {
+    throw Error("there are segments already: expected to retain from the first one on");
+  }
+  retained_ = scene;
+  own_retained_.reset();
+}
+
+}  // namespace displayfile

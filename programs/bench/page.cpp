@@ -71,7 +71,10 @@ PlotAndCurves plot_of(const FrontOfAll& found, const std::vector<Column>& all) {
           "time of a picture / time of the exact z-buffer", "wrong pixels, %", true};
   plot.width = 980.0;
   plot.height = 600.0;
-  plot.zero_band = 124.0;
+  plot.zero_band = 84.0;
+  // Room for the label of the slowest.
+  constexpr double kRoom = 1.6;
+  plot.x_range = {found.all.front().time, kRoom * found.all.back().time};
   for (const SpeedAndError& one : found.front) plot.front.push_back({one.time, one.percent});
   for (const SpeedAndError& one : found.all) {
     // One precision of a method is written out: the others have its colour.

@@ -511,8 +511,28 @@ class Page {
     return text + (cell.again ? "<td>" + of(*cell.again) : "<td><td><td>") + '\n';
   }
 
+  /// One row a comparison.
+  std::string comparisons() const {
+    if (report_.beside.empty()) return "";
+    std::string text =
+        "<details><summary>Beside others, and without exact stages</summary><table>\n" +
+        row("th",
+            {"scene", "threads", "other", "what", "times as fast", "least", "greatest", "count"});
+    for (const Beside& b : report_.beside) {
+      text += fmt::format("<tr><td>{}<td>{}<td class='l'>{}<td class='l'>{}", escaped(b.scene),
+                          b.threads, escaped(b.other), escaped(b.what));
+      if (!b.left_out.empty()) {
+        text += "<td class='l' colspan='4'>skipped: " + escaped(b.left_out) + '\n';
+        continue;
+      }
+      text += b.times_faster ? "<td>" + of(*b.times_faster) : "<td><td><td>";
+      text += b.count ? "<td>" + number(*b.count) + '\n' : "<td>\n";
+    }
+    return text + "</table></details>\n";
+  }
+
   std::string all_figures() const {
-    std::string text = "<h2>All figures</h2>\n<p>The same as in the JSON.</p>\n";
+    std::string text = "<h2>All figures</h2>\n<p>The same as in the JSON.</p>\n" + comparisons();
     for (const SceneRow& r : report_.scenes) {
       text += fmt::format("<details><summary>{}: {} polygons, {} pixels", escaped(r.scene.id()),
                           r.polygons, r.scene.pixels());

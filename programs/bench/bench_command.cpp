@@ -187,12 +187,16 @@ class Run {
         }
       }
       if (is_chosen("gl2ps")) compare(shown_scene(report, all_names[i]), 1, "gl2ps", report);
-      if (command_.methods.empty()) compare(large, 1, "rounded", report);
+      compare(large, 1, "rounded", report);
     }
   }
 
   void compare(const SceneRow& row, int threads, const std::string& other, Report& report) {
-    BesideTask task{row.scene, threads, {other}, {}, effort_of(command_, row.scene)};
+    BesideTask task{row.scene, threads, {other}, {}, {}, effort_of(command_, row.scene)};
+    for (const Contender& contender : contenders_) {
+      const bool wanted = other == "rounded" && contender.exact;
+      if (wanted) task.methods.push_back(contender.method);
+    }
     for (const Cell& cell : row.cells) {
       if (cell.exact && cell.key.threads == 1 && !cell.skipped.empty()) {
         task.left_out[cell.key.method] = cell.skipped;

@@ -9,15 +9,16 @@
 #include <utility>
 
 #include "clip/view_volume.h"
-#include "hidden/parallel.h"
 #include "hidden/sort/hidden_surface_sort.h"
 #include "interp/opengl/osmesa.h"
 #include "interp/renderer.h"
 #include "interp/visibility/image_space.h"
 #include "interp/visibility/z_buffer.h"
 #include "programs/bench/application_mesh.h"
+#include "programs/bench/beside_embree.h"
 #include "programs/bench/contenders.h"
 #include "programs/bench/embree_rays.h"
+#include "programs/bench/find_seen.h"
 #include "programs/bench/gl2ps_sort.h"
 #include "programs/bench/indexed_triangles.h"
 #include "programs/bench/new_views.h"
@@ -199,55 +200,16 @@ void compare_with_osmesa(Comparison& comparison) {
 
 // ---- Embree ----------------------------------------------------------------------------
 
-/// Rows in tasks, on so many threads.
-void for_rows(int rows, int threads, const auto& draw) {
-  constexpr int kRowsOfTask = 16;
-  const int tasks = (rows + kRowsOfTask - 1) / kRowsOfTask;
-  in_parallel(threads, static_cast<std::size_t>(tasks), [&](std::size_t k) {
-    const auto task = static_cast<int>(k);
-    draw(task * kRowsOfTask, std::min(rows, (task + 1) * kRowsOfTask));
-  });
-}
-
-/// The rays of a method that has taken up a scene.
-void find_seen(const ImageSpaceMethod& method, const PictureSize& size, int threads,
-               std::vector<Fill>& seen) {
-  const auto width = static_cast<std::size_t>(size.width);
-  for_rows(size.height, threads, [&](int begin, int end) {
-    method.draw_rows(begin, end, [&](int row, int first, std::span<const Fill> fills) {
-      std::ranges::copy(fills, seen.data() + static_cast<std::size_t>(row) * width + first);
-    });
-  });
-}
-
-std::vector<Fill> room_for(const PictureSize& size) {
-  return std::vector<Fill>(static_cast<std::size_t>(size.width) *
-                           static_cast<std::size_t>(size.height));
-}
-
 void compare_with_embree(Comparison& comparison) {
   const BesideTask& task = comparison.task();
-  const PictureSize size = size_of(task.scene);
   const DisplayFile file = display_file_of(in_triangles(ViewedScene(task.scene.make())));
-  const ViewedScene scene(file);
-  const auto method = make_image_space_method(HiddenMethod::ray_cast);
-  const ImageSpaceMethod::Request request{scene, size, std::nullopt};
-  method->prepare(request, task.threads);
-  std::vector<Fill> seen = room_for(size);
-  const auto ours = [&] { find_seen(*method, size, task.threads, seen); };
-  const EmbreeRays::Input input(in_triangles(scene), size);
-  EmbreeRays::Hits hits(size, false);
+  const ViewedScene triangles(file);
   for (const auto quality : {EmbreeRays::Quality::moderate, EmbreeRays::Quality::high}) {
     const char* const name = quality == EmbreeRays::Quality::high ? kEmbreeHigh : kEmbree;
-    const EmbreeRays embree(input, task.threads, quality);
-    comparison.time(name, kRays, ours, [&] {
-      for_rows(size.height, task.threads,
-               [&](int begin, int end) { embree.cast(begin, end, hits); });
-    });
-    const auto other = make_image_space_method(HiddenMethod::ray_cast);
-    comparison.time(
-        name, kBuilding, [&] { other->prepare(request, task.threads); },
-        [&] { EmbreeRays(input, task.threads, quality); });
+    const BesideEmbree found =
+        cast_beside_embree(triangles, task.scene.size, task.threads, quality, task.effort);
+    comparison.add_ratio(name, kRays, found.rays);
+    comparison.add_ratio(name, kBuilding, found.building);
   }
   comparison.count(kEmbree, kPacket, EmbreeRays::packet_width());
 }
@@ -361,17 +323,18 @@ void compare_without_exact_stages(Comparison& comparison) {
   const BesideTask& task = comparison.task();
   const DisplayFile file = task.scene.make();
   const ViewedScene scene(file);
-  const auto left_out = [&](HiddenMethod method) {
-    const auto why = task.left_out.find(std::string(name_of(method)));
-    if (why == task.left_out.end()) return false;
-    comparison.leave_out(kRounded, why->first, why->second);
-    return true;
+  const auto is_compared = [&](HiddenMethod method) {
+    const std::string name(name_of(method));
+    if (std::ranges::find(task.methods, name) == task.methods.end()) return false;
+    const auto why = task.left_out.find(name);
+    if (why != task.left_out.end()) comparison.leave_out(kRounded, name, why->second);
+    return why == task.left_out.end();
   };
   for (const ImageSpaceEntry& entry : image_space_methods()) {
-    if (!left_out(entry.method)) compare_image_space(comparison, scene, entry.method);
+    if (is_compared(entry.method)) compare_image_space(comparison, scene, entry.method);
   }
   for (const HiddenMethod sort : kSorts) {
-    if (!left_out(sort)) compare_sort(comparison, file, sort);
+    if (is_compared(sort)) compare_sort(comparison, file, sort);
   }
 }
 
@@ -388,6 +351,7 @@ Json to_json(const BesideTask& task) {
           {"seed", scene.seed},
           {"threads", task.threads},
           {"others", task.others},
+          {"methods", task.methods},
           {"left_out", task.left_out},
           {"rounds", task.effort.rounds},
           {"least_seconds", task.effort.least_seconds},
@@ -405,6 +369,7 @@ BesideTask beside_task_from_json(const Json& json) {
                 json.at("seed")};
   task.threads = json.at("threads");
   task.others = json.at("others").get<std::vector<std::string>>();
+  task.methods = json.at("methods").get<std::vector<std::string>>();
   task.left_out = json.at("left_out").get<std::map<std::string, std::string>>();
   task.effort = {json.at("rounds"), json.at("least_seconds"), json.at("most_seconds")};
   return task;

@@ -55,6 +55,7 @@ struct BesideTask {
   BenchScene scene;
   int threads = 1;
   std::vector<std::string> others;              ///< "osmesa", "embree", "gl2ps", "rounded"
+  std::vector<std::string> methods;             ///< ours that are held against "rounded"
   std::map<std::string, std::string> left_out;  ///< our methods that take too long here, and why
   Effort effort;
 };

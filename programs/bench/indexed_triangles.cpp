@@ -1,10 +1,15 @@
 #include "programs/bench/indexed_triangles.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <limits>
 #include <unordered_map>
+#include <utility>
+
+#include "interp/raster/fill_paints.h"
+#include "programs/bench/triangles.h"
 
 namespace displayfile::bench {
 
@@ -87,6 +92,19 @@ class Indexer {
   std::vector<bool> is_coloured_;
 };
 
+std::vector<Point3> in_clip_coordinates(std::vector<Point3> corners) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Point3& p : corners) {
+    low = std::min(low, p.z);
+    high = std::max(high, p.z);
+  }
+  const double range = high > low ? high - low : 1.0;
+  for (Point3& p : corners) {
+    p = {2.0 * p.x - 1.0, 1.0 - 2.0 * p.y, 2.0 * (p.z - low) / range - 1.0};
+  }
+  return corners;
+}
+
 }  // namespace
 
 IndexedTriangles indexed_triangles(std::span<const Point3> corners,
@@ -96,6 +114,15 @@ IndexedTriangles indexed_triangles(std::span<const Point3> corners,
     indexer.add(corners.subspan(3 * i, 3), colours[i]);
   }
   return std::move(indexer.made);
+}
+
+IndexedTriangles indexed_triangles(const ViewedScene& scene) {
+  const Triangles triangles = in_triangles(scene);
+  const FillPaints paints(scene);
+  std::vector<std::uint32_t> colours;
+  colours.reserve(triangles.size());
+  for (const ViewedScene::Fill fill : triangles.fills) colours.push_back(paints.pixel(fill));
+  return indexed_triangles(in_clip_coordinates(triangles.corners), colours);
 }
 
 }  // namespace displayfile::bench

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "clip/point.h"
+#include "displayfile/viewed_scene.h"
 
 namespace displayfile::bench {
 
@@ -26,5 +27,10 @@ struct IndexedTriangles {
 /// triangle.
 IndexedTriangles indexed_triangles(std::span<const Point3> corners,
                                    std::span<const std::uint32_t> colours);
+
+/// The fills of a viewed scene in OpenGL's clip coordinates but for that y runs downward, as
+/// OpenGlMesh takes them (programs/bench/opengl_mesh.h) with no other matrix; depths over all that
+/// there are.
+IndexedTriangles indexed_triangles(const ViewedScene& scene);
 
 }  // namespace displayfile::bench

@@ -71,7 +71,10 @@ PlotAndCurves plot_of(const FrontOfAll& found, const std::vector<Column>& all) {
           "time of a picture / time of the exact z-buffer", "wrong pixels, %", true};
   plot.width = 980.0;
   plot.height = 600.0;
-  plot.zero_band = 124.0;
+  plot.zero_band = 84.0;
+  // Room for the label of the slowest.
+  constexpr double kRoom = 1.6;
+  plot.x_range = {found.all.front().time, kRoom * found.all.back().time};
   for (const SpeedAndError& one : found.front) plot.front.push_back({one.time, one.percent});
   for (const SpeedAndError& one : found.all) {
     // One precision of a method is written out: the others have its colour.
@@ -508,8 +511,28 @@ class Page {
     return text + (cell.again ? "<td>" + of(*cell.again) : "<td><td><td>") + '\n';
   }
 
+  /// One row a comparison.
+  std::string comparisons() const {
+    if (report_.beside.empty()) return "";
+    std::string text =
+        "<details><summary>Beside others, and without exact stages</summary><table>\n" +
+        row("th",
+            {"scene", "threads", "other", "what", "times as fast", "least", "greatest", "count"});
+    for (const Beside& b : report_.beside) {
+      text += fmt::format("<tr><td>{}<td>{}<td class='l'>{}<td class='l'>{}", escaped(b.scene),
+                          b.threads, escaped(b.other), escaped(b.what));
+      if (!b.left_out.empty()) {
+        text += "<td class='l' colspan='4'>skipped: " + escaped(b.left_out) + '\n';
+        continue;
+      }
+      text += b.times_faster ? "<td>" + of(*b.times_faster) : "<td><td><td>";
+      text += b.count ? "<td>" + number(*b.count) + '\n' : "<td>\n";
+    }
+    return text + "</table></details>\n";
+  }
+
   std::string all_figures() const {
-    std::string text = "<h2>All figures</h2>\n<p>The same as in the JSON.</p>\n";
+    std::string text = "<h2>All figures</h2>\n<p>The same as in the JSON.</p>\n" + comparisons();
     for (const SceneRow& r : report_.scenes) {
       text += fmt::format("<details><summary>{}: {} polygons, {} pixels", escaped(r.scene.id()),
                           r.polygons, r.scene.pixels());

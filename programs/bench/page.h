@@ -7,8 +7,8 @@
 
 namespace displayfile::bench {
 
-/// The report as one HTML page that needs nothing else: which method to use when, plots in SVG, and
-/// every figure of the JSON in tables.
+/// The report as one HTML page that needs nothing else: a plot of all, tables, which method to use
+/// when, small plots, and every figure of the JSON.
 std::string html_page(const Report& report);
 
 /// The plot that the page begins with, as an SVG file: all methods and peers, speed against error.

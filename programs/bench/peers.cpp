@@ -38,20 +38,6 @@ void turn_over(const std::vector<From>& rows, int width, std::vector<To>& pictur
   }
 }
 
-/// Depths from 0 to 1, as far as the triangles' go: OpenGL's clip coordinates have y downward here.
-std::vector<Point3> in_clip_coordinates(std::vector<Point3> corners) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const Point3& p : corners) {
-    low = std::min(low, p.z);
-    high = std::max(high, p.z);
-  }
-  const double range = high > low ? high - low : 1.0;
-  for (Point3& p : corners) {
-    p = {2.0 * p.x - 1.0, 1.0 - 2.0 * p.y, 2.0 * (p.z - low) / range - 1.0};
-  }
-  return corners;
-}
-
 /// The display file's triangles as OpenGL has them: anew, the vertices are handed over and drawn in
 /// a context that is there; again, they are resident. What is judged is what our own OSMesa device
 /// draws; that also draws what has lines, from its buffers.
@@ -64,11 +50,7 @@ class OsmesaDrawing : public Drawing {
       device_ = std::make_unique<OsmesaScene>(file, request(), depth_bits);
       return;
     }
-    const Triangles triangles = in_triangles(scene);
-    const FillPaints paints(scene);
-    std::vector<std::uint32_t> colours;
-    for (const Fill fill : triangles.fills) colours.push_back(paints.pixel(fill));
-    triangles_ = indexed_triangles(in_clip_coordinates(triangles.corners), colours);
+    triangles_ = indexed_triangles(scene);
     mesh_ = std::make_unique<OpenGlMesh>(
         triangles_, OpenGlMesh::Options{size_of(frame), depth_bits, false, pixel_of(Background{})});
     mesh_->set_matrix(glm::dmat4(1.0));

@@ -78,7 +78,7 @@ void ReadmeFigures::find_blocks() {
     open = Block{*name, i, i};
   }
   if (open) throw Error(place(open->begin) + "the block '" + open->name + "' has no end");
-  if (blocks_.empty()) throw Error(path_ + ": no block such as <!-- bench: speed -->");
+  if (blocks_.empty()) throw Error(path_ + ": no block such as <!-- bench: methods -->");
 }
 
 std::string ReadmeFigures::with(std::span<const Summary> summaries) const {

@@ -11,7 +11,7 @@ namespace displayfile::bench {
 
 /// A text in Markdown with blocks that a report's summaries are written into:
 ///
-///   <!-- bench: speed -->
+///   <!-- bench: methods -->
 ///   whatever the last run wrote
 ///   <!-- bench: end -->
 class ReadmeFigures {

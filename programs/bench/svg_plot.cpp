@@ -341,7 +341,7 @@ std::string inside(const Plot& plot, std::span<const Curve> curves) {
   const double y_bottom = plot.zero_line ? bottom - plot.zero_band : bottom;
   const LogAxis x(xs, kLeft, plot.width - kRight), y(ys, y_bottom, kTop);
   const double middle_of_zeros = bottom - plot.zero_band / 2.0 + 1.0;
-  const ZeroRows rows(curves, x, y_bottom + 6.0, bottom);
+  const ZeroRows rows(curves, x, y_bottom + 6.0, bottom - 3.0);
   const auto place_on_axis = [&](double value) {
     return value > 0.0 ? y.place(value) : middle_of_zeros;
   };

@@ -66,6 +66,18 @@ std::string hard_cases_table(const Report& report) {
   return fmt::format("all hard cases\n{}\n", aligned(rows));
 }
 
+std::string beside_table(const Report& report) {
+  std::vector<Row> rows{{"beside others", "threads", "other", "what", "times as fast", "count"}};
+  for (const Beside& b : report.beside) {
+    rows.push_back({b.scene, fmt::format("{}", b.threads), b.other, b.what,
+                    b.times_faster       ? number(b.times_faster->median)
+                    : b.left_out.empty() ? ""
+                                         : "skipped",
+                    b.count ? number(*b.count) : ""});
+  }
+  return aligned(rows) + '\n';
+}
+
 std::string auto_line(const AutoBounds& bounds) {
   return fmt::format(
       "auto over {} scenes: {} times the best fixed method in total ({}); at worst {} times the "
@@ -121,6 +133,7 @@ std::string text_report(const Report& report) {
     text += scene_table(shown_scene(report, name));
   }
   if (!names(report, BenchScene::Kind::hard_case).empty()) text += hard_cases_table(report);
+  if (!report.beside.empty()) text += beside_table(report);
   if (const auto bounds = auto_bounds(report)) text += auto_line(*bounds);
   if (report.features) text += features_table(*report.features);
   return text;

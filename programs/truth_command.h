@@ -14,7 +14,7 @@ struct TruthCommand {
   std::vector<std::string> inputs;
   PictureSizeWord size;
   MeshWords meshes;
-  std::string ids;  ///< not written if empty
+  std::string ids;    ///< not written if empty
   std::string depth;  ///< not written if empty
 
   std::string from = "display-file";

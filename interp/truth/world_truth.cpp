@@ -45,11 +45,9 @@ Indices exact_support_of(std::span<const TruePoint> polygon) {
     }
     return best;
   };
-  const std::size_t q =
-      farthest([](const Place& v) -> mpq_class { return v.x * v.x + v.y * v.y; });
-  const std::size_t r = farthest([&](const Place& v) -> mpq_class {
-    return abs(from_p[q].x * v.y - from_p[q].y * v.x);
-  });
+  const std::size_t q = farthest([](const Place& v) -> mpq_class { return v.x * v.x + v.y * v.y; });
+  const std::size_t r = farthest(
+      [&](const Place& v) -> mpq_class { return abs(from_p[q].x * v.y - from_p[q].y * v.x); });
   return {0, q, r};
 }
 
@@ -96,7 +94,8 @@ void SegmentView::enter(std::uint32_t primitive) {
   if (viewed_.empty()) return;
   in_picture(points_);
   // An image transformation may turn polygons over: that does not count.
-  if (retained_.attributes(primitive).back_face_removal && !ExactView::faces_viewer(viewed_)) return;
+  if (retained_.attributes(primitive).back_face_removal && !ExactView::faces_viewer(viewed_))
+    return;
   const std::int32_t pick = retained_[primitive].pick;
   // Whatever clipping leaves of a triangle is in its plane.
   if (is_triangle) return picture_.enter(points_, {&whole_[0], &whole_[1], &whole_[2]}, pick);

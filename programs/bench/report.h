@@ -8,6 +8,7 @@
 
 #include "programs/bench/bench_scene.h"
 #include "programs/bench/side_by_side.h"
+#include "programs/bench/viewing.h"
 
 namespace displayfile::bench {
 
@@ -86,6 +87,7 @@ struct Report {
   std::vector<std::pair<std::string, std::string>> environment;
   std::vector<SceneRow> scenes;
   std::optional<FeatureCosts> features;
+  std::vector<ViewingRow> viewing{};
 };
 
 /// "on" over "off".

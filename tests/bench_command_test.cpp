@@ -86,7 +86,8 @@ TEST_F(Bench, SaysWhereExactnessBegins) {
             0)
       << err_;
   int far_gaps = 0, coplanar = 0;
-  for (const Json& row : json("b.json")["viewing"]) {
+  const Json report = json("b.json");
+  for (const Json& row : report["viewing"]) {
     const std::string scene = row["scene"];
     const int different = row["different"], ties = row["different_and_tied"];
     EXPECT_LE(different, row["pixels"].get<int>()) << row;

@@ -79,6 +79,32 @@ std::vector<std::string> fields(const std::string& row) {
   return texts;
 }
 
+/// What viewing rounds decides no pixel where polygons are farther apart than that.
+TEST_F(Bench, SaysWhereExactnessBegins) {
+  ASSERT_EQ(run("bench parallel_sheets saw shingles coplanar_patches terrain --polygons 24 "
+                "--sizes 48 --methods z-buffer --roundoff none --threads 1 --rounds 1 "
+                "--seconds 0.001 --json b.json"),
+            0)
+      << err_;
+  int far_gaps = 0, coplanar = 0;
+  const Json report = json("b.json");
+  for (const Json& row : report["viewing"]) {
+    const std::string scene = row["scene"];
+    const int different = row["different"], ties = row["different_and_tied"];
+    EXPECT_LE(different, row["pixels"].get<int>()) << row;
+    EXPECT_EQ(different, ties) << row;
+    const std::size_t gap = scene.find("gap=1e-");
+    if (scene.starts_with("coplanar_patches")) coplanar += different;
+    if (gap == scene.npos || std::stoi(scene.substr(gap + 7)) > 11) continue;
+    EXPECT_EQ(different, 0) << row;
+    ++far_gaps;
+  }
+  EXPECT_EQ(far_gaps, 3 * 6);
+  EXPECT_GT(coplanar, 0);
+  EXPECT_NE(read(folder_ / "report.html").find("<h2>Where exactness begins</h2>"),
+            std::string::npos);
+}
+
 TEST_F(Bench, ExactMethodsHaveNoWrongPixelsAndOthersHave) {
   ASSERT_EQ(run(kTiny + "--threads 1 --json b.json"), 0) << err_;
   EXPECT_EQ(err_, "");  // no progress where there is no terminal

@@ -107,8 +107,34 @@ TEST_F(Command, TruthOfABareMeshSeesTheSceneThatDrawSees) {
   EXPECT_EQ(run("compare d.npy t.npy"), 0) << out_;
 }
 
+TEST_F(Command, TruthFromWorldCountsWhatTheRoundingOfViewingDecides) {
+  write("view.draw", "set-view-plane-normal -3 -2 -6\nset-perspective 3 2 6\n");
+  write("apart.draw",
+        "open-segment 1\npolygon-abs-3 -1 0 1  1 0 1  1 0 -1  -1 0 -1\n"
+        "polygon-abs-3 -0.7 1e-9 0.6  0.9 1e-9 0.7  0.3 1e-9 -0.8\nclose-segment\n");
+  write("together.draw",
+        "open-segment 1\npolygon-abs-3 -1 0 1  1 0 1  1 0 -1  -1 0 -1\n"
+        "polygon-abs-3 -0.7 0 0.6  0.9 0 0.7  0.3 0 -0.8\nclose-segment\n");
+  EXPECT_EQ(run("truth view.draw apart.draw --from world --size 64x64"), 0) << err_;
+  EXPECT_EQ(out_, "0 of 4096 pixels differ: there the rounding of viewing decides\n");
+  EXPECT_EQ(
+      run("truth view.draw together.draw --from world --size 64x64 --ids w.npy --depth z.npy"), 0);
+  EXPECT_GT(std::stoi(out_), 10) << out_;
+  EXPECT_EQ(fs::file_size(folder_ / "z.npy"), 128u + 64 * 64 * 8);
+  const std::string different = out_.substr(0, out_.find(' '));
+  EXPECT_EQ(run("truth view.draw together.draw --from display-file --size 64x64 --ids d.npy"), 0);
+  EXPECT_EQ(out_, "");
+  EXPECT_EQ(run("compare w.npy d.npy"), 1);
+  EXPECT_NE(out_.find(different), std::string::npos) << out_;
+}
+
 TEST_F(Command, TruthAndMarksRefuse) {
   write("t.draw", kTriangle);
+  expect_error("truth t.draw --from wordl", "--from wordl: did you mean 'world'?");
+  expect_error("truth t.draw --from", "--from");
+  expect_error("truth t.draw --depth z.npy", "--ids is required");
+  expect_error("truth t.draw --from world --ids nowhere/i.npy", "nowhere/i.npy");
+  expect_error("truth t.draw --from world --ids i.npy --depth nowhere/z.npy", "nowhere/z.npy");
   expect_error("truth t.draw --ids nowhere/i.npy", "nowhere/i.npy");
   expect_error("truth t.draw --ids i.npy --depth nowhere/z.npy", "nowhere/z.npy");
   expect_error("truth t.draw --ids i.npy --size 0x5", "0x5");

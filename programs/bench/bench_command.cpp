@@ -257,6 +257,19 @@ FeatureCosts counted_features() {
   return feature_costs();
 }
 
+/// Of each scene in its largest picture.
+std::vector<ViewingRow> rounding_of_viewing(const std::vector<BenchScene>& scenes) {
+  Progress progress("viewing in exact arithmetic");
+  std::vector<ViewingRow> rows;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    progress.update(i, scenes.size());
+    const BenchScene& scene = scenes[i];
+    if (scene.kind != BenchScene::Kind::hard_case && !is_largest(scene, scenes)) continue;
+    if (const auto row = bench::rounding_of_viewing(scene)) rows.push_back(*row);
+  }
+  return rows;
+}
+
 void write_text(const std::string& path, const std::string& text) {
   OutputFile out(path);
   out.stream() << text;
@@ -299,8 +312,10 @@ int BenchCommand::run() const {
   // llvmpipe draws on the calling thread alone, as all methods do that have no threads of their
   // own.
   setenv("LP_NUM_THREADS", "0", 0);
-  Run measuring(*this, chosen_scenes(scenes));
+  const std::vector<BenchScene> chosen = chosen_scenes(scenes);
+  Run measuring(*this, chosen);
   Report report = measuring.report();
+  report.viewing = rounding_of_viewing(chosen);
   if (features.value_or(has_default(scenes))) report.features = counted_features();
   if (!json.empty()) write_text(json, to_json(report).dump(1) + '\n');
   write_text(page, html_page(report));

@@ -40,6 +40,13 @@ void add_own(const std::optional<FeatureRow::Own>& own, Json& json) {
   json["own_allocations"] = own->allocations;
 }
 
+Json to_json(const ViewingRow& row) {
+  return {{"scene", row.scene.id()},
+          {"pixels", row.pixels},
+          {"different", row.different},
+          {"different_and_tied", row.ties}};
+}
+
 Json to_json(const FeatureRow& row) {
   Json json{{"feature", row.name}, {"turned_on_by", row.turned_on_by}, {"over", row.over}};
   json["has_functions"] = row.has_functions;
@@ -152,6 +159,7 @@ Json to_json(const Report& report) {
   json["fits"] = Json::array();
   for (const Fit& fit : fits(report)) json["fits"].push_back(to_json(fit));
   if (const auto bounds = auto_bounds(report)) json["auto"] = to_json(*bounds);
+  for (const ViewingRow& row : report.viewing) json["viewing"].push_back(to_json(row));
   if (report.features) json["feature_costs"] = to_json(*report.features);
   return json;
 }

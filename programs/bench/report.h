@@ -8,6 +8,7 @@
 
 #include "programs/bench/bench_scene.h"
 #include "programs/bench/side_by_side.h"
+#include "programs/bench/viewing.h"
 
 namespace displayfile::bench {
 
@@ -98,6 +99,7 @@ struct Report {
   std::vector<SceneRow> scenes;
   std::vector<Beside> beside = {};
   std::optional<FeatureCosts> features = std::nullopt;
+  std::vector<ViewingRow> viewing = {};
 };
 
 /// "on" over "off".

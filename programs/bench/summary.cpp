@@ -11,6 +11,7 @@
 #include "programs/bench/analysis.h"
 #include "programs/bench/beside.h"
 #include "programs/bench/json_report.h"
+#include "programs/inputs.h"
 
 namespace displayfile::bench {
 
@@ -451,6 +452,91 @@ std::optional<Summary> automatic(const Report& report) {
       {}};
 }
 
+/// Scenes of which the rounding of viewing is told together.
+struct ViewingGroup {
+  std::string name;
+  bool (*has)(const BenchScene& scene);
+};
+
+/// A gap of 10^-11 is far above the rounding of viewing, which is some 10^-16 times a few.
+constexpr double kSmallestFarGap = 11.0;
+
+const std::array<ViewingGroup, 6>& viewing_groups() {
+  using Kind = BenchScene::Kind;
+  static const std::array<ViewingGroup, 6> groups{{
+      {"meshes",
+       [](const BenchScene& s) { return s.kind == Kind::input && !is_drawing_program(s.name); }},
+      {"drawing programs",
+       [](const BenchScene& s) { return s.kind == Kind::input && is_drawing_program(s.name); }},
+      {"generated scenes", [](const BenchScene& s) { return s.kind == Kind::generated; }},
+      {"hard cases, gap from 1e-1 to 1e-11",
+       [](const BenchScene& s) { return s.gap && s.severity <= kSmallestFarGap; }},
+      {"hard cases, gap below that",
+       [](const BenchScene& s) { return s.gap && s.severity > kSmallestFarGap; }},
+      {"hard cases of other kinds",
+       [](const BenchScene& s) { return s.kind == Kind::hard_case && !s.gap; }},
+  }};
+  return groups;
+}
+
+/// The names of those that differ, the ones with the most pixels first, and how many more.
+std::string where_viewing_decides(std::vector<const ViewingRow*> rows) {
+  constexpr std::size_t kNamed = 4;
+  std::vector<std::pair<std::string, std::size_t>> names;
+  for (const ViewingRow* row : rows) {
+    if (row->different == 0) continue;
+    const std::string name = short_name(row->scene.name);
+    const auto known = std::ranges::find(names, name, [](const auto& n) { return n.first; });
+    if (known == names.end()) {
+      names.emplace_back(name, row->different);
+    } else {
+      known->second += row->different;
+    }
+  }
+  std::ranges::stable_sort(names, std::greater(), [](const auto& n) { return n.second; });
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kNamed); ++i) {
+    text += fmt::format("{}{} ({})", i == 0 ? "" : ", ", names[i].first, names[i].second);
+  }
+  if (names.size() > kNamed) text += fmt::format(" and {} more", names.size() - kNamed);
+  return text;
+}
+
+std::optional<Summary> viewing(const Report& report) {
+  Summary summary{
+      "viewing",
+      "Where exactness begins",
+      fmt::format(
+          "Exact means: from the coordinates in the display file. Viewing rounds to doubles before "
+          "that. Counted here are pixels in which the truth of the display file differs from that "
+          "of the world, which is viewed in exact arithmetic (displayfile truth --from world); "
+          "scenes in the unit cube are entered through a turned perspective view. Of these, ties: "
+          "both polygons are there, within {:g} of the view volume's depth, as where polygons "
+          "coincide in the world. In the others an edge or a plane seen edge-on runs through the "
+          "pixel centre but for rounding, or a slope, a size or an image transformation is so "
+          "large "
+          "that it makes rounding seen.",
+          ViewingRow::kTie),
+      {{"scenes", "number", "pixels", "differ", "of these ties", "where"}}};
+  for (const ViewingGroup& group : viewing_groups()) {
+    std::vector<const ViewingRow*> rows;
+    ViewingRow sum{};
+    for (const ViewingRow& row : report.viewing) {
+      if (!group.has(row.scene)) continue;
+      rows.push_back(&row);
+      sum.pixels += row.pixels;
+      sum.different += row.different;
+      sum.ties += row.ties;
+    }
+    if (rows.empty()) continue;
+    const auto count = [](std::size_t n) { return grouped(static_cast<std::int64_t>(n)); };
+    summary.rows.push_back({group.name, count(rows.size()), count(sum.pixels), count(sum.different),
+                            count(sum.ties), where_viewing_decides(rows)});
+  }
+  if (summary.rows.size() == 1) return std::nullopt;
+  return summary;
+}
+
 struct Entry {
   std::string_view name;
   std::optional<Summary> (*of)(const Report&);
@@ -465,6 +551,7 @@ constexpr std::array kEntries{
     Entry{"advice", which_when},
     Entry{"auto", automatic},
     Entry{"wrong-pixels", wrong_pixels_of_hard_cases},
+    Entry{"viewing", viewing},
 };
 
 }  // namespace

@@ -1,0 +1,163 @@
+#include "interp/truth/world_truth.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "clip/clip_pipeline.h"
+#include "clip/memory.h"
+#include "clip/transformation.h"
+#include "interp/truth/exact_view.h"
+#include "interp/truth/true_picture.h"
+
+namespace displayfile {
+
+namespace {
+
+using Indices = std::array<std::size_t, 3>;
+
+/// The definition's choice with distances that are not rounded. The first vertex is at p.
+Indices exact_support_of(std::span<const TruePoint> polygon) {
+  struct Place {
+    mpq_class x, y;
+  };
+  std::vector<Place> from_p;
+  for (const TruePoint& v : polygon) {
+    mpq_class x(v.x, v.w), y(v.y, v.w);
+    x.canonicalize();
+    y.canonicalize();
+    from_p.push_back({x, y});
+  }
+  const Place p = from_p[0];
+  for (Place& v : from_p) v = {v.x - p.x, v.y - p.y};
+  const auto farthest = [&](auto&& value) {
+    std::size_t best = 0;
+    mpq_class largest = 0;
+    for (std::size_t i = 1; i < from_p.size(); ++i) {
+      const mpq_class here = value(from_p[i]);
+      if (here <= largest) continue;
+      largest = here;
+      best = i;
+    }
+    return best;
+  };
+  const std::size_t q = farthest([](const Place& v) -> mpq_class { return v.x * v.x + v.y * v.y; });
+  const std::size_t r = farthest(
+      [&](const Place& v) -> mpq_class { return abs(from_p[q].x * v.y - from_p[q].y * v.x); });
+  return {0, q, r};
+}
+
+/// The polygons of one segment, on their way into the picture.
+class SegmentView {
+ public:
+  SegmentView(const RetainedScene& retained, const View& view, const ImageTransformation& image,
+              int width, int height, TruePicture& picture)
+      : retained_(retained),
+        exact_(view, image, width, height),
+        pipeline_(ViewVolume(view)),
+        image_(image),
+        is_moved_(!image.is_identity()),
+        picture_(picture) {}
+
+  void enter(std::uint32_t primitive);
+
+ private:
+  std::optional<Indices> support_in_display_file(std::span<const Point3> world);
+
+  const RetainedScene& retained_;
+  ExactView exact_;
+  ClipPipeline pipeline_;
+  ImageMatrix image_;
+  bool is_moved_;
+  TruePicture& picture_;
+  // Of a polygon:
+  std::vector<ExactView::Vertex> viewed_;
+  std::vector<TruePoint> whole_, points_;
+  std::vector<Point3> device_;
+};
+
+void SegmentView::enter(std::uint32_t primitive) {
+  const PointRow world = retained_.points(primitive);
+  viewed_.clear();
+  for (const Point3& p : world) viewed_.push_back(exact_.viewed(p));
+  const bool is_triangle = viewed_.size() == 3;
+  const auto in_picture = [&](std::vector<TruePoint>& points) {
+    points.clear();
+    for (const ExactView::Vertex& v : viewed_) points.push_back(exact_.in_picture(v));
+  };
+  if (is_triangle) in_picture(whole_);
+  exact_.clip(viewed_);
+  if (viewed_.empty()) return;
+  in_picture(points_);
+  // An image transformation may turn polygons over: that does not count.
+  if (retained_.attributes(primitive).back_face_removal && !ExactView::faces_viewer(viewed_))
+    return;
+  const std::int32_t pick = retained_[primitive].pick;
+  // Whatever clipping leaves of a triangle is in its plane.
+  if (is_triangle) return picture_.enter(points_, {&whole_[0], &whole_[1], &whole_[2]}, pick);
+  std::optional<Indices> support = support_in_display_file(world);
+  if (!support) support = exact_support_of(points_);
+  const auto& [p, q, r] = *support;
+  picture_.enter(points_, {&points_[p], &points_[q], &points_[r]}, pick);
+}
+
+/// Which vertices the definition takes of what the display file has of the polygon. Nothing if that
+/// is nothing, or edge-on, or has other vertices: rounding decided what was clipped.
+std::optional<Indices> SegmentView::support_in_display_file(std::span<const Point3> world) {
+  const auto clipped = pipeline_.clip_polygon(world).vertices;
+  if (clipped.size() != points_.size()) return std::nullopt;
+  device_.assign(clipped.begin(), clipped.end());
+  if (is_moved_) {
+    for (Point3& p : device_) p = image_.apply(p);
+  }
+  return support_of(device_);
+}
+
+bool is_solid_polygon(const RetainedScene& scene, std::uint32_t i) {
+  return !scene[i].is_line() && scene.attributes(i).fill.kind == FillStyle::Kind::solid;
+}
+
+}  // namespace
+
+Picture world_truth(const RetainedScene& retained, const DisplayFile& display_file, int width,
+                    int height, bool depth, const TruthProgress& progress) {
+  require_picture_size(width, height);
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  const auto each_segment = [&](auto&& visit) {
+    for (const RetainedScene::Segment& part : retained.segments()) {
+      const Segment& segment = display_file.segment(part.name);
+      if (segment.visible) visit(part, segment);
+    }
+  };
+  return with_memory(
+      TruePicture::kBytesOfPixel * pixels,
+      [&] { return fmt::format("the truth of {} x {} pixels", width, height); },
+      [&] {
+        TruePicture picture(width, height);
+        std::size_t done = 0, all = 0;
+        each_segment([&](const RetainedScene::Segment& part, const Segment&) {
+          all += part.end - part.first;
+        });
+        each_segment([&](const RetainedScene::Segment& part, const Segment& segment) {
+          SegmentView view(retained, part.view, segment.image, width, height, picture);
+          for (std::uint32_t i = part.first; i < part.end; ++i) {
+            if (is_solid_polygon(retained, i)) view.enter(i);
+            ++done;
+            if (progress) progress(done, all);
+          }
+        });
+        return picture.take(depth);
+      });
+}
+
+std::size_t different_pixels(const Picture& a, const Picture& b) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.ids.size(); ++i) count += a.ids[i] != b.ids[i] ? 1 : 0;
+  return count;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,67 @@
+#include "programs/bench/viewing.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <span>
+
+#include "displayfile/graphics_system.h"
+#include "displayfile/retained_scene.h"
+#include "interp/truth/world_truth.h"
+#include "programs/inputs.h"
+#include "programs/scenes/generated_scenes.h"
+#include "programs/scenes/hard_cases.h"
+
+namespace displayfile::bench {
+
+namespace {
+
+/// None of its matrix's entries that are not 0 or 1 are short doubles.
+View turned_view() {
+  constexpr double kDistance = 3.0;  // of the eye
+  constexpr double kHalf = 0.95;     // of the window, in which the unit cube fits
+  const Point3 middle(0.5), into = glm::normalize(Point3(-0.6, -0.4, -1.0));
+  View view;
+  view.set_reference_point(middle);
+  view.set_plane_normal(into);
+  view.set_up({0.3, 1.0, 0.1});
+  view.set_perspective(middle - kDistance * into);
+  view.set_depth(-1.0, 1.0);
+  view.set_window({-kHalf, kHalf, -kHalf, kHalf});
+  return view;
+}
+
+void enter_turned(Scene scene, GraphicsSystem& system) {
+  if (scene.view == unit_view()) scene.view = turned_view();
+  enter(scene, system);
+}
+
+}  // namespace
+
+std::optional<ViewingRow> rounding_of_viewing(const BenchScene& scene) {
+  RetainedScene retained;
+  GraphicsSystem system;
+  system.retain(&retained);
+  switch (scene.kind) {
+    case BenchScene::Kind::walk: return std::nullopt;
+    case BenchScene::Kind::generated:
+      enter_turned(generated_scene(scene.name).make(scene.n, scene.seed), system);
+      break;
+    case BenchScene::Kind::hard_case:
+      enter_turned(hard_case(scene.name).make(scene.n, scene.severity, scene.seed), system);
+      break;
+    case BenchScene::Kind::input: enter_inputs(std::span(&scene.name, 1), system); break;
+  }
+  const DisplayFile& file = system.display_file();
+  const Picture of_file = truth(file, scene.size, scene.size, true);
+  const Picture of_world = world_truth(retained, file, scene.size, scene.size, true);
+  ViewingRow row{scene};
+  for (std::size_t i = 0; i < of_file.ids.size(); ++i) {
+    row.pixels += of_file.ids[i] >= 0 || of_world.ids[i] >= 0 ? 1 : 0;
+    if (of_file.ids[i] == of_world.ids[i]) continue;
+    ++row.different;
+    row.ties += std::abs(of_file.depth[i] - of_world.depth[i]) <= ViewingRow::kTie ? 1 : 0;
+  }
+  return row;
+}
+
+}  // namespace displayfile::bench

@@ -76,7 +76,7 @@ class RetainedScene {
   WorldPolygon polygon(std::uint32_t i) const;
   const Point3& normal(std::uint32_t i) const;  ///< of a lit polygon, out of its light face, or 0
   bool is_smooth(std::uint32_t i) const;        ///< its vertices have normals
-  bool draws(std::uint32_t i) const;  ///< not a hollow polygon of line style none
+  bool draws(std::uint32_t i) const;            ///< not a hollow polygon of line style none
   /// How far a vertex lies from the plane that a tree takes the polygon to be in, at most: one of
   /// more than three sides counts as flat within a tolerance (clip/planarity.h).
   double off_plane(std::uint32_t i) const;

@@ -143,7 +143,8 @@ class SceneViewer::Part {
     if (!view_whole(i, primitive)) view_in_stage(i, primitive);
   }
 
-  /// The same for what large meshes are: triangles of no drawn side, looked at as quickly as can be.
+  /// The same for what large meshes are: triangles of no drawn side, looked at as quickly as can
+  /// be.
   void view_triangle(std::uint32_t i, const Primitive& primitive, const Look& look) {
     const SceneViewer& viewer = in_view_->viewer;
     const std::uint32_t* const corner = viewer.viewed_.corners_.data() + primitive.first;
@@ -160,13 +161,14 @@ class SceneViewer::Part {
       const auto [bottom, top] = std::minmax({a.row, b.row, c.row});
       const std::int32_t columns = right - left, rows = top - bottom;
       if (columns * rows == 0) return;
-      if (columns * rows <= kFew && covers_none_of_few(p, q, r, *in_view_->wanted.centres_of, left,
-                                                       columns, bottom, rows)) {
+      if (columns * rows <= kFew &&
+          covers_none_of_few(p, q, r, *in_view_->wanted.centres_of, left, columns, bottom, rows)) {
         return;
       }
     }
     const auto [twice_area, bound] = orientation_value(Point2(p), Point2(q), Point2(r));
-    if (!(std::abs(twice_area) > bound)) [[unlikely]] return view_any(i, primitive);
+    if (!(std::abs(twice_area) > bound)) [[unlikely]]
+      return view_any(i, primitive);
     const double facing =
         look.is_lit || look.removes_back_faces ? newell_c(std::array{p, q, r}) : 0.0;
     if (look.removes_back_faces && facing <= 0.0) return;
@@ -199,8 +201,7 @@ class SceneViewer::Part {
     const RetainedScene& scene = *viewer.scene_;
     if (light_ != nullptr && (attributes_->shadows || scene.is_smooth(i))) return false;
     const PointRow vertices(viewer.viewed_.own_points_, {corners, primitive.sides});
-    const double c =
-        attributes_->back_face_removal || light_ != nullptr ? newell_c(vertices) : 0.0;
+    const double c = attributes_->back_face_removal || light_ != nullptr ? newell_c(vertices) : 0.0;
     if (attributes_->back_face_removal && c <= 0.0) return true;
     const FillStyle* fill = &attributes_->fill;
     if (light_ != nullptr) {
@@ -416,9 +417,8 @@ void SceneViewer::view_texts(const ViewVolume& volume) {
       const auto [device, outcode] = pipeline.view(text.anchor);
       if (outcode != 0) continue;
       const Attributes& look = scene_->attributes(text);
-      const Point3 anchor = segments_[k].image.is_identity()
-                                ? device
-                                : ImageMatrix(segments_[k].image).apply(device);
+      const Point3 anchor =
+          segments_[k].image.is_identity() ? device : ImageMatrix(segments_[k].image).apply(device);
       viewed_.texts_.push_back({anchor, look.text, look.line, text.characters, segment.name});
     }
   }

@@ -66,8 +66,7 @@ struct ViewedScene::Collector {
     const std::size_t first = points;
     take(vertices);
     const auto shading = std::exchange(of_vertices, {});
-    const std::size_t first_intensity =
-        in_place ? intensities_seen : scene.own_intensities_.size();
+    const std::size_t first_intensity = in_place ? intensities_seen : scene.own_intensities_.size();
     intensities_seen += shading.size();
     const Look look{fill_style, style, pick_id};
     if (!look.shows()) return;
@@ -295,10 +294,10 @@ std::size_t ViewedScene::bytes() const {
   const auto size = [](const auto& array) { return array.size() * sizeof(array[0]); };
   std::size_t characters = 0;
   for (const ViewedText& text : texts_) characters += text.characters.size();
-  return characters + size(texts_) + size(own_points_) + size(corners_) + size(edge_visible_) + size(items_) +
-         size(pick_) + size(colours_) + size(lines_) + size(segments_) + size(support_) +
-         size(fill_item_) + size(own_intensities_) + size(first_intensity_) + size(shadow_) +
-         size(shadows_);
+  return characters + size(texts_) + size(own_points_) + size(corners_) + size(edge_visible_) +
+         size(items_) + size(pick_) + size(colours_) + size(lines_) + size(segments_) +
+         size(support_) + size(fill_item_) + size(own_intensities_) + size(first_intensity_) +
+         size(shadow_) + size(shadows_);
 }
 
 }  // namespace displayfile

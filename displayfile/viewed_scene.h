@@ -125,9 +125,7 @@ class ViewedScene {
   /// How many fills, and corners of theirs, another view of the same retained scene may have: room
   /// for them is made at once.
   std::size_t most_fills() const { return items_.capacity(); }
-  std::size_t most_corners() const {
-    return std::max(points_.size(), corners_.size());
-  }
+  std::size_t most_corners() const { return std::max(points_.size(), corners_.size()); }
   std::size_t all_points() const { return points_.size(); }
   /// The fills' vertices have none larger, |z|.
   double largest_depth() const { return largest_depth_; }
@@ -219,7 +217,7 @@ class ViewedScene {
   std::vector<Source> sources_;
   std::span<const Point3> points_;  // the source's own, or else own_points_
   std::vector<Point3> own_points_;
-  std::vector<std::uint32_t> corners_;  // their points; empty: these in a row
+  std::vector<std::uint32_t> corners_;      // their points; empty: these in a row
   std::vector<std::uint8_t> edge_visible_;  // empty: all are
   std::vector<Primitives::Item> items_;
   std::vector<std::int32_t> pick_;     // of the items

@@ -174,9 +174,10 @@ RasterRequest raster_request_of_view(const DrawOptions& options) {
   RasterRequest request = raster_request(options);
   request.method = options.hidden.value_or(HiddenMethod::automatic);
   if (!is_image_space(request.method) || request.method == HiddenMethod::world_ray_cast) {
-    throw Error(fmt::format("a view renderer finds hidden surfaces in image space, not by {}: "
-                            "expected a method of image space",
-                            name_of(request.method)));
+    throw Error(
+        fmt::format("a view renderer finds hidden surfaces in image space, not by {}: "
+                    "expected a method of image space",
+                    name_of(request.method)));
   }
   if (options.precision && !options.precision->exact) {
     request.roundoff = options.precision->roundoff;
@@ -229,8 +230,7 @@ class DisplayFileSource : public Source {
   }
   void write_vectors(const PictureFormat& format, const std::filesystem::path& file,
                      const RasterRequest& request) const override {
-    format.write_vectors(file_, request.width, request.height, by_depth_, file,
-                         request.background);
+    format.write_vectors(file_, request.width, request.height, by_depth_, file, request.background);
   }
 
  private:
@@ -258,7 +258,8 @@ class ViewSource : public Source {
         kept_(kept) {}
 
   Picture draw(const RasterRequest& request) const override {
-    if (!is_first_device()) return of_display_file([&](const Source& s) { return s.draw(request); });
+    if (!is_first_device())
+      return of_display_file([&](const Source& s) { return s.draw(request); });
     kept_.draw(scene(request), request);
     return kept_.take_picture();
   }
@@ -274,8 +275,8 @@ class ViewSource : public Source {
  private:
   bool is_first_device() const { return &device_of(options_.device) == kDevices.data(); }
   const ViewedScene& scene(const RasterRequest& request) const {
-    return viewer_.view({view_, lights_turned_, PictureSize{request.width, request.height},
-                         request.threads});
+    return viewer_.view(
+        {view_, lights_turned_, PictureSize{request.width, request.height}, request.threads});
   }
   SceneViewer& viewer_;
   const View& view_;

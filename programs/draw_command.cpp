@@ -102,8 +102,9 @@ void DrawCommand::add_picture_options(CLI::App& command) {
   background.add_to(command);
   command
       .add_option("--turntable", turntable,
-                  "N views, turned evenly all around the axis that is up, from one BSP tree, "
-                  "or with --hidden world-ray-cast from one tree of boxes: "
+                  "N views, turned evenly all around the axis that is up, from one BSP tree; "
+                  "with --hidden z-buffer or another method of image space without a sort, and "
+                  "with --hidden world-ray-cast from one tree of boxes: "
                   "OUT.png becomes OUT-000.png, OUT-001.png, ..., --ids and --depth likewise")
       ->group(kPictureOptions);
   command.add_option("--device", options.device, listed(raster_devices()))

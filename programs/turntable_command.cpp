@@ -147,9 +147,8 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
   if (draws_without_sort(options)) {
     return draw_all(ViewRenderer(scene, system.display_file()),
                     [](ViewRenderer& renderer, const View& view, const glm::dmat3& lights,
-                       const std::filesystem::path& file, const DrawOptions& of_view) {
-                      renderer.draw(view, file, of_view, lights);
-                    });
+                       const std::filesystem::path& file,
+                       const DrawOptions& of_view) { renderer.draw(view, file, of_view, lights); });
   }
   const auto draw_from_tree = [](auto& trees, const View& view, const glm::dmat3& lights,
                                  const std::filesystem::path& file, const DrawOptions& of_view) {

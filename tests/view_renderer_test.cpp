@@ -138,15 +138,16 @@ void enter_field(bool shared, GraphicsSystem& g) {
 
 TEST(ViewRenderer, DrawsFineMeshesOfEveryLook) {
   using Set = void (*)(GraphicsSystem&);
-  for (const Set set : {Set([](GraphicsSystem&) {}),
-                        Set([](GraphicsSystem& g) { g.set_light({0.3, 0.4, 1.0}); }),
-                        Set([](GraphicsSystem& g) { g.set_back_face_removal(true); }),
-                        Set([](GraphicsSystem& g) {
-                          g.set_light({0.3, 0.4, 1.0});
-                          g.set_back_face_removal(true);
-                        }),
-                        Set([](GraphicsSystem& g) { g.set_line_style({LineStyle::Kind::solid}); }),
-                        Set([](GraphicsSystem& g) { g.set_window(-0.6, 0.5, -0.4, 0.5); })}) {
+  for (const Set set :
+       {Set([](GraphicsSystem&) {}), Set([](GraphicsSystem& g) {
+          g.set_light({0.3, 0.4, 1.0});
+        }),
+        Set([](GraphicsSystem& g) { g.set_back_face_removal(true); }), Set([](GraphicsSystem& g) {
+          g.set_light({0.3, 0.4, 1.0});
+          g.set_back_face_removal(true);
+        }),
+        Set([](GraphicsSystem& g) { g.set_line_style({LineStyle::Kind::solid}); }),
+        Set([](GraphicsSystem& g) { g.set_window(-0.6, 0.5, -0.4, 0.5); })}) {
     for (const bool shared : {false, true}) {
       Retained retained;
       GraphicsSystem& g = retained.system;

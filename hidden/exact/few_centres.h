@@ -30,8 +30,8 @@ inline bool covers_none_of_few(const Point3& a, const Point3& b, const Point3& c
   const double ab_y = turn * (bx - ax), bc_y = turn * (cx - bx), ca_y = turn * (ax - cx);
   for (std::int32_t j = 0; j < rows; ++j) {
     for (std::int32_t i = 0; i < columns; ++i) {
-      const double inside = std::min({of_ab + i * ab_x + j * ab_y, of_bc + i * bc_x + j * bc_y,
-                                      of_ca + i * ca_x + j * ca_y});
+      const double inside = std::min(
+          {of_ab + i * ab_x + j * ab_y, of_bc + i * bc_x + j * bc_y, of_ca + i * ca_x + j * ca_y});
       if (inside >= -kSlack) return false;
     }
   }

@@ -29,7 +29,6 @@ void WritePixels(std::span<const std::uint32_t> number, const std::uint32_t* pix
                kPixels, pixels + i);
   }
   for (; i < number.size(); ++i) pixels[i] = pixel_of[number[i]];
-
 }
 
 }  // namespace displayfile::HWY_NAMESPACE

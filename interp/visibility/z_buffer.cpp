@@ -314,8 +314,8 @@ void ZBuffer::draw_rows(int row_begin, int row_end, const SeenRun& seen) const {
     const int end = std::min(width, (band.end_column + kTile - 1) / kTile * kTile);
     const int first = std::min(band.first_column / kTile * kTile, end);
     const BandRows& rows = worker->rows;
-    worker->begin(std::max(row_begin, k * kRowsOfABand),
-                  std::min(row_end, (k + 1) * kRowsOfABand), first, end);
+    worker->begin(std::max(row_begin, k * kRowsOfABand), std::min(row_end, (k + 1) * kRowsOfABand),
+                  first, end);
     draw(fills_, of_band(band), rows, *worker->decisions, worker->scratch);
     const auto tell = [&](int row, int from, int to, const Fill* shown) {
       if (from < to) seen(row, from, {shown, static_cast<std::size_t>(to - from)});

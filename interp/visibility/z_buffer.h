@@ -31,8 +31,8 @@ class ZBuffer : public ImageSpaceMethod {
   static constexpr int kRowsOfABand = 16;
 
   struct Band {
-    std::uint32_t begin = 0, end = 0;           ///< of its fills
-    int first_column = 0, end_column = 0;       ///< that they cover
+    std::uint32_t begin = 0, end = 0;      ///< of its fills
+    int first_column = 0, end_column = 0;  ///< that they cover
   };
   void sort_into_bands();
   std::span<const Fill> of_band(const Band& band) const {

@@ -536,8 +536,7 @@ void draw_into_band(const RowFills& fills, std::span<const ViewedScene::Fill> to
 }
 
 void draw_into_band_rounded(const RowFills& fills, std::span<const ViewedScene::Fill> to_draw,
-                            const BandRows& rows, BandDecisions& decisions,
-                            BandScratch& scratch) {
+                            const BandRows& rows, BandDecisions& decisions, BandScratch& scratch) {
   DISPLAYFILE_WIDEST_FORM(DrawRounded)(fills, to_draw, rows, decisions, scratch);
 }
 

@@ -45,9 +45,9 @@ struct BandScratch {
   struct Run {
     int first, end;
   };
-  std::vector<std::uint32_t> open;    ///< where a fill may be seen: a bit a tile, a word a vector
-  std::vector<float> own_farthest;    ///< its depths in these tiles
-  std::vector<Run> runs;              ///< of columns, which it is to be drawn in
+  std::vector<std::uint32_t> open;  ///< where a fill may be seen: a bit a tile, a word a vector
+  std::vector<float> own_farthest;  ///< its depths in these tiles
+  std::vector<Run> runs;            ///< of columns, which it is to be drawn in
 };
 
 /// The depth of a fill less that of one drawn before it, times some positive number: z + dz_dx i +

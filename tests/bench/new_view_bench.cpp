@@ -125,11 +125,14 @@ int main(int argc, char** argv) {
       SoftwareRenderer().draw(file, request);
       anew.push_back(since(start));
     }
-    fmt::print("{} polygons, {} x {}, {} threads: anew {:.2f} in units of a new view; viewing {:.2f} and "
-               "drawing {:.2f} of it; {} items in the last\n",
-               system.polygons_entered(), size, size, threads, median(anew) / median(ours),
-               median(of_viewing) / median(ours), median(of_drawing) / median(ours), items);
-    if (phases) fmt::print("ms: {:.2f} viewing {:.2f} drawing {:.2f}\n", 1e3 * median(ours), 1e3*median(of_viewing), 1e3*median(of_drawing));
+    fmt::print(
+        "{} polygons, {} x {}, {} threads: anew {:.2f} in units of a new view; viewing {:.2f} and "
+        "drawing {:.2f} of it; {} items in the last\n",
+        system.polygons_entered(), size, size, threads, median(anew) / median(ours),
+        median(of_viewing) / median(ours), median(of_drawing) / median(ours), items);
+    if (phases)
+      fmt::print("ms: {:.2f} viewing {:.2f} drawing {:.2f}\n", 1e3 * median(ours),
+                 1e3 * median(of_viewing), 1e3 * median(of_drawing));
   } catch (const Error& error) {
     fmt::print(stderr, "new_view_bench: {}\n", error.what());
     return 2;

@@ -148,8 +148,10 @@ bool RowFills::make_triangle(const ViewedScene& scene, const PictureSize& size, 
       2.0 * std::abs(per_area) * (4.0 * coordinates * deep + slopes * area_error);
   const double reach = across + 2.0;
   const double z = p->z + (row_begin + 0.5 - y[0]) * dz_dy + (first + 0.5 - x[0]) * dz_dx;
-  const double largest = std::abs(z) + std::abs(p->z) + 2.0 * reach * slopes;
-  const double error = 2.0 * reach * slope_error + slopes * coordinates + kDepthUnit * largest;
+  const double largest =
+      std::abs(z) + (end - first) * std::abs(dz_dx) + (row_end - row_begin) * std::abs(dz_dy);
+  const double error = 2.0 * reach * slope_error + slopes * coordinates +
+                       0x1p-50 * (std::abs(p->z) + reach * slopes) + kDepthUnit * largest;
   made.row_begin = row_begin;
   made.row_end = row_end;
   made.column = first;

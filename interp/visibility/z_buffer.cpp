@@ -21,7 +21,9 @@ using Fill = ViewedScene::Fill;
 /// Depths in doubles of fills that were asked for lately.
 class KnownDepths {
  public:
-  KnownDepths(const ViewedScene& scene, const PictureSize& size) : scene_(&scene), size_(size) {}
+  KnownDepths(const ViewedScene& scene, const PictureSize& size) : scene_(&scene), size_(size) {
+    known_.reserve(kMost);
+  }
   void take(const ViewedScene& scene, const PictureSize& size) {
     scene_ = &scene;
     size_ = size;
@@ -295,7 +297,8 @@ void ZBuffer::sort_into_bands() {
     band.begin = band.end = all;
     all += fills;
   }
-  if (all > in_bands_.capacity()) in_bands_.reserve(all + all / 2);  // for other views too
+  const std::size_t in_other_views = std::max<std::size_t>(all, request_->scene.most_fills());
+  if (all > in_bands_.capacity()) in_bands_.reserve(in_other_views + in_other_views / 2);
   in_bands_.resize(all);
   for (Fill k = 1; k < fills_.end(); ++k) {
     for_each_band(fills_[k], [&](Band& band) { in_bands_[band.end++] = k; });

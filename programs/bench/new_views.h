@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "hidden/exact/pixel_centre.h"
 #include "interp/picture.h"
 #include "programs/bench/application_mesh.h"
 

@@ -285,6 +285,32 @@ TEST_F(Command, TurntableDrawsNumberedViews) {
   EXPECT_TRUE(fs::exists(folder_ / "v-1000.ppm"));
 }
 
+/// The views are those of a tree, lines and all, drawn by any method that works in image space.
+TEST_F(Command, TurntableDrawsViewsWithoutASort) {
+  write(
+      "t.draw",
+      "set-perspective 0.3 0.4 3\nset-light 1 2 3\nopen-segment 1\n"
+      "set-fill-style solid 0.9 0.5 0.2\npolygon-abs-3 -0.8 -0.7 0.3  0.7 -0.6 -0.4  0.1 0.8 0.2\n"
+      "set-fill-style solid 0.2 0.5 0.9\npolygon-abs-3 0.6 -0.7 0.4  -0.7 -0.5 -0.3  -0.1 0.7 0\n"
+      "close-segment\n");
+  const std::string turned = "draw t.draw --turntable 3 --size 60x50 ";
+  EXPECT_EQ(run(turned + "-o t.png --ids t.npy --depth td.npy"), 0) << err_;
+  for (const std::string method : {"z-buffer", "scan-line", "ray-cast"}) {
+    EXPECT_EQ(
+        run(turned + "-o v.png --ids v.npy --depth vd.npy --threads 2 --stats --hidden " + method),
+        0)
+        << err_;
+    EXPECT_NE(out_.find("each viewed anew and not sorted"), std::string::npos) << out_;
+    for (const char* view : {"-000.npy", "-001.npy", "-002.npy"}) {
+      EXPECT_EQ(run(std::string("compare t") + view + " v" + view), 0) << method << out_;
+    }
+  }
+  EXPECT_EQ(run(turned + "-o v.png --hidden z-buffer --samples 2"), 0) << err_;
+  EXPECT_EQ(run(turned + "-o v.svg --hidden z-buffer"), 0) << err_;
+  expect_error(turned + "-o w.png --hidden depth-sort", "not by depth-sort: expected --hidden bsp");
+  EXPECT_FALSE(fs::exists(folder_ / "w-000.png"));
+}
+
 TEST_F(Command, CastsRaysBeforeViewing) {
   const std::string text =
       "set-perspective 0.3 0.4 3\nset-light 1 2 3\nset-shadows on\nopen-segment 1\n"

@@ -283,7 +283,7 @@ double percent_wrong(const Rows& rows, const Column& column) {
 }  // namespace
 
 std::optional<FrontOfAll> front_of_all(const Report& report) {
-  const auto any = [](const Column&) { return true; };
+  const auto any = [](const Column& column) { return !column.is_automatic(); };
   const Rows still = still_scenes(report);
   const Rows rows = with_nothing_left_out(report, still, any);
   FrontOfAll found;

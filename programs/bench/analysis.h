@@ -119,7 +119,8 @@ struct SpeedAndError {
   double time;     ///< mean of a picture, in reference times
   double percent;  ///< of pixels that are wrong
 };
-/// All methods and peers over the scenes on which none was left out; errors are those of the hard
+/// All methods and peers but `auto`, which is one of them, over the scenes on which none was left
+/// out; errors are those of the hard
 /// cases, or, without any, of the scenes.
 struct FrontOfAll {
   std::vector<SpeedAndError> all;  ///< by time

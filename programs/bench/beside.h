@@ -35,6 +35,8 @@ inline constexpr const char* kEmbree = "Embree";
 inline constexpr const char* kEmbreeHigh = "Embree, high quality";
 inline constexpr const char* kGl2ps = "gl2ps";
 inline constexpr const char* kGl2psBestRoot = "gl2ps, best root";
+/// The contender that this is.
+inline constexpr const char* kGl2psBestRootColumn = "gl2ps, bsp, best root";
 inline constexpr const char* kRounded = "without exact stages";
 
 inline constexpr const char* kStartUp = "start-up";

@@ -98,29 +98,29 @@ int EmbreeRays::packet_width() {
   return is_native(RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED) ? 8 : 4;
 }
 
-EmbreeRays::Input::Input(const Triangles& triangles, const PictureSize& size)
-    : size_(size), fills_(triangles.fills) {
+EmbreeRays::Input::Input(const Triangles& triangles, const PictureSize& of_picture)
+    : size(of_picture), fills(triangles.fills) {
   double largest = 1.0;
   for (const Point3& v : triangles.corners) largest = std::max(largest, std::abs(v.z));
-  depth_scale_ = std::ldexp(1.0, -std::ilogb(largest));
-  origin_ = static_cast<float>(largest * depth_scale_ + 1.0);
-  corners_.reserve(3 * triangles.corners.size() + 1);
+  depth_scale = std::ldexp(1.0, -std::ilogb(largest));
+  origin = static_cast<float>(largest * depth_scale + 1.0);
+  corners.reserve(3 * triangles.corners.size() + 1);
   for (const Point3& v : triangles.corners) {
-    corners_.push_back(static_cast<float>(v.x * size.width));
-    corners_.push_back(static_cast<float>(v.y * size.height));
-    corners_.push_back(static_cast<float>(v.z * depth_scale_));
+    corners.push_back(static_cast<float>(v.x * size.width));
+    corners.push_back(static_cast<float>(v.y * size.height));
+    corners.push_back(static_cast<float>(v.z * depth_scale));
   }
-  corners_.push_back(0.0F);  // Embree reads sixteen bytes of a vertex
+  corners.push_back(0.0F);  // Embree reads sixteen bytes of a vertex
 }
 
 EmbreeRays::EmbreeRays(const Input& input, int threads, Quality quality)
     : scene_(std::make_unique<Scene>(input)) {
   const RTCDevice device = device_of(threads);
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  const std::size_t triangles = input.fills_.size();
+  const std::size_t triangles = input.fills.size();
   if (triangles > 0) {
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                               input.corners_.data(), 0, 3 * sizeof(float), 3 * triangles);
+                               input.corners.data(), 0, 3 * sizeof(float), 3 * triangles);
     auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), triangles));
     for (unsigned i = 0; i < 3 * triangles; ++i) indices[i] = i;
@@ -142,14 +142,14 @@ template <int kRays>
 void EmbreeRays::Scene::cast(int row_begin, int row_end, Hits& hits) const {
   using Kind = Packet<kRays>;
   constexpr int kColumns = Kind::kColumns, kRows = kRays / kColumns;
-  const int width = input.size_.width;
+  const int width = input.size.width;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   alignas(64) int valid[kRays];
   alignas(64) typename Kind::Type rays;
   for (int k = 0; k < kRays; ++k) {
-    rays.ray.org_z[k] = input.origin_;
+    rays.ray.org_z[k] = input.origin;
     rays.ray.dir_x[k] = rays.ray.dir_y[k] = 0.0F;
     rays.ray.dir_z[k] = -1.0F;
     rays.ray.tnear[k] = 0.0F;
@@ -178,10 +178,10 @@ void EmbreeRays::Scene::cast(int row_begin, int row_end, Hits& hits) const {
         const auto at = static_cast<std::size_t>(j) * static_cast<std::size_t>(width) +
                         static_cast<std::size_t>(i);
         const bool hit = rays.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
-        hits.fills[at] = hit ? input.fills_[rays.hit.primID[k]] : ViewedScene::kBackground;
+        hits.fills[at] = hit ? input.fills[rays.hit.primID[k]] : ViewedScene::kBackground;
         // Nothing hit leaves tfar at infinity, and the depth at minus infinity.
         if (hits.depths.empty()) continue;
-        hits.depths[at] = (input.origin_ - rays.ray.tfar[k]) / input.depth_scale_;
+        hits.depths[at] = (input.origin - rays.ray.tfar[k]) / input.depth_scale;
       }
     }
   }

@@ -25,17 +25,13 @@ class EmbreeRays {
   static int packet_width();
 
   /// What Embree is given, in its own form.
-  class Input {
-   public:
-    Input(const Triangles& triangles, const PictureSize& size);
-
-   private:
-    friend class EmbreeRays;
-    PictureSize size_;
-    std::vector<float> corners_;            // x, y and z of three a triangle
-    std::vector<ViewedScene::Fill> fills_;  // of the triangles
-    double depth_scale_ = 1.0;  // a power of two: Embree has no coordinates beyond 1.8e18
-    float origin_ = 0.0F;       // z of the rays', before all triangles
+  struct Input {
+    Input(const Triangles& triangles, const PictureSize& of_picture);
+    PictureSize size;
+    std::vector<float> corners;            ///< x, y and z of three a triangle
+    std::vector<ViewedScene::Fill> fills;  ///< of the triangles
+    double depth_scale = 1.0;  ///< a power of two: Embree has no coordinates beyond 1.8e18
+    float origin = 0.0F;       ///< z of the rays', before all triangles
   };
 
   /// Commits a scene of an input that lives on, on so many threads, by a device that is made before

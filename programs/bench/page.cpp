@@ -346,6 +346,7 @@ class Page {
       const auto scenes = series(report_, name, Fit::Against::polygons);
       std::vector<Curve> curves;
       for (const Column& column : columns_) {
+        if (column.method == "gl2ps") continue;  // of which it is for each triangle
         Curve curve{mark_of(columns_, column), true, {}};
         for (const SceneRow* r : scenes) {
           const Cell* cell = measured(*r, column.method, column.precision);
@@ -360,7 +361,8 @@ class Page {
       if (!curves.empty()) panels += svg({name, "polygons", "fragments a polygon"}, curves);
     }
     if (panels.empty()) return "";
-    return "<h2>Fragments</h2>\n<p>Pieces that the sorts in object space make of a polygon.</p>\n" +
+    return "<h2>Fragments</h2>\n<p>Pieces that the sorts in object space make of a polygon. gl2ps "
+           "gets triangles: the pieces of those are in a table above.</p>\n" +
            legend([&](const Column& c) { return std::ranges::find(drawn, c) != drawn.end(); },
                   true) +
            "<div class='plots'>\n" + panels + "</div>\n";

@@ -354,6 +354,22 @@ std::string used_for(const std::vector<Advice>& all, const Column& column) {
   return text;
 }
 
+/// The geometric mean of the pieces that a sort, ours or another's, makes of a triangle; empty if
+/// it has none on one of the scenes.
+std::string pieces_a_triangle(const Report& report, const Rows& rows, const Column& column) {
+  const bool sorts = column.method == name_of(HiddenMethod::bsp) ||
+                     column.method == name_of(HiddenMethod::depth_sort);
+  const std::string whose = sorts ? column.method : beside::kGl2psBestRoot;
+  if (!sorts && column.name() != beside::kGl2psBestRootColumn) return "";
+  std::vector<double> each;
+  for (const SceneRow* row : rows) {
+    const Beside* const found = find_beside(report, row->scene.id(), 1, whose, beside::kPieces);
+    if (found == nullptr || !found->count) return "";
+    each.push_back(*found->count);
+  }
+  return fmt::format("{:.3g}", geometric_mean(each));
+}
+
 /// One screen: a row a method or peer, of several precisions one.
 std::optional<Summary> methods(const Report& report) {
   const auto shown = [](const Column& c) { return is_in_series(c); };
@@ -369,10 +385,11 @@ std::optional<Summary> methods(const Report& report) {
       "Methods",
       fmt::format(
           "Times of a picture in those of {}, geometric means over the {} scenes from which "
-          "none was left out ({}): anew, from the display file; and the same picture again. "
-          "A peer is warm, and has the polygons in its own form. gl2ps sorts, and draws no "
-          "pixels. Wrong pixels are those of the hard cases, pieces those of a polygon, of "
-          "gl2ps of a triangle.",
+          "none was left out ({}): anew, from the display file; and the same picture again. A peer "
+          "is "
+          "warm, and has the polygons in its own form. gl2ps sorts, and draws no pixels. Wrong "
+          "pixels "
+          "are those of the hard cases; pieces those of a triangle, of the same triangles.",
           report.reference, rows.size(), names),
       {{"method", "anew", "again", "wrong pixels, %", "bytes a polygon", "pieces", "advised for"}}};
   const std::vector<Advice> advised = advice(report);
@@ -401,8 +418,7 @@ std::optional<Summary> methods(const Report& report) {
                                     }),
                             wrong.pixels == 0 ? "" : fmt::format("{:.3g}", wrong.percent()),
                             bytes.empty() ? "" : fmt::format("{:.0f}", geometric_mean(bytes)),
-                            mean_of(column, [](const Cell& cell) { return cell.fragments; }),
-                            used_for(advised, column)});
+                            pieces_a_triangle(report, rows, column), used_for(advised, column)});
   }
   if (summary.rows.size() == 1) return std::nullopt;
   return summary;

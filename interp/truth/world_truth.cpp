@@ -74,7 +74,7 @@ class SegmentView {
   ImageMatrix image_;
   bool is_moved_;
   TruePicture& picture_;
-  // Of a polygon:
+  // The polygon on its way:
   std::vector<ExactView::Vertex> viewed_;
   std::vector<TruePoint> whole_, points_;
   std::vector<Point3> device_;

@@ -13,7 +13,7 @@ struct ViewingRow {
   BenchScene scene;
   std::size_t pixels = 0;  ///< that show a polygon, in one truth or the other
   std::size_t different = 0;
-  /// Of the different ones, those where the polygons that the two truths show are no farther from
+  /// Those different ones where the polygons that the two truths show are no farther from
   /// each other than kTie: the others are decided by an edge.
   std::size_t ties = 0;
 

@@ -1,0 +1,64 @@
+// Counts the instructions of three drawings in which every feature is off, by callgrind
+// (tests/bench/left_out.md):
+//   features_off
+// prints a line a scene: its name and the count.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+
+#include "programs/bench/callgrind.h"
+#include "programs/bench/features.h"
+#include "programs/exit_status.h"
+#include "programs/scenes/generated_scenes.h"
+
+namespace displayfile::bench {
+namespace {
+
+constexpr std::size_t kPolygons = 1000;
+constexpr std::size_t kTimesDrawn = 2;  // the last time what is made once for all is there
+
+struct Drawing {
+  std::string_view name, scene;
+  bool z_buffer;
+};
+constexpr std::array kDrawings{Drawing{"soup, painted in order", "soup", false},
+                               Drawing{"terrain, z-buffer", "terrain", true},
+                               Drawing{"city, z-buffer", "city", true}};
+
+/// What callgrind looks for: it stays a function, of a plain name.
+extern "C" [[gnu::noinline]] void displayfile_features_off(const FeatureUse* use,
+                                                           const Scene* scene) {
+  draw_with(*use, *scene);
+}
+
+void draw_to_be_counted() {
+  for (const Drawing& drawing : kDrawings) {
+    FeatureUse use;
+    if (drawing.z_buffer) use.method = HiddenMethod::z_buffer;
+    const Scene scene = generated_scene(drawing.scene).make(kPolygons, 1);
+    for (std::size_t k = 0; k < kTimesDrawn; ++k) displayfile_features_off(&use, &scene);
+  }
+}
+
+int run(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "--under-callgrind") {
+    draw_to_be_counted();
+    return 0;
+  }
+  const auto counts = counted_calls({"--under-callgrind"}, "displayfile_features_off",
+                                    kTimesDrawn * kDrawings.size());
+  for (std::size_t k = 0; k < kDrawings.size(); ++k) {
+    fmt::print("{}\t{}\n", kDrawings[k].name,
+               counts[kTimesDrawn * k + kTimesDrawn - 1].instructions());
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace displayfile::bench
+
+int main(int argc, char** argv) {
+  return displayfile::exit_status(displayfile::bench::run, argc, argv);
+}

@@ -1,0 +1,60 @@
+# Leaves parts of the system out of a build, to count what they cost where they are there and off
+# (tests/bench/left_out.md). Given to cmake, for the top level of the project, as
+#   -DCMAKE_PROJECT_displayfile_INCLUDE=tests/bench/left_out/switches.cmake -DDISPLAYFILE_LEFT_OUT=PART,PART...
+#
+# A part is left out where its switch is declared: copies of the headers in the build folder, which
+# come before the project's own, declare there that it is always off, and the compiler does the rest.
+set(overlay ${CMAKE_BINARY_DIR}/left_out)
+file(REMOVE_RECURSE ${overlay})
+configure_file(${CMAKE_CURRENT_LIST_DIR}/part.h.in ${overlay}/clip/part.h @ONLY)
+
+# In the header's copy, the declaration is replaced, which must be there once.
+function(switch header declaration replacement)
+  if(EXISTS ${overlay}/${header})
+    file(READ ${overlay}/${header} text)
+  else()
+    file(READ ${PROJECT_SOURCE_DIR}/${header} text)
+    string(REPLACE "#pragma once\n" "#pragma once\n\n#include \"clip/part.h\"\n" text "${text}")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${header})
+  endif()
+  string(REPLACE "${declaration}" "${replacement}" replaced "${text}")
+  string(REPLACE "${declaration}" "" without "${text}")
+  string(LENGTH "${text}" before)
+  string(LENGTH "${without}" after)
+  string(LENGTH "${declaration}" once)
+  math(EXPR gone "${before} - ${after}")
+  if(NOT gone EQUAL once)
+    message(FATAL_ERROR "${header}: expected once: ${declaration}")
+  endif()
+  file(WRITE ${overlay}/${header} "${replaced}")
+endfunction()
+
+switch(clip/transformation.h "return identity_;" "return is_left_out(Part::modelling) || identity_;")
+switch(clip/transformation.h "return scale == Point2(1.0, 1.0)"
+       "if (is_left_out(Part::image_transformation)) return true;\n    return scale == Point2(1.0, 1.0)")
+switch(displayfile/attributes.h "std::optional<Light> light;"
+       "Switch<Part::light, std::optional<Light>> light;")
+switch(displayfile/attributes.h "bool back_face_removal ="
+       "Switch<Part::back_face_removal, bool> back_face_removal =")
+switch(displayfile/attributes.h "bool shadows =" "Switch<Part::shadows, bool> shadows =")
+switch(displayfile/graphics_system.h "Recorder* recorder_ ="
+       "Switch<Part::recording, Recorder*> recorder_ =")
+switch(displayfile/graphics_system.h "RetainedScene* retaining() { return own_retained_ ?"
+       "RetainedScene* retaining() { return is_left_out(Part::retaining) ? nullptr : own_retained_ ?")
+switch(displayfile/graphics_system.h "Shading shading_ =" "Switch<Part::shading, Shading> shading_ =")
+switch(displayfile/instructions.h "return has_shadows_;"
+       "return !is_left_out(Part::shadows) && has_shadows_;")
+switch(displayfile/instructions.h "return !texts_.empty();"
+       "return !is_left_out(Part::texts) && !texts_.empty();")
+switch(displayfile/style.h "std::optional<FillShadow> shadow{};"
+       "Switch<Part::shadows, std::optional<FillShadow>> shadow{};")
+switch(displayfile/style.h "enum class Kind { solid, dashed, none };\n  Kind kind ="
+       "enum class Kind { solid, dashed, none };\n  Switch<Part::lines, Kind, Kind::none> kind =")
+switch(displayfile/view_stage.h "std::span<const Point3> vertex_normals; "
+       "Switch<Part::shading, std::span<const Point3>> vertex_normals; ")
+switch(interp/draw.h "int samples = 1;" "Switch<Part::antialiasing, int, 1> samples = 1;")
+switch(interp/picture.h "bool ids = false, depth = false;"
+       "Switch<Part::item_buffer, bool> ids = false;\n  Switch<Part::depths, bool> depth = false;")
+switch(interp/picture.h "bool texts = true;" "Switch<Part::texts, bool> texts = true;")
+
+include_directories(BEFORE ${overlay})

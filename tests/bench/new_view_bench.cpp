@@ -1,5 +1,5 @@
-// New views of a retained scene: a view renderer's, that keeps memory and shares vertices
-// (interp/view_renderer.h), against entering each view anew and drawing it.
+// New views of a retained scene (displayfile/scene_viewer.md) against entering each view anew and
+// drawing that, with what both keep from picture to picture.
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,9 +15,8 @@
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/scene_viewer.h"
 #include "displayfile/turntable.h"
-#include "interp/draw.h"
 #include "interp/raster/software.h"
-#include "interp/view_renderer.h"
+#include "interp/truth/truth.h"
 
 namespace {
 
@@ -56,83 +56,117 @@ void enter_terrain(int n, GraphicsSystem& system) {
   system.close_segment();
 }
 
+struct Wanted {
+  std::string mesh;
+  int side = 300, size = 1024, threads = 1, views = 24;
+  bool light = false, against_truth = false;
+};
+
+void enter_wanted(const Wanted& wanted, GraphicsSystem& system) {
+  if (wanted.light) system.set_light({1, 2, 3});
+  if (wanted.mesh.empty()) return enter_terrain(wanted.side, system);
+  system.set_line_style({LineStyle::Kind::none});
+  import_mesh(wanted.mesh, system);
+}
+
 double median(std::vector<double> values) {
   std::ranges::sort(values);
   return values[values.size() / 2];
 }
 
+/// Seconds of one view after another, from the third on.
+struct Times {
+  std::vector<double> new_views, viewing, drawing, anew;
+  std::size_t wrong_pixels = 0;
+};
+
+class Bench {
+ public:
+  explicit Bench(const Wanted& wanted) : wanted_(wanted) {
+    system_.retain(&scene_);
+    enter_wanted(wanted, system_);
+    turntable_.emplace(scene_, system_.display_file(), system_.view());
+    if (!wanted.mesh.empty()) turntable_->fit_window(8);
+    viewer_.emplace(scene_, system_.display_file());
+    request_.width = request_.height = wanted.size;
+    request_.threads = wanted.threads;
+    request_.method = HiddenMethod::z_buffer;
+  }
+
+  void run() {
+    constexpr int kWarm = 3;
+    for (int k = -kWarm; k < wanted_.views; ++k) measure(360.0 * k / wanted_.views, k >= 0);
+    const double all = median(times_.new_views);
+    fmt::print("{} polygons, {} x {}, {} threads, {} views: anew {:.2f} in units of a new view\n",
+               system_.polygons_entered(), wanted_.size, wanted_.size, wanted_.threads,
+               wanted_.views, median(times_.anew) / all);
+    fmt::print(
+        "viewing {:.2f} and drawing {:.2f} of it; memory of the views: {:.0f} bytes a polygon\n",
+        median(times_.viewing) / all, median(times_.drawing) / all,
+        static_cast<double>(viewer_->bytes()) / static_cast<double>(system_.polygons_entered()));
+    if (wanted_.against_truth) {
+      fmt::print("wrong pixels in all views: {}\n", times_.wrong_pixels);
+    }
+  }
+
+ private:
+  void measure(double degrees, bool counts) {
+    const auto [view, lights] = turntable_->at(degrees);
+    const SceneViewer::Wanted in_view{view, lights, PictureSize{wanted_.size, wanted_.size},
+                                      wanted_.threads};
+    const auto start = Clock::now();
+    const ViewedScene& seen = viewer_->view(in_view);
+    const double viewing = since(start);
+    renderer_.draw(seen, request_);
+    const double new_view = since(start);
+    if (!counts) return;
+    const auto start_anew = Clock::now();
+    const DisplayFile file = viewer_->display_file(view, lights);
+    renderer_of_files_.draw(file, request_);
+    times_.anew.push_back(since(start_anew));
+    times_.new_views.push_back(new_view);
+    times_.viewing.push_back(viewing);
+    times_.drawing.push_back(new_view - viewing);
+    if (wanted_.against_truth) count_wrong(file, seen);
+  }
+
+  void count_wrong(const DisplayFile& file, const ViewedScene& seen) {
+    RasterRequest with_ids = request_;
+    with_ids.ids = true;
+    const auto right = truth(file, wanted_.size, wanted_.size, false).ids;
+    const Picture& drawn = renderer_.draw(seen, with_ids);
+    for (std::size_t i = 0; i < right.size(); ++i) {
+      times_.wrong_pixels += drawn.ids[i] != right[i] ? 1 : 0;
+    }
+  }
+
+  Wanted wanted_;
+  RetainedScene scene_;
+  GraphicsSystem system_;
+  std::optional<Turntable> turntable_;
+  RasterRequest request_;
+  std::optional<SceneViewer> viewer_;
+  SoftwareRenderer renderer_, renderer_of_files_;
+  Times times_;
+};
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("New views of a retained scene, entering each anew in units of a view renderer's");
-  std::string mesh;
-  int side = 300, size = 1024, threads = 1, views = 24;
-  bool phases = false, light = false;
-  app.add_option("MESH", mesh, "a mesh file; without one, a terrain");
-  app.add_option("--side", side, "of the terrain: 2 n^2 triangles");
-  app.add_option("--size", size, "pixels a side");
-  app.add_option("--threads", threads);
-  app.add_option("--views", views);
-  app.add_flag("--phases", phases, "how the time is shared");
-  app.add_flag("--light", light);
+  CLI::App app("New views of a retained scene, and entering each anew in units of one");
+  Wanted wanted;
+  app.add_option("MESH", wanted.mesh, "a mesh file; without one, a terrain");
+  app.add_option("--side", wanted.side, "of the terrain: 2 n^2 triangles")
+      ->check(CLI::Range(1, 5000));
+  app.add_option("--size", wanted.size, "pixels a side")->check(CLI::Range(1, 16384));
+  app.add_option("--threads", wanted.threads)->check(CLI::Range(1, 1024));
+  app.add_option("--views", wanted.views, "around it, measured in turn")
+      ->check(CLI::Range(1, 10000));
+  app.add_flag("--light", wanted.light, "of the polygons, which turns with the eye");
+  app.add_flag("--truth", wanted.against_truth, "wrong pixels of each view, by exact arithmetic");
   CLI11_PARSE(app, argc, argv);
   try {
-    GraphicsSystem system;
-    RetainedScene scene;
-    system.retain(&scene);
-    if (light) system.set_light({1, 2, 3});
-    if (mesh.empty()) {
-      enter_terrain(side, system);
-    } else {
-      system.set_line_style({LineStyle::Kind::none});
-      import_mesh(mesh, system);
-    }
-    Turntable turntable(scene, system.display_file(), system.view());
-    if (!mesh.empty()) turntable.fit_window(8);
-    DrawOptions options;
-    options.width = options.height = size;
-    options.threads = threads;
-    options.hidden = HiddenMethod::z_buffer;
-    options.with_ids = false;
-    ViewRenderer renderer(scene, system.display_file());
-    SceneViewer viewer(scene, system.display_file());
-    SoftwareRenderer software;
-    std::vector<double> ours, anew, of_viewing, of_drawing;
-    std::size_t items = 0;
-    for (int k = 0; k < views + 3; ++k) {
-      const auto [view, lights] = turntable.at(360.0 * k / views);
-      auto start = Clock::now();
-      renderer.draw(view, options, lights);
-      const double new_view = since(start);
-      start = Clock::now();
-      const ViewedScene& seen = viewer.view({view, lights, PictureSize{size, size}, threads});
-      const double viewing = since(start);
-      start = Clock::now();
-      RasterRequest request;
-      request.width = request.height = size;
-      request.threads = threads;
-      request.method = HiddenMethod::z_buffer;
-      software.draw(seen, request);
-      const double drawing = since(start);
-      items = seen.items();
-      if (k < 3) continue;
-      ours.push_back(new_view);
-      of_viewing.push_back(viewing);
-      of_drawing.push_back(drawing);
-      if (k % 4 != 0) continue;
-      start = Clock::now();
-      const DisplayFile file = viewer.display_file(view, lights);
-      SoftwareRenderer().draw(file, request);
-      anew.push_back(since(start));
-    }
-    fmt::print(
-        "{} polygons, {} x {}, {} threads: anew {:.2f} in units of a new view; viewing {:.2f} and "
-        "drawing {:.2f} of it; {} items in the last\n",
-        system.polygons_entered(), size, size, threads, median(anew) / median(ours),
-        median(of_viewing) / median(ours), median(of_drawing) / median(ours), items);
-    if (phases)
-      fmt::print("ms: {:.2f} viewing {:.2f} drawing {:.2f}\n", 1e3 * median(ours),
-                 1e3 * median(of_viewing), 1e3 * median(of_drawing));
+    Bench(wanted).run();
   } catch (const Error& error) {
     fmt::print(stderr, "new_view_bench: {}\n", error.what());
     return 2;

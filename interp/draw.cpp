@@ -174,9 +174,10 @@ RasterRequest raster_request_of_view(const DrawOptions& options) {
   RasterRequest request = raster_request(options);
   request.method = options.hidden.value_or(HiddenMethod::automatic);
   if (!is_image_space(request.method) || request.method == HiddenMethod::world_ray_cast) {
-    throw Error(fmt::format("a view renderer finds hidden surfaces in image space, not by {}: "
-                            "expected a method of image space",
-                            name_of(request.method)));
+    throw Error(
+        fmt::format("a view renderer finds hidden surfaces in image space, not by {}: "
+                    "expected a method of image space",
+                    name_of(request.method)));
   }
   if (options.precision && !options.precision->exact) {
     request.roundoff = options.precision->roundoff;
@@ -229,8 +230,7 @@ class DisplayFileSource : public Source {
   }
   void write_vectors(const PictureFormat& format, const std::filesystem::path& file,
                      const RasterRequest& request) const override {
-    format.write_vectors(file_, request.width, request.height, by_depth_, file,
-                         request.background);
+    format.write_vectors(file_, request.width, request.height, by_depth_, file, request.background);
   }
 
  private:
@@ -258,7 +258,8 @@ class ViewSource : public Source {
         kept_(kept) {}
 
   Picture draw(const RasterRequest& request) const override {
-    if (!is_first_device()) return of_display_file([&](const Source& s) { return s.draw(request); });
+    if (!is_first_device())
+      return of_display_file([&](const Source& s) { return s.draw(request); });
     kept_.draw(scene(request), request);
     return kept_.take_picture();
   }
@@ -274,8 +275,8 @@ class ViewSource : public Source {
  private:
   bool is_first_device() const { return &device_of(options_.device) == kDevices.data(); }
   const ViewedScene& scene(const RasterRequest& request) const {
-    return viewer_.view({view_, lights_turned_, PictureSize{request.width, request.height},
-                         request.threads});
+    return viewer_.view(
+        {view_, lights_turned_, PictureSize{request.width, request.height}, request.threads});
   }
   SceneViewer& viewer_;
   const View& view_;
@@ -341,9 +342,10 @@ Picture with_memory_of_picture(const DrawOptions& options, const SoftwareRendere
 }
 
 /// Draws into a file: by rows, but for a device that has the whole picture in memory, with a depth
-/// for each of its pixels. What a method makes of the display file is no smaller than it is.
+/// for each of its pixels. What a method makes of a scene of so many bytes is no smaller than it
+/// is.
 template <class Draw>
-void with_memory_of_drawing(const DisplayFile& display_file, const std::filesystem::path& file,
+void with_memory_of_drawing(std::size_t bytes_of_scene, const std::filesystem::path& file,
                             const DrawOptions& options, Draw&& draw) {
   constexpr std::size_t kBytesOfPixel = 8;
   const bool by_rows = device_of(options.device).draw_rows != nullptr;
@@ -351,7 +353,7 @@ void with_memory_of_drawing(const DisplayFile& display_file, const std::filesyst
       static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
   const auto samples = static_cast<std::size_t>(options.samples * options.samples);
   with_memory(
-      display_file.bytes() + (by_rows ? 0 : kBytesOfPixel * pixels * samples),
+      bytes_of_scene + (by_rows ? 0 : kBytesOfPixel * pixels * samples),
       [&] { return fmt::format("{} of {} x {}", file.string(), options.width, options.height); },
       draw);
 }
@@ -489,7 +491,7 @@ void draw_into_file(const GraphicsSystem& system, const std::filesystem::path& f
   const HiddenMethod method = picture_kind(file, options) == PictureKind::raster
                                   ? method_in_force(system, hidden_surface_options(options))
                                   : drawing_method(system, options, PictureKind::vector);
-  with_memory_of_drawing(system.display_file(), file, options, [&] {
+  with_memory_of_drawing(system.display_file().bytes(), file, options, [&] {
     draw_up_to_date(
         system, options, method, kept.sorted,
         [&](const DisplayFile& sorted, const RasterRequest& request) {
@@ -625,8 +627,11 @@ void ViewRenderer::draw(const View& view, const std::filesystem::path& file,
                         const DrawOptions& options, const glm::dmat3& lights_turned) {
   const RasterRequest request = raster_request_of_view(options);
   require_drawable(file, options);
-  write_picture(ViewSource(kept_->viewer, view, lights_turned, options, kept_->software), request,
-                file, options);
+  const SceneViewer& viewer = kept_->viewer;
+  with_memory_of_drawing(viewer.bytes(), file, options, [&] {
+    write_picture(ViewSource(kept_->viewer, view, lights_turned, options, kept_->software), request,
+                  file, options);
+  });
 }
 
 DisplayFile ViewRenderer::display_file(const View& view, const glm::dmat3& lights_turned) const {

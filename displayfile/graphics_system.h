@@ -261,6 +261,12 @@ class GraphicsSystem {
   /// Keeps what is drawn in world coordinates too, from now on; null stops. The scene must live
   /// on. Error: there are segments already.
   void retain(RetainedScene* scene);
+  /// The same, but what is drawn is kept there alone: the display file has its segments, with
+  /// nothing in them. For who draws views of the scene (displayfile/scene_viewer.h), which writes a
+  /// display file for who asks.
+  void retain_alone(RetainedScene& scene);
+  /// What is drawn is in the retained scene alone.
+  bool retains_alone() const { return retains_alone_; }
   /// What is retained, by retain or set_hidden_method; null if nothing is.
   const RetainedScene* retained() const { return own_retained_ ? &*own_retained_ : retained_; }
 
@@ -290,6 +296,8 @@ class GraphicsSystem {
   void polygon(std::span<const Point3> object);
   void enter(const WorldPolygon& polygon);
   std::span<const Point3> shared_world(std::span<const Point3> vertices);
+  void make_room_for_shared(std::span<const Point3> world, std::size_t polygons,
+                            std::size_t corners);
   void enter_shared(std::span<const Point3> world, std::span<const std::uint32_t> corners,
                     Segment& segment);
   RetainedScene* retaining() { return own_retained_ ? &*own_retained_ : retained_; }
@@ -320,6 +328,7 @@ class GraphicsSystem {
   Recorder* recorder_ = nullptr;
   RetainedScene* retained_ = nullptr;          // the application's
   std::optional<RetainedScene> own_retained_;  // in its place, for world_ray_cast
+  bool retains_alone_ = false;
 
   Triangulation triangulation_;
   std::vector<Point3> object_points_, world_points_;  // of the polygon being entered

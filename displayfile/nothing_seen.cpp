@@ -77,6 +77,26 @@ bool nothing_is_seen(const DisplayFile& display_file) {
   });
 }
 
+bool nothing_is_seen(const RetainedScene& scene, const DisplayFile& display_file) {
+  for (const RetainedScene::Segment& segment : scene.segments()) {
+    if (!display_file.segment(segment.name).visible) continue;
+    ViewStage stage{ViewVolume(segment.view)};
+    Point3 a, b;
+    for (std::uint32_t i = segment.first; i < segment.end; ++i) {
+      if (!scene.draws(i)) continue;
+      const bool is_in_view =
+          scene[i].is_line()
+              ? stage.pipeline().clip_line(scene.points(i)[0], scene.points(i)[1], a, b)
+              : !stage.view_polygon(scene.polygon(i), scene.attributes(i)).polygon.vertices.empty();
+      if (is_in_view) return false;
+    }
+    for (const RetainedScene::Text& text : scene.texts(segment)) {
+      if (stage.pipeline().view(text.anchor).outcode == 0) return false;
+    }
+  }
+  return true;
+}
+
 std::string why_nothing_is_seen(const RetainedScene& scene, const DisplayFile& display_file) {
   if (scene.size() == 0) {
     const bool texts = std::ranges::any_of(

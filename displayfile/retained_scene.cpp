@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 
+#include "clip/back_face.h"
 #include "clip/error.h"
 #include "displayfile/display_file.h"
 #include "hidden/exact/plane.h"
@@ -193,8 +194,27 @@ void RetainedScene::enter_line(const Point3& from, const Point3& to, const Attri
                     .pick = -1});
 }
 
-void RetainedScene::begin_shared(std::size_t vertices) {
+void RetainedScene::begin_shared(std::size_t vertices, std::size_t polygons, std::size_t corners) {
   number_of_shared_.assign(vertices, kNotKept);
+  const auto make_room = [](auto& values, std::size_t more) {
+    // No less than twice of what there was: many calls of few polygons do not copy all each time.
+    const std::size_t size = values.size() + more;
+    if (size > values.capacity()) values.reserve(std::max(size, 2 * values.size()));
+  };
+  make_room(primitives_, polygons);
+  make_room(corners_, corners);
+  make_room(edge_visible_, corners);
+  make_room(points_, std::min(vertices, corners));
+}
+
+/// A corner of a polygon that is being entered: its vertex is kept if no polygon had it before.
+void RetainedScene::enter_shared_corner(std::uint32_t corner, const Point3& vertex) {
+  std::uint32_t& number = number_of_shared_[corner];
+  if (number == kNotKept) {
+    number = static_cast<std::uint32_t>(points_.size());
+    points_.push_back(vertex);
+  }
+  corners_.push_back(number);
 }
 
 void RetainedScene::enter_shared(std::span<const std::uint32_t> corners,
@@ -203,14 +223,33 @@ void RetainedScene::enter_shared(std::span<const std::uint32_t> corners,
   begin_primitive(corners.size(), attributes, polygon.pick);
   name_points();
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    std::uint32_t& number = number_of_shared_[corners[k]];
-    if (number == kNotKept) {
-      number = static_cast<std::uint32_t>(points_.size());
-      points_.push_back(polygon.vertices[k]);
-    }
-    corners_.push_back(number);
+    enter_shared_corner(corners[k], polygon.vertices[k]);
   }
   finish_primitive(polygon);
+}
+
+void RetainedScene::enter_shared_triangles(std::span<const Point3> world,
+                                           std::span<const std::uint32_t> corners,
+                                           const Attributes& attributes, std::int32_t pick,
+                                           std::int32_t step) {
+  if (segments_.empty() || corners.empty()) return;
+  require_room(corners.size());
+  name_points();
+  const std::uint32_t looks = number_of(attributes);
+  if (attributes.light) {
+    normals_.resize(primitives_.size(), kNoDirection);
+    normals_.reserve(primitives_.size() + corners.size() / 3);
+  }
+  auto first = static_cast<std::uint32_t>(all_corners());
+  for (std::size_t k = 0; k < corners.size(); k += 3, first += 3, pick += step) {
+    const auto triangle = corners.subspan(k, 3);
+    primitives_.push_back({first, 3, looks, pick});
+    for (const std::uint32_t corner : triangle) enter_shared_corner(corner, world[corner]);
+    if (attributes.light) normals_.push_back(newell_normal(PointRow(world, triangle)));
+  }
+  edge_visible_.resize(first, 1);
+  segments_.back().end = size();
+  segments_.back().end_point = static_cast<std::uint32_t>(points_.size());
 }
 
 /// From here on corners may share points.
@@ -220,12 +259,16 @@ void RetainedScene::name_points() {
   std::iota(corners_.begin(), corners_.end(), 0u);
 }
 
+void RetainedScene::require_room(std::size_t corners) const {
+  if (all_corners() + corners >= std::numeric_limits<std::uint32_t>::max()) {
+    throw Error("too many points to retain: expected fewer than 2^32 - 1");
+  }
+}
+
 /// Makes sure that there is room for its corners, before anything is changed.
 void RetainedScene::begin_primitive(std::size_t sides, const Attributes& attributes,
                                     std::int32_t pick) {
-  if (all_corners() + sides >= std::numeric_limits<std::uint32_t>::max()) {
-    throw Error("too many points to retain: expected fewer than 2^32 - 1");
-  }
+  require_room(sides);
   primitives_.push_back({static_cast<std::uint32_t>(all_corners()),
                          static_cast<std::uint32_t>(sides), number_of(attributes), pick});
   segments_.back().end = size();

@@ -112,11 +112,15 @@ class RetainedScene {
   void enter_line(const Point3& from, const Point3& to, const Attributes& attributes,
                   std::int32_t pick);
   /// The polygons that are entered by enter_shared from here on share so many vertices; those that
-  /// some polygon uses are kept, once each.
-  void begin_shared(std::size_t vertices);
+  /// some polygon uses are kept, once each. Makes room for so many polygons and corners.
+  void begin_shared(std::size_t vertices, std::size_t polygons = 0, std::size_t corners = 0);
   /// A polygon whose vertices are those of these indices among the shared ones.
   void enter_shared(std::span<const std::uint32_t> corners, const WorldPolygon& polygon,
                     const Attributes& attributes);
+  /// The same for triangles, three corners each, all sides visible: the first has that pick
+  /// identifier, each other `step` more than the one before it. `world` are the shared vertices.
+  void enter_shared_triangles(std::span<const Point3> world, std::span<const std::uint32_t> corners,
+                              const Attributes& attributes, std::int32_t pick, std::int32_t step);
   void enter_text(const Point3& anchor, std::string_view characters, const Attributes& attributes);
 
  private:
@@ -125,7 +129,9 @@ class RetainedScene {
     return std::span(of_corners).subspan(primitives_[i].first, primitives_[i].sides);
   }
   std::size_t all_corners() const { return edge_visible_.size(); }
+  void require_room(std::size_t corners) const;
   void begin_primitive(std::size_t sides, const Attributes& attributes, std::int32_t pick);
+  void enter_shared_corner(std::uint32_t corner, const Point3& vertex);
   void enter_corners(std::span<const Point3> points);
   void finish_primitive(const WorldPolygon& polygon);
   void name_points();

@@ -342,9 +342,10 @@ Picture with_memory_of_picture(const DrawOptions& options, const SoftwareRendere
 }
 
 /// Draws into a file: by rows, but for a device that has the whole picture in memory, with a depth
-/// for each of its pixels. What a method makes of the display file is no smaller than it is.
+/// for each of its pixels. What a method makes of a scene of so many bytes is no smaller than it
+/// is.
 template <class Draw>
-void with_memory_of_drawing(const DisplayFile& display_file, const std::filesystem::path& file,
+void with_memory_of_drawing(std::size_t bytes_of_scene, const std::filesystem::path& file,
                             const DrawOptions& options, Draw&& draw) {
   constexpr std::size_t kBytesOfPixel = 8;
   const bool by_rows = device_of(options.device).draw_rows != nullptr;
@@ -352,7 +353,7 @@ void with_memory_of_drawing(const DisplayFile& display_file, const std::filesyst
       static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
   const auto samples = static_cast<std::size_t>(options.samples * options.samples);
   with_memory(
-      display_file.bytes() + (by_rows ? 0 : kBytesOfPixel * pixels * samples),
+      bytes_of_scene + (by_rows ? 0 : kBytesOfPixel * pixels * samples),
       [&] { return fmt::format("{} of {} x {}", file.string(), options.width, options.height); },
       draw);
 }
@@ -490,7 +491,7 @@ void draw_into_file(const GraphicsSystem& system, const std::filesystem::path& f
   const HiddenMethod method = picture_kind(file, options) == PictureKind::raster
                                   ? method_in_force(system, hidden_surface_options(options))
                                   : drawing_method(system, options, PictureKind::vector);
-  with_memory_of_drawing(system.display_file(), file, options, [&] {
+  with_memory_of_drawing(system.display_file().bytes(), file, options, [&] {
     draw_up_to_date(
         system, options, method, kept.sorted,
         [&](const DisplayFile& sorted, const RasterRequest& request) {
@@ -626,8 +627,11 @@ void ViewRenderer::draw(const View& view, const std::filesystem::path& file,
                         const DrawOptions& options, const glm::dmat3& lights_turned) {
   const RasterRequest request = raster_request_of_view(options);
   require_drawable(file, options);
-  write_picture(ViewSource(kept_->viewer, view, lights_turned, options, kept_->software), request,
-                file, options);
+  const SceneViewer& viewer = kept_->viewer;
+  with_memory_of_drawing(viewer.bytes(), file, options, [&] {
+    write_picture(ViewSource(kept_->viewer, view, lights_turned, options, kept_->software), request,
+                  file, options);
+  });
 }
 
 DisplayFile ViewRenderer::display_file(const View& view, const glm::dmat3& lights_turned) const {

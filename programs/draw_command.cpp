@@ -141,16 +141,19 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
                           turntable_views(*turntable), stats, left_out);
   }
   if (stats) reset_predicate_counts();
-  const DrawnInputs entered(drawn, drawing, meshes, shading.shading());
+  const PictureKind kind = picture_kind(file, drawing);
+  const bool picture_alone = kind == PictureKind::raster && !explain && !stats && !pick;
+  const DrawnInputs entered(
+      drawn, drawing, meshes, shading.shading(),
+      picture_alone ? DrawnInputs::Use::picture : DrawnInputs::Use::display_file);
   warn_of_stretched_window(entered.system(), file.string(), drawing.width, drawing.height);
   const GraphicsSystem& system = entered.system();
-  const PictureKind kind = picture_kind(file, drawing);
   std::string text = explain ? explanation_of_method(system, entered.options(), kind) : "";
   SortedDisplayFile sorted;
   {
-    const Progress progress(fmt::format("drawing {} polygons", system.display_file().polygons()));
+    const Progress progress(fmt::format("drawing {} polygons", entered.polygons()));
     make_folders();
-    draw(system, file, entered.options(), sorted);
+    entered.draw(file, sorted);
   }
   left_out.note(system.display_file(), drawing, kind);
   entered.warn_if_nothing_is_seen();

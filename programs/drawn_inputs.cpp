@@ -8,19 +8,52 @@
 
 #include "displayfile/input_file.h"
 #include "displayfile/nothing_seen.h"
+#include "interp/view_renderer.h"
+#include "interp/visibility/image_space.h"
 #include "programs/inputs.h"
 #include "programs/warnings.h"
 
 namespace displayfile {
 
+namespace {
+
+/// By a method that views a retained scene, on a device that needs no display file.
+bool draws_views(const DrawOptions& options) {
+  return options.hidden && is_image_space(*options.hidden) &&
+         options.hidden != HiddenMethod::world_ray_cast &&
+         options.device == raster_devices().front().name;
+}
+
+}  // namespace
+
 DrawnInputs::DrawnInputs(std::span<const std::string> inputs, const DrawOptions& options,
-                         const MeshWords& meshes, Shading shading)
+                         const MeshWords& meshes, Shading shading, Use use)
     : inputs_(inputs), options_(options), meshes_(meshes), shading_(shading) {
-  if (options.hidden == HiddenMethod::world_ray_cast) system_.retain(&scene_);
-  enter(system_);
-  if (!options_.hidden && std::ranges::none_of(inputs, is_drawing_program)) {
-    options_.hidden = HiddenMethod::automatic;
+  if (!options_.hidden && are_bare_meshes()) options_.hidden = HiddenMethod::automatic;
+  if (options.hidden == HiddenMethod::world_ray_cast) {
+    system_.retain(&scene_);
+  } else if (use == Use::picture && are_bare_meshes() && draws_views(options_)) {
+    system_.retain_alone(scene_);
   }
+  enter(system_);
+}
+
+bool DrawnInputs::are_bare_meshes() const {
+  return std::ranges::none_of(inputs_, is_drawing_program);
+}
+
+std::size_t DrawnInputs::polygons() const {
+  return system_.retains_alone() ? scene_.size() : system_.display_file().polygons();
+}
+
+/// Bare meshes are drawn in one view.
+void DrawnInputs::draw(const std::filesystem::path& file, SortedDisplayFile& kept) const {
+  if (!system_.retains_alone()) return displayfile::draw(system_, file, options_, kept);
+  DrawOptions options = options_;
+  if (!options.background) options.background = system_.background();
+  if (!options.precision) options.precision = system_.precision();
+  ViewRenderer renderer(scene_, system_.display_file());
+  renderer.draw(scene_.segments().front().view, file, options);
 }
 
 void DrawnInputs::enter(GraphicsSystem& system) const {
@@ -47,8 +80,14 @@ std::string DrawnInputs::why_nothing_is_seen() const {
   return displayfile::why_nothing_is_seen(scene, drawn);
 }
 
+bool DrawnInputs::nothing_is_seen() const {
+  const DisplayFile& drawn = system_.display_file();
+  return system_.retains_alone() ? displayfile::nothing_is_seen(scene_, drawn)
+                                 : displayfile::nothing_is_seen(drawn);
+}
+
 void DrawnInputs::warn_if_nothing_is_seen() const {
-  if (!nothing_is_seen(system_.display_file())) return;
+  if (!nothing_is_seen()) return;
   const std::string why = why_nothing_is_seen();
   warnings() << fmt::format("{}{}: nothing is seen: {}\n", input_name(inputs_.front()),
                             inputs_.size() > 1 ? " and others" : "", why);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
 #include <span>
 #include <string>
 
@@ -13,15 +15,24 @@ namespace displayfile {
 /// Inputs entered into a system of their own, as the command draws them.
 class DrawnInputs {
  public:
+  /// What is done with them but a picture of pixels.
+  enum class Use { picture, display_file };
   /// Throws Error as enter_inputs does. The inputs must live on.
   DrawnInputs(std::span<const std::string> inputs, const DrawOptions& options,
-              const MeshWords& meshes, Shading shading);
+              const MeshWords& meshes, Shading shading, Use use = Use::display_file);
   DrawnInputs(const DrawnInputs&) = delete;
   DrawnInputs& operator=(const DrawnInputs&) = delete;
 
+  /// Bare meshes of which no more than a picture of pixels is wanted, found in image space, are
+  /// retained alone: its display file is then empty.
   const GraphicsSystem& system() const { return system_; }
   /// As given, but for bare meshes with the method that is picked for them.
   const DrawOptions& options() const { return options_; }
+
+  std::size_t polygons() const;  ///< of the display file, or retained
+
+  /// Draws them; `kept` is the display file as it was sorted, if one was.
+  void draw(const std::filesystem::path& file, SortedDisplayFile& kept) const;
 
   /// Warns, with the reason, if the picture is empty. The reason is worked out only then, for which
   /// inputs that were not retained are entered once more.
@@ -29,6 +40,8 @@ class DrawnInputs {
 
  private:
   void enter(GraphicsSystem& system) const;
+  bool are_bare_meshes() const;
+  bool nothing_is_seen() const;
   std::string why_nothing_is_seen() const;
 
   std::span<const std::string> inputs_;

@@ -12,7 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "clip/error.h"
+#include "displayfile/nothing_seen.h"
 #include "displayfile/retained_views.h"
+#include "displayfile/scene_viewer.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
 #include "tests/error_of.h"
@@ -91,6 +94,67 @@ TEST(ManyPolygons, AreEnteredAsOneByOne) {
     }
     EXPECT_EQ(dumps[0], dumps[1]) << "seed " << seed;
   }
+}
+
+/// What a view of a scene that is retained alone, or beside a display file, is written as.
+std::string retained_view(std::uint32_t seed, bool alone, bool triangles) {
+  SharedPolygons polygons(seed);
+  if (triangles) {
+    polygons.sides.clear();
+    polygons.corners.resize(polygons.corners.size() / 3 * 3);
+  }
+  RetainedScene scene;
+  GraphicsSystem g;
+  alone ? g.retain_alone(scene) : g.retain(&scene);
+  EXPECT_EQ(g.retains_alone(), alone);
+  if (seed % 2 == 0) g.set_perspective({0.5, 0.25, 3});
+  if (seed % 4 < 2) g.set_light({1, 2, 3});
+  if (seed % 5 == 1) g.set_pick_id(7);
+  if (seed % 5 == 2) g.set_shading(Shading::gouraud);
+  g.set_back_face_removal(seed % 3 == 0);
+  g.rotate_y_3(10.0 * seed);
+  for (const int name : {1, 2}) {
+    g.open_segment(name);
+    if (name == 2 || seed % 7 != 3) g.line_rel_3(0.1, 0.2, 0.3);
+    const FillStyle fill{FillStyle::Kind::solid, Colour(0.25 * name)};
+    g.polygons_abs_3(polygons.vertices, polygons.corners, polygons.sides, std::span(&fill, 1));
+    g.text("a word");
+    g.set_vertex_normals({{0, 0, 1}, {0, 1, 1}, {1, 0, 1}});
+    g.polygon_abs_3({{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}});
+    g.close_segment();
+  }
+  EXPECT_EQ(g.attributes().fill, FillStyle{});
+  const std::string view = dump(SceneViewer(scene, g.display_file()).display_file(g.view()));
+  if (!alone) {
+    EXPECT_EQ(view, dump(g.display_file()));
+    EXPECT_EQ(nothing_is_seen(scene, g.display_file()), nothing_is_seen(g.display_file()));
+  } else {
+    EXPECT_EQ(g.display_file().polygons(), 0u);
+    EXPECT_TRUE(nothing_is_seen(g.display_file()));
+  }
+  return view + std::to_string(g.polygons_entered());
+}
+
+TEST(ManyPolygons, RetainedAloneAreSeenAsThoseOfADisplayFile) {
+  for (std::uint32_t seed = 0; seed < 32; ++seed) {
+    for (const bool triangles : {false, true}) {
+      EXPECT_EQ(retained_view(seed, true, triangles), retained_view(seed, false, triangles))
+          << "seed " << seed;
+    }
+  }
+}
+
+TEST(ManyPolygons, AreNotRetainedAloneAfterOthers) {
+  RetainedScene scene;
+  GraphicsSystem g;
+  g.open_segment(1);
+  g.close_segment();
+  EXPECT_THROW(g.retain_alone(scene), Error);
+  EXPECT_FALSE(g.retains_alone());
+  GraphicsSystem other;
+  other.retain_alone(scene);
+  other.retain(nullptr);
+  EXPECT_FALSE(other.retains_alone());
 }
 
 /// Two segments of polygons with shared vertices, one with own, and a line in each; retained.

@@ -48,6 +48,39 @@ TEST_F(MeshCommand, ColourIsThatOfAllMeshes) {
   EXPECT_EQ(run("compare t-001.png u-001.png"), 0) << out_;
 }
 
+/// With --stats a display file is written and drawn; without, the mesh is viewed as it is retained.
+TEST_F(MeshCommand, PicturesAreTheSameWithADisplayFileAndWithout) {
+  write("mixed.off",
+        "OFF\n6 4 0\n0 0 0\n1 0 0\n1 1 0.5\n0 1 0\n0 0 1\n2 2 2\n"
+        "4 0 1 2 3\n3 0 1 4\n3 1 2 4 1 0 0\n3 0 5 4\n");
+  for (const char* input : {"m.obj", "plain.obj", "mixed.off", "m.obj mixed.off"}) {
+    for (const char* options :
+         {"", "--shading gouraud", "--hidden z-buffer", "--hidden scan-line --precision roundoff",
+          "--samples 3", "--eye 0.4,0.3,0.2 --look-at 1,1,0 --fov 70", "--background none",
+          "--threads 3", "--hidden bsp", "--hidden none"}) {
+      const std::string drawing = std::string("draw ") + input + " --size 97x64 " + options;
+      ASSERT_EQ(run(drawing + " -o a.png --ids a.npy --depth ad.npy"), 0) << drawing << err_;
+      const std::string said = err_;
+      ASSERT_EQ(run(drawing + " -o b.png --ids b.npy --depth bd.npy --stats"), 0) << err_;
+      EXPECT_EQ(err_, said);
+      for (const char* rest : {".png", ".npy", "d.npy"}) {
+        EXPECT_EQ(read(folder_ / (std::string("a") + rest)),
+                  read(folder_ / (std::string("b") + rest)))
+            << drawing << " " << rest;
+      }
+    }
+  }
+}
+
+TEST_F(MeshCommand, SaysWhyNothingIsSeenWithADisplayFileAndWithout) {
+  const std::string drawing = "draw plain.obj -o a.png --eye 9,9,9 --look-at 20,20,20 --fov 20";
+  ASSERT_EQ(run(drawing), 0) << err_;
+  const std::string said = err_;
+  EXPECT_NE(said.find("nothing is seen"), std::string::npos) << said;
+  EXPECT_EQ(run(drawing + " --stats"), 0) << err_;
+  EXPECT_EQ(err_, said);
+}
+
 TEST_F(MeshCommand, BadColoursAreRefused) {
   for (const char* bad :
        {"1", "1,0", "1,0,", "1,0,0,", "1,0,0,0", "1,0,0 ", "red", "1.5,0,0", "-0.1,0,0", "nan,0,0",

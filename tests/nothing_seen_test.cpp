@@ -19,6 +19,7 @@ std::string why(std::string_view program) {
   RetainedScene scene;
   system.retain(&scene);
   replay(program, "program", system);
+  EXPECT_EQ(nothing_is_seen(scene, system.display_file()), nothing_is_seen(system.display_file()));
   return nothing_is_seen(system.display_file()) ? why_nothing_is_seen(scene, system.display_file())
                                                 : "";
 }

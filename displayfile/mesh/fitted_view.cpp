@@ -144,6 +144,7 @@ FittedView::FittedView(std::span<const Point3> world, double aspect, const Camer
     places = turned(world, scene_.middle(), upright_);
     world = places;
   }
+  points_.reserve(world.size());
   for (const Point3& p : world) points_.emplace_back(view_plane_ * HomogeneousPoint(p, 1.0));
   if (camera.angle_of_view) {
     const double slope = slope_of(*camera.angle_of_view);
@@ -165,6 +166,7 @@ FittedView::FittedView(std::span<const Point3> world, double aspect, const View&
   View along_normal = said;  // any direction will do for the axes of the view plane
   along_normal.set_parallel(said.plane_normal);
   view_plane_ = ViewVolume(along_normal).view_plane();
+  points_.reserve(world.size());
   for (const Point3& p : world) points_.emplace_back(view_plane_ * HomogeneousPoint(p, 1.0));
   if (camera_.parallel) {
     const Point3 along(view_plane_ * HomogeneousPoint(said.direction_of_projection, 0.0));

@@ -96,17 +96,24 @@ void enter_object(const Mesh& mesh, const Mesh::Object& object, std::span<const 
                   GraphicsSystem& system) {
   const std::size_t begin = mesh.first_corner[object.first_face];
   const std::size_t end = mesh.first_corner[object.first_face + object.faces];
-  std::vector<std::uint32_t> corners(mesh.corners.begin() + static_cast<std::ptrdiff_t>(begin),
-                                     mesh.corners.begin() + static_cast<std::ptrdiff_t>(end));
+  std::span<const std::uint32_t> corners = std::span(mesh.corners).subspan(begin, end - begin);
   const auto [low, high] = std::ranges::minmax(corners);
   const std::size_t vertices = std::size_t{high} - low + 1;
   if (!mesh.corner_normals.empty() || vertices > 2 * corners.size()) {
     return system.keep_fill_style([&] { enter_one_by_one(mesh, object, fills, system); });
   }
-  for (std::uint32_t& corner : corners) corner -= low;
-  std::vector<std::uint32_t> sides;
-  for (std::size_t i = object.first_face; i < object.first_face + object.faces; ++i) {
-    sides.push_back(static_cast<std::uint32_t>(mesh.face(i).size()));
+  std::vector<std::uint32_t> from_low;
+  if (low > 0) {
+    from_low.assign(corners.begin(), corners.end());
+    for (std::uint32_t& corner : from_low) corner -= low;
+    corners = from_low;
+  }
+  std::vector<std::uint32_t> sides;  // none: all are triangles
+  if (corners.size() > 3 * object.faces) {
+    sides.reserve(object.faces);
+    for (std::size_t i = object.first_face; i < object.first_face + object.faces; ++i) {
+      sides.push_back(static_cast<std::uint32_t>(mesh.face(i).size()));
+    }
   }
   system.polygons_abs_3(std::span(mesh.vertices).subspan(low, vertices), corners, sides, fills);
 }

@@ -397,7 +397,8 @@ class PlyReader {
   }
 
   std::uint32_t index(double value, const PlyPlace& place) const {
-    if (!(value >= 0.0 && value < static_cast<double>(vertices_) && value == std::floor(value))) {
+    const bool in_range = value >= 0.0 && value < static_cast<double>(vertices_);
+    if (!in_range || value != static_cast<double>(static_cast<std::int64_t>(value))) {
       values_.fail(place, fmt::format("vertex index {} out of range: expected 0 to {}", value,
                                       vertices_ - 1));
     }

@@ -21,7 +21,9 @@ void GraphicsSystem::line_to(const Point3& object) {
     if (RetainedScene* scene = retaining()) {
       scene->enter_line(pen_.world, end.world, attributes_, pick_);
     }
-    view_stage_->enter_line(pen_.world, end.world, attributes_.line, segment);
+    if (!retains_alone_) {
+      view_stage_->enter_line(pen_.world, end.world, attributes_.line, segment);
+    }
   }
   pen_ = end;
 }
@@ -79,7 +81,9 @@ void GraphicsSystem::text(std::string_view characters) {
     if (RetainedScene* scene = retaining()) {
       scene->enter_text(pen_.world, characters, attributes_);
     }
-    view_stage_->enter_text(pen_.world, characters, attributes_, display_file_.segment(*open_));
+    if (!retains_alone_) {
+      view_stage_->enter_text(pen_.world, characters, attributes_, display_file_.segment(*open_));
+    }
   }
   if (recorder_ == nullptr) return;
   const std::string quoted = in_quotation_marks(characters);

@@ -113,7 +113,9 @@ void GraphicsSystem::enter_triangles(const Point3& normal, std::span<const Point
 
 void GraphicsSystem::enter(const WorldPolygon& polygon) {
   if (RetainedScene* scene = retaining()) scene->enter_polygon(polygon, attributes_);
-  view_stage_->enter_polygon(polygon, attributes_, display_file_.segment(*open_));
+  if (!retains_alone_) {
+    view_stage_->enter_polygon(polygon, attributes_, display_file_.segment(*open_));
+  }
 }
 
 namespace {
@@ -163,12 +165,18 @@ void GraphicsSystem::polygons_abs_3(std::span<const Point3> vertices,
       [&] { return fmt::format("entering {} polygons of {} corners", polygons, corners.size()); },
       [&] {
         const std::span<const Point3> of_all = shared_world(vertices);
-        view_stage_->view_vertices(of_all);
-        segment.reserve_polygons(polygons, corners.size());
+        make_room_for_shared(of_all, polygons, corners.size());
         return of_all;
       });
-  if (RetainedScene* scene = retaining()) scene->begin_shared(world.size());
   keep_fill_style([&] {
+    if (retains_alone_ && sides.empty() && fills.size() <= 1 && recorder_ == nullptr) {
+      if (!fills.empty() && fills[0] != attributes_.fill) set_fill_style(fills[0]);
+      const bool all_of_one = pick_ >= 0;
+      const auto pick = all_of_one ? pick_ : static_cast<std::int32_t>(ordinal_);
+      retaining()->enter_shared_triangles(world, corners, attributes_, pick, all_of_one ? 0 : 1);
+      ordinal_ += static_cast<std::int64_t>(polygons);
+      return;
+    }
     std::size_t first = 0;
     for (std::size_t k = 0; k < polygons; ++k) {
       if (k < fills.size() && fills[k] != attributes_.fill) set_fill_style(fills[k]);
@@ -192,6 +200,14 @@ std::span<const Point3> GraphicsSystem::shared_world(std::span<const Point3> ver
   return shared_world_;
 }
 
+void GraphicsSystem::make_room_for_shared(std::span<const Point3> world, std::size_t polygons,
+                                          std::size_t corners) {
+  if (RetainedScene* scene = retaining()) scene->begin_shared(world.size(), polygons, corners);
+  if (retains_alone_) return;
+  view_stage_->view_vertices(world);
+  display_file_.segment(*open_).reserve_polygons(polygons, corners);
+}
+
 /// One polygon of many.
 void GraphicsSystem::enter_shared(std::span<const Point3> world,
                                   std::span<const std::uint32_t> corners, Segment& segment) {
@@ -208,7 +224,7 @@ void GraphicsSystem::enter_shared(std::span<const Point3> world,
   }
   const WorldPolygon polygon{std::span(vertices), {}, normal, {}, pick};
   if (RetainedScene* scene = retaining()) scene->enter_shared(corners, polygon, attributes_);
-  view_stage_->enter_shared(corners, polygon, attributes_, segment);
+  if (!retains_alone_) view_stage_->enter_shared(corners, polygon, attributes_, segment);
 }
 
 }  // namespace displayfile

@@ -98,6 +98,12 @@ void GraphicsSystem::retain(RetainedScene* scene) {
   }
   retained_ = scene;
   own_retained_.reset();
+  retains_alone_ = false;
+}
+
+void GraphicsSystem::retain_alone(RetainedScene& scene) {
+  retain(&scene);
+  retains_alone_ = true;
 }
 
 }  // namespace displayfile

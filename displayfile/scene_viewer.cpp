@@ -304,7 +304,8 @@ SceneViewer::SceneViewer(const RetainedScene& scene, const DisplayFile& attribut
 }
 
 SceneViewer::Look SceneViewer::look_of(const Attributes& attributes) {
-  const bool lit = attributes.light.has_value(), outlined = is_outlined(attributes);
+  const auto lit = static_cast<bool>(attributes.light);
+  const bool outlined = is_outlined(attributes);
   return {.colour = attributes.fill.colour,
           .is_nothing = !is_solid(attributes) && !outlined,
           .is_plain = is_solid(attributes) && !outlined && !(lit && attributes.shadows),

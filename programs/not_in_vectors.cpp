@@ -30,9 +30,9 @@ void NotInVectors::note(const DisplayFile& drawn, const DrawOptions& options, Pi
 
 void NotInVectors::warn(const std::string& output) const {
   std::vector<std::string_view> left_out;
-  if (shading_) left_out.push_back("Gouraud shading (a polygon is filled evenly)");
-  if (shadows_) left_out.push_back("shadows");
-  if (samples_) left_out.push_back("--samples");
+  if (shading_) left_out.emplace_back("Gouraud shading (a polygon is filled evenly)");
+  if (shadows_) left_out.emplace_back("shadows");
+  if (samples_) left_out.emplace_back("--samples");
   if (left_out.empty()) return;
   warnings() << fmt::format("{}: vectors leave out {}\n", output, fmt::join(left_out, ", "));
 }

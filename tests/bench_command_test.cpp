@@ -363,7 +363,9 @@ TEST_F(Bench, ThePageBeginsWithSpeedAgainstErrorOfAll) {
   }
   ASSERT_GT(times.size(), 20u);
   const std::string written = read(folder_ / "R.md");
-  for (const auto& [name, time] : times) {
+  for (const auto& timed : times) {
+    const auto& name = timed.first;
+    const double time = timed.second;
     const auto error_of = [&](const std::string& of) {
       return errors.at(of).first / errors.at(of).second;
     };

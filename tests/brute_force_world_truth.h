@@ -215,7 +215,8 @@ class BruteForceWorldTruth {
       covered ^= std::ranges::all_of(*parts, [](const Value& part) { return part.sign() > 0; });
     }
     if (!covered) return std::nullopt;
-    const auto value = [&](auto&& of) { return sum(*on_plane, of(v[p]), of(v[q]), of(v[r])); };
+    const auto &of_p = v[p], &of_q = v[q], &of_r = v[r];
+    const auto value = [&](auto&& of) { return sum(*on_plane, of(of_p), of(of_q), of(of_r)); };
     const auto is_outside = [&](auto&& of) { return value(of).sign() < 0; };
     if (is_outside([](const Vertex& a) -> Q { return a.x; }) ||
         is_outside([](const Vertex& a) -> Q { return a.w - a.x; }) ||

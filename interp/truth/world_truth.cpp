@@ -98,7 +98,7 @@ void SegmentView::enter(std::uint32_t primitive) {
     return;
   const std::int32_t pick = retained_[primitive].pick;
   // Whatever clipping leaves of a triangle is in its plane.
-  if (is_triangle) return picture_.enter(points_, {&whole_[0], &whole_[1], &whole_[2]}, pick);
+  if (is_triangle) return picture_.enter(points_, {whole_.data(), &whole_[1], &whole_[2]}, pick);
   std::optional<Indices> support = support_in_display_file(world);
   if (!support) support = exact_support_of(points_);
   const auto& [p, q, r] = *support;

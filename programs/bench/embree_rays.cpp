@@ -90,7 +90,7 @@ struct EmbreeRays::Scene {
 std::optional<std::string> EmbreeRays::version() { return RTC_VERSION_STRING; }
 
 int EmbreeRays::packet_width() {
-  const RTCDevice device = device_of(1);
+  auto* const device = device_of(1);
   const auto is_native = [&](RTCDeviceProperty property) {
     return rtcGetDeviceProperty(device, property) != 0;
   };
@@ -115,7 +115,7 @@ EmbreeRays::Input::Input(const Triangles& triangles, const PictureSize& of_pictu
 
 EmbreeRays::EmbreeRays(const Input& input, int threads, Quality quality)
     : scene_(std::make_unique<Scene>(input)) {
-  const RTCDevice device = device_of(threads);
+  auto* const device = device_of(threads);
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   const std::size_t triangles = input.fills.size();
   if (triangles > 0) {

@@ -12,8 +12,6 @@
 
 #include "clip/error.h"
 
-extern char** environ;
-
 namespace displayfile::bench {
 
 namespace {
@@ -30,6 +28,7 @@ std::vector<std::string> environment_with(const std::string& variable) {
 
 std::vector<char*> pointers(std::vector<std::string>& texts) {
   std::vector<char*> all;
+  all.reserve(texts.size() + 1);
   for (std::string& text : texts) all.push_back(text.data());
   all.push_back(nullptr);
   return all;

@@ -11,7 +11,7 @@
 namespace displayfile {
 
 void PictureSizeWord::add_to(CLI::App& command) {
-  command.add_option("--size", size, "WIDTHxHEIGHT in pixels")
+  command.add_option("--size", size, "WIDTHxHEIGHT in pixels; of a PDF, in points")
       ->capture_default_str()
       ->group(kPictureOptions);
 }

@@ -147,7 +147,7 @@ void ViewedScene::append(const ViewedScene& part, std::size_t corners, std::size
   const auto append_all = [](auto& to, const auto& from) {
     to.insert(to.end(), from.begin(), from.end());
   };
-  // Of the items, numbers of what is stored apart up to the last item that has some.
+  // Numbers that items have of what is stored apart, up to the last item that has one.
   const auto append_numbers = [&](auto& to, const auto& from, std::size_t stored) {
     if (from.empty()) return;
     to.resize(first_item, kNone);

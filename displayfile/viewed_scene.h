@@ -116,7 +116,7 @@ class ViewedScene {
   Fill end() const { return fills_ + 1; }
   Item item_of(Fill fill) const { return fill_item_.empty() ? fill - 1 : fill_item_[fill - 1]; }
   PointRow vertices(Fill fill) const { return points(item_of(fill)); }
-  /// Of a fill of three sides.
+  /// The corners of a fill, which has three sides.
   std::array<const Point3*, 3> corners_of_triangle(Fill fill) const {
     const std::uint32_t first = items_[item_of(fill)].first;
     return {&point(first), &point(first + 1), &point(first + 2)};

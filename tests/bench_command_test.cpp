@@ -383,7 +383,7 @@ std::string in_table(double ratio) {
   return fmt::format("{:.{}f}", ratio, ratio < 1.0 ? 2 : ratio < 9.95 ? 1 : 0);
 }
 
-/// Of the comparisons on so many threads with another.
+/// What the report tells of a comparison with another on so many threads.
 double times_faster(const Json& report, int threads, const std::string& other,
                     const std::string& what) {
   for (const Json& beside : report["beside"]) {

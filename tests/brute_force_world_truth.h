@@ -132,7 +132,7 @@ class BruteForceWorldTruth {
     }
   }
 
-  /// Of a triangle or a convex polygon.
+  /// Whether a triangle or a convex polygon turns its back to the viewer.
   static bool turned_away(const Polygon& polygon) {
     const auto& v = polygon.vertices;
     for (std::size_t i = 2; i < v.size(); ++i) {

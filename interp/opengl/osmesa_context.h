@@ -31,7 +31,7 @@ class OsmesaContext {
   std::uint32_t own_pixel_ = 0;  // OSMesa wants a buffer of its own, however small
 };
 
-// Of the context that is current.
+// The functions below act on the context that is current.
 
 /// Makes a framebuffer object and binds it; returns the depth bits that it has. Throws Error if
 /// OSMesa cannot draw into such a one.

@@ -35,7 +35,7 @@ class PairTable {
     return place->known;
   }
 
-  /// Of all pairs; the places stay.
+  /// Forgets what is known of all pairs; the places stay.
   void forget() { std::ranges::fill(places_, Place{}); }
 
  private:

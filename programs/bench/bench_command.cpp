@@ -257,7 +257,7 @@ FeatureCosts counted_features() {
   return feature_costs();
 }
 
-/// Of each scene in its largest picture.
+/// What the rounding of viewing decides of each scene, in its largest picture.
 std::vector<ViewingRow> rounding_of_viewing(const std::vector<BenchScene>& scenes) {
   Progress progress("viewing in exact arithmetic");
   std::vector<ViewingRow> rows;

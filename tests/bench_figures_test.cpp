@@ -1,0 +1,233 @@
+// What `displayfile bench` measures: errors, times beside others, what two runs count.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <set>
+#include <string>
+
+#include "hidden/hidden_method.h"
+#include "tests/bench_fixture.h"
+
+namespace displayfile::test {
+namespace {
+
+/// What viewing rounds decides no pixel where polygons are farther apart than that.
+TEST_F(Bench, SaysWhereExactnessBegins) {
+  ASSERT_EQ(run("bench parallel_sheets saw shingles coplanar_patches terrain --polygons 24 "
+                "--sizes 48 --methods z-buffer --roundoff none --threads 1 --rounds 1 "
+                "--seconds 0.001 --json b.json"),
+            0)
+      << err_;
+  int far_gaps = 0, coplanar = 0;
+  const Json report = json("b.json");
+  for (const Json& row : report["viewing"]) {
+    const std::string scene = row["scene"];
+    const int different = row["different"], ties = row["different_and_tied"];
+    EXPECT_LE(different, row["pixels"].get<int>()) << row;
+    EXPECT_EQ(different, ties) << row;
+    const std::size_t gap = scene.find("gap=1e-");
+    if (scene.starts_with("coplanar_patches")) coplanar += different;
+    if (gap == scene.npos || std::stoi(scene.substr(gap + 7)) > 11) continue;
+    EXPECT_EQ(different, 0) << row;
+    ++far_gaps;
+  }
+  EXPECT_EQ(far_gaps, 3 * 6);
+  EXPECT_GT(coplanar, 0);
+  EXPECT_NE(read(folder_ / "report.html").find("<h2>Where exactness begins</h2>"),
+            std::string::npos);
+}
+
+TEST_F(Bench, ExactMethodsHaveNoWrongPixelsAndOthersHave) {
+  ASSERT_EQ(run(kTiny + "--threads 1 --json b.json"), 0) << err_;
+  EXPECT_EQ(err_, "");  // no progress where there is no terminal
+  std::set<std::string> exact, wrong;
+  const Json report = json("b.json");
+  for (const Json& cell : report["cells"]) {
+    const std::string method = cell["method"];
+    const int wrong_pixels = cell["wrong_pixels"];
+    if (cell["exact"].get<bool>()) {
+      exact.insert(method);
+      EXPECT_EQ(wrong_pixels, 0) << cell;
+    } else if (wrong_pixels > 0) {
+      wrong.insert(method);
+    }
+  }
+  for (const auto& entry : displayfile::hidden_methods()) {
+    using enum displayfile::HiddenMethod;
+    const bool of_surfaces = entry.method == z_buffer || entry.method == bsp ||
+                             entry.method == depth_sort || entry.method == scan_line ||
+                             entry.method == scan_line_z || entry.method == ray_cast ||
+                             entry.method == warnock;
+    if (!entry.available || !of_surfaces) continue;
+    EXPECT_TRUE(exact.contains(std::string(entry.name))) << entry.name;
+    EXPECT_TRUE(wrong.contains(std::string(entry.name))) << entry.name << " with roundoff";
+  }
+  EXPECT_TRUE(wrong.contains("none"));
+  EXPECT_TRUE(wrong.contains("plain-z-buffer"));
+  EXPECT_FALSE(fs::exists(folder_ / "report.html.partial"));
+}
+
+/// How far the method that picks itself is from the best is printed, and follows from the cells.
+TEST_F(Bench, HoldsAutoAgainstTheBestFixedMethod) {
+  ASSERT_EQ(run(kTiny + "--threads 1 --json b.json"), 0) << err_;
+  const Json report = json("b.json");
+  std::map<std::string, double> own, best;  // of each scene
+  std::map<std::string, double> totals;     // of each fixed method
+  for (const Json& cell : report["cells"]) {
+    if (!cell["exact"].get<bool>()) continue;
+    const double time = cell["time"]["median"];
+    const std::string scene = cell["scene"], method = cell["method"];
+    if (method == "auto") {
+      own[scene] = time;
+      continue;
+    }
+    totals[method] += time;
+    best[scene] = best.contains(scene) ? std::min(best[scene], time) : time;
+  }
+  double worst = 0.0, total = 0.0, least = 1e300;
+  for (const auto& [scene, time] : own) {
+    worst = std::max(worst, time / best.at(scene));
+    total += time;
+  }
+  for (const auto& [method, time] : totals) least = std::min(least, time);
+  const Json& bounds = report["auto"];
+  EXPECT_EQ(bounds["scenes"], own.size());
+  EXPECT_NEAR(bounds["worst_over_best"].get<double>() / worst, 1.0, 1e-3);
+  EXPECT_NEAR(bounds["total_over_best_fixed"].get<double>() / (total / least), 1.0, 1e-3);
+  const std::string line = fmt::format("at worst {} times", bounds["worst_over_best"].dump());
+  EXPECT_NE(out_.find(line), out_.npos) << out_;
+  std::cout << "auto is " << line << " the best method on a scene\n";
+}
+
+/// On polygons that no precision confuses all that are installed see the same.
+TEST_F(Bench, MeasuresThePeersThatAreInstalled) {
+  write("easy.draw",
+        "set-window 0 1 0 1\nset-line-style none\nopen-segment 1\n"
+        "polygon-abs-3 0.1 0.1 0  0.8 0.1 0  0.8 0.7 0  0.4 0.3 0\n"
+        "polygon-abs-3 0.3 0.2 -0.5  0.9 0.4 0.2  0.35 0.9 -0.2\nclose-segment\n");
+  ASSERT_EQ(
+      run("bench easy.draw soup --polygons 24 --sizes 32 --rounds 1 --threads 1 --json b.json"), 0)
+      << err_;
+  const Json report = json("b.json");
+  std::map<std::string, int> cells;
+  for (const Json& cell : report["cells"]) {
+    const std::string method = cell["method"], scene = cell["scene"];
+    if (method != "embree" && method != "gl2ps") continue;
+    ++cells[method];
+    EXPECT_FALSE(cell["exact"].get<bool>());
+    EXPECT_FALSE(cell.contains("bytes"));
+    EXPECT_EQ(cell.contains("fragments_per_polygon"), method == "gl2ps");
+    if (scene != "easy.draw 32x32") continue;
+    EXPECT_EQ(cell["wrong_pixels"], 0) << cell;
+    EXPECT_LT(cell["largest_depth_error"], 1e-6) << cell;
+  }
+  const auto expected = [&](const char* name) {
+    return report["environment"][name] == "not in this build" ? 0 : 2;
+  };
+  EXPECT_EQ(cells["embree"], expected("Embree"));
+  EXPECT_EQ(cells["gl2ps"], 2 * expected("gl2ps"));  // with its best root, and without
+}
+
+TEST_F(Bench, TwoRunsCountTheSame) {
+  ASSERT_EQ(run(kTiny + "--threads 1,2 --json a.json -o a.html"), 0) << err_;
+  ASSERT_EQ(run(kTiny + "--threads 1,2 --json b.json -o b.html"), 0) << err_;
+  EXPECT_EQ(counts(json("a.json")), counts(json("b.json")));
+}
+
+/// A ratio as the tables have it.
+std::string in_table(double ratio) {
+  return fmt::format("{:.{}f}", ratio, ratio < 1.0 ? 2 : ratio < 9.95 ? 1 : 0);
+}
+
+/// What the report tells of a comparison with another on so many threads.
+double times_faster(const Json& report, int threads, const std::string& other,
+                    const std::string& what) {
+  for (const Json& beside : report["beside"]) {
+    if (beside["threads"] == threads && beside["other"] == other && beside["what"] == what) {
+      return beside["times_faster"]["median"];
+    }
+  }
+  ADD_FAILURE() << "no " << what << " of " << other << " on " << threads;
+  return 0.0;
+}
+
+/// On one thread and on two, on each side; and both draw the same.
+TEST_F(Bench, HoldsOursAgainstOsmesaInEachOfItsWays) {
+  write("R.md", block("osmesa", ""));
+  const int status = run(
+      "bench soup --polygons 24 --sizes 48 --rounds 1 --threads 1,2 --json b.json --readme R.md");
+  const Json report = json("b.json");
+  if (report["environment"]["OSMesa"].get<std::string>().find("bits") == std::string::npos) {
+    EXPECT_EQ(status, 2);
+    GTEST_SKIP() << "no OSMesa to be held against";
+  }
+  ASSERT_EQ(status, 0) << err_;
+  std::string row =
+      fmt::format("| soup | {} | 48 x 48 |", report["scenes"][0]["polygons"].get<int>());
+  for (const int threads : {1, 2}) {
+    for (const char* what : {"start-up", "new vertices", "moving camera", "same picture again"}) {
+      row += ' ' + in_table(times_faster(report, threads, "OSMesa", what)) + " |";
+    }
+  }
+  EXPECT_NE(read(folder_ / "R.md").find(row), std::string::npos) << row << read(folder_ / "R.md");
+  for (const Json& beside : report["beside"]) {
+    if (beside["what"] == "pixels that differ, %") {
+      EXPECT_LT(beside["count"], 3.0) << beside;
+    }
+  }
+}
+
+TEST_F(Bench, HoldsRaysAgainstEmbreesAndPiecesAgainstThoseOfGl2ps) {
+  const std::string bench = "bench soup --polygons 24 --sizes 48 --rounds 1 --threads 1 ";
+  ASSERT_EQ(run(bench + "--json b.json"), 0) << err_;
+  const Json report = json("b.json");
+  if (report["environment"]["Embree"] != "not in this build") {
+    write("R.md", block("embree", ""));
+    ASSERT_EQ(run(bench + "--json e.json --readme R.md"), 0) << err_;
+    const Json again = json("e.json");
+    std::string row = "| 48 x 48 |";
+    for (const char* what : {"rays", "building the tree"}) {
+      for (const char* other : {"Embree", "Embree, high quality"}) {
+        row += ' ' + in_table(times_faster(again, 1, other, what)) + " |";
+      }
+    }
+    EXPECT_NE(read(folder_ / "R.md").find(row), std::string::npos) << row << read(folder_ / "R.md");
+  }
+  if (report["environment"]["gl2ps"] == "not in this build") return;
+  std::map<std::string, double> pieces;
+  for (const Json& beside : report["beside"]) {
+    if (beside["what"] == "pieces a triangle") pieces[beside["other"]] = beside["count"];
+  }
+  for (const char* of : {"bsp", "depth-sort", "gl2ps", "gl2ps, best root"}) {
+    EXPECT_GE(pieces[of], 1.0) << of;
+  }
+  EXPECT_LE(pieces["gl2ps, best root"], pieces["gl2ps"]);
+}
+
+/// The same code, not another: on a scene that rounding hardly confuses hardly a pixel is wrong.
+TEST_F(Bench, HoldsEachExactMethodAgainstItselfWithoutItsExactStages) {
+  ASSERT_EQ(run("bench soup --polygons 24 --sizes 32 --rounds 1 --threads 1 --json b.json"), 0)
+      << err_;
+  std::set<std::string> methods, exact;
+  const Json report = json("b.json");
+  for (const Json& beside : report["beside"]) {
+    if (beside["other"] != "without exact stages") continue;
+    methods.insert(beside["what"].get<std::string>());
+    EXPECT_GT(beside["times_faster"]["median"], 0.0);
+    EXPECT_LE(beside["count"], 8.0) << beside;  // of 1024: edges are rounded too
+  }
+  for (const Json& cell : report["cells"]) {
+    if (cell["exact"].get<bool>() && cell["method"] != "auto") {
+      exact.insert(cell["method"].get<std::string>());
+    }
+  }
+  EXPECT_EQ(methods, exact);
+}
+
+}  // namespace
+}  // namespace displayfile::test

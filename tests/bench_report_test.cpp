@@ -1,0 +1,284 @@
+// What `displayfile bench` writes: the page, the plot and the blocks of a README.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/bench_fixture.h"
+
+namespace displayfile::test {
+namespace {
+
+/// The numbers of a cell, as they stand in the JSON and in the page's row.
+std::vector<std::string> figures(const Json& cell) {
+  std::vector<std::string> texts;
+  for (const char* name : {"wrong_pixels", "largest_depth_error", "mean_depth_error",
+                           "fragments_per_polygon", "bytes", "exact_stage_calls"}) {
+    texts.push_back(cell.contains(name) ? cell[name].dump() : "");
+  }
+  for (const char* name : {"time", "time_again"}) {
+    for (const char* part : {"median", "least", "greatest"}) {
+      texts.push_back(cell.contains(name) ? cell[name][part].dump() : "");
+    }
+  }
+  return texts;
+}
+
+TEST_F(Bench, PageHoldsEveryFigure) {
+  write("t.draw",
+        "set-window 0 1 0 1\nset-line-style none\nopen-segment 1\n"
+        "polygon-abs-3 0 0 0  1 0 0  0 1 0\nclose-segment\n");
+  ASSERT_EQ(run(kTiny + "walk t.draw --threads 1,2 --json b.json -o p.html"), 0) << err_;
+  const std::string page = read(folder_ / "p.html");
+  const Json report = json("b.json");
+  std::map<std::string, std::string> tables;  // of each scene
+  for (const Json& scene : report["scenes"]) {
+    const std::string id = scene["scene"];
+    const std::size_t start = page.find(fmt::format("<summary>{}: ", id));
+    ASSERT_NE(start, page.npos) << id;
+    tables[id] = page.substr(start, page.find("</details>", start) - start);
+    EXPECT_NE(tables[id].find(scene["polygons"].dump() + " polygons"), page.npos) << id;
+  }
+  for (const Json& cell : report["cells"]) {
+    const std::string& table = tables[cell["scene"]];
+    const std::string head =
+        fmt::format("<tr><td>{}<td class='l'>{}<td>{}<td>", cell["method"].get<std::string>(),
+                    cell["precision"].get<std::string>(), cell["threads"].get<int>());
+    const std::size_t start = table.find(head);
+    ASSERT_NE(start, table.npos) << head;
+    const auto row = fields(table.substr(start, table.find('\n', start) - start));
+    const std::vector<std::string> shown(row.begin() + 4, row.end());
+    EXPECT_EQ(shown, figures(cell)) << head;
+  }
+  ASSERT_FALSE(report["beside"].empty());
+  for (const Json& beside : report["beside"]) {
+    std::string row =
+        fmt::format("<tr><td>{}<td>{}<td class='l'>{}<td class='l'>{}<td>",
+                    beside["scene"].get<std::string>(), beside["threads"].get<int>(),
+                    beside["other"].get<std::string>(), beside["what"].get<std::string>());
+    if (beside.contains("times_faster")) {
+      const Json& faster = beside["times_faster"];
+      row += fmt::format("{}<td>{}<td>{}<td>", faster["median"].dump(), faster["least"].dump(),
+                         faster["greatest"].dump());
+    } else {
+      row += "<td><td><td>";
+    }
+    if (beside.contains("count")) row += beside["count"].dump();
+    EXPECT_NE(page.find(row + '\n'), page.npos) << row;
+  }
+  for (const Json& fit : report["fits"]) {
+    EXPECT_NE(page.find(fit["exponent"].dump() + " <small>"), page.npos) << fit;
+  }
+  for (const auto& [name, value] : report["environment"].items()) {
+    EXPECT_NE(page.find(name), page.npos);
+  }
+  EXPECT_EQ(page.find("<script"), page.npos);
+  EXPECT_EQ(page.find("http"), page.npos);
+}
+
+/// A line of Markdown as the page has it.
+std::string on_page(const std::string& line) {
+  if (!line.starts_with("| ")) return line;
+  std::string row;
+  for (std::size_t at = 1; at + 1 < line.size();) {
+    const std::size_t end = line.find('|', at);
+    row += "<td>" + (end - at < 3 ? "" : line.substr(at + 1, end - at - 2));
+    at = end + 1;
+  }
+  return row;
+}
+
+TEST_F(Bench, WritesAReadmesBlocksFromTheReport) {
+  const std::string before = "# A title\n\n", after = "\n| no | block |\n";
+  const std::vector<std::string> names{"front",  "methods", "exactness",
+                                       "advice", "auto",    "wrong-pixels"};
+  std::string readme = before;
+  for (const std::string& name : names) readme += block(name, "old\n\n| old |\n") + after;
+  write("R.md", readme);
+  ASSERT_EQ(run(kTiny + "--threads 1 --json b.json -o p.html --readme R.md"), 0) << err_;
+  const std::string written = read(folder_ / "R.md");
+  std::string page = read(folder_ / "p.html");
+  constexpr std::string_view kToTheLeft = " class='l'";
+  for (std::size_t at = 0; (at = page.find(kToTheLeft, at)) != page.npos;) {
+    page.erase(at, kToTheLeft.size());
+  }
+  constexpr std::string_view kApostrophe = "&#39;";
+  for (std::size_t at = 0; (at = page.find(kApostrophe, at)) != page.npos;) {
+    page.replace(at, kApostrophe.size(), "'");
+  }
+  EXPECT_EQ(written.find("old"), written.npos);
+  EXPECT_TRUE(written.starts_with(before));
+  EXPECT_TRUE(written.ends_with(after));
+  std::size_t rows = 0;
+  for (const std::string& name : names) {
+    const std::string open = block(name, "").substr(0, block(name, "").find('\n') + 1);
+    const std::size_t start = written.find(open);
+    ASSERT_NE(start, written.npos) << name;
+    const std::size_t end = written.find("<!-- bench: end -->\n" + after, start);
+    ASSERT_NE(end, written.npos) << name;
+    std::istringstream lines(written.substr(start + open.size(), end - start - open.size()));
+    bool head = true;
+    for (std::string line; std::getline(lines, line);) {
+      const bool is_row = line.starts_with("| ");
+      if (line.starts_with("|--") || (is_row && std::exchange(head, false))) continue;
+      EXPECT_NE(page.find(on_page(line)), page.npos) << name << ": " << on_page(line);
+      rows += is_row;
+    }
+  }
+  EXPECT_GT(rows, 20u);
+  // Sums of the JSON's counts.
+  const Json report = json("b.json");
+  std::map<std::string, int> wrong;
+  for (const Json& cell : report["cells"]) {
+    const std::string scene = cell["scene"];
+    if (!scene.starts_with("cycle_of_3 ") || cell.contains("skipped")) continue;
+    wrong[cell["method"].get<std::string>() + ' ' + cell["precision"].get<std::string>()] +=
+        cell["wrong_pixels"].get<int>();
+  }
+  EXPECT_GT(wrong.at("none "), 0);
+  EXPECT_NE(written.find(fmt::format("| none | | | | | {} |", wrong.at("none "))), written.npos)
+      << written;
+  EXPECT_NE(written.find(fmt::format("| bsp | 0 | {} | {} | {} | |", wrong.at("bsp roundoff=1e-12"),
+                                     wrong.at("bsp roundoff=1e-9"), wrong.at("bsp roundoff=1e-6"))),
+            written.npos)
+      << written;
+  // The same command again: only figures change.
+  ASSERT_EQ(run(kTiny + "--threads 1 --readme R.md"), 0) << err_;
+  EXPECT_EQ(std::ranges::count(read(folder_ / "R.md"), '\n'), std::ranges::count(written, '\n'));
+}
+
+/// The page begins with the plot of all, which is a file of its own too; who is on its front
+/// follows from the cells.
+TEST_F(Bench, ThePageBeginsWithSpeedAgainstErrorOfAll) {
+  write("R.md", block("front", ""));
+  ASSERT_EQ(run(kTiny + "--threads 1 --json b.json -o p.html --plot front.svg --readme R.md"), 0)
+      << err_;
+  const std::string page = read(folder_ / "p.html"), plot = read(folder_ / "front.svg");
+  EXPECT_LT(page.find("<svg"), page.find("<table"));
+  EXPECT_LT(page.find("<table"), page.find("<h2>Error against time"));
+  EXPECT_TRUE(plot.starts_with("<svg xmlns='http://www.w3.org/2000/svg'")) << plot.substr(0, 99);
+  std::map<std::string, double> times;                      // of the scene with the most polygons
+  std::map<std::string, std::pair<double, double>> errors;  // of the hard cases
+  const Json report = json("b.json");
+  std::string largest;
+  std::map<std::string, double> pixels;
+  for (const Json& scene : report["scenes"]) {
+    pixels[scene["scene"]] = scene["pixels"];
+    if (scene["kind"] != "hard case" && scene["scene"].get<std::string>().starts_with("soup n=24 "))
+      largest = scene["scene"];
+  }
+  for (const Json& cell : report["cells"]) {
+    const std::string precision = cell["precision"], scene = cell["scene"];
+    const std::string name =
+        cell["method"].get<std::string>() + (precision.empty() ? "" : ", " + precision);
+    if (cell["method"] == "auto") continue;  // it is one of the others
+    ASSERT_FALSE(cell.contains("skipped")) << cell;
+    EXPECT_NE(plot.find(name), plot.npos) << name;
+    if (scene == largest) times[name] = cell["time"]["median"];
+    if (!scene.starts_with("cycle_of_3")) continue;
+    errors[name].first += cell["wrong_pixels"].get<double>();
+    errors[name].second += pixels[scene];
+  }
+  ASSERT_GT(times.size(), 20u);
+  const std::string written = read(folder_ / "R.md");
+  for (const auto& timed : times) {
+    const auto& name = timed.first;
+    const double time = timed.second;
+    const auto error_of = [&](const std::string& of) {
+      return errors.at(of).first / errors.at(of).second;
+    };
+    const bool beaten = std::ranges::any_of(times, [&](const auto& other) {
+      return other.second < time && error_of(other.first) <= error_of(name);
+    });
+    const bool on_front =
+        written.find(fmt::format(" {} (time {:.3g}, ", name, time)) != written.npos;
+    EXPECT_EQ(on_front, !beaten) << name << '\n' << written;
+  }
+}
+
+/// A sort that would take too long is said to be skipped, with the reason, and nothing is advised
+/// from its scene. What is left out is sure on any machine: the sort of 20 planes is measured in
+/// any case, that of 200 would take a hundred times as long, and a mesh has one size only.
+TEST_F(Bench, SaysWhatWasSkippedAndAdvisesNothingFromIt) {
+  write("R.md", block("exactness", "") + block("advice", ""));
+  write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 2 3 4\n");
+  ASSERT_EQ(run("bench planes m.obj --polygons 10,20,200 --sizes 32 --rounds 1 --threads 1 "
+                "--seconds 0.001 --methods z-buffer,depth-sort --roundoff none --json b.json "
+                "--readme R.md"),
+            0)
+      << err_;
+  const std::string written = read(folder_ / "R.md");
+  std::set<std::string> skipped;  // scenes on which an exact method was
+  const Json report = json("b.json");
+  for (const Json& cell : report["cells"]) {
+    if (cell["exact"].get<bool>() && cell.contains("skipped")) {
+      skipped.insert(cell["scene"].get<std::string>());
+    }
+  }
+  EXPECT_EQ(skipped, std::set<std::string>{"planes n=200 32x32"}) << written;
+  EXPECT_NE(written.find(" Skipped: depth-sort: planes n=200 32x32, it would take too long, from "
+                         "what a smaller one took."),
+            written.npos)
+      << written;
+  EXPECT_NE(written.find("over 1 scene (1 more, from which an exact method was left out, do not"),
+            written.npos)
+      << written;
+}
+
+/// One scene is measured, so that each method's time is its median.
+TEST_F(Bench, AdvisesTheFirstOfTheMethodsThatNoneIsClearlyFasterThan) {
+  write("R.md", block("advice", ""));
+  ASSERT_EQ(run("bench soup --polygons 24 --sizes 24 --roundoff none --threads 1 --rounds 3 "
+                "--json b.json --readme R.md"),
+            0)
+      << err_;
+  constexpr double kClearly = 0.9;
+  std::vector<std::pair<std::string, double>> exact;
+  double least = 1e300;
+  const Json report = json("b.json");
+  for (const Json& cell : report["cells"]) {
+    if (!cell["exact"].get<bool>() || cell["method"] == "auto") continue;
+    exact.emplace_back(cell["method"].get<std::string>(), cell["time"]["median"].get<double>());
+    least = std::min(least, exact.back().second);
+  }
+  const auto first = std::ranges::find_if(
+      exact, [&](const auto& method) { return kClearly * method.second <= least; });
+  ASSERT_NE(first, exact.end());
+  const std::string written = read(folder_ / "R.md");
+  EXPECT_NE(written.find("| Any other picture of pixels | " + first->first + ", exact |"),
+            written.npos)
+      << written << first->first;
+}
+
+TEST_F(Bench, RefusesAReadmeThatIsNotMarkedWell) {
+  const auto refused = [&](const std::string& text, const std::string& words) {
+    write("R.md", text);
+    expect_error("bench soup --polygons 9 --sizes 8 --readme R.md", words);
+    EXPECT_EQ(read(folder_ / "R.md"), text);
+  };
+  refused("a\n" + block("sped", "x\n"), "R.md:2: no such block 'sped'");
+  refused("a\n\n<!-- bench: auto -->\nx\n", "R.md:3: the block 'auto' has no end");
+  refused("<!-- bench: auto -->\n" + block("osmesa", ""), "R.md:1: the block 'auto' has no end");
+  refused("a\n<!-- bench: end -->\n", "R.md:2: the end of no block");
+  refused("a\n", "R.md: no block");
+  expect_error("bench soup --readme nowhere.md", "nowhere.md");
+  // A run without figures for a block.
+  const std::string text = "a\n" + block("wrong-pixels", "x\n");
+  write("R.md", text);
+  EXPECT_EQ(run("bench soup --polygons 9 --sizes 8 --rounds 1 --threads 1 --methods none "
+                "--readme R.md"),
+            2);
+  EXPECT_NE(err_.find("R.md:2: this run has no figures for the block 'wrong-pixels'"), err_.npos)
+      << err_;
+  EXPECT_EQ(read(folder_ / "R.md"), text);
+}
+
+}  // namespace
+}  // namespace displayfile::test

@@ -1,0 +1,63 @@
+#include "interp/picture_checks.h"
+
+#include <fmt/format.h>
+
+#include "clip/error.h"
+#include "displayfile/output_file.h"
+#include "interp/picture_source.h"
+#include "interp/raster/antialias.h"
+
+namespace displayfile {
+
+namespace {
+
+/// Checks numbers that are the same for a file and in memory; throws Error.
+void require_numbers(const DrawOptions& options) {
+  if (options.threads < 1) {
+    throw Error(fmt::format("{} threads: expected 1 or more", options.threads));
+  }
+  if (options.samples < 1 || options.samples > kMostSamples) {
+    throw Error(fmt::format("{} samples along a pixel's side: expected 1 to {}", options.samples,
+                            kMostSamples));
+  }
+  require_picture_size(options.width, options.height);
+  const int most = kLargestSide / options.samples;
+  if (options.width <= most && options.height <= most) return;
+  throw Error(
+      fmt::format("picture size {}x{} with {} x {} samples a pixel: expected 1x1 to {}x{} pixels",
+                  options.width, options.height, options.samples, options.samples, most, most));
+}
+
+/// Every output must be writable before any is written.
+void require_writable(const std::filesystem::path& file, const DrawOptions& options) {
+  OutputFile{file.string()};
+  if (!options.ids.empty()) OutputFile{options.ids.string()};
+  if (!options.depth.empty()) OutputFile{options.depth.string()};
+}
+
+}  // namespace
+
+void require_drawable_in_memory(const DrawOptions& options) {
+  require_numbers(options);
+  device_of(options.device);
+  if (!options.format.empty()) format_named(options.format);
+}
+
+void require_drawable(const std::filesystem::path& file, const DrawOptions& options) {
+  const PictureFormat& format = format_of(file, options);
+  require_numbers(options);
+  const RasterDevice& device = device_of(options.device);  // the first unless one was asked for
+  if (format.write_vectors != nullptr && &device != &first_device()) {
+    throw Error(fmt::format("{}: the {} device draws pixels: expected {}", file.string(),
+                            device.choice.name,
+                            names_of_formats(&PictureFormat::is_of_pixels, " or ")));
+  }
+  if (!has_background(options) && !format.can_be_transparent()) {
+    throw Error(fmt::format("{}: {} files have no alpha: expected a background, or one of {}",
+                            file.string(), format.choice.name,
+                            names_of_formats(&PictureFormat::can_be_transparent, " ")));
+  }
+  require_writable(file, options);
+}
+
+}  // namespace displayfile

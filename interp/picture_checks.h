@@ -1,0 +1,54 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <filesystem>
+
+#include "clip/memory.h"
+#include "interp/draw.h"
+#include "interp/picture.h"
+#include "interp/picture_formats.h"
+#include "interp/raster/software.h"
+
+/// What is checked before any work is done: options, and that there is memory. For a file,
+/// require_drawable (interp/draw.h).
+namespace displayfile {
+
+/// Checks what is asked of a picture in memory; throws Error.
+void require_drawable_in_memory(const DrawOptions& options);
+
+/// What `draw` returns: a picture in memory, for which there must be room before any work is done.
+template <class Draw>
+Picture with_memory_of_picture(const DrawOptions& options, const SoftwareRenderer& kept,
+                               Draw&& draw) {
+  require_drawable_in_memory(options);
+  const auto pixels =
+      static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
+  const std::size_t of_pixel = sizeof(Picture::pixels[0]) +
+                               (options.with_ids ? sizeof(Picture::ids[0]) : 0) +
+                               (options.with_depth ? sizeof(Picture::depth[0]) : 0);
+  return with_memory(
+      pixels * of_pixel,
+      [&] { return fmt::format("a picture of {} x {} pixels", options.width, options.height); },
+      draw, kept.bytes_of_picture());
+}
+
+/// Draws into a file: by rows, but for a device that has the whole picture in memory, with a depth
+/// for each of its pixels. What a method makes of a scene of so many bytes is no smaller than it
+/// is.
+template <class Draw>
+void with_memory_of_drawing(std::size_t bytes_of_scene, const std::filesystem::path& file,
+                            const DrawOptions& options, Draw&& draw) {
+  constexpr std::size_t kBytesOfPixel = 8;
+  const bool by_rows = device_of(options.device).draw_rows != nullptr;
+  const auto pixels =
+      static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
+  const auto samples = static_cast<std::size_t>(options.samples * options.samples);
+  with_memory(
+      bytes_of_scene + (by_rows ? 0 : kBytesOfPixel * pixels * samples),
+      [&] { return fmt::format("{} of {} x {}", file.string(), options.width, options.height); },
+      draw);
+}
+
+}  // namespace displayfile

@@ -1,0 +1,108 @@
+#include "interp/picture_formats.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "clip/error.h"
+#include "clip/nearest_word.h"
+#include "displayfile/file_extension.h"
+#include "interp/files/png_file.h"
+#include "interp/files/ppm_file.h"
+#include "interp/opengl/osmesa.h"
+#include "interp/vector/pdf_device.h"
+#include "interp/vector/svg_device.h"
+
+namespace displayfile {
+
+namespace {
+
+constexpr std::array kFormats{
+    PictureFormat{{".png", "pixels, compressed"}, png_row_file, png_alpha_row_file, nullptr},
+    PictureFormat{{".ppm", "pixels, plain"}, ppm_row_file, nullptr, nullptr},
+    PictureFormat{{".svg", "vectors, for the web"}, nullptr, nullptr, write_svg},
+    PictureFormat{{".pdf", "vectors, for print"}, nullptr, nullptr, write_pdf},
+};
+
+constexpr std::array kDevices{
+    RasterDevice{{"software", "by our own scan conversion"},
+                 [](const DisplayFile& d, const RasterRequest& r, SoftwareRenderer& kept) {
+                   kept.draw(d, r);
+                   return kept.take_picture();
+                 },
+                 [](const DisplayFile& d, const RasterRequest& r, SoftwareRenderer& kept,
+                    const TakeRows& take) { kept.draw(d, r, take); }},
+    RasterDevice{{"osmesa", "by OpenGL, to compare with"},
+                 [](const DisplayFile& d, const RasterRequest& r, SoftwareRenderer&) {
+                   return draw_with_osmesa(d, r);
+                 },
+                 nullptr},
+};
+
+template <class Table>
+constexpr auto choices_of(const Table& table) {
+  std::array<Choice, std::tuple_size_v<Table>> choices;
+  std::ranges::transform(table, choices.begin(), &Table::value_type::choice);
+  return choices;
+}
+constexpr auto kFormatChoices = choices_of(kFormats);
+constexpr auto kDeviceChoices = choices_of(kDevices);
+
+/// The names of those lines of a table that are asked for, with something between.
+template <class Table, class Which>
+std::string names(const Table& table, const char* between, Which which) {
+  std::string all;
+  for (const auto& entry : table) {
+    if (which(entry)) all.append(all.empty() ? "" : between).append(entry.choice.name);
+  }
+  return all;
+}
+template <class Table>
+std::string meant_by(const Table& table, std::string_view name) {
+  std::vector<std::string_view> known;
+  known.reserve(std::size(table));
+  for (const auto& entry : table) known.push_back(entry.choice.name);
+  return did_you_mean(name, known);
+}
+constexpr auto kAny = [](const auto&) { return true; };
+
+}  // namespace
+
+const PictureFormat& format_named(const std::string& extension, const std::string& whose) {
+  const std::string name = extension_of((extension.starts_with('.') ? "x" : "x.") + extension);
+  for (const PictureFormat& format : kFormats) {
+    if (format.choice.name == name) return format;
+  }
+  throw Error(fmt::format("{}unknown picture format '{}':{} expected one of {}", whose, extension,
+                          meant_by(kFormats, name), names(kFormats, " ", kAny)));
+}
+
+const PictureFormat& format_of(const std::filesystem::path& file, const DrawOptions& options) {
+  if (!options.format.empty()) return format_named(options.format);
+  if (file == "-") return kFormats.front();
+  return format_named(file.extension().string(), file.string() + ": ");
+}
+
+const RasterDevice& device_of(std::string_view name) {
+  for (const RasterDevice& device : kDevices) {
+    if (device.choice.name == name) return device;
+  }
+  throw Error(fmt::format("unknown device '{}':{} expected {}", name, meant_by(kDevices, name),
+                          names(kDevices, " or ", kAny)));
+}
+
+const RasterDevice& first_device() { return kDevices.front(); }
+
+std::string names_of_formats(bool (PictureFormat::*which)() const, const char* between) {
+  return names(kFormats, between, [&](const PictureFormat& f) { return (f.*which)(); });
+}
+
+std::span<const Choice> picture_formats() { return kFormatChoices; }
+std::span<const Choice> raster_devices() { return kDeviceChoices; }
+void require_raster_device(std::string_view name) { device_of(name); }
+
+}  // namespace displayfile

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/mat3x3.hpp>
+
+#include "clip/view.h"
+#include "displayfile/display_file.h"
+#include "displayfile/scene_viewer.h"
+#include "interp/draw.h"
+#include "interp/picture.h"
+#include "interp/picture_formats.h"
+#include "interp/raster/software.h"
+
+/// What a picture is drawn of, and how one source becomes a picture in memory or a file.
+namespace displayfile {
+
+/// What a picture is drawn of: a display file, or a retained scene in a view.
+class PictureSource {
+ public:
+  virtual ~PictureSource() = default;
+  virtual Picture draw(const RasterRequest& request) const = 0;
+  /// Rows are passed on as they are drawn, if the device can.
+  virtual void draw(const RasterRequest& request, const TakeRows& take) const = 0;
+  virtual void write_vectors(const PictureFormat& format, const std::filesystem::path& file,
+                             const RasterRequest& request) const = 0;
+};
+
+class DisplayFileSource : public PictureSource {
+ public:
+  /// `by_depth`: vectors find their hidden surfaces themselves.
+  DisplayFileSource(const DisplayFile& file, bool by_depth, const DrawOptions& options,
+                    SoftwareRenderer& kept)
+      : file_(file), by_depth_(by_depth), device_(device_of(options.device)), kept_(kept) {}
+
+  Picture draw(const RasterRequest& request) const override {
+    return device_.draw(file_, request, kept_);
+  }
+  void draw(const RasterRequest& request, const TakeRows& take) const override {
+    if (device_.draw_rows == nullptr) return take(device_.draw(file_, request, kept_));
+    device_.draw_rows(file_, request, kept_, take);
+  }
+  void write_vectors(const PictureFormat& format, const std::filesystem::path& file,
+                     const RasterRequest& request) const override {
+    format.write_vectors(file_, request.width, request.height, by_depth_, file, request.background);
+  }
+
+ private:
+  const DisplayFile& file_;
+  bool by_depth_;
+  const RasterDevice& device_;
+  SoftwareRenderer& kept_;
+};
+
+/// Without a display file, but for a device that needs one.
+class ViewSource : public PictureSource {
+  template <class Do>
+  auto of_display_file(Do&& work) const {
+    const DisplayFile file = viewer_.display_file(view_, lights_turned_);
+    return work(DisplayFileSource(file, true, options_, kept_));
+  }
+
+ public:
+  ViewSource(SceneViewer& viewer, const View& view, const glm::dmat3& lights_turned,
+             const DrawOptions& options, SoftwareRenderer& kept)
+      : viewer_(viewer),
+        view_(view),
+        lights_turned_(lights_turned),
+        options_(options),
+        kept_(kept) {}
+
+  Picture draw(const RasterRequest& request) const override {
+    if (!is_first_device())
+      return of_display_file([&](const PictureSource& s) { return s.draw(request); });
+    kept_.draw(scene(request), request);
+    return kept_.take_picture();
+  }
+  void draw(const RasterRequest& request, const TakeRows& take) const override {
+    if (!is_first_device())
+      return of_display_file([&](const PictureSource& s) { s.draw(request, take); });
+    kept_.draw(scene(request), request, take);
+  }
+  void write_vectors(const PictureFormat& format, const std::filesystem::path& file,
+                     const RasterRequest& request) const override {
+    of_display_file([&](const PictureSource& s) { s.write_vectors(format, file, request); });
+  }
+
+ private:
+  bool is_first_device() const { return &device_of(options_.device) == &first_device(); }
+  const ViewedScene& scene(const RasterRequest& request) const {
+    return viewer_.view(
+        {view_, lights_turned_, PictureSize{request.width, request.height}, request.threads});
+  }
+  SceneViewer& viewer_;
+  const View& view_;
+  const glm::dmat3& lights_turned_;
+  const DrawOptions& options_;
+  SoftwareRenderer& kept_;
+};
+
+/// The size, outputs, background and threads that are asked for; the method is the first.
+RasterRequest raster_request(const DrawOptions& options);
+bool has_background(const DrawOptions& options);
+
+/// Draws in memory; what is not a colour is not antialiased.
+Picture draw_pixels(const PictureSource& source, const RasterRequest& request,
+                    const DrawOptions& options);
+/// Draws into a file, and what else is asked for into others: all of them or, if it fails, none.
+void write_picture(const PictureSource& source, const RasterRequest& request,
+                   const std::filesystem::path& file, const DrawOptions& options);
+
+}  // namespace displayfile

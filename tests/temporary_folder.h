@@ -1,13 +1,13 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
-#include <system_error>
+
+#include "programs/bench/temporary_folder.h"
 
 // Tests that write files.
 
@@ -23,17 +23,6 @@ inline std::string content(const std::filesystem::path& path) {
 /// A test with a folder of its own, gone afterwards.
 class TemporaryFolder : public testing::Test {
  protected:
-  TemporaryFolder() {
-    std::string name = testing::TempDir() + "displayfile_XXXXXX";
-    EXPECT_NE(::mkdtemp(name.data()), nullptr) << name;
-    folder_ = name;
-  }
-  ~TemporaryFolder() override {
-    std::error_code ignored;
-    std::filesystem::permissions(folder_, std::filesystem::perms::owner_all, ignored);
-    std::filesystem::remove_all(folder_, ignored);
-  }
-
   std::filesystem::path file(const std::string& name) const { return folder_ / name; }
   /// Writes it.
   std::filesystem::path file(const std::string& name, const std::string& text) const {
@@ -42,7 +31,8 @@ class TemporaryFolder : public testing::Test {
   }
   bool empty_folder() const { return std::filesystem::is_empty(folder_); }
 
-  std::filesystem::path folder_;
+  const bench::TemporaryFolder own_;
+  const std::filesystem::path folder_ = own_.path();
 };
 
 }  // namespace displayfile::test

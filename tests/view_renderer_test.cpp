@@ -6,14 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "clip/error.h"
 #include "displayfile/retained_views.h"
 #include "displayfile/scene_viewer.h"
-#include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
 #include "displayfile/turntable.h"
 #include "interp/raster/software.h"
@@ -22,6 +20,7 @@
 #include "programs/bench/counted_memory.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/hard_cases.h"
+#include "tests/gallery.h"
 #include "tests/retained_truth.h"
 
 namespace displayfile {
@@ -90,16 +89,11 @@ bool is_of_one_view(const RetainedScene& scene) {
 /// Lines, light, shadows, smooth shading, clipping, image transformations, texts.
 TEST(ViewRenderer, DrawsTheGalleryFromOtherEyes) {
   int drawn = 0;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(DISPLAYFILE_SOURCE_DIR "/programs")) {
-    if (entry.path().extension() != ".draw") continue;
-    SCOPED_TRACE(entry.path().filename());
-    Retained retained;
-    replay_file(entry.path().string(), retained.system);
-    if (!is_of_one_view(retained.scene)) continue;
+  test::for_each_in_gallery([&](const std::string&, const Retained& retained) {
+    if (!is_of_one_view(retained.scene)) return;
     ASSERT_NO_FATAL_FAILURE(expect_right(retained));
     ++drawn;
-  }
+  });
   EXPECT_GE(drawn, 12);
 }
 

@@ -6,18 +6,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <string>
 
 #include "clip/error.h"
 #include "clip/view_volume.h"
 #include "displayfile/mesh/mesh.h"
-#include "displayfile/text/drawing_program.h"
 #include "displayfile/turntable.h"
 #include "interp/draw.h"
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
 #include "programs/scenes/generated_scenes.h"
+#include "tests/gallery.h"
 #include "tests/retained_truth.h"
 #include "tests/world_truth.h"
 
@@ -79,23 +78,18 @@ std::size_t expect_right_unrounded(const Picture& picture, const Retained& retai
 /// faces in the plane of the sea: there alone viewing, which rounds, tells them apart.
 TEST(WorldViews, DrawTheGallery) {
   int drawn = 0;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(DISPLAYFILE_SOURCE_DIR "/programs")) {
-    if (entry.path().extension() != ".draw") continue;
-    SCOPED_TRACE(entry.path().filename());
-    Retained retained;
-    replay_file(entry.path().string(), retained.system);
+  test::for_each_in_gallery([&](const std::string& name, const Retained& retained) {
     const DisplayFile& file = retained.system.display_file();
     const DrawOptions options = options_of(HiddenMethod::world_ray_cast);
     if (has_image_transformations(file)) {
       EXPECT_THROW(draw(retained.system, options), Error);
-      continue;
+      return;
     }
-    const bool coplanar = entry.path().stem() == "terrain";
+    const bool coplanar = name == "terrain";
     const std::size_t other = expect_right_unrounded(draw(retained.system, options), retained);
     EXPECT_EQ(other > 0, coplanar) << other << " pixels";
     ++drawn;
-  }
+  });
   EXPECT_GE(drawn, 10);
 }
 

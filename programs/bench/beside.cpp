@@ -23,7 +23,7 @@
 #include "programs/bench/indexed_triangles.h"
 #include "programs/bench/new_views.h"
 #include "programs/bench/opengl_mesh.h"
-#include "programs/bench/own_process.h"
+#include "programs/bench/process.h"
 #include "programs/scenes/scene.h"
 
 namespace displayfile::bench {
@@ -397,10 +397,12 @@ std::string compared(const std::string& task) {
 std::vector<Beside> compare_in_own_process(const BesideTask& task) {
   const std::string of_llvmpipe =
       fmt::format("LP_NUM_THREADS={}", task.threads == 1 ? 0 : task.threads);
-  const std::string output =
-      output_of({"/proc/self/exe", "bench", "--beside", to_json(task).dump()}, of_llvmpipe);
+  const Finished finished =
+      run(Process{.command = {"/proc/self/exe", "bench", "--beside", to_json(task).dump()},
+                  .variables = {of_llvmpipe}});
+  if (!finished.succeeded) throw Error("bench: the process that compares with others failed");
   std::vector<Beside> found;
-  for (const Json& json : Json::parse(output)) found.push_back(beside_from_json(json));
+  for (const Json& json : Json::parse(finished.output)) found.push_back(beside_from_json(json));
   return found;
 }
 

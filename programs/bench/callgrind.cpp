@@ -1,10 +1,6 @@
 #include "programs/bench/callgrind.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -15,31 +11,12 @@
 #include <utility>
 
 #include "clip/error.h"
+#include "programs/bench/process.h"
+#include "programs/bench/temporary_folder.h"
 
 namespace displayfile::bench {
 
 namespace {
-
-/// Removed with all that is in it.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string path = (std::filesystem::temp_directory_path() / "displayfile-XXXXXX").string();
-    if (mkdtemp(path.data()) == nullptr) throw Error(path + ": cannot be made");
-    path_ = path;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// The functions that the library's lookups run through the first time would be counted with the
 /// work that happens to come first. What else is in the environment moves the stack: it is left
@@ -54,39 +31,20 @@ std::vector<std::string> environment_of_work() {
   return variables;
 }
 
-std::vector<char*> pointers(std::vector<std::string>& texts) {
-  std::vector<char*> all;
-  all.reserve(texts.size() + 1);
-  for (std::string& text : texts) all.push_back(text.data());
-  all.push_back(nullptr);
-  return all;
-}
-
-std::string last_line(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  std::string last;
-  for (std::string line; std::getline(in, line);) {
-    if (!line.empty()) last = line;
-  }
-  return last;
+std::string_view last_line(std::string_view text) {
+  while (text.ends_with('\n')) text.remove_suffix(1);
+  return text.substr(text.rfind('\n') + 1);
 }
 
 /// Throws Error unless the program ends well.
-void run(std::vector<std::string> command, const std::filesystem::path& log) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT, 0600);
-  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-  std::vector<std::string> variables = environment_of_work();
-  pid_t process = 0;
-  const int failed = posix_spawnp(&process, command.front().c_str(), &actions, nullptr,
-                                  pointers(command).data(), pointers(variables).data());
-  posix_spawn_file_actions_destroy(&actions);
-  if (failed != 0) throw Error(command.front() + " is not installed");
-  int status = 0;
-  waitpid(process, &status, 0);
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    throw Error(fmt::format("{} failed: {}", command.front(), last_line(log)));
+void run_alone(const std::vector<std::string>& command) {
+  const Finished finished = run(Process{.command = command,
+                                        .messages = Process::Messages::with_output,
+                                        .variables = environment_of_work(),
+                                        .variables_alone = true});
+  if (!finished.started) throw Error(command.front() + " is not installed");
+  if (!finished.succeeded) {
+    throw Error(fmt::format("{} failed: {}", command.front(), last_line(finished.output)));
   }
 }
 
@@ -192,7 +150,7 @@ std::vector<WorkCount> counted_calls(const std::vector<std::string>& arguments,
                                    "--callgrind-out-file=" + parts.string(),
                                    std::filesystem::read_symlink("/proc/self/exe").string()};
   command.insert(command.end(), arguments.begin(), arguments.end());
-  run(command, folder.path() / "log");
+  run_alone(command);
   std::vector<WorkCount> counts;
   for (std::size_t k = 1; k <= calls; ++k) {
     counts.push_back(read(parts.string() + fmt::format(".{}", k)));

@@ -40,35 +40,23 @@ RTCBuildQuality quality_of(EmbreeRays::Quality quality) {
   return quality == EmbreeRays::Quality::high ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM;
 }
 
+template <class Rays, int kWide, auto kIntersect>
+struct PacketOf {
+  using Type = Rays;
+  static constexpr int kColumns = kWide;
+  static void intersect(const int* valid, RTCScene scene, RTCIntersectContext* context,
+                        Type* rays) {
+    kIntersect(valid, scene, context, rays);
+  }
+};
 template <int kRays>
 struct Packet;
 template <>
-struct Packet<4> {
-  using Type = RTCRayHit4;
-  static constexpr int kColumns = 2;
-  static void intersect(const int* valid, RTCScene scene, RTCIntersectContext* context,
-                        Type* rays) {
-    rtcIntersect4(valid, scene, context, rays);
-  }
-};
+struct Packet<4> : PacketOf<RTCRayHit4, 2, rtcIntersect4> {};
 template <>
-struct Packet<8> {
-  using Type = RTCRayHit8;
-  static constexpr int kColumns = 4;
-  static void intersect(const int* valid, RTCScene scene, RTCIntersectContext* context,
-                        Type* rays) {
-    rtcIntersect8(valid, scene, context, rays);
-  }
-};
+struct Packet<8> : PacketOf<RTCRayHit8, 4, rtcIntersect8> {};
 template <>
-struct Packet<16> {
-  using Type = RTCRayHit16;
-  static constexpr int kColumns = 4;
-  static void intersect(const int* valid, RTCScene scene, RTCIntersectContext* context,
-                        Type* rays) {
-    rtcIntersect16(valid, scene, context, rays);
-  }
-};
+struct Packet<16> : PacketOf<RTCRayHit16, 4, rtcIntersect16> {};
 
 }  // namespace
 

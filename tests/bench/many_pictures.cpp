@@ -13,7 +13,9 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "tests/bench/process.h"
+#include "programs/bench/process.h"
+#include "programs/bench/side_by_side.h"
+#include "programs/bench/temporary_folder.h"
 
 namespace displayfile::bench {
 namespace {
@@ -77,7 +79,7 @@ void compare(const Work& work) {
     same += content(folder.file(name)) == content(by_itself(k)) ? 1 : 0;
   }
   const auto row = [](const char* what, const std::vector<double>& ratios) {
-    fmt::print("  time, {:<10} {:.2f}  ({:.2f} to {:.2f})\n", what, median(ratios),
+    fmt::print("  time, {:<10} {:.2f}  ({:.2f} to {:.2f})\n", what, spread(ratios).median,
                std::ranges::min(ratios), std::ranges::max(ratios));
   };
   fmt::print("{} pictures of {}, one call each in those of one call, median of {} rounds:\n",

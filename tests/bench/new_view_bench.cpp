@@ -17,6 +17,7 @@
 #include "displayfile/turntable.h"
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
+#include "programs/bench/side_by_side.h"
 
 namespace {
 
@@ -69,11 +70,6 @@ void enter_wanted(const Wanted& wanted, GraphicsSystem& system) {
   import_mesh(wanted.mesh, system);
 }
 
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
-}
-
 /// Seconds of one view after another, from the third on.
 struct Times {
   std::vector<double> new_views, viewing, drawing, anew;
@@ -96,13 +92,13 @@ class Bench {
   void run() {
     constexpr int kWarm = 3;
     for (int k = -kWarm; k < wanted_.views; ++k) measure(360.0 * k / wanted_.views, k >= 0);
-    const double all = median(times_.new_views);
+    const double all = bench::spread(times_.new_views).median;
     fmt::print("{} polygons, {} x {}, {} threads, {} views: anew {:.2f} in units of a new view\n",
                system_.polygons_entered(), wanted_.size, wanted_.size, wanted_.threads,
-               wanted_.views, median(times_.anew) / all);
+               wanted_.views, bench::spread(times_.anew).median / all);
     fmt::print(
         "viewing {:.2f} and drawing {:.2f} of it; memory of the views: {:.0f} bytes a polygon\n",
-        median(times_.viewing) / all, median(times_.drawing) / all,
+        bench::spread(times_.viewing).median / all, bench::spread(times_.drawing).median / all,
         static_cast<double>(viewer_->bytes()) / static_cast<double>(system_.polygons_entered()));
     if (wanted_.against_truth) {
       fmt::print("wrong pixels in all views: {}\n", times_.wrong_pixels);

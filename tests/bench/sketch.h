@@ -4,8 +4,9 @@
 #include <optional>
 #include <string>
 
+#include "programs/bench/process.h"
+#include "programs/bench/temporary_folder.h"
 #include "tests/bench/device_scene.h"
-#include "tests/bench/process.h"
 
 namespace displayfile::bench {
 

@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "tests/bench/process.h"
+#include "programs/bench/process.h"
+#include "programs/bench/side_by_side.h"
+#include "programs/bench/temporary_folder.h"
 
 namespace displayfile::bench {
 namespace {
@@ -31,7 +33,7 @@ void compare(const std::string& a, const std::string& b, int rounds) {
       "  time, wall       {:.3f}\n"
       "  time, processor  {:.3f}\n"
       "  peak memory      {:.3f}\n",
-      rounds, b, a, median(wall), median(processor), median(memory));
+      rounds, b, a, spread(wall).median, spread(processor).median, spread(memory).median);
 }
 
 }  // namespace

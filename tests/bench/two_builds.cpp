@@ -17,9 +17,11 @@
 #include "clip/error.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/recorder.h"
+#include "programs/bench/process.h"
+#include "programs/bench/side_by_side.h"
+#include "programs/bench/temporary_folder.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/scene.h"
-#include "tests/bench/process.h"
 
 namespace displayfile::bench {
 namespace {
@@ -171,7 +173,7 @@ class MeshesByTwoBuilds {
     }
     const std::string name = std::filesystem::path(mesh).filename().string();
     fmt::print("{:<40}{:>12.2f}{:>8.2f}{:>8.2f}\n", fmt::format("{} {}x{}", name, size, size),
-               median(processor), median(wall), median(memory));
+               spread(processor).median, spread(wall).median, spread(memory).median);
     std::fflush(stdout);
   }
 

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <stdlib.h>
+
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+#include "clip/error.h"
+
+namespace displayfile::bench {
+
+/// A new folder, removed with all that is in it.
+class TemporaryFolder {
+ public:
+  /// Throws Error if there can be none.
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "displayfile-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw Error(name + ": no temporary folder can be made");
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::permissions(path_, std::filesystem::perms::owner_all, ignored);
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace displayfile::bench

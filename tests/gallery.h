@@ -1,0 +1,25 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "displayfile/text/drawing_program.h"
+#include "tests/retained_truth.h"
+
+namespace displayfile::test {
+
+/// Calls visit(name, retained) for each drawing program of the gallery, replayed.
+template <class Visit>
+void for_each_in_gallery(Visit&& visit) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(DISPLAYFILE_SOURCE_DIR "/programs")) {
+    if (entry.path().extension() != ".draw") continue;
+    SCOPED_TRACE(entry.path().filename());
+    Retained retained;
+    replay_file(entry.path().string(), retained.system);
+    visit(entry.path().stem().string(), retained);
+  }
+}
+
+}  // namespace displayfile::test

@@ -35,7 +35,8 @@ struct Wanted {
   std::vector<std::size_t> polygons{2000};
   std::vector<int> sizes{384};
   std::vector<std::string> meshes;
-  int threads = 1;  // of meshes
+  int threads = 1;     // of meshes
+  std::string hidden;  // the method that draws them, if it is said
   std::uint64_t seed = 1;
   int rounds = 7;
 };
@@ -179,15 +180,17 @@ class MeshesByTwoBuilds {
 
   std::vector<std::string> drawing(const std::string& command, const std::string& mesh, int size,
                                    const std::string& output) const {
-    return {command,
-            "draw",
-            mesh,
-            "-o",
-            folder_.file(output),
-            "--size",
-            fmt::format("{}x{}", size, size),
-            "--threads",
-            std::to_string(wanted_.threads)};
+    std::vector<std::string> line{command,
+                                  "draw",
+                                  mesh,
+                                  "-o",
+                                  folder_.file(output),
+                                  "--size",
+                                  fmt::format("{}x{}", size, size),
+                                  "--threads",
+                                  std::to_string(wanted_.threads)};
+    if (!wanted_.hidden.empty()) line.insert(line.end(), {"--hidden", wanted_.hidden});
+    return line;
   }
   /// The bytes of its pixels.
   std::string picture_of(const std::string& command, const std::string& mesh, int size) const {
@@ -214,6 +217,7 @@ int compare_builds(int argc, char** argv) {
       ->delimiter(',')
       ->check(CLI::ExistingFile);
   app.add_option("--threads", wanted.threads, "of --mesh")->check(CLI::Range(1, 1024));
+  app.add_option("--hidden", wanted.hidden, "the method that draws --mesh");
   app.add_option("--seed", wanted.seed);
   app.add_option("--rounds", wanted.rounds)->check(CLI::Range(1, 1000));
   CLI11_PARSE(app, argc, argv);

@@ -156,6 +156,7 @@ bool RowFills::make_triangle(const ViewedScene& scene, const PictureSize& size, 
   made.row_end = row_end;
   made.column = first;
   made.column_end = end;
+  made.turned_away = area < 0.0;
   made.certain = error <= static_cast<double>(depth_error_);
   if (made.certain) {
     made.z = static_cast<float>(z);

@@ -27,7 +27,8 @@ struct RowFill {
   float edge_error = 0.0F;                     ///< bounds that of the sides' crossings
   std::uint32_t edges = 0;                     ///< the first of its sides; those on the left first
   std::uint8_t left = 0, right = 0;            ///< how many; none: not convex, or not known well
-  bool certain = false;  ///< the error of its depths is no more than RowFills::depth_error()
+  bool certain = false;      ///< the error of its depths is no more than RowFills::depth_error()
+  bool turned_away = false;  ///< a triangle that runs clockwise, which bodies hide as a rule
 };
 
 /// All fills of a scene, made ready for pictures of one size.

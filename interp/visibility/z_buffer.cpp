@@ -87,12 +87,13 @@ class DepthDecisions : public BandDecisions {
 
   DepthDifference difference_from(Fill other) override {
     if (roundoff_) return rounded_difference(other);
-    const PairOrders::Known known = orders_.known(other, fill_);
+    const auto [earlier, later] = std::minmax(other, fill_);
+    const PairOrders::Known known = orders_.known(earlier, later);
     if (known.order != Order::varies) return everywhere(other, known.order);
     if (known.earlier_less_later) return exact_difference(other, *known.earlier_less_later);
     const DepthDifference difference = rounded_difference(other);
     if (difference.error < kNothingKnown) return difference;
-    const Order order = orders_.order_if_often(other, fill_);
+    const Order order = orders_.order_if_often(earlier, later);
     return order == Order::varies ? difference : everywhere(other, order);
   }
 
@@ -120,9 +121,14 @@ class DepthDecisions : public BandDecisions {
   /// A difference in single precision is 1 at most.
   static constexpr float kNothingKnown = 1.0F;
 
-  static DepthDifference everywhere(Fill other, Order order) {
-    return {.from = other, .z = order == Order::second ? 1.0 : -1.0};
+  /// One of the two fills is seen all over what both cover.
+  DepthDifference everywhere(Fill other, Order order) const {
+    const bool later_is_seen = order == Order::second;
+    return {.from = other, .z = later_is_seen == is_later(other) ? 1.0 : -1.0};
   }
+
+  /// The fill begun was entered after the other, which was drawn before it.
+  bool is_later(Fill other) const { return fill_ > other; }
 
   const FillDepth& own_depth() {
     if (own_fill_ != fill_) {
@@ -139,8 +145,10 @@ class DepthDecisions : public BandDecisions {
     const double nearer = z - finite(other_depth.depth.at(other_depth.depth.row(row), column));
     if (roundoff_) return !(nearer < -*roundoff_);
     const int order = rounded_order(nearer, own_.error + other_depth.error);
-    return order != 0 ? order > 0
-                      : orders_.later_is_seen(other, fill_, PixelCentre(column, row, size_));
+    if (order != 0) return order > 0;
+    const auto [earlier, later] = std::minmax(other, fill_);
+    const PixelCentre centre(column, row, size_);
+    return orders_.later_is_seen(earlier, later, centre) == is_later(other);
   }
 
   /// A depth as a z-buffer stores it, where infinity is the background.
@@ -162,10 +170,11 @@ class DepthDecisions : public BandDecisions {
     return {d.from, d.z * scale, d.dz_dx * scale, d.dz_dy * scale, static_cast<float>(bound)};
   }
 
-  DepthDifference exact_difference(Fill other, const DepthComparison::Linear& other_less_own) {
-    const double dz_dx = -other_less_own.slope_x / size_.width;
-    const double dz_dy = -other_less_own.slope_y / size_.height;
-    const double z = 0.5 * (dz_dx + dz_dy) - other_less_own.constant;
+  DepthDifference exact_difference(Fill other, const DepthComparison::Linear& earlier_less_later) {
+    const double sign = is_later(other) ? -1.0 : 1.0;
+    const double dz_dx = sign * earlier_less_later.slope_x / size_.width;
+    const double dz_dy = sign * earlier_less_later.slope_y / size_.height;
+    const double z = 0.5 * (dz_dx + dz_dy) + sign * earlier_less_later.constant;
     return in_single_precision({.from = other, .z = z, .dz_dx = dz_dx, .dz_dy = dz_dy}, 4.0, 0.0);
   }
 
@@ -272,7 +281,7 @@ void ZBuffer::give_back(std::unique_ptr<Worker> worker) const {
   workers_->at_rest.push_back(std::move(worker));
 }
 
-/// A counting sort: within a band the order of entry stays.
+/// A counting sort: within each half of a band the order of entry stays.
 void ZBuffer::sort_into_bands() {
   const auto bands = static_cast<std::size_t>((request_->size.height - 1) / kRowsOfABand + 1);
   const auto for_each_band = [&](const RowFill& fill, auto&& visit) {
@@ -286,22 +295,25 @@ void ZBuffer::sort_into_bands() {
   for (Fill k = 1; k < fills_.end(); ++k) {
     const RowFill& fill = fills_[k];
     for_each_band(fill, [&](Band& band) {
-      ++band.end;
+      ++(fill.turned_away ? band.end : band.turned_away);
       band.first_column = std::min(band.first_column, fill.column);
       band.end_column = std::max(band.end_column, fill.column_end);
     });
   }
   std::uint32_t all = 0;
   for (Band& band : bands_) {
-    const std::uint32_t fills = band.end;
-    band.begin = band.end = all;
-    all += fills;
+    const std::uint32_t towards = band.turned_away, away = band.end;
+    band.begin = band.turned_away = all;
+    band.end = all + towards;
+    all += towards + away;
   }
   const std::size_t in_other_views = std::max<std::size_t>(all, request_->scene.most_fills());
   if (all > in_bands_.capacity()) in_bands_.reserve(in_other_views + in_other_views / 2);
   in_bands_.resize(all);
   for (Fill k = 1; k < fills_.end(); ++k) {
-    for_each_band(fills_[k], [&](Band& band) { in_bands_[band.end++] = k; });
+    const bool away = fills_[k].turned_away;
+    for_each_band(fills_[k],
+                  [&](Band& band) { in_bands_[away ? band.end++ : band.turned_away++] = k; });
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "interp/visibility/image_space.h"
 #include "interp/visibility/row_fills.h"
+#include "interp/visibility/z_buffer_band.h"
 
 namespace displayfile {
 
@@ -31,12 +32,14 @@ class ZBuffer : public ImageSpaceMethod {
   static constexpr int kRowsOfABand = 16;
 
   struct Band {
-    std::uint32_t begin = 0, end = 0;      ///< of its fills
-    int first_column = 0, end_column = 0;  ///< that they cover
+    std::uint32_t begin = 0, turned_away = 0, end = 0;  ///< of its fills: those turned away last
+    int first_column = 0, end_column = 0;               ///< that they cover
   };
   void sort_into_bands();
-  std::span<const Fill> of_band(const Band& band) const {
-    return std::span(in_bands_).subspan(band.begin, band.end - band.begin);
+  FillsOfBand of_band(const Band& band) const {
+    const std::span<const Fill> all = in_bands_;
+    return {all.subspan(band.begin, band.turned_away - band.begin),
+            all.subspan(band.turned_away, band.end - band.turned_away)};
   }
 
   struct Worker;
@@ -48,7 +51,7 @@ class ZBuffer : public ImageSpaceMethod {
   std::optional<Request> request_;
   RowFills fills_;
   std::vector<Band> bands_;
-  std::vector<Fill> in_bands_;  ///< the fills of each band, in order of entry
+  std::vector<Fill> in_bands_;  ///< the fills of each band, each half of them in order of entry
   std::unique_ptr<Workers> workers_;
 };
 

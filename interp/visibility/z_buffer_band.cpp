@@ -56,6 +56,7 @@ class RowDrawer {
     const int row_begin = std::max(f.row_begin, rows_.row_begin);
     const int row_end = std::min(f.row_end, rows_.row_end);
     if (row_begin >= row_end) return;
+    if (f.turned_away && is_behind_all(f, {f.column, f.column_end, row_begin, row_end})) return;
     begun_ = false;
     forget_differences();
     const PixelBox& box = box_ = {f.column, f.column_end, row_begin, row_end};
@@ -76,6 +77,28 @@ class RowDrawer {
     for (int row = row_begin; row < row_end; ++row) {
       const int first = columns_.first[row - row_begin], end = columns_.end[row - row_begin];
       if (first < end) draw_span(f, fill, row, first, end);
+    }
+  }
+
+  /// Of each tile that has pixels of several fills, its farthest pixel's depth.
+  void find_farthest() {
+    if (!keep_the_nearest_) return;
+    farthest_found_ = true;
+    const int lanes = static_cast<int>(hn::Lanes(f_));
+    const Floats unknown = hn::Set(f_, -std::numeric_limits<float>::infinity());
+    for (int tile = 0; tile < static_cast<int>(rows_.tiles()); ++tile) {
+      const bool is_written = !wholes_known_ || rows_.whole[tile] == BandRows::kSeveral;
+      if (!is_written || (tile + 1) * kTile > rows_.width) continue;
+      Floats farthest = hn::Set(f_, std::numeric_limits<float>::infinity());
+      for (int row = rows_.row_begin; row < rows_.row_end; ++row) {
+        const float* const z = rows_.z + rows_.index(row, tile * kTile);
+        for (int i = 0; i < kTile; i += lanes) {
+          const Floats here = hn::LoadU(f_, z + i);
+          farthest = hn::Min(farthest, hn::IfThenElse(hn::IsNaN(here), unknown, here));
+        }
+      }
+      rows_.farthest[tile] =
+          std::max(rows_.farthest[tile], hn::GetLane(hn::MinOfLanes(f_, farthest)));
     }
   }
 
@@ -133,6 +156,19 @@ class RowDrawer {
   }
 
   static constexpr int kTile = BandRows::kTileColumns;
+
+  /// True if the fill, in that box, lies behind all that its tiles show. Depth is linear: it is
+  /// nearest at a corner of the box.
+  HWY_INLINE bool is_behind_all(const RowFill& f, const PixelBox& box) const {
+    const int first_tile = box.first_column / kTile, last_tile = (box.end_column - 1) / kTile;
+    if (!farthest_found_ || !f.certain || last_tile - first_tile > 1) return false;
+    const int row = (f.dz_dy > 0.0F ? box.end_row - 1 : box.first_row) - f.row_begin;
+    const int column = f.dz_dx > 0.0F ? box.end_column - 1 - f.column : 0;
+    const float nearest =
+        f.z + static_cast<float>(row) * f.dz_dy + static_cast<float>(column) * f.dz_dx;
+    const float farthest = std::min(rows_.farthest[first_tile], rows_.farthest[last_tile]);
+    return nearest - farthest < -hn::GetLane(margin_);
+  }
 
   /// Looking at tiles costs as much as drawing a few rows.
   static bool is_wide(int columns) { return columns >= 4 * kTile; }
@@ -479,6 +515,7 @@ class RowDrawer {
   std::vector<float>& own_farthest_;
   std::vector<BandScratch::Run>& runs_;
   bool wholes_known_ = true;  // BandRows::whole is kept
+  bool farthest_found_ = false;
   bool begun_ = false;
   PixelBox box_{};  // that holds all that is drawn of the fill begun
   /// Differences from fills that were drawn before the one begun, by their numbers.
@@ -498,9 +535,7 @@ class RowDrawer {
 };
 
 template <bool kExact>
-void draw_all(const RowFills& fills, std::span<const Fill> to_draw, const BandRows& rows,
-              BandDecisions& decisions, BandScratch& scratch) {
-  RowDrawer<kExact> drawer(fills, rows, decisions, scratch);
+void draw_each(const RowFills& fills, std::span<const Fill> to_draw, RowDrawer<kExact>& drawer) {
   constexpr std::size_t kAhead = 8;  // fills lie far apart
   for (std::size_t k = 0; k < to_draw.size(); ++k) {
     if (k + kAhead < to_draw.size()) {
@@ -512,14 +547,23 @@ void draw_all(const RowFills& fills, std::span<const Fill> to_draw, const BandRo
     }
     drawer.draw(to_draw[k]);
   }
+}
+
+template <bool kExact>
+void draw_all(const RowFills& fills, const FillsOfBand& to_draw, const BandRows& rows,
+              BandDecisions& decisions, BandScratch& scratch) {
+  RowDrawer<kExact> drawer(fills, rows, decisions, scratch);
+  draw_each(fills, to_draw.towards, drawer);
+  if (!to_draw.towards.empty() && !to_draw.turned_away.empty()) drawer.find_farthest();
+  draw_each(fills, to_draw.turned_away, drawer);
   drawer.write_wholes();
 }
 
-void DrawExact(const RowFills& fills, std::span<const Fill> to_draw, const BandRows& rows,
+void DrawExact(const RowFills& fills, const FillsOfBand& to_draw, const BandRows& rows,
                BandDecisions& decisions, BandScratch& scratch) {
   draw_all<true>(fills, to_draw, rows, decisions, scratch);
 }
-void DrawRounded(const RowFills& fills, std::span<const Fill> to_draw, const BandRows& rows,
+void DrawRounded(const RowFills& fills, const FillsOfBand& to_draw, const BandRows& rows,
                  BandDecisions& decisions, BandScratch& scratch) {
   draw_all<false>(fills, to_draw, rows, decisions, scratch);
 }
@@ -530,13 +574,13 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace displayfile {
 
-void draw_into_band(const RowFills& fills, std::span<const ViewedScene::Fill> to_draw,
-                    const BandRows& rows, BandDecisions& decisions, BandScratch& scratch) {
+void draw_into_band(const RowFills& fills, const FillsOfBand& to_draw, const BandRows& rows,
+                    BandDecisions& decisions, BandScratch& scratch) {
   DISPLAYFILE_WIDEST_FORM(DrawExact)(fills, to_draw, rows, decisions, scratch);
 }
 
-void draw_into_band_rounded(const RowFills& fills, std::span<const ViewedScene::Fill> to_draw,
-                            const BandRows& rows, BandDecisions& decisions, BandScratch& scratch) {
+void draw_into_band_rounded(const RowFills& fills, const FillsOfBand& to_draw, const BandRows& rows,
+                            BandDecisions& decisions, BandScratch& scratch) {
   DISPLAYFILE_WIDEST_FORM(DrawRounded)(fills, to_draw, rows, decisions, scratch);
 }
 

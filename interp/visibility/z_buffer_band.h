@@ -87,14 +87,21 @@ class BandDecisions {
   virtual bool draw(int row, int column, std::uint32_t bits) = 0;
 };
 
-/// Draws the fills, given in order of entry, into rows that were cleared or drawn into before.
+/// The fills of a band, each half in order of entry.
+struct FillsOfBand {
+  std::span<const ViewedScene::Fill> towards;
+  std::span<const ViewedScene::Fill> turned_away;  ///< RowFill::turned_away
+};
+
+/// Draws the fills into rows that were cleared. Those turned away come last, so that what the
+/// others hide in whole tiles is passed over.
 /// Computes in the widest vectors that the processor has; the fills seen are the same with any.
-void draw_into_band(const RowFills& fills, std::span<const ViewedScene::Fill> to_draw,
-                    const BandRows& rows, BandDecisions& decisions, BandScratch& scratch);
+void draw_into_band(const RowFills& fills, const FillsOfBand& to_draw, const BandRows& rows,
+                    BandDecisions& decisions, BandScratch& scratch);
 
 /// Draws as draw_into_band does, but with rounded decisions only, to measure what the exact ones
 /// cost.
-void draw_into_band_rounded(const RowFills& fills, std::span<const ViewedScene::Fill> to_draw,
-                            const BandRows& rows, BandDecisions& decisions, BandScratch& scratch);
+void draw_into_band_rounded(const RowFills& fills, const FillsOfBand& to_draw, const BandRows& rows,
+                            BandDecisions& decisions, BandScratch& scratch);
 
 }  // namespace displayfile

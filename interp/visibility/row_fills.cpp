@@ -9,6 +9,8 @@
 #include "hidden/parallel.h"
 #include "interp/scan/scan_edge.h"
 #include "interp/visibility/fill_depths.h"
+#include "interp/visibility/row_bounds.h"
+#include "interp/visibility/row_triangles.h"
 
 namespace displayfile {
 
@@ -16,10 +18,7 @@ namespace {
 
 constexpr std::size_t kMostSides = 16;  ///< of what is drawn as a convex polygon
 
-/// Bounds of what single precision loses, in any rounding mode; derived in
-/// interp/visibility/z_buffer.md.
-constexpr double kEdgeUnit = 0x1p-21, kDepthUnit = 0x1p-20, kDepthError = 0x1p-17;
-constexpr double kLargestEdgeError = 0.25;
+using namespace row_bounds;
 
 /// The first column, from 0 to width, whose centre is at x or after it, in pixels.
 int first_column_after(double x, int width) {
@@ -46,6 +45,77 @@ int turn_if_convex(std::span<const Point3> vertices) {
   return known ? turning : 0;
 }
 
+/// Triangles that wait until there are enough of them to be made ready together.
+class RowFills::Triangles {
+ public:
+  Triangles(RowFills& fills, const ViewedScene& scene, const PictureSize& size)
+      : fills_(fills), scene_(scene), size_(size) {}
+
+  void add(Fill fill) {
+    const auto corners = scene_.corners_of_triangle(fill);
+    for (std::size_t k = 0; k < 3; ++k) {
+      block_.x[k][waiting_] = corners[k]->x;
+      block_.y[k][waiting_] = corners[k]->y;
+      block_.z[k][waiting_] = corners[k]->z;
+    }
+    fill_[waiting_++] = fill;
+    if (waiting_ == TriangleBlock::kMost) make();
+  }
+  void make() {
+    make_row_triangles(block_, waiting_, size_, static_cast<double>(fills_.depth_error_), made_);
+    for (int i = 0; i < waiting_; ++i) take(i);
+    waiting_ = 0;
+  }
+
+ private:
+  bool is(std::uint32_t bits, int i) const { return (bits >> i & 1) != 0; }
+
+  void take(int i) {
+    if (is(made_.needs_more, i)) return fills_.make(scene_, size_, fill_[i]);
+    if (is(made_.covers_none, i)) return;
+    RowFill& made = fills_.fills_[fill_[i]];
+    made.row_begin = made_.row_begin[i];
+    made.row_end = made_.row_end[i];
+    made.column = made_.column[i];
+    made.column_end = made_.column_end[i];
+    made.turned_away = is(made_.turned_away, i);
+    made.certain = is(made_.is_certain, i);
+    if (made.certain) {
+      made.z = made_.z[i];
+      made.dz_dx = made_.dz_dx[i];
+      made.dz_dy = made_.dz_dy[i];
+    }
+    if (is(made_.has_sides, i)) take_sides(i, made);
+  }
+  void take_sides(int i, RowFill& made) {
+    RowEdge* const edges = fills_.edges_.data() + made.edges;
+    RowEdge on_right[3];
+    int left = 0, right = 0;
+    for (int k = 0; k < 3; ++k) {
+      if (!is(made_.crosses[k], i)) continue;
+      const RowEdge edge{made_.x[k][i], made_.slope[k][i]};
+      if (is(made_.on_right[k], i)) {
+        on_right[right++] = edge;
+      } else {
+        edges[left++] = edge;
+      }
+    }
+    if (left == 0 || right == 0) return;
+    std::copy_n(on_right, right, edges + left);
+    made.edge_error = made_.edge_error[i];
+    made.left = static_cast<std::uint8_t>(left);
+    made.right = static_cast<std::uint8_t>(right);
+  }
+
+  RowFills& fills_;
+  const ViewedScene& scene_;
+  PictureSize size_;
+  int waiting_ = 0;
+  Fill fill_[TriangleBlock::kMost];
+  TriangleBlock block_{};
+  RowTriangles made_;
+};
+
 void RowFills::make(const ViewedScene& scene, const PictureSize& size, int threads) {
   fills_.reserve(scene.most_fills() + 1);
   fills_.resize(scene.end());
@@ -63,11 +133,14 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, int threa
     const auto begin = static_cast<Fill>(1 + k * kFillsAtATime);
     const Fill end = std::min(scene.end(), begin + kFillsAtATime);
     std::uint32_t edges = first_edges_[k];
+    Triangles triangles(*this, scene, size);
     for (Fill fill = begin; fill < end; ++fill) {
+      const std::uint32_t sides = scene.sides(fill);
       fills_[fill] = {.edges = edges};
-      make(scene, size, fill);
-      edges += scene.sides(fill);
+      sides == 3 ? triangles.add(fill) : make(scene, size, fill);
+      edges += sides;
     }
+    triangles.make();
   });
 }
 
@@ -125,8 +198,8 @@ bool RowFills::make_triangle(const ViewedScene& scene, const PictureSize& size, 
   if (!(left >= -width && right <= 2.0 * width && bottom >= -height && top <= 2.0 * height)) {
     return false;
   }
-  const int first = first_column_after(left - std::abs(left) * 0x1p-50, size.width);
-  const int end = first_column_after(right + std::abs(right) * 0x1p-50, size.width);
+  const int first = first_column_after(left - std::abs(left) * kColumnError, size.width);
+  const int end = first_column_after(right + std::abs(right) * kColumnError, size.width);
   if (first == end) return true;
   const int rows[3] = {first_row_above(p->y, size.height), first_row_above(q->y, size.height),
                        first_row_above(r->y, size.height)};
@@ -138,7 +211,7 @@ bool RowFills::make_triangle(const ViewedScene& scene, const PictureSize& size, 
   const double qx = x[2] - x[0], qy = y[2] - y[0], qz = r->z - p->z;
   const double area = px * qy - py * qx, per_area = 1.0 / area;
   const double across = std::max(right - left, top - bottom);
-  const double coordinates = 0x1p-50 * (3.0 * (width + height) + across);
+  const double coordinates = kOfCoordinates * (3.0 * (width + height) + across);
   const double area_error = coordinates * across;
   if (!(std::abs(area) > 2.0 * area_error)) return false;
   const double dz_dx = (pz * qy - qz * py) * per_area, dz_dy = (qz * px - pz * qx) * per_area;
@@ -151,7 +224,7 @@ bool RowFills::make_triangle(const ViewedScene& scene, const PictureSize& size, 
   const double largest =
       std::abs(z) + (end - first) * std::abs(dz_dx) + (row_end - row_begin) * std::abs(dz_dy);
   const double error = 2.0 * reach * slope_error + slopes * coordinates +
-                       0x1p-50 * (std::abs(p->z) + reach * slopes) + kDepthUnit * largest;
+                       kOfCoordinates * (std::abs(p->z) + reach * slopes) + kDepthUnit * largest;
   made.row_begin = row_begin;
   made.row_end = row_end;
   made.column = first;

@@ -46,6 +46,7 @@ class RowFills {
   float depth_error() const { return depth_error_; }
 
  private:
+  class Triangles;
   void make(const ViewedScene& scene, const PictureSize& size, Fill fill);
   bool make_triangle(const ViewedScene& scene, const PictureSize& size, Fill fill);
   void make_edges_of_triangle(const double (&x)[3], const double (&y)[3], const int (&rows)[3],

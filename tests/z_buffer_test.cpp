@@ -104,6 +104,34 @@ TEST(ZBuffer, WhatLiesBehindAWholeTileIsTheTruths) {
   }
 }
 
+/// Triangles turned away are drawn after the others; where depths tie, the one entered later is
+/// seen all the same.
+TEST(ZBuffer, TrianglesThatTieAreSeenByTheOrderOfEntryWhicheverWayTheyTurn) {
+  constexpr PictureSize kSize{90, 70};
+  for (std::uint32_t seed = 0; seed < 60; ++seed) {
+    test::Dice dice(seed);
+    DisplayFile file;
+    Segment& segment = file.create(1);
+    segment.set_style(LineStyle{LineStyle::Kind::none});
+    for (int k = 0; k < 60; ++k) {
+      segment.set_pick(k);
+      const int plane = dice.from(0, 2);  // of three, which cross
+      const auto corner = [&] {
+        const double x = dice.from(0, 8) / 8.0, y = dice.from(0, 8) / 8.0;
+        return Point3{x, y, plane == 0 ? 0.5 : plane == 1 ? 0.25 + 0.5 * x : 0.75 - 0.5 * y};
+      };
+      test::enter(segment, test::Vertices{corner(), corner(), corner()});
+    }
+    const RasterRequest request{.width = kSize.width,
+                                .height = kSize.height,
+                                .method = HiddenMethod::z_buffer,
+                                .ids = true};
+    ASSERT_EQ(draw_with_software(file, request).ids,
+              truth(file, kSize.width, kSize.height, false).ids)
+        << seed;
+  }
+}
+
 TEST(ZBuffer, TheSameInWhateverRowsItIsDrawn) {
   constexpr PictureSize kSize{150, 50};
   const DisplayFile file = sheets(3, 30);

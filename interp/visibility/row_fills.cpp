@@ -1,5 +1,7 @@
 #include "interp/visibility/row_fills.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -120,7 +122,7 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, int threa
   fills_.reserve(scene.most_fills() + 1);
   fills_.resize(scene.end());
   depth_error_ = static_cast<float>(kDepthError * std::max(1.0, scene.largest_depth()));
-  constexpr Fill kFillsAtATime = 1024;
+  constexpr Fill kFillsAtATime = 1024, kAhead = 16;
   first_edges_.reserve(scene.most_fills() / kFillsAtATime + 2);
   first_edges_.assign(1, 0);
   for (Fill fill = 1; fill < scene.end(); ++fill) {
@@ -135,6 +137,9 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, int threa
     std::uint32_t edges = first_edges_[k];
     Triangles triangles(*this, scene, size);
     for (Fill fill = begin; fill < end; ++fill) {
+      if (fill + kAhead < end && scene.sides(fill + kAhead) == 3) {
+        for (const Point3* corner : scene.corners_of_triangle(fill + kAhead)) hwy::Prefetch(corner);
+      }
       const std::uint32_t sides = scene.sides(fill);
       fills_[fill] = {.edges = edges};
       sides == 3 ? triangles.add(fill) : make(scene, size, fill);

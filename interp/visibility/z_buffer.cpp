@@ -281,7 +281,8 @@ void ZBuffer::give_back(std::unique_ptr<Worker> worker) const {
   workers_->at_rest.push_back(std::move(worker));
 }
 
-/// A counting sort: within each half of a band the order of entry stays.
+/// A counting sort: within each half of a band the order of entry stays. With a ROUNDOFF it stays
+/// in all of it, since what is equal within it is seen or not by the order of drawing.
 void ZBuffer::sort_into_bands() {
   const auto bands = static_cast<std::size_t>((request_->size.height - 1) / kRowsOfABand + 1);
   const auto for_each_band = [&](const RowFill& fill, auto&& visit) {
@@ -291,11 +292,14 @@ void ZBuffer::sort_into_bands() {
       visit(bands_[static_cast<std::size_t>(band)]);
     }
   };
+  const auto is_drawn_late = [&](const RowFill& fill) {
+    return fill.turned_away && !request_->roundoff;
+  };
   bands_.assign(bands, {.first_column = request_->size.width});
   for (Fill k = 1; k < fills_.end(); ++k) {
     const RowFill& fill = fills_[k];
     for_each_band(fill, [&](Band& band) {
-      ++(fill.turned_away ? band.end : band.turned_away);
+      ++(is_drawn_late(fill) ? band.end : band.turned_away);
       band.first_column = std::min(band.first_column, fill.column);
       band.end_column = std::max(band.end_column, fill.column_end);
     });
@@ -311,9 +315,9 @@ void ZBuffer::sort_into_bands() {
   if (all > in_bands_.capacity()) in_bands_.reserve(in_other_views + in_other_views / 2);
   in_bands_.resize(all);
   for (Fill k = 1; k < fills_.end(); ++k) {
-    const bool away = fills_[k].turned_away;
+    const bool late = is_drawn_late(fills_[k]);
     for_each_band(fills_[k],
-                  [&](Band& band) { in_bands_[away ? band.end++ : band.turned_away++] = k; });
+                  [&](Band& band) { in_bands_[late ? band.end++ : band.turned_away++] = k; });
   }
 }
 

@@ -155,11 +155,13 @@ void ViewedScene::append(const ViewedScene& part, std::size_t corners, std::size
       to.push_back(number == kNone ? kNone : number + static_cast<std::uint32_t>(stored));
     }
   };
-  const auto append_runs = [&](auto& to, const auto& from) {
-    for (const auto& run : from) {
-      if (!to.empty() && to.back().style == run.style) continue;
-      to.push_back({run.first + first_item, run.style});
-    }
+  const auto append_runs = [&](auto& to,
+                               const auto& from) {  // each has another style than the last
+    if (from.empty()) return;
+    const bool goes_on = !to.empty() && to.back().style == from.front().style;
+    const auto end = static_cast<std::ptrdiff_t>(to.size());
+    to.insert(to.end(), from.begin() + (goes_on ? 1 : 0), from.end());
+    std::for_each(to.begin() + end, to.end(), [&](auto& run) { run.first += first_item; });
   };
   if (!part.edge_visible_.empty()) {
     edge_visible_.resize(corners + moved_by, 1);

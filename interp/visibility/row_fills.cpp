@@ -118,35 +118,41 @@ class RowFills::Triangles {
   RowTriangles made_;
 };
 
-void RowFills::make(const ViewedScene& scene, const PictureSize& size, int threads) {
+void RowFills::make(const ViewedScene& scene, const PictureSize& size, int threads,
+                    const std::function<void(const Batch&)>& made) {
   fills_.reserve(scene.most_fills() + 1);
   fills_.resize(scene.end());
   depth_error_ = static_cast<float>(kDepthError * std::max(1.0, scene.largest_depth()));
-  constexpr Fill kFillsAtATime = 1024, kAhead = 16;
-  first_edges_.reserve(scene.most_fills() / kFillsAtATime + 2);
-  first_edges_.assign(1, 0);
-  for (Fill fill = 1; fill < scene.end(); ++fill) {
-    if (fill % kFillsAtATime == 1) first_edges_.push_back(first_edges_.back());
-    first_edges_.back() += scene.sides(fill);
+  first_edges_.assign(batches_of(scene) + 1, 0);
+  for (std::size_t k = 0; k < batches(); ++k) {
+    const Batch next = batch(k);
+    std::uint32_t edges = first_edges_[k];
+    for (Fill fill = next.begin; fill < next.end; ++fill) edges += scene.sides(fill);
+    first_edges_[k + 1] = edges;
   }
   edges_.reserve(scene.most_corners());
   edges_.resize(first_edges_.back());
-  in_parallel(threads, first_edges_.size() - 1, [&](std::size_t k) {
-    const auto begin = static_cast<Fill>(1 + k * kFillsAtATime);
-    const Fill end = std::min(scene.end(), begin + kFillsAtATime);
-    std::uint32_t edges = first_edges_[k];
-    Triangles triangles(*this, scene, size);
-    for (Fill fill = begin; fill < end; ++fill) {
-      if (fill + kAhead < end && scene.sides(fill + kAhead) == 3) {
-        for (const Point3* corner : scene.corners_of_triangle(fill + kAhead)) hwy::Prefetch(corner);
-      }
-      const std::uint32_t sides = scene.sides(fill);
-      fills_[fill] = {.edges = edges};
-      sides == 3 ? triangles.add(fill) : make(scene, size, fill);
-      edges += sides;
-    }
-    triangles.make();
+  in_parallel(threads, batches(), [&](std::size_t k) {
+    const Batch now = batch(k);
+    make(scene, size, now);
+    made(now);
   });
+}
+
+void RowFills::make(const ViewedScene& scene, const PictureSize& size, const Batch& batch) {
+  constexpr Fill kAhead = 16;
+  std::uint32_t edges = first_edges_[batch.number];
+  Triangles triangles(*this, scene, size);
+  for (Fill fill = batch.begin; fill < batch.end; ++fill) {
+    if (fill + kAhead < batch.end && scene.sides(fill + kAhead) == 3) {
+      for (const Point3* corner : scene.corners_of_triangle(fill + kAhead)) hwy::Prefetch(corner);
+    }
+    const std::uint32_t sides = scene.sides(fill);
+    fills_[fill] = {.edges = edges};
+    sides == 3 ? triangles.add(fill) : make(scene, size, fill);
+    edges += sides;
+  }
+  triangles.make();
 }
 
 static_assert(sizeof(RowFill) == 40);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -36,8 +38,25 @@ class RowFills {
  public:
   using Fill = ViewedScene::Fill;
 
-  /// Makes them ready, in place of those before, on up to so many threads.
-  void make(const ViewedScene& scene, const PictureSize& size, int threads);
+  /// Some fills that follow each other, which one thread works on.
+  struct Batch {
+    std::size_t number;
+    Fill begin, end;
+  };
+  /// Makes them ready, in place of those before, on up to so many threads. `made` is called for
+  /// each batch when it is ready, by the thread that made it.
+  void make(const ViewedScene& scene, const PictureSize& size, int threads,
+            const std::function<void(const Batch&)>& made);
+  std::size_t batches() const { return first_edges_.size() - 1; }
+  Batch batch(std::size_t number) const {
+    const auto size = static_cast<Fill>(size_of_batch(end()));
+    const auto begin = static_cast<Fill>(1 + number * size);
+    return {number, begin, std::min(end(), begin + size)};
+  }
+  static std::size_t batches_of(const ViewedScene& scene) {
+    const std::size_t size = size_of_batch(scene.end());
+    return (scene.end() - 1 + size - 1) / size;
+  }
 
   Fill end() const { return static_cast<Fill>(fills_.size()); }
   const RowFill& operator[](Fill fill) const { return fills_[fill]; }
@@ -46,7 +65,12 @@ class RowFills {
   float depth_error() const { return depth_error_; }
 
  private:
+  static std::size_t size_of_batch(std::size_t fills) {
+    constexpr std::size_t kLeast = 1024, kMostBatches = 256;
+    return std::max(kLeast, fills / kMostBatches + 1);
+  }
   class Triangles;
+  void make(const ViewedScene& scene, const PictureSize& size, const Batch& batch);
   void make(const ViewedScene& scene, const PictureSize& size, Fill fill);
   bool make_triangle(const ViewedScene& scene, const PictureSize& size, Fill fill);
   void make_edges_of_triangle(const double (&x)[3], const double (&y)[3], const int (&rows)[3],
@@ -56,7 +80,7 @@ class RowFills {
 
   std::vector<RowFill> fills_;
   std::vector<RowEdge> edges_;
-  std::vector<std::uint32_t> first_edges_;  // of the fills that are made ready at a time
+  std::vector<std::uint32_t> first_edges_;  // of the batches
   float depth_error_ = 0.0F;
 };
 

@@ -6,7 +6,9 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <utility>
 
+#include "hidden/parallel.h"
 #include "interp/scan/scan_convert.h"
 #include "interp/visibility/fill_depths.h"
 #include "interp/visibility/pair_orders.h"
@@ -257,8 +259,10 @@ ZBuffer::~ZBuffer() = default;
 
 void ZBuffer::prepare(const Request& request, int threads) {
   request_.emplace(request);
-  fills_.make(request.scene, request.size, threads);
-  sort_into_bands();
+  bands_of_batches_.resize(bands() * RowFills::batches_of(request.scene));
+  fills_.make(request.scene, request.size, threads,
+              [&](const RowFills::Batch& batch) { count_in_bands(batch); });
+  sort_into_bands(threads);
   for (const auto& worker : workers_->at_rest) worker->take(request, fills_);
 }
 
@@ -281,44 +285,64 @@ void ZBuffer::give_back(std::unique_ptr<Worker> worker) const {
   workers_->at_rest.push_back(std::move(worker));
 }
 
-/// A counting sort: within each half of a band the order of entry stays. With a ROUNDOFF it stays
-/// in all of it, since what is equal within it is seen or not by the order of drawing.
-void ZBuffer::sort_into_bands() {
-  const auto bands = static_cast<std::size_t>((request_->size.height - 1) / kRowsOfABand + 1);
-  const auto for_each_band = [&](const RowFill& fill, auto&& visit) {
-    if (fill.row_begin >= fill.row_end) return;
-    const int last = (fill.row_end - 1) / kRowsOfABand;
-    for (int band = fill.row_begin / kRowsOfABand; band <= last; ++band) {
-      visit(bands_[static_cast<std::size_t>(band)]);
-    }
-  };
-  const auto is_drawn_late = [&](const RowFill& fill) {
-    return fill.turned_away && !request_->roundoff;
-  };
-  bands_.assign(bands, {.first_column = request_->size.width});
-  for (Fill k = 1; k < fills_.end(); ++k) {
+template <class Visit>
+void ZBuffer::for_each_band(const RowFill& fill, std::span<Band> bands, Visit&& visit) {
+  if (fill.row_begin >= fill.row_end) return;
+  const int last = (fill.row_end - 1) / kRowsOfABand;
+  for (int band = fill.row_begin / kRowsOfABand; band <= last; ++band) {
+    visit(bands[static_cast<std::size_t>(band)]);
+  }
+}
+
+/// With a ROUNDOFF none is: what is equal within it is seen or not by the order of drawing.
+bool ZBuffer::is_drawn_late(const RowFill& fill) const {
+  return fill.turned_away && !request_->roundoff;
+}
+
+/// What a batch has in each band: how many fills, and their columns.
+void ZBuffer::count_in_bands(const RowFills::Batch& batch) {
+  const std::span<Band> bands = of_batch(batch.number);
+  std::ranges::fill(bands, Band{.first_column = request_->size.width});
+  for (Fill k = batch.begin; k < batch.end; ++k) {
     const RowFill& fill = fills_[k];
-    for_each_band(fill, [&](Band& band) {
+    for_each_band(fill, bands, [&](Band& band) {
       ++(is_drawn_late(fill) ? band.end : band.turned_away);
       band.first_column = std::min(band.first_column, fill.column);
       band.end_column = std::max(band.end_column, fill.column_end);
     });
   }
+}
+
+/// A counting sort, the batches in parallel: within each half of a band the order of entry stays.
+void ZBuffer::sort_into_bands(int threads) {
+  bands_.assign(bands(), {.first_column = request_->size.width});
   std::uint32_t all = 0;
-  for (Band& band : bands_) {
-    const std::uint32_t towards = band.turned_away, away = band.end;
-    band.begin = band.turned_away = all;
-    band.end = all + towards;
-    all += towards + away;
+  const auto place = [&](std::uint32_t& count) { all += std::exchange(count, all); };
+  for (std::size_t k = 0; k < bands_.size(); ++k) {
+    Band& band = bands_[k];
+    band.begin = all;
+    for (std::size_t batch = 0; batch < fills_.batches(); ++batch) {
+      Band& part = of_batch(batch)[k];
+      place(part.turned_away);
+      band.first_column = std::min(band.first_column, part.first_column);
+      band.end_column = std::max(band.end_column, part.end_column);
+    }
+    band.turned_away = all;
+    for (std::size_t batch = 0; batch < fills_.batches(); ++batch) place(of_batch(batch)[k].end);
+    band.end = all;
   }
   const std::size_t in_other_views = std::max<std::size_t>(all, request_->scene.most_fills());
   if (all > in_bands_.capacity()) in_bands_.reserve(in_other_views + in_other_views / 2);
   in_bands_.resize(all);
-  for (Fill k = 1; k < fills_.end(); ++k) {
-    const bool late = is_drawn_late(fills_[k]);
-    for_each_band(fills_[k],
-                  [&](Band& band) { in_bands_[late ? band.end++ : band.turned_away++] = k; });
-  }
+  in_parallel(threads, fills_.batches(), [&](std::size_t batch) {
+    const std::span<Band> places = of_batch(batch);
+    const auto [number, begin, end] = fills_.batch(batch);
+    for (Fill k = begin; k < end; ++k) {
+      const bool late = is_drawn_late(fills_[k]);
+      for_each_band(fills_[k], places,
+                    [&](Band& band) { in_bands_[late ? band.end++ : band.turned_away++] = k; });
+    }
+  });
 }
 
 /// Beyond the columns of a band's fills there is the background.

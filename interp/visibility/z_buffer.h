@@ -35,7 +35,18 @@ class ZBuffer : public ImageSpaceMethod {
     std::uint32_t begin = 0, turned_away = 0, end = 0;  ///< of its fills: those turned away last
     int first_column = 0, end_column = 0;               ///< that they cover
   };
-  void sort_into_bands();
+  std::size_t bands() const {
+    return static_cast<std::size_t>((request_->size.height - 1) / kRowsOfABand + 1);
+  }
+  template <class Visit>
+  static void for_each_band(const RowFill& fill, std::span<Band> bands, Visit&& visit);
+  bool is_drawn_late(const RowFill& fill) const;
+  void count_in_bands(const RowFills::Batch& batch);
+  void sort_into_bands(int threads);
+  /// What a batch of fills has of each band; then where the next of these comes.
+  std::span<Band> of_batch(std::size_t number) {
+    return std::span(bands_of_batches_).subspan(number * bands(), bands());
+  }
   FillsOfBand of_band(const Band& band) const {
     const std::span<const Fill> all = in_bands_;
     return {all.subspan(band.begin, band.turned_away - band.begin),
@@ -50,7 +61,7 @@ class ZBuffer : public ImageSpaceMethod {
   Decided decided_;
   std::optional<Request> request_;
   RowFills fills_;
-  std::vector<Band> bands_;
+  std::vector<Band> bands_, bands_of_batches_;
   std::vector<Fill> in_bands_;  ///< the fills of each band, each half of them in order of entry
   std::unique_ptr<Workers> workers_;
 };

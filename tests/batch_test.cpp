@@ -203,7 +203,8 @@ TEST_F(Batch, InputsOfAList) {
   EXPECT_EQ(run("draw @many.txt -o x.draw"), 2);
   EXPECT_NE(err_.find("x.draw: unknown picture format"), std::string::npos) << err_;
 
-  expect_error("draw @none.txt -o '{name}.png'", "none.txt: cannot be read: No such file or directory");
+  expect_error("draw @none.txt -o '{name}.png'",
+               "none.txt: cannot be read: No such file or directory");
   write("empty.txt", "\n\r\n");
   expect_error("draw @empty.txt -o '{name}.png'",
                "empty.txt: is empty: expected names of inputs, one a line");
@@ -280,6 +281,25 @@ TEST_F(Batch, StatisticsAreThoseOfEachInput) {
   }
   EXPECT_EQ(run("draw red.draw mesh.obj mesh.obj" + options + "'{number}.png'"), 0) << err_;
   EXPECT_EQ(out_, each);
+}
+
+TEST_F(Batch, StatisticsNameHiddenTexts) {
+  write(
+      "texts.draw",
+      "set-hidden-line-removal on\nopen-segment 1\npolygon-abs-3 -0.5 -0.5 0  0.5 -0.5 0  0.5 0.5 "
+      "0  -0.5 0.5 0\nmove-abs-3 0 0 -1\ntext \"be\\\"hind\"\nmove-abs-3 0 0 1\ntext \"before\"\n"
+      "move-abs-3 5 0 0\ntext \"outside\"\nset-text-style 0.03 always\nmove-abs-3 0.1 0 -1\n"
+      "text \"always\"\nclose-segment\n");
+  for (const char* format : {"png", "svg", "png --hidden bsp", "svg --hidden bsp"}) {
+    EXPECT_EQ(run(std::string("draw texts.draw --stats -o x.") + format), 0) << err_;
+    EXPECT_NE(out_.find("texts stored       3 (1 hidden: \"be\\\"hind\")\n"), std::string::npos)
+        << format << '\n'
+        << out_;
+  }
+  EXPECT_EQ(run("draw texts.draw --stats -o x.svg --hidden none"), 0) << err_;
+  EXPECT_NE(out_.find("texts stored       3 (0 hidden)\n"), std::string::npos) << out_;
+  EXPECT_EQ(run("draw red.draw --stats -o x.svg"), 0) << err_;
+  EXPECT_EQ(out_.find("texts"), std::string::npos) << out_;
 }
 
 TEST_F(Batch, TurntablesOfEachInput) {

@@ -7,6 +7,7 @@
 /// is installed (interp/public_headers.cmake); they need GLM alone.
 
 #include "clip/error.h"
+#include "displayfile/axes.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/recorder.h"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <span>
 
@@ -15,10 +16,12 @@
 #include "displayfile/text/dump.h"
 #include "displayfile/text/dump_compare.h"
 #include "programs/each_input.h"
+#include "programs/input_names.h"
 #include "programs/inputs.h"
 #include "programs/made_folders.h"
 #include "programs/option_groups.h"
 #include "programs/output_name.h"
+#include "programs/progress.h"
 
 namespace displayfile {
 
@@ -89,6 +92,14 @@ std::string table(std::span<const Row> rows) {
   return text;
 }
 
+std::vector<Row> those_that_fail(std::span<const Row> rows) {
+  std::vector<Row> failing;
+  std::ranges::copy_if(rows, std::back_inserter(failing), [](const Row& row) {
+    return row.kind == Kind::differs || row.kind == Kind::bad;
+  });
+  return failing;
+}
+
 std::string totals(std::span<const Row> rows) {
   const auto count = [&](Kind kind) { return std::ranges::count(rows, kind, &Row::kind); };
   if (count(Kind::written) > 0) {
@@ -100,9 +111,11 @@ std::string totals(std::span<const Row> rows) {
                      count(Kind::bad));
 }
 
-/// Without the input's name before it.
+/// Without the input's name before it: the table has it. A place in the file stays.
 std::string without_name(const std::string& message, const std::string& input) {
-  return message.starts_with(input + ": ") ? message.substr(input.size() + 2) : message;
+  if (!message.starts_with(input + ":")) return message;
+  const std::string rest = message.substr(input.size() + 1);
+  return rest.starts_with(' ') ? rest.substr(1) : rest;
 }
 
 }  // namespace
@@ -112,7 +125,7 @@ CLI::App& CheckCommand::add_to(CLI::App& app) {
       "check",
       "Compare each input's dump with a golden file; exit 1 and the first difference of each that "
       "differs");
-  command.add_option("INPUT", inputs, "drawing programs and meshes")->required();
+  add_inputs(command, "INPUT", inputs, "drawing programs and meshes");
   command
       .add_option(
           "--golden", golden,
@@ -125,6 +138,11 @@ CLI::App& CheckCommand::add_to(CLI::App& app) {
   command
       .add_flag("--summary", summary,
                 "a table of all inputs: passed, differs and how, or bad; and how many of each")
+      ->group(kReportOptions);
+  command
+      .add_flag("--quiet", quiet,
+                "no warnings and no progress; when all inputs are checked, a table of those that "
+                "do not pass; nothing if all do")
       ->group(kReportOptions);
   if (other != nullptr) other->add_to(command);
   hidden_surfaces.add_to(command);
@@ -182,6 +200,8 @@ int CheckCommand::run() const {
     require_golden(golden, inputs.front());
     check.read_golden(golden);
   }
+  if (quiet) Progress::show_none();
+  const bool in_a_table = summary || quiet;
   MadeFolders folders;
   std::vector<Row> rows;
   for_each_input(
@@ -199,13 +219,14 @@ int CheckCommand::run() const {
         return check.difference(inputs[k]).value_or("");
       },
       [&](std::size_t k, const InputResult& result) {
+        if (!quiet) std::cerr << result.warnings;
         const bool bad = !result.error.empty();
         const Kind kind = bad                   ? Kind::bad
                           : update              ? Kind::written
                           : result.text.empty() ? Kind::passed
                                                 : Kind::differs;
-        if (bad && !summary) std::cerr << "displayfile: " << result.error << '\n';
-        if (kind == Kind::differs && !summary) {
+        if (bad && !in_a_table) std::cerr << "displayfile: " << result.error << '\n';
+        if (kind == Kind::differs && !in_a_table) {
           std::cout << inputs[k] << ": " << result.text << '\n';
         }
         rows.push_back(
@@ -213,7 +234,7 @@ int CheckCommand::run() const {
       });
   const bool any_bad = std::ranges::find(rows, Kind::bad, &Row::kind) != rows.end();
   const bool any_differs = std::ranges::find(rows, Kind::differs, &Row::kind) != rows.end();
-  if (summary) std::cout << table(rows);
+  if (in_a_table) std::cout << table(quiet ? those_that_fail(rows) : rows);
   if (summary || (rows.size() > 1 && (any_bad || any_differs))) std::cout << totals(rows);
   return any_bad ? 2 : any_differs ? 1 : 0;
 }

@@ -24,6 +24,7 @@ struct CheckCommand {
   std::string golden;
   bool update = false;
   bool summary = false;
+  bool quiet = false;                  ///< only what does not pass is told, when all are checked
   GoldenCheckOption* other = nullptr;  ///< in place of instructions, if asked for
 
   CLI::App& add_to(CLI::App& app);

@@ -8,7 +8,9 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <span>
+#include <sstream>
 
 #include "clip/error.h"
 #include "displayfile/input_file.h"
@@ -18,12 +20,14 @@
 #include "programs/drawing_statistics.h"
 #include "programs/drawn_inputs.h"
 #include "programs/each_input.h"
+#include "programs/input_names.h"
 #include "programs/made_folders.h"
 #include "programs/option_groups.h"
 #include "programs/output_name.h"
 #include "programs/pick_option.h"
 #include "programs/progress.h"
 #include "programs/turntable_command.h"
+#include "programs/warnings.h"
 
 namespace displayfile {
 
@@ -50,9 +54,8 @@ std::string names_of(std::span<const Choice> formats) {
 
 CLI::App& DrawCommand::add_to(CLI::App& app) {
   CLI::App& command = *app.add_subcommand("draw", "Draw drawing programs and meshes");
-  command
-      .add_option("INPUT", inputs, "drawing programs (.draw, or - for standard input) and meshes")
-      ->required();
+  add_inputs(command, "INPUT", inputs,
+             "drawing programs (.draw, or - for standard input) and meshes");
   add_output_options(command);
   add_picture_options(command);
   meshes.add_to(command);
@@ -62,6 +65,11 @@ CLI::App& DrawCommand::add_to(CLI::App& app) {
       .add_option("--pick", pick,
                   "X,Y[,REACH] in pixels from the upper left corner: print what is seen there, "
                   "a polygon, or a line or edge within REACH of it")
+      ->group(kReportOptions);
+  command
+      .add_flag("--quiet", quiet,
+                "no warnings and no progress; of many inputs, which were not drawn and why stands "
+                "in one list at the end")
       ->group(kReportOptions);
   command.add_flag("--explain", explain, "say which method auto picked, and why")
       ->group(kReportOptions);
@@ -227,10 +235,11 @@ int DrawCommand::draw_each(const DrawOptions& drawing, NotInVectors& left_out) c
         return draw_into(std::span(&inputs[k], 1), outputs[k].picture, of_one, &folders, left_out);
       },
       [&](std::size_t k, const InputResult& result) {
+        if (!quiet) std::cerr << result.warnings;
         if (!result.text.empty()) std::cout << inputs[k] << ":\n" << result.text;
         if (result.error.empty()) return;
-        std::cerr << "displayfile: " << result.error << '\n';
-        bad.push_back(input_name(inputs[k]));
+        if (!quiet) std::cerr << "displayfile: " << result.error << '\n';
+        bad.push_back(quiet ? result.error : input_name(inputs[k]));
       });
   if (bad.empty()) return 0;
   std::cerr << fmt::format("displayfile: {} of {} inputs not drawn:\n  {}\n", bad.size(),
@@ -248,9 +257,10 @@ int DrawCommand::run() const {
     throw Error("-: two outputs on standard output: expected one, and file names for the others");
   }
   NotInVectors left_out;
+  if (quiet) Progress::show_none();
   if (is_name_pattern(output)) {
     const int status = draw_each(drawing, left_out);
-    left_out.warn(output);
+    if (!quiet) left_out.warn(output);
     return status;
   }
   for (const auto& file : {drawing.ids, drawing.depth}) {
@@ -258,8 +268,12 @@ int DrawCommand::run() const {
     throw Error(fmt::format("{}: has a field, and {} has none: expected both or neither",
                             file.string(), output));
   }
+  std::ostringstream unheard;
+  std::optional<CollectedWarnings> collected;
+  if (quiet) collected.emplace(unheard);
   const std::string text = draw_into(inputs, output, drawing, nullptr, left_out);
   left_out.warn(output);
+  collected.reset();
   (output == "-" ? std::cerr : std::cout) << text;
   return 0;
 }

@@ -32,6 +32,7 @@ struct DrawCommand {
   ShadingWord shading;  ///< that the inputs start with
   MeshWords meshes;
   bool stats = false;
+  bool quiet = false;                    ///< no warnings; what is not drawn is told at the end
   bool explain = false;                  ///< what `auto` picked, and why
   std::optional<std::string> pick;       ///< where (programs/pick_option.h)
   std::optional<std::string> turntable;  ///< so many views of it (programs/turntable_command.h)

@@ -3,9 +3,14 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <vector>
 
+#include "displayfile/characters.h"
+#include "displayfile/viewed_scene.h"
 #include "hidden/exact/predicate_counts.h"
+#include "interp/text/seen_texts.h"
 #include "interp/visibility/auto_method.h"
+#include "interp/visibility/image_space.h"
 
 namespace displayfile {
 
@@ -37,6 +42,26 @@ std::string sort_counts(const DisplayFile& file, std::size_t polygons_and_lines)
       counts.cuts, counts.comparisons, counts.depth);
 }
 
+/// The texts within the view volume, and which of them surfaces hide; nothing if there are none.
+std::string text_counts(const DisplayFile& file, HiddenMethod method) {
+  if (!file.has_texts()) return "";
+  const ViewedScene scene(file);
+  const std::vector<ViewedText> seen = seen_texts(file, is_image_space(method));
+  std::string hidden;
+  auto next = seen.begin();  // both are in order of entry
+  for (const ViewedText& text : scene.texts()) {
+    const bool is_next = next != seen.end() && next->anchor == text.anchor &&
+                         next->characters == text.characters && next->segment == text.segment;
+    if (is_next) {
+      ++next;
+    } else {
+      hidden += (hidden.empty() ? "" : ", ") + in_quotation_marks(text.characters);
+    }
+  }
+  return fmt::format("texts stored       {} ({} hidden{}{})\n", scene.texts().size(),
+                     scene.texts().size() - seen.size(), hidden.empty() ? "" : ": ", hidden);
+}
+
 }  // namespace
 
 std::string drawing_statistics(const GraphicsSystem& system, const DisplayFile& file,
@@ -48,17 +73,19 @@ std::string drawing_statistics(const GraphicsSystem& system, const DisplayFile& 
     drawn += segment.visible ? segment.polygons() + segment.lines() : 0;
   }
   const std::size_t polygons = file.polygons();
+  const HiddenMethod method = drawing_method(system, options, kind);
   std::string text = fmt::format(
       "segments           {} ({} visible)\n"
       "polygons entered   {} ({} not flat, triangulated)\n"
       "polygons stored    {}\n"
       "lines stored       {}\n"
+      "{}"
       "display file       {} bytes ({:.1f} a polygon)\n"
       "picture            {} x {}, hidden surfaces by {}\n",
       file.segments().size(), visible, system.polygons_entered(), system.polygons_triangulated(),
-      polygons, lines, file.bytes(),
+      polygons, lines, text_counts(file, method), file.bytes(),
       polygons == 0 ? 0.0 : static_cast<double>(file.bytes()) / static_cast<double>(polygons),
-      options.width, options.height, name_of(drawing_method(system, options, kind)));
+      options.width, options.height, name_of(method));
   return text + sort_counts(file, drawn) + exact_stage_counts();
 }
 

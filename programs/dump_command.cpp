@@ -6,6 +6,7 @@
 #include "clip/error.h"
 #include "displayfile/output_file.h"
 #include "displayfile/text/dump.h"
+#include "programs/input_names.h"
 #include "programs/inputs.h"
 
 namespace displayfile {
@@ -13,7 +14,7 @@ namespace displayfile {
 CLI::App& DumpCommand::add_to(CLI::App& app) {
   CLI::App& command =
       *app.add_subcommand("dump", "Every segment's instructions, as canonical text");
-  command.add_option("INPUT", inputs, "drawing programs and meshes")->required();
+  add_inputs(command, "INPUT", inputs, "drawing programs and meshes");
   command.add_option("-o,--output", output, "file to write; standard output if not given");
   hidden_surfaces.add_to(command);
   size.add_to(command);

@@ -1,7 +1,6 @@
 #include "programs/each_input.h"
 
 #include <exception>
-#include <iostream>
 #include <mutex>
 #include <new>
 #include <optional>
@@ -24,11 +23,11 @@ std::string naming(const std::string& input, const std::string& message) {
 InputResult result_of(const std::string& input, std::size_t k,
                       const std::function<std::string(std::size_t)>& work) {
   try {
-    return {work(k), ""};
+    return {work(k), "", ""};
   } catch (const std::bad_alloc&) {
-    return {"", naming(input, "out of memory")};
+    return {"", naming(input, "out of memory"), ""};
   } catch (const std::exception& e) {
-    return {"", naming(input, e.what())};
+    return {"", naming(input, e.what()), ""};
   }
 }
 
@@ -37,11 +36,7 @@ InputResult result_of(const std::string& input, std::size_t k,
 void for_each_input(std::span<const std::string> inputs, int threads, const std::string& what,
                     const std::function<std::string(std::size_t k)>& work,
                     const std::function<void(std::size_t k, const InputResult&)>& take) {
-  struct Done {
-    InputResult result;
-    std::string warnings;
-  };
-  std::vector<std::optional<Done>> done(inputs.size());
+  std::vector<std::optional<InputResult>> done(inputs.size());
   std::size_t finished = 0, taken = 0;
   std::mutex mutex;
   Progress progress(what);
@@ -52,12 +47,12 @@ void for_each_input(std::span<const std::string> inputs, int threads, const std:
       const CollectedWarnings collected(warned);
       result = result_of(inputs[k], k, work);
     }
+    result.warnings = warned.str();
     const std::lock_guard lock(mutex);
-    done[k] = Done{std::move(result), warned.str()};
+    done[k] = std::move(result);
     progress.update(++finished, inputs.size());
     for (; taken < done.size() && done[taken]; ++taken) {
-      std::cerr << done[taken]->warnings;
-      take(taken, done[taken]->result);
+      take(taken, *done[taken]);
       *done[taken] = {};
     }
   });

@@ -10,15 +10,15 @@ namespace displayfile {
 
 /// What became of one of many inputs.
 struct InputResult {
-  std::string text;   ///< for standard output
-  std::string error;  ///< a message that names the input; empty if there was none
+  std::string text;      ///< for standard output
+  std::string error;     ///< a message that names the input; empty if there was none
+  std::string warnings;  ///< lines for standard error, to stand before the error
 };
 
 /// Calls work(k) once for each of the inputs, some at a time on several threads: its string is what
 /// it has to say. What one throws, its message with the input's name before it unless it starts
 /// with it, keeps no other from being done. `take` is called in the order of the inputs, one at a
-/// time, as early as that allows, with the warnings of the input written to standard error before.
-/// `what` is shown on a terminal meanwhile.
+/// time, as early as that allows. `what` is shown on a terminal meanwhile.
 void for_each_input(std::span<const std::string> inputs, int threads, const std::string& what,
                     const std::function<std::string(std::size_t k)>& work,
                     const std::function<void(std::size_t k, const InputResult&)>& take);

@@ -7,6 +7,7 @@
 #include "clip/error.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/output_file.h"
+#include "programs/input_names.h"
 #include "programs/inputs.h"
 #include "programs/progress.h"
 #include "programs/warnings.h"
@@ -15,7 +16,7 @@ namespace displayfile {
 
 CLI::App& ImportCommand::add_to(CLI::App& app) {
   CLI::App& command = *app.add_subcommand("import", "Write a drawing program from meshes");
-  command.add_option("MESH", meshes)->required();
+  add_inputs(command, "MESH", meshes, "meshes");
   command.add_option("-o,--output", output, "the drawing program, .draw")->required();
   shading.add_to(command);
   size.add_to(command);

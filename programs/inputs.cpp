@@ -116,6 +116,31 @@ InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem
   return read;
 }
 
+/// Axes stand where the view has them: in the one that is fitted to what is known so far. Adds what
+/// programs draw in that one, if there are axes among it.
+void append_axes(std::span<const std::string> inputs, const GraphicsSystem& system,
+                 InputsRead& read) {
+  const auto has_axes = [](const std::string& program) {
+    return program.find("axes-3") != std::string::npos;
+  };
+  if (std::ranges::none_of(read.programs, has_axes)) return;
+  RetainedScene drawn;
+  GraphicsSystem fitted;
+  fitted.retain(&drawn);
+  fitted.set_aspect_ratio(system.aspect_ratio());
+  fit_view(read.bare, fitted, read.upright.camera(), read.said);
+  View shared = fitted.view();
+  bool is_before_meshes = true;
+  auto program = read.programs.begin();
+  for (const std::string& input : inputs) {
+    is_before_meshes = is_before_meshes && is_drawing_program(input);
+    if (!is_drawing_program(input)) continue;
+    replay_ahead(*program++, input_name(input), fitted);
+    if (is_before_meshes) shared = fitted.view();
+  }
+  append_drawn(shared, drawn, read.bare);
+}
+
 /// A mesh that is read well may still be refused, by what else was set: then its name is told too.
 template <class Enter>
 void naming(const std::string& mesh, Enter&& enter) {
@@ -137,10 +162,12 @@ std::optional<Upright> enter_inputs(std::span<const std::string> inputs, Graphic
     }
     return std::nullopt;
   }
-  const InputsRead read = read_inputs(inputs, system, options.camera);
+  InputsRead read = read_inputs(inputs, system, options.camera);
   const std::string& first_mesh = *std::ranges::find_if_not(inputs, is_drawing_program);
   naming(first_mesh, [&] {
-    if (!read.bare.empty()) fit_view(read.bare, system, read.upright.camera(), read.said);
+    if (read.bare.empty()) return;
+    append_axes(inputs, system, read);
+    fit_view(read.bare, system, read.upright.camera(), read.said);
   });
   const Progress progress("entering " + inputs.front() + (inputs.size() > 1 ? " and others" : ""));
   auto program = read.programs.begin();

@@ -11,6 +11,9 @@ namespace {
 std::atomic<bool> one_is_shown = false;
 }
 
+/// What would be shown is for good not the first.
+void Progress::show_none() { one_is_shown = true; }
+
 Progress::Progress(const std::string& what)
     : what_(what), shown_(isatty(STDERR_FILENO) == 1 && !one_is_shown.exchange(true)) {
   if (!shown_) return;

@@ -9,6 +9,8 @@ namespace displayfile {
 /// said to be done; nothing otherwise. The line is wiped when the work is done.
 class Progress {
  public:
+  static void show_none();  ///< from now on
+
   explicit Progress(const std::string& what);
   ~Progress();
   Progress(const Progress&) = delete;

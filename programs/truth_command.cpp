@@ -16,6 +16,7 @@
 #include "interp/files/npy_file.h"
 #include "interp/truth/truth.h"
 #include "interp/truth/world_truth.h"
+#include "programs/input_names.h"
 #include "programs/inputs.h"
 #include "programs/progress.h"
 
@@ -24,7 +25,7 @@ namespace displayfile {
 CLI::App& TruthCommand::add_to(CLI::App& app) {
   CLI::App& command = *app.add_subcommand(
       "truth", "What is seen at each pixel, by exact arithmetic alone, whatever the methods do");
-  command.add_option("INPUT", inputs, "drawing programs and meshes")->required();
+  add_inputs(command, "INPUT", inputs, "drawing programs and meshes");
   size.add_to(command);
   meshes.add_to(command);
   command.add_option("--ids", ids, "item buffer as .npy: the pick identifier seen, -1 for none");

@@ -151,6 +151,72 @@ TEST_F(Batch, OneBadFileIsReportedAndTheOthersAreDrawn) {
   }
 }
 
+/// Why each was not drawn stands in the list, and nothing else is said.
+TEST_F(Batch, QuietListsWhatWasNotDrawnAndWhy) {
+  write("bad.draw", "open-segment 1\nfly\n");
+  write("empty.draw", "");
+  write("two.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n");
+  const std::string options = " --size 40x30 --quiet";
+  EXPECT_EQ(run("draw red.draw bad.draw empty.draw two.obj missing.obj -o '{name}.png'" + options),
+            2);
+  EXPECT_EQ(out_, "");
+  EXPECT_EQ(err_,
+            "displayfile: 2 of 5 inputs not drawn:\n"
+            "  bad.draw:2:1: unknown routine 'fly': expected a user routine, such as open-segment "
+            "or polygon-abs-3\n"
+            "  missing.obj: no such file: expected a mesh\n");
+  expect_picture_of("red.draw", "red.png");
+  EXPECT_EQ(run("draw empty.draw -o empty.svg --samples 2" + options), 0);
+  EXPECT_EQ(out_ + err_, "");
+  EXPECT_EQ(run("draw empty.draw red.draw -o '{name}.svg' --samples 2" + options), 0);
+  EXPECT_EQ(out_ + err_, "");
+  EXPECT_EQ(run("draw red.draw -o - --stats" + options), 0);
+  EXPECT_NE(err_.find("polygons entered   1"), std::string::npos) << "what was asked for is said";
+  expect_error("draw bad.draw -o x.png" + options, "bad.draw:2:1: unknown routine 'fly'");
+}
+
+/// Names may be more than a command line holds.
+TEST_F(Batch, InputsOfAList) {
+  write("list.txt", "red.draw\r\n\na/house.draw\nmesh.obj");
+  write("@odd.draw", kBlue);
+  EXPECT_EQ(run("draw @list.txt ./@odd.draw -o '{number}.png' --size 40x30"), 0) << err_;
+  expect_picture_of("red.draw", "000.png");
+  expect_picture_of("a/house.draw", "001.png");
+  expect_picture_of("mesh.obj", "002.png");
+  expect_picture_of("./@odd.draw", "003.png");
+  EXPECT_EQ(run("draw @- -o 'in-{number}.png' --size 40x30", "list.txt"), 0) << err_;
+  expect_picture_of("a/house.draw", "in-001.png");
+  EXPECT_EQ(run("dump red.draw a/house.draw mesh.obj"), 2) << "one segment's name twice";
+  write("one.txt", "red.draw\n");
+  EXPECT_EQ(run("dump red.draw"), 0) << err_;
+  const std::string dumped = out_;
+  EXPECT_EQ(run("dump @one.txt"), 0) << err_;
+  EXPECT_EQ(out_, dumped);
+  EXPECT_EQ(run("truth @one.txt --ids i.npy --size 40x30"), 0) << err_;
+  write("meshes.txt", "mesh.obj\n");
+  EXPECT_EQ(run("import @meshes.txt -o mesh.draw"), 0) << err_;
+  write("many.txt", [] {
+    std::string names;
+    for (int i = 0; i < 30000; ++i) names += "red.draw\n";
+    return names;
+  }());
+  EXPECT_EQ(run("draw @many.txt -o x.draw"), 2);
+  EXPECT_NE(err_.find("x.draw: unknown picture format"), std::string::npos) << err_;
+
+  expect_error("draw @none.txt -o '{name}.png'",
+               "none.txt: cannot be read: No such file or directory");
+  write("empty.txt", "\n\r\n");
+  expect_error("draw @empty.txt -o '{name}.png'",
+               "empty.txt: is empty: expected names of inputs, one a line");
+  write("zeros.txt", std::string("red.draw\0mesh.obj\0", 18));
+  expect_error("draw @zeros.txt -o '{name}.png'",
+               "zeros.txt: holds a zero byte: expected names of inputs, one a line");
+  expect_error("draw @- - -o '{number}.png'", "standard input is read twice", "list.txt");
+  expect_error("draw @- @- -o '{number}.png'", "standard input is read twice", "list.txt");
+  expect_error("draw @ -o x.png", "@: no such file: expected a mesh");
+  expect_error("draw @list.txt -o '{name}.png' --sise 3", "unknown option '--sise'");
+}
+
 /// Nothing is left of a file that could not be written, nor of a folder for a bad input.
 TEST_F(Batch, NothingIsLeftOfWhatIsNotDrawn) {
   write("a/bad.draw", "fly\n");
@@ -215,6 +281,25 @@ TEST_F(Batch, StatisticsAreThoseOfEachInput) {
   }
   EXPECT_EQ(run("draw red.draw mesh.obj mesh.obj" + options + "'{number}.png'"), 0) << err_;
   EXPECT_EQ(out_, each);
+}
+
+TEST_F(Batch, StatisticsNameHiddenTexts) {
+  write(
+      "texts.draw",
+      "set-hidden-line-removal on\nopen-segment 1\npolygon-abs-3 -0.5 -0.5 0  0.5 -0.5 0  0.5 0.5 "
+      "0  -0.5 0.5 0\nmove-abs-3 0 0 -1\ntext \"be\\\"hind\"\nmove-abs-3 0 0 1\ntext \"before\"\n"
+      "move-abs-3 5 0 0\ntext \"outside\"\nset-text-style 0.03 always\nmove-abs-3 0.1 0 -1\n"
+      "text \"always\"\nclose-segment\n");
+  for (const char* format : {"png", "svg", "png --hidden bsp", "svg --hidden bsp"}) {
+    EXPECT_EQ(run(std::string("draw texts.draw --stats -o x.") + format), 0) << err_;
+    EXPECT_NE(out_.find("texts stored       3 (1 hidden: \"be\\\"hind\")\n"), std::string::npos)
+        << format << '\n'
+        << out_;
+  }
+  EXPECT_EQ(run("draw texts.draw --stats -o x.svg --hidden none"), 0) << err_;
+  EXPECT_NE(out_.find("texts stored       3 (0 hidden)\n"), std::string::npos) << out_;
+  EXPECT_EQ(run("draw red.draw --stats -o x.svg"), 0) << err_;
+  EXPECT_EQ(out_.find("texts"), std::string::npos) << out_;
 }
 
 TEST_F(Batch, TurntablesOfEachInput) {

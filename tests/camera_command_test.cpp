@@ -189,6 +189,24 @@ TEST_F(Camera, ProgramsBeforeAMeshAndAfterItShareItsView) {
   same("a.png", "s.png");
 }
 
+/// Which edges of the box they stand on depends on the view, and what the view is fitted to on
+/// them.
+TEST_F(Camera, AxesBesideAMeshAreInThePicture) {
+  write("m.obj", kPyramid);
+  write("axes.draw", "open-segment 90\naxes-3 0 1 0 1 0 1\nclose-segment\n");
+  for (const char* eye : {"30,20", "120,30", "-100,-40", "210,60 --fov 40", "45,35 --parallel"}) {
+    const std::string camera = std::string(" --up z --eye=") + eye;
+    EXPECT_EQ(run("dump m.obj axes.draw" + camera), 0) << err_;
+    for (const char* name : {" \"x\"\n", " \"y\"\n", " \"z\"\n"}) {
+      EXPECT_NE(out_.find(name), std::string::npos) << name << eye;
+    }
+    EXPECT_EQ(run("draw m.obj axes.draw -o a.png --stats" + camera), 0) << err_;
+    EXPECT_NE(out_.find(" (0 hidden)\n"), std::string::npos) << out_;
+    draw("axes.draw m.obj -o b.png" + camera);
+    same("a.png", "b.png");
+  }
+}
+
 TEST_F(Camera, SettingsBeforeAMeshChangeItsPicture) {
   write("m.obj", kPyramid);
   draw("m.obj -o bare.png");

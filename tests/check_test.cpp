@@ -90,8 +90,8 @@ TEST_F(Check, SummaryOfAllInputs) {
   EXPECT_EQ(
       out_,
       "passed   a/house.draw\n"
-      "bad      bad.draw      bad.draw:2:1: unknown routine 'fly': expected a user routine, "
-      "such as open-segment or polygon-abs-3\n"
+      "bad      bad.draw      2:1: unknown routine 'fly': expected a user routine, such as "
+      "open-segment or polygon-abs-3\n"
       "differs  b/house.draw  segment 1, instruction 1 (fill solid 0 1 0): red is 0, expected "
       "1\n"
       "3 inputs: 1 passed, 1 differ, 1 bad\n");
@@ -107,6 +107,37 @@ TEST_F(Check, SummaryOfAllInputs) {
   EXPECT_EQ(run("check tree.draw bad.draw --golden gold --update"), 2);
   EXPECT_TRUE(fs::exists(folder_ / "gold/tree.txt"));
   EXPECT_FALSE(fs::exists(folder_ / "gold/bad.txt"));
+}
+
+TEST_F(Check, QuietTellsOnlyWhatDoesNotPass) {
+  write("bad.draw", "open-segment 1\nfly\n");
+  write("empty.draw", "");
+  const std::string all =
+      "check a/house.draw bad.draw empty.draw b/house.draw --picture --quiet --golden ";
+  EXPECT_EQ(run(all + "a/house.draw"), 2);
+  EXPECT_EQ(err_, "");  // no warning that nothing is seen of empty.draw
+  EXPECT_EQ(out_,
+            "bad      bad.draw      2:1: unknown routine 'fly': expected a user routine, such as "
+            "open-segment or polygon-abs-3\n"
+            "differs  empty.draw    131072 wrong pixels of 262144 (50.00%), largest difference "
+            "255\n"
+            "differs  b/house.draw  131072 wrong pixels of 262144 (50.00%), largest difference "
+            "255\n"
+            "4 inputs: 1 passed, 2 differ, 1 bad\n");
+  EXPECT_EQ(run("check a/house.draw a/house.draw --quiet --golden a/house.draw"), 0);
+  EXPECT_EQ(out_ + err_, "");
+  EXPECT_EQ(run("check a/house.draw tree.draw --quiet --golden gold --update"), 0);
+  EXPECT_EQ(out_ + err_, "");
+}
+
+/// A class's list: who handed in nothing is told too.
+TEST_F(Check, InputsOfAList) {
+  write("class.txt", "a/house.draw\nc/house.draw\n");
+  EXPECT_EQ(run("check @class.txt --golden a/house.draw --summary"), 2);
+  EXPECT_EQ(out_,
+            "passed   a/house.draw\n"
+            "bad      c/house.draw  cannot be read: No such file or directory\n"
+            "2 inputs: 1 passed, 0 differ, 1 bad\n");
 }
 
 TEST_F(Check, NothingIsLeftOfBadInputsWithUpdate) {

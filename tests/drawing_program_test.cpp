@@ -299,7 +299,12 @@ TEST(DrawingProgram, ErrorsNamePlaceAndExpectation) {
       {"set-view-distance 1.5x\n", "1:19: expected a number, not '1.5x'"},
       {"set-view-distance 0x10\n", "1:19: expected a number, not '0x10'"},
       {"set-view-distance +-1\n", "1:19: expected a number, not '+-1'"},
-      {"set-view-distance 1,5\n", "1:19: expected a number, not '1,5'"},
+      {"set-view-distance 1,5\n",
+       "1:19: expected a number, not '1,5': numbers have no commas: blanks part them, a point "
+       "their decimals"},
+      {"set-perspective 3,2,6\n",
+       "1:22: set-perspective: 1 argument, expected 3: x y z: numbers have no commas: blanks part "
+       "them, a point their decimals"},
       {"set-view-up 0 inf 0\n", "1:15: expected a finite number, not 'inf'"},
       {"set-view-up 0 -infinity 0\n", "1:15: expected a finite number, not '-infinity'"},
       {"set-view-up 0 0 nan\n", "1:17: expected a finite number, not 'nan'"},
@@ -409,7 +414,7 @@ TEST(DrawingProgram, RefusedCallsKeepTheState) {
 
   const Wrong with_no_segment_open[] = {
       {"close-segment", "no segment open"},
-      {"move-abs-3 0 0 0", "no segment open"},
+      {"move-abs-3 0 0 0", "no segment open: open one first"},
       {"line-abs-3 0 0 0", "no segment open"},
       {"line-rel-2 0 0", "no segment open"},
       {"polygon-abs-3 0 0 0 1 0 0 0 1 0", "no segment open"},

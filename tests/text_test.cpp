@@ -54,7 +54,7 @@ TEST(Text, ErrorsSayWhere) {
             "scene.draw:2:8: character U+FFFE in a text: expected characters that can be drawn");
   EXPECT_EQ(line("text \"\xC3(\""),
             "scene.draw:2:8: not a drawing program: byte 0xc3, expected UTF-8 text");
-  EXPECT_EQ(error_of_program("text \"a\"\n"), "scene.draw:1:1: no segment open");
+  EXPECT_EQ(error_of_program("text \"a\"\n"), "scene.draw:1:1: no segment open: open one first");
   EXPECT_EQ(
       line("set-text-style"),
       "scene.draw:2:16: set-text-style: 0 arguments, expected size [left|centre|right] [always]");

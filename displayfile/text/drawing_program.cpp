@@ -18,6 +18,7 @@
 #include "clip/error.h"
 #include "clip/nearest_word.h"
 #include "clip/words.h"
+#include "displayfile/axes.h"
 #include "displayfile/characters.h"
 #include "displayfile/input_file.h"
 
@@ -102,6 +103,13 @@ std::errc read(std::string_view word, Number& value) {
   return end == word.data() + word.size() ? error : std::errc::invalid_argument;
 }
 
+/// What may be wrong with a word in which a number was expected, or numbers.
+std::string_view hint_at(std::string_view word) {
+  return word.find(',') != word.npos && word[0] != '"'
+             ? ": numbers have no commas: blanks part them, a point their decimals"
+             : "";
+}
+
 double number(std::string_view word) {
   double value = 0.0;
   const std::errc error = read(word, value);
@@ -110,7 +118,8 @@ double number(std::string_view word) {
     throw ErrorAt(word.data(), "number " + quoted(word) + " out of range of a double");
   }
   throw ErrorAt(word.data(), error == std::errc{} ? "expected a finite number, not " + quoted(word)
-                                                  : "expected a number, not " + quoted(word));
+                                                  : fmt::format("expected a number, not {}{}",
+                                                                quoted(word), hint_at(word)));
 }
 
 template <>
@@ -258,6 +267,12 @@ struct Routine {
   } else {
     message += fmt::format("{}: {}", routine.arguments, routine.expected);
   }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (const std::string_view hint = hint_at(line.argument(i)); !hint.empty()) {
+      message += hint;
+      break;
+    }
+  }
   const bool too_many = routine.arguments != kVaries && std::cmp_greater(count, routine.arguments);
   if (too_many) {
     throw ErrorAt(line.argument(static_cast<std::size_t>(routine.arguments)).data(), message);
@@ -367,6 +382,21 @@ void text_style(GraphicsSystem& system, Line& line, const Routine& routine) {
   system.set_text_style(style);
 }
 
+void axes(GraphicsSystem& system, Line& line, const Routine& routine) {
+  const std::size_t count = line.arguments();
+  if (count != 6 && count != 9) wrong_count(line, routine);
+  Point3 low, high;
+  for (int a = 0; a < 3; ++a) {
+    low[a] = line.take<double>();
+    high[a] = line.take<double>();
+  }
+  std::array<std::string, 3> names{"x", "y", "z"};
+  if (count == 9) {
+    for (std::string& name : names) name = line.take<std::string_view>();
+  }
+  axes_3(system, low, high, {names[0], names[1], names[2]});
+}
+
 using G = GraphicsSystem;
 
 /// Every user routine. They are looked up in this order: those that fill programs come first.
@@ -385,6 +415,7 @@ constexpr auto kRoutines = std::to_array<Routine>({
     fixed<&G::move_rel_2>("move-rel-2", "dx dy"),
     fixed<&G::set_pick_id>("set-pick-id", "n"),
     fixed<&G::text>("text", "\"characters\""),
+    {"axes-3", "6 or 9: x-min x-max y-min y-max z-min z-max [\"x\" \"y\" \"z\"]", kVaries, axes},
     {"set-fill-style", "solid r g b | hollow", kVaries, fill_style},
     {"set-line-style", "solid r g b [width] | dashed r g b [width [dash gap]] | none", kVaries,
      line_style},

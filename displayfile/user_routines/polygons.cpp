@@ -13,7 +13,7 @@
 namespace displayfile {
 
 void GraphicsSystem::require_open() const {
-  if (!open_) throw Error("no segment open");
+  if (!open_) throw Error("no segment open: open one first");
 }
 
 Point3 GraphicsSystem::to_world(const Point3& object) const {

@@ -1,0 +1,224 @@
+// The axes of a box: where they stand in a view, and what stands at their ticks.
+
+#include "displayfile/axes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "displayfile/recorder.h"
+#include "displayfile/text/drawing_program.h"
+#include "displayfile/text/dump.h"
+#include "displayfile/viewed_scene.h"
+#include "interp/text/seen_texts.h"
+#include "tests/error_of.h"
+#include "tests/replayed.h"
+
+namespace displayfile {
+namespace {
+
+using namespace test;
+
+std::vector<ViewedText> drawn_texts(const GraphicsSystem& g) {
+  return ViewedScene(g.display_file()).texts();
+}
+
+std::vector<std::string> texts_of(const GraphicsSystem& g) {
+  std::vector<std::string> texts;
+  for (const ViewedText& text : drawn_texts(g)) texts.push_back(text.characters);
+  return texts;
+}
+
+using Names = std::array<std::string_view, 3>;
+
+GraphicsSystem axes_of(const Point3& low, const Point3& high, const Names& names = {"", "", ""}) {
+  GraphicsSystem g;
+  const Point3 margin = 0.4 * (high - low);
+  g.set_window(low.x - margin.x, high.x + margin.x, low.y - margin.y, high.y + margin.y);
+  g.open_segment(1);
+  axes_3(g, low, high, names);
+  g.close_segment();
+  return g;
+}
+
+std::vector<std::string> numbers(double low, double high) {
+  std::vector<std::string> found;
+  for (const ViewedText& text : drawn_texts(axes_of({low, 0, 0}, {high, high - low, 0}))) {
+    if (text.style.alignment == TextStyle::Alignment::centre) found.push_back(text.characters);
+  }
+  return found;
+}
+
+TEST(Axes, NumbersAreMultiplesOfARoundOne) {
+  using Words = std::vector<std::string>;
+  EXPECT_EQ(numbers(0, 1), (Words{"0", "0.2", "0.4", "0.6", "0.8", "1"}));
+  EXPECT_EQ(numbers(0.1, 0.6), (Words{"0.1", "0.2", "0.3", "0.4", "0.5", "0.6"}));
+  EXPECT_EQ(numbers(-1, 1.5), (Words{"\u22121", "\u22120.5", "0", "0.5", "1", "1.5"}));
+  EXPECT_EQ(numbers(-3.2, 3.2), (Words{"\u22122", "0", "2"}));
+  EXPECT_EQ(numbers(3, 47), (Words{"10", "20", "30", "40"}));
+  EXPECT_EQ(numbers(500000, 500001),
+            (Words{"500000", "500000.2", "500000.4", "500000.6", "500000.8", "500001"}));
+  EXPECT_EQ(numbers(0, 3e-7), (Words{"0", "1e-07", "2e-07", "3e-07"}));
+  EXPECT_EQ(numbers(1, std::nextafter(1.0, 2.0)).front(), "1");
+}
+
+/// A flat chart: the x axis below, the y axis to the left, names in their middles.
+TEST(Axes, OfAFlatChart) {
+  const GraphicsSystem g = axes_of({0, 0, 0}, {10, 5, 0}, {"time", "speed", "none"});
+  EXPECT_EQ(texts_of(g), (std::vector<std::string>{"0", "2", "4", "6", "8", "10", "0", "1", "2",
+                                                   "3", "4", "5", "time", "speed"}));
+  for (const ViewedText& text : drawn_texts(g)) {
+    const bool is_below = text.anchor.y < 0.4 / 1.8;
+    const bool is_left = text.anchor.x < 0.4 / 1.8;
+    EXPECT_TRUE(is_below || is_left) << text.characters;
+    if (is_below && !is_left) {
+      EXPECT_EQ(text.style.alignment, TextStyle::Alignment::centre);
+    }
+    if (text.characters == "time") {
+      EXPECT_NEAR(text.anchor.x, 0.5, 1e-9);
+    }
+    if (text.characters == "speed") {
+      EXPECT_EQ(text.style.alignment, TextStyle::Alignment::right);
+    }
+  }
+}
+
+/// A solid box and its axes from all around, in parallel and in perspective.
+GraphicsSystem box_seen_from(double azimuth, double elevation, bool perspective) {
+  const double a = azimuth * 0.0174532925, e = elevation * 0.0174532925;
+  const Point3 eye(std::cos(a) * std::cos(e), std::sin(a) * std::cos(e), std::sin(e));
+  GraphicsSystem g;
+  g.set_view_plane_normal(-eye);
+  g.set_view_up({0, 0, 1});
+  if (perspective) {
+    g.set_perspective(8.0 * eye);
+  } else {
+    g.set_parallel(eye);
+  }
+  g.set_window(-3, 3, -3, 3);
+  g.set_hidden_line_removal(true);
+  g.set_hidden_scope(HiddenScope::all);
+  g.set_back_face_removal(false);
+  g.open_segment(1);
+  const auto face = [&](int axis, double at) {
+    std::vector<Point3> corners(4);
+    for (int k = 0; k < 4; ++k) {
+      corners[static_cast<std::size_t>(k)][axis] = at;
+      corners[static_cast<std::size_t>(k)][(axis + 1) % 3] = k == 1 || k == 2 ? 1 : -1;
+      corners[static_cast<std::size_t>(k)][(axis + 2) % 3] = k >= 2 ? 1 : -1;
+    }
+    g.polygon_abs_3(corners);
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    face(axis, -1);
+    face(axis, 1);
+  }
+  axes_3(g, {-1, -1, -1}, {1, 1, 1}, {"one", "two", "three"});
+  g.close_segment();
+  return g;
+}
+
+TEST(Axes, AreOutsideOfTheirBoxInEveryView) {
+  int views = 0;
+  for (const bool perspective : {false, true}) {
+    for (int azimuth = 7; azimuth < 360; azimuth += 24) {
+      for (int elevation = -81; elevation < 90; elevation += 18) {
+        const GraphicsSystem g = box_seen_from(azimuth, elevation, perspective);
+        const ViewedScene scene(g.display_file());
+        const std::size_t seen = seen_texts(g.display_file(), true).size();
+        ++views;
+        ASSERT_EQ(seen, scene.texts().size()) << azimuth << ' ' << elevation << ' ' << perspective;
+        if (perspective && (elevation < -70 || elevation > 70)) continue;  // "three" is left out
+        for (const char* name : {"one", "two", "three"}) {
+          ASSERT_EQ(std::ranges::count(scene.texts(), name, &ViewedText::characters), 1)
+              << name << ' ' << azimuth << ' ' << elevation << ' ' << perspective;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(views, 300);
+}
+
+TEST(Axes, AnAxisSeenEndOnIsLeftOut) {
+  GraphicsSystem g;  // looking along z
+  g.set_window(-3, 3, -3, 3);
+  g.open_segment(1);
+  axes_3(g, {-1, -1, -1}, {1, 1, 1});
+  g.close_segment();
+  const std::vector<std::string> texts = texts_of(g);
+  EXPECT_EQ(std::ranges::count(texts, "x"), 1);
+  EXPECT_EQ(std::ranges::count(texts, "y"), 1);
+  EXPECT_EQ(std::ranges::count(texts, "z"), 0);
+}
+
+/// In the modelling transformation, in the styles in force, which stay; recorded as what they are
+/// made of.
+TEST(Axes, AreMadeOfUserRoutines) {
+  std::ostringstream recorded;
+  Recorder recorder(recorded);
+  GraphicsSystem g;
+  g.set_recorder(&recorder);
+  g.set_text_style({.size = 0.05, .alignment = TextStyle::Alignment::right, .always = true});
+  const TextStyle style = g.attributes().text;
+  g.scale_3(0.01, 0.5, 1);
+  g.open_segment(1);
+  axes_3(g, {0, 0, 0}, {50, 1, 0});
+  EXPECT_EQ(g.attributes().text, style);
+  g.line_rel_3(10, 1, 0);  // from the box's corner
+  g.close_segment();
+  EXPECT_EQ(texts_of(g).front(), "0");
+  EXPECT_EQ(drawn_texts(g).front().style.size, 0.05);
+  EXPECT_TRUE(drawn_texts(g).front().style.always);
+  EXPECT_EQ(recorded.str().find("axes"), std::string::npos);
+  EXPECT_NE(recorded.str().find("move-abs-3 0 0 0\nline-rel-3 10 1 0\n"), std::string::npos);
+  GraphicsSystem again;
+  replay(recorded.str(), "recorded.draw", again);
+  EXPECT_EQ(dump(again.display_file()), dump(g.display_file()));
+  GraphicsSystem program;
+  replay(
+      "set-text-style 0.05 right always\nscale-3 0.01 0.5 1\nopen-segment 1\n"
+      "axes-3 0 50 0 1 0 0\nline-rel-3 10 1 0\nclose-segment\n",
+      "axes.draw", program);
+  EXPECT_EQ(dump(program.display_file()), dump(g.display_file()));
+}
+
+TEST(Axes, RefusedBeforeAnythingIsDrawn) {
+  GraphicsSystem none;
+  expect_error([&] { axes_3(none, {0, 0, 0}, {1, 1, 1}); }, "no segment open: open one first");
+  const auto refused = [](const std::string& line, const std::string& view = "") {
+    GraphicsSystem g;
+    replay(view, "view.draw", g);
+    g.open_segment(1);
+    const std::string before = dump(g.display_file());
+    const std::string error = error_of_program(line + "\n", g);
+    EXPECT_EQ(dump(g.display_file()), before) << line;
+    return error;
+  };
+  EXPECT_EQ(refused("axes-3 0 1 0 1 0"),
+            "scene.draw:1:17: axes-3: 5 arguments, expected 6 or 9: x-min x-max y-min y-max z-min "
+            "z-max [\"x\" \"y\" \"z\"]");
+  EXPECT_EQ(refused("axes-3 0 1 1 0 0 1"),
+            "scene.draw:1:1: axes from y 1 to 0: expected y-min <= y-max, in this order: x-min "
+            "x-max y-min y-max z-min z-max");
+  EXPECT_EQ(refused("axes-3 0 0 1 1 2 2"),
+            "scene.draw:1:1: axes of a point: expected x-min < x-max, or so for y or z");
+  EXPECT_EQ(refused("axes-3 0 1 0 1 0 1 \"a\" \"b\" c"),
+            "scene.draw:1:28: expected a text in quotation marks, not 'c'");
+  EXPECT_EQ(
+      refused("axes-3 0 1 0 1 0 9", "set-perspective 0 0 5\n"),
+      "scene.draw:1:1: axes: their box and what stands beside it are not wholly before the eye");
+  EXPECT_NE(refused("axes-3 0 1e100 -1e100 1e100 0 1").find("expected finite numbers"),
+            std::string::npos);
+  GraphicsSystem g;
+  g.open_segment(1);
+  expect_error([&] { axes_3(g, {0, 0, 0}, {1, 1, 1}, {"a\n", "", ""}); }, "character U+000A");
+  EXPECT_TRUE(texts_of(g).empty());
+}
+
+}  // namespace
+}  // namespace displayfile

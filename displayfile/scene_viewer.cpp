@@ -83,7 +83,9 @@ class SceneViewer::Part {
       : segment_(segment), first_(first), end_(end) {}
 
   std::uint32_t segment() const { return segment_; }
-  const ViewedScene& seen() const { return seen_; }
+  const ViewedScene& seen() const { return *seen_; }
+  /// The memory of its own; not what another thread views into.
+  std::size_t bytes() const { return own_.bytes(); }
 
   /// What is the same for all parts.
   struct InView {
@@ -92,11 +94,13 @@ class SceneViewer::Part {
     const ViewVolume& volume;
     bool by_centres;
   };
-  void view(const InView& in_view, const ImageTransformation& image) {
+  /// Into memory of its own, or into that which is given.
+  void view(const InView& in_view, const ImageTransformation& image, ViewedScene* into) {
+    seen_ = into != nullptr ? into : &own_;
     forget();
     in_view_ = &in_view;
-    seen_.items_.reserve(end_ - first_);
-    seen_.pick_.reserve(end_ - first_);
+    seen_->items_.reserve(end_ - first_);
+    seen_->pick_.reserve(end_ - first_);
     if (!stage_) stage_.emplace(in_view.volume);
     stage_->set_volume(in_view.volume);
     matrix_.reset();
@@ -115,8 +119,8 @@ class SceneViewer::Part {
     }
   }
   void forget() {
-    seen_.clear();
-    seen_.own_points_.clear();
+    seen_->clear();
+    seen_->own_points_.clear();
   }
 
  private:
@@ -172,11 +176,11 @@ class SceneViewer::Part {
     const double facing =
         look.is_lit || look.removes_back_faces ? newell_c(std::array{p, q, r}) : 0.0;
     if (look.removes_back_faces && facing <= 0.0) return;
-    if (!look.is_lit) return seen_.add_triangle(primitive.first, look.colour, primitive.pick);
+    if (!look.is_lit) return seen_->add_triangle(primitive.first, look.colour, primitive.pick);
     take(i, primitive);
     if (viewer.scene_->is_smooth(i)) return view_in_stage(i, primitive);
     const FillStyle fill = lit(attributes_->fill, *light_, viewer.scene_->normal(i), facing < 0.0);
-    seen_.add_triangle(primitive.first, fill.colour, primitive.pick);
+    seen_->add_triangle(primitive.first, fill.colour, primitive.pick);
   }
   static constexpr std::int32_t kFew = 6;  // centres, which it is worth looking at
 
@@ -209,14 +213,14 @@ class SceneViewer::Part {
       lit_ = lit(*fill, *light_, scene.normal(i), turned_away);
       fill = &lit_;
     }
-    seen_.add_polygon(primitive.first, vertices, {*fill, attributes_->line, primitive.pick});
+    seen_->add_polygon(primitive.first, vertices, {*fill, attributes_->line, primitive.pick});
     return true;
   }
 
   void view_in_stage(std::uint32_t i, const Primitive& primitive) {
     const RetainedScene& scene = *in_view_->viewer.scene_;
     const auto first =
-        static_cast<std::uint32_t>(in_view_->viewer.corners_ + seen_.own_points_.size());
+        static_cast<std::uint32_t>(in_view_->viewer.corners_ + seen_->own_points_.size());
     if (primitive.is_line()) {
       const PointRow ends = scene.points(i);
       std::array<Point3, 2> clipped;
@@ -224,8 +228,8 @@ class SceneViewer::Part {
         return;
       }
       take_points(clipped);
-      return seen_.add_item({first, 2, Primitives::Kind::line},
-                            {attributes_->fill, attributes_->line, primitive.pick});
+      return seen_->add_item({first, 2, Primitives::Kind::line},
+                             {attributes_->fill, attributes_->line, primitive.pick});
     }
     const ViewedPolygon viewed = stage_->view_polygon(scene.polygon(i), *attributes_);
     const ClippedPolygon& polygon = viewed.polygon;
@@ -237,28 +241,29 @@ class SceneViewer::Part {
       fill = &lit_;
     }
     if (std::ranges::find(polygon.edge_visible, 0) != polygon.edge_visible.end()) {
-      seen_.note_edges(seen_.own_points_.size(), polygon.edge_visible);
+      seen_->note_edges(seen_->own_points_.size(), polygon.edge_visible);
     }
     std::optional<std::uint32_t> first_intensity;
     if (!polygon.intensities.empty() && is_solid(*attributes_)) {
-      first_intensity = static_cast<std::uint32_t>(seen_.own_intensities_.size());
-      seen_.own_intensities_.insert(seen_.own_intensities_.end(), polygon.intensities.begin(),
-                                    polygon.intensities.end());
+      first_intensity = static_cast<std::uint32_t>(seen_->own_intensities_.size());
+      seen_->own_intensities_.insert(seen_->own_intensities_.end(), polygon.intensities.begin(),
+                                     polygon.intensities.end());
     }
     take_points(polygon.vertices);
-    const auto vertices = std::span(seen_.own_points_).last(polygon.vertices.size());
-    seen_.add_polygon(first, vertices, {*fill, attributes_->line, primitive.pick},
-                      first_intensity.value_or(ViewedScene::kNone));
+    const auto vertices = std::span(seen_->own_points_).last(polygon.vertices.size());
+    seen_->add_polygon(first, vertices, {*fill, attributes_->line, primitive.pick},
+                       first_intensity.value_or(ViewedScene::kNone));
   }
 
   void take_points(std::span<const Point3> points) {
     for (const Point3& p : points) {
-      seen_.own_points_.push_back(matrix_ ? matrix_->apply(p) : p);
+      seen_->own_points_.push_back(matrix_ ? matrix_->apply(p) : p);
     }
   }
 
   std::uint32_t segment_, first_, end_;
-  ViewedScene seen_;
+  ViewedScene own_;
+  ViewedScene* seen_ = &own_;
   const InView* in_view_ = nullptr;
   std::optional<ViewStage> stage_;
   std::optional<ImageMatrix> matrix_;
@@ -341,12 +346,17 @@ const ViewedScene& SceneViewer::view(const Wanted& wanted) {
   }
   view_points(wanted, volume);
   const Part::InView in_view{*this, wanted, volume, wanted.centres_of && !shows_shadows_};
-  in_parallel(wanted.threads, parts_.size(), [&](std::size_t k) {
+  const auto view_part = [&](std::size_t k, ViewedScene* into) {
     Part& part = *parts_[k];
     const SegmentNow& segment = segments_[part.segment()];
-    segment.visible ? part.view(in_view, segment.image) : part.forget();
-  });
-  join_parts();
+    if (segment.visible) part.view(in_view, segment.image, into);
+  };
+  if (wanted.threads == 1) {
+    join_parts([&](std::size_t k) { view_part(k, &part_in_view_); });
+  } else {
+    in_parallel(wanted.threads, parts_.size(), [&](std::size_t k) { view_part(k, nullptr); });
+    join_parts([](std::size_t) {});
+  }
   view_texts(volume);
   return viewed_;
 }
@@ -372,8 +382,9 @@ void SceneViewer::view_points(const Wanted& wanted, const ViewVolume& volume) {
   });
 }
 
-/// Puts the parts one after another, in order of entry.
-void SceneViewer::join_parts() {
+/// Puts the parts one after another, in order of entry; `view_part` is called before each.
+template <class ViewPart>
+void SceneViewer::join_parts(ViewPart&& view_part) {
   viewed_.clear();
   viewed_.own_points_.resize(points_.size());
   viewed_.items_.reserve(scene_->size());
@@ -391,6 +402,7 @@ void SceneViewer::join_parts() {
     viewed_.segments_.push_back({scene_->segments()[segment].name, viewed_.items()});
     while (k < parts_.size() && parts_[k]->segment() < segment) ++k;
     for (; k < parts_.size() && parts_[k]->segment() == segment; ++k) {
+      view_part(k);
       viewed_.append(parts_[k]->seen(), corners_, points_.size());
     }
   }
@@ -442,8 +454,8 @@ DisplayFile SceneViewer::display_file(const View& view, const glm::dmat3& lights
 
 std::size_t SceneViewer::bytes() const {
   const auto size = [](const auto& array) { return array.size() * sizeof(array[0]); };
-  std::size_t sum = size(welded_) + size(places_) + viewed_.bytes();
-  for (const auto& part : parts_) sum += part->seen().bytes();
+  std::size_t sum = size(welded_) + size(places_) + viewed_.bytes() + part_in_view_.bytes();
+  for (const auto& part : parts_) sum += part->bytes();
   return sum;
 }
 

@@ -76,7 +76,8 @@ class SceneViewer {
   };
   void share_equal_vertices();
   void view_points(const Wanted& wanted, const ViewVolume& volume);
-  void join_parts();
+  template <class ViewPart>
+  void join_parts(ViewPart&& view_part);
   void number_own_corners();
   void view_texts(const ViewVolume& volume);
 
@@ -93,6 +94,7 @@ class SceneViewer {
   std::vector<Place> places_;  // of the points
   std::vector<std::unique_ptr<Part>> parts_;
   ViewedScene viewed_;
+  ViewedScene part_in_view_;  // where one thread views part after part
 };
 
 }  // namespace displayfile

@@ -20,6 +20,7 @@
 #include "programs/dump_command.h"
 #include "programs/exit_status.h"
 #include "programs/import_command.h"
+#include "programs/keep_freed_memory.h"
 #include "programs/picture_check.h"
 #include "programs/truth_command.h"
 #include "programs/version.h"
@@ -100,4 +101,7 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace displayfile
 
-int main(int argc, char** argv) { return displayfile::exit_status(displayfile::run, argc, argv); }
+int main(int argc, char** argv) {
+  displayfile::keep_freed_memory();
+  return displayfile::exit_status(displayfile::run, argc, argv);
+}

@@ -208,7 +208,7 @@ TEST_F(Bench, HoldsNewViewsOfRetainedScenesAgainstOsmesaAndTheTruth) {
   write("cube.obj",
         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
         "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
-  write("R.md", block("moving-camera", "old\n"));
+  write("R.md", block("moving-camera", "stale\n"));
   ASSERT_EQ(run("bench --moving-camera terrain cube.obj --polygons 24,96 --sizes 48 --rounds 1 "
                 "--threads 1,2 --json b.json -o p.html --readme R.md"),
             0)
@@ -246,11 +246,11 @@ TEST_F(Bench, HoldsNewViewsOfRetainedScenesAgainstOsmesaAndTheTruth) {
     page.erase(at, kToTheLeft.size());
   }
   const std::string written = read(folder_ / "R.md");
-  EXPECT_EQ(written.find("old"), written.npos);
+  EXPECT_EQ(written.find("stale"), written.npos);
   for (const std::string& row :
        {row_of_new_views(report, "terrain", "terrain n=24 48x48", "18", false),
         row_of_new_views(report, "terrain", "terrain n=96 48x48", "72", true),
-        row_of_new_views(report, "cube.obj", "cube.obj 48x48", "12", true)}) {
+        row_of_new_views(report, "cube", "cube.obj 48x48", "12", true)}) {
     EXPECT_NE(written.find(row + '\n'), written.npos) << row << '\n' << written;
     EXPECT_NE(page.find(on_page(row)), page.npos) << on_page(row);
   }

@@ -74,22 +74,19 @@ Summary empty_table(const std::vector<int>& threads, bool with_growth) {
   Summary summary{
       "moving-camera",
       "A new view of a retained scene",
-      "How many times as fast a new view of a retained scene is, by the exact z-buffer and without "
-      "a "
-      "sort, as in OSMesa, with 24 bits of depth, a resident, indexed mesh and a new matrix: the "
-      "median of rounds, each a turn of 8 views around the scene on both sides, the least and the "
-      "greatest. Both sides get the same triangles, into which polygons are cut, with the same "
-      "shared vertices in the same colours, back faces removed on both or on neither, and as many "
-      "threads (one: the processor's time; several: the time on the wall). Timed on our side is "
-      "all "
-      "from the eye to the picture in memory, in OSMesa from the matrix until all is drawn, "
-      "without "
-      "reading it back. Wrong pixels: each of these views, on each number of threads, against the "
-      "exact truth of its display file. Bytes a triangle: what is held of the scene as it is "
-      "retained, its colours in it; what a view of it holds besides; and what the drawing holds, "
-      "but "
-      "for the picture. Growth: the exponent of a new view's time with the number of triangles, by "
-      "least squares over all sizes of the scene.",
+      "How many times as fast a new view of a retained scene is, by the exact z-buffer and "
+      "without a sort, as in OSMesa, with 24 bits of depth, a resident, indexed mesh and a new "
+      "matrix: the median of rounds, each a turn of 8 views around the scene on both sides, the "
+      "least and the greatest. Both sides get the same triangles, into which polygons are cut, "
+      "with the same shared vertices in the same colours, back faces removed on both or on "
+      "neither, and as many threads (one: the processor's time; several: the time on the wall). "
+      "Timed on our side is all from the eye to the picture in memory, in OSMesa from the "
+      "matrix until all is drawn, without reading it back. Wrong pixels: each of these views, "
+      "on each number of threads, against the exact truth of its display file. Bytes a "
+      "triangle: what is held of the scene as it is retained, its colours in it; what a view of "
+      "it holds besides; and what the drawing holds, but for the picture. Growth: the exponent "
+      "of a new view's time with the number of triangles, by least squares over all sizes of "
+      "the scene.",
       {{"scene", "triangles", "picture"}}};
   auto& head = summary.rows.front();
   for (const int n : threads) {

@@ -131,6 +131,8 @@ std::optional<Summary> beside_osmesa(const Report& report) {
   add_rows(report, summary, [&](const SceneRow& row) {
     Row cells;
     for (const int n : threads) {
+      // A run of new views alone has a table of its own.
+      if (find_beside(report, row.scene.id(), n, kOsmesa, kStartUp) == nullptr) return Row();
       for (const char* what : {kStartUp, kNewVertices, kNewViews, kAgain}) {
         cells.push_back(shown(report, row, n, kOsmesa, what, left_out));
       }

@@ -226,7 +226,9 @@ TEST_F(Bench, HoldsNewViewsOfRetainedScenesAgainstOsmesaAndTheTruth) {
       EXPECT_EQ(all[of + "truth/views"]["count"], 8) << of;
       EXPECT_EQ(all[of + "truth/wrong pixels"]["count"], 0) << of;
       const Json& others = all[of + "OSMesa/pixels that differ, %"];
-      if (others.contains("count")) EXPECT_LT(others["count"], 3.0) << of;
+      if (others.contains("count")) {
+        EXPECT_LT(others["count"], 3.0) << of;
+      }
       for (const char* what : {"retained scene", "view", "drawing"}) {
         EXPECT_GT(all[of + "bytes a triangle/" + what]["count"], 0) << of << what;
       }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "clip/back_face.h"
+#include "displayfile/equal_points.h"
 #include "displayfile/view_stage.h"
 #include "hidden/exact/few_centres.h"
 #include "hidden/exact/orientation.h"
@@ -25,46 +26,6 @@ void for_each_run(std::uint32_t first, std::uint32_t end, std::uint32_t most, Vi
     visit(first, first + std::min(most, end - first));
   }
 }
-
-/// Finds points that are equal to the last bit; a table of places, no less than half of them free.
-class EqualPoints {
- public:
-  EqualPoints(std::vector<Point3>& points, std::size_t most)
-      : points_(points), table_(std::bit_ceil(2 * most + 1), kFree) {}
-
-  /// From here on only points that are added later are found.
-  void forget() { first_ = points_.size(); }
-  /// The number of that point, which is added if there is none.
-  std::uint32_t number_of(const Point3& p) {
-    std::size_t at = hash(p) & (table_.size() - 1);
-    while (table_[at] != kFree && !is(table_[at], p)) at = (at + 1) & (table_.size() - 1);
-    if (table_[at] == kFree) {
-      table_[at] = static_cast<std::uint32_t>(points_.size());
-      points_.push_back(p);
-    }
-    return table_[at];
-  }
-
- private:
-  static constexpr std::uint32_t kFree = std::numeric_limits<std::uint32_t>::max();
-  using Bits = std::array<std::uint64_t, 3>;
-
-  static std::size_t hash(const Point3& p) {
-    std::uint64_t h = 0;
-    for (const std::uint64_t bits : std::bit_cast<Bits>(p)) {
-      h = (h ^ bits) * 0x9E3779B97F4A7C15u;
-      h ^= h >> 32;
-    }
-    return h;
-  }
-  bool is(std::uint32_t number, const Point3& p) const {
-    return number >= first_ && std::bit_cast<Bits>(points_[number]) == std::bit_cast<Bits>(p);
-  }
-
-  std::vector<Point3>& points_;
-  std::vector<std::uint32_t> table_;
-  std::size_t first_ = 0;
-};
 
 bool is_solid(const Attributes& attributes) {
   return attributes.fill.kind == FillStyle::Kind::solid;

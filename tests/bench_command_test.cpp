@@ -77,6 +77,9 @@ TEST_F(Bench, HelpIsThatOfTheProgram) {
 
 TEST_F(Bench, Refuses) {
   expect_error("bench nowhere", "nowhere: no such scene or file");
+  expect_error("bench --moving-camera walk cycle_of_3", "--moving-camera: no scene for it");
+  EXPECT_EQ(run("bench --moving-camera soup --methods bsp"), 2);
+  EXPECT_NE(err_.find("--methods excludes --moving-camera"), err_.npos) << err_;
   expect_error("bench soup -o nowhere/r.html", "nowhere/r.html");
   expect_error("bench soup --json nowhere/r.json", "nowhere/r.json");
   expect_error("bench soup --methods roberts", "roberts");

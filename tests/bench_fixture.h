@@ -26,6 +26,7 @@ class Bench : public Command {
 inline Json counts(Json report) {
   for (Json& beside : report["beside"]) beside.erase("times_faster");
   report.erase("fits");
+  report.erase("growth_of_new_views");
   report.erase("auto");
   for (Json& scene : report["scenes"]) scene.erase("reference_growth");
   for (Json& cell : report["cells"]) {

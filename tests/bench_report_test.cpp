@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <sstream>
@@ -152,6 +153,113 @@ TEST_F(Bench, WritesAReadmesBlocksFromTheReport) {
   // The same command again: only figures change.
   ASSERT_EQ(run(kTiny + "--threads 1 --readme R.md"), 0) << err_;
   EXPECT_EQ(std::ranges::count(read(folder_ / "R.md"), '\n'), std::ranges::count(written, '\n'));
+}
+
+/// The comparisons of a report, by scene, threads, other and what.
+std::map<std::string, Json> compared(const Json& report) {
+  std::map<std::string, Json> all;
+  for (const Json& beside : report["beside"]) {
+    all[fmt::format("{}/{}/{}/{}", beside["scene"].get<std::string>(), beside["threads"].get<int>(),
+                    beside["other"].get<std::string>(), beside["what"].get<std::string>())] =
+        beside;
+  }
+  return all;
+}
+
+std::string as_read(double ratio) {
+  return fmt::format("{:.{}f}", ratio, ratio < 1.0 ? 2 : ratio < 9.95 ? 1 : 0);
+}
+
+/// A row of the table of new views, as the JSON has it.
+std::string row_of_new_views(const Json& report, const std::string& name, const std::string& scene,
+                             const std::string& triangles, bool is_last) {
+  auto all = compared(report);
+  std::string row = fmt::format("| {} | {} | 48 x 48 |", name, triangles);
+  for (const int threads : {1, 2}) {
+    const Json& found = all[fmt::format("{}/{}/OSMesa/moving camera", scene, threads)];
+    if (!found.contains("times_faster")) {
+      row += " |";
+      continue;
+    }
+    const Json& times = found["times_faster"];
+    row += fmt::format(" {} ({} to {}) |", as_read(times["median"]), as_read(times["least"]),
+                       as_read(times["greatest"]));
+  }
+  row += " 0 in 16 pictures |";
+  for (const char* what : {"retained scene", "view", "drawing"}) {
+    const std::string key = fmt::format("{}/1/bytes a triangle/{}", scene, what);
+    row += fmt::format(" {:.0f} |", all.at(key)["count"].get<double>());
+  }
+  for (const int threads : {1, 2}) {
+    std::string exponent;
+    for (const Json& growth : report["growth_of_new_views"]) {
+      if (growth["scene"] == name && growth["threads"] == threads) {
+        exponent = growth["exponent"].dump();
+      }
+    }
+    row += is_last && !exponent.empty() ? fmt::format(" {} |", exponent) : " |";
+  }
+  return row;
+}
+
+/// Every view is right, and all outputs say the same. A closed mesh has its back faces removed, and
+/// its squares are cut.
+TEST_F(Bench, HoldsNewViewsOfRetainedScenesAgainstOsmesaAndTheTruth) {
+  write("cube.obj",
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+        "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+  write("R.md", block("moving-camera", "stale\n"));
+  ASSERT_EQ(run("bench --moving-camera terrain cube.obj --polygons 24,96 --sizes 48 --rounds 1 "
+                "--threads 1,2 --json b.json -o p.html --readme R.md"),
+            0)
+      << err_;
+  const Json report = json("b.json");
+  EXPECT_FALSE(report.contains("cells"));
+  EXPECT_FALSE(report.contains("viewing"));
+  auto all = compared(report);
+  const std::vector<std::pair<std::string, int>> scenes{
+      {"terrain n=24 48x48", 18}, {"terrain n=96 48x48", 72}, {"cube.obj 48x48", 12}};
+  for (const auto& [scene, triangles] : scenes) {
+    for (const int threads : {1, 2}) {
+      const std::string of = fmt::format("{}/{}/", scene, threads);
+      EXPECT_EQ(all[of + "OSMesa/triangles"]["count"], triangles) << of;
+      EXPECT_EQ(all[of + "truth/views"]["count"], 8) << of;
+      EXPECT_EQ(all[of + "truth/wrong pixels"]["count"], 0) << of;
+      const Json& others = all[of + "OSMesa/pixels that differ, %"];
+      if (others.contains("count")) {
+        EXPECT_LT(others["count"], 3.0) << of;
+      }
+      for (const char* what : {"retained scene", "view", "drawing"}) {
+        EXPECT_GT(all[of + "bytes a triangle/" + what]["count"], 0) << of << what;
+      }
+    }
+  }
+  // The least squares through two points are the line through them.
+  ASSERT_EQ(report["growth_of_new_views"].size(), 2u);
+  for (const Json& growth : report["growth_of_new_views"]) {
+    EXPECT_EQ(growth["scene"], "terrain");
+    EXPECT_EQ(growth["points"], 2);
+    const Json& beside_first = all.at(fmt::format(
+        "terrain n=96 48x48/{}/fewest polygons/moving camera", growth["threads"].get<int>()));
+    const double cost = 1.0 / beside_first["times_faster"]["median"].get<double>();
+    EXPECT_NEAR(growth["exponent"], std::log(cost) / std::log(72.0 / 18.0), 0.01);
+  }
+  std::string page = read(folder_ / "p.html");
+  constexpr std::string_view kToTheLeft = " class='l'";
+  for (std::size_t at = 0; (at = page.find(kToTheLeft, at)) != page.npos;) {
+    page.erase(at, kToTheLeft.size());
+  }
+  const std::string written = read(folder_ / "R.md");
+  EXPECT_EQ(written.find("stale"), written.npos);
+  for (const std::string& row :
+       {row_of_new_views(report, "terrain", "terrain n=24 48x48", "18", false),
+        row_of_new_views(report, "terrain", "terrain n=96 48x48", "72", true),
+        row_of_new_views(report, "cube", "cube.obj 48x48", "12", true)}) {
+    EXPECT_NE(written.find(row + '\n'), written.npos) << row << '\n' << written;
+    EXPECT_NE(page.find(on_page(row)), page.npos) << on_page(row);
+  }
+  EXPECT_NE(out_.find("A new view of a retained scene\n"), out_.npos) << out_;
+  EXPECT_EQ(std::ranges::count(out_, '\n'), 8) << out_;  // title, head, three rows, last lines
 }
 
 /// The page begins with the plot of all, which is a file of its own too; who is on its front

@@ -1,9 +1,12 @@
 #include "programs/bench/application_mesh.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "clip/error.h"
 #include "clip/planarity.h"
+#include "clip/view_volume.h"
+#include "displayfile/equal_points.h"
 #include "displayfile/lighting.h"
 #include "displayfile/turntable.h"
 #include "interp/picture.h"
@@ -27,20 +30,18 @@ FillStyle colour_of(const RetainedScene& scene, std::uint32_t primitive) {
   return lit(attributes.fill, *attributes.light, polygon.normal, false);
 }
 
-void add(const RetainedScene& scene, std::uint32_t primitive, ApplicationMesh& mesh) {
-  const auto polygon = scene.points(primitive);
-  const auto sides = static_cast<std::uint32_t>(polygon.size());
-  if (scene.has_shared()) {
-    const auto corners = scene.corners(primitive);
-    mesh.corners.insert(mesh.corners.end(), corners.begin(), corners.end());
-  } else {
-    for (const Point3& p : polygon) {
-      mesh.corners.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
-      mesh.vertices.push_back(p);
+/// The triangles of a polygon.
+void add(const RetainedScene& scene, std::uint32_t primitive, Triangulation& triangulation,
+         EqualPoints& vertices, ApplicationMesh& mesh) {
+  const PointRow points = scene.points(primitive);
+  const std::vector<Point3> polygon(points.begin(), points.end());
+  const FillStyle fill = colour_of(scene, primitive);
+  for (const Triangulation::Triangle& triangle : triangulation.triangulate(polygon)) {
+    for (const std::uint32_t v : triangle.vertex) {
+      mesh.corners.push_back(vertices.number_of(polygon[v]));
     }
+    mesh.fills.push_back(fill);
   }
-  mesh.sides.push_back(sides);
-  mesh.fills.push_back(colour_of(scene, primitive));
 }
 
 std::vector<View> views_around(const RetainedScene& scene, const GraphicsSystem& system,
@@ -74,20 +75,23 @@ ApplicationMesh application_mesh(const BenchScene& scene) {
   ApplicationMesh mesh;
   for (const RetainedScene::Segment& segment : retained.segments()) {
     require(segment.view.viewport == View().viewport, "a view has a viewport of its own");
-    if (!retained.has_shared()) continue;
-    const auto points = retained.points(segment);
-    mesh.vertices.insert(mesh.vertices.end(), points.begin(), points.end());
   }
-  std::uint32_t removed = 0;
+  std::uint32_t removed = 0, drawn = 0;
+  Triangulation triangulation;
+  EqualPoints vertices(mesh.vertices, retained.primitives({}).all_corners());
   for (std::uint32_t i = 0; i < retained.size(); ++i) {
     require(!retained[i].is_line() && retained.attributes(i).line.kind == LineStyle::Kind::none,
             "it has lines");
     if (!retained.draws(i)) continue;
     removed += retained.attributes(i).back_face_removal ? 1 : 0;
-    add(retained, i, mesh);
+    ++drawn;
+    add(retained, i, triangulation, vertices, mesh);
   }
-  require(!mesh.sides.empty(), "it has no polygons");
-  require(removed == 0 || removed == mesh.sides.size(), "only some of its back faces are removed");
+  require(!mesh.fills.empty(), "it has no polygons");
+  if (std::ranges::count(mesh.fills, mesh.fills.front()) == std::ssize(mesh.fills)) {
+    mesh.fills.resize(1);
+  }
+  require(removed == 0 || removed == drawn, "only some of its back faces are removed");
   mesh.back_faces_removed = removed > 0;
   mesh.views = views_around(retained, system, scene.kind == BenchScene::Kind::input);
   return mesh;
@@ -98,24 +102,42 @@ void enter(const ApplicationMesh& mesh, GraphicsSystem& system) {
   system.set_line_style({LineStyle::Kind::none});
   system.set_back_face_removal(mesh.back_faces_removed);
   system.open_segment(1);
-  system.polygons_abs_3(mesh.vertices, mesh.corners, mesh.sides, mesh.fills);
+  system.polygons_abs_3(mesh.vertices, mesh.corners, {}, mesh.fills);
   system.close_segment();
 }
 
-ColouredTriangles triangles_of(const ApplicationMesh& mesh) {
-  ColouredTriangles made;
-  Triangulation triangulation;
-  std::vector<Point3> polygon;
-  const std::uint32_t* corner = mesh.corners.data();
-  for (std::size_t i = 0; i < mesh.sides.size(); ++i) {
-    polygon.clear();
-    for (std::uint32_t k = 0; k < mesh.sides[i]; ++k) polygon.push_back(mesh.vertices[*corner++]);
-    for (const Triangulation::Triangle& t : triangulation.triangulate(polygon)) {
-      for (const std::uint32_t v : t.vertex) made.corners.push_back(polygon[v]);
-      made.colours.push_back(pixel_of(mesh.fills[i].colour));
-    }
+IndexedTriangles indexed_triangles(const ApplicationMesh& mesh) {
+  std::vector<Point3> corners;
+  corners.reserve(mesh.corners.size());
+  for (const std::uint32_t corner : mesh.corners) corners.push_back(mesh.vertices[corner]);
+  std::vector<std::uint32_t> colours(mesh.triangles(), pixel_of(mesh.fills.front().colour));
+  for (std::size_t i = 1; i < mesh.fills.size(); ++i) colours[i] = pixel_of(mesh.fills[i].colour);
+  return indexed_triangles(corners, colours);
+}
+
+glm::dmat4 opengl_matrix(const View& view, const ApplicationMesh& mesh) {
+  const ViewVolume volume(view);
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Point3& vertex : mesh.vertices) {
+    const HomogeneousPoint p = volume.transform(vertex);
+    const bool inside = p.w > 0.0 && p.x >= 0.0 && p.x <= p.w && p.y >= 0.0 && p.y <= p.w;
+    if (!inside) continue;
+    low = std::min(low, p.z / p.w);
+    high = std::max(high, p.z / p.w);
   }
-  return made;
+  if (!(low < high)) low = 0.0, high = 1.0;
+  const double room = (high - low) / 16.0;
+  low -= room;
+  high += room;
+  glm::dmat4 clip(0.0);  // clip[column][row]
+  clip[0][0] = 2.0;
+  clip[3][0] = -1.0;
+  clip[1][1] = -2.0;
+  clip[3][1] = 1.0;
+  clip[2][2] = 2.0 / (high - low);
+  clip[3][2] = -2.0 * low / (high - low) - 1.0;
+  clip[3][3] = 1.0;
+  return clip * volume.matrix();
 }
 
 }  // namespace displayfile::bench

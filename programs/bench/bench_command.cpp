@@ -87,6 +87,8 @@ bool is_measured(const BenchScene& scene, bool largest, const Contender& contend
 
 Effort effort_of(const BenchCommand& command, const BenchScene& scene) {
   Effort effort;
+  // A turn of eight views of a large mesh takes a second.
+  if (command.moving_camera) effort.most_seconds = 20.0;
   if (command.scenes.full) effort = {9, 0.005, 20.0};
   // Microseconds, for which each cell is visited several times.
   if (scene.kind == BenchScene::Kind::hard_case) effort = {4, 0.0002, 0.02};
@@ -109,6 +111,21 @@ std::string identity_of(const BenchCommand& command) {
                      command.rounds, command.most_seconds);
 }
 
+/// All but hard cases and the walk, in pictures of one size unless the command says otherwise.
+std::vector<BenchScene> scenes_of_moving_camera(SceneChoice choice) {
+  constexpr int kSize = 1024;
+  if (choice.sizes.empty()) choice.sizes = {kSize};
+  std::vector<BenchScene> scenes = chosen_scenes(choice);
+  std::erase_if(scenes, [](const BenchScene& scene) {
+    return scene.kind == BenchScene::Kind::hard_case || scene.kind == BenchScene::Kind::walk;
+  });
+  if (scenes.empty()) {
+    throw Error(
+        "--moving-camera: no scene for it: expected generated scenes, drawing programs or meshes");
+  }
+  return scenes;
+}
+
 class Run {
  public:
   Run(const BenchCommand& command, std::vector<BenchScene> scenes)
@@ -128,6 +145,20 @@ class Run {
       }
     }
     compare(report);
+    return report;
+  }
+  /// Nothing but new views of retained scenes.
+  Report report_of_moving_camera() {
+    Report report{kReference, environment(), {}};
+    for (const BenchScene& scene : scenes_) {
+      report.scenes.push_back({scene, scene.make().polygons(), std::nullopt, {}});
+    }
+    Progress progress("moving the camera");
+    const std::vector<std::string> all_names = names_but_hard_cases(report);
+    for (std::size_t i = 0; i < all_names.size(); ++i) {
+      progress.update(i, all_names.size());
+      compare_new_views(all_names[i], report);
+    }
     return report;
   }
   void finish() { partial_.remove(); }
@@ -186,8 +217,26 @@ class Run {
           if (is_chosen(peer)) compare(large, threads, peer, report);
         }
       }
+      if (is_chosen("osmesa")) compare_new_views(all_names[i], report);
       if (is_chosen("gl2ps")) compare(shown_scene(report, all_names[i]), 1, "gl2ps", report);
       compare(large, 1, "rounded", report);
+    }
+  }
+
+  /// Of the scene at every number of polygons that it has with its largest picture.
+  void compare_new_views(const std::string& name, Report& report) {
+    const int size = largest_picture(report, name).scene.size;
+    std::vector<const BenchScene*> scenes;
+    for (const SceneRow& row : report.scenes) {
+      if (row.scene.name == name && row.scene.size == size) scenes.push_back(&row.scene);
+    }
+    const std::size_t first = (*std::ranges::min_element(scenes, {}, &BenchScene::n))->n;
+    for (const BenchScene* scene : scenes) {
+      for (const int threads : threads_) {
+        BesideTask task{*scene, threads, {"views"}, {}, {}, effort_of(command_, *scene)};
+        if (scene->n > first) task.first_polygons = first;
+        compare(task, report);
+      }
     }
   }
 
@@ -202,9 +251,14 @@ class Run {
         task.left_out[cell.key.method] = cell.skipped;
       }
     }
-    const std::string key = scene_key(row.scene) + ' ' + to_json(task).dump();
+    compare(task, report);
+  }
+
+  void compare(const BesideTask& task, Report& report) {
+    const std::string key = scene_key(task.scene) + ' ' + to_json(task).dump();
     const std::vector<Beside>* const before = partial_.find_beside(key);
     const std::vector<Beside> found = before ? *before : compare_in_own_process(task);
+    ++(before ? from_before_ : measured_now_);
     if (before == nullptr) partial_.add(key, found);
     report.beside.insert(report.beside.end(), found.begin(), found.end());
   }
@@ -287,6 +341,12 @@ bool exact_methods_are_right(const Report& report) {
       right = false;
     }
   }
+  for (const Beside& b : report.beside) {
+    if (b.other != beside::kTruth || b.what != beside::kWrongPixels || *b.count == 0.0) continue;
+    std::cout << fmt::format("{}: {:g} wrong pixels in new views of it, {} threads\n", b.scene,
+                             *b.count, b.threads);
+    right = false;
+  }
   return right;
 }
 
@@ -312,11 +372,13 @@ int BenchCommand::run() const {
   // llvmpipe draws on the calling thread alone, as all methods do that have no threads of their
   // own.
   setenv("LP_NUM_THREADS", "0", 0);
-  const std::vector<BenchScene> chosen = chosen_scenes(scenes);
+  const std::vector<BenchScene> chosen =
+      moving_camera ? scenes_of_moving_camera(scenes) : chosen_scenes(scenes);
   Run measuring(*this, chosen);
-  Report report = measuring.report();
-  report.viewing = rounding_of_viewing(chosen);
-  if (features.value_or(has_default(scenes))) report.features = counted_features();
+  Report report = moving_camera ? measuring.report_of_moving_camera() : measuring.report();
+  if (!moving_camera) report.viewing = rounding_of_viewing(chosen);
+  const bool counts_features = has_default(scenes) && !moving_camera;
+  if (features.value_or(counts_features)) report.features = counted_features();
   if (!json.empty()) write_text(json, to_json(report).dump(1) + '\n');
   write_text(page, html_page(report));
   if (!plot.empty()) {
@@ -327,9 +389,11 @@ int BenchCommand::run() const {
   // Read anew: a long run is time enough to edit it.
   if (!readme.empty()) write_text(readme, ReadmeFigures(readme).with(summaries(report)));
   measuring.finish();
-  std::cout << text_report(report)
-            << fmt::format("{} figures measured, {} taken over from an interrupted run\n{}\n",
-                           measuring.measured_now(), measuring.from_before(), page);
+  std::cout
+      << text_report(report)
+      << fmt::format(
+             "{} figures and comparisons measured, {} taken over from an interrupted run\n{}\n",
+             measuring.measured_now(), measuring.from_before(), page);
   return exact_methods_are_right(report) ? 0 : 1;
 }
 

@@ -22,6 +22,7 @@ struct BenchCommand {
   std::string readme;  ///< whose blocks are rewritten; none if empty
   /// Whether the costs of features are measured; not set: with the default scenes.
   std::optional<bool> features;
+  bool moving_camera = false;  ///< only new views of retained scenes, no method by itself
   bool features_under_callgrind = false;  ///< only draws what callgrind counts, for `features`
 
   std::string beside;  ///< only makes the comparisons of this task (programs/bench/beside.h)

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <memory>
 #include <span>
 #include <utility>
 
-#include "clip/view_volume.h"
 #include "hidden/sort/hidden_surface_sort.h"
 #include "interp/opengl/osmesa.h"
 #include "interp/renderer.h"
@@ -21,7 +20,7 @@
 #include "programs/bench/find_seen.h"
 #include "programs/bench/gl2ps_sort.h"
 #include "programs/bench/indexed_triangles.h"
-#include "programs/bench/new_views.h"
+#include "programs/bench/moving_camera.h"
 #include "programs/bench/opengl_mesh.h"
 #include "programs/bench/process.h"
 #include "programs/scenes/scene.h"
@@ -53,7 +52,7 @@ class Comparison {
     add_ratio(other, what, warm_ratio(task_.effort, task_.threads, others, ours));
   }
   void count(const std::string& other, const std::string& what, double value) {
-    add(other, what).count = figure(value);
+    add(other, what).count = value == std::floor(value) ? value : figure(value);
   }
   void leave_out(const std::string& other, const std::string& what, const std::string& why) {
     add(other, what).left_out = why;
@@ -70,32 +69,6 @@ class Comparison {
 };
 
 // ---- OSMesa ----------------------------------------------------------------------------
-
-/// From the view volume's homogeneous cube, over the part of its depth where the mesh is, to
-/// OpenGL's clip coordinates; y downward.
-glm::dmat4 opengl_matrix(const ViewVolume& volume, std::span<const Point3> vertices) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const Point3& vertex : vertices) {
-    const HomogeneousPoint p = volume.transform(vertex);
-    const bool inside = p.w > 0.0 && p.x >= 0.0 && p.x <= p.w && p.y >= 0.0 && p.y <= p.w;
-    if (!inside) continue;
-    low = std::min(low, p.z / p.w);
-    high = std::max(high, p.z / p.w);
-  }
-  if (!(low < high)) low = 0.0, high = 1.0;
-  const double room = (high - low) / 16.0;
-  low -= room;
-  high += room;
-  glm::dmat4 clip(0.0);  // clip[column][row]
-  clip[0][0] = 2.0;
-  clip[3][0] = -1.0;
-  clip[1][1] = -2.0;
-  clip[3][1] = 1.0;
-  clip[2][2] = 2.0 / (high - low);
-  clip[3][2] = -2.0 * low / (high - low) - 1.0;
-  clip[3][3] = 1.0;
-  return clip * volume.matrix();
-}
 
 DrawOptions by_z_buffer(const BesideTask& task) {
   DrawOptions options;
@@ -126,37 +99,6 @@ void compare_start_up(Comparison& comparison) {
       });
 }
 
-/// In a hundred, at which the two pictures differ.
-double other_pixels(const Picture& a, const Picture& b) {
-  std::size_t others = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) others += a.pixels[i] != b.pixels[i];
-  return 100.0 * static_cast<double>(others) / static_cast<double>(a.pixels.size());
-}
-
-void compare_new_views(Comparison& comparison, const ApplicationMesh& mesh,
-                       std::span<const glm::dmat4> matrices, OpenGlMesh& opengl) {
-  const BesideTask& task = comparison.task();
-  NewViews ours(mesh, size_of(task.scene), task.threads);
-  double most = 0.0;
-  for (std::size_t k = 0; k < mesh.views.size(); ++k) {
-    opengl.set_matrix(matrices[k]);
-    opengl.draw();
-    most = std::max(most, other_pixels(opengl.picture(), ours.draw_new_view(mesh.views[k])));
-  }
-  comparison.time(
-      kOsmesa, kNewViews,
-      [&] {
-        for (const View& view : mesh.views) ours.draw_new_view(view);
-      },
-      [&] {
-        for (const glm::dmat4& matrix : matrices) {
-          opengl.set_matrix(matrix);
-          opengl.draw();
-        }
-      });
-  comparison.count(kOsmesa, kOtherPixels, most);
-}
-
 void compare_with_osmesa(Comparison& comparison) {
   compare_start_up(comparison);
   const BesideTask& task = comparison.task();
@@ -164,21 +106,15 @@ void compare_with_osmesa(Comparison& comparison) {
   try {
     mesh = application_mesh(task.scene);
   } catch (const CannotDraw& reason) {
-    for (const char* what : {kNewVertices, kNewViews, kAgain}) {
+    for (const char* what : {kNewVertices, kAgain}) {
       comparison.leave_out(kOsmesa, what, reason.why);
     }
     return;
   }
-  const ColouredTriangles triangles = triangles_of(mesh);
-  const IndexedTriangles indexed = indexed_triangles(triangles.corners, triangles.colours);
-  comparison.count(kOsmesa, kTriangles, static_cast<double>(indexed.size()));
-  std::vector<glm::dmat4> matrices;
-  for (const View& view : mesh.views) {
-    matrices.push_back(opengl_matrix(ViewVolume(view), mesh.vertices));
-  }
+  const IndexedTriangles indexed = indexed_triangles(mesh);
   OpenGlMesh opengl(indexed,
                     {size_of(task.scene), 24, mesh.back_faces_removed, pixel_of(Background{})});
-  opengl.set_matrix(matrices.front());
+  opengl.set_matrix(opengl_matrix(mesh.views.front(), mesh));
 
   GraphicsSystem system;
   system.set_threads(task.threads);
@@ -195,7 +131,28 @@ void compare_with_osmesa(Comparison& comparison) {
   opengl.make_resident();
   comparison.time(
       kOsmesa, kAgain, [&] { renderer.draw(system, options); }, [&] { opengl.draw(); });
-  compare_new_views(comparison, mesh, matrices, opengl);
+}
+
+// ---- A moving camera -------------------------------------------------------------------
+
+void compare_new_views(Comparison& comparison) {
+  const BesideTask& task = comparison.task();
+  try {
+    const MovingCamera found =
+        move_camera(task.scene, task.first_polygons, task.threads, task.effort);
+    comparison.count(kOsmesa, kTriangles, static_cast<double>(found.triangles));
+    comparison.count(kTruth, kViews, found.views);
+    comparison.count(kTruth, kWrongPixels, static_cast<double>(found.wrong_pixels));
+    comparison.count(kMemory, kRetainedScene, found.scene_bytes);
+    comparison.count(kMemory, kView, found.view_bytes);
+    comparison.count(kMemory, kDrawing, found.drawing_bytes);
+    if (found.beside_first) comparison.add_ratio(kFewestPolygons, kNewViews, *found.beside_first);
+    if (!found.beside_osmesa) return;
+    comparison.add_ratio(kOsmesa, kNewViews, *found.beside_osmesa);
+    comparison.count(kOsmesa, kOtherPixels, found.other_pixels);
+  } catch (const CannotDraw& reason) {
+    comparison.leave_out(kOsmesa, kNewViews, reason.why);
+  }
 }
 
 // ---- Embree ----------------------------------------------------------------------------
@@ -349,6 +306,7 @@ Json to_json(const BesideTask& task) {
           {"gap", scene.gap},
           {"size", scene.size},
           {"seed", scene.seed},
+          {"first_polygons", task.first_polygons},
           {"threads", task.threads},
           {"others", task.others},
           {"methods", task.methods},
@@ -367,6 +325,7 @@ BesideTask beside_task_from_json(const Json& json) {
                 json.at("gap"),
                 json.at("size"),
                 json.at("seed")};
+  task.first_polygons = json.at("first_polygons");
   task.threads = json.at("threads");
   task.others = json.at("others").get<std::vector<std::string>>();
   task.methods = json.at("methods").get<std::vector<std::string>>();
@@ -379,6 +338,7 @@ std::vector<Beside> compare(const BesideTask& task) {
   Comparison comparison(task);
   for (const std::string& other : task.others) {
     if (other == "osmesa" && osmesa_available()) compare_with_osmesa(comparison);
+    if (other == "views") compare_new_views(comparison);
     if (other == "embree" && EmbreeRays::version()) compare_with_embree(comparison);
     if (other == "gl2ps" && Gl2psSort::version()) compare_with_gl2ps(comparison);
     if (other == "rounded") compare_without_exact_stages(comparison);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
@@ -17,15 +18,18 @@ namespace displayfile::bench {
 /// |---|---|---|---|
 /// | kOsmesa | kStartUp | a new system, one triangle, its picture | a new context, one triangle |
 /// | | kNewVertices | the mesh entered anew, and drawn | its vertices handed over anew, and drawn |
-/// | | kNewViews | a retained scene in eight views | a resident mesh with as many matrices |
-/// | | kAgain | the same display file again | the resident mesh again |
-/// | kEmbree, kEmbreeHigh | kRays | rays cast at a tree that is there | the same |
-/// | | kBuilding | making that tree | the same |
-/// | kGl2ps, kGl2psBestRoot | a sort's name | that sort of the triangles | its BSP sort of them |
-/// | kRounded | a method's name | the method | the same code with a ROUNDOFF of 0, of a sort 1e-12;
-/// the z-buffer's in single precision |
+/// | | kNewViews | a retained scene in eight views (moving_camera.h) | a resident mesh with as many
+/// matrices |
+/// | kFewestPolygons | kNewViews | the same | the scene of its name with the fewest polygons, ours
+/// | | | kAgain | the same display file again | the resident mesh again | | kEmbree, kEmbreeHigh |
+/// kRays | rays cast at a tree that is there | the same | | | kBuilding | making that tree | the
+/// same | | kGl2ps, kGl2psBestRoot | a sort's name | that sort of the triangles | its BSP sort of
+/// them | | kRounded | a method's name | the method | the same code with a ROUNDOFF of 0, of a sort
+/// 1e-12; the z-buffer's in single precision |
 ///
-/// and counts: kTriangles that kOsmesa and kGl2ps got; kPieces a triangle, of kGl2ps,
+/// and counts: kTriangles that kOsmesa and kGl2ps got; of a moving camera the kViews that were held
+/// against kTruth, and in all of them kWrongPixels; of kMemory the bytes a triangle, of
+/// kRetainedScene, kView and kDrawing (MovingCamera); kPieces a triangle, of kGl2ps,
 /// kGl2psBestRoot and of our sorts; of kOsmesa kOtherPixels, in a hundred where its picture of a
 /// view is another than ours, the most of all views; of kEmbree kPacket, how many rays it casts at
 /// a time; of kRounded, with its time, the wrong pixels.
@@ -38,6 +42,9 @@ inline constexpr const char* kGl2psBestRoot = "gl2ps, best root";
 /// The contender that this is.
 inline constexpr const char* kGl2psBestRootColumn = "gl2ps, bsp, best root";
 inline constexpr const char* kRounded = "without exact stages";
+inline constexpr const char* kFewestPolygons = "fewest polygons";
+inline constexpr const char* kTruth = "truth";
+inline constexpr const char* kMemory = "bytes a triangle";
 
 inline constexpr const char* kStartUp = "start-up";
 inline constexpr const char* kNewVertices = "new vertices";
@@ -49,6 +56,11 @@ inline constexpr const char* kTriangles = "triangles";
 inline constexpr const char* kPieces = "pieces a triangle";
 inline constexpr const char* kOtherPixels = "pixels that differ, %";
 inline constexpr const char* kPacket = "rays a packet";
+inline constexpr const char* kViews = "views";
+inline constexpr const char* kWrongPixels = "wrong pixels";
+inline constexpr const char* kRetainedScene = "retained scene";
+inline constexpr const char* kView = "view";
+inline constexpr const char* kDrawing = "drawing";
 }  // namespace beside
 
 /// What is compared in one process: llvmpipe reads its number of threads once, when the process
@@ -56,10 +68,11 @@ inline constexpr const char* kPacket = "rays a packet";
 struct BesideTask {
   BenchScene scene;
   int threads = 1;
-  std::vector<std::string> others;              ///< "osmesa", "embree", "gl2ps", "rounded"
+  std::vector<std::string> others;              ///< "osmesa", "views", "embree", "gl2ps", "rounded"
   std::vector<std::string> methods;             ///< ours that are held against "rounded"
   std::map<std::string, std::string> left_out;  ///< our methods that take too long here, and why
   Effort effort;
+  std::size_t first_polygons = 0;  ///< asked for, of kFewestPolygons; 0: the scene is that itself
 };
 Json to_json(const BesideTask& task);
 BesideTask beside_task_from_json(const Json& json);

@@ -52,6 +52,10 @@ class Blocks {
     sizes_.erase(found);
   }
   const CountedMemory& counted() const { return counted_; }
+  std::int64_t held() {
+    const std::scoped_lock lock(mutex_);
+    return held_;
+  }
   void clear() {
     sizes_.clear();
     held_ = 0;
@@ -141,5 +145,7 @@ CountedMemory counted_memory(const std::function<void()>& work) {
   counting = false;
   return blocks().counted();
 }
+
+std::int64_t bytes_held_now() { return blocks().held(); }
 
 }  // namespace displayfile::bench

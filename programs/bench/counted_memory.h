@@ -20,4 +20,8 @@ inline std::int64_t most_bytes_held(const std::function<void()>& work) {
   return counted_memory(work).most_bytes;
 }
 
+/// Within the work that counted_memory counts: the bytes that are held now, beyond what was held
+/// before.
+std::int64_t bytes_held_now();
+
 }  // namespace displayfile::bench

@@ -26,14 +26,14 @@ int run(int argc, char** argv) {
                    "goes on from there")
       ->capture_default_str();
   command->add_option("--json", bench.json, "the figures for programs");
-  command->add_option("--plot", bench.plot,
-                      "the plot that the page begins with, .svg: speed against error of all");
+  auto* plot = command->add_option(
+      "--plot", bench.plot, "the plot that the page begins with, .svg: speed against error of all");
   command->add_option("--readme", bench.readme,
                       "rewrite the blocks of this file that are marked <!-- bench: NAME -->");
   command->add_flag("--full", bench.scenes.full,
                     "more sizes, precisions and rounds: hours instead of minutes");
-  command->add_option("--methods", bench.methods, "only these, with commas between")
-      ->delimiter(',');
+  auto* methods = command->add_option("--methods", bench.methods, "only these, with commas between")
+                      ->delimiter(',');
   command
       ->add_option("--roundoff", bench.roundoffs,
                    "EPS of the precisions roundoff=EPS beside exact, with commas between, or none")
@@ -57,6 +57,13 @@ int run(int argc, char** argv) {
   command->add_flag(
       "--features,!--no-features", bench.features,
       "what each feature costs, off and on; without it, only where no SCENE is named");
+  command
+      ->add_flag("--moving-camera", bench.moving_camera,
+                 "only the table of new views of retained scenes: times as fast as OSMesa, wrong "
+                 "pixels, bytes a triangle, growth; pictures of 1024 pixels a side unless --sizes "
+                 "says otherwise")
+      ->excludes(methods)
+      ->excludes(plot);
   command->add_flag("--features-under-callgrind", bench.features_under_callgrind)->group("");
   command->add_option("--beside", bench.beside)->group("");
   try {

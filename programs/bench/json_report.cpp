@@ -1,6 +1,7 @@
 #include "programs/bench/json_report.h"
 
 #include "programs/bench/analysis.h"
+#include "programs/bench/moving_camera_summary.h"
 
 namespace displayfile::bench {
 
@@ -18,6 +19,13 @@ Json to_json(const Fit& fit) {
   return {{"scene", fit.scene},         {"method", fit.method},
           {"precision", fit.precision}, {"against", name_of(fit.against)},
           {"points", fit.points},       {"exponent", fit.exponent}};
+}
+
+Json to_json(const GrowthOfNewViews& growth) {
+  return {{"scene", growth.scene},
+          {"threads", growth.threads},
+          {"points", growth.points},
+          {"exponent", growth.exponent}};
 }
 
 Json to_json(const AutoBounds& bounds) {
@@ -156,6 +164,9 @@ Json to_json(const Report& report) {
   }
   json["beside"] = Json::array();
   for (const Beside& beside : report.beside) json["beside"].push_back(to_json(beside));
+  for (const GrowthOfNewViews& growth : growth_of_new_views(report)) {
+    json["growth_of_new_views"].push_back(to_json(growth));
+  }
   json["fits"] = Json::array();
   for (const Fit& fit : fits(report)) json["fits"].push_back(to_json(fit));
   if (const auto bounds = auto_bounds(report)) json["auto"] = to_json(*bounds);

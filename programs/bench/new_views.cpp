@@ -14,6 +14,11 @@ struct NewViews::Kept {
   GraphicsSystem system;
   std::optional<SceneViewer> viewer;
   SoftwareRenderer renderer;
+
+  SceneViewer& made_ready() {
+    if (!viewer) viewer.emplace(scene, system.display_file());
+    return *viewer;
+  }
 };
 
 NewViews::NewViews(const ApplicationMesh& mesh, const PictureSize& size, int threads)
@@ -23,18 +28,30 @@ NewViews::NewViews(const ApplicationMesh& mesh, const PictureSize& size, int thr
   kept_->request.threads = threads;
   kept_->request.method = HiddenMethod::z_buffer;
   kept_->system.set_threads(threads);
-  kept_->system.retain(&kept_->scene);
+  kept_->system.retain_alone(kept_->scene);
   enter(mesh, kept_->system);
-  kept_->viewer.emplace(kept_->scene, kept_->system.display_file());
 }
 
 NewViews::~NewViews() = default;
 
-const Picture& NewViews::draw_new_view(const View& view) {
+const ViewedScene& NewViews::new_view(const View& view) {
   const PictureSize size{kept_->request.width, kept_->request.height};
-  const ViewedScene& seen =
-      kept_->viewer->view({.view = view, .centres_of = size, .threads = kept_->request.threads});
-  return kept_->renderer.draw(seen, kept_->request);
+  return kept_->made_ready().view(
+      {.view = view, .centres_of = size, .threads = kept_->request.threads});
+}
+
+const Picture& NewViews::draw_new_view(const View& view) {
+  return kept_->renderer.draw(new_view(view), kept_->request);
+}
+
+const Picture& NewViews::draw_items_of_new_view(const View& view) {
+  RasterRequest with_ids = kept_->request;
+  with_ids.ids = true;
+  return kept_->renderer.draw(new_view(view), with_ids);
+}
+
+DisplayFile NewViews::display_file(const View& view) {
+  return kept_->made_ready().display_file(view);
 }
 
 }  // namespace displayfile::bench

@@ -183,7 +183,7 @@ class Page {
   /// One panel a scene, and one of the hard cases together.
   std::string pareto() const {
     const auto scenes = names_but_hard_cases(report_);
-    if (scenes.empty()) return "";
+    if (scenes.empty() || columns_.empty()) return "";
     std::string text =
         "<h2>Error against time</h2>\n<p>Below and left is better; the dashed line is the Pareto "
         "front, behind which nothing is both faster and righter. The colour is the method, the "
@@ -424,7 +424,7 @@ class Page {
   }
 
   std::string overview() const {
-    if (names_but_hard_cases(report_).empty()) return "";
+    if (names_but_hard_cases(report_).empty() || columns_.empty()) return "";
     const auto all = [](const Column&) { return true; };
     return "<h2>Memory and exact arithmetic</h2>\n<p>Most bytes that the program's own arrays and "
            "the picture held at a time, for each polygon (OSMesa, Embree and gl2ps take theirs "
@@ -536,6 +536,7 @@ class Page {
   std::string all_figures() const {
     std::string text = "<h2>All figures</h2>\n<p>The same as in the JSON.</p>\n" + comparisons();
     for (const SceneRow& r : report_.scenes) {
+      if (r.cells.empty()) continue;
       text += fmt::format("<details><summary>{}: {} polygons, {} pixels", escaped(r.scene.id()),
                           r.polygons, r.scene.pixels());
       if (r.scene.kind == BenchScene::Kind::hard_case) {

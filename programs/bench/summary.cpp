@@ -11,6 +11,8 @@
 #include "programs/bench/analysis.h"
 #include "programs/bench/beside.h"
 #include "programs/bench/json_report.h"
+#include "programs/bench/moving_camera_summary.h"
+#include "programs/bench/summary_parts.h"
 #include "programs/inputs.h"
 
 namespace displayfile::bench {
@@ -18,22 +20,6 @@ namespace displayfile::bench {
 namespace {
 
 using Row = std::vector<std::string>;
-
-/// A ratio as it is read: 0.42, 3.2, 17.
-std::string times(double ratio) {
-  return fmt::format("{:.{}f}", ratio, ratio < 1.0 ? 2 : ratio < 9.95 ? 1 : 0);
-}
-
-/// With a comma after the thousands.
-std::string grouped(std::int64_t count) {
-  const std::string digits = fmt::format("{}", count);
-  std::string text;
-  for (std::size_t i = 0; i < digits.size(); ++i) {
-    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
-    text += digits[i];
-  }
-  return text;
-}
 
 bool is_roundoff(std::string_view precision) { return precision.starts_with("roundoff="); }
 
@@ -102,35 +88,6 @@ std::optional<Summary> wrong_pixels_of_hard_cases(const Report& report) {
   return summary;
 }
 
-constexpr const char* kSkipped = "skipped";
-
-/// Why figures of a table are not there, after its text: a sentence for each.
-class LeftOut {
- public:
-  void add(const std::string& scene, const std::string& whose, const std::string& why) {
-    words_ += fmt::format("{} {}: {}, {}.", words_.empty() ? " Skipped:" : "", whose,
-                          short_name(scene), why);
-  }
-  const std::string& words() const { return words_; }
-
- private:
-  std::string words_;
-};
-
-/// Many times, few times or a count, of a comparison; kSkipped if it was left out, and empty if it
-/// was not made.
-std::string shown(const Report& report, const SceneRow& row, int threads, std::string_view other,
-                  std::string_view what, LeftOut& left_out) {
-  const Beside* const found = find_beside(report, row.scene.id(), threads, other, what);
-  if (found == nullptr) return "";
-  if (!found->left_out.empty()) {
-    left_out.add(row.scene.name, fmt::format("{} of {}", what, other), found->left_out);
-    return kSkipped;
-  }
-  if (found->times_faster) return times(found->times_faster->median);
-  return fmt::format("{:g}", *found->count);
-}
-
 /// Rows of the largest picture of each scene.
 template <class Cells>
 void add_rows(const Report& report, Summary& summary, Cells&& cells_of) {
@@ -145,33 +102,19 @@ void add_rows(const Report& report, Summary& summary, Cells&& cells_of) {
   }
 }
 
-/// The numbers of threads that something was compared on.
-std::vector<int> threads_of(const Report& report, std::string_view other) {
-  std::vector<int> all;
-  for (const Beside& b : report.beside) {
-    if (b.other == other && std::ranges::find(all, b.threads) == all.end()) {
-      all.push_back(b.threads);
-    }
-  }
-  return all;
-}
-
-std::string on_threads(std::string_view what, int threads) {
-  return threads == 1 ? std::string(what) : fmt::format("{}, {} threads", what, threads);
-}
-
 std::optional<Summary> beside_osmesa(const Report& report) {
   using namespace beside;
   Summary summary{
       "osmesa",
       "Beside OSMesa",
       "How many times as fast the exact z-buffer is as OSMesa with 24 bits of depth: the same "
-      "polygons in the same colours, back faces removed on both sides or on neither, as many "
+      "triangles, into which polygons are cut, in the same colours, back faces removed on both "
+      "sides or on neither, as many "
       "threads on both sides (one: the processor's time; several: the time on the wall). OSMesa "
       "draws an indexed mesh whose vertices triangles share, flat, in a context that is there, and "
       "waits until all is drawn; nothing is read back, while our picture is in memory. Start-up: "
       "everything new and a picture of one triangle; ours a system and a picture, OSMesa's a "
-      "context, a frame buffer and its vertices. New vertices: ours enters all polygons anew and "
+      "context, a frame buffer and its vertices. New vertices: ours enters all triangles anew and "
       "draws them; OSMesa's vertices are handed over anew and drawn. Moving camera: a turn of 8 "
       "views; ours views what it retains and draws it, in OSMesa all is resident, in buffers or in "
       "a "
@@ -188,6 +131,8 @@ std::optional<Summary> beside_osmesa(const Report& report) {
   add_rows(report, summary, [&](const SceneRow& row) {
     Row cells;
     for (const int n : threads) {
+      // A run of new views alone has a table of its own.
+      if (find_beside(report, row.scene.id(), n, kOsmesa, kStartUp) == nullptr) return Row();
       for (const char* what : {kStartUp, kNewVertices, kNewViews, kAgain}) {
         cells.push_back(shown(report, row, n, kOsmesa, what, left_out));
       }
@@ -560,6 +505,7 @@ struct Entry {
 constexpr std::array kEntries{
     Entry{"front", front},
     Entry{"methods", methods},
+    Entry{"moving-camera", moving_camera},
     Entry{"osmesa", beside_osmesa},
     Entry{"embree", beside_embree},
     Entry{"pieces", pieces},

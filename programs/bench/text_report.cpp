@@ -7,6 +7,7 @@
 
 #include "programs/bench/analysis.h"
 #include "programs/bench/json_report.h"
+#include "programs/bench/moving_camera_summary.h"
 
 namespace displayfile::bench {
 
@@ -55,6 +56,16 @@ std::string scene_table(const SceneRow& row) {
   return fmt::format("{}: {} polygons\n{}\n", row.scene.id(), row.polygons, aligned(rows));
 }
 
+std::string scene_tables(const Report& report) {
+  std::string text = fmt::format(
+      "Times are ratios to {} on the same scene. Fragments and bytes are for each polygon.\n\n",
+      report.reference);
+  for (const std::string& name : names_but_hard_cases(report)) {
+    text += scene_table(shown_scene(report, name));
+  }
+  return text;
+}
+
 std::string hard_cases_table(const Report& report) {
   std::vector<Row> rows{{"method", "wrong pixels", "in a hundred"}};
   for (const Column& column : columns(report)) {
@@ -69,13 +80,14 @@ std::string hard_cases_table(const Report& report) {
 std::string beside_table(const Report& report) {
   std::vector<Row> rows{{"beside others", "threads", "other", "what", "times as fast", "count"}};
   for (const Beside& b : report.beside) {
+    if (is_of_moving_camera(b)) continue;
     rows.push_back({b.scene, fmt::format("{}", b.threads), b.other, b.what,
                     b.times_faster       ? number(b.times_faster->median)
                     : b.left_out.empty() ? ""
                                          : "skipped",
                     b.count ? number(*b.count) : ""});
   }
-  return aligned(rows) + '\n';
+  return rows.size() == 1 ? "" : aligned(rows) + '\n';
 }
 
 std::string auto_line(const AutoBounds& bounds) {
@@ -126,14 +138,13 @@ std::string features_table(const FeatureCosts& costs) {
 }  // namespace
 
 std::string text_report(const Report& report) {
-  std::string text = fmt::format(
-      "Times are ratios to {} on the same scene. Fragments and bytes are for each polygon.\n\n",
-      report.reference);
-  for (const std::string& name : names_but_hard_cases(report)) {
-    text += scene_table(shown_scene(report, name));
-  }
+  std::string text;
+  if (!columns(report).empty()) text += scene_tables(report);
   if (!names(report, BenchScene::Kind::hard_case).empty()) text += hard_cases_table(report);
-  if (!report.beside.empty()) text += beside_table(report);
+  text += beside_table(report);
+  if (const auto summary = moving_camera(report)) {
+    text += fmt::format("{}\n{}\n", summary->title, aligned(summary->rows));
+  }
   if (const auto bounds = auto_bounds(report)) text += auto_line(*bounds);
   if (report.features) text += features_table(*report.features);
   return text;

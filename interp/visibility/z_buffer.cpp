@@ -294,11 +294,6 @@ void ZBuffer::for_each_band(const RowFill& fill, std::span<Band> bands, Visit&& 
   }
 }
 
-/// With a ROUNDOFF none is: what is equal within it is seen or not by the order of drawing.
-bool ZBuffer::is_drawn_late(const RowFill& fill) const {
-  return fill.turned_away && !request_->roundoff;
-}
-
 /// What a batch has in each band: how many fills, and their columns.
 void ZBuffer::count_in_bands(const RowFills::Batch& batch) {
   const std::span<Band> bands = of_batch(batch.number);

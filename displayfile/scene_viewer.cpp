@@ -1,9 +1,11 @@
 #include "displayfile/scene_viewer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "clip/back_face.h"
 #include "displayfile/view_stage.h"
@@ -66,6 +68,12 @@ class EqualPoints {
   std::size_t first_ = 0;
 };
 
+/// A number that no scene has had.
+std::uint64_t new_geometry() {
+  static std::atomic<std::uint64_t> last = 0;
+  return ++last;
+}
+
 bool is_solid(const Attributes& attributes) {
   return attributes.fill.kind == FillStyle::Kind::solid;
 }
@@ -84,6 +92,8 @@ class SceneViewer::Part {
 
   std::uint32_t segment() const { return segment_; }
   const ViewedScene& seen() const { return seen_; }
+  /// Of the items seen; empty where no shadows are.
+  std::span<const std::uint32_t> primitives() const { return primitives_; }
 
   /// What is the same for all parts.
   struct InView {
@@ -112,9 +122,13 @@ class SceneViewer::Part {
       } else {
         view_any(i, primitive);
       }
+      if (in_view.viewer.shows_shadows_ && primitives_.size() < seen_.items()) {
+        primitives_.push_back(i);
+      }
     }
   }
   void forget() {
+    primitives_.clear();
     seen_.clear();
     seen_.own_points_.clear();
   }
@@ -199,7 +213,7 @@ class SceneViewer::Part {
     if (any != 0) return all != 0;
     if (in_view_->by_centres && !outlined_ && (columns == 0 || rows == 0)) return true;
     const RetainedScene& scene = *viewer.scene_;
-    if (light_ != nullptr && (attributes_->shadows || scene.is_smooth(i))) return false;
+    if (light_ != nullptr && scene.is_smooth(i)) return false;
     const PointRow vertices(viewer.viewed_.own_points_, {corners, primitive.sides});
     const double c = attributes_->back_face_removal || light_ != nullptr ? newell_c(vertices) : 0.0;
     if (attributes_->back_face_removal && c <= 0.0) return true;
@@ -207,6 +221,9 @@ class SceneViewer::Part {
     if (light_ != nullptr) {
       const bool turned_away = !attributes_->back_face_removal && c < 0.0;
       lit_ = lit(*fill, *light_, scene.normal(i), turned_away);
+      if (attributes_->shadows) {
+        lit_.shadow = shadow_on(lit_, *fill, *light_, in_view_->volume);
+      }
       fill = &lit_;
     }
     seen_.add_polygon(primitive.first, vertices, {*fill, attributes_->line, primitive.pick});
@@ -259,6 +276,7 @@ class SceneViewer::Part {
 
   std::uint32_t segment_, first_, end_;
   ViewedScene seen_;
+  std::vector<std::uint32_t> primitives_;
   const InView* in_view_ = nullptr;
   std::optional<ViewStage> stage_;
   std::optional<ImageMatrix> matrix_;
@@ -300,6 +318,7 @@ SceneViewer::SceneViewer(const RetainedScene& scene, const DisplayFile& attribut
   for (const Attributes& look : scene.all_attributes()) {
     looks_.push_back(look_of(look));
     shows_shadows_ = shows_shadows_ || look.shadows;
+    is_lit_ = is_lit_ || look.light;
   }
 }
 
@@ -332,14 +351,33 @@ void SceneViewer::share_equal_vertices() {
   points_ = welded_;
 }
 
-const ViewedScene& SceneViewer::view(const Wanted& wanted) {
-  const ViewVolume volume(wanted.view);
+/// True if they are drawn with what they were drawn with in the last view.
+bool SceneViewer::take_segments() {
+  bool same = true;
   for (std::size_t k = 0; k < segments_.size(); ++k) {
     const Segment& now = attributes_->segment(scene_->segments()[k].name);
+    same = same && segments_[k].visible == now.visible && segments_[k].image == now.image;
     segments_[k].visible = now.visible;
     segments_[k].image = now.image;
   }
-  view_points(wanted, volume);
+  return same;
+}
+
+bool SceneViewer::has_images() const {
+  return std::ranges::any_of(segments_, [](const SegmentNow& segment) {
+    return segment.visible && !segment.image.is_identity();
+  });
+}
+
+const ViewedScene& SceneViewer::view(const Wanted& wanted) {
+  const ViewVolume volume(wanted.view);
+  const auto last = std::exchange(last_, std::nullopt);
+  const bool same_segments = take_segments();
+  if (!same_segments || !last || !(last->view == wanted.view) ||
+      last->centres_of != wanted.centres_of) {
+    view_points(wanted, volume);
+    viewed_.geometry_ = new_geometry();
+  }
   const Part::InView in_view{*this, wanted, volume, wanted.centres_of && !shows_shadows_};
   in_parallel(wanted.threads, parts_.size(), [&](std::size_t k) {
     Part& part = *parts_[k];
@@ -348,6 +386,7 @@ const ViewedScene& SceneViewer::view(const Wanted& wanted) {
   });
   join_parts();
   view_texts(volume);
+  last_ = wanted;
   return viewed_;
 }
 
@@ -376,6 +415,7 @@ void SceneViewer::view_points(const Wanted& wanted, const ViewVolume& volume) {
 void SceneViewer::join_parts() {
   viewed_.clear();
   viewed_.own_points_.resize(points_.size());
+  primitive_of_items_.clear();
   viewed_.items_.reserve(scene_->size());
   viewed_.pick_.reserve(scene_->size());
   if (!all_edges_drawn_) {
@@ -392,6 +432,8 @@ void SceneViewer::join_parts() {
     while (k < parts_.size() && parts_[k]->segment() < segment) ++k;
     for (; k < parts_.size() && parts_[k]->segment() == segment; ++k) {
       viewed_.append(parts_[k]->seen(), corners_, points_.size());
+      const auto primitives = parts_[k]->primitives();
+      primitive_of_items_.insert(primitive_of_items_.end(), primitives.begin(), primitives.end());
     }
   }
   viewed_.points_ = viewed_.own_points_;
@@ -442,8 +484,10 @@ DisplayFile SceneViewer::display_file(const View& view, const glm::dmat3& lights
 
 std::size_t SceneViewer::bytes() const {
   const auto size = [](const auto& array) { return array.size() * sizeof(array[0]); };
-  std::size_t sum = size(welded_) + size(places_) + viewed_.bytes();
-  for (const auto& part : parts_) sum += part->seen().bytes();
+  std::size_t sum = size(welded_) + size(places_) + viewed_.bytes() + size(primitive_of_items_);
+  for (const auto& part : parts_) {
+    sum += part->seen().bytes() + part->primitives().size_bytes();
+  }
   return sum;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "hidden/exact/rounding.h"
 #include "hidden/exact/support_plane.h"
@@ -22,6 +23,9 @@ constexpr double kVertexError = 0x1p-40;
 /// Pays for what the bounds leave out, and their own rounding.
 constexpr double kSafety = 2.0;
 
+/// A thickness that nothing is beyond.
+constexpr double kNoPlane = std::numeric_limits<double>::infinity();
+
 /// Bounds the plane's values at points that lie on the polygon: how far its vertices are off the
 /// plane, and what rounding adds.
 double largest_value(std::span<const Point3> vertices, const Plane& plane) {
@@ -37,20 +41,30 @@ double largest_value(std::span<const Point3> vertices, const Plane& plane) {
 
 Shadows::Shadows(const ViewedScene& scene) : scene_(&scene) {
   for (ViewedScene::Item item = 0; item < scene.items(); ++item) {
-    if (scene.kind(item) == Primitives::Kind::solid) enter(item);
+    if (scene.kind(item) != Primitives::Kind::solid) continue;
+    const Polygon caster = caster_of(item);
+    if (caster.thickness < kNoPlane) casters_.push_back(caster);
   }
   build_tree();
 }
 
+void Shadows::take(const ViewedScene& scene, RetainedCasters& retained) {
+  scene_ = &scene;
+  retained_ = &retained;
+  of_items_.forget(scene.items());
+}
+
 /// The plane is that of the vertices that spread the most in space: one that is edge-on to the
 /// viewer has none by its picture.
-void Shadows::enter(ViewedScene::Item item) {
+Shadows::Polygon Shadows::caster_of(ViewedScene::Item item) const {
   const auto vertices = scene_->points(item);
   const SupportVertices spread = spread_vertices(vertices);
-  if (spread.edge_on || !std::ranges::all_of(vertices, in_range)) return;
+  if (spread.edge_on || !std::ranges::all_of(vertices, in_range)) {
+    return {Point3(0.0), Point3(0.0), kNoPlane, item};
+  }
   const auto& [p, q, r] = spread.index;
   const Plane plane(vertices[p], vertices[q], vertices[r]);
-  casters_.push_back({plane.p, plane.normal, largest_value(vertices, plane), item});
+  return {plane.p, plane.normal, largest_value(vertices, plane), item};
 }
 
 /// Boxes are made larger by more than what the tests of rays lose.
@@ -129,35 +143,50 @@ bool Shadows::is_met(const Polygon& polygon, const Ray& ray) const {
   return inside;
 }
 
-bool Shadows::hidden(const LitPoint& point, Caster& last) const {
+bool Shadows::is_hidden_by(Caster caster, const Ray& ray) const {
+  if (retained_ == nullptr) return hides(casters_[caster], ray);
+  Polygon spare;
+  return hides(of_items_.at(caster, spare, [&] { return caster_of(caster); }), ray);
+}
+
+Shadows::Search Shadows::search_on(ViewedScene::Item item, double depth_error) const {
+  return retained_ == nullptr ? Search{} : retained_->search_on(item, depth_error);
+}
+
+bool Shadows::hidden(const LitPoint& point, const Search& search, Caster& last) const {
   const Ray ray(point);
   if (ray.direction == Point3(0.0)) return false;
-  if (last != kNone && hides(casters_[last], ray)) return true;
-  return tree_.any(SpaceRay(point.at, ray.direction), [&](Caster caster) {
-    if (!hides(casters_[caster], ray)) return false;
+  if (last != kNone && is_hidden_by(last, ray)) return true;
+  const auto hides_from_point = [&](Caster caster) {
+    if (!is_hidden_by(caster, ray)) return false;
     last = caster;
     return true;
-  });
+  };
+  if (retained_ != nullptr) return retained_->any(search, point.at, hides_from_point);
+  return tree_.any(SpaceRay(point.at, ray.direction), hides_from_point);
 }
 
 ShadowedFill::ShadowedFill(const Shadows& shadows, std::span<const Point3> fill, const Plane& plane,
-                           const FillShadow& shadow, const PictureSize& size)
+                           const FillShadow& shadow, const PictureSize& size,
+                           ViewedScene::Item item)
     : shadows_(&shadows),
       size_(size),
       depth_(plane, size.width, size.height),
       depth_error_(kSafety * depth_bound(fill, plane, depth_, size).error +
                    largest_value(fill, plane) / std::abs(plane.normal.z)),
+      search_(shadows.search_on(item, depth_error_)),
       light_(shadow.light),
       colour_(pixel_of(shadow.colour)) {}
 
 void ShadowedFill::paint(int row, int first, std::span<std::uint32_t> pixels) const {
+  if (search_.is_never_hidden()) return;
   const double of_row = depth_.row(row);
   Shadows::Caster last = Shadows::kNone;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const int column = first + static_cast<int>(i);
     const PixelCentre centre(column, row, size_);
     const Point3 point(centre.x, centre.y, depth_.at(of_row, column));
-    if (shadows_->hidden({point, depth_error_, light_}, last)) pixels[i] = colour_;
+    if (shadows_->hidden({point, depth_error_, light_}, search_, last)) pixels[i] = colour_;
   }
 }
 

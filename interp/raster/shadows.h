@@ -8,6 +8,8 @@
 #include "hidden/exact/pixel_centre.h"
 #include "hidden/exact/plane.h"
 #include "hidden/space_tree.h"
+#include "interp/raster/on_demand.h"
+#include "interp/raster/retained_casters.h"
 #include "interp/scan/pixel_depth.h"
 
 namespace displayfile {
@@ -22,6 +24,12 @@ class Shadows {
 
   /// The scene must live on.
   explicit Shadows(const ViewedScene& scene);
+  /// Of a view of a retained scene, by what is kept of it; both must live on.
+  Shadows(const ViewedScene& scene, RetainedCasters& retained) { take(scene, retained); }
+  /// The same in place of what was there, whose memory is used again.
+  void take(const ViewedScene& scene, RetainedCasters& retained);
+  /// True if they are found by what is kept of a retained scene.
+  bool is_by(const RetainedCasters* retained) const { return retained_ == retained; }
 
   /// A point of a fill, from which the light is looked at (FillShadow::light).
   struct LitPoint {
@@ -29,34 +37,46 @@ class Shadows {
     double depth_error;  ///< how far it may be off the fill, along z
     HomogeneousPoint light;
   };
+  /// Where to look for what hides the light, for all points of an item of the scene.
+  using Search = RetainedCasters::Search;
+  static constexpr ViewedScene::Item kNoItem = ~ViewedScene::Item{0};
+  Search search_on(ViewedScene::Item item, double depth_error) const;
   /// True if a fill lies between the point and the light. A fill that the point lies on, but for
   /// rounding, hides nothing. `last` is what hid the light from the point before, or kNone: it is
   /// looked at first, and becomes what hides it from this one.
-  bool hidden(const LitPoint& point, Caster& last) const;
+  bool hidden(const LitPoint& point, const Search& search, Caster& last) const;
 
  private:
   struct Polygon {
     Point3 p, normal;  // of its plane: a point, and A, B, C
-    double thickness;  // how far from 0 the plane's value may be at points that lie on the fill
+    // How far from 0 the plane's value may be at points that lie on the fill; infinite if it has no
+    // plane, and hides nothing.
+    double thickness;
     ViewedScene::Item item;
   };
   struct Ray;
-  void enter(ViewedScene::Item item);
+  Polygon caster_of(ViewedScene::Item item) const;
   void build_tree();
+  bool is_hidden_by(Caster caster, const Ray& ray) const;
   bool hides(const Polygon& polygon, const Ray& ray) const;
   bool is_met(const Polygon& polygon, const Ray& ray) const;
 
   const ViewedScene* scene_;
   std::vector<Polygon> casters_;  // as the tree has them
   SpaceTree tree_;
+  // In place of these, what is kept of a retained scene, and casters by item.
+  RetainedCasters* retained_ = nullptr;
+  mutable OnDemand<Polygon> of_items_;
 };
 
 /// The pixels of one fill that are in shadow.
 class ShadowedFill {
  public:
-  /// The fill is in device coordinates; the plane is its support plane, which is not edge-on.
+  /// The fill is in device coordinates; the plane is its support plane, which is not edge-on; the
+  /// item is that of the shadows' scene, where they are by what is kept of a retained one.
   ShadowedFill(const Shadows& shadows, std::span<const Point3> fill, const Plane& plane,
-               const FillShadow& shadow, const PictureSize& size);
+               const FillShadow& shadow, const PictureSize& size,
+               ViewedScene::Item item = Shadows::kNoItem);
 
   /// Paints the columns first, first + 1, ... of a row, where the fill is seen: those in shadow get
   /// its colour there, as in Picture::pixels. A pixel is always judged by the same expressions of
@@ -68,6 +88,7 @@ class ShadowedFill {
   PictureSize size_;
   PixelDepth depth_;
   double depth_error_;
+  Shadows::Search search_;
   HomogeneousPoint light_;
   std::uint32_t colour_;
 };

@@ -1,0 +1,57 @@
+#include "interp/raster/retained_casters.h"
+
+#include <algorithm>
+
+namespace displayfile {
+
+namespace {
+
+/// What pays for a point that is not on its polygon, against the margin, more than once over.
+constexpr double kOffPolygon = 16.0;
+
+}  // namespace
+
+RetainedCasters::RetainedCasters(const RetainedScene& scene, int threads)
+    : scene_(&scene), casters_(scene, threads), lists_(casters_, scene.size()) {}
+
+bool RetainedCasters::take(const SceneViewer& viewer, const SceneViewer::Wanted& wanted,
+                           const ViewedScene& seen) {
+  take_lights(wanted.lights_turned);
+  if (viewer.has_images()) return false;
+  way_.emplace(wanted.view, casters_.bounds());
+  if (!(way_->error(seen.largest_depth()) < casters_.margin())) return false;
+  primitive_of_ = viewer.primitive_of_items();
+  item_of_.assign(scene_->size(), kNotSeen);
+  for (Item item = 0; item < primitive_of_.size(); ++item) item_of_[primitive_of_[item]] = item;
+  return true;
+}
+
+/// Lists are made for lights that stay: the first view with other lights asks the tree.
+void RetainedCasters::take_lights(const glm::dmat3& turned) {
+  const auto attributes = scene_->all_attributes();
+  lights_stayed_ = toward_.size() == attributes.size();
+  toward_.resize(attributes.size(), Point3(0.0));
+  for (std::size_t k = 0; k < attributes.size(); ++k) {
+    if (!attributes[k].light) continue;
+    const Point3 toward = turned * attributes[k].light->toward;
+    lights_stayed_ = lights_stayed_ && toward == toward_[k];
+    toward_[k] = toward;
+  }
+  if (!lights_stayed_) lists_.clear();
+}
+
+RetainedCasters::Search RetainedCasters::search_on(Item item, double depth_error) {
+  const std::uint32_t primitive = primitive_of_[item];
+  Search search{toward_[(*scene_)[primitive].attributes], std::nullopt};
+  if (lights_stayed_ && kOffPolygon * way_->stretch() * depth_error < casters_.margin()) {
+    search.few = lists_.of(primitive, search.toward);
+  }
+  return search;
+}
+
+std::size_t RetainedCasters::bytes() const {
+  return casters_.bytes() + lists_.bytes() + toward_.size() * sizeof(Point3) +
+         item_of_.size() * sizeof(Item);
+}
+
+}  // namespace displayfile

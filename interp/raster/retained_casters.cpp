@@ -40,9 +40,9 @@ void RetainedCasters::take_lights(const glm::dmat3& turned) {
   if (!lights_stayed_) lists_.clear();
 }
 
-RetainedCasters::Search RetainedCasters::search_on(Item item, double depth_error) {
+RetainedCasters::Search RetainedCasters::begin_search(Item item, double depth_error) {
   const std::uint32_t primitive = primitive_of_[item];
-  Search search{toward_[(*scene_)[primitive].attributes], std::nullopt};
+  Search search{toward_[(*scene_)[primitive].attributes]};
   if (lights_stayed_ && kOffPolygon * way_->stretch() * depth_error < casters_.margin()) {
     search.few = lists_.of(primitive, search.toward);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -31,13 +32,24 @@ class RetainedCasters {
 
   /// Where to look for what hides the light from points of an item.
   struct Search {
-    Point3 toward;  ///< the light
+    Point3 toward{0.0};  ///< the light
     /// All that comes into question; without it, the tree is asked.
-    std::optional<std::span<const CasterLists::Primitive>> few;
-    bool is_never_hidden() const { return few && few->empty(); }
+    std::optional<std::span<const CasterLists::Primitive>> few = std::nullopt;
+    std::uint32_t open = 0;  ///< those of them, a bit each, that are not ruled out
+    bool is_never_hidden() const { return few && open == 0; }
   };
-  /// Its depths are off by no more than that.
-  Search search_on(Item item, double depth_error);
+  /// The item's depths are off by no more than that. In `few` are the items of the view that are
+  /// not ruled out by hides_none(item).
+  template <class HidesNone>
+  Search search_on(Item item, double depth_error, HidesNone&& hides_none) {
+    Search search = begin_search(item, depth_error);
+    if (!search.few) return search;
+    for (std::size_t k = 0; k < search.few->size(); ++k) {
+      const Item caster = item_of_[(*search.few)[k]];
+      if (caster != kNotSeen && !hides_none(caster)) search.open |= 1u << k;
+    }
+    return search;
+  }
   /// Calls hides(item) for the items of the view that may lie between the light and a point, until
   /// it returns true: then true. Device coordinates.
   template <class Hides>
@@ -47,8 +59,9 @@ class RetainedCasters {
       return item != kNotSeen && hides(item);
     };
     if (!search.few) return casters_.any((*way_)(point), search.toward, is_hidden_by);
-    for (const auto primitive : *search.few) {
-      if (is_hidden_by(primitive)) return true;
+    for (std::uint32_t open = search.open; open != 0; open &= open - 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(open));
+      if (hides(item_of_[(*search.few)[k]])) return true;
     }
     return false;
   }
@@ -58,7 +71,9 @@ class RetainedCasters {
 
  private:
   static constexpr Item kNotSeen = std::numeric_limits<Item>::max();
+  static_assert(CasterLists::kLongest <= 32);  // bits
   void take_lights(const glm::dmat3& turned);
+  Search begin_search(Item item, double depth_error);
 
   const RetainedScene* scene_;
   WorldCasters casters_;

@@ -104,8 +104,9 @@ class FillsShown {
       const FillShadow* const shadow =
           fill == ViewedScene::kBackground ? nullptr : scene_.shadow(fill);
       if (shadow == nullptr) return;
-      ShadowedFill(*band_.shadows, scene_.vertices(fill), scene_.plane(fill), *shadow, band_.size(),
-                   scene_.item_of(fill))
+      const Shadows::OnFill on_fill = band_.shadows->on(fill, band_.size());
+      if (on_fill.search.is_never_hidden()) return;
+      ShadowedFill(*band_.shadows, on_fill, scene_.plane(fill), *shadow, band_.size())
           .paint(row, column, pixels);
     });
   }
@@ -202,7 +203,7 @@ SoftwareRenderer::Drawn SoftwareRenderer::prepare(const ViewedScene& scene,
 void SoftwareRenderer::take_up_shadows(const ViewedScene& scene, RetainedCasters* casters,
                                        bool same_geometry) {
   const bool of_same_kind = shadows_ != nullptr && shadows_->is_by(casters);
-  if (of_same_kind && same_geometry) return;
+  if (of_same_kind && same_geometry) return shadows_->take_lights();
   if (casters == nullptr) {
     shadows_.reset();
   } else if (of_same_kind) {

@@ -250,8 +250,15 @@ TEST(KeptViews, AMovingLightFindsNoSurfaces) {
   }
   draw(renderer, {moved(view, 0.5)});
   EXPECT_EQ(renderer.made().surfaces, 2u);
-  draw(renderer, {moved(view, 0.5), turned(0.4), HiddenMethod::warnock});
-  EXPECT_EQ(renderer.made().surfaces, 3u);
+  // Where a view comes again, they are kept from then on; until then an eye that moves would pay.
+  for (int k = 0; k < 4; ++k) {
+    draw(renderer, {moved(view, 0.5), turned(0.2 * k)});
+    EXPECT_EQ(renderer.made().surfaces, 3u);
+  }
+  for (int k = 0; k < 4; ++k) {
+    draw(renderer, {moved(view, 0.5), turned(0.2 * k), HiddenMethod::warnock});
+    EXPECT_EQ(renderer.made().surfaces, 4u);
+  }
   EXPECT_EQ(renderer.made().caster_trees, 1u);
 }
 
@@ -260,8 +267,6 @@ TEST(KeptViews, AMovingEyeSearchesForNoShadowTwice) {
   enter_hills(retained.system);
   ViewRenderer renderer(retained.scene, retained.system.display_file());
   const View view = retained.system.view();
-  draw(renderer, {moved(view, 0.2)});
-  EXPECT_EQ(renderer.made().caster_lists, 0u);  // the light may yet move
   for (int k = 0; k < 8; ++k) draw(renderer, {moved(view, 0.2 + 0.05 * k)});
   const std::size_t made = renderer.made().caster_lists;
   EXPECT_GT(made, 0u);
@@ -271,7 +276,6 @@ TEST(KeptViews, AMovingEyeSearchesForNoShadowTwice) {
   EXPECT_EQ(renderer.made().caster_trees, 1u);
   EXPECT_GT(renderer.bytes_of_casters(), 0u);
   draw(renderer, {view, turned(0.5)});
-  draw(renderer, {moved(view, 0.25), turned(0.5)});
   EXPECT_GT(renderer.made().caster_lists, made);  // other lights, other lists
 }
 

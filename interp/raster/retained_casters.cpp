@@ -26,24 +26,24 @@ bool RetainedCasters::take(const SceneViewer& viewer, const SceneViewer::Wanted&
   return true;
 }
 
-/// Lists are made for lights that stay: the first view with other lights asks the tree.
+/// Lists are of the lights that they were made for.
 void RetainedCasters::take_lights(const glm::dmat3& turned) {
   const auto attributes = scene_->all_attributes();
-  lights_stayed_ = toward_.size() == attributes.size();
+  bool stayed = toward_.size() == attributes.size();
   toward_.resize(attributes.size(), Point3(0.0));
   for (std::size_t k = 0; k < attributes.size(); ++k) {
     if (!attributes[k].light) continue;
     const Point3 toward = turned * attributes[k].light->toward;
-    lights_stayed_ = lights_stayed_ && toward == toward_[k];
+    stayed = stayed && toward == toward_[k];
     toward_[k] = toward;
   }
-  if (!lights_stayed_) lists_.clear();
+  if (!stayed) lists_.clear();
 }
 
 RetainedCasters::Search RetainedCasters::begin_search(Item item, double depth_error) {
   const std::uint32_t primitive = primitive_of_[item];
   Search search{toward_[(*scene_)[primitive].attributes]};
-  if (lights_stayed_ && kOffPolygon * way_->stretch() * depth_error < casters_.margin()) {
+  if (kOffPolygon * way_->stretch() * depth_error < casters_.margin()) {
     search.few = lists_.of(primitive, search.toward);
   }
   return search;

@@ -79,7 +79,6 @@ class RetainedCasters {
   WorldCasters casters_;
   CasterLists lists_;
   std::vector<Point3> toward_;  // the lights of the attributes, as they are turned now
-  bool lights_stayed_ = false;
   std::optional<WayToWorld> way_;
   std::vector<Item> item_of_;  // of primitives
   std::span<const std::uint32_t> primitive_of_;

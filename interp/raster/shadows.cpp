@@ -174,8 +174,8 @@ class Shadows::FromFill {
   FromFill(std::span<const Point3> fill, const Plane& plane, const HomogeneousPoint& light,
            double off_plane, double largest_depth)
       : fill_(fill), plane_(plane), light_(light) {
-    const double reach = std::abs(plane.normal.x) + std::abs(plane.normal.y) +
-                         std::abs(plane.normal.z);
+    const double reach =
+        std::abs(plane.normal.x) + std::abs(plane.normal.y) + std::abs(plane.normal.z);
     const double lost = kLostByRays * std::max(1.0, largest_depth);
     double least = std::numeric_limits<double>::infinity(), greatest = -least, length = 0.0;
     for (const Point3& v : fill) {

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <functional>
 #include <limits>
+#include <utility>
 
 #include "hidden/parallel.h"
 #include "interp/interpreter.h"
@@ -196,7 +197,8 @@ SoftwareRenderer::Drawn SoftwareRenderer::prepare(const ViewedScene& scene,
   texts_.clear();
   if (request.texts && !scene.texts().empty()) texts_ = seen_texts(scene);
   geometry_ = scene.geometry();
-  return {nullptr, scene.items(), kept.surfaces && geometry_ != 0};
+  const bool is_first = !std::exchange(has_drawn_views_, true);
+  return {nullptr, scene.items(), kept.surfaces && geometry_ != 0 && (same || is_first)};
 }
 
 /// Those that find them anew are made when they are needed.
@@ -319,9 +321,8 @@ void SoftwareRenderer::show_fills_seen(const Drawn& drawn, const RasterRequest& 
   if (!kept) ++surfaces_found_;
   const ImageSpaceMethod& finder = *prepared_->finder;
   for_bands_of_rows(request, rows, finder.rows_at_a_time(), [&](const RowRange& band) {
-    FillsShown shown(
-        *scene_, paints_,
-        {picture_, size, pixel_of(request.background), rows, band, shadows_.get()});
+    FillsShown shown(*scene_, paints_,
+                     {picture_, size, pixel_of(request.background), rows, band, shadows_.get()});
     if (kept) {
       for (int row = band.begin; row < band.end; ++row) shown.show(row, 0, surfaces_.row(row));
       return;

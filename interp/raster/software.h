@@ -38,7 +38,9 @@ class SoftwareRenderer {
   /// What is kept from one view of a retained scene to the next, besides memory.
   struct KeptOfViews {
     RetainedCasters* casters = nullptr;  ///< that have taken up the view; null: found anew
-    bool surfaces = false;  ///< the fills seen, 4 bytes a pixel, for the same view in other lights
+    /// The fills seen, 4 bytes a pixel, for the same view in other lights: those of the first
+    /// picture, and from then on where a view comes again. An eye that moves pays for none.
+    bool surfaces = false;
   };
   /// The same of a scene that is no display file's, by an image-space method other than
   /// world_ray_cast. What was made ready is used again if the scene is the one drawn last in other
@@ -98,6 +100,7 @@ class SoftwareRenderer {
   std::uint64_t geometry_ = 0;  // of the scene of a view that was made ready
   KeptSurfaces surfaces_;
   std::size_t surfaces_found_ = 0;
+  bool has_drawn_views_ = false;
   std::vector<ViewedText> texts_;  // that are seen
 };
 

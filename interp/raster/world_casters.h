@@ -33,9 +33,8 @@ class WorldCasters {
   /// returns true: then true.
   template <class Visit>
   bool any(const Point3& from, const Point3& toward, Visit&& visit) const {
-    return tree_.any(SpaceRay(from, toward), [&](SpaceTree::Position at) {
-      return visit(primitive_of_[at]);
-    });
+    return tree_.any(SpaceRay(from, toward),
+                     [&](SpaceTree::Position at) { return visit(primitive_of_[at]); });
   }
 
   /// The polygons, but for the receiver itself, that may hide light that comes from that unit

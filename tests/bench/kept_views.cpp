@@ -49,9 +49,10 @@ class Comparison {
       measure(view, eye_moves ? glm::dmat3(1.0) : turned(degrees), k >= 0);
     }
     const double unit = spread(of_kept_).median;
-    fmt::print("{}: only memory kept {:.2f}, anew {:.2f} in units of a kept view; {} of {} pictures the same\n",
-               what, spread(of_memory_).median / unit, spread(anew_).median / unit, same_,
-               of_.views);
+    fmt::print(
+        "{}: only memory kept {:.2f}, anew {:.2f} in units of a kept view; {} of {} pictures the "
+        "same\n",
+        what, spread(of_memory_).median / unit, spread(anew_).median / unit, same_, of_.views);
   }
 
  private:

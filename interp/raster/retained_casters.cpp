@@ -1,6 +1,7 @@
 #include "interp/raster/retained_casters.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace displayfile {
 
@@ -8,6 +9,13 @@ namespace {
 
 /// What pays for a point that is not on its polygon, against the margin, more than once over.
 constexpr double kOffPolygon = 16.0;
+
+/// Of what hides light, fills that are edge-on too.
+double largest_depth(const ViewedScene& seen) {
+  double largest = 0.0;
+  for (const Point3& p : seen.primitives().points) largest = std::max(largest, std::abs(p.z));
+  return largest;
+}
 
 }  // namespace
 
@@ -19,7 +27,7 @@ bool RetainedCasters::take(const SceneViewer& viewer, const SceneViewer::Wanted&
   take_lights(wanted.lights_turned);
   if (viewer.has_images()) return false;
   way_.emplace(wanted.view, casters_.bounds());
-  if (!(way_->error(seen.largest_depth()) < casters_.margin())) return false;
+  if (!(way_->error(largest_depth(seen)) < casters_.margin())) return false;
   primitive_of_ = viewer.primitive_of_items();
   item_of_.assign(scene_->size(), kNotSeen);
   for (Item item = 0; item < primitive_of_.size(); ++item) item_of_[primitive_of_[item]] = item;

@@ -173,10 +173,10 @@ class Shadows::FromFill {
  public:
   FromFill(std::span<const Point3> fill, const Plane& plane, const HomogeneousPoint& light,
            double off_plane, double largest_depth)
-      : fill_(fill), plane_(plane), light_(light) {
+      : fill_(fill), plane_(plane), light_(light), farthest_(std::max(1.0, largest_depth)) {
     const double reach =
         std::abs(plane.normal.x) + std::abs(plane.normal.y) + std::abs(plane.normal.z);
-    const double lost = kLostByRays * std::max(1.0, largest_depth);
+    const double lost = kLostByRays * farthest_;
     double least = std::numeric_limits<double>::infinity(), greatest = -least, length = 0.0;
     for (const Point3& v : fill) {
       const Point3 direction = Point3(light) - light.w * v;
@@ -211,7 +211,8 @@ class Shadows::FromFill {
   /// touch can it be met.
   bool is_above(const PointRow& vertices) const {
     return side_ != 0.0 && highest_ > 0.0 && std::ranges::all_of(vertices, [&](const Point3& v) {
-             return side_ * glm::dot(plane_.normal, v - plane_.p) <= highest_;
+             return side_ * glm::dot(plane_.normal, v - plane_.p) <= highest_ &&
+                    std::abs(v.z) <= farthest_;
            });
   }
 
@@ -224,6 +225,7 @@ class Shadows::FromFill {
   std::span<const Point3> fill_;
   const Plane& plane_;
   HomogeneousPoint light_;
+  double farthest_;       // |z| that is allowed for
   double side_ = 0.0;     // of the plane on which the light is, for all points; or 0
   double highest_ = 0.0;  // values of the plane at what rays do not meet but near the fill
 };

@@ -53,6 +53,10 @@ class Comparison {
         "{}: only memory kept {:.2f}, anew {:.2f} in units of a kept view; {} of {} pictures the "
         "same\n",
         what, spread(of_memory_).median / unit, spread(anew_).median / unit, same_, of_.views);
+    if (kept_.bytes_of_casters() == 0) return;
+    fmt::print(
+        "  kept for shadows: {:.0f} bytes a polygon\n",
+        static_cast<double>(kept_.bytes_of_casters()) / static_cast<double>(of_.scene.size()));
   }
 
  private:

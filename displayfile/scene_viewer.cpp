@@ -1,9 +1,11 @@
 #include "displayfile/scene_viewer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "clip/back_face.h"
 #include "displayfile/equal_points.h"
@@ -27,6 +29,12 @@ void for_each_run(std::uint32_t first, std::uint32_t end, std::uint32_t most, Vi
   }
 }
 
+/// A number that no scene has had.
+std::uint64_t new_geometry() {
+  static std::atomic<std::uint64_t> last = 0;
+  return ++last;
+}
+
 bool is_solid(const Attributes& attributes) {
   return attributes.fill.kind == FillStyle::Kind::solid;
 }
@@ -45,8 +53,10 @@ class SceneViewer::Part {
 
   std::uint32_t segment() const { return segment_; }
   const ViewedScene& seen() const { return *seen_; }
+  /// Of the items seen; empty where no shadows are.
+  std::span<const std::uint32_t> primitives() const { return primitives_; }
   /// The memory of its own; not what another thread views into.
-  std::size_t bytes() const { return own_.bytes(); }
+  std::size_t bytes() const { return own_.bytes() + primitives().size_bytes(); }
 
   /// What is the same for all parts.
   struct InView {
@@ -77,9 +87,13 @@ class SceneViewer::Part {
       } else {
         view_any(i, primitive);
       }
+      if (in_view.viewer.shows_shadows_ && primitives_.size() < seen_->items()) {
+        primitives_.push_back(i);
+      }
     }
   }
   void forget() {
+    primitives_.clear();
     seen_->clear();
     seen_->own_points_.clear();
   }
@@ -164,7 +178,7 @@ class SceneViewer::Part {
     if (any != 0) return all != 0;
     if (in_view_->by_centres && !outlined_ && (columns == 0 || rows == 0)) return true;
     const RetainedScene& scene = *viewer.scene_;
-    if (light_ != nullptr && (attributes_->shadows || scene.is_smooth(i))) return false;
+    if (light_ != nullptr && scene.is_smooth(i)) return false;
     const PointRow vertices(viewer.viewed_.own_points_, {corners, primitive.sides});
     const double c = attributes_->back_face_removal || light_ != nullptr ? newell_c(vertices) : 0.0;
     if (attributes_->back_face_removal && c <= 0.0) return true;
@@ -172,6 +186,9 @@ class SceneViewer::Part {
     if (light_ != nullptr) {
       const bool turned_away = !attributes_->back_face_removal && c < 0.0;
       lit_ = lit(*fill, *light_, scene.normal(i), turned_away);
+      if (attributes_->shadows) {
+        lit_.shadow = shadow_on(lit_, *fill, *light_, in_view_->volume);
+      }
       fill = &lit_;
     }
     seen_->add_polygon(primitive.first, vertices, {*fill, attributes_->line, primitive.pick});
@@ -225,6 +242,7 @@ class SceneViewer::Part {
   std::uint32_t segment_, first_, end_;
   ViewedScene own_;
   ViewedScene* seen_ = &own_;
+  std::vector<std::uint32_t> primitives_;
   const InView* in_view_ = nullptr;
   std::optional<ViewStage> stage_;
   std::optional<ImageMatrix> matrix_;
@@ -266,6 +284,7 @@ SceneViewer::SceneViewer(const RetainedScene& scene, const DisplayFile& attribut
   for (const Attributes& look : scene.all_attributes()) {
     looks_.push_back(look_of(look));
     shows_shadows_ = shows_shadows_ || look.shadows;
+    is_lit_ = is_lit_ || look.light;
   }
 }
 
@@ -298,14 +317,33 @@ void SceneViewer::share_equal_vertices() {
   points_ = welded_;
 }
 
-const ViewedScene& SceneViewer::view(const Wanted& wanted) {
-  const ViewVolume volume(wanted.view);
+/// True if they are drawn with what they were drawn with in the last view.
+bool SceneViewer::take_segments() {
+  bool same = true;
   for (std::size_t k = 0; k < segments_.size(); ++k) {
     const Segment& now = attributes_->segment(scene_->segments()[k].name);
+    same = same && segments_[k].visible == now.visible && segments_[k].image == now.image;
     segments_[k].visible = now.visible;
     segments_[k].image = now.image;
   }
-  view_points(wanted, volume);
+  return same;
+}
+
+bool SceneViewer::has_images() const {
+  return std::ranges::any_of(segments_, [](const SegmentNow& segment) {
+    return segment.visible && !segment.image.is_identity();
+  });
+}
+
+const ViewedScene& SceneViewer::view(const Wanted& wanted) {
+  const ViewVolume volume(wanted.view);
+  const auto last = std::exchange(last_, std::nullopt);
+  const bool same_segments = take_segments();
+  if (!same_segments || !last || !(last->view == wanted.view) ||
+      last->centres_of != wanted.centres_of) {
+    view_points(wanted, volume);
+    viewed_.geometry_ = new_geometry();
+  }
   const Part::InView in_view{*this, wanted, volume, wanted.centres_of && !shows_shadows_};
   const auto view_part = [&](std::size_t k, ViewedScene* into) {
     Part& part = *parts_[k];
@@ -319,6 +357,7 @@ const ViewedScene& SceneViewer::view(const Wanted& wanted) {
     join_parts([](std::size_t) {});
   }
   view_texts(volume);
+  last_ = wanted;
   return viewed_;
 }
 
@@ -348,6 +387,7 @@ template <class ViewPart>
 void SceneViewer::join_parts(ViewPart&& view_part) {
   viewed_.clear();
   viewed_.own_points_.resize(points_.size());
+  primitive_of_items_.clear();
   viewed_.items_.reserve(scene_->size());
   viewed_.pick_.reserve(scene_->size());
   if (!all_edges_drawn_) {
@@ -365,6 +405,8 @@ void SceneViewer::join_parts(ViewPart&& view_part) {
     for (; k < parts_.size() && parts_[k]->segment() == segment; ++k) {
       view_part(k);
       viewed_.append(parts_[k]->seen(), corners_, points_.size());
+      const auto primitives = parts_[k]->primitives();
+      primitive_of_items_.insert(primitive_of_items_.end(), primitives.begin(), primitives.end());
     }
   }
   viewed_.points_ = viewed_.own_points_;
@@ -415,7 +457,8 @@ DisplayFile SceneViewer::display_file(const View& view, const glm::dmat3& lights
 
 std::size_t SceneViewer::bytes() const {
   const auto size = [](const auto& array) { return array.size() * sizeof(array[0]); };
-  std::size_t sum = size(welded_) + size(places_) + viewed_.bytes() + part_in_view_.bytes();
+  std::size_t sum = size(welded_) + size(places_) + viewed_.bytes() + part_in_view_.bytes() +
+                    size(primitive_of_items_);
   for (const auto& part : parts_) sum += part->bytes();
   return sum;
 }

@@ -43,6 +43,14 @@ class SceneViewer {
   /// for what is left out. It stays until the next call. Throws Error as ViewVolume does.
   const ViewedScene& view(const Wanted& wanted);
 
+  /// The primitives of the scene that the items of the last view are of, in order; empty where no
+  /// shadows are seen.
+  std::span<const std::uint32_t> primitive_of_items() const { return primitive_of_items_; }
+  bool shows_shadows() const { return shows_shadows_; }  ///< in some view
+  bool is_lit() const { return is_lit_; }                ///< so that colours follow the lights
+  /// In the last view some visible segment's image was transformed.
+  bool has_images() const;
+
   /// What the display file would be if the application had drawn in that view: the polygons clipped
   /// and checked for back faces, whole and in order of entry.
   DisplayFile display_file(const View& view,
@@ -74,6 +82,7 @@ class SceneViewer {
     bool visible = false;
     ImageTransformation image = {};
   };
+  bool take_segments();
   void share_equal_vertices();
   void view_points(const Wanted& wanted, const ViewVolume& volume);
   template <class ViewPart>
@@ -89,12 +98,15 @@ class SceneViewer {
   bool all_edges_drawn_ = true;
   std::vector<Look> looks_;     // of the attributes
   bool shows_shadows_ = false;  // then what covers no centre matters
+  bool is_lit_ = false;
   std::vector<SegmentNow> segments_;
   std::vector<Block> blocks_;
   std::vector<Place> places_;  // of the points
   std::vector<std::unique_ptr<Part>> parts_;
   ViewedScene viewed_;
   ViewedScene part_in_view_;  // where one thread views part after part
+  std::vector<std::uint32_t> primitive_of_items_;
+  std::optional<Wanted> last_;  // of the view that viewed_ is
 };
 
 }  // namespace displayfile

@@ -43,6 +43,11 @@ class BoxTree {
   std::size_t depth() const { return depth_; }
   static constexpr std::size_t kDeepest = 160;
 
+  std::size_t bytes() const {  ///< of the tree's arrays, as used
+    const auto size = [](const auto& array) { return array.size() * sizeof(array[0]); };
+    return size(nodes_) + size(end_) + size(leaves_) + size(order_);
+  }
+
   /// The item at each position.
   std::span<const Item> order() const { return order_; }
 

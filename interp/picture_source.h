@@ -51,7 +51,8 @@ class DisplayFileSource : public PictureSource {
   SoftwareRenderer& kept_;
 };
 
-/// Without a display file, but for a device that needs one.
+/// Without a display file, but for a device that needs one. The casters are what is kept of the
+/// shadows, or null.
 class ViewSource : public PictureSource {
   template <class Do>
   auto of_display_file(Do&& work) const {
@@ -61,23 +62,26 @@ class ViewSource : public PictureSource {
 
  public:
   ViewSource(SceneViewer& viewer, const View& view, const glm::dmat3& lights_turned,
-             const DrawOptions& options, SoftwareRenderer& kept)
+             const DrawOptions& options, SoftwareRenderer& kept, RetainedCasters* casters)
       : viewer_(viewer),
         view_(view),
         lights_turned_(lights_turned),
         options_(options),
-        kept_(kept) {}
+        kept_(kept),
+        casters_(casters) {}
 
   Picture draw(const RasterRequest& request) const override {
     if (!is_first_device())
       return of_display_file([&](const PictureSource& s) { return s.draw(request); });
-    kept_.draw(scene(request), request);
+    const ViewedScene& seen = scene(request);
+    kept_.draw(seen, request, kept_of_views(seen, request));
     return kept_.take_picture();
   }
   void draw(const RasterRequest& request, const TakeRows& take) const override {
     if (!is_first_device())
       return of_display_file([&](const PictureSource& s) { s.draw(request, take); });
-    kept_.draw(scene(request), request, take);
+    const ViewedScene& seen = scene(request);
+    kept_.draw(seen, request, kept_of_views(seen, request), take);
   }
   void write_vectors(const PictureFormat& format, const std::filesystem::path& file,
                      const RasterRequest& request) const override {
@@ -86,15 +90,23 @@ class ViewSource : public PictureSource {
 
  private:
   bool is_first_device() const { return &device_of(options_.device) == &first_device(); }
+  SceneViewer::Wanted wanted(const RasterRequest& request) const {
+    return {view_, lights_turned_, PictureSize{request.width, request.height}, request.threads};
+  }
   const ViewedScene& scene(const RasterRequest& request) const {
-    return viewer_.view(
-        {view_, lights_turned_, PictureSize{request.width, request.height}, request.threads});
+    return viewer_.view(wanted(request));
+  }
+  SoftwareRenderer::KeptOfViews kept_of_views(const ViewedScene& seen,
+                                              const RasterRequest& request) const {
+    const bool casters = casters_ != nullptr && casters_->take(viewer_, wanted(request), seen);
+    return {casters ? casters_ : nullptr, viewer_.is_lit()};
   }
   SceneViewer& viewer_;
   const View& view_;
   const glm::dmat3& lights_turned_;
   const DrawOptions& options_;
   SoftwareRenderer& kept_;
+  RetainedCasters* casters_;
 };
 
 /// The size, outputs, background and threads that are asked for; the method is the first.

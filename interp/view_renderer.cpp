@@ -35,13 +35,23 @@ RasterRequest raster_request_of_view(const DrawOptions& options) {
 }  // namespace
 
 struct ViewRenderer::Kept {
+  const RetainedScene& scene;
   SceneViewer viewer;
-  SoftwareRenderer software;
-  Picture picture;
+  SoftwareRenderer software = {};
+  std::unique_ptr<RetainedCasters> casters = nullptr;
+  Picture picture = {};
+
+  /// Null where no shadows are seen.
+  RetainedCasters* casters_of_shadows(int threads) {
+    if (viewer.shows_shadows() && casters == nullptr) {
+      casters = std::make_unique<RetainedCasters>(scene, threads);
+    }
+    return casters.get();
+  }
 };
 
 ViewRenderer::ViewRenderer(const RetainedScene& scene, const DisplayFile& attributes)
-    : kept_(std::make_unique<Kept>(Kept{SceneViewer(scene, attributes), {}, {}})) {}
+    : kept_(std::make_unique<Kept>(Kept{scene, SceneViewer(scene, attributes)})) {}
 ViewRenderer::~ViewRenderer() = default;
 ViewRenderer::ViewRenderer(ViewRenderer&& other) noexcept = default;
 ViewRenderer& ViewRenderer::operator=(ViewRenderer&& other) noexcept = default;
@@ -53,8 +63,9 @@ const Picture& ViewRenderer::draw(const View& view, const DrawOptions& options,
   Kept& kept = *kept_;
   kept.software.give_back(std::exchange(kept.picture, Picture()));
   kept.picture = with_memory_of_picture(options, kept.software, [&] {
-    return draw_pixels(ViewSource(kept.viewer, view, lights_turned, options, kept.software),
-                       request, options);
+    const ViewSource source(kept.viewer, view, lights_turned, options, kept.software,
+                            kept.casters_of_shadows(options.threads));
+    return draw_pixels(source, request, options);
   });
   return kept.picture;
 }
@@ -63,11 +74,22 @@ void ViewRenderer::draw(const View& view, const std::filesystem::path& file,
                         const DrawOptions& options, const glm::dmat3& lights_turned) {
   const RasterRequest request = raster_request_of_view(options);
   require_drawable(file, options);
-  const SceneViewer& viewer = kept_->viewer;
-  with_memory_of_drawing(viewer.bytes(), file, options, [&] {
-    write_picture(ViewSource(kept_->viewer, view, lights_turned, options, kept_->software), request,
-                  file, options);
+  Kept& kept = *kept_;
+  with_memory_of_drawing(kept.viewer.bytes(), file, options, [&] {
+    const ViewSource source(kept.viewer, view, lights_turned, options, kept.software,
+                            kept.casters_of_shadows(options.threads));
+    write_picture(source, request, file, options);
   });
+}
+
+ViewRenderer::Made ViewRenderer::made() const {
+  const RetainedCasters* const casters = kept_->casters.get();
+  return {kept_->software.surfaces_found(), casters != nullptr ? 1u : 0u,
+          casters != nullptr ? casters->lists_made() : 0u};
+}
+
+std::size_t ViewRenderer::bytes_of_casters() const {
+  return kept_->casters == nullptr ? 0 : kept_->casters->bytes();
 }
 
 DisplayFile ViewRenderer::display_file(const View& view, const glm::dmat3& lights_turned) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <glm/mat3x3.hpp>
 #include <memory>
@@ -13,8 +14,9 @@ namespace displayfile {
 
 /// Draws a retained scene from new eyes, one picture after another, by any method that works in
 /// image space (displayfile/scene_viewer.md): nothing is sorted, each vertex is viewed once, what
-/// no pixel's centre can show is left out, and memory is kept from picture to picture. What is
-/// seen is what the system would have drawn in that view, to the last bit. For one thread, which
+/// no pixel's centre can show is left out, and memory is kept from picture to picture; so is what
+/// a moving eye leaves as it was of shadows, and a moving light of visible surfaces. What is seen
+/// is what the system would have drawn in that view, to the last bit. For one thread, which
 /// shares the work among as many as the options say.
 class ViewRenderer {
  public:
@@ -34,6 +36,15 @@ class ViewRenderer {
                       const glm::dmat3& lights_turned = glm::dmat3(1.0));
   void draw(const View& view, const std::filesystem::path& file, const DrawOptions& options = {},
             const glm::dmat3& lights_turned = glm::dmat3(1.0));
+
+  /// How often what is kept was made, since the beginning: while only lights change, no surfaces
+  /// are found; for all views one tree of what casts shadows is made; and while the lights stay,
+  /// for each polygon that is seen one list of what can hide its light.
+  struct Made {
+    std::size_t surfaces, caster_trees, caster_lists;
+  };
+  Made made() const;
+  std::size_t bytes_of_casters() const;  ///< kept for shadows
 
   /// The display file as if the application had drawn in that view, written for who asks.
   DisplayFile display_file(const View& view,

@@ -69,7 +69,7 @@ class FillColour {
     const auto [support, edge_on] = support_vertices(v);
     if (edge_on) return;
     const Plane plane(v[support[0]], v[support[1]], v[support[2]]);
-    shadow_.emplace(*shadows, v, plane, *polygon.fill.shadow, size);
+    shadow_.emplace(*shadows, Shadows::on(v, plane, size), plane, *polygon.fill.shadow, size);
   }
 
   /// Paints what PixelShade::paint does; at() is the pixel at one place.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "hidden/exact/rounding.h"
 #include "hidden/exact/support_plane.h"
@@ -22,6 +23,9 @@ constexpr double kVertexError = 0x1p-40;
 /// Pays for what the bounds leave out, and their own rounding.
 constexpr double kSafety = 2.0;
 
+/// A thickness that nothing is beyond.
+constexpr double kNoPlane = std::numeric_limits<double>::infinity();
+
 /// Bounds the plane's values at points that lie on the polygon: how far its vertices are off the
 /// plane, and what rounding adds.
 double largest_value(std::span<const Point3> vertices, const Plane& plane) {
@@ -37,20 +41,31 @@ double largest_value(std::span<const Point3> vertices, const Plane& plane) {
 
 Shadows::Shadows(const ViewedScene& scene) : scene_(&scene) {
   for (ViewedScene::Item item = 0; item < scene.items(); ++item) {
-    if (scene.kind(item) == Primitives::Kind::solid) enter(item);
+    if (scene.kind(item) != Primitives::Kind::solid) continue;
+    const Polygon caster = caster_of(item);
+    if (caster.thickness < kNoPlane) casters_.push_back(caster);
   }
   build_tree();
 }
 
+void Shadows::take(const ViewedScene& scene, RetainedCasters& retained) {
+  scene_ = &scene;
+  retained_ = &retained;
+  of_items_.forget(scene.items());
+  take_lights();
+}
+
 /// The plane is that of the vertices that spread the most in space: one that is edge-on to the
 /// viewer has none by its picture.
-void Shadows::enter(ViewedScene::Item item) {
+Shadows::Polygon Shadows::caster_of(ViewedScene::Item item) const {
   const auto vertices = scene_->points(item);
   const SupportVertices spread = spread_vertices(vertices);
-  if (spread.edge_on || !std::ranges::all_of(vertices, in_range)) return;
+  if (spread.edge_on || !std::ranges::all_of(vertices, in_range)) {
+    return {Point3(0.0), Point3(0.0), kNoPlane, item};
+  }
   const auto& [p, q, r] = spread.index;
   const Plane plane(vertices[p], vertices[q], vertices[r]);
-  casters_.push_back({plane.p, plane.normal, largest_value(vertices, plane), item});
+  return {plane.p, plane.normal, largest_value(vertices, plane), item};
 }
 
 /// Boxes are made larger by more than what the tests of rays lose.
@@ -129,35 +144,131 @@ bool Shadows::is_met(const Polygon& polygon, const Ray& ray) const {
   return inside;
 }
 
-bool Shadows::hidden(const LitPoint& point, Caster& last) const {
-  const Ray ray(point);
-  if (ray.direction == Point3(0.0)) return false;
-  if (last != kNone && hides(casters_[last], ray)) return true;
-  return tree_.any(SpaceRay(point.at, ray.direction), [&](Caster caster) {
-    if (!hides(casters_[caster], ray)) return false;
-    last = caster;
-    return true;
-  });
+const Shadows::Polygon& Shadows::polygon_of(Caster caster, Polygon& spare) const {
+  if (retained_ == nullptr) return casters_[caster];
+  return of_items_.at(caster, spare, [&] { return caster_of(caster); });
 }
 
-ShadowedFill::ShadowedFill(const Shadows& shadows, std::span<const Point3> fill, const Plane& plane,
-                           const FillShadow& shadow, const PictureSize& size)
-    : shadows_(&shadows),
-      size_(size),
-      depth_(plane, size.width, size.height),
-      depth_error_(kSafety * depth_bound(fill, plane, depth_, size).error +
-                   largest_value(fill, plane) / std::abs(plane.normal.z)),
-      light_(shadow.light),
-      colour_(pixel_of(shadow.colour)) {}
+bool Shadows::is_hidden_by(Caster caster, const Ray& ray) const {
+  Polygon spare;
+  return hides(polygon_of(caster, spare), ray);
+}
+
+Shadows::OnFill Shadows::on(std::span<const Point3> fill, const Plane& plane,
+                            const PictureSize& size) {
+  const PixelDepth depth(plane, size.width, size.height);
+  return {kSafety * depth_bound(fill, plane, depth, size).error +
+          largest_value(fill, plane) / std::abs(plane.normal.z)};
+}
+
+Shadows::OnFill Shadows::on(ViewedScene::Fill fill, const PictureSize& size) const {
+  if (retained_ == nullptr) return work_out(fill, size);
+  OnFill spare;
+  return on_items_.at(scene_->item_of(fill), spare, [&] { return work_out(fill, size); });
+}
+
+/// A fill as the light sees it, against what may hide the light: a fast way to see that something
+/// hides none of it, without a ray. Both tests hold with all rounding of Shadows::hides.
+class Shadows::FromFill {
+ public:
+  FromFill(std::span<const Point3> fill, const Plane& plane, const HomogeneousPoint& light,
+           double off_plane, double largest_depth)
+      : fill_(fill), plane_(plane), light_(light), farthest_(std::max(1.0, largest_depth)) {
+    const double reach =
+        std::abs(plane.normal.x) + std::abs(plane.normal.y) + std::abs(plane.normal.z);
+    const double lost = kLostByRays * farthest_;
+    double least = std::numeric_limits<double>::infinity(), greatest = -least, length = 0.0;
+    for (const Point3& v : fill) {
+      const Point3 direction = Point3(light) - light.w * v;
+      const double away = glm::dot(plane.normal, direction);
+      least = std::min(least, away);
+      greatest = std::max(greatest, away);
+      const Point3 size = glm::abs(direction);
+      length = std::max(length, size.x + size.y + size.z);
+    }
+    side_ = least > 0.0 ? 1.0 : greatest < 0.0 ? -1.0 : 0.0;
+    if (side_ == 0.0) return;
+    const double rises = (side_ > 0.0 ? least : -greatest) / length;
+    highest_ = (kTouchingPart - lost) * rises * kTilted - reach * lost -
+               std::abs(plane.normal.z) * off_plane;
+  }
+
+  bool is_clear_of(const Polygon& caster, const PointRow& vertices) const {
+    return is_before(caster) || is_above(vertices);
+  }
+
+ private:
+  /// No point of the fill is behind the caster, seen from the light, but for what counts as lying
+  /// on it.
+  bool is_before(const Polygon& caster) const {
+    const double at_light = glm::dot(caster.normal, Point3(light_) - light_.w * caster.p);
+    const double side = at_light > 0.0 ? 1.0 : -1.0;
+    return std::ranges::all_of(fill_, [&](const Point3& v) {
+      return side * glm::dot(caster.normal, v - caster.p) >= -0.5 * caster.thickness;
+    });
+  }
+  /// Rays lead away from the fill's plane, and the caster does not rise above it: only where both
+  /// touch can it be met.
+  bool is_above(const PointRow& vertices) const {
+    return side_ != 0.0 && highest_ > 0.0 && std::ranges::all_of(vertices, [&](const Point3& v) {
+             return side_ * glm::dot(plane_.normal, v - plane_.p) <= highest_ &&
+                    std::abs(v.z) <= farthest_;
+           });
+  }
+
+  static constexpr double kLostByRays = 64.0 * kUnit;
+  /// What is this close to a caster's plane counts as lying on it, whatever its normal: less than
+  /// what kVertexError makes of every thickness.
+  static constexpr double kTouchingPart = kSafety * kVertexError;
+  static constexpr double kTilted = 0.5;  // pays for rounding here
+
+  std::span<const Point3> fill_;
+  const Plane& plane_;
+  HomogeneousPoint light_;
+  double farthest_;       // |z| that is allowed for
+  double side_ = 0.0;     // of the plane on which the light is, for all points; or 0
+  double highest_ = 0.0;  // values of the plane at what rays do not meet but near the fill
+};
+
+Shadows::OnFill Shadows::work_out(ViewedScene::Fill fill, const PictureSize& size) const {
+  const ViewedScene::Item item = scene_->item_of(fill);
+  const PointRow vertices = scene_->points(item);
+  const Plane plane = scene_->plane(fill);
+  OnFill on_fill = on(vertices, plane, size);
+  if (retained_ == nullptr) return on_fill;
+  const double of_vertices = kSafety * kVertexError * plane.reach / std::abs(plane.normal.z);
+  const FromFill from(vertices, plane, scene_->shadow(fill)->light,
+                      std::max(0.0, on_fill.depth_error - of_vertices), scene_->largest_depth());
+  on_fill.search = retained_->search_on(item, on_fill.depth_error, [&](Caster other) {
+    Polygon spare;
+    return from.is_clear_of(polygon_of(other, spare), scene_->points(other));
+  });
+  return on_fill;
+}
+
+bool Shadows::hidden(const LitPoint& point, const Search& search, Caster& last) const {
+  const Ray ray(point);
+  if (ray.direction == Point3(0.0)) return false;
+  if (last != kNone && is_hidden_by(last, ray)) return true;
+  const auto hides_from_point = [&](Caster caster) {
+    if (!is_hidden_by(caster, ray)) return false;
+    last = caster;
+    return true;
+  };
+  if (retained_ != nullptr) return retained_->any(search, point.at, hides_from_point);
+  return tree_.any(SpaceRay(point.at, ray.direction), hides_from_point);
+}
 
 void ShadowedFill::paint(int row, int first, std::span<std::uint32_t> pixels) const {
+  if (on_fill_.search.is_never_hidden()) return;
+  const auto& [depth_error, search] = on_fill_;
   const double of_row = depth_.row(row);
   Shadows::Caster last = Shadows::kNone;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const int column = first + static_cast<int>(i);
     const PixelCentre centre(column, row, size_);
     const Point3 point(centre.x, centre.y, depth_.at(of_row, column));
-    if (shadows_->hidden({point, depth_error_, light_}, last)) pixels[i] = colour_;
+    if (shadows_->hidden({point, depth_error, light_}, search, last)) pixels[i] = colour_;
   }
 }
 

@@ -8,6 +8,9 @@
 #include "hidden/exact/pixel_centre.h"
 #include "hidden/exact/plane.h"
 #include "hidden/space_tree.h"
+#include "interp/picture.h"
+#include "interp/raster/on_demand.h"
+#include "interp/raster/retained_casters.h"
 #include "interp/scan/pixel_depth.h"
 
 namespace displayfile {
@@ -22,6 +25,14 @@ class Shadows {
 
   /// The scene must live on.
   explicit Shadows(const ViewedScene& scene);
+  /// Of a view of a retained scene, by what is kept of it; both must live on.
+  Shadows(const ViewedScene& scene, RetainedCasters& retained) { take(scene, retained); }
+  /// The same in place of what was there, whose memory is used again.
+  void take(const ViewedScene& scene, RetainedCasters& retained);
+  /// To be called when the scene has other lights, and nothing else is another.
+  void take_lights() { on_items_.forget(retained_ == nullptr ? 0 : scene_->items()); }
+  /// True if they are found by what is kept of a retained scene.
+  bool is_by(const RetainedCasters* retained) const { return retained_ == retained; }
 
   /// A point of a fill, from which the light is looked at (FillShadow::light).
   struct LitPoint {
@@ -29,34 +40,61 @@ class Shadows {
     double depth_error;  ///< how far it may be off the fill, along z
     HomogeneousPoint light;
   };
+  /// What all points of a fill have in common.
+  using Search = RetainedCasters::Search;
+  struct OnFill {
+    double depth_error;  ///< how far a point's depth may be off
+    Search search = {};  ///< where to look for what hides the light
+  };
+  /// Of any fill in device coordinates; the plane is its support plane.
+  static OnFill on(std::span<const Point3> fill, const Plane& plane, const PictureSize& size);
+  /// Of a fill of the scene that shows shadows, in pictures of one size: worked out once, and
+  /// together with it which of those that come into question hide no light.
+  OnFill on(ViewedScene::Fill fill, const PictureSize& size) const;
   /// True if a fill lies between the point and the light. A fill that the point lies on, but for
   /// rounding, hides nothing. `last` is what hid the light from the point before, or kNone: it is
   /// looked at first, and becomes what hides it from this one.
-  bool hidden(const LitPoint& point, Caster& last) const;
+  bool hidden(const LitPoint& point, const Search& search, Caster& last) const;
 
  private:
   struct Polygon {
     Point3 p, normal;  // of its plane: a point, and A, B, C
-    double thickness;  // how far from 0 the plane's value may be at points that lie on the fill
+    // How far from 0 the plane's value may be at points that lie on the fill; infinite if it has no
+    // plane, and hides nothing.
+    double thickness;
     ViewedScene::Item item;
   };
   struct Ray;
-  void enter(ViewedScene::Item item);
+  class FromFill;
+  Polygon caster_of(ViewedScene::Item item) const;
   void build_tree();
+  bool is_hidden_by(Caster caster, const Ray& ray) const;
+  const Polygon& polygon_of(Caster caster, Polygon& spare) const;
+  OnFill work_out(ViewedScene::Fill fill, const PictureSize& size) const;
   bool hides(const Polygon& polygon, const Ray& ray) const;
   bool is_met(const Polygon& polygon, const Ray& ray) const;
 
   const ViewedScene* scene_;
   std::vector<Polygon> casters_;  // as the tree has them
   SpaceTree tree_;
+  // In place of these, what is kept of a retained scene, and casters by item.
+  RetainedCasters* retained_ = nullptr;
+  mutable OnDemand<Polygon> of_items_;
+  mutable OnDemand<OnFill> on_items_;
 };
 
 /// The pixels of one fill that are in shadow.
 class ShadowedFill {
  public:
-  /// The fill is in device coordinates; the plane is its support plane, which is not edge-on.
-  ShadowedFill(const Shadows& shadows, std::span<const Point3> fill, const Plane& plane,
-               const FillShadow& shadow, const PictureSize& size);
+  /// The plane is the fill's support plane in device coordinates, which is not edge-on.
+  ShadowedFill(const Shadows& shadows, const Shadows::OnFill& on_fill, const Plane& plane,
+               const FillShadow& shadow, const PictureSize& size)
+      : shadows_(&shadows),
+        on_fill_(on_fill),
+        size_(size),
+        depth_(plane, size.width, size.height),
+        light_(shadow.light),
+        colour_(pixel_of(shadow.colour)) {}
 
   /// Paints the columns first, first + 1, ... of a row, where the fill is seen: those in shadow get
   /// its colour there, as in Picture::pixels. A pixel is always judged by the same expressions of
@@ -65,9 +103,9 @@ class ShadowedFill {
 
  private:
   const Shadows* shadows_;
+  Shadows::OnFill on_fill_;
   PictureSize size_;
   PixelDepth depth_;
-  double depth_error_;
   HomogeneousPoint light_;
   std::uint32_t colour_;
 };

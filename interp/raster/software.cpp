@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <limits>
+#include <utility>
 
 #include "hidden/parallel.h"
 #include "interp/interpreter.h"
@@ -103,7 +105,9 @@ class FillsShown {
       const FillShadow* const shadow =
           fill == ViewedScene::kBackground ? nullptr : scene_.shadow(fill);
       if (shadow == nullptr) return;
-      ShadowedFill(*band_.shadows, scene_.vertices(fill), scene_.plane(fill), *shadow, band_.size())
+      const Shadows::OnFill on_fill = band_.shadows->on(fill, band_.size());
+      if (on_fill.search.is_never_hidden()) return;
+      ShadowedFill(*band_.shadows, on_fill, scene_.plane(fill), *shadow, band_.size())
           .paint(row, column, pixels);
     });
   }
@@ -159,6 +163,7 @@ class LinesOverFills : public OutputDevice {
 SoftwareRenderer::Drawn SoftwareRenderer::prepare(const DisplayFile& display_file,
                                                   const RasterRequest& request) {
   require_picture_size(request.width, request.height);
+  geometry_ = 0;
   const bool image_space = is_image_space(request.method);
   if (image_space || display_file.has_shadows()) {
     if (scene_ == nullptr || !scene_->is_of(display_file)) {
@@ -179,16 +184,35 @@ SoftwareRenderer::Drawn SoftwareRenderer::prepare(const DisplayFile& display_fil
 }
 
 SoftwareRenderer::Drawn SoftwareRenderer::prepare(const ViewedScene& scene,
-                                                  const RasterRequest& request) {
+                                                  const RasterRequest& request,
+                                                  const KeptOfViews& kept) {
   require_picture_size(request.width, request.height);
+  const bool same = scene.geometry() != 0 && scene.geometry() == geometry_;
+  geometry_ = 0;  // unless it succeeds
   scene_ = std::shared_ptr<const ViewedScene>(std::shared_ptr<void>(), &scene);  // not its owner
-  if (prepared_) prepared_->scene = nullptr;
-  shadows_.reset();
+  if (!same && prepared_) prepared_->scene = nullptr;
+  take_up_shadows(scene, kept.casters, same);
   paints_.take(scene);
   take_up_scene(request);
   texts_.clear();
   if (request.texts && !scene.texts().empty()) texts_ = seen_texts(scene);
-  return {nullptr, scene.items()};
+  geometry_ = scene.geometry();
+  const bool is_first = !std::exchange(has_drawn_views_, true);
+  return {nullptr, scene.items(), kept.surfaces && geometry_ != 0 && (same || is_first)};
+}
+
+/// Those that find them anew are made when they are needed.
+void SoftwareRenderer::take_up_shadows(const ViewedScene& scene, RetainedCasters* casters,
+                                       bool same_geometry) {
+  const bool of_same_kind = shadows_ != nullptr && shadows_->is_by(casters);
+  if (of_same_kind && same_geometry) return shadows_->take_lights();
+  if (casters == nullptr) {
+    shadows_.reset();
+  } else if (of_same_kind) {
+    shadows_->take(scene, *casters);
+  } else {
+    shadows_ = std::make_unique<Shadows>(scene, *casters);
+  }
 }
 
 /// The method and the shadows take up the scene, unless they have it.
@@ -240,7 +264,7 @@ void SoftwareRenderer::draw_rows(const Drawn& drawn, const RasterRequest& reques
   if (spare) std::swap(picture_.depth, spare_depth_);
   make_room(picture_.depth, request.depth || lines ? pixels : 0);
   if (image_space) {
-    find_fills_seen(request, rows);
+    show_fills_seen(drawn, request, rows);
     if (lines) draw_lines_over_fills(request, rows);
   } else {
     paint_in_order(*drawn.display_file, request, rows);
@@ -286,20 +310,30 @@ void SoftwareRenderer::paint_in_order(const DisplayFile& display_file, const Ras
   picture_.undecided_centres = undecided;
 }
 
-void SoftwareRenderer::find_fills_seen(const RasterRequest& request, const RowRange& rows) {
+/// As they are found, or as they were kept.
+void SoftwareRenderer::show_fills_seen(const Drawn& drawn, const RasterRequest& request,
+                                       const RowRange& rows) {
+  const PictureSize size{request.width, request.height};
+  const KeptSurfaces::Of of{geometry_, request.method, size, request.roundoff};
+  const bool keeps = drawn.keeps_surfaces && rows.begin == 0 && rows.end == request.height;
+  const bool kept = keeps && surfaces_.are(of);
+  if (keeps && !kept) surfaces_.begin(size);
+  if (!kept) ++surfaces_found_;
   const ImageSpaceMethod& finder = *prepared_->finder;
   for_bands_of_rows(request, rows, finder.rows_at_a_time(), [&](const RowRange& band) {
     FillsShown shown(*scene_, paints_,
-                     {picture_,
-                      {request.width, request.height},
-                      pixel_of(request.background),
-                      rows,
-                      band,
-                      shadows_.get()});
-    finder.draw_rows(band.begin, band.end, [&](int row, int first, std::span<const Fill> seen) {
+                     {picture_, size, pixel_of(request.background), rows, band, shadows_.get()});
+    if (kept) {
+      for (int row = band.begin; row < band.end; ++row) shown.show(row, 0, surfaces_.row(row));
+      return;
+    }
+    const auto show = [&](int row, int first, std::span<const Fill> seen) {
+      if (keeps) surfaces_.keep(row, first, seen);
       shown.show(row, first, seen);
-    });
+    };
+    finder.draw_rows(band.begin, band.end, std::cref(show));  // a copy would ask for memory
   });
+  if (keeps) surfaces_.complete(of);
 }
 
 void SoftwareRenderer::draw_lines_over_fills(const RasterRequest& request, const RowRange& rows) {
@@ -344,15 +378,16 @@ void SoftwareRenderer::draw(const DisplayFile& display_file, const RasterRequest
   draw(prepare(display_file, request), request, take);
 }
 
-const Picture& SoftwareRenderer::draw(const ViewedScene& scene, const RasterRequest& request) {
-  const Picture& picture = draw(prepare(scene, request), request);
+const Picture& SoftwareRenderer::draw(const ViewedScene& scene, const RasterRequest& request,
+                                      const KeptOfViews& kept) {
+  const Picture& picture = draw(prepare(scene, request, kept), request);
   scene_.reset();
   return picture;
 }
 
 void SoftwareRenderer::draw(const ViewedScene& scene, const RasterRequest& request,
-                            const TakeRows& take) {
-  draw(prepare(scene, request), request, take);
+                            const KeptOfViews& kept, const TakeRows& take) {
+  draw(prepare(scene, request, kept), request, take);
   scene_.reset();
 }
 

@@ -10,7 +10,9 @@
 #include "interp/files/row_file.h"
 #include "interp/picture.h"
 #include "interp/raster/fill_paints.h"
+#include "interp/raster/kept_surfaces.h"
 #include "interp/raster/raster_band.h"
+#include "interp/raster/retained_casters.h"
 #include "interp/raster/shadows.h"
 #include "interp/visibility/image_space.h"
 
@@ -33,14 +35,30 @@ class SoftwareRenderer {
   /// Draws the same picture, some rows at a time from the top: no more of it is in memory than a
   /// few rows for each thread.
   void draw(const DisplayFile& display_file, const RasterRequest& request, const TakeRows& take);
+  /// What is kept from one view of a retained scene to the next, besides memory.
+  struct KeptOfViews {
+    RetainedCasters* casters = nullptr;  ///< that have taken up the view; null: found anew
+    /// The fills seen, 4 bytes a pixel, for the same view in other lights: those of the first
+    /// picture, and from then on where a view comes again. An eye that moves pays for none.
+    bool surfaces = false;
+  };
   /// The same of a scene that is no display file's, by an image-space method other than
-  /// world_ray_cast. What was made ready is never used again, but its memory is.
-  const Picture& draw(const ViewedScene& scene, const RasterRequest& request);
-  void draw(const ViewedScene& scene, const RasterRequest& request, const TakeRows& take);
+  /// world_ray_cast. What was made ready is used again if the scene is the one drawn last in other
+  /// lights (ViewedScene::geometry), but not from there on if the method is another; the fills seen
+  /// are, if a whole picture is held. Otherwise memory alone is.
+  const Picture& draw(const ViewedScene& scene, const RasterRequest& request,
+                      const KeptOfViews& kept);
+  void draw(const ViewedScene& scene, const RasterRequest& request, const KeptOfViews& kept,
+            const TakeRows& take);
+  const Picture& draw(const ViewedScene& scene, const RasterRequest& request) {
+    return draw(scene, request, KeptOfViews{});
+  }
   Picture take_picture() { return std::move(picture_); }
   /// A picture whose memory the next one may use.
   void give_back(Picture picture) { picture_ = std::move(picture); }
   std::size_t bytes_of_picture() const;  ///< held for the next one
+  /// How often a method was asked which surfaces are visible, in all pictures or rows of them.
+  std::size_t surfaces_found() const { return surfaces_found_; }
   /// The scene of a display file: the one drawn last if it is that, or else a new one.
   std::shared_ptr<const ViewedScene> scene_of(const DisplayFile& display_file) const;
 
@@ -58,9 +76,11 @@ class SoftwareRenderer {
   struct Drawn {
     const DisplayFile* display_file;
     std::size_t polygons;
+    bool keeps_surfaces = false;
   };
   Drawn prepare(const DisplayFile& display_file, const RasterRequest& request);
-  Drawn prepare(const ViewedScene& scene, const RasterRequest& request);
+  Drawn prepare(const ViewedScene& scene, const RasterRequest& request, const KeptOfViews& kept);
+  void take_up_shadows(const ViewedScene& scene, RetainedCasters* casters, bool same_geometry);
   void take_up_scene(const RasterRequest& request);
   const Picture& draw(const Drawn& drawn, const RasterRequest& request);
   void draw(const Drawn& drawn, const RasterRequest& request, const TakeRows& take);
@@ -68,7 +88,7 @@ class SoftwareRenderer {
   void draw_rows(const Drawn& drawn, const RasterRequest& request, const RowRange& rows);
   void paint_in_order(const DisplayFile& display_file, const RasterRequest& request,
                       const RowRange& rows);
-  void find_fills_seen(const RasterRequest& request, const RowRange& rows);
+  void show_fills_seen(const Drawn& drawn, const RasterRequest& request, const RowRange& rows);
   void draw_lines_over_fills(const RasterRequest& request, const RowRange& rows);
 
   Picture picture_;                  // or the rows of it that are being drawn
@@ -77,6 +97,10 @@ class SoftwareRenderer {
   FillPaints paints_;                 // of the scene
   std::unique_ptr<Shadows> shadows_;  // null if none are seen
   std::optional<Prepared> prepared_;
+  std::uint64_t geometry_ = 0;  // of the scene of a view that was made ready
+  KeptSurfaces surfaces_;
+  std::size_t surfaces_found_ = 0;
+  bool has_drawn_views_ = false;
   std::vector<ViewedText> texts_;  // that are seen
 };
 

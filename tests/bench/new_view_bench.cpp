@@ -19,6 +19,7 @@
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
 #include "programs/bench/side_by_side.h"
+#include "tests/bench/kept_views.h"
 
 namespace {
 
@@ -61,11 +62,12 @@ void enter_terrain(int n, GraphicsSystem& system) {
 struct Wanted {
   std::string mesh;
   int side = 300, size = 1024, threads = 1, views = 24;
-  bool light = false, against_truth = false;
+  bool light = false, shadows = false, kept = false, against_truth = false;
 };
 
 void enter_wanted(const Wanted& wanted, GraphicsSystem& system) {
-  if (wanted.light) system.set_light({1, 2, 3});
+  if (wanted.light || wanted.shadows || wanted.kept) system.set_light({1, 2, 3}, 0.2);
+  system.set_shadows(wanted.shadows);
   if (wanted.mesh.empty()) return enter_terrain(wanted.side, system);
   system.set_line_style({LineStyle::Kind::none});
   import_mesh(wanted.mesh, system);
@@ -91,6 +93,12 @@ class Bench {
   }
 
   void run() {
+    if (wanted_.kept) {
+      fmt::print("{} polygons, {} x {}, {} threads, {} views\n", system_.polygons_entered(),
+                 wanted_.size, wanted_.size, wanted_.threads, wanted_.views);
+      return bench::print_kept_views(scene_, system_.display_file(), *turntable_, request_,
+                                     wanted_.views);
+    }
     constexpr int kWarm = 3;
     for (int k = -kWarm; k < wanted_.views; ++k) measure(360.0 * k / wanted_.views, k >= 0);
     const double all = bench::spread(times_.new_views).median;
@@ -162,6 +170,9 @@ int main(int argc, char** argv) {
   app.add_option("--views", wanted.views, "around it, measured in turn")
       ->check(CLI::Range(1, 10000));
   app.add_flag("--light", wanted.light, "of the polygons, which turns with the eye");
+  app.add_flag("--shadows", wanted.shadows, "with a light as --light");
+  app.add_flag("--kept", wanted.kept,
+               "what is kept where only the eye moves, and where only the light does, instead");
   app.add_flag("--truth", wanted.against_truth, "wrong pixels of each view, by exact arithmetic");
   CLI11_PARSE(app, argc, argv);
   try {

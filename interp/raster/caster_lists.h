@@ -1,0 +1,53 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "interp/raster/world_casters.h"
+
+namespace displayfile {
+
+/// For polygons of a retained scene that are seen while the lights stay: which others may hide
+/// their light (WorldCasters::find_casters_on), found when they are seen first and kept. May be
+/// asked by several threads at a time.
+class CasterLists {
+ public:
+  using Primitive = WorldCasters::Primitive;
+  /// A longer list is no shorter way than the tree of all.
+  static constexpr std::size_t kLongest = 24;
+
+  /// For a scene of so many primitives; the casters must live on.
+  CasterLists(const WorldCasters& casters, std::size_t primitives);
+
+  /// Forgets all, and keeps the memory: other lights. Not while others ask.
+  void clear();
+  /// Of a polygon whose light comes from that unit direction, the same each time until all is
+  /// forgotten; none if there are too many.
+  std::optional<std::span<const Primitive>> of(Primitive receiver, const Point3& toward);
+
+  std::size_t made() const { return made_; }  ///< since the beginning
+  std::size_t bytes() const;
+
+ private:
+  /// How many there are, or kTooMany; these follow it.
+  using List = const Primitive*;
+  static constexpr Primitive kTooMany = ~Primitive{0};
+  static constexpr std::size_t kRoom = 1 << 14;  // of a block
+  List enter(Primitive receiver, std::span<const Primitive> list, bool too_many);
+
+  const WorldCasters* casters_;
+  std::size_t primitives_;
+  std::unique_ptr<std::atomic<List>[]> list_of_;
+  std::mutex entering_;
+  std::vector<std::unique_ptr<Primitive[]>> blocks_;
+  std::size_t blocks_used_ = 0, room_left_ = 0;
+  std::size_t made_ = 0;
+};
+
+}  // namespace displayfile

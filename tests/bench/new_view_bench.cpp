@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <optional>
 #include <string>
 #include <vector>
@@ -102,7 +101,6 @@ class Bench {
     constexpr int kWarm = 3;
     for (int k = -kWarm; k < wanted_.views; ++k) measure(360.0 * k / wanted_.views, k >= 0);
     const double all = bench::spread(times_.new_views).median;
-    if (std::getenv("NV_ONLY") != nullptr) fmt::print("NV {:.3f} ms least {:.3f} viewing {:.3f} drawing {:.3f}\n", 1e3*all, 1e3*bench::spread(times_.new_views).least, 1e3*bench::spread(times_.viewing).median, 1e3*bench::spread(times_.drawing).median);
     fmt::print("{} polygons, {} x {}, {} threads, {} views: anew {:.2f} in units of a new view\n",
                system_.polygons_entered(), wanted_.size, wanted_.size, wanted_.threads,
                wanted_.views, bench::spread(times_.anew).median / all);
@@ -126,7 +124,6 @@ class Bench {
     renderer_.draw(seen, request_);
     const double new_view = since(start);
     if (!counts) return;
-    if (std::getenv("NV_ONLY") != nullptr) { times_.new_views.push_back(new_view); times_.viewing.push_back(viewing); times_.drawing.push_back(new_view-viewing); times_.anew.push_back(1); return; }
     const auto start_anew = Clock::now();
     const DisplayFile file = viewer_->display_file(view, lights);
     renderer_of_files_.draw(file, request_);

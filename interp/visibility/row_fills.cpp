@@ -113,9 +113,9 @@ class RowFills::Triangles {
   const ViewedScene& scene_;
   PictureSize size_;
   int waiting_ = 0;
-  Fill fill_[TriangleBlock::kMost];
+  Fill fill_[TriangleBlock::kMost] = {};
   TriangleBlock block_{};
-  RowTriangles made_;
+  RowTriangles made_{};
 };
 
 void RowFills::make(const ViewedScene& scene, const PictureSize& size, int threads,

@@ -29,11 +29,13 @@ void count_memory(const ApplicationMesh& mesh, const PictureSize& size, MovingCa
     const auto scene = static_cast<double>(bytes_held_now());
     for (const View& view : mesh.views) ours.new_view(view);
     const auto viewed = static_cast<double>(bytes_held_now());
-    const Picture* picture = nullptr;
-    for (const View& view : mesh.views) picture = &ours.draw_new_view(view);
+    std::size_t of_pixels = 0;
+    for (const View& view : mesh.views) {
+      const Picture& picture = ours.draw_new_view(view);
+      of_pixels = picture.pixels.capacity() * sizeof(picture.pixels[0]);
+    }
     const auto drawn = static_cast<double>(bytes_held_now());
-    const auto of_picture =
-        static_cast<double>(picture->pixels.capacity() * sizeof(picture->pixels.front()));
+    const auto of_picture = static_cast<double>(of_pixels);
     found.scene_bytes = scene / triangles;
     found.view_bytes = (viewed - scene) / triangles;
     found.drawing_bytes = (drawn - viewed - of_picture) / triangles;

@@ -16,7 +16,7 @@ constexpr double kPacket = 8.0;
 constexpr double kBehind = 0.5;
 constexpr int kBins = 16;
 /// So few items are halved, without asking what splits cost.
-constexpr std::size_t kFew = 64;
+constexpr std::size_t kFewFills = 64;
 /// The smaller part of a split has at least one in so many, as BoxTree wants it.
 constexpr std::size_t kLeastPart = 8;
 
@@ -106,7 +106,7 @@ struct FewestVisits {
 
   static std::size_t divide(std::span<Entry> entries) {
     const Spread spread(entries);
-    if (entries.size() <= kFew) return halve(entries, axis_to_halve(spread));
+    if (entries.size() <= kFewFills) return halve(entries, axis_to_halve(spread));
     std::array<Bins, kAxes> bins{Bins(spread.low[kColumn], spread.high[kColumn]),
                                  Bins(spread.low[kRow], spread.high[kRow]),
                                  Bins(spread.low[kDepth], spread.high[kDepth])};

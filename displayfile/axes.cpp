@@ -204,9 +204,9 @@ class AxesOfBox {
     return end == 1 ? area : -area;
   }
 
-  /// Of the edges along an axis that are on the box's outline as it is seen, as one of the two
-  /// faces that meet there is turned to the viewer, the lowest, or of steep ones the one to the
-  /// left.
+  /// The edge along an axis where it is drawn: the lowest, or if they are steep the leftmost, among
+  /// those on the box's outline as it is seen, where one of the two faces that meet is turned to
+  /// the viewer.
   std::optional<Edge> edge_of(int along) const {
     if (ends_[0][along] == ends_[1][along]) return std::nullopt;
     const glm::ivec2 others{(along + 1) % 3, (along + 2) % 3};

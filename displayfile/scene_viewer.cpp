@@ -53,7 +53,7 @@ class SceneViewer::Part {
 
   std::uint32_t segment() const { return segment_; }
   const ViewedScene& seen() const { return *seen_; }
-  /// Of the items seen; empty where no shadows are.
+  /// The primitives that the items seen are of; empty where no shadows are.
   std::span<const std::uint32_t> primitives() const { return primitives_; }
   /// The memory of its own; not what another thread views into.
   std::size_t bytes() const { return own_.bytes() + primitives().size_bytes(); }

@@ -27,8 +27,8 @@ class CasterLists {
 
   /// Forgets all, and keeps the memory: other lights. Not while others ask.
   void clear();
-  /// Of a polygon whose light comes from that unit direction, the same each time until all is
-  /// forgotten; none if there are too many.
+  /// The list of a polygon whose light comes from that unit direction, the same each time until all
+  /// is forgotten; none if there are too many.
   std::optional<std::span<const Primitive>> of(Primitive receiver, const Point3& toward);
 
   std::size_t made() const { return made_; }  ///< since the beginning

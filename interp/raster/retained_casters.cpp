@@ -10,7 +10,7 @@ namespace {
 /// What pays for a point that is not on its polygon, against the margin, more than once over.
 constexpr double kOffPolygon = 16.0;
 
-/// Of what hides light, fills that are edge-on too.
+/// What hides light counts, fills that are edge-on too.
 double largest_depth(const ViewedScene& seen) {
   double largest = 0.0;
   for (const Point3& p : seen.primitives().points) largest = std::max(largest, std::abs(p.z));

@@ -25,7 +25,8 @@ class Shadows {
 
   /// The scene must live on.
   explicit Shadows(const ViewedScene& scene);
-  /// Of a view of a retained scene, by what is kept of it; both must live on.
+  /// The scene is a view of a retained scene, and shadows are found by what is kept of that; both
+  /// must live on.
   Shadows(const ViewedScene& scene, RetainedCasters& retained) { take(scene, retained); }
   /// The same in place of what was there, whose memory is used again.
   void take(const ViewedScene& scene, RetainedCasters& retained);
@@ -46,10 +47,10 @@ class Shadows {
     double depth_error;  ///< how far a point's depth may be off
     Search search = {};  ///< where to look for what hides the light
   };
-  /// Of any fill in device coordinates; the plane is its support plane.
+  /// What there is to know of any fill in device coordinates; the plane is its support plane.
   static OnFill on(std::span<const Point3> fill, const Plane& plane, const PictureSize& size);
-  /// Of a fill of the scene that shows shadows, in pictures of one size: worked out once, and
-  /// together with it which of those that come into question hide no light.
+  /// The same for a fill of the scene that shows shadows, in pictures of one size: it is worked out
+  /// once, and with it which of those that come into question hide no light.
   OnFill on(ViewedScene::Fill fill, const PictureSize& size) const;
   /// True if a fill lies between the point and the light. A fill that the point lies on, but for
   /// rounding, hides nothing. `last` is what hid the light from the point before, or kNone: it is

@@ -6,7 +6,8 @@ namespace displayfile::row_bounds {
 /// interp/visibility/z_buffer.md.
 inline constexpr double kEdgeUnit = 0x1p-21, kDepthUnit = 0x1p-20, kDepthError = 0x1p-17;
 inline constexpr double kLargestEdgeError = 0.25;
-/// Of a triangle's coordinates in pixels, near a picture, and of what is computed from them.
+/// Bound the errors of a triangle's coordinates in pixels, near a picture, and of what is computed
+/// from them.
 inline constexpr double kOfCoordinates = 0x1p-50, kColumnError = 0x1p-50;
 
 }  // namespace displayfile::row_bounds

@@ -20,7 +20,7 @@ struct RowTriangles {
   alignas(64) std::int32_t row_begin[kMost], row_end[kMost];
   alignas(64) std::int32_t column[kMost], column_end[kMost];
   alignas(64) float z[kMost], dz_dx[kMost], dz_dy[kMost], edge_error[kMost];
-  /// Of the side that ends at corner k; from a corner to the one after it the triangle runs on.
+  /// The side that ends at corner k; from a corner to the one after it the triangle runs on.
   alignas(64) float x[3][kMost], slope[3][kMost];
   std::uint32_t needs_more;   ///< is to be made ready one by one: nothing else here is its
   std::uint32_t covers_none;  ///< lies between two rows or columns of centres

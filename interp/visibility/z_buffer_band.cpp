@@ -80,7 +80,7 @@ class RowDrawer {
     }
   }
 
-  /// Of each tile that has pixels of several fills, its farthest pixel's depth.
+  /// Finds the depth of the farthest pixel of each tile that has pixels of several fills.
   void find_farthest() {
     if (!keep_the_nearest_) return;
     farthest_found_ = true;

@@ -18,7 +18,7 @@ namespace displayfile::bench {
 struct ApplicationMesh {
   std::vector<Point3> vertices;        ///< world coordinates
   std::vector<std::uint32_t> corners;  ///< of the vertices, three a triangle
-  /// Of each triangle, its colour in the scene's light if it has one; one if all have the same.
+  /// Each triangle's colour, in the scene's light if it has one; one if all have the same.
   std::vector<FillStyle> fills;
   bool back_faces_removed = false;
   std::vector<View> views;  ///< evenly around the scene's middle, the first that of the scene

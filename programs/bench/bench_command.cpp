@@ -223,7 +223,7 @@ class Run {
     }
   }
 
-  /// Of the scene at every number of polygons that it has with its largest picture.
+  /// The scene is measured at every number of polygons that it has with its largest picture.
   void compare_new_views(const std::string& name, Report& report) {
     const int size = largest_picture(report, name).scene.size;
     std::vector<const BenchScene*> scenes;

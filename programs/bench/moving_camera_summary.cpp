@@ -46,7 +46,7 @@ std::string wrong_pixels_in_all(const Report& report, const SceneRow& row,
   return fmt::format("{} in {:g} pictures", grouped(static_cast<std::int64_t>(wrong)), pictures);
 }
 
-/// Of a scene with its largest number of triangles; empty of any other.
+/// The exponent, beside the largest number of triangles of a scene; empty beside any other.
 std::string exponent(const std::vector<GrowthOfNewViews>& growth, const Report& report,
                      const SceneRow& row, int threads) {
   const bool is_last = std::none_of(&row + 1, report.scenes.data() + report.scenes.size(),

@@ -16,7 +16,7 @@ struct GrowthOfNewViews {
   std::size_t points = 0;  ///< that it was fitted through
   double exponent = 0.0;
 };
-/// Of the scenes that were measured with two numbers of triangles at least.
+/// The scenes that were measured with two numbers of triangles at least have one.
 std::vector<GrowthOfNewViews> growth_of_new_views(const Report& report);
 
 /// A new view of a retained scene, against OSMesa's resident, indexed mesh and a new matrix: a row

@@ -11,7 +11,20 @@ namespace displayfile {
 /// leaves the sums what they are and spares small polygons far from the origin their
 /// cancellation. Points out of the light face: the one from which the vertices run
 /// counterclockwise.
-Point3 newell_normal(std::span<const Point3> vertices);
+inline Point3 newell_normal(std::span<const Point3> vertices) {
+  Point3 sum(0.0);
+  if (vertices.empty()) return sum;
+  const Point3 origin = vertices.front();
+  Point3 p = vertices.back() - origin;
+  for (const Point3& vertex : vertices) {
+    const Point3 q = vertex - origin;
+    sum.x += (p.y - q.y) * (p.z + q.z);
+    sum.y += (p.z - q.z) * (p.x + q.x);
+    sum.z += (p.x - q.x) * (p.y + q.y);
+    p = q;
+  }
+  return sum;
+}
 
 /// BACK-FACE-CHECK (algorithm 9.3): true if the polygon, in device coordinates, turns its
 /// dark face or its edge to the viewer.

@@ -297,7 +297,7 @@ class GraphicsSystem {
   void enter(const WorldPolygon& polygon);
   std::span<const Point3> shared_world(std::span<const Point3> vertices);
   void make_room_for_shared(std::span<const Point3> world, std::size_t polygons,
-                            std::size_t corners);
+                            std::size_t corners, std::size_t fills);
   void enter_shared(std::span<const Point3> world, std::span<const std::uint32_t> corners,
                     Segment& segment);
   RetainedScene* retaining() { return own_retained_ ? &*own_retained_ : retained_; }

@@ -144,11 +144,12 @@ std::size_t Instructions::bytes() const {
 }
 
 /// At least twice the room there is, so that many small calls cost no more than one.
-void Instructions::reserve_more(std::size_t codes, std::size_t points) {
+void Instructions::reserve_more(std::size_t codes, std::size_t points, std::size_t fills) {
   const auto make_room = [](auto& array, std::size_t size) {
     if (size > array.capacity()) array.reserve(std::max(size, 2 * array.capacity()));
   };
-  make_room(op_, op_.size() + codes);
+  make_room(op_, op_.size() + codes + fills);
+  make_room(style_operands_, style_operands_.size() + 3 * fills);
   make_room(points_, points_.size() + flat_points_.size() + points);
 }
 

@@ -112,8 +112,8 @@ class Instructions {
   /// none. Looks no further than the first style that shows.
   bool shows() const;
   std::size_t bytes() const;  ///< of the instruction arrays, as used
-  /// Makes room for so many codes and points more, at once.
-  void reserve_more(std::size_t codes, std::size_t points);
+  /// Makes room for so many codes, points and solid fill styles more, at once.
+  void reserve_more(std::size_t codes, std::size_t points, std::size_t fills);
   void shrink_to_fit();
 
  private:

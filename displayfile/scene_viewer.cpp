@@ -289,7 +289,7 @@ SceneViewer::SceneViewer(const RetainedScene& scene, const DisplayFile& attribut
 }
 
 SceneViewer::Look SceneViewer::look_of(const Attributes& attributes) {
-  const auto lit = static_cast<bool>(attributes.light);
+  const bool lit = attributes.light.has_value();
   const bool outlined = is_outlined(attributes);
   return {.colour = attributes.fill.colour,
           .is_nothing = !is_solid(attributes) && !outlined,

@@ -54,10 +54,10 @@ class Segment {
   void enter_next_polygon(std::uint32_t n, const PointAt& point) {
     writable().enter_next_polygon(n, point);
   }
-  /// Makes room for polygons of so many corners in all.
-  void reserve_polygons(std::size_t polygons, std::size_t corners) {
+  /// Makes room for polygons of so many corners and fill styles in all.
+  void reserve_polygons(std::size_t polygons, std::size_t corners, std::size_t fills) {
     constexpr std::size_t kOtherCodes = 3;  // the polygon's own, and a pick identifier
-    writable().reserve_more(corners + kOtherCodes * polygons, corners);
+    writable().reserve_more(corners + kOtherCodes * polygons, corners, fills);
   }
   /// No more instructions are to come: copies may share them.
   void close() { closed_ = true; }

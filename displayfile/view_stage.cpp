@@ -1,5 +1,7 @@
 #include "displayfile/view_stage.h"
 
+#include <array>
+
 #include "clip/back_face.h"
 
 namespace displayfile {
@@ -34,26 +36,33 @@ ViewStage::Outcodes ViewStage::outcodes(std::span<const std::uint32_t> corners) 
   return codes;
 }
 
-std::optional<bool> ViewStage::enter_plain(std::span<const std::uint32_t> corners,
-                                           std::int32_t pick, const Attributes& attributes,
-                                           Segment& segment) {
-  if (!styles_entered_ || attributes.light || attributes.back_face_removal) return std::nullopt;
+std::optional<bool> ViewStage::enter_triangle(std::span<const Point3> world,
+                                              std::span<const std::uint32_t> corners,
+                                              std::int32_t pick, const Attributes& attributes,
+                                              Segment& segment) {
   const Outcodes codes = outcodes(corners);
   if (codes.all != 0) return false;  // wholly outside of one plane
-  if (codes.any != 0) return std::nullopt;
+  if (codes.any != 0 || (attributes.light && attributes.shadows)) return std::nullopt;
+  const std::array device{viewed(corners[0]).device, viewed(corners[1]).device,
+                          viewed(corners[2]).device};
+  const bool turns = attributes.back_face_removal || attributes.light;
+  const double c = turns ? newell_c(device) : 0.0;
+  if (attributes.back_face_removal && c <= 0.0) return false;
+  if (attributes.light) {
+    const std::array own{world[corners[0]], world[corners[1]], world[corners[2]]};
+    enter_styles(lit(attributes.fill, *attributes.light, newell_normal(own), c < 0.0), attributes,
+                 segment);
+  } else {
+    enter_styles(attributes.fill, attributes, segment);
+  }
   segment.set_pick(pick);
-  segment.enter_next_polygon(static_cast<std::uint32_t>(corners.size()),
-                             [&](std::uint32_t i) { return viewed(corners[i]).device; });
+  segment.enter_next_polygon(3, [&](std::uint32_t i) { return device[i]; });
   return true;
 }
 
 bool ViewStage::enter_shared(std::span<const std::uint32_t> corners, const WorldPolygon& polygon,
                              const Attributes& attributes, Segment& segment) {
   const bool all_drawn = polygon.edge_visible.empty();
-  if (all_drawn && polygon.vertex_normals.empty()) {
-    const auto entered = enter_plain(corners, polygon.pick, attributes, segment);
-    if (entered) return *entered;
-  }
   const Outcodes codes = outcodes(corners);
   if (codes.all != 0) return false;
   if (codes.any != 0 || !polygon.vertex_normals.empty()) {
@@ -82,14 +91,18 @@ std::span<const Point3> ViewStage::enter(const ViewedPolygon& viewed, const Attr
                                          std::int32_t pick, Segment& segment) {
   const ClippedPolygon& polygon = viewed.polygon;
   if (polygon.vertices.empty()) return {};
-  if (attributes.light || !styles_entered_) {
-    segment.set_style(*viewed.fill);
-    segment.set_style(attributes.line);
-    styles_entered_ = !attributes.light;
-  }
+  enter_styles(*viewed.fill, attributes, segment);
   segment.set_pick(pick);
   segment.enter_polygon(polygon.vertices, polygon.edge_visible, polygon.intensities);
   return polygon.vertices;
+}
+
+void ViewStage::enter_styles(const FillStyle& fill, const Attributes& attributes,
+                             Segment& segment) {
+  if (!fill_entered_) segment.set_style(fill);
+  if (!line_entered_) segment.set_style(attributes.line);
+  fill_entered_ = !attributes.light;
+  line_entered_ = true;
 }
 
 /// The intensities of a polygon that is lit evenly after all are taken away.

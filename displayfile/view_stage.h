@@ -41,8 +41,8 @@ class ViewStage {
   ViewedPolygon view_polygon(const WorldPolygon& polygon, const Attributes& attributes);
 
   /// To be called when another segment is entered into or the attributes are others than in the
-  /// last call: a style is entered only then, unless there is light.
-  void attributes_changed() { styles_entered_ = false; }
+  /// last call: a style is entered only then, but for fills where there is light.
+  void attributes_changed() { fill_entered_ = line_entered_ = false; }
 
   /// What was entered of the polygon, in device coordinates: nothing if it is outside or a back
   /// face that is removed. Valid until the next call.
@@ -51,11 +51,13 @@ class ViewStage {
   /// Views vertices that several polygons share, once each, for enter_shared; they are numbered
   /// from `first` on.
   void view_vertices(std::span<const Point3> world, std::uint32_t first = 0);
-  /// A polygon, all sides visible, of such vertices, if it needs no more than to be viewed: it is
-  /// not clipped, lit or checked for a back face, and its styles are entered. True if it was
-  /// entered, false if nothing of it is inside, nothing if it needs more: enter_shared.
-  std::optional<bool> enter_plain(std::span<const std::uint32_t> corners, std::int32_t pick,
-                                  const Attributes& attributes, Segment& segment);
+  /// A triangle, all sides visible, of such vertices, in little time if it needs no clipping and
+  /// has neither smooth shading nor shadows; `world` are all of them. True if it was entered, false
+  /// if nothing of it is inside or it is a back face that is removed, nothing if it needs more:
+  /// enter_shared.
+  std::optional<bool> enter_triangle(std::span<const Point3> world,
+                                     std::span<const std::uint32_t> corners, std::int32_t pick,
+                                     const Attributes& attributes, Segment& segment);
   /// A polygon whose vertices are those of these numbers among the ones viewed last. True if
   /// something of it was entered.
   bool enter_shared(std::span<const std::uint32_t> corners, const WorldPolygon& polygon,
@@ -80,13 +82,15 @@ class ViewStage {
                              const Attributes& attributes);
   std::span<const Point3> enter(const ViewedPolygon& viewed, const Attributes& attributes,
                                 std::int32_t pick, Segment& segment);
+  void enter_styles(const FillStyle& fill, const Attributes& attributes, Segment& segment);
   FillStyle lit_fill(const WorldPolygon& polygon, const Attributes& attributes,
                      ClippedPolygon& clipped) const;
 
   ClipPipeline pipeline_;
   GouraudLighting lighting_;
   FillStyle lit_;
-  bool styles_entered_ = false;  // both, in the segment; where there is light, no matter
+  // The segment has these styles of the attributes; where there is light, each polygon's own fill.
+  bool fill_entered_ = false, line_entered_ = false;
   std::vector<ViewedVertex> shared_;
   std::uint32_t first_shared_ = 0;
   std::vector<Point3> device_;           // of a polygon

@@ -4,19 +4,18 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <functional>
 #include <glm/gtc/matrix_transform.hpp>
 #include <string>
 #include <vector>
 
-#include "displayfile/text/drawing_program.h"
 #include "displayfile/turntable.h"
 #include "interp/raster/software.h"
 #include "interp/view_renderer.h"
 #include "interp/visibility/image_space.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/hard_cases.h"
+#include "tests/gallery.h"
 #include "tests/retained_truth.h"
 
 namespace displayfile {
@@ -99,27 +98,17 @@ void expect_right(const Retained& retained) {
   expect_right(renderer, step);
 }
 
-bool is_of_one_view(const RetainedScene& scene) {
-  for (const auto& segment : scene.segments()) {
-    if (!(segment.view == scene.segments().front().view)) return false;
-  }
-  return !scene.segments().empty();
-}
-
 TEST(KeptViews, AreThoseEnteredAnewOfTheGallery) {
   int drawn = 0;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(DISPLAYFILE_SOURCE_DIR "/programs")) {
-    if (entry.path().extension() != ".draw") continue;
-    SCOPED_TRACE(entry.path().filename());
-    Retained retained;
-    retained.system.set_light({0.4, 0.9, 0.6}, 0.3);  // unless the program says another
-    retained.system.set_shadows(true);
-    replay_file(entry.path().string(), retained.system);
-    if (!is_of_one_view(retained.scene)) continue;
+  const auto light = [](GraphicsSystem& system) {
+    system.set_light({0.4, 0.9, 0.6}, 0.3);  // unless the program says another
+    system.set_shadows(true);
+  };
+  test::for_each_in_gallery(light, [&](const std::string&, const Retained& retained) {
+    if (!test::is_of_one_view(retained.scene)) return;
     ASSERT_NO_FATAL_FAILURE(expect_right(retained));
     ++drawn;
-  }
+  });
   EXPECT_GE(drawn, 12);
 }
 
@@ -146,7 +135,7 @@ TEST(KeptViews, AreThoseEnteredAnewOfHardCases) {
     retained.system.set_shadows(true);
     retained.system.set_perspective({0.7, 0.4, 4.0});
     enter(hard.make(hard.size, hard.severities.back(), 1), retained.system);
-    if (!is_of_one_view(retained.scene)) continue;
+    if (!test::is_of_one_view(retained.scene)) continue;
     ASSERT_NO_FATAL_FAILURE(expect_right(retained));
   }
 }

@@ -27,6 +27,14 @@ struct Retained {
   Retained& operator=(const Retained&) = delete;
 };
 
+/// All its segments were entered in one view, and there are some.
+inline bool is_of_one_view(const RetainedScene& scene) {
+  for (const auto& segment : scene.segments()) {
+    if (!(segment.view == scene.segments().front().view)) return false;
+  }
+  return !scene.segments().empty();
+}
+
 /// These act after viewing, which a retained scene does not see.
 inline bool has_image_transformations(const DisplayFile& file) {
   return std::ranges::any_of(file.segments(),

@@ -79,18 +79,11 @@ void expect_right(const Retained& retained) {
   }
 }
 
-bool is_of_one_view(const RetainedScene& scene) {
-  for (const auto& segment : scene.segments()) {
-    if (!(segment.view == scene.segments().front().view)) return false;
-  }
-  return !scene.segments().empty();
-}
-
 /// Lines, light, shadows, smooth shading, clipping, image transformations, texts.
 TEST(ViewRenderer, DrawsTheGalleryFromOtherEyes) {
   int drawn = 0;
   test::for_each_in_gallery([&](const std::string&, const Retained& retained) {
-    if (!is_of_one_view(retained.scene)) return;
+    if (!test::is_of_one_view(retained.scene)) return;
     ASSERT_NO_FATAL_FAILURE(expect_right(retained));
     ++drawn;
   });

@@ -90,17 +90,17 @@ DisplayFile sheets(std::uint32_t seed, int count) {
   return file;
 }
 
+void expect_truth(const DisplayFile& file, const PictureSize& size) {
+  const RasterRequest request{
+      .width = size.width, .height = size.height, .method = HiddenMethod::z_buffer, .ids = true};
+  ASSERT_EQ(draw_with_software(file, request).ids, truth(file, size.width, size.height, false).ids);
+}
+
 TEST(ZBuffer, WhatLiesBehindAWholeTileIsTheTruths) {
   constexpr PictureSize kSize{230, 75};
   for (std::uint32_t seed = 0; seed < 40; ++seed) {
     const DisplayFile file = sheets(seed, 3 + static_cast<int>(seed));
-    const RasterRequest request{.width = kSize.width,
-                                .height = kSize.height,
-                                .method = HiddenMethod::z_buffer,
-                                .ids = true};
-    ASSERT_EQ(draw_with_software(file, request).ids,
-              truth(file, kSize.width, kSize.height, false).ids)
-        << seed;
+    ASSERT_NO_FATAL_FAILURE(expect_truth(file, kSize)) << seed;
   }
 }
 
@@ -122,13 +122,7 @@ TEST(ZBuffer, TrianglesThatTieAreSeenByTheOrderOfEntryWhicheverWayTheyTurn) {
       };
       test::enter(segment, test::Vertices{corner(), corner(), corner()});
     }
-    const RasterRequest request{.width = kSize.width,
-                                .height = kSize.height,
-                                .method = HiddenMethod::z_buffer,
-                                .ids = true};
-    ASSERT_EQ(draw_with_software(file, request).ids,
-              truth(file, kSize.width, kSize.height, false).ids)
-        << seed;
+    ASSERT_NO_FATAL_FAILURE(expect_truth(file, kSize)) << seed;
   }
 }
 

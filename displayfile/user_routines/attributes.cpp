@@ -65,6 +65,7 @@ void GraphicsSystem::set_light(const Point3& toward, double ambient) {
   if (!(ambient >= 0.0 && ambient <= 1.0)) {
     throw Error(fmt::format("ambient light {}: expected 0 to 1", ambient));
   }
+  attributes_changed();
   attributes_.light = {unit(toward), ambient};
   record_said(Setting::light, "set-light", {toward.x, toward.y, toward.z, ambient});
 }

@@ -160,12 +160,14 @@ void GraphicsSystem::polygons_abs_3(std::span<const Point3> vertices,
   }
   Segment& segment = display_file_.segment(*open_);
   const std::size_t polygons = sides.empty() ? corners.size() / 3 : sides.size();
+  const std::size_t styles = attributes_.light ? polygons : fills.size();
   const std::span<const Point3> world = with_memory(
-      vertices.size() * sizeof(Point3) + corners.size() * (sizeof(Point3) + sizeof(std::int32_t)),
+      vertices.size() * sizeof(Point3) + corners.size() * (sizeof(Point3) + sizeof(std::int32_t)) +
+          styles * sizeof(Colour),
       [&] { return fmt::format("entering {} polygons of {} corners", polygons, corners.size()); },
       [&] {
         const std::span<const Point3> of_all = shared_world(vertices);
-        make_room_for_shared(of_all, polygons, corners.size());
+        make_room_for_shared(of_all, polygons, corners.size(), styles);
         return of_all;
       });
   keep_fill_style([&] {
@@ -201,11 +203,11 @@ std::span<const Point3> GraphicsSystem::shared_world(std::span<const Point3> ver
 }
 
 void GraphicsSystem::make_room_for_shared(std::span<const Point3> world, std::size_t polygons,
-                                          std::size_t corners) {
+                                          std::size_t corners, std::size_t fills) {
   if (RetainedScene* scene = retaining()) scene->begin_shared(world.size(), polygons, corners);
   if (retains_alone_) return;
   view_stage_->view_vertices(world);
-  display_file_.segment(*open_).reserve_polygons(polygons, corners);
+  display_file_.segment(*open_).reserve_polygons(polygons, corners, fills);
 }
 
 /// One polygon of many.
@@ -214,7 +216,7 @@ void GraphicsSystem::enter_shared(std::span<const Point3> world,
   const int pick = pick_ >= 0 ? pick_ : static_cast<int>(ordinal_);
   ++ordinal_;
   const bool plain = corners.size() == 3 && retaining() == nullptr;
-  if (plain && view_stage_->enter_plain(corners, pick, attributes_, segment)) return;
+  if (plain && view_stage_->enter_triangle(world, corners, pick, attributes_, segment)) return;
   const PointRow vertices(world, corners);
   const Point3 normal = attributes_.light ? newell_normal(vertices) : Point3(0.0);
   if (corners.size() != 3 && !is_flat(vertices)) {

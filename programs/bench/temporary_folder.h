@@ -15,7 +15,9 @@ class TemporaryFolder {
  public:
   /// Throws Error if there can be none.
   TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "displayfile-XXXXXX").string();
+    const std::string letters(6, 'X');  // which mkdtemp replaces
+    std::string name =
+        (std::filesystem::temp_directory_path() / ("displayfile-" + letters)).string();
     if (::mkdtemp(name.data()) == nullptr) throw Error(name + ": no temporary folder can be made");
     path_ = name;
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <span>
 #include <vector>
 
 #include "displayfile/graphics_system.h"
@@ -18,6 +19,7 @@ using namespace displayfile;
 struct Field {
   std::vector<Point3> vertices;
   std::vector<std::uint32_t> corners;
+  std::vector<FillStyle> fills;  ///< one each, and each another than the last
 
   explicit Field(std::uint32_t n) {
     const auto at = [n](std::uint32_t i, std::uint32_t j) { return j * (n + 1) + i; };
@@ -33,15 +35,30 @@ struct Field {
         corners.insert(corners.end(), {at(i, j), at(i + 1, j + 1), at(i, j + 1)});
       }
     }
+    for (std::size_t k = 0; k < corners.size() / 3; ++k) {
+      const double grey = static_cast<double>(k % 97) / 96.0;
+      fills.push_back({FillStyle::Kind::solid, {grey, 0.5, 1.0 - grey}});
+    }
   }
 };
 
-void enter(const Field& field, bool at_once, GraphicsSystem& system) {
+enum class Drawn { unlit, a_style_each, lit };
+
+const char* words(Drawn drawn) {
+  if (drawn == Drawn::unlit) return "one style";
+  return drawn == Drawn::lit ? "one style, lit" : "one style each";
+}
+
+void enter(const Field& field, bool at_once, Drawn drawn, GraphicsSystem& system) {
+  const bool each = drawn == Drawn::a_style_each;
+  const std::span<const FillStyle> fills =
+      each ? std::span(field.fills) : std::span<const FillStyle>();
   system.open_segment(1);
   if (at_once) {
-    system.polygons_abs_3(field.vertices, field.corners);
+    system.polygons_abs_3(field.vertices, field.corners, {}, fills);
   } else {
     for (std::size_t k = 0; k < field.corners.size(); k += 3) {
+      if (each) system.set_fill_style(fills[k / 3]);
       const Point3 triangle[]{field.vertices[field.corners[k]],
                               field.vertices[field.corners[k + 1]],
                               field.vertices[field.corners[k + 2]]};
@@ -51,14 +68,14 @@ void enter(const Field& field, bool at_once, GraphicsSystem& system) {
   system.close_segment();
 }
 
-double seconds(const Field& field, bool at_once, bool light) {
+double seconds(const Field& field, bool at_once, Drawn drawn) {
   GraphicsSystem system;
   system.set_perspective({0.1, 0.2, 5});
-  if (light) system.set_light({1, 2, 3});
-  enter(field, at_once, system);  // its memory is used again
+  if (drawn == Drawn::lit) system.set_light({1, 2, 3});
+  enter(field, at_once, drawn, system);  // its memory is used again
   system.delete_all_segments();
   const auto start = std::chrono::steady_clock::now();
-  enter(field, at_once, system);
+  enter(field, at_once, drawn, system);
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
@@ -72,15 +89,15 @@ int main(int argc, char** argv) {
   app.add_option("--rounds", rounds, "measured in turn")->check(CLI::Range(1, 1000));
   CLI11_PARSE(app, argc, argv);
   const Field field(n);
-  for (const bool light : {false, true}) {
+  for (const Drawn drawn : {Drawn::unlit, Drawn::a_style_each, Drawn::lit}) {
     std::vector<double> ratios;
     for (int k = 0; k < rounds; ++k) {
-      const double one_by_one = seconds(field, false, light);
-      ratios.push_back(one_by_one / seconds(field, true, light));
+      const double one_by_one = seconds(field, false, drawn);
+      ratios.push_back(one_by_one / seconds(field, true, drawn));
     }
     std::ranges::sort(ratios);
     std::printf("%zu triangles, %s: median of %d rounds %.2f (%.2f to %.2f)\n",
-                field.corners.size() / 3, light ? "lit" : "unlit", rounds,
-                ratios[ratios.size() / 2], ratios.front(), ratios.back());
+                field.corners.size() / 3, words(drawn), rounds, ratios[ratios.size() / 2],
+                ratios.front(), ratios.back());
   }
 }

@@ -18,4 +18,11 @@ struct Attributes {
   bool operator==(const Attributes&) const = default;
 };
 
+/// True if they are equal but for the colour of the fill.
+inline bool equal_but_for_colour(const Attributes& a, const Attributes& b) {
+  return a.fill.kind == b.fill.kind && a.fill.shadow == b.fill.shadow && a.line == b.line &&
+         a.text == b.text && a.light == b.light && a.back_face_removal == b.back_face_removal &&
+         a.shadows == b.shadows;
+}
+
 }  // namespace displayfile

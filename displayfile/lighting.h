@@ -19,6 +19,12 @@ struct Light {
 /// max(0, cosine of the angle between the light and the normal, turned round if it is turned away).
 double intensity(const Light& light, const Point3& normal, bool turned_away);
 
+/// A colour in that light: the colour times the intensity.
+inline Colour lit(const Colour& colour, const Light& light, const Point3& normal,
+                  bool turned_away) {
+  return colour * intensity(light, normal, turned_away);
+}
+
 /// The fill of a polygon of that normal (of any length, out of its light face; zero if it has
 /// none): the colour times the intensity of the side that is seen. Hollow stays hollow.
 FillStyle lit(const FillStyle& fill, const Light& light, const Point3& normal, bool turned_away);

@@ -49,7 +49,8 @@ Reason reason_of(const RetainedScene& scene, std::uint32_t i, ClipPipeline& pipe
   if (scene[i].is_line()) return Reason::corner;
   const ClippedPolygon clipped = pipeline.clip_polygon(scene.points(i));
   const bool back_face = clipped.vertices.size() >= 3 && is_back_face(clipped.vertices);
-  return back_face && scene.attributes(i).back_face_removal ? Reason::turned_away : Reason::corner;
+  return back_face && scene.shared_attributes(i).back_face_removal ? Reason::turned_away
+                                                                   : Reason::corner;
 }
 
 std::string in_words(const std::array<std::size_t, kWords.size()>& counts, std::size_t all) {
@@ -87,7 +88,8 @@ bool nothing_is_seen(const RetainedScene& scene, const DisplayFile& display_file
       const bool is_in_view =
           scene[i].is_line()
               ? stage.pipeline().clip_line(scene.points(i)[0], scene.points(i)[1], a, b)
-              : !stage.view_polygon(scene.polygon(i), scene.attributes(i)).polygon.vertices.empty();
+              : !stage.view_polygon(scene.polygon(i), scene.shared_attributes(i))
+                     .polygon.vertices.empty();
       if (is_in_view) return false;
     }
     for (const RetainedScene::Text& text : scene.texts(segment)) {

@@ -45,9 +45,16 @@ bool RetainedScene::is_smooth(std::uint32_t i) const {
   return end <= vertex_normals_.size() && vertex_normals_[primitive.first] != kNoDirection;
 }
 
+Attributes RetainedScene::attributes(std::uint32_t i) const {
+  Attributes attributes = shared_attributes(i);
+  attributes.fill.colour = fill_colour(i);
+  return attributes;
+}
+
 bool RetainedScene::draws(std::uint32_t i) const {
-  return primitives_[i].is_line() || attributes(i).fill.kind == FillStyle::Kind::solid ||
-         attributes(i).line.kind != LineStyle::Kind::none;
+  const Attributes& attributes = shared_attributes(i);
+  return primitives_[i].is_line() || attributes.fill.kind == FillStyle::Kind::solid ||
+         attributes.line.kind != LineStyle::Kind::none;
 }
 
 double RetainedScene::off_plane(std::uint32_t i) const {
@@ -70,7 +77,7 @@ std::vector<Primitives::Item> RetainedScene::items(std::vector<std::uint32_t>& p
   for (std::uint32_t i = 0; i < size(); ++i) {
     if (!draws(i)) continue;
     const auto kind = primitives_[i].is_line() ? Primitives::Kind::line
-                      : attributes(i).fill.kind == FillStyle::Kind::solid
+                      : shared_attributes(i).fill.kind == FillStyle::Kind::solid
                           ? Primitives::Kind::solid
                           : Primitives::Kind::hollow;
     items.push_back({primitives_[i].first, primitives_[i].sides, kind});
@@ -113,9 +120,9 @@ void RetainedScene::enter_viewed(const Segment& part, ViewStage& stage,
   Attributes attributes;
   if (has_shared()) stage.view_vertices(points(part), part.first_point);
   const auto enter_primitive = [&](std::uint32_t i) {
-    if (in_force != primitives_[i].attributes) {
-      in_force = primitives_[i].attributes;
-      attributes = attributes_[*in_force];
+    if (in_force != primitives_[i].look) {
+      in_force = primitives_[i].look;
+      attributes = this->attributes(i);
       if (attributes.light) attributes.light->toward = lights_turned * attributes.light->toward;
       stage.attributes_changed();
     }
@@ -235,7 +242,7 @@ void RetainedScene::enter_shared_triangles(std::span<const Point3> world,
   if (segments_.empty() || corners.empty()) return;
   require_room(corners.size());
   name_points();
-  const std::uint32_t looks = number_of(attributes);
+  const std::uint32_t look = look_of(attributes);
   if (attributes.light) {
     normals_.resize(primitives_.size(), kNoDirection);
     normals_.reserve(primitives_.size() + corners.size() / 3);
@@ -243,7 +250,7 @@ void RetainedScene::enter_shared_triangles(std::span<const Point3> world,
   auto first = static_cast<std::uint32_t>(all_corners());
   for (std::size_t k = 0; k < corners.size(); k += 3, first += 3, pick += step) {
     const auto triangle = corners.subspan(k, 3);
-    primitives_.push_back({first, 3, looks, pick});
+    primitives_.push_back({first, 3, look, pick});
     for (const std::uint32_t corner : triangle) enter_shared_corner(corner, world[corner]);
     if (attributes.light) normals_.push_back(newell_normal(PointRow(world, triangle)));
   }
@@ -270,7 +277,7 @@ void RetainedScene::begin_primitive(std::size_t sides, const Attributes& attribu
                                     std::int32_t pick) {
   require_room(sides);
   primitives_.push_back({static_cast<std::uint32_t>(all_corners()),
-                         static_cast<std::uint32_t>(sides), number_of(attributes), pick});
+                         static_cast<std::uint32_t>(sides), look_of(attributes), pick});
   segments_.back().end = size();
 }
 
@@ -303,14 +310,20 @@ void RetainedScene::finish_primitive(const WorldPolygon& polygon) {
 void RetainedScene::enter_text(const Point3& anchor, std::string_view characters,
                                const Attributes& attributes) {
   if (segments_.empty()) return;
-  texts_.push_back({anchor, size(), number_of(attributes), std::string(characters)});
+  const std::uint32_t in_force = attributes_of_look(look_of(attributes));
+  texts_.push_back({anchor, size(), in_force, std::string(characters)});
   segments_.back().end_text = static_cast<std::uint32_t>(texts_.size());
 }
 
 /// They are numbered anew wherever they change.
-std::uint32_t RetainedScene::number_of(const Attributes& attributes) {
-  if (attributes_.empty() || attributes_.back() != attributes) attributes_.push_back(attributes);
-  return static_cast<std::uint32_t>(attributes_.size() - 1);
+std::uint32_t RetainedScene::look_of(const Attributes& attributes) {
+  const bool others = attributes_.empty() || !equal_but_for_colour(attributes_.back(), attributes);
+  if (others) attributes_.push_back(attributes);
+  if (others || colours_.back() != attributes.fill.colour) {
+    attributes_of_look_.push_back(static_cast<std::uint32_t>(attributes_.size() - 1));
+    colours_.push_back(attributes.fill.colour);
+  }
+  return static_cast<std::uint32_t>(colours_.size() - 1);
 }
 
 }  // namespace displayfile

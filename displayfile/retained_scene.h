@@ -26,8 +26,8 @@ class RetainedScene {
   struct Primitive {
     std::uint32_t first;  ///< of its corners
     std::uint32_t sides;  ///< 2: a line
-    std::uint32_t attributes;
-    std::int32_t pick;  ///< of a line -1 if it has none
+    std::uint32_t look;   ///< the number of what it is drawn with
+    std::int32_t pick;    ///< of a line -1 if it has none
     bool is_line() const { return sides == 2; }
   };
   struct Segment {
@@ -67,10 +67,16 @@ class RetainedScene {
   std::span<const std::uint32_t> corners(std::uint32_t i) const { return of(corners_, i); }
   /// Some polygons were entered with vertices that they share.
   bool has_shared() const { return !corners_.empty(); }
-  const Attributes& attributes(std::uint32_t i) const {
-    return attributes_[primitives_[i].attributes];
+  Attributes attributes(std::uint32_t i) const;
+  /// The same but for the colour of the fill: polygons of many colours share all else.
+  const Attributes& shared_attributes(std::uint32_t i) const {
+    return attributes_[attributes_of_look(primitives_[i].look)];
   }
+  const Colour& fill_colour(std::uint32_t i) const { return colours_[primitives_[i].look]; }
+  std::span<const Colour> fill_colours() const { return colours_; }  ///< by look
   std::span<const Attributes> all_attributes() const { return attributes_; }
+  /// A place in all_attributes.
+  std::uint32_t attributes_of_look(std::uint32_t look) const { return attributes_of_look_[look]; }
   const Attributes& attributes(const Text& text) const { return attributes_[text.attributes]; }
   /// A primitive that is a polygon, for a view stage.
   WorldPolygon polygon(std::uint32_t i) const;
@@ -135,7 +141,7 @@ class RetainedScene {
   void enter_corners(std::span<const Point3> points);
   void finish_primitive(const WorldPolygon& polygon);
   void name_points();
-  std::uint32_t number_of(const Attributes& attributes);
+  std::uint32_t look_of(const Attributes& attributes);
   /// Calls on_primitive(std::uint32_t) and on_text(const Text&) for all that a segment holds.
   template <class OnPrimitive, class OnText>
   void in_order_of_entry(const Segment& segment, OnPrimitive&& on_primitive,
@@ -147,7 +153,9 @@ class RetainedScene {
   std::vector<Segment> segments_;
   std::vector<Primitive> primitives_;
   std::vector<Text> texts_;
-  std::vector<Attributes> attributes_;
+  std::vector<Attributes> attributes_;             // but for the colours of fills
+  std::vector<std::uint32_t> attributes_of_look_;  // in attributes_
+  std::vector<Colour> colours_;                    // of looks
   std::vector<Point3> points_;
   std::vector<std::uint32_t> corners_;      // their points; empty: these in a row
   std::vector<std::uint8_t> edge_visible_;  // of the side that ends at the corner

@@ -136,7 +136,7 @@ class RetainedViews::Part {
     const auto world = std::span(sorted.points).subspan(piece.first, piece.sides);
     if (piece.sides == 2) {
       std::array<Point3, 2> ends;
-      const bool drawn = world_.attributes(primitive).line.kind != LineStyle::Kind::none;
+      const bool drawn = world_.shared_attributes(primitive).line.kind != LineStyle::Kind::none;
       if (drawn && pipeline.clip_line(world[0], world[1], ends[0], ends[1])) {
         add_piece(primitive, ends, std::array<std::uint8_t, 2>{0, 1}, pieces);
       }

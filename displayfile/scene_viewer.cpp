@@ -70,6 +70,7 @@ class SceneViewer::Part {
     seen_ = into != nullptr ? into : &own_;
     forget();
     in_view_ = &in_view;
+    seen_->palette_ = in_view.viewer.scene_->fill_colours();
     seen_->items_.reserve(end_ - first_);
     seen_->pick_.reserve(end_ - first_);
     if (!stage_) stage_.emplace(in_view.volume);
@@ -80,7 +81,7 @@ class SceneViewer::Part {
     in_force_ = kNone;
     for (std::uint32_t i = first_; i < end_; ++i) {
       const Primitive& primitive = scene[i];
-      const Look& look = in_view.viewer.looks_[primitive.attributes];
+      const Look& look = in_view.viewer.looks_[scene.attributes_of_look(primitive.look)];
       if (look.is_nothing) continue;
       if (look.is_plain && primitive.sides == 3 && !matrix_) {
         view_triangle(i, primitive, look);
@@ -101,24 +102,21 @@ class SceneViewer::Part {
  private:
   using Primitive = RetainedScene::Primitive;
 
-  /// Where there is light they are copied, since it is turned with the view.
-  void take(std::uint32_t i, const Primitive& primitive) {
-    if (in_force_ == primitive.attributes) return;
-    in_force_ = primitive.attributes;
-    const Attributes& attributes = in_view_->viewer.scene_->attributes(i);
-    attributes_ = &attributes;
-    light_ = nullptr;
-    if (attributes.light) {
-      turned_ = attributes;
-      turned_.light->toward = in_view_->wanted.lights_turned * turned_.light->toward;
-      attributes_ = &turned_;
-      light_ = &*turned_.light;
-    }
-    outlined_ = is_outlined(attributes);
+  /// What it is drawn with, but for its colour; a light is turned as the view wants.
+  void take_shared(const Primitive& primitive) {
+    const RetainedScene& scene = *in_view_->viewer.scene_;
+    const std::uint32_t attributes = scene.attributes_of_look(primitive.look);
+    if (in_force_ == attributes) return;
+    in_force_ = attributes;
+    attributes_ = scene.all_attributes()[attributes];
+    light_ = attributes_.light ? &*attributes_.light : nullptr;
+    if (light_ != nullptr) light_->toward = in_view_->wanted.lights_turned * light_->toward;
+    outlined_ = is_outlined(attributes_);
   }
 
   void view_any(std::uint32_t i, const Primitive& primitive) {
-    take(i, primitive);
+    take_shared(primitive);
+    attributes_.fill.colour = in_view_->viewer.scene_->fill_colours()[primitive.look];
     if (!view_whole(i, primitive)) view_in_stage(i, primitive);
   }
 
@@ -151,11 +149,12 @@ class SceneViewer::Part {
     const double facing =
         look.is_lit || look.removes_back_faces ? newell_c(std::array{p, q, r}) : 0.0;
     if (look.removes_back_faces && facing <= 0.0) return;
-    if (!look.is_lit) return seen_->add_triangle(primitive.first, look.colour, primitive.pick);
-    take(i, primitive);
-    if (viewer.scene_->is_smooth(i)) return view_in_stage(i, primitive);
-    const FillStyle fill = lit(attributes_->fill, *light_, viewer.scene_->normal(i), facing < 0.0);
-    seen_->add_triangle(primitive.first, fill.colour, primitive.pick);
+    if (!look.is_lit) return seen_->add_triangle(primitive.first, primitive.look, primitive.pick);
+    if (viewer.scene_->is_smooth(i)) return view_any(i, primitive);
+    take_shared(primitive);
+    const Colour colour = lit(viewer.scene_->fill_colours()[primitive.look], *light_,
+                              viewer.scene_->normal(i), facing < 0.0);
+    seen_->add_triangle(primitive.first, seen_->number_of(colour), primitive.pick);
   }
   static constexpr std::int32_t kFew = 6;  // centres, which it is worth looking at
 
@@ -180,18 +179,20 @@ class SceneViewer::Part {
     const RetainedScene& scene = *viewer.scene_;
     if (light_ != nullptr && scene.is_smooth(i)) return false;
     const PointRow vertices(viewer.viewed_.own_points_, {corners, primitive.sides});
-    const double c = attributes_->back_face_removal || light_ != nullptr ? newell_c(vertices) : 0.0;
-    if (attributes_->back_face_removal && c <= 0.0) return true;
-    const FillStyle* fill = &attributes_->fill;
+    const double c = attributes_.back_face_removal || light_ != nullptr ? newell_c(vertices) : 0.0;
+    if (attributes_.back_face_removal && c <= 0.0) return true;
+    const FillStyle* fill = &attributes_.fill;
     if (light_ != nullptr) {
-      const bool turned_away = !attributes_->back_face_removal && c < 0.0;
+      const bool turned_away = !attributes_.back_face_removal && c < 0.0;
       lit_ = lit(*fill, *light_, scene.normal(i), turned_away);
-      if (attributes_->shadows) {
+      if (attributes_.shadows) {
         lit_.shadow = shadow_on(lit_, *fill, *light_, in_view_->volume);
       }
       fill = &lit_;
     }
-    seen_->add_polygon(primitive.first, vertices, {*fill, attributes_->line, primitive.pick});
+    const std::uint32_t colour = light_ != nullptr ? ViewedScene::kNone : primitive.look;
+    seen_->add_polygon(primitive.first, vertices,
+                       {*fill, attributes_.line, primitive.pick, colour});
     return true;
   }
 
@@ -207,9 +208,9 @@ class SceneViewer::Part {
       }
       take_points(clipped);
       return seen_->add_item({first, 2, Primitives::Kind::line},
-                             {attributes_->fill, attributes_->line, primitive.pick});
+                             {attributes_.fill, attributes_.line, primitive.pick});
     }
-    const ViewedPolygon viewed = stage_->view_polygon(scene.polygon(i), *attributes_);
+    const ViewedPolygon viewed = stage_->view_polygon(scene.polygon(i), attributes_);
     const ClippedPolygon& polygon = viewed.polygon;
     if (polygon.vertices.empty()) return;
     const FillStyle* fill = viewed.fill;
@@ -222,14 +223,14 @@ class SceneViewer::Part {
       seen_->note_edges(seen_->own_points_.size(), polygon.edge_visible);
     }
     std::optional<std::uint32_t> first_intensity;
-    if (!polygon.intensities.empty() && is_solid(*attributes_)) {
+    if (!polygon.intensities.empty() && is_solid(attributes_)) {
       first_intensity = static_cast<std::uint32_t>(seen_->own_intensities_.size());
       seen_->own_intensities_.insert(seen_->own_intensities_.end(), polygon.intensities.begin(),
                                      polygon.intensities.end());
     }
     take_points(polygon.vertices);
     const auto vertices = std::span(seen_->own_points_).last(polygon.vertices.size());
-    seen_->add_polygon(first, vertices, {*fill, attributes_->line, primitive.pick},
+    seen_->add_polygon(first, vertices, {*fill, attributes_.line, primitive.pick},
                        first_intensity.value_or(ViewedScene::kNone));
   }
 
@@ -247,10 +248,9 @@ class SceneViewer::Part {
   std::optional<ViewStage> stage_;
   std::optional<ImageMatrix> matrix_;
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-  std::uint32_t in_force_ = kNone;          // of the attributes
-  const Attributes* attributes_ = nullptr;  // these, or turned_
-  Attributes turned_;
-  const Light* light_ = nullptr;
+  std::uint32_t in_force_ = kNone;  // of the attributes
+  Attributes attributes_;
+  Light* light_ = nullptr;  // theirs
   bool outlined_ = false;
   FillStyle lit_;
 };
@@ -291,8 +291,7 @@ SceneViewer::SceneViewer(const RetainedScene& scene, const DisplayFile& attribut
 SceneViewer::Look SceneViewer::look_of(const Attributes& attributes) {
   const bool lit = attributes.light.has_value();
   const bool outlined = is_outlined(attributes);
-  return {.colour = attributes.fill.colour,
-          .is_nothing = !is_solid(attributes) && !outlined,
+  return {.is_nothing = !is_solid(attributes) && !outlined,
           .is_plain = is_solid(attributes) && !outlined && !(lit && attributes.shadows),
           .is_lit = lit,
           .removes_back_faces = attributes.back_face_removal};
@@ -386,6 +385,7 @@ void SceneViewer::view_points(const Wanted& wanted, const ViewVolume& volume) {
 template <class ViewPart>
 void SceneViewer::join_parts(ViewPart&& view_part) {
   viewed_.clear();
+  viewed_.palette_ = scene_->fill_colours();
   viewed_.own_points_.resize(points_.size());
   primitive_of_items_.clear();
   viewed_.items_.reserve(scene_->size());

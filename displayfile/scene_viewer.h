@@ -65,9 +65,8 @@ class SceneViewer {
     std::uint16_t column, row;  ///< the first at or right of it, the first above it
     std::uint32_t outcode;
   };
-  /// What viewing asks of attributes, in few bytes: polygons may have a colour each.
+  /// What viewing asks of attributes, in few bytes.
   struct Look {
-    Colour colour;
     bool is_nothing;  ///< hollow, and of line style none
     bool is_plain;    ///< solid, of no drawn side and no shadow
     bool is_lit, removes_back_faces;
@@ -96,7 +95,7 @@ class SceneViewer {
   std::span<const Point3> points_;  // in world coordinates
   std::size_t corners_ = 0;         // of the retained scene
   bool all_edges_drawn_ = true;
-  std::vector<Look> looks_;     // of the attributes
+  std::vector<Look> looks_;     // of attributes, but for colours
   bool shows_shadows_ = false;  // then what covers no centre matters
   bool is_lit_ = false;
   std::vector<SegmentNow> segments_;

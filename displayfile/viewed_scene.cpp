@@ -127,6 +127,7 @@ void ViewedScene::clear() {
   items_.clear();
   pick_.clear();
   colours_.clear();
+  own_colours_.clear();
   lines_.clear();
   segments_.clear();
   texts_.clear();
@@ -172,7 +173,7 @@ void ViewedScene::append(const ViewedScene& part, std::size_t corners, std::size
   append_all(own_intensities_, part.own_intensities_);
   append_numbers(shadow_, part.shadow_, shadows_.size());
   append_all(shadows_, part.shadows_);
-  append_runs(colours_, part.colours_);
+  append_colours(part, first_item);
   append_runs(lines_, part.lines_);
   if (!part.support_.empty()) {
     support_.resize(first_item, {0, 1, 2});
@@ -195,10 +196,22 @@ void ViewedScene::append(const ViewedScene& part, std::size_t corners, std::size
   largest_depth_ = std::max(largest_depth_, part.largest_depth_);
 }
 
+/// Those of another scene, of the same palette, whose items are to come from that one on.
+void ViewedScene::append_colours(const ViewedScene& part, Item first_item) {
+  const auto shared = static_cast<std::uint32_t>(palette_.size());
+  const auto moved_by = static_cast<std::uint32_t>(own_colours_.size());
+  for (const auto& [first, number] : part.colours_) {
+    const std::uint32_t here = number < shared ? number : number + moved_by;
+    if (colours_.empty() || colours_.back().style != here) {
+      colours_.push_back({first_item + first, here});
+    }
+  }
+  own_colours_.insert(own_colours_.end(), part.own_colours_.begin(), part.own_colours_.end());
+}
+
 void ViewedScene::add_item(const Primitives::Item& item, const Look& look) {
-  if (item.kind == Primitives::Kind::solid &&
-      (colours_.empty() || colours_.back().style != look.fill.colour)) {
-    colours_.push_back({items(), look.fill.colour});
+  if (item.kind == Primitives::Kind::solid) {
+    begin_colour(look.colour != kNone ? look.colour : number_of(look.fill.colour));
   }
   if (lines_.empty() || lines_.back().style != look.line) lines_.push_back({items(), look.line});
   items_.push_back(item);
@@ -283,7 +296,7 @@ FillStyle ViewedScene::fill_style(Item item) const {
   return style;
 }
 
-const Colour& ViewedScene::fill_colour(Item item) const { return style_at(colours_, item); }
+const Colour& ViewedScene::fill_colour(Item item) const { return colour(style_at(colours_, item)); }
 
 const LineStyle& ViewedScene::line_style(Item item) const { return style_at(lines_, item); }
 
@@ -297,9 +310,9 @@ std::size_t ViewedScene::bytes() const {
   std::size_t characters = 0;
   for (const ViewedText& text : texts_) characters += text.characters.size();
   return characters + size(texts_) + size(own_points_) + size(corners_) + size(edge_visible_) +
-         size(items_) + size(pick_) + size(colours_) + size(lines_) + size(segments_) +
-         size(support_) + size(fill_item_) + size(own_intensities_) + size(first_intensity_) +
-         size(shadow_) + size(shadows_);
+         size(items_) + size(pick_) + size(colours_) + size(own_colours_) + size(lines_) +
+         size(segments_) + size(support_) + size(fill_item_) + size(own_intensities_) +
+         size(first_intensity_) + size(shadow_) + size(shadows_);
 }
 
 }  // namespace displayfile

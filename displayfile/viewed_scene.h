@@ -99,8 +99,11 @@ class ViewedScene {
     Item first;
     Style style;
   };
-  /// The colours of all fills, for who goes through them in order.
-  std::span<const Run<Colour>> fill_colours() const { return colours_; }
+  /// The numbers of the colours of all fills, for who goes through them in order.
+  std::span<const Run<std::uint32_t>> fill_colours() const { return colours_; }
+  const Colour& colour(std::uint32_t number) const {
+    return number < palette_.size() ? palette_[number] : own_colours_[number - palette_.size()];
+  }
   /// The line styles of all items, in order; the first of them begins at item 0.
   std::span<const Run<LineStyle>> line_styles() const { return lines_; }
   std::int32_t pick_of_item(Item item) const { return pick_[item]; }  ///< -1: a line without one
@@ -156,11 +159,13 @@ class ViewedScene {
  private:
   friend class SceneViewer;
   struct Collector;
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   /// What an item is drawn with.
   struct Look {
     const FillStyle& fill;
     const LineStyle& line;
     std::int32_t pick;
+    std::uint32_t colour = kNone;  ///< the number of the fill's, if it is in the palette
     bool is_outlined() const { return line.kind != LineStyle::Kind::none; }
     bool shows() const { return fill.kind == FillStyle::Kind::solid || is_outlined(); }
   };
@@ -170,7 +175,6 @@ class ViewedScene {
     ImageTransformation image;
     std::size_t codes;
   };
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
   void collect(std::span<const Segment* const> segments);
   void collect(const std::shared_ptr<const Instructions>& entered, const ImageTransformation& image,
@@ -197,10 +201,19 @@ class ViewedScene {
     }
     ++fills_;
   }
+  /// The item that is added next has it.
+  void begin_colour(std::uint32_t number) {
+    if (colours_.empty() || colours_.back().style != number) colours_.push_back({items(), number});
+  }
+  /// Of a colour of the scene's own.
+  std::uint32_t number_of(const Colour& colour) {
+    if (own_colours_.empty() || own_colours_.back() != colour) own_colours_.push_back(colour);
+    return static_cast<std::uint32_t>(palette_.size() + own_colours_.size() - 1);
+  }
   void number_fills();  ///< all items up to now are fills, unless they are numbered
   /// A solid triangle of no drawn side that is not edge-on; largest_depth_ is another's care.
-  void add_triangle(std::uint32_t first, const Colour& colour, std::int32_t pick) {
-    if (colours_.empty() || colours_.back().style != colour) colours_.push_back({items(), colour});
+  void add_triangle(std::uint32_t first, std::uint32_t colour, std::int32_t pick) {
+    begin_colour(colour);
     if (lines_.empty() || lines_.back().style.kind != LineStyle::Kind::none) {
       lines_.push_back({items(), {LineStyle::Kind::none}});
     }
@@ -213,6 +226,7 @@ class ViewedScene {
   /// and from there on its own points in a row; those are put behind the own points here, of which
   /// the first `points` are of those corners.
   void append(const ViewedScene& part, std::size_t corners, std::size_t points);
+  void append_colours(const ViewedScene& part, Item first_item);
   /// The sides of the polygon that is added next, whose first corner that is; all are drawn of
   /// those that this was not called for.
   void note_edges(std::size_t first, std::span<const std::uint8_t> visible);
@@ -223,8 +237,12 @@ class ViewedScene {
   std::vector<std::uint32_t> corners_;      // their points; empty: these in a row
   std::vector<std::uint8_t> edge_visible_;  // empty: all are
   std::vector<Primitives::Item> items_;
-  std::vector<std::int32_t> pick_;     // of the items
-  std::vector<Run<Colour>> colours_;   // of the items' fills
+  std::vector<std::int32_t> pick_;  // of the items
+  // Colours are numbered from those of the palette on, which a retained scene has for all its
+  // views.
+  std::vector<Run<std::uint32_t>> colours_;  // of the items' fills
+  std::span<const Colour> palette_;
+  std::vector<Colour> own_colours_;
   std::vector<Run<LineStyle>> lines_;  // of the items' lines or edges
   std::vector<SegmentStart> segments_;
   std::vector<ViewedText> texts_;

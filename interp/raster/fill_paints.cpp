@@ -17,7 +17,7 @@ void FillPaints::take(const ViewedScene& scene) {
     const ViewedScene::Item item = scene.item_of(fill);
     if (next < runs.size() && runs[next].first <= item) {
       while (next < runs.size() && runs[next].first <= item) ++next;
-      colour = painted_colour({FillStyle::Kind::solid, runs[next - 1].style});
+      colour = painted_colour({FillStyle::Kind::solid, scene.colour(runs[next - 1].style)});
       pixel = pixel_of(colour);
     }
     pixel_.push_back(pixel);

@@ -50,7 +50,7 @@ void RetainedCasters::take_lights(const glm::dmat3& turned) {
 
 RetainedCasters::Search RetainedCasters::begin_search(Item item, double depth_error) {
   const std::uint32_t primitive = primitive_of_[item];
-  Search search{toward_[(*scene_)[primitive].attributes]};
+  Search search{toward_[scene_->attributes_of_look((*scene_)[primitive].look)]};
   if (kOffPolygon * way_->stretch() * depth_error < casters_.margin()) {
     search.few = lists_.of(primitive, search.toward);
   }

@@ -94,7 +94,7 @@ void SegmentView::enter(std::uint32_t primitive) {
   if (viewed_.empty()) return;
   in_picture(points_);
   // An image transformation may turn polygons over: that does not count.
-  if (retained_.attributes(primitive).back_face_removal && !ExactView::faces_viewer(viewed_))
+  if (retained_.shared_attributes(primitive).back_face_removal && !ExactView::faces_viewer(viewed_))
     return;
   const std::int32_t pick = retained_[primitive].pick;
   // Whatever clipping leaves of a triangle is in its plane.
@@ -118,7 +118,7 @@ std::optional<Indices> SegmentView::support_in_display_file(std::span<const Poin
 }
 
 bool is_solid_polygon(const RetainedScene& scene, std::uint32_t i) {
-  return !scene[i].is_line() && scene.attributes(i).fill.kind == FillStyle::Kind::solid;
+  return !scene[i].is_line() && scene.shared_attributes(i).fill.kind == FillStyle::Kind::solid;
 }
 
 }  // namespace

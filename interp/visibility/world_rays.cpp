@@ -319,7 +319,7 @@ WorldRays::WorldRays(const RetainedScene& scene, const DisplayFile& attributes)
 }
 
 void WorldRays::enter(std::uint32_t primitive) {
-  const auto& attributes = world_.attributes(primitive);
+  const auto& attributes = world_.shared_attributes(primitive);
   if (world_[primitive].is_line() || attributes.fill.kind != FillStyle::Kind::solid) return;
   const auto polygon = world_.points(primitive);
   const SupportVertices spread = spread_vertices(polygon);

@@ -23,7 +23,7 @@ void require(bool held, const char* why) {
 
 /// The colour of its light face.
 FillStyle colour_of(const RetainedScene& scene, std::uint32_t primitive) {
-  const Attributes& attributes = scene.attributes(primitive);
+  const Attributes attributes = scene.attributes(primitive);
   const WorldPolygon polygon = scene.polygon(primitive);
   require(polygon.vertex_normals.empty() && !attributes.shadows, "it is shaded");
   if (!attributes.light) return attributes.fill;
@@ -80,10 +80,11 @@ ApplicationMesh application_mesh(const BenchScene& scene) {
   Triangulation triangulation;
   EqualPoints vertices(mesh.vertices, retained.primitives({}).all_corners());
   for (std::uint32_t i = 0; i < retained.size(); ++i) {
-    require(!retained[i].is_line() && retained.attributes(i).line.kind == LineStyle::Kind::none,
-            "it has lines");
+    require(
+        !retained[i].is_line() && retained.shared_attributes(i).line.kind == LineStyle::Kind::none,
+        "it has lines");
     if (!retained.draws(i)) continue;
-    removed += retained.attributes(i).back_face_removal ? 1 : 0;
+    removed += retained.shared_attributes(i).back_face_removal ? 1 : 0;
     ++drawn;
     add(retained, i, triangulation, vertices, mesh);
   }

@@ -70,6 +70,12 @@ class ViewVolume {
   const glm::dmat4& view_plane() const { return view_plane_; }
   /// World coordinates to the homogeneous unit cube.
   const glm::dmat4& matrix() const { return world_to_volume_; }
+  const Rectangle& viewport() const { return viewport_; }
+  bool is_perspective() const { return perspective_; }
+  /// Where W is less, a point is outside of ClipPlane::eye.
+  double nearest_w() const { return nearest_w_; }
+  /// The planes that points can be outside of.
+  Outcode active() const { return active_; }
 
  private:
   static double between(double low, double high, double t) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "clip/back_face.h"
+#include "clip/view_points.h"
 #include "displayfile/equal_points.h"
 #include "displayfile/view_stage.h"
 #include "hidden/exact/few_centres.h"
@@ -52,11 +53,27 @@ class SceneViewer::Part {
       : segment_(segment), first_(first), end_(end) {}
 
   std::uint32_t segment() const { return segment_; }
-  const ViewedScene& seen() const { return *seen_; }
+  /// What was viewed into memory of its own.
+  const ViewedScene& seen() const { return own_; }
   /// The primitives that the items seen are of; empty where no shadows are.
-  std::span<const std::uint32_t> primitives() const { return primitives_; }
-  /// The memory of its own; not what another thread views into.
+  std::span<const std::uint32_t> primitives() const { return own_primitives_; }
   std::size_t bytes() const { return own_.bytes() + primitives().size_bytes(); }
+
+  /// Finds the triangles in a row that need to be looked at one by one only if the sieve says so.
+  void find_rows(const SceneViewer& viewer) {
+    const RetainedScene& scene = *viewer.scene_;
+    for (std::uint32_t i = first_; i < end_; ++i) {
+      const Primitive& primitive = scene[i];
+      const std::uint32_t attributes = scene.attributes_of_look(primitive.look);
+      const bool sieved = viewer.looks_[attributes].is_plain && primitive.sides == 3 &&
+                          viewer.points_.size() < kMostSieved;
+      const bool goes_on = !rows_.empty() && rows_.back().sieved == sieved &&
+                           rows_.back().attributes == attributes &&
+                           primitive.first == scene[i - 1].first + scene[i - 1].sides;
+      if (!goes_on) rows_.push_back({i, i, attributes, sieved});
+      ++rows_.back().end;
+    }
+  }
 
   /// What is the same for all parts.
   struct InView {
@@ -65,42 +82,80 @@ class SceneViewer::Part {
     const ViewVolume& volume;
     bool by_centres;
   };
-  /// Into memory of its own, or into that which is given.
-  void view(const InView& in_view, const ImageTransformation& image, ViewedScene* into) {
-    seen_ = into != nullptr ? into : &own_;
-    forget();
+  /// Into memory of its own.
+  void view(const InView& in_view, const ImageTransformation& image) {
+    own_primitives_.clear();
+    own_.clear();
+    own_.own_points_.clear();
+    own_.palette_ = in_view.viewer.scene_->fill_colours();
+    own_.items_.reserve(end_ - first_);
+    own_.pick_.reserve(end_ - first_);
+    view(in_view, image, own_, 0, own_primitives_);
+  }
+  /// Behind what is in a scene, which has so many points and corners that are not parts' own.
+  void view(const InView& in_view, const ImageTransformation& image, ViewedScene& seen,
+            std::size_t points, std::vector<std::uint32_t>& primitives) {
+    seen_ = &seen;
+    points_ = points;
     in_view_ = &in_view;
-    seen_->palette_ = in_view.viewer.scene_->fill_colours();
-    seen_->items_.reserve(end_ - first_);
-    seen_->pick_.reserve(end_ - first_);
     if (!stage_) stage_.emplace(in_view.volume);
     stage_->set_volume(in_view.volume);
     matrix_.reset();
     if (!image.is_identity()) matrix_.emplace(image);
-    const RetainedScene& scene = *in_view.viewer.scene_;
     in_force_ = kNone;
-    for (std::uint32_t i = first_; i < end_; ++i) {
-      const Primitive& primitive = scene[i];
-      const Look& look = in_view.viewer.looks_[scene.attributes_of_look(primitive.look)];
+    const SceneViewer& viewer = in_view.viewer;
+    for (const Row& row : rows_) {
+      const Look& look = viewer.looks_[row.attributes];
       if (look.is_nothing) continue;
-      if (look.is_plain && primitive.sides == 3 && !matrix_) {
-        view_triangle(i, primitive, look);
-      } else {
-        view_any(i, primitive);
+      if (row.sieved && in_view.by_centres && !matrix_) {
+        view_sieved(row, look);
+        continue;
       }
-      if (in_view.viewer.shows_shadows_ && primitives_.size() < seen_->items()) {
-        primitives_.push_back(i);
+      for (std::uint32_t i = row.first; i < row.end; ++i) {
+        view(i, look);
+        if (viewer.shows_shadows_ && primitives.size() < seen_->items()) primitives.push_back(i);
       }
     }
-  }
-  void forget() {
-    primitives_.clear();
-    seen_->clear();
-    seen_->own_points_.clear();
   }
 
  private:
   using Primitive = RetainedScene::Primitive;
+  /// Primitives that have the same attributes, and their corners in a row.
+  struct Row {
+    std::uint32_t first, end;
+    std::uint32_t attributes;
+    bool sieved;  ///< where centres count: plain triangles
+  };
+  static constexpr std::size_t kMostSieved = std::size_t{1} << 30;  // points
+
+  /// Plain triangles, many at once.
+  void view_sieved(const Row& row, const Look& look) {
+    const SceneViewer& viewer = in_view_->viewer;
+    const RetainedScene& scene = *viewer.scene_;
+    constexpr std::uint32_t kMost = SievedTriangles::kMost;
+    for_each_run(row.first, row.end, kMost, [&](std::uint32_t first, std::uint32_t end) {
+      const std::uint32_t* const corners = viewer.viewed_.corners_.data() + scene[first].first;
+      const SievedTriangles found =
+          sieve_triangles(corners, static_cast<int>(end - first), viewer.places_.data());
+      for (std::uint64_t left = found.stays | found.needs_more; left != 0; left &= left - 1) {
+        const std::uint32_t i = first + static_cast<std::uint32_t>(std::countr_zero(left));
+        if (const std::uint64_t bit = left & -left; (found.needs_more & bit) != 0) {
+          view(i, look);
+        } else {
+          add_triangle(i, scene[i], look, (found.turned_away & bit) != 0);
+        }
+      }
+    });
+  }
+
+  void view(std::uint32_t i, const Look& look) {
+    const Primitive& primitive = (*in_view_->viewer.scene_)[i];
+    if (look.is_plain && primitive.sides == 3 && !matrix_) {
+      view_triangle(i, primitive, look);
+    } else {
+      view_any(i, primitive);
+    }
+  }
 
   /// What it is drawn with, but for its colour; a light is turned as the view wants.
   void take_shared(const Primitive& primitive) {
@@ -120,26 +175,24 @@ class SceneViewer::Part {
     if (!view_whole(i, primitive)) view_in_stage(i, primitive);
   }
 
-  /// The same for what large meshes are: triangles of no drawn side, looked at as quickly as can
-  /// be.
+  /// The same for what large meshes are: triangles of no drawn side.
   void view_triangle(std::uint32_t i, const Primitive& primitive, const Look& look) {
     const SceneViewer& viewer = in_view_->viewer;
     const std::uint32_t* const corner = viewer.viewed_.corners_.data() + primitive.first;
-    const Place* const places = viewer.places_.data();
-    const Place &a = places[corner[0]], &b = places[corner[1]], &c = places[corner[2]];
-    if ((a.outcode | b.outcode | c.outcode) != 0) [[unlikely]] {
-      if ((a.outcode & b.outcode & c.outcode) == 0) view_any(i, primitive);
+    const std::uint8_t* const outcodes = viewer.outcodes_.data();
+    const int a = outcodes[corner[0]], b = outcodes[corner[1]], c = outcodes[corner[2]];
+    if ((a | b | c) != 0) [[unlikely]] {
+      if ((a & b & c) == 0) view_any(i, primitive);
       return;
     }
     const Point3* const points = viewer.viewed_.own_points_.data();
     const Point3 &p = points[corner[0]], &q = points[corner[1]], &r = points[corner[2]];
     if (in_view_->by_centres) {
-      const auto [left, right] = std::minmax({a.column, b.column, c.column});
-      const auto [bottom, top] = std::minmax({a.row, b.row, c.row});
-      const std::int32_t columns = right - left, rows = top - bottom;
-      if (columns * rows == 0) return;
-      if (columns * rows <= kFew &&
-          covers_none_of_few(p, q, r, *in_view_->wanted.centres_of, left, columns, bottom, rows)) {
+      const auto [columns, rows] = centres_in_box({corner, 3});
+      if (columns.count == 0 || rows.count == 0) return;
+      if (columns.count <= kFew && rows.count <= kFew &&
+          covers_none_of_few(p, q, r, *in_view_->wanted.centres_of, columns.first, columns.count,
+                             rows.first, rows.count)) {
         return;
       }
     }
@@ -149,14 +202,36 @@ class SceneViewer::Part {
     const double facing =
         look.is_lit || look.removes_back_faces ? newell_c(std::array{p, q, r}) : 0.0;
     if (look.removes_back_faces && facing <= 0.0) return;
+    add_triangle(i, primitive, look, facing < 0.0);
+  }
+  static constexpr std::int32_t kFew = 3;  // columns and rows of centres, worth looking at
+
+  void add_triangle(std::uint32_t i, const Primitive& primitive, const Look& look,
+                    bool turned_away) {
+    if (look.removes_back_faces && turned_away) return;
     if (!look.is_lit) return seen_->add_triangle(primitive.first, primitive.look, primitive.pick);
-    if (viewer.scene_->is_smooth(i)) return view_any(i, primitive);
+    const RetainedScene& scene = *in_view_->viewer.scene_;
+    if (scene.is_smooth(i)) return view_any(i, primitive);
     take_shared(primitive);
-    const Colour colour = lit(viewer.scene_->fill_colours()[primitive.look], *light_,
-                              viewer.scene_->normal(i), facing < 0.0);
+    const Colour colour =
+        lit(scene.fill_colours()[primitive.look], *light_, scene.normal(i), turned_away);
     seen_->add_triangle(primitive.first, seen_->number_of(colour), primitive.pick);
   }
-  static constexpr std::int32_t kFew = 6;  // centres, which it is worth looking at
+
+  struct Centres {
+    CentresBetween columns, rows;
+  };
+  /// Those that a polygon of these corners may cover, all of which are inside.
+  Centres centres_in_box(std::span<const std::uint32_t> corners) const {
+    const PicturePlace* const places = in_view_->viewer.places_.data();
+    PicturePlace low = places[corners[0]], high = low;
+    for (const std::uint32_t corner : corners.subspan(1)) {
+      const auto [x, y] = places[corner];
+      low = {std::min(low.x, x), std::min(low.y, y)};
+      high = {std::max(high.x, x), std::max(high.y, y)};
+    }
+    return {{low.x, high.x}, {low.y, high.y}};
+  }
 
   /// A polygon none of whose vertices is outside, and that is lit evenly: its points are among
   /// those of all. False if it needs more.
@@ -164,18 +239,16 @@ class SceneViewer::Part {
     if (matrix_ || primitive.is_line()) return false;
     const SceneViewer& viewer = in_view_->viewer;
     const std::uint32_t* const corners = viewer.viewed_.corners_.data() + primitive.first;
-    const Place first = viewer.places_[corners[0]];
-    std::uint32_t any = first.outcode, all = first.outcode;
-    unsigned columns = 0, rows = 0;  // bits in which corners differ
-    for (std::uint32_t k = 1; k < primitive.sides; ++k) {
-      const Place& place = viewer.places_[corners[k]];
-      any |= place.outcode;
-      all &= place.outcode;
-      columns |= static_cast<unsigned>(place.column ^ first.column);
-      rows |= static_cast<unsigned>(place.row ^ first.row);
+    unsigned any = 0, all = ~0u;
+    for (std::uint32_t k = 0; k < primitive.sides; ++k) {
+      any |= viewer.outcodes_[corners[k]];
+      all &= viewer.outcodes_[corners[k]];
     }
     if (any != 0) return all != 0;
-    if (in_view_->by_centres && !outlined_ && (columns == 0 || rows == 0)) return true;
+    if (in_view_->by_centres && !outlined_) {
+      const auto [columns, rows] = centres_in_box({corners, primitive.sides});
+      if (columns.count == 0 || rows.count == 0) return true;
+    }
     const RetainedScene& scene = *viewer.scene_;
     if (light_ != nullptr && scene.is_smooth(i)) return false;
     const PointRow vertices(viewer.viewed_.own_points_, {corners, primitive.sides});
@@ -198,8 +271,8 @@ class SceneViewer::Part {
 
   void view_in_stage(std::uint32_t i, const Primitive& primitive) {
     const RetainedScene& scene = *in_view_->viewer.scene_;
-    const auto first =
-        static_cast<std::uint32_t>(in_view_->viewer.corners_ + seen_->own_points_.size());
+    const std::size_t own_corner = seen_->own_points_.size() - points_;
+    const auto first = static_cast<std::uint32_t>(in_view_->viewer.corners_ + own_corner);
     if (primitive.is_line()) {
       const PointRow ends = scene.points(i);
       std::array<Point3, 2> clipped;
@@ -220,7 +293,7 @@ class SceneViewer::Part {
       fill = &lit_;
     }
     if (std::ranges::find(polygon.edge_visible, 0) != polygon.edge_visible.end()) {
-      seen_->note_edges(seen_->own_points_.size(), polygon.edge_visible);
+      seen_->note_edges(points_ == 0 ? own_corner : first, polygon.edge_visible);
     }
     std::optional<std::uint32_t> first_intensity;
     if (!polygon.intensities.empty() && is_solid(attributes_)) {
@@ -241,9 +314,11 @@ class SceneViewer::Part {
   }
 
   std::uint32_t segment_, first_, end_;
+  std::vector<Row> rows_;
   ViewedScene own_;
-  ViewedScene* seen_ = &own_;
-  std::vector<std::uint32_t> primitives_;
+  std::vector<std::uint32_t> own_primitives_;
+  ViewedScene* seen_ = nullptr;
+  std::size_t points_ = 0;  // of those in seen_ that are not parts' own
   const InView* in_view_ = nullptr;
   std::optional<ViewStage> stage_;
   std::optional<ImageMatrix> matrix_;
@@ -286,6 +361,7 @@ SceneViewer::SceneViewer(const RetainedScene& scene, const DisplayFile& attribut
     shows_shadows_ = shows_shadows_ || look.shadows;
     is_lit_ = is_lit_ || look.light;
   }
+  for (const auto& part : parts_) part->find_rows(*this);
 }
 
 SceneViewer::Look SceneViewer::look_of(const Attributes& attributes) {
@@ -344,16 +420,21 @@ const ViewedScene& SceneViewer::view(const Wanted& wanted) {
     viewed_.geometry_ = new_geometry();
   }
   const Part::InView in_view{*this, wanted, volume, wanted.centres_of && !shows_shadows_};
-  const auto view_part = [&](std::size_t k, ViewedScene* into) {
-    Part& part = *parts_[k];
-    const SegmentNow& segment = segments_[part.segment()];
-    if (segment.visible) part.view(in_view, segment.image, into);
-  };
   if (wanted.threads == 1) {
-    join_parts([&](std::size_t k) { view_part(k, &part_in_view_); });
+    take_parts([&](Part& part) {
+      part.view(in_view, segments_[part.segment()].image, viewed_, points_.size(),
+                primitive_of_items_);
+    });
   } else {
-    in_parallel(wanted.threads, parts_.size(), [&](std::size_t k) { view_part(k, nullptr); });
-    join_parts([](std::size_t) {});
+    in_parallel(wanted.threads, parts_.size(), [&](std::size_t k) {
+      const SegmentNow& segment = segments_[parts_[k]->segment()];
+      if (segment.visible) parts_[k]->view(in_view, segment.image);
+    });
+    take_parts([&](const Part& part) {
+      viewed_.append(part.seen(), corners_, points_.size());
+      primitive_of_items_.insert(primitive_of_items_.end(), part.primitives().begin(),
+                                 part.primitives().end());
+    });
   }
   view_texts(volume);
   last_ = wanted;
@@ -361,29 +442,32 @@ const ViewedScene& SceneViewer::view(const Wanted& wanted) {
 }
 
 void SceneViewer::view_points(const Wanted& wanted, const ViewVolume& volume) {
-  places_.resize(points_.size());
+  outcodes_.resize(points_.size());
+  if (wanted.centres_of) places_.resize(points_.size());
   viewed_.own_points_.resize(points_.size());
-  const ClipPipeline pipeline(volume);
   in_parallel(wanted.threads, blocks_.size(), [&](std::size_t k) {
     Block& block = blocks_[k];
     block.largest_depth = 0.0;
     if (!segments_[block.segment].visible) return;
-    for (std::uint32_t i = block.first; i < block.end; ++i) {
-      const auto [device, outcode] = pipeline.view(points_[i]);
-      viewed_.own_points_[i] = device;
-      places_[i] = {0, 0, outcode};
-      block.largest_depth = std::max(block.largest_depth, std::abs(device.z));
-      if (!wanted.centres_of) continue;
-      const auto& [width, height] = *wanted.centres_of;
-      places_[i].column = static_cast<std::uint16_t>(first_column_from(device.x, width));
-      places_[i].row = static_cast<std::uint16_t>(first_row_above(device.y, height));
+    const auto in_block = [&](auto& array) {
+      return std::span(array).subspan(block.first, block.end - block.first);
+    };
+    const std::span<Point3> device = in_block(viewed_.own_points_);
+    const std::span<std::uint8_t> outcodes = in_block(outcodes_);
+    displayfile::view_points(volume, in_block(points_), device, outcodes);
+    if (wanted.centres_of) {
+      block.largest_depth = find_places(device, outcodes, *wanted.centres_of, in_block(places_));
+    } else {
+      for (const Point3& p : device) {
+        block.largest_depth = std::max(block.largest_depth, std::abs(p.z));
+      }
     }
   });
 }
 
-/// Puts the parts one after another, in order of entry; `view_part` is called before each.
-template <class ViewPart>
-void SceneViewer::join_parts(ViewPart&& view_part) {
+/// Takes the parts one after another, in order of entry, into the scene.
+template <class Take>
+void SceneViewer::take_parts(Take&& take) {
   viewed_.clear();
   viewed_.palette_ = scene_->fill_colours();
   viewed_.own_points_.resize(points_.size());
@@ -403,10 +487,7 @@ void SceneViewer::join_parts(ViewPart&& view_part) {
     viewed_.segments_.push_back({scene_->segments()[segment].name, viewed_.items()});
     while (k < parts_.size() && parts_[k]->segment() < segment) ++k;
     for (; k < parts_.size() && parts_[k]->segment() == segment; ++k) {
-      view_part(k);
-      viewed_.append(parts_[k]->seen(), corners_, points_.size());
-      const auto primitives = parts_[k]->primitives();
-      primitive_of_items_.insert(primitive_of_items_.end(), primitives.begin(), primitives.end());
+      take(*parts_[k]);
     }
   }
   viewed_.points_ = viewed_.own_points_;
@@ -457,8 +538,8 @@ DisplayFile SceneViewer::display_file(const View& view, const glm::dmat3& lights
 
 std::size_t SceneViewer::bytes() const {
   const auto size = [](const auto& array) { return array.size() * sizeof(array[0]); };
-  std::size_t sum = size(welded_) + size(places_) + viewed_.bytes() + part_in_view_.bytes() +
-                    size(primitive_of_items_);
+  std::size_t sum =
+      size(welded_) + size(outcodes_) + size(places_) + viewed_.bytes() + size(primitive_of_items_);
   for (const auto& part : parts_) sum += part->bytes();
   return sum;
 }

@@ -11,6 +11,7 @@
 #include "clip/view.h"
 #include "displayfile/display_file.h"
 #include "displayfile/retained_scene.h"
+#include "displayfile/triangle_sieve.h"
 #include "displayfile/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
 
@@ -60,11 +61,6 @@ class SceneViewer {
 
  private:
   class Part;
-  /// A vertex against the rows and columns of pixel centres, and against the view volume.
-  struct Place {
-    std::uint16_t column, row;  ///< the first at or right of it, the first above it
-    std::uint32_t outcode;
-  };
   /// What viewing asks of attributes, in few bytes.
   struct Look {
     bool is_nothing;  ///< hollow, and of line style none
@@ -72,6 +68,7 @@ class SceneViewer {
     bool is_lit, removes_back_faces;
   };
   static Look look_of(const Attributes& attributes);
+  /// A block of points.
   struct Block {
     std::uint32_t segment, first, end;  ///< of points
     double largest_depth;               ///< of them, in the last view
@@ -84,8 +81,8 @@ class SceneViewer {
   bool take_segments();
   void share_equal_vertices();
   void view_points(const Wanted& wanted, const ViewVolume& volume);
-  template <class ViewPart>
-  void join_parts(ViewPart&& view_part);
+  template <class Take>
+  void take_parts(Take&& take);
   void number_own_corners();
   void view_texts(const ViewVolume& volume);
 
@@ -100,10 +97,10 @@ class SceneViewer {
   bool is_lit_ = false;
   std::vector<SegmentNow> segments_;
   std::vector<Block> blocks_;
-  std::vector<Place> places_;  // of the points
+  std::vector<std::uint8_t> outcodes_;  // of the points
+  std::vector<PicturePlace> places_;    // the same, in a picture of a size
   std::vector<std::unique_ptr<Part>> parts_;
   ViewedScene viewed_;
-  ViewedScene part_in_view_;  // where one thread views part after part
   std::vector<std::uint32_t> primitive_of_items_;
   std::optional<Wanted> last_;  // of the view that viewed_ is
 };

@@ -4,7 +4,7 @@
 
 #include "hidden/exact/rounding.h"
 #include "interp/visibility/row_bounds.h"
-#include "interp/visibility/vector_kind.h"
+#include "clip/vector_kind.h"
 
 // The code below is compiled once for each kind of vector.
 #undef HWY_TARGET_INCLUDE

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "interp/scan/pixel_box.h"
-#include "interp/visibility/vector_kind.h"
+#include "clip/vector_kind.h"
 
 // The code below is compiled once for each kind of vector.
 #undef HWY_TARGET_INCLUDE

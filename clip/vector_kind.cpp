@@ -1,4 +1,4 @@
-#include "interp/visibility/vector_kind.h"
+#include "clip/vector_kind.h"
 
 #if defined(__x86_64__) || defined(__i386__)
 #include <cpuid.h>

@@ -30,8 +30,8 @@ void for_each_run(std::uint32_t first, std::uint32_t end, std::uint32_t most, Vi
   }
 }
 
-/// A number that no scene has had.
-std::uint64_t new_geometry() {
+/// A number that no scene has had for its geometry or its palette.
+std::uint64_t new_number() {
   static std::atomic<std::uint64_t> last = 0;
   return ++last;
 }
@@ -331,7 +331,7 @@ class SceneViewer::Part {
 };
 
 SceneViewer::SceneViewer(const RetainedScene& scene, const DisplayFile& attributes)
-    : scene_(&scene), attributes_(&attributes) {
+    : scene_(&scene), attributes_(&attributes), palette_(new_number()) {
   const Primitives all = scene.primitives({});
   corners_ = all.all_corners();
   all_edges_drawn_ = std::ranges::find(all.visible, 0) == all.visible.end();
@@ -417,7 +417,7 @@ const ViewedScene& SceneViewer::view(const Wanted& wanted) {
   if (!same_segments || !last || !(last->view == wanted.view) ||
       last->centres_of != wanted.centres_of) {
     view_points(wanted, volume);
-    viewed_.geometry_ = new_geometry();
+    viewed_.geometry_ = new_number();
   }
   const Part::InView in_view{*this, wanted, volume, wanted.centres_of && !shows_shadows_};
   if (wanted.threads == 1) {
@@ -470,6 +470,7 @@ template <class Take>
 void SceneViewer::take_parts(Take&& take) {
   viewed_.clear();
   viewed_.palette_ = scene_->fill_colours();
+  viewed_.palette_number_ = palette_;
   viewed_.own_points_.resize(points_.size());
   primitive_of_items_.clear();
   viewed_.items_.reserve(scene_->size());

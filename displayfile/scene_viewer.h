@@ -88,6 +88,7 @@ class SceneViewer {
 
   const RetainedScene* scene_;
   const DisplayFile* attributes_;
+  std::uint64_t palette_;           // of all its viewed scenes
   std::vector<Point3> welded_;      // points, if the application shared none
   std::span<const Point3> points_;  // in world coordinates
   std::size_t corners_ = 0;         // of the retained scene

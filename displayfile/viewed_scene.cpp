@@ -111,8 +111,9 @@ void ViewedScene::add_polygon(std::uint32_t first, std::span<const Point3> verti
   }
   const SupportVertices support = support_vertices(vertices);
   if (vertices.size() > 3) {
-    support_.resize(items_.size(), {0, 1, 2});
-    support_.push_back(support.index);
+    many_sided_.add(items());
+    of_many_sided_.push_back({support.index, many_sided_corners_});
+    many_sided_corners_ += static_cast<std::uint32_t>(vertices.size());
   }
   add_item({first, static_cast<std::uint32_t>(vertices.size()),
             solid ? Primitives::Kind::solid : Primitives::Kind::hollow},
@@ -131,7 +132,9 @@ void ViewedScene::clear() {
   lines_.clear();
   segments_.clear();
   texts_.clear();
-  support_.clear();
+  many_sided_.clear();
+  of_many_sided_.clear();
+  many_sided_corners_ = 0;
   fills_ = 0;
   fill_item_.clear();
   own_intensities_.clear();
@@ -175,10 +178,11 @@ void ViewedScene::append(const ViewedScene& part, std::size_t corners, std::size
   append_all(shadows_, part.shadows_);
   append_colours(part, first_item);
   append_runs(lines_, part.lines_);
-  if (!part.support_.empty()) {
-    support_.resize(first_item, {0, 1, 2});
-    append_all(support_, part.support_);
+  part.many_sided_.for_each([&](Item item) { many_sided_.add(first_item + item); });
+  for (const auto& [support, corners_before] : part.of_many_sided_) {
+    of_many_sided_.push_back({support, many_sided_corners_ + corners_before});
   }
+  many_sided_corners_ += part.many_sided_corners_;
   if (part.fills_ > 0 && (first_item != fills_ || part.items() != part.fills_)) {
     number_fills();
     for (Fill fill = 1; fill <= part.fills_; ++fill) {
@@ -311,8 +315,8 @@ std::size_t ViewedScene::bytes() const {
   for (const ViewedText& text : texts_) characters += text.characters.size();
   return characters + size(texts_) + size(own_points_) + size(corners_) + size(edge_visible_) +
          size(items_) + size(pick_) + size(colours_) + size(own_colours_) + size(lines_) +
-         size(segments_) + size(support_) + size(fill_item_) + size(own_intensities_) +
-         size(first_intensity_) + size(shadow_) + size(shadows_);
+         size(segments_) + many_sided_.bytes() + size(of_many_sided_) + size(fill_item_) +
+         size(own_intensities_) + size(first_intensity_) + size(shadow_) + size(shadows_);
 }
 
 }  // namespace displayfile

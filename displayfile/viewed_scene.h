@@ -12,6 +12,7 @@
 
 #include "clip/point_row.h"
 #include "displayfile/instructions.h"
+#include "displayfile/item_ranks.h"
 #include "displayfile/style.h"
 #include "hidden/exact/plane.h"
 #include "hidden/primitives.h"
@@ -101,6 +102,9 @@ class ViewedScene {
   };
   /// The numbers of the colours of all fills, for who goes through them in order.
   std::span<const Run<std::uint32_t>> fill_colours() const { return colours_; }
+  /// Colours of numbers less than this are those of every scene of the same palette.
+  std::uint32_t palette_colours() const { return static_cast<std::uint32_t>(palette_.size()); }
+  std::uint64_t palette() const { return palette_number_; }  ///< 0: of none
   const Colour& colour(std::uint32_t number) const {
     return number < palette_.size() ? palette_[number] : own_colours_[number - palette_.size()];
   }
@@ -139,9 +143,15 @@ class ViewedScene {
   Plane plane(Fill fill) const {
     const Item item = item_of(fill);
     const std::uint32_t first = items_[item].first;
-    if (item >= support_.size()) return {point(first), point(first + 1), point(first + 2)};
-    const auto& [p, q, r] = support_[item];
+    if (items_[item].sides == 3) return {point(first), point(first + 1), point(first + 2)};
+    const auto& [p, q, r] = of_many_sided_[many_sided_[item]].support;
     return {point(first + p), point(first + q), point(first + r)};
+  }
+  /// How many corners the polygons of more than three sides have in all; and those before a fill
+  /// that is one of them.
+  std::uint32_t many_sided_corners() const { return many_sided_corners_; }
+  std::uint32_t many_sided_corners_before(Fill fill) const {
+    return of_many_sided_[many_sided_[item_of(fill)]].corners_before;
   }
   std::int32_t pick(Fill fill) const {  ///< -1: the background
     return fill == kBackground ? -1 : pick_[item_of(fill)];
@@ -242,12 +252,18 @@ class ViewedScene {
   // views.
   std::vector<Run<std::uint32_t>> colours_;  // of the items' fills
   std::span<const Colour> palette_;
+  std::uint64_t palette_number_ = 0;
   std::vector<Colour> own_colours_;
   std::vector<Run<LineStyle>> lines_;  // of the items' lines or edges
   std::vector<SegmentStart> segments_;
   std::vector<ViewedText> texts_;
-  /// The support vertices of items up to the last that has more than three sides.
-  std::vector<std::array<std::uint32_t, 3>> support_;
+  ItemRanks many_sided_;  // polygons of more than three sides
+  struct ManySided {
+    std::array<std::uint32_t, 3> support;
+    std::uint32_t corners_before;  // of those before it
+  };
+  std::vector<ManySided> of_many_sided_;
+  std::uint32_t many_sided_corners_ = 0;  // of all of them
   std::uint32_t fills_ = 0;
   std::vector<Item> fill_item_;  // empty while every item is a fill
   std::span<const double> intensities_;

@@ -4,28 +4,47 @@
 
 namespace displayfile {
 
+namespace {
+
+Colour painted(const Colour& colour) { return painted_colour({FillStyle::Kind::solid, colour}); }
+
+}  // namespace
+
+/// A palette is that of many scenes.
+void FillPaints::take_palette(const ViewedScene& scene) {
+  if (palette_ == scene.palette()) return;
+  palette_ = scene.palette();
+  palette_pixel_.clear();
+  palette_pixel_.reserve(scene.palette_colours());
+  for (std::uint32_t number = 0; number < scene.palette_colours(); ++number) {
+    palette_pixel_.push_back(pixel_of(painted(scene.colour(number))));
+  }
+}
+
 void FillPaints::take(const ViewedScene& scene) {
   pixel_.resize(1);
   pixel_.reserve(scene.most_fills() + 1);
   shade_.clear();
   shades_.clear();
+  take_palette(scene);
   const auto runs = scene.fill_colours();
   std::size_t next = 0;  // of the runs: fills come in their order
-  Colour colour(0.0);
-  std::uint32_t pixel = 0;
+  std::uint32_t number = 0, pixel = 0;
   for (Fill fill = 1; fill < scene.end(); ++fill) {
     const ViewedScene::Item item = scene.item_of(fill);
     if (next < runs.size() && runs[next].first <= item) {
       while (next < runs.size() && runs[next].first <= item) ++next;
-      colour = painted_colour({FillStyle::Kind::solid, scene.colour(runs[next - 1].style)});
-      pixel = pixel_of(colour);
+      number = runs[next - 1].style;
+      pixel = number < palette_pixel_.size() ? palette_pixel_[number]
+                                             : pixel_of(painted(scene.colour(number)));
     }
     pixel_.push_back(pixel);
     const auto intensities = scene.intensities(item);
     if (intensities.empty()) continue;
     shade_.resize(fill, kNone);
     shade_.push_back(static_cast<std::uint32_t>(shades_.size()));
-    shades_.push_back({colour, IntensityPlane(scene.points(item), intensities)});
+    shades_.push_back(
+        {painted(scene.colour(number)), IntensityPlane(scene.points(item), intensities)});
   }
 }
 

@@ -39,7 +39,11 @@ class FillPaints {
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
+  void take_palette(const ViewedScene& scene);
+
   std::vector<std::uint32_t> pixel_{0xFFFFFFFF};  // the background's first
+  std::uint64_t palette_ = 0;                     // that palette_pixel_ is of
+  std::vector<std::uint32_t> palette_pixel_;
   std::vector<std::uint32_t> shade_;  // of the fills up to the last that has one: in shades_
   std::vector<Shade> shades_;
 };

@@ -82,28 +82,26 @@ class RowFills::Triangles {
     made.column_end = made_.column_end[i];
     made.turned_away = is(made_.turned_away, i);
     made.certain = is(made_.is_certain, i);
-    if (made.certain) {
-      made.z = made_.z[i];
-      made.dz_dx = made_.dz_dx[i];
-      made.dz_dy = made_.dz_dy[i];
-    }
+    made.z = made_.z[i];  // of no meaning where it is not certain
+    made.dz_dx = made_.dz_dx[i];
+    made.dz_dy = made_.dz_dy[i];
     if (is(made_.has_sides, i)) take_sides(i, made);
   }
+  /// Two or three of them, in places that no branch decides.
   void take_sides(int i, RowFill& made) {
-    RowEdge* const edges = fills_.edges_.data() + made.edges;
-    RowEdge on_right[3];
+    RowEdge on_left[4], on_right[4];
     int left = 0, right = 0;
     for (int k = 0; k < 3; ++k) {
-      if (!is(made_.crosses[k], i)) continue;
-      const RowEdge edge{made_.x[k][i], made_.slope[k][i]};
-      if (is(made_.on_right[k], i)) {
-        on_right[right++] = edge;
-      } else {
-        edges[left++] = edge;
-      }
+      on_left[left] = on_right[right] = {made_.x[k][i], made_.slope[k][i]};
+      const int crosses = is(made_.crosses[k], i) ? 1 : 0;
+      const int is_right = is(made_.on_right[k], i) ? crosses : 0;
+      right += is_right;
+      left += crosses - is_right;
     }
     if (left == 0 || right == 0) return;
-    std::copy_n(on_right, right, edges + left);
+    made.own_edges[0] = on_left[0];
+    made.own_edges[1] = left == 2 ? on_left[1] : on_right[0];
+    made.own_edges[2] = left == 2 ? on_right[0] : on_right[1];
     made.edge_error = made_.edge_error[i];
     made.left = static_cast<std::uint8_t>(left);
     made.right = static_cast<std::uint8_t>(right);
@@ -123,15 +121,8 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, int threa
   fills_.reserve(scene.most_fills() + 1);
   fills_.resize(scene.end());
   depth_error_ = static_cast<float>(kDepthError * std::max(1.0, scene.largest_depth()));
-  first_edges_.assign(batches_of(scene) + 1, 0);
-  for (std::size_t k = 0; k < batches(); ++k) {
-    const Batch next = batch(k);
-    std::uint32_t edges = first_edges_[k];
-    for (Fill fill = next.begin; fill < next.end; ++fill) edges += scene.sides(fill);
-    first_edges_[k + 1] = edges;
-  }
-  edges_.reserve(scene.most_corners());
-  edges_.resize(first_edges_.back());
+  batches_ = batches_of(scene);
+  edges_.resize(scene.many_sided_corners());
   in_parallel(threads, batches(), [&](std::size_t k) {
     const Batch now = batch(k);
     make(scene, size, now);
@@ -141,21 +132,18 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, int threa
 
 void RowFills::make(const ViewedScene& scene, const PictureSize& size, const Batch& batch) {
   constexpr Fill kAhead = 16;
-  std::uint32_t edges = first_edges_[batch.number];
   Triangles triangles(*this, scene, size);
   for (Fill fill = batch.begin; fill < batch.end; ++fill) {
     if (fill + kAhead < batch.end && scene.sides(fill + kAhead) == 3) {
       for (const Point3* corner : scene.corners_of_triangle(fill + kAhead)) hwy::Prefetch(corner);
     }
-    const std::uint32_t sides = scene.sides(fill);
-    fills_[fill] = {.edges = edges};
-    sides == 3 ? triangles.add(fill) : make(scene, size, fill);
-    edges += sides;
+    fills_[fill] = {};
+    scene.sides(fill) == 3 ? triangles.add(fill) : make(scene, size, fill);
   }
   triangles.make();
 }
 
-static_assert(sizeof(RowFill) == 40);
+static_assert(sizeof(RowFill) == 64);
 
 void RowFills::make(const ViewedScene& scene, const PictureSize& size, Fill fill) {
   RowFill& made = fills_[fill];
@@ -191,6 +179,7 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, Fill fill
   }
 
   if (vertices.size() > kMostSides) return;
+  if (vertices.size() > 3) made.edges = scene.many_sided_corners_before(fill);
   const int turn = turn_if_convex(vertices);
   if (turn != 0) make_edges(vertices, size, turn, made);
 }
@@ -254,7 +243,7 @@ bool RowFills::make_triangle(const ViewedScene& scene, const PictureSize& size, 
 /// As make_edges. A side that crosses no row of centres bounds none.
 void RowFills::make_edges_of_triangle(const double (&x)[3], const double (&y)[3],
                                       const int (&rows)[3], bool counterclockwise, RowFill& made) {
-  RowEdge* const edges = edges_.data() + made.edges;
+  RowEdge* const edges = made.own_edges;
   const double all_rows = made.row_end - made.row_begin;
   RowEdge on_right[2];
   int left = 0, right = 0;
@@ -287,7 +276,8 @@ void RowFills::make_edges_of_triangle(const double (&x)[3], const double (&y)[3]
 void RowFills::make_edges(std::span<const Point3> vertices, const PictureSize& size, int turn,
                           RowFill& made) {
   const auto rows = static_cast<double>(made.row_end - made.row_begin);
-  RowEdge* const edges = edges_.data() + made.edges;
+  RowEdge* const edges =
+      vertices.size() <= RowFill::kOwnEdges ? made.own_edges : edges_.data() + made.edges;
   int left = 0, right = 0;
   const int sides = static_cast<int>(vertices.size());
   double error = 0.0;
@@ -313,6 +303,9 @@ void RowFills::make_edges(std::span<const Point3> vertices, const PictureSize& s
   }
   if (!(error < kLargestEdgeError) || left == 0 || right == 0) return;
   std::move(edges + sides - right, edges + sides, edges + left);
+  if (left + right <= RowFill::kOwnEdges) {
+    std::copy_n(edges, left + right, made.own_edges);
+  }
   made.edge_error = static_cast<float>(error * (1.0 + 0x1p-20));
   made.left = static_cast<std::uint8_t>(left);
   made.right = static_cast<std::uint8_t>(right);

@@ -21,16 +21,18 @@ struct RowEdge {
 /// A fill made ready for the rows of a picture: the rows whose centres it may cover, its depth
 /// there and, if it is convex, its sides. Single precision, with bounds; what they leave undecided
 /// is decided exactly from the fill itself (interp/visibility/z_buffer.md).
-struct RowFill {
+struct alignas(64) RowFill {
   std::int32_t row_begin = 0, row_end = 0;
   std::int32_t column = 0;                     ///< no centre of a column before it is covered,
   std::int32_t column_end = 0;                 ///< nor of this one or any after it
   float z = 0.0F, dz_dx = 0.0F, dz_dy = 0.0F;  ///< at that column's centre in row_begin; slopes
   float edge_error = 0.0F;                     ///< bounds that of the sides' crossings
-  std::uint32_t edges = 0;                     ///< the first of its sides; those on the left first
-  std::uint8_t left = 0, right = 0;            ///< how many; none: not convex, or not known well
+  std::uint8_t left = 0, right = 0;  ///< how many sides; none: not convex, or not known well
   bool certain = false;      ///< the error of its depths is no more than RowFills::depth_error()
   bool turned_away = false;  ///< a triangle that runs clockwise, which bodies hide as a rule
+  std::uint32_t edges = 0;   ///< where they are stored, if there are more than kOwnEdges
+  static constexpr int kOwnEdges = 3;
+  RowEdge own_edges[kOwnEdges] = {};
 };
 
 /// All fills of a scene, made ready for pictures of one size.
@@ -47,7 +49,7 @@ class RowFills {
   /// each batch when it is ready, by the thread that made it.
   void make(const ViewedScene& scene, const PictureSize& size, int threads,
             const std::function<void(const Batch&)>& made);
-  std::size_t batches() const { return first_edges_.size() - 1; }
+  std::size_t batches() const { return batches_; }
   Batch batch(std::size_t number) const {
     const auto size = static_cast<Fill>(size_of_batch(end()));
     const auto begin = static_cast<Fill>(1 + number * size);
@@ -60,7 +62,11 @@ class RowFills {
 
   Fill end() const { return static_cast<Fill>(fills_.size()); }
   const RowFill& operator[](Fill fill) const { return fills_[fill]; }
-  const RowEdge* edges_of(const RowFill& fill) const { return edges_.data() + fill.edges; }
+  /// Its sides: those on the left first.
+  const RowEdge* edges_of(const RowFill& fill) const {
+    return fill.left + fill.right <= RowFill::kOwnEdges ? fill.own_edges
+                                                        : edges_.data() + fill.edges;
+  }
   /// Bounds the errors of all certain fills' depths.
   float depth_error() const { return depth_error_; }
 
@@ -73,14 +79,14 @@ class RowFills {
   void make(const ViewedScene& scene, const PictureSize& size, const Batch& batch);
   void make(const ViewedScene& scene, const PictureSize& size, Fill fill);
   bool make_triangle(const ViewedScene& scene, const PictureSize& size, Fill fill);
-  void make_edges_of_triangle(const double (&x)[3], const double (&y)[3], const int (&rows)[3],
-                              bool counterclockwise, RowFill& made);
+  static void make_edges_of_triangle(const double (&x)[3], const double (&y)[3],
+                                     const int (&rows)[3], bool counterclockwise, RowFill& made);
   void make_edges(std::span<const Point3> vertices, const PictureSize& size, int turn,
                   RowFill& made);
 
   std::vector<RowFill> fills_;
-  std::vector<RowEdge> edges_;
-  std::vector<std::uint32_t> first_edges_;  // of the batches
+  std::vector<RowEdge> edges_;  // a place for each side of polygons of more than three
+  std::size_t batches_ = 0;
   float depth_error_ = 0.0F;
 };
 

@@ -9,8 +9,8 @@
 #include <limits>
 #include <vector>
 
-#include "interp/scan/pixel_box.h"
 #include "clip/vector_kind.h"
+#include "interp/scan/pixel_box.h"
 
 // The code below is compiled once for each kind of vector.
 #undef HWY_TARGET_INCLUDE
@@ -541,9 +541,6 @@ void draw_each(const RowFills& fills, std::span<const Fill> to_draw, RowDrawer<k
     if (k + kAhead < to_draw.size()) {
       const RowFill& ahead = fills[to_draw[k + kAhead]];
       hwy::Prefetch(&ahead);
-    }
-    if (k + kAhead / 2 < to_draw.size()) {
-      hwy::Prefetch(fills.edges_of(fills[to_draw[k + kAhead / 2]]));
     }
     drawer.draw(to_draw[k]);
   }

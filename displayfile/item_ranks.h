@@ -1,0 +1,49 @@
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace displayfile {
+
+/// Some of a scene's items, of which something is stored in a row; a bit for each item.
+class ItemRanks {
+ public:
+  /// Of items that are larger than all before.
+  void add(std::uint32_t item) {
+    while (words_.size() <= item / 64) words_.push_back({0, count_});
+    words_.back().bits |= std::uint64_t{1} << item % 64;
+    ++count_;
+  }
+  /// The place of an item that was added among those that were.
+  std::uint32_t operator[](std::uint32_t item) const {
+    const auto& [bits, before] = words_[item / 64];
+    const std::uint64_t smaller = bits & ((std::uint64_t{1} << item % 64) - 1);
+    return before + static_cast<std::uint32_t>(std::popcount(smaller));
+  }
+  template <class Visit>
+  void for_each(Visit&& visit) const {
+    for (std::size_t k = 0; k < words_.size(); ++k) {
+      for (std::uint64_t left = words_[k].bits; left != 0; left &= left - 1) {
+        visit(static_cast<std::uint32_t>(64 * k) +
+              static_cast<std::uint32_t>(std::countr_zero(left)));
+      }
+    }
+  }
+  void clear() {
+    words_.clear();
+    count_ = 0;
+  }
+  std::size_t bytes() const { return words_.size() * sizeof(Word); }
+
+ private:
+  struct Word {
+    std::uint64_t bits;
+    std::uint32_t before;  ///< how many items there are in the words before
+  };
+  std::vector<Word> words_;
+  std::uint32_t count_ = 0;
+};
+
+}  // namespace displayfile

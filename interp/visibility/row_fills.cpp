@@ -74,14 +74,15 @@ class RowFills::Triangles {
 
   void take(int i) {
     if (is(made_.needs_more, i)) return fills_.make(scene_, size_, fill_[i]);
-    if (is(made_.covers_none, i)) return;
     RowFill& made = fills_.fills_[fill_[i]];
+    if (is(made_.covers_none, i)) return void(made = {});
     made.row_begin = made_.row_begin[i];
     made.row_end = made_.row_end[i];
     made.column = made_.column[i];
     made.column_end = made_.column_end[i];
     made.turned_away = is(made_.turned_away, i);
     made.certain = is(made_.is_certain, i);
+    made.left = made.right = 0;
     made.z = made_.z[i];  // of no meaning where it is not certain
     made.dz_dx = made_.dz_dx[i];
     made.dz_dy = made_.dz_dy[i];
@@ -137,7 +138,6 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, const Bat
     if (fill + kAhead < batch.end && scene.sides(fill + kAhead) == 3) {
       for (const Point3* corner : scene.corners_of_triangle(fill + kAhead)) hwy::Prefetch(corner);
     }
-    fills_[fill] = {};
     scene.sides(fill) == 3 ? triangles.add(fill) : make(scene, size, fill);
   }
   triangles.make();
@@ -147,6 +147,7 @@ static_assert(sizeof(RowFill) == 64);
 
 void RowFills::make(const ViewedScene& scene, const PictureSize& size, Fill fill) {
   RowFill& made = fills_[fill];
+  made = {};
   if (scene.sides(fill) == 3 && make_triangle(scene, size, fill)) return;
   const auto vertices = scene.vertices(fill);
   const Rectangle extent = bounding_rectangle(vertices);

@@ -2,9 +2,9 @@
 
 #include <cstddef>
 
+#include "clip/vector_kind.h"
 #include "hidden/exact/rounding.h"
 #include "interp/visibility/row_bounds.h"
-#include "clip/vector_kind.h"
 
 // The code below is compiled once for each kind of vector.
 #undef HWY_TARGET_INCLUDE

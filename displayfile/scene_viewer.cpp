@@ -13,6 +13,7 @@
 #include "displayfile/view_stage.h"
 #include "hidden/exact/few_centres.h"
 #include "hidden/exact/orientation.h"
+#include "hidden/exact/support_plane.h"
 #include "hidden/parallel.h"
 
 namespace displayfile {
@@ -137,6 +138,13 @@ class SceneViewer::Part {
       const std::uint32_t* const corners = viewer.viewed_.corners_.data() + scene[first].first;
       const SievedTriangles found =
           sieve_triangles(corners, static_cast<int>(end - first), viewer.places_.data());
+      if (found.needs_more == 0 && !look.is_lit) {
+        const std::uint64_t seen = found.stays & ~(look.removes_back_faces ? found.turned_away : 0);
+        return seen_->add_triangles(seen, [&](int k) {
+          const Primitive& primitive = scene[first + static_cast<std::uint32_t>(k)];
+          return ViewedScene::Triangle{primitive.first, primitive.look, primitive.pick};
+        });
+      }
       for (std::uint64_t left = found.stays | found.needs_more; left != 0; left &= left - 1) {
         const std::uint32_t i = first + static_cast<std::uint32_t>(std::countr_zero(left));
         if (const std::uint64_t bit = left & -left; (found.needs_more & bit) != 0) {
@@ -209,13 +217,15 @@ class SceneViewer::Part {
   void add_triangle(std::uint32_t i, const Primitive& primitive, const Look& look,
                     bool turned_away) {
     if (look.removes_back_faces && turned_away) return;
-    if (!look.is_lit) return seen_->add_triangle(primitive.first, primitive.look, primitive.pick);
+    if (!look.is_lit) {
+      return seen_->add_triangle({primitive.first, primitive.look, primitive.pick});
+    }
     const RetainedScene& scene = *in_view_->viewer.scene_;
     if (scene.is_smooth(i)) return view_any(i, primitive);
     take_shared(primitive);
     const Colour colour =
         lit(scene.fill_colours()[primitive.look], *light_, scene.normal(i), turned_away);
-    seen_->add_triangle(primitive.first, seen_->number_of(colour), primitive.pick);
+    seen_->add_triangle({primitive.first, seen_->number_of(colour), primitive.pick});
   }
 
   struct Centres {
@@ -263,10 +273,17 @@ class SceneViewer::Part {
       }
       fill = &lit_;
     }
+    if (shows_nothing(vertices)) return true;
     const std::uint32_t colour = light_ != nullptr ? ViewedScene::kNone : primitive.look;
     seen_->add_polygon(primitive.first, vertices,
                        {*fill, attributes_.line, primitive.pick, colour});
     return true;
+  }
+
+  /// A fill that is edge-on covers no centre.
+  template <class Vertices>
+  bool shows_nothing(const Vertices& vertices) const {
+    return in_view_->by_centres && !outlined_ && support_vertices(vertices).edge_on;
   }
 
   void view_in_stage(std::uint32_t i, const Primitive& primitive) {
@@ -285,7 +302,7 @@ class SceneViewer::Part {
     }
     const ViewedPolygon viewed = stage_->view_polygon(scene.polygon(i), attributes_);
     const ClippedPolygon& polygon = viewed.polygon;
-    if (polygon.vertices.empty()) return;
+    if (polygon.vertices.empty() || (!matrix_ && shows_nothing(polygon.vertices))) return;
     const FillStyle* fill = viewed.fill;
     if (matrix_ && fill->shadow) {
       lit_ = *fill;

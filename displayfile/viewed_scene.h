@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -222,14 +223,46 @@ class ViewedScene {
   }
   void number_fills();  ///< all items up to now are fills, unless they are numbered
   /// A solid triangle of no drawn side that is not edge-on; largest_depth_ is another's care.
-  void add_triangle(std::uint32_t first, std::uint32_t colour, std::int32_t pick) {
-    begin_colour(colour);
+  struct Triangle {
+    std::uint32_t first;   ///< corner
+    std::uint32_t colour;  ///< its number
+    std::int32_t pick;
+  };
+  void add_triangle(const Triangle& triangle) {
+    begin_colour(triangle.colour);
+    draw_no_lines();
+    items_.push_back({triangle.first, 3, Primitives::Kind::solid});
+    pick_.push_back(triangle.pick);
+    add_fill();
+  }
+  /// The same of several, triangle(k) for each bit k, in less time.
+  template <class TriangleOf>
+  void add_triangles(std::uint64_t bits, TriangleOf&& triangle) {
+    if (bits == 0) return;
+    draw_no_lines();
+    Item item = items();
+    const bool numbered = item != fills_ || !fill_item_.empty();
+    const auto more = static_cast<std::size_t>(std::popcount(bits));
+    items_.resize(item + more);
+    pick_.resize(item + more);
+    for (; bits != 0; bits &= bits - 1, ++item) {
+      const Triangle next = triangle(std::countr_zero(bits));
+      if (colours_.empty() || colours_.back().style != next.colour) {
+        colours_.push_back({item, next.colour});
+      }
+      items_[item] = {next.first, 3, Primitives::Kind::solid};
+      pick_[item] = next.pick;
+    }
+    if (numbered) {
+      number_fills();
+      for (Item k = item - static_cast<Item>(more); k < item; ++k) fill_item_.push_back(k);
+    }
+    fills_ += static_cast<Fill>(more);
+  }
+  void draw_no_lines() {  ///< of the items that follow
     if (lines_.empty() || lines_.back().style.kind != LineStyle::Kind::none) {
       lines_.push_back({items(), {LineStyle::Kind::none}});
     }
-    items_.push_back({first, 3, Primitives::Kind::solid});
-    pick_.push_back(pick);
-    add_fill();
   }
   void clear();  ///< but for points and corners
   /// Adds the items of another scene. Its items' corners are those of this scene up to `corners`,

@@ -22,7 +22,7 @@ namespace {
 
 using namespace test;
 
-constexpr HiddenMethod kMethods[] = {HiddenMethod::roberts};
+constexpr HiddenMethod kMethods[] = {HiddenMethod::roberts, HiddenMethod::franklin};
 
 /// All sides and lines, drawn or not.
 std::vector<LineName> all_lines(const ItemList& list) {
@@ -312,6 +312,91 @@ TEST(HiddenLines, EveryFamilyAgainstRationals) {
                     << least.text();
       break;
     }
+  }
+}
+
+// ---- The methods against each other ------------------------------------------------------------
+
+/// The first pieces that differ, in words; empty if none do.
+std::string difference(const ItemList& list) {
+  const auto by_roberts = pieces(list, HiddenMethod::roberts);
+  const auto by_franklin = pieces(list, HiddenMethod::franklin);
+  const auto [r, f] = std::ranges::mismatch(by_roberts, by_franklin);
+  if (r == by_roberts.end() && f == by_franklin.end()) return "";
+  return "roberts: " + text({r, std::min(r + 3, by_roberts.end())}) +
+         "franklin: " + text({f, std::min(f + 3, by_franklin.end())});
+}
+
+TEST(HiddenLines, RobertsAndFranklinAgreeOnEveryFamily) {
+  const int scenes = from_environment("DISPLAYFILE_LINE_SCENES", 400 / kSlower);
+  for (const SortFamily& family : sort_families()) {
+    for (int k = 0; k < scenes; ++k) {
+      Source s(static_cast<std::uint64_t>(k));
+      const ItemList list = family.make(s);
+      ASSERT_EQ(difference(list), "") << family.name << ", seed " << k << "\n" << list.text();
+    }
+  }
+}
+
+/// Polygons of all sizes, so many that cells of several levels have blocking faces: some on a grid,
+/// some far outside, some steep.
+ItemList crowd(Source& s, int polygons) {
+  ItemList list;
+  const bool on_a_grid = s.below(2) == 0;
+  for (int k = 0; k < polygons; ++k) {
+    const double size = std::pow(2.0, -s.between(0, 6)), tilt = s.below(3) == 0 ? 1.0 : 0.01;
+    const Point3 at = in_cube(s);
+    Loop loop;
+    for (int n = s.below(3) == 0 ? s.between(4, 6) : 3; n > 0; --n) {
+      const Point3 p = at + size * Point3(s.unit() - 0.5, s.unit() - 0.5, tilt * (s.unit() - 0.5));
+      loop.push_back(on_a_grid ? Point3(std::round(p.x * 64.0), std::round(p.y * 64.0),
+                                        std::round(p.z * 16.0)) /
+                                     64.0
+                               : p);
+    }
+    if (s.below(20) == 0) {
+      list.line(loop[0], loop[1] + 2.0 * (loop[1] - loop[0]));
+    } else if (s.below(20) == 0) {
+      list.hollow(loop);
+    } else {
+      list.solid(loop);
+    }
+  }
+  return list;
+}
+
+TEST(HiddenLines, RobertsAndFranklinAgreeOnCrowds) {
+  const int scenes = from_environment("DISPLAYFILE_LINE_SCENES", 60 / kSlower);
+  for (int k = 0; k < scenes; ++k) {
+    Source s(static_cast<std::uint64_t>(k));
+    const ItemList list = crowd(s, s.between(20, 400));
+    const std::string differ = difference(list);
+    if (differ.empty()) continue;
+    const ItemList least =
+        shrunken(list, [&](const ItemList& part) { return !difference(part).empty(); });
+    ADD_FAILURE() << "seed " << k << ": " << difference(least) << "\n" << least.text();
+    break;
+  }
+}
+
+/// What is seen of all lines, in units of the picture.
+double seen_length(const ItemList& list, HiddenMethod method, const LineOptions& options) {
+  double length = 0.0;
+  for (const auto& [item, corner, from, to] : pieces(list, method, options)) {
+    const auto points = list.points_of(item);
+    const Point3 along = points[corner] - points[(corner == 0 ? points.size() : corner) - 1];
+    length += (to - from) * std::hypot(along.x, along.y);
+  }
+  return length;
+}
+
+TEST(HiddenLines, WithRoundoffMuchTheSameIsSeenOfASceneThatIsNotHard) {
+  Source s(11);
+  const ItemList list = families::triangles(s);
+  LineOptions exact, roundoff;
+  roundoff.precision.exact = false;
+  for (const HiddenMethod method : kMethods) {
+    EXPECT_NEAR(seen_length(list, method, roundoff), seen_length(list, method, exact), 1e-6);
   }
 }
 

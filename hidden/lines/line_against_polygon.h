@@ -26,22 +26,23 @@ class LineAgainstPolygon {
     line_ = {scene_.point(line.a), scene_.point(line.b), line.by_plane ? &own_plane_ : nullptr};
   }
 
-  /// Adds what the polygon hides of the line looked at; it must be one that hides.
-  void hide(std::uint32_t polygon, HiddenParts& parts) {
-    if (polygon == own_ || !reaches_over(polygon)) return;
+  /// Adds what the polygon, one that hides, covers along the line looked at; true if it covers both
+  /// sides of a part.
+  bool hide(std::uint32_t polygon, HiddenParts& parts) {
+    if (polygon == own_ || !reaches_over(polygon)) return false;
     const Plane plane = scene_.plane(polygon);
     const NearerAtEnds nearer = policy_.nearer(line_, plane);
-    if (!nearer.somewhere()) return;
+    if (!nearer.somewhere()) return false;
     find_crossings(polygon);
     LinePart part{0.0, 1.0};
     if (nearer.a < 0) part.from = policy_.meeting(line_, plane);
     if (nearer.b < 0) part.to = policy_.meeting(line_, plane);
     if (left_ == right_) {
-      add_covered(left_, part, [&](const LinePart& covered) { parts.add_both(covered); });
-    } else {
-      add_covered(left_, part, [&](const LinePart& covered) { parts.add_left(covered); });
-      add_covered(right_, part, [&](const LinePart& covered) { parts.add_right(covered); });
+      return add_covered(left_, part, [&](const LinePart& covered) { parts.add_both(covered); });
     }
+    add_covered(left_, part, [&](const LinePart& covered) { parts.add_left(covered); });
+    add_covered(right_, part, [&](const LinePart& covered) { parts.add_right(covered); });
+    return false;
   }
 
  private:
@@ -86,13 +87,17 @@ class LineAgainstPolygon {
   }
 
   template <class Add>
-  static void add_covered(const std::vector<double>& crossings, const LinePart& nearer,
+  static bool add_covered(const std::vector<double>& crossings, const LinePart& nearer,
                           const Add& add) {
+    bool any = false;
     for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
       const LinePart part{std::max(crossings[k], nearer.from),
                           std::min(crossings[k + 1], nearer.to)};
-      if (part.from < part.to) add(part);
+      if (part.from >= part.to) continue;
+      add(part);
+      any = true;
     }
+    return any;
   }
 
   const LineScene& scene_;

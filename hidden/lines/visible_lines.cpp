@@ -4,6 +4,7 @@
 #include <string>
 
 #include "clip/error.h"
+#include "hidden/lines/franklin.h"
 #include "hidden/lines/line_scene.h"
 #include "hidden/lines/roberts.h"
 #include "hidden/lines/side_table.h"
@@ -44,7 +45,7 @@ std::vector<LineName> drawn_lines(const Primitives& items) {
 
 VisibleLines visible_lines(const Primitives& items, std::span<const LineName> lines,
                            HiddenMethod method, const LineOptions& options) {
-  if (method != HiddenMethod::roberts) {
+  if (method != HiddenMethod::roberts && method != HiddenMethod::franklin) {
     throw Error("the hidden-line method " + std::string(name_of(method)) +
                 " does not find visible lines: expected roberts or franklin");
   }
@@ -52,7 +53,8 @@ VisibleLines visible_lines(const Primitives& items, std::span<const LineName> li
   std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());
   const LineScene scene(items, names, options.threads);
-  return visible_lines_by_roberts(items, scene, options);
+  return method == HiddenMethod::roberts ? visible_lines_by_roberts(items, scene, options)
+                                         : visible_lines_by_franklin(items, scene, options);
 }
 
 }  // namespace displayfile

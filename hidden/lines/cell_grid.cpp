@@ -18,10 +18,14 @@ constexpr float kNothingHidden = -std::numeric_limits<float>::infinity();
 /// measured).
 constexpr double kCellsAPolygon = 1.0;
 /// A polygon is at the level where its box is no larger than this many cells.
-constexpr double kLargestInCells = 1.0;
-/// A blocking face is looked for in cells finer by so many levels: an equilateral triangle holds no
-/// square of more than 0.46 of its side.
-constexpr std::size_t kFinerToBlock = 3;
+constexpr double kLargestInCells = 2.0;
+/// A polygon is tried as a blocking face if its box is larger than this many cells of the finest
+/// level, since an equilateral triangle holds no square of more than 0.46 of its side; and in cells
+/// of which its box holds no more than so many a side.
+constexpr double kLeastToBlock = 4.0;
+constexpr double kMostToBlock = 32.0;
+/// Lines are put in the order of this level's cells.
+constexpr std::size_t kLevelOfOrder = 2;
 constexpr double kMostColumns = 8192.0;
 /// Of a cell: far more than rounding moves a place, and far less than matters.
 constexpr double kMargin = 0x1p-20;
@@ -30,6 +34,13 @@ constexpr double kMargin = 0x1p-20;
 std::uint32_t clamped(double place, std::uint32_t count) {
   if (!(place > 0.0)) return 0;
   return static_cast<std::uint32_t>(std::min(place, static_cast<double>(count - 1)));
+}
+
+/// The finest level at which what is so many of the finest's cells long is no more than
+/// `most` of its own.
+std::size_t level_for(double cells, double most, std::size_t levels) {
+  if (!(cells > most)) return 0;
+  return std::min(static_cast<std::size_t>(std::ilogb(cells / most)) + 1, levels - 1);
 }
 
 float rounded_down(double v) {
@@ -85,20 +96,21 @@ CellGrid::Range CellGrid::range(const Extent& box, std::size_t level) const {
           clamped(low.y - kMargin, rows), clamped(high.y + kMargin, rows)};
 }
 
+/// How many cells of the finest level a box is long.
+double CellGrid::length_in_cells(const Extent& box) const {
+  return cells_a_unit_ *
+         std::max(double{box.x_max} - double{box.x_min}, double{box.y_max} - double{box.y_min});
+}
+
 std::size_t CellGrid::level_of(const Extent& box) const {
-  const double longer =
-      std::max(double{box.x_max} - double{box.x_min}, double{box.y_max} - double{box.y_min});
-  const double cells = longer * cells_a_unit_ / kLargestInCells;
-  if (!(cells > 1.0)) return 0;
-  const auto level = static_cast<std::size_t>(std::ilogb(cells)) + 1;
-  return std::min(level, levels_.size() - 1);
+  return level_for(length_in_cells(box), kLargestInCells, levels_.size());
 }
 
 // ---- Blocking faces -----------------------------------------------------------------------
 
 void CellGrid::find_blocking_faces(const LineScene& scene) {
   for (std::uint32_t i = 0; i < scene.items(); ++i) {
-    if (scene.hides(i) && level_of(scene.extent(i)) >= kFinerToBlock) block(scene, i);
+    if (scene.hides(i) && length_in_cells(scene.extent(i)) > kLeastToBlock) block(scene, i);
   }
   if (!levels_[0].behind.empty()) pass_on_blocking();
 }
@@ -106,7 +118,7 @@ void CellGrid::find_blocking_faces(const LineScene& scene) {
 /// Notes the polygon in the cells that it covers all of.
 void CellGrid::block(const LineScene& scene, std::uint32_t polygon) {
   const Extent& box = scene.extent(polygon);
-  const std::size_t at = level_of(box) - kFinerToBlock;
+  const std::size_t at = level_for(length_in_cells(box), kMostToBlock, levels_.size());
   const double size = std::ldexp(cell_, static_cast<int>(at));
   const Range cells = range(box, at);
   // The places' own rounding, where they are far from 0.
@@ -268,6 +280,25 @@ void CellGrid::enter(const LineScene& scene, int threads) {
       }
     });
   }
+}
+
+std::vector<std::uint32_t> CellGrid::lines_by_cell(const LineScene& scene) const {
+  const auto first_lines = scene.first_lines();
+  if (levels_.empty()) return {first_lines.begin(), first_lines.end()};
+  const std::size_t at = std::min(kLevelOfOrder, levels_.size() - 1);
+  const Level& level = levels_[at];
+  const double scale = std::ldexp(1.0, -static_cast<int>(at));
+  std::vector<std::uint32_t> cell_of, next(std::size_t{level.columns} * level.rows + 1, 0);
+  cell_of.reserve(first_lines.size());
+  for (const std::uint32_t line : first_lines) {
+    const Point2 from = in_cells(Point2(scene.point(scene.lines()[line].a))) * scale;
+    cell_of.push_back(clamped(from.y, level.rows) * level.columns + clamped(from.x, level.columns));
+    ++next[cell_of.back() + 1];
+  }
+  for (std::size_t c = 1; c < next.size(); ++c) next[c] += next[c - 1];
+  std::vector<std::uint32_t> order(first_lines.size());
+  for (std::size_t k = 0; k < first_lines.size(); ++k) order[next[cell_of[k]]++] = first_lines[k];
+  return order;
 }
 
 }  // namespace displayfile

@@ -25,7 +25,8 @@ class CellGrid {
     std::uint32_t polygon;
 
     bool meets(const Extent& box) const {
-      return x_min <= box.x_max && box.x_min <= x_max && y_min <= box.y_max && box.y_min <= y_max;
+      return (x_min <= box.x_max) & (box.x_min <= x_max) & (y_min <= box.y_max) &
+             (box.y_min <= y_max);
     }
   };
 
@@ -49,6 +50,10 @@ class CellGrid {
     return {(p.x - origin_.x) * cells_a_unit_, (p.y - origin_.y) * cells_a_unit_};
   }
 
+  /// The first line of each name, in order of the cells where the lines begin: what lies near each
+  /// other is looked at together, while its data are at hand.
+  std::vector<std::uint32_t> lines_by_cell(const LineScene& scene) const;
+
   /// True if the box is behind the blocking faces of cells that have it all.
   bool hides(const Extent& box) const;
 
@@ -59,6 +64,7 @@ class CellGrid {
   };
   void lay_out(const LineScene& scene);
   Range range(const Extent& box, std::size_t level) const;
+  double length_in_cells(const Extent& box) const;
   std::size_t level_of(const Extent& box) const;
   void find_blocking_faces(const LineScene& scene);
   void block(const LineScene& scene, std::uint32_t polygon);

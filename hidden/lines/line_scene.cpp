@@ -150,12 +150,14 @@ void LineScene::add_lines() {
   std::optional<SideTable> shared;
   if (!off_plane_.empty()) shared.emplace(items_);
   lines_.reserve(names_.size());
+  first_lines_.reserve(names_.size());
   for (std::uint32_t n = 0; n < names_.size(); ++n) {
     const LineName& name = names_[n];
     const std::uint32_t first = items_.items[name.item].first;
     const std::uint32_t a = items_.point(first + corner_before(name));
     const std::uint32_t b = items_.point(first + name.corner);
     if (Point2(point(a)) == Point2(point(b))) continue;
+    first_lines_.push_back(static_cast<std::uint32_t>(lines_.size()));
     const bool is_side = items_.items[name.item].kind != Primitives::Kind::line;
     if (!shared || !is_side) {
       lines_.push_back({a, b, n, is_side ? name.item : kNone, false});

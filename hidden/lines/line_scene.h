@@ -31,6 +31,9 @@ class LineScene {
   };
   /// By names.
   std::span<const Line> lines() const { return lines_; }
+  /// Where each name's first line is.
+  std::span<const std::uint32_t> first_lines() const { return first_lines_; }
+  std::size_t names() const { return names_.size(); }
   const LineName& name(std::uint32_t n) const { return names_[n]; }
   const Point3& point(std::uint32_t p) const { return items_.points[p]; }
 
@@ -84,6 +87,7 @@ class LineScene {
   std::vector<std::uint8_t> off_plane_;
   std::vector<std::uint32_t> first_corner_;  // of the items, among those of all
   std::vector<Line> lines_;
+  std::vector<std::uint32_t> first_lines_;
 };
 
 }  // namespace displayfile

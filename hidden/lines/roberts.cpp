@@ -41,7 +41,8 @@ VisibleLines visible_lines_by_roberts(const Primitives& items, const LineScene& 
                                       const LineOptions& options) {
   const ExtentTree tree = extent_tree(scene.extents(), options.threads);
   const auto find = [&](const auto& policy) {
-    return visible_pieces(scene, options.threads, [&] { return Roberts(scene, tree, policy); });
+    return visible_pieces(scene, scene.first_lines(), options.threads,
+                          [&] { return Roberts(scene, tree, policy); });
   };
   const Definitions points{items.points, {}};
   if (options.precision.exact) return find(ExactLines(points));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -13,60 +14,70 @@
 
 namespace displayfile {
 
-/// Adds the pieces of lines, of which a method finds what is hidden: finder.hidden_parts(line) is
-/// united, and valid until it is called again. A side with more than one depth is hidden where it
-/// is at each.
+/// A part of a line that is seen.
+struct SeenPart {
+  std::uint32_t name;
+  LinePart part;
+};
+
+/// Adds what is seen of the line of one name, which begins at lines[first]. A method finds what is
+/// hidden at one of its depths: finder.hidden_parts(line) is united, and valid until it is called
+/// again. A line with more than one depth is hidden where it is at each.
 template <class Finder>
-void find_pieces(const LineScene& scene, std::span<const LineScene::Line> lines, Finder& finder,
-                 std::vector<VisiblePiece>& pieces) {
-  std::vector<LinePart> hidden, common;
-  for (std::size_t i = 0; i < lines.size();) {
-    const std::uint32_t n = lines[i].name;
-    hidden = finder.hidden_parts(lines[i]);
-    for (++i; i < lines.size() && lines[i].name == n; ++i) {
-      common.clear();
-      if (!hidden.empty()) intersect(hidden, finder.hidden_parts(lines[i]), common);
-      std::swap(hidden, common);
-    }
-    const auto [item, corner] = scene.name(n);
+void find_seen(std::span<const LineScene::Line> lines, std::size_t first, Finder& finder,
+               std::vector<SeenPart>& seen) {
+  const std::uint32_t name = lines[first].name;
+  const auto add = [&](const std::vector<LinePart>& hidden) {
     double from = 0.0;
     for (const LinePart& part : hidden) {
-      if (from < part.from) pieces.push_back({item, corner, from, part.from});
+      if (from < part.from) seen.push_back({name, {from, part.from}});
       from = part.to;
     }
-    if (from < 1.0) pieces.push_back({item, corner, from, 1.0});
+    if (from < 1.0) seen.push_back({name, {from, 1.0}});
+  };
+  const auto is_last = [&](std::size_t i) {
+    return i + 1 == lines.size() || lines[i + 1].name != name;
+  };
+  if (is_last(first)) return add(finder.hidden_parts(lines[first]));
+  std::vector<LinePart> hidden = finder.hidden_parts(lines[first]), common;
+  for (std::size_t i = first; !is_last(i) && !hidden.empty(); ++i) {
+    common.clear();
+    intersect(hidden, finder.hidden_parts(lines[i + 1]), common);
+    std::swap(hidden, common);
   }
+  add(hidden);
 }
 
-/// The pieces of all lines. make_finder makes a method for one thread's use. Threads take lines
-/// many at a time, and the pieces are put together in order.
+/// The pieces of all lines. make_finder makes a method for one thread's use. `order` has the first
+/// line of each name in the order in which they are looked at, best so that those near each other
+/// follow each other; the pieces are in order of names.
 template <class MakeFinder>
-VisibleLines visible_pieces(const LineScene& scene, int threads, const MakeFinder& make_finder) {
+VisibleLines visible_pieces(const LineScene& scene, std::span<const std::uint32_t> order,
+                            int threads, const MakeFinder& make_finder) {
   constexpr std::size_t kPart = 512;
-  const auto lines = scene.lines();
-  std::vector<std::size_t> begins;
-  for (std::size_t at = 0; at < lines.size(); at += kPart) {
-    // A part begins where a name does.
-    while (at > 0 && at < lines.size() && lines[at].name == lines[at - 1].name) ++at;
-    if (at < lines.size()) begins.push_back(at);
-  }
-  begins.push_back(lines.size());
-  std::vector<std::vector<VisiblePiece>> found(begins.size() - 1);
+  std::vector<std::vector<SeenPart>> seen((order.size() + kPart - 1) / kPart);
   std::atomic<std::size_t> next = 0;
-  const auto workers = std::min(found.size(), static_cast<std::size_t>(useful_threads(threads)));
+  const auto workers = std::min(seen.size(), static_cast<std::size_t>(useful_threads(threads)));
   in_parallel(threads, workers, [&](std::size_t) {
     auto finder = make_finder();
-    for (std::size_t part = next++; part < found.size(); part = next++) {
-      find_pieces(scene, lines.subspan(begins[part], begins[part + 1] - begins[part]), finder,
-                  found[part]);
+    for (std::size_t part = next++; part < seen.size(); part = next++) {
+      for (std::size_t k = part * kPart; k < std::min(order.size(), (part + 1) * kPart); ++k) {
+        find_seen(scene.lines(), order[k], finder, seen[part]);
+      }
     }
   });
+  std::vector<std::size_t> place(scene.names() + 1, 0);  // of each name's pieces
+  for (const auto& parts : seen) {
+    for (const SeenPart& part : parts) ++place[part.name + 1];
+  }
+  for (std::size_t n = 1; n < place.size(); ++n) place[n] += place[n - 1];
   VisibleLines all;
-  std::size_t count = 0;
-  for (const auto& pieces : found) count += pieces.size();
-  all.pieces.reserve(count);
-  for (const auto& pieces : found) {
-    all.pieces.insert(all.pieces.end(), pieces.begin(), pieces.end());
+  all.pieces.resize(place.back());
+  for (const auto& parts : seen) {
+    for (const auto& [name, part] : parts) {
+      const auto [item, corner] = scene.name(name);
+      all.pieces[place[name]++] = {item, corner, part.from, part.to};
+    }
   }
   return all;
 }

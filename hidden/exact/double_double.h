@@ -41,11 +41,10 @@ inline DoubleDouble exact_product(double a, double b) {
 
 inline DoubleDouble operator-(const DoubleDouble& a) { return {-a.high, -a.low}; }
 
-/// Off by at most 4 u^2 of the sum.
+/// Off by at most 4 u^2 of |a| + |b|.
 inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
-  const DoubleDouble high = exact_sum(a.high, b.high), low = exact_sum(a.low, b.low);
-  const DoubleDouble with_low = sum_of_ordered(high.high, high.low + low.high);
-  return sum_of_ordered(with_low.high, low.low + with_low.low);
+  const DoubleDouble sum = exact_sum(a.high, b.high);
+  return sum_of_ordered(sum.high, sum.low + (a.low + b.low));
 }
 inline DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) { return a + (-b); }
 
@@ -59,8 +58,9 @@ inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
 /// left over that.
 inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
   const double first = a.high / b.high;
-  const DoubleDouble rest = a - b * DoubleDouble{first, 0.0};
-  return sum_of_ordered(first, rest.high / b.high);
+  const DoubleDouble taken = exact_product(first, b.high);
+  const double rest = ((a.high - taken.high) - taken.low) + (a.low - first * b.low);
+  return sum_of_ordered(first, rest / b.high);
 }
 
 }  // namespace displayfile

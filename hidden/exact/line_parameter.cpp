@@ -26,15 +26,17 @@ bool is_double_double_sound() { return FLT_EVAL_METHOD == 0 && std::fegetround()
 
 /// at_a / (at_a - at_b), cut off and rounded; nothing if that depends on what may be off.
 std::optional<double> rounded_share(const Estimate& at_a, const Estimate& at_b) {
-  constexpr double kOwn = 0x1p-100;  // of the difference and the quotient
+  constexpr double kDifference = 0x1p-103, kQuotient = 0x1p-100;
   const DoubleDouble whole = at_a.value - at_b.value;
-  const double least = std::abs(whole.high) - (at_a.error + at_b.error) * kInflate;
+  const double error_of_whole =
+      at_a.error + at_b.error +
+      kDifference * (std::abs(at_a.value.high) + std::abs(at_b.value.high));
+  const double least = std::abs(whole.high) - error_of_whole * kInflate;
   if (!(least > 0.5 * std::abs(whole.high))) return std::nullopt;
   const DoubleDouble t = at_a.value / whole;
   const double size = std::abs(t.high);
   const double error =
-      ((at_a.error + size * (at_a.error + at_b.error)) / least + size * kOwn) * (1.0 + 0x1p-20) +
-      kTiny;
+      ((at_a.error + size * error_of_whole) / least + size * kQuotient) * (1.0 + 0x1p-20) + kTiny;
   const double low = t.high + (t.low - error), high = t.high + (t.low + error);
   // Beyond an end it need not be known.
   if (high <= 0.0) return 0.0;
@@ -43,11 +45,12 @@ std::optional<double> rounded_share(const Estimate& at_a, const Estimate& at_b) 
   return low;
 }
 
-/// (b - a) x (c - a).
-Estimate estimated_turn(const Point2& a, const Point2& b, const Point2& c) {
+/// d x (v - p).
+Estimate estimated_turn(const Point2& p, const DoubleDouble& dx, const DoubleDouble& dy,
+                        const Point2& v) {
   constexpr double kError = 0x1p-101;
-  const DoubleDouble left = exact_difference(b.x, a.x) * exact_difference(c.y, a.y);
-  const DoubleDouble right = exact_difference(b.y, a.y) * exact_difference(c.x, a.x);
+  const DoubleDouble left = dx * exact_difference(v.y, p.y);
+  const DoubleDouble right = dy * exact_difference(v.x, p.x);
   return {left - right, kError * (std::abs(left.high) + std::abs(right.high)) + kTiny};
 }
 
@@ -104,7 +107,8 @@ double exact_crossing_parameter(const Point2& a, const Point2& b, const Point2& 
 
 double slow_crossing_parameter(const Point2& a, const Point2& b, const Point2& p, const Point2& q) {
   if (is_double_double_sound()) {
-    const auto t = rounded_share(estimated_turn(p, q, a), estimated_turn(p, q, b));
+    const DoubleDouble dx = exact_difference(q.x, p.x), dy = exact_difference(q.y, p.y);
+    const auto t = rounded_share(estimated_turn(p, dx, dy, a), estimated_turn(p, dx, dy, b));
     if (t) return *t;
   }
   return exact_crossing_parameter(a, b, p, q);

@@ -31,12 +31,13 @@ class LineAgainstPolygon {
   bool hide(std::uint32_t polygon, HiddenParts& parts) {
     if (polygon == own_ || !reaches_over(polygon)) return false;
     const Plane plane = scene_.plane(polygon);
-    const NearerAtEnds nearer = policy_.nearer(line_, plane);
-    if (!nearer.somewhere()) return false;
+    const int nearer_at_a = a_is_corner_ ? 0 : policy_.nearer(line_, line_.a, plane);
+    const int nearer_at_b = b_is_corner_ ? 0 : policy_.nearer(line_, line_.b, plane);
+    if (nearer_at_a <= 0 && nearer_at_b <= 0) return false;
     find_crossings(polygon);
     LinePart part{0.0, 1.0};
-    if (nearer.a < 0) part.from = policy_.meeting(line_, plane);
-    if (nearer.b < 0) part.to = policy_.meeting(line_, plane);
+    if (nearer_at_a < 0) part.from = policy_.meeting(line_, plane);
+    if (nearer_at_b < 0) part.to = policy_.meeting(line_, plane);
     if (left_ == right_) {
       return add_covered(left_, part, [&](const LinePart& covered) { parts.add_both(covered); });
     }
@@ -53,13 +54,23 @@ class LineAgainstPolygon {
     side_.resize(sides);
     const Point2 a(line_.a), b(line_.b);
     std::uint32_t left = 0, right = 0;
+    a_is_corner_ = b_is_corner_ = false;
     for (std::uint32_t k = 0; k < sides; ++k) {
-      const int side = policy_.turn(a, b, Point2(scene_.corner(polygon, k)));
+      const Point3& corner = scene_.corner(polygon, k);
+      const int side = policy_.turn(a, b, Point2(corner));
       side_[k] = static_cast<std::int8_t>(side);
+      if (side == 0) note_end(polygon, k);
       left += side > 0;
       right += side < 0;
     }
     return left + right + 1 < sides || (left > 0 && right > 0);
+  }
+
+  /// Neighbours in a mesh share points, at which they have one depth.
+  void note_end(std::uint32_t polygon, std::uint32_t k) {
+    if (line_.plane != nullptr || scene_.is_off_plane(polygon, k)) return;
+    a_is_corner_ |= scene_.corner(polygon, k) == line_.a;
+    b_is_corner_ |= scene_.corner(polygon, k) == line_.b;
   }
 
   /// Where the polygon's boundary crosses the lines close by, one left of this line and one right
@@ -105,7 +116,8 @@ class LineAgainstPolygon {
   DepthLine line_{};
   Plane own_plane_;
   std::uint32_t own_ = LineScene::kNone;
-  std::vector<std::int8_t> side_;  // of the line, each vertex of the polygon
+  bool a_is_corner_ = false, b_is_corner_ = false;  // of the polygon, and in its plane
+  std::vector<std::int8_t> side_;                   // of the line, each vertex of the polygon
   std::vector<double> left_, right_;
 };
 

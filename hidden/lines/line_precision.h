@@ -1,7 +1,5 @@
 #pragma once
 
-#include <utility>
-
 #include "hidden/exact/line_parameter.h"
 #include "hidden/exact/precision_policies.h"
 
@@ -13,17 +11,10 @@ struct DepthLine {
   const Plane* plane;  ///< null: its own ends' depth, and linear between them
 };
 
-/// Which is nearer at a line's ends: the sign of a plane's depth less the line's.
-struct NearerAtEnds {
-  int a, b;
-  /// Somewhere between the ends the plane is nearer than the line.
-  bool somewhere() const { return a > 0 || b > 0; }
-};
-
 // What the hidden-line methods ask of a precision policy, with the same members of both:
 //
 //   turn(a, b, c)                 1 if c is left of a to b in the projection, -1, 0
-//   nearer(line, plane)           the plane against the line at the line's ends
+//   nearer(line, at, plane)       the sign of the plane's depth less the line's, at one of its ends
 //   crossing(line, p, q)          the parameters of the line, from 0 to 1, where the line through
 //   at_point(line, p)             p and q crosses it, where a point that lies on it is, and where
 //   meeting(line, plane)          the plane has the line's depth
@@ -35,9 +26,8 @@ class ExactLines {
 
   int turn(const Point2& a, const Point2& b, const Point2& c) const { return exact_.turn(a, b, c); }
   /// The plane faces the viewer.
-  NearerAtEnds nearer(const DepthLine& line, const Plane& plane) const {
-    if (line.plane == nullptr) return {-side(line.a, plane), -side(line.b, plane)};
-    return {order(plane, *line.plane, line.a), order(plane, *line.plane, line.b)};
+  int nearer(const DepthLine& line, const Point3& at, const Plane& plane) const {
+    return line.plane == nullptr ? -side(at, plane) : order(plane, *line.plane, at);
   }
   double crossing(const DepthLine& line, const Point2& p, const Point2& q) const {
     return crossing_parameter(Point2(line.a), Point2(line.b), p, q);
@@ -74,9 +64,8 @@ class RoundoffLines {
   int turn(const Point2& a, const Point2& b, const Point2& c) const {
     return roundoff_.turn(a, b, c);
   }
-  NearerAtEnds nearer(const DepthLine& line, const Plane& plane) const {
-    const auto [a, b] = apart(line, plane);
-    return {roundoff_.signof(a), roundoff_.signof(b)};
+  int nearer(const DepthLine& line, const Point3& at, const Plane& plane) const {
+    return roundoff_.signof(apart(line, at, plane));
   }
   double crossing(const DepthLine& line, const Point2& p, const Point2& q) const {
     return share(turned(p, q, line.a), turned(p, q, line.b));
@@ -86,8 +75,7 @@ class RoundoffLines {
     return share(p[axis] - line.a[axis], p[axis] - line.b[axis]);
   }
   double meeting(const DepthLine& line, const Plane& plane) const {
-    const auto [a, b] = apart(line, plane);
-    return share(a, b);
+    return share(apart(line, line.a, plane), apart(line, line.b, plane));
   }
 
  private:
@@ -99,12 +87,9 @@ class RoundoffLines {
     const double t = at_a / (at_a - at_b);
     return t > 0.0 ? std::min(t, 1.0) : 0.0;
   }
-  static std::pair<double, double> apart(const DepthLine& line, const Plane& plane) {
-    const auto at = [&](const Point3& end) {
-      const double own = line.plane == nullptr ? end.z : Roundoff::depth(*line.plane, end);
-      return Roundoff::depth(plane, end) - own;
-    };
-    return {at(line.a), at(line.b)};
+  static double apart(const DepthLine& line, const Point3& at, const Plane& plane) {
+    const double own = line.plane == nullptr ? at.z : Roundoff::depth(*line.plane, at);
+    return Roundoff::depth(plane, at) - own;
   }
 
   Roundoff roundoff_;

@@ -141,8 +141,7 @@ void LineScene::find_uneven(int threads) {
 
 bool LineScene::is_uneven(const LineName& side) const {
   if (items_.items[side.item].kind == Primitives::Kind::line) return false;
-  const std::uint32_t first = first_corner_[side.item];
-  return (off_plane_[first + side.corner] | off_plane_[first + corner_before(side)]) != 0;
+  return is_off_plane(side.item, side.corner) || is_off_plane(side.item, corner_before(side));
 }
 
 /// A side has as many depths as the polygons that share it give it.

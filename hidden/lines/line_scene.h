@@ -54,6 +54,10 @@ class LineScene {
     const auto& [p, q, r] = support_[item];
     return {items_.points[p], items_.points[q], items_.points[r]};
   }
+  /// True if the polygon is not flat and has that vertex off its support plane.
+  bool is_off_plane(std::uint32_t item, std::uint32_t corner) const {
+    return !off_plane_.empty() && off_plane_[first_corner_[item] + corner] != 0;
+  }
   /// The box around all that a polygon that hides covers, at the depths of its support plane;
   /// nothing, of what does not hide.
   const Extent& extent(std::uint32_t item) const { return extents_[item]; }
@@ -70,7 +74,6 @@ class LineScene {
   Extent extent_of(std::uint32_t item) const;
   /// Includes a point of the projection at its depth on the plane.
   static void include_on_plane(Extent& box, const Point3& at, const Plane& plane);
-  bool is_off_plane(std::uint32_t item, const Point3& v) const;
   void find_uneven(int threads);
   void add_lines();
   /// True if the side's own ends are not at the depth that the polygon's plane has there.

@@ -187,13 +187,13 @@ class Roundoff {
   static Vertex stored(const Point3& p) { return p; }
   static const Point3* in_projection(const Vertex& v) { return &v; }
   static std::pair<Point3, double> near(const Vertex& v) { return {v, 0.0}; }
-
- private:
+  /// The plane's z above a vertex.
   static double depth(const Plane& plane, const Vertex& at) {
     return plane.p.z - (plane.normal.x * (at.x - plane.p.x) + plane.normal.y * (at.y - plane.p.y)) /
                            plane.normal.z;
   }
 
+ private:
   Definitions all_;
   double roundoff_;
 };

@@ -1,0 +1,160 @@
+#include "hidden/exact/line_parameter.h"
+
+#include <cfenv>
+#include <cfloat>
+#include <optional>
+
+#include "hidden/exact/double_double.h"
+#include "hidden/exact/exact_point.h"
+#include "hidden/exact/exact_vector.h"
+#include "hidden/exact/predicate_counts.h"
+
+namespace displayfile {
+
+namespace {
+
+// ---- The middle stage ---------------------------------------------------------------------
+
+/// A value and by how much it may be off, before the quotient.
+struct Estimate {
+  DoubleDouble value;
+  double error;
+};
+
+/// Double-double arithmetic errs by as much as is said only in rounding to nearest, to doubles.
+bool is_double_double_sound() { return FLT_EVAL_METHOD == 0 && std::fegetround() == FE_TONEAREST; }
+
+/// at_a / (at_a - at_b), cut off and rounded; nothing if that depends on what may be off.
+std::optional<double> rounded_share(const Estimate& at_a, const Estimate& at_b) {
+  constexpr double kDifference = 0x1p-103, kQuotient = 0x1p-100;
+  const DoubleDouble whole = at_a.value - at_b.value;
+  const double error_of_whole =
+      at_a.error + at_b.error +
+      kDifference * (std::abs(at_a.value.high) + std::abs(at_b.value.high));
+  const double least = std::abs(whole.high) - error_of_whole * kInflate;
+  if (!(least > 0.5 * std::abs(whole.high))) return std::nullopt;
+  const DoubleDouble t = at_a.value / whole;
+  const double size = std::abs(t.high);
+  const double error =
+      ((at_a.error + size * error_of_whole) / least + size * kQuotient) * (1.0 + 0x1p-20) + kTiny;
+  const double low = t.high + (t.low - error), high = t.high + (t.low + error);
+  // Beyond an end it need not be known.
+  if (high <= 0.0) return 0.0;
+  if (low >= 1.0) return 1.0;
+  if (low != high) return std::nullopt;  // false for NaN, where something overflowed
+  return low;
+}
+
+/// d x (v - p).
+Estimate estimated_turn(const Point2& p, const DoubleDouble& dx, const DoubleDouble& dy,
+                        const Point2& v) {
+  constexpr double kError = 0x1p-101;
+  const DoubleDouble left = dx * exact_difference(v.y, p.y);
+  const DoubleDouble right = dy * exact_difference(v.x, p.x);
+  return {left - right, kError * (std::abs(left.high) + std::abs(right.high)) + kTiny};
+}
+
+/// The plane's value at v.
+Estimate estimated_value(const Plane& plane, const Point3& v) {
+  constexpr double kError = 0x1p-97;
+  constexpr double kUnderflow = 0x1p-700;
+  const auto difference = [&](const Point3& end, int i) {
+    return exact_difference(end[i], plane.p[i]);
+  };
+  DoubleDouble sum;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const DoubleDouble normal = difference(plane.q, j) * difference(plane.r, k) -
+                                difference(plane.q, k) * difference(plane.r, j);
+    sum = sum + normal * difference(v, i);
+  }
+  const auto reach = [&](int i) {
+    return std::max({std::abs(plane.q[i] - plane.p[i]), std::abs(plane.r[i] - plane.p[i]),
+                     std::abs(v[i] - plane.p[i])});
+  };
+  return {sum, kError * (reach(0) * (reach(1) * reach(2))) + kUnderflow};
+}
+
+// ---- The exact stage ----------------------------------------------------------------------
+
+/// part / whole, cut off and rounded.
+double exact_share(const ExactNumber& part, const ExactNumber& whole) {
+  count_exact(Predicate::line_parameter);
+  if (part.sign() * whole.sign() <= 0) return 0.0;
+  if ((part - whole).sign() * whole.sign() >= 0) return 1.0;
+  return rounded_quotient(part, whole);
+}
+
+ExactNumber difference(double a, double b) { return ExactNumber(a) - ExactNumber(b); }
+
+ExactNumber exact_turn(const Point2& a, const Point2& b, const Point2& c) {
+  return difference(b.x, a.x) * difference(c.y, a.y) - difference(b.y, a.y) * difference(c.x, a.x);
+}
+
+/// C times the plane's depth at a point of the projection.
+ExactNumber exact_depth(const ExactPlane& plane, const Point2& at) {
+  return plane.normal.z * plane.through.z - plane.normal.x * (ExactNumber(at.x) - plane.through.x) -
+         plane.normal.y * (ExactNumber(at.y) - plane.through.y);
+}
+
+}  // namespace
+
+double exact_crossing_parameter(const Point2& a, const Point2& b, const Point2& p,
+                                const Point2& q) {
+  const ExactNumber at_a = exact_turn(p, q, a);
+  return exact_share(at_a, at_a - exact_turn(p, q, b));
+}
+
+double slow_crossing_parameter(const Point2& a, const Point2& b, const Point2& p, const Point2& q) {
+  if (is_double_double_sound()) {
+    const DoubleDouble dx = exact_difference(q.x, p.x), dy = exact_difference(q.y, p.y);
+    const auto t = rounded_share(estimated_turn(p, dx, dy, a), estimated_turn(p, dx, dy, b));
+    if (t) return *t;
+  }
+  return exact_crossing_parameter(a, b, p, q);
+}
+
+double exact_point_parameter(const Point2& a, const Point2& b, const Point2& p) {
+  const int axis = a.x != b.x ? 0 : 1;
+  return exact_share(difference(p[axis], a[axis]), difference(b[axis], a[axis]));
+}
+
+double point_parameter(const Point2& a, const Point2& b, const Point2& p) {
+  if (p == a) return 0.0;
+  if (p == b) return 1.0;
+  const int axis = a.x != b.x ? 0 : 1;
+  if (is_double_double_sound()) {
+    const auto t = rounded_share({exact_difference(p[axis], a[axis]), 0.0},
+                                 {exact_difference(p[axis], b[axis]), 0.0});
+    if (t) return *t;
+  }
+  return exact_point_parameter(a, b, p);
+}
+
+double exact_meeting_parameter(const Point3& a, const Point3& b, const Plane& plane) {
+  const ExactPlane exact(plane);
+  const auto value = [&](const Point3& v) {
+    return dot(exact.normal, exact_difference(v, plane.p));
+  };
+  const ExactNumber at_a = value(a);
+  return exact_share(at_a, at_a - value(b));
+}
+
+double meeting_parameter(const Point3& a, const Point3& b, const Plane& plane) {
+  if (is_double_double_sound()) {
+    const auto t = rounded_share(estimated_value(plane, a), estimated_value(plane, b));
+    if (t) return *t;
+  }
+  return exact_meeting_parameter(a, b, plane);
+}
+
+double meeting_parameter(const Point2& a, const Point2& b, const Plane& one, const Plane& other) {
+  const ExactPlane first(one), second(other);
+  const auto apart = [&](const Point2& at) {
+    return exact_depth(first, at) * second.normal.z - exact_depth(second, at) * first.normal.z;
+  };
+  const ExactNumber at_a = apart(a);
+  return exact_share(at_a, at_a - apart(b));
+}
+
+}  // namespace displayfile

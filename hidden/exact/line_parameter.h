@@ -1,0 +1,53 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "clip/point.h"
+#include "hidden/exact/orientation.h"
+#include "hidden/exact/plane.h"
+
+namespace displayfile {
+
+// Where something meets a line from a to b: the parameter t of the point a + t (b - a), an exact
+// rational, cut off at the line's ends and rounded once, to the nearest double, of two equally
+// near the one with an even last digit. The same bits on every machine and in every rounding
+// mode, whichever of the things that meet there is asked about, for coordinates up to
+// kCoordinateLimit. Rounding keeps order, so what is found out about intervals between such
+// parameters is true of the exact ones, but for those that vanish (predicates.md, section 9).
+
+/// Where the line through p and q crosses it in the projection. They must not be parallel.
+double slow_crossing_parameter(const Point2& a, const Point2& b, const Point2& p, const Point2& q);
+
+/// Crossings outside the line are cut off with the filter, as most are.
+inline double crossing_parameter(const Point2& a, const Point2& b, const Point2& p,
+                                 const Point2& q) {
+  const OrientationValue at_a = orientation_value(p, q, a), at_b = orientation_value(p, q, b);
+  const double size_a = std::abs(at_a.determinant), size_b = std::abs(at_b.determinant);
+  // The filter's bound is one of the sign; that of the value has the value's own rounding too.
+  const double bound_a = at_a.bound + 4.0 * kUnit * size_a;
+  const double bound_b = at_b.bound + 4.0 * kUnit * size_b;
+  const bool one_side = size_a > bound_a && size_b > bound_b &&
+                        decided_sign(at_a.determinant) == decided_sign(at_b.determinant);
+  if (one_side && std::abs(size_a - size_b) > (bound_a + bound_b) * kInflate) {
+    return size_a < size_b ? 0.0 : 1.0;
+  }
+  return slow_crossing_parameter(a, b, p, q);
+}
+
+/// Where the point p of the line is, which lies on it in the projection; a and b differ there.
+double point_parameter(const Point2& a, const Point2& b, const Point2& p);
+
+/// Where the line in space meets the plane, which has its ends on opposite sides.
+double meeting_parameter(const Point3& a, const Point3& b, const Plane& plane);
+
+/// Where two planes have the same depth above the line of the projection; neither is edge-on, and
+/// one is nearer at one end, the other at the other.
+double meeting_parameter(const Point2& a, const Point2& b, const Plane& one, const Plane& other);
+
+// The exact stages, for the tests.
+double exact_crossing_parameter(const Point2& a, const Point2& b, const Point2& p, const Point2& q);
+double exact_point_parameter(const Point2& a, const Point2& b, const Point2& p);
+double exact_meeting_parameter(const Point3& a, const Point3& b, const Plane& plane);
+
+}  // namespace displayfile

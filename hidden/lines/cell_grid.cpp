@@ -1,0 +1,304 @@
+#include "hidden/lines/cell_grid.h"
+
+#include <cmath>
+#include <limits>
+
+#include "hidden/exact/ball.h"
+#include "hidden/exact/depth_order.h"
+#include "hidden/exact/orientation.h"
+#include "hidden/parallel.h"
+
+namespace displayfile {
+
+namespace {
+
+constexpr float kNothingHidden = -std::numeric_limits<float>::infinity();
+
+/// Cells of the finest level for each polygon that hides (hidden/lines/franklin.md has what was
+/// measured).
+constexpr double kCellsAPolygon = 1.0;
+/// A polygon is at the level where its box is no larger than this many cells.
+constexpr double kLargestInCells = 2.0;
+/// A polygon is tried as a blocking face if its box is larger than this many cells of the finest
+/// level, since an equilateral triangle holds no square of more than 0.46 of its side; and in cells
+/// of which its box holds no more than so many a side.
+constexpr double kLeastToBlock = 4.0;
+constexpr double kMostToBlock = 32.0;
+/// Lines are put in the order of this level's cells.
+constexpr std::size_t kLevelOfOrder = 2;
+constexpr double kMostColumns = 8192.0;
+/// Of a cell: far more than rounding moves a place, and far less than matters.
+constexpr double kMargin = 0x1p-20;
+
+/// The place's cell among so many, those at the ends taking what is beyond.
+std::uint32_t clamped(double place, std::uint32_t count) {
+  if (!(place > 0.0)) return 0;
+  return static_cast<std::uint32_t>(std::min(place, static_cast<double>(count - 1)));
+}
+
+/// The finest level at which what is so many of the finest's cells long is no more than
+/// `most` of its own.
+std::size_t level_for(double cells, double most, std::size_t levels) {
+  if (!(cells > most)) return 0;
+  return std::min(static_cast<std::size_t>(std::ilogb(cells / most)) + 1, levels - 1);
+}
+
+float rounded_down(double v) {
+  const auto f = static_cast<float>(v);
+  return static_cast<double>(f) <= v ? f : std::nextafter(f, kNothingHidden);
+}
+
+}  // namespace
+
+CellGrid::CellGrid(const LineScene& scene, int threads) {
+  lay_out(scene);
+  if (levels_.empty()) return;
+  find_blocking_faces(scene);
+  enter(scene, threads);
+}
+
+void CellGrid::lay_out(const LineScene& scene) {
+  Extent all = Extent::nothing();
+  std::size_t hiding = 0;
+  for (const Extent& box : scene.extents()) {
+    hiding += box.x_min <= box.x_max;
+    all.include(box);
+  }
+  if (hiding == 0) return;
+  const double width = double{all.x_max} - double{all.x_min};
+  const double height = double{all.y_max} - double{all.y_min};
+  const double longer = std::max(width, height);
+  Level finest;
+  if (std::isfinite(longer) && longer > 0.0) {
+    origin_ = {all.x_min, all.y_min};
+    const double cells = kCellsAPolygon * static_cast<double>(hiding);
+    const double most = std::min(kMostColumns, std::max(1.0, cells));
+    cell_ = std::max(std::sqrt(width * height / cells), longer / most);
+    cells_a_unit_ = 1.0 / cell_;
+    finest.columns = static_cast<std::uint32_t>(width * cells_a_unit_) + 1;
+    finest.rows = static_cast<std::uint32_t>(height * cells_a_unit_) + 1;
+  }
+  levels_.push_back(finest);
+  while (levels_.back().columns > 1 || levels_.back().rows > 1) {
+    Level next;
+    next.columns = (levels_.back().columns + 1) / 2;
+    next.rows = (levels_.back().rows + 1) / 2;
+    levels_.push_back(next);
+  }
+}
+
+CellGrid::Range CellGrid::range(const Extent& box, std::size_t level) const {
+  const double scale = std::ldexp(1.0, -static_cast<int>(level));
+  const Point2 low = in_cells({box.x_min, box.y_min}) * scale;
+  const Point2 high = in_cells({box.x_max, box.y_max}) * scale;
+  const auto& [columns, rows, first, entries, behind] = levels_[level];
+  return {clamped(low.x - kMargin, columns), clamped(high.x + kMargin, columns),
+          clamped(low.y - kMargin, rows), clamped(high.y + kMargin, rows)};
+}
+
+/// How many cells of the finest level a box is long.
+double CellGrid::length_in_cells(const Extent& box) const {
+  return cells_a_unit_ *
+         std::max(double{box.x_max} - double{box.x_min}, double{box.y_max} - double{box.y_min});
+}
+
+std::size_t CellGrid::level_of(const Extent& box) const {
+  return level_for(length_in_cells(box), kLargestInCells, levels_.size());
+}
+
+// ---- Blocking faces -----------------------------------------------------------------------
+
+void CellGrid::find_blocking_faces(const LineScene& scene) {
+  for (std::uint32_t i = 0; i < scene.items(); ++i) {
+    if (scene.hides(i) && length_in_cells(scene.extent(i)) > kLeastToBlock) block(scene, i);
+  }
+  if (!levels_[0].behind.empty()) pass_on_blocking();
+}
+
+/// Notes the polygon in the cells that it covers all of.
+void CellGrid::block(const LineScene& scene, std::uint32_t polygon) {
+  const Extent& box = scene.extent(polygon);
+  const std::size_t at = level_for(length_in_cells(box), kMostToBlock, levels_.size());
+  const double size = std::ldexp(cell_, static_cast<int>(at));
+  const Range cells = range(box, at);
+  // The places' own rounding, where they are far from 0.
+  const double margin =
+      kMargin * size + 0x1p-48 * (std::abs(origin_.x) + std::abs(origin_.y) +
+                                  size * (levels_[at].columns + levels_[at].rows));
+  for (std::uint32_t j = cells.bottom; j <= cells.top; ++j) {
+    for (std::uint32_t i = cells.left; i <= cells.right; ++i) {
+      const Point2 low = origin_ + size * Point2(i, j) - margin;
+      const Point2 high = origin_ + size * Point2(i + 1, j + 1) + margin;
+      const float depth = blocked_behind(scene, polygon, low, high);
+      if (depth == kNothingHidden) continue;
+      if (levels_[0].behind.empty()) {
+        for (Level& level : levels_) {
+          level.behind.resize(std::size_t{level.columns} * level.rows, kNothingHidden);
+        }
+      }
+      float& behind = levels_[at].behind[std::size_t{j} * levels_[at].columns + i];
+      behind = std::max(behind, depth);
+    }
+  }
+}
+
+/// The least depth of the polygon over a rectangle, if it covers all of that: if its sides all turn
+/// it to one side, and the boundary goes around it once (even-odd).
+float CellGrid::blocked_behind(const LineScene& scene, std::uint32_t polygon, const Point2& low,
+                               const Point2& high) const {
+  constexpr double kBound = 8.0 * kUnit * kInflate;
+  int turning = 0, crossings = 0;
+  const std::uint32_t sides = scene.sides(polygon);
+  Point2 p(scene.corner(polygon, sides - 1));
+  for (std::uint32_t k = 0; k < sides; ++k) {
+    const Point2 q(scene.corner(polygon, k));
+    crossings += (p.y <= low.y) != (q.y <= low.y);
+    const Point2 along = q - p;
+    const auto turn_at = [&](double x, double y) {
+      const double left = along.x * (y - p.y), right = along.y * (x - p.x);
+      const double bound = kBound * (std::abs(left) + std::abs(right)) + kTiny;
+      const double turn = left - right;
+      return std::abs(turn) > bound ? decided_sign(turn) : 0;
+    };
+    const int turn = turn_at(low.x, low.y);
+    if (turn == 0 || turn == -turning || turn_at(high.x, low.y) != turn ||
+        turn_at(low.x, high.y) != turn || turn_at(high.x, high.y) != turn) {
+      return kNothingHidden;
+    }
+    turning = turn;
+    p = q;
+  }
+  if (crossings != 2) return kNothingHidden;
+  const Plane plane = scene.plane(polygon);
+  double least = std::numeric_limits<double>::infinity();
+  for (const double x : {low.x, high.x}) {
+    for (const double y : {low.y, high.y}) {
+      const PlaneValue slope = slope_value(plane, {x, y, 0.0});
+      const Ball depth =
+          Ball{plane.p.z} - Ball{slope.value, slope.bound} / Ball{plane.normal.z, plane.bound.z};
+      least = std::min(least, depth.middle - 2.0 * depth.radius);
+    }
+  }
+  return std::isfinite(least) ? rounded_down(least) : kNothingHidden;
+}
+
+/// What blocks all four parts of a cell blocks the cell, and what blocks a cell its parts.
+void CellGrid::pass_on_blocking() {
+  for (std::size_t k = 0; k + 1 < levels_.size(); ++k) {
+    const Level& parts = levels_[k];
+    Level& whole = levels_[k + 1];
+    for (std::uint32_t j = 0; j < whole.rows; ++j) {
+      for (std::uint32_t i = 0; i < whole.columns; ++i) {
+        float least = std::numeric_limits<float>::infinity();
+        // A cell at the end may have fewer parts, but is as wide as the others.
+        const bool all = 2 * i + 1 < parts.columns && 2 * j + 1 < parts.rows;
+        for (std::uint32_t part = 0; all && part < 4; ++part) {
+          const std::size_t row = 2 * j + part / 2, column = 2 * i + part % 2;
+          least = std::min(least, parts.behind[row * parts.columns + column]);
+        }
+        float& behind = whole.behind[std::size_t{j} * whole.columns + i];
+        if (all) behind = std::max(behind, least);
+      }
+    }
+  }
+  for (std::size_t k = levels_.size() - 1; k-- > 0;) {
+    const Level& whole = levels_[k + 1];
+    Level& parts = levels_[k];
+    for (std::uint32_t j = 0; j < parts.rows; ++j) {
+      for (std::uint32_t i = 0; i < parts.columns; ++i) {
+        float& behind = parts.behind[std::size_t{j} * parts.columns + i];
+        behind = std::max(behind, whole.behind[std::size_t{j / 2} * whole.columns + i / 2]);
+      }
+    }
+  }
+}
+
+bool CellGrid::hides(const Extent& box) const {
+  if (levels_.empty() || levels_[0].behind.empty()) return false;
+  const Point2 low = in_cells({box.x_min, box.y_min}), high = in_cells({box.x_max, box.y_max});
+  const bool inside =
+      low.x >= 0.0 && low.y >= 0.0 && high.x <= levels_[0].columns && high.y <= levels_[0].rows;
+  if (!inside) return false;
+  const std::size_t at = level_of(box);
+  const Range cells = range(box, at);
+  const Level& level = levels_[at];
+  for (std::uint32_t j = cells.bottom; j <= cells.top; ++j) {
+    for (std::uint32_t i = cells.left; i <= cells.right; ++i) {
+      if (!(level.behind[std::size_t{j} * level.columns + i] > box.z_max)) return false;
+    }
+  }
+  return true;
+}
+
+// ---- Polygons in cells --------------------------------------------------------------------
+
+/// Calls visit(level, cell, polygon) for each cell that a polygon is in and not behind all of.
+template <class Visit>
+void CellGrid::for_each_entry(const LineScene& scene, const Visit& visit) const {
+  for (std::uint32_t polygon = 0; polygon < scene.items(); ++polygon) {
+    if (!scene.hides(polygon)) continue;
+    const Extent& box = scene.extent(polygon);
+    const std::size_t at = level_of(box);
+    const Level& level = levels_[at];
+    const Range cells = range(box, at);
+    for (std::uint32_t j = cells.bottom; j <= cells.top; ++j) {
+      for (std::uint32_t i = cells.left; i <= cells.right; ++i) {
+        const std::size_t cell = std::size_t{j} * level.columns + i;
+        if (!level.behind.empty() && level.behind[cell] > box.z_max) continue;
+        visit(at, cell, polygon);
+      }
+    }
+  }
+}
+
+/// Counted first, then entered, then each cell's put in order.
+void CellGrid::enter(const LineScene& scene, int threads) {
+  for (Level& level : levels_) level.first.resize(std::size_t{level.columns} * level.rows + 1, 0);
+  for_each_entry(scene, [&](std::size_t at, std::size_t cell, std::uint32_t) {
+    ++levels_[at].first[cell + 1];
+  });
+  std::vector<std::vector<std::uint32_t>> next;
+  for (Level& level : levels_) {
+    for (std::size_t i = 1; i < level.first.size(); ++i) level.first[i] += level.first[i - 1];
+    level.entries.resize(level.first.back());
+    next.emplace_back(level.first.begin(), level.first.end() - 1);
+  }
+  for_each_entry(scene, [&](std::size_t at, std::size_t cell, std::uint32_t polygon) {
+    const Extent& box = scene.extent(polygon);
+    levels_[at].entries[next[at][cell]++] = {box.x_min, box.x_max, box.y_min,
+                                             box.y_max, box.z_max, polygon};
+  });
+  constexpr std::size_t kPart = 4096;
+  for (Level& level : levels_) {
+    const std::size_t cells = level.first.size() - 1;
+    in_parallel(threads, (cells + kPart - 1) / kPart, [&](std::size_t part) {
+      for (std::size_t c = part * kPart; c < std::min(cells, (part + 1) * kPart); ++c) {
+        std::sort(level.entries.begin() + level.first[c],
+                  level.entries.begin() + level.first[c + 1], [](const Entry& a, const Entry& b) {
+                    return a.z_max != b.z_max ? a.z_max > b.z_max : a.polygon < b.polygon;
+                  });
+      }
+    });
+  }
+}
+
+std::vector<std::uint32_t> CellGrid::lines_by_cell(const LineScene& scene) const {
+  const auto first_lines = scene.first_lines();
+  if (levels_.empty()) return {first_lines.begin(), first_lines.end()};
+  const std::size_t at = std::min(kLevelOfOrder, levels_.size() - 1);
+  const Level& level = levels_[at];
+  const double scale = std::ldexp(1.0, -static_cast<int>(at));
+  std::vector<std::uint32_t> cell_of, next(std::size_t{level.columns} * level.rows + 1, 0);
+  cell_of.reserve(first_lines.size());
+  for (const std::uint32_t line : first_lines) {
+    const Point2 from = in_cells(Point2(scene.point(scene.lines()[line].a))) * scale;
+    cell_of.push_back(clamped(from.y, level.rows) * level.columns + clamped(from.x, level.columns));
+    ++next[cell_of.back() + 1];
+  }
+  for (std::size_t c = 1; c < next.size(); ++c) next[c] += next[c - 1];
+  std::vector<std::uint32_t> order(first_lines.size());
+  for (std::size_t k = 0; k < first_lines.size(); ++k) order[next[cell_of[k]]++] = first_lines[k];
+  return order;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,155 @@
+#include "hidden/lines/franklin.h"
+
+#include <cmath>
+
+#include "hidden/lines/cell_grid.h"
+#include "hidden/lines/line_against_polygon.h"
+#include "hidden/lines/visible_pieces.h"
+
+namespace displayfile {
+
+namespace {
+
+/// Finds what is hidden of one line after the other, cell by cell along each.
+template <class Policy>
+class Franklin {
+ public:
+  Franklin(const LineScene& scene, const CellGrid& grid, const Policy& policy)
+      : scene_(scene), grid_(grid), line_(scene, policy), looked_at_(scene.items(), 0) {}
+
+  const std::vector<LinePart>& hidden_parts(const LineScene::Line& line) {
+    parts_.clear();
+    box_ = scene_.extent(line);
+    if (grid_.hides(box_)) {
+      parts_.add_both({0.0, 1.0});
+      return parts_.hidden();
+    }
+    begin_line(line);
+    const auto levels = grid_.levels();
+    for (std::size_t k = levels.size(); k-- > 0;) {
+      if (levels[k].entries.empty()) continue;
+      walk(levels[k], std::ldexp(1.0, -static_cast<int>(k)));
+      if (parts_.hides({0.0, 1.0})) break;
+    }
+    return parts_.hidden();
+  }
+
+ private:
+  /// A part of the line that lies in one column of cells (or one row of a steep line), and the
+  /// depths that bound it.
+  struct Stretch {
+    LinePart part;
+    double nearest, farthest;
+  };
+
+  void begin_line(const LineScene::Line& line) {
+    line_.look_at(line);
+    from_ = grid_.in_cells(Point2(scene_.point(line.a)));
+    to_ = grid_.in_cells(Point2(scene_.point(line.b)));
+    depth_from_ = scene_.point(line.a).z;
+    depth_to_ = scene_.point(line.b).z;
+    by_plane_ = line.by_plane;
+    if (++number_ == 0) {  // all numbers were used
+      std::ranges::fill(looked_at_, 0);
+      number_ = 1;
+    }
+  }
+
+  /// Goes along the line through the cells of a level, column by column if it is more level than
+  /// steep and otherwise row by row. The cells' borders lie at parameters that are doubles, and
+  /// what is hidden between two of them ends at them or at a true end: no end is made here.
+  void walk(const CellGrid::Level& level, double scale) {
+    const Point2 from = from_ * scale, to = to_ * scale, along = to - from;
+    const int axis = std::abs(along.x) >= std::abs(along.y) ? 0 : 1, other = 1 - axis;
+    const std::uint32_t count = axis == 0 ? level.columns : level.rows;
+    const std::uint32_t others = axis == 0 ? level.rows : level.columns;
+    const std::uint32_t first = place(from[axis], count), last = place(to[axis], count);
+    const bool rising = first <= last;
+    double t = 0.0;
+    for (std::uint32_t i = first;; rising ? ++i : --i) {
+      double next = 1.0;
+      if (i != last) {
+        const double border = rising ? i + 1.0 : i + 0.0;
+        next = std::clamp((border - from[axis]) / along[axis], t, 1.0);
+      }
+      const double v = from[other] + t * along[other], w = from[other] + next * along[other];
+      const std::uint32_t low = place(std::min(v, w), others), high = place(std::max(v, w), others);
+      const double u = from[axis] + t * along[axis];
+      const bool inside = std::min(v, w) >= 0.0 && std::max(v, w) <= others && u >= 0.0 &&
+                          u <= count && from[axis] + next * along[axis] <= count &&
+                          from[axis] + next * along[axis] >= 0.0;
+      const auto cell = [&](std::uint32_t j) {
+        return axis == 0 ? j * level.columns + i : i * level.columns + j;
+      };
+      find_hidden(level, stretch({t, next}), low, high, inside, cell);
+      if (i == last) return;
+      t = next;
+    }
+  }
+
+  template <class Cell>
+  void find_hidden(const CellGrid::Level& level, const Stretch& stretch, std::uint32_t low,
+                   std::uint32_t high, bool inside, const Cell& cell) {
+    if (parts_.hides(stretch.part)) return;
+    if (inside && !level.behind.empty()) {
+      bool blocked = true;
+      for (std::uint32_t j = low; blocked && j <= high; ++j) {
+        blocked = level.behind[cell(j)] > stretch.nearest;
+      }
+      if (blocked) {
+        parts_.add_both(stretch.part);
+        return;
+      }
+    }
+    for (std::uint32_t j = low; j <= high; ++j) {
+      for (const CellGrid::Entry& entry : level.in_cell(cell(j))) {
+        if (entry.z_max <= stretch.farthest) break;  // and so are those after it
+        if (!entry.meets(box_) || looked_at_[entry.polygon] == number_) continue;
+        looked_at_[entry.polygon] = number_;
+        if (line_.hide(entry.polygon, parts_) && parts_.hides(stretch.part)) return;
+      }
+    }
+  }
+
+  static std::uint32_t place(double at, std::uint32_t count) {
+    if (!(at > 0.0)) return 0;
+    return static_cast<std::uint32_t>(std::min(at, static_cast<double>(count - 1)));
+  }
+
+  Stretch stretch(const LinePart& part) const {
+    if (by_plane_ || (part.from == 0.0 && part.to == 1.0)) return {part, box_.z_max, box_.z_min};
+    const double rise = depth_to_ - depth_from_;
+    const double p = depth_from_ + part.from * rise, q = depth_from_ + part.to * rise;
+    const double error = 0x1p-48 * (std::abs(depth_from_) + std::abs(depth_to_));
+    return {part, std::max(p, q) + error, std::min(p, q) - error};
+  }
+
+  const LineScene& scene_;
+  const CellGrid& grid_;
+  LineAgainstPolygon<Policy> line_;
+  HiddenParts parts_;
+  Extent box_{};
+  Point2 from_{0.0}, to_{0.0};
+  double depth_from_ = 0.0, depth_to_ = 0.0;
+  bool by_plane_ = false;
+  std::vector<std::uint32_t>
+      looked_at_;             // of each polygon, the last line that it was compared with
+  std::uint32_t number_ = 0;  // of the line
+};
+
+}  // namespace
+
+VisibleLines visible_lines_by_franklin(const Primitives& items, const LineScene& scene,
+                                       const LineOptions& options) {
+  const CellGrid grid(scene, options.threads);
+  const std::vector<std::uint32_t> order = grid.lines_by_cell(scene);
+  const auto find = [&](const auto& policy) {
+    return visible_pieces(scene, order, options.threads,
+                          [&] { return Franklin(scene, grid, policy); });
+  };
+  const Definitions points{items.points, {}};
+  if (options.precision.exact) return find(ExactLines(points));
+  return find(RoundoffLines(points, options.precision.roundoff));
+}
+
+}  // namespace displayfile

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+namespace displayfile {
+
+/// A part of a line, by parameters along it, from < to.
+struct LinePart {
+  double from, to;
+};
+
+/// The parts in order, those that overlap or touch as one.
+inline void unite(std::vector<LinePart>& parts) {
+  if (parts.size() < 2) return;
+  std::ranges::sort(parts, {}, &LinePart::from);
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    if (parts[i].from <= parts[last].to) {
+      parts[last].to = std::max(parts[last].to, parts[i].to);
+    } else {
+      parts[++last] = parts[i];
+    }
+  }
+  parts.resize(last + 1);
+}
+
+/// Adds to `common` what both have; both are united.
+inline void intersect(const std::vector<LinePart>& one, const std::vector<LinePart>& other,
+                      std::vector<LinePart>& common) {
+  for (std::size_t i = 0, j = 0; i < one.size() && j < other.size();) {
+    const double from = std::max(one[i].from, other[j].from);
+    const double to = std::min(one[i].to, other[j].to);
+    if (from < to) common.push_back({from, to});
+    ++(one[i].to < other[j].to ? i : j);
+  }
+}
+
+/// What is covered by nearer polygons of a line: left of it, right of it, and on both its sides at
+/// once. A point is hidden where there is something on the left and something on the right, of
+/// the same polygon or not.
+class HiddenParts {
+ public:
+  void clear() {
+    both_.clear();
+    left_.clear();
+    right_.clear();
+    reaches_ = 0.0;
+  }
+  void add_both(const LinePart& part) {
+    both_.push_back(part);
+    if (part.from <= reaches_) reaches_ = std::max(reaches_, part.to);
+  }
+  void add_left(const LinePart& part) { left_.push_back(part); }
+  void add_right(const LinePart& part) { right_.push_back(part); }
+
+  /// True if a part is known to be hidden: by what covers both sides.
+  bool hides(const LinePart& part) const {
+    if (reaches_ >= part.to) return true;
+    double from = std::max(part.from, reaches_);
+    // What was added in any order is followed as far as it leads.
+    for (bool further = true; further && from < part.to;) {
+      further = false;
+      for (const LinePart& hidden : both_) {
+        if (hidden.from <= from && hidden.to > from) {
+          from = hidden.to;
+          further = true;
+        }
+      }
+    }
+    return from >= part.to;
+  }
+
+  /// The hidden parts in order; none touch. Valid until something changes.
+  const std::vector<LinePart>& hidden() {
+    if (!left_.empty() && !right_.empty()) {
+      unite(left_);
+      unite(right_);
+      intersect(left_, right_, both_);
+    }
+    left_.clear();
+    right_.clear();
+    unite(both_);
+    return both_;
+  }
+
+ private:
+  std::vector<LinePart> both_, left_, right_;
+  double reaches_ = 0.0;  // all is hidden from 0 to this
+};
+
+}  // namespace displayfile

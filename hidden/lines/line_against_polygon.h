@@ -1,0 +1,124 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "hidden/lines/hidden_parts.h"
+#include "hidden/lines/line_precision.h"
+#include "hidden/lines/line_scene.h"
+
+namespace displayfile {
+
+/// One line against one polygon that may hide it: Roberts's question, a hidden end, a hidden
+/// middle, both, or none, asked apart of what is left of the line and of what is right of it
+/// (hidden/lines/roberts.md). Keeps what it works with, so that nothing is allocated per polygon.
+template <class Policy>
+class LineAgainstPolygon {
+ public:
+  LineAgainstPolygon(const LineScene& scene, const Policy& policy)
+      : scene_(scene), policy_(policy) {}
+
+  void look_at(const LineScene::Line& line) {
+    own_ = line.own;
+    if (line.by_plane) own_plane_ = scene_.plane(own_);
+    line_ = {scene_.point(line.a), scene_.point(line.b), line.by_plane ? &own_plane_ : nullptr};
+  }
+
+  /// Adds what the polygon, one that hides, covers along the line looked at; true if it covers both
+  /// sides of a part.
+  bool hide(std::uint32_t polygon, HiddenParts& parts) {
+    if (polygon == own_ || !reaches_over(polygon)) return false;
+    const Plane plane = scene_.plane(polygon);
+    const int nearer_at_a = a_is_corner_ ? 0 : policy_.nearer(line_, line_.a, plane);
+    const int nearer_at_b = b_is_corner_ ? 0 : policy_.nearer(line_, line_.b, plane);
+    if (nearer_at_a <= 0 && nearer_at_b <= 0) return false;
+    find_crossings(polygon);
+    LinePart part{0.0, 1.0};
+    if (nearer_at_a < 0) part.from = policy_.meeting(line_, plane);
+    if (nearer_at_b < 0) part.to = policy_.meeting(line_, plane);
+    if (left_ == right_) {
+      return add_covered(left_, part, [&](const LinePart& covered) { parts.add_both(covered); });
+    }
+    add_covered(left_, part, [&](const LinePart& covered) { parts.add_left(covered); });
+    add_covered(right_, part, [&](const LinePart& covered) { parts.add_right(covered); });
+    return false;
+  }
+
+ private:
+  /// Finds the sides of the line that the polygon's vertices are on; false if it covers nothing
+  /// along it, since all of them are on one side, but for one vertex on the line at most.
+  bool reaches_over(std::uint32_t polygon) {
+    const std::uint32_t sides = scene_.sides(polygon);
+    side_.resize(sides);
+    const Point2 a(line_.a), b(line_.b);
+    std::uint32_t left = 0, right = 0;
+    a_is_corner_ = b_is_corner_ = false;
+    for (std::uint32_t k = 0; k < sides; ++k) {
+      const Point3& corner = scene_.corner(polygon, k);
+      const int side = policy_.turn(a, b, Point2(corner));
+      side_[k] = static_cast<std::int8_t>(side);
+      if (side == 0) note_end(polygon, k);
+      left += side > 0;
+      right += side < 0;
+    }
+    return left + right + 1 < sides || (left > 0 && right > 0);
+  }
+
+  /// Neighbours in a mesh share points, at which they have one depth.
+  void note_end(std::uint32_t polygon, std::uint32_t k) {
+    if (line_.plane != nullptr || scene_.is_off_plane(polygon, k)) return;
+    a_is_corner_ |= scene_.corner(polygon, k) == line_.a;
+    b_is_corner_ |= scene_.corner(polygon, k) == line_.b;
+  }
+
+  /// Where the polygon's boundary crosses the lines close by, one left of this line and one right
+  /// of it, in order. Between the first and the second they are inside, between the third and the
+  /// fourth, and so on (even-odd). A side crosses the one on the left if just one of its ends is
+  /// left of the line.
+  void find_crossings(std::uint32_t polygon) {
+    left_.clear();
+    right_.clear();
+    const std::uint32_t sides = scene_.sides(polygon);
+    std::uint32_t k = sides - 1;
+    for (std::uint32_t next = 0; next < sides; k = next++) {
+      const bool on_left = (side_[k] > 0) != (side_[next] > 0);
+      const bool on_right = (side_[k] < 0) != (side_[next] < 0);
+      if (!on_left && !on_right) continue;
+      const Point2 p(scene_.corner(polygon, k)), q(scene_.corner(polygon, next));
+      const double t = side_[k] == 0      ? policy_.at_point(line_, p)
+                       : side_[next] == 0 ? policy_.at_point(line_, q)
+                                          : policy_.crossing(line_, p, q);
+      if (on_left) left_.push_back(t);
+      if (on_right) right_.push_back(t);
+    }
+    if (left_.size() > 1) std::ranges::sort(left_);
+    if (right_.size() > 1) std::ranges::sort(right_);
+  }
+
+  template <class Add>
+  static bool add_covered(const std::vector<double>& crossings, const LinePart& nearer,
+                          const Add& add) {
+    bool any = false;
+    for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
+      const LinePart part{std::max(crossings[k], nearer.from),
+                          std::min(crossings[k + 1], nearer.to)};
+      if (part.from >= part.to) continue;
+      add(part);
+      any = true;
+    }
+    return any;
+  }
+
+  const LineScene& scene_;
+  const Policy& policy_;
+  DepthLine line_{};
+  Plane own_plane_;
+  std::uint32_t own_ = LineScene::kNone;
+  bool a_is_corner_ = false, b_is_corner_ = false;  // of the polygon, and in its plane
+  std::vector<std::int8_t> side_;                   // of the line, each vertex of the polygon
+  std::vector<double> left_, right_;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,98 @@
+#pragma once
+
+#include "hidden/exact/line_parameter.h"
+#include "hidden/exact/precision_policies.h"
+
+namespace displayfile {
+
+/// A line as it is looked at: its ends, and whose depth it has along itself.
+struct DepthLine {
+  Point3 a, b;
+  const Plane* plane;  ///< null: its own ends' depth, and linear between them
+};
+
+// What the hidden-line methods ask of a precision policy, with the same members of both:
+//
+//   turn(a, b, c)                 1 if c is left of a to b in the projection, -1, 0
+//   nearer(line, at, plane)       the sign of the plane's depth less the line's, at one of its ends
+//   crossing(line, p, q)          the parameters of the line, from 0 to 1, where the line through
+//   at_point(line, p)             p and q crosses it, where a point that lies on it is, and where
+//   meeting(line, plane)          the plane has the line's depth
+
+/// Each sign is the true one, and each parameter the true one rounded once.
+class ExactLines {
+ public:
+  explicit ExactLines(const Definitions& all) : exact_(all) {}
+
+  int turn(const Point2& a, const Point2& b, const Point2& c) const { return exact_.turn(a, b, c); }
+  /// The plane faces the viewer.
+  int nearer(const DepthLine& line, const Point3& at, const Plane& plane) const {
+    return line.plane == nullptr ? -side(at, plane) : order(plane, *line.plane, at);
+  }
+  double crossing(const DepthLine& line, const Point2& p, const Point2& q) const {
+    return crossing_parameter(Point2(line.a), Point2(line.b), p, q);
+  }
+  double at_point(const DepthLine& line, const Point2& p) const {
+    return point_parameter(Point2(line.a), Point2(line.b), p);
+  }
+  double meeting(const DepthLine& line, const Plane& plane) const {
+    if (line.plane == nullptr) return meeting_parameter(line.a, line.b, plane);
+    return meeting_parameter(Point2(line.a), Point2(line.b), *line.plane, plane);
+  }
+
+ private:
+  /// Neighbours in a mesh share points: then no more is asked.
+  static int side(const Point3& v, const Plane& plane) {
+    const auto [value, bound] = plane_value(v, plane);
+    if (std::abs(value) > bound) [[likely]]
+      return decided_sign(value);
+    return plane.goes_through(v) ? 0 : exact_side_of_plane(v, plane);
+  }
+  static int order(const Plane& plane, const Plane& of_line, const Point3& at) {
+    if (plane.goes_through(at) && of_line.goes_through(at)) return 0;
+    return depth_order(plane, of_line, Point2(at));
+  }
+
+  Exact exact_;
+};
+
+/// The textbook's: doubles decide, and depths no farther apart than ROUNDOFF are equal.
+class RoundoffLines {
+ public:
+  RoundoffLines(const Definitions& all, double part) : roundoff_(Roundoff::relative(all, part)) {}
+
+  int turn(const Point2& a, const Point2& b, const Point2& c) const {
+    return roundoff_.turn(a, b, c);
+  }
+  int nearer(const DepthLine& line, const Point3& at, const Plane& plane) const {
+    return roundoff_.signof(apart(line, at, plane));
+  }
+  double crossing(const DepthLine& line, const Point2& p, const Point2& q) const {
+    return share(turned(p, q, line.a), turned(p, q, line.b));
+  }
+  double at_point(const DepthLine& line, const Point2& p) const {
+    const int axis = line.a.x != line.b.x ? 0 : 1;
+    return share(p[axis] - line.a[axis], p[axis] - line.b[axis]);
+  }
+  double meeting(const DepthLine& line, const Plane& plane) const {
+    return share(apart(line, line.a, plane), apart(line, line.b, plane));
+  }
+
+ private:
+  static double turned(const Point2& p, const Point2& q, const Point2& v) {
+    return (q.x - p.x) * (v.y - p.y) - (q.y - p.y) * (v.x - p.x);
+  }
+  /// Where a value is 0 that is linear along the line; 0 if it is nowhere.
+  static double share(double at_a, double at_b) {
+    const double t = at_a / (at_a - at_b);
+    return t > 0.0 ? std::min(t, 1.0) : 0.0;
+  }
+  static double apart(const DepthLine& line, const Point3& at, const Plane& plane) {
+    const double own = line.plane == nullptr ? at.z : Roundoff::depth(*line.plane, at);
+    return Roundoff::depth(plane, at) - own;
+  }
+
+  Roundoff roundoff_;
+};
+
+}  // namespace displayfile

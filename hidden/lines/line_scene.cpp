@@ -1,0 +1,178 @@
+#include "hidden/lines/line_scene.h"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "clip/error.h"
+#include "hidden/exact/ball.h"
+#include "hidden/exact/depth_order.h"
+#include "hidden/exact/support_plane.h"
+#include "hidden/lines/side_table.h"
+#include "hidden/parallel.h"
+
+namespace displayfile {
+
+namespace {
+
+constexpr std::size_t kPart = 2048;
+
+/// Calls work(k) for each k, many at a time to a thread.
+template <class Work>
+void in_even_parts(std::size_t size, int threads, const Work& work) {
+  in_parallel(threads, (size + kPart - 1) / kPart, [&](std::size_t part) {
+    const std::size_t end = std::min(size, (part + 1) * kPart);
+    for (std::size_t k = part * kPart; k < end; ++k) work(static_cast<std::uint32_t>(k));
+  });
+}
+
+void check_name(const Primitives& items, const LineName& name) {
+  const bool exists = name.item < items.items.size();
+  const auto text = [&] {
+    return "no line ends at corner " + std::to_string(name.corner) + " of item " +
+           std::to_string(name.item);
+  };
+  if (!exists) throw Error(text() + ": there are " + std::to_string(items.items.size()) + " items");
+  const Primitives::Item& item = items.items[name.item];
+  if (item.kind == Primitives::Kind::line && name.corner != 1) {
+    throw Error(text() + ", a line: expected corner 1");
+  }
+  if (name.corner >= item.sides) {
+    throw Error(text() + ": it has " + std::to_string(item.sides) + " corners, from 0");
+  }
+}
+
+}  // namespace
+
+LineScene::LineScene(const Primitives& items, std::span<const LineName> names, int threads)
+    : items_(items), names_(names), support_(items.items.size()), extents_(items.items.size()) {
+  for (const LineName& name : names) check_name(items, name);
+  in_even_parts(items.items.size(), threads, [&](std::uint32_t i) {
+    support_[i] = support_of(items_.items[i]);
+    extents_[i] = hides(i) ? extent_of(i) : Extent::nothing();
+  });
+  find_uneven(threads);
+  add_lines();
+}
+
+LineScene::Support LineScene::support_of(const Primitives::Item& item) const {
+  if (item.kind == Primitives::Kind::line) return {};
+  const SupportVertices vertices = support_vertices(items_.points_of(item));
+  if (vertices.edge_on) return {};
+  Support support{items_.point(item.first + vertices.index[0]),
+                  items_.point(item.first + vertices.index[1]),
+                  items_.point(item.first + vertices.index[2])};
+  const auto& points = items_.points;
+  if (facing({points[support.p], points[support.q], points[support.r]}) < 0) {
+    std::swap(support.q, support.r);
+  }
+  return support;
+}
+
+void LineScene::include_on_plane(Extent& box, const Point3& at, const Plane& plane) {
+  const PlaneValue slope = slope_value(plane, {at.x, at.y, 0.0});
+  const Ball depth =
+      Ball{plane.p.z} - Ball{slope.value, slope.bound} / Ball{plane.normal.z, plane.bound.z};
+  const double more = 2.0 * depth.radius;  // the sums below are rounded
+  box.include(Point3(at.x, at.y, depth.middle - more));
+  box.include(Point3(at.x, at.y, depth.middle + more));
+}
+
+Extent LineScene::extent_of(std::uint32_t item) const {
+  const Primitives::Item& polygon = items_.items[item];
+  Extent box = Extent::nothing();
+  if (polygon.sides == 3) {
+    const Point3 &p = corner(item, 0), &q = corner(item, 1), &r = corner(item, 2);
+    box.include(
+        Point3(std::min({p.x, q.x, r.x}), std::min({p.y, q.y, r.y}), std::min({p.z, q.z, r.z})));
+    box.include(
+        Point3(std::max({p.x, q.x, r.x}), std::max({p.y, q.y, r.y}), std::max({p.z, q.z, r.z})));
+    return box;
+  }
+  const Plane support = plane(item);
+  for (std::uint32_t k = 0; k < polygon.sides; ++k) {
+    include_on_plane(box, corner(item, k), support);
+  }
+  return box;
+}
+
+Extent LineScene::extent(const Line& line) const {
+  Extent box = Extent::nothing();
+  const Point3 &a = point(line.a), &b = point(line.b);
+  if (!line.by_plane) {
+    box.include(Point3(std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)));
+    box.include(Point3(std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)));
+  } else {
+    const Plane own = plane(line.own);
+    include_on_plane(box, a, own);
+    include_on_plane(box, b, own);
+  }
+  return box;
+}
+
+/// A polygon of more than three sides need not be flat. Most are, but for rounding.
+void LineScene::find_uneven(int threads) {
+  first_corner_.reserve(items_.items.size() + 1);
+  std::uint32_t corners = 0;
+  bool all_flat = true;
+  for (const Primitives::Item& item : items_.items) {
+    first_corner_.push_back(corners);
+    corners += item.sides;
+    all_flat = all_flat && (item.sides <= 3 || item.kind == Primitives::Kind::line);
+  }
+  if (all_flat) return;
+  off_plane_.resize(corners, 0);
+  std::atomic<bool> is_any = false;
+  in_even_parts(items_.items.size(), threads, [&](std::uint32_t i) {
+    const Support& support = support_[i];
+    if (support.p == kNone || sides(i) <= 3) return;
+    const Plane own = plane(i);
+    for (std::uint32_t k = 0; k < sides(i); ++k) {
+      const Point3& v = corner(i, k);
+      if (own.goes_through(v) || side_of_plane(v, own) == 0) continue;
+      off_plane_[first_corner_[i] + k] = 1;
+      is_any = true;
+    }
+  });
+  if (!is_any) off_plane_.clear();
+}
+
+bool LineScene::is_uneven(const LineName& side) const {
+  if (items_.items[side.item].kind == Primitives::Kind::line) return false;
+  return is_off_plane(side.item, side.corner) || is_off_plane(side.item, corner_before(side));
+}
+
+/// A side has as many depths as the polygons that share it give it.
+void LineScene::add_lines() {
+  std::optional<SideTable> shared;
+  if (!off_plane_.empty()) shared.emplace(items_);
+  lines_.reserve(names_.size());
+  first_lines_.reserve(names_.size());
+  for (std::uint32_t n = 0; n < names_.size(); ++n) {
+    const LineName& name = names_[n];
+    const std::uint32_t first = items_.items[name.item].first;
+    const std::uint32_t a = items_.point(first + corner_before(name));
+    const std::uint32_t b = items_.point(first + name.corner);
+    if (Point2(point(a)) == Point2(point(b))) continue;
+    first_lines_.push_back(static_cast<std::uint32_t>(lines_.size()));
+    const bool is_side = items_.items[name.item].kind != Primitives::Kind::line;
+    if (!shared || !is_side) {
+      lines_.push_back({a, b, n, is_side ? name.item : kNone, false});
+      continue;
+    }
+    std::uint32_t even = kNone, last = kNone;
+    for (const SideTable::Side& side : shared->sides_between(a, b)) {
+      if (!is_uneven(side.name)) {
+        even = side.name.item;
+      } else if (side.name.item != last) {
+        last = side.name.item;
+        lines_.push_back({a, b, n, last, true});
+      }
+    }
+    if (even != kNone) lines_.push_back({a, b, n, even, false});
+  }
+}
+
+}  // namespace displayfile

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "hidden/exact/plane.h"
+#include "hidden/extents.h"
+#include "hidden/lines/visible_lines.h"
+#include "hidden/primitives.h"
+
+namespace displayfile {
+
+/// What the hidden-line methods work on: the items with their planes' vertices and extents, and the
+/// lines that are looked at. Numbers and contiguous arrays; what an item's points are is the
+/// items' own.
+class LineScene {
+ public:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  /// The names are in order, each once. Throws Error for one that names no line.
+  LineScene(const Primitives& items, std::span<const LineName> names, int threads);
+
+  /// A line with one depth. A side that polygons share is there once for each depth that it has.
+  struct Line {
+    std::uint32_t a, b;  ///< the points that it runs from and to; they differ in the projection
+    std::uint32_t name;  ///< which of the names
+    std::uint32_t own;  ///< a polygon whose plane has the line's depth, or an edge-on one; or kNone
+    bool by_plane;      ///< that plane gives the depth, which the ends are not quite at
+  };
+  /// By names.
+  std::span<const Line> lines() const { return lines_; }
+  /// Where each name's first line is.
+  std::span<const std::uint32_t> first_lines() const { return first_lines_; }
+  std::size_t names() const { return names_.size(); }
+  const LineName& name(std::uint32_t n) const { return names_[n]; }
+  const Point3& point(std::uint32_t p) const { return items_.points[p]; }
+
+  // ---- Polygons, by the number of the item -----------------------------------------------
+
+  std::uint32_t items() const { return static_cast<std::uint32_t>(items_.items.size()); }
+  /// True for solid polygons that cover something.
+  bool hides(std::uint32_t item) const {
+    return support_[item].p != kNone && items_.items[item].kind == Primitives::Kind::solid;
+  }
+  std::uint32_t sides(std::uint32_t item) const { return items_.items[item].sides; }
+  const Point3& corner(std::uint32_t item, std::uint32_t corner) const {
+    return items_.points[items_.point(items_.items[item].first + corner)];
+  }
+  /// The support plane of a polygon that has one, turned to the viewer. Those of a triangle are its
+  /// own vertices.
+  Plane plane(std::uint32_t item) const {
+    const auto& [p, q, r] = support_[item];
+    return {items_.points[p], items_.points[q], items_.points[r]};
+  }
+  /// True if the polygon is not flat and has that vertex off its support plane.
+  bool is_off_plane(std::uint32_t item, std::uint32_t corner) const {
+    return !off_plane_.empty() && off_plane_[first_corner_[item] + corner] != 0;
+  }
+  /// The box around all that a polygon that hides covers, at the depths of its support plane;
+  /// nothing, of what does not hide.
+  const Extent& extent(std::uint32_t item) const { return extents_[item]; }
+  std::span<const Extent> extents() const { return extents_; }
+  /// The box around a line, at its depths.
+  Extent extent(const Line& line) const;
+
+ private:
+  /// The vertices that give the support plane, as points; p is kNone where there is none.
+  struct Support {
+    std::uint32_t p = kNone, q = kNone, r = kNone;
+  };
+  Support support_of(const Primitives::Item& item) const;
+  Extent extent_of(std::uint32_t item) const;
+  /// Includes a point of the projection at its depth on the plane.
+  static void include_on_plane(Extent& box, const Point3& at, const Plane& plane);
+  void find_uneven(int threads);
+  void add_lines();
+  /// True if the side's own ends are not at the depth that the polygon's plane has there.
+  bool is_uneven(const LineName& side) const;
+  std::uint32_t corner_before(const LineName& side) const {
+    return side.corner == 0 ? items_.items[side.item].sides - 1 : side.corner - 1;
+  }
+
+  const Primitives& items_;
+  std::span<const LineName> names_;
+  std::vector<Support> support_;
+  std::vector<Extent> extents_;
+  /// Of the corners of the items, whether the vertex is off the polygon's plane; empty: none is.
+  std::vector<std::uint8_t> off_plane_;
+  std::vector<std::uint32_t> first_corner_;  // of the items, among those of all
+  std::vector<Line> lines_;
+  std::vector<std::uint32_t> first_lines_;
+};
+
+}  // namespace displayfile

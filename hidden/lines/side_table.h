@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hidden/lines/visible_lines.h"
+#include "hidden/primitives.h"
+
+namespace displayfile {
+
+/// The sides of all polygons by where they are in space, whichever way they run, so that those
+/// that polygons share are found. Sides of no length are left out.
+class SideTable {
+ public:
+  explicit SideTable(const Primitives& items);
+
+  /// A side, in the list of its lower point.
+  struct Side {
+    std::uint32_t high;  ///< the other point
+    LineName name;
+  };
+  /// All sides with these ends, given as indices of points, in either direction; in order.
+  std::span<const Side> sides_between(std::uint32_t a, std::uint32_t b) const;
+
+  /// Calls visit with each set of sides that have the same ends.
+  template <class Visit>
+  void for_each_set(const Visit& visit) const {
+    for (std::size_t low = 0; low + 1 < first_.size(); ++low) {
+      for (std::uint32_t from = first_[low]; from < first_[low + 1];) {
+        std::uint32_t to = from + 1;
+        while (to < first_[low + 1] && sides_[to].high == sides_[from].high) ++to;
+        visit(std::span(sides_).subspan(from, to - from));
+        from = to;
+      }
+    }
+  }
+
+ private:
+  std::vector<std::uint32_t> same_;  // of each point, the first that is equal
+  std::vector<std::uint32_t>
+      first_;  // of each point, where the list begins of those it is lower of
+  std::vector<Side> sides_;
+};
+
+}  // namespace displayfile

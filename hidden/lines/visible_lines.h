@@ -1,0 +1,53 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hidden/exact/precision.h"
+#include "hidden/hidden_method.h"
+#include "hidden/primitives.h"
+
+namespace displayfile {
+
+/// A line of the items: of a polygon the side that ends at its corner of that number, counted from
+/// 0, and starts at the corner before it, cyclically; of a Kind::line the line itself, from its
+/// point 0 to its point 1, and the corner is 1.
+struct LineName {
+  std::uint32_t item, corner;
+  auto operator<=>(const LineName&) const = default;
+};
+
+/// A part of a line that is seen: from and to are shares of the projected line's length,
+/// 0 <= from < to <= 1.
+struct VisiblePiece {
+  std::uint32_t item, corner;
+  double from, to;
+  bool operator==(const VisiblePiece&) const = default;
+};
+
+/// What is seen of lines; what is left of each is hidden.
+struct VisibleLines {
+  std::vector<VisiblePiece> pieces;  ///< by item, corner, from; pieces of a line do not touch
+};
+
+struct LineOptions {
+  Precision precision;
+  int threads = 1;  ///< the result is the same for any number
+};
+
+/// The lines that are drawn: all lines, and the sides of polygons that are visible, in order of
+/// items and corners. A side that polygons share is there once, as the first of those that are
+/// drawn. What projects to a point is left out.
+std::vector<LineName> drawn_lines(const Primitives& items);
+
+/// Finds what is seen of the lines named, in device coordinates (hidden/lines/README.md has the
+/// definition). A line named twice counts once; a line that projects to a point has no pieces. With
+/// exact precision each end of a piece is the true one, rounded once to the nearest double, so that
+/// all methods give the same pieces. Throws Error for a line that there is not, or a method that
+/// finds no lines: expected are roberts and franklin.
+VisibleLines visible_lines(const Primitives& items, std::span<const LineName> lines,
+                           HiddenMethod method, const LineOptions& options);
+
+}  // namespace displayfile

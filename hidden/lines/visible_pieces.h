@@ -1,0 +1,85 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "hidden/lines/hidden_parts.h"
+#include "hidden/lines/line_scene.h"
+#include "hidden/parallel.h"
+
+namespace displayfile {
+
+/// A part of a line that is seen.
+struct SeenPart {
+  std::uint32_t name;
+  LinePart part;
+};
+
+/// Adds what is seen of the line of one name, which begins at lines[first]. A method finds what is
+/// hidden at one of its depths: finder.hidden_parts(line) is united, and valid until it is called
+/// again. A line with more than one depth is hidden where it is at each.
+template <class Finder>
+void find_seen(std::span<const LineScene::Line> lines, std::size_t first, Finder& finder,
+               std::vector<SeenPart>& seen) {
+  const std::uint32_t name = lines[first].name;
+  const auto add = [&](const std::vector<LinePart>& hidden) {
+    double from = 0.0;
+    for (const LinePart& part : hidden) {
+      if (from < part.from) seen.push_back({name, {from, part.from}});
+      from = part.to;
+    }
+    if (from < 1.0) seen.push_back({name, {from, 1.0}});
+  };
+  const auto is_last = [&](std::size_t i) {
+    return i + 1 == lines.size() || lines[i + 1].name != name;
+  };
+  if (is_last(first)) return add(finder.hidden_parts(lines[first]));
+  std::vector<LinePart> hidden = finder.hidden_parts(lines[first]), common;
+  for (std::size_t i = first; !is_last(i) && !hidden.empty(); ++i) {
+    common.clear();
+    intersect(hidden, finder.hidden_parts(lines[i + 1]), common);
+    std::swap(hidden, common);
+  }
+  add(hidden);
+}
+
+/// The pieces of all lines. make_finder makes a method for one thread's use. `order` has the first
+/// line of each name in the order in which they are looked at, best so that those near each other
+/// follow each other; the pieces are in order of names.
+template <class MakeFinder>
+VisibleLines visible_pieces(const LineScene& scene, std::span<const std::uint32_t> order,
+                            int threads, const MakeFinder& make_finder) {
+  constexpr std::size_t kPart = 512;
+  std::vector<std::vector<SeenPart>> seen((order.size() + kPart - 1) / kPart);
+  std::atomic<std::size_t> next = 0;
+  const auto workers = std::min(seen.size(), static_cast<std::size_t>(useful_threads(threads)));
+  in_parallel(threads, workers, [&](std::size_t) {
+    auto finder = make_finder();
+    for (std::size_t part = next++; part < seen.size(); part = next++) {
+      for (std::size_t k = part * kPart; k < std::min(order.size(), (part + 1) * kPart); ++k) {
+        find_seen(scene.lines(), order[k], finder, seen[part]);
+      }
+    }
+  });
+  std::vector<std::size_t> place(scene.names() + 1, 0);  // of each name's pieces
+  for (const auto& parts : seen) {
+    for (const SeenPart& part : parts) ++place[part.name + 1];
+  }
+  for (std::size_t n = 1; n < place.size(); ++n) place[n] += place[n - 1];
+  VisibleLines all;
+  all.pieces.resize(place.back());
+  for (const auto& parts : seen) {
+    for (const auto& [name, part] : parts) {
+      const auto [item, corner] = scene.name(name);
+      all.pieces[place[name]++] = {item, corner, part.from, part.to};
+    }
+  }
+  return all;
+}
+
+}  // namespace displayfile

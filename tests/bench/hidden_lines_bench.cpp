@@ -1,0 +1,138 @@
+// Hidden lines: exact against roundoff, Roberts against Franklin, threads, and how the time of
+// Franklin's method grows with the scene.
+//   hidden_lines_bench [MESH...]
+// Prints ratios and counts; run it on a machine that does nothing else.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdint>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "hidden/lines/visible_lines.h"
+#include "programs/bench/growth.h"
+#include "programs/bench/side_by_side.h"
+#include "tests/bench/device_scene.h"
+#include "tests/bench/result_table.h"
+
+namespace displayfile::bench {
+namespace {
+
+struct Options {
+  std::vector<std::string> meshes;
+  std::vector<std::string> scenes = {"terrain", "village", "soup"};
+  int threads = 1;
+  int rounds = 5;
+  int low = 4, high = 6;  ///< of the sizes of growth, powers of ten
+};
+
+/// A scene with all its sides, each shared one once.
+struct LinesOfScene {
+  explicit LinesOfScene(DeviceScene scene_) : scene(std::move(scene_)) {
+    std::ranges::fill(scene.visible, std::uint8_t{1});
+    lines = drawn_lines(scene.items());
+  }
+  VisibleLines find(HiddenMethod method, bool exact, int threads) const {
+    LineOptions options;
+    options.precision.exact = exact;
+    options.threads = threads;
+    return visible_lines(scene.items(), lines, method, options);
+  }
+  DeviceScene scene;
+  std::vector<LineName> lines;
+};
+
+std::string text(const Spread& s) {
+  return fmt::format("{:.2f} ({:.2f} to {:.2f})", s.median, s.least, s.greatest);
+}
+
+/// Franklin's time is the unit, exact on that many threads.
+std::vector<std::string> ratios_of(const LinesOfScene& of, const Options& options) {
+  const auto franklin = [&](bool exact, int threads) {
+    return [&of, exact, threads] { of.find(HiddenMethod::franklin, exact, threads); };
+  };
+  const auto ours = franklin(true, options.threads);
+  const std::size_t pieces = of.find(HiddenMethod::franklin, true, 1).pieces.size();
+  const Spread exact = times_faster(options.rounds, franklin(false, options.threads), ours);
+  const Spread roberts =
+      times_faster(1, ours, [&] { of.find(HiddenMethod::roberts, true, options.threads); });
+  const Spread one = times_faster(options.rounds, ours, franklin(true, 1));
+  return {of.scene.name,
+          std::to_string(of.scene.size()),
+          std::to_string(of.lines.size()),
+          std::to_string(pieces),
+          text(exact),
+          fmt::format("{:.2f}", roberts.median),
+          options.threads == 1 ? "" : text(one)};
+}
+
+/// The least of three times, as other work only adds to it.
+double time_of(const LinesOfScene& of, const Options& options) {
+  double least = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    const double time = seconds([&] { of.find(HiddenMethod::franklin, true, options.threads); });
+    least = i == 0 ? time : std::min(least, time);
+  }
+  return least;
+}
+
+std::vector<std::string> growth_of(const std::string& name, const Options& options) {
+  std::vector<double> sizes, times, overlaps;
+  for (const std::size_t n : sizes_of_growth(options.low, options.high)) {
+    const LinesOfScene of(generated(name, n));
+    sizes.push_back(static_cast<double>(of.scene.size()));
+    overlaps.push_back(overlaps_per_polygon(of.scene));
+    times.push_back(time_of(of, options));
+  }
+  return {name, fmt::format("10^{} to 10^{}", options.low, options.high),
+          fmt::format("{:.2f}", fitted_exponent(sizes, times)),
+          fmt::format("{:.1f} to {:.1f}", overlaps.front(), overlaps.back())};
+}
+
+void run(const Options& options) {
+  fmt::print(
+      "Hidden lines of all sides, {} thread(s). Times in one run: the median of {} rounds, least "
+      "and greatest.\n\n",
+      options.threads, options.rounds);
+  std::vector<std::vector<std::string>> rows;
+  for (const std::string& mesh : options.meshes) {
+    rows.push_back(ratios_of(LinesOfScene(read_model(mesh).all), options));
+  }
+  for (const std::string& name : options.scenes) {
+    rows.push_back(ratios_of(LinesOfScene(generated(name, 20'000)), options));
+  }
+  fmt::print("{}", text_table({"scene", "polygons", "lines", "pieces", "exact over roundoff",
+                               "Roberts over Franklin", "one thread over these"},
+                              rows));
+  if (options.high <= options.low) return;
+  rows.clear();
+  for (const std::string& name : options.scenes) rows.push_back(growth_of(name, options));
+  fmt::print("\nGrowth of Franklin's method\n\n{}",
+             text_table({"scene", "polygons", "exponent", "extents overlapped by each"}, rows));
+}
+
+}  // namespace
+}  // namespace displayfile::bench
+
+int main(int argc, char** argv) {
+  displayfile::bench::Options options;
+  CLI::App app("Hidden lines, compared");
+  app.add_option("meshes", options.meshes, "meshes")->check(CLI::ExistingFile);
+  app.add_option("--scenes", options.scenes, "generated scenes")->delimiter(',');
+  app.add_option("--threads", options.threads)->check(CLI::Range(1, 1024));
+  app.add_option("--rounds", options.rounds)->check(CLI::Range(1, 1000));
+  app.add_option("--low", options.low, "growth from 10^this")->check(CLI::Range(1, 7));
+  app.add_option("--high", options.high, "growth to 10^this; no more than --low: none")
+      ->check(CLI::Range(1, 7));
+  CLI11_PARSE(app, argc, argv);
+  try {
+    displayfile::bench::run(options);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "hidden_lines_bench: {}\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "clip/memory.h"
+#include "hidden/lines/lines_in_order.h"
 
 namespace displayfile {
 
@@ -13,7 +14,8 @@ namespace {
 std::shared_ptr<const SortedScene> sorted_scene(ViewedScene viewed,
                                                 const ImageTransformation& image,
                                                 HiddenMethod method, const SortOptions& options) {
-  SortedPieces pieces = sort_hidden_surfaces(viewed.primitives(), method, options);
+  const auto find = finds_lines(method) ? lines_in_order : sort_hidden_surfaces;
+  SortedPieces pieces = find(viewed.primitives(), method, options);
   const SortCounts counts{pieces.pieces.size(), pieces.cuts, pieces.comparisons, pieces.depth};
   auto ordered = std::make_shared<OrderedScene>(
       OrderedScene{std::make_shared<ViewedScene>(std::move(viewed)), std::move(pieces)});
@@ -32,8 +34,8 @@ std::shared_ptr<const SortedScene> with_memory_of_sort(std::size_t points, Hidde
 
 }  // namespace
 
-bool sorts(HiddenMethod method) {
-  return method == HiddenMethod::bsp || method == HiddenMethod::depth_sort;
+bool is_object_space(HiddenMethod method) {
+  return method == HiddenMethod::bsp || method == HiddenMethod::depth_sort || finds_lines(method);
 }
 
 std::shared_ptr<const SortedScene> hidden_surface_check(

@@ -58,11 +58,11 @@ const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, Hidde
   SortOptions sort;
   sort.precision = precision_in_force(system, options);
   sort.threads = options.threads;
-  if (sorts(method) && scope == HiddenScope::all) {
+  if (is_object_space(method) && scope == HiddenScope::all) {
     sort_together(method, sort);
-  } else if (sorts(method) && !(applications && set == HiddenScope::segment)) {
+  } else if (is_object_space(method) && !(applications && set == HiddenScope::segment)) {
     sort_segments(method, sort);
-  } else if (options.method && !sorts(method)) {
+  } else if (options.method && !is_object_space(method)) {
     unsort();
   } else {
     sort_as_closed(options.precision, options.threads);

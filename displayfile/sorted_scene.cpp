@@ -7,6 +7,10 @@ namespace {
 std::size_t count(const SortedScene& sorted, bool lines) {
   std::size_t n = 0;
   for (const auto& part : sorted.parts) {
+    if (part->pieces.are_lines) {
+      n += lines ? part->pieces.pieces.size() : 0;
+      continue;
+    }
     for (const SortedPiece& piece : part->pieces.pieces) {
       n += (part->scene->kind(piece.item) == Primitives::Kind::line) == lines ? 1 : 0;
     }

@@ -116,8 +116,10 @@ class PieceWriter {
   /// SEND-TO-DF (algorithm 9.17).
   void send_to_df(const SortedPiece& piece) {
     const auto points = points_of(piece);
-    if (scene().kind(piece.item) == Primitives::Kind::line) {
+    const bool is_line = scene().kind(piece.item) == Primitives::Kind::line;
+    if (is_line || ordered_->pieces.are_lines) {
       check_line_style(scene().line_style(piece.item));
+      if (!is_line) check_pick(piece.item);
       if (!pen_known_ || pen_ != points[0]) visit_.move(points[0]);
       visit_.line(points[1]);
     } else {
@@ -142,6 +144,14 @@ class PieceWriter {
     line_known_ = true;
     line_ = style;
     visit_.line_style(style);
+  }
+
+  void check_pick(std::uint32_t item) {
+    const std::int32_t pick = scene().pick_of_item(item);
+    if (pick_known_ && pick_ == pick) return;
+    pick_known_ = true;
+    pick_ = pick;
+    visit_.pick(pick);
   }
 
   PointRow points_of(const SortedPiece& piece) const {
@@ -170,11 +180,7 @@ class PieceWriter {
       }
       points = padded_;
     }
-    if (const std::int32_t pick = scene().pick_of_item(piece.item); !pick_known_ || pick_ != pick) {
-      pick_known_ = true;
-      pick_ = pick;
-      visit_.pick(pick);
-    }
+    check_pick(piece.item);
     if constexpr (requires { visit_.intensities(intensities); }) {
       if (!intensities.empty()) visit_.intensities(intensities);
     }

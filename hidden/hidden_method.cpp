@@ -31,9 +31,9 @@ constexpr std::array kMethods{
     HiddenMethodEntry{plain_z_buffer_24, "plain-z-buffer=24", true},
     HiddenMethodEntry{plain_z_buffer_32, "plain-z-buffer=32", true},
     HiddenMethodEntry{plain_z_buffer_double, "plain-z-buffer=double", true},
-    HiddenMethodEntry{roberts, "roberts", false},
+    HiddenMethodEntry{roberts, "roberts", true},
     HiddenMethodEntry{appel, "appel", false},
-    HiddenMethodEntry{franklin, "franklin", false},
+    HiddenMethodEntry{franklin, "franklin", true},
     HiddenMethodEntry{colour_rule, "colour-rule", false},
 };
 

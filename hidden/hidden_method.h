@@ -6,7 +6,7 @@
 
 namespace displayfile {
 
-/// How hidden surfaces are found. `automatic` lets the system pick.
+/// How hidden surfaces or hidden lines are found. `automatic` lets the system pick.
 enum class HiddenMethod {
   automatic,
   none,        ///< the heedless painter: polygons in the order they were entered
@@ -26,11 +26,18 @@ enum class HiddenMethod {
   plain_z_buffer_24,      ///< of 24,
   plain_z_buffer_32,      ///< of 32;
   plain_z_buffer_double,  ///< as doubles. Never what `automatic` picks
-  roberts,
-  appel,
-  franklin,
-  colour_rule,  // lines, not built yet
+  roberts,      ///< lines in object space, each against all polygons (hidden/lines/roberts.md)
+  appel,        // not built yet
+  franklin,     ///< lines in object space, by cells of the picture (hidden/lines/franklin.md)
+  colour_rule,  // not built yet
 };
+
+/// True for the methods that find which lines are seen: polygons hide, but their fills are not
+/// drawn.
+constexpr bool finds_lines(HiddenMethod method) {
+  return method == HiddenMethod::roberts || method == HiddenMethod::appel ||
+         method == HiddenMethod::franklin;
+}
 
 /// One line a name: that of a method in drawing programs and on the command line, and whether
 /// this build can run it. A method's first name is the one it is written with.

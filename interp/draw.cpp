@@ -96,6 +96,7 @@ struct KeptForPictures {
 template <class DrawFile, class DrawWorld>
 auto draw_up_to_date(const GraphicsSystem& system, const DrawOptions& options, HiddenMethod method,
                      SortedDisplayFile& kept, DrawFile&& draw_file, DrawWorld&& draw_world) {
+  require_drawable_by(method, options);
   const DisplayFile& sorted = kept.update(system, method, hidden_surface_options(options));
   if (const auto world = world_in_force(system, method)) {
     return draw_world(*world, with_precision(system, options));

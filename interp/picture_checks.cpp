@@ -37,6 +37,24 @@ void require_writable(const std::filesystem::path& file, const DrawOptions& opti
 
 }  // namespace
 
+void require_drawable_by(HiddenMethod method, const DrawOptions& options) {
+  if (!finds_lines(method)) return;
+  const bool of_fills =
+      options.with_ids || options.with_depth || !options.ids.empty() || !options.depth.empty();
+  if (of_fills) {
+    throw Error(fmt::format(
+        "item buffers and depths are of fills, which hidden-line method '{}' does not draw: "
+        "expected another method",
+        name_of(method)));
+  }
+  if (&device_of(options.device) != &first_device()) {
+    throw Error(fmt::format(
+        "hidden-line method '{}' on the {} device, which draws surfaces: "
+        "expected the {} device",
+        name_of(method), device_of(options.device).choice.name, first_device().choice.name));
+  }
+}
+
 void require_drawable_in_memory(const DrawOptions& options) {
   require_numbers(options);
   device_of(options.device);

@@ -18,6 +18,9 @@ namespace displayfile {
 /// Checks what is asked of a picture in memory; throws Error.
 void require_drawable_in_memory(const DrawOptions& options);
 
+/// Throws Error if the method finds lines and something of fills is asked for.
+void require_drawable_by(HiddenMethod method, const DrawOptions& options);
+
 /// What `draw` returns: a picture in memory, for which there must be room before any work is done.
 template <class Draw>
 Picture with_memory_of_picture(const DrawOptions& options, const SoftwareRenderer& kept,

@@ -59,7 +59,8 @@ void DrawnInputs::draw(const std::filesystem::path& file, SortedDisplayFile& kep
 void DrawnInputs::enter(GraphicsSystem& system) const {
   system.set_threads(options_.threads);
   system.set_shading(shading_);
-  enter_inputs(inputs_, system, meshes_, static_cast<double>(options_.width) / options_.height);
+  const double aspect = static_cast<double>(options_.width) / options_.height;
+  enter_inputs(inputs_, system, meshes_, aspect, options_.hidden);
 }
 
 /// What they drew is retained for that when they are read once more, as standard input cannot be.

@@ -190,8 +190,10 @@ std::optional<Upright> enter_inputs(std::span<const std::string> inputs, Graphic
 }
 
 std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
-                                    const MeshWords& meshes, double aspect) {
-  const MeshOptions options = meshes.options();
+                                    const MeshWords& meshes, double aspect,
+                                    std::optional<HiddenMethod> method) {
+  MeshOptions options = meshes.options();
+  options.sides_drawn = method && finds_lines(*method);
   if (options.colour && std::ranges::all_of(inputs, is_drawing_program)) {
     throw Error("--colour: expected a mesh among the inputs");
   }
@@ -205,7 +207,7 @@ DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOpt
                      const MeshWords& meshes, double aspect) {
   GraphicsSystem system;
   system.set_threads(options.threads);
-  enter_inputs(inputs, system, meshes, aspect);
+  enter_inputs(inputs, system, meshes, aspect, options.method);
   return SortedDisplayFile{}.update(system, method_in_force(system, options), options);
 }
 

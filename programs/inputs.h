@@ -23,9 +23,11 @@ bool is_drawing_program(const std::string& input);
 /// nothing if none was. Throws Error, naming the file and the place.
 std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
                                     const MeshOptions& options = {});
-/// The same with the command's options, for pictures of an aspect ratio.
+/// The same with the command's options, for pictures of an aspect ratio, and by a method, if the
+/// command names one.
 std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
-                                    const MeshWords& meshes, double aspect);
+                                    const MeshWords& meshes, double aspect,
+                                    std::optional<HiddenMethod> method = std::nullopt);
 
 /// The inputs' display file, in the order that is drawn.
 DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options,

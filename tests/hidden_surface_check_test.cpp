@@ -268,9 +268,9 @@ TEST_P(HiddenSurfaceCheck, FlatSegment) {
   EXPECT_EQ(drawn_ids(g), true_ids(g));
 }
 
-TEST(HiddenSurfaceCheckErrors, OnlyMethodsThatSort) {
+TEST(HiddenSurfaceCheckErrors, OnlyMethodsThatWorkInObjectSpace) {
   for (const auto method : {HiddenMethod::none, HiddenMethod::z_buffer, HiddenMethod::automatic}) {
-    EXPECT_FALSE(sorts(method));
+    EXPECT_FALSE(is_object_space(method));
     EXPECT_THROW(hidden_surface_check(std::make_shared<Instructions>(), {}, method, {}), Error);
   }
 }

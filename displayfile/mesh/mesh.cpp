@@ -151,10 +151,15 @@ void set_mesh_light(GraphicsSystem& system) {
 }
 
 /// Sets what the application did not say.
-void bring_defaults(GraphicsSystem& system) {
+void bring_defaults(GraphicsSystem& system, const MeshOptions& options) {
   system.by_default(Setting::light, [&] { set_mesh_light(system); });
   system.by_default(Setting::fill_style, [&] { system.set_fill_style(solid(kNeutral)); });
-  system.by_default(Setting::line_style, [&] { system.set_line_style({LineStyle::Kind::none}); });
+  const bool finds_lines_itself =
+      system.hidden_line_removal() && finds_lines(system.hidden_method());
+  const bool sides_drawn = options.sides_drawn || finds_lines_itself;
+  system.by_default(Setting::line_style, [&] {
+    system.set_line_style({sides_drawn ? LineStyle::Kind::solid : LineStyle::Kind::none});
+  });
   system.by_default(Setting::hidden_line_removal, [&] {
     const bool back_face_removal = system.back_face_removal();
     const bool said = system.said().contains(Setting::back_face_removal);
@@ -171,7 +176,7 @@ void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
   const Attributes before = system.attributes();
   MeshOptions entering = options;
   entering.file_colours &= !system.said().contains(Setting::fill_style);
-  bring_defaults(system);
+  bring_defaults(system, options);
   for (const Mesh& mesh : meshes) {
     system.by_default(Setting::back_face_removal, [&] {  // removed faces would hide no light
       system.set_back_face_removal(!system.shadows() && closed_and_consistently_oriented(mesh));

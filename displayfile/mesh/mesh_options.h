@@ -12,6 +12,8 @@ struct MeshOptions {
   Camera camera;                   ///< of the fitted view
   std::optional<Colour> colour{};  ///< of all faces, whatever files and programs say
   bool file_colours = true;        ///< the colours that files give faces are taken
+  /// Faces' sides are drawn, unless the application said how: with a method that finds lines.
+  bool sides_drawn = false;
 };
 
 }  // namespace displayfile

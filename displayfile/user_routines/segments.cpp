@@ -34,7 +34,7 @@ void GraphicsSystem::close_segment() {
   if (!open_) throw Error("no segment open");
   Segment& segment = display_file_.segment(*open_);
   const bool each_on_its_own = scope_.value_or(HiddenScope::segment) == HiddenScope::segment;
-  if (hidden_ && sorts(method_) && each_on_its_own) {
+  if (hidden_ && is_object_space(method_) && each_on_its_own) {
     segment.set_sorted(hidden_surface_check(segment.entered(), {}, method_, sort_options_));
   }
   segment.close();

@@ -37,6 +37,9 @@ struct SortedPiece {
 /// Where polygons are coplanar the one entered later comes later; where a line lies in a polygon's
 /// plane, the line.
 struct SortedPieces {
+  /// The pieces are those of lines and of polygons' sides that are seen, of two points each, and
+  /// all that is drawn (hidden/lines/lines_in_order.h).
+  bool are_lines = false;
   std::vector<SortedPiece> pieces;
   /// The points of the pieces that were cut: coordinates, each rounded once, and whether the side
   /// that ends at the point is drawn (the sides that cuts made are not).

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -16,6 +18,8 @@ namespace displayfile {
 namespace {
 
 constexpr std::size_t kBytesPerRead = std::size_t{1} << 20;
+/// What a file says of its size is believed up to here.
+constexpr std::uintmax_t kMostAtOnce = std::uintmax_t{1} << 30;
 
 struct Close {
   void operator()(std::FILE* file) const {
@@ -41,6 +45,8 @@ std::string read_text_file(const std::string& path) {
                                                            : std::fopen(path.c_str(), "rb"));
   if (!file) fail(path);
   std::string text;
+  const std::uintmax_t size = path == "-" ? 0 : std::filesystem::file_size(path, unknown);
+  if (!unknown) text.reserve(std::min<std::uintmax_t>(size, kMostAtOnce) + kBytesPerRead);
   for (std::size_t used = 0;;) {
     text.resize(used + kBytesPerRead);
     const std::size_t count = std::fread(text.data() + used, 1, kBytesPerRead, file.get());

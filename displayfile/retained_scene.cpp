@@ -21,11 +21,6 @@ namespace {
 constexpr Point3 kNoDirection(0.0);
 constexpr std::uint32_t kNotKept = std::numeric_limits<std::uint32_t>::max();
 
-/// The value of that index, of those that are stored up to the last that is not zero.
-const Point3& stored(const std::vector<Point3>& values, std::uint32_t i) {
-  return i < values.size() ? values[i] : kNoDirection;
-}
-
 }  // namespace
 
 const RetainedScene::Segment& RetainedScene::segment_of(std::uint32_t primitive) const {
@@ -37,7 +32,11 @@ WorldPolygon RetainedScene::polygon(std::uint32_t i) const {
           is_smooth(i) ? of(vertex_normals_, i) : std::span<const Point3>(), primitives_[i].pick};
 }
 
-const Point3& RetainedScene::normal(std::uint32_t i) const { return stored(normals_, i); }
+Point3 RetainedScene::normal(std::uint32_t i) const {
+  if (i < normals_.size() && normals_[i] != kNoDirection) return normals_[i];
+  const bool has_one = !primitives_[i].is_line() && shared_attributes(i).light;
+  return has_one ? newell_normal(points(i)) : kNoDirection;
+}
 
 bool RetainedScene::is_smooth(std::uint32_t i) const {
   const Primitive& primitive = primitives_[i];
@@ -243,16 +242,11 @@ void RetainedScene::enter_shared_triangles(std::span<const Point3> world,
   require_room(corners.size());
   name_points();
   const std::uint32_t look = look_of(attributes);
-  if (attributes.light) {
-    normals_.resize(primitives_.size(), kNoDirection);
-    normals_.reserve(primitives_.size() + corners.size() / 3);
-  }
   auto first = static_cast<std::uint32_t>(all_corners());
   for (std::size_t k = 0; k < corners.size(); k += 3, first += 3, pick += step) {
     const auto triangle = corners.subspan(k, 3);
     primitives_.push_back({first, 3, look, pick});
     for (const std::uint32_t corner : triangle) enter_shared_corner(corner, world[corner]);
-    if (attributes.light) normals_.push_back(newell_normal(PointRow(world, triangle)));
   }
   edge_visible_.resize(first, 1);
   segments_.back().end = size();
@@ -296,7 +290,7 @@ void RetainedScene::finish_primitive(const WorldPolygon& polygon) {
   edge_visible_.insert(edge_visible_.end(), polygon.edge_visible.begin(),
                        polygon.edge_visible.end());
   edge_visible_.resize(corners, 1);
-  if (polygon.normal != kNoDirection) {
+  if (polygon.normal != kNoDirection && polygon.normal != newell_normal(polygon.vertices)) {
     normals_.resize(primitives_.size() - 1, kNoDirection);
     normals_.push_back(polygon.normal);
   }

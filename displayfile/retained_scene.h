@@ -80,9 +80,9 @@ class RetainedScene {
   const Attributes& attributes(const Text& text) const { return attributes_[text.attributes]; }
   /// A primitive that is a polygon, for a view stage.
   WorldPolygon polygon(std::uint32_t i) const;
-  const Point3& normal(std::uint32_t i) const;  ///< of a lit polygon, out of its light face, or 0
-  bool is_smooth(std::uint32_t i) const;        ///< its vertices have normals
-  bool draws(std::uint32_t i) const;            ///< not a hollow polygon of line style none
+  Point3 normal(std::uint32_t i) const;   ///< of a lit polygon, out of its light face, or 0
+  bool is_smooth(std::uint32_t i) const;  ///< its vertices have normals
+  bool draws(std::uint32_t i) const;      ///< not a hollow polygon of line style none
   /// How far a vertex lies from the plane that a tree takes the polygon to be in, at most: one of
   /// more than three sides counts as flat within a tolerance (clip/planarity.h).
   double off_plane(std::uint32_t i) const;
@@ -159,7 +159,7 @@ class RetainedScene {
   std::vector<Point3> points_;
   std::vector<std::uint32_t> corners_;      // their points; empty: these in a row
   std::vector<std::uint8_t> edge_visible_;  // of the side that ends at the corner
-  std::vector<Point3> normals_;             // of primitives up to the last that has one
+  std::vector<Point3> normals_;  // where they are not Newell's, of primitives up to the last such
   std::vector<Point3> vertex_normals_;  // of corners up to those of the last polygon that has some
   std::vector<std::uint32_t> number_of_shared_;  // as points, or kNotKept
 };

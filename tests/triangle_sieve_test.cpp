@@ -165,7 +165,9 @@ Counts check(const Vertices& vertices) {
     const bool left = is(found.stays) || is(found.needs_more);
     EXPECT_TRUE(left || !covers);
     const int turn = orientation(triangle[0], triangle[1], triangle[2]);
-    if (is(found.stays)) EXPECT_EQ(turn, is(found.turned_away) ? -1 : 1);
+    if (is(found.stays)) {
+      EXPECT_EQ(turn, is(found.turned_away) ? -1 : 1);
+    }
     ++counts.all;
     counts.more += is(found.needs_more) ? 1 : 0;
     counts.covering_none += covers ? 0 : 1;

@@ -27,12 +27,14 @@ class ObjIndices {
 
   /// A field's index, counted from 0; what it names may be still to come.
   std::uint32_t resolved(Kind kind, std::string_view field, const TextCursor& text) {
-    const std::int64_t index = text.integer(field, "an index");
+    return resolved(kind, text.integer(field, "an index"), text.offset(field), text);
+  }
+  std::uint32_t resolved(Kind kind, std::int64_t index, std::size_t at, const TextCursor& text) {
     if (index < 0 && index >= -defined_[kind]) {
       return static_cast<std::uint32_t>(defined_[kind] + index);
     }
-    if (index <= 0) fail(kind, text.offset(field), index, text);
-    if (index > defined_[kind]) look_ahead(kind, index, text.offset(field));
+    if (index <= 0) fail(kind, at, index, text);
+    if (index > defined_[kind]) look_ahead(kind, index, at);
     return static_cast<std::uint32_t>(index - 1);
   }
 
@@ -131,7 +133,15 @@ class ObjReader {
   void read_corners() {
     corners_.clear();
     normals_.clear();
-    for (auto f = text_.field(); TextCursor::is_content(f); f = text_.field()) read_corner(f);
+    for (;;) {
+      while (const auto index = text_.next_digits()) {
+        corners_.push_back(indices_.resolved(ObjIndices::vertex, index->value, index->at, text_));
+        if (with_normals_) normals_.push_back(Mesh::kNoNormal);
+      }
+      const std::string_view f = text_.field();
+      if (!TextCursor::is_content(f)) return;
+      read_corner(f);
+    }
   }
 
   /// vertex, vertex/texture, vertex//normal or vertex/texture/normal.

@@ -14,6 +14,16 @@ namespace {
 constexpr bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
 }
+/// Of all characters.
+constexpr std::array<bool, 256> kEndsField = [] {
+  std::array<bool, 256> ends{};
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const char c = static_cast<char>(i);
+    ends[i] = is_blank(c) || c == '\n';
+  }
+  return ends;
+}();
+bool ends_field(char c) { return kEndsField[static_cast<unsigned char>(c)]; }
 
 /// Where a backslash before a line end is followed by the next line; npos if it is none.
 std::size_t after_joined_line_end(std::string_view text, std::size_t at) {
@@ -41,7 +51,7 @@ std::string_view TextCursor::field() {
     }
   }
   const std::size_t start = at_;
-  while (at_ < text_.size() && !is_blank(text_[at_]) && text_[at_] != '\n') ++at_;
+  while (at_ < text_.size() && !ends_field(text_[at_])) ++at_;
   if (at_ > start && text_[at_ - 1] == '\\' &&
       after_joined_line_end(text_, at_ - 1) != std::string_view::npos) {
     --at_;  // the line goes on, the field does not
@@ -71,8 +81,23 @@ std::string_view TextCursor::rest_of_line() {
   return line;
 }
 
+std::optional<TextCursor::Digits> TextCursor::next_digits() {
+  constexpr std::size_t kMost = 9;
+  std::size_t at = at_;
+  while (at < text_.size() && text_[at] == ' ') ++at;
+  const std::size_t start = at, most = std::min(text_.size(), start + kMost + 1);
+  std::int64_t value = 0;
+  for (; at < most && text_[at] >= '0' && text_[at] <= '9'; ++at) {
+    value = 10 * value + (text_[at] - '0');
+  }
+  if (at == start || at == most || !ends_field(text_[at])) return std::nullopt;
+  at_ = at;
+  return Digits{value, start};
+}
+
 bool TextCursor::next_line() {
-  const std::size_t end = text_.find('\n', at_);
+  const bool is_here = at_ < text_.size() && text_[at_] == '\n';
+  const std::size_t end = is_here ? at_ : text_.find('\n', at_);
   at_ = end == std::string_view::npos ? text_.size() : end + 1;
   return at_ < text_.size();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <type_traits>
 
 #include "clip/point.h"
 #include "displayfile/mesh/mesh_colour.h"
@@ -18,10 +20,41 @@ namespace displayfile {
 /// Coordinates of meshes may be this large, so that every mesh can be fitted into a view.
 inline constexpr double kLargestCoordinate = std::numeric_limits<float>::max();
 
+/// A field of up to 15 digits, one point among them at most and a minus before them, as what
+/// numbers in meshes are as a rule: the digits are a whole number that a double holds, so are the
+/// powers of ten that divide it, and one division rounds correctly. Nothing if it is another.
+inline std::optional<double> short_decimal(std::string_view field) {
+  constexpr std::array kPowers{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                               1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+  const bool negative = field.starts_with('-');
+  if (negative) field.remove_prefix(1);
+  if (field.size() > kPowers.size()) return std::nullopt;
+  std::int64_t digits = 0;
+  std::size_t count = 0, before_point = 0;
+  bool point = false;
+  for (const char c : field) {
+    if (c == '.' && !point) {
+      point = true;
+      before_point = count;
+    } else if (c >= '0' && c <= '9') {
+      digits = 10 * digits + (c - '0');
+      ++count;
+    } else {
+      return std::nullopt;
+    }
+  }
+  if (count == 0 || count == kPowers.size()) return std::nullopt;
+  const double value = static_cast<double>(digits) / kPowers[point ? count - before_point : 0];
+  return negative ? -value : value;
+}
+
 /// A whole field as a number, correctly rounded; nothing if it is none or out of its range.
 template <class Number>
 std::optional<Number> number(std::string_view field) {
   if (field.starts_with('+')) field.remove_prefix(1);
+  if constexpr (std::is_same_v<Number, double>) {
+    if (const auto value = short_decimal(field)) return value;
+  }
   Number value{};
   const char* const end = field.data() + field.size();
   const auto result = std::from_chars(field.data(), end, value);
@@ -44,6 +77,15 @@ class TextCursor {
   std::span<const std::string_view> fields(std::span<std::string_view> room);
   /// What is left of this line, without blanks around it.
   std::string_view rest_of_line();
+
+  /// The next field of this line if it is digits alone, up to 9 of them, and something of the file
+  /// follows: the number that they are, and its place. Otherwise nothing, and it is still the next
+  /// field.
+  struct Digits {
+    std::int64_t value;
+    std::size_t at;
+  };
+  std::optional<Digits> next_digits();
 
   /// Moves to the start of the next line; false if there is none.
   bool next_line();

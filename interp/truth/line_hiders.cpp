@@ -61,7 +61,7 @@ ExactParts hidden_parts(const EndDepths& line, std::span<const Hider> hiders) {
   for (const Hider& hider : hiders) {
     const auto nearer = nearer_part(hider.depth, line);
     if (!nearer) continue;
-    for (const std::size_t side : {0, 1}) {
+    for (std::size_t side = 0; side < covered.size(); ++side) {
       add_covered(hider.crossings[side], *nearer, covered[side]);
     }
   }

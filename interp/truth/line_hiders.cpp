@@ -1,0 +1,332 @@
+#include "interp/truth/line_hiders.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+#include <utility>
+
+#include "hidden/parallel.h"
+#include "interp/truth/true_picture.h"
+
+namespace displayfile {
+
+// ---- What polygons hide --------------------------------------------------------------------
+
+namespace {
+
+/// The polygon's depth less the line's at the line's start and at its end, both times the same
+/// positive number.
+std::array<Integer, 2> gaps(const EndDepths& polygon, const EndDepths& line) {
+  return {polygon.from * line.under - line.from * polygon.under,
+          polygon.to * line.under - line.to * polygon.under};
+}
+
+/// True if the polygon is strictly nearer just after t: at t itself or, if it is as near there, by
+/// what comes after.
+bool is_nearer_after(const EndDepths& polygon, const EndDepths& line, const Fraction& t) {
+  const auto [at_start, at_end] = gaps(polygon, line);
+  const Integer change = at_end - at_start;
+  const Integer at_t = at_start * t.under + change * t.over;
+  return at_t > 0 || (at_t == 0 && change > 0);
+}
+
+/// True if a point that runs along the line crosses an odd number of sides after t.
+bool is_covered_after(const std::vector<Fraction>& crossings, const Fraction& t) {
+  return std::ranges::count_if(crossings, [&](const Fraction& c) { return t < c; }) % 2 == 1;
+}
+
+/// Where a point that has crossed an odd number of sides is inside, within that part.
+void add_covered(std::vector<Fraction> crossings, const ExactPart& within,
+                 std::vector<ExactPart>& to) {
+  std::ranges::sort(crossings, [](const Fraction& a, const Fraction& b) { return a < b; });
+  for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
+    add_common({crossings[k], crossings[k + 1]}, within, to);
+  }
+}
+
+}  // namespace
+
+std::optional<ExactPart> nearer_part(const EndDepths& polygon, const EndDepths& line) {
+  const auto [at_start, at_end] = gaps(polygon, line);
+  if (at_start <= 0 && at_end <= 0) return std::nullopt;
+  ExactPart part = whole_line();
+  if (at_start < 0) part.from = quotient(at_start, at_start - at_end);
+  if (at_end < 0) part.to = quotient(at_start, at_start - at_end);
+  return part;
+}
+
+ExactParts hidden_parts(const EndDepths& line, std::span<const Hider> hiders) {
+  std::array<std::vector<ExactPart>, 2> covered;
+  for (const Hider& hider : hiders) {
+    const auto nearer = nearer_part(hider.depth, line);
+    if (!nearer) continue;
+    for (std::size_t side = 0; side < covered.size(); ++side) {
+      add_covered(hider.crossings[side], *nearer, covered[side]);
+    }
+  }
+  return common(united(std::move(covered[0])), united(std::move(covered[1])));
+}
+
+ExactParts visible_parts(const ExactLine& line, std::span<const Hider> hiders) {
+  ExactParts hidden{whole_line()};
+  for (const EndDepths& depth : line.depths) hidden = common(hidden, hidden_parts(depth, hiders));
+  return rest(hidden);
+}
+
+bool is_hidden_after(const ExactLine& line, std::span<const Hider> hiders, const Fraction& t) {
+  const auto is_hidden_on = [&](const EndDepths& depth, std::size_t side) {
+    return std::ranges::any_of(hiders, [&](const Hider& hider) {
+      return is_covered_after(hider.crossings[side], t) && is_nearer_after(hider.depth, depth, t);
+    });
+  };
+  return std::ranges::all_of(line.depths, [&](const EndDepths& depth) {
+    return is_hidden_on(depth, 0) && is_hidden_on(depth, 1);
+  });
+}
+
+// ---- Whole numbers -------------------------------------------------------------------------
+
+LineHiders::LineHiders(const LineItems& items, int threads) : items_(items) {
+  for (std::uint32_t item = 0; item < items.size(); ++item) {
+    for (const Point3& p : items.points(item)) {
+      places_ = std::max({places_, binary_places(p.x), binary_places(p.y)});
+      depth_places_ = std::max(depth_places_, binary_places(p.z));
+    }
+  }
+  enter_solids(threads);
+  enter_cells();
+}
+
+/// Of the polygon's support vertices p, q and r; nothing if it is edge-on, in doubles or exactly.
+/// With (a, b, c) the cross product of q - p and r - p, a (x - px) + b (y - py) + c (z - pz) = 0.
+std::optional<LineHiders::DepthPlane> LineHiders::plane(std::uint32_t item) const {
+  const auto vertices = items_.points(item);
+  const auto support = support_of(vertices);
+  if (!support) return std::nullopt;
+  const auto [i, j, k] = *support;
+  const Point p = point(vertices[i]), q = point(vertices[j]), r = point(vertices[k]);
+  const Integer ux = q.x - p.x, uy = q.y - p.y, uz = q.z - p.z;
+  const Integer vx = r.x - p.x, vy = r.y - p.y, vz = r.z - p.z;
+  DepthPlane plane{uy * vz - uz * vy, uz * vx - ux * vz, 0, ux * vy - uy * vx};
+  if (plane.under == 0) return std::nullopt;
+  if (plane.under < 0) {
+    for (Integer* n : {&plane.slope_x, &plane.slope_y, &plane.under}) *n = -*n;
+  }
+  plane.origin = plane.slope_x * p.x + plane.slope_y * p.y + plane.under * p.z;
+  return plane;
+}
+
+/// The nearest double.
+double LineHiders::depth(const Integer& over, const Integer& under) const {
+  return Division().nearest_double(over, Integer(under << static_cast<mp_bitcnt_t>(depth_places_)));
+}
+
+/// A triangle's plane is nearest at a vertex. A polygon of more sides counts as moved on to it.
+double LineHiders::nearest(std::uint32_t item) const {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  double nearest = -kInfinite;
+  if (items_.points(item).size() == 3) {
+    for (const Point3& p : items_.points(item)) nearest = std::max(nearest, p.z);
+    return nearest;
+  }
+  const auto plane = this->plane(item);
+  if (!plane) return nearest;
+  for (const Point3& p : items_.points(item)) {
+    const Point at = point(p);
+    nearest = std::max(nearest, depth(plane->over(at.x, at.y), plane->under));
+  }
+  return std::nextafter(nearest, kInfinite);
+}
+
+EndDepths LineHiders::depths(const ExactLine& line, const DepthPlane& plane) const {
+  return {plane.over(line.x0, line.y0), plane.over(line.x1, line.y1), plane.under};
+}
+
+/// That of the sharer's support plane; a line's, and an edge-on polygon's, that of its own ends. A
+/// triangle's ends lie on its plane.
+EndDepths LineHiders::depths(const ExactLine& line, LineId sharer) const {
+  if (items_.kind(sharer.item) != LineItems::Kind::line && items_.points(sharer.item).size() > 3) {
+    if (const auto plane = this->plane(sharer.item)) return depths(line, *plane);
+  }
+  return {scaled(line.start.z, depth_places_), scaled(line.end.z, depth_places_), 1};
+}
+
+ExactLine LineHiders::line(const LineItems::Sharers& sharers) const {
+  ExactLine line;
+  line.start = items_.from(sharers.front());
+  line.end = items_.to(sharers.front());
+  line.x0 = scaled(line.start.x, places_);
+  line.y0 = scaled(line.start.y, places_);
+  line.x1 = scaled(line.end.x, places_);
+  line.y1 = scaled(line.end.y, places_);
+  const auto equal = [](const EndDepths& a, const EndDepths& b) {
+    const auto [at_start, at_end] = gaps(a, b);
+    return at_start == 0 && at_end == 0;
+  };
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  line.farthest = kInfinite;
+  for (const LineId sharer : sharers) {
+    EndDepths depth = depths(line, sharer);
+    if (std::ranges::any_of(line.depths, [&](const auto& d) { return equal(d, depth); })) continue;
+    line.farthest = std::min(
+        {line.farthest, this->depth(depth.from, depth.under), this->depth(depth.to, depth.under)});
+    line.depths.push_back(std::move(depth));
+  }
+  line.farthest = std::nextafter(line.farthest, -kInfinite);
+  return line;
+}
+
+/// Nothing if the polygon covers no point that is close to the line, or has no plane.
+std::optional<Hider> LineHiders::hider(const ExactLine& line, std::uint32_t item) const {
+  const Integer along_x = line.x1 - line.x0, along_y = line.y1 - line.y0;
+  struct Vertex {
+    Integer x, y;
+    int side;  // 1 left of the line, -1 right of it, 0 on it
+  };
+  std::vector<Vertex> vertices;
+  for (const Point3& p : items_.points(item)) {
+    Vertex v{scaled(p.x, places_), scaled(p.y, places_), 0};
+    const Integer aside = along_x * (v.y - line.y0) - along_y * (v.x - line.x0);
+    v.side = sgn(aside);
+    vertices.push_back(std::move(v));
+  }
+  Hider hider;
+  const Vertex* a = &vertices.back();
+  for (const Vertex& b : vertices) {
+    const bool crosses_left = (a->side > 0) != (b.side > 0);
+    const bool crosses_right = (a->side < 0) != (b.side < 0);
+    if (crosses_left || crosses_right) {
+      const Integer x = b.x - a->x, y = b.y - a->y;
+      const Integer start = x * (line.y0 - a->y) - y * (line.x0 - a->x);
+      const Integer end = x * (line.y1 - a->y) - y * (line.x1 - a->x);
+      const Fraction at = quotient(start, start - end);
+      if (crosses_left) hider.crossings[0].push_back(at);
+      if (crosses_right) hider.crossings[1].push_back(at);
+    }
+    a = &b;
+  }
+  const Fraction first{0, 1}, last{1, 1};
+  const auto reaches_line = [&](const std::vector<Fraction>& crossings) {
+    return std::ranges::any_of(crossings, [&](const Fraction& c) { return first < c; }) &&
+           std::ranges::any_of(crossings, [&](const Fraction& c) { return c < last; });
+  };
+  if (!reaches_line(hider.crossings[0]) && !reaches_line(hider.crossings[1])) return std::nullopt;
+  const auto plane = this->plane(item);
+  if (!plane) return std::nullopt;
+  hider.depth = depths(line, *plane);
+  return hider;
+}
+
+std::vector<Hider> LineHiders::hiders(const ExactLine& line) const {
+  const auto is_nearer_somewhere = [&](const Hider& hider) {
+    return std::ranges::any_of(line.depths, [&](const EndDepths& depth) {
+      return nearer_part(hider.depth, depth).has_value();
+    });
+  };
+  std::vector<Hider> found;
+  for (const std::uint32_t item : near(line)) {
+    auto hider = this->hider(line, item);
+    if (hider && is_nearer_somewhere(*hider)) found.push_back(std::move(*hider));
+  }
+  return found;
+}
+
+// ---- Which polygons may hide a line ----------------------------------------------------------
+
+void LineHiders::enter_solids(int threads) {
+  for (std::uint32_t item = 0; item < items_.size(); ++item) {
+    if (items_.kind(item) != LineItems::Kind::solid) continue;
+    solids_.push_back({item, bounding_rectangle(items_.points(item)), 0.0});
+  }
+  in_parallel(threads, solids_.size(),
+              [&](std::size_t k) { solids_[k].nearest = nearest(solids_[k].item); });
+}
+
+/// Grows with the coordinate, so that what lies between two points is in the cells between theirs.
+std::size_t LineHiders::cell(double coordinate) const {
+  const auto cells = static_cast<double>(cells_);
+  return static_cast<std::size_t>(std::clamp(coordinate * cells, 0.0, cells - 1.0));
+}
+
+LineHiders::Cells LineHiders::cells(const Rectangle& around) const {
+  return {cell(around.x_min), cell(around.x_max), cell(around.y_min), cell(around.y_max)};
+}
+
+/// As many cells as polygons or fewer, so that there are not many more entries than polygons.
+void LineHiders::enter_cells() {
+  constexpr std::size_t kMostCells = 1024, kEntriesOfSolid = 8;
+  const auto entries = [&] {
+    std::size_t sum = 0;
+    for (const Solid& solid : solids_) {
+      const auto [left, right, bottom, top] = cells(solid.around);
+      sum += (right - left + 1) * (top - bottom + 1);
+    }
+    return sum;
+  };
+  cells_ = std::clamp(static_cast<std::size_t>(std::sqrt(static_cast<double>(solids_.size()))),
+                      std::size_t{1}, kMostCells);
+  while (cells_ > 1 && entries() > kEntriesOfSolid * solids_.size()) cells_ /= 2;
+
+  starts_.assign(cells_ * cells_ + 1, 0);
+  const auto for_each_cell = [&](const Solid& solid, auto&& use) {
+    const auto [left, right, bottom, top] = cells(solid.around);
+    for (std::size_t row = bottom; row <= top; ++row) {
+      for (std::size_t column = left; column <= right; ++column) use(row * cells_ + column);
+    }
+  };
+  for (const Solid& solid : solids_) {
+    for_each_cell(solid, [&](std::size_t cell) { ++starts_[cell]; });
+  }
+  std::size_t end = 0;
+  for (std::size_t& start : starts_) start = end += start;  // ends, until they are entered
+  entries_.resize(end);
+  for (std::size_t k = solids_.size(); k-- > 0;) {
+    for_each_cell(solids_[k], [&](std::size_t cell) {
+      entries_[--starts_[cell]] = static_cast<std::uint32_t>(k);
+    });
+  }
+}
+
+/// The items of all solid polygons whose rectangle reaches the line's, that may be nearer, and that
+/// are in a cell with the line. It is looked at in stretches about as long as a cell: their ends,
+/// in doubles, are off by less than eight roundings of the coordinates' sum.
+std::vector<std::uint32_t> LineHiders::near(const ExactLine& line) const {
+  const Point2 from(line.start), to(line.end);
+  const std::array<Point3, 2> ends{line.start, line.end};
+  const Rectangle around = bounding_rectangle(ends);
+  const Cells reached = cells(around);
+  const bool is_ordinary = in_range(line.start) && in_range(line.end);
+  const std::size_t stretches =
+      is_ordinary ? 1 + std::max(reached.right - reached.left, reached.top - reached.bottom) : 1;
+  const Point2 off = 0x1p-50 * (glm::abs(from) + glm::abs(to));
+  const auto place = [&](std::size_t stretch) {
+    return from + static_cast<double>(stretch) / static_cast<double>(stretches) * (to - from);
+  };
+  std::vector<std::uint32_t> found;
+  for (std::size_t k = 0; k < stretches; ++k) {
+    Cells box = reached;
+    if (stretches > 1) {
+      const Point2 a = place(k), b = place(k + 1);
+      const Point2 low = glm::min(a, b) - off, high = glm::max(a, b) + off;
+      box = cells({low.x, high.x, low.y, high.y});
+    }
+    for (std::size_t row = box.bottom; row <= box.top; ++row) {
+      const std::size_t first = row * cells_;
+      found.insert(found.end(),
+                   entries_.begin() + static_cast<std::ptrdiff_t>(starts_[first + box.left]),
+                   entries_.begin() + static_cast<std::ptrdiff_t>(starts_[first + box.right + 1]));
+    }
+  }
+  std::ranges::sort(found);
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  std::erase_if(found, [&](std::uint32_t k) {
+    const auto& [item, box, nearest] = solids_[k];
+    return nearest <= line.farthest || box.x_max < around.x_min || box.x_min > around.x_max ||
+           box.y_max < around.y_min || box.y_min > around.y_max;
+  });
+  for (std::uint32_t& k : found) k = solids_[k].item;
+  return found;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "clip/rectangle.h"
+#include "interp/truth/exact_parts.h"
+#include "interp/truth/line_items.h"
+
+namespace displayfile {
+
+/// Depths at a line's start and end: from / under and to / under, under > 0; linear between.
+struct EndDepths {
+  Integer from, to, under;
+};
+
+/// A line in whole numbers.
+struct ExactLine {
+  Point3 start, end;              ///< in the direction of the first sharer
+  Integer x0, y0, x1, y1;         ///< the projection
+  std::vector<EndDepths> depths;  ///< those that it has for its sharers, each once
+  double farthest;                ///< no depth anywhere on it is less
+};
+
+/// What a polygon may hide of a line.
+struct Hider {
+  /// Where a point that runs along the line, close to its left or close to its right, crosses the
+  /// polygon's sides; in any order, an even number each, also beyond the line's ends.
+  std::array<std::vector<Fraction>, 2> crossings;
+  EndDepths depth;  ///< of its support plane at the line's ends
+};
+
+/// The part of the line where the polygon is strictly nearer; nothing if it has no length.
+std::optional<ExactPart> nearer_part(const EndDepths& polygon, const EndDepths& line);
+/// What the polygons hide of a line of that depth.
+ExactParts hidden_parts(const EndDepths& line, std::span<const Hider> hiders);
+/// What is seen of a line: seen for one of its sharers.
+ExactParts visible_parts(const ExactLine& line, std::span<const Hider> hiders);
+/// True if the line is hidden just after the place t on it; 0 <= t < 1.
+bool is_hidden_after(const ExactLine& line, std::span<const Hider> hiders, const Fraction& t);
+
+/// The solid polygons of a picture in whole numbers, and which of them may cover a line.
+class LineHiders {
+ public:
+  explicit LineHiders(const LineItems& items, int threads = 1);
+
+  /// The line that these share.
+  ExactLine line(const LineItems::Sharers& sharers) const;
+  /// Every polygon that covers points of the line, or points close to it, and is nearer at one.
+  std::vector<Hider> hiders(const ExactLine& line) const;
+
+ private:
+  struct Point {
+    Integer x, y, z;
+  };
+  /// Depths at (x, y): (origin - slope_x x - slope_y y) / under, under > 0.
+  struct DepthPlane {
+    Integer slope_x, slope_y, origin, under;
+    Integer over(const Integer& x, const Integer& y) const {
+      return origin - slope_x * x - slope_y * y;
+    }
+  };
+  struct Solid {
+    std::uint32_t item;
+    Rectangle around;
+    double nearest;  // its support plane is no nearer at any point that it covers
+  };
+  struct Cells {
+    std::size_t left, right, bottom, top;
+  };
+
+  Point point(const Point3& p) const {
+    return {scaled(p.x, places_), scaled(p.y, places_), scaled(p.z, depth_places_)};
+  }
+  std::optional<DepthPlane> plane(std::uint32_t item) const;
+  double depth(const Integer& over, const Integer& under) const;
+  double nearest(std::uint32_t item) const;
+  EndDepths depths(const ExactLine& line, LineId sharer) const;
+  EndDepths depths(const ExactLine& line, const DepthPlane& plane) const;
+  std::optional<Hider> hider(const ExactLine& line, std::uint32_t item) const;
+
+  void enter_solids(int threads);
+  void enter_cells();
+  std::size_t cell(double coordinate) const;
+  Cells cells(const Rectangle& around) const;
+  std::size_t entries(std::size_t cells) const;
+  std::vector<std::uint32_t> near(const ExactLine& line) const;
+
+  const LineItems& items_;
+  int places_ = 0, depth_places_ = 0;  // binary ones, of x and y and of z
+  std::vector<Solid> solids_;
+  // Squares over the picture, rows of them; those at its border also stand for what is beyond.
+  std::size_t cells_ = 1;               // in a row, and rows
+  std::vector<std::size_t> starts_;     // of the cells, in entries_
+  std::vector<std::uint32_t> entries_;  // places in solids_
+};
+
+}  // namespace displayfile

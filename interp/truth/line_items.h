@@ -1,0 +1,67 @@
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "clip/point.h"
+#include "displayfile/display_file.h"
+
+namespace displayfile {
+
+/// A line of a picture: the side of a polygon that ends at the vertex of that number, and starts at
+/// the vertex before it, that of number 0 at the last; or, of a line that was entered as one, the
+/// corner 1, where it ends. Items count from 0 in order of entry, as LineItems has them.
+struct LineId {
+  std::uint32_t item, corner;
+  auto operator<=>(const LineId&) const = default;
+};
+
+/// The polygons and lines of a picture as the truth of lines sees them: of the visible segments in
+/// order of creation what was entered, in order, in device coordinates after the image
+/// transformation. Items of which nothing can be seen, hollow polygons and lines of line style
+/// none, are left out. Found by a walk of its own.
+class LineItems {
+ public:
+  /// Throws Error for a coordinate that is not finite.
+  explicit LineItems(const DisplayFile& display_file);
+
+  enum class Kind : std::uint8_t { solid, hollow, line };
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(items_.size()); }
+  Kind kind(std::uint32_t item) const { return items_[item].kind; }
+  std::span<const Point3> points(std::uint32_t item) const {
+    return std::span(points_).subspan(items_[item].first, items_[item].points);
+  }
+
+  /// True if there is such a line, drawn or not.
+  bool contains(LineId line) const;
+  const Point3& from(LineId line) const;
+  const Point3& to(LineId line) const { return points(line.item)[line.corner]; }
+
+  std::vector<LineId> all_lines() const;    ///< every side whatever its style, and every line
+  std::vector<LineId> drawn_lines() const;  ///< those that are drawn
+
+  /// Sides that are one line, because polygons share it: their ends are the same points, in either
+  /// direction. In order; a line that nothing shares is one of one. A line that was entered as such
+  /// is shared by nothing.
+  using Sharers = std::vector<LineId>;
+  /// The given lines, each with all that share it, whether they were given or not; in order of the
+  /// first sharer. Throws Error for a line that there is not.
+  std::vector<Sharers> shared(std::span<const LineId> lines) const;
+
+ private:
+  struct Walk;
+  struct Item {
+    std::size_t first;     // of its points
+    std::uint32_t points;  // how many
+    Kind kind;
+  };
+  std::vector<Item> items_;
+  std::vector<Point3> points_;
+  std::vector<std::uint8_t> drawn_;  // of the points: the line that ends there is drawn
+};
+
+}  // namespace displayfile

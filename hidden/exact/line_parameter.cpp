@@ -36,7 +36,8 @@ std::optional<double> rounded_share(const Estimate& at_a, const Estimate& at_b) 
   const DoubleDouble t = at_a.value / whole;
   const double size = std::abs(t.high);
   const double error =
-      ((at_a.error + size * error_of_whole) / least + size * kQuotient) * (1.0 + 0x1p-20) + kTiny;
+      ((at_a.error + size * error_of_whole + kTiny) / least + size * kQuotient) * (1.0 + 0x1p-20) +
+      kTiny;
   const double low = t.high + (t.low - error), high = t.high + (t.low + error);
   // Beyond an end it need not be known.
   if (high <= 0.0) return 0.0;

@@ -2,6 +2,7 @@
 
 #include <cfenv>
 #include <cfloat>
+#include <limits>
 #include <optional>
 
 #include "hidden/exact/double_double.h"
@@ -20,6 +21,8 @@ struct Estimate {
   DoubleDouble value;
   double error;
 };
+
+constexpr double kNothingKnown = std::numeric_limits<double>::infinity();
 
 /// Double-double arithmetic errs by as much as is said only in rounding to nearest, to doubles.
 bool is_double_double_sound() { return FLT_EVAL_METHOD == 0 && std::fegetround() == FE_TONEAREST; }
@@ -55,25 +58,60 @@ Estimate estimated_turn(const Point2& p, const DoubleDouble& dx, const DoubleDou
   return {left - right, kError * (std::abs(left.high) + std::abs(right.high)) + kTiny};
 }
 
+/// How far a plane's points, and another, lie from its first along an axis.
+double reach(const Plane& plane, double at, int axis) {
+  return std::max({std::abs(plane.q[axis] - plane.p[axis]), std::abs(plane.r[axis] - plane.p[axis]),
+                   std::abs(at - plane.p[axis])});
+}
+
+/// One component of the plane's normal.
+DoubleDouble normal_along(const Plane& plane, int axis) {
+  const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+  const auto side = [&](const Point3& end, int i) { return exact_difference(end[i], plane.p[i]); };
+  return side(plane.q, j) * side(plane.r, k) - side(plane.q, k) * side(plane.r, j);
+}
+
 /// The plane's value at v.
 Estimate estimated_value(const Plane& plane, const Point3& v) {
   constexpr double kError = 0x1p-97;
   constexpr double kUnderflow = 0x1p-700;
-  const auto difference = [&](const Point3& end, int i) {
-    return exact_difference(end[i], plane.p[i]);
-  };
   DoubleDouble sum;
   for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    const DoubleDouble normal = difference(plane.q, j) * difference(plane.r, k) -
-                                difference(plane.q, k) * difference(plane.r, j);
-    sum = sum + normal * difference(v, i);
+    sum = sum + normal_along(plane, i) * exact_difference(v[i], plane.p[i]);
   }
-  const auto reach = [&](int i) {
-    return std::max({std::abs(plane.q[i] - plane.p[i]), std::abs(plane.r[i] - plane.p[i]),
-                     std::abs(v[i] - plane.p[i])});
-  };
-  return {sum, kError * (reach(0) * (reach(1) * reach(2))) + kUnderflow};
+  const double size = reach(plane, v.x, 0) * (reach(plane, v.y, 1) * reach(plane, v.z, 2));
+  return {sum, kError * size + kUnderflow};
+}
+
+/// What the depths of planes are compared by.
+struct PlaneEstimate {
+  explicit PlaneEstimate(const Plane& plane_)
+      : plane(plane_),
+        a(normal_along(plane_, 0)),
+        b(normal_along(plane_, 1)),
+        c(normal_along(plane_, 2)) {}
+  /// A (x - p.x) + B (y - p.y).
+  DoubleDouble slope(const Point2& at) const {
+    return a * exact_difference(at.x, plane.p.x) + b * exact_difference(at.y, plane.p.y);
+  }
+  const Plane& plane;
+  DoubleDouble a, b, c;
+};
+
+/// The difference of two planes' depths times both C.
+Estimate estimated_apart(const PlaneEstimate& one, const PlaneEstimate& other, const Point2& at) {
+  constexpr double kError = 0x1p-97, kUnderflow = 0x1p-600, kLargest = 0x1p+100;
+  const DoubleDouble apart = exact_difference(one.plane.p.z, other.plane.p.z);
+  const DoubleDouble value =
+      apart * one.c * other.c - one.slope(at) * other.c + other.slope(at) * one.c;
+  const auto flat = [&](const Plane& p) { return reach(p, at.x, 0) * reach(p, at.y, 1); };
+  const double flat_one = flat(one.plane), flat_other = flat(other.plane);
+  const double high_one = reach(one.plane, one.plane.p.z, 2);
+  const double high_other = reach(other.plane, other.plane.p.z, 2);
+  const double high = std::abs(apart.high) + high_one + high_other;
+  // Larger figures could make much of what is lost to underflow.
+  if (!(std::max(std::max(flat_one, flat_other), high) < kLargest)) return {value, kNothingKnown};
+  return {value, kError * (flat_one * flat_other * high) + kUnderflow};
 }
 
 // ---- The exact stage ----------------------------------------------------------------------
@@ -149,13 +187,24 @@ double meeting_parameter(const Point3& a, const Point3& b, const Plane& plane) {
   return exact_meeting_parameter(a, b, plane);
 }
 
-double meeting_parameter(const Point2& a, const Point2& b, const Plane& one, const Plane& other) {
+double exact_meeting_parameter(const Point2& a, const Point2& b, const Plane& one,
+                               const Plane& other) {
   const ExactPlane first(one), second(other);
   const auto apart = [&](const Point2& at) {
     return exact_depth(first, at) * second.normal.z - exact_depth(second, at) * first.normal.z;
   };
   const ExactNumber at_a = apart(a);
   return exact_share(at_a, at_a - apart(b));
+}
+
+double meeting_parameter(const Point2& a, const Point2& b, const Plane& one, const Plane& other) {
+  if (is_double_double_sound()) {
+    const PlaneEstimate first(one), second(other);
+    const auto t =
+        rounded_share(estimated_apart(first, second, a), estimated_apart(first, second, b));
+    if (t) return *t;
+  }
+  return exact_meeting_parameter(a, b, one, other);
 }
 
 }  // namespace displayfile

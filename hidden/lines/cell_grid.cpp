@@ -1,6 +1,7 @@
 #include "hidden/lines/cell_grid.h"
 
 #include <cmath>
+
 #include <limits>
 
 #include "hidden/exact/ball.h"
@@ -18,12 +19,15 @@ constexpr float kNothingHidden = -std::numeric_limits<float>::infinity();
 /// measured).
 constexpr double kCellsAPolygon = 1.0;
 /// A polygon is at the level where its box is no larger than this many cells.
-constexpr double kLargestInCells = 2.0;
+constexpr double kLargestInCells = 4.0;
 /// A polygon is tried as a blocking face if its box is larger than this many cells of the finest
 /// level, since an equilateral triangle holds no square of more than 0.46 of its side; and in cells
 /// of which its box holds no more than so many a side.
 constexpr double kLeastToBlock = 4.0;
-constexpr double kMostToBlock = 32.0;
+constexpr double kMostToBlock = 64.0;
+/// Whether all of a box is behind blocking faces is looked up in cells of which it is no more than
+/// so many long.
+constexpr double kMostToLookUp = 4.0;
 /// Lines are put in the order of this level's cells.
 constexpr std::size_t kLevelOfOrder = 2;
 constexpr double kMostColumns = 8192.0;
@@ -219,7 +223,7 @@ bool CellGrid::hides(const Extent& box) const {
   const bool inside =
       low.x >= 0.0 && low.y >= 0.0 && high.x <= levels_[0].columns && high.y <= levels_[0].rows;
   if (!inside) return false;
-  const std::size_t at = level_of(box);
+  const std::size_t at = level_for(length_in_cells(box), kMostToLookUp, levels_.size());
   const Range cells = range(box, at);
   const Level& level = levels_[at];
   for (std::uint32_t j = cells.bottom; j <= cells.top; ++j) {

@@ -100,7 +100,7 @@ struct PlaneEstimate {
 
 /// The difference of two planes' depths times both C.
 Estimate estimated_apart(const PlaneEstimate& one, const PlaneEstimate& other, const Point2& at) {
-  constexpr double kError = 0x1p-97, kUnderflow = 0x1p-600, kLargest = 0x1p+100;
+  constexpr double kError = 0x1p-97, kUnderflow = 0x1p-600, kLargestFigure = 0x1p+100;
   const DoubleDouble apart = exact_difference(one.plane.p.z, other.plane.p.z);
   const DoubleDouble value =
       apart * one.c * other.c - one.slope(at) * other.c + other.slope(at) * one.c;
@@ -110,7 +110,8 @@ Estimate estimated_apart(const PlaneEstimate& one, const PlaneEstimate& other, c
   const double high_other = reach(other.plane, other.plane.p.z, 2);
   const double high = std::abs(apart.high) + high_one + high_other;
   // Larger figures could make much of what is lost to underflow.
-  if (!(std::max(std::max(flat_one, flat_other), high) < kLargest)) return {value, kNothingKnown};
+  if (!(std::max(std::max(flat_one, flat_other), high) < kLargestFigure))
+    return {value, kNothingKnown};
   return {value, kError * (flat_one * flat_other * high) + kUnderflow};
 }
 
@@ -124,10 +125,11 @@ double exact_share(const ExactNumber& part, const ExactNumber& whole) {
   return rounded_quotient(part, whole);
 }
 
-ExactNumber difference(double a, double b) { return ExactNumber(a) - ExactNumber(b); }
+ExactNumber exactly_apart(double a, double b) { return ExactNumber(a) - ExactNumber(b); }
 
 ExactNumber exact_turn(const Point2& a, const Point2& b, const Point2& c) {
-  return difference(b.x, a.x) * difference(c.y, a.y) - difference(b.y, a.y) * difference(c.x, a.x);
+  return exactly_apart(b.x, a.x) * exactly_apart(c.y, a.y) -
+         exactly_apart(b.y, a.y) * exactly_apart(c.x, a.x);
 }
 
 /// C times the plane's depth at a point of the projection.
@@ -155,7 +157,7 @@ double slow_crossing_parameter(const Point2& a, const Point2& b, const Point2& p
 
 double exact_point_parameter(const Point2& a, const Point2& b, const Point2& p) {
   const int axis = a.x != b.x ? 0 : 1;
-  return exact_share(difference(p[axis], a[axis]), difference(b[axis], a[axis]));
+  return exact_share(exactly_apart(p[axis], a[axis]), exactly_apart(b[axis], a[axis]));
 }
 
 double point_parameter(const Point2& a, const Point2& b, const Point2& p) {

@@ -34,22 +34,11 @@ constexpr double kMostColumns = 8192.0;
 /// Of a cell: far more than rounding moves a place, and far less than matters.
 constexpr double kMargin = 0x1p-20;
 
-/// The place's cell among so many, those at the ends taking what is beyond.
-std::uint32_t clamped(double place, std::uint32_t count) {
-  if (!(place > 0.0)) return 0;
-  return static_cast<std::uint32_t>(std::min(place, static_cast<double>(count - 1)));
-}
-
 /// The finest level at which what is so many of the finest's cells long is no more than
 /// `most` of its own.
 std::size_t level_for(double cells, double most, std::size_t levels) {
   if (!(cells > most)) return 0;
   return std::min(static_cast<std::size_t>(std::ilogb(cells / most)) + 1, levels - 1);
-}
-
-float rounded_down(double v) {
-  const auto f = static_cast<float>(v);
-  return static_cast<double>(f) <= v ? f : std::nextafter(f, kNothingHidden);
 }
 
 }  // namespace
@@ -96,8 +85,8 @@ CellGrid::Range CellGrid::range(const Extent& box, std::size_t level) const {
   const Point2 low = in_cells({box.x_min, box.y_min}) * scale;
   const Point2 high = in_cells({box.x_max, box.y_max}) * scale;
   const auto& [columns, rows, first, entries, behind] = levels_[level];
-  return {clamped(low.x - kMargin, columns), clamped(high.x + kMargin, columns),
-          clamped(low.y - kMargin, rows), clamped(high.y + kMargin, rows)};
+  return {cell_at(low.x - kMargin, columns), cell_at(high.x + kMargin, columns),
+          cell_at(low.y - kMargin, rows), cell_at(high.y + kMargin, rows)};
 }
 
 /// How many cells of the finest level a box is long.
@@ -296,7 +285,7 @@ std::vector<std::uint32_t> CellGrid::lines_by_cell(const LineScene& scene) const
   cell_of.reserve(first_lines.size());
   for (const std::uint32_t line : first_lines) {
     const Point2 from = in_cells(Point2(scene.point(scene.lines()[line].a))) * scale;
-    cell_of.push_back(clamped(from.y, level.rows) * level.columns + clamped(from.x, level.columns));
+    cell_of.push_back(cell_at(from.y, level.rows) * level.columns + cell_at(from.x, level.columns));
     ++next[cell_of.back() + 1];
   }
   for (std::size_t c = 1; c < next.size(); ++c) next[c] += next[c - 1];

@@ -13,11 +13,6 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 constexpr float kLargest = std::numeric_limits<float>::max();
 
-float rounded_down(double v) {
-  if (std::abs(v) > kLargest) return v > 0.0 ? kLargest : -kInfinity;
-  const auto f = static_cast<float>(v);
-  return static_cast<double>(f) <= v ? f : std::nextafter(f, -kInfinity);
-}
 float rounded_up(double v) {
   if (std::abs(v) > kLargest) return v > 0.0 ? kInfinity : -kLargest;
   const auto f = static_cast<float>(v);
@@ -25,6 +20,12 @@ float rounded_up(double v) {
 }
 
 }  // namespace
+
+float rounded_down(double v) {
+  if (std::abs(v) > kLargest) return v > 0.0 ? kLargest : -kInfinity;
+  const auto f = static_cast<float>(v);
+  return static_cast<double>(f) <= v ? f : std::nextafter(f, -kInfinity);
+}
 
 Extent Extent::nothing() {
   return {kInfinity, -kInfinity, kInfinity, -kInfinity, kInfinity, -kInfinity};

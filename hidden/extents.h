@@ -11,6 +11,9 @@
 
 namespace displayfile {
 
+/// The largest float that is no more than v.
+float rounded_down(double v);
+
 /// The box around a polygon, for the minimax (boxing) test; floats rounded outward, so that
 /// boxes that are apart enclose polygons that are apart.
 struct Extent {

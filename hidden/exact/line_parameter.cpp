@@ -2,6 +2,7 @@
 
 #include <cfenv>
 #include <cfloat>
+#include <limits>
 #include <optional>
 
 #include "hidden/exact/double_double.h"
@@ -21,6 +22,8 @@ struct Estimate {
   double error;
 };
 
+constexpr double kNothingKnown = std::numeric_limits<double>::infinity();
+
 /// Double-double arithmetic errs by as much as is said only in rounding to nearest, to doubles.
 bool is_double_double_sound() { return FLT_EVAL_METHOD == 0 && std::fegetround() == FE_TONEAREST; }
 
@@ -36,7 +39,8 @@ std::optional<double> rounded_share(const Estimate& at_a, const Estimate& at_b) 
   const DoubleDouble t = at_a.value / whole;
   const double size = std::abs(t.high);
   const double error =
-      ((at_a.error + size * error_of_whole) / least + size * kQuotient) * (1.0 + 0x1p-20) + kTiny;
+      ((at_a.error + size * error_of_whole + kTiny) / least + size * kQuotient) * (1.0 + 0x1p-20) +
+      kTiny;
   const double low = t.high + (t.low - error), high = t.high + (t.low + error);
   // Beyond an end it need not be known.
   if (high <= 0.0) return 0.0;
@@ -54,25 +58,61 @@ Estimate estimated_turn(const Point2& p, const DoubleDouble& dx, const DoubleDou
   return {left - right, kError * (std::abs(left.high) + std::abs(right.high)) + kTiny};
 }
 
+/// How far a plane's points, and another, lie from its first along an axis.
+double reach(const Plane& plane, double at, int axis) {
+  return std::max({std::abs(plane.q[axis] - plane.p[axis]), std::abs(plane.r[axis] - plane.p[axis]),
+                   std::abs(at - plane.p[axis])});
+}
+
+/// One component of the plane's normal.
+DoubleDouble normal_along(const Plane& plane, int axis) {
+  const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+  const auto side = [&](const Point3& end, int i) { return exact_difference(end[i], plane.p[i]); };
+  return side(plane.q, j) * side(plane.r, k) - side(plane.q, k) * side(plane.r, j);
+}
+
 /// The plane's value at v.
 Estimate estimated_value(const Plane& plane, const Point3& v) {
   constexpr double kError = 0x1p-97;
   constexpr double kUnderflow = 0x1p-700;
-  const auto difference = [&](const Point3& end, int i) {
-    return exact_difference(end[i], plane.p[i]);
-  };
   DoubleDouble sum;
   for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    const DoubleDouble normal = difference(plane.q, j) * difference(plane.r, k) -
-                                difference(plane.q, k) * difference(plane.r, j);
-    sum = sum + normal * difference(v, i);
+    sum = sum + normal_along(plane, i) * exact_difference(v[i], plane.p[i]);
   }
-  const auto reach = [&](int i) {
-    return std::max({std::abs(plane.q[i] - plane.p[i]), std::abs(plane.r[i] - plane.p[i]),
-                     std::abs(v[i] - plane.p[i])});
-  };
-  return {sum, kError * (reach(0) * (reach(1) * reach(2))) + kUnderflow};
+  const double size = reach(plane, v.x, 0) * (reach(plane, v.y, 1) * reach(plane, v.z, 2));
+  return {sum, kError * size + kUnderflow};
+}
+
+/// What the depths of planes are compared by.
+struct PlaneEstimate {
+  explicit PlaneEstimate(const Plane& plane_)
+      : plane(plane_),
+        a(normal_along(plane_, 0)),
+        b(normal_along(plane_, 1)),
+        c(normal_along(plane_, 2)) {}
+  /// A (x - p.x) + B (y - p.y).
+  DoubleDouble slope(const Point2& at) const {
+    return a * exact_difference(at.x, plane.p.x) + b * exact_difference(at.y, plane.p.y);
+  }
+  const Plane& plane;
+  DoubleDouble a, b, c;
+};
+
+/// The difference of two planes' depths times both C.
+Estimate estimated_apart(const PlaneEstimate& one, const PlaneEstimate& other, const Point2& at) {
+  constexpr double kError = 0x1p-97, kUnderflow = 0x1p-600, kLargestFigure = 0x1p+100;
+  const DoubleDouble apart = exact_difference(one.plane.p.z, other.plane.p.z);
+  const DoubleDouble value =
+      apart * one.c * other.c - one.slope(at) * other.c + other.slope(at) * one.c;
+  const auto flat = [&](const Plane& p) { return reach(p, at.x, 0) * reach(p, at.y, 1); };
+  const double flat_one = flat(one.plane), flat_other = flat(other.plane);
+  const double high_one = reach(one.plane, one.plane.p.z, 2);
+  const double high_other = reach(other.plane, other.plane.p.z, 2);
+  const double high = std::abs(apart.high) + high_one + high_other;
+  // Larger figures could make much of what is lost to underflow.
+  if (!(std::max(std::max(flat_one, flat_other), high) < kLargestFigure))
+    return {value, kNothingKnown};
+  return {value, kError * (flat_one * flat_other * high) + kUnderflow};
 }
 
 // ---- The exact stage ----------------------------------------------------------------------
@@ -85,10 +125,11 @@ double exact_share(const ExactNumber& part, const ExactNumber& whole) {
   return rounded_quotient(part, whole);
 }
 
-ExactNumber difference(double a, double b) { return ExactNumber(a) - ExactNumber(b); }
+ExactNumber exactly_apart(double a, double b) { return ExactNumber(a) - ExactNumber(b); }
 
 ExactNumber exact_turn(const Point2& a, const Point2& b, const Point2& c) {
-  return difference(b.x, a.x) * difference(c.y, a.y) - difference(b.y, a.y) * difference(c.x, a.x);
+  return exactly_apart(b.x, a.x) * exactly_apart(c.y, a.y) -
+         exactly_apart(b.y, a.y) * exactly_apart(c.x, a.x);
 }
 
 /// C times the plane's depth at a point of the projection.
@@ -116,7 +157,7 @@ double slow_crossing_parameter(const Point2& a, const Point2& b, const Point2& p
 
 double exact_point_parameter(const Point2& a, const Point2& b, const Point2& p) {
   const int axis = a.x != b.x ? 0 : 1;
-  return exact_share(difference(p[axis], a[axis]), difference(b[axis], a[axis]));
+  return exact_share(exactly_apart(p[axis], a[axis]), exactly_apart(b[axis], a[axis]));
 }
 
 double point_parameter(const Point2& a, const Point2& b, const Point2& p) {
@@ -148,13 +189,24 @@ double meeting_parameter(const Point3& a, const Point3& b, const Plane& plane) {
   return exact_meeting_parameter(a, b, plane);
 }
 
-double meeting_parameter(const Point2& a, const Point2& b, const Plane& one, const Plane& other) {
+double exact_meeting_parameter(const Point2& a, const Point2& b, const Plane& one,
+                               const Plane& other) {
   const ExactPlane first(one), second(other);
   const auto apart = [&](const Point2& at) {
     return exact_depth(first, at) * second.normal.z - exact_depth(second, at) * first.normal.z;
   };
   const ExactNumber at_a = apart(a);
   return exact_share(at_a, at_a - apart(b));
+}
+
+double meeting_parameter(const Point2& a, const Point2& b, const Plane& one, const Plane& other) {
+  if (is_double_double_sound()) {
+    const PlaneEstimate first(one), second(other);
+    const auto t =
+        rounded_share(estimated_apart(first, second, a), estimated_apart(first, second, b));
+    if (t) return *t;
+  }
+  return exact_meeting_parameter(a, b, one, other);
 }
 
 }  // namespace displayfile

@@ -49,5 +49,7 @@ double meeting_parameter(const Point2& a, const Point2& b, const Plane& one, con
 double exact_crossing_parameter(const Point2& a, const Point2& b, const Point2& p, const Point2& q);
 double exact_point_parameter(const Point2& a, const Point2& b, const Point2& p);
 double exact_meeting_parameter(const Point3& a, const Point3& b, const Plane& plane);
+double exact_meeting_parameter(const Point2& a, const Point2& b, const Plane& one,
+                               const Plane& other);
 
 }  // namespace displayfile

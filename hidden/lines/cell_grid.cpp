@@ -1,6 +1,7 @@
 #include "hidden/lines/cell_grid.h"
 
 #include <cmath>
+
 #include <limits>
 
 #include "hidden/exact/ball.h"
@@ -18,34 +19,26 @@ constexpr float kNothingHidden = -std::numeric_limits<float>::infinity();
 /// measured).
 constexpr double kCellsAPolygon = 1.0;
 /// A polygon is at the level where its box is no larger than this many cells.
-constexpr double kLargestInCells = 2.0;
+constexpr double kLargestInCells = 4.0;
 /// A polygon is tried as a blocking face if its box is larger than this many cells of the finest
 /// level, since an equilateral triangle holds no square of more than 0.46 of its side; and in cells
 /// of which its box holds no more than so many a side.
 constexpr double kLeastToBlock = 4.0;
-constexpr double kMostToBlock = 32.0;
+constexpr double kMostToBlock = 64.0;
+/// Whether all of a box is behind blocking faces is looked up in cells of which it is no more than
+/// so many long.
+constexpr double kMostToLookUp = 4.0;
 /// Lines are put in the order of this level's cells.
 constexpr std::size_t kLevelOfOrder = 2;
 constexpr double kMostColumns = 8192.0;
 /// Of a cell: far more than rounding moves a place, and far less than matters.
 constexpr double kMargin = 0x1p-20;
 
-/// The place's cell among so many, those at the ends taking what is beyond.
-std::uint32_t clamped(double place, std::uint32_t count) {
-  if (!(place > 0.0)) return 0;
-  return static_cast<std::uint32_t>(std::min(place, static_cast<double>(count - 1)));
-}
-
 /// The finest level at which what is so many of the finest's cells long is no more than
 /// `most` of its own.
 std::size_t level_for(double cells, double most, std::size_t levels) {
   if (!(cells > most)) return 0;
   return std::min(static_cast<std::size_t>(std::ilogb(cells / most)) + 1, levels - 1);
-}
-
-float rounded_down(double v) {
-  const auto f = static_cast<float>(v);
-  return static_cast<double>(f) <= v ? f : std::nextafter(f, kNothingHidden);
 }
 
 }  // namespace
@@ -92,8 +85,8 @@ CellGrid::Range CellGrid::range(const Extent& box, std::size_t level) const {
   const Point2 low = in_cells({box.x_min, box.y_min}) * scale;
   const Point2 high = in_cells({box.x_max, box.y_max}) * scale;
   const auto& [columns, rows, first, entries, behind] = levels_[level];
-  return {clamped(low.x - kMargin, columns), clamped(high.x + kMargin, columns),
-          clamped(low.y - kMargin, rows), clamped(high.y + kMargin, rows)};
+  return {cell_at(low.x - kMargin, columns), cell_at(high.x + kMargin, columns),
+          cell_at(low.y - kMargin, rows), cell_at(high.y + kMargin, rows)};
 }
 
 /// How many cells of the finest level a box is long.
@@ -219,7 +212,7 @@ bool CellGrid::hides(const Extent& box) const {
   const bool inside =
       low.x >= 0.0 && low.y >= 0.0 && high.x <= levels_[0].columns && high.y <= levels_[0].rows;
   if (!inside) return false;
-  const std::size_t at = level_of(box);
+  const std::size_t at = level_for(length_in_cells(box), kMostToLookUp, levels_.size());
   const Range cells = range(box, at);
   const Level& level = levels_[at];
   for (std::uint32_t j = cells.bottom; j <= cells.top; ++j) {
@@ -292,7 +285,7 @@ std::vector<std::uint32_t> CellGrid::lines_by_cell(const LineScene& scene) const
   cell_of.reserve(first_lines.size());
   for (const std::uint32_t line : first_lines) {
     const Point2 from = in_cells(Point2(scene.point(scene.lines()[line].a))) * scale;
-    cell_of.push_back(clamped(from.y, level.rows) * level.columns + clamped(from.x, level.columns));
+    cell_of.push_back(cell_at(from.y, level.rows) * level.columns + cell_at(from.x, level.columns));
     ++next[cell_of.back() + 1];
   }
   for (std::size_t c = 1; c < next.size(); ++c) next[c] += next[c - 1];

@@ -10,6 +10,12 @@
 
 namespace displayfile {
 
+/// The cell of a place along an axis, of so many; those at the ends take what is beyond.
+inline std::uint32_t cell_at(double place, std::uint32_t cells) {
+  if (!(place > 0.0)) return 0;
+  return static_cast<std::uint32_t>(std::min(place, static_cast<double>(cells - 1)));
+}
+
 /// Franklin's grid (hidden/lines/franklin.md): square cells over all that hides something, at
 /// several levels, each of cells twice as wide as those of the one before. A polygon is in the
 /// cells of one level, where it is about as large as a cell, so that it is in few. Each cell knows

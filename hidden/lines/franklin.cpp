@@ -42,6 +42,12 @@ class Franklin {
     double nearest, farthest;
   };
 
+  /// The cells of the column that the stretch goes through.
+  struct Rows {
+    std::uint32_t low, high;
+    bool inside;  ///< the stretch does not leave the grid
+  };
+
   void begin_line(const LineScene::Line& line) {
     line_.look_at(line);
     from_ = grid_.in_cells(Point2(scene_.point(line.a)));
@@ -63,7 +69,7 @@ class Franklin {
     const int axis = std::abs(along.x) >= std::abs(along.y) ? 0 : 1, other = 1 - axis;
     const std::uint32_t count = axis == 0 ? level.columns : level.rows;
     const std::uint32_t others = axis == 0 ? level.rows : level.columns;
-    const std::uint32_t first = place(from[axis], count), last = place(to[axis], count);
+    const std::uint32_t first = cell_at(from[axis], count), last = cell_at(to[axis], count);
     const bool rising = first <= last;
     double t = 0.0;
     for (std::uint32_t i = first;; rising ? ++i : --i) {
@@ -73,27 +79,29 @@ class Franklin {
         next = std::clamp((border - from[axis]) / along[axis], t, 1.0);
       }
       const double v = from[other] + t * along[other], w = from[other] + next * along[other];
-      const std::uint32_t low = place(std::min(v, w), others), high = place(std::max(v, w), others);
-      const double u = from[axis] + t * along[axis];
-      const bool inside = std::min(v, w) >= 0.0 && std::max(v, w) <= others && u >= 0.0 &&
-                          u <= count && from[axis] + next * along[axis] <= count &&
-                          from[axis] + next * along[axis] >= 0.0;
+      const double u = from[axis] + t * along[axis], x = from[axis] + next * along[axis];
+      const Rows rows{cell_at(std::min(v, w), others), cell_at(std::max(v, w), others),
+                      within(u, x, count) && within(v, w, others)};
       const auto cell = [&](std::uint32_t j) {
         return axis == 0 ? j * level.columns + i : i * level.columns + j;
       };
-      find_hidden(level, stretch({t, next}), low, high, inside, cell);
+      find_hidden(level, stretch({t, next}), rows, cell);
       if (i == last) return;
       t = next;
     }
   }
 
+  static bool within(double u, double v, std::uint32_t cells) {
+    return std::min(u, v) >= 0.0 && std::max(u, v) <= cells;
+  }
+
   template <class Cell>
-  void find_hidden(const CellGrid::Level& level, const Stretch& stretch, std::uint32_t low,
-                   std::uint32_t high, bool inside, const Cell& cell) {
+  void find_hidden(const CellGrid::Level& level, const Stretch& stretch, const Rows& rows,
+                   const Cell& cell) {
     if (parts_.hides(stretch.part)) return;
-    if (inside && !level.behind.empty()) {
+    if (rows.inside && !level.behind.empty()) {
       bool blocked = true;
-      for (std::uint32_t j = low; blocked && j <= high; ++j) {
+      for (std::uint32_t j = rows.low; blocked && j <= rows.high; ++j) {
         blocked = level.behind[cell(j)] > stretch.nearest;
       }
       if (blocked) {
@@ -101,7 +109,7 @@ class Franklin {
         return;
       }
     }
-    for (std::uint32_t j = low; j <= high; ++j) {
+    for (std::uint32_t j = rows.low; j <= rows.high; ++j) {
       for (const CellGrid::Entry& entry : level.in_cell(cell(j))) {
         if (entry.z_max <= stretch.farthest) break;  // and so are those after it
         if (!entry.meets(box_) || looked_at_[entry.polygon] == number_) continue;
@@ -109,11 +117,6 @@ class Franklin {
         if (line_.hide(entry.polygon, parts_) && parts_.hides(stretch.part)) return;
       }
     }
-  }
-
-  static std::uint32_t place(double at, std::uint32_t count) {
-    if (!(at > 0.0)) return 0;
-    return static_cast<std::uint32_t>(std::min(at, static_cast<double>(count - 1)));
   }
 
   Stretch stretch(const LinePart& part) const {

@@ -1,0 +1,127 @@
+// How wrong the lines are that methods find of meshes: points on every drawn line, judged by exact
+// arithmetic by all polygons that may cover them (interp/truth/true_lines.md).
+//   lines_against_truth MESH... [--samples 1000000]
+// Each mesh is seen from a general direction, in perspective and in parallel, and along its axes,
+// whole or cut by the window.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "displayfile/viewed_scene.h"
+#include "hidden/lines/visible_lines.h"
+#include "interp/truth/true_lines.h"
+#include "programs/inputs.h"
+#include "tests/bench/result_table.h"
+
+namespace displayfile::bench {
+namespace {
+
+struct Options {
+  std::vector<std::string> meshes;
+  std::string method = "franklin", precision = "exact";
+  std::size_t samples = 1'000'000;
+  int threads = 1;
+};
+
+struct Seen {
+  const char* from;
+  EyeDirection direction;
+  bool parallel;
+  bool whole = true;
+};
+constexpr Seen kSeen[] = {{"aside", {30.0, 20.0}, false},
+                          {"aside, parallel", {30.0, 20.0}, true},
+                          {"front", {0.0, 0.0}, true},
+                          {"right", {90.0, 0.0}, true},
+                          {"above", {0.0, 90.0}, true},
+                          {"front, perspective", {0.0, 0.0}, false},
+                          {"aside, cut", {200.0, 35.0}, false, false}};
+
+DisplayFile entered(const std::string& mesh, const Seen& seen) {
+  GraphicsSystem system;
+  MeshOptions options;
+  options.camera.eye = seen.direction;
+  options.camera.parallel = seen.parallel;
+  options.sides_drawn = true;
+  const std::vector<std::string> inputs{mesh};
+  enter_inputs(inputs, system, options);
+  if (seen.whole) return system.display_file();
+  const Rectangle window = system.view().window;  // the middle of it
+  GraphicsSystem closer;
+  const View& view = system.view();
+  closer.set_view_reference_point(view.reference_point);
+  closer.set_view_plane_normal(view.plane_normal);
+  closer.set_view_up(view.up);
+  closer.set_perspective(view.centre_of_projection);
+  const auto part = [](double low, double high, double t) { return low + t * (high - low); };
+  closer.set_window(part(window.x_min, window.x_max, 0.3), part(window.x_min, window.x_max, 0.7),
+                    part(window.y_min, window.y_max, 0.3), part(window.y_min, window.y_max, 0.7));
+  enter_inputs(inputs, closer, options);
+  return closer.display_file();
+}
+
+std::vector<std::string> judged(const std::string& mesh, const Seen& seen, const Options& options) {
+  const DisplayFile file = entered(mesh, seen);
+  const LineItems items(file);
+  const ViewedScene scene(file);
+  const std::vector<LineName> lines = drawn_lines(scene.primitives());
+  const VisibleLines found =
+      visible_lines(scene.primitives(), lines, hidden_method(options.method),
+                    {.precision = precision(options.precision), .threads = options.threads});
+  std::vector<LineId> ids;
+  for (const LineName line : lines) ids.push_back({line.item, line.corner});
+  std::vector<LinePiece> pieces;
+  for (const VisiblePiece& piece : found.pieces) {
+    pieces.push_back({{piece.item, piece.corner}, piece.from, piece.to});
+  }
+  const std::size_t of_line = options.samples / std::max<std::size_t>(1, ids.size()) + 1;
+  const LineJudgement judgement = judge_lines(items, ids, pieces, of_line, 1, options.threads);
+  const std::string name = mesh.substr(mesh.find_last_of('/') + 1);
+  return {name,
+          seen.from,
+          std::to_string(ids.size()),
+          std::to_string(pieces.size()),
+          std::to_string(judgement.samples),
+          std::to_string(judgement.wrong.size()),
+          fmt::format("{:.3g}", judgement.errors.missing),
+          fmt::format("{:.3g}", judgement.errors.extra),
+          fmt::format("{:.1f}", judgement.errors.length)};
+}
+
+void run(const Options& options) {
+  std::vector<std::vector<std::string>> rows;
+  for (const std::string& mesh : options.meshes) {
+    for (const Seen& seen : kSeen) rows.push_back(judged(mesh, seen, options));
+  }
+  fmt::print("Lines by {}, {}; lengths in units of the picture.\n\n{}", options.method,
+             options.precision,
+             text_table({"mesh", "seen from", "lines", "pieces", "points judged", "wrong",
+                         "missing", "extra", "length"},
+                        rows));
+}
+
+}  // namespace
+}  // namespace displayfile::bench
+
+int main(int argc, char** argv) {
+  displayfile::bench::Options options;
+  CLI::App app("Lines of meshes against the truth");
+  app.add_option("meshes", options.meshes, "meshes")->check(CLI::ExistingFile)->required();
+  app.add_option("--method", options.method, "roberts or franklin");
+  app.add_option("--precision", options.precision, "exact, roundoff or roundoff=EPS");
+  app.add_option("--samples", options.samples, "points of each view, at least");
+  app.add_option("--threads", options.threads)->check(CLI::Range(1, 1024));
+  CLI11_PARSE(app, argc, argv);
+  try {
+    displayfile::bench::run(options);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "lines_against_truth: {}\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,140 @@
+// Every method that finds lines against their truth, which shares nothing with it: the pieces are
+// the same to the last bit, since both round the end of a piece once.
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "displayfile/viewed_scene.h"
+#include "hidden/lines/visible_lines.h"
+#include "interp/truth/true_lines.h"
+#include "programs/scenes/generated_scenes.h"
+#include "programs/scenes/hard_cases.h"
+#include "tests/slower.h"
+#include "tests/truth_scenes.h"
+
+namespace displayfile {
+namespace {
+
+constexpr HiddenMethod kMethods[] = {HiddenMethod::roberts, HiddenMethod::franklin};
+
+std::vector<LinePiece> claimed(const VisibleLines& seen) {
+  std::vector<LinePiece> pieces;
+  for (const VisiblePiece& piece : seen.pieces) {
+    pieces.push_back({{piece.item, piece.corner}, piece.from, piece.to});
+  }
+  return pieces;
+}
+
+/// Drawn lines and, as lines of any style can be asked for, all others.
+void expect_truth(const DisplayFile& file) {
+  const LineItems items(file);
+  const ViewedScene scene(file);
+  ASSERT_EQ(items.size(), scene.items());
+  const std::vector<TrueLine> truth = true_lines(items, items.all_lines());
+  std::vector<LineName> names;  // one of those that share a line
+  for (const TrueLine& line : truth) {
+    names.push_back({line.sharers.front().item, line.sharers.front().corner});
+  }
+  const std::vector<LinePiece> right = visible_pieces(truth);
+  for (const HiddenMethod method : kMethods) {
+    SCOPED_TRACE(name_of(method));
+    for (const int threads : {1, 3}) {
+      const VisibleLines seen =
+          visible_lines(scene.primitives(), names, method, {.precision = {}, .threads = threads});
+      const std::vector<LinePiece> pieces = claimed(seen);
+      const LineErrors errors = compare_lines(items, truth, pieces);
+      EXPECT_EQ(errors.missing, 0.0);
+      EXPECT_EQ(errors.extra, 0.0);
+      EXPECT_TRUE(pieces == right) << pieces.size() << " pieces, " << right.size() << " are right";
+    }
+  }
+}
+
+DisplayFile entered(const Scene& scene, bool from_aside) {
+  GraphicsSystem system;
+  if (from_aside) {
+    system.set_perspective({1.0, 0.8, 4.0});
+  }
+  enter(scene, system);
+  return system.display_file();
+}
+
+TEST(HiddenLinesTruth, OfGeneratedScenes) {
+  for (const GeneratedScene& scene : generated_scenes()) {
+    for (const std::uint64_t seed : {1u, 2u}) {
+      SCOPED_TRACE(std::string(scene.name) + ", seed " + std::to_string(seed));
+      ASSERT_NO_FATAL_FAILURE(expect_truth(entered(scene.make(40, seed), seed == 2)));
+    }
+  }
+}
+
+TEST(HiddenLinesTruth, OfHardCases) {
+  for (const HardCase& hard : hard_cases()) {
+    for (const double severity : hard.severities) {
+      SCOPED_TRACE(std::string(hard.name) + " " + std::to_string(severity));
+      const std::size_t n = std::min<std::size_t>(hard.size, 24);
+      ASSERT_NO_FATAL_FAILURE(expect_truth(entered(hard.make(n, severity, 1), false)));
+    }
+  }
+}
+
+/// Points on a coarse grid, so that lines meet corners, lie in planes and behind edges; polygons
+/// that cross themselves, are concave, edge-on or hollow; lines.
+DisplayFile degenerate(std::uint32_t seed) {
+  test::Dice dice(seed);
+  DisplayFile file;
+  Segment& segment = file.create(1);
+  const int grid = dice.from(2, 5), depths = dice.from(1, 3);
+  const auto point = [&] {
+    return Point3(dice.from(0, grid) / 8.0, dice.from(0, grid) / 8.0, dice.from(0, depths) / 4.0);
+  };
+  const int items = dice.from(2, 9);
+  for (int k = 0; k < items; ++k) {
+    segment.set_pick(k);
+    if (dice.one_in(5)) {
+      segment.enter_line(point(), point());
+      continue;
+    }
+    segment.set_style(dice.one_in(6) ? FillStyle{FillStyle::Kind::hollow} : FillStyle{});
+    test::Vertices polygon(static_cast<std::size_t>(dice.from(3, 6)));
+    const double z = dice.from(0, depths) / 4.0, dz_dx = dice.from(-1, 1) / 2.0,
+                 dz_dy = dice.from(-1, 1) / 2.0;
+    const bool flat = polygon.size() > 3 || dice.one_in(2);
+    for (Point3& p : polygon) {
+      p = point();
+      if (flat) p.z = z + dz_dx * p.x + dz_dy * p.y;
+    }
+    test::enter(segment, polygon);
+  }
+  return file;
+}
+
+TEST(HiddenLinesTruth, OfRandomDegenerateScenes) {
+  constexpr std::uint32_t kScenes = 20000 / test::kSlower;
+  for (std::uint32_t seed = 0; seed < kScenes; ++seed) {
+    SCOPED_TRACE(seed);
+    ASSERT_NO_FATAL_FAILURE(expect_truth(degenerate(seed)));
+    if (HasFailure()) return;
+  }
+}
+
+TEST(HiddenLinesTruth, WithRoundoffSomeAreWrong) {
+  int wrong = 0;
+  for (std::uint32_t seed = 0; seed < 100; ++seed) {
+    const DisplayFile file = degenerate(seed);
+    const LineItems items(file);
+    const ViewedScene scene(file);
+    const Precision roundoff{.exact = false, .roundoff = 0.3};
+    const VisibleLines seen = visible_lines(scene.primitives(), drawn_lines(scene.primitives()),
+                                            HiddenMethod::franklin, {.precision = roundoff});
+    const std::vector<LineId> drawn = items.drawn_lines();
+    const LineErrors errors = compare_lines(items, true_lines(items, drawn), claimed(seen));
+    wrong += errors.missing + errors.extra > 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(wrong, 10);
+}
+
+}  // namespace
+}  // namespace displayfile

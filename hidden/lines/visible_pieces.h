@@ -1,10 +1,12 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -48,6 +50,40 @@ void find_seen(std::span<const LineScene::Line> lines, std::size_t first, Finder
   add(hidden);
 }
 
+/// Methods at work, one for each thread that is: a thread takes one for a while and gives it back.
+template <class MakeFinder>
+class Finders {
+ public:
+  using Finder = std::invoke_result_t<const MakeFinder&>;
+
+  explicit Finders(const MakeFinder& make) : make_(make) {}
+
+  template <class Work>
+  void use(const Work& work) {
+    std::unique_ptr<Finder> finder = take();
+    work(*finder);
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(finder));
+  }
+
+ private:
+  std::unique_ptr<Finder> take() {
+    {
+      const std::lock_guard lock(mutex_);
+      if (!idle_.empty()) {
+        std::unique_ptr<Finder> finder = std::move(idle_.back());
+        idle_.pop_back();
+        return finder;
+      }
+    }
+    return std::make_unique<Finder>(make_());
+  }
+
+  const MakeFinder& make_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Finder>> idle_;
+};
+
 /// The pieces of all lines. make_finder makes a method for one thread's use. `order` has the first
 /// line of each name in the order in which they are looked at, best so that those near each other
 /// follow each other; the pieces are in order of names.
@@ -56,15 +92,13 @@ VisibleLines visible_pieces(const LineScene& scene, std::span<const std::uint32_
                             int threads, const MakeFinder& make_finder) {
   constexpr std::size_t kPart = 512;
   std::vector<std::vector<SeenPart>> seen((order.size() + kPart - 1) / kPart);
-  std::atomic<std::size_t> next = 0;
-  const auto workers = std::min(seen.size(), static_cast<std::size_t>(useful_threads(threads)));
-  in_parallel(threads, workers, [&](std::size_t) {
-    auto finder = make_finder();
-    for (std::size_t part = next++; part < seen.size(); part = next++) {
+  Finders finders(make_finder);
+  in_parallel(threads, seen.size(), [&](std::size_t part) {
+    finders.use([&](auto& finder) {
       for (std::size_t k = part * kPart; k < std::min(order.size(), (part + 1) * kPart); ++k) {
         find_seen(scene.lines(), order[k], finder, seen[part]);
       }
-    }
+    });
   });
   std::vector<std::size_t> place(scene.names() + 1, 0);  // of each name's pieces
   for (const auto& parts : seen) {

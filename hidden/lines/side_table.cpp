@@ -77,8 +77,9 @@ SideTable::SideTable(const Primitives& items)
 std::span<const SideTable::Side> SideTable::sides_between(std::uint32_t a, std::uint32_t b) const {
   const std::uint32_t low = std::min(same_[a], same_[b]), high = std::max(same_[a], same_[b]);
   const auto list = std::span(sides_).subspan(first_[low], first_[low + 1] - first_[low]);
-  const auto found = std::ranges::equal_range(list, high, {}, &Side::high);
-  return {found.begin(), found.end()};
+  const auto begin = std::ranges::lower_bound(list, high, {}, &Side::high);
+  const auto end = std::ranges::upper_bound(list, high, {}, &Side::high);
+  return {begin, end};
 }
 
 }  // namespace displayfile

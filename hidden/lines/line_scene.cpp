@@ -17,14 +17,14 @@ namespace displayfile {
 
 namespace {
 
-constexpr std::size_t kPart = 2048;
+constexpr std::size_t kLinesOfAPart = 2048;
 
 /// Calls work(k) for each k, many at a time to a thread.
 template <class Work>
 void in_even_parts(std::size_t size, int threads, const Work& work) {
-  in_parallel(threads, (size + kPart - 1) / kPart, [&](std::size_t part) {
-    const std::size_t end = std::min(size, (part + 1) * kPart);
-    for (std::size_t k = part * kPart; k < end; ++k) work(static_cast<std::uint32_t>(k));
+  in_parallel(threads, (size + kLinesOfAPart - 1) / kLinesOfAPart, [&](std::size_t part) {
+    const std::size_t end = std::min(size, (part + 1) * kLinesOfAPart);
+    for (std::size_t k = part * kLinesOfAPart; k < end; ++k) work(static_cast<std::uint32_t>(k));
   });
 }
 

@@ -10,7 +10,7 @@ namespace displayfile {
 /// Some of a scene's items, of which something is stored in a row; a bit for each item.
 class ItemRanks {
  public:
-  /// Of items that are larger than all before.
+  /// The item is larger than all that were added before.
   void add(std::uint32_t item) {
     while (words_.size() <= item / 64) words_.push_back({0, count_});
     words_.back().bits |= std::uint64_t{1} << item % 64;

@@ -19,8 +19,8 @@ struct PicturePlace {
   static constexpr std::int32_t kOutside = std::numeric_limits<std::int32_t>::min();
 };
 
-/// Of the centres of pixels along a side of the picture those that may lie between two places: all
-/// that do are among them.
+/// The centres of pixels along a side of the picture that may lie between two places: all that do
+/// are among them.
 struct CentresBetween {
   CentresBetween(std::int32_t low, std::int32_t high)
       : first((low - 1 + kPixel - 1 - kHalf) >> PicturePlace::kBits),

@@ -216,7 +216,7 @@ class ViewedScene {
   void begin_colour(std::uint32_t number) {
     if (colours_.empty() || colours_.back().style != number) colours_.push_back({items(), number});
   }
-  /// Of a colour of the scene's own.
+  /// The number of a colour of the scene's own.
   std::uint32_t number_of(const Colour& colour) {
     if (own_colours_.empty() || own_colours_.back() != colour) own_colours_.push_back(colour);
     return static_cast<std::uint32_t>(palette_.size() + own_colours_.size() - 1);

@@ -117,7 +117,7 @@ TEST(LineDrawing, IsRecordedAndReplayed) {
   EXPECT_EQ(dump(again.display_file()), dump(g.display_file()));
 }
 
-/// Of every drawing program both methods find the same, and draw the same pixels.
+/// Both methods find the same of every drawing program, and draw the same pixels.
 TEST(LineDrawing, IsTheSameByBothMethodsOverTheGallery) {
   test::for_each_in_gallery([](const std::string&, const test::Retained& retained) {
     const GraphicsSystem& g = retained.system;

@@ -14,7 +14,7 @@ namespace {
 constexpr bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
 }
-/// Of all characters.
+/// Whether each character ends a field.
 constexpr std::array<bool, 256> kEndsField = [] {
   std::array<bool, 256> ends{};
   for (std::size_t i = 0; i < ends.size(); ++i) {

@@ -31,7 +31,7 @@ constexpr double kMostToLookUp = 4.0;
 /// Lines are put in the order of this level's cells.
 constexpr std::size_t kLevelOfOrder = 2;
 constexpr double kMostColumns = 8192.0;
-/// Of a cell: far more than rounding moves a place, and far less than matters.
+/// A part of a cell that is far more than rounding moves a place, and far less than matters.
 constexpr double kMargin = 0x1p-20;
 
 /// The finest level at which what is so many of the finest's cells long is no more than

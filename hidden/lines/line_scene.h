@@ -86,7 +86,7 @@ class LineScene {
   std::span<const LineName> names_;
   std::vector<Support> support_;
   std::vector<Extent> extents_;
-  /// Of the corners of the items, whether the vertex is off the polygon's plane; empty: none is.
+  /// Whether the vertex at each corner of the items is off the polygon's plane; empty: none is.
   std::vector<std::uint8_t> off_plane_;
   std::vector<std::uint32_t> first_corner_;  // of the items, among those of all
   std::vector<Line> lines_;

@@ -98,7 +98,8 @@ LineHiders::LineHiders(const LineItems& items, int threads) : items_(items) {
   enter_cells();
 }
 
-/// Of the polygon's support vertices p, q and r; nothing if it is edge-on, in doubles or exactly.
+/// The plane of the polygon's support vertices p, q and r; nothing if it is edge-on, in doubles or
+/// exactly.
 /// With (a, b, c) the cross product of q - p and r - p, a (x - px) + b (y - py) + c (z - pz) = 0.
 std::optional<LineHiders::DepthPlane> LineHiders::plane(std::uint32_t item) const {
   const auto vertices = items_.points(item);

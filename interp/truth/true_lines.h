@@ -56,9 +56,10 @@ struct LineErrors {
 };
 
 /// What pieces say is seen against what is. A piece may be named for any sharer of its line, in
-/// that one's direction; pieces of one line count together. Wrong parts shorter than kLineCrumb, or than
-/// the rounding of ends, 2^-52 of the line, are forgiven. A piece of a line that is not among the true ones is extra.
-/// Throws Error for a piece of a line that there is not, or not of 0 <= from < to <= 1.
+/// that one's direction; pieces of one line count together. Wrong parts shorter than kLineCrumb, or
+/// than the rounding of ends, 2^-52 of the line, are forgiven. A piece of a line that is not among
+/// the true ones is extra. Throws Error for a piece of a line that there is not, or not of 0 <=
+/// from < to <= 1.
 LineErrors compare_lines(const LineItems& items, std::span<const TrueLine> truth,
                          std::span<const LinePiece> claimed);
 

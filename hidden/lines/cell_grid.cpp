@@ -15,9 +15,11 @@ namespace {
 
 constexpr float kNothingHidden = -std::numeric_limits<float>::infinity();
 
-/// Cells of the finest level for each polygon that hides (hidden/lines/franklin.md has what was
+/// The finest level's cells are half as wide as half of the boxes are long, but not fewer than one,
+/// nor more than so many, for each polygon that hides (hidden/lines/franklin.md has what was
 /// measured).
-constexpr double kCellsAPolygon = 1.0;
+constexpr double kUsualLengthInCells = 2.0;
+constexpr double kMostCellsAPolygon = 8.0;
 /// A polygon is at the level where its box is no larger than this many cells.
 constexpr double kLargestInCells = 4.0;
 /// A polygon is tried as a blocking face if its box is larger than this many cells of the finest
@@ -52,21 +54,25 @@ CellGrid::CellGrid(const LineScene& scene, int threads) {
 
 void CellGrid::lay_out(const LineScene& scene) {
   Extent all = Extent::nothing();
-  std::size_t hiding = 0;
+  std::vector<float> lengths;
   for (const Extent& box : scene.extents()) {
-    hiding += box.x_min <= box.x_max;
+    if (!(box.x_min <= box.x_max)) continue;
     all.include(box);
+    lengths.push_back(std::max(box.x_max - box.x_min, box.y_max - box.y_min));
   }
-  if (hiding == 0) return;
+  if (lengths.empty()) return;
+  const auto half = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), half, lengths.end());
   const double width = double{all.x_max} - double{all.x_min};
   const double height = double{all.y_max} - double{all.y_min};
   const double longer = std::max(width, height);
   Level finest;
   if (std::isfinite(longer) && longer > 0.0) {
     origin_ = {all.x_min, all.y_min};
-    const double cells = kCellsAPolygon * static_cast<double>(hiding);
-    const double most = std::min(kMostColumns, std::max(1.0, cells));
-    cell_ = std::max(std::sqrt(width * height / cells), longer / most);
+    const auto count = static_cast<double>(lengths.size());
+    const double widest = std::sqrt(width * height / count);
+    cell_ = std::clamp(*half / kUsualLengthInCells, widest / std::sqrt(kMostCellsAPolygon), widest);
+    cell_ = std::max(cell_, longer / std::min(kMostColumns, count));
     cells_a_unit_ = 1.0 / cell_;
     finest.columns = static_cast<std::uint32_t>(width * cells_a_unit_) + 1;
     finest.rows = static_cast<std::uint32_t>(height * cells_a_unit_) + 1;

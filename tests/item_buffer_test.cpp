@@ -20,6 +20,7 @@
 #include "clip/error.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
+#include "displayfile/sorted_display_file.h"
 #include "displayfile/text/drawing_program.h"
 #include "interp/interpreter.h"
 #include "interp/opengl/osmesa.h"
@@ -522,7 +523,12 @@ TEST_F(ItemBuffer, OfEveryDrawingProgramAgreesWithOpenGl) {
   for (const auto& path : programs) {
     GraphicsSystem system;
     replay_file(path.string(), system);
-    expect_agreement(path.filename().string(), system.display_file());
+    SortedDisplayFile drawn;  // of a line drawing the fills that hide
+    const bool is_lines = finds_lines(system.hidden_method());
+    expect_agreement(
+        path.filename().string(),
+        is_lines ? drawn.update(system, HiddenMethod::z_buffer, {.method = HiddenMethod::z_buffer})
+                 : system.display_file());
   }
 }
 

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
 #include <ostream>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "clip/error.h"
@@ -12,6 +15,7 @@
 #include "displayfile/input_file.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/text/drawing_program.h"
+#include "programs/keep_freed_memory.h"
 #include "programs/progress.h"
 #include "programs/warnings.h"
 
@@ -83,10 +87,22 @@ void replay_ahead(const std::string& program, const std::string& name, GraphicsS
   }
 }
 
+/// In files.
+std::size_t bytes_of_meshes(std::span<const std::string> inputs) {
+  constexpr std::uintmax_t kMost = std::uintmax_t{1} << 32;
+  std::uintmax_t bytes = 0;
+  for (const std::string& input : inputs) {
+    std::error_code unknown;
+    const std::uintmax_t size = std::filesystem::file_size(input, unknown);
+    if (!is_drawing_program(input) && !unknown) bytes += std::min(size, kMost);
+  }
+  return static_cast<std::size_t>(std::min(bytes, kMost));
+}
 /// Replays the programs ahead of their time, beside the system: what they draw is to be in the view
 /// that is fitted to the meshes as they place them.
 InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem& system,
                        const Camera& camera) {
+  ask_for_memory(2 * bytes_of_meshes(inputs));  // a mesh's text and what is made of it are more
   InputsRead read{{}, {}, {}, {}, CommonUpright(camera)};
   RetainedScene drawn;
   GraphicsSystem ahead;

@@ -4,7 +4,13 @@
 
 #ifdef __GLIBC__
 #include <malloc.h>
+#include <sys/mman.h>
 #endif
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
 
 namespace displayfile {
 
@@ -14,6 +20,21 @@ void keep_freed_memory() {
   mallopt(M_MMAP_THRESHOLD, kLargest);
   mallopt(M_TRIM_THRESHOLD, 8 * kLargest);
   mallopt(M_TOP_PAD, kLargest / 2);
+#endif
+}
+
+void ask_for_memory([[maybe_unused]] std::size_t bytes) {
+#if defined(__GLIBC__) && defined(MADV_POPULATE_WRITE)
+  constexpr std::size_t kPiece = 8 * 1024 * 1024, kPage = 4096;
+  std::array<void*, 32> room{};
+  const std::span pieces = std::span(room).first(std::min(bytes / kPiece, room.size()));
+  for (void*& piece : pieces) {
+    piece = std::malloc(kPiece);
+    if (piece == nullptr) break;
+    const std::size_t to_page = kPage - reinterpret_cast<std::uintptr_t>(piece) % kPage;
+    madvise(static_cast<char*>(piece) + to_page, kPiece - kPage, MADV_POPULATE_WRITE);  // or not
+  }
+  for (void* piece : pieces) std::free(piece);
 #endif
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 
 #include "clip/bounds.h"
@@ -260,10 +261,11 @@ void FittedView::enclose_depth() {
 
 void append_used_vertices(const Mesh& mesh, const ModellingTransformation& modelling,
                           std::vector<Point3>& world) {
-  std::vector<bool> is_used(mesh.vertices.size());
-  for (const std::uint32_t corner : mesh.corners) is_used[corner] = true;
+  std::vector<std::uint8_t> is_used(mesh.vertices.size(), 0);
+  for (const std::uint32_t corner : mesh.corners) is_used[corner] = 1;
+  world.reserve(world.size() + mesh.vertices.size());
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    if (is_used[v]) world.push_back(modelling.apply(mesh.vertices[v]));
+    if (is_used[v] != 0) world.push_back(modelling.apply(mesh.vertices[v]));
   }
 }
 

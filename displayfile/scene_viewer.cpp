@@ -133,11 +133,10 @@ class SceneViewer::Part {
   void view_sieved(const Row& row, const Look& look) {
     const SceneViewer& viewer = in_view_->viewer;
     const RetainedScene& scene = *viewer.scene_;
-    constexpr std::uint32_t kMost = SievedTriangles::kMost;
+    constexpr auto kMost = static_cast<std::uint32_t>(SievedTriangles::kMost);
     for_each_run(row.first, row.end, kMost, [&](std::uint32_t first, std::uint32_t end) {
       const std::uint32_t* const corners = viewer.viewed_.corners_.data() + scene[first].first;
-      const SievedTriangles found =
-          sieve_triangles(corners, static_cast<int>(end - first), viewer.places_.data());
+      const SievedTriangles found = sieve_triangles(corners, end - first, viewer.places_.data());
       if (found.needs_more == 0 && !look.is_lit) {
         const std::uint64_t seen = found.stays & ~(look.removes_back_faces ? found.turned_away : 0);
         return seen_->add_triangles(seen, [&](int k) {
@@ -224,7 +223,7 @@ class SceneViewer::Part {
     if (scene.is_smooth(i)) return view_any(i, primitive);
     take_shared(primitive);
     const Colour colour =
-        lit(scene.fill_colours()[primitive.look], *light_, scene.normal(i), turned_away);
+        lit(scene.fill_colours()[primitive.look], *attributes_.light, scene.normal(i), turned_away);
     seen_->add_triangle({primitive.first, seen_->number_of(colour), primitive.pick});
   }
 

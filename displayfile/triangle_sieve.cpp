@@ -1,5 +1,6 @@
 #include "displayfile/triangle_sieve.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -70,7 +71,7 @@ class Sieve {
   }
 
   /// Bits of the triangles, the first one's at `i`.
-  HWY_INLINE void look(int i, SievedTriangles& found) {
+  HWY_INLINE void look(std::size_t i, SievedTriangles& found) {
     const Ints out = hn::Set(kInts, PicturePlace::kOutside);
     const auto outside = hn::Or(hn::Or(hn::Eq(x_[0], out), hn::Eq(x_[1], out)), hn::Eq(x_[2], out));
     Ints extent_x, extent_y, column, columns, row, rows;
@@ -167,17 +168,19 @@ class Sieve {
   Floats fx_[3], fy_[3];  // in pixels
 };
 
-SievedTriangles SieveTriangles(const std::uint32_t* corners, int n, const PicturePlace* places) {
+SievedTriangles SieveTriangles(const std::uint32_t* corners, std::size_t n,
+                               const PicturePlace* places) {
   SievedTriangles found;
-  const int lanes = static_cast<int>(hn::Lanes(kInts));
-  int i = 0;
+  const std::size_t lanes = hn::Lanes(kInts);
+  std::size_t i = 0;
   for (; i + lanes <= n; i += lanes) Sieve(corners + 3 * i, places).look(i, found);
   if (i < n) {
     std::uint32_t last[3 * 16];  // the others all corner of one vertex
     std::fill_n(last, 3 * 16, corners[3 * i]);
     std::copy(corners + 3 * i, corners + 3 * n, last);
     Sieve(last, places).look(i, found);
-    const std::uint64_t given = n == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << n) - 1;
+    const std::uint64_t given =
+        n == SievedTriangles::kMost ? ~std::uint64_t{0} : (std::uint64_t{1} << n) - 1;
     found.stays &= given;
     found.needs_more &= given;
   }
@@ -198,7 +201,8 @@ double find_places(std::span<const Point3> device, std::span<const std::uint8_t>
   return DISPLAYFILE_WIDEST_FORM(FindPlaces)(device, outcodes, size, places);
 }
 
-SievedTriangles sieve_triangles(const std::uint32_t* corners, int n, const PicturePlace* places) {
+SievedTriangles sieve_triangles(const std::uint32_t* corners, std::size_t n,
+                                const PicturePlace* places) {
   return DISPLAYFILE_WIDEST_FORM(SieveTriangles)(corners, n, places);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -38,7 +38,7 @@ double find_places(std::span<const Point3> device, std::span<const std::uint8_t>
 
 /// What is certain of some triangles; bit i is triangle i's.
 struct SievedTriangles {
-  static constexpr int kMost = 64;
+  static constexpr std::size_t kMost = 64;
   std::uint64_t stays = 0;        ///< has an area, and may cover a centre
   std::uint64_t needs_more = 0;   ///< is outside of a plane with a vertex, or too thin to tell
   std::uint64_t turned_away = 0;  ///< of those that stay: runs clockwise
@@ -53,6 +53,7 @@ struct SievedTriangles {
 /// 2^-16, a difference by 2^-15, so a difference of two products by 2^-14 (m + 1), and from centre
 /// to centre 2^-15 are added, six times at most; with the rounding of single precision that is less
 /// than 2^-11 (m + 1) + 2^-20 m m. Where m is more than 512 a triangle needs more.
-SievedTriangles sieve_triangles(const std::uint32_t* corners, int n, const PicturePlace* places);
+SievedTriangles sieve_triangles(const std::uint32_t* corners, std::size_t n,
+                                const PicturePlace* places);
 
 }  // namespace displayfile

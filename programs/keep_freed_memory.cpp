@@ -25,7 +25,7 @@ void keep_freed_memory() {
 
 void ask_for_memory([[maybe_unused]] std::size_t bytes) {
 #if defined(__GLIBC__) && defined(MADV_POPULATE_WRITE)
-  constexpr std::size_t kPiece = 8 * 1024 * 1024, kPage = 4096;
+  constexpr std::size_t kPiece = std::size_t{8} << 20, kPage = 4096;
   std::array<void*, 32> room{};
   const std::span pieces = std::span(room).first(std::min(bytes / kPiece, room.size()));
   for (void*& piece : pieces) {

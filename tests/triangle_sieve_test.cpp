@@ -145,7 +145,8 @@ Counts check(const Vertices& vertices) {
   std::vector<std::uint32_t> corners(vertices.device.size());
   for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = static_cast<std::uint32_t>(i);
   const int n = static_cast<int>(corners.size() / 3);
-  const SievedTriangles found = sieve_triangles(corners.data(), n, vertices.places.data());
+  const SievedTriangles found =
+      sieve_triangles(corners.data(), corners.size() / 3, vertices.places.data());
   const std::uint64_t given = n == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << n) - 1;
   EXPECT_EQ((found.stays | found.needs_more) & ~given, 0u);
   EXPECT_EQ(found.stays & found.needs_more, 0u);

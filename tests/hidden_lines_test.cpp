@@ -1,5 +1,5 @@
-// Hidden lines (hidden/lines/visible_lines.h): worked by hand, judged by rationals at sampled
-// points, and the methods against each other.
+// Hidden lines (hidden/lines/visible_lines.h): worked by hand, against the truth, and the methods
+// against each other.
 
 #include "hidden/lines/visible_lines.h"
 
@@ -13,7 +13,7 @@
 
 #include "clip/error.h"
 #include "tests/from_environment.h"
-#include "tests/line_judge.h"
+#include "tests/line_truth.h"
 #include "tests/slower.h"
 #include "tests/sort_scenes.h"
 
@@ -175,10 +175,13 @@ TEST(HiddenLines, PolygonsThatShareASideShowItWhereOneDoes) {
   list.solid({c, a, d, b});  // p, q, r are among the first three
   list.solid({a, Point3(0.75, 0.0, 0.75), b});
   list.solid(square(0.0, 0.0, 1.0, 1.0, 0.9));
+  const LineItems items(entered(list));
   for (const HiddenMethod method : kMethods) {
     for (const LineName& line : all_lines(list)) {
-      const auto found = visible_lines(list.view(), {&line, 1}, method, {}).pieces;
-      EXPECT_EQ(LineJudge(list).judged(line, found, 31), "") << name_of(method);
+      const VisibleLines found = visible_lines(list.view(), {&line, 1}, method, {});
+      const LineId id{line.item, line.corner};
+      const LineErrors errors = compare_lines(items, true_lines(items, {&id, 1}), claimed(found));
+      EXPECT_EQ(errors.missing + errors.extra, 0.0) << name_of(method);
     }
   }
 }
@@ -288,29 +291,16 @@ TEST(DrawnLines, SidesAreListedOnceAndByTheFirstThatIsDrawn) {
   EXPECT_EQ(drawn_lines(list.view()), expected);
 }
 
-// ---- Judged by rationals ------------------------------------------------------------------------
+// ---- Against the truth --------------------------------------------------------------------------
 
-TEST(HiddenLines, EveryFamilyAgainstRationals) {
+TEST(HiddenLines, EveryFamilyAgainstTheTruth) {
   const int scenes = from_environment("DISPLAYFILE_LINE_SCENES", 40 / kSlower);
   for (const SortFamily& family : sort_families()) {
     for (int k = 0; k < scenes; ++k) {
       Source s(static_cast<std::uint64_t>(k));
       const ItemList list = family.make(s);
-      const auto wrong = [](const ItemList& part) {
-        const LineJudge judge(part);
-        const auto found = pieces(part, HiddenMethod::roberts);
-        for (const LineName& line : all_lines(part)) {
-          const std::string text = judge.judged(line, found, 11);
-          if (!text.empty()) return text;
-        }
-        return std::string();
-      };
-      if (wrong(list).empty()) continue;
-      const ItemList least =
-          shrunken(list, [&](const ItemList& part) { return !wrong(part).empty(); });
-      ADD_FAILURE() << family.name << ", seed " << k << ": " << wrong(least) << "\n"
-                    << least.text();
-      break;
+      ASSERT_EQ(wrong_lines(entered(list)), "") << family.name << ", seed " << k << "\n"
+                                                << list.text();
     }
   }
 }

@@ -178,7 +178,7 @@ TEST(HiddenLines, PolygonsThatShareASideShowItWhereOneDoes) {
   const LineItems items(entered(list));
   for (const HiddenMethod method : kMethods) {
     for (const LineName& line : all_lines(list)) {
-      const VisibleLines found = visible_lines(list.view(), {&line, 1}, method, {});
+      const SeenLines found = visible_lines(list.view(), {&line, 1}, method, {});
       const LineId id{line.item, line.corner};
       const LineErrors errors = compare_lines(items, true_lines(items, {&id, 1}), claimed(found));
       EXPECT_EQ(errors.missing + errors.extra, 0.0) << name_of(method);

@@ -89,8 +89,8 @@ TEST(HiddenLinesTruth, WithRoundoffSomeAreWrong) {
     const LineItems items(file);
     const ViewedScene scene(file);
     const Precision roundoff{.exact = false, .roundoff = 0.3};
-    const VisibleLines seen = visible_lines(scene.primitives(), drawn_lines(scene.primitives()),
-                                            HiddenMethod::franklin, {.precision = roundoff});
+    const SeenLines seen = visible_lines(scene.primitives(), drawn_lines(scene.primitives()),
+                                         HiddenMethod::franklin, {.precision = roundoff});
     const std::vector<LineId> drawn = items.drawn_lines();
     const LineErrors errors = compare_lines(items, true_lines(items, drawn), test::claimed(seen));
     wrong += errors.missing + errors.extra > 0.0 ? 1 : 0;

@@ -15,7 +15,7 @@
 
 namespace displayfile::test {
 
-inline std::vector<LinePiece> claimed(const VisibleLines& seen) {
+inline std::vector<LinePiece> claimed(const SeenLines& seen) {
   std::vector<LinePiece> pieces;
   for (const VisiblePiece& piece : seen.pieces) {
     pieces.push_back({{piece.item, piece.corner}, piece.from, piece.to});

@@ -17,7 +17,7 @@ class Franklin {
   Franklin(const LineScene& scene, const CellGrid& grid, const Policy& policy)
       : scene_(scene), grid_(grid), line_(scene, policy), looked_at_(scene.items(), 0) {}
 
-  const std::vector<LinePart>& hidden_parts(const LineScene::Line& line) {
+  const std::vector<PartOfLine>& hidden_parts(const LineScene::Line& line) {
     parts_.clear();
     box_ = scene_.extent(line);
     if (grid_.hides(box_)) {
@@ -38,7 +38,7 @@ class Franklin {
   /// A part of the line that lies in one column of cells (or one row of a steep line), and the
   /// depths that bound it.
   struct Stretch {
-    LinePart part;
+    PartOfLine part;
     double nearest, farthest;
   };
 
@@ -119,7 +119,7 @@ class Franklin {
     }
   }
 
-  Stretch stretch(const LinePart& part) const {
+  Stretch stretch(const PartOfLine& part) const {
     if (by_plane_ || (part.from == 0.0 && part.to == 1.0)) return {part, box_.z_max, box_.z_min};
     const double rise = depth_to_ - depth_from_;
     const double p = depth_from_ + part.from * rise, q = depth_from_ + part.to * rise;
@@ -142,8 +142,8 @@ class Franklin {
 
 }  // namespace
 
-VisibleLines visible_lines_by_franklin(const Primitives& items, const LineScene& scene,
-                                       const LineOptions& options) {
+SeenLines visible_lines_by_franklin(const Primitives& items, const LineScene& scene,
+                                    const LineOptions& options) {
   const CellGrid grid(scene, options.threads);
   const std::vector<std::uint32_t> order = grid.lines_by_cell(scene);
   const auto find = [&](const auto& policy) {

@@ -6,7 +6,7 @@ namespace displayfile {
 
 /// The visible pieces by Franklin's method (hidden/lines/franklin.md): a grid of cells, in which a
 /// line is compared with what is near to it and not behind a blocking face. The method for use.
-VisibleLines visible_lines_by_franklin(const Primitives& items, const LineScene& scene,
-                                       const LineOptions& options);
+SeenLines visible_lines_by_franklin(const Primitives& items, const LineScene& scene,
+                                    const LineOptions& options);
 
 }  // namespace displayfile

@@ -6,14 +6,14 @@
 namespace displayfile {
 
 /// A part of a line, by parameters along it, from < to.
-struct LinePart {
+struct PartOfLine {
   double from, to;
 };
 
 /// The parts in order, those that overlap or touch as one.
-inline void unite(std::vector<LinePart>& parts) {
+inline void unite(std::vector<PartOfLine>& parts) {
   if (parts.size() < 2) return;
-  std::ranges::sort(parts, {}, &LinePart::from);
+  std::ranges::sort(parts, {}, &PartOfLine::from);
   std::size_t last = 0;
   for (std::size_t i = 1; i < parts.size(); ++i) {
     if (parts[i].from <= parts[last].to) {
@@ -26,8 +26,8 @@ inline void unite(std::vector<LinePart>& parts) {
 }
 
 /// Adds to `common` what both have; both are united.
-inline void intersect(const std::vector<LinePart>& one, const std::vector<LinePart>& other,
-                      std::vector<LinePart>& common) {
+inline void intersect(const std::vector<PartOfLine>& one, const std::vector<PartOfLine>& other,
+                      std::vector<PartOfLine>& common) {
   for (std::size_t i = 0, j = 0; i < one.size() && j < other.size();) {
     const double from = std::max(one[i].from, other[j].from);
     const double to = std::min(one[i].to, other[j].to);
@@ -47,21 +47,21 @@ class HiddenParts {
     right_.clear();
     reaches_ = 0.0;
   }
-  void add_both(const LinePart& part) {
+  void add_both(const PartOfLine& part) {
     both_.push_back(part);
     if (part.from <= reaches_) reaches_ = std::max(reaches_, part.to);
   }
-  void add_left(const LinePart& part) { left_.push_back(part); }
-  void add_right(const LinePart& part) { right_.push_back(part); }
+  void add_left(const PartOfLine& part) { left_.push_back(part); }
+  void add_right(const PartOfLine& part) { right_.push_back(part); }
 
   /// True if a part is known to be hidden: by what covers both sides.
-  bool hides(const LinePart& part) const {
+  bool hides(const PartOfLine& part) const {
     if (reaches_ >= part.to) return true;
     double from = std::max(part.from, reaches_);
     // What was added in any order is followed as far as it leads.
     for (bool further = true; further && from < part.to;) {
       further = false;
-      for (const LinePart& hidden : both_) {
+      for (const PartOfLine& hidden : both_) {
         if (hidden.from <= from && hidden.to > from) {
           from = hidden.to;
           further = true;
@@ -72,7 +72,7 @@ class HiddenParts {
   }
 
   /// The hidden parts in order; none touch. Valid until something changes.
-  const std::vector<LinePart>& hidden() {
+  const std::vector<PartOfLine>& hidden() {
     if (!left_.empty() && !right_.empty()) {
       unite(left_);
       unite(right_);
@@ -85,7 +85,7 @@ class HiddenParts {
   }
 
  private:
-  std::vector<LinePart> both_, left_, right_;
+  std::vector<PartOfLine> both_, left_, right_;
   double reaches_ = 0.0;  // all is hidden from 0 to this
 };
 

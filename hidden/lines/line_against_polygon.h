@@ -35,14 +35,14 @@ class LineAgainstPolygon {
     const int nearer_at_b = b_is_corner_ ? 0 : policy_.nearer(line_, line_.b, plane);
     if (nearer_at_a <= 0 && nearer_at_b <= 0) return false;
     find_crossings(polygon);
-    LinePart part{0.0, 1.0};
+    PartOfLine part{0.0, 1.0};
     if (nearer_at_a < 0) part.from = policy_.meeting(line_, plane);
     if (nearer_at_b < 0) part.to = policy_.meeting(line_, plane);
     if (left_ == right_) {
-      return add_covered(left_, part, [&](const LinePart& covered) { parts.add_both(covered); });
+      return add_covered(left_, part, [&](const PartOfLine& covered) { parts.add_both(covered); });
     }
-    add_covered(left_, part, [&](const LinePart& covered) { parts.add_left(covered); });
-    add_covered(right_, part, [&](const LinePart& covered) { parts.add_right(covered); });
+    add_covered(left_, part, [&](const PartOfLine& covered) { parts.add_left(covered); });
+    add_covered(right_, part, [&](const PartOfLine& covered) { parts.add_right(covered); });
     return false;
   }
 
@@ -98,12 +98,12 @@ class LineAgainstPolygon {
   }
 
   template <class Add>
-  static bool add_covered(const std::vector<double>& crossings, const LinePart& nearer,
+  static bool add_covered(const std::vector<double>& crossings, const PartOfLine& nearer,
                           const Add& add) {
     bool any = false;
     for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
-      const LinePart part{std::max(crossings[k], nearer.from),
-                          std::min(crossings[k + 1], nearer.to)};
+      const PartOfLine part{std::max(crossings[k], nearer.from),
+                            std::min(crossings[k + 1], nearer.to)};
       if (part.from >= part.to) continue;
       add(part);
       any = true;

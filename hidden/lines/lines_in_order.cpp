@@ -26,7 +26,7 @@ Point3 on_line(const Ends& ends, double share) {
 
 SortedPieces lines_in_order(const Primitives& items, HiddenMethod method,
                             const SortOptions& options) {
-  const VisibleLines seen =
+  const SeenLines seen =
       visible_lines(items, drawn_lines(items), method,
                     {.precision = options.precision, .threads = options.threads});
   SortedPieces pieces;

@@ -14,7 +14,7 @@ class Roberts {
   Roberts(const LineScene& scene, const ExtentTree& tree, const Policy& policy)
       : scene_(scene), tree_(tree), line_(scene, policy) {}
 
-  const std::vector<LinePart>& hidden_parts(const LineScene::Line& line) {
+  const std::vector<PartOfLine>& hidden_parts(const LineScene::Line& line) {
     parts_.clear();
     line_.look_at(line);
     const Extent box = scene_.extent(line);
@@ -37,8 +37,8 @@ class Roberts {
 
 }  // namespace
 
-VisibleLines visible_lines_by_roberts(const Primitives& items, const LineScene& scene,
-                                      const LineOptions& options) {
+SeenLines visible_lines_by_roberts(const Primitives& items, const LineScene& scene,
+                                   const LineOptions& options) {
   const ExtentTree tree = extent_tree(scene.extents(), options.threads);
   const auto find = [&](const auto& policy) {
     return visible_pieces(scene, scene.first_lines(), options.threads,

@@ -6,7 +6,7 @@ namespace displayfile {
 
 /// The visible pieces by Roberts's method (hidden/lines/roberts.md): each line against each polygon
 /// that may hide it. The plain form, and the others' reference.
-VisibleLines visible_lines_by_roberts(const Primitives& items, const LineScene& scene,
-                                      const LineOptions& options);
+SeenLines visible_lines_by_roberts(const Primitives& items, const LineScene& scene,
+                                   const LineOptions& options);
 
 }  // namespace displayfile

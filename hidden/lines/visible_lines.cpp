@@ -43,8 +43,8 @@ std::vector<LineName> drawn_lines(const Primitives& items) {
   return lines;
 }
 
-VisibleLines visible_lines(const Primitives& items, std::span<const LineName> lines,
-                           HiddenMethod method, const LineOptions& options) {
+SeenLines visible_lines(const Primitives& items, std::span<const LineName> lines,
+                        HiddenMethod method, const LineOptions& options) {
   if (method != HiddenMethod::roberts && method != HiddenMethod::franklin) {
     throw Error("the hidden-line method " + std::string(name_of(method)) +
                 " does not find visible lines: expected roberts or franklin");

@@ -28,7 +28,7 @@ struct VisiblePiece {
 };
 
 /// What is seen of lines; what is left of each is hidden.
-struct VisibleLines {
+struct SeenLines {
   std::vector<VisiblePiece> pieces;  ///< by item, corner, from; pieces of a line do not touch
 };
 
@@ -47,7 +47,7 @@ std::vector<LineName> drawn_lines(const Primitives& items);
 /// exact precision each end of a piece is the true one, rounded once to the nearest double, so that
 /// all methods give the same pieces. Throws Error for a line that there is not, or a method that
 /// finds no lines: expected are roberts and franklin.
-VisibleLines visible_lines(const Primitives& items, std::span<const LineName> lines,
-                           HiddenMethod method, const LineOptions& options);
+SeenLines visible_lines(const Primitives& items, std::span<const LineName> lines,
+                        HiddenMethod method, const LineOptions& options);
 
 }  // namespace displayfile

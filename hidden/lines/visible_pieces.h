@@ -19,7 +19,7 @@ namespace displayfile {
 /// A part of a line that is seen.
 struct SeenPart {
   std::uint32_t name;
-  LinePart part;
+  PartOfLine part;
 };
 
 /// Adds what is seen of the line of one name, which begins at lines[first]. A method finds what is
@@ -29,9 +29,9 @@ template <class Finder>
 void find_seen(std::span<const LineScene::Line> lines, std::size_t first, Finder& finder,
                std::vector<SeenPart>& seen) {
   const std::uint32_t name = lines[first].name;
-  const auto add = [&](const std::vector<LinePart>& hidden) {
+  const auto add = [&](const std::vector<PartOfLine>& hidden) {
     double from = 0.0;
-    for (const LinePart& part : hidden) {
+    for (const PartOfLine& part : hidden) {
       if (from < part.from) seen.push_back({name, {from, part.from}});
       from = part.to;
     }
@@ -41,7 +41,7 @@ void find_seen(std::span<const LineScene::Line> lines, std::size_t first, Finder
     return i + 1 == lines.size() || lines[i + 1].name != name;
   };
   if (is_last(first)) return add(finder.hidden_parts(lines[first]));
-  std::vector<LinePart> hidden = finder.hidden_parts(lines[first]), common;
+  std::vector<PartOfLine> hidden = finder.hidden_parts(lines[first]), common;
   for (std::size_t i = first; !is_last(i) && !hidden.empty(); ++i) {
     common.clear();
     intersect(hidden, finder.hidden_parts(lines[i + 1]), common);
@@ -88,8 +88,8 @@ class Finders {
 /// line of each name in the order in which they are looked at, best so that those near each other
 /// follow each other; the pieces are in order of names.
 template <class MakeFinder>
-VisibleLines visible_pieces(const LineScene& scene, std::span<const std::uint32_t> order,
-                            int threads, const MakeFinder& make_finder) {
+SeenLines visible_pieces(const LineScene& scene, std::span<const std::uint32_t> order, int threads,
+                         const MakeFinder& make_finder) {
   constexpr std::size_t kPart = 512;
   std::vector<std::vector<SeenPart>> seen((order.size() + kPart - 1) / kPart);
   Finders finders(make_finder);
@@ -105,7 +105,7 @@ VisibleLines visible_pieces(const LineScene& scene, std::span<const std::uint32_
     for (const SeenPart& part : parts) ++place[part.name + 1];
   }
   for (std::size_t n = 1; n < place.size(); ++n) place[n] += place[n - 1];
-  VisibleLines all;
+  SeenLines all;
   all.pieces.resize(place.back());
   for (const auto& parts : seen) {
     for (const auto& [name, part] : parts) {

@@ -36,7 +36,7 @@ struct LinesOfScene {
     std::ranges::fill(scene.visible, std::uint8_t{1});
     lines = drawn_lines(scene.items());
   }
-  VisibleLines find(HiddenMethod method, bool exact, int threads) const {
+  SeenLines find(HiddenMethod method, bool exact, int threads) const {
     LineOptions options;
     options.precision.exact = exact;
     options.threads = threads;

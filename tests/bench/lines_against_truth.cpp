@@ -58,6 +58,7 @@ DisplayFile entered(const std::string& mesh, const Seen& seen) {
   closer.set_view_plane_normal(view.plane_normal);
   closer.set_view_up(view.up);
   closer.set_perspective(view.centre_of_projection);
+  closer.set_view_depth(view.front, view.back);
   const auto part = [](double low, double high, double t) { return low + t * (high - low); };
   closer.set_window(part(window.x_min, window.x_max, 0.3), part(window.x_min, window.x_max, 0.7),
                     part(window.y_min, window.y_max, 0.3), part(window.y_min, window.y_max, 0.7));
@@ -70,7 +71,7 @@ std::vector<std::string> judged(const std::string& mesh, const Seen& seen, const
   const LineItems items(file);
   const ViewedScene scene(file);
   const std::vector<LineName> lines = drawn_lines(scene.primitives());
-  const VisibleLines found =
+  const SeenLines found =
       visible_lines(scene.primitives(), lines, hidden_method(options.method),
                     {.precision = precision(options.precision), .threads = options.threads});
   std::vector<LineId> ids;

@@ -57,12 +57,12 @@ int TruthCommand::run() const {
     Progress progress(fmt::format("the truth of {} {}polygons", file.polygons(), what));
     return judge([&](std::size_t done, std::size_t polygons) { progress.update(done, polygons); });
   };
-  Picture picture = with_progress("", [&](const TruthProgress& progress) {
+  Picture picture = with_progress("", [&](const WorkProgress& progress) {
     return truth(file, width, height, !depth.empty() && !from_world, progress);
   });
   std::string report;
   if (from_world) {
-    Picture of_world = with_progress("world ", [&](const TruthProgress& progress) {
+    Picture of_world = with_progress("world ", [&](const WorkProgress& progress) {
       return world_truth(retained, file, width, height, !depth.empty(), progress);
     });
     report = fmt::format("{} of {} pixels differ: there the rounding of viewing decides\n",

@@ -26,9 +26,9 @@ Point3 on_line(const Ends& ends, double share) {
 
 SortedPieces lines_in_order(const Primitives& items, HiddenMethod method,
                             const SortOptions& options) {
-  const SeenLines seen =
-      visible_lines(items, drawn_lines(items), method,
-                    {.precision = options.precision, .threads = options.threads});
+  const SeenLines seen = visible_lines(
+      items, drawn_lines(items), method,
+      {.precision = options.precision, .threads = options.threads, .progress = options.progress});
   SortedPieces pieces;
   pieces.are_lines = true;
   pieces.pieces.reserve(seen.pieces.size());

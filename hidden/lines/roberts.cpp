@@ -41,7 +41,7 @@ SeenLines visible_lines_by_roberts(const Primitives& items, const LineScene& sce
                                    const LineOptions& options) {
   const ExtentTree tree = extent_tree(scene.extents(), options.threads);
   const auto find = [&](const auto& policy) {
-    return visible_pieces(scene, scene.first_lines(), options.threads,
+    return visible_pieces(scene, scene.first_lines(), options,
                           [&] { return Roberts(scene, tree, policy); });
   };
   const Definitions points{items.points, {}};

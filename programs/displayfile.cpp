@@ -77,7 +77,7 @@ int run(int argc, char** argv) {
   ImportCommand import;
   PictureCheck pictures;
   check.other = &pictures;
-  draw.options.threads = dump.threads = check.threads =
+  draw.options.threads = dump.threads = check.threads = truth.threads =
       static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   add(draw);
   add(dump);

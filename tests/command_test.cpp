@@ -112,6 +112,38 @@ TEST_F(Command, TruthOfABareMeshSeesTheSceneThatDrawSees) {
   EXPECT_EQ(run("compare d.npy t.npy"), 0) << out_;
 }
 
+/// Lengths in the picture's side: of a line through the middle of two squares, one before it.
+TEST_F(Command, TruthJudgesLines) {
+  write("t.draw",
+        "set-window 0 1 0 1\nset-view-depth -2 2\nset-line-style solid 1 1 1\nopen-segment 1\n"
+        "move-abs-3 0 0.5 0\nline-abs-3 1 0.5 0\nset-line-style none\npolygon-abs-3 0.25 0 1  0.5 "
+        "0 1  0.5 1 1  0.25 1 1"
+        "\npolygon-abs-3 0.75 0 1e-7  1 0 1e-7  1 1 1e-7  0.75 1 1e-7\nclose-segment\n");
+  EXPECT_EQ(run("truth t.draw --seen-lines t.txt --hidden franklin"), 0) << err_;
+  EXPECT_EQ(out_,
+            "lines           1, judged whole\npieces seen     2 by franklin\n"
+            "total length    1 of the picture's side\nmissing length  0\nextra length    0\n");
+  for (const std::string method : {"roberts", "franklin"}) {
+    EXPECT_EQ(run("dump t.draw -o d.txt --hidden " + method), 0) << err_;
+    EXPECT_EQ(run("compare t.txt d.txt"), 0) << out_;
+  }
+  EXPECT_EQ(run("truth t.draw --hidden roberts --precision roundoff=1e-6"), 1) << err_;
+  EXPECT_NE(out_.find("missing length  0\nextra length    0.25\n"), std::string::npos) << out_;
+  EXPECT_EQ(run("truth t.draw --hidden roberts --precision roundoff=1e-6 --line-samples 400"), 1);
+  EXPECT_NE(out_.find("judged at "), std::string::npos) << out_;
+  EXPECT_NE(out_.find("missing length  0\nextra length    0.25"), std::string::npos) << out_;
+  write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  EXPECT_EQ(run("truth m.obj --hidden franklin --ids i.npy --size 9x9"), 0) << err_;
+  EXPECT_NE(out_.find("lines           6,"), std::string::npos) << out_;
+  EXPECT_TRUE(fs::exists(folder_ / "i.npy"));
+  expect_error("truth t.draw --hidden z-buffer", "expected one of roberts");
+  expect_error("truth t.draw --hidden nothing", "unknown hidden-surface method 'nothing'");
+  expect_error("truth t.draw --hidden franklin --precision rough", "rough");
+  expect_error("truth t.draw --from world --seen-lines x.txt", "display-file coordinates");
+  expect_error("truth t.draw --seen-lines nowhere/x.txt", "nowhere/x.txt");
+  expect_error("truth t.draw --ids x.npy --line-samples 9", "expected --hidden");
+}
+
 TEST_F(Command, TruthFromWorldCountsWhatTheRoundingOfViewingDecides) {
   write("view.draw", "set-view-plane-normal -3 -2 -6\nset-perspective 3 2 6\n");
   write("apart.draw",

@@ -250,6 +250,9 @@ class GraphicsSystem {
 
   /// Sets the threads of close_segment's sort, whose result is the same for any number of them.
   void set_threads(int threads) { sort_options_.threads = threads; }
+  /// Is told, if not empty, of lines that close_segment looks at by a method that finds lines. What
+  /// it throws comes out of close_segment; the segment is then open still, with all that is in it.
+  void set_progress(WorkProgress progress) { sort_options_.progress = std::move(progress); }
 
   /// Records every routine that succeeds from now on; null stops. The recorder must live on.
   void set_recorder(Recorder* recorder) { recorder_ = recorder; }

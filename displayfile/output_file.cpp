@@ -83,6 +83,7 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_
 void OutputFile::create_temporary() {
   for (int attempt = 0; attempt < kNamesToTry; ++attempt) {
     temporary_ = temporary_name(target_, attempt);
+    unfinished_ = UnfinishedPath(temporary_);
     const int descriptor =
         ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);  // less umask
     if (descriptor >= 0) {
@@ -105,6 +106,7 @@ void OutputFile::remove_temporary() {
   if (!pending_) return;
   std::error_code ignored;
   fs::remove(temporary_, ignored);
+  unfinished_ = {};
   pending_ = false;
 }
 
@@ -135,6 +137,7 @@ void OutputFile::commit() {
     remove_temporary();
     fail("cannot be replaced: " + error.message());
   }
+  unfinished_ = {};
   pending_ = false;
 }
 

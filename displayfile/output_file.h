@@ -3,11 +3,14 @@
 #include <fstream>
 #include <string>
 
+#include "displayfile/unfinished_path.h"
+
 namespace displayfile {
 
 /// A file that appears whole or not at all. What is written goes to a temporary file beside
 /// the target, and commit() renames it over the target; without commit() the destructor
-/// removes it and the target is what it was.
+/// removes it and the target is what it was; so does UnfinishedPath::remove_all, for a process that
+/// is told to stop.
 ///
 ///   OutputFile out("picture.svg");
 ///   out.stream() << ...;          // or hand out.temporary_path() to a library that writes
@@ -49,6 +52,7 @@ class OutputFile {
   bool standard_output_ = false;
   bool direct_ = false;   // the target is written to in place
   bool pending_ = false;  // the temporary file is ours to remove
+  UnfinishedPath unfinished_;
   std::ofstream stream_;
 };
 

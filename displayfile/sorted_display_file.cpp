@@ -24,6 +24,14 @@ bool draw_the_same(const Segment& a, const Segment& b) {
   return a.name() == b.name() && a.entered() == b.entered() && a.image == b.image;
 }
 
+SortOptions sort_options(const HiddenSurfaceOptions& options, const Precision& precision) {
+  SortOptions sort;
+  sort.precision = precision;
+  sort.threads = options.threads;
+  sort.progress = options.progress;
+  return sort;
+}
+
 /// One order for all, whose groups do not overlap.
 std::shared_ptr<const SortedScene> joined(
     std::span<const std::shared_ptr<const SortedScene>> groups, HiddenMethod method,
@@ -50,35 +58,55 @@ Precision precision_in_force(const GraphicsSystem& system, const HiddenSurfaceOp
 
 const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, HiddenMethod method,
                                              const HiddenSurfaceOptions& options) {
-  last_ = std::exchange(file_, system.display_file());
   const bool applications = !options.method && method_in_force(system, options) == method;
   const auto usual = applications ? HiddenScope::segment : HiddenScope::all;
   const HiddenScope set = system.hidden_scope().value_or(usual);
   const HiddenScope scope = options.scope.value_or(set);
-  SortOptions sort;
-  sort.precision = precision_in_force(system, options);
-  sort.threads = options.threads;
-  if (is_object_space(method) && scope == HiddenScope::all) {
-    sort_together(method, sort);
-  } else if (is_object_space(method) && !(applications && set == HiddenScope::segment)) {
-    sort_segments(method, sort);
-  } else if (options.method && !is_object_space(method)) {
-    unsort();
-  } else {
-    sort_as_closed(options.precision, options.threads);
+  const SortOptions sort = sort_options(options, precision_in_force(system, options));
+  return sort_anew(system.display_file(), [&] {
+    if (is_object_space(method) && scope == HiddenScope::all) {
+      sort_together(method, sort);
+    } else if (is_object_space(method) && !(applications && set == HiddenScope::segment)) {
+      sort_segments(method, sort);
+    } else if (options.method && !is_object_space(method)) {
+      unsort();
+    } else {
+      sort_as_closed(options);
+    }
+  });
+}
+
+const DisplayFile& SortedDisplayFile::update(const DisplayFile& entered, HiddenMethod method,
+                                             const HiddenSurfaceOptions& options) {
+  const SortOptions sort = sort_options(options, options.precision.value_or(Precision{}));
+  return sort_anew(entered, [&] {
+    if (options.scope == HiddenScope::segment) {
+      sort_segments(method, sort);
+    } else {
+      sort_together(method, sort);
+    }
+  });
+}
+
+template <class Sort>
+const DisplayFile& SortedDisplayFile::sort_anew(const DisplayFile& entered, const Sort& sort) {
+  last_ = std::exchange(file_, entered);
+  try {
+    sort();
+  } catch (...) {
+    file_ = std::exchange(last_, {});
+    throw;
   }
   last_ = {};
   return file_;
 }
 
-void SortedDisplayFile::sort_as_closed(const std::optional<Precision>& precision, int threads) {
+void SortedDisplayFile::sort_as_closed(const HiddenSurfaceOptions& asked) {
   for (const Segment& segment : file_.segments()) {
     const auto sorted = segment.sorted();
     if (!segment.visible || sorted == nullptr) continue;
-    SortOptions options;
-    options.precision = precision.value_or(sorted->precision);
-    options.threads = threads;
-    sort_segment(segment, sorted->method, options);
+    sort_segment(segment, sorted->method,
+                 sort_options(asked, asked.precision.value_or(sorted->precision)));
   }
 }
 

@@ -18,6 +18,9 @@ struct HiddenSurfaceOptions {
   std::optional<HiddenScope> scope = std::nullopt;
   std::optional<Precision> precision = std::nullopt;
   int threads = 1;  ///< the result is the same for any number
+  /// Told by a method that finds lines of those looked at, anew for each segment, or group of
+  /// segments, that is looked at by itself.
+  WorkProgress progress = {};
 };
 
 /// The method in force: that of the options, or else what the application set with
@@ -44,7 +47,13 @@ class SortedDisplayFile {
   const DisplayFile& update(const GraphicsSystem& system, HiddenMethod method,
                             const HiddenSurfaceOptions& options = {});
 
-  /// The display file as the last update left it.
+  /// Brings it up to date with a display file of its own, such as that of a new view: its visible
+  /// segments sorted by `method`, a sort or one that finds lines, together unless the options'
+  /// scope is each segment, exactly unless they have a precision.
+  const DisplayFile& update(const DisplayFile& entered, HiddenMethod method,
+                            const HiddenSurfaceOptions& options);
+
+  /// The display file as the last update left it; one that failed leaves it as it was.
   const DisplayFile& display_file() const { return file_; }
 
   /// The work of the last update with scope all: how many groups of segments that overlap there
@@ -62,7 +71,9 @@ class SortedDisplayFile {
   };
   SortedGroup sorted_group(const SegmentGroup& group, HiddenMethod method,
                            const SortOptions& options);
-  void sort_as_closed(const std::optional<Precision>& precision, int threads);
+  template <class Sort>
+  const DisplayFile& sort_anew(const DisplayFile& entered, const Sort& sort);
+  void sort_as_closed(const HiddenSurfaceOptions& asked);
   void sort_segments(HiddenMethod method, const SortOptions& options);
   void sort_together(HiddenMethod method, const SortOptions& options);
   void sort_segment(const Segment& segment, HiddenMethod method, const SortOptions& options);

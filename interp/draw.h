@@ -36,6 +36,7 @@ struct DrawOptions {
   std::filesystem::path ids = {};    ///< item buffer as int32 .npy, if not empty
   std::filesystem::path depth = {};  ///< depth of the fills seen as float64 .npy, if not empty
   bool with_ids = false, with_depth = false;  ///< a picture in memory has them: Picture's members
+  WorkProgress progress = {};                 ///< as HiddenSurfaceOptions's
 };
 
 /// The part of the options that says how hidden surfaces are found.

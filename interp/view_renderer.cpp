@@ -20,12 +20,15 @@ namespace {
 RasterRequest raster_request_of_view(const DrawOptions& options) {
   RasterRequest request = raster_request(options);
   request.method = options.hidden.value_or(HiddenMethod::automatic);
-  if (!is_image_space(request.method) || request.method == HiddenMethod::world_ray_cast) {
+  const bool in_image_space =
+      is_image_space(request.method) && request.method != HiddenMethod::world_ray_cast;
+  if (!in_image_space && !finds_lines(request.method)) {
     throw Error(
-        fmt::format("a view renderer finds hidden surfaces in image space, not by {}: "
-                    "expected a method of image space",
+        fmt::format("a view renderer finds hidden surfaces in image space, or lines, not by {}: "
+                    "expected a method of image space or of lines",
                     name_of(request.method)));
   }
+  require_drawable_by(request.method, options);
   if (options.precision && !options.precision->exact) {
     request.roundoff = options.precision->roundoff;
   }
@@ -48,6 +51,22 @@ struct ViewRenderer::Kept {
     }
     return casters.get();
   }
+
+  /// What draw(source, request) returns, of the scene in that view.
+  template <class Draw>
+  auto in_view(const View& view, const glm::dmat3& lights_turned, const DrawOptions& options,
+               RasterRequest request, const Draw& draw) {
+    if (finds_lines(request.method)) {
+      SortedDisplayFile lines;
+      const DisplayFile& seen = lines.update(viewer.display_file(view, lights_turned),
+                                             request.method, hidden_surface_options(options));
+      request.sorted = has_exact_order(seen);
+      return draw(DisplayFileSource(seen, false, options, software), request);
+    }
+    return draw(ViewSource(viewer, view, lights_turned, options, software,
+                           casters_of_shadows(options.threads)),
+                request);
+  }
 };
 
 ViewRenderer::ViewRenderer(const RetainedScene& scene, const DisplayFile& attributes)
@@ -63,9 +82,10 @@ const Picture& ViewRenderer::draw(const View& view, const DrawOptions& options,
   Kept& kept = *kept_;
   kept.software.give_back(std::exchange(kept.picture, Picture()));
   kept.picture = with_memory_of_picture(options, kept.software, [&] {
-    const ViewSource source(kept.viewer, view, lights_turned, options, kept.software,
-                            kept.casters_of_shadows(options.threads));
-    return draw_pixels(source, request, options);
+    return kept.in_view(view, lights_turned, options, request,
+                        [&](const PictureSource& source, const RasterRequest& asked) {
+                          return draw_pixels(source, asked, options);
+                        });
   });
   return kept.picture;
 }
@@ -76,9 +96,10 @@ void ViewRenderer::draw(const View& view, const std::filesystem::path& file,
   require_drawable(file, options);
   Kept& kept = *kept_;
   with_memory_of_drawing(kept.viewer.bytes(), file, options, [&] {
-    const ViewSource source(kept.viewer, view, lights_turned, options, kept.software,
-                            kept.casters_of_shadows(options.threads));
-    write_picture(source, request, file, options);
+    kept.in_view(view, lights_turned, options, request,
+                 [&](const PictureSource& source, const RasterRequest& asked) {
+                   write_picture(source, asked, file, options);
+                 });
   });
 }
 

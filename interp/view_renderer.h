@@ -13,11 +13,11 @@
 namespace displayfile {
 
 /// Draws a retained scene from new eyes, one picture after another, by any method that works in
-/// image space (displayfile/scene_viewer.md): nothing is sorted, each vertex is viewed once, what
-/// no pixel's centre can show is left out, and memory is kept from picture to picture; so is what
-/// a moving eye leaves as it was of shadows, and a moving light of visible surfaces. What is seen
-/// is what the system would have drawn in that view, to the last bit. For one thread, which
-/// shares the work among as many as the options say.
+/// image space (displayfile/scene_viewer.md) or finds lines. In image space nothing is sorted, each
+/// vertex is viewed once, what no pixel's centre can show is left out, and memory is kept from
+/// picture to picture; so is what a moving eye leaves as it was of shadows, and a moving light of
+/// visible surfaces. What is seen is what the system would have drawn in that view, to the last
+/// bit. For one thread, which shares the work among as many as the options say.
 class ViewRenderer {
  public:
   /// The scene, and the display file of the system that retained it, which says which segments are
@@ -29,9 +29,10 @@ class ViewRenderer {
   ViewRenderer& operator=(ViewRenderer&& other) noexcept;
 
   /// The visible segments in that view, with the lights turned by a rotation. The options' method
-  /// is `automatic`, the z-buffer, unless they say otherwise; scope has no meaning. The picture
-  /// stays until the next call, which uses its memory again. Throws Error as draw (interp/draw.h)
-  /// and ViewVolume do, and for a method that does not work in image space.
+  /// is `automatic`, the z-buffer, unless they say otherwise; scope has a meaning for methods of
+  /// lines alone: without one all segments are drawn together. The picture stays until the next
+  /// call, which uses its memory again. Throws Error as draw (interp/draw.h) and ViewVolume do, and
+  /// for a method that neither works in image space nor finds lines.
   const Picture& draw(const View& view, const DrawOptions& options = {},
                       const glm::dmat3& lights_turned = glm::dmat3(1.0));
   void draw(const View& view, const std::filesystem::path& file, const DrawOptions& options = {},

@@ -22,6 +22,7 @@
 #include "programs/import_command.h"
 #include "programs/keep_freed_memory.h"
 #include "programs/picture_check.h"
+#include "programs/stop_signals.h"
 #include "programs/truth_command.h"
 #include "programs/version.h"
 
@@ -76,7 +77,7 @@ int run(int argc, char** argv) {
   ImportCommand import;
   PictureCheck pictures;
   check.other = &pictures;
-  draw.options.threads = dump.threads = check.threads =
+  draw.options.threads = dump.threads = check.threads = truth.threads =
       static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   add(draw);
   add(dump);
@@ -103,5 +104,6 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   displayfile::keep_freed_memory();
+  displayfile::leave_nothing_when_stopped();
   return displayfile::exit_status(displayfile::run, argc, argv);
 }

@@ -111,8 +111,9 @@ void DrawCommand::add_picture_options(CLI::App& command) {
   command
       .add_option("--turntable", turntable,
                   "N views, turned evenly all around the axis that is up, from one BSP tree; "
-                  "with --hidden z-buffer or another method of image space without a sort, and "
-                  "with --hidden world-ray-cast from one tree of boxes: "
+                  "with --hidden z-buffer or another method of image space without a sort, with a "
+                  "method of lines each by itself, and with --hidden world-ray-cast from one tree "
+                  "of boxes: "
                   "OUT.png becomes OUT-000.png, OUT-001.png, ..., --ids and --depth likewise")
       ->group(kPictureOptions);
   command.add_option("--device", options.device, listed(raster_devices()))
@@ -159,9 +160,9 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
   std::string text = explain ? explanation_of_method(system, entered.options(), kind) : "";
   SortedDisplayFile sorted;
   {
-    const Progress progress(fmt::format("drawing {} polygons", entered.polygons()));
+    Progress progress(fmt::format("drawing {} polygons", entered.polygons()));
     make_folders();
-    entered.draw(file, sorted);
+    entered.draw(file, sorted, progress.told());
   }
   left_out.note(system.display_file(), drawing, kind);
   entered.warn_if_nothing_is_seen();

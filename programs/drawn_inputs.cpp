@@ -47,9 +47,11 @@ std::size_t DrawnInputs::polygons() const {
 }
 
 /// Bare meshes are drawn in one view.
-void DrawnInputs::draw(const std::filesystem::path& file, SortedDisplayFile& kept) const {
-  if (!system_.retains_alone()) return displayfile::draw(system_, file, options_, kept);
+void DrawnInputs::draw(const std::filesystem::path& file, SortedDisplayFile& kept,
+                       const WorkProgress& progress) const {
   DrawOptions options = options_;
+  options.progress = progress;
+  if (!system_.retains_alone()) return displayfile::draw(system_, file, options, kept);
   if (!options.background) options.background = system_.background();
   if (!options.precision) options.precision = system_.precision();
   ViewRenderer renderer(scene_, system_.display_file());

@@ -31,8 +31,10 @@ class DrawnInputs {
 
   std::size_t polygons() const;  ///< of the display file, or retained
 
-  /// Draws them; `kept` is the display file as it was sorted, if one was.
-  void draw(const std::filesystem::path& file, SortedDisplayFile& kept) const;
+  /// Draws them; `kept` is the display file as it was sorted, if one was. Progress is told as
+  /// DrawOptions says.
+  void draw(const std::filesystem::path& file, SortedDisplayFile& kept,
+            const WorkProgress& progress) const;
 
   /// Warns, with the reason, if the picture is empty. The reason is worked out only then, for which
   /// inputs that were not retained are entered once more.

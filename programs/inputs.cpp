@@ -157,6 +157,20 @@ void append_axes(std::span<const std::string> inputs, const GraphicsSystem& syst
   append_drawn(shared, drawn, read.bare);
 }
 
+/// While it lives, what close-segment looks at is told to a Progress.
+class ToldOfClosing {
+ public:
+  ToldOfClosing(GraphicsSystem& system, Progress& progress) : system_(system) {
+    system.set_progress(progress.told());
+  }
+  ~ToldOfClosing() { system_.set_progress({}); }
+  ToldOfClosing(const ToldOfClosing&) = delete;
+  ToldOfClosing& operator=(const ToldOfClosing&) = delete;
+
+ private:
+  GraphicsSystem& system_;
+};
+
 /// A mesh that is read well may still be refused, by what else was set: then its name is told too.
 template <class Enter>
 void naming(const std::string& mesh, Enter&& enter) {
@@ -173,7 +187,8 @@ std::optional<Upright> enter_inputs(std::span<const std::string> inputs, Graphic
                                     const MeshOptions& options) {
   if (std::ranges::all_of(inputs, is_drawing_program)) {
     for (const std::string& input : inputs) {
-      const Progress progress("replaying " + input);
+      Progress progress("replaying " + input);
+      const ToldOfClosing told(system, progress);
       replay_file(input, system);
     }
     return std::nullopt;
@@ -185,7 +200,8 @@ std::optional<Upright> enter_inputs(std::span<const std::string> inputs, Graphic
     append_axes(inputs, system, read);
     fit_view(read.bare, system, read.upright.camera(), read.said);
   });
-  const Progress progress("entering " + inputs.front() + (inputs.size() > 1 ? " and others" : ""));
+  Progress progress("entering " + inputs.front() + (inputs.size() > 1 ? " and others" : ""));
+  const ToldOfClosing told(system, progress);
   auto program = read.programs.begin();
   std::span<const Mesh> meshes = read.meshes;
   for (std::size_t i = 0; i < inputs.size();) {
@@ -224,7 +240,11 @@ DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOpt
   GraphicsSystem system;
   system.set_threads(options.threads);
   enter_inputs(inputs, system, meshes, aspect, options.method);
-  return SortedDisplayFile{}.update(system, method_in_force(system, options), options);
+  Progress progress(
+      fmt::format("hidden surfaces of {} polygons", system.display_file().polygons()));
+  HiddenSurfaceOptions shown = options;
+  shown.progress = progress.told();
+  return SortedDisplayFile{}.update(system, method_in_force(system, options), shown);
 }
 
 }  // namespace displayfile

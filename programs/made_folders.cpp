@@ -21,7 +21,11 @@ void MadeFolders::make_for(const fs::path& file) {
     missing.push_back(above);
   }
   if (missing.empty()) return;
-  made_.insert(made_.end(), missing.rbegin(), missing.rend());
+  std::ranges::reverse(missing);
+  for (const fs::path& made : missing) {
+    made_.push_back(made);
+    unfinished_.emplace_back(made.string());
+  }
   fs::create_directories(folder, error);
   if (error) throw Error(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
 }

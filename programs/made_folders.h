@@ -4,6 +4,8 @@
 #include <mutex>
 #include <vector>
 
+#include "displayfile/unfinished_path.h"
+
 namespace displayfile {
 
 /// Folders that outputs need. Those in which nothing is at the end are removed again.
@@ -21,6 +23,7 @@ class MadeFolders {
  private:
   std::mutex one_at_a_time_;
   std::vector<std::filesystem::path> made_;  // each after the one that it is in
+  std::vector<UnfinishedPath> unfinished_;   // of the same
 };
 
 }  // namespace displayfile

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <string>
 
+#include "hidden/work_progress.h"
+
 namespace displayfile {
 
 /// Says on standard error what long work is being done, if that is a terminal and no other is being
@@ -18,6 +20,10 @@ class Progress {
 
   /// How much of the work is done, of all: shown in per cent.
   void update(std::size_t done, std::size_t all);
+  /// That, for who does the work; this object must live on.
+  WorkProgress told() {
+    return [this](std::size_t done, std::size_t all) { update(done, all); };
+  }
 
  private:
   std::string what_;

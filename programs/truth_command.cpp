@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <iostream>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "clip/nearest_word.h"
 #include "displayfile/output_file.h"
 #include "displayfile/retained_scene.h"
+#include "displayfile/text/dump.h"
 #include "interp/files/npy_file.h"
 #include "interp/truth/truth.h"
 #include "interp/truth/world_truth.h"
@@ -24,7 +26,10 @@ namespace displayfile {
 
 CLI::App& TruthCommand::add_to(CLI::App& app) {
   CLI::App& command = *app.add_subcommand(
-      "truth", "What is seen at each pixel, by exact arithmetic alone, whatever the methods do");
+      "truth",
+      "What is seen at each pixel, or of each line, by exact arithmetic alone, whatever the "
+      "methods "
+      "do; and how far a method of lines is from it: exit 1 if any length is missing or extra");
   add_inputs(command, "INPUT", inputs, "drawing programs and meshes");
   size.add_to(command);
   meshes.add_to(command);
@@ -34,35 +39,65 @@ CLI::App& TruthCommand::add_to(CLI::App& app) {
   command.add_option("--from", from,
                      "display-file, whose coordinates viewing has rounded; or world: viewing in "
                      "exact arithmetic too, and how many pixels of the former differ from it");
+  command.add_option(
+      "--seen-lines", seen_lines,
+      "what is seen of the lines that are drawn, as a dump: that of a right method of "
+      "lines (dump --hidden franklin) is the same");
+  command.add_option("--hidden", hidden,
+                     "print missing and extra length of what that method of lines finds");
+  command.add_option("--precision", precision, "of that method: exact, roundoff or roundoff=EPS")
+      ->capture_default_str();
+  command.add_option(
+      "--line-samples", line_samples,
+      "judge so many random points of the lines at least, not whole lines: for many");
+  command.add_option("--threads", threads, "for lines; the answer is the same for any number")
+      ->check(CLI::Range(1, 1024));
   return command;
 }
 
 int TruthCommand::run() const {
   const bool from_world = is_from_world();
-  if (ids.empty() && !from_world) {
-    throw Error("truth: --ids is required: expected a file for the item buffer");
+  if (ids.empty() && !from_world && !wants_lines()) {
+    throw Error(
+        "truth: --ids is required: expected a file for the item buffer, or --seen-lines or "
+        "--hidden for lines");
   }
+  if (from_world && wants_lines()) {
+    throw Error("--from world: lines are judged in display-file coordinates: expected --ids alone");
+  }
+  if (ids.empty() && !depth.empty() && wants_lines()) {
+    throw Error("--depth: expected --ids too");
+  }
+  if (hidden.empty() && (line_samples != 0 || precision != "exact")) {
+    throw Error("--line-samples and --precision: expected --hidden and a method of lines too");
+  }
+  const LineJudging judging = this->judging();
   int width = 0, height = 0;
   size.read(width, height);
   RetainedScene retained;
   GraphicsSystem system;
   if (from_world) system.retain(&retained);
-  enter_inputs(inputs, system, meshes, size.aspect());
+  // Methods of lines draw the sides of bare meshes.
+  const auto drawn_by = wants_lines() ? std::optional(judging.method) : std::nullopt;
+  enter_inputs(inputs, system, meshes, size.aspect(), drawn_by);
   // Every output must be writable before the long work, and any is written.
-  for (const std::string& output : {ids, depth}) {
+  for (const std::string& output : {ids, depth, seen_lines}) {
     if (!output.empty()) OutputFile{output};
   }
   const DisplayFile& file = system.display_file();
+  if (!seen_lines.empty()) write_seen_lines(file);
+  const int status = hidden.empty() ? 0 : judge_lines(file, judging);
+  if (ids.empty() && !from_world) return status;
   const auto with_progress = [&](const char* what, auto&& judge) {
     Progress progress(fmt::format("the truth of {} {}polygons", file.polygons(), what));
     return judge([&](std::size_t done, std::size_t polygons) { progress.update(done, polygons); });
   };
-  Picture picture = with_progress("", [&](const TruthProgress& progress) {
+  Picture picture = with_progress("", [&](const WorkProgress& progress) {
     return truth(file, width, height, !depth.empty() && !from_world, progress);
   });
   std::string report;
   if (from_world) {
-    Picture of_world = with_progress("world ", [&](const TruthProgress& progress) {
+    Picture of_world = with_progress("world ", [&](const WorkProgress& progress) {
       return world_truth(retained, file, width, height, !depth.empty(), progress);
     });
     report = fmt::format("{} of {} pixels differ: there the rounding of viewing decides\n",
@@ -72,7 +107,52 @@ int TruthCommand::run() const {
   if (!ids.empty()) write_npy(picture.ids, width, height, ids);
   if (!depth.empty()) write_npy(picture.depth, width, height, depth);
   std::cout << report;
-  return 0;
+  return status;
+}
+
+/// By Franklin's method if none is judged.
+LineJudging TruthCommand::judging() const {
+  LineJudging judging{.method = HiddenMethod::franklin,
+                      .precision = displayfile::precision(precision),
+                      .samples = line_samples,
+                      .threads = threads};
+  if (hidden.empty()) return judging;
+  judging.method = hidden_method(hidden);
+  if (finds_lines(judging.method)) return judging;
+  std::string methods;
+  for (const HiddenMethodEntry& entry : hidden_methods()) {
+    if (entry.available && finds_lines(entry.method)) methods.append(" ").append(entry.name);
+  }
+  throw Error(fmt::format(
+      "--hidden {}: finds no lines: expected one of{}; item buffers of other methods are compared "
+      "with that of --ids",
+      hidden, methods));
+}
+
+void TruthCommand::write_seen_lines(const DisplayFile& file) const {
+  OutputFile written(seen_lines);
+  Progress progress("the truth of lines");
+  dump(true_line_drawing(file, threads, progress.told()), written.stream());
+  written.commit();
+}
+
+int TruthCommand::judge_lines(const DisplayFile& file, const LineJudging& as_asked) const {
+  Progress progress("the truth of lines");
+  LineJudging judging = as_asked;
+  judging.progress = progress.told();
+  const JudgedLines judged = judged_lines(file, judging);
+  const std::string judged_by =
+      judged.samples == 0 ? "whole"
+                          : fmt::format("at {} points, {} wrong", judged.samples, judged.wrong);
+  std::cout << fmt::format(
+      "lines           {}, judged {}\n"
+      "pieces seen     {} by {}\n"
+      "total length    {} of the picture's side\n"
+      "missing length  {}\n"
+      "extra length    {}\n",
+      judged.lines, judged_by, judged.pieces, hidden, judged.errors.length, judged.errors.missing,
+      judged.errors.extra);
+  return judged.are_right() ? 0 : 1;
 }
 
 bool TruthCommand::is_from_world() const {

@@ -1,15 +1,20 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <cstddef>
 #include <string>
 #include <vector>
+
+#include "displayfile/display_file.h"
+#include "interp/truth/judged_lines.h"
 
 #include "programs/mesh_words.h"
 #include "programs/picture_size.h"
 
 namespace displayfile {
 
-/// `displayfile truth`: the exact item buffer, of the display file or from world coordinates.
+/// `displayfile truth`: the exact item buffer, of the display file or from world coordinates; and
+/// of the display file's lines, what is seen, and how wrong what a method finds is.
 struct TruthCommand {
   std::vector<std::string> inputs;
   PictureSizeWord size;
@@ -19,11 +24,21 @@ struct TruthCommand {
 
   std::string from = "display-file";
 
+  std::string seen_lines;  ///< not written if empty
+  std::string hidden;      ///< a method of lines that is judged, if not empty
+  std::string precision = "exact";
+  std::size_t line_samples = 0;  ///< whole lines are compared if 0
+  int threads = 1;
+
   CLI::App& add_to(CLI::App& app);
   int run() const;
 
  private:
   bool is_from_world() const;
+  bool wants_lines() const { return !seen_lines.empty() || !hidden.empty(); }
+  LineJudging judging() const;
+  void write_seen_lines(const DisplayFile& file) const;
+  int judge_lines(const DisplayFile& file, const LineJudging& judging) const;
 };
 
 }  // namespace displayfile

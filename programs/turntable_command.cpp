@@ -8,6 +8,7 @@
 #include "clip/error.h"
 #include "displayfile/retained_views.h"
 #include "displayfile/turntable.h"
+#include "interp/picture_checks.h"
 #include "interp/view_renderer.h"
 #include "interp/visibility/image_space.h"
 #include "programs/inputs.h"
@@ -17,20 +18,21 @@ namespace displayfile {
 
 namespace {
 
-/// Views without a sort: by a method that works in image space, named as such.
-bool draws_without_sort(const DrawOptions& options) {
+/// Views without a tree: by a method that works in image space, named as such, or finds lines.
+bool draws_each_anew(const DrawOptions& options) {
   const HiddenMethod method = options.hidden.value_or(HiddenMethod::automatic);
-  return method != HiddenMethod::automatic && method != HiddenMethod::world_ray_cast &&
-         is_image_space(method);
+  return finds_lines(method) || (method != HiddenMethod::automatic &&
+                                 method != HiddenMethod::world_ray_cast && is_image_space(method));
 }
 
 void require_views(const DrawOptions& options) {
   const HiddenMethod method = options.hidden.value_or(HiddenMethod::automatic);
   if (method == HiddenMethod::bsp || is_image_space(method)) return;
+  if (finds_lines(method)) return require_drawable_by(method, options);
   throw Error(
       fmt::format("--turntable draws all views from one BSP tree, by rays from one tree of boxes, "
-                  "or by a method that works in image space, not by {}: expected --hidden bsp, "
-                  "--hidden z-buffer or another of those, or no --hidden",
+                  "or by a method that works in image space or finds lines, not by {}: expected "
+                  "--hidden bsp, --hidden z-buffer or another of those, or no --hidden",
                   name_of(method)));
 }
 
@@ -49,6 +51,20 @@ void require_all_drawable(const std::filesystem::path& output, const DrawOptions
   for (int k = 0; k < views; ++k) {
     require_drawable(numbered(output, k, views), options_of_view(options, k, views));
   }
+}
+
+/// With what the inputs set in place of what was not asked for, so far as views follow it.
+DrawOptions with_settings(const GraphicsSystem& system, DrawOptions options) {
+  const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
+  if (finds_lines(method)) {
+    const auto usual = options.hidden ? HiddenScope::all : HiddenScope::segment;
+    if (!options.scope) options.scope = system.hidden_scope().value_or(usual);
+    options.hidden = method;
+    if (!options.precision) options.precision = system.precision();
+    require_views(options);
+  }
+  if (!options.background) options.background = system.background();
+  return options;
 }
 
 RetainedViews::Options tree_options(const GraphicsSystem& system, const DrawOptions& options) {
@@ -125,15 +141,15 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
   const double aspect = static_cast<double>(options.width) / options.height;
   MeshWords turning = meshes;
   turning.turning = true;
-  const std::optional<Upright> fitted = enter_inputs(inputs, system, turning, aspect);
+  const std::optional<Upright> fitted =
+      enter_inputs(inputs, system, turning, aspect, options.hidden);
   warn_of_stretched_window(system, output.string(), options.width, options.height);
   left_out.note(system.display_file(), options, picture_kind(output, options));
   Turntable turntable(scene, system.display_file(), system.view());
   const Camera looking = meshes.camera();
   if (fitted) turntable.set_axis(fitted->up);
   if (fitted && looking.fit && !looking.angle_of_view) turntable.fit_window(views);
-  DrawOptions drawing = options;
-  if (!drawing.background) drawing.background = system.background();
+  const DrawOptions drawing = with_settings(system, options);
   const auto draw_all = [&](auto trees, const auto& draw_view) -> std::string {
     Progress progress(fmt::format("drawing {} views", views));
     for (int k = 0; k < views; ++k) {
@@ -144,7 +160,7 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
     }
     return stats ? statistics(system, trees, views) : "";
   };
-  if (draws_without_sort(options)) {
+  if (draws_each_anew(drawing)) {
     return draw_all(ViewRenderer(scene, system.display_file()),
                     [](ViewRenderer& renderer, const View& view, const glm::dmat3& lights,
                        const std::filesystem::path& file,

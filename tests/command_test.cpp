@@ -1,8 +1,13 @@
 // The command `displayfile` as its users meet it: outputs, messages, exit statuses.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <string>
 
@@ -105,6 +110,38 @@ TEST_F(Command, TruthOfABareMeshSeesTheSceneThatDrawSees) {
   EXPECT_EQ(run("truth m.obj --size 90x60 --ids t.npy"), 0) << err_;
   EXPECT_EQ(run("draw m.obj --size 90x60 -o d.png --ids d.npy"), 0) << err_;
   EXPECT_EQ(run("compare d.npy t.npy"), 0) << out_;
+}
+
+/// Lengths in the picture's side: of a line through the middle of two squares, one before it.
+TEST_F(Command, TruthJudgesLines) {
+  write("t.draw",
+        "set-window 0 1 0 1\nset-view-depth -2 2\nset-line-style solid 1 1 1\nopen-segment 1\n"
+        "move-abs-3 0 0.5 0\nline-abs-3 1 0.5 0\nset-line-style none\npolygon-abs-3 0.25 0 1  0.5 "
+        "0 1  0.5 1 1  0.25 1 1"
+        "\npolygon-abs-3 0.75 0 1e-7  1 0 1e-7  1 1 1e-7  0.75 1 1e-7\nclose-segment\n");
+  EXPECT_EQ(run("truth t.draw --seen-lines t.txt --hidden franklin"), 0) << err_;
+  EXPECT_EQ(out_,
+            "lines           1, judged whole\npieces seen     2 by franklin\n"
+            "total length    1 of the picture's side\nmissing length  0\nextra length    0\n");
+  for (const std::string method : {"roberts", "franklin"}) {
+    EXPECT_EQ(run("dump t.draw -o d.txt --hidden " + method), 0) << err_;
+    EXPECT_EQ(run("compare t.txt d.txt"), 0) << out_;
+  }
+  EXPECT_EQ(run("truth t.draw --hidden roberts --precision roundoff=1e-6"), 1) << err_;
+  EXPECT_NE(out_.find("missing length  0\nextra length    0.25\n"), std::string::npos) << out_;
+  EXPECT_EQ(run("truth t.draw --hidden roberts --precision roundoff=1e-6 --line-samples 400"), 1);
+  EXPECT_NE(out_.find("judged at "), std::string::npos) << out_;
+  EXPECT_NE(out_.find("missing length  0\nextra length    0.25"), std::string::npos) << out_;
+  write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  EXPECT_EQ(run("truth m.obj --hidden franklin --ids i.npy --size 9x9"), 0) << err_;
+  EXPECT_NE(out_.find("lines           6,"), std::string::npos) << out_;
+  EXPECT_TRUE(fs::exists(folder_ / "i.npy"));
+  expect_error("truth t.draw --hidden z-buffer", "expected one of roberts");
+  expect_error("truth t.draw --hidden nothing", "unknown hidden-surface method 'nothing'");
+  expect_error("truth t.draw --hidden franklin --precision rough", "rough");
+  expect_error("truth t.draw --from world --seen-lines x.txt", "display-file coordinates");
+  expect_error("truth t.draw --seen-lines nowhere/x.txt", "nowhere/x.txt");
+  expect_error("truth t.draw --ids x.npy --line-samples 9", "expected --hidden");
 }
 
 TEST_F(Command, TruthFromWorldCountsWhatTheRoundingOfViewingDecides) {
@@ -309,6 +346,82 @@ TEST_F(Command, TurntableDrawsViewsWithoutASort) {
   EXPECT_EQ(run(turned + "-o v.svg --hidden z-buffer"), 0) << err_;
   expect_error(turned + "-o w.png --hidden depth-sort", "not by depth-sort: expected --hidden bsp");
   EXPECT_FALSE(fs::exists(folder_ / "w-000.png"));
+}
+
+/// Each view is what drawing in it anew is: of the views that a turn goes through the first is the
+/// program's own.
+TEST_F(Command, TurntableDrawsLines) {
+  const std::string box =
+      "polygon-abs-3 0 0 0  1 0 0  1 1 0  0 1 0\npolygon-abs-3 0 0 0  0 1 0  0 1 -1  0 0 -1\n"
+      "polygon-abs-3 1 0 0  1 0 -1  1 1 -1  1 1 0\npolygon-abs-3 0 1 0  1 1 0  1 1 -1  0 1 -1\n";
+  const std::string segments = "open-segment 1\n" + box +
+                               "close-segment\ntranslate-3 -0.6 -0.5 0.4\nopen-segment 2\n" + box +
+                               "close-segment\n";
+  const std::string eye = "set-perspective 2 1.5 6\nset-window -2 2 -2 2\n";
+  write("t.draw", eye + segments);
+  write("own.draw", eye + "set-hidden-line-removal on\nset-hidden-method roberts\n" + segments);
+  const auto same = [&](const std::string& a, const std::string& b) {
+    EXPECT_EQ(read(folder_ / a), read(folder_ / b)) << a << " " << b;
+  };
+  for (const std::string method : {"roberts", "franklin"}) {
+    for (const std::string format : {"png", "svg"}) {
+      const std::string by = "--size 60x50 --hidden " + method;
+      EXPECT_EQ(run("draw t.draw -o f." + format + " " + by), 0) << err_;
+      EXPECT_EQ(run("draw t.draw -o t." + format + " --turntable 3 --stats " + by), 0) << err_;
+      same("f." + format, "t-000." + format);
+      EXPECT_NE(read(folder_ / ("t-001." + format)), read(folder_ / ("t-000." + format)));
+      for (const char* view : {"-001.", "-002."}) {
+        if (method == "franklin") same("t" + (view + format), "r" + (view + format));
+        fs::rename(folder_ / ("t" + (view + format)), folder_ / ("r" + (view + format)));
+      }
+    }
+  }
+  EXPECT_EQ(run("draw own.draw -o f.svg --size 60x50"), 0) << err_;
+  EXPECT_EQ(run("draw own.draw -o own.svg --turntable 2 --size 60x50"), 0) << err_;
+  same("f.svg", "own-000.svg");
+  expect_error("draw t.draw -o x.png --turntable 2 --hidden franklin --ids x.npy",
+               "item buffers and depths are of fills");
+  expect_error("draw own.draw -o x.png --turntable 2 --ids x.npy",
+               "item buffers and depths are of fills");
+  write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  EXPECT_EQ(run("draw m.obj -o m.svg --turntable 2 --hidden franklin"), 0) << err_;
+  EXPECT_NE(read(folder_ / "m-001.svg").find("<path"), std::string::npos);
+}
+
+/// In the middle of writing, by a signal: of the file that is being written nothing stays.
+TEST_F(Command, LeavesNothingBehindWhenItIsStopped) {
+  std::string triangles = "set-view-depth -2 2\nopen-segment 1\n";
+  for (int k = 0; k < 300; ++k) {
+    const double x = -0.9 + 0.005 * k, y = 0.8 - 0.003 * (k * 7 % 500);
+    triangles += fmt::format("polygon-abs-3 {0} {1} {2}  {3} {1} 0  {0} {4} 0\n", x, y, 0.01 * k,
+                             x + 0.3, y - 0.4);
+  }
+  write("t.draw", triangles + "close-segment\n");
+  const auto has_unfinished = [&] {
+    return std::ranges::any_of(fs::directory_iterator(folder_), [](const auto& entry) {
+      return entry.path().filename().string().starts_with(".t");
+    });
+  };
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::signal(signal, SIG_DFL);  // one that is ignored would stay ignored
+      fs::current_path(folder_);
+      ::execl(DISPLAYFILE_COMMAND, DISPLAYFILE_COMMAND, "draw", "t.draw", "--turntable", "10000",
+              "-o", "t.png", "--size", "700x700", "--hidden", "franklin", nullptr);
+      ::_exit(127);
+    }
+    int status = 0;
+    while (!(fs::exists(folder_ / "t-0002.png") && has_unfinished())) {
+      ASSERT_EQ(::waitpid(child, &status, WNOHANG), 0) << "it ended by itself";
+    }
+    ::kill(child, signal);
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << signal;
+    EXPECT_FALSE(has_unfinished()) << signal;
+    for (int k = 0; fs::remove(folder_ / fmt::format("t-{:04}.png", k)); ++k) {
+    }
+  }
 }
 
 TEST_F(Command, CastsRaysBeforeViewing) {

@@ -180,7 +180,8 @@ TEST(HiddenLines, PolygonsThatShareASideShowItWhereOneDoes) {
     for (const LineName& line : all_lines(list)) {
       const SeenLines found = visible_lines(list.view(), {&line, 1}, method, {});
       const LineId id{line.item, line.corner};
-      const LineErrors errors = compare_lines(items, true_lines(items, {&id, 1}), claimed(found));
+      const LineErrors errors =
+          compare_lines(items, true_lines(items, {&id, 1}), claimed_pieces(found));
       EXPECT_EQ(errors.missing + errors.extra, 0.0) << name_of(method);
     }
   }
@@ -289,6 +290,59 @@ TEST(DrawnLines, SidesAreListedOnceAndByTheFirstThatIsDrawn) {
   // Item 0 does not draw b c, item 1 does not draw c d: these are the next one's.
   const std::vector<LineName> expected{{0, 0}, {0, 1}, {1, 1}, {1, 2}, {2, 0}, {3, 1}};
   EXPECT_EQ(drawn_lines(list.view()), expected);
+}
+
+// ---- Progress and stopping ----------------------------------------------------------------------
+
+/// Some thousands of lines, of triangles over one another.
+ItemList many_lines() {
+  ItemList list;
+  for (int k = 0; k < 1500; ++k) {
+    const double x = 0.02 * (k % 50), y = 0.03 * (k / 50), z = 0.01 * (k * 7 % 13);
+    list.solid({{x, y, z}, {x + 0.1, y, z}, {x, y + 0.1, z + 0.05}});
+  }
+  return list;
+}
+
+TEST(HiddenLines, TellOfProgressUpToTheEndAndFindTheSame) {
+  const ItemList list = many_lines();
+  for (const HiddenMethod method : kMethods) {
+    for (const int threads : {1, 3}) {
+      std::size_t calls = 0, last = 0, all = 0;
+      LineOptions options;
+      options.threads = threads;
+      options.progress = [&](std::size_t done, std::size_t of) {
+        EXPECT_GE(done, last);
+        EXPECT_LE(done, of);
+        last = done;
+        all = of;
+        ++calls;
+      };
+      EXPECT_EQ(pieces(list, method, options), pieces(list, method));
+      EXPECT_GT(calls, 3u);
+      EXPECT_EQ(all, all_lines(list).size());
+      EXPECT_EQ(last, all);
+    }
+  }
+}
+
+TEST(HiddenLines, AreStoppedByWhoIsTold) {
+  const ItemList list = many_lines();
+  struct Stop {};
+  for (const HiddenMethod method : kMethods) {
+    for (const int threads : {1, 3}) {
+      bool stopped = false;
+      LineOptions options;
+      options.threads = threads;
+      options.progress = [&](std::size_t done, std::size_t all) {
+        EXPECT_FALSE(stopped) << "told again after it stopped the work";
+        stopped = 2 * done > all;
+        if (stopped) throw Stop();
+      };
+      EXPECT_THROW(pieces(list, method, options), Stop);
+      EXPECT_TRUE(stopped);
+    }
+  }
 }
 
 // ---- Against the truth --------------------------------------------------------------------------

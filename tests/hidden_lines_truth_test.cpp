@@ -6,9 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "displayfile/sorted_display_file.h"
+#include "displayfile/text/dump.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/hard_cases.h"
+#include "tests/gallery.h"
 #include "tests/line_truth.h"
+#include "tests/retained_truth.h"
 #include "tests/slower.h"
 #include "tests/truth_scenes.h"
 
@@ -83,19 +87,39 @@ TEST(HiddenLinesTruth, OfRandomDegenerateScenes) {
 }
 
 TEST(HiddenLinesTruth, WithRoundoffSomeAreWrong) {
-  int wrong = 0;
+  int wrong = 0, wrong_at_points = 0;
   for (std::uint32_t seed = 0; seed < 100; ++seed) {
     const DisplayFile file = degenerate(seed);
-    const LineItems items(file);
-    const ViewedScene scene(file);
-    const Precision roundoff{.exact = false, .roundoff = 0.3};
-    const SeenLines seen = visible_lines(scene.primitives(), drawn_lines(scene.primitives()),
-                                         HiddenMethod::franklin, {.precision = roundoff});
-    const std::vector<LineId> drawn = items.drawn_lines();
-    const LineErrors errors = compare_lines(items, true_lines(items, drawn), test::claimed(seen));
-    wrong += errors.missing + errors.extra > 0.0 ? 1 : 0;
+    LineJudging judging{.method = HiddenMethod::franklin,
+                        .precision = {.exact = false, .roundoff = 0.3}};
+    const JudgedLines whole = judged_lines(file, judging);
+    judging.samples = 1000;
+    const JudgedLines at_points = judged_lines(file, judging);
+    EXPECT_EQ(at_points.lines, whole.lines);
+    EXPECT_TRUE(at_points.lines == 0 || at_points.samples > 500);
+    EXPECT_NEAR(at_points.errors.missing, whole.errors.missing, 0.1);
+    EXPECT_NEAR(at_points.errors.extra, whole.errors.extra, 0.1);
+    wrong += whole.are_right() ? 0 : 1;
+    wrong_at_points += at_points.are_right() ? 0 : 1;
   }
   EXPECT_GT(wrong, 10);
+  EXPECT_GT(wrong_at_points, 10);
+}
+
+/// The oracle's drawing of lines is that of a method that is right, instruction by instruction:
+/// groups of segments, image transformations, styles, pick identifiers, texts.
+TEST(HiddenLinesTruth, IsTheSameDrawing) {
+  const HiddenSurfaceOptions options{.method = HiddenMethod::franklin, .scope = HiddenScope::all};
+  int lines = 0;
+  test::for_each_in_gallery([&](const std::string&, const test::Retained& retained) {
+    const DisplayFile truth = true_line_drawing(retained.system.display_file(), 2);
+    SortedDisplayFile sorted;
+    EXPECT_EQ(dump(truth), dump(sorted.update(retained.system, HiddenMethod::franklin, options)));
+    lines += truth.sorted()->counts.pieces > 0 ? 1 : 0;
+    EXPECT_TRUE(judged_lines(retained.system.display_file(), {.method = HiddenMethod::roberts})
+                    .are_right());
+  });
+  EXPECT_GE(lines, 12);
 }
 
 }  // namespace

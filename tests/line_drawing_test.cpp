@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -12,8 +13,11 @@
 #include "displayfile/sorted_display_file.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
+#include "displayfile/turntable.h"
 #include "interp/draw.h"
+#include "interp/view_renderer.h"
 #include "tests/gallery.h"
+#include "tests/retained_truth.h"
 
 namespace displayfile {
 namespace {
@@ -29,10 +33,15 @@ void enter_cube(GraphicsSystem& g, double x, double z) {
   g.polygon_abs_3({at(-h, -h, -h), at(h, -h, -h), at(h, -h, h), at(-h, -h, h)});
 }
 
-/// Two cubes, each in a segment, the second before the first.
-void enter_cubes(GraphicsSystem& g) {
-  g.set_perspective({1.5, 1.2, 5.0});
+/// Two cubes, each in a segment, the second before the first; from another eye, if one is given.
+void enter_cubes(GraphicsSystem& g, const View* view = nullptr) {
+  g.set_perspective(view != nullptr ? view->centre_of_projection : Point3(1.5, 1.2, 5.0));
   g.set_view_depth(-2.0, 3.0);
+  if (view != nullptr) {
+    g.set_view_reference_point(view->reference_point);
+    g.set_view_plane_normal(view->plane_normal);
+    g.set_view_up(view->up);
+  }
   g.open_segment(1);
   enter_cube(g, -0.2, -0.4);
   g.close_segment();
@@ -125,6 +134,57 @@ TEST(LineDrawing, FollowsEditsOfSegments) {
   EXPECT_EQ(moved, drawn(g, HiddenMethod::franklin));
   g.set_image_translation(2, 0.0, 0.0);
   EXPECT_EQ(dump(kept.update(g, HiddenMethod::franklin, options)), before);
+}
+
+/// What stops the work leaves what was sorted before, and an open segment open.
+TEST(LineDrawing, IsStoppedWithNothingChanged) {
+  GraphicsSystem g;
+  enter_cubes(g);
+  SortedDisplayFile kept;
+  HiddenSurfaceOptions options{.method = HiddenMethod::franklin, .scope = HiddenScope::all};
+  const std::string before = dump(kept.update(g, HiddenMethod::franklin, options));
+  g.set_image_translation(2, 0.3, 0.0);
+  options.progress = [](std::size_t, std::size_t) { throw Error("enough"); };
+  EXPECT_THROW(kept.update(g, HiddenMethod::franklin, options), Error);
+  EXPECT_EQ(dump(kept.display_file()), before);
+  options.progress = {};
+  EXPECT_EQ(dump(kept.update(g, HiddenMethod::franklin, options)),
+            drawn(g, HiddenMethod::franklin));
+
+  g.set_hidden_method(HiddenMethod::franklin);
+  g.set_hidden_line_removal(true);
+  g.set_progress([](std::size_t, std::size_t) { throw Error("enough"); });
+  g.open_segment(3);
+  enter_cube(g, 0.0, 0.0);
+  EXPECT_THROW(g.close_segment(), Error);
+  g.set_progress({});
+  g.close_segment();
+  EXPECT_EQ(counts(drawn(g, HiddenMethod::franklin)).polygons, 0);
+}
+
+/// A retained scene's lines in a new view are those of a system that enters it there.
+TEST(LineDrawing, NewViewsOfARetainedSceneAreThoseOfEnteringIt) {
+  test::Retained retained;
+  enter_cubes(retained.system);
+  ViewRenderer renderer(retained.scene, retained.system.display_file());
+  const Turntable turntable(retained.scene, retained.system.display_file(), {});
+  DrawOptions options;
+  options.width = options.height = 90;
+  options.with_ids = false;
+  for (const HiddenMethod method : {HiddenMethod::roberts, HiddenMethod::franklin}) {
+    options.hidden = method;
+    for (const auto scope : {std::optional<HiddenScope>(), std::optional(HiddenScope::segment)}) {
+      options.scope = scope;
+      for (const double degrees : {0.0, 40.0, 190.0}) {
+        const View view = turntable.at(degrees).view;
+        GraphicsSystem anew;
+        enter_cubes(anew, &view);
+        EXPECT_EQ(renderer.draw(view, options).pixels, draw(anew, options).pixels) << degrees;
+      }
+    }
+  }
+  options.with_ids = true;
+  EXPECT_THROW(renderer.draw(turntable.at(0.0).view, options), Error);
 }
 
 TEST(LineDrawing, IsRecordedAndReplayed) {

@@ -8,20 +8,12 @@
 #include "displayfile/display_file.h"
 #include "displayfile/viewed_scene.h"
 #include "hidden/lines/visible_lines.h"
-#include "interp/truth/true_lines.h"
+#include "interp/truth/judged_lines.h"
 #include "tests/sort_scenes.h"
 
 // What methods find of lines, held against their truth, which shares nothing with them.
 
 namespace displayfile::test {
-
-inline std::vector<LinePiece> claimed(const SeenLines& seen) {
-  std::vector<LinePiece> pieces;
-  for (const VisiblePiece& piece : seen.pieces) {
-    pieces.push_back({{piece.item, piece.corner}, piece.from, piece.to});
-  }
-  return pieces;
-}
 
 /// What is wrong in what each method finds of all lines, drawn or not, in words; empty if nothing
 /// is: the pieces are the truth's to the last bit, since both round the end of a piece once. On so
@@ -39,7 +31,7 @@ inline std::string wrong_lines(const DisplayFile& file, int more_threads = 3) {
   std::ostringstream wrong;
   for (const HiddenMethod method : {HiddenMethod::roberts, HiddenMethod::franklin}) {
     for (int threads = 1; threads <= more_threads; threads += 2) {
-      const std::vector<LinePiece> pieces = claimed(
+      const std::vector<LinePiece> pieces = claimed_pieces(
           visible_lines(scene.primitives(), names, method, {.precision = {}, .threads = threads}));
       const LineErrors errors = compare_lines(items, truth, pieces);
       if (pieces == right && errors.missing == 0.0 && errors.extra == 0.0) continue;

@@ -150,6 +150,21 @@ TEST_F(OutputFileTest, FullDiskIsNoticed) {
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
+/// What a process that is told to stop does; a file that is whole stays.
+TEST_F(OutputFileTest, IsGoneIfAllThatIsUnfinishedIsRemoved) {
+  write(target_, "old");
+  OutputFile file(target_), other((folder_ / "other.png").string());
+  file.stream() << "text";
+  OutputFile whole((folder_ / "whole.png").string());
+  whole.stream() << "text";
+  whole.commit();
+  EXPECT_EQ(files(), 4);
+  UnfinishedPath::remove_all();
+  EXPECT_EQ(files(), 2);
+  EXPECT_EQ(content(target_), "old");
+  EXPECT_TRUE(fs::exists(folder_ / "whole.png"));
+}
+
 TEST_F(OutputFileTest, TargetThatBecameAFolderIsAnErrorAtCommit) {
   OutputFile file(target_);
   file.stream() << "text";

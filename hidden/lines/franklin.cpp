@@ -147,8 +147,7 @@ SeenLines visible_lines_by_franklin(const Primitives& items, const LineScene& sc
   const CellGrid grid(scene, options.threads);
   const std::vector<std::uint32_t> order = grid.lines_by_cell(scene);
   const auto find = [&](const auto& policy) {
-    return visible_pieces(scene, order, options.threads,
-                          [&] { return Franklin(scene, grid, policy); });
+    return visible_pieces(scene, order, options, [&] { return Franklin(scene, grid, policy); });
   };
   const Definitions points{items.points, {}};
   if (options.precision.exact) return find(ExactLines(points));

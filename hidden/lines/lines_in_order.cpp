@@ -1,7 +1,5 @@
 #include "hidden/lines/lines_in_order.h"
 
-#include "hidden/lines/visible_lines.h"
-
 namespace displayfile {
 
 namespace {
@@ -26,9 +24,13 @@ Point3 on_line(const Ends& ends, double share) {
 
 SortedPieces lines_in_order(const Primitives& items, HiddenMethod method,
                             const SortOptions& options) {
-  const SeenLines seen =
-      visible_lines(items, drawn_lines(items), method,
-                    {.precision = options.precision, .threads = options.threads});
+  return lines_in_order(items, visible_lines(items, drawn_lines(items), method,
+                                             {.precision = options.precision,
+                                              .threads = options.threads,
+                                              .progress = options.progress}));
+}
+
+SortedPieces lines_in_order(const Primitives& items, const SeenLines& seen) {
   SortedPieces pieces;
   pieces.are_lines = true;
   pieces.pieces.reserve(seen.pieces.size());

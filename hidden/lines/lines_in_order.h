@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hidden/hidden_method.h"
+#include "hidden/lines/visible_lines.h"
 #include "hidden/primitives.h"
 #include "hidden/sort/hidden_surface_sort.h"
 
@@ -13,5 +14,8 @@ namespace displayfile {
 /// finds no lines.
 SortedPieces lines_in_order(const Primitives& items, HiddenMethod method,
                             const SortOptions& options);
+
+/// The same of what was found to be seen.
+SortedPieces lines_in_order(const Primitives& items, const SeenLines& seen);
 
 }  // namespace displayfile

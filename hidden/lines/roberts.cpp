@@ -87,7 +87,7 @@ SeenLines visible_lines_by_roberts(const Primitives& items, const LineScene& sce
   const ConvexObjects objects(items, scene);
   const ExtentTree tree = extent_tree(objects.extents(), options.threads);
   const auto find = [&](const auto& policy) {
-    return visible_pieces(scene, scene.first_lines(), options.threads,
+    return visible_pieces(scene, scene.first_lines(), options,
                           [&] { return Roberts(scene, objects, tree, policy); });
   };
   const Definitions points{items.points, {}};

@@ -8,6 +8,7 @@
 #include "hidden/exact/precision.h"
 #include "hidden/hidden_method.h"
 #include "hidden/primitives.h"
+#include "hidden/work_progress.h"
 
 namespace displayfile {
 
@@ -34,7 +35,8 @@ struct SeenLines {
 
 struct LineOptions {
   Precision precision;
-  int threads = 1;  ///< the result is the same for any number
+  int threads = 1;             ///< the result is the same for any number
+  WorkProgress progress = {};  ///< told of lines that were looked at, if not empty
 };
 
 /// The lines that are drawn: all lines, and the sides of polygons that are visible, in order of

@@ -12,7 +12,9 @@
 
 #include "hidden/lines/hidden_parts.h"
 #include "hidden/lines/line_scene.h"
+#include "hidden/lines/visible_lines.h"
 #include "hidden/parallel.h"
+#include "hidden/work_progress.h"
 
 namespace displayfile {
 
@@ -88,17 +90,20 @@ class Finders {
 /// line of each name in the order in which they are looked at, best so that those near each other
 /// follow each other; the pieces are in order of names.
 template <class MakeFinder>
-SeenLines visible_pieces(const LineScene& scene, std::span<const std::uint32_t> order, int threads,
-                         const MakeFinder& make_finder) {
+SeenLines visible_pieces(const LineScene& scene, std::span<const std::uint32_t> order,
+                         const LineOptions& options, const MakeFinder& make_finder) {
   constexpr std::size_t kPart = 512;
   std::vector<std::vector<SeenPart>> seen((order.size() + kPart - 1) / kPart);
   Finders finders(make_finder);
-  in_parallel(threads, seen.size(), [&](std::size_t part) {
+  CountedWork work(options.progress, order.size());
+  in_parallel(options.threads, seen.size(), [&](std::size_t part) {
+    const std::size_t begin = part * kPart, end = std::min(order.size(), begin + kPart);
     finders.use([&](auto& finder) {
-      for (std::size_t k = part * kPart; k < std::min(order.size(), (part + 1) * kPart); ++k) {
+      for (std::size_t k = begin; k < end; ++k) {
         find_seen(scene.lines(), order[k], finder, seen[part]);
       }
     });
+    work.add(end - begin);
   });
   std::vector<std::size_t> place(scene.names() + 1, 0);  // of each name's pieces
   for (const auto& parts : seen) {

@@ -9,6 +9,7 @@
 #include "hidden/exact/precision.h"
 #include "hidden/hidden_method.h"
 #include "hidden/primitives.h"
+#include "hidden/work_progress.h"
 
 namespace displayfile {
 
@@ -22,7 +23,8 @@ enum class RootChoice {
 struct SortOptions {
   Precision precision;
   RootChoice root = RootChoice::free;
-  int threads = 1;  ///< the result is the same for any number
+  int threads = 1;             ///< the result is the same for any number
+  WorkProgress progress = {};  ///< told by methods that find lines: of the lines looked at
 };
 
 /// A polygon or line in the order, or a piece of one that was cut.

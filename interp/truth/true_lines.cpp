@@ -53,15 +53,17 @@ std::vector<Part> rounded(const ExactParts& exact) {
 
 }  // namespace
 
-std::vector<TrueLine> true_lines(const LineItems& items, std::span<const LineId> lines,
-                                 int threads) {
+std::vector<TrueLine> true_lines(const LineItems& items, std::span<const LineId> lines, int threads,
+                                 const WorkProgress& progress) {
   const LineHiders hiders(items, threads);
   std::vector<LineItems::Sharers> shared = lines_with_length(items, lines);
   std::vector<TrueLine> found(shared.size());
+  CountedWork work(progress, shared.size());
   in_parallel(threads, shared.size(), [&](std::size_t k) {
     const ExactLine line = hiders.line(shared[k]);
     const double long_ = length(items, shared[k].front());
     found[k] = {std::move(shared[k]), long_, rounded(visible_parts(line, hiders.hiders(line)))};
+    work.add(1);
   });
   return found;
 }
@@ -264,15 +266,17 @@ LineJudgement judge_line(const LineHiders& scene, const LineItems::Sharers& shar
 
 LineJudgement judge_lines(const LineItems& items, std::span<const LineId> lines,
                           std::span<const LinePiece> claimed, std::size_t samples_of_line,
-                          std::uint64_t seed, int threads) {
+                          std::uint64_t seed, int threads, const WorkProgress& progress) {
   const std::vector<LineItems::Sharers> shared = lines_with_length(items, lines);
   const Claims claims = displayfile::claims(
       items, shared.size(), [&](std::size_t k) { return std::span(shared[k]); }, claimed);
   const LineHiders scene(items, threads);
   std::vector<LineJudgement> of_line(shared.size());
+  CountedWork work(progress, shared.size());
   in_parallel(threads, shared.size(), [&](std::size_t k) {
     of_line[k] = judge_line(scene, shared[k], length(items, shared[k].front()), claims.of_line[k],
                             samples_of_line, seed);
+    work.add(1);
   });
   LineJudgement all;
   all.errors.extra = claims.elsewhere;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "hidden/work_progress.h"
 #include "interp/truth/line_items.h"
 
 namespace displayfile {
@@ -40,10 +41,10 @@ struct TrueLine {
 
 /// What is seen of the given lines: of each that has a length in the projection, together with all
 /// that share it, whether given or not, in order of the first sharer. Each is looked at once.
-/// Exact; for small scenes and, with patience, for large ones. Throws Error for a line that there
-/// is not.
+/// Exact; for small scenes and, with patience, for large ones: progress is told of lines. Throws
+/// Error for a line that there is not.
 std::vector<TrueLine> true_lines(const LineItems& items, std::span<const LineId> lines,
-                                 int threads = 1);
+                                 int threads = 1, const WorkProgress& progress = {});
 
 /// The parts that are seen, named for the lines' first sharers, in order.
 std::vector<LinePiece> visible_pieces(std::span<const TrueLine> lines);
@@ -79,9 +80,10 @@ struct LineJudgement {
 /// Judges pieces as compare_lines does, by exact judgement of points of the lines: so many on each,
 /// one at a random place in each of as many equal parts, by all polygons that may cover it. Places
 /// closer than kLineCrumb to an end of a piece do not count, nor do those on a part that is
-/// shorter. For large scenes. The same seed gives the same places. Throws as both others do.
+/// shorter. For large scenes: progress is told of lines. The same seed gives the same places.
+/// Throws as both others do.
 LineJudgement judge_lines(const LineItems& items, std::span<const LineId> lines,
                           std::span<const LinePiece> claimed, std::size_t samples_of_line,
-                          std::uint64_t seed, int threads = 1);
+                          std::uint64_t seed, int threads = 1, const WorkProgress& progress = {});
 
 }  // namespace displayfile

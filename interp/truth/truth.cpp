@@ -21,7 +21,7 @@ namespace {
 struct SegmentWalk {
   TruePicture& picture;
   int segment;
-  const TruthProgress& progress;
+  const WorkProgress& progress;
   std::size_t& done;
   std::size_t polygons;
   bool solid = true;
@@ -65,7 +65,7 @@ struct SegmentWalk {
 }  // namespace
 
 Picture truth(const DisplayFile& display_file, int width, int height, bool depth,
-              const TruthProgress& progress) {
+              const WorkProgress& progress) {
   require_picture_size(width, height);
   const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   return with_memory(

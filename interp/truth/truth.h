@@ -1,15 +1,10 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
-
 #include "displayfile/display_file.h"
+#include "hidden/work_progress.h"
 #include "interp/picture.h"
 
 namespace displayfile {
-
-/// Called with the number of polygons judged so far, out of all; the last time with all of them.
-using TruthProgress = std::function<void(std::size_t done, std::size_t polygons)>;
 
 /// What is seen at each pixel centre, by the definition of truth alone: whole numbers of any
 /// length, no tolerance, and nothing shared with the methods that it judges. interp/truth/truth.md
@@ -19,10 +14,11 @@ using TruthProgress = std::function<void(std::size_t done, std::size_t polygons)
 /// the pick identifier of the nearest that covers the centre (of equally near ones the one entered
 /// later), -1 where none does. If depth is asked for, it is that of the polygon seen, rounded once
 /// to the nearest double, and minus infinity where none is. No colours: `pixels` stays empty.
+/// `progress` is told of polygons.
 ///
 /// Coordinates may be any finite doubles. Throws Error for a picture size outside of 1 to
 /// kLargestSide, and for a coordinate of a solid polygon that is not finite.
 Picture truth(const DisplayFile& display_file, int width, int height, bool depth,
-              const TruthProgress& progress = {});
+              const WorkProgress& progress = {});
 
 }  // namespace displayfile

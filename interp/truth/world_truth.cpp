@@ -124,7 +124,7 @@ bool is_solid_polygon(const RetainedScene& scene, std::uint32_t i) {
 }  // namespace
 
 Picture world_truth(const RetainedScene& retained, const DisplayFile& display_file, int width,
-                    int height, bool depth, const TruthProgress& progress) {
+                    int height, bool depth, const WorkProgress& progress) {
   require_picture_size(width, height);
   const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const auto each_segment = [&](auto&& visit) {

@@ -15,7 +15,7 @@ namespace displayfile {
 /// `retained` is what was drawn into the display file, all of it. Item buffer, depth and errors as
 /// in truth().
 Picture world_truth(const RetainedScene& retained, const DisplayFile& display_file, int width,
-                    int height, bool depth, const TruthProgress& progress = {});
+                    int height, bool depth, const WorkProgress& progress = {});
 
 /// Pixels that differ between two item buffers of one size.
 std::size_t different_pixels(const Picture& a, const Picture& b);

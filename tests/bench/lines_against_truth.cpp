@@ -12,9 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/viewed_scene.h"
-#include "hidden/lines/visible_lines.h"
-#include "interp/truth/true_lines.h"
+#include "interp/truth/judged_lines.h"
 #include "programs/inputs.h"
 #include "tests/bench/result_table.h"
 
@@ -68,30 +66,20 @@ DisplayFile entered(const std::string& mesh, const Seen& seen) {
 
 std::vector<std::string> judged(const std::string& mesh, const Seen& seen, const Options& options) {
   const DisplayFile file = entered(mesh, seen);
-  const LineItems items(file);
-  const ViewedScene scene(file);
-  const std::vector<LineName> lines = drawn_lines(scene.primitives());
-  const SeenLines found =
-      visible_lines(scene.primitives(), lines, hidden_method(options.method),
-                    {.precision = precision(options.precision), .threads = options.threads});
-  std::vector<LineId> ids;
-  for (const LineName line : lines) ids.push_back({line.item, line.corner});
-  std::vector<LinePiece> pieces;
-  for (const VisiblePiece& piece : found.pieces) {
-    pieces.push_back({{piece.item, piece.corner}, piece.from, piece.to});
-  }
-  const std::size_t of_line = options.samples / std::max<std::size_t>(1, ids.size()) + 1;
-  const LineJudgement judgement = judge_lines(items, ids, pieces, of_line, 1, options.threads);
+  const JudgedLines judged = judged_lines(file, {.method = hidden_method(options.method),
+                                                 .precision = precision(options.precision),
+                                                 .samples = options.samples,
+                                                 .threads = options.threads});
   const std::string name = mesh.substr(mesh.find_last_of('/') + 1);
   return {name,
           seen.from,
-          std::to_string(ids.size()),
-          std::to_string(pieces.size()),
-          std::to_string(judgement.samples),
-          std::to_string(judgement.wrong.size()),
-          fmt::format("{:.3g}", judgement.errors.missing),
-          fmt::format("{:.3g}", judgement.errors.extra),
-          fmt::format("{:.1f}", judgement.errors.length)};
+          std::to_string(judged.lines),
+          std::to_string(judged.pieces),
+          std::to_string(judged.samples),
+          std::to_string(judged.wrong),
+          fmt::format("{:.3g}", judged.errors.missing),
+          fmt::format("{:.3g}", judged.errors.extra),
+          fmt::format("{:.1f}", judged.errors.length)};
 }
 
 void run(const Options& options) {

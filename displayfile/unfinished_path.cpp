@@ -1,0 +1,56 @@
+#include "displayfile/unfinished_path.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <utility>
+
+namespace displayfile {
+
+namespace {
+
+/// What stands in the table belongs to it, and to the handler alone from when it takes it: that one
+/// frees nothing, since the process ends.
+constexpr std::size_t kPlaces = 4096;
+std::array<std::atomic<char*>, kPlaces> unfinished{};
+static_assert(std::atomic<char*>::is_always_lock_free, "a signal handler reads the table");
+
+}  // namespace
+
+UnfinishedPath::UnfinishedPath(std::string path) {
+  auto* const text = new char[path.size() + 1];
+  std::copy_n(path.c_str(), path.size() + 1, text);
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    char* none = nullptr;
+    if (unfinished[i].load() != nullptr || !unfinished[i].compare_exchange_strong(none, text)) {
+      continue;
+    }
+    place_ = i + 1;
+    return;
+  }
+  delete[] text;
+}
+
+UnfinishedPath::~UnfinishedPath() {
+  if (place_ != 0) delete[] unfinished[place_ - 1].exchange(nullptr);
+}
+
+UnfinishedPath::UnfinishedPath(UnfinishedPath&& other) noexcept
+    : place_(std::exchange(other.place_, 0)) {}
+
+UnfinishedPath& UnfinishedPath::operator=(UnfinishedPath&& other) noexcept {
+  std::swap(place_, other.place_);
+  return *this;
+}
+
+void UnfinishedPath::remove_all() noexcept {
+  for (std::size_t i = kPlaces; i-- > 0;) {
+    const char* const path = unfinished[i].exchange(nullptr);
+    if (path != nullptr && ::unlink(path) != 0) ::rmdir(path);
+  }
+}
+
+}  // namespace displayfile

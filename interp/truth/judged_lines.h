@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "displayfile/display_file.h"
+#include "hidden/exact/precision.h"
+#include "hidden/hidden_method.h"
+#include "hidden/lines/visible_lines.h"
+#include "hidden/work_progress.h"
+#include "interp/truth/true_lines.h"
+
+namespace displayfile {
+
+// The lines of a display file as a method finds them, and as they are: both take the same display
+// file, and nothing else in common. Visible segments together, as with the scope `all`.
+
+/// How a method is judged.
+struct LineJudging {
+  HiddenMethod method;
+  Precision precision = {};
+  /// So many random places at least, if not 0, are judged in place of whole sets: for large scenes.
+  std::size_t samples = 0;
+  int threads = 1;             ///< the judgement is the same for any number
+  WorkProgress progress = {};  ///< told of lines that were judged, if not empty
+};
+
+/// What a method finds of the drawn lines, held against the truth.
+struct JudgedLines {
+  std::size_t lines = 0;    ///< that are drawn, by the truth; a shared side is one
+  std::size_t pieces = 0;   ///< that the method found
+  std::size_t samples = 0;  ///< places that were judged, if not whole sets
+  std::size_t wrong = 0;    ///< of these
+  LineErrors errors;        ///< in units of the picture
+
+  bool are_right() const { return wrong == 0 && errors.missing == 0.0 && errors.extra == 0.0; }
+};
+
+/// Throws Error as visible_lines does.
+JudgedLines judged_lines(const DisplayFile& display_file, const LineJudging& judging);
+
+/// What a method says is seen, as the truth takes it.
+std::vector<LinePiece> claimed_pieces(const SeenLines& seen);
+
+/// The display file with the lines that are seen as its order, found by the truth alone: its dump
+/// is the dump of a drawing by a method of lines that is right. A side that polygons share is
+/// named, as by the methods, for the first that draws it; where that one runs the other way than
+/// the first that has it, drawn or not, the ends are turned round in doubles.
+DisplayFile true_line_drawing(const DisplayFile& display_file, int threads = 1,
+                              const WorkProgress& progress = {});
+
+}  // namespace displayfile

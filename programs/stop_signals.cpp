@@ -1,0 +1,29 @@
+#include "programs/stop_signals.h"
+
+#include <csignal>
+
+#include "displayfile/unfinished_path.h"
+
+namespace displayfile {
+
+namespace {
+
+/// The signal's own action is in force again by then.
+extern "C" void on_stop(int signal) {
+  UnfinishedPath::remove_all();
+  std::raise(signal);
+}
+
+}  // namespace
+
+void leave_nothing_when_stopped() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction action {};
+    if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) continue;
+    action.sa_handler = on_stop;
+    action.sa_flags = SA_RESETHAND;
+    ::sigaction(signal, &action, nullptr);
+  }
+}
+
+}  // namespace displayfile

@@ -5,8 +5,6 @@
 #include <limits>
 #include <optional>
 
-#include "hidden/exact/double_double.h"
-#include "hidden/exact/exact_point.h"
 #include "hidden/exact/exact_vector.h"
 #include "hidden/exact/predicate_counts.h"
 
@@ -207,6 +205,126 @@ double meeting_parameter(const Point2& a, const Point2& b, const Plane& one, con
     if (t) return *t;
   }
   return exact_meeting_parameter(a, b, one, other);
+}
+
+// ---- Lines whose ends are no doubles --------------------------------------------------------
+
+namespace {
+
+/// Coordinates may be smaller than their second double can say: 2^-1074 is far less than this.
+constexpr double kLeastSize = 0x1p-900;
+
+DoubleDouble rounded_twice(const ExactNumber& value, const ExactNumber& w) {
+  const double high = rounded_quotient(value, w);
+  return {high, rounded_quotient(value - ExactNumber(high) * w, w)};
+}
+
+/// v's coordinate less a double, and what bounds its error: both lose digits where they are close.
+struct EndDifference {
+  EndDifference(const DefinedEnd& v, int axis, double from)
+      : value(v.close[static_cast<std::size_t>(axis)] - DoubleDouble{from, 0.0}),
+        size(std::abs(v.close[static_cast<std::size_t>(axis)].high) + std::abs(from) + kLeastSize) {
+  }
+  static constexpr double kError = 0x1p-102;  // of the size
+  DoubleDouble value;
+  double size;
+};
+
+/// d x (v - p).
+Estimate estimated_turn(const Point2& p, const DoubleDouble& dx, const DoubleDouble& dy,
+                        const DefinedEnd& v) {
+  constexpr double kError = 0x1p-100;
+  const EndDifference x(v, 0, p.x), y(v, 1, p.y);
+  return {dx * y.value - dy * x.value,
+          kError * (std::abs(dx.high) * y.size + std::abs(dy.high) * x.size) + kTiny};
+}
+
+Estimate estimated_value(const Plane& plane, const DefinedEnd& v) {
+  constexpr double kError = 0x1p-97, kUnderflow = 0x1p-700;
+  DoubleDouble sum;
+  double error = kUnderflow;
+  for (int i = 0; i < 3; ++i) {
+    const EndDifference from(v, i, plane.p[i]);
+    const DoubleDouble normal = normal_along(plane, i);
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const double largest = reach(plane, plane.p[j], j) * reach(plane, plane.p[k], k);
+    sum = sum + normal * from.value;
+    error += kError * (largest * from.size);
+  }
+  return {sum, error};
+}
+
+Estimate estimated_place(const Point2& p, int axis, const DefinedEnd& v) {
+  const EndDifference from(v, axis, p[axis]);
+  return {-from.value, EndDifference::kError * from.size};
+}
+
+/// at_a / a.w over at_a / a.w - at_b / b.w.
+double exact_share(const ExactNumber& at_a, const DefinedEnd& a, const ExactNumber& at_b,
+                   const DefinedEnd& b) {
+  const ExactNumber part = at_a * b.exact.w;
+  return exact_share(part, part - at_b * a.exact.w);
+}
+
+/// An axis along which the ends differ, in the projection.
+int axis_of(const DefinedEnd& a, const DefinedEnd& b) {
+  return a.close[0].high != b.close[0].high ? 0 : 1;
+}
+
+}  // namespace
+
+DefinedEnd::DefinedEnd(const Definitions& all, const DefinedPoint& v)
+    : exact(exact_point(all, v)),
+      close{rounded_twice(exact.xyz.x, exact.w), rounded_twice(exact.xyz.y, exact.w),
+            rounded_twice(exact.xyz.z, exact.w)} {}
+
+double exact_crossing_parameter(const DefinedEnd& a, const DefinedEnd& b, const Point2& p,
+                                const Point2& q) {
+  const ExactNumber dx = exactly_apart(q.x, p.x), dy = exactly_apart(q.y, p.y);
+  const auto turn = [&](const ExactPoint& v) {
+    return dx * (v.xyz.y - ExactNumber(p.y) * v.w) - dy * (v.xyz.x - ExactNumber(p.x) * v.w);
+  };
+  return exact_share(turn(a.exact), a, turn(b.exact), b);
+}
+
+double crossing_parameter(const DefinedEnd& a, const DefinedEnd& b, const Point2& p,
+                          const Point2& q) {
+  if (is_double_double_sound()) {
+    const DoubleDouble dx = exact_difference(q.x, p.x), dy = exact_difference(q.y, p.y);
+    const auto t = rounded_share(estimated_turn(p, dx, dy, a), estimated_turn(p, dx, dy, b));
+    if (t) return *t;
+  }
+  return exact_crossing_parameter(a, b, p, q);
+}
+
+double exact_point_parameter(const DefinedEnd& a, const DefinedEnd& b, const Point2& p) {
+  const int axis = axis_of(a, b);
+  const auto place = [&](const ExactPoint& v) {
+    return ExactNumber(p[axis]) * v.w - (axis == 0 ? v.xyz.x : v.xyz.y);
+  };
+  return exact_share(place(a.exact), a, place(b.exact), b);
+}
+
+double point_parameter(const DefinedEnd& a, const DefinedEnd& b, const Point2& p) {
+  const int axis = axis_of(a, b);
+  if (is_double_double_sound()) {
+    const auto t = rounded_share(estimated_place(p, axis, a), estimated_place(p, axis, b));
+    if (t) return *t;
+  }
+  return exact_point_parameter(a, b, p);
+}
+
+double exact_meeting_parameter(const DefinedEnd& a, const DefinedEnd& b, const Plane& plane) {
+  const ExactPlane exact(plane);
+  return exact_share(value_at(exact, a.exact), a, value_at(exact, b.exact), b);
+}
+
+double meeting_parameter(const DefinedEnd& a, const DefinedEnd& b, const Plane& plane) {
+  if (is_double_double_sound()) {
+    const auto t = rounded_share(estimated_value(plane, a), estimated_value(plane, b));
+    if (t) return *t;
+  }
+  return exact_meeting_parameter(a, b, plane);
 }
 
 }  // namespace displayfile

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "clip/point.h"
+#include "hidden/exact/double_double.h"
+#include "hidden/exact/exact_point.h"
 #include "hidden/exact/orientation.h"
 #include "hidden/exact/plane.h"
 
@@ -45,11 +48,32 @@ double meeting_parameter(const Point3& a, const Point3& b, const Plane& plane);
 /// one is nearer at one end, the other at the other.
 double meeting_parameter(const Point2& a, const Point2& b, const Plane& one, const Plane& other);
 
+// ---- Lines whose ends are no doubles --------------------------------------------------------
+
+/// An end of a line as it was defined, and close to it: each coordinate as the sum of two doubles,
+/// off by 2^-104 of it at most.
+struct DefinedEnd {
+  DefinedEnd(const Definitions& all, const DefinedPoint& v);
+
+  ExactPoint exact;
+  std::array<DoubleDouble, 3> close;
+};
+
+/// The same three questions of such a line.
+double crossing_parameter(const DefinedEnd& a, const DefinedEnd& b, const Point2& p,
+                          const Point2& q);
+double point_parameter(const DefinedEnd& a, const DefinedEnd& b, const Point2& p);
+double meeting_parameter(const DefinedEnd& a, const DefinedEnd& b, const Plane& plane);
+
 // The exact stages, for the tests.
 double exact_crossing_parameter(const Point2& a, const Point2& b, const Point2& p, const Point2& q);
 double exact_point_parameter(const Point2& a, const Point2& b, const Point2& p);
 double exact_meeting_parameter(const Point3& a, const Point3& b, const Plane& plane);
 double exact_meeting_parameter(const Point2& a, const Point2& b, const Plane& one,
                                const Plane& other);
+double exact_crossing_parameter(const DefinedEnd& a, const DefinedEnd& b, const Point2& p,
+                                const Point2& q);
+double exact_point_parameter(const DefinedEnd& a, const DefinedEnd& b, const Point2& p);
+double exact_meeting_parameter(const DefinedEnd& a, const DefinedEnd& b, const Plane& plane);
 
 }  // namespace displayfile

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "hidden/lines/hidden_parts.h"
@@ -22,8 +23,10 @@ class LineAgainstPolygon {
 
   void look_at(const LineScene::Line& line) {
     own_ = line.own;
+    other_ = LineScene::kNone;
     if (line.by_plane) own_plane_ = scene_.plane(own_);
     line_ = {scene_.point(line.a), scene_.point(line.b), line.by_plane ? &own_plane_ : nullptr};
+    if (const IntersectionLine* intersection = scene_.intersection(line)) look_at(*intersection);
   }
 
   const DepthLine& line() const { return line_; }
@@ -36,7 +39,7 @@ class LineAgainstPolygon {
   /// Adds what the polygon, one that hides, covers along the line looked at; true if it covers both
   /// sides of a part.
   bool hide(std::uint32_t polygon, HiddenParts& parts) {
-    if (polygon == own_ || !reaches_over(polygon)) return false;
+    if (polygon == own_ || polygon == other_ || !reaches_over(polygon)) return false;
     const Plane plane = scene_.plane(polygon);
     const int nearer_at_a = a_is_corner_ ? 0 : policy_.nearer(line_, line_.a, plane);
     const int nearer_at_b = b_is_corner_ ? 0 : policy_.nearer(line_, line_.b, plane);
@@ -54,17 +57,25 @@ class LineAgainstPolygon {
   }
 
  private:
+  /// Neither polygon hides it, since both are as near.
+  void look_at(const IntersectionLine& line) {
+    own_ = line.item_a;
+    other_ = line.item_b;
+    const std::array planes{scene_.plane(own_), scene_.plane(other_)};
+    common_.emplace(scene_.points(), planes, line.from, line.to);
+    line_.common = &*common_;
+  }
+
   /// Finds the sides of the line that the polygon's vertices are on; false if it covers nothing
   /// along it, since all of them are on one side, but for one vertex on the line at most.
   bool reaches_over(std::uint32_t polygon) {
     const std::uint32_t sides = scene_.sides(polygon);
     side_.resize(sides);
-    const Point2 a(line_.a), b(line_.b);
     std::uint32_t left = 0, right = 0;
     a_is_corner_ = b_is_corner_ = false;
     for (std::uint32_t k = 0; k < sides; ++k) {
       const Point3& corner = scene_.corner(polygon, k);
-      const int side = policy_.turn(a, b, Point2(corner));
+      const int side = policy_.side(line_, corner);
       side_[k] = static_cast<std::int8_t>(side);
       if (side == 0) note_end(polygon, k);
       left += side > 0;
@@ -75,7 +86,8 @@ class LineAgainstPolygon {
 
   /// Neighbours in a mesh share points, at which they have one depth.
   void note_end(std::uint32_t polygon, std::uint32_t k) {
-    if (line_.plane != nullptr || scene_.is_off_plane(polygon, k)) return;
+    if (line_.plane != nullptr || line_.common != nullptr) return;
+    if (scene_.is_off_plane(polygon, k)) return;
     a_is_corner_ |= scene_.corner(polygon, k) == line_.a;
     b_is_corner_ |= scene_.corner(polygon, k) == line_.b;
   }
@@ -122,7 +134,8 @@ class LineAgainstPolygon {
   const Policy& policy_;
   DepthLine line_{};
   Plane own_plane_;
-  std::uint32_t own_ = LineScene::kNone;
+  std::optional<CommonLine> common_;
+  std::uint32_t own_ = LineScene::kNone, other_ = LineScene::kNone;
   bool a_is_corner_ = false, b_is_corner_ = false;  // of the polygon, and in its plane
   std::vector<std::int8_t> side_;                   // of the line, each vertex of the polygon
   std::vector<double> left_, right_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "hidden/exact/common_line.h"
 #include "hidden/exact/line_parameter.h"
 #include "hidden/exact/precision_policies.h"
 
@@ -9,11 +10,14 @@ namespace displayfile {
 struct DepthLine {
   Point3 a, b;
   const Plane* plane;  ///< null: its own ends' depth, and linear between them
+  /// Null, or the line itself: then a and b are its ends rounded.
+  const CommonLine* common = nullptr;
 };
 
 // What the hidden-line methods ask of a precision policy, with the same members of both:
 //
 //   turn(a, b, c)                 1 if c is left of a to b in the projection, -1, 0
+//   side(line, c)                 the side of the line that c is on: 1, -1, or 0 on it
 //   nearer(line, at, plane)       the sign of the plane's depth less the line's, at one of its ends
 //   crossing(line, p, q)          the parameters of the line, from 0 to 1, where the line through
 //   at_point(line, p)             p and q crosses it, where a point that lies on it is, and where
@@ -25,17 +29,31 @@ class ExactLines {
   explicit ExactLines(const Definitions& all) : exact_(all) {}
 
   int turn(const Point2& a, const Point2& b, const Point2& c) const { return exact_.turn(a, b, c); }
+  int side(const DepthLine& line, const Point3& c) const {
+    if (line.common != nullptr) [[unlikely]]
+      return line.common->side(c);
+    return turn(Point2(line.a), Point2(line.b), Point2(c));
+  }
   /// The plane faces the viewer.
   int nearer(const DepthLine& line, const Point3& at, const Plane& plane) const {
+    if (line.common != nullptr) [[unlikely]] {
+      return at == line.a ? line.common->nearer_at_start(plane) : line.common->nearer_at_end(plane);
+    }
     return line.plane == nullptr ? -side(at, plane) : order(plane, *line.plane, at);
   }
   double crossing(const DepthLine& line, const Point2& p, const Point2& q) const {
+    if (line.common != nullptr) [[unlikely]]
+      return line.common->crossing(p, q);
     return crossing_parameter(Point2(line.a), Point2(line.b), p, q);
   }
   double at_point(const DepthLine& line, const Point2& p) const {
+    if (line.common != nullptr) [[unlikely]]
+      return line.common->at_point(p);
     return point_parameter(Point2(line.a), Point2(line.b), p);
   }
   double meeting(const DepthLine& line, const Plane& plane) const {
+    if (line.common != nullptr) [[unlikely]]
+      return line.common->meeting(plane);
     if (line.plane == nullptr) return meeting_parameter(line.a, line.b, plane);
     return meeting_parameter(Point2(line.a), Point2(line.b), *line.plane, plane);
   }
@@ -56,13 +74,17 @@ class ExactLines {
   Exact exact_;
 };
 
-/// The textbook's: doubles decide, and depths no farther apart than ROUNDOFF are equal.
+/// The textbook's: doubles decide, and depths no farther apart than ROUNDOFF are equal. Of an
+/// intersection the rounded ends are taken.
 class RoundoffLines {
  public:
   RoundoffLines(const Definitions& all, double part) : roundoff_(Roundoff::relative(all, part)) {}
 
   int turn(const Point2& a, const Point2& b, const Point2& c) const {
     return roundoff_.turn(a, b, c);
+  }
+  int side(const DepthLine& line, const Point3& c) const {
+    return turn(Point2(line.a), Point2(line.b), Point2(c));
   }
   int nearer(const DepthLine& line, const Point3& at, const Plane& plane) const {
     return roundoff_.signof(apart(line, at, plane));

@@ -46,8 +46,13 @@ void check_name(const Primitives& items, const LineName& name) {
 
 }  // namespace
 
-LineScene::LineScene(const Primitives& items, std::span<const LineName> names, int threads)
-    : items_(items), names_(names), support_(items.items.size()), extents_(items.items.size()) {
+LineScene::LineScene(const Primitives& items, std::span<const LineName> names, int threads,
+                     std::span<const IntersectionLine> intersections)
+    : items_(items),
+      names_(names),
+      intersections_(intersections),
+      support_(items.items.size()),
+      extents_(items.items.size()) {
   for (const LineName& name : names) check_name(items, name);
   in_even_parts(items.items.size(), threads, [&](std::uint32_t i) {
     support_[i] = support_of(items_.items[i]);
@@ -55,6 +60,7 @@ LineScene::LineScene(const Primitives& items, std::span<const LineName> names, i
   });
   find_uneven(threads);
   add_lines();
+  add_intersections();
 }
 
 LineScene::Support LineScene::support_of(const Primitives::Item& item) const {
@@ -101,7 +107,10 @@ Extent LineScene::extent_of(std::uint32_t item) const {
 Extent LineScene::extent(const Line& line) const {
   Extent box = Extent::nothing();
   const Point3 &a = point(line.a), &b = point(line.b);
-  if (!line.by_plane) {
+  if (const IntersectionLine* intersection = this->intersection(line)) {
+    box.include(a, intersection->from.radius);
+    box.include(b, intersection->to.radius);
+  } else if (!line.by_plane) {
     box.include(Point3(std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)));
     box.include(Point3(std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)));
   } else {
@@ -147,9 +156,9 @@ bool LineScene::is_uneven(const LineName& side) const {
 /// A side has as many depths as the polygons that share it give it.
 void LineScene::add_lines() {
   std::optional<SideTable> shared;
-  if (!off_plane_.empty()) shared.emplace(items_);
-  lines_.reserve(names_.size());
-  first_lines_.reserve(names_.size());
+  if (!off_plane_.empty() && !names_.empty()) shared.emplace(items_);
+  lines_.reserve(names_.size() + intersections_.size());
+  first_lines_.reserve(names_.size() + intersections_.size());
   for (std::uint32_t n = 0; n < names_.size(); ++n) {
     const LineName& name = names_[n];
     const std::uint32_t first = items_.items[name.item].first;
@@ -172,6 +181,22 @@ void LineScene::add_lines() {
       }
     }
     if (even != kNone) lines_.push_back({a, b, n, even, false});
+  }
+}
+
+void LineScene::add_intersections() {
+  if (items_.points.size() + 2 * intersections_.size() >= kNone ||
+      names_.size() + intersections_.size() >= kNone) {
+    throw Error("too many intersection lines: " + std::to_string(intersections_.size()));
+  }
+  ends_.reserve(2 * intersections_.size());
+  for (const IntersectionLine& line : intersections_) {
+    const auto end = static_cast<std::uint32_t>(items_.points.size() + ends_.size());
+    const auto name = static_cast<std::uint32_t>(names_.size() + ends_.size() / 2);
+    ends_.push_back(line.from.near);
+    ends_.push_back(line.to.near);
+    first_lines_.push_back(static_cast<std::uint32_t>(lines_.size()));
+    lines_.push_back({end, end + 1, name, line.item_a, false});
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "hidden/exact/plane.h"
 #include "hidden/extents.h"
+#include "hidden/lines/intersection_lines.h"
 #include "hidden/lines/visible_lines.h"
 #include "hidden/primitives.h"
 
@@ -19,23 +20,34 @@ class LineScene {
  public:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  /// The names are in order, each once. Throws Error for one that names no line.
-  LineScene(const Primitives& items, std::span<const LineName> names, int threads);
+  /// The names are in order, each once. Throws Error for one that names no line. Intersections are
+  /// looked at beside them; what is given must outlive the scene.
+  LineScene(const Primitives& items, std::span<const LineName> names, int threads,
+            std::span<const IntersectionLine> intersections = {});
 
   /// A line with one depth. A side that polygons share is there once for each depth that it has.
   struct Line {
     std::uint32_t a, b;  ///< the points that it runs from and to; they differ in the projection
-    std::uint32_t name;  ///< which of the names
+    std::uint32_t name;  ///< which of the names; from names(), which of the intersections
     std::uint32_t own;  ///< a polygon whose plane has the line's depth, or an edge-on one; or kNone
     bool by_plane;      ///< that plane gives the depth, which the ends are not quite at
   };
-  /// By names.
+  /// By names, and then the intersections.
   std::span<const Line> lines() const { return lines_; }
   /// Where each name's first line is.
   std::span<const std::uint32_t> first_lines() const { return first_lines_; }
   std::size_t names() const { return names_.size(); }
   const LineName& name(std::uint32_t n) const { return names_[n]; }
-  const Point3& point(std::uint32_t p) const { return items_.points[p]; }
+  /// Of an intersection, its rounded end.
+  const Point3& point(std::uint32_t p) const {
+    return p < items_.points.size() ? items_.points[p] : ends_[p - items_.points.size()];
+  }
+  std::span<const Point3> points() const { return items_.points; }  ///< the items'
+  std::span<const IntersectionLine> intersections() const { return intersections_; }
+  /// That the line is; null if it is a line of the items.
+  const IntersectionLine* intersection(const Line& line) const {
+    return line.name < names_.size() ? nullptr : &intersections_[line.name - names_.size()];
+  }
 
   // ---- Polygons, by the number of the item -----------------------------------------------
 
@@ -76,6 +88,7 @@ class LineScene {
   static void include_on_plane(Extent& box, const Point3& at, const Plane& plane);
   void find_uneven(int threads);
   void add_lines();
+  void add_intersections();
   /// True if the side's own ends are not at the depth that the polygon's plane has there.
   bool is_uneven(const LineName& side) const;
   std::uint32_t corner_before(const LineName& side) const {
@@ -84,6 +97,8 @@ class LineScene {
 
   const Primitives& items_;
   std::span<const LineName> names_;
+  std::span<const IntersectionLine> intersections_;
+  std::vector<Point3> ends_;  // of the intersections, two of each
   std::vector<Support> support_;
   std::vector<Extent> extents_;
   /// Whether the vertex at each corner of the items is off the polygon's plane; empty: none is.

@@ -44,7 +44,8 @@ std::vector<LineName> drawn_lines(const Primitives& items) {
 }
 
 SeenLines visible_lines(const Primitives& items, std::span<const LineName> lines,
-                        HiddenMethod method, const LineOptions& options) {
+                        HiddenMethod method, const LineOptions& options,
+                        std::span<const IntersectionLine> intersections) {
   if (method != HiddenMethod::roberts && method != HiddenMethod::franklin) {
     throw Error("the hidden-line method " + std::string(name_of(method)) +
                 " does not find visible lines: expected roberts or franklin");
@@ -52,7 +53,7 @@ SeenLines visible_lines(const Primitives& items, std::span<const LineName> lines
   std::vector<LineName> names(lines.begin(), lines.end());
   std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());
-  const LineScene scene(items, names, options.threads);
+  const LineScene scene(items, names, options.threads, intersections);
   return method == HiddenMethod::roberts ? visible_lines_by_roberts(items, scene, options)
                                          : visible_lines_by_franklin(items, scene, options);
 }

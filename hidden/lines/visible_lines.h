@@ -7,6 +7,7 @@
 
 #include "hidden/exact/precision.h"
 #include "hidden/hidden_method.h"
+#include "hidden/lines/intersection_lines.h"
 #include "hidden/primitives.h"
 #include "hidden/work_progress.h"
 
@@ -28,9 +29,17 @@ struct VisiblePiece {
   bool operator==(const VisiblePiece&) const = default;
 };
 
+/// The same of an intersection line, by its place among those that were given.
+struct VisibleIntersection {
+  std::uint32_t line;
+  double from, to;
+  bool operator==(const VisibleIntersection&) const = default;
+};
+
 /// What is seen of lines; what is left of each is hidden.
 struct SeenLines {
   std::vector<VisiblePiece> pieces;  ///< by item, corner, from; pieces of a line do not touch
+  std::vector<VisibleIntersection> intersections;  ///< by line, from; likewise
 };
 
 struct LineOptions {
@@ -49,7 +58,12 @@ std::vector<LineName> drawn_lines(const Primitives& items);
 /// exact precision each end of a piece is the true one, rounded once to the nearest double, so that
 /// all methods give the same pieces. Throws Error for a line that there is not, or a method that
 /// finds no lines: expected are roberts and franklin.
+///
+/// Intersections are those that intersection_lines found among the same items, or some of them.
+/// Exact precision takes each as the line that both planes have in common, between its ends as
+/// they are defined, and not as the line between the rounded ones.
 SeenLines visible_lines(const Primitives& items, std::span<const LineName> lines,
-                        HiddenMethod method, const LineOptions& options);
+                        HiddenMethod method, const LineOptions& options,
+                        std::span<const IntersectionLine> intersections = {});
 
 }  // namespace displayfile

@@ -105,17 +105,26 @@ SeenLines visible_pieces(const LineScene& scene, std::span<const std::uint32_t> 
     });
     work.add(end - begin);
   });
-  std::vector<std::size_t> place(scene.names() + 1, 0);  // of each name's pieces
+  const std::size_t names = scene.names(), intersections = scene.intersections().size();
+  std::vector<std::size_t> place(names + intersections + 1, 0);  // of each name's pieces
   for (const auto& parts : seen) {
     for (const SeenPart& part : parts) ++place[part.name + 1];
   }
   for (std::size_t n = 1; n < place.size(); ++n) place[n] += place[n - 1];
   SeenLines all;
-  all.pieces.resize(place.back());
+  const std::size_t of_names = place[names];
+  all.pieces.resize(of_names);
+  all.intersections.resize(place.back() - of_names);
   for (const auto& parts : seen) {
     for (const auto& [name, part] : parts) {
-      const auto [item, corner] = scene.name(name);
-      all.pieces[place[name]++] = {item, corner, part.from, part.to};
+      const std::size_t at = place[name]++;
+      if (name < names) {
+        const auto [item, corner] = scene.name(name);
+        all.pieces[at] = {item, corner, part.from, part.to};
+      } else {
+        const auto line = static_cast<std::uint32_t>(name - names);
+        all.intersections[at - of_names] = {line, part.from, part.to};
+      }
     }
   }
   return all;

@@ -141,7 +141,8 @@ double LineHiders::nearest(std::uint32_t item) const {
 }
 
 EndDepths LineHiders::depths(const ExactLine& line, const DepthPlane& plane) const {
-  return {plane.over(line.x0, line.y0), plane.over(line.x1, line.y1), plane.under};
+  return {plane.over(line.x0, line.y0, line.scale), plane.over(line.x1, line.y1, line.scale),
+          plane.under * line.scale};
 }
 
 /// That of the sharer's support plane; a line's, and an edge-on polygon's, that of its own ends. A
@@ -187,7 +188,7 @@ std::optional<Hider> LineHiders::hider(const ExactLine& line, std::uint32_t item
   };
   std::vector<Vertex> vertices;
   for (const Point3& p : items_.points(item)) {
-    Vertex v{scaled(p.x, places_), scaled(p.y, places_), 0};
+    Vertex v{scaled(p.x, places_) * line.scale, scaled(p.y, places_) * line.scale, 0};
     const Integer aside = along_x * (v.y - line.y0) - along_y * (v.x - line.x0);
     v.side = sgn(aside);
     vertices.push_back(std::move(v));
@@ -230,6 +231,85 @@ std::vector<Hider> LineHiders::hiders(const ExactLine& line) const {
     auto hider = this->hider(line, item);
     if (hider && is_nearer_somewhere(*hider)) found.push_back(std::move(*hider));
   }
+  return found;
+}
+
+// ---- Where polygons pass through each other --------------------------------------------------
+
+std::vector<ExactLine> LineHiders::intersections(std::uint32_t item_a, std::uint32_t item_b) const {
+  std::vector<ExactLine> lines;
+  for (const std::uint32_t item : {item_a, item_b}) {
+    if (items_.kind(item) != LineItems::Kind::solid) return lines;
+  }
+  const auto p = plane(item_a), q = plane(item_b);
+  if (!p || !q) return lines;
+  FlatLine line{p->slope_x * q->under - q->slope_x * p->under,
+                p->slope_y * q->under - q->slope_y * p->under,
+                p->origin * q->under - q->origin * p->under, 0, 0};
+  if (line.a == 0 && line.b == 0) return lines;
+  const int way = line.b > 0 || (line.b == 0 && line.a < 0) ? 1 : -1;
+  line.ahead_x = way * line.b;
+  line.ahead_y = -way * line.a;
+  for (const ExactPart& part : common(inside(item_a, line), inside(item_b, line))) {
+    lines.push_back(between(line, part, *p));
+  }
+  return lines;
+}
+
+/// Where points close to the line, left and right of it, are inside by even-odd; united, so that a
+/// place where the boundary only touches it is no end.
+ExactParts LineHiders::inside(std::uint32_t item, const FlatLine& line) const {
+  struct Vertex {
+    Integer aside, place;
+  };
+  std::vector<Vertex> vertices;
+  for (const Point3& at : items_.points(item)) {
+    const Integer x = scaled(at.x, places_), y = scaled(at.y, places_);
+    vertices.push_back({line.c - line.a * x - line.b * y, line.ahead_x * x + line.ahead_y * y});
+  }
+  std::array<ExactParts, 2> of_sides;
+  for (const int side : {1, -1}) {
+    std::vector<Fraction> crossings;
+    const Vertex* v = &vertices.back();
+    for (const Vertex& w : vertices) {
+      if ((sgn(v->aside) == side) != (sgn(w.aside) == side)) {
+        crossings.push_back(quotient(v->place * w.aside - w.place * v->aside, w.aside - v->aside));
+      }
+      v = &w;
+    }
+    std::ranges::sort(crossings, [](const Fraction& f, const Fraction& g) { return f < g; });
+    std::vector<ExactPart> parts;
+    for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
+      if (crossings[k] < crossings[k + 1]) parts.push_back({crossings[k], crossings[k + 1]});
+    }
+    of_sides[side > 0 ? 0 : 1] = united(std::move(parts));
+  }
+  return common(of_sides[0], of_sides[1]);
+}
+
+ExactLine LineHiders::between(const FlatLine& line, const ExactPart& part,
+                              const DepthPlane& plane) const {
+  const Integer square = line.a * line.a + line.b * line.b;
+  const auto along = [&](const Integer& across, const Integer& ahead, const Fraction& place) {
+    return Integer(line.c * across * place.under + ahead * place.over);
+  };
+  const auto& [from, to] = part;
+  ExactLine found;
+  found.scale = square * from.under * to.under;
+  found.x0 = along(line.a, line.ahead_x, from) * to.under;
+  found.y0 = along(line.b, line.ahead_y, from) * to.under;
+  found.x1 = along(line.a, line.ahead_x, to) * from.under;
+  found.y1 = along(line.b, line.ahead_y, to) * from.under;
+  const EndDepths depth = depths(found, plane);
+  const auto place = [&](const Integer& at) {
+    const Integer unit = found.scale << static_cast<mp_bitcnt_t>(places_);
+    return Division().nearest_double(at, unit);
+  };
+  found.start = {place(found.x0), place(found.y0), this->depth(depth.from, depth.under)};
+  found.end = {place(found.x1), place(found.y1), this->depth(depth.to, depth.under)};
+  found.farthest = std::nextafter(std::min(found.start.z, found.end.z),
+                                  -std::numeric_limits<double>::infinity());
+  found.depths.push_back(depth);
   return found;
 }
 

@@ -20,8 +20,9 @@ struct EndDepths {
 
 /// A line in whole numbers.
 struct ExactLine {
-  Point3 start, end;              ///< in the direction of the first sharer
-  Integer x0, y0, x1, y1;         ///< the projection
+  Point3 start, end;       ///< in the direction of the first sharer; of an intersection, rounded
+  Integer x0, y0, x1, y1;  ///< the projection, times `scale`
+  Integer scale = 1;       ///< so that the ends of intersections are whole too
   std::vector<EndDepths> depths;  ///< those that it has for its sharers, each once
   double farthest;                ///< no depth anywhere on it is less
 };
@@ -52,6 +53,10 @@ class LineHiders {
   ExactLine line(const LineItems::Sharers& sharers) const;
   /// Every polygon that covers points of the line, or points close to it, and is nearer at one.
   std::vector<Hider> hiders(const ExactLine& line) const;
+  /// The parts of the line on which both planes have the same depth that are inside both polygons:
+  /// where points close to it on either side are. Each runs from the end that is lower by x, then
+  /// y, to the other; in this order. None of polygons that are not solid or have no plane.
+  std::vector<ExactLine> intersections(std::uint32_t item_a, std::uint32_t item_b) const;
 
  private:
   struct Point {
@@ -60,8 +65,9 @@ class LineHiders {
   /// Depths at (x, y): (origin - slope_x x - slope_y y) / under, under > 0.
   struct DepthPlane {
     Integer slope_x, slope_y, origin, under;
-    Integer over(const Integer& x, const Integer& y) const {
-      return origin - slope_x * x - slope_y * y;
+    /// At (x / scale, y / scale), times scale.
+    Integer over(const Integer& x, const Integer& y, const Integer& scale = 1) const {
+      return origin * scale - slope_x * x - slope_y * y;
     }
   };
   struct Solid {
@@ -82,6 +88,14 @@ class LineHiders {
   EndDepths depths(const ExactLine& line, LineId sharer) const;
   EndDepths depths(const ExactLine& line, const DepthPlane& plane) const;
   std::optional<Hider> hider(const ExactLine& line, std::uint32_t item) const;
+
+  /// In the projection a x + b y = c, and a place on it is the value there of ahead_x x + ahead_y
+  /// y, which grows with x, or with y if a line is steep.
+  struct FlatLine {
+    Integer a, b, c, ahead_x, ahead_y;
+  };
+  ExactParts inside(std::uint32_t item, const FlatLine& line) const;
+  ExactLine between(const FlatLine& line, const ExactPart& part, const DepthPlane& plane) const;
 
   void enter_solids(int threads);
   void enter_cells();

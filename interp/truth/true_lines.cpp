@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -52,6 +53,26 @@ std::vector<Part> rounded(const ExactParts& exact) {
 }
 
 }  // namespace
+
+std::vector<TrueIntersection> true_intersections(const LineItems& items, int threads) {
+  const LineHiders hiders(items, threads);
+  std::vector<std::vector<TrueIntersection>> with_earlier(items.size());
+  in_parallel(threads, items.size(), [&](std::size_t k) {
+    const auto b = static_cast<std::uint32_t>(k);
+    for (std::uint32_t a = 0; a < b; ++a) {
+      for (const ExactLine& line : hiders.intersections(a, b)) {
+        if (Point2(line.start) == Point2(line.end)) continue;
+        with_earlier[k].push_back(
+            {a, b, line.start, line.end, rounded(visible_parts(line, hiders.hiders(line)))});
+      }
+    }
+  });
+  std::vector<TrueIntersection> all;
+  for (auto& found : with_earlier) {
+    all.insert(all.end(), std::move_iterator(found.begin()), std::move_iterator(found.end()));
+  }
+  return all;
+}
 
 std::vector<TrueLine> true_lines(const LineItems& items, std::span<const LineId> lines, int threads,
                                  const WorkProgress& progress) {

@@ -46,6 +46,20 @@ struct TrueLine {
 std::vector<TrueLine> true_lines(const LineItems& items, std::span<const LineId> lines,
                                  int threads = 1, const WorkProgress& progress = {});
 
+/// A part of a line along which two solid polygons pass through each other: where their support
+/// planes have the same depth, and both cover the points close to the line on either side.
+struct TrueIntersection {
+  std::uint32_t item_a, item_b;  ///< a was entered before b
+  /// The end that is lower by x, then y, and the other; each coordinate rounded once to the nearest
+  /// double. Different in the projection.
+  Point3 from, to;
+  std::vector<TrueLine::Part> visible;  ///< as those of a TrueLine, from `from`
+};
+
+/// All there are, in order of item_b, item_a, and of places along the line; and what is seen of
+/// each: of the exact line, not of the one between the rounded ends. Every pair is looked at.
+std::vector<TrueIntersection> true_intersections(const LineItems& items, int threads = 1);
+
 /// The parts that are seen, named for the lines' first sharers, in order.
 std::vector<LinePiece> visible_pieces(std::span<const TrueLine> lines);
 

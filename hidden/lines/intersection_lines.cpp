@@ -1,0 +1,245 @@
+#include "hidden/lines/intersection_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "hidden/exact/depth_order.h"
+#include "hidden/lines/line_scene.h"
+#include "hidden/parallel.h"
+#include "hidden/space_tree.h"
+
+namespace displayfile {
+
+namespace {
+
+/// Finds the lines of pairs of polygons, one pair after the other. Keeps what it works with, so
+/// that nothing is allocated per pair.
+class Intersections {
+ public:
+  Intersections(const Primitives& items, const LineScene& scene) : items_(items), scene_(scene) {}
+
+  /// Adds the lines of a pair of polygons that hide, in order of places; a was entered first.
+  void find(std::uint32_t a, std::uint32_t b, std::vector<IntersectionLine>& lines) {
+    if (share_side(a, b)) return;
+    planes_ = {scene_.plane(a), scene_.plane(b)};
+    if (!reaches_through(b, kB, kA) || !reaches_through(a, kA, kB)) return;
+    inside_.clear();
+    add_inside(a, kA, true);
+    meet_inside(b, kB, true);
+    if (touches_line(kA)) meet_inside(a, kA, false);
+    if (touches_line(kB)) meet_inside(b, kB, false);
+    join_inside();
+    for (const auto& [from, to] : inside_) {
+      IntersectionLine line{a, b, rounded_once(from), rounded_once(to), {}, {}};
+      if (Point2(line.from.near) == Point2(line.to.near)) continue;
+      line.start = drawn(line.from);
+      line.end = drawn(line.to);
+      lines.push_back(line);
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t kA = 0, kB = 1;  // the polygons, and their planes
+  struct Part {
+    DefinedPoint from, to;
+  };
+
+  Definitions definitions() const { return {items_.points, planes_}; }
+
+  /// True of triangles with two corners in common: neither has corners on both sides of the other's
+  /// plane. In a mesh that is most of those whose boxes meet.
+  bool share_side(std::uint32_t a, std::uint32_t b) const {
+    if (scene_.sides(a) != 3 || scene_.sides(b) != 3) return false;
+    const auto corner = [&](std::uint32_t item, std::uint32_t k) {
+      return items_.point(items_.items[item].first + k);
+    };
+    const std::array<std::uint32_t, 3> of_b{corner(b, 0), corner(b, 1), corner(b, 2)};
+    int common = 0;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t p = corner(a, k);
+      common += (p == of_b[0]) | (p == of_b[1]) | (p == of_b[2]) ? 1 : 0;
+    }
+    return common > 1;
+  }
+
+  /// Finds the side of the other polygon's plane that each corner is on, at the depth of its own
+  /// plane: 1 where it is nearer, -1, 0; false if none is on the one side, or none on the other.
+  bool reaches_through(std::uint32_t item, std::uint32_t own, std::uint32_t other) {
+    const std::uint32_t sides = scene_.sides(item);
+    std::vector<std::int8_t>& side = side_[own];
+    side.resize(sides);
+    bool before = false, behind = false;
+    for (std::uint32_t k = 0; k < sides; ++k) {
+      const Point3& corner = scene_.corner(item, k);
+      const int s = scene_.is_off_plane(item, k)
+                        ? depth_order(planes_[own], planes_[other], Point2(corner))
+                        : side_of_plane(corner, planes_[other]);
+      side[k] = static_cast<std::int8_t>(s);
+      before |= s > 0;
+      behind |= s < 0;
+    }
+    return before && behind;
+  }
+
+  bool touches_line(std::uint32_t own) const {
+    return std::ranges::find(side_[own], std::int8_t{0}) != side_[own].end();
+  }
+
+  /// Where the polygon's boundary crosses a line close to the one that both planes have in common,
+  /// where its own plane is before the other one, or where it is behind; in order along it. Between
+  /// the first and the second it is inside, between the third and the fourth, and so on (even-odd).
+  void find_crossings(std::uint32_t item, std::uint32_t own, bool before) {
+    crossings_.clear();
+    const std::uint32_t sides = scene_.sides(item);
+    const std::vector<std::int8_t>& side = side_[own];
+    const auto is_beyond = [&](std::uint32_t k) { return before ? side[k] > 0 : side[k] < 0; };
+    std::uint32_t k = sides - 1;
+    for (std::uint32_t next = 0; next < sides; k = next++) {
+      if (is_beyond(k) == is_beyond(next)) continue;
+      crossings_.push_back(side[k] == 0      ? at_corner(item, own, k)
+                           : side[next] == 0 ? at_corner(item, own, next)
+                                             : on_side(item, own, k, next));
+    }
+    const auto is_less = [all = definitions()](const DefinedPoint& v, const DefinedPoint& w) {
+      return compare_xy(all, v, w) < 0;
+    };
+    if (crossings_.size() > 2) {
+      std::ranges::sort(crossings_, is_less);
+    } else if (is_less(crossings_[1], crossings_[0])) {
+      std::swap(crossings_[0], crossings_[1]);
+    }
+  }
+
+  std::uint32_t point(std::uint32_t item, std::uint32_t corner) const {
+    return items_.point(items_.items[item].first + corner);
+  }
+  DefinedPoint at_corner(std::uint32_t item, std::uint32_t own, std::uint32_t k) const {
+    const std::uint32_t p = point(item, k);
+    return scene_.is_off_plane(item, k) ? lifted_point(definitions(), p, own)
+                                        : stored_point(items_.points[p]);
+  }
+  DefinedPoint on_side(std::uint32_t item, std::uint32_t own, std::uint32_t k,
+                       std::uint32_t next) const {
+    const bool is_flat = !scene_.is_off_plane(item, k) && !scene_.is_off_plane(item, next);
+    const std::uint32_t p = point(item, k), q = point(item, next), other = 1 - own;
+    return is_flat ? edge_cut(definitions(), p, q, other)
+                   : lifted_edge_cut(definitions(), p, q, own, other);
+  }
+
+  // ---- Parts of the line, in order ----------------------------------------------------------
+
+  void add_inside(std::uint32_t item, std::uint32_t own, bool before) {
+    find_crossings(item, own, before);
+    for (std::size_t k = 0; k + 1 < crossings_.size(); k += 2) {
+      add_part(crossings_[k], crossings_[k + 1]);
+    }
+  }
+  void add_part(const DefinedPoint& from, const DefinedPoint& to) {
+    if (compare_xy(definitions(), from, to) < 0) inside_.push_back({from, to});
+  }
+  /// Leaves what is inside this one too.
+  void meet_inside(std::uint32_t item, std::uint32_t own, bool before) {
+    if (inside_.empty()) return;
+    std::swap(inside_, others_);
+    inside_.clear();
+    add_inside(item, own, before);
+    std::swap(inside_, more_);
+    inside_.clear();
+    const Definitions all = definitions();
+    for (std::size_t i = 0, j = 0; i < others_.size() && j < more_.size();) {
+      const Part &p = others_[i], &q = more_[j];
+      const bool ends_first = compare_xy(all, p.to, q.to) < 0;
+      add_part(compare_xy(all, p.from, q.from) < 0 ? q.from : p.from, ends_first ? p.to : q.to);
+      ++(ends_first ? i : j);
+    }
+  }
+  /// A place where a boundary only touches the line is no end.
+  void join_inside() {
+    if (inside_.size() < 2) return;
+    std::size_t last = 0;
+    for (std::size_t k = 1; k < inside_.size(); ++k) {
+      if (compare_xy(definitions(), inside_[last].to, inside_[k].from) == 0) {
+        inside_[last].to = inside_[k].to;
+      } else {
+        inside_[++last] = inside_[k];
+      }
+    }
+    inside_.resize(last + 1);
+  }
+
+  DefinedPoint rounded_once(DefinedPoint v) const {
+    v.near = rounded(definitions(), v) + 0.0;  // an end at zero has one sign, whatever it is from
+    if (v.kind == DefinedPoint::Kind::stored) return v;
+    const double size = std::max({std::abs(v.near.x), std::abs(v.near.y), std::abs(v.near.z)});
+    v.radius = size <= kCoordinateLimit ? kUnit * size * kInflate + kTiny
+                                        : std::numeric_limits<double>::infinity();
+    return v;
+  }
+
+  Point3 drawn(const DefinedPoint& v) const {
+    if (v.kind != DefinedPoint::Kind::lifted_edge_cut) return v.near;
+    const Plane& plane = planes_[v.cut];
+    const int at_a = side_of_plane(items_.points[v.a], plane);
+    const int at_b = side_of_plane(items_.points[v.b], plane);
+    if (at_a * at_b > 0 || (at_a == 0 && at_b == 0)) return v.near;  // they do not meet
+    return rounded(definitions(), edge_cut(definitions(), v.a, v.b, v.cut)) + 0.0;
+  }
+
+  const Primitives& items_;
+  const LineScene& scene_;
+  std::array<Plane, 2> planes_;
+  std::array<std::vector<std::int8_t>, 2> side_;  // of the other's plane, each corner
+  std::vector<DefinedPoint> crossings_;
+  std::vector<Part> inside_, others_, more_;
+};
+
+/// The boxes of those that hide, by the list of these. What is beyond all floats counts as far
+/// away.
+SpaceTree tree_of(const LineScene& scene, const std::vector<std::uint32_t>& solids, int threads) {
+  SpaceTree tree;
+  tree.build(
+      solids.size(),
+      [&](SpaceTree::Item k) {
+        const Extent& e = scene.extent(solids[k]);
+        const auto finite = [](float v) { return std::clamp(double{v}, -1e300, 1e300); };
+        return Bounds{{finite(e.x_min), finite(e.y_min), finite(e.z_min)},
+                      {finite(e.x_max), finite(e.y_max), finite(e.z_max)}};
+      },
+      threads);
+  return tree;
+}
+
+}  // namespace
+
+std::vector<IntersectionLine> intersection_lines(const Primitives& items, int threads) {
+  constexpr std::uint32_t kLeavesOfAPart = 64;
+  const LineScene scene(items, {}, threads);
+  std::vector<std::uint32_t> solids;
+  for (std::uint32_t i = 0; i < scene.items(); ++i) {
+    if (scene.hides(i)) solids.push_back(i);
+  }
+  const SpaceTree tree = tree_of(scene, solids, threads);
+  std::vector<std::vector<IntersectionLine>> found((tree.leaves() + kLeavesOfAPart - 1) /
+                                                   kLeavesOfAPart);
+  in_parallel(threads, found.size(), [&](std::size_t part) {
+    Intersections intersections(items, scene);
+    const auto first = static_cast<std::uint32_t>(part) * kLeavesOfAPart;
+    const std::uint32_t end = std::min(first + kLeavesOfAPart, tree.leaves());
+    tree.pairs(first, end, [&](SpaceTree::Position p, SpaceTree::Position q) {
+      const std::uint32_t i = solids[tree.order()[p]], j = solids[tree.order()[q]];
+      intersections.find(std::min(i, j), std::max(i, j), found[part]);
+    });
+  });
+  std::vector<IntersectionLine> lines;
+  for (const auto& of_part : found) lines.insert(lines.end(), of_part.begin(), of_part.end());
+  std::ranges::stable_sort(lines, [](const IntersectionLine& l, const IntersectionLine& m) {
+    return std::tie(l.item_b, l.item_a) < std::tie(m.item_b, m.item_a);
+  });
+  return lines;
+}
+
+}  // namespace displayfile

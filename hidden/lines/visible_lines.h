@@ -46,7 +46,7 @@ std::vector<LineName> drawn_lines(const Primitives& items);
 /// definition). A line named twice counts once; a line that projects to a point has no pieces. With
 /// exact precision each end of a piece is the true one, rounded once to the nearest double, so that
 /// all methods give the same pieces. Throws Error for a line that there is not, or a method that
-/// finds no lines: expected are roberts and franklin.
+/// finds no lines: expected are roberts, appel and franklin.
 SeenLines visible_lines(const Primitives& items, std::span<const LineName> lines,
                         HiddenMethod method, const LineOptions& options);
 

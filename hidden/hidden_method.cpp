@@ -32,7 +32,7 @@ constexpr std::array kMethods{
     HiddenMethodEntry{plain_z_buffer_32, "plain-z-buffer=32", true},
     HiddenMethodEntry{plain_z_buffer_double, "plain-z-buffer=double", true},
     HiddenMethodEntry{roberts, "roberts", true},
-    HiddenMethodEntry{appel, "appel", false},
+    HiddenMethodEntry{appel, "appel", true},
     HiddenMethodEntry{franklin, "franklin", true},
     HiddenMethodEntry{colour_rule, "colour-rule", false},
 };

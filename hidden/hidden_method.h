@@ -27,7 +27,8 @@ enum class HiddenMethod {
   plain_z_buffer_32,      ///< of 32;
   plain_z_buffer_double,  ///< as doubles. Never what `automatic` picks
   roberts,      ///< lines in object space, each against all polygons (hidden/lines/roberts.md)
-  appel,        // not built yet
+  appel,        ///< lines in object space, by the number of polygons before them
+                ///< (hidden/lines/appel.md)
   franklin,     ///< lines in object space, by cells of the picture (hidden/lines/franklin.md)
   colour_rule,  // not built yet
 };

@@ -22,7 +22,8 @@ namespace {
 
 using namespace test;
 
-constexpr HiddenMethod kMethods[] = {HiddenMethod::roberts, HiddenMethod::franklin};
+constexpr HiddenMethod kMethods[] = {HiddenMethod::roberts, HiddenMethod::appel,
+                                     HiddenMethod::franklin};
 
 /// All sides and lines, drawn or not.
 std::vector<LineName> all_lines(const ItemList& list) {
@@ -364,14 +365,18 @@ TEST(HiddenLines, EveryFamilyAgainstTheTruth) {
 /// The first pieces that differ, in words; empty if none do.
 std::string difference(const ItemList& list) {
   const auto by_roberts = pieces(list, HiddenMethod::roberts);
-  const auto by_franklin = pieces(list, HiddenMethod::franklin);
-  const auto [r, f] = std::ranges::mismatch(by_roberts, by_franklin);
-  if (r == by_roberts.end() && f == by_franklin.end()) return "";
-  return "roberts: " + text({r, std::min(r + 3, by_roberts.end())}) +
-         "franklin: " + text({f, std::min(f + 3, by_franklin.end())});
+  std::string differ;
+  for (const HiddenMethod method : {HiddenMethod::appel, HiddenMethod::franklin}) {
+    const auto others = pieces(list, method);
+    const auto [r, o] = std::ranges::mismatch(by_roberts, others);
+    if (r == by_roberts.end() && o == others.end()) continue;
+    differ += "roberts: " + text({r, std::min(r + 3, by_roberts.end())}) +
+              std::string(name_of(method)) + ": " + text({o, std::min(o + 3, others.end())});
+  }
+  return differ;
 }
 
-TEST(HiddenLines, RobertsAndFranklinAgreeOnEveryFamily) {
+TEST(HiddenLines, TheMethodsAgreeOnEveryFamily) {
   const int scenes = from_environment("DISPLAYFILE_LINE_SCENES", 400 / kSlower);
   for (const SortFamily& family : sort_families()) {
     for (int k = 0; k < scenes; ++k) {
@@ -409,7 +414,7 @@ ItemList crowd(Source& s, int polygons) {
   return list;
 }
 
-TEST(HiddenLines, RobertsAndFranklinAgreeOnCrowds) {
+TEST(HiddenLines, TheMethodsAgreeOnCrowds) {
   const int scenes = from_environment("DISPLAYFILE_LINE_SCENES", 60 / kSlower);
   for (int k = 0; k < scenes; ++k) {
     Source s(static_cast<std::uint64_t>(k));

@@ -29,7 +29,8 @@ inline std::string wrong_lines(const DisplayFile& file, int more_threads = 3) {
   }
   const std::vector<LinePiece> right = visible_pieces(truth);
   std::ostringstream wrong;
-  for (const HiddenMethod method : {HiddenMethod::roberts, HiddenMethod::franklin}) {
+  for (const HiddenMethod method :
+       {HiddenMethod::roberts, HiddenMethod::appel, HiddenMethod::franklin}) {
     for (int threads = 1; threads <= more_threads; threads += 2) {
       const std::vector<LinePiece> pieces = claimed_pieces(
           visible_lines(scene.primitives(), names, method, {.precision = {}, .threads = threads}));

@@ -36,9 +36,10 @@ class LineAgainstPolygon {
     return at_a >= 0 && at_a + policy_.nearer(line_, line_.b, plane) > 0;
   }
 
-  /// Adds what the polygon, one that hides, covers along the line looked at; true if it covers both
-  /// sides of a part.
-  bool hide(std::uint32_t polygon, HiddenParts& parts) {
+  /// Adds what the polygon, one that hides, covers along the line looked at, to HiddenParts or what
+  /// takes the same; true if it covers both sides of a part.
+  template <class Parts>
+  bool hide(std::uint32_t polygon, Parts& parts) {
     if (polygon == own_ || polygon == other_ || !reaches_over(polygon)) return false;
     const Plane plane = scene_.plane(polygon);
     const int nearer_at_a = a_is_corner_ ? 0 : policy_.nearer(line_, line_.a, plane);

@@ -2,6 +2,7 @@
 
 #include "hidden/exact/common_line.h"
 #include "hidden/exact/line_parameter.h"
+#include "hidden/exact/orientation.h"
 #include "hidden/exact/precision_policies.h"
 
 namespace displayfile {
@@ -19,6 +20,10 @@ struct DepthLine {
 //   turn(a, b, c)                 1 if c is left of a to b in the projection, -1, 0
 //   side(line, c)                 the side of the line that c is on: 1, -1, or 0 on it
 //   nearer(line, at, plane)       the sign of the plane's depth less the line's, at one of its ends
+//   passes_over(line, p, q)       the sign of the depth of the side from p to q less the line's
+//   where
+//                                 they cross; p is left of the line and q right of it, or one of
+//                                 them on it, and the line's depth is its own ends'
 //   crossing(line, p, q)          the parameters of the line, from 0 to 1, where the line through
 //   at_point(line, p)             p and q crosses it, where a point that lies on it is, and where
 //   meeting(line, plane)          the plane has the line's depth
@@ -40,6 +45,9 @@ class ExactLines {
       return at == line.a ? line.common->nearer_at_start(plane) : line.common->nearer_at_end(plane);
     }
     return line.plane == nullptr ? -side(at, plane) : order(plane, *line.plane, at);
+  }
+  static int passes_over(const DepthLine& line, const Point3& p, const Point3& q) {
+    return orientation(line.a, line.b, p, q);
   }
   double crossing(const DepthLine& line, const Point2& p, const Point2& q) const {
     if (line.common != nullptr) [[unlikely]]
@@ -88,6 +96,12 @@ class RoundoffLines {
   }
   int nearer(const DepthLine& line, const Point3& at, const Plane& plane) const {
     return roundoff_.signof(apart(line, at, plane));
+  }
+  int passes_over(const DepthLine& line, const Point3& p, const Point3& q) const {
+    const double of_side = share(turned(line.a, line.b, p), turned(line.a, line.b, q));
+    const double of_line = crossing(line, Point2(p), Point2(q));
+    return roundoff_.signof(p.z + of_side * (q.z - p.z) -
+                            (line.a.z + of_line * (line.b.z - line.a.z)));
   }
   double crossing(const DepthLine& line, const Point2& p, const Point2& q) const {
     return share(turned(p, q, line.a), turned(p, q, line.b));

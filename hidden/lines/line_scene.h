@@ -70,6 +70,8 @@ class LineScene {
   bool is_off_plane(std::uint32_t item, std::uint32_t corner) const {
     return !off_plane_.empty() && off_plane_[first_corner_[item] + corner] != 0;
   }
+  /// True if no polygon has such a vertex.
+  bool all_even() const { return off_plane_.empty(); }
   /// The box around all that a polygon that hides covers, at the depths of its support plane;
   /// nothing, of what does not hide.
   const Extent& extent(std::uint32_t item) const { return extents_[item]; }

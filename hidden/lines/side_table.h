@@ -20,6 +20,9 @@ class SideTable {
     std::uint32_t high;  ///< the other point
     LineName name;
   };
+  /// The first point that is equal to that one.
+  std::uint32_t vertex(std::uint32_t point) const { return same_[point]; }
+
   /// All sides with these ends, given as indices of points, in either direction; in order.
   std::span<const Side> sides_between(std::uint32_t a, std::uint32_t b) const;
 

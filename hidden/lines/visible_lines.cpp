@@ -4,6 +4,7 @@
 #include <string>
 
 #include "clip/error.h"
+#include "hidden/lines/appel.h"
 #include "hidden/lines/franklin.h"
 #include "hidden/lines/line_scene.h"
 #include "hidden/lines/roberts.h"
@@ -46,16 +47,17 @@ std::vector<LineName> drawn_lines(const Primitives& items) {
 SeenLines visible_lines(const Primitives& items, std::span<const LineName> lines,
                         HiddenMethod method, const LineOptions& options,
                         std::span<const IntersectionLine> intersections) {
-  if (method != HiddenMethod::roberts && method != HiddenMethod::franklin) {
+  if (!finds_lines(method)) {
     throw Error("the hidden-line method " + std::string(name_of(method)) +
-                " does not find visible lines: expected roberts or franklin");
+                " does not find visible lines: expected roberts, appel or franklin");
   }
   std::vector<LineName> names(lines.begin(), lines.end());
   std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());
   const LineScene scene(items, names, options.threads, intersections);
-  return method == HiddenMethod::roberts ? visible_lines_by_roberts(items, scene, options)
-                                         : visible_lines_by_franklin(items, scene, options);
+  if (method == HiddenMethod::roberts) return visible_lines_by_roberts(items, scene, options);
+  if (method == HiddenMethod::appel) return visible_lines_by_appel(items, scene, options);
+  return visible_lines_by_franklin(items, scene, options);
 }
 
 }  // namespace displayfile

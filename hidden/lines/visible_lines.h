@@ -57,7 +57,7 @@ std::vector<LineName> drawn_lines(const Primitives& items);
 /// definition). A line named twice counts once; a line that projects to a point has no pieces. With
 /// exact precision each end of a piece is the true one, rounded once to the nearest double, so that
 /// all methods give the same pieces. Throws Error for a line that there is not, or a method that
-/// finds no lines: expected are roberts and franklin.
+/// finds no lines: expected are roberts, appel and franklin.
 ///
 /// Intersections are those that intersection_lines found among the same items, or some of them.
 /// Exact precision takes each as the line that both planes have in common, between its ends as

@@ -1,0 +1,375 @@
+#include "hidden/lines/appel.h"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "hidden/lines/carried_counts.h"
+#include "hidden/lines/contour_edges.h"
+#include "hidden/lines/depth_boxes.h"
+#include "hidden/lines/line_counts.h"
+#include "hidden/lines/line_vertices.h"
+#include "hidden/lines/visible_pieces.h"
+#include "hidden/parallel.h"
+
+namespace displayfile {
+
+namespace {
+
+constexpr std::size_t kLinesAtATime = 512;
+
+/// What all threads look at.
+struct AppelScene {
+  const LineScene& lines;
+  SideTable sides;
+  ContourEdges contours;
+  LineVertices vertices;
+  DepthTree counted;    ///< the polygons that are counted, as boxes around all they have
+  ExtentTree compared;  ///< the others that hide
+
+  AppelScene(const Primitives& items, const LineScene& scene, int threads)
+      : lines(scene),
+        sides(items),
+        contours(scene, items, sides, threads),
+        vertices(scene, items, sides, contours) {
+    const auto box = [&](std::uint32_t i) {
+      return DepthBox{contours.way(i) != 0 ? box_of(i) : Extent::nothing()};
+    };
+    counted.build(scene.items(), box, threads);
+    std::vector<Extent> others(scene.items(), Extent::nothing());
+    bool any = false;
+    for (std::uint32_t i = 0; i < scene.items(); ++i) {
+      if (!scene.hides(i) || contours.way(i) != 0) continue;
+      others[i] = scene.extent(i);
+      any = true;
+    }
+    if (any) compared = extent_tree(others, threads);
+  }
+
+  /// The box around a polygon, at the depths of its plane and at those of its corners.
+  Extent box_of(std::uint32_t polygon) const {
+    Extent box = lines.extent(polygon);
+    if (contours.is_even(polygon)) return box;
+    for (std::uint32_t k = 0; k < lines.sides(polygon); ++k) box.include(lines.corner(polygon, k));
+    return box;
+  }
+
+  /// Calls visit(polygon) for those that are counted and whose boxes meet this one, until it
+  /// returns true: then true.
+  template <class Visit>
+  bool any_counted(const Extent& box, const Visit& visit) const {
+    return counted.any([&](const DepthBoxes& boxes) { return boxes.meets(box); },
+                       [&](DepthTree::Position at) { return visit(counted.order()[at]); });
+  }
+};
+
+/// Where the changes along a line are: among those that were found together; and the number of its
+/// start's counts.
+struct ChangesOfLine {
+  std::uint32_t found, from, to, start;
+};
+
+/// Finds what changes the counts along lines, and what their vertices' stars add to them.
+template <class Policy>
+class LineFollower {
+ public:
+  LineFollower(const AppelScene& scene, const Policy& policy)
+      : scene_(scene),
+        lines_(scene.lines),
+        policy_(policy),
+        counts_(scene.lines, scene.contours, policy),
+        depths_(scene.lines, policy) {}
+
+  /// Whether the counts are carried over a vertex: no contour edge passes before it, and nothing
+  /// touches it but its star.
+  bool carries(std::uint32_t vertex) const {
+    const Point3& v = lines_.point(vertex);
+    Extent box = Extent::nothing();
+    box.include(v);
+    const auto passes = [&](const ContourEdges::Edge& edge) {
+      return edge.p != v && edge.q != v && is_between(Point2(v), Point2(edge.p), Point2(edge.q));
+    };
+    if (scene_.contours.any(box, passes)) return false;
+    const DepthLine at{v, v, nullptr};
+    return !scene_.any_counted(box, [&](std::uint32_t polygon) {
+      if (has_corner(polygon, v)) return false;
+      const bool as_near =
+          !scene_.contours.is_even(polygon) || policy_.nearer(at, v, lines_.plane(polygon)) == 0;
+      return as_near && covers(polygon, Point2(v));
+    });
+  }
+
+  /// Follows the line of one name, lines()[first] and those after it, one for each of its depths.
+  /// Adds the changes along each. What is carried is the count at the depth of the line's own ends,
+  /// which need not be one that the line has.
+  CountedLine follow(std::size_t first, std::span<const std::uint8_t> carries,
+                     std::vector<CountChange>& changes, std::span<ChangesOfLine> of_depths) {
+    const LineScene::Line& line = lines_.lines()[first];
+    const Point3 &a = lines_.point(line.a), &b = lines_.point(line.b);
+    CountedLine counted{scene_.vertices.vertex(line.a), scene_.vertices.vertex(line.b), {}, {}, {}};
+    counts_.look_at(b, a);
+    if (carries[counted.to] != 0) counted.star_to = star(counted.to).reversed();
+    counts_.look_at(a, b);
+    if (carries[counted.from] != 0) counted.star_from = star(counted.from);
+    counted.change = pass_contours(a, b);
+    find_near(first, of_depths.size());
+    bool at_own_depth = false;
+    for (std::size_t i = 0; i < of_depths.size(); ++i) {
+      const LineScene::Line& depth = lines_.lines()[first + i];
+      of_depths[i].from = static_cast<std::uint32_t>(changes.size());
+      changes.insert(changes.end(), passed_.begin(), passed_.end());
+      const SideCounts wrong = correct(depth, depth.by_plane ? near_ : doubtful_, changes);
+      if (!depth.by_plane) counted.change += wrong;
+      at_own_depth |= !depth.by_plane;
+      of_depths[i].to = static_cast<std::uint32_t>(changes.size());
+      std::sort(changes.begin() + of_depths[i].from, changes.end(),
+                [](const CountChange& p, const CountChange& q) { return p.at < q.at; });
+    }
+    if (!at_own_depth) {
+      passed_.clear();
+      counted.change +=
+          correct({line.a, line.b, line.name, LineScene::kNone, false}, doubtful_, passed_);
+    }
+    return counted;
+  }
+
+  /// The counts after the start of a line, by comparison with all polygons that may cover it.
+  SideCounts ray(const LineScene::Line& line) {
+    const Point3& a = lines_.point(line.a);
+    counts_.look_at(a, lines_.point(line.b));
+    Extent before = Extent::nothing();
+    before.include(a);
+    before.z_max = std::numeric_limits<float>::infinity();
+    SideCounts all;
+    scene_.any_counted(before, [&](std::uint32_t polygon) {
+      all += counts_.after_start(polygon);
+      return false;
+    });
+    return all;
+  }
+
+ private:
+  bool has_corner(std::uint32_t polygon, const Point3& v) const {
+    for (std::uint32_t k = 0; k < lines_.sides(polygon); ++k) {
+      if (lines_.corner(polygon, k) == v) return true;
+    }
+    return false;
+  }
+
+  /// Whether the point is on the segment in the projection.
+  bool is_between(const Point2& v, const Point2& p, const Point2& q) const {
+    const bool in_box = std::min(p.x, q.x) <= v.x && v.x <= std::max(p.x, q.x) &&
+                        std::min(p.y, q.y) <= v.y && v.y <= std::max(p.y, q.y);
+    return in_box && policy_.turn(p, q, v) == 0;
+  }
+
+  /// Whether the point is in the polygon or on its boundary, in the projection.
+  bool covers(std::uint32_t polygon, const Point2& v) const {
+    const std::uint32_t sides = lines_.sides(polygon);
+    bool inside = false;
+    Point2 p(lines_.corner(polygon, sides - 1));
+    for (std::uint32_t k = 0; k < sides; ++k) {
+      const Point2 q(lines_.corner(polygon, k));
+      if (is_between(v, p, q)) return true;
+      const bool rises = p.y <= v.y && v.y < q.y, falls = q.y <= v.y && v.y < p.y;
+      if (rises || falls) inside ^= policy_.turn(p, q, v) == (rises ? 1 : -1);
+      p = q;
+    }
+    return inside;
+  }
+
+  /// What the star of the vertex where the line starts adds.
+  SideCounts star(std::uint32_t vertex) const {
+    SideCounts all;
+    for (const auto& [item, corner] : scene_.vertices.star(vertex)) {
+      all += counts_.after_corner(item, corner);
+    }
+    return all;
+  }
+
+  /// Notes the changes where the line passes behind contour edges; returns all of them together.
+  SideCounts pass_contours(const Point3& a, const Point3& b) {
+    Extent box = Extent::nothing();
+    box.include(a);
+    box.include(b);
+    passed_.clear();
+    SideCounts all;
+    scene_.contours.any(box, [&](const ContourEdges::Edge& edge) {
+      CountChange change{};
+      if (counts_.passes_behind(edge.p, edge.q, edge.more_on_left, change)) {
+        passed_.push_back(change);
+        all += change.by;
+      }
+      return false;
+    });
+    return all;
+  }
+
+  /// Finds the polygons that are near the line in space, at any of its depths; and of these the
+  /// ones that may not be nearer all along its own ends' depth, or farther.
+  void find_near(std::size_t first, std::size_t depths) {
+    const LineScene::Line& line = lines_.lines()[first];
+    const Point3 &a = lines_.point(line.a), &b = lines_.point(line.b);
+    Extent box = Extent::nothing();
+    box.include(a);
+    box.include(b);
+    for (std::size_t i = 0; i < depths; ++i) box.include(lines_.extent(lines_.lines()[first + i]));
+    near_.clear();
+    doubtful_.clear();
+    scene_.any_counted(box, [&](std::uint32_t polygon) {
+      near_.push_back(polygon);
+      const bool even = scene_.contours.is_even(polygon);
+      // At a corner they have one depth.
+      if (!even || (!has_corner(polygon, a) && !has_corner(polygon, b) &&
+                    counts_.passes_through_plane(polygon))) {
+        doubtful_.push_back(polygon);
+      }
+      return false;
+    });
+  }
+
+  SideCounts correct(const LineScene::Line& line, const std::vector<std::uint32_t>& polygons,
+                     std::vector<CountChange>& changes) {
+    SideCounts all;
+    if (polygons.empty()) return all;
+    depths_.look_at(line);
+    for (const std::uint32_t polygon : polygons) all += counts_.correct(polygon, depths_, changes);
+    return all;
+  }
+
+  const AppelScene& scene_;
+  const LineScene& lines_;
+  const Policy& policy_;
+  LineCounts<Policy> counts_;
+  LineAgainstPolygon<Policy> depths_;
+  std::vector<CountChange> passed_;
+  std::vector<std::uint32_t> near_, doubtful_;
+};
+
+/// What all lines' counts are: after their starts, and their changes.
+struct CountsOfLines {
+  std::vector<ChangesOfLine> of_lines;  // of each of the scene's lines
+  std::vector<std::vector<CountChange>> changes;
+  std::vector<SideCounts> start;  // of each name that has a line
+};
+
+/// Finds what is hidden of one line after the other.
+template <class Policy>
+class Appel {
+ public:
+  Appel(const AppelScene& scene, const CountsOfLines& counts, const Policy& policy)
+      : scene_(scene), counts_(counts), line_(scene.lines, policy) {}
+
+  const std::vector<PartOfLine>& hidden_parts(const LineScene::Line& line) {
+    parts_.clear();
+    const auto number = static_cast<std::size_t>(&line - scene_.lines.lines().data());
+    const auto& [found, from, to, start] = counts_.of_lines[number];
+    add_hidden(counts_.start[start], std::span(counts_.changes[found]).subspan(from, to - from));
+    compare(line);
+    return parts_.hidden();
+  }
+
+ private:
+  /// Adds the parts of the line that something covers. `changes` are in order.
+  void add_hidden(SideCounts counts, std::span<const CountChange> changes) {
+    double at = 0.0;
+    for (std::size_t i = 0; at < 1.0;) {
+      for (; i < changes.size() && changes[i].at <= at; ++i) counts += changes[i].by;
+      const PartOfLine part{at, i < changes.size() ? changes[i].at : 1.0};
+      if (counts.left > 0 && counts.right > 0) {
+        parts_.add_both(part);
+      } else if (counts.left > 0) {
+        parts_.add_left(part);
+      } else if (counts.right > 0) {
+        parts_.add_right(part);
+      }
+      at = part.to;
+    }
+  }
+
+  /// Adds what the polygons hide that are not counted.
+  void compare(const LineScene::Line& line) {
+    const Extent box = scene_.lines.extent(line);
+    bool looked = false;
+    const auto meets = [flat = FlatBox::of(box)](const FlatBoxes& b) { return b.meets(flat); };
+    scene_.compared.any(meets, [&](ExtentTree::Position position) {
+      const std::uint32_t polygon = scene_.compared.order()[position];
+      if (scene_.lines.extent(polygon).z_max <= box.z_min) return false;
+      if (!looked) line_.look_at(line);
+      looked = true;
+      line_.hide(polygon, parts_);
+      return false;
+    });
+  }
+
+  const AppelScene& scene_;
+  const CountsOfLines& counts_;
+  LineAgainstPolygon<Policy> line_;
+  HiddenParts parts_;
+};
+
+/// Calls work(follower, k) for each k, on several threads.
+template <class Policy, class Work>
+void in_parts(const AppelScene& scene, const Policy& policy, std::size_t size, int threads,
+              const Work& work) {
+  const auto make = [&] { return LineFollower(scene, policy); };
+  Finders followers(make);
+  in_parallel(threads, (size + kLinesAtATime - 1) / kLinesAtATime, [&](std::size_t part) {
+    followers.use([&](LineFollower<Policy>& follower) {
+      const std::size_t end = std::min(size, (part + 1) * kLinesAtATime);
+      for (std::size_t k = part * kLinesAtATime; k < end; ++k) work(follower, k);
+    });
+  });
+}
+
+template <class Policy>
+CountsOfLines count_along_lines(const AppelScene& scene, const Policy& policy, int threads,
+                                AppelCounts* work) {
+  std::vector<std::uint8_t> carries = scene.vertices.joins();
+  in_parts(scene, policy, carries.size(), threads, [&](const auto& follower, std::size_t v) {
+    if (carries[v] != 0) carries[v] = follower.carries(static_cast<std::uint32_t>(v)) ? 1 : 0;
+  });
+  const auto lines = scene.lines.lines();
+  const auto firsts = scene.lines.first_lines();
+  CountsOfLines counts;
+  counts.of_lines.resize(lines.size());
+  counts.changes.resize((firsts.size() + kLinesAtATime - 1) / kLinesAtATime);
+  std::vector<CountedLine> counted(firsts.size());
+  in_parts(scene, policy, firsts.size(), threads, [&](auto& follower, std::size_t k) {
+    const std::size_t end = k + 1 < firsts.size() ? firsts[k + 1] : lines.size();
+    const auto of_depths = std::span(counts.of_lines).subspan(firsts[k], end - firsts[k]);
+    const auto found = static_cast<std::uint32_t>(k / kLinesAtATime);
+    for (ChangesOfLine& of : of_depths) of = {found, 0, 0, static_cast<std::uint32_t>(k)};
+    counted[k] = follower.follow(firsts[k], carries, counts.changes[found], of_depths);
+  });
+  const auto make = [&] { return LineFollower(scene, policy); };
+  Finders followers(make);
+  const auto ray = [&](std::uint32_t k) {
+    SideCounts after_start;
+    followers.use([&](auto& follower) { after_start = follower.ray(lines[firsts[k]]); });
+    return after_start;
+  };
+  CarriedCounts carried(counted, carries, ray, threads);
+  if (work != nullptr) *work = {carried.rays, carried.carried, scene.contours.size()};
+  counts.start = std::move(carried.start);
+  return counts;
+}
+
+}  // namespace
+
+SeenLines visible_lines_by_appel(const Primitives& items, const LineScene& scene,
+                                 const LineOptions& options, AppelCounts* counts) {
+  const AppelScene all(items, scene, options.threads);
+  const auto find = [&](const auto& policy) {
+    const CountsOfLines found = count_along_lines(all, policy, options.threads, counts);
+    return visible_pieces(scene, scene.first_lines(), options.threads,
+                          [&] { return Appel(all, found, policy); });
+  };
+  const Definitions points{items.points, {}};
+  if (options.precision.exact) return find(ExactLines(points));
+  return find(RoundoffLines(points, options.precision.roundoff));
+}
+
+}  // namespace displayfile

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+
+#include "hidden/lines/line_scene.h"
+
+namespace displayfile {
+
+/// How the counts at the lines' starts were found.
+struct AppelCounts {
+  std::size_t rays = 0;     ///< by comparison with all polygons before a point
+  std::size_t carried = 0;  ///< from a line that meets it
+  std::size_t contour_edges = 0;
+};
+
+/// The visible pieces by Appel's method (hidden/lines/appel.md): quantitative invisibility, carried
+/// along connected lines.
+SeenLines visible_lines_by_appel(const Primitives& items, const LineScene& scene,
+                                 const LineOptions& options, AppelCounts* counts = nullptr);
+
+}  // namespace displayfile

@@ -1,0 +1,140 @@
+#include "hidden/lines/carried_counts.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "hidden/parallel.h"
+
+namespace displayfile {
+
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// Lines that connect. Each vertex's count is known but for what the part's first one has.
+struct Part {
+  std::uint32_t line;  ///< one that the first vertex has
+  std::uint32_t first;
+  bool adds_up = true;
+  std::int32_t base = 0;  ///< of the first vertex
+};
+
+/// The counts at the vertices that carry, less those of their parts' first.
+class Parts {
+ public:
+  Parts(std::span<const CountedLine> lines, std::span<const std::uint8_t> carries)
+      : lines_(lines),
+        carries_(carries),
+        first_line_(carries.size() + 1, 0),
+        part_(carries.size(), kNone),
+        base_(carries.size(), 0) {
+    list_lines();
+    for (std::uint32_t v = 0; v < carries.size(); ++v) {
+      if (carries_[v] != 0 && part_[v] == kNone && first_line_[v] < first_line_[v + 1]) follow(v);
+    }
+  }
+
+  std::vector<Part>& parts() { return part_list_; }
+  /// The part that a line is in, or kNone.
+  std::uint32_t part_of(const CountedLine& line) const {
+    return part_[line.from] != kNone ? part_[line.from] : part_[line.to];
+  }
+  /// The counts at the line's start, as they follow from its vertex's.
+  SideCounts start(const CountedLine& line) const {
+    const bool by_from = part_[line.from] != kNone;
+    const std::uint32_t v = by_from ? line.from : line.to;
+    const std::int32_t base = part_list_[part_[v]].base + base_[v];
+    const SideCounts around{base, base};
+    return by_from ? around + line.star_from : around + line.star_to - line.change;
+  }
+
+ private:
+  void list_lines() {
+    const auto for_each_end = [&](const auto& visit) {
+      for (std::uint32_t n = 0; n < lines_.size(); ++n) {
+        if (carries_[lines_[n].from] != 0) visit(lines_[n].from, n);
+        if (carries_[lines_[n].to] != 0) visit(lines_[n].to, n);
+      }
+    };
+    for_each_end([&](std::uint32_t v, std::uint32_t) { ++first_line_[v + 1]; });
+    for (std::size_t v = 1; v < first_line_.size(); ++v) first_line_[v] += first_line_[v - 1];
+    of_vertex_.resize(first_line_.back());
+    std::vector<std::uint32_t> next(first_line_.begin(), first_line_.end() - 1);
+    for_each_end([&](std::uint32_t v, std::uint32_t n) { of_vertex_[next[v]++] = n; });
+  }
+
+  /// Follows the lines from vertex to vertex.
+  void follow(std::uint32_t first) {
+    const auto number = static_cast<std::uint32_t>(part_list_.size());
+    part_list_.push_back({of_vertex_[first_line_[first]], first});
+    part_[first] = number;
+    reached_.assign(1, first);
+    while (!reached_.empty()) {
+      const std::uint32_t v = reached_.back();
+      reached_.pop_back();
+      for (std::uint32_t i = first_line_[v]; i < first_line_[v + 1]; ++i) {
+        const CountedLine& line = lines_[of_vertex_[i]];
+        const SideCounts gain = line.star_from + line.change - line.star_to;
+        const std::uint32_t w = line.from == v ? line.to : line.from;
+        if (carries_[w] == 0) continue;
+        const std::int32_t base = line.from == v ? base_[v] + gain.left : base_[v] - gain.left;
+        if (part_[w] == kNone) {
+          part_[w] = number;
+          base_[w] = base;
+          reached_.push_back(w);
+        }
+        if (base_[w] != base || gain.left != gain.right) part_list_[number].adds_up = false;
+      }
+    }
+  }
+
+  std::span<const CountedLine> lines_;
+  std::span<const std::uint8_t> carries_;
+  std::vector<std::uint32_t> first_line_, of_vertex_;  // the lines of each vertex that carries
+  std::vector<std::uint32_t> part_;                    // of each vertex
+  std::vector<std::int32_t> base_;                     // of each vertex, less its part's
+  std::vector<Part> part_list_;
+  std::vector<std::uint32_t> reached_;
+};
+
+template <class Work>
+void for_each_ray(std::size_t size, int threads, const Work& work) {
+  constexpr std::size_t kRaysAtATime = 32;
+  in_parallel(threads, (size + kRaysAtATime - 1) / kRaysAtATime, [&](std::size_t part) {
+    const std::size_t end = std::min(size, (part + 1) * kRaysAtATime);
+    for (std::size_t k = part * kRaysAtATime; k < end; ++k) work(k);
+  });
+}
+
+}  // namespace
+
+CarriedCounts::CarriedCounts(std::span<const CountedLine> lines,
+                             std::span<const std::uint8_t> carries, const Ray& ray, int threads)
+    : start(lines.size()) {
+  Parts parts(lines, carries);
+  for_each_ray(parts.parts().size(), threads, [&](std::size_t k) {
+    Part& part = parts.parts()[k];
+    if (!part.adds_up) return;
+    const CountedLine& line = lines[part.line];
+    const SideCounts after_start = ray(part.line);
+    const SideCounts around = line.from == part.first ? after_start - line.star_from
+                                                      : after_start + line.change - line.star_to;
+    part.base = around.left;
+    part.adds_up = around.left == around.right;
+  });
+  std::vector<std::uint32_t> alone;
+  for (std::uint32_t n = 0; n < lines.size(); ++n) {
+    const std::uint32_t part = parts.part_of(lines[n]);
+    if (part != kNone && parts.parts()[part].adds_up) {
+      start[n] = parts.start(lines[n]);
+    } else {
+      alone.push_back(n);
+    }
+  }
+  for_each_ray(alone.size(), threads, [&](std::size_t k) { start[alone[k]] = ray(alone[k]); });
+  rays =
+      alone.size() + static_cast<std::size_t>(std::ranges::count_if(parts.parts(), &Part::adds_up));
+  carried = lines.size() - rays;
+}
+
+}  // namespace displayfile

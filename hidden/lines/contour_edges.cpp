@@ -1,0 +1,72 @@
+#include "hidden/lines/contour_edges.h"
+
+#include <algorithm>
+
+#include "hidden/lines/simple_polygon.h"
+#include "hidden/parallel.h"
+
+namespace displayfile {
+
+namespace {
+
+Extent extent_of(const ContourEdges::Edge& edge) {
+  Extent box = Extent::nothing();
+  box.include(edge.p);
+  box.include(edge.q);
+  return box;
+}
+
+bool has_corner_off_plane(const LineScene& scene, std::uint32_t item) {
+  for (std::uint32_t k = 0; k < scene.sides(item); ++k) {
+    if (scene.is_off_plane(item, k)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+ContourEdges::ContourEdges(const LineScene& scene, const Primitives& items, const SideTable& sides,
+                           int threads)
+    : way_(scene.items(), 0) {
+  constexpr std::size_t kPart = 2048;
+  if (!scene.all_even()) uneven_.resize(scene.items(), 0);
+  in_parallel(threads, (way_.size() + kPart - 1) / kPart, [&](std::size_t part) {
+    const std::size_t end = std::min(way_.size(), (part + 1) * kPart);
+    for (auto i = static_cast<std::uint32_t>(part * kPart); i < end; ++i) {
+      if (!scene.hides(i)) continue;
+      way_[i] = static_cast<std::int8_t>(simple_turning(scene.sides(i), [&](std::size_t k) {
+        return Point2(scene.corner(i, static_cast<std::uint32_t>(k)));
+      }));
+      if (!uneven_.empty()) uneven_[i] = has_corner_off_plane(scene, i) ? 1 : 0;
+    }
+  });
+  std::vector<Edge> edges;
+  sides.for_each_set([&](std::span<const SideTable::Side> same) {
+    std::int32_t more = 0;
+    std::uint32_t p = 0, q = 0;
+    for (const auto& [high, name] : same) {
+      const Primitives::Item& item = items.items[name.item];
+      const std::uint32_t before = name.corner == 0 ? item.sides - 1 : name.corner - 1;
+      p = sides.vertex(items.point(item.first + before));
+      q = high;
+      if (p != q) {  // it runs to the higher one
+        more += way(name.item);
+      } else {
+        p = sides.vertex(items.point(item.first + name.corner));
+        more -= way(name.item);
+      }
+    }
+    if (more == 0) return;
+    Edge edge{items.points[p], items.points[q], more, 0.0F, 0.0F};
+    const Extent box = extent_of(edge);
+    edge.z_min = box.z_min;
+    edge.z_max = box.z_max;
+    edges.push_back(edge);
+  });
+  tree_.build(
+      edges.size(), [&](ExtentTree::Item i) { return FlatBox::of(extent_of(edges[i])); }, threads);
+  edges_.reserve(edges.size());
+  for (const ExtentTree::Item i : tree_.order()) edges_.push_back(edges[i]);
+}
+
+}  // namespace displayfile

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hidden/lines/line_scene.h"
+#include "hidden/lines/side_table.h"
+
+namespace displayfile {
+
+/// The polygons whose number Appel's method keeps count of, and the edges where that number changes
+/// (hidden/lines/appel.md). Counted are those that hide and do not cross or touch themselves: each
+/// side of such a polygon has the inside on one side all along.
+class ContourEdges {
+ public:
+  ContourEdges(const LineScene& scene, const Primitives& items, const SideTable& sides,
+               int threads);
+
+  /// 1 if the polygon is counted and runs counterclockwise, -1 if clockwise, 0 if it is not
+  /// counted.
+  int way(std::uint32_t item) const { return way_[item]; }
+  /// True if a polygon that is counted has all its corners on its support plane.
+  bool is_even(std::uint32_t item) const { return uneven_.empty() || uneven_[item] == 0; }
+
+  /// A side from p to q that has so many more polygons on its left than on its right, in the
+  /// projection: those of all counted polygons that have this side.
+  struct Edge {
+    Point3 p, q;
+    std::int32_t more_on_left;  ///< not 0
+    float z_min, z_max;
+  };
+  /// Calls visit(edge) for those whose boxes meet the one given and that do not lie behind it,
+  /// until it returns true: then true.
+  template <class Visit>
+  bool any(const Extent& box, const Visit& visit) const {
+    const auto meets = [flat = FlatBox::of(box)](const FlatBoxes& b) { return b.meets(flat); };
+    return tree_.any(meets, [&](ExtentTree::Position position) {
+      const Edge& edge = edges_[position];
+      return edge.z_max >= box.z_min && visit(edge);
+    });
+  }
+  std::size_t size() const { return edges_.size(); }
+
+ private:
+  std::vector<std::int8_t> way_;
+  std::vector<std::uint8_t> uneven_;  // empty: none is
+  std::vector<Edge> edges_;           // by position in the tree
+  ExtentTree tree_;
+};
+
+}  // namespace displayfile

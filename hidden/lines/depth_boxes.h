@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "hidden/box_tree.h"
+#include "hidden/extents.h"
+
+namespace displayfile {
+
+/// An extent as a box of a tree that is divided in depth too.
+struct DepthBox {
+  Extent extent;
+
+  static DepthBox nothing() { return {Extent::nothing()}; }
+  void include(const DepthBox& o) { extent.include(o.extent); }
+
+  /// Twice the middle along an axis, for a BoxTree; 0 for what has no bounds, or holds nothing.
+  static constexpr std::size_t kAxes = 3;
+  double position(std::size_t axis) const {
+    const auto k = static_cast<int>(axis);
+    const float sum = extent.low(k) + extent.high(k);
+    return sum == sum ? double{sum} : 0.0;
+  }
+};
+
+/// Eight of these boxes.
+struct DepthBoxes {
+  using Box = DepthBox;
+  static constexpr std::size_t kBoxes = 8;
+
+  std::array<float, kBoxes> x_min, x_max, y_min, y_max, z_min, z_max;
+
+  void set(std::size_t k, const DepthBox& box) {
+    const Extent& e = box.extent;
+    x_min[k] = e.x_min;
+    x_max[k] = e.x_max;
+    y_min[k] = e.y_min;
+    y_max[k] = e.y_max;
+    z_min[k] = e.z_min;
+    z_max[k] = e.z_max;
+  }
+
+  /// Tests all eight at once, without branches.
+  std::array<std::int32_t, kBoxes> meets(const Extent& e) const {
+    std::array<std::int32_t, kBoxes> met;
+    for (std::size_t k = 0; k < kBoxes; ++k) {
+      met[k] = static_cast<std::int32_t>(e.x_min <= x_max[k]) &
+               static_cast<std::int32_t>(x_min[k] <= e.x_max) &
+               static_cast<std::int32_t>(e.y_min <= y_max[k]) &
+               static_cast<std::int32_t>(y_min[k] <= e.y_max) &
+               static_cast<std::int32_t>(e.z_min <= z_max[k]) &
+               static_cast<std::int32_t>(z_min[k] <= e.z_max);
+    }
+    return met;
+  }
+};
+
+/// Finds what is near something in space, in device coordinates.
+using DepthTree = BoxTree<DepthBoxes>;
+template <>
+void DepthTree::build(std::size_t items, const std::function<DepthBox(Item)>& box_of, int threads);
+
+}  // namespace displayfile

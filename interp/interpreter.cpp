@@ -2,14 +2,14 @@
 
 namespace displayfile {
 
-namespace {
-
 LineStyle scaled(LineStyle style, double by) {
   style.width *= by;
   style.dash *= by;
   style.gap *= by;
   return style;
 }
+
+namespace {
 
 /// Instructions in order, with the styles and the pen position in force.
 struct Interpretation {
@@ -71,25 +71,18 @@ void interpret(const DisplayFile& display_file, OutputDevice& device, Pass pass,
 void interpret_lines(const ViewedScene& scene, OutputDevice& device, double line_scale) {
   const FillStyle fill;
   std::vector<std::int32_t> sides;
-  const auto runs = scene.line_styles();
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    const LineStyle style = scaled(runs[k].style, line_scale);
-    if (style.kind == LineStyle::Kind::none) continue;
-    const ViewedScene::Item end = k + 1 < runs.size() ? runs[k + 1].first : scene.items();
-    for (ViewedScene::Item item = runs[k].first; item < end; ++item) {
-      const PointRow points = scene.points(item);
-      if (scene.kind(item) == Primitives::Kind::line) {
-        device.line({points[0], points[1], style});
-        continue;
-      }
-      sides.clear();
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        sides.push_back(scene.edge_visible(item, i) ? op::line : op::move);
-      }
-      device.edges({std::span<const Point3>(points.data(), points.size()), sides, fill, style,
-                    scene.pick_of_item(item)});
+  for_each_outlined(scene, line_scale, [&](ViewedScene::Item item, const LineStyle& style) {
+    const PointRow points = scene.points(item);
+    if (scene.kind(item) == Primitives::Kind::line) {
+      return device.line({points[0], points[1], style});
     }
-  }
+    sides.clear();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      sides.push_back(scene.edge_visible(item, i) ? op::line : op::move);
+    }
+    device.edges({std::span<const Point3>(points.data(), points.size()), sides, fill, style,
+                  scene.pick_of_item(item)});
+  });
 }
 
 }  // namespace displayfile

@@ -1,19 +1,25 @@
 #pragma once
 
+#include <cstddef>
+
 #include "displayfile/display_file.h"
+#include "displayfile/style.h"
 #include "displayfile/viewed_scene.h"
 #include "interp/output_device.h"
 
 namespace displayfile {
 
-/// Which instructions to interpret. With a z-buffer all fills are drawn before any line, so
-/// that a line meets the final depths (and wins where they are equal); without one everything
-/// is drawn in order.
+/// Which instructions to interpret. A device with a depth buffer draws all fills before any line,
+/// so that a line meets the final depths (and wins where they are equal); otherwise everything is
+/// drawn in order.
 enum class Pass { everything, fills, lines };
 
 /// Which order of the instructions: that of drawing, back to front where hidden surfaces were
 /// sorted, or that of entry, every polygon whole, for a method that finds hidden surfaces itself.
 enum class Order { drawn, entered };
+
+/// A style with widths and dashes so many times as large.
+LineStyle scaled(LineStyle style, double by);
 
 /// Walks the visible segments in order of creation, applies their image transformations and
 /// hands each instruction to the device. Where all visible segments were sorted together, a
@@ -21,6 +27,20 @@ enum class Order { drawn, entered };
 /// large: they are in pixels, and a pixel may have several samples across.
 void interpret(const DisplayFile& display_file, OutputDevice& device, Pass pass = Pass::everything,
                Order order = Order::drawn, double line_scale = 1.0);
+
+/// Calls visit(item, style) for the items of a scene that draw lines, in order of entry; the style
+/// with widths and dashes so many times as large.
+template <class Visit>
+void for_each_outlined(const ViewedScene& scene, double line_scale, Visit&& visit) {
+  const auto runs = scene.line_styles();
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    LineStyle style = runs[k].style;
+    if (style.kind == LineStyle::Kind::none) continue;
+    style = scaled(style, line_scale);
+    const ViewedScene::Item end = k + 1 < runs.size() ? runs[k + 1].first : scene.items();
+    for (ViewedScene::Item item = runs[k].first; item < end; ++item) visit(item, style);
+  }
+}
 
 /// Hands the lines and the drawn sides of a scene's polygons to the device, in order of entry, as
 /// interpret does with Pass::lines.

@@ -2,91 +2,126 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <span>
 
-#include "hidden/exact/pixel_centre.h"
-#include "hidden/exact/support_plane.h"
+#include "displayfile/viewed_scene.h"
+#include "hidden/lines/visible_lines.h"
+#include "interp/interpreter.h"
 #include "interp/output_device.h"
 #include "interp/picture.h"
 #include "interp/scan/line_draw.h"
-#include "interp/scan/pixel_depth.h"
 #include "interp/scan/scan_convert.h"
 
 namespace displayfile {
 
+/// What is seen of one line.
+class SeenOfLine {
+ public:
+  explicit SeenOfLine(std::span<const VisiblePiece> pieces) : pieces_(pieces) {}
+  bool nothing() const { return pieces_.empty(); }
+  bool operator()(double place) const {
+    const auto piece = std::ranges::lower_bound(pieces_, place, {}, &VisiblePiece::to);
+    return piece != pieces_.end() && piece->from <= place;
+  }
+
+ private:
+  std::span<const VisiblePiece> pieces_;
+};
+
 /// Lines, and the visible edges of polygons, as pixels: plot(column, row, z, colour) is called for
-/// each in the region's rows. Dashes run on from line to line, also outside of them.
+/// each in the region's rows, with the line's own z. Dashes run on from line to line, also outside
+/// of the rows and where a line is hidden, as if the pen were lifted (interp/scan/lines.md).
 class LinePainter {
  public:
   explicit LinePainter(const ScanConverter::Region& region) : region_(region) {}
 
   template <class Plot>
   void line(const DrawnLine& line, Plot&& plot) {
-    if (pixel(line.from) != dash_end_) dash_phase_ = {};
-    const std::uint32_t colour = pixel_of(line.style.colour);
-    draw_line(pixel(line.from), pixel(line.to), line.style, region_, dash_phase_,
-              [&](int x, int y, double z) { plot(x, y, z, colour); });
-    dash_end_ = pixel(line.to);
+    draw_line(line, WholeLine(), plot);
   }
 
-  /// An edge's z is that of the polygon's support plane.
   template <class Plot>
   void edges(const DrawnPolygon& polygon, Plot&& plot) {
-    const PictureSize& size = region_.size;
-    if (!may_reach_rows(polygon)) return;
-    const SupportVertices support = support_vertices(polygon.vertices);
-    std::optional<PixelDepth> depth;
-    if (!support.edge_on) depth.emplace(polygon.vertices, support, size.width, size.height);
-    const DepthRange range = depth_range(polygon.vertices);
-    const std::uint32_t colour = pixel_of(polygon.line.colour);
-    DashPhase phase;
-    Point3 from = pixel(polygon.vertices.back());
-    for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
-      const Point3 to = pixel(polygon.vertices[i]);
-      if (polygon.sides[i] == op::line) {
-        draw_line(from, to, polygon.line, region_, phase, [&](int x, int y, double z) {
-          if (depth) {
-            // The polygon's plane, but half a pixel beyond a polygon seen nearly edge-on
-            // that plane is anywhere: no nearer or farther than the polygon itself.
-            const double at_centre = depth->at(depth->row(y), x);
-            z = std::clamp(at_centre, range.farthest, range.nearest);
-          }
-          plot(x, y, z, colour);
-        });
-      } else {
-        phase = {};
+    if (!may_reach_rows(polygon.vertices, polygon.line.width)) return;
+    outline(
+        polygon.vertices, polygon.line,
+        [&](std::size_t side) { return polygon.sides[side] == op::line; },
+        [](std::size_t) { return WholeLine(); }, plot);
+  }
+
+  /// What is seen of a scene's lines, in order of entry: pieces as visible_lines has them of the
+  /// scene's items.
+  template <class Plot>
+  void seen(const ViewedScene& scene, std::span<const VisiblePiece> pieces, double line_scale,
+            Plot&& plot) {
+    using Item = ViewedScene::Item;
+    std::size_t next = 0;
+    const auto pieces_of = [&](Item item, std::size_t corner) {
+      const std::size_t first = next;
+      while (next < pieces.size() && pieces[next].item == item && pieces[next].corner == corner) {
+        ++next;
       }
-      from = to;
-    }
+      return SeenOfLine(pieces.subspan(first, next - first));
+    };
+    for_each_outlined(scene, line_scale, [&](Item item, const LineStyle& style) {
+      while (next < pieces.size() && pieces[next].item < item) ++next;
+      if (scene.kind(item) == Primitives::Kind::line) {
+        const PointRow points = scene.points(item);
+        return draw_line({points[0], points[1], style}, pieces_of(item, 1), plot);
+      }
+      if (next == pieces.size() || pieces[next].item != item) return;
+      const PointRow points = scene.points(item);
+      const std::span<const Point3> vertices(points.data(), points.size());
+      if (!may_reach_rows(vertices, style.width)) return;
+      outline(
+          vertices, style, [&](std::size_t side) { return scene.edge_visible(item, side); },
+          [&](std::size_t side) { return pieces_of(item, side); }, plot);
+    });
   }
 
  private:
-  struct DepthRange {
-    double nearest, farthest;
-  };
-  /// The range of the vertices' depths, and a little more: rounding may put the polygon's own fill
-  /// there.
-  static DepthRange depth_range(std::span<const Point3> vertices) {
-    double nearest = vertices[0].z, farthest = nearest;
-    for (const Point3& v : vertices) {
-      nearest = std::max(nearest, v.z);
-      farthest = std::min(farthest, v.z);
-    }
-    const double slack = 1e-6 * (nearest - farthest) + 1e-12;
-    return {nearest + slack, farthest - slack};
+  template <class IsSeen, class Plot>
+  void draw_line(const DrawnLine& line, const IsSeen& is_seen, Plot&& plot) {
+    if (pixel(line.from) != dash_end_) dash_phase_ = {};
+    scan_convert(line, dash_phase_, is_seen, plot);
+    dash_end_ = pixel(line.to);
   }
-  bool may_reach_rows(const DrawnPolygon& polygon) const {
-    double low = polygon.vertices[0].y, high = low;
-    for (const Point3& v : polygon.vertices) {
+
+  /// The sides that are drawn, each where seen_of(side) says.
+  template <class IsDrawn, class SeenOf, class Plot>
+  void outline(std::span<const Point3> vertices, const LineStyle& style, const IsDrawn& is_drawn,
+               const SeenOf& seen_of, Plot&& plot) {
+    DashPhase phase;
+    Point3 from = vertices.back();
+    for (std::size_t side = 0; side < vertices.size(); ++side) {
+      if (is_drawn(side)) {
+        scan_convert({from, vertices[side], style}, phase, seen_of(side), plot);
+      } else {
+        phase = {};
+      }
+      from = vertices[side];
+    }
+  }
+
+  template <class IsSeen, class Plot>
+  void scan_convert(const DrawnLine& line, DashPhase& phase, const IsSeen& is_seen, Plot&& plot) {
+    const std::uint32_t colour = pixel_of(line.style.colour);
+    displayfile::draw_line(pixel(line.from), pixel(line.to), line.style, region_, phase, is_seen,
+                           [&](int x, int y, double z) { plot(x, y, z, colour); });
+  }
+
+  bool may_reach_rows(std::span<const Point3> vertices, double line_width) const {
+    double low = vertices[0].y, high = low;
+    for (const Point3& v : vertices) {
       low = std::min(low, v.y);
       high = std::max(high, v.y);
     }
     const double height = region_.size.height;
     const double rounding = 1e-12 * height * (std::abs(low) + std::abs(high));
-    const double reach = std::max(1.0, polygon.line.width) + 2.0 + rounding;  // also of a slant
+    const double reach = std::max(1.0, line_width) + 2.0 + rounding;  // also of a slant
     return low * height - reach < region_.row_end && high * height + reach > region_.row_begin;
   }
   Point3 pixel(const Point3& device) const {

@@ -2,6 +2,10 @@
 
 #include <optional>
 
+#include "hidden/exact/support_plane.h"
+#include "interp/raster/pixel_shade.h"
+#include "interp/scan/pixel_depth.h"
+
 namespace displayfile {
 
 void Painter::fill(const DrawnPolygon& polygon) {

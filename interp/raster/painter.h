@@ -1,31 +1,36 @@
 #pragma once
 
 #include "interp/output_device.h"
-#include "interp/raster/line_painter.h"
+#include "interp/raster/lines_over_fills.h"
 #include "interp/raster/raster_band.h"
+#include "interp/raster/segment_lines.h"
 
 namespace displayfile {
 
-/// The heedless painter: fills and lines go over what is there, in the order they come.
+/// The heedless painter: fills go over what is there, in the order they come, and so do lines that
+/// are not found beforehand.
 class Painter : public OutputDevice {
- public:
-  explicit Painter(const RasterBand& band) : band_(band), lines_(band.region) {}
+  auto plot() {  // first: it is used before
+    return [this](int x, int y, double /*z*/, std::uint32_t colour) {
+      band_.picture.pixels[band_.index(y, x)] = colour;
+    };
+  }
 
+ public:
+  Painter(const RasterBand& band, const LinesOverFills& found, double line_scale)
+      : band_(band), lines_(band.region, found, line_scale) {}
+
+  void begin_segment(int name) override { lines_.begin_segment(name); }
+  void end_segment() override { lines_.end_segment(plot()); }
   void fill(const DrawnPolygon& polygon) override;
-  void edges(const DrawnPolygon& polygon) override {
-    lines_.edges(polygon, [&](int x, int y, double, std::uint32_t colour) { plot(x, y, colour); });
-  }
-  void line(const DrawnLine& line) override {
-    lines_.line(line, [&](int x, int y, double, std::uint32_t colour) { plot(x, y, colour); });
-  }
+  void edges(const DrawnPolygon& polygon) override { lines_.edges(polygon, plot()); }
+  void line(const DrawnLine& line) override { lines_.line(line, plot()); }
+  /// After all instructions.
+  void end() { lines_.end(plot()); }
 
  private:
-  void plot(int x, int y, std::uint32_t colour) {
-    band_.picture.pixels[band_.index(y, x)] = colour;
-  }
-
   RasterBand band_;
-  LinePainter lines_;
+  SegmentLines lines_;
   ScanConverter converter_;
 };
 

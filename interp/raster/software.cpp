@@ -134,29 +134,15 @@ class FillsShown {
   PixelDepth depth_;
 };
 
-/// Lines where no fill is nearer, by the picture's depths.
-class LinesOverFills : public OutputDevice {
- public:
-  explicit LinesOverFills(const RasterBand& band) : band_(band), lines_(band.region) {}
-  void fill(const DrawnPolygon&) override {}
-  void edges(const DrawnPolygon& polygon) override {
-    lines_.edges(polygon, [&](int x, int y, double z, std::uint32_t c) { plot(x, y, z, c); });
-  }
-  void line(const DrawnLine& line) override {
-    lines_.line(line, [&](int x, int y, double z, std::uint32_t c) { plot(x, y, z, c); });
-  }
+/// Whether the items of a display file draw lines, in the order in which they were sorted together.
+bool has_lines(const SortedScene& sorted) {
+  return std::ranges::any_of(sorted.parts,
+                             [](const auto& part) { return part->scene->has_lines(); });
+}
 
- private:
-  void plot(int x, int y, double z, std::uint32_t colour) {
-    const std::size_t at = band_.index(y, x);
-    if (z < band_.picture.depth[at]) return;
-    band_.picture.depth[at] = z;
-    band_.picture.pixels[at] = colour;
-  }
-
-  RasterBand band_;
-  LinePainter lines_;
-};
+Precision precision_of(const RasterRequest& request) {
+  return request.roundoff ? Precision{false, *request.roundoff} : Precision{};
+}
 
 }  // namespace
 
@@ -166,21 +152,43 @@ SoftwareRenderer::Drawn SoftwareRenderer::prepare(const DisplayFile& display_fil
   geometry_ = 0;
   const bool image_space = is_image_space(request.method);
   if (image_space || display_file.has_shadows()) {
-    if (scene_ == nullptr || !scene_->is_of(display_file)) {
-      prepared_.reset();
-      shadows_.reset();
-      scene_ = std::make_shared<const ViewedScene>(display_file);
-      paints_.take(*scene_);
-    }
+    take_up_scene_of(display_file);
     take_up_scene(request);
   } else {
     shadows_.reset();
   }
+  take_up_lines(display_file, request);
   texts_.clear();
   if (request.texts && display_file.has_texts()) {
     texts_ = image_space ? seen_texts(*scene_) : seen_texts(display_file, false);
   }
   return {&display_file, display_file.polygons()};
+}
+
+/// Its scene, unless that is the one drawn last.
+void SoftwareRenderer::take_up_scene_of(const DisplayFile& display_file) {
+  if (scene_ != nullptr && scene_->is_of(display_file)) return;
+  prepared_.reset();
+  shadows_.reset();
+  lines_.clear();
+  scene_ = std::make_shared<const ViewedScene>(display_file);
+  paints_.take(*scene_);
+}
+
+/// Those that are found together are of the one scene, whoever finds its surfaces.
+void SoftwareRenderer::take_up_lines(const DisplayFile& display_file,
+                                     const RasterRequest& request) {
+  const SortedScene* const together = display_file.sorted().get();
+  if (is_image_space(request.method)) {
+    lines_.take(scene_, precision_of(request), request.threads);
+  } else if (together == nullptr) {
+    lines_.take_sorted_segments(display_file, request.threads);
+  } else if (finds_lines(together->method) || !has_lines(*together)) {
+    lines_.clear();
+  } else {
+    take_up_scene_of(display_file);
+    lines_.take(scene_, together->precision, request.threads);
+  }
 }
 
 SoftwareRenderer::Drawn SoftwareRenderer::prepare(const ViewedScene& scene,
@@ -194,6 +202,8 @@ SoftwareRenderer::Drawn SoftwareRenderer::prepare(const ViewedScene& scene,
   take_up_shadows(scene, kept.casters, same);
   paints_.take(scene);
   take_up_scene(request);
+  if (!same) lines_.clear();
+  lines_.take(scene_, precision_of(request), request.threads);
   texts_.clear();
   if (request.texts && !scene.texts().empty()) texts_ = seen_texts(scene);
   geometry_ = scene.geometry();
@@ -252,7 +262,6 @@ int SoftwareRenderer::rows_at_a_time(const Drawn& drawn, const RasterRequest& re
 void SoftwareRenderer::draw_rows(const Drawn& drawn, const RasterRequest& request,
                                  const RowRange& rows) {
   const bool image_space = is_image_space(request.method);
-  const bool lines = image_space && scene_->has_lines();
   picture_.width = request.width;
   picture_.height = rows.end - rows.begin;
   picture_.undecided_centres = 0;
@@ -260,20 +269,14 @@ void SoftwareRenderer::draw_rows(const Drawn& drawn, const RasterRequest& reques
       static_cast<std::size_t>(picture_.width) * static_cast<std::size_t>(picture_.height);
   make_room(picture_.pixels, pixels);
   make_room(picture_.ids, request.ids ? pixels : 0);
-  const bool spare = lines && !request.depth;
-  if (spare) std::swap(picture_.depth, spare_depth_);
-  make_room(picture_.depth, request.depth || lines ? pixels : 0);
+  make_room(picture_.depth, request.depth ? pixels : 0);
   if (image_space) {
     show_fills_seen(drawn, request, rows);
-    if (lines) draw_lines_over_fills(request, rows);
+    draw_lines_seen(request, rows);
   } else {
     paint_in_order(*drawn.display_file, request, rows);
   }
   paint_texts(texts_, {request.width, request.height}, rows.begin, rows.end, picture_);
-  if (spare) {
-    std::swap(picture_.depth, spare_depth_);
-    picture_.depth.clear();
-  }
 }
 
 std::size_t SoftwareRenderer::bytes_of_picture() const {
@@ -299,12 +302,13 @@ void SoftwareRenderer::paint_in_order(const DisplayFile& display_file, const Ras
     const RasterBand band(picture_, {request.width, request.height}, background, rows, of_band,
                           shadows_.get());
     if (request.sorted) {
-      SortedPainter painter(display_file, band);
+      SortedPainter painter(display_file, band, lines_, request.line_scale);
       interpret(display_file, painter, Pass::everything, Order::drawn, request.line_scale);
       undecided += painter.decide_centres();
     } else {
-      Painter painter(band);
+      Painter painter(band, lines_, request.line_scale);
       interpret(display_file, painter, Pass::everything, Order::drawn, request.line_scale);
+      painter.end();
     }
   });
   picture_.undecided_centres = undecided;
@@ -336,16 +340,19 @@ void SoftwareRenderer::show_fills_seen(const Drawn& drawn, const RasterRequest& 
   if (keeps) surfaces_.complete(of);
 }
 
-void SoftwareRenderer::draw_lines_over_fills(const RasterRequest& request, const RowRange& rows) {
-  std::vector<double> of_fills;
-  if (request.depth) of_fills = picture_.depth;
+void SoftwareRenderer::draw_lines_seen(const RasterRequest& request, const RowRange& rows) {
+  const LinesOverFills::Group& lines = *lines_.all();
+  if (lines.pieces.empty()) return;
   const int at_a_time = rows_worth_a_walk(request, scene_->items());
-  for_bands_of_rows(request, rows, at_a_time, [&](const RowRange& band) {
-    LinesOverFills lines(
-        {picture_, {request.width, request.height}, pixel_of(request.background), rows, band});
-    interpret_lines(*scene_, lines, request.line_scale);
+  for_bands_of_rows(request, rows, at_a_time, [&](const RowRange& of_band) {
+    const PictureSize size{request.width, request.height};
+    RasterBand band(picture_, size, pixel_of(request.background), rows, of_band);
+    LinePainter(band.region)
+        .seen(*lines.scene, lines.pieces, request.line_scale,
+              [&](int x, int y, double /*z*/, std::uint32_t colour) {
+                picture_.pixels[band.index(y, x)] = colour;
+              });
   });
-  if (request.depth) picture_.depth = std::move(of_fills);
 }
 
 const Picture& SoftwareRenderer::draw(const Drawn& drawn, const RasterRequest& request) {

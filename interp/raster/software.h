@@ -11,6 +11,7 @@
 #include "interp/picture.h"
 #include "interp/raster/fill_paints.h"
 #include "interp/raster/kept_surfaces.h"
+#include "interp/raster/lines_over_fills.h"
 #include "interp/raster/raster_band.h"
 #include "interp/raster/retained_casters.h"
 #include "interp/raster/shadows.h"
@@ -19,8 +20,9 @@
 namespace displayfile {
 
 /// Draws display files by our own scan conversion, on the background. With an image-space
-/// method the nearest fill is seen, of equally near ones the one entered later, and a line where
-/// no fill is nearer; without one, whatever is drawn last. On fills that show them shadows are
+/// method the nearest fill is seen, of equally near ones the one entered later; without one,
+/// whatever is drawn last. Over the fills, unless they are drawn heedlessly, lines are drawn where
+/// they are seen (interp/scan/lines.md). On fills that show them shadows are
 /// drawn (interp/raster/shadows.md), whatever the method; texts lie over all (interp/text/).
 /// Coverage and, unless roundoff is asked for, nearness are decided exactly. The picture is the
 /// same for any number of threads.
@@ -82,6 +84,8 @@ class SoftwareRenderer {
   Drawn prepare(const ViewedScene& scene, const RasterRequest& request, const KeptOfViews& kept);
   void take_up_shadows(const ViewedScene& scene, RetainedCasters* casters, bool same_geometry);
   void take_up_scene(const RasterRequest& request);
+  void take_up_scene_of(const DisplayFile& display_file);
+  void take_up_lines(const DisplayFile& display_file, const RasterRequest& request);
   const Picture& draw(const Drawn& drawn, const RasterRequest& request);
   void draw(const Drawn& drawn, const RasterRequest& request, const TakeRows& take);
   int rows_at_a_time(const Drawn& drawn, const RasterRequest& request) const;
@@ -89,10 +93,9 @@ class SoftwareRenderer {
   void paint_in_order(const DisplayFile& display_file, const RasterRequest& request,
                       const RowRange& rows);
   void show_fills_seen(const Drawn& drawn, const RasterRequest& request, const RowRange& rows);
-  void draw_lines_over_fills(const RasterRequest& request, const RowRange& rows);
+  void draw_lines_seen(const RasterRequest& request, const RowRange& rows);
 
-  Picture picture_;                  // or the rows of it that are being drawn
-  std::vector<double> spare_depth_;  // of lines over fills, while the picture has none
+  Picture picture_;  // or the rows of it that are being drawn
   std::shared_ptr<const ViewedScene> scene_;
   FillPaints paints_;                 // of the scene
   std::unique_ptr<Shadows> shadows_;  // null if none are seen
@@ -101,6 +104,7 @@ class SoftwareRenderer {
   KeptSurfaces surfaces_;
   std::size_t surfaces_found_ = 0;
   bool has_drawn_views_ = false;
+  LinesOverFills lines_;
   std::vector<ViewedText> texts_;  // that are seen
 };
 

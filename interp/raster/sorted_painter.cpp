@@ -50,10 +50,11 @@ struct Coverage {
 
 }  // namespace
 
-SortedPainter::SortedPainter(const DisplayFile& display_file, const RasterBand& band)
+SortedPainter::SortedPainter(const DisplayFile& display_file, const RasterBand& band,
+                             const LinesOverFills& found, double line_scale)
     : display_file_(display_file),
       band_(band),
-      lines_(band.region),
+      lines_(band.region, found, line_scale),
       undecided_(band.size().width, band.region.row_begin, band.region.row_end),
       covered_(undecided_),
       lines_on_top_(undecided_) {}
@@ -75,6 +76,7 @@ double SortedPainter::sort_boundary_error(int segment_name) const {
 }
 
 void SortedPainter::begin_segment(int name) {
+  lines_.begin_segment(name);
   undecided_fills_ = undecided_of(name);
   boundary_error_ = Point2(band_.size().width, band_.size().height) * sort_boundary_error(name);
   if (undecided_fills_ == Undecided::all) {
@@ -113,6 +115,7 @@ void SortedPainter::fill(const DrawnPolygon& polygon) {
 }
 
 std::size_t SortedPainter::decide_centres() {
+  lines_.end(plot());
   Picture& picture = band_.picture;
   if (!undecided_.empty()) {
     for_each_nearest(undecided_, [&](int row, int column, const NearestAtCentres::Seen* seen) {
@@ -143,11 +146,6 @@ void SortedPainter::for_each_nearest(const PixelSet& centres, Show&& show) const
   EnteredFills entered(display_file_, nearest);
   interpret(display_file_, entered, Pass::fills, Order::entered);
   nearest.show(show);
-}
-
-void SortedPainter::plot(int x, int y, std::uint32_t colour) {
-  lines_on_top_.add(y, x, x + 1);
-  band_.picture.pixels[band_.index(y, x)] = colour;
 }
 
 }  // namespace displayfile

@@ -4,8 +4,9 @@
 
 #include "displayfile/display_file.h"
 #include "interp/output_device.h"
-#include "interp/raster/line_painter.h"
+#include "interp/raster/lines_over_fills.h"
 #include "interp/raster/raster_band.h"
+#include "interp/raster/segment_lines.h"
 #include "interp/raster/undecided_centres.h"
 #include "interp/scan/pixel_set.h"
 
@@ -15,20 +16,26 @@ namespace displayfile {
 /// polygons' boundaries, the order of painting does not tell what is nearest: those pixel centres
 /// are noted, and decided in the end (interp/raster/undecided_centres.md).
 class SortedPainter : public OutputDevice {
+  auto plot() {  // first: it is used before
+    return [this](int x, int y, double /*z*/, std::uint32_t colour) {
+      lines_on_top_.add(y, x, x + 1);
+      band_.picture.pixels[band_.index(y, x)] = colour;
+    };
+  }
+
  public:
-  SortedPainter(const DisplayFile& display_file, const RasterBand& band);
+  SortedPainter(const DisplayFile& display_file, const RasterBand& band,
+                const LinesOverFills& found, double line_scale);
 
   void begin_segment(int name) override;
+  void end_segment() override { lines_.end_segment(plot()); }
   void fill(const DrawnPolygon& polygon) override;
-  void edges(const DrawnPolygon& polygon) override {
-    lines_.edges(polygon, [&](int x, int y, double, std::uint32_t colour) { plot(x, y, colour); });
-  }
-  void line(const DrawnLine& line) override {
-    lines_.line(line, [&](int x, int y, double, std::uint32_t colour) { plot(x, y, colour); });
-  }
+  void edges(const DrawnPolygon& polygon) override { lines_.edges(polygon, plot()); }
+  void line(const DrawnLine& line) override { lines_.line(line, plot()); }
 
-  /// After all instructions: what is seen where painting does not tell, and the depths if they are
-  /// asked for. Returns the number of centres so decided. A line painted over a fill stays.
+  /// After all instructions: the lines of what was sorted together; what is seen where painting
+  /// does not tell, and the depths if they are asked for. Returns the number of centres so decided.
+  /// A line painted over a fill stays.
   std::size_t decide_centres();
 
  private:
@@ -44,11 +51,10 @@ class SortedPainter : public OutputDevice {
   void show_depth_of_whole_polygons();
   template <class Show>
   void for_each_nearest(const PixelSet& centres, Show&& show) const;
-  void plot(int x, int y, std::uint32_t colour);
 
   const DisplayFile& display_file_;
   RasterBand band_;
-  LinePainter lines_;
+  SegmentLines lines_;
   ScanConverter converter_;
   Undecided undecided_fills_ = Undecided::none;  // of the segment
   Point2 boundary_error_{0.0};                   // of the segment's sort, in pixels

@@ -36,15 +36,24 @@ inline LineSteps columns_in_rows(const Point3& low, const Point3& high, double r
           std::min(all.last, std::ceil(std::max(a, b) + margin))};
 }
 
+/// Where a line is drawn that is seen from end to end, or drawn heedlessly.
+struct WholeLine {
+  bool nothing() const { return false; }
+  bool operator()(double /*place*/) const { return true; }
+};
+
 /// Draws a line in pixel coordinates (see scan_convert.h), where it is in the region's rows: one
 /// step for each column that a flat line passes, or each row that a steep one does, and the
 /// pixel that holds the line's point there (a point scan-converts to the floor of its
 /// coordinates; one on the picture's right or top border to the last pixel). A line wider than
 /// a pixel takes the pixels whose centres lie within its width, measured across. Calls
-/// plot(i, j, z) with z interpolated between the ends.
-template <class Plot>
+/// plot(i, j, z) with z interpolated between the ends, for those of these pixels whose place along
+/// the line is_seen: from 0 at a to 1 at b, that of the step, or for a wide line that of the point
+/// nearest to the pixel's centre. So whatever is hidden moves no pixel of what is seen
+/// (interp/scan/lines.md).
+template <class IsSeen, class Plot>
 void draw_line(Point3 a, Point3 b, const LineStyle& style, const ScanConverter::Region& region,
-               DashPhase& phase, Plot&& plot) {
+               DashPhase& phase, const IsSeen& is_seen, Plot&& plot) {
   auto [width, height] = region.size;
   const bool steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
   if (steep) {
@@ -55,12 +64,17 @@ void draw_line(Point3 a, Point3 b, const LineStyle& style, const ScanConverter::
   const double length = glm::length(Point2(b - a));
   const double start = phase.length;
   phase.length += length;
-  if (!(std::isfinite(length))) return;
+  if (!std::isfinite(length) || is_seen.nothing()) return;
   const bool turned = b.x < a.x;
   const Point3 low = turned ? b : a, high = turned ? a : b;
   const double run = high.x - low.x;
   const double per_step = run > 0.0 ? length / run : 0.0;  // length along the line, a column
   const double across = std::max(1.0, style.width) * std::max(1.0, per_step);
+  const bool wide = style.width > 1.0;
+  const auto place_of_centre = [&](double column, double row) {
+    const double along = (column + 0.5 - a.x) * (b.x - a.x) + (row + 0.5 - a.y) * (b.y - a.y);
+    return length > 0.0 ? std::clamp(along / (length * length), 0.0, 1.0) : 0.0;
+  };
   const auto cell = [](double v, int limit) {  // the border belongs to the last pixel
     return v == limit ? limit - 1.0 : std::floor(v);
   };
@@ -82,12 +96,14 @@ void draw_line(Point3 a, Point3 b, const LineStyle& style, const ScanConverter::
       const double along = start + per_step * (turned ? high.x - x : x - low.x);
       if (std::fmod(along, period) >= style.dash) continue;
     }
+    if (!wide && !is_seen(turned ? 1.0 - t : t)) continue;
     double bottom = cell(y, height), top = bottom;
-    if (style.width > 1.0) {
+    if (wide) {
       bottom = std::ceil(y - across / 2 - 0.5);
       top = std::max(bottom, std::ceil(y + across / 2 - 0.5) - 1.0);
     }
     for (double row = std::max(lowest, bottom); row <= std::min(highest, top); ++row) {
+      if (wide && !is_seen(place_of_centre(column, row))) continue;
       const int i = static_cast<int>(column), j = static_cast<int>(row);
       if (steep) {
         plot(j, i, z);

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "interp/output_device.h"
+#include "interp/raster/line_painter.h"
+#include "interp/raster/lines_over_fills.h"
+
+namespace displayfile {
+
+/// The lines of a display file that is painted in its order: those found beforehand are drawn where
+/// they are seen, over all that they were found with; others as they come. The painters' calls are
+/// passed on to it, with the plot of LinePainter.
+class SegmentLines {
+ public:
+  SegmentLines(const ScanConverter::Region& region, const LinesOverFills& found, double line_scale)
+      : painter_(region), found_(found), line_scale_(line_scale) {}
+
+  void begin_segment(int name) {
+    group_ = found_.all() != nullptr ? found_.all() : found_.of_segment(name);
+  }
+  template <class Plot>
+  void edges(const DrawnPolygon& polygon, Plot&& plot) {
+    if (group_ == nullptr) painter_.edges(polygon, plot);
+  }
+  template <class Plot>
+  void line(const DrawnLine& line, Plot&& plot) {
+    if (group_ == nullptr) painter_.line(line, plot);
+  }
+  template <class Plot>
+  void end_segment(Plot&& plot) {
+    if (group_ != nullptr && group_ != found_.all()) draw(*group_, plot);
+    group_ = nullptr;
+  }
+  /// After all segments.
+  template <class Plot>
+  void end(Plot&& plot) {
+    if (found_.all() != nullptr) draw(*found_.all(), plot);
+  }
+
+ private:
+  template <class Plot>
+  void draw(const LinesOverFills::Group& group, Plot&& plot) {
+    painter_.seen(*group.scene, group.pieces, line_scale_, plot);
+  }
+
+  LinePainter painter_;
+  const LinesOverFills& found_;
+  double line_scale_;
+  const LinesOverFills::Group* group_ = nullptr;  // of the segment that has begun
+};
+
+}  // namespace displayfile

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "clip/point.h"
+
+namespace displayfile::bench {
+
+/// A straight piece of a drawing, in device coordinates: the unit is the picture.
+struct DrawnSegment {
+  Point2 p, q;
+};
+using LineDrawing = std::vector<DrawnSegment>;
+
+/// The sum of the segments' lengths, those that lie on others again.
+double total_length(const LineDrawing& drawing);
+
+/// The drawing without what lies within the tolerance of a segment before it: so that each length
+/// counts once, however many edges lie on one another in the picture.
+LineDrawing drawn_once(const LineDrawing& drawing, double tolerance);
+
+/// How much of the drawing is farther than the tolerance from all segments of the other.
+double length_beside(const LineDrawing& drawing, const LineDrawing& other, double tolerance);
+
+}  // namespace displayfile::bench

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "clip/view.h"
+#include "displayfile/display_file.h"
+#include "displayfile/mesh/camera.h"
+#include "displayfile/mesh/mesh.h"
+#include "displayfile/viewed_scene.h"
+#include "hidden/lines/visible_lines.h"
+#include "tests/bench/lines_beside_peers/drawn_length.h"
+
+namespace displayfile::bench {
+
+/// Which lines of a mesh are asked for.
+struct LineKinds {
+  std::string words;  ///< as the peers get them
+  bool all = false, outline = false, crease = false, intersection = false;
+};
+/// Reads kinds joined by commas: all, outline, crease, intersection. Throws Error for another.
+LineKinds line_kinds(const std::string& words);
+
+/// An edge is a crease where its faces' normals are farther apart than this, in degrees.
+inline constexpr double kCreaseDegrees = 30.0;
+
+/// A mesh in a view, the same for us and for the peers: its coordinates are single, its faces flat.
+struct PeerScene {
+  std::string name, seen_from;
+  Mesh mesh;
+  View view;
+};
+/// The mesh in triangles, its vertices rounded to single precision, in a view fitted to it.
+PeerScene peer_scene(std::string name, std::string seen_from, const Mesh& mesh,
+                     const Camera& camera);
+
+/// Writes what peers read (README.md): the mesh as OBJ, the view as words.
+void write_mesh(const PeerScene& scene, const std::string& path);
+void write_view(const PeerScene& scene, const std::string& path);
+
+/// From the mesh in memory to what methods of hidden lines begin with.
+struct EnteredMesh {
+  DisplayFile file;
+  std::unique_ptr<ViewedScene> scene;
+  std::vector<LineName> lines;  ///< of the kinds asked for, each shared one once
+};
+EnteredMesh enter(const PeerScene& scene, const LineKinds& kinds);
+
+/// What a peer wrote: segments' ends, in world coordinates or in those of the view plane, in the
+/// picture. Throws Error if the file cannot be read.
+LineDrawing read_world_segments(const std::string& path, const View& view);
+LineDrawing read_view_plane_segments(const std::string& path, const View& view);
+
+/// Pieces of lines, by the parts of them that are seen.
+LineDrawing drawing_of(const ViewedScene& scene, std::span<const VisiblePiece> pieces);
+LineDrawing drawing_of(const ViewedScene& scene, std::span<const LineName> lines);
+
+}  // namespace displayfile::bench

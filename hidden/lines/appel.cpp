@@ -61,7 +61,11 @@ struct AppelScene {
   template <class Visit>
   bool any_counted(const Extent& box, const Visit& visit) const {
     return counted.any([&](const DepthBoxes& boxes) { return boxes.meets(box); },
-                       [&](DepthTree::Position at) { return visit(counted.order()[at]); });
+                       [&](DepthTree::Position at) {
+                         // A box without bounds meets those that hold nothing, too.
+                         const std::uint32_t polygon = counted.order()[at];
+                         return contours.way(polygon) != 0 && visit(polygon);
+                       });
   }
 };
 
@@ -264,6 +268,10 @@ class Appel {
 
   const std::vector<PartOfLine>& hidden_parts(const LineScene::Line& line) {
     parts_.clear();
+    if (scene_.lines.intersection(line) != nullptr) {
+      compare_with_all(line);
+      return parts_.hidden();
+    }
     const auto number = static_cast<std::size_t>(&line - scene_.lines.lines().data());
     const auto& [found, from, to, start] = counts_.of_lines[number];
     add_hidden(counts_.start[start], std::span(counts_.changes[found]).subspan(from, to - from));
@@ -287,6 +295,19 @@ class Appel {
       }
       at = part.to;
     }
+  }
+
+  /// An intersection is no edge of a connected part: it is compared with all polygons.
+  void compare_with_all(const LineScene::Line& line) {
+    const Extent box = scene_.lines.extent(line);
+    Extent before = box;
+    before.z_max = std::numeric_limits<float>::infinity();
+    line_.look_at(line);
+    scene_.any_counted(before, [&](std::uint32_t polygon) {
+      if (scene_.lines.extent(polygon).z_max > box.z_min) line_.hide(polygon, parts_);
+      return false;
+    });
+    compare(line);
   }
 
   /// Adds what the polygons hide that are not counted.
@@ -332,13 +353,14 @@ CountsOfLines count_along_lines(const AppelScene& scene, const Policy& policy, i
     if (carries[v] != 0) carries[v] = follower.carries(static_cast<std::uint32_t>(v)) ? 1 : 0;
   });
   const auto lines = scene.lines.lines();
-  const auto firsts = scene.lines.first_lines();
+  const auto firsts = scene.lines.first_lines_of_names();
+  const std::size_t end_of_names = lines.size() - scene.lines.intersections().size();
   CountsOfLines counts;
   counts.of_lines.resize(lines.size());
   counts.changes.resize((firsts.size() + kLinesAtATime - 1) / kLinesAtATime);
   std::vector<CountedLine> counted(firsts.size());
   in_parts(scene, policy, firsts.size(), threads, [&](auto& follower, std::size_t k) {
-    const std::size_t end = k + 1 < firsts.size() ? firsts[k + 1] : lines.size();
+    const std::size_t end = k + 1 < firsts.size() ? firsts[k + 1] : end_of_names;
     const auto of_depths = std::span(counts.of_lines).subspan(firsts[k], end - firsts[k]);
     const auto found = static_cast<std::uint32_t>(k / kLinesAtATime);
     for (ChangesOfLine& of : of_depths) of = {found, 0, 0, static_cast<std::uint32_t>(k)};
@@ -364,7 +386,7 @@ SeenLines visible_lines_by_appel(const Primitives& items, const LineScene& scene
   const AppelScene all(items, scene, options.threads);
   const auto find = [&](const auto& policy) {
     const CountsOfLines found = count_along_lines(all, policy, options.threads, counts);
-    return visible_pieces(scene, scene.first_lines(), options.threads,
+    return visible_pieces(scene, scene.first_lines(), options,
                           [&] { return Appel(all, found, policy); });
   };
   const Definitions points{items.points, {}};

@@ -94,7 +94,7 @@ class Surfaces {
     const Primitives::Item& item = items_.items[side.item];
     const std::uint32_t before = side.corner == 0 ? item.sides - 1 : side.corner - 1;
     const bool takes_before = start == (turning_[side.item] > 0);
-    return table_.first_equal(items_.point(item.first + (takes_before ? before : side.corner)));
+    return table_.vertex(items_.point(item.first + (takes_before ? before : side.corner)));
   }
 
   /// Two polygons that run along a side in different directions are of one set; otherwise it is a

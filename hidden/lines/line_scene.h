@@ -36,6 +36,10 @@ class LineScene {
   std::span<const Line> lines() const { return lines_; }
   /// Where each name's first line is.
   std::span<const std::uint32_t> first_lines() const { return first_lines_; }
+  /// The same of names alone.
+  std::span<const std::uint32_t> first_lines_of_names() const {
+    return first_lines().first(first_lines_.size() - intersections_.size());
+  }
   std::size_t names() const { return names_.size(); }
   const LineName& name(std::uint32_t n) const { return names_[n]; }
   /// Of an intersection, its rounded end.

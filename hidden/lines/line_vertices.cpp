@@ -7,7 +7,7 @@ namespace displayfile {
 LineVertices::LineVertices(const LineScene& scene, const Primitives& items, const SideTable& sides,
                            const ContourEdges& contours)
     : sides_(sides), joins_(items.points.size(), 0), first_(items.points.size() + 1, 0) {
-  for (const std::uint32_t n : scene.first_lines()) {
+  for (const std::uint32_t n : scene.first_lines_of_names()) {
     for (const std::uint32_t point : {scene.lines()[n].a, scene.lines()[n].b}) {
       std::uint8_t& ends = joins_[vertex(point)];
       ends = static_cast<std::uint8_t>(std::min(ends + 1, 2));

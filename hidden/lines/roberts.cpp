@@ -22,6 +22,7 @@ class Roberts {
   const std::vector<PartOfLine>& hidden_parts(const LineScene::Line& line) {
     parts_.clear();
     line_.look_at(line);
+    has_own_ends_ = scene_.intersection(line) == nullptr;
     box_ = scene_.extent(line);
     const auto meets = [flat = FlatBox::of(box_)](const FlatBoxes& b) { return b.meets(flat); };
     tree_.any(meets, [&](ExtentTree::Position position) {
@@ -39,7 +40,8 @@ class Roberts {
   void compare(std::uint32_t object) {
     const Extent& around = objects_.extents()[object];
     if (around.z_max <= box_.z_min) return;  // the minimax test in depth
-    switch (objects_.outline(object).empty() ? Hides::some : volume_test(object)) {
+    const bool is_one = has_own_ends_ && !objects_.outline(object).empty();
+    switch (is_one ? volume_test(object) : Hides::some) {
       case Hides::nothing: return;
       case Hides::all: parts_.add_both(kWhole); return;
       case Hides::some: break;
@@ -77,6 +79,7 @@ class Roberts {
   const Policy& policy_;
   LineAgainstPolygon<Policy> line_;
   Extent box_{};
+  bool has_own_ends_ = true;  // of an intersection they are rounded
   HiddenParts parts_;
 };
 

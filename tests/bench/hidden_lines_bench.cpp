@@ -1,5 +1,5 @@
-// Hidden lines: exact against roundoff, Roberts against Franklin, threads, and how the time of
-// Franklin's method grows with the scene.
+// Hidden lines: exact against roundoff, Roberts and Appel against Franklin, threads, and how the
+// time of Franklin's method grows with the scene.
 //   hidden_lines_bench [MESH...]
 // Prints ratios and counts; run it on a machine that does nothing else.
 
@@ -60,6 +60,11 @@ std::vector<std::string> ratios_of(const LinesOfScene& of, const Options& option
   const Spread exact = times_faster(options.rounds, franklin(false, options.threads), ours);
   const Spread roberts =
       times_faster(1, ours, [&] { of.find(HiddenMethod::roberts, true, options.threads); });
+  const Spread appel = times_faster(options.rounds, ours,
+                                    [&] { of.find(HiddenMethod::appel, true, options.threads); });
+  const Spread appel_exact = times_faster(
+      options.rounds, [&] { of.find(HiddenMethod::appel, false, options.threads); },
+      [&] { of.find(HiddenMethod::appel, true, options.threads); });
   const Spread one = times_faster(options.rounds, ours, franklin(true, 1));
   return {of.scene.name,
           std::to_string(of.scene.size()),
@@ -67,6 +72,8 @@ std::vector<std::string> ratios_of(const LinesOfScene& of, const Options& option
           std::to_string(pieces),
           text(exact),
           fmt::format("{:.2f}", roberts.median),
+          fmt::format("{:.2f}", appel.median),
+          fmt::format("{:.2f}", appel_exact.median),
           options.threads == 1 ? "" : text(one)};
 }
 
@@ -108,7 +115,8 @@ void run(const Options& options) {
     rows.push_back(ratios_of(LinesOfScene(generated(name, 20'000)), options));
   }
   fmt::print("{}", text_table({"scene", "polygons", "lines", "pieces", "exact over roundoff",
-                               "Roberts over Franklin", "one thread over these"},
+                               "Roberts over Franklin", "Appel over Franklin",
+                               "Appel, exact over roundoff", "one thread over these"},
                               rows));
   if (options.high <= options.low) return;
   rows.clear();

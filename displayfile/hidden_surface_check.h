@@ -14,8 +14,8 @@ namespace displayfile {
 bool is_object_space(HiddenMethod method);
 
 /// HIDDEN-SURFACE-CHECK (algorithm 9.8): a segment's polygons and lines back to front, by `bsp`
-/// or `depth_sort`; or by `roberts` or `franklin` what is seen of its lines and its polygons'
-/// sides, and no fills. Points are those after the image transformation, and so are those of the
+/// or `depth_sort`; or by `roberts`, `appel` or `franklin` what is seen of its lines and its
+/// polygons' sides, and no fills. Points are those after the image transformation, and so are those of the
 /// result. Each piece of a polygon that was cut keeps its styles and its pick identifier, and if
 /// the polygon is shaded its place in the shade; sides that cuts made are invisible. A polygon that
 /// draws nothing, hollow and of line style none, is left out. The instructions must not grow while

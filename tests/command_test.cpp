@@ -522,7 +522,7 @@ TEST_F(Command, BadCommandLinesAndOutputs) {
   expect_error("draw t.draw -o .", ".");
   expect_error("draw t.draw -o x.png --ids nowhere/i.npy", "nowhere/i.npy");
   expect_error("draw t.draw -o x.png --depth nowhere/z.npy", "nowhere/z.npy");
-  expect_error("draw t.draw -o x.png --hidden appel", "appel");
+  expect_error("draw t.draw -o x.png --hidden appel --ids i.npy", "'appel' does not draw");
   expect_error("draw t.draw -o x.png --hidden franklin --ids i.npy", "'franklin' does not draw");
   expect_error("draw t.draw -o x.png --hidden roberts --depth z.npy", "'roberts' does not draw");
   expect_error("draw t.draw -o x.png --hidden franklin --device osmesa", "expected the software");

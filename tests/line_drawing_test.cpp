@@ -115,6 +115,7 @@ TEST(LineDrawing, SegmentsHideEachOthersLinesWithTheScopeAll) {
   const std::string each = drawn(g, HiddenMethod::franklin, HiddenScope::segment);
   EXPECT_NE(all, each);
   EXPECT_EQ(all, drawn(g, HiddenMethod::roberts));
+  EXPECT_EQ(all, drawn(g, HiddenMethod::appel));
   g.set_visibility(2, false);
   const std::string alone = drawn(g, HiddenMethod::franklin);
   EXPECT_EQ(counts(alone).lines, 9);
@@ -199,18 +200,21 @@ TEST(LineDrawing, IsRecordedAndReplayed) {
   EXPECT_EQ(dump(again.display_file()), dump(g.display_file()));
 }
 
-/// Both methods find the same of every drawing program, and draw the same pixels.
-TEST(LineDrawing, IsTheSameByBothMethodsOverTheGallery) {
+/// All methods find the same of every drawing program, and draw the same pixels.
+TEST(LineDrawing, IsTheSameByAllMethodsOverTheGallery) {
   test::for_each_in_gallery([](const std::string&, const test::Retained& retained) {
     const GraphicsSystem& g = retained.system;
-    EXPECT_EQ(drawn(g, HiddenMethod::roberts), drawn(g, HiddenMethod::franklin));
+    const std::string by_roberts_drawn = drawn(g, HiddenMethod::roberts);
     DrawOptions options;
     options.width = options.height = 90;
     options.hidden = HiddenMethod::roberts;
     const Picture by_roberts = draw(g, options);
-    options.hidden = HiddenMethod::franklin;
     options.threads = 3;
-    EXPECT_EQ(draw(g, options).pixels, by_roberts.pixels);
+    for (const HiddenMethod method : {HiddenMethod::appel, HiddenMethod::franklin}) {
+      EXPECT_EQ(drawn(g, method), by_roberts_drawn) << name_of(method);
+      options.hidden = method;
+      EXPECT_EQ(draw(g, options).pixels, by_roberts.pixels) << name_of(method);
+    }
   });
 }
 

@@ -69,6 +69,25 @@ struct AppelScene {
   }
 };
 
+/// The first line of each name, in order of the places of their polygons in the tree: those near
+/// each other are followed together, while what they meet is at hand.
+std::vector<std::uint32_t> lines_by_place(const AppelScene& scene) {
+  const auto lines = scene.lines.lines();
+  const auto firsts = scene.lines.first_lines_of_names();
+  const std::uint32_t items = scene.lines.items();
+  std::vector<std::uint32_t> place(items), next(items + 2, 0);
+  for (std::uint32_t at = 0; at < items; ++at) place[scene.counted.order()[at]] = at;
+  const auto place_of = [&](std::uint32_t first) {
+    const std::uint32_t own = lines[first].own;
+    return own == LineScene::kNone ? items : place[own];
+  };
+  for (const std::uint32_t first : firsts) ++next[place_of(first) + 1];
+  for (std::size_t at = 1; at < next.size(); ++at) next[at] += next[at - 1];
+  std::vector<std::uint32_t> order(firsts.size());
+  for (const std::uint32_t first : firsts) order[next[place_of(first)]++] = first;
+  return order;
+}
+
 /// Where the changes along a line are: among those that were found together; and the number of its
 /// start's counts.
 struct ChangesOfLine {
@@ -117,8 +136,15 @@ class LineFollower {
     if (carries[counted.to] != 0) counted.star_to = star(counted.to).reversed();
     counts_.look_at(a, b);
     if (carries[counted.from] != 0) counted.star_from = star(counted.from);
-    counted.change = pass_contours(a, b);
-    find_near(first, of_depths.size());
+    Extent box = Extent::nothing();
+    box.include(Point3(std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)));
+    box.include(Point3(std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)));
+    counted.change = pass_contours(box);
+    for (std::size_t i = 0; i < of_depths.size(); ++i) {
+      const LineScene::Line& depth = lines_.lines()[first + i];
+      if (depth.by_plane) box.include(lines_.extent(depth));
+    }
+    find_near(a, b, box);
     bool at_own_depth = false;
     for (std::size_t i = 0; i < of_depths.size(); ++i) {
       const LineScene::Line& depth = lines_.lines()[first + i];
@@ -194,10 +220,7 @@ class LineFollower {
   }
 
   /// Notes the changes where the line passes behind contour edges; returns all of them together.
-  SideCounts pass_contours(const Point3& a, const Point3& b) {
-    Extent box = Extent::nothing();
-    box.include(a);
-    box.include(b);
+  SideCounts pass_contours(const Extent& box) {
     passed_.clear();
     SideCounts all;
     scene_.contours.any(box, [&](const ContourEdges::Edge& edge) {
@@ -213,13 +236,7 @@ class LineFollower {
 
   /// Finds the polygons that are near the line in space, at any of its depths; and of these the
   /// ones that may not be nearer all along its own ends' depth, or farther.
-  void find_near(std::size_t first, std::size_t depths) {
-    const LineScene::Line& line = lines_.lines()[first];
-    const Point3 &a = lines_.point(line.a), &b = lines_.point(line.b);
-    Extent box = Extent::nothing();
-    box.include(a);
-    box.include(b);
-    for (std::size_t i = 0; i < depths; ++i) box.include(lines_.extent(lines_.lines()[first + i]));
+  void find_near(const Point3& a, const Point3& b, const Extent& box) {
     near_.clear();
     doubtful_.clear();
     scene_.any_counted(box, [&](std::uint32_t polygon) {
@@ -256,7 +273,7 @@ class LineFollower {
 struct CountsOfLines {
   std::vector<ChangesOfLine> of_lines;  // of each of the scene's lines
   std::vector<std::vector<CountChange>> changes;
-  std::vector<SideCounts> start;  // of each name that has a line
+  std::vector<SideCounts> start;
 };
 
 /// Finds what is hidden of one line after the other.
@@ -345,32 +362,51 @@ void in_parts(const AppelScene& scene, const Policy& policy, std::size_t size, i
   });
 }
 
+/// Whether the counts are carried over each vertex.
 template <class Policy>
-CountsOfLines count_along_lines(const AppelScene& scene, const Policy& policy, int threads,
-                                AppelCounts* work) {
-  std::vector<std::uint8_t> carries = scene.vertices.joins();
-  in_parts(scene, policy, carries.size(), threads, [&](const auto& follower, std::size_t v) {
-    if (carries[v] != 0) carries[v] = follower.carries(static_cast<std::uint32_t>(v)) ? 1 : 0;
+std::vector<std::uint8_t> vertices_that_carry(const AppelScene& scene, const Policy& policy,
+                                              std::span<const std::uint32_t> order, int threads) {
+  std::vector<std::uint8_t> carries(scene.vertices.joins().size(), 0);
+  std::vector<std::uint32_t> vertices;  // as the lines come to them
+  for (const std::uint32_t first : order) {
+    const LineScene::Line& line = scene.lines.lines()[first];
+    for (const std::uint32_t point : {line.a, line.b}) {
+      const std::uint32_t v = scene.vertices.vertex(point);
+      if (scene.vertices.joins()[v] == 0 || carries[v] != 0) continue;
+      carries[v] = 1;
+      vertices.push_back(v);
+    }
+  }
+  in_parts(scene, policy, vertices.size(), threads, [&](const auto& follower, std::size_t k) {
+    carries[vertices[k]] = follower.carries(vertices[k]) ? 1 : 0;
   });
+  return carries;
+}
+
+template <class Policy>
+CountsOfLines count_along_lines(const AppelScene& scene, const Policy& policy,
+                                std::span<const std::uint32_t> order, int threads,
+                                AppelCounts* work) {
+  const std::vector<std::uint8_t> carries = vertices_that_carry(scene, policy, order, threads);
   const auto lines = scene.lines.lines();
-  const auto firsts = scene.lines.first_lines_of_names();
-  const std::size_t end_of_names = lines.size() - scene.lines.intersections().size();
   CountsOfLines counts;
   counts.of_lines.resize(lines.size());
-  counts.changes.resize((firsts.size() + kLinesAtATime - 1) / kLinesAtATime);
-  std::vector<CountedLine> counted(firsts.size());
-  in_parts(scene, policy, firsts.size(), threads, [&](auto& follower, std::size_t k) {
-    const std::size_t end = k + 1 < firsts.size() ? firsts[k + 1] : end_of_names;
-    const auto of_depths = std::span(counts.of_lines).subspan(firsts[k], end - firsts[k]);
+  counts.changes.resize((order.size() + kLinesAtATime - 1) / kLinesAtATime);
+  std::vector<CountedLine> counted(order.size());
+  in_parts(scene, policy, order.size(), threads, [&](auto& follower, std::size_t k) {
+    const std::size_t first = order[k];
+    std::size_t end = first + 1;
+    while (end < lines.size() && lines[end].name == lines[first].name) ++end;
+    const auto of_depths = std::span(counts.of_lines).subspan(first, end - first);
     const auto found = static_cast<std::uint32_t>(k / kLinesAtATime);
     for (ChangesOfLine& of : of_depths) of = {found, 0, 0, static_cast<std::uint32_t>(k)};
-    counted[k] = follower.follow(firsts[k], carries, counts.changes[found], of_depths);
+    counted[k] = follower.follow(first, carries, counts.changes[found], of_depths);
   });
   const auto make = [&] { return LineFollower(scene, policy); };
   Finders followers(make);
   const auto ray = [&](std::uint32_t k) {
     SideCounts after_start;
-    followers.use([&](auto& follower) { after_start = follower.ray(lines[firsts[k]]); });
+    followers.use([&](auto& follower) { after_start = follower.ray(lines[order[k]]); });
     return after_start;
   };
   CarriedCounts carried(counted, carries, ray, threads);
@@ -384,9 +420,13 @@ CountsOfLines count_along_lines(const AppelScene& scene, const Policy& policy, i
 SeenLines visible_lines_by_appel(const Primitives& items, const LineScene& scene,
                                  const LineOptions& options, AppelCounts* counts) {
   const AppelScene all(items, scene, options.threads);
+  const std::vector<std::uint32_t> order = lines_by_place(all);
+  std::vector<std::uint32_t> with_intersections = order;
+  const auto intersections = scene.first_lines().subspan(scene.first_lines_of_names().size());
+  with_intersections.insert(with_intersections.end(), intersections.begin(), intersections.end());
   const auto find = [&](const auto& policy) {
-    const CountsOfLines found = count_along_lines(all, policy, options.threads, counts);
-    return visible_pieces(scene, scene.first_lines(), options,
+    const CountsOfLines found = count_along_lines(all, policy, order, options.threads, counts);
+    return visible_pieces(scene, with_intersections, options,
                           [&] { return Appel(all, found, policy); });
   };
   const Definitions points{items.points, {}};

@@ -9,13 +9,6 @@ namespace displayfile {
 
 namespace {
 
-Extent extent_of(const ContourEdges::Edge& edge) {
-  Extent box = Extent::nothing();
-  box.include(edge.p);
-  box.include(edge.q);
-  return box;
-}
-
 bool has_corner_off_plane(const LineScene& scene, std::uint32_t item) {
   for (std::uint32_t k = 0; k < scene.sides(item); ++k) {
     if (scene.is_off_plane(item, k)) return true;
@@ -41,6 +34,7 @@ ContourEdges::ContourEdges(const LineScene& scene, const Primitives& items, cons
     }
   });
   std::vector<Edge> edges;
+  std::vector<DepthBox> boxes;
   sides.for_each_set([&](std::span<const SideTable::Side> same) {
     std::int32_t more = 0;
     std::uint32_t p = 0, q = 0;
@@ -57,16 +51,15 @@ ContourEdges::ContourEdges(const LineScene& scene, const Primitives& items, cons
       }
     }
     if (more == 0) return;
-    Edge edge{items.points[p], items.points[q], more, 0.0F, 0.0F};
-    const Extent box = extent_of(edge);
-    edge.z_min = box.z_min;
-    edge.z_max = box.z_max;
-    edges.push_back(edge);
+    edges.push_back({items.points[p], items.points[q], more});
+    DepthBox box = DepthBox::nothing();
+    box.extent.include(edges.back().p);
+    box.extent.include(edges.back().q);
+    boxes.push_back(box);
   });
-  tree_.build(
-      edges.size(), [&](ExtentTree::Item i) { return FlatBox::of(extent_of(edges[i])); }, threads);
+  tree_.build(boxes, threads);
   edges_.reserve(edges.size());
-  for (const ExtentTree::Item i : tree_.order()) edges_.push_back(edges[i]);
+  for (const DepthTree::Item i : tree_.order()) edges_.push_back(edges[i]);
 }
 
 }  // namespace displayfile

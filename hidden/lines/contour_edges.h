@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
+#include <limits>
 #include <vector>
 
+#include "hidden/lines/depth_boxes.h"
 #include "hidden/lines/line_scene.h"
 #include "hidden/lines/side_table.h"
 
@@ -28,17 +29,15 @@ class ContourEdges {
   struct Edge {
     Point3 p, q;
     std::int32_t more_on_left;  ///< not 0
-    float z_min, z_max;
   };
-  /// Calls visit(edge) for those whose boxes meet the one given and that do not lie behind it,
-  /// until it returns true: then true.
+  /// Calls visit(edge) for those whose boxes in the projection meet the one given and that do not
+  /// lie behind it, until it returns true: then true.
   template <class Visit>
   bool any(const Extent& box, const Visit& visit) const {
-    const auto meets = [flat = FlatBox::of(box)](const FlatBoxes& b) { return b.meets(flat); };
-    return tree_.any(meets, [&](ExtentTree::Position position) {
-      const Edge& edge = edges_[position];
-      return edge.z_max >= box.z_min && visit(edge);
-    });
+    Extent before = box;
+    before.z_max = std::numeric_limits<float>::infinity();
+    return tree_.any([&](const DepthBoxes& boxes) { return boxes.meets(before); },
+                     [&](DepthTree::Position position) { return visit(edges_[position]); });
   }
   std::size_t size() const { return edges_.size(); }
 
@@ -46,7 +45,7 @@ class ContourEdges {
   std::vector<std::int8_t> way_;
   std::vector<std::uint8_t> uneven_;  // empty: none is
   std::vector<Edge> edges_;           // by position in the tree
-  ExtentTree tree_;
+  DepthTree tree_;
 };
 
 }  // namespace displayfile

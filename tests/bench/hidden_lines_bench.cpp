@@ -1,5 +1,5 @@
-// Hidden lines: exact against roundoff, Roberts against Franklin, threads, and how the time of
-// Franklin's method grows with the scene.
+// Hidden lines: exact against roundoff, Roberts and Appel against Franklin, threads, and how time
+// grows with the scene.
 //   hidden_lines_bench [MESH...]
 // Prints ratios and counts; run it on a machine that does nothing else.
 
@@ -60,6 +60,11 @@ std::vector<std::string> ratios_of(const LinesOfScene& of, const Options& option
   const Spread exact = times_faster(options.rounds, franklin(false, options.threads), ours);
   const Spread roberts =
       times_faster(1, ours, [&] { of.find(HiddenMethod::roberts, true, options.threads); });
+  const Spread appel = times_faster(options.rounds, ours,
+                                    [&] { of.find(HiddenMethod::appel, true, options.threads); });
+  const Spread appel_exact = times_faster(
+      options.rounds, [&] { of.find(HiddenMethod::appel, false, options.threads); },
+      [&] { of.find(HiddenMethod::appel, true, options.threads); });
   const Spread one = times_faster(options.rounds, ours, franklin(true, 1));
   return {of.scene.name,
           std::to_string(of.scene.size()),
@@ -67,31 +72,34 @@ std::vector<std::string> ratios_of(const LinesOfScene& of, const Options& option
           std::to_string(pieces),
           text(exact),
           fmt::format("{:.2f}", roberts.median),
+          fmt::format("{:.2f}", appel.median),
+          fmt::format("{:.2f}", appel_exact.median),
           options.threads == 1 ? "" : text(one)};
 }
 
 /// The least of three times, as other work only adds to it.
-double time_of(const LinesOfScene& of, const Options& options) {
+double time_of(const LinesOfScene& of, HiddenMethod method, const Options& options) {
   double least = 0.0;
   for (int i = 0; i < 3; ++i) {
-    const double time = seconds_each(clock_of(options.threads), 1, [&] {
-      of.find(HiddenMethod::franklin, true, options.threads);
-    });
+    const double time =
+        seconds_each(clock_of(options.threads), 1, [&] { of.find(method, true, options.threads); });
     least = i == 0 ? time : std::min(least, time);
   }
   return least;
 }
 
 std::vector<std::string> growth_of(const std::string& name, const Options& options) {
-  std::vector<double> sizes, times, overlaps;
+  std::vector<double> sizes, by_franklin, by_appel, overlaps;
   for (const std::size_t n : sizes_of_growth(options.low, options.high)) {
     const LinesOfScene of(generated(name, n));
     sizes.push_back(static_cast<double>(of.scene.size()));
     overlaps.push_back(overlaps_per_polygon(of.scene));
-    times.push_back(time_of(of, options));
+    by_franklin.push_back(time_of(of, HiddenMethod::franklin, options));
+    by_appel.push_back(time_of(of, HiddenMethod::appel, options));
   }
   return {name, fmt::format("10^{} to 10^{}", options.low, options.high),
-          fmt::format("{:.2f}", fitted_exponent(sizes, times)),
+          fmt::format("{:.2f}", fitted_exponent(sizes, by_franklin)),
+          fmt::format("{:.2f}", fitted_exponent(sizes, by_appel)),
           fmt::format("{:.1f} to {:.1f}", overlaps.front(), overlaps.back())};
 }
 
@@ -108,13 +116,15 @@ void run(const Options& options) {
     rows.push_back(ratios_of(LinesOfScene(generated(name, 20'000)), options));
   }
   fmt::print("{}", text_table({"scene", "polygons", "lines", "pieces", "exact over roundoff",
-                               "Roberts over Franklin", "one thread over these"},
+                               "Roberts over Franklin", "Appel over Franklin",
+                               "Appel, exact over roundoff", "one thread over these"},
                               rows));
   if (options.high <= options.low) return;
   rows.clear();
   for (const std::string& name : options.scenes) rows.push_back(growth_of(name, options));
-  fmt::print("\nGrowth of Franklin's method\n\n{}",
-             text_table({"scene", "polygons", "exponent", "extents overlapped by each"}, rows));
+  fmt::print("\nGrowth\n\n{}", text_table({"scene", "polygons", "Franklin's exponent", "Appel's",
+                                           "extents overlapped by each"},
+                                          rows));
 }
 
 }  // namespace

@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
   displayfile::bench::Options options;
   CLI::App app("Lines of meshes against the truth");
   app.add_option("meshes", options.meshes, "meshes")->check(CLI::ExistingFile)->required();
-  app.add_option("--method", options.method, "roberts or franklin");
+  app.add_option("--method", options.method, "roberts, appel or franklin");
   app.add_option("--precision", options.precision, "exact, roundoff or roundoff=EPS");
   app.add_option("--samples", options.samples, "points of each view, at least");
   app.add_option("--threads", options.threads)->check(CLI::Range(1, 1024));

@@ -9,7 +9,8 @@ namespace displayfile {
 /// What is seen of all lines that are drawn (drawn_lines), as pieces of two points in order of
 /// items and corners, each from where its line starts to where it ends. The ends of a line are the
 /// item's own points; others are computed from those and rounded. Throws Error for a method that
-/// finds no lines.
+/// finds no lines. Intersections, if the options ask for them, are pieces of the polygon that was
+/// entered later, after its sides.
 SortedPieces lines_in_order(const Primitives& items, HiddenMethod method,
                             const SortOptions& options);
 

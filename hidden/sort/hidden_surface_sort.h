@@ -23,6 +23,9 @@ struct SortOptions {
   Precision precision;
   RootChoice root = RootChoice::free;
   int threads = 1;  ///< the result is the same for any number
+  /// The methods that find lines show those too along which polygons pass through each other
+  /// (hidden/lines/intersection_lines.h).
+  bool intersections = false;
 };
 
 /// A polygon or line in the order, or a piece of one that was cut.

@@ -44,8 +44,7 @@ struct SpaceBoxes {
 };
 
 /// A tree of boxes in space, for rays of any direction and all views, and for pairs of boxes that
-/// meet; of finite coordinates. It is
-/// halved, so that no input makes a deep tree.
+/// meet; of finite coordinates. It is halved, so that no input makes a deep tree.
 using SpaceTree = BoxTree<SpaceBoxes>;
 template <>
 void SpaceTree::build(std::size_t items, const std::function<Bounds(Item)>& box_of, int threads);

@@ -17,6 +17,9 @@
 #include <utility>
 #include <vector>
 
+#include "displayfile/display_file.h"
+#include "displayfile/hidden_surface_check.h"
+#include "displayfile/sorted_scene.h"
 #include "hidden/lines/lines_in_order.h"
 #include "hidden/lines/visible_lines.h"
 #include "tests/intersection_truth.h"
@@ -282,6 +285,57 @@ TEST(IntersectionLines, NothingThroughThemHidesThem) {
   ItemList third = list;
   third.solid({{0.375, 0.25, 0.75}, {0.625, 0.25, 0.75}, {0.625, 0.75, 0.25}, {0.375, 0.75, 0.25}});
   EXPECT_EQ(lines(third), 3u);
+}
+
+TEST(IntersectionLines, InOrderTheyAreOfTheLaterPolygonAfterItsSides) {
+  ItemList list = solids({kLevel, rising(0.375, 0.625)});
+  list.solid(square(0.5, 0.0, 1.0, 1.0, 0.9));  // hides half
+  const auto pieces = [&](HiddenMethod method, bool intersections) {
+    const SortOptions options{.intersections = intersections};
+    return lines_in_order(list.view(), method, options);
+  };
+  for (const HiddenMethod method : {HiddenMethod::roberts, HiddenMethod::franklin}) {
+    const SortedPieces without = pieces(method, false), with = pieces(method, true);
+    ASSERT_EQ(with.pieces.size(), without.pieces.size() + 1);
+    std::size_t added = 0;
+    while (added < without.pieces.size() && without.pieces[added].item <= 1) ++added;
+    for (std::size_t k = 0; k < with.pieces.size(); ++k) {
+      if (k == added) continue;
+      EXPECT_EQ(with.pieces[k].item, without.pieces[k - (k > added ? 1 : 0)].item);
+    }
+    EXPECT_EQ(with.pieces[added].item, 1u);
+    const std::uint32_t first = with.pieces[added].first;
+    EXPECT_EQ(with.points[first], Point3(0.375, 0.5, 0.5));
+    EXPECT_EQ(with.points[first + 1], Point3(0.5, 0.5, 0.5));
+  }
+}
+
+TEST(IntersectionLines, AreDrawnInTheStyleAndUnderTheIdentifierOfTheLaterPolygon) {
+  DisplayFile file;
+  Segment& segment = file.create(1);
+  segment.set_style(FillStyle{});
+  const std::array<Loop, 2> loops{kLevel, rising(0.375, 0.625)};
+  for (int k = 0; k < 2; ++k) {
+    segment.set_style(LineStyle{.width = 1.0 + k});
+    segment.set_pick(k == 0 ? 9 : 4);
+    segment.enter_polygon(loops[static_cast<std::size_t>(k)], std::vector<std::uint8_t>(4, 1));
+  }
+  struct Visitor {
+    std::ostringstream text{};
+    void fill(const FillStyle&) {}
+    void line_style(const LineStyle& style) { text << "width " << style.width << "; "; }
+    void pick(std::int32_t n) { text << "pick " << n << "; "; }
+    void move(const Point3& p) { text << "move " << p.x << " " << p.y << " " << p.z << "; "; }
+    void line(const Point3& p) { text << "line " << p.x << " " << p.y << " " << p.z << "; "; }
+    void polygon(std::span<const Point3>, std::span<const std::int32_t>) {}
+  } visitor;
+  const Segment* const segments[] = {&segment};
+  hidden_surface_check(segments, HiddenMethod::franklin, {.intersections = true})->walk(visitor);
+  const std::string text = visitor.text.str(), last = "width 2; pick 4; ";
+  const std::string line = "move 0.375 0.5 0.5; line 0.625 0.5 0.5; ";
+  EXPECT_TRUE(text.ends_with(line)) << text;
+  EXPECT_EQ(text.find(line), text.size() - line.size());
+  EXPECT_NE(text.find(last), std::string::npos) << text;
 }
 
 TEST(IntersectionLines, ScaledByTwoAndMirroredTheyAreTheSame) {

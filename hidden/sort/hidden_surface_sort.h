@@ -25,6 +25,9 @@ struct SortOptions {
   RootChoice root = RootChoice::free;
   int threads = 1;             ///< the result is the same for any number
   WorkProgress progress = {};  ///< told by methods that find lines: of the lines looked at
+  /// The methods that find lines show those too along which polygons pass through each other
+  /// (hidden/lines/intersection_lines.h).
+  bool intersections = false;
 };
 
 /// A polygon or line in the order, or a piece of one that was cut.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <utility>
+#include <vector>
 
 #include "clip/memory.h"
 #include "hidden/lines/lines_in_order.h"
@@ -11,11 +12,18 @@ namespace displayfile {
 
 namespace {
 
+SortedPieces pieces_of(const ViewedScene& scene, HiddenMethod method, const SortOptions& options) {
+  Primitives items = scene.primitives();
+  if (!finds_lines(method)) return sort_hidden_surfaces(items, method, options);
+  const std::vector<std::uint8_t> drawn = scene.drawn_sides();
+  items.visible = drawn;
+  return lines_in_order(items, method, options);
+}
+
 std::shared_ptr<const SortedScene> sorted_scene(ViewedScene viewed,
                                                 const ImageTransformation& image,
                                                 HiddenMethod method, const SortOptions& options) {
-  const auto find = finds_lines(method) ? lines_in_order : sort_hidden_surfaces;
-  SortedPieces pieces = find(viewed.primitives(), method, options);
+  SortedPieces pieces = pieces_of(viewed, method, options);
   const SortCounts counts{pieces.pieces.size(), pieces.cuts, pieces.comparisons, pieces.depth};
   auto ordered = std::make_shared<OrderedScene>(
       OrderedScene{std::make_shared<ViewedScene>(std::move(viewed)), std::move(pieces)});

@@ -91,13 +91,17 @@ class SceneViewer::Part {
     own_.palette_ = in_view.viewer.scene_->fill_colours();
     own_.items_.reserve(end_ - first_);
     own_.pick_.reserve(end_ - first_);
-    view(in_view, image, own_, 0, own_primitives_);
+    view(in_view, image, own_, {0, 0}, own_primitives_);
   }
-  /// Behind what is in a scene, which has so many points and corners that are not parts' own.
+  /// What a scene has that is not parts' own.
+  struct Shared {
+    std::size_t points, corners;
+  };
+  /// Behind what is in a scene.
   void view(const InView& in_view, const ImageTransformation& image, ViewedScene& seen,
-            std::size_t points, std::vector<std::uint32_t>& primitives) {
+            const Shared& shared, std::vector<std::uint32_t>& primitives) {
     seen_ = &seen;
-    points_ = points;
+    shared_ = shared;
     in_view_ = &in_view;
     if (!stage_) stage_.emplace(in_view.volume);
     stage_->set_volume(in_view.volume);
@@ -113,7 +117,7 @@ class SceneViewer::Part {
         continue;
       }
       for (std::uint32_t i = row.first; i < row.end; ++i) {
-        view(i, look);
+        view_one(i, look);
         if (viewer.shows_shadows_ && primitives.size() < seen_->items()) primitives.push_back(i);
       }
     }
@@ -147,7 +151,7 @@ class SceneViewer::Part {
       for (std::uint64_t left = found.stays | found.needs_more; left != 0; left &= left - 1) {
         const std::uint32_t i = first + static_cast<std::uint32_t>(std::countr_zero(left));
         if (const std::uint64_t bit = left & -left; (found.needs_more & bit) != 0) {
-          view(i, look);
+          view_one(i, look);
         } else {
           add_triangle(i, scene[i], look, (found.turned_away & bit) != 0);
         }
@@ -155,7 +159,7 @@ class SceneViewer::Part {
     });
   }
 
-  void view(std::uint32_t i, const Look& look) {
+  void view_one(std::uint32_t i, const Look& look) {
     const Primitive& primitive = (*in_view_->viewer.scene_)[i];
     if (look.is_plain && primitive.sides == 3 && !matrix_) {
       view_triangle(i, primitive, look);
@@ -197,7 +201,7 @@ class SceneViewer::Part {
     if (in_view_->by_centres) {
       const auto [columns, rows] = centres_in_box({corner, 3});
       if (columns.count == 0 || rows.count == 0) return;
-      if (columns.count <= kFew && rows.count <= kFew &&
+      if (columns.count <= kFewCentres && rows.count <= kFewCentres &&
           covers_none_of_few(p, q, r, *in_view_->wanted.centres_of, columns.first, columns.count,
                              rows.first, rows.count)) {
         return;
@@ -211,7 +215,6 @@ class SceneViewer::Part {
     if (look.removes_back_faces && facing <= 0.0) return;
     add_triangle(i, primitive, look, facing < 0.0);
   }
-  static constexpr std::int32_t kFew = 3;  // columns and rows of centres, worth looking at
 
   void add_triangle(std::uint32_t i, const Primitive& primitive, const Look& look,
                     bool turned_away) {
@@ -287,7 +290,7 @@ class SceneViewer::Part {
 
   void view_in_stage(std::uint32_t i, const Primitive& primitive) {
     const RetainedScene& scene = *in_view_->viewer.scene_;
-    const std::size_t own_corner = seen_->own_points_.size() - points_;
+    const std::size_t own_corner = seen_->own_points_.size() - shared_.points;
     const auto first = static_cast<std::uint32_t>(in_view_->viewer.corners_ + own_corner);
     if (primitive.is_line()) {
       const PointRow ends = scene.points(i);
@@ -309,7 +312,7 @@ class SceneViewer::Part {
       fill = &lit_;
     }
     if (std::ranges::find(polygon.edge_visible, 0) != polygon.edge_visible.end()) {
-      seen_->note_edges(points_ == 0 ? own_corner : first, polygon.edge_visible);
+      seen_->note_edges(shared_.corners + own_corner, polygon.edge_visible);
     }
     std::optional<std::uint32_t> first_intensity;
     if (!polygon.intensities.empty() && is_solid(attributes_)) {
@@ -334,7 +337,7 @@ class SceneViewer::Part {
   ViewedScene own_;
   std::vector<std::uint32_t> own_primitives_;
   ViewedScene* seen_ = nullptr;
-  std::size_t points_ = 0;  // of those in seen_ that are not parts' own
+  Shared shared_{};  // in seen_
   const InView* in_view_ = nullptr;
   std::optional<ViewStage> stage_;
   std::optional<ImageMatrix> matrix_;
@@ -438,7 +441,7 @@ const ViewedScene& SceneViewer::view(const Wanted& wanted) {
   const Part::InView in_view{*this, wanted, volume, wanted.centres_of && !shows_shadows_};
   if (wanted.threads == 1) {
     take_parts([&](Part& part) {
-      part.view(in_view, segments_[part.segment()].image, viewed_, points_.size(),
+      part.view(in_view, segments_[part.segment()].image, viewed_, {points_.size(), corners_},
                 primitive_of_items_);
     });
   } else {

@@ -77,7 +77,7 @@ class Sieve {
     Ints extent_x, extent_y, column, columns, row, rows;
     find_centres(x_, column, columns, extent_x);
     find_centres(y_, row, rows, extent_y);
-    const Ints zero = hn::Zero(kInts), many = hn::Set(kInts, kFew + 1);
+    const Ints zero = hn::Zero(kInts), many = hn::Set(kInts, kFewCentres + 1);
     const auto none = hn::AndNot(outside, hn::Or(hn::Eq(columns, zero), hn::Eq(rows, zero)));
 
     measure_from(column, row);
@@ -105,8 +105,6 @@ class Sieve {
   }
 
  private:
-  static constexpr std::int32_t kFew = 3;  ///< columns and rows of centres, which are looked at
-
   /// CentresBetween of the corners along one side, and how far they are apart.
   HWY_INLINE static void find_centres(const Ints (&at)[3], Ints& first, Ints& count, Ints& extent) {
     const Ints low = hn::Min(hn::Min(at[0], at[1]), at[2]);
@@ -143,9 +141,9 @@ class Sieve {
       per_row[k] = toward_inside(hn::Sub(fx_[next], fx_[k]));
     }
     Mask covered = hn::Lt(least, least);
-    for (std::int32_t j = 0; j < kFew; ++j) {
+    for (std::int32_t j = 0; j < kFewCentres; ++j) {
       Floats at[3] = {inside[0], inside[1], inside[2]};
-      for (std::int32_t i = 0; i < kFew; ++i) {
+      for (std::int32_t i = 0; i < kFewCentres; ++i) {
         const auto here =
             hn::And(hn::Gt(columns, hn::Set(kInts, i)), hn::Gt(rows, hn::Set(kInts, j)));
         const Floats deepest = hn::Min(hn::Min(at[0], at[1]), at[2]);

@@ -36,6 +36,9 @@ struct CentresBetween {
 double find_places(std::span<const Point3> device, std::span<const std::uint8_t> outcodes,
                    const PictureSize& size, std::span<PicturePlace> places);
 
+/// Centres are looked at one by one where there are no more columns, and no more rows, of them.
+inline constexpr std::int32_t kFewCentres = 3;
+
 /// What is certain of some triangles; bit i is triangle i's.
 struct SievedTriangles {
   static constexpr std::size_t kMost = 64;

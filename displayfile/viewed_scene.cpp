@@ -293,6 +293,19 @@ bool ViewedScene::is_of(const DisplayFile& display_file) const {
   return k == sources_.size();
 }
 
+std::vector<std::uint8_t> ViewedScene::drawn_sides() const {
+  std::vector<std::uint8_t> drawn(primitives().all_corners(), 0);
+  for (std::size_t k = 0; k < lines_.size(); ++k) {
+    if (lines_[k].style.kind == LineStyle::Kind::none) continue;
+    const Item end = k + 1 < lines_.size() ? lines_[k + 1].first : items();
+    for (Item item = lines_[k].first; item < end; ++item) {
+      const auto [first, sides, kind] = items_[item];
+      for (std::uint32_t i = 0; i < sides; ++i) drawn[first + i] = edge_visible(item, i) ? 1 : 0;
+    }
+  }
+  return drawn;
+}
+
 FillStyle ViewedScene::fill_style(Item item) const {
   if (kind(item) != Primitives::Kind::solid) return {FillStyle::Kind::hollow};
   FillStyle style{FillStyle::Kind::solid, fill_colour(item)};

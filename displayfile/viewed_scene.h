@@ -92,6 +92,9 @@ class ViewedScene {
     if (item >= first_intensity_.size() || first_intensity_[item] == kNone) return {};
     return intensities_.subspan(first_intensity_[item], items_[item].sides);
   }
+  /// As Primitives::visible: the sides that are drawn, visible ones of items that have a line
+  /// style.
+  std::vector<std::uint8_t> drawn_sides() const;
   FillStyle fill_style(Item item) const;
   const Colour& fill_colour(Item item) const;  ///< of the fill of a solid polygon
   const LineStyle& line_style(Item item) const;

@@ -29,10 +29,13 @@ std::string exact_stage_counts() {
   return text.empty() ? "exact stage        never asked\n" : text;
 }
 
-/// What sorting the hidden surfaces cost; nothing if none were sorted.
-std::string sort_counts(const DisplayFile& file, std::size_t polygons_and_lines) {
+/// What sorting the hidden surfaces cost, or how much of lines is seen; nothing if none were
+/// sorted.
+std::string sort_counts(const DisplayFile& file, HiddenMethod method,
+                        std::size_t polygons_and_lines) {
   const SortCounts counts = counts_of_sorts(file);
   if (counts.pieces == 0) return "";
+  if (finds_lines(method)) return fmt::format("lines seen         {} pieces\n", counts.pieces);
   return fmt::format(
       "pieces             {} ({:.4f} a polygon or line)\n"
       "cuts               {}\n"
@@ -86,7 +89,7 @@ std::string drawing_statistics(const GraphicsSystem& system, const DisplayFile& 
       polygons, lines, text_counts(file, method), file.bytes(),
       polygons == 0 ? 0.0 : static_cast<double>(file.bytes()) / static_cast<double>(polygons),
       options.width, options.height, name_of(method));
-  return text + sort_counts(file, drawn) + exact_stage_counts();
+  return text + sort_counts(file, method, drawn) + exact_stage_counts();
 }
 
 std::string explanation_of_method(const GraphicsSystem& system, const DrawOptions& options,

@@ -77,6 +77,28 @@ TEST(LineDrawing, ShowsTheNineEdgesOfACubeThatAreSeen) {
   EXPECT_EQ(found.picks, 3);  // the lines stand under the polygons that they belong to
 }
 
+/// A side that two polygons share is drawn if one of them is outlined, whichever was entered first;
+/// of a polygon of line style none nothing is drawn.
+TEST(LineDrawing, ShowsTheSidesOfWhatHasALineStyle) {
+  for (const bool outlined_first : {true, false}) {
+    GraphicsSystem g;
+    g.open_segment(1);
+    for (const bool first : {true, false}) {
+      const bool outlined = first == outlined_first;
+      g.set_line_style({outlined ? LineStyle::Kind::solid : LineStyle::Kind::none});
+      if (outlined) {
+        g.polygon_abs_3({{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0, 0.5, 0}});
+      } else {
+        g.polygon_abs_3({{0.5, -0.5, 0}, {-0.5, -0.5, 0}, {0, -0.9, 0}});
+      }
+    }
+    g.close_segment();
+    const std::string dump = drawn(g, HiddenMethod::franklin);
+    EXPECT_EQ(counts(dump).lines, 3) << dump;
+    EXPECT_EQ(dump.find("line-style none"), dump.npos) << dump;
+  }
+}
+
 TEST(LineDrawing, SegmentsHideEachOthersLinesWithTheScopeAll) {
   GraphicsSystem g;
   enter_cubes(g);

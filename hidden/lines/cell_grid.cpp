@@ -1,7 +1,7 @@
 #include "hidden/lines/cell_grid.h"
 
+#include <algorithm>
 #include <cmath>
-
 #include <limits>
 
 #include "hidden/exact/ball.h"
@@ -151,7 +151,7 @@ float CellGrid::blocked_behind(const LineScene& scene, std::uint32_t polygon, co
   Point2 p(scene.corner(polygon, sides - 1));
   for (std::uint32_t k = 0; k < sides; ++k) {
     const Point2 q(scene.corner(polygon, k));
-    crossings += (p.y <= low.y) != (q.y <= low.y);
+    crossings += (p.y <= low.y) != (q.y <= low.y) ? 1 : 0;
     const Point2 along = q - p;
     const auto turn_at = [&](double x, double y) {
       const double left = along.x * (y - p.y), right = along.y * (x - p.x);

@@ -26,6 +26,13 @@ class LineAgainstPolygon {
     line_ = {scene_.point(line.a), scene_.point(line.b), line.by_plane ? &own_plane_ : nullptr};
   }
 
+  const DepthLine& line() const { return line_; }
+  /// True if the plane is nearer all along the line but for one of its ends, maybe.
+  bool is_behind(const Plane& plane) const {
+    const int at_a = policy_.nearer(line_, line_.a, plane);
+    return at_a >= 0 && at_a + policy_.nearer(line_, line_.b, plane) > 0;
+  }
+
   /// Adds what the polygon, one that hides, covers along the line looked at; true if it covers both
   /// sides of a part.
   bool hide(std::uint32_t polygon, HiddenParts& parts) {

@@ -1,5 +1,8 @@
 #include "hidden/lines/roberts.h"
 
+#include <algorithm>
+
+#include "hidden/lines/convex_objects.h"
 #include "hidden/lines/line_against_polygon.h"
 #include "hidden/lines/visible_pieces.h"
 
@@ -11,27 +14,69 @@ namespace {
 template <class Policy>
 class Roberts {
  public:
-  Roberts(const LineScene& scene, const ExtentTree& tree, const Policy& policy)
-      : scene_(scene), tree_(tree), line_(scene, policy) {}
+  /// The tree is of the objects' extents.
+  Roberts(const LineScene& scene, const ConvexObjects& objects, const ExtentTree& tree,
+          const Policy& policy)
+      : scene_(scene), objects_(objects), tree_(tree), policy_(policy), line_(scene, policy) {}
 
   const std::vector<PartOfLine>& hidden_parts(const LineScene::Line& line) {
     parts_.clear();
     line_.look_at(line);
-    const Extent box = scene_.extent(line);
-    const auto meets = [flat = FlatBox::of(box)](const FlatBoxes& b) { return b.meets(flat); };
+    box_ = scene_.extent(line);
+    const auto meets = [flat = FlatBox::of(box_)](const FlatBoxes& b) { return b.meets(flat); };
     tree_.any(meets, [&](ExtentTree::Position position) {
-      const std::uint32_t polygon = tree_.order()[position];
-      // The minimax test in depth.
-      if (scene_.extent(polygon).z_max > box.z_min) line_.hide(polygon, parts_);
-      return false;
+      compare(tree_.order()[position]);
+      return parts_.hides(kWhole);
     });
     return parts_.hidden();
   }
 
  private:
+  static constexpr PartOfLine kWhole{0.0, 1.0};
+  /// What the object as a whole hides of the line.
+  enum class Hides { nothing, all, some };
+
+  void compare(std::uint32_t object) {
+    const Extent& around = objects_.extents()[object];
+    if (around.z_max <= box_.z_min) return;  // the minimax test in depth
+    switch (objects_.outline(object).empty() ? Hides::some : volume_test(object)) {
+      case Hides::nothing: return;
+      case Hides::all: parts_.add_both(kWhole); return;
+      case Hides::some: break;
+    }
+    for (const std::uint32_t polygon : objects_.polygons(object)) {
+      const Extent& box = scene_.extent(polygon);
+      if (box.z_max > box_.z_min && box.meets_in_projection(box_)) line_.hide(polygon, parts_);
+    }
+  }
+
+  /// The line against what lies behind the object: within its outline, and behind the planes of
+  /// its polygons.
+  Hides volume_test(std::uint32_t object) {
+    const Point2 a(line_.line().a), b(line_.line().b);
+    const auto outline = objects_.outline(object);
+    bool within = true;
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+      const Point2 p(scene_.point(outline[k]));
+      const Point2 q(scene_.point(outline[k + 1 < outline.size() ? k + 1 : 0]));
+      const int of_a = policy_.turn(p, q, a), of_b = policy_.turn(p, q, b);
+      if (of_a <= 0 && of_b <= 0) return of_a < 0 || of_b < 0 ? Hides::nothing : Hides::some;
+      within = within && of_a >= 0 && of_b >= 0;
+    }
+    if (!within) return Hides::some;
+    if (objects_.extents()[object].z_min > box_.z_max) return Hides::all;
+    const auto polygons = objects_.polygons(object);
+    const bool behind = std::ranges::all_of(
+        polygons, [&](std::uint32_t polygon) { return line_.is_behind(scene_.plane(polygon)); });
+    return behind ? Hides::all : Hides::some;
+  }
+
   const LineScene& scene_;
+  const ConvexObjects& objects_;
   const ExtentTree& tree_;
+  const Policy& policy_;
   LineAgainstPolygon<Policy> line_;
+  Extent box_{};
   HiddenParts parts_;
 };
 
@@ -39,10 +84,11 @@ class Roberts {
 
 SeenLines visible_lines_by_roberts(const Primitives& items, const LineScene& scene,
                                    const LineOptions& options) {
-  const ExtentTree tree = extent_tree(scene.extents(), options.threads);
+  const ConvexObjects objects(items, scene);
+  const ExtentTree tree = extent_tree(objects.extents(), options.threads);
   const auto find = [&](const auto& policy) {
     return visible_pieces(scene, scene.first_lines(), options.threads,
-                          [&] { return Roberts(scene, tree, policy); });
+                          [&] { return Roberts(scene, objects, tree, policy); });
   };
   const Definitions points{items.points, {}};
   if (options.precision.exact) return find(ExactLines(points));

@@ -24,7 +24,7 @@ std::uint64_t hash_of(const Point3& p) {
 }
 
 /// For each point, the first that is equal to it.
-std::vector<std::uint32_t> first_equal(std::span<const Point3> points) {
+std::vector<std::uint32_t> first_equal_points(std::span<const Point3> points) {
   constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   const std::size_t places = std::bit_ceil(2 * points.size() + 1);
   std::vector<std::uint32_t> table(places, kNone), same(points.size());
@@ -57,7 +57,7 @@ void for_each_side(const Primitives& items, const std::vector<std::uint32_t>& sa
 /// Counted, then put in the lists, and each list in order: no list is long but of a point where
 /// very many sides meet.
 SideTable::SideTable(const Primitives& items)
-    : same_(first_equal(items.points)), first_(items.points.size() + 1, 0) {
+    : same_(first_equal_points(items.points)), first_(items.points.size() + 1, 0) {
   for_each_side(items, same_,
                 [&](std::uint32_t low, std::uint32_t, const LineName&) { ++first_[low + 1]; });
   for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];

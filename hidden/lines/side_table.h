@@ -23,6 +23,9 @@ class SideTable {
   /// All sides with these ends, given as indices of points, in either direction; in order.
   std::span<const Side> sides_between(std::uint32_t a, std::uint32_t b) const;
 
+  /// The first of the points that are equal to that one.
+  std::uint32_t first_equal(std::uint32_t point) const { return same_[point]; }
+
   /// Calls visit with each set of sides that have the same ends.
   template <class Visit>
   void for_each_set(const Visit& visit) const {

@@ -114,9 +114,11 @@ class LineFollower {
     const DepthLine at{v, v, nullptr};
     return !scene_.any_counted(box, [&](std::uint32_t polygon) {
       if (has_corner(polygon, v)) return false;
-      const bool as_near =
-          !scene_.contours.is_even(polygon) || policy_.nearer(at, v, lines_.plane(polygon)) == 0;
-      return as_near && covers(polygon, Point2(v));
+      const bool even = scene_.contours.is_even(polygon);
+      const bool as_near = policy_.nearer(at, v, lines_.plane(polygon)) == 0;
+      if (even && !as_near) return false;
+      const Place place = place_in(polygon, Point2(v));
+      return place == Place::on_side || (place == Place::inside && as_near);
     });
   }
 
@@ -136,11 +138,14 @@ class LineFollower {
     box.include(Point3(std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)));
     box.include(Point3(std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)));
     counted.change = pass_contours(box);
+    bool has_other_depths = false;
     for (std::size_t i = 0; i < of_depths.size(); ++i) {
       const LineScene::Line& depth = lines_.lines()[first + i];
-      if (depth.by_plane) box.include(lines_.extent(depth));
+      if (!depth.by_plane) continue;
+      has_other_depths = true;
+      box.include(lines_.extent(depth));
     }
-    find_near(a, b, box);
+    find_near(a, b, box, has_other_depths);
     bool at_own_depth = false;
     for (std::size_t i = 0; i < of_depths.size(); ++i) {
       const LineScene::Line& depth = lines_.lines()[first + i];
@@ -191,19 +196,21 @@ class LineFollower {
     return in_box && policy_.turn(p, q, v) == 0;
   }
 
-  /// Whether the point is in the polygon or on its boundary, in the projection.
-  bool covers(std::uint32_t polygon, const Point2& v) const {
+  enum class Place : std::uint8_t { outside, on_side, inside };
+
+  /// Where the point is, in the projection.
+  Place place_in(std::uint32_t polygon, const Point2& v) const {
     const std::uint32_t sides = lines_.sides(polygon);
     bool inside = false;
     Point2 p(lines_.corner(polygon, sides - 1));
     for (std::uint32_t k = 0; k < sides; ++k) {
       const Point2 q(lines_.corner(polygon, k));
-      if (is_between(v, p, q)) return true;
+      if (is_between(v, p, q)) return Place::on_side;
       const bool rises = p.y <= v.y && v.y < q.y, falls = q.y <= v.y && v.y < p.y;
       if (rises || falls) inside ^= policy_.turn(p, q, v) == (rises ? 1 : -1);
       p = q;
     }
-    return inside;
+    return inside ? Place::inside : Place::outside;
   }
 
   /// What the star of the vertex where the line starts adds.
@@ -230,19 +237,20 @@ class LineFollower {
     return all;
   }
 
-  /// Finds the polygons that are near the line in space, at any of its depths; and of these the
-  /// ones that may not be nearer all along its own ends' depth, or farther.
-  void find_near(const Point3& a, const Point3& b, const Extent& box) {
+  /// Finds the polygons that are near the line from a to b in space, which are in the box, and
+  /// reach over it: those that may not be nearer all along its own ends' depth, or farther; and if
+  /// it has other depths, all.
+  void find_near(const Point3& a, const Point3& b, const Extent& box, bool has_other_depths) {
     near_.clear();
     doubtful_.clear();
     scene_.any_counted(box, [&](std::uint32_t polygon) {
-      near_.push_back(polygon);
-      const bool even = scene_.contours.is_even(polygon);
-      // At a corner they have one depth.
-      if (!even || (!has_corner(polygon, a) && !has_corner(polygon, b) &&
-                    counts_.passes_through_plane(polygon))) {
-        doubtful_.push_back(polygon);
-      }
+      // At a corner they have one depth, if it is on the polygon's plane.
+      const bool doubtful = !scene_.contours.is_even(polygon) ||
+                            (!has_corner(polygon, a) && !has_corner(polygon, b) &&
+                             counts_.passes_through_plane(polygon));
+      if (!(doubtful || has_other_depths) || !counts_.reaches_over(polygon)) return false;
+      if (doubtful) doubtful_.push_back(polygon);
+      if (has_other_depths) near_.push_back(polygon);
       return false;
     });
   }

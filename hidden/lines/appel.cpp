@@ -151,17 +151,16 @@ class LineFollower {
       const LineScene::Line& depth = lines_.lines()[first + i];
       of_depths[i].from = static_cast<std::uint32_t>(changes.size());
       changes.insert(changes.end(), passed_.begin(), passed_.end());
-      const SideCounts wrong = correct(depth, depth.by_plane ? near_ : doubtful_, changes);
+      const SideCounts wrong = correct(depth, changes);
       if (!depth.by_plane) counted.change += wrong;
       at_own_depth |= !depth.by_plane;
       of_depths[i].to = static_cast<std::uint32_t>(changes.size());
       std::sort(changes.begin() + of_depths[i].from, changes.end(),
                 [](const CountChange& p, const CountChange& q) { return p.at < q.at; });
     }
-    if (!at_own_depth) {
-      passed_.clear();
-      counted.change +=
-          correct({line.a, line.b, line.name, LineScene::kNone, false}, doubtful_, passed_);
+    if (!at_own_depth && !doubtful_.empty()) {
+      sharers_.clear();
+      counted.change += correct({line.a, line.b, line.name, LineScene::kNone, false}, passed_);
     }
     return counted;
   }
@@ -238,29 +237,37 @@ class LineFollower {
   }
 
   /// Finds the polygons that are near the line from a to b in space, which are in the box, and
-  /// reach over it: those that may not be nearer all along its own ends' depth, or farther; and if
-  /// it has other depths, all.
+  /// reach over it: those that may not be nearer all along its own ends' depth, or farther; if it
+  /// has other depths, all; and those that have it as a side and may have another depth.
   void find_near(const Point3& a, const Point3& b, const Extent& box, bool has_other_depths) {
     near_.clear();
     doubtful_.clear();
+    sharers_.clear();
     scene_.any_counted(box, [&](std::uint32_t polygon) {
       // At a corner they have one depth, if it is on the polygon's plane.
-      const bool doubtful = !scene_.contours.is_even(polygon) ||
-                            (!has_corner(polygon, a) && !has_corner(polygon, b) &&
-                             counts_.passes_through_plane(polygon));
-      if (!(doubtful || has_other_depths) || !counts_.reaches_over(polygon)) return false;
-      if (doubtful) doubtful_.push_back(polygon);
-      if (has_other_depths) near_.push_back(polygon);
+      const bool even = scene_.contours.is_even(polygon);
+      const bool doubtful = !even || (!has_corner(polygon, a) && !has_corner(polygon, b) &&
+                                      counts_.passes_through_plane(polygon));
+      if (!doubtful && !has_other_depths) return false;
+      if (counts_.is_side_of(polygon)) {
+        sharers_.push_back(polygon);
+      } else if (counts_.reaches_over(polygon)) {
+        if (doubtful) doubtful_.push_back(polygon);
+        if (has_other_depths) near_.push_back(polygon);
+      }
       return false;
     });
   }
 
-  SideCounts correct(const LineScene::Line& line, const std::vector<std::uint32_t>& polygons,
-                     std::vector<CountChange>& changes) {
+  /// Adds what the contour edges that the line passes behind leave out at one of its depths.
+  /// Returns what they leave out of the count at its end.
+  SideCounts correct(const LineScene::Line& line, std::vector<CountChange>& changes) {
+    const std::vector<std::uint32_t>& polygons = line.by_plane ? near_ : doubtful_;
     SideCounts all;
-    if (polygons.empty()) return all;
+    if (polygons.empty() && sharers_.empty()) return all;
     depths_.look_at(line);
     for (const std::uint32_t polygon : polygons) all += counts_.correct(polygon, depths_, changes);
+    for (const std::uint32_t polygon : sharers_) counts_.compare(polygon, depths_, changes);
     return all;
   }
 
@@ -270,7 +277,7 @@ class LineFollower {
   LineCounts<Policy> counts_;
   LineAgainstPolygon<Policy> depths_;
   std::vector<CountChange> passed_;
-  std::vector<std::uint32_t> near_, doubtful_;
+  std::vector<std::uint32_t> near_, doubtful_, sharers_;
 };
 
 /// What all lines' counts are: after their starts, and their changes.

@@ -60,9 +60,22 @@ class LineCounts {
            passes_behind(at, more_on_left, change);
   }
 
+  /// Whether the line is a side of the polygon. Then the polygon is not counted along it.
+  bool is_side_of(std::uint32_t polygon) const {
+    const std::uint32_t sides = scene_.sides(polygon);
+    const Point3* p = &scene_.corner(polygon, sides - 1);
+    for (std::uint32_t k = 0; k < sides; ++k) {
+      const Point3& q = scene_.corner(polygon, k);
+      if ((*p == line_.a && q == line_.b) || (*p == line_.b && q == line_.a)) return true;
+      p = &q;
+    }
+    return false;
+  }
+
   /// What a polygon is of the counts immediately after the line's start, by comparison: 0 or 1.
   SideCounts after_start(std::uint32_t polygon) const {
     SideCounts covered;
+    if (is_side_of(polygon)) return covered;
     for_each_crossing(polygon, [&](const Crossing& at) {
       if (is_before_start(at)) cross(at, covered);
     });
@@ -76,7 +89,7 @@ class LineCounts {
   /// The same as after_start of a polygon that has a corner where the line starts.
   SideCounts after_corner(std::uint32_t polygon, std::uint32_t corner) const {
     const SideCounts covered = in_corner(polygon, corner);
-    if (covered == SideCounts{}) return covered;
+    if (covered == SideCounts{} || is_side_of(polygon)) return {};
     const Plane plane = scene_.plane(polygon);
     const int at_a = contours_.is_even(polygon) ? 0 : policy_.nearer(line_, line_.a, plane);
     const int nearer = at_a != 0 ? at_a : policy_.nearer(line_, line_.b, plane);
@@ -127,9 +140,15 @@ class LineCounts {
     if ((at_a != 0 ? at_a : at_b) <= 0) start = {};
     if ((at_b != 0 ? at_b : at_a) <= 0) end = {};
     if (start != SideCounts{}) changes.push_back({0.0, SideCounts{} - start});
+    compare(polygon, depths, changes);
+    return end - start - passed;
+  }
+
+  /// Adds the changes that a polygon makes that is not counted, by comparison of `depths`.
+  static void compare(std::uint32_t polygon, LineAgainstPolygon<Policy>& depths,
+                      std::vector<CountChange>& changes) {
     AsChanges covered{changes};
     depths.hide(polygon, covered);
-    return end - start - passed;
   }
 
  private:

@@ -19,6 +19,8 @@ namespace displayfile {
 namespace {
 
 constexpr std::size_t kLinesAtATime = 512;
+/// Nothing is carried over a vertex with more corners around it, which each line there would ask.
+constexpr std::size_t kLargestStar = 64;
 
 /// What all threads look at.
 struct AppelScene {
@@ -104,6 +106,7 @@ class LineFollower {
   /// Whether the counts are carried over a vertex: no contour edge passes before it, and nothing
   /// touches it but its star.
   bool carries(std::uint32_t vertex) const {
+    if (scene_.vertices.star(vertex).size() > kLargestStar) return false;
     const Point3& v = lines_.point(vertex);
     Extent box = Extent::nothing();
     box.include(v);
@@ -114,11 +117,11 @@ class LineFollower {
     const DepthLine at{v, v, nullptr};
     return !scene_.any_counted(box, [&](std::uint32_t polygon) {
       if (has_corner(polygon, v)) return false;
+      const auto is_as_near = [&] { return policy_.nearer(at, v, lines_.plane(polygon)) == 0; };
       const bool even = scene_.contours.is_even(polygon);
-      const bool as_near = policy_.nearer(at, v, lines_.plane(polygon)) == 0;
-      if (even && !as_near) return false;
+      if (even && !is_as_near()) return false;
       const Place place = place_in(polygon, Point2(v));
-      return place == Place::on_side || (place == Place::inside && as_near);
+      return place == Place::on_side || (place == Place::inside && (even || is_as_near()));
     });
   }
 

@@ -124,16 +124,21 @@ class LineCounts {
   SideCounts correct(std::uint32_t polygon, LineAgainstPolygon<Policy>& depths,
                      std::vector<CountChange>& changes) const {
     SideCounts start, end, passed;
+    bool crosses = false;  // between the line's ends
     for_each_crossing(polygon, [&](const Crossing& at) {
       const bool before_start = is_before_start(at), before_end = is_before_end(at);
       if (before_start) cross(at, start);
       if (before_end) cross(at, end);
+      if (before_start || !before_end) return;
+      crosses = true;
       CountChange change{};
-      if (!before_start && before_end && passes_behind(at, contours_.way(polygon), change)) {
+      if (passes_behind(at, contours_.way(polygon), change)) {
         passed += change.by;
         changes.push_back({change.at, SideCounts{} - change.by});
       }
     });
+    // In a mesh most of those that meet the line continued do not meet the line.
+    if (!crosses && start == SideCounts{} && end == SideCounts{}) return {};
     const Plane plane = scene_.plane(polygon);
     const int at_a = policy_.nearer(line_, line_.a, plane);
     const int at_b = policy_.nearer(line_, line_.b, plane);

@@ -19,6 +19,8 @@ namespace displayfile {
 namespace {
 
 constexpr std::size_t kLinesAtATime = 512;
+/// Nothing is carried over a vertex with more corners around it, which each line there would ask.
+constexpr std::size_t kLargestStar = 64;
 
 /// What all threads look at.
 struct AppelScene {
@@ -108,6 +110,7 @@ class LineFollower {
   /// Whether the counts are carried over a vertex: no contour edge passes before it, and nothing
   /// touches it but its star.
   bool carries(std::uint32_t vertex) const {
+    if (scene_.vertices.star(vertex).size() > kLargestStar) return false;
     const Point3& v = lines_.point(vertex);
     Extent box = Extent::nothing();
     box.include(v);
@@ -118,9 +121,11 @@ class LineFollower {
     const DepthLine at{v, v, nullptr};
     return !scene_.any_counted(box, [&](std::uint32_t polygon) {
       if (has_corner(polygon, v)) return false;
-      const bool as_near =
-          !scene_.contours.is_even(polygon) || policy_.nearer(at, v, lines_.plane(polygon)) == 0;
-      return as_near && covers(polygon, Point2(v));
+      const auto is_as_near = [&] { return policy_.nearer(at, v, lines_.plane(polygon)) == 0; };
+      const bool even = scene_.contours.is_even(polygon);
+      if (even && !is_as_near()) return false;
+      const Place place = place_in(polygon, Point2(v));
+      return place == Place::on_side || (place == Place::inside && (even || is_as_near()));
     });
   }
 
@@ -140,27 +145,29 @@ class LineFollower {
     box.include(Point3(std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)));
     box.include(Point3(std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)));
     counted.change = pass_contours(box);
+    bool has_other_depths = false;
     for (std::size_t i = 0; i < of_depths.size(); ++i) {
       const LineScene::Line& depth = lines_.lines()[first + i];
-      if (depth.by_plane) box.include(lines_.extent(depth));
+      if (!depth.by_plane) continue;
+      has_other_depths = true;
+      box.include(lines_.extent(depth));
     }
-    find_near(a, b, box);
+    find_near(a, b, box, has_other_depths);
     bool at_own_depth = false;
     for (std::size_t i = 0; i < of_depths.size(); ++i) {
       const LineScene::Line& depth = lines_.lines()[first + i];
       of_depths[i].from = static_cast<std::uint32_t>(changes.size());
       changes.insert(changes.end(), passed_.begin(), passed_.end());
-      const SideCounts wrong = correct(depth, depth.by_plane ? near_ : doubtful_, changes);
+      const SideCounts wrong = correct(depth, changes);
       if (!depth.by_plane) counted.change += wrong;
       at_own_depth |= !depth.by_plane;
       of_depths[i].to = static_cast<std::uint32_t>(changes.size());
       std::sort(changes.begin() + of_depths[i].from, changes.end(),
                 [](const CountChange& p, const CountChange& q) { return p.at < q.at; });
     }
-    if (!at_own_depth) {
-      passed_.clear();
-      counted.change +=
-          correct({line.a, line.b, line.name, LineScene::kNone, false}, doubtful_, passed_);
+    if (!at_own_depth && !doubtful_.empty()) {
+      sharers_.clear();
+      counted.change += correct({line.a, line.b, line.name, LineScene::kNone, false}, passed_);
     }
     return counted;
   }
@@ -195,19 +202,21 @@ class LineFollower {
     return in_box && policy_.turn(p, q, v) == 0;
   }
 
-  /// Whether the point is in the polygon or on its boundary, in the projection.
-  bool covers(std::uint32_t polygon, const Point2& v) const {
+  enum class Place : std::uint8_t { outside, on_side, inside };
+
+  /// Where the point is, in the projection.
+  Place place_in(std::uint32_t polygon, const Point2& v) const {
     const std::uint32_t sides = lines_.sides(polygon);
     bool inside = false;
     Point2 p(lines_.corner(polygon, sides - 1));
     for (std::uint32_t k = 0; k < sides; ++k) {
       const Point2 q(lines_.corner(polygon, k));
-      if (is_between(v, p, q)) return true;
+      if (is_between(v, p, q)) return Place::on_side;
       const bool rises = p.y <= v.y && v.y < q.y, falls = q.y <= v.y && v.y < p.y;
       if (rises || falls) inside ^= policy_.turn(p, q, v) == (rises ? 1 : -1);
       p = q;
     }
-    return inside;
+    return inside ? Place::inside : Place::outside;
   }
 
   /// What the star of the vertex where the line starts adds.
@@ -234,29 +243,38 @@ class LineFollower {
     return all;
   }
 
-  /// Finds the polygons that are near the line in space, at any of its depths; and of these the
-  /// ones that may not be nearer all along its own ends' depth, or farther.
-  void find_near(const Point3& a, const Point3& b, const Extent& box) {
+  /// Finds the polygons that are near the line from a to b in space, which are in the box, and
+  /// reach over it: those that may not be nearer all along its own ends' depth, or farther; if it
+  /// has other depths, all; and those that have it as a side and may have another depth.
+  void find_near(const Point3& a, const Point3& b, const Extent& box, bool has_other_depths) {
     near_.clear();
     doubtful_.clear();
+    sharers_.clear();
     scene_.any_counted(box, [&](std::uint32_t polygon) {
-      near_.push_back(polygon);
+      // At a corner they have one depth, if it is on the polygon's plane.
       const bool even = scene_.contours.is_even(polygon);
-      // At a corner they have one depth.
-      if (!even || (!has_corner(polygon, a) && !has_corner(polygon, b) &&
-                    counts_.passes_through_plane(polygon))) {
-        doubtful_.push_back(polygon);
+      const bool doubtful = !even || (!has_corner(polygon, a) && !has_corner(polygon, b) &&
+                                      counts_.passes_through_plane(polygon));
+      if (!doubtful && !has_other_depths) return false;
+      if (counts_.is_side_of(polygon)) {
+        sharers_.push_back(polygon);
+      } else if (counts_.reaches_over(polygon)) {
+        if (doubtful) doubtful_.push_back(polygon);
+        if (has_other_depths) near_.push_back(polygon);
       }
       return false;
     });
   }
 
-  SideCounts correct(const LineScene::Line& line, const std::vector<std::uint32_t>& polygons,
-                     std::vector<CountChange>& changes) {
+  /// Adds what the contour edges that the line passes behind leave out at one of its depths.
+  /// Returns what they leave out of the count at its end.
+  SideCounts correct(const LineScene::Line& line, std::vector<CountChange>& changes) {
+    const std::vector<std::uint32_t>& polygons = line.by_plane ? near_ : doubtful_;
     SideCounts all;
-    if (polygons.empty()) return all;
+    if (polygons.empty() && sharers_.empty()) return all;
     depths_.look_at(line);
     for (const std::uint32_t polygon : polygons) all += counts_.correct(polygon, depths_, changes);
+    for (const std::uint32_t polygon : sharers_) counts_.compare(polygon, depths_, changes);
     return all;
   }
 
@@ -266,7 +284,7 @@ class LineFollower {
   LineCounts<Policy> counts_;
   LineAgainstPolygon<Policy> depths_;
   std::vector<CountChange> passed_;
-  std::vector<std::uint32_t> near_, doubtful_;
+  std::vector<std::uint32_t> near_, doubtful_, sharers_;
 };
 
 /// What all lines' counts are: after their starts, and their changes.

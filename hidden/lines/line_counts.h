@@ -53,51 +53,62 @@ class LineCounts {
 
   /// The change where the line passes behind a side from p to q that has so many more polygons on
   /// its left than on its right: true if it does, between its ends.
-  bool passes_behind(Point3 p, Point3 q, std::int32_t more_on_left, CountChange& change) const {
-    const Point2 a(line_.a), b(line_.b);
-    int at_p = policy_.turn(a, b, Point2(p)), at_q = policy_.turn(a, b, Point2(q));
-    const bool on_left = (at_p > 0) != (at_q > 0), on_right = (at_p < 0) != (at_q < 0);
-    if (!on_left && !on_right) return false;
-    if (at_p < at_q) {  // seen along the line the side is to run from left to right
-      std::swap(p, q);
-      std::swap(at_p, at_q);
-      more_on_left = -more_on_left;
+  bool passes_behind(const Point3& p, const Point3& q, std::int32_t more_on_left,
+                     CountChange& change) const {
+    Crossing at{};
+    return find_crossing(p, turn(p), q, turn(q), at) && !is_before_start(at) && is_before_end(at) &&
+           passes_behind(at, more_on_left, change);
+  }
+
+  /// Whether the line is a side of the polygon. Then the polygon is not counted along it.
+  bool is_side_of(std::uint32_t polygon) const {
+    const std::uint32_t sides = scene_.sides(polygon);
+    const Point3* p = &scene_.corner(polygon, sides - 1);
+    for (std::uint32_t k = 0; k < sides; ++k) {
+      const Point3& q = scene_.corner(polygon, k);
+      if ((*p == line_.a && q == line_.b) || (*p == line_.b && q == line_.a)) return true;
+      p = &q;
     }
-    const Point2 from(p), to(q);
-    if (policy_.turn(from, to, a) >= 0 || policy_.turn(from, to, b) <= 0) return false;
-    if (policy_.passes_over(line_, p, q) <= 0) return false;
-    change.at = at_p == 0   ? policy_.at_point(line_, from)
-                : at_q == 0 ? policy_.at_point(line_, to)
-                            : policy_.crossing(line_, from, to);
-    change.by = {on_left ? more_on_left : 0, on_right ? more_on_left : 0};
-    return true;
+    return false;
   }
 
   /// What a polygon is of the counts immediately after the line's start, by comparison: 0 or 1.
   SideCounts after_start(std::uint32_t polygon) const {
-    const Point2 a(line_.a);
-    const SideCounts covered = coverage(
-        polygon, [&](const Point2& p, const Point2& q) { return policy_.turn(p, q, a) >= 0; });
-    return covered == SideCounts{} || !is_nearer(polygon, line_.a, line_.b) ? SideCounts{}
-                                                                            : covered;
-  }
-  /// The same immediately before its end.
-  SideCounts before_end(std::uint32_t polygon) const {
-    const Point2 b(line_.b);
-    const SideCounts covered = coverage(
-        polygon, [&](const Point2& p, const Point2& q) { return policy_.turn(p, q, b) > 0; });
-    return covered == SideCounts{} || !is_nearer(polygon, line_.b, line_.a) ? SideCounts{}
-                                                                            : covered;
+    SideCounts covered;
+    if (is_side_of(polygon)) return covered;
+    for_each_crossing(polygon, [&](const Crossing& at) {
+      if (is_before_start(at)) cross(at, covered);
+    });
+    if (covered == SideCounts{}) return covered;
+    const Plane plane = scene_.plane(polygon);
+    const int nearer = policy_.nearer(line_, line_.a, plane);
+    const bool is_nearer = nearer != 0 ? nearer > 0 : policy_.nearer(line_, line_.b, plane) > 0;
+    return is_nearer ? covered : SideCounts{};
   }
 
   /// The same as after_start of a polygon that has a corner where the line starts.
   SideCounts after_corner(std::uint32_t polygon, std::uint32_t corner) const {
     const SideCounts covered = in_corner(polygon, corner);
-    if (covered == SideCounts{}) return covered;
-    const bool nearer = contours_.is_even(polygon)
-                            ? policy_.nearer(line_, line_.b, scene_.plane(polygon)) > 0
-                            : is_nearer(polygon, line_.a, line_.b);
-    return nearer ? covered : SideCounts{};
+    if (covered == SideCounts{} || is_side_of(polygon)) return {};
+    const Plane plane = scene_.plane(polygon);
+    const int at_a = contours_.is_even(polygon) ? 0 : policy_.nearer(line_, line_.a, plane);
+    const int nearer = at_a != 0 ? at_a : policy_.nearer(line_, line_.b, plane);
+    return nearer > 0 ? covered : SideCounts{};
+  }
+
+  /// Whether the polygon may cover anything immediately beside the line: not if all its corners are
+  /// on one side of it, or all but one, which is on it.
+  bool reaches_over(std::uint32_t polygon) const {
+    const Point2 a(line_.a), b(line_.b);
+    const std::uint32_t sides = scene_.sides(polygon);
+    std::uint32_t left = 0, right = 0;
+    for (std::uint32_t k = 0; k < sides; ++k) {
+      const int turn = policy_.turn(a, b, Point2(scene_.corner(polygon, k)));
+      left += turn > 0;
+      right += turn < 0;
+      if (left > 0 && right > 0) return true;
+    }
+    return left + right + 1 < sides;
   }
 
   /// Whether the polygon's plane is nearer at one end of the line and farther at the other.
@@ -112,23 +123,37 @@ class LineCounts {
   /// Returns what is wrong in the count at the line's end.
   SideCounts correct(std::uint32_t polygon, LineAgainstPolygon<Policy>& depths,
                      std::vector<CountChange>& changes) const {
-    const SideCounts start = after_start(polygon);
-    SideCounts end = before_end(polygon) - start;
-    if (start != SideCounts{}) changes.push_back({0.0, SideCounts{} - start});
-    const std::uint32_t sides = scene_.sides(polygon);
-    std::uint32_t k = sides - 1;
-    for (std::uint32_t next = 0; next < sides; k = next++) {
+    SideCounts start, end, passed;
+    bool crosses = false;  // between the line's ends
+    for_each_crossing(polygon, [&](const Crossing& at) {
+      const bool before_start = is_before_start(at), before_end = is_before_end(at);
+      if (before_start) cross(at, start);
+      if (before_end) cross(at, end);
+      if (before_start || !before_end) return;
+      crosses = true;
       CountChange change{};
-      if (!passes_behind(scene_.corner(polygon, k), scene_.corner(polygon, next),
-                         contours_.way(polygon), change)) {
-        continue;
+      if (passes_behind(at, contours_.way(polygon), change)) {
+        passed += change.by;
+        changes.push_back({change.at, SideCounts{} - change.by});
       }
-      end -= change.by;
-      changes.push_back({change.at, SideCounts{} - change.by});
-    }
+    });
+    // In a mesh most of those that meet the line continued do not meet the line.
+    if (!crosses && start == SideCounts{} && end == SideCounts{}) return {};
+    const Plane plane = scene_.plane(polygon);
+    const int at_a = policy_.nearer(line_, line_.a, plane);
+    const int at_b = policy_.nearer(line_, line_.b, plane);
+    if ((at_a != 0 ? at_a : at_b) <= 0) start = {};
+    if ((at_b != 0 ? at_b : at_a) <= 0) end = {};
+    if (start != SideCounts{}) changes.push_back({0.0, SideCounts{} - start});
+    compare(polygon, depths, changes);
+    return end - start - passed;
+  }
+
+  /// Adds the changes that a polygon makes that is not counted, by comparison of `depths`.
+  static void compare(std::uint32_t polygon, LineAgainstPolygon<Policy>& depths,
+                      std::vector<CountChange>& changes) {
     AsChanges covered{changes};
     depths.hide(polygon, covered);
-    return end;
   }
 
  private:
@@ -145,34 +170,72 @@ class LineCounts {
     void add_right(const PartOfLine& part) { add(part, {0, 1}); }
   };
 
-  /// Whether the polygon covers, left and right, the place that a line through it reaches after it
-  /// crossed those sides for which crossed_before(p, q) is true; p is left of q as seen along it.
-  template <class CrossedBefore>
-  SideCounts coverage(std::uint32_t polygon, const CrossedBefore& crossed_before) const {
-    const Point2 a(line_.a), b(line_.b);
-    const std::uint32_t sides = scene_.sides(polygon);
-    SideCounts covered;
-    Point2 p(scene_.corner(polygon, sides - 1));
-    int at_p = policy_.turn(a, b, p);
-    for (std::uint32_t k = 0; k < sides; ++k) {
-      const Point2 q(scene_.corner(polygon, k));
-      const int at_q = policy_.turn(a, b, q);
-      const bool on_left = (at_p > 0) != (at_q > 0), on_right = (at_p < 0) != (at_q < 0);
-      if ((on_left || on_right) && (at_p > at_q ? crossed_before(p, q) : crossed_before(q, p))) {
-        covered.left ^= on_left ? 1 : 0;
-        covered.right ^= on_right ? 1 : 0;
-      }
-      p = q;
-      at_p = at_q;
-    }
-    return covered;
+  /// A side of a polygon that crosses the line close by on the left, that on the right, or both:
+  /// seen along the line it runs from left to right.
+  struct Crossing {
+    Point2 p, q;
+    const Point3 *from, *to;
+    int at_p, at_q;  // which side of the line they are on
+    bool on_left, on_right;
+    bool turned;  // the side itself runs from right to left
+  };
+
+  int turn(const Point3& p) const {
+    return policy_.turn(Point2(line_.a), Point2(line_.b), Point2(p));
   }
 
-  /// Whether the polygon's plane is nearer where the line leaves one of its ends for the other.
-  bool is_nearer(std::uint32_t polygon, const Point3& from, const Point3& toward) const {
-    const Plane plane = scene_.plane(polygon);
-    const int nearer = policy_.nearer(line_, from, plane);
-    return nearer != 0 ? nearer > 0 : policy_.nearer(line_, toward, plane) > 0;
+  static bool find_crossing(const Point3& p, int at_p, const Point3& q, int at_q, Crossing& at) {
+    at.on_left = (at_p > 0) != (at_q > 0);
+    at.on_right = (at_p < 0) != (at_q < 0);
+    if (!at.on_left && !at.on_right) return false;
+    at.turned = at_p < at_q;
+    at.from = at.turned ? &q : &p;
+    at.to = at.turned ? &p : &q;
+    at.at_p = at.turned ? at_q : at_p;
+    at.at_q = at.turned ? at_p : at_q;
+    at.p = Point2(*at.from);
+    at.q = Point2(*at.to);
+    return true;
+  }
+
+  template <class Visit>
+  void for_each_crossing(std::uint32_t polygon, const Visit& visit) const {
+    const std::uint32_t sides = scene_.sides(polygon);
+    std::uint32_t k = sides - 1;
+    int at_k = turn(scene_.corner(polygon, k));
+    for (std::uint32_t next = 0; next < sides; k = next++) {
+      const int at_next = turn(scene_.corner(polygon, next));
+      Crossing at{};
+      if (find_crossing(scene_.corner(polygon, k), at_k, scene_.corner(polygon, next), at_next,
+                        at)) {
+        visit(at);
+      }
+      at_k = at_next;
+    }
+  }
+
+  /// Whether the line reaches the crossing not after its start; and before its end. Along the line
+  /// it is first right of a side that it crosses, then left.
+  bool is_before_start(const Crossing& at) const {
+    return policy_.turn(at.p, at.q, Point2(line_.a)) >= 0;
+  }
+  bool is_before_end(const Crossing& at) const {
+    return policy_.turn(at.p, at.q, Point2(line_.b)) > 0;
+  }
+
+  static void cross(const Crossing& at, SideCounts& covered) {  // even-odd
+    covered.left ^= at.on_left ? 1 : 0;
+    covered.right ^= at.on_right ? 1 : 0;
+  }
+
+  bool passes_behind(const Crossing& at, std::int32_t more_on_left, CountChange& change) const {
+    if (policy_.passes_over(line_, *at.from, *at.to) <= 0) return false;
+    change.at = at.at_p == 0   ? policy_.at_point(line_, at.p)
+                : at.at_q == 0 ? policy_.at_point(line_, at.q)
+                               : policy_.crossing(line_, at.p, at.q);
+    const std::int32_t more = at.turned ? -more_on_left : more_on_left;
+    change.by = {at.on_left ? more : 0, at.on_right ? more : 0};
+    return true;
   }
 
   /// Whether the polygon's corner, at the line's start, has the line's left and right in it.

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "hidden/exact/support_plane.h"
 #include "hidden/lines/intersection_lines.h"
 #include "tests/slower.h"
 #include "tests/sort_scenes.h"
@@ -58,11 +59,6 @@ bool lies_on_a_side(const ExactKernel::Segment_3& segment, const Corners& t) {
   return false;
 }
 
-bool is_edge_on(const Corners& t) {
-  return CGAL::collinear(ExactKernel::Point_2(t[0].x, t[0].y), ExactKernel::Point_2(t[1].x, t[1].y),
-                         ExactKernel::Point_2(t[2].x, t[2].y));
-}
-
 /// At random, on a grid of few places, around one line, or with a corner in common.
 std::array<Corners, 2> two_triangles(Source& s) {
   std::array<Corners, 2> pair;
@@ -82,7 +78,7 @@ TEST(IntersectionLinesAndCgal, TrianglesHaveTheSameSegment) {
   int crossing = 0, touching = 0;
   for (int k = 0; k < 20000 / kSlower; ++k) {
     const auto [a, b] = two_triangles(s);
-    if (is_edge_on(a) || is_edge_on(b)) continue;
+    if (support_vertices(a).edge_on || support_vertices(b).edge_on) continue;  // by definition
     ItemList list;
     list.solid({a.begin(), a.end()});
     list.solid({b.begin(), b.end()});

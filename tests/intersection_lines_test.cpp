@@ -291,7 +291,7 @@ TEST(IntersectionLines, InOrderTheyAreOfTheLaterPolygonAfterItsSides) {
   ItemList list = solids({kLevel, rising(0.375, 0.625)});
   list.solid(square(0.5, 0.0, 1.0, 1.0, 0.9));  // hides half
   const auto pieces = [&](HiddenMethod method, bool intersections) {
-    const SortOptions options{.intersections = intersections};
+    const SortOptions options{.precision = {}, .intersections = intersections};
     return lines_in_order(list.view(), method, options);
   };
   for (const HiddenMethod method : {HiddenMethod::roberts, HiddenMethod::franklin}) {
@@ -330,7 +330,8 @@ TEST(IntersectionLines, AreDrawnInTheStyleAndUnderTheIdentifierOfTheLaterPolygon
     void polygon(std::span<const Point3>, std::span<const std::int32_t>) {}
   } visitor;
   const Segment* const segments[] = {&segment};
-  hidden_surface_check(segments, HiddenMethod::franklin, {.intersections = true})->walk(visitor);
+  hidden_surface_check(segments, HiddenMethod::franklin, {.precision = {}, .intersections = true})
+      ->walk(visitor);
   const std::string text = visitor.text.str(), last = "width 2; pick 4; ";
   const std::string line = "move 0.375 0.5 0.5; line 0.625 0.5 0.5; ";
   EXPECT_TRUE(text.ends_with(line)) << text;

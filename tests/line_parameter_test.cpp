@@ -5,10 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
 
+#include "hidden/exact/common_line.h"
 #include "hidden/exact/predicate_counts.h"
 #include "tests/predicate_inputs.h"
 #include "tests/rational_points.h"
@@ -122,6 +124,112 @@ TEST(LineParameters, MeetingsOfTwoPlanesAboveALine) {
     });
     ASSERT_TRUE(is_nearest(t, at_a / (at_a - at_b))) << k << t;
   }
+}
+
+/// The line of two triangles' planes between two sides of the first, and what it is in rationals.
+struct LineOfPlanes {
+  LineOfPlanes(const Trial& trial, Source& s) {
+    for (Point3& p : points) p = trial.point(s);
+    planes = {Plane(points[0], points[1], points[2]), Plane(points[3], points[4], points[5])};
+    const QPlane second(of(points[3]), of(points[4]), of(points[5]));
+    const QPlane first(of(points[0]), of(points[1]), of(points[2]));
+    if (first.c == 0 || second.c == 0) return;
+    const auto start = meet(of(points[0]), of(points[1]), second);
+    const auto end = meet(of(points[0]), of(points[2]), second);
+    if (!start || !end) return;
+    a = *start;
+    b = *end;
+    if (!is_far(a) && !is_far(b)) {
+      const Definitions all{points, planes};
+      from = refined(all, edge_cut(all, 0, 1, 1));
+      to = refined(all, edge_cut(all, 0, 2, 1));
+      is_line = Point2(from.near) != Point2(to.near);
+    }
+  }
+  static bool is_far(const QPoint& p) {
+    const Q limit = scaled(kCoordinateLimit, 0);
+    return abs(p.x) > limit || abs(p.y) > limit || abs(p.z) > limit;
+  }
+  CommonLine line() const { return {points, planes, from, to}; }
+
+  std::array<Point3, 6> points;
+  std::array<Plane, 2> planes;
+  DefinedPoint from, to;
+  QPoint a, b;
+  bool is_line = false;
+};
+
+TEST(LineParameters, OfTheLineThatTwoPlanesHaveInCommon) {
+  Source s(6);
+  long lines = 0;
+  for (long k = 0; k < kTrials / 4; ++k) {
+    const Trial trial(s);
+    const LineOfPlanes of_planes(trial, s);
+    if (!of_planes.is_line) continue;
+    ++lines;
+    const auto& [points, planes, from, to, a, b, is_line] = of_planes;
+    const auto any = [&] { return s.below(3) == 0 ? points[s.bits() % 6] : trial.point(s); };
+    const Point3 p = any(), q = any(), r = any();
+    const QPlane first(of(points[0]), of(points[1]), of(points[2]));
+    const QPlane second(of(points[3]), of(points[4]), of(points[5]));
+    const QPlane plane(of(p), of(q), of(r));
+    const int mode = mode_of(s);
+    const auto found = [&](const auto& ask) {
+      return found_in_mode(mode, [&] { return static_cast<double>(ask(of_planes.line())); });
+    };
+    const Q x = of(p).x, y = of(p).y;
+    ASSERT_EQ(found([&](const CommonLine& line) { return line.side(p); }),
+              sgn(first.z(x, y) - second.z(x, y)))
+        << k << hex(p);
+    const Q turn_a = turn(of(p), of(q), a), turn_b = turn(of(p), of(q), b);
+    if (turn_a != turn_b) {
+      const double t =
+          found([&](const CommonLine& line) { return line.crossing(Point2(p), Point2(q)); });
+      ASSERT_TRUE(is_nearest(t, turn_a / (turn_a - turn_b))) << k << hex(p) << hex(q) << t;
+    }
+    const bool by_x = from.near.x != to.near.x;
+    const Q start = by_x ? a.x : a.y, end = by_x ? b.x : b.y;
+    if (start != end) {
+      const double t = found([&](const CommonLine& line) { return line.at_point(Point2(p)); });
+      ASSERT_TRUE(is_nearest(t, ((by_x ? x : y) - start) / (end - start))) << k << hex(p) << t;
+    }
+    if (plane.c == 0) continue;
+    const int facing = sgn(plane.c);
+    const Plane asked = facing > 0 ? Plane(p, q, r) : Plane(p, r, q);
+    const Q at_a = plane.z(a.x, a.y) - a.z, at_b = plane.z(b.x, b.y) - b.z;
+    ASSERT_EQ(found([&](const CommonLine& line) { return line.nearer_at_start(asked); }), sgn(at_a))
+        << k;
+    ASSERT_EQ(found([&](const CommonLine& line) { return line.nearer_at_end(asked); }), sgn(at_b))
+        << k;
+    if (sgn(at_a) * sgn(at_b) >= 0) continue;
+    const double t = found([&](const CommonLine& line) { return line.meeting(asked); });
+    ASSERT_TRUE(is_nearest(t, at_a / (at_a - at_b))) << k << hex(p) << hex(q) << hex(r) << t;
+  }
+  EXPECT_GT(lines, kTrials / 20);
+}
+
+TEST(LineParameters, TheMiddleStageLeavesNothingOrdinaryOfACommonLineToTheExactOne) {
+  Source s(7);
+  reset_predicate_counts();
+  for (int k = 0; k < 3000; ++k) {
+    const auto point = [&] {
+      const double x = s.unit(), y = s.unit(), z = s.unit();
+      return Point3(x, y, z);
+    };
+    std::array<Point3, 6> points;
+    for (Point3& p : points) p = point();
+    const std::array planes{Plane(points[0], points[1], points[2]),
+                            Plane(points[3], points[4], points[5])};
+    const Definitions all{points, planes};
+    const DefinedPoint from = refined(all, edge_cut(all, 0, 1, 1)),
+                       to = refined(all, edge_cut(all, 0, 2, 1));
+    const CommonLine line(points, planes, from, to);
+    const Point3 p = point(), q = point(), r = point();
+    line.crossing(Point2(p), Point2(q));
+    line.meeting(Plane(p, q, r));
+  }
+  const auto counts = predicate_counts();
+  EXPECT_EQ(counts[static_cast<std::size_t>(Predicate::line_parameter)].exact, 0u);
 }
 
 TEST(LineParameters, TheMiddleStageLeavesNothingOrdinaryToTheExactOne) {

@@ -25,8 +25,9 @@ class Intersections {
   /// Adds the lines of a pair of polygons that hide, in order of places; a was entered first.
   void find(std::uint32_t a, std::uint32_t b, std::vector<IntersectionLine>& lines) {
     if (share_side(a, b)) return;
-    planes_ = {scene_.plane(a), scene_.plane(b)};
-    if (!reaches_through(b, kB, kA) || !reaches_through(a, kA, kB)) return;
+    const Plane &of_a = plane(a, kA), &of_b = plane(b, kB);
+    if (!reaches_through(b, kB, of_b, of_a) || !reaches_through(a, kA, of_a, of_b)) return;
+    planes_ = {of_a, of_b};
     inside_.clear();
     add_inside(a, kA, true);
     meet_inside(b, kB, true);
@@ -66,18 +67,25 @@ class Intersections {
     return common > 1;
   }
 
+  /// A pair's planes; those of the pairs before are kept, as neighbours come after each other.
+  const Plane& plane(std::uint32_t item, std::uint32_t own) {
+    Known& known = known_[own][item % kKnown];
+    if (known.item != item) known = {item, scene_.plane(item)};
+    return known.plane;
+  }
+
   /// Finds the side of the other polygon's plane that each corner is on, at the depth of its own
   /// plane: 1 where it is nearer, -1, 0; false if none is on the one side, or none on the other.
-  bool reaches_through(std::uint32_t item, std::uint32_t own, std::uint32_t other) {
+  bool reaches_through(std::uint32_t item, std::uint32_t own, const Plane& of_own,
+                       const Plane& of_other) {
     const std::uint32_t sides = scene_.sides(item);
     std::vector<std::int8_t>& side = side_[own];
     side.resize(sides);
     bool before = false, behind = false;
     for (std::uint32_t k = 0; k < sides; ++k) {
       const Point3& corner = scene_.corner(item, k);
-      const int s = scene_.is_off_plane(item, k)
-                        ? depth_order(planes_[own], planes_[other], Point2(corner))
-                        : side_of_plane(corner, planes_[other]);
+      const int s = scene_.is_off_plane(item, k) ? depth_order(of_own, of_other, Point2(corner))
+                                                 : side_of_plane(corner, of_other);
       side[k] = static_cast<std::int8_t>(s);
       before |= s > 0;
       behind |= s < 0;
@@ -191,6 +199,12 @@ class Intersections {
 
   const Primitives& items_;
   const LineScene& scene_;
+  struct Known {
+    std::uint32_t item = LineScene::kNone;
+    Plane plane;
+  };
+  static constexpr std::size_t kKnown = 64;
+  std::array<std::array<Known, kKnown>, 2> known_;
   std::array<Plane, 2> planes_;
   std::array<std::vector<std::int8_t>, 2> side_;  // of the other's plane, each corner
   std::vector<DefinedPoint> crossings_;

@@ -65,7 +65,7 @@ DeviceScene twice(const DeviceScene& scene) {
   std::vector<Point3> moved;
   for (const Point3& p : scene.points) {
     const Point3 turned{low.x + high.x - p.x, p.y, low.z + high.z - p.z};
-    moved.push_back(turned + 0.11 * (high - low));
+    moved.push_back(turned + Point3{0.3, 0.1, 0.05} * (high - low));
   }
   for (const Primitives::Item& item : scene.polygons) both.add(&moved[item.first], item.sides);
   return both;

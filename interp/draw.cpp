@@ -5,11 +5,11 @@
 
 #include "clip/error.h"
 #include "clip/memory.h"
+#include "interp/drawing_choice.h"
 #include "interp/picture_checks.h"
 #include "interp/picture_source.h"
 #include "interp/raster/software.h"
 #include "interp/renderer.h"
-#include "interp/visibility/auto_method.h"
 #include "interp/visibility/image_space.h"
 #include "interp/visibility/picker.h"
 
@@ -78,9 +78,16 @@ PictureKind picture_kind(const std::filesystem::path& file, const DrawOptions& o
 
 HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& options,
                             PictureKind kind) {
+  return drawing_choice(system, options, kind).method;
+}
+
+MethodChoice drawing_choice(const GraphicsSystem& system, const DrawOptions& options,
+                            PictureKind kind) {
   const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
-  if (method != HiddenMethod::automatic) return method;
-  return choose_method(system.display_file(), kind).method;
+  if (method != HiddenMethod::automatic) return {method, "as asked for"};
+  std::optional<Background> background = options.background.value_or(system.background());
+  if (!options.ids.empty() || !options.depth.empty()) background.reset();  // fills are asked for
+  return choose_method(system.display_file(), kind, background);
 }
 
 namespace {

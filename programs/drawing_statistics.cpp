@@ -8,8 +8,8 @@
 #include "displayfile/characters.h"
 #include "displayfile/viewed_scene.h"
 #include "hidden/exact/predicate_counts.h"
+#include "interp/drawing_choice.h"
 #include "interp/text/seen_texts.h"
-#include "interp/visibility/auto_method.h"
 #include "interp/visibility/image_space.h"
 
 namespace displayfile {
@@ -94,10 +94,11 @@ std::string drawing_statistics(const GraphicsSystem& system, const DisplayFile& 
 
 std::string explanation_of_method(const GraphicsSystem& system, const DrawOptions& options,
                                   PictureKind kind) {
-  const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
-  if (method != HiddenMethod::automatic) return fmt::format("{}: as asked for\n", name_of(method));
-  const MethodChoice choice = choose_method(system.display_file(), kind);
-  return fmt::format("auto: {}: {}\n", name_of(choice.method), choice.reason);
+  const MethodChoice choice = drawing_choice(system, options, kind);
+  const bool is_asked_for =
+      method_in_force(system, hidden_surface_options(options)) != HiddenMethod::automatic;
+  return fmt::format("{}{}: {}\n", is_asked_for ? "" : "auto: ", name_of(choice.method),
+                     choice.reason);
 }
 
 }  // namespace displayfile

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "displayfile/graphics_system.h"
+#include "interp/draw.h"
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
 #include "tests/truth_scenes.h"
@@ -44,6 +45,46 @@ TEST(AutoMethod, AConvexObjectWithoutBackFacesNeedsNoOrder) {
 TEST(AutoMethod, WhatOverlapsIsSorted) {
   const DisplayFile file = file_of({square(0.1, 0.1, 0.5, 0.9), square(0.3, 0.3, 0.5, 0.1)});
   EXPECT_EQ(choose_method(file, PictureKind::vector).method, HiddenMethod::depth_sort);
+}
+
+/// Of fills in the background's colour lines alone are seen, unless something is asked for that
+/// only fills have.
+TEST(AutoMethod, LinesOverFillsThatAreNotSeenAreLeftToAMethodOfLines) {
+  GraphicsSystem g;
+  g.open_segment(1);
+  g.set_fill_style({FillStyle::Kind::solid, {1, 1, 1}});
+  g.polygon_abs_3({{-0.5, -0.5, 0.5}, {0.5, -0.5, 0.5}, {0, 0.5, 0.5}});
+  g.polygon_abs_3({{-0.5, 0.2, 0}, {0.5, 0.2, 0}, {0, -0.6, 0}});
+  g.close_segment();
+  const auto method = [&](const DrawOptions& options = {}, PictureKind kind = PictureKind::vector) {
+    DrawOptions with_auto = options;
+    with_auto.hidden = HiddenMethod::automatic;
+    return drawing_method(g, with_auto, kind);
+  };
+  EXPECT_EQ(method(), HiddenMethod::franklin);
+  EXPECT_EQ(method({}, PictureKind::raster), HiddenMethod::z_buffer);
+  EXPECT_EQ(method({.background = Background{Background::Kind::none}}), HiddenMethod::depth_sort);
+  EXPECT_EQ(method({.background = Background{Background::Kind::solid, {1, 1, 0}}}),
+            HiddenMethod::depth_sort);
+  EXPECT_EQ(method({.ids = "ids.npy"}), HiddenMethod::depth_sort);
+  g.set_background({Background::Kind::solid, {0, 0, 1}});
+  EXPECT_EQ(method(), HiddenMethod::depth_sort);
+  g.set_background({});
+  EXPECT_EQ(method(), HiddenMethod::franklin);
+  g.open_segment(2);
+  g.set_line_style({LineStyle::Kind::none});
+  g.polygon_abs_3({{-0.9, -0.9, 0.1}, {-0.7, -0.9, 0.1}, {-0.8, -0.7, 0.1}});
+  g.close_segment();
+  EXPECT_EQ(method(), HiddenMethod::franklin);
+  g.open_segment(3);
+  g.set_fill_style({FillStyle::Kind::solid, {1, 0, 0}});
+  g.polygon_abs_3({{-0.9, -0.9, 0.1}, {-0.7, -0.9, 0.1}, {-0.8, -0.7, 0.1}});
+  g.close_segment();
+  EXPECT_EQ(method(), HiddenMethod::depth_sort);  // that one is seen
+  g.set_visibility(3, false);
+  EXPECT_EQ(method(), HiddenMethod::franklin);
+  g.set_visibility(1, false);
+  EXPECT_EQ(method(), HiddenMethod::none);  // no line is drawn
 }
 
 /// How far that is from the best method of each scene, `displayfile bench` tells.

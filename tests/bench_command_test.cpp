@@ -82,7 +82,7 @@ TEST_F(Bench, Refuses) {
   EXPECT_NE(err_.find("--methods excludes --moving-camera"), err_.npos) << err_;
   expect_error("bench soup -o nowhere/r.html", "nowhere/r.html");
   expect_error("bench soup --json nowhere/r.json", "nowhere/r.json");
-  expect_error("bench soup --methods roberts", "roberts");
+  expect_error("bench soup --methods robert", "robert: not in this build: expected some of none");
   expect_error("bench soup --roundoff 2", "roundoff");
   write("bad.draw", "open-segment 1\npolygon-abs-3 0 0 0  1 0 0\nclose-segment\n");
   expect_error("bench bad.draw", "bad.draw:2:");

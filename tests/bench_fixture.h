@@ -28,11 +28,17 @@ inline Json counts(Json report) {
   report.erase("fits");
   report.erase("growth_of_new_views");
   report.erase("auto");
-  for (Json& scene : report["scenes"]) scene.erase("reference_growth");
-  for (Json& cell : report["cells"]) {
-    cell.erase("time");
-    cell.erase("time_again");
-    if (cell["threads"] != 1) cell.erase("bytes");  // threads share out the work as it comes
+  report.erase("line_fits");
+  for (Json& scene : report["scenes"]) {
+    scene.erase("reference_growth");
+    scene.erase("line_reference_growth");
+  }
+  for (const char* cells : {"cells", "line_cells"}) {
+    for (Json& cell : report[cells]) {
+      cell.erase("time");
+      cell.erase("time_again");
+      if (cell["threads"] != 1) cell.erase("bytes");  // threads share out the work as it comes
+    }
   }
   return report;
 }

@@ -84,6 +84,60 @@ TEST_F(Bench, PageHoldsEveryFigure) {
   EXPECT_EQ(page.find("http"), page.npos);
 }
 
+/// Methods of lines beside those of surfaces: tables, the page and the README's block have the
+/// figures of the JSON; and by themselves, without a picture.
+TEST_F(Bench, ReportsMethodsOfLines) {
+  write("R.md", block("lines", "old\n"));
+  ASSERT_EQ(run(kTiny + "--methods z-buffer,franklin,roberts --threads 1,2 --json b.json -o p.html "
+                        "--readme R.md"),
+            0)
+      << err_;
+  const std::string page = read(folder_ / "p.html");
+  const Json report = json("b.json");
+  std::set<std::string> seen;
+  ASSERT_FALSE(report["line_cells"].empty());
+  for (const Json& cell : report["line_cells"]) {
+    EXPECT_EQ(cell["scene"].get<std::string>().find("16x16"), std::string::npos) << cell;
+    EXPECT_TRUE(seen.insert(cell["scene"].dump() + cell["method"].dump() +
+                            cell["precision"].dump() + cell["threads"].dump())
+                    .second)
+        << cell;
+    if (cell["exact"]) {
+      EXPECT_EQ(cell["missing_length"], 0.0) << cell;
+      EXPECT_EQ(cell["extra_length"], 0.0) << cell;
+    }
+    const std::string row = fmt::format(
+        "<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}\n", cell["lines"].dump(),
+        cell["pieces"].dump(), cell["length"].dump(), cell["missing_length"].dump(),
+        cell["extra_length"].dump(), cell["bytes"].dump(), cell["exact_stage_calls"].dump(),
+        cell["time"]["median"].dump(), cell["time"]["least"].dump(),
+        cell["time"]["greatest"].dump());
+    EXPECT_NE(page.find(row), page.npos) << row;
+  }
+  EXPECT_FALSE(report["cells"].empty());
+  EXPECT_FALSE(report["line_fits"].empty());
+  EXPECT_NE(page.find("Hidden lines: below and left is better"), page.npos);
+  const std::string readme = read(folder_ / "R.md");
+  for (const char* name : {"| franklin, exact |", "| roberts, roundoff=1e-6 |"}) {
+    EXPECT_NE(readme.find(name), readme.npos) << readme;
+  }
+  EXPECT_NE(out_.find("lines of soup n=24"), out_.npos) << out_;
+
+  ASSERT_EQ(run("bench parallel_sheets --methods franklin --rounds 1 --threads 1 --json l.json "
+                "-o l.html"),
+            0)
+      << err_;
+  const Json alone = json("l.json");
+  EXPECT_FALSE(alone.contains("cells"));
+  EXPECT_TRUE(alone["beside"].empty());
+  double wrong = 0.0;
+  for (const Json& cell : alone["line_cells"]) {
+    if (!cell["exact"]) wrong += cell["extra_length"].get<double>();
+  }
+  EXPECT_GT(wrong, 0.0);
+  expect_error("bench soup --methods frnklin -o x.html", "--methods frnklin: not in this build");
+}
+
 /// A line of Markdown as the page has it.
 std::string on_page(const std::string& line) {
   if (!line.starts_with("| ")) return line;

@@ -348,6 +348,25 @@ TEST_F(Command, TurntableDrawsViewsWithoutASort) {
   EXPECT_FALSE(fs::exists(folder_ / "w-000.png"));
 }
 
+/// What auto picks for lines over fills that are not seen is the picture of the surface method:
+/// each of its lines is one that the painter shows (tests/auto_method_test.cpp says when).
+TEST_F(Command, AutoDrawsLinesAlone) {
+  write("t.draw",
+        "set-window 0 1 0 1\nset-fill-style solid 1 1 1\nset-line-style solid 0 0 0\n"
+        "open-segment 1\npolygon-abs-3 0.1 0.1 0  0.9 0.1 0  0.9 0.5 0  0.1 0.5 0\n"
+        "polygon-abs-3 0.3 0.3 0.5  0.7 0.3 0.5  0.7 0.9 0.5  0.3 0.9 0.5\nclose-segment\n");
+  EXPECT_EQ(run("draw t.draw --hidden auto -o a.svg --explain"), 0) << err_;
+  EXPECT_NE(out_.find("auto: franklin: vectors whose fills have the background's colour"),
+            out_.npos)
+      << out_;
+  EXPECT_EQ(run("draw t.draw --hidden franklin -o f.svg"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "a.svg"), read(folder_ / "f.svg"));
+  EXPECT_EQ(run("draw t.draw --hidden auto -o b.svg --background none --explain"), 0) << err_;
+  EXPECT_NE(out_.find("auto: depth-sort"), out_.npos) << out_;
+  EXPECT_EQ(run("draw t.draw --hidden auto -o c.svg --ids i.npy"), 0) << err_;
+  EXPECT_TRUE(fs::exists(folder_ / "i.npy"));
+}
+
 /// Each view is what drawing in it anew is: of the views that a turn goes through the first is the
 /// program's own.
 TEST_F(Command, TurntableDrawsLines) {

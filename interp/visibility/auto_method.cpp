@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "clip/rectangle.h"
@@ -53,7 +55,28 @@ bool nothing_lies_in_front(const ViewedScene& scene) {
   return true;
 }
 
-MethodChoice choose_for_vectors(const ViewedScene& scene) {
+/// True if there are lines, and fills that hide but are not seen themselves.
+bool shows_lines_alone(const ViewedScene& scene, const Background& background) {
+  if (background.kind == Background::Kind::none || scene.end() == 1) return false;
+  const auto of_background = [&](Fill fill) {
+    const FillStyle style = scene.fill_style(scene.item_of(fill));
+    return style.colour == background.colour && !style.shadow &&
+           scene.intensities(scene.item_of(fill)).empty();
+  };
+  for (Fill fill = 1; fill < scene.end(); ++fill) {
+    if (!of_background(fill)) return false;
+  }
+  const std::vector<std::uint8_t> drawn = scene.drawn_sides();
+  return scene.has_lines() || std::ranges::find(drawn, std::uint8_t{1}) != drawn.end();
+}
+
+MethodChoice choose_for_vectors(const ViewedScene& scene,
+                                const std::optional<Background>& background) {
+  if (background && scene.texts().empty() && shows_lines_alone(scene, *background)) {
+    return {HiddenMethod::franklin,
+            "vectors whose fills have the background's colour: the lines that are seen, and "
+            "nothing else"};
+  }
   if (scene.has_lines()) {
     return {HiddenMethod::depth_sort,
             "vectors with lines: depth sort cuts least and hides lines behind polygons"};
@@ -73,12 +96,13 @@ bool nothing_hides(const ViewedScene& scene) {
   return scene.end() <= 2 || boxes_are_apart(scene) || nothing_lies_in_front(scene);
 }
 
-MethodChoice choose_method(const DisplayFile& display_file, PictureKind kind) {
+MethodChoice choose_method(const DisplayFile& display_file, PictureKind kind,
+                           const std::optional<Background>& background) {
   if (kind == PictureKind::raster) {
     return {kMethodForPixels,
             "one picture in pixels: the z-buffer decides each pixel exactly and sorts nothing"};
   }
-  return choose_for_vectors(ViewedScene(display_file));
+  return choose_for_vectors(ViewedScene(display_file), background);
 }
 
 }  // namespace displayfile

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 
+#include "displayfile/background.h"
 #include "displayfile/display_file.h"
 #include "hidden/hidden_method.h"
 #include "interp/picture.h"
@@ -20,8 +22,11 @@ struct MethodChoice {
 inline constexpr HiddenMethod kMethodForPixels = HiddenMethod::z_buffer;
 
 /// An exact method for this scene and kind of picture. A polygon that is not visible, or edge-on,
-/// does not count.
-MethodChoice choose_method(const DisplayFile& display_file, PictureKind kind);
+/// does not count. Vectors whose fills all have the background's colour, so that lines alone are
+/// seen, are left to a method of lines; not without a background to know that by, as where fills
+/// are asked for by themselves.
+MethodChoice choose_method(const DisplayFile& display_file, PictureKind kind,
+                           const std::optional<Background>& background = std::nullopt);
 
 /// True if no fill can hide another: then any order of drawing is right. What it may cost is linear
 /// in the number of fills; where more would be needed to find out, false.

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <iterator>
+#include <set>
 #include <thread>
+#include <utility>
 
 #include "clip/error.h"
 #include "displayfile/output_file.h"
@@ -15,6 +18,7 @@
 #include "programs/bench/environment.h"
 #include "programs/bench/feature_costs.h"
 #include "programs/bench/json_report.h"
+#include "programs/bench/line_measure.h"
 #include "programs/bench/measure.h"
 #include "programs/bench/page.h"
 #include "programs/bench/partial_file.h"
@@ -42,24 +46,40 @@ std::vector<double> roundoffs(const BenchCommand& command) {
   return values;
 }
 
-std::vector<Contender> chosen_contenders(const BenchCommand& command) {
-  std::vector<Contender> all = contenders(roundoffs(command));
+/// Of those with the names that the command asks for, or all of them.
+template <class C, class NameOf>
+std::vector<C> chosen(std::vector<C> all, const BenchCommand& command, const NameOf& name_of) {
   if (command.methods.empty()) return all;
-  std::vector<Contender> chosen;
+  std::vector<C> in_order;
   for (const std::string& name : command.methods) {
-    std::string names;
-    bool found = false;
-    for (const Contender& contender : all) {
-      if (names.find(contender.method) == names.npos) names += ' ' + contender.method;
-      if (contender.method != name) continue;
-      chosen.push_back(contender);
-      found = true;
-    }
-    if (!found) {
-      throw Error(fmt::format("--methods {}: not in this build: expected some of{}", name, names));
-    }
+    std::ranges::copy_if(all, std::back_inserter(in_order),
+                         [&](const C& contender) { return name_of(contender) == name; });
   }
-  return chosen;
+  return in_order;
+}
+
+std::vector<Contender> chosen_contenders(const BenchCommand& command) {
+  return chosen(contenders(roundoffs(command)), command,
+                [](const Contender& contender) { return contender.method; });
+}
+
+std::vector<LineContender> chosen_line_contenders(const BenchCommand& command) {
+  return chosen(line_contenders(roundoffs(command)), command,
+                [](const LineContender& contender) { return contender.method_name(); });
+}
+
+void require_methods(const BenchCommand& command) {
+  std::vector<std::string> known;
+  const auto add = [&](const std::string& name) {
+    if (std::ranges::find(known, name) == known.end()) known.push_back(name);
+  };
+  for (const Contender& contender : contenders({})) add(contender.method);
+  for (const LineContender& contender : line_contenders({})) add(contender.method_name());
+  for (const std::string& name : command.methods) {
+    if (std::ranges::find(known, name) != known.end()) continue;
+    throw Error(fmt::format("--methods {}: not in this build: expected some of {}", name,
+                            fmt::join(known, " ")));
+  }
 }
 
 std::vector<int> thread_counts(const BenchCommand& command) {
@@ -132,6 +152,7 @@ class Run {
       : command_(command),
         scenes_(std::move(scenes)),
         contenders_(chosen_contenders(command)),
+        line_contenders_(chosen_line_contenders(command)),
         threads_(thread_counts(command)),
         partial_(command.page + ".partial", identity_of(command)) {}
 
@@ -141,17 +162,18 @@ class Run {
       Progress progress("measuring");
       for (std::size_t i = 0; i < scenes_.size(); ++i) {
         progress.update(i, scenes_.size());
-        report.scenes.push_back(measured(scenes_[i]));
+        report.scenes.push_back(has_surfaces() ? measured(scenes_[i]) : unmeasured(scenes_[i]));
       }
     }
-    compare(report);
+    if (!line_contenders_.empty()) measure_lines(report);
+    if (has_surfaces()) compare(report);
     return report;
   }
   /// Nothing but new views of retained scenes.
   Report report_of_moving_camera() {
     Report report{kReference, environment(), {}};
     for (const BenchScene& scene : scenes_) {
-      report.scenes.push_back({scene, scene.make().polygons(), std::nullopt, {}});
+      report.scenes.push_back(unmeasured(scene));
     }
     Progress progress("moving the camera");
     const std::vector<std::string> all_names = names_but_hard_cases(report);
@@ -161,11 +183,67 @@ class Run {
     }
     return report;
   }
+  /// Methods of surfaces are chosen, not only methods of lines.
+  bool has_surfaces() const { return !contenders_.empty(); }
   void finish() { partial_.remove(); }
   std::size_t measured_now() const { return measured_now_; }
   std::size_t from_before() const { return from_before_; }
 
  private:
+  static SceneRow unmeasured(const BenchScene& scene) {
+    return {scene, scene.make().polygons(), std::nullopt, {}};
+  }
+
+  /// Scenes that differ in the picture's size alone are one to methods of lines.
+  void measure_lines(Report& report) {
+    Progress progress("measuring lines");
+    std::set<std::string> done;
+    for (std::size_t i = 0; i < report.scenes.size(); ++i) {
+      progress.update(i, report.scenes.size());
+      SceneRow& row = report.scenes[i];
+      const bool is_still = row.scene.kind != BenchScene::Kind::walk;
+      if (is_still && done.insert(row.scene.id_but_size()).second) measure_lines(row);
+    }
+  }
+
+  void measure_lines(SceneRow& row) {
+    const bool hard_case = row.scene.kind == BenchScene::Kind::hard_case;
+    const bool most_polygons = std::ranges::none_of(scenes_, [&](const BenchScene& other) {
+      return other.name == row.scene.name && other.n > row.scene.n;
+    });
+    const std::string key = scene_key(row.scene) + " lines";
+    const int truth_threads = *std::ranges::max_element(threads_);
+    bool taken = false;  // the truth of a scene is found where something is left to measure
+    const auto take = [&] {
+      if (!std::exchange(taken, true)) {
+        line_measurer_.take(row.scene, effort_of(command_, row.scene), truth_threads);
+      }
+    };
+    if (row.scene.kind == BenchScene::Kind::generated) {
+      take();
+      row.line_growth = line_measurer_.growth();
+    }
+    for (const LineContender& contender : line_contenders_) {
+      for (const int threads : threads_) {
+        const bool exact = contender.precision.exact;
+        if (threads > 1 && (hard_case || !most_polygons || !exact)) continue;
+        if (!most_polygons && !exact && !command_.scenes.full) continue;
+        const CellKey cell_key{row.scene.id_but_size(), contender.method_name(),
+                               contender.precision_name(), threads};
+        if (const Cell* before = partial_.find(key, cell_key)) {
+          row.line_cells.push_back(*before);
+          ++from_before_;
+          continue;
+        }
+        take();
+        row.line_cells.push_back(line_measurer_.measure(contender, threads));
+        row.line_cells.back().key.scene = cell_key.scene;
+        ++measured_now_;
+        partial_.add(key, row.line_cells.back());
+      }
+    }
+  }
+
   SceneRow measured(const BenchScene& scene) {
     measurer_.take(scene, effort_of(command_, scene));
     const std::string key = scene_key(scene);
@@ -299,9 +377,11 @@ class Run {
   const BenchCommand& command_;
   std::vector<BenchScene> scenes_;
   std::vector<Contender> contenders_;
+  std::vector<LineContender> line_contenders_;
   std::vector<int> threads_;
   PartialFile partial_;
   Measurer measurer_;
+  LineMeasurer line_measurer_;
   std::size_t measured_now_ = 0, from_before_ = 0;
 };
 
@@ -330,7 +410,7 @@ void write_text(const std::string& path, const std::string& text) {
   out.commit();
 }
 
-/// Says which exact methods were wrong where; false if any was.
+/// Says which exact methods were wrong where, in pixels or lengths; false if any was.
 bool exact_methods_are_right(const Report& report) {
   bool right = true;
   for (const SceneRow& row : report.scenes) {
@@ -338,6 +418,12 @@ bool exact_methods_are_right(const Report& report) {
       if (!cell.exact || cell.wrong_pixels == 0) continue;
       std::cout << fmt::format("{}: {} wrong pixels by {}\n", cell.key.scene, cell.wrong_pixels,
                                cell.key.contender());
+      right = false;
+    }
+    for (const Cell& cell : row.line_cells) {
+      if (!cell.exact || !cell.lines || cell.lines->missing + cell.lines->extra == 0.0) continue;
+      std::cout << fmt::format("{}: missing length {}, extra length {} by {}\n", cell.key.scene,
+                               cell.lines->missing, cell.lines->extra, cell.key.contender());
       right = false;
     }
   }
@@ -372,11 +458,12 @@ int BenchCommand::run() const {
   // llvmpipe draws on the calling thread alone, as all methods do that have no threads of their
   // own.
   setenv("LP_NUM_THREADS", "0", 0);
-  const std::vector<BenchScene> chosen =
+  require_methods(*this);
+  const std::vector<BenchScene> measured =
       moving_camera ? scenes_of_moving_camera(scenes) : chosen_scenes(scenes);
-  Run measuring(*this, chosen);
+  Run measuring(*this, measured);
   Report report = moving_camera ? measuring.report_of_moving_camera() : measuring.report();
-  if (!moving_camera) report.viewing = rounding_of_viewing(chosen);
+  if (!moving_camera && measuring.has_surfaces()) report.viewing = rounding_of_viewing(measured);
   const bool counts_features = has_default(scenes) && !moving_camera;
   if (features.value_or(counts_features)) report.features = counted_features();
   if (!json.empty()) write_text(json, to_json(report).dump(1) + '\n');

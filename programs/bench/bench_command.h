@@ -27,7 +27,8 @@ struct BenchCommand {
 
   std::string beside;  ///< only makes the comparisons of this task (programs/bench/beside.h)
 
-  /// 1 if a method that claims to be exact has a wrong pixel. Throws Error as the other commands.
+  /// 1 if a method that claims to be exact has a wrong pixel, or missing or extra length. Throws
+  /// Error as the other commands.
   int run() const;
 };
 

@@ -147,14 +147,16 @@ std::size_t BenchScene::pixels() const {
   return side * side * (kind == Kind::walk ? kViewsOfWalk : 1);
 }
 
-std::string BenchScene::id() const {
+std::string BenchScene::id() const { return fmt::format("{0} {1}x{1}", id_but_size(), size); }
+
+std::string BenchScene::id_but_size() const {
   std::string text = name;
   if (kind == Kind::walk) text += fmt::format(" n={}, {} views", n, kViewsOfWalk);
   if (kind == Kind::generated) text += fmt::format(" n={}", n);
   if (kind == Kind::hard_case && gap) text += fmt::format(" gap=1e-{:g}", severity);
   if (kind == Kind::hard_case && !gap) text += fmt::format(" severity={:g}", severity);
   if (seed != kUsualSeed) text += fmt::format(" seed={}", seed);
-  return text + fmt::format(" {0}x{0}", size);
+  return text;
 }
 
 void BenchScene::enter(GraphicsSystem& system) const {

@@ -26,7 +26,8 @@ struct BenchScene {
 
   /// All of these in words, different for different scenes.
   std::string id() const;
-  std::size_t pixels() const;  ///< of all views
+  std::string id_but_size() const;  ///< all but the picture's size
+  std::size_t pixels() const;       ///< of all views
   /// Enters it into a new system, of a walk its first view. Throws Error for an input that cannot
   /// be read.
   void enter(GraphicsSystem& system) const;

@@ -33,8 +33,6 @@ namespace {
 
 using Fill = ViewedScene::Fill;
 
-Spread figures(const Spread& s) { return {figure(s.least), figure(s.median), figure(s.greatest)}; }
-
 PictureSize size_of(const BenchScene& scene) { return {scene.size, scene.size}; }
 
 /// Collects what is found of one task.

@@ -104,13 +104,6 @@ Contender painter() {
           }};
 }
 
-std::string name_of_precision(const Precision& precision) {
-  if (precision.exact) return "exact";
-  std::string eps = fmt::format("{:g}", precision.roundoff);
-  if (const auto zero = eps.find("e-0"); zero != eps.npos) eps.erase(zero + 2, 1);
-  return "roundoff=" + eps;
-}
-
 Contender image_space(HiddenMethod method, const Precision& precision) {
   return {std::string(name_of(method)),
           name_of_precision(precision),
@@ -149,6 +142,13 @@ Contender plain(const DepthFormatEntry& entry) {
 }
 
 }  // namespace
+
+std::string name_of_precision(const Precision& precision) {
+  if (precision.exact) return "exact";
+  std::string eps = fmt::format("{:g}", precision.roundoff);
+  if (const auto zero = eps.find("e-0"); zero != eps.npos) eps.erase(zero + 2, 1);
+  return "roundoff=" + eps;
+}
 
 std::vector<Contender> contenders(std::span<const double> roundoffs) {
   std::vector<Precision> precisions{{}};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "displayfile/display_file.h"
+#include "hidden/exact/precision.h"
 #include "interp/picture.h"
 
 namespace displayfile::bench {
@@ -53,6 +54,9 @@ struct Contender {
 
   std::string name() const { return precision.empty() ? method : method + ", " + precision; }
 };
+
+/// "exact", or "roundoff=1e-6".
+std::string name_of_precision(const Precision& precision);
 
 /// All that this build has: the heedless painter; what `auto` picks for a picture; the image-space
 /// methods and the sorts, exact and with each ROUNDOFF; the plain z-buffer and OSMesa at each of

@@ -1,6 +1,8 @@
 #include "programs/bench/json_report.h"
 
 #include "programs/bench/analysis.h"
+#include "programs/bench/line_measure.h"
+#include "programs/bench/line_summary.h"
 #include "programs/bench/moving_camera_summary.h"
 
 namespace displayfile::bench {
@@ -19,6 +21,13 @@ Json to_json(const Fit& fit) {
   return {{"scene", fit.scene},         {"method", fit.method},
           {"precision", fit.precision}, {"against", name_of(fit.against)},
           {"points", fit.points},       {"exponent", fit.exponent}};
+}
+
+Json to_json(const LineFit& fit) {
+  return {{"scene", fit.scene},
+          {"method", fit.method},
+          {"points", fit.points},
+          {"exponent", fit.exponent}};
 }
 
 Json to_json(const GrowthOfNewViews& growth) {
@@ -95,9 +104,18 @@ Json to_json(const Cell& cell) {
     json["skipped"] = cell.skipped;
     return json;
   }
-  json["wrong_pixels"] = cell.wrong_pixels;
-  json["largest_depth_error"] = cell.largest_depth_error;
-  json["mean_depth_error"] = cell.mean_depth_error;
+  if (cell.lines) {
+    const auto& [lines, pieces, length, missing, extra] = *cell.lines;
+    json["lines"] = lines;
+    json["pieces"] = pieces;
+    json["length"] = length;
+    json["missing_length"] = missing;
+    json["extra_length"] = extra;
+  } else {
+    json["wrong_pixels"] = cell.wrong_pixels;
+    json["largest_depth_error"] = cell.largest_depth_error;
+    json["mean_depth_error"] = cell.mean_depth_error;
+  }
   if (cell.fragments) json["fragments_per_polygon"] = *cell.fragments;
   if (cell.bytes) json["bytes"] = *cell.bytes;
   json["exact_stage_calls"] = cell.exact_calls;
@@ -114,9 +132,14 @@ Cell cell_from_json(const Json& json) {
     cell.skipped = json.at("skipped");
     return cell;
   }
-  cell.wrong_pixels = json.at("wrong_pixels");
-  cell.largest_depth_error = json.at("largest_depth_error");
-  cell.mean_depth_error = json.at("mean_depth_error");
+  if (json.contains("lines")) {
+    cell.lines = LineFigures{json.at("lines"), json.at("pieces"), json.at("length"),
+                             json.at("missing_length"), json.at("extra_length")};
+  } else {
+    cell.wrong_pixels = json.at("wrong_pixels");
+    cell.largest_depth_error = json.at("largest_depth_error");
+    cell.mean_depth_error = json.at("mean_depth_error");
+  }
   if (json.contains("fragments_per_polygon")) cell.fragments = json.at("fragments_per_polygon");
   if (json.contains("bytes")) cell.bytes = json.at("bytes");
   cell.exact_calls = json.at("exact_stage_calls");
@@ -152,6 +175,7 @@ Json to_json(const SceneRow& row) {
             {"pixels", row.scene.pixels()}};
   if (row.scene.kind == BenchScene::Kind::hard_case) json["severity"] = row.scene.severity;
   if (row.growth) json["reference_growth"] = to_json(*row.growth);
+  if (row.line_growth) json["line_reference_growth"] = to_json(*row.line_growth);
   return json;
 }
 
@@ -162,6 +186,11 @@ Json to_json(const Report& report) {
   for (const SceneRow& row : report.scenes) {
     for (const Cell& cell : row.cells) json["cells"].push_back(to_json(cell));
   }
+  for (const SceneRow& row : report.scenes) {
+    for (const Cell& cell : row.line_cells) json["line_cells"].push_back(to_json(cell));
+  }
+  if (json.contains("line_cells")) json["line_reference"] = kLineReference;
+  for (const LineFit& fit : line_fits(report)) json["line_fits"].push_back(to_json(fit));
   json["beside"] = Json::array();
   for (const Beside& beside : report.beside) json["beside"].push_back(to_json(beside));
   for (const GrowthOfNewViews& growth : growth_of_new_views(report)) {

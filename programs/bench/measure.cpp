@@ -30,8 +30,6 @@ struct Measurer::Scene {
 
 namespace {
 
-Spread figures(const Spread& s) { return {figure(s.least), figure(s.median), figure(s.greatest)}; }
-
 std::uint64_t exact_calls() {
   std::uint64_t sum = 0;
   for (const StageCounts& count : predicate_counts()) sum += count.exact;
@@ -131,9 +129,9 @@ void Measurer::compare(const Picture& picture, Cell& cell) const {
 }
 
 /// A second picture, since what a method keeps for all pictures is made by the first.
-void Measurer::count(Drawing& drawing, Cell& cell) {
+void count_memory_and_exact_calls(const std::function<void()>& work, Cell& cell) {
   reset_predicate_counts();
-  cell.bytes = most_bytes_held([&] { drawing.draw_anew(); });
+  cell.bytes = most_bytes_held(work);
   cell.exact_calls = exact_calls();
 }
 
@@ -177,7 +175,7 @@ void Measurer::measure(const Contender& contender, Cell& cell) {
   const int threads = cell.key.threads;
   const auto drawing = scene_->drawing(contender, threads);
   const double once = seconds_once([&] { drawing->draw_anew(); });
-  if (contender.counted) count(*drawing, cell);
+  if (contender.counted) count_memory_and_exact_calls([&] { drawing->draw_anew(); }, cell);
   compare(drawing->judged(), cell);
   if (const auto pieces = drawing->pieces()) {
     cell.fragments = figure(static_cast<double>(pieces->made) /

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -10,6 +11,9 @@
 #include "programs/bench/timing.h"
 
 namespace displayfile::bench {
+
+/// Does the work once more, and counts what it takes of memory and of the predicates' exact stage.
+void count_memory_and_exact_calls(const std::function<void()>& work, Cell& cell);
 
 /// Measures one scene after another.
 class Measurer {
@@ -34,7 +38,6 @@ class Measurer {
   void measure(const Contender& contender, Cell& cell);
   bool too_long(const CellKey& key) const;
   void remember(const Cell& cell);
-  static void count(Drawing& drawing, Cell& cell);
   void compare(const Picture& picture, Cell& cell) const;
 
   Effort effort_;

@@ -10,6 +10,8 @@
 #include "programs/bench/advice.h"
 #include "programs/bench/analysis.h"
 #include "programs/bench/json_report.h"
+#include "programs/bench/line_measure.h"
+#include "programs/bench/line_summary.h"
 #include "programs/bench/summary.h"
 #include "programs/bench/svg_plot.h"
 
@@ -41,7 +43,8 @@ std::string colour_of(const std::string& method) {
       {"bsp", "#1f8f3f"},         {"depth-sort", "#c92a2a"}, {"scan-line", "#7b3fb5"},
       {"scan-line-z", "#8c5a2b"}, {"warnock", "#d6489a"},    {"ray-cast", "#0f9aa8"},
       {"osmesa", "#111111"},      {"auto", "#8fce00"},       {"embree", "#b8a000"},
-      {"gl2ps", "#ff6f61"},
+      {"gl2ps", "#ff6f61"},       {"roberts", "#1f5fbf"},    {"appel", "#e08a00"},
+      {"franklin", "#c92a2a"},
   };
   const auto colour = colours.find(method);
   return colour == colours.end() ? "#556b2f" : colour->second;
@@ -98,10 +101,10 @@ class Page {
   std::string html() const {
     return "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'>"
            "<title>Display File: speed against error</title><style>" +
-           std::string(kStyle) + "</style></head><body>\n" + head() + in_short() + which_when() +
-           pareto() + gaps() + growth_of(Fit::Against::polygons) + growth_of(Fit::Against::pixels) +
-           fragments() + heat() + threads() + overview() + pay_for_what_is_used() + all_figures() +
-           "</body></html>\n";
+           std::string(kStyle) + "</style></head><body>\n" + head() + in_short() + lines_plot() +
+           which_when() + pareto() + gaps() + growth_of(Fit::Against::polygons) +
+           growth_of(Fit::Against::pixels) + fragments() + heat() + threads() + overview() +
+           pay_for_what_is_used() + all_figures() + "</body></html>\n";
   }
 
  private:
@@ -178,6 +181,32 @@ class Page {
       text += "</table></div>\n";
     }
     return text;
+  }
+
+  /// The table of lines is among those that a README's blocks hold.
+  std::string lines_plot() const {
+    const LineMethods methods = line_methods(report_);
+    std::vector<Column> all;
+    for (const LineMethod& method : methods.all) all.push_back(method.column);
+    Plot plot{"Hidden lines: below and left is better",
+              fmt::format("time / time of {}", kLineReference),
+              "missing and extra length, % of all lines", true};
+    plot.width = 980.0;
+    std::vector<Curve> curves;
+    std::string names = "<div class='legend'>";
+    for (const LineMethod& method : methods.all) {
+      if (!method.time) continue;
+      const Mark mark = mark_of(all, method.column);
+      curves.push_back({mark,
+                        false,
+                        {{*method.time, method.percent(), std::nullopt,
+                          fmt::format("{}: time {:.3g}, {:.3g} % wrong", method.column.name(),
+                                      *method.time, method.percent())}}});
+      names +=
+          fmt::format("<span>{}{}</span> ", marker_in_text(mark), escaped(method.column.name()));
+    }
+    if (curves.empty()) return "";
+    return "<div class='wide'>" + svg(plot, curves) + "</div>\n" + names + "</div>\n";
   }
 
   /// One panel a scene, and one of the hard cases together.
@@ -533,8 +562,45 @@ class Page {
     return text + "</table></details>\n";
   }
 
+  static std::string figures_of_lines(const Cell& cell) {
+    std::string text =
+        fmt::format("<tr><td>{}<td class='l'>{}<td>{}<td>{}", escaped(cell.key.method),
+                    escaped(cell.key.precision), cell.key.threads, cell.exact ? "exact" : "");
+    if (!cell.skipped.empty()) {
+      return text + "<td class='l' colspan='10'>skipped: " + escaped(cell.skipped) + '\n';
+    }
+    const auto& [lines, pieces, length, missing, extra] = *cell.lines;
+    return text + fmt::format("<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}\n", lines, pieces,
+                              number(length), number(missing), number(extra), *cell.bytes,
+                              cell.exact_calls, of(cell.time));
+  }
+
+  std::string all_figures_of_lines() const {
+    std::string text;
+    for (const SceneRow& r : report_.scenes) {
+      if (r.line_cells.empty()) continue;
+      text += fmt::format("<details><summary>lines of {}: {} polygons",
+                          escaped(r.scene.id_but_size()), r.polygons);
+      if (r.line_growth) {
+        text += fmt::format(
+            "; the reference of lines takes {} ({} to {}) times what it takes on "
+            "the first",
+            number(r.line_growth->median), number(r.line_growth->least),
+            number(r.line_growth->greatest));
+      }
+      text += "</summary><table>\n" +
+              row("th", {"method", "precision", "threads", "claims", "lines", "pieces", "length",
+                         "missing length", "extra length", "bytes", "exact-stage calls", "time",
+                         "least", "greatest"});
+      for (const Cell& cell : r.line_cells) text += figures_of_lines(cell);
+      text += "</table></details>\n";
+    }
+    return text;
+  }
+
   std::string all_figures() const {
-    std::string text = "<h2>All figures</h2>\n<p>The same as in the JSON.</p>\n" + comparisons();
+    std::string text = "<h2>All figures</h2>\n<p>The same as in the JSON.</p>\n" + comparisons() +
+                       all_figures_of_lines();
     for (const SceneRow& r : report_.scenes) {
       if (r.cells.empty()) continue;
       text += fmt::format("<details><summary>{}: {} polygons, {} pixels", escaped(r.scene.id()),

@@ -12,4 +12,6 @@ double figure(double value) {
   return std::strtod(fmt::format("{:.4g}", value).c_str(), nullptr);
 }
 
+Spread figures(const Spread& s) { return {figure(s.least), figure(s.median), figure(s.greatest)}; }
+
 }  // namespace displayfile::bench

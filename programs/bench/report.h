@@ -22,11 +22,20 @@ struct CellKey {
   std::string contender() const { return precision.empty() ? method : method + ", " + precision; }
 };
 
+/// What a method of lines found, and how wrong it is. Lengths are in units of the picture.
+struct LineFigures {
+  std::size_t lines = 0;   ///< of the scene; a side that polygons share is one
+  std::size_t pieces = 0;  ///< that the method says are seen
+  double length = 0.0;     ///< of all lines, seen or not
+  double missing = 0.0, extra = 0.0;
+};
+
 /// What was measured.
 struct Cell {
   CellKey key;
-  bool exact = false;   ///< claims that no pixel is wrong
-  std::string skipped;  ///< why nothing was measured; else empty
+  bool exact = false;                ///< claims that no pixel is wrong
+  std::string skipped;               ///< why nothing was measured; else empty
+  std::optional<LineFigures> lines;  ///< of a method of lines, which has no pixels and no depths
   std::int64_t wrong_pixels = 0;
   /// Absolute, over the pixels where the depths of the picture and of the truth are both finite;
   /// the view volume is 1 deep.
@@ -46,6 +55,11 @@ struct SceneRow {
   /// cases.
   std::optional<Spread> growth;
   std::vector<Cell> cells;
+  /// Of methods of lines, in times of kLineReference (programs/bench/line_measure.h); of the scenes
+  /// that differ in the picture's size alone the first has them. Their growth is that of this
+  /// reference.
+  std::vector<Cell> line_cells = {};
+  std::optional<Spread> line_growth = std::nullopt;
 };
 
 /// Ours beside another's, or beside the same code without its exact stages, on one scene
@@ -110,5 +124,6 @@ double ratio(const FeatureRow::OffAndOn<T>& count) {
 
 /// To four digits: what is written is what is kept, so that all outputs show the same figures.
 double figure(double value);
+Spread figures(const Spread& spread);
 
 }  // namespace displayfile::bench

@@ -11,6 +11,7 @@
 #include "programs/bench/analysis.h"
 #include "programs/bench/beside.h"
 #include "programs/bench/json_report.h"
+#include "programs/bench/line_summary.h"
 #include "programs/bench/moving_camera_summary.h"
 #include "programs/bench/summary_parts.h"
 #include "programs/inputs.h"
@@ -505,6 +506,7 @@ struct Entry {
 constexpr std::array kEntries{
     Entry{"front", front},
     Entry{"methods", methods},
+    Entry{"lines", hidden_lines},
     Entry{"moving-camera", moving_camera},
     Entry{"osmesa", beside_osmesa},
     Entry{"embree", beside_embree},

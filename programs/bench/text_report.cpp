@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "programs/bench/analysis.h"
 #include "programs/bench/json_report.h"
+#include "programs/bench/line_measure.h"
+#include "programs/bench/line_summary.h"
 #include "programs/bench/moving_camera_summary.h"
+#include "programs/bench/summary_parts.h"
 
 namespace displayfile::bench {
 
@@ -77,6 +81,42 @@ std::string hard_cases_table(const Report& report) {
   return fmt::format("all hard cases\n{}\n", aligned(rows));
 }
 
+Row row_of_lines(const Cell& cell) {
+  const std::string name = on_threads(cell.key.contender(), cell.key.threads);
+  if (!cell.skipped.empty()) return {name, kSkipped, "", "", "", "", "", ""};
+  return {name,
+          number(cell.time.median),
+          number(cell.time.least) + " .. " + number(cell.time.greatest),
+          fmt::format("{}", cell.lines->pieces),
+          number(cell.lines->missing),
+          number(cell.lines->extra),
+          fmt::format("{}", *cell.bytes / std::max<std::int64_t>(
+                                              1, static_cast<std::int64_t>(cell.lines->lines))),
+          fmt::format("{}", cell.exact_calls)};
+}
+
+/// A table a scene that is no hard case, at its most polygons; and of all together.
+std::string line_tables(const Report& report) {
+  const auto summary = hidden_lines(report);
+  if (!summary) return "";
+  std::string text = fmt::format(
+      "Hidden lines: times are ratios to {}. Lengths are in units of the picture, bytes for each "
+      "line.\n\n",
+      kLineReference);
+  for (const SceneRow* scene : line_methods(report).timed) {
+    if (scene->scene.kind == BenchScene::Kind::hard_case) continue;
+    std::vector<Row> rows{{"method", "time", "least .. greatest", "pieces", "missing", "extra",
+                           "bytes", "exact calls"}};
+    for (const Cell& cell : scene->line_cells) rows.push_back(row_of_lines(cell));
+    const auto& of = std::ranges::find_if(scene->line_cells, [](const Cell& cell) {
+                       return cell.lines.has_value();
+                     })->lines;
+    text += fmt::format("lines of {}: {}, of length {}\n{}\n", scene->scene.id_but_size(),
+                        of->lines, number(of->length), aligned(rows));
+  }
+  return text + fmt::format("{}\n{}\n{}\n", summary->title, summary->text, aligned(summary->rows));
+}
+
 std::string beside_table(const Report& report) {
   std::vector<Row> rows{{"beside others", "threads", "other", "what", "times as fast", "count"}};
   for (const Beside& b : report.beside) {
@@ -139,8 +179,11 @@ std::string features_table(const FeatureCosts& costs) {
 
 std::string text_report(const Report& report) {
   std::string text;
-  if (!columns(report).empty()) text += scene_tables(report);
-  if (!names(report, BenchScene::Kind::hard_case).empty()) text += hard_cases_table(report);
+  if (!columns(report).empty()) {
+    text += scene_tables(report);
+    if (!names(report, BenchScene::Kind::hard_case).empty()) text += hard_cases_table(report);
+  }
+  text += line_tables(report);
   text += beside_table(report);
   if (const auto summary = moving_camera(report)) {
     text += fmt::format("{}\n{}\n", summary->title, aligned(summary->rows));

@@ -20,7 +20,8 @@ namespace {
 RasterRequest raster_request_of_view(const DrawOptions& options) {
   RasterRequest request = raster_request(options);
   request.method = options.hidden.value_or(HiddenMethod::automatic);
-  if (!is_image_space(request.method) || request.method == HiddenMethod::world_ray_cast) {
+  if (!is_image_space(request.method) ||
+      surfaces_of(request.method) == HiddenMethod::world_ray_cast) {
     throw Error(
         fmt::format("a view renderer finds hidden surfaces in image space, not by {}: "
                     "expected a method of image space",

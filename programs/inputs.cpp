@@ -15,6 +15,7 @@
 #include "displayfile/input_file.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/text/drawing_program.h"
+#include "interp/picture_checks.h"
 #include "programs/keep_freed_memory.h"
 #include "programs/progress.h"
 #include "programs/warnings.h"
@@ -209,7 +210,7 @@ std::optional<Upright> enter_inputs(std::span<const std::string> inputs, Graphic
                                     const MeshWords& meshes, double aspect,
                                     std::optional<HiddenMethod> method) {
   MeshOptions options = meshes.options();
-  options.sides_drawn = method && finds_lines(*method);
+  options.sides_drawn = method && shows_lines_only(*method);
   if (options.colour && std::ranges::all_of(inputs, is_drawing_program)) {
     throw Error("--colour: expected a mesh among the inputs");
   }
@@ -219,12 +220,17 @@ std::optional<Upright> enter_inputs(std::span<const std::string> inputs, Graphic
   return fitted;
 }
 
-DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options,
-                     const MeshWords& meshes, double aspect) {
+DrawnFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options,
+                   const MeshWords& meshes, double aspect) {
   GraphicsSystem system;
   system.set_threads(options.threads);
   enter_inputs(inputs, system, meshes, aspect, options.method);
-  return SortedDisplayFile{}.update(system, method_in_force(system, options), options);
+  const HiddenMethod method = method_in_force(system, options);
+  DrawnFile drawn{SortedDisplayFile{}.update(system, method, options), std::nullopt};
+  if (!is_colour_rule(method)) return drawn;
+  require_colour_of_fills(method, system.background());
+  drawn.fills = system.background().colour;
+  return drawn;
 }
 
 }  // namespace displayfile

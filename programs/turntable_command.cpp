@@ -19,13 +19,13 @@ namespace {
 
 /// Views without a sort: by a method that works in image space, named as such.
 bool draws_without_sort(const DrawOptions& options) {
-  const HiddenMethod method = options.hidden.value_or(HiddenMethod::automatic);
+  const HiddenMethod method = surfaces_of(options.hidden.value_or(HiddenMethod::automatic));
   return method != HiddenMethod::automatic && method != HiddenMethod::world_ray_cast &&
          is_image_space(method);
 }
 
 void require_views(const DrawOptions& options) {
-  const HiddenMethod method = options.hidden.value_or(HiddenMethod::automatic);
+  const HiddenMethod method = surfaces_of(options.hidden.value_or(HiddenMethod::automatic));
   if (method == HiddenMethod::bsp || is_image_space(method)) return;
   throw Error(
       fmt::format("--turntable draws all views from one BSP tree, by rays from one tree of boxes, "
@@ -125,7 +125,8 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
   const double aspect = static_cast<double>(options.width) / options.height;
   MeshWords turning = meshes;
   turning.turning = true;
-  const std::optional<Upright> fitted = enter_inputs(inputs, system, turning, aspect);
+  const std::optional<Upright> fitted =
+      enter_inputs(inputs, system, turning, aspect, options.hidden);
   warn_of_stretched_window(system, output.string(), options.width, options.height);
   left_out.note(system.display_file(), options, picture_kind(output, options));
   Turntable turntable(scene, system.display_file(), system.view());
@@ -154,7 +155,7 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
                                  const std::filesystem::path& file, const DrawOptions& of_view) {
     draw(trees.view(view, lights), file, of_view);
   };
-  if (options.hidden == HiddenMethod::world_ray_cast) {
+  if (options.hidden && surfaces_of(*options.hidden) == HiddenMethod::world_ray_cast) {
     return draw_all(WorldViews(scene, system.display_file()), draw_from_tree);
   }
   return draw_all(RetainedViews(scene, system.display_file(), tree_options(system, options)),

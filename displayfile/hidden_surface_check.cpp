@@ -42,21 +42,24 @@ std::shared_ptr<const SortedScene> with_memory_of_sort(std::size_t points, Hidde
 
 }  // namespace
 
-bool is_object_space(HiddenMethod method) {
+bool is_object_space(HiddenMethod by) {
+  const HiddenMethod method = surfaces_of(by);
   return method == HiddenMethod::bsp || method == HiddenMethod::depth_sort || finds_lines(method);
 }
 
 std::shared_ptr<const SortedScene> hidden_surface_check(
     const std::shared_ptr<const Instructions>& entered, const ImageTransformation& image,
-    HiddenMethod method, const SortOptions& options) {
+    HiddenMethod by, const SortOptions& options) {
+  const HiddenMethod method = surfaces_of(by);
   return with_memory_of_sort(entered->points(), method, [&] {
     return sorted_scene(ViewedScene(entered, image), image, method, options);
   });
 }
 
 std::shared_ptr<const SortedScene> hidden_surface_check(std::span<const Segment* const> segments,
-                                                        HiddenMethod method,
+                                                        HiddenMethod by,
                                                         const SortOptions& options) {
+  const HiddenMethod method = surfaces_of(by);
   std::size_t points = 0;
   for (const Segment* segment : segments) points += segment->entered()->points();
   return with_memory_of_sort(

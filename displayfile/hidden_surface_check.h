@@ -10,8 +10,8 @@
 namespace displayfile {
 
 /// True for the methods that work in object space, which HIDDEN-SURFACE-CHECK runs: those that sort
-/// polygons, and those that find lines.
-bool is_object_space(HiddenMethod method);
+/// polygons, also for the colour rule, and those that find lines.
+bool is_object_space(HiddenMethod by);
 
 /// HIDDEN-SURFACE-CHECK (algorithm 9.8): a segment's polygons and lines back to front, by `bsp`
 /// or `depth_sort`; or by `roberts`, `appel` or `franklin` what is seen of its lines and its
@@ -24,13 +24,13 @@ bool is_object_space(HiddenMethod method);
 /// Throws Error for another method, and for more than 2^32 - 2 points.
 std::shared_ptr<const SortedScene> hidden_surface_check(
     const std::shared_ptr<const Instructions>& entered, const ImageTransformation& image,
-    HiddenMethod method, const SortOptions& options);
+    HiddenMethod by, const SortOptions& options);
 
 /// HIDDEN-SURFACE-CHECK of several segments together, in order of creation, with a segment
 /// instruction wherever the segment changes. Of coplanar polygons the one of the segment created
 /// later is seen.
 std::shared_ptr<const SortedScene> hidden_surface_check(std::span<const Segment* const> segments,
-                                                        HiddenMethod method,
+                                                        HiddenMethod by,
                                                         const SortOptions& options);
 
 }  // namespace displayfile

@@ -56,9 +56,11 @@ Precision precision_in_force(const GraphicsSystem& system, const HiddenSurfaceOp
   return options.precision.value_or(system.precision());
 }
 
-const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, HiddenMethod method,
+const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, HiddenMethod by,
                                              const HiddenSurfaceOptions& options) {
-  const bool applications = !options.method && method_in_force(system, options) == method;
+  const HiddenMethod method = surfaces_of(by);
+  const bool applications =
+      !options.method && surfaces_of(method_in_force(system, options)) == method;
   const auto usual = applications ? HiddenScope::segment : HiddenScope::all;
   const HiddenScope set = system.hidden_scope().value_or(usual);
   const HiddenScope scope = options.scope.value_or(set);

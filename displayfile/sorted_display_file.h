@@ -34,7 +34,7 @@ class SortedDisplayFile {
  public:
   /// Brings it up to date with the application's display file.
   ///
-  /// `method` is the method in force, `automatic` replaced by what it means if that sorts. If so,
+  /// `by` is the method in force, `automatic` replaced by what it means if that sorts. If so,
   ///  - a method that the application set leaves the segments as close-segment left them, unless
   ///    the scope is all; only a segment that has an image transformation since, or is asked for
   ///    in another precision, is sorted again, as its transformed points are others;
@@ -44,7 +44,7 @@ class SortedDisplayFile {
   /// If it does not sort, a method of the options is drawn from the polygons as they were entered
   /// and one that the application set from what close-segment left. Invisible segments stay as
   /// they are.
-  const DisplayFile& update(const GraphicsSystem& system, HiddenMethod method,
+  const DisplayFile& update(const GraphicsSystem& system, HiddenMethod by,
                             const HiddenSurfaceOptions& options = {});
 
   /// Brings it up to date with a display file of its own, such as that of a new view: its visible

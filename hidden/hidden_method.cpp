@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -34,23 +35,45 @@ constexpr std::array kMethods{
     HiddenMethodEntry{roberts, "roberts", true},
     HiddenMethodEntry{appel, "appel", true},
     HiddenMethodEntry{franklin, "franklin", true},
-    HiddenMethodEntry{colour_rule, "colour-rule", false},
+    HiddenMethodEntry{colour_rule, "colour-rule", true},
 };
+constexpr std::string_view kColourRuleBy = "colour-rule=";
 
-std::string available_names() {
-  std::string names;
-  for (const auto& entry : kMethods) {
-    if (entry.available) names += (names.empty() ? "" : ", ") + std::string(entry.name);
-  }
-  return names;
+bool is_any(const HiddenMethodEntry& entry) { return entry.available; }
+bool is_of_surfaces(const HiddenMethodEntry& entry) {
+  return entry.available && !shows_lines_only(entry.method);
 }
 
-std::string meant_by(std::string_view name) {
-  std::vector<std::string_view> available;
+/// The method of that name among those that may be named in its place; `whose` is said before.
+HiddenMethod method_among(bool (*may_be)(const HiddenMethodEntry&), std::string_view name,
+                          std::string_view whose) {
+  std::vector<std::string_view> known;
+  std::string names;
   for (const auto& entry : kMethods) {
-    if (entry.available) available.push_back(entry.name);
+    if (!may_be(entry)) continue;
+    known.push_back(entry.name);
+    names += (names.empty() ? "" : ", ") + std::string(entry.name);
   }
-  return did_you_mean(name, available);
+  const auto entry = std::ranges::find(kMethods, name, &HiddenMethodEntry::name);
+  if (entry != kMethods.end() && may_be(*entry)) return entry->method;
+  const std::string quoted = std::string(whose) + "'" + std::string(name) + "'";
+  if (entry == kMethods.end()) {
+    throw Error("unknown hidden-surface method " + quoted + ":" + did_you_mean(name, known) +
+                " expected one of " + names);
+  }
+  throw Error("hidden-surface method " + quoted +
+              (entry->available ? " finds no surfaces" : " is not in this version") +
+              ": expected one of " + names);
+}
+
+/// The names of the colour rules, by the methods of surfaces.
+std::vector<std::string> colour_rule_names() {
+  std::vector<std::string> names{std::string(name_of(colour_rule))};
+  for (int surfaces = 1; surfaces < static_cast<int>(colour_rule); ++surfaces) {
+    names.push_back(std::string(kColourRuleBy) +
+                    std::string(name_of(static_cast<HiddenMethod>(surfaces))));
+  }
+  return names;
 }
 
 }  // namespace
@@ -58,19 +81,16 @@ std::string meant_by(std::string_view name) {
 std::span<const HiddenMethodEntry> hidden_methods() { return kMethods; }
 
 HiddenMethod hidden_method(std::string_view name) {
-  const auto entry = std::ranges::find(kMethods, name, &HiddenMethodEntry::name);
-  if (entry == kMethods.end()) {
-    throw Error("unknown hidden-surface method '" + std::string(name) + "':" + meant_by(name) +
-                " expected one of " + available_names());
-  }
-  if (!entry->available) {
-    throw Error("hidden-surface method '" + std::string(name) +
-                "' is not in this version: expected one of " + available_names());
-  }
-  return entry->method;
+  if (!name.starts_with(kColourRuleBy)) return method_among(is_any, name, "");
+  return colour_rule_by(
+      method_among(is_of_surfaces, name.substr(kColourRuleBy.size()), "of the colour rule "));
 }
 
 std::string_view name_of(HiddenMethod method) {
+  if (method > colour_rule) {
+    static const std::vector<std::string> names = colour_rule_names();
+    return names[static_cast<std::size_t>(surfaces_of(method))];
+  }
   return std::ranges::find(kMethods, method, &HiddenMethodEntry::method)->name;
 }
 

@@ -6,7 +6,8 @@
 
 namespace displayfile {
 
-/// How hidden surfaces or hidden lines are found. `automatic` lets the system pick.
+/// How hidden surfaces or hidden lines are found. `automatic` lets the system pick. Beside those
+/// that have a name here there is the colour rule by each method of surfaces: colour_rule_by().
 enum class HiddenMethod {
   automatic,
   none,        ///< the heedless painter: polygons in the order they were entered
@@ -30,8 +31,22 @@ enum class HiddenMethod {
   appel,        ///< lines in object space, by the number of polygons before them
                 ///< (hidden/lines/appel.md)
   franklin,     ///< lines in object space, by cells of the picture (hidden/lines/franklin.md)
-  colour_rule,  // not built yet
+  colour_rule,  ///< fills in the background's colour, lines over them, by the surfaces that
+                ///< `automatic` finds (interp/raster/colour_rule.md). The last of this list
 };
+
+/// The colour rule by a method of surfaces; by `automatic` it is HiddenMethod::colour_rule.
+constexpr HiddenMethod colour_rule_by(HiddenMethod surfaces) {
+  return static_cast<HiddenMethod>(static_cast<int>(HiddenMethod::colour_rule) +
+                                   static_cast<int>(surfaces));
+}
+constexpr bool is_colour_rule(HiddenMethod method) { return method >= HiddenMethod::colour_rule; }
+/// What finds the surfaces of a colour rule; of another method, that method.
+constexpr HiddenMethod surfaces_of(HiddenMethod method) {
+  if (!is_colour_rule(method)) return method;
+  return static_cast<HiddenMethod>(static_cast<int>(method) -
+                                   static_cast<int>(HiddenMethod::colour_rule));
+}
 
 /// True for the methods that find which lines are seen: polygons hide, but their fills are not
 /// drawn.
@@ -40,8 +55,14 @@ constexpr bool finds_lines(HiddenMethod method) {
          method == HiddenMethod::franklin;
 }
 
+/// True for the methods whose pictures are of lines: of fills nothing is seen but what they hide.
+constexpr bool shows_lines_only(HiddenMethod method) {
+  return finds_lines(method) || is_colour_rule(method);
+}
+
 /// One line a name: that of a method in drawing programs and on the command line, and whether
-/// this build can run it. A method's first name is the one it is written with.
+/// this build can run it. A method's first name is the one it is written with. Of the colour rules
+/// only the first is in the list.
 struct HiddenMethodEntry {
   HiddenMethod method;
   std::string_view name;
@@ -49,8 +70,8 @@ struct HiddenMethodEntry {
 };
 std::span<const HiddenMethodEntry> hidden_methods();
 
-/// The method of that name; throws Error if there is none or it is not built yet, naming
-/// those that are.
+/// The method of that name, or of colour-rule=METHOD the colour rule by a method of surfaces;
+/// throws Error if there is none or it is not built yet, naming those that are.
 HiddenMethod hidden_method(std::string_view name);
 std::string_view name_of(HiddenMethod method);
 

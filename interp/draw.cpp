@@ -21,6 +21,9 @@ namespace {
 RasterRequest raster_request(const DisplayFile& file, const DrawOptions& options) {
   RasterRequest request = raster_request(options);
   request.sorted = has_exact_order(file);
+  if (options.hidden && is_colour_rule(*options.hidden)) {
+    request.method = colour_rule_by(HiddenMethod::none);
+  }
   return request;
 }
 
@@ -36,7 +39,9 @@ RasterRequest raster_request(const GraphicsSystem& system, const DisplayFile& fi
 
 RasterRequest raster_request(const ViewedWorld& world, const DrawOptions& options) {
   RasterRequest request = raster_request(world.display_file, options);
-  request.method = HiddenMethod::world_ray_cast;
+  const bool colour_rule = is_colour_rule(request.method);
+  request.method =
+      colour_rule ? colour_rule_by(HiddenMethod::world_ray_cast) : HiddenMethod::world_ray_cast;
   request.world = &world;
   if (options.precision && !options.precision->exact) {
     request.roundoff = options.precision->roundoff;
@@ -46,7 +51,7 @@ RasterRequest raster_request(const ViewedWorld& world, const DrawOptions& option
 
 /// What the application drew, where the method in force casts rays before viewing.
 std::optional<ViewedWorld> world_in_force(const GraphicsSystem& system, HiddenMethod method) {
-  if (method != HiddenMethod::world_ray_cast) return std::nullopt;
+  if (surfaces_of(method) != HiddenMethod::world_ray_cast) return std::nullopt;
   if (system.retained() == nullptr) {
     throw Error(
         "hidden-surface method 'world-ray-cast' needs world coordinates: expected it to be set, or "
@@ -55,7 +60,9 @@ std::optional<ViewedWorld> world_in_force(const GraphicsSystem& system, HiddenMe
   return WorldViews(*system.retained(), system.display_file()).as_drawn();
 }
 
-DrawOptions with_precision(const GraphicsSystem& system, DrawOptions options) {
+/// With what the application set, for what is drawn without it.
+DrawOptions with_settings(const GraphicsSystem& system, HiddenMethod method, DrawOptions options) {
+  options.hidden = method;
   options.precision = precision_in_force(system, hidden_surface_options(options));
   return options;
 }
@@ -84,10 +91,13 @@ HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& opt
 MethodChoice drawing_choice(const GraphicsSystem& system, const DrawOptions& options,
                             PictureKind kind) {
   const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
-  if (method != HiddenMethod::automatic) return {method, "as asked for"};
+  if (surfaces_of(method) != HiddenMethod::automatic) return {method, "as asked for"};
   std::optional<Background> background = options.background.value_or(system.background());
   if (!options.ids.empty() || !options.depth.empty()) background.reset();  // fills are asked for
-  return choose_method(system.display_file(), kind, background);
+  if (is_colour_rule(method)) background.reset();                          // they hide at least
+  MethodChoice chosen = choose_method(system.display_file(), kind, background);
+  if (is_colour_rule(method)) chosen.method = colour_rule_by(chosen.method);
+  return chosen;
 }
 
 namespace {
@@ -106,7 +116,7 @@ auto draw_up_to_date(const GraphicsSystem& system, const DrawOptions& options, H
   require_drawable_by(method, options);
   const DisplayFile& sorted = kept.update(system, method, hidden_surface_options(options));
   if (const auto world = world_in_force(system, method)) {
-    return draw_world(*world, with_precision(system, options));
+    return draw_world(*world, with_settings(system, method, options));
   }
   return draw_file(sorted, raster_request(system, sorted, options));
 }

@@ -69,9 +69,9 @@ void draw(const GraphicsSystem& system, const std::filesystem::path& file,
 void draw(const GraphicsSystem& system, const std::filesystem::path& file,
           const DrawOptions& options = {});
 
-/// Draws a display file that is ready: the visible segments in the order that it has. The options
-/// that say how hidden surfaces are found have no meaning; otherwise it does what drawing a system
-/// into a file does.
+/// Draws a display file that is ready: the visible segments in the order that it has. Of the
+/// options that say how hidden surfaces are found, the colour rule has a meaning alone; otherwise
+/// it does what drawing a system into a file does.
 void draw(const DisplayFile& display_file, const std::filesystem::path& file,
           const DrawOptions& options);
 

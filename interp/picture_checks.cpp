@@ -38,9 +38,9 @@ void require_writable(const std::filesystem::path& file, const DrawOptions& opti
 }  // namespace
 
 void require_drawable_by(HiddenMethod method, const DrawOptions& options) {
-  if (!finds_lines(method)) return;
-  const bool of_fills =
-      options.with_ids || options.with_depth || !options.ids.empty() || !options.depth.empty();
+  if (!shows_lines_only(method)) return;
+  const bool of_fills = finds_lines(method) && (options.with_ids || options.with_depth ||
+                                                !options.ids.empty() || !options.depth.empty());
   if (of_fills) {
     throw Error(fmt::format(
         "item buffers and depths are of fills, which hidden-line method '{}' does not draw: "
@@ -53,6 +53,13 @@ void require_drawable_by(HiddenMethod method, const DrawOptions& options) {
         "expected the {} device",
         name_of(method), device_of(options.device).choice.name, first_device().choice.name));
   }
+}
+
+void require_colour_of_fills(HiddenMethod method, const Background& background) {
+  if (!is_colour_rule(method) || background.kind != Background::Kind::none) return;
+  throw Error(
+      "the colour rule fills with the background's colour, and there is no background: expected "
+      "one, or a picture of pixels, in which what is hidden can be left out");
 }
 
 void require_drawable_in_memory(const DrawOptions& options) {

@@ -5,6 +5,7 @@
 
 #include "interp/files/npy_file.h"
 #include "interp/files/row_file.h"
+#include "interp/picture_checks.h"
 #include "interp/raster/antialias.h"
 
 namespace displayfile {
@@ -46,6 +47,7 @@ void draw_colours(const PictureSource& source, const RasterRequest& request,
 
 Picture draw_pixels(const PictureSource& source, const RasterRequest& request,
                     const DrawOptions& options) {
+  require_drawable_by(request.method, options);
   if (options.samples == 1) return source.draw(request);
   Picture picture;
   if (request.ids || request.depth) picture = source.draw(request);
@@ -76,6 +78,8 @@ void write_picture(const PictureSource& source, const RasterRequest& request,
     return row_file(path, options.width, options.height);
   };
   const PictureFormat& format = format_of(file, options);
+  require_drawable_by(request.method, options);
+  if (!format.is_of_pixels()) require_colour_of_fills(request.method, request.background);
   RowFiles files, colours;
   if (!options.ids.empty()) files.push_back(open(ids_row_file, options.ids));
   if (!options.depth.empty()) files.push_back(open(depth_row_file, options.depth));

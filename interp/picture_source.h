@@ -41,7 +41,8 @@ class DisplayFileSource : public PictureSource {
   }
   void write_vectors(const PictureFormat& format, const std::filesystem::path& file,
                      const RasterRequest& request) const override {
-    format.write_vectors(file_, request.width, request.height, by_depth_, file, request.background);
+    format.write_vectors(file_, request.width, request.height, by_depth_, file, request.background,
+                         is_colour_rule(request.method));
   }
 
  private:

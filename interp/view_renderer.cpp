@@ -21,7 +21,7 @@ RasterRequest raster_request_of_view(const DrawOptions& options) {
   RasterRequest request = raster_request(options);
   request.method = options.hidden.value_or(HiddenMethod::automatic);
   const bool in_image_space =
-      is_image_space(request.method) && request.method != HiddenMethod::world_ray_cast;
+      is_image_space(request.method) && surfaces_of(request.method) != HiddenMethod::world_ray_cast;
   if (!in_image_space && !finds_lines(request.method)) {
     throw Error(
         fmt::format("a view renderer finds hidden surfaces in image space, or lines, not by {}: "

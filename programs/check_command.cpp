@@ -37,21 +37,26 @@ class InstructionCheck : public GoldenCheck {
   std::string_view extension() const override { return ".txt"; }
   void read_golden(const std::string& file) override {
     if (is_drawing_program(file)) {
-      golden_ = dump(drawn(file));
+      golden_ = dumped(file);
     } else {
       golden_ = read_text_file(file);
       require_dump(golden_, file);
     }
   }
   std::optional<std::string> difference(const std::string& input) const override {
-    return first_difference(dump(drawn(input)), golden_);
+    return first_difference(dumped(input), golden_);
   }
   void update(const std::string& input, const std::string& golden) const override {
-    update_golden(drawn(input), golden);
+    const DrawnFile of_input = drawn(input);
+    update_golden(of_input.file, golden, of_input.fills);
   }
 
  private:
-  DisplayFile drawn(const std::string& input) const {
+  std::string dumped(const std::string& input) const {
+    const DrawnFile of_input = drawn(input);
+    return dump(of_input.file, of_input.fills);
+  }
+  DrawnFile drawn(const std::string& input) const {
     const double aspect = inputs_.size.size.empty() ? 1.0 : inputs_.size.aspect();
     return as_drawn(std::span(&input, 1), inputs_.hidden_surfaces, inputs_.meshes, aspect);
   }

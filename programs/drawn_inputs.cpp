@@ -20,7 +20,7 @@ namespace {
 /// By a method that views a retained scene, on a device that needs no display file.
 bool draws_views(const DrawOptions& options) {
   return options.hidden && is_image_space(*options.hidden) &&
-         options.hidden != HiddenMethod::world_ray_cast &&
+         surfaces_of(*options.hidden) != HiddenMethod::world_ray_cast &&
          options.device == raster_devices().front().name;
 }
 
@@ -30,7 +30,7 @@ DrawnInputs::DrawnInputs(std::span<const std::string> inputs, const DrawOptions&
                          const MeshWords& meshes, Shading shading, Use use)
     : inputs_(inputs), options_(options), meshes_(meshes), shading_(shading) {
   if (!options_.hidden && are_bare_meshes()) options_.hidden = HiddenMethod::automatic;
-  if (options.hidden == HiddenMethod::world_ray_cast) {
+  if (options.hidden && surfaces_of(*options.hidden) == HiddenMethod::world_ray_cast) {
     system_.retain(&scene_);
   } else if (use == Use::picture && are_bare_meshes() && draws_views(options_)) {
     system_.retain_alone(scene_);

@@ -23,16 +23,15 @@ CLI::App& DumpCommand::add_to(CLI::App& app) {
 }
 
 int DumpCommand::run() const {
-  const DisplayFile file =
-      as_drawn(inputs, hidden_surfaces.options(threads), meshes, size.aspect());
+  const DrawnFile drawn = as_drawn(inputs, hidden_surfaces.options(threads), meshes, size.aspect());
   if (output.empty()) {
-    dump(file, std::cout);
+    dump(drawn.file, std::cout, drawn.fills);
     std::cout.flush();
     if (!std::cout) throw Error("standard output cannot be written");
     return 0;
   }
   OutputFile written(output);
-  dump(file, written.stream());
+  dump(drawn.file, written.stream(), drawn.fills);
   written.commit();
   return 0;
 }

@@ -10,6 +10,7 @@ void HiddenSurfaceWords::add_to(CLI::App& command) {
   for (const auto& entry : hidden_methods()) {
     if (entry.available) methods.append(" ").append(entry.name);
   }
+  methods.append(" colour-rule=METHOD");
   command
       .add_option("--hidden", hidden, "hidden-surface method in place of the program's:" + methods)
       ->group(kHiddenSurfaceOptions);

@@ -15,6 +15,7 @@
 #include "displayfile/input_file.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/text/drawing_program.h"
+#include "interp/picture_checks.h"
 #include "programs/keep_freed_memory.h"
 #include "programs/progress.h"
 #include "programs/warnings.h"
@@ -225,7 +226,7 @@ std::optional<Upright> enter_inputs(std::span<const std::string> inputs, Graphic
                                     const MeshWords& meshes, double aspect,
                                     std::optional<HiddenMethod> method) {
   MeshOptions options = meshes.options();
-  options.sides_drawn = method && finds_lines(*method);
+  options.sides_drawn = method && shows_lines_only(*method);
   if (options.colour && std::ranges::all_of(inputs, is_drawing_program)) {
     throw Error("--colour: expected a mesh among the inputs");
   }
@@ -235,16 +236,21 @@ std::optional<Upright> enter_inputs(std::span<const std::string> inputs, Graphic
   return fitted;
 }
 
-DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options,
-                     const MeshWords& meshes, double aspect) {
+DrawnFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options,
+                   const MeshWords& meshes, double aspect) {
   GraphicsSystem system;
   system.set_threads(options.threads);
   enter_inputs(inputs, system, meshes, aspect, options.method);
+  const HiddenMethod method = method_in_force(system, options);
   Progress progress(
       fmt::format("hidden surfaces of {} polygons", system.display_file().polygons()));
   HiddenSurfaceOptions shown = options;
   shown.progress = progress.told();
-  return SortedDisplayFile{}.update(system, method_in_force(system, options), shown);
+  DrawnFile drawn{SortedDisplayFile{}.update(system, method, shown), std::nullopt};
+  if (!is_colour_rule(method)) return drawn;
+  require_colour_of_fills(method, system.background());
+  drawn.fills = system.background().colour;
+  return drawn;
 }
 
 }  // namespace displayfile

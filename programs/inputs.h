@@ -29,9 +29,15 @@ std::optional<Upright> enter_inputs(std::span<const std::string> inputs, Graphic
                                     const MeshWords& meshes, double aspect,
                                     std::optional<HiddenMethod> method = std::nullopt);
 
-/// The inputs' display file, in the order that is drawn.
-DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options,
-                     const MeshWords& meshes, double aspect);
+/// The inputs' display file, in the order that is drawn, and the colour of all fills by the colour
+/// rule.
+struct DrawnFile {
+  DisplayFile file;
+  std::optional<Colour> fills;
+};
+/// Throws Error for the colour rule without a background.
+DrawnFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options,
+                   const MeshWords& meshes, double aspect);
 
 /// Warns of what of each mesh was left out, if anything was, with the file's name
 /// (programs/warnings.h).

@@ -20,13 +20,13 @@ namespace {
 
 /// Views without a tree: by a method that works in image space, named as such, or finds lines.
 bool draws_each_anew(const DrawOptions& options) {
-  const HiddenMethod method = options.hidden.value_or(HiddenMethod::automatic);
+  const HiddenMethod method = surfaces_of(options.hidden.value_or(HiddenMethod::automatic));
   return finds_lines(method) || (method != HiddenMethod::automatic &&
                                  method != HiddenMethod::world_ray_cast && is_image_space(method));
 }
 
 void require_views(const DrawOptions& options) {
-  const HiddenMethod method = options.hidden.value_or(HiddenMethod::automatic);
+  const HiddenMethod method = surfaces_of(options.hidden.value_or(HiddenMethod::automatic));
   if (method == HiddenMethod::bsp || is_image_space(method)) return;
   if (finds_lines(method)) return require_drawable_by(method, options);
   throw Error(
@@ -170,7 +170,7 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
                                  const std::filesystem::path& file, const DrawOptions& of_view) {
     draw(trees.view(view, lights), file, of_view);
   };
-  if (options.hidden == HiddenMethod::world_ray_cast) {
+  if (options.hidden && surfaces_of(*options.hidden) == HiddenMethod::world_ray_cast) {
     return draw_all(WorldViews(scene, system.display_file()), draw_from_tree);
   }
   return draw_all(RetainedViews(scene, system.display_file(), tree_options(system, options)),

@@ -51,7 +51,7 @@ void expect_only_the_background_differs(const Picture& on_white, const Picture& 
 
 TEST_F(BackgroundTest, IsThatOfEveryMethod) {
   for (const auto& entry : hidden_methods()) {
-    if (!entry.available || finds_lines(entry.method)) continue;  // which have no item buffer
+    if (!entry.available || shows_lines_only(entry.method)) continue;  // which have no item buffer
     RetainedScene scene;
     GraphicsSystem g;
     g.retain(&scene);

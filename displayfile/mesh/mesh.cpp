@@ -154,9 +154,8 @@ void set_mesh_light(GraphicsSystem& system) {
 void bring_defaults(GraphicsSystem& system, const MeshOptions& options) {
   system.by_default(Setting::light, [&] { set_mesh_light(system); });
   system.by_default(Setting::fill_style, [&] { system.set_fill_style(solid(kNeutral)); });
-  const bool finds_lines_itself =
-      system.hidden_line_removal() && finds_lines(system.hidden_method());
-  const bool sides_drawn = options.sides_drawn || finds_lines_itself;
+  const bool shows_lines = system.hidden_line_removal() && shows_lines_only(system.hidden_method());
+  const bool sides_drawn = options.sides_drawn || shows_lines;
   system.by_default(Setting::line_style, [&] {
     system.set_line_style({sides_drawn ? LineStyle::Kind::solid : LineStyle::Kind::none});
   });

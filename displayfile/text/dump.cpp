@@ -3,6 +3,7 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <string_view>
@@ -17,7 +18,7 @@ namespace {
 /// Writes one line an instruction; gathers them in a buffer, as streams are slow.
 class Dumper {
  public:
-  explicit Dumper(std::ostream& out) : out_(out) {}
+  Dumper(std::ostream& out, const std::optional<Colour>& fills) : out_(out), fills_(fills) {}
 
   template <class... Value>
   void write_line(const Value&... values) {
@@ -33,7 +34,13 @@ class Dumper {
   bool has_met(int segment) const { return met_.contains(segment); }
 
   void fill(const FillStyle& style) {
-    if (style.kind == FillStyle::Kind::hollow) return write_line(FMT_COMPILE("fill hollow"));
+    const bool solid = style.kind == FillStyle::Kind::solid;
+    const bool same = fills_ && solid && fills_written_;
+    fills_written_ = fills_ && solid;
+    if (!solid) return write_line(FMT_COMPILE("fill hollow"));
+    if (same) return;
+    if (fills_)
+      return write_line(FMT_COMPILE("fill solid {} {} {}"), fills_->r, fills_->g, fills_->b);
     const Colour& c = style.colour;
     write_line(FMT_COMPILE("fill solid {} {} {}"), c.r, c.g, c.b);
     if (style.shadow) shadow(*style.shadow);
@@ -63,13 +70,14 @@ class Dumper {
   }
   void segment(int name, bool visible = true) {
     met_.insert(name);
+    fills_written_ = false;
     write_line(FMT_COMPILE("segment {} {}"), name, visible ? "visible" : "invisible");
   }
   void pick(int id) { write_line(FMT_COMPILE("pick {}"), id); }
   void move(const Point3& p) { write_line(FMT_COMPILE("move {} {} {}"), p.x, p.y, p.z); }
   void line(const Point3& p) { write_line(FMT_COMPILE("line {} {} {}"), p.x, p.y, p.z); }
   void intensities(std::span<const double> values) {
-    write_line(FMT_COMPILE("intensities {}"), fmt::join(values, " "));
+    if (!fills_) write_line(FMT_COMPILE("intensities {}"), fmt::join(values, " "));
   }
   void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
     const Point3& start = vertices.back();
@@ -82,6 +90,8 @@ class Dumper {
  private:
   static constexpr std::size_t kFlushAt = std::size_t{1} << 16;
   std::ostream& out_;
+  std::optional<Colour> fills_;  // of all that is solid
+  bool fills_written_ = false;   // and in force
   fmt::memory_buffer buffer_;
   std::unordered_set<int> met_;  // segments
 };
@@ -99,8 +109,8 @@ void dump_sorted_together(const DisplayFile& display_file, Dumper& dumper) {
 
 }  // namespace
 
-void dump(const DisplayFile& display_file, std::ostream& out) {
-  Dumper dumper(out);
+void dump(const DisplayFile& display_file, std::ostream& out, const std::optional<Colour>& fills) {
+  Dumper dumper(out, fills);
   dumper.write_line(FMT_COMPILE("displayfile-dump 1"));
   if (display_file.sorted() != nullptr) {
     dump_sorted_together(display_file, dumper);
@@ -114,9 +124,9 @@ void dump(const DisplayFile& display_file, std::ostream& out) {
   dumper.flush();
 }
 
-std::string dump(const DisplayFile& display_file) {
+std::string dump(const DisplayFile& display_file, const std::optional<Colour>& fills) {
   std::ostringstream text;
-  dump(display_file, text);
+  dump(display_file, text, fills);
   return std::move(text).str();
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 
 #include "displayfile/display_file.h"
+#include "displayfile/style.h"
 
 namespace displayfile {
 
@@ -34,8 +36,12 @@ namespace displayfile {
 /// were sorted together, a segment line stands wherever the segment changes, styles stay in force
 /// across it, and the segments of which nothing is drawn follow at the end.
 ///
+/// With `fills`, all solid fills have that colour, without shadows and intensities, as the colour
+/// rule draws them (interp/raster/colour_rule.md).
+///
 /// The stream tells by its state if it could not be written.
-void dump(const DisplayFile& display_file, std::ostream& out);
-std::string dump(const DisplayFile& display_file);
+void dump(const DisplayFile& display_file, std::ostream& out,
+          const std::optional<Colour>& fills = {});
+std::string dump(const DisplayFile& display_file, const std::optional<Colour>& fills = {});
 
 }  // namespace displayfile

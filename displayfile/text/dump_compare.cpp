@@ -156,9 +156,10 @@ std::optional<std::string> check_golden(const DisplayFile& display_file,
   return first_difference_of_dumps(dump(display_file), golden);
 }
 
-void update_golden(const DisplayFile& display_file, const std::string& golden_file) {
+void update_golden(const DisplayFile& display_file, const std::string& golden_file,
+                   const std::optional<Colour>& fills) {
   OutputFile file(golden_file);
-  dump(display_file, file.stream());
+  dump(display_file, file.stream(), fills);
   file.commit();
 }
 

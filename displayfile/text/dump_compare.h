@@ -24,6 +24,7 @@ std::optional<std::string> check_golden(const DisplayFile& display_file,
                                         const std::string& golden_file);
 
 /// Writes the golden file, whole or not at all. Throws Error if that fails.
-void update_golden(const DisplayFile& display_file, const std::string& golden_file);
+void update_golden(const DisplayFile& display_file, const std::string& golden_file,
+                   const std::optional<Colour>& fills = {});
 
 }  // namespace displayfile

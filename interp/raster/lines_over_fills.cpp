@@ -1,7 +1,5 @@
 #include "interp/raster/lines_over_fills.h"
 
-#include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -14,26 +12,10 @@ bool same(const Precision& a, const Precision& b) {
   return a.exact == b.exact && (a.exact || a.roundoff == b.roundoff);
 }
 
-/// Whether sides are drawn, for items of which some draw none.
-std::vector<std::uint8_t> drawn_sides(const ViewedScene& scene) {
-  const Primitives items = scene.primitives();
-  std::vector<std::uint8_t> drawn(items.all_corners(), 1);
-  if (!items.visible.empty()) drawn.assign(items.visible.begin(), items.visible.end());
-  const auto runs = scene.line_styles();
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    if (runs[k].style.kind != LineStyle::Kind::none) continue;
-    const ViewedScene::Item end = k + 1 < runs.size() ? runs[k + 1].first : scene.items();
-    for (ViewedScene::Item item = runs[k].first; item < end; ++item) {
-      std::fill_n(drawn.begin() + items.items[item].first, items.items[item].sides, 0);
-    }
-  }
-  return drawn;
-}
-
 std::vector<VisiblePiece> visible_pieces_of(const ViewedScene& scene, const Precision& precision,
                                             int threads) {
   if (!scene.has_lines()) return {};
-  const std::vector<std::uint8_t> drawn = drawn_sides(scene);
+  const std::vector<std::uint8_t> drawn = scene.drawn_sides();
   Primitives outlined = scene.primitives();
   outlined.visible = drawn;
   return visible_lines(scene.primitives(), drawn_lines(outlined), HiddenMethod::franklin,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "interp/picture.h"
 #include "interp/raster/pixel_shade.h"
@@ -19,18 +20,21 @@ struct RowRange {
 /// whole one, or of all of them.
 struct RasterBand {
   RasterBand(Picture& picture_, const PictureSize& size, std::uint32_t background_,
-             const RowRange& held, const RowRange& drawn, const Shadows* shadows_ = nullptr)
+             const RowRange& held, const RowRange& drawn, const Shadows* shadows_ = nullptr,
+             bool shows_fills_ = true)
       : picture(picture_),
         background(background_),
         region{size, drawn.begin, drawn.end},
         held_end(held.end),
-        shadows(shadows_) {}
+        shadows(shows_fills_ ? shadows_ : nullptr),
+        shows_fills(shows_fills_) {}
 
   Picture& picture;
   std::uint32_t background;  ///< as in Picture::pixels
   ScanConverter::Region region;
   int held_end;
   const Shadows* shadows;  ///< null if none are seen
+  bool shows_fills;        ///< or else all are the background, by the colour rule
 
   /// The size of the whole picture.
   const PictureSize& size() const { return region.size; }
@@ -41,9 +45,13 @@ struct RasterBand {
   }
   /// Paints the columns first <= i < end of a row.
   void paint(int row, int first, int end, const FillColour& colour, std::int32_t pick) {
-    colour.paint(
-        row, first,
-        {picture.pixels.data() + index(row, first), static_cast<std::size_t>(end - first)});
+    const std::span pixels(picture.pixels.data() + index(row, first),
+                           static_cast<std::size_t>(end - first));
+    if (shows_fills) {
+      colour.paint(row, first, pixels);
+    } else {
+      std::ranges::fill(pixels, background);
+    }
     if (!picture.ids.empty()) {
       std::fill_n(picture.ids.data() + index(row, first), end - first, pick);
     }

@@ -9,6 +9,7 @@
 #include "hidden/parallel.h"
 #include "interp/interpreter.h"
 #include "interp/raster/line_painter.h"
+#include "interp/raster/lines_by_depth.h"
 #include "interp/raster/painter.h"
 #include "interp/raster/pixel_shade.h"
 #include "interp/raster/raster_band.h"
@@ -72,9 +73,13 @@ class FillsShown {
   void show(int row, int first, std::span<const Fill> seen) {
     Picture& picture = band_.picture;
     const std::size_t start = band_.index(row, first);
-    write_pixels(seen, paints_.pixels(), picture.pixels.data() + start);
-    if (paints_.has_shades()) shade(row, first, seen);
-    if (band_.shadows != nullptr && scene_.has_shadows()) shadow(row, first, seen);
+    if (band_.shows_fills) {
+      write_pixels(seen, paints_.pixels(), picture.pixels.data() + start);
+      if (paints_.has_shades()) shade(row, first, seen);
+      if (band_.shadows != nullptr && scene_.has_shadows()) shadow(row, first, seen);
+    } else {
+      std::fill_n(picture.pixels.data() + start, seen.size(), band_.background);
+    }
     if (!picture.ids.empty()) {
       for (std::size_t i = 0; i < seen.size(); ++i) picture.ids[start + i] = scene_.pick(seen[i]);
     }
@@ -179,7 +184,9 @@ void SoftwareRenderer::take_up_scene_of(const DisplayFile& display_file) {
 void SoftwareRenderer::take_up_lines(const DisplayFile& display_file,
                                      const RasterRequest& request) {
   const SortedScene* const together = display_file.sorted().get();
-  if (is_image_space(request.method)) {
+  if (is_colour_rule(request.method)) {
+    lines_.clear();
+  } else if (is_image_space(request.method)) {
     lines_.take(scene_, precision_of(request), request.threads);
   } else if (together == nullptr) {
     lines_.take_sorted_segments(display_file, request.threads);
@@ -202,8 +209,10 @@ SoftwareRenderer::Drawn SoftwareRenderer::prepare(const ViewedScene& scene,
   take_up_shadows(scene, kept.casters, same);
   paints_.take(scene);
   take_up_scene(request);
-  if (!same) lines_.clear();
-  lines_.take(scene_, precision_of(request), request.threads);
+  if (!same || is_colour_rule(request.method)) lines_.clear();
+  if (!is_colour_rule(request.method)) {
+    lines_.take(scene_, precision_of(request), request.threads);
+  }
   texts_.clear();
   if (request.texts && !scene.texts().empty()) texts_ = seen_texts(scene);
   geometry_ = scene.geometry();
@@ -237,8 +246,8 @@ void SoftwareRenderer::take_up_scene(const RasterRequest& request) {
     return;
   }
   if (!prepared_ || request.world != nullptr) {
-    const HiddenMethod method =
-        request.method == HiddenMethod::automatic ? kMethodForPixels : request.method;
+    const HiddenMethod asked = surfaces_of(request.method);
+    const HiddenMethod method = asked == HiddenMethod::automatic ? kMethodForPixels : asked;
     prepared_ = Prepared{.method = request.method,
                          .finder = make_image_space_method(method, request.world)};
   }
@@ -262,6 +271,7 @@ int SoftwareRenderer::rows_at_a_time(const Drawn& drawn, const RasterRequest& re
 void SoftwareRenderer::draw_rows(const Drawn& drawn, const RasterRequest& request,
                                  const RowRange& rows) {
   const bool image_space = is_image_space(request.method);
+  const bool by_depth = image_space && is_colour_rule(request.method) && scene_->has_lines();
   picture_.width = request.width;
   picture_.height = rows.end - rows.begin;
   picture_.undecided_centres = 0;
@@ -269,14 +279,20 @@ void SoftwareRenderer::draw_rows(const Drawn& drawn, const RasterRequest& reques
       static_cast<std::size_t>(picture_.width) * static_cast<std::size_t>(picture_.height);
   make_room(picture_.pixels, pixels);
   make_room(picture_.ids, request.ids ? pixels : 0);
-  make_room(picture_.depth, request.depth ? pixels : 0);
+  const bool spare = by_depth && !request.depth;
+  if (spare) std::swap(picture_.depth, spare_depth_);
+  make_room(picture_.depth, request.depth || by_depth ? pixels : 0);
   if (image_space) {
     show_fills_seen(drawn, request, rows);
-    draw_lines_seen(request, rows);
+    by_depth ? draw_lines_by_depth(request, rows) : draw_lines_seen(request, rows);
   } else {
     paint_in_order(*drawn.display_file, request, rows);
   }
   paint_texts(texts_, {request.width, request.height}, rows.begin, rows.end, picture_);
+  if (spare) {
+    std::swap(picture_.depth, spare_depth_);
+    picture_.depth.clear();
+  }
 }
 
 std::size_t SoftwareRenderer::bytes_of_picture() const {
@@ -300,7 +316,7 @@ void SoftwareRenderer::paint_in_order(const DisplayFile& display_file, const Ras
   const int at_a_time = rows_worth_a_walk(request, display_file.polygons());
   for_bands_of_rows(request, rows, at_a_time, [&](const RowRange& of_band) {
     const RasterBand band(picture_, {request.width, request.height}, background, rows, of_band,
-                          shadows_.get());
+                          shadows_.get(), !is_colour_rule(request.method));
     if (request.sorted) {
       SortedPainter painter(display_file, band, lines_, request.line_scale);
       interpret(display_file, painter, Pass::everything, Order::drawn, request.line_scale);
@@ -326,7 +342,8 @@ void SoftwareRenderer::show_fills_seen(const Drawn& drawn, const RasterRequest& 
   const ImageSpaceMethod& finder = *prepared_->finder;
   for_bands_of_rows(request, rows, finder.rows_at_a_time(), [&](const RowRange& band) {
     FillsShown shown(*scene_, paints_,
-                     {picture_, size, pixel_of(request.background), rows, band, shadows_.get()});
+                     {picture_, size, pixel_of(request.background), rows, band, shadows_.get(),
+                      !is_colour_rule(request.method)});
     if (kept) {
       for (int row = band.begin; row < band.end; ++row) shown.show(row, 0, surfaces_.row(row));
       return;
@@ -341,8 +358,8 @@ void SoftwareRenderer::show_fills_seen(const Drawn& drawn, const RasterRequest& 
 }
 
 void SoftwareRenderer::draw_lines_seen(const RasterRequest& request, const RowRange& rows) {
+  if (lines_.all() == nullptr || lines_.all()->pieces.empty()) return;
   const LinesOverFills::Group& lines = *lines_.all();
-  if (lines.pieces.empty()) return;
   const int at_a_time = rows_worth_a_walk(request, scene_->items());
   for_bands_of_rows(request, rows, at_a_time, [&](const RowRange& of_band) {
     const PictureSize size{request.width, request.height};
@@ -353,6 +370,18 @@ void SoftwareRenderer::draw_lines_seen(const RasterRequest& request, const RowRa
                 picture_.pixels[band.index(y, x)] = colour;
               });
   });
+}
+
+void SoftwareRenderer::draw_lines_by_depth(const RasterRequest& request, const RowRange& rows) {
+  std::vector<double> of_fills;
+  if (request.depth) of_fills = picture_.depth;
+  const int at_a_time = rows_worth_a_walk(request, scene_->items());
+  for_bands_of_rows(request, rows, at_a_time, [&](const RowRange& band) {
+    LinesByDepth lines(
+        {picture_, {request.width, request.height}, pixel_of(request.background), rows, band});
+    interpret_lines(*scene_, lines, request.line_scale);
+  });
+  if (request.depth) picture_.depth = std::move(of_fills);
 }
 
 const Picture& SoftwareRenderer::draw(const Drawn& drawn, const RasterRequest& request) {

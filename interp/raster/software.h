@@ -22,7 +22,8 @@ namespace displayfile {
 /// Draws display files by our own scan conversion, on the background. With an image-space
 /// method the nearest fill is seen, of equally near ones the one entered later; without one,
 /// whatever is drawn last. Over the fills, unless they are drawn heedlessly, lines are drawn where
-/// they are seen (interp/scan/lines.md). On fills that show them shadows are
+/// they are seen (interp/scan/lines.md), or by the colour rule (interp/raster/colour_rule.md). On
+/// fills that show them shadows are
 /// drawn (interp/raster/shadows.md), whatever the method; texts lie over all (interp/text/).
 /// Coverage and, unless roundoff is asked for, nearness are decided exactly. The picture is the
 /// same for any number of threads.
@@ -94,8 +95,10 @@ class SoftwareRenderer {
                       const RowRange& rows);
   void show_fills_seen(const Drawn& drawn, const RasterRequest& request, const RowRange& rows);
   void draw_lines_seen(const RasterRequest& request, const RowRange& rows);
+  void draw_lines_by_depth(const RasterRequest& request, const RowRange& rows);
 
-  Picture picture_;  // or the rows of it that are being drawn
+  Picture picture_;                  // or the rows of it that are being drawn
+  std::vector<double> spare_depth_;  // of the colour rule, while the picture has none
   std::shared_ptr<const ViewedScene> scene_;
   FillPaints paints_;                 // of the scene
   std::unique_ptr<Shadows> shadows_;  // null if none are seen

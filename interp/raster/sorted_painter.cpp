@@ -122,7 +122,8 @@ std::size_t SortedPainter::decide_centres() {
       const std::size_t at = band_.index(row, column);
       if (!picture.ids.empty()) picture.ids[at] = seen ? seen->pick : -1;
       if (lines_on_top_.contains(row, column)) return;
-      picture.pixels[at] = seen ? seen->colour.at(row, column) : band_.background;
+      const bool shows = seen != nullptr && band_.shows_fills;
+      picture.pixels[at] = shows ? seen->colour.at(row, column) : band_.background;
     });
   }
   if (!picture.depth.empty()) show_depth_of_whole_polygons();

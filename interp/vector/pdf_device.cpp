@@ -130,11 +130,12 @@ void PdfDevice::finish() {
 }
 
 void write_pdf(const DisplayFile& display_file, int width, int height, bool z_buffer,
-               const std::filesystem::path& path, const Background& background) {
+               const std::filesystem::path& path, const Background& background, bool colour_rule) {
   require_picture_size(width, height);
   OutputFile file(path.string());
   try {
     PdfDevice device(file.stream(), width, height, background);
+    if (colour_rule) device.fill_with_background();
     if (z_buffer) {
       draw_in_visible_order(display_file, width, height, device);
     } else {

@@ -51,6 +51,7 @@ class PdfDevice : public VectorDevice {
 /// at all. Throws Error, naming the file, if it cannot be written, or for a size outside of 1 to
 /// kLargestSide.
 void write_pdf(const DisplayFile& display_file, int width, int height, bool z_buffer,
-               const std::filesystem::path& path, const Background& background = {});
+               const std::filesystem::path& path, const Background& background = {},
+               bool colour_rule = false);
 
 }  // namespace displayfile

@@ -205,8 +205,9 @@ void SvgDevice::finish(std::ostream& out) {
 }
 
 void write_svg(const DisplayFile& display_file, int width, int height, bool z_buffer,
-               const std::filesystem::path& path, const Background& background) {
+               const std::filesystem::path& path, const Background& background, bool colour_rule) {
   SvgDevice device(width, height, background);
+  if (colour_rule) device.fill_with_background();
   OutputFile file(path.string());
   if (z_buffer) {
     draw_in_visible_order(display_file, width, height, device);

@@ -64,6 +64,7 @@ class SvgDevice : public VectorDevice {
 /// (interp/vector/sampled/visible_order.h). The file appears whole or not at all. Throws Error,
 /// naming the file, if it cannot be written, or for a size outside of 1 to kLargestSide.
 void write_svg(const DisplayFile& display_file, int width, int height, bool z_buffer,
-               const std::filesystem::path& path, const Background& background = {});
+               const std::filesystem::path& path, const Background& background = {},
+               bool colour_rule = false);
 
 }  // namespace displayfile

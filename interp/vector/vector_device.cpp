@@ -85,7 +85,8 @@ void VectorDevice::paint_inside(const DrawnPolygon& polygon, std::span<const Pix
                       {-kReach, width_ + kReach, -kReach, height_ + kReach});
     if (path_.points.size() < 3) return;
   }
-  paint_fill(path_, even_fill(polygon).colour, !edges_cover_seams(polygon), within);
+  const Colour colour = fills_with_background_ ? background_.colour : even_fill(polygon).colour;
+  paint_fill(path_, colour, !edges_cover_seams(polygon), within);
 }
 
 bool VectorDevice::clip_to_neighbourhood(Point2& a, Point2& b, double reach) const {

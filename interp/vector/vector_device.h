@@ -33,6 +33,9 @@ class VectorDevice : public OutputDevice {
   /// Throws Error unless both sides are 1 to kLargestSide.
   VectorDevice(int width, int height, const Background& background = {});
 
+  /// All that is filled from here on has the background's colour, by the colour rule.
+  void fill_with_background() { fills_with_background_ = true; }
+
   void begin_segment(int name) final;
   void end_segment() final;
   void fill(const DrawnPolygon& polygon) final;
@@ -85,6 +88,7 @@ class VectorDevice : public OutputDevice {
 
   int width_, height_;
   Background background_;
+  bool fills_with_background_ = false;
   Path path_;
   Path lines_;  // that continue each other, not painted yet
   Point3 lines_end_{0.0};

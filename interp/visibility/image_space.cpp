@@ -58,7 +58,8 @@ const ImageSpaceEntry* entry_of(HiddenMethod method) {
 
 std::span<const ImageSpaceEntry> image_space_methods() { return kExactMethods; }
 
-bool is_image_space(HiddenMethod method) {
+bool is_image_space(HiddenMethod by) {
+  const HiddenMethod method = surfaces_of(by);
   return method == HiddenMethod::automatic || method == HiddenMethod::world_ray_cast ||
          entry_of(method) != nullptr;
 }

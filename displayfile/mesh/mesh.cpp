@@ -156,7 +156,8 @@ void bring_defaults(GraphicsSystem& system, const MeshOptions& options) {
   system.by_default(Setting::fill_style, [&] { system.set_fill_style(solid(kNeutral)); });
   const bool finds_lines_itself =
       system.hidden_line_removal() && finds_lines(system.hidden_method());
-  const bool sides_drawn = options.sides_drawn || finds_lines_itself;
+  const bool sides_drawn =
+      options.sides_drawn || finds_lines_itself || system.said().contains(Setting::lines);
   system.by_default(Setting::line_style, [&] {
     system.set_line_style({sides_drawn ? LineStyle::Kind::solid : LineStyle::Kind::none});
   });

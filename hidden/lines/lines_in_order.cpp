@@ -24,22 +24,30 @@ Point3 on_line(const Ends& ends, double share) {
 
 }  // namespace
 
-SortedPieces lines_in_order(const Primitives& items, HiddenMethod method,
-                            const SortOptions& options) {
-  const SeenLines seen =
-      visible_lines(items, drawn_lines(items), method,
-                    {.precision = options.precision, .threads = options.threads});
+SortedPieces lines_in_order(const Primitives& items, std::span<const std::int32_t> picks,
+                            HiddenMethod method, const SortOptions& options) {
+  const std::vector<LineToDraw> lines = lines_to_draw(items, picks);
+  std::vector<LineName> names;
+  names.reserve(lines.size());
+  for (const LineToDraw& line : lines) names.push_back(line.name);
+  const SeenLines seen = visible_lines(
+      items, names, method, {.precision = options.precision, .threads = options.threads});
   SortedPieces pieces;
   pieces.are_lines = true;
   pieces.pieces.reserve(seen.pieces.size());
   pieces.points.reserve(2 * seen.pieces.size());
+  pieces.visible.reserve(2 * seen.pieces.size());
+  pieces.pick_items.reserve(seen.pieces.size());
+  auto line = lines.begin();  // both are in order of names
   for (const VisiblePiece& piece : seen.pieces) {
+    while (line->name != LineName{piece.item, piece.corner}) ++line;
     const Ends ends = ends_of(items, piece);
     pieces.pieces.push_back({piece.item, static_cast<std::uint32_t>(pieces.points.size()), 2});
     pieces.points.push_back(on_line(ends, piece.from));
     pieces.points.push_back(on_line(ends, piece.to));
+    pieces.visible.insert(pieces.visible.end(), {LineKinds{0}, line->kinds});
+    pieces.pick_items.push_back(line->pick_item);
   }
-  pieces.visible.assign(pieces.points.size(), 1);
   return pieces;
 }
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "hidden/hidden_method.h"
 #include "hidden/primitives.h"
 #include "hidden/sort/hidden_surface_sort.h"
@@ -11,7 +14,11 @@ namespace displayfile {
 /// items and corners, each from where its line starts to where it ends. The ends of a line are the
 /// item's own points; others are computed from those and rounded. Throws Error for a method that
 /// finds no lines.
-SortedPieces lines_in_order(const Primitives& items, HiddenMethod method,
-                            const SortOptions& options);
+///
+/// Of a side that polygons share, each piece is the first's that draws it, has all kinds that it is
+/// drawn as (SortedPieces::visible of its second point), and names the item of the lowest of their
+/// pick identifiers, which `picks` are of the items.
+SortedPieces lines_in_order(const Primitives& items, std::span<const std::int32_t> picks,
+                            HiddenMethod method, const SortOptions& options);
 
 }  // namespace displayfile

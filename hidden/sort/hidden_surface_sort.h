@@ -22,7 +22,10 @@ enum class RootChoice {
 struct SortOptions {
   Precision precision;
   RootChoice root = RootChoice::free;
-  int threads = 1;  ///< the result is the same for any number
+  int threads = 1;           ///< the result is the same for any number
+  bool names_sides = false;  ///< SortedPieces::corners is wanted
+  /// Of methods that find lines: those where polygons pass through each other are wanted too.
+  bool intersections = false;
 };
 
 /// A polygon or line in the order, or a piece of one that was cut.
@@ -42,9 +45,21 @@ struct SortedPieces {
   bool are_lines = false;
   std::vector<SortedPiece> pieces;
   /// The points of the pieces that were cut: coordinates, each rounded once, and whether the side
-  /// that ends at the point is drawn (the sides that cuts made are not).
+  /// that ends at the point is drawn and as what, as Primitives::visible (the sides that cuts made
+  /// are not).
   std::vector<Point3> points;
   std::vector<std::uint8_t> visible;
+  /// Where the sort was asked to name sides: the corner of the item, from 0, at which the side ends
+  /// that this one is or is a part of; kNoCorner of the sides that cuts made.
+  std::vector<std::uint32_t> corners;
+  static constexpr std::uint32_t kNoCorner = 0xffffffffu;
+
+  /// Of the pieces of lines, by their first point over 2: the item whose pick identifier they have,
+  /// of those that share the side. Empty: their own.
+  std::vector<std::uint32_t> pick_items;
+  std::uint32_t pick_item(const SortedPiece& piece) const {
+    return pick_items.empty() ? piece.item : pick_items[piece.first / 2];
+  }
 
   std::uint64_t comparisons = 0;  ///< of a polygon with a plane or another polygon
   std::uint64_t cuts = 0;         ///< one piece in two

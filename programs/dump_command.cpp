@@ -23,8 +23,10 @@ CLI::App& DumpCommand::add_to(CLI::App& app) {
 }
 
 int DumpCommand::run() const {
+  MeshWords entering = meshes;
+  entering.lines = hidden_surfaces.line_selection();
   const DisplayFile file =
-      as_drawn(inputs, hidden_surfaces.options(threads), meshes, size.aspect());
+      as_drawn(inputs, hidden_surfaces.options(threads), entering, size.aspect());
   if (output.empty()) {
     dump(file, std::cout);
     std::cout.flush();

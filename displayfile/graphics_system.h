@@ -24,6 +24,7 @@
 #include "displayfile/view_stage.h"
 #include "hidden/exact/precision.h"
 #include "hidden/hidden_method.h"
+#include "hidden/lines/line_kinds.h"
 #include "hidden/sort/hidden_surface_sort.h"
 
 namespace displayfile {
@@ -188,6 +189,15 @@ class GraphicsSystem {
   void set_precision(const Precision& precision);
   void set_z_buffer(bool on);
 
+  /// Which sides of polygons are lines (displayfile/line_kinds.md), of the segments that are closed
+  /// from now on, whatever the method: what is selected, of what has a line style. Unless that is
+  /// `all` alone, where no scene is retained, it is retained in the system from now on. Errors: no
+  /// kind, a crease outside of 0 to 180 degrees; there are segments that were not retained.
+  void set_lines(const LineSelection& selection);
+  /// Does what set_lines does, and from now on set_lines has no effect, but that its errors are
+  /// told: for who selects lines in place of the application. It is not recorded.
+  void replace_lines(const LineSelection& selection);
+
   // What the application and the interpreter may ask.
   const DisplayFile& display_file() const { return display_file_; }
   const View& view() const { return view_; }
@@ -216,6 +226,7 @@ class GraphicsSystem {
   std::optional<HiddenScope> hidden_scope() const { return scope_; }  ///< if it was set
   const Precision& precision() const { return sort_options_.precision; }
   bool z_buffer() const { return z_buffer_; }
+  const LineSelection& lines() const { return lines_; }
   std::size_t transformations_saved() const { return modelling_.saved(); }
   std::int64_t polygons_entered() const { return ordinal_; }  ///< calls of the polygon routines
   std::int64_t polygons_triangulated() const { return triangulated_; }  ///< for not being flat
@@ -262,7 +273,7 @@ class GraphicsSystem {
   }
 
   /// Keeps what is drawn in world coordinates too, from now on; null stops. The scene must live
-  /// on. Error: there are segments already.
+  /// on. Errors: there are segments already; to stop where set_lines needs what is retained.
   void retain(RetainedScene* scene);
   /// The same, but what is drawn is kept there alone: the display file has its segments, with
   /// nothing in them. For who draws views of the scene (displayfile/scene_viewer.h), which writes a
@@ -270,7 +281,7 @@ class GraphicsSystem {
   void retain_alone(RetainedScene& scene);
   /// What is drawn is in the retained scene alone.
   bool retains_alone() const { return retains_alone_; }
-  /// What is retained, by retain or set_hidden_method; null if nothing is.
+  /// What is retained, by retain, set_hidden_method or set_lines; null if nothing is.
   const RetainedScene* retained() const { return own_retained_ ? &*own_retained_ : retained_; }
 
  private:
@@ -304,6 +315,8 @@ class GraphicsSystem {
   void enter_shared(std::span<const Point3> world, std::span<const std::uint32_t> corners,
                     Segment& segment);
   RetainedScene* retaining() { return own_retained_ ? &*own_retained_ : retained_; }
+  void retain_for(std::string_view what);
+  void select_lines(Segment& segment);
   void attributes_changed() {
     if (view_stage_) view_stage_->attributes_changed();
   }
@@ -328,9 +341,11 @@ class GraphicsSystem {
   HiddenMethod method_ = HiddenMethod::automatic;
   std::optional<HiddenScope> scope_;
   SortOptions sort_options_;
+  LineSelection lines_;
+  bool lines_replaced_ = false;
   Recorder* recorder_ = nullptr;
   RetainedScene* retained_ = nullptr;          // the application's
-  std::optional<RetainedScene> own_retained_;  // in its place, for world_ray_cast
+  std::optional<RetainedScene> own_retained_;  // in its place, for world_ray_cast and set_lines
   bool retains_alone_ = false;
 
   Triangulation triangulation_;

@@ -17,7 +17,7 @@ SortedPieces pieces_of(const ViewedScene& scene, HiddenMethod method, const Sort
   if (!finds_lines(method)) return sort_hidden_surfaces(items, method, options);
   const std::vector<std::uint8_t> drawn = scene.drawn_sides();
   items.visible = drawn;
-  return lines_in_order(items, method, options);
+  return lines_in_order(items, scene.picks(), method, options);
 }
 
 std::shared_ptr<const SortedScene> sorted_scene(ViewedScene viewed,
@@ -27,8 +27,8 @@ std::shared_ptr<const SortedScene> sorted_scene(ViewedScene viewed,
   const SortCounts counts{pieces.pieces.size(), pieces.cuts, pieces.comparisons, pieces.depth};
   auto ordered = std::make_shared<OrderedScene>(
       OrderedScene{std::make_shared<ViewedScene>(std::move(viewed)), std::move(pieces)});
-  return std::make_shared<SortedScene>(
-      SortedScene{{std::move(ordered)}, image, method, options.precision, counts});
+  return std::make_shared<SortedScene>(SortedScene{
+      {std::move(ordered)}, image, method, options.precision, counts, 0.0, options.intersections});
 }
 
 /// What `sort` returns, which has every point in its tables at least.

@@ -83,6 +83,10 @@ void Instructions::enter_polygon(std::span<const Point3> vertices,
                                  std::span<const std::uint8_t> edge_visible,
                                  std::span<const double> intensities) {
   enter_pick();
+  if (std::ranges::any_of(edge_visible, has_kind)) {
+    op_.push_back(op::side_kinds);
+    side_kinds_.insert(side_kinds_.end(), edge_visible.begin(), edge_visible.end());
+  }
   if (!intensities.empty()) {
     op_.push_back(op::intensities);
     intensities_.insert(intensities_.end(), intensities.begin(), intensities.end());
@@ -139,8 +143,8 @@ std::size_t Instructions::bytes() const {
   return op_.size() * sizeof(op_[0]) + points_.size() * sizeof(points_[0]) +
          flat_points_.size() * sizeof(flat_points_[0]) +
          style_operands_.size() * sizeof(style_operands_[0]) +
-         intensities_.size() * sizeof(intensities_[0]) + texts_.size() * sizeof(texts_[0]) +
-         characters_.size();
+         intensities_.size() * sizeof(intensities_[0]) + side_kinds_.size() +
+         texts_.size() * sizeof(texts_[0]) + characters_.size();
 }
 
 /// At least twice the room there is, so that many small calls cost no more than one.
@@ -159,6 +163,7 @@ void Instructions::shrink_to_fit() {
   flat_points_.shrink_to_fit();
   style_operands_.shrink_to_fit();
   intensities_.shrink_to_fit();
+  side_kinds_.shrink_to_fit();
   texts_.shrink_to_fit();
   characters_.shrink_to_fit();
 }

@@ -12,6 +12,7 @@
 
 #include "clip/transformation.h"
 #include "displayfile/style.h"
+#include "hidden/lines/line_kinds.h"
 
 namespace displayfile {
 
@@ -34,7 +35,9 @@ inline constexpr std::int32_t pick_run = -33;
 /// The next code is the pick identifier of the lines that follow; at the start they have none.
 inline constexpr std::int32_t line_pick = -34;
 inline constexpr std::int32_t intensities = -64;  ///< of the vertices of the polygon that follows
-inline constexpr std::int32_t text = -128;        ///< its anchor and characters are kept apart
+/// Of the sides of the polygon that follows, and of its intensities if it has some: kinds of lines.
+inline constexpr std::int32_t side_kinds = -65;
+inline constexpr std::int32_t text = -128;  ///< its anchor and characters are kept apart
 /// The next code is the alignment, and with bit 2 set the text is always seen.
 inline constexpr std::int32_t text_style = -129;
 inline constexpr std::int32_t text_always = 4;
@@ -52,8 +55,8 @@ class Instructions {
   void set_pick(std::int32_t id) { pick_ = id; }
   void set_line_pick(std::int32_t id) { line_pick_ = id; }  ///< of lines; -1: none
   void enter_line(const Point3& from, const Point3& to);  ///< a move first, if the pen is elsewhere
-  /// 3 vertices or more; edge_visible is of the edge that ends at the vertex. A shaded polygon has
-  /// one intensity a vertex, a flat one none.
+  /// 3 vertices or more; edge_visible is of the edge that ends at the vertex: 0 if it is not drawn,
+  /// or the kinds of line that it is. A shaded polygon has one intensity a vertex, a flat one none.
   void enter_polygon(std::span<const Point3> vertices, std::span<const std::uint8_t> edge_visible,
                      std::span<const double> intensities = {});
 
@@ -85,10 +88,11 @@ class Instructions {
   ///   fill(FillStyle), line_style(LineStyle), pick(int), move(Point3), line(Point3),
   ///   polygon(span<const Point3> vertices, span<const int32_t> sides) - sides holds op::line
   ///   or op::move for the edge that ends at the vertex of the same index - and, if the visitor
-  ///   has them, before a shaded polygon intensities(span<const double>), which stay until the
-  ///   walk is over, line_pick(int), of the lines that follow, and text_style(TextStyle),
-  ///   text(Point3 anchor, string_view), in the colour of the line style. A text does not move
-  ///   the pen.
+  ///   has them, before a shaded polygon intensities(span<const double>), and before one of whose
+  ///   sides it was asked what kinds of lines they are side_kinds(span<const LineKinds>), 0 of
+  ///   those that are not drawn; both stay until the walk is over; line_pick(int), of the lines
+  ///   that follow, and text_style(TextStyle), text(Point3 anchor, string_view), in the colour of
+  ///   the line style. A text does not move the pen.
   template <class Visitor>
   void walk(Visitor&& visit) const;
 
@@ -122,6 +126,10 @@ class Instructions {
     if constexpr (requires { visit.intensities(of_vertices); }) visit.intensities(of_vertices);
   }
   template <class Visitor>
+  static void visit_side_kinds(Visitor& visit, std::span<const LineKinds> of_sides) {
+    if constexpr (requires { visit.side_kinds(of_sides); }) visit.side_kinds(of_sides);
+  }
+  template <class Visitor>
   static void visit_line_pick(Visitor& visit, std::int32_t id) {
     if constexpr (requires { visit.line_pick(id); }) visit.line_pick(id);
   }
@@ -150,6 +158,7 @@ class Instructions {
   std::vector<Point2> flat_points_;  // otherwise, all at depth flat_z_
   std::vector<double> style_operands_;
   std::vector<double> intensities_;
+  std::vector<LineKinds> side_kinds_;  // of the polygons that have them, one after another
   std::vector<TextAt> texts_;
   std::string characters_;  // of all texts
   double flat_z_ = 0.0;
@@ -175,6 +184,7 @@ void Instructions::walk(Visitor&& visit) const {
   const Point2* next_flat = flat_points_.data();
   const double* operand = style_operands_.data();
   const double* next_intensity = intensities_.data();
+  const LineKinds* next_kinds = side_kinds_.data();
   std::size_t next_text = 0;
   Picks picks;
   const auto take = [&](std::size_t n) -> std::span<const Point3> {
@@ -232,6 +242,13 @@ void Instructions::walk(Visitor&& visit) const {
         next_intensity += sides;
         break;
       }
+      case op::side_kinds: {
+        const std::size_t polygon = op_[i + 1] == op::intensities ? i + 2 : i + 1;
+        const auto sides = static_cast<std::size_t>(op_[polygon]);
+        visit_side_kinds(visit, {next_kinds, sides});
+        next_kinds += sides;
+        break;
+      }
       case op::text_style: {
         const std::int32_t code = op_[++i];
         const TextStyle style{*operand++, TextStyle::Alignment(code % op::text_always),
@@ -276,6 +293,12 @@ class TransformedVisitor {
   }
   void intensities(std::span<const double> values) {
     if constexpr (requires { visit_.intensities(values); }) visit_.intensities(values);
+  }
+  void side_kinds(std::span<const LineKinds> kinds) {
+    if constexpr (requires { visit_.side_kinds(kinds); }) visit_.side_kinds(kinds);
+  }
+  void line_kinds(LineKinds kinds) {
+    if constexpr (requires { visit_.line_kinds(kinds); }) visit_.line_kinds(kinds);
   }
   void line_pick(std::int32_t id) {
     if constexpr (requires { visit_.line_pick(id); }) visit_.line_pick(id);

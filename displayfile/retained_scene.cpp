@@ -11,6 +11,7 @@
 #include "clip/back_face.h"
 #include "clip/error.h"
 #include "displayfile/display_file.h"
+#include "displayfile/side_kinds.h"
 #include "hidden/exact/plane.h"
 #include "hidden/exact/support_plane.h"
 
@@ -112,11 +113,22 @@ void RetainedScene::in_order_of_entry(const Segment& segment, OnPrimitive&& on_p
   }
 }
 
-void RetainedScene::enter_viewed(const Segment& part, ViewStage& stage,
+void RetainedScene::enter_viewed(const Segment& part, const Eye& eye, ViewStage& stage,
                                  const glm::dmat3& lights_turned, displayfile::Segment& segment,
                                  const std::function<void(std::uint32_t)>& is_item) const {
   std::optional<std::uint32_t> in_force;
   Attributes attributes;
+  std::vector<LineKinds> selected;
+  if (part.sides != nullptr) {
+    selected.resize(part.sides->corners());
+    part.sides->in_view(*this, part, eye, selected);
+  }
+  const std::uint32_t first_corner = this->first_corner(part);
+  const auto sides_of = [&](std::uint32_t i) {
+    if (selected.empty()) return of(edge_visible_, i);
+    const auto [first, sides, look, pick] = primitives_[i];
+    return std::span<const LineKinds>(selected).subspan(first - first_corner, sides);
+  };
   if (has_shared()) stage.view_vertices(points(part), part.first_point);
   const auto enter_primitive = [&](std::uint32_t i) {
     if (in_force != primitives_[i].look) {
@@ -125,7 +137,7 @@ void RetainedScene::enter_viewed(const Segment& part, ViewStage& stage,
       if (attributes.light) attributes.light->toward = lights_turned * attributes.light->toward;
       stage.attributes_changed();
     }
-    if (enter_viewed(i, attributes, stage, segment) && draws(i)) is_item(i);
+    if (enter_viewed(i, attributes, sides_of(i), stage, segment) && draws(i)) is_item(i);
   };
   in_order_of_entry(part, enter_primitive, [&](const Text& text) {
     stage.enter_text(text.anchor, text.characters, attributes_[text.attributes], segment);
@@ -133,15 +145,18 @@ void RetainedScene::enter_viewed(const Segment& part, ViewStage& stage,
 }
 
 /// False if nothing of it is seen.
-bool RetainedScene::enter_viewed(std::uint32_t i, const Attributes& attributes, ViewStage& stage,
+bool RetainedScene::enter_viewed(std::uint32_t i, const Attributes& attributes,
+                                 std::span<const LineKinds> sides, ViewStage& stage,
                                  displayfile::Segment& segment) const {
   if (primitives_[i].is_line()) {
     const PointRow ends = points(i);
     segment.set_line_pick(primitives_[i].pick);
     return stage.enter_line(ends[0], ends[1], attributes.line, segment);
   }
-  if (has_shared()) return stage.enter_shared(corners(i), polygon(i), attributes, segment);
-  return !stage.enter_polygon(polygon(i), attributes, segment).empty();
+  WorldPolygon world = polygon(i);
+  world.edge_visible = sides;
+  if (has_shared()) return stage.enter_shared(corners(i), world, attributes, segment);
+  return !stage.enter_polygon(world, attributes, segment).empty();
 }
 
 /// A segment of another scene, with all its primitives; what they shared they share here.
@@ -161,12 +176,43 @@ void RetainedScene::append(const RetainedScene& other, const Segment& segment) {
   other.in_order_of_entry(segment, append_primitive, [&](const Text& text) {
     enter_text(text.anchor, text.characters, other.attributes_[text.attributes]);
   });
+  segments_.back().sides = segment.sides;
 }
 
 void RetainedScene::open_segment(int name, const View& view) {
   const auto points = static_cast<std::uint32_t>(points_.size());
   const auto texts = static_cast<std::uint32_t>(texts_.size());
-  segments_.push_back({name, view, size(), size(), points, points, texts, texts});
+  segments_.push_back({name, view, size(), size(), points, points, texts, texts, nullptr});
+}
+
+void RetainedScene::close_segment(const LineSelection& lines) {
+  Segment& segment = segments_.back();
+  segment.sides =
+      lines.is_all_alone() ? nullptr : std::make_shared<const SideKinds>(*this, segment, lines);
+}
+
+bool RetainedScene::selects_lines() const {
+  return std::ranges::any_of(segments_,
+                             [](const Segment& segment) { return segment.sides != nullptr; });
+}
+
+void RetainedScene::sides_in_view(const Eye& eye, std::vector<LineKinds>& of_corners) const {
+  of_corners.assign(edge_visible_.begin(), edge_visible_.end());
+  for (const Segment& segment : segments_) {
+    if (segment.sides == nullptr) continue;
+    const auto own = std::span(of_corners).subspan(first_corner(segment), segment.sides->corners());
+    segment.sides->in_view(*this, segment, eye, own);
+  }
+}
+
+std::vector<LineKinds> RetainedScene::sides_in_any_view() const {
+  std::vector<LineKinds> of_corners = edge_visible_;
+  for (const Segment& segment : segments_) {
+    if (segment.sides == nullptr) continue;
+    segment.sides->in_any_view(
+        std::span(of_corners).subspan(first_corner(segment), segment.sides->corners()));
+  }
+  return of_corners;
 }
 
 void RetainedScene::remove(int name) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <glm/mat3x3.hpp>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,11 +12,14 @@
 #include "clip/view.h"
 #include "displayfile/attributes.h"
 #include "displayfile/view_stage.h"
+#include "hidden/exact/eye.h"
+#include "hidden/lines/line_kinds.h"
 #include "hidden/primitives.h"
 
 namespace displayfile {
 
 class DisplayFile;
+class SideKinds;
 
 /// What an application drew, before viewing: polygons and lines in world coordinates, after the
 /// modelling transformation, in segments. A GraphicsSystem that was told to retain
@@ -36,6 +40,8 @@ class RetainedScene {
     std::uint32_t first, end;              ///< of its primitives
     std::uint32_t first_point, end_point;  ///< of their points, each of which some corner is
     std::uint32_t first_text = 0, end_text = 0;
+    /// Which sides are lines; null: those that the line style shows.
+    std::shared_ptr<const SideKinds> sides = nullptr;
   };
   /// A text is no primitive: it hides nothing.
   struct Text {
@@ -65,6 +71,16 @@ class RetainedScene {
   }
   /// The indices of its points; there must be shared ones.
   std::span<const std::uint32_t> corners(std::uint32_t i) const { return of(corners_, i); }
+  /// Where the corners of a segment's primitives begin.
+  std::uint32_t first_corner(const Segment& segment) const {
+    return segment.first < size() ? primitives_[segment.first].first
+                                  : static_cast<std::uint32_t>(all_corners());
+  }
+  /// True if the application may see the side that ends at that corner of the primitive, counted
+  /// from 0: it is none that cutting a polygon into triangles made.
+  bool edge_visible(std::uint32_t i, std::uint32_t corner) const {
+    return edge_visible_[primitives_[i].first + corner] != 0;
+  }
   /// Some polygons were entered with vertices that they share.
   bool has_shared() const { return !corners_.empty(); }
   Attributes attributes(std::uint32_t i) const;
@@ -94,21 +110,32 @@ class RetainedScene {
     return {points_, corners_, edge_visible_, items};
   }
 
+  /// Some segment draws other sides than those that the line style shows.
+  bool selects_lines() const;
+  /// For the side that ends at each corner of the scene its kinds in a view, 0 where it is not
+  /// drawn, whatever the line style; 1 of all that no segment was asked for.
+  void sides_in_view(const Eye& eye, std::vector<LineKinds>& of_corners) const;
+  /// The same of all views together: 0 where a side is drawn in none.
+  std::vector<LineKinds> sides_in_any_view() const;
+
   /// A scene of those segments for which the function says so.
   RetainedScene selected(const std::function<bool(const Segment&)>& is_selected) const;
   /// A scene of the segments that are visible in the display file of the system that retained them.
   RetainedScene visible_in(const DisplayFile& display_file) const;
 
   /// Enters one of the scene's segments into a display file's, whole and in order of entry, as the
-  /// application did, through the stage of a view; lights are turned by `lights_turned`. Calls
+  /// application did, through the stage of a view; lights are turned by `lights_turned`. The sides
+  /// that are drawn are those that the segment selects for that eye, the view's. Calls
   /// is_item(primitive) for each of which something was entered and that draws something: they
   /// are the items, in order, of the viewed scene (displayfile/viewed_scene.h).
-  void enter_viewed(const Segment& part, ViewStage& stage, const glm::dmat3& lights_turned,
-                    displayfile::Segment& segment,
+  void enter_viewed(const Segment& part, const Eye& eye, ViewStage& stage,
+                    const glm::dmat3& lights_turned, displayfile::Segment& segment,
                     const std::function<void(std::uint32_t)>& is_item) const;
 
   // For the GraphicsSystem, when the call has succeeded.
   void open_segment(int name, const View& view);
+  /// The segment opened last is complete: its lines are those that are selected.
+  void close_segment(const LineSelection& lines);
   void remove(int name);
   void remove_all();
   void rename(int from, int to);
@@ -146,8 +173,8 @@ class RetainedScene {
   template <class OnPrimitive, class OnText>
   void in_order_of_entry(const Segment& segment, OnPrimitive&& on_primitive,
                          OnText&& on_text) const;
-  bool enter_viewed(std::uint32_t i, const Attributes& attributes, ViewStage& stage,
-                    displayfile::Segment& segment) const;
+  bool enter_viewed(std::uint32_t i, const Attributes& attributes, std::span<const LineKinds> sides,
+                    ViewStage& stage, displayfile::Segment& segment) const;
   void append(const RetainedScene& other, const Segment& segment);
 
   std::vector<Segment> segments_;

@@ -17,16 +17,6 @@
 
 namespace displayfile {
 
-namespace {
-
-Eye eye_of(const View& view) {
-  if (view.projection == View::Projection::perspective) return Eye::at(view.centre_of_projection);
-  const Point3& along = view.direction_of_projection;
-  return Eye::toward(glm::dot(unit(along), unit(view.plane_normal)) < 0.0 ? along : -along);
-}
-
-}  // namespace
-
 /// The segments that share a tree.
 class RetainedViews::Part {
  public:
@@ -37,7 +27,9 @@ class RetainedViews::Part {
         precision_(precision),
         world_(std::move(world)),
         items_(world_.items(primitive_of_)),
-        tree_(world_.primitives(items_), SortOptions{.precision = precision}),
+        any_sides_(world_.selects_lines() ? world_.sides_in_any_view() : std::vector<LineKinds>()),
+        tree_(sorted_in_world(),
+              SortOptions{.precision = precision, .names_sides = world_.selects_lines()}),
         moving_eye_(tree_) {
     for (std::uint32_t i = 0; i < world_.size(); ++i) {
       off_plane_.push_back(world_.off_plane(i));
@@ -58,14 +50,16 @@ class RetainedViews::Part {
     const ViewVolume volume(view);
     ViewStage stage(volume);
     const std::size_t first = file.segments().size();
-    enter_whole(stage, lights_turned, file);
+    const Eye eye = Eye::of(view);
+    if (!any_sides_.empty()) world_.sides_in_view(eye, sides_);
+    enter_whole(eye, stage, lights_turned, file);
     auto scene = std::make_shared<ViewedScene>(scene_of(file, first));
     auto sorted = std::make_shared<SortedScene>();
     sorted->method = HiddenMethod::bsp;
     sorted->precision = precision_;
     sorted->counts = counts();
     sorted->boundary_error = boundary_error(ViewRounding(view, volume), *scene);
-    SortedPieces order = order_of_pieces(moving_eye_.far_to_near(eye_of(view)), stage.pipeline());
+    SortedPieces order = order_of_pieces(moving_eye_.far_to_near(eye), stage.pipeline());
     sorted->parts.push_back(
         std::make_shared<OrderedScene>(OrderedScene{std::move(scene), std::move(order)}));
     return sorted;
@@ -75,14 +69,22 @@ class RetainedViews::Part {
   using Index = WorldTree::Index;
   static constexpr ViewedScene::Item kNotSeen = ~ViewedScene::Item{0};
 
+  /// The sides that the tree's pieces keep are those that are drawn in some view.
+  Primitives sorted_in_world() const {
+    Primitives world = world_.primitives(items_);
+    if (!any_sides_.empty()) world.visible = any_sides_;
+    return world;
+  }
+
   /// Notes which item of the viewed scene each primitive becomes.
-  void enter_whole(ViewStage& stage, const glm::dmat3& lights_turned, DisplayFile& file) {
+  void enter_whole(const Eye& eye, ViewStage& stage, const glm::dmat3& lights_turned,
+                   DisplayFile& file) {
     item_of_.assign(world_.size(), kNotSeen);
     ViewedScene::Item items = 0;
     for (const RetainedScene::Segment& part : world_.segments()) {
       Segment& segment = file.create(part.name);
       segment.image = image_;
-      world_.enter_viewed(part, stage, lights_turned, segment,
+      world_.enter_viewed(part, eye, stage, lights_turned, segment,
                           [&](std::uint32_t i) { item_of_[i] = items++; });
       segment.close();
     }
@@ -134,19 +136,34 @@ class RetainedViews::Part {
                    SortedPieces& pieces) const {
     const SortedPieces& sorted = tree_.pieces();
     const auto world = std::span(sorted.points).subspan(piece.first, piece.sides);
+    const std::vector<LineKinds> sides = sides_of(primitive, piece);
     if (piece.sides == 2) {
       std::array<Point3, 2> ends;
-      const bool drawn = world_.shared_attributes(primitive).line.kind != LineStyle::Kind::none;
+      const bool drawn =
+          world_.shared_attributes(primitive).line.kind != LineStyle::Kind::none && sides[1] != 0;
       if (drawn && pipeline.clip_line(world[0], world[1], ends[0], ends[1])) {
-        add_piece(primitive, ends, std::array<std::uint8_t, 2>{0, 1}, pieces);
+        add_piece(primitive, ends, std::array<std::uint8_t, 2>{0, sides[1]}, pieces);
       }
       return;
     }
-    const ClippedPolygon clipped =
-        pipeline.clip_polygon(world, std::span(sorted.visible).subspan(piece.first, piece.sides));
+    const ClippedPolygon clipped = pipeline.clip_polygon(world, sides);
     if (clipped.vertices.size() >= 3) {
       add_piece(primitive, clipped.vertices, clipped.edge_visible, pieces);
     }
+  }
+
+  /// In this view, of a piece.
+  std::vector<LineKinds> sides_of(std::uint32_t primitive, const SortedPiece& piece) const {
+    const SortedPieces& sorted = tree_.pieces();
+    const auto visible = std::span(sorted.visible).subspan(piece.first, piece.sides);
+    std::vector<LineKinds> sides(visible.begin(), visible.end());
+    if (any_sides_.empty()) return sides;
+    for (std::uint32_t k = 0; k < piece.sides; ++k) {
+      const std::uint32_t corner = sorted.corners[piece.first + k];
+      const bool is_own = sides[k] != 0 && corner != SortedPieces::kNoCorner;
+      sides[k] = is_own ? sides_[world_[primitive].first + corner] : LineKinds{0};
+    }
+    return sides;
   }
 
   void add_piece(std::uint32_t primitive, std::span<const Point3> points,
@@ -168,9 +185,11 @@ class RetainedViews::Part {
   RetainedScene world_;
   std::vector<std::uint32_t> primitive_of_;  // the items' primitives
   std::vector<Primitives::Item> items_;
+  std::vector<LineKinds> any_sides_;  // empty: no segment selects any
   WorldTree tree_;
   MovingEye moving_eye_;
   std::vector<double> off_plane_;           // of the primitives
+  std::vector<LineKinds> sides_;            // of all corners, in the view drawn last
   std::vector<ViewedScene::Item> item_of_;  // the primitives' items in the view drawn last
 };
 

@@ -17,6 +17,7 @@ enum class Setting {
   light,
   hidden_line_removal,
   back_face_removal,
+  lines,
 };
 
 /// Those settings that an application said.

@@ -302,7 +302,11 @@ class SceneViewer::Part {
       return seen_->add_item({first, 2, Primitives::Kind::line},
                              {attributes_.fill, attributes_.line, primitive.pick});
     }
-    const ViewedPolygon viewed = stage_->view_polygon(scene.polygon(i), attributes_);
+    WorldPolygon world = scene.polygon(i);
+    if (const auto& selected = in_view_->viewer.sides_; !selected.empty()) {
+      world.edge_visible = std::span(selected).subspan(primitive.first, primitive.sides);
+    }
+    const ViewedPolygon viewed = stage_->view_polygon(world, attributes_);
     const ClippedPolygon& polygon = viewed.polygon;
     if (polygon.vertices.empty() || (!matrix_ && shows_nothing(polygon.vertices))) return;
     const FillStyle* fill = viewed.fill;
@@ -311,7 +315,7 @@ class SceneViewer::Part {
       lit_.shadow->light = matrix_->apply(lit_.shadow->light);
       fill = &lit_;
     }
-    if (std::ranges::find(polygon.edge_visible, 0) != polygon.edge_visible.end()) {
+    if (!std::ranges::all_of(polygon.edge_visible, [](LineKinds k) { return k == kDrawn; })) {
       seen_->note_edges(shared_.corners + own_corner, polygon.edge_visible);
     }
     std::optional<std::uint32_t> first_intensity;
@@ -353,7 +357,8 @@ SceneViewer::SceneViewer(const RetainedScene& scene, const DisplayFile& attribut
     : scene_(&scene), attributes_(&attributes), palette_(new_number()) {
   const Primitives all = scene.primitives({});
   corners_ = all.all_corners();
-  all_edges_drawn_ = std::ranges::find(all.visible, 0) == all.visible.end();
+  selects_lines_ = scene.selects_lines();
+  all_edges_drawn_ = !selects_lines_ && std::ranges::find(all.visible, 0) == all.visible.end();
   if (scene.has_shared()) {
     points_ = all.points;
     viewed_.corners_.assign(all.corners.begin(), all.corners.end());
@@ -436,6 +441,7 @@ const ViewedScene& SceneViewer::view(const Wanted& wanted) {
   if (!same_segments || !last || !(last->view == wanted.view) ||
       last->centres_of != wanted.centres_of) {
     view_points(wanted, volume);
+    if (selects_lines_) scene_->sides_in_view(Eye::of(wanted.view), sides_);
     viewed_.geometry_ = new_number();
   }
   const Part::InView in_view{*this, wanted, volume, wanted.centres_of && !shows_shadows_};
@@ -495,7 +501,8 @@ void SceneViewer::take_parts(Take&& take) {
   viewed_.items_.reserve(scene_->size());
   viewed_.pick_.reserve(scene_->size());
   if (!all_edges_drawn_) {
-    const auto drawn = scene_->primitives({}).visible;
+    const auto drawn =
+        selects_lines_ ? std::span<const LineKinds>(sides_) : scene_->primitives({}).visible;
     viewed_.edge_visible_.assign(drawn.begin(), drawn.end());
   }
   for (const Block& block : blocks_) {
@@ -550,7 +557,7 @@ DisplayFile SceneViewer::display_file(const View& view, const glm::dmat3& lights
     if (!now.visible) continue;
     Segment& segment = file.create(part.name);
     segment.image = now.image;
-    scene_->enter_viewed(part, stage, lights_turned, segment, [](std::uint32_t) {});
+    scene_->enter_viewed(part, Eye::of(view), stage, lights_turned, segment, [](std::uint32_t) {});
     segment.close();
   }
   return file;

@@ -93,8 +93,10 @@ class SceneViewer {
   std::span<const Point3> points_;  // in world coordinates
   std::size_t corners_ = 0;         // of the retained scene
   bool all_edges_drawn_ = true;
-  std::vector<Look> looks_;     // of attributes, but for colours
-  bool shows_shadows_ = false;  // then what covers no centre matters
+  bool selects_lines_ = false;
+  std::vector<LineKinds> sides_;  // of the corners in the last view, if lines are selected
+  std::vector<Look> looks_;       // of attributes, but for colours
+  bool shows_shadows_ = false;    // then what covers no centre matters
   bool is_lit_ = false;
   std::vector<SegmentNow> segments_;
   std::vector<Block> blocks_;

@@ -59,6 +59,11 @@ class Segment {
     constexpr std::size_t kOtherCodes = 3;  // the polygon's own, and a pick identifier
     writable().reserve_more(corners + kOtherCodes * polygons, corners, fills);
   }
+  /// In place of all instructions entered so far, those of another segment.
+  void take_instructions(Segment&& other) {
+    entered_ = std::move(other.entered_);
+    sorted_.reset();
+  }
   /// No more instructions are to come: copies may share them.
   void close() { closed_ = true; }
   bool is_closed() const { return closed_; }

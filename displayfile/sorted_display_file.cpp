@@ -15,8 +15,9 @@ bool same(const Precision& a, const Precision& b) {
   return a.exact == b.exact && (a.exact || a.roundoff == b.roundoff);
 }
 
-bool is_of(const SortedScene& sorted, HiddenMethod method, const Precision& precision) {
-  return sorted.method == method && same(sorted.precision, precision);
+bool is_of(const SortedScene& sorted, HiddenMethod method, const SortOptions& options) {
+  return sorted.method == method && same(sorted.precision, options.precision) &&
+         sorted.intersections == options.intersections;
 }
 
 /// Instructions of closed segments do not change: the same pointer, the same instructions.
@@ -35,8 +36,9 @@ SortOptions sort_options(const HiddenSurfaceOptions& options, const Precision& p
 /// One order for all, whose groups do not overlap.
 std::shared_ptr<const SortedScene> joined(
     std::span<const std::shared_ptr<const SortedScene>> groups, HiddenMethod method,
-    const Precision& precision) {
-  auto all = std::make_shared<SortedScene>(SortedScene{{}, {}, method, precision, {}});
+    const SortOptions& options) {
+  auto all = std::make_shared<SortedScene>(
+      SortedScene{{}, {}, method, options.precision, {}, 0.0, options.intersections});
   for (const auto& group : groups) {
     all->parts.insert(all->parts.end(), group->parts.begin(), group->parts.end());
     all->counts += group->counts;
@@ -64,7 +66,9 @@ const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, Hidde
   const auto usual = applications ? HiddenScope::segment : HiddenScope::all;
   const HiddenScope set = system.hidden_scope().value_or(usual);
   const HiddenScope scope = options.scope.value_or(set);
-  const SortOptions sort = sort_options(options, precision_in_force(system, options));
+  SortOptions sort = sort_options(options, precision_in_force(system, options));
+  sort.intersections =
+      finds_lines(method) && contains(system.lines().kinds, LineKind::intersection);
   return sort_anew(system.display_file(), [&] {
     if (is_object_space(method) && scope == HiddenScope::all) {
       sort_together(method, sort);
@@ -107,8 +111,9 @@ void SortedDisplayFile::sort_as_closed(const HiddenSurfaceOptions& asked) {
   for (const Segment& segment : file_.segments()) {
     const auto sorted = segment.sorted();
     if (!segment.visible || sorted == nullptr) continue;
-    sort_segment(segment, sorted->method,
-                 sort_options(asked, asked.precision.value_or(sorted->precision)));
+    SortOptions options = sort_options(asked, asked.precision.value_or(sorted->precision));
+    options.intersections = sorted->intersections;
+    sort_segment(segment, sorted->method, options);
   }
 }
 
@@ -120,7 +125,7 @@ void SortedDisplayFile::sort_segments(HiddenMethod method, const SortOptions& op
 void SortedDisplayFile::sort_segment(const Segment& segment, HiddenMethod method,
                                      const SortOptions& options) {
   const auto will_do = [&](const Segment& s) {
-    return s.sorted_as_drawn() && is_of(*s.sorted(), method, options.precision);
+    return s.sorted_as_drawn() && is_of(*s.sorted(), method, options);
   };
   if (will_do(segment)) return;
   const int name = segment.name();
@@ -144,12 +149,12 @@ void SortedDisplayFile::sort_together(HiddenMethod method, const SortOptions& op
     orders.push_back(kept.emplace(name, sorted_group(group, method, options)).first->second.sorted);
   }
   const auto before = last_.sorted();
-  const bool unchanged = before != nullptr && is_of(*before, method, options.precision) &&
+  const bool unchanged = before != nullptr && is_of(*before, method, options) &&
                          work_.sorted == 0 && kept.size() == groups_.size();
   groups_ = std::move(kept);
   if (unchanged) return file_.set_sorted(before);
   if (orders.size() == 1) return file_.set_sorted(orders.front());
-  file_.set_sorted(joined(orders, method, options.precision));
+  file_.set_sorted(joined(orders, method, options));
 }
 
 /// Sorts the group, unless the last update did.
@@ -157,7 +162,7 @@ SortedDisplayFile::SortedGroup SortedDisplayFile::sorted_group(const SegmentGrou
                                                                HiddenMethod method,
                                                                const SortOptions& options) {
   const auto before = groups_.find(group.front()->name());
-  if (before != groups_.end() && is_of(*before->second.sorted, method, options.precision) &&
+  if (before != groups_.end() && is_of(*before->second.sorted, method, options) &&
       std::ranges::equal(before->second.segments, group,
                          [](const Segment& a, const Segment* b) { return draw_the_same(a, *b); })) {
     return before->second;

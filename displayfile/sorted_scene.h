@@ -51,9 +51,11 @@ struct SortedScene {
   /// How far a boundary may lie from where the polygons as entered have it, beyond the rounding of
   /// a cut's own coordinates: where the cuts were made before viewing. Device coordinates.
   double boundary_error = 0.0;
+  bool intersections = false;  ///< SortOptions::intersections
 
   /// SAVE-POLYGONS-IN-ORDER (algorithm 9.16): calls the visitor for each instruction, back to
-  /// front, as Instructions::walk does; a style, a pick identifier and a segment where they change.
+  /// front, as Instructions::walk does; a style, a pick identifier and a segment where they change,
+  /// and, if the visitor has it, line_kinds(LineKinds) of the lines that follow, kDrawn at first.
   /// Texts follow all else.
   template <class Visitor>
   void walk(Visitor&& visit) const;
@@ -119,7 +121,12 @@ class PieceWriter {
     const bool is_line = scene().kind(piece.item) == Primitives::Kind::line;
     if (is_line || ordered_->pieces.are_lines) {
       check_line_style(scene().line_style(piece.item));
-      if (!is_line) check_pick(piece.item);
+      if (!is_line) {
+        check_pick(ordered_->pieces.pick_item(piece));
+        check_line_kinds(ordered_->pieces.visible[piece.first + 1]);
+      } else {
+        check_line_kinds(kDrawn);
+      }
       if (!pen_known_ || pen_ != points[0]) visit_.move(points[0]);
       visit_.line(points[1]);
     } else {
@@ -146,6 +153,12 @@ class PieceWriter {
     visit_.line_style(style);
   }
 
+  void check_line_kinds(LineKinds kinds) {
+    if (line_kinds_ == kinds) return;
+    line_kinds_ = kinds;
+    if constexpr (requires { visit_.line_kinds(kinds); }) visit_.line_kinds(kinds);
+  }
+
   void check_pick(std::uint32_t item) {
     const std::int32_t pick = scene().pick_of_item(item);
     if (pick_known_ && pick_ == pick) return;
@@ -162,17 +175,19 @@ class PieceWriter {
   /// A piece of an edge-on polygon may be a single side; a polygon instruction has three or more.
   void send_polygon(const SortedPiece& piece, std::span<const Point3> points) {
     sides_.clear();
+    kinds_.clear();
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const bool visible = piece.first == SortedPiece::kWhole
-                               ? scene().edge_visible(piece.item, i)
-                               : ordered_->pieces.visible[piece.first + i] != 0;
-      sides_.push_back(visible ? op::line : op::move);
+      kinds_.push_back(piece.first == SortedPiece::kWhole
+                           ? scene().side_kinds(piece.item, i)
+                           : ordered_->pieces.visible[piece.first + i]);
+      sides_.push_back(kinds_.back() != 0 ? op::line : op::move);
     }
     auto intensities = intensities_of(piece, points);
     if (points.size() < 3) {
       padded_.assign(points.begin(), points.end());
       padded_.resize(3, points.back());
       sides_.resize(3, op::move);
+      kinds_.resize(3, 0);
       if (!intensities.empty()) {
         intensities_.assign(intensities.begin(), intensities.end());
         intensities_.resize(3, intensities_.back());
@@ -181,6 +196,11 @@ class PieceWriter {
       points = padded_;
     }
     check_pick(piece.item);
+    if constexpr (requires { visit_.side_kinds(std::span<const LineKinds>(kinds_)); }) {
+      if (std::ranges::any_of(kinds_, has_kind)) {
+        visit_.side_kinds(std::span<const LineKinds>(kinds_));
+      }
+    }
     if constexpr (requires { visit_.intensities(intensities); }) {
       if (!intensities.empty()) visit_.intensities(intensities);
     }
@@ -208,6 +228,8 @@ class PieceWriter {
   Point3 pen_{0.0};
   int segment_ = 0;  // names are 1 or more
   std::vector<std::int32_t> sides_;
+  std::vector<LineKinds> kinds_;  // of the sides
+  LineKinds line_kinds_ = kDrawn;
   std::vector<Point3> padded_;
   std::vector<double> intensities_;  // of one piece
 };

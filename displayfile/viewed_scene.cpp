@@ -42,6 +42,7 @@ struct ViewedScene::Collector {
   TextStyle of_texts{};
   std::int32_t pick_id = -1, line_pick_id = -1;
   std::span<const double> of_vertices{};  // of the polygon that follows
+  std::span<const LineKinds> kinds{};     // of its sides
   std::vector<std::uint8_t> drawn{};      // its sides
 
   void fill(const FillStyle& s) { fill_style = s; }
@@ -49,6 +50,7 @@ struct ViewedScene::Collector {
   void pick(std::int32_t id) { pick_id = id; }
   void line_pick(std::int32_t id) { line_pick_id = id; }
   void intensities(std::span<const double> values) { of_vertices = values; }
+  void side_kinds(std::span<const LineKinds> values) { kinds = values; }
   void text_style(const TextStyle& s) { of_texts = s; }
   void text(const Point3& anchor, std::string_view characters) {
     const int segment = scene.segments_.empty() ? 0 : scene.segments_.back().name;
@@ -66,11 +68,14 @@ struct ViewedScene::Collector {
     const std::size_t first = points;
     take(vertices);
     const auto shading = std::exchange(of_vertices, {});
+    const auto of_sides = std::exchange(kinds, {});
     const std::size_t first_intensity = in_place ? intensities_seen : scene.own_intensities_.size();
     intensities_seen += shading.size();
     const Look look{fill_style, style, pick_id};
     if (!look.shows()) return;
-    if (!std::ranges::all_of(sides, [](std::int32_t s) { return s == op::line; })) {
+    if (!of_sides.empty()) {
+      scene.note_edges(first, of_sides);
+    } else if (!std::ranges::all_of(sides, [](std::int32_t s) { return s == op::line; })) {
       drawn.clear();
       for (const std::int32_t side : sides) drawn.push_back(side == op::line ? 1 : 0);
       scene.note_edges(first, drawn);
@@ -300,7 +305,7 @@ std::vector<std::uint8_t> ViewedScene::drawn_sides() const {
     const Item end = k + 1 < lines_.size() ? lines_[k + 1].first : items();
     for (Item item = lines_[k].first; item < end; ++item) {
       const auto [first, sides, kind] = items_[item];
-      for (std::uint32_t i = 0; i < sides; ++i) drawn[first + i] = edge_visible(item, i) ? 1 : 0;
+      for (std::uint32_t i = 0; i < sides; ++i) drawn[first + i] = side_kinds(item, i);
     }
   }
   return drawn;

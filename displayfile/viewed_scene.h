@@ -84,8 +84,10 @@ class ViewedScene {
     return {points_, std::span(corners_).subspan(first, sides)};
   }
   /// True if the side that ends at the item's vertex of that number is drawn.
-  bool edge_visible(Item item, std::size_t vertex) const {
-    return edge_visible_.empty() || edge_visible_[items_[item].first + vertex] != 0;
+  bool edge_visible(Item item, std::size_t vertex) const { return side_kinds(item, vertex) != 0; }
+  /// Its kinds; 0 if it is not drawn.
+  LineKinds side_kinds(Item item, std::size_t vertex) const {
+    return edge_visible_.empty() ? kDrawn : edge_visible_[items_[item].first + vertex];
   }
   /// The intensities of the vertices of a shaded polygon; empty if it is not shaded.
   std::span<const double> intensities(Item item) const {
@@ -114,6 +116,7 @@ class ViewedScene {
   }
   /// The line styles of all items, in order; the first of them begins at item 0.
   std::span<const Run<LineStyle>> line_styles() const { return lines_; }
+  std::span<const std::int32_t> picks() const { return pick_; }       ///< of the items
   std::int32_t pick_of_item(Item item) const { return pick_[item]; }  ///< -1: a line without one
 
   /// The segments' names, and where their items begin. None if the scene names no segments.
@@ -281,7 +284,7 @@ class ViewedScene {
   std::span<const Point3> points_;  // the source's own, or else own_points_
   std::vector<Point3> own_points_;
   std::vector<std::uint32_t> corners_;      // their points; empty: these in a row
-  std::vector<std::uint8_t> edge_visible_;  // empty: all are
+  std::vector<std::uint8_t> edge_visible_;  // kinds, or 0; empty: all are kDrawn
   std::vector<Primitives::Item> items_;
   std::vector<std::int32_t> pick_;  // of the items
   // Colours are numbered from those of the palette on, which a retained scene has for all its

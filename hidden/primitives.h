@@ -25,7 +25,8 @@ struct Primitives {
   /// The points of the corners, as indices: corners that share a point name it twice. Empty: the
   /// corners are the points in a row.
   std::span<const std::uint32_t> corners;
-  /// Whether the side that ends at the corner of the same index is drawn: 0 if not. Empty: all are.
+  /// Whether the side that ends at the corner of the same index is drawn, 0 if not, and as which
+  /// kinds of lines (hidden/lines/line_kinds.h). Empty: all are, and nobody asked as which.
   std::span<const std::uint8_t> visible;
   std::span<const Item> items;
 
@@ -37,7 +38,10 @@ struct Primitives {
     if (corners.empty()) return points.subspan(item.first, item.sides);
     return {points, corners.subspan(item.first, item.sides)};
   }
-  bool is_visible(std::uint32_t corner) const { return visible.empty() || visible[corner] != 0; }
+  std::uint8_t visible_at(std::uint32_t corner) const {
+    return visible.empty() ? std::uint8_t{1} : visible[corner];
+  }
+  bool is_visible(std::uint32_t corner) const { return visible_at(corner) != 0; }
 };
 
 }  // namespace displayfile

@@ -55,6 +55,8 @@ class Cairo {
   DISPLAYFILE_CAIRO(surface_finish);
   DISPLAYFILE_CAIRO(surface_flush);
   DISPLAYFILE_CAIRO(surface_status);
+  DISPLAYFILE_CAIRO(tag_begin);
+  DISPLAYFILE_CAIRO(tag_end);
   DISPLAYFILE_CAIRO(text_extents);
   DISPLAYFILE_CAIRO(translate);
 #undef DISPLAYFILE_CAIRO

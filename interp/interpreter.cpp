@@ -21,6 +21,8 @@ struct Interpretation {
   std::int32_t pick_id = -1;
   Point3 pen{0.0};
   std::span<const double> of_vertices{};  // of the polygon that follows
+  std::span<const LineKinds> of_sides{};  // likewise
+  LineKinds of_lines = kDrawn;            // that follow
   bool in_segment = false;
 
   void segment(int name) {
@@ -36,16 +38,21 @@ struct Interpretation {
   void line_style(const LineStyle& s) { style = scaled(s, line_scale); }
   void pick(int id) { pick_id = id; }
   void intensities(std::span<const double> values) { of_vertices = values; }
+  void side_kinds(std::span<const LineKinds> kinds) { of_sides = kinds; }
+  void line_kinds(LineKinds kinds) { of_lines = kinds; }
   void move(const Point3& p) { pen = p; }
   void line(const Point3& p) {
-    if (pass != Pass::fills && style.kind != LineStyle::Kind::none) device.line({pen, p, style});
+    if (pass != Pass::fills && style.kind != LineStyle::Kind::none) {
+      device.line({pen, p, style, of_lines});
+    }
     pen = p;
   }
   void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
-    const DrawnPolygon polygon{vertices, sides, fill_style, style, pick_id, of_vertices};
+    const DrawnPolygon polygon{vertices, sides, fill_style, style, pick_id, of_vertices, of_sides};
     if (pass != Pass::lines && fill_style.kind == FillStyle::Kind::solid) device.fill(polygon);
     if (pass != Pass::fills && style.kind != LineStyle::Kind::none) device.edges(polygon);
     of_vertices = {};
+    of_sides = {};
     pen = vertices.back();
   }
 };

@@ -23,6 +23,8 @@ struct DrawnPolygon {
   /// colour is to be multiplied by the intensity, linear over the picture. Empty if the polygon is
   /// flat.
   std::span<const double> intensities = {};
+  /// The kinds of line that the sides are, 0 of those that are not drawn. Empty if nobody asked.
+  std::span<const LineKinds> kinds = {};
 };
 
 /// For a device that fills a polygon with one colour: a shaded one gets the mean of its
@@ -36,6 +38,7 @@ inline FillStyle even_fill(const DrawnPolygon& polygon) {
 struct DrawnLine {
   Point3 from, to;
   const LineStyle& style;
+  LineKinds kinds = kDrawn;
 };
 
 /// Where the interpreter draws: the one interface every output device has.

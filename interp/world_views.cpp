@@ -27,9 +27,10 @@ class ViewedSegments {
     const ViewVolume volume(view);
     ViewStage stage(volume);
     Segment& segment = world_.display_file.create(part.name);
-    world_.rays->scene().enter_viewed(part, stage, lights_turned, segment, [&](std::uint32_t i) {
-      world_.sources[i] = {items_++, number};
-    });
+    world_.rays->scene().enter_viewed(part, Eye::of(view), stage, lights_turned, segment,
+                                      [&](std::uint32_t i) {
+                                        world_.sources[i] = {items_++, number};
+                                      });
     segment.close();
   }
   ViewedWorld take() { return std::move(world_); }

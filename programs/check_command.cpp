@@ -187,7 +187,8 @@ std::vector<std::string> CheckCommand::golden_files(std::string_view extension) 
 }
 
 int CheckCommand::run() const {
-  const CheckedInputs checked{hidden_surfaces.options(threads), meshes, size};
+  CheckedInputs checked{hidden_surfaces.options(threads), meshes, size};
+  checked.meshes.lines = hidden_surfaces.line_selection();
   checked.meshes.options();  // all words are understood before any work is done
   if (!checked.size.size.empty()) checked.size.aspect();
   InstructionCheck instructions(checked);

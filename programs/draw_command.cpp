@@ -137,6 +137,12 @@ DrawOptions DrawCommand::all_options() const {
   return all;
 }
 
+MeshWords DrawCommand::entering() const {
+  MeshWords words = meshes;
+  words.lines = hidden_surfaces.line_selection();
+  return words;
+}
+
 std::string DrawCommand::draw_into(std::span<const std::string> drawn,
                                    const std::filesystem::path& file, const DrawOptions& drawing,
                                    MadeFolders* folders, NotInVectors& left_out) const {
@@ -146,14 +152,14 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
   };
   if (turntable) {
     make_folders();
-    return draw_turntable(drawn, file, drawing, meshes, shading.shading(),
+    return draw_turntable(drawn, file, drawing, entering(), shading.shading(),
                           turntable_views(*turntable), stats, left_out);
   }
   if (stats) reset_predicate_counts();
   const PictureKind kind = picture_kind(file, drawing);
   const bool picture_alone = kind == PictureKind::raster && !explain && !stats && !pick;
   const DrawnInputs entered(
-      drawn, drawing, meshes, shading.shading(),
+      drawn, drawing, entering(), shading.shading(),
       picture_alone ? DrawnInputs::Use::picture : DrawnInputs::Use::display_file);
   warn_of_stretched_window(entered.system(), file.string(), drawing.width, drawing.height);
   const GraphicsSystem& system = entered.system();
@@ -251,6 +257,7 @@ int DrawCommand::draw_each(const DrawOptions& drawing, NotInVectors& left_out) c
 int DrawCommand::run() const {
   const DrawOptions drawing = all_options();
   shading.shading();
+  hidden_surfaces.line_selection();
   if (turntable) turntable_views(*turntable);
   if (pick) pick_option(*pick);
   const std::array<std::filesystem::path, 3> files{output, drawing.ids, drawing.depth};

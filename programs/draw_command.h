@@ -48,6 +48,7 @@ struct DrawCommand {
   void add_output_options(CLI::App& command);
   void add_picture_options(CLI::App& command);
   DrawOptions all_options() const;
+  MeshWords entering() const;
   /// Draws inputs, and makes the folders of outputs, if any are to be made, when all is read.
   /// Returns what the printed options have to say of it.
   std::string draw_into(std::span<const std::string> drawn, const std::filesystem::path& file,

@@ -23,7 +23,10 @@ CLI::App& DumpCommand::add_to(CLI::App& app) {
 }
 
 int DumpCommand::run() const {
-  const DrawnFile drawn = as_drawn(inputs, hidden_surfaces.options(threads), meshes, size.aspect());
+  MeshWords entering = meshes;
+  entering.lines = hidden_surfaces.line_selection();
+  const DrawnFile drawn =
+      as_drawn(inputs, hidden_surfaces.options(threads), entering, size.aspect());
   if (output.empty()) {
     dump(drawn.file, std::cout, drawn.fills);
     std::cout.flush();

@@ -1,5 +1,6 @@
 #include "programs/hidden_surface_words.h"
 
+#include "clip/error.h"
 #include "hidden/exact/precision.h"
 #include "programs/option_groups.h"
 
@@ -21,6 +22,14 @@ void HiddenSurfaceWords::add_to(CLI::App& command) {
       .add_option("--precision", precision,
                   "exact, roundoff or roundoff=EPS; exact unless a program sets another")
       ->group(kHiddenSurfaceOptions);
+  command
+      .add_option("--lines", lines,
+                  "which sides of polygons are lines, in place of what programs set, whatever the "
+                  "method; with commas between several: all (those that the line style shows), "
+                  "outline, boundary (sides of one polygon), crease or crease=DEGREES (sides at "
+                  "which two turn by more; 30), intersection, material (sides at which fills "
+                  "differ)")
+      ->group(kHiddenSurfaceOptions);
 }
 
 HiddenSurfaceOptions HiddenSurfaceWords::options(int threads) const {
@@ -30,6 +39,15 @@ HiddenSurfaceOptions HiddenSurfaceWords::options(int threads) const {
   if (!scope.empty()) read.scope = hidden_scope(scope);
   if (!precision.empty()) read.precision = displayfile::precision(precision);
   return read;
+}
+
+std::optional<LineSelection> HiddenSurfaceWords::line_selection() const {
+  if (!lines) return std::nullopt;
+  try {
+    return displayfile::line_selection(*lines);
+  } catch (const Error& error) {
+    throw Error("--lines: " + std::string(error.what()));
+  }
 }
 
 }  // namespace displayfile

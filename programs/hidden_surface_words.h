@@ -1,19 +1,24 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <optional>
 #include <string>
 
 #include "displayfile/sorted_display_file.h"
+#include "hidden/lines/line_kinds.h"
 
 namespace displayfile {
 
 /// The options of commands that find hidden surfaces, as words.
 struct HiddenSurfaceWords {
   std::string hidden, scope, precision;
+  std::optional<std::string> lines;
 
   void add_to(CLI::App& command);
   /// Throws Error for an unknown word.
   HiddenSurfaceOptions options(int threads) const;
+  /// Of what is drawn; nothing if the programs say it. Throws Error likewise.
+  std::optional<LineSelection> line_selection() const;
 };
 
 }  // namespace displayfile

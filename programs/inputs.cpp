@@ -226,7 +226,7 @@ std::optional<Upright> enter_inputs(std::span<const std::string> inputs, Graphic
                                     const MeshWords& meshes, double aspect,
                                     std::optional<HiddenMethod> method) {
   MeshOptions options = meshes.options();
-  options.sides_drawn = method && shows_lines_only(*method);
+  options.sides_drawn = meshes.lines || (method && shows_lines_only(*method));
   if (options.colour && std::ranges::all_of(inputs, is_drawing_program)) {
     throw Error("--colour: expected a mesh among the inputs");
   }

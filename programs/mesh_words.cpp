@@ -32,4 +32,9 @@ MeshOptions MeshWords::options() const {
   return options;
 }
 
+void MeshWords::start(GraphicsSystem& system, double aspect) const {
+  CameraWords::start(system, aspect);
+  if (lines) system.replace_lines(*lines);
+}
+
 }  // namespace displayfile

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <optional>
 #include <string>
 
 #include "displayfile/mesh/mesh_options.h"
+#include "hidden/lines/line_kinds.h"
 #include "programs/camera_options.h"
 
 namespace displayfile {
@@ -11,10 +13,13 @@ namespace displayfile {
 /// The options of commands that enter meshes, as words: those of the camera, and the colour.
 struct MeshWords : CameraWords {
   std::string colour;
+  std::optional<LineSelection> lines;  ///< no option: what --lines selects of all inputs
 
   void add_to(CLI::App& command);
   /// Throws Error for a word that is not understood.
   MeshOptions options() const;
+  /// What the inputs start with.
+  void start(GraphicsSystem& system, double aspect) const;
 };
 
 }  // namespace displayfile

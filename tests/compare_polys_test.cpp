@@ -77,7 +77,7 @@ class AgainstPlane {
     for (std::uint32_t k = 0; k < scene_->table[entry].sides; ++k) {
       const auto side = scene_->table.d[scene_->table[entry].start + k];
       const Point3 p = scene_->vertices.coordinates(side.vertex);
-      sides.push_back({p.x, p.y, side.visible});
+      sides.push_back({p.x, p.y, side.visible != 0});
     }
     return sides.size() == 2 ? sides : normal(sides);
   }

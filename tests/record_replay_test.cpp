@@ -87,6 +87,13 @@ class RandomApplication {
     return {kKinds[below(3)], colour(), uniform(-0.1, 9), uniform(0.1, 9), uniform(0.1, 9)};
   }
 
+  LineSelection lines() {
+    LineKinds kinds = 0;
+    for (const LineKindEntry& entry : line_kinds()) {
+      if (chance(30)) kinds = static_cast<LineKinds>(kinds | kinds_of(entry.kind));
+    }
+    return {kinds, uniform(-5.0, 190.0)};
+  }
   TextStyle text_style() {
     using enum TextStyle::Alignment;
     constexpr std::array kAlignments{left, centre, right};
@@ -173,6 +180,7 @@ class RandomApplication {
       case 29: return system_.save_transformation_3();
       case 30: return system_.restore_transformation_3();
       case 31: return system_.set_image_centre(name(), coordinate(), coordinate());
+      case 32: return system_.set_lines(lines());
       case 38: return system_.set_window_fit(chance(50) ? WindowFit::widen : WindowFit::stretch);
       case 39:
         return system_.set_background(
@@ -198,6 +206,7 @@ void expect_same_state(const GraphicsSystem& a, const GraphicsSystem& b) {
   EXPECT_EQ(a.polygons_triangulated(), b.polygons_triangulated());
   EXPECT_EQ(a.view_was_set(), b.view_was_set());
   EXPECT_EQ(a.background(), b.background());
+  EXPECT_EQ(words_of(a.lines()), words_of(b.lines()));
 }
 
 /// Whatever the application called, its recording makes the same display file, bit for bit

@@ -105,7 +105,7 @@ class Canvas : public VectorDevice {
     }
   }
   void paint_text(const ViewedText&, const Point2&, double) override {}
-  void paint_lines(const Path& path, const LineStyle&) override {
+  void paint_lines(const Path& path, const LineStyle&, LineKinds) override {
     EXPECT_TRUE(open_);
     for (std::size_t i = 0; i < path.runs.size(); ++i) {
       const auto run = path.run(i);

@@ -155,7 +155,8 @@ void bring_defaults(GraphicsSystem& system, const MeshOptions& options) {
   system.by_default(Setting::light, [&] { set_mesh_light(system); });
   system.by_default(Setting::fill_style, [&] { system.set_fill_style(solid(kNeutral)); });
   const bool shows_lines = system.hidden_line_removal() && shows_lines_only(system.hidden_method());
-  const bool sides_drawn = options.sides_drawn || shows_lines;
+  const bool sides_drawn =
+      options.sides_drawn || shows_lines || system.said().contains(Setting::lines);
   system.by_default(Setting::line_style, [&] {
     system.set_line_style({sides_drawn ? LineStyle::Kind::solid : LineStyle::Kind::none});
   });

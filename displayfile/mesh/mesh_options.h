@@ -12,7 +12,8 @@ struct MeshOptions {
   Camera camera;                   ///< of the fitted view
   std::optional<Colour> colour{};  ///< of all faces, whatever files and programs say
   bool file_colours = true;        ///< the colours that files give faces are taken
-  /// Faces' sides are drawn, unless the application said how: with a method that shows lines only.
+  /// Faces' sides are drawn, unless the application said how: with a method that shows lines only,
+  /// and where lines are selected.
   bool sides_drawn = false;
 };
 

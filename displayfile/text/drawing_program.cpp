@@ -382,6 +382,15 @@ void text_style(GraphicsSystem& system, Line& line, const Routine& routine) {
   system.set_text_style(style);
 }
 
+void lines(GraphicsSystem& system, Line& line, const Routine& routine) {
+  if (line.arguments() == 0) wrong_count(line, routine);
+  LineSelection selection{.kinds = 0};
+  for (std::size_t i = 0; i < line.arguments(); ++i) {
+    understood(line.argument(i), [&](std::string_view word) { add_line_kind(word, selection); });
+  }
+  system.set_lines(selection);
+}
+
 void axes(GraphicsSystem& system, Line& line, const Routine& routine) {
   const std::size_t count = line.arguments();
   if (count != 6 && count != 9) wrong_count(line, routine);
@@ -464,6 +473,8 @@ constexpr auto kRoutines = std::to_array<Routine>({
     fixed<&G::set_back_face_removal>("set-back-face-removal", "on|off"),
     fixed<&G::set_hidden_method>("set-hidden-method", "method"),
     fixed<&G::set_hidden_scope>("set-hidden-scope", "segment|all"),
+    {"set-lines", "one or more of all outline boundary crease[=DEGREES] material intersection",
+     kVaries, lines},
     fixed<&G::set_precision>("set-precision", "exact|roundoff[=EPS]"),
     fixed<&G::set_z_buffer>("set-z-buffer", "on|off"),
 });

@@ -20,14 +20,7 @@ void GraphicsSystem::set_back_face_removal(bool on) {
 
 void GraphicsSystem::set_hidden_method(HiddenMethod method) {
   const HiddenMethod known = displayfile::hidden_method(name_of(method));  // or refuses
-  if (surfaces_of(known) == HiddenMethod::world_ray_cast && retained() == nullptr) {
-    if (!display_file_.segments().empty()) {
-      throw Error(
-          "world-ray-cast needs world coordinates, which the segments that there are have not "
-          "retained: expected it before the first segment");
-    }
-    own_retained_.emplace();
-  }
+  if (surfaces_of(known) == HiddenMethod::world_ray_cast) retain_for("world-ray-cast");
   method_ = known;
   record("set-hidden-method", {name_of(method)});
 }

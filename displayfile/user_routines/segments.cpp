@@ -33,9 +33,12 @@ void GraphicsSystem::open_segment(int name) {
 void GraphicsSystem::close_segment() {
   if (!open_) throw Error("no segment open");
   Segment& segment = display_file_.segment(*open_);
+  if (retaining() != nullptr) select_lines(segment);
   const bool each_on_its_own = scope_.value_or(HiddenScope::segment) == HiddenScope::segment;
   if (hidden_ && is_object_space(method_) && each_on_its_own) {
-    segment.set_sorted(hidden_surface_check(segment.entered(), {}, method_, sort_options_));
+    SortOptions options = sort_options_;
+    options.intersections = finds_lines(method_) && contains(lines_.kinds, LineKind::intersection);
+    segment.set_sorted(hidden_surface_check(segment.entered(), {}, method_, options));
   }
   segment.close();
   open_.reset();
@@ -95,6 +98,9 @@ void GraphicsSystem::set_image_centre(int name, double x, double y) {
 void GraphicsSystem::retain(RetainedScene* scene) {
   if (scene != nullptr && !display_file_.segments().empty()) {
     throw Error("there are segments already: expected to retain from the first one on");
+  }
+  if (scene == nullptr && !lines_.is_all_alone()) {
+    throw Error("lines are selected among what is retained: expected set-lines all before");
   }
   retained_ = scene;
   own_retained_.reset();

@@ -12,7 +12,29 @@
 
 namespace displayfile {
 
-std::vector<LineName> drawn_lines(const Primitives& items) {
+namespace {
+
+/// What is known of a side; kinds 0: it is not drawn, or as another polygon's.
+struct SideLook {
+  LineKinds kinds = 0;
+  std::uint32_t pick_item = 0;
+};
+
+SideLook shared_look(const Primitives& items, std::span<const SideTable::Side> same,
+                     std::span<const std::int32_t> picks) {
+  SideLook look{.kinds = 0, .pick_item = same[0].name.item};
+  for (const auto& [high, name] : same) {
+    const LineKinds kinds = items.visible_at(items.items[name.item].first + name.corner);
+    look.kinds = static_cast<LineKinds>(look.kinds | kinds);
+    if (!picks.empty() && picks[name.item] < picks[look.pick_item]) look.pick_item = name.item;
+  }
+  return look;
+}
+
+}  // namespace
+
+std::vector<LineToDraw> lines_to_draw(const Primitives& items,
+                                      std::span<const std::int32_t> picks) {
   std::vector<std::size_t> first;  // side of each item, among those of all
   first.reserve(items.items.size());
   std::size_t sides = 0;
@@ -20,15 +42,15 @@ std::vector<LineName> drawn_lines(const Primitives& items) {
     first.push_back(sides);
     sides += item.sides;
   }
-  std::vector<std::uint8_t> is_drawn(sides, 0);
+  std::vector<SideLook> looks(sides);
   SideTable(items).for_each_set([&](std::span<const SideTable::Side> same) {
     const auto drawn = std::ranges::find_if(same, [&](const SideTable::Side& side) {
       return items.is_visible(items.items[side.name.item].first + side.name.corner);
     });
-    if (drawn != same.end()) is_drawn[first[drawn->name.item] + drawn->name.corner] = 1;
+    if (drawn == same.end()) return;
+    looks[first[drawn->name.item] + drawn->name.corner] = shared_look(items, same, picks);
   });
-  std::vector<LineName> lines;
-  lines.reserve(static_cast<std::size_t>(std::ranges::count(is_drawn, 1)));
+  std::vector<LineToDraw> lines;
   for (std::uint32_t i = 0; i < items.items.size(); ++i) {
     const Primitives::Item& item = items.items[i];
     const bool is_line = item.kind == Primitives::Kind::line;
@@ -36,12 +58,19 @@ std::vector<LineName> drawn_lines(const Primitives& items) {
       const Point3& to = items.points[items.point(item.first + corner)];
       const std::uint32_t before = corner == 0 ? item.sides - 1 : corner - 1;
       const Point3& from = items.points[items.point(item.first + before)];
-      if ((is_line || is_drawn[first[i] + corner] != 0) && Point2(from) != Point2(to)) {
-        lines.push_back({i, corner});
+      const SideLook look = is_line ? SideLook{kDrawn, i} : looks[first[i] + corner];
+      if (look.kinds != 0 && Point2(from) != Point2(to)) {
+        lines.push_back({{i, corner}, look.kinds, look.pick_item});
       }
     }
   }
   return lines;
+}
+
+std::vector<LineName> drawn_lines(const Primitives& items) {
+  std::vector<LineName> names;
+  for (const LineToDraw& line : lines_to_draw(items, {})) names.push_back(line.name);
+  return names;
 }
 
 SeenLines visible_lines(const Primitives& items, std::span<const LineName> lines,

@@ -8,6 +8,7 @@
 #include "hidden/exact/precision.h"
 #include "hidden/hidden_method.h"
 #include "hidden/lines/intersection_lines.h"
+#include "hidden/lines/line_kinds.h"
 #include "hidden/primitives.h"
 #include "hidden/work_progress.h"
 
@@ -52,6 +53,15 @@ struct LineOptions {
 /// items and corners. A side that polygons share is there once, as the first of those that are
 /// drawn. What projects to a point is left out.
 std::vector<LineName> drawn_lines(const Primitives& items);
+
+/// One of these lines, and what it is as the polygons share it.
+struct LineToDraw {
+  LineName name;
+  LineKinds kinds;          ///< those that the side is drawn as in one of the polygons or more
+  std::uint32_t pick_item;  ///< the item of the lowest pick identifier
+};
+/// The same list; `picks` are the pick identifiers of the items.
+std::vector<LineToDraw> lines_to_draw(const Primitives& items, std::span<const std::int32_t> picks);
 
 /// Finds what is seen of the lines named, in device coordinates (hidden/lines/README.md has the
 /// definition). A line named twice counts once; a line that projects to a point has no pieces. With

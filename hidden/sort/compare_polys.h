@@ -100,7 +100,7 @@ class ComparePolys {
           put(side == first_side, {crossing, here.line, here.visible});
         }
         side = -side;
-        put(side == first_side, {crossing, SideLine::cut_by(plane), false});
+        put(side == first_side, {crossing, SideLine::cut_by(plane), 0});
       }
       put(side == first_side, here);
       last = j;
@@ -115,7 +115,7 @@ class ComparePolys {
     const std::uint32_t crossing = vertices_.cut(a.vertex, b.vertex, b.line, own, plane);
     put(true, a);
     put(true, {crossing, b.line, b.visible});
-    put(false, {crossing, b.line, false});
+    put(false, {crossing, b.line, 0});
     put(false, b);
     return signs_[0];
   }

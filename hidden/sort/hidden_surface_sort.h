@@ -25,6 +25,7 @@ struct SortOptions {
   RootChoice root = RootChoice::free;
   int threads = 1;             ///< the result is the same for any number
   WorkProgress progress = {};  ///< told by methods that find lines: of the lines looked at
+  bool names_sides = false;    ///< SortedPieces::corners is wanted
   /// The methods that find lines show those too along which polygons pass through each other
   /// (hidden/lines/intersection_lines.h).
   bool intersections = false;
@@ -47,9 +48,21 @@ struct SortedPieces {
   bool are_lines = false;
   std::vector<SortedPiece> pieces;
   /// The points of the pieces that were cut: coordinates, each rounded once, and whether the side
-  /// that ends at the point is drawn (the sides that cuts made are not).
+  /// that ends at the point is drawn and as what, as Primitives::visible (the sides that cuts made
+  /// are not).
   std::vector<Point3> points;
   std::vector<std::uint8_t> visible;
+  /// Where the sort was asked to name sides: the corner of the item, from 0, at which the side ends
+  /// that this one is or is a part of; kNoCorner of the sides that cuts made.
+  std::vector<std::uint32_t> corners;
+  static constexpr std::uint32_t kNoCorner = 0xffffffffu;
+
+  /// Of the pieces of lines, by their first point over 2: the item whose pick identifier they have,
+  /// of those that share the side. Empty: their own.
+  std::vector<std::uint32_t> pick_items;
+  std::uint32_t pick_item(const SortedPiece& piece) const {
+    return pick_items.empty() ? piece.item : pick_items[piece.first / 2];
+  }
 
   std::uint64_t comparisons = 0;  ///< of a polygon with a plane or another polygon
   std::uint64_t cuts = 0;         ///< one piece in two

@@ -15,21 +15,22 @@ class SideBuffer {
   struct Side {
     std::uint32_t vertex;  ///< number in the vertex table
     SideLine line;         ///< what the side lies on
-    bool visible;          ///< the textbook's instruction: a line, or for a cut side a move
+    std::uint8_t
+        visible;  ///< as Primitives::visible: the textbook's line, or for a cut side a move
   };
 
   /// PUT-IN-D and PUT-IN-E (algorithms 9.14 and 9.15).
   void put(const Side& side) {
     vertex_.push_back(side.vertex);
     line_.push_back(side.line);
-    visible_.push_back(side.visible ? 1 : 0);
+    visible_.push_back(side.visible);
   }
   void replace(std::uint32_t at, const Side& side) {
     vertex_[at] = side.vertex;
     line_[at] = side.line;
-    visible_[at] = side.visible ? 1 : 0;
+    visible_[at] = side.visible;
   }
-  Side operator[](std::uint32_t at) const { return {vertex_[at], line_[at], visible_[at] != 0}; }
+  Side operator[](std::uint32_t at) const { return {vertex_[at], line_[at], visible_[at]}; }
   std::uint32_t vertex(std::uint32_t at) const { return vertex_[at]; }
   std::span<const std::uint32_t> vertices(std::uint32_t first, std::uint32_t sides) const {
     return std::span(vertex_).subspan(first, sides);

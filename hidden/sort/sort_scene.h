@@ -88,7 +88,7 @@ struct SortScene {
     for (std::uint32_t i = 0; i < items.items.size(); ++i) {
       const Primitives::Item& item = items.items[i];
       if (item.kind == Primitives::Kind::line) {
-        save_line(i, items.point(item.first), items.point(item.first + 1), true);
+        save_line(i, items.point(item.first), items.point(item.first + 1), {.whole = true});
       } else if (plane_vertices(items.points_of(item), space).edge_on) {
         save_outline(i);
       } else {
@@ -104,16 +104,20 @@ struct SortScene {
     std::uint32_t from = items.point(item.first + item.sides - 1);
     for (std::uint32_t corner = item.first; corner < item.first + item.sides; ++corner) {
       const std::uint32_t to = items.point(corner);
-      table.d.put({vertices.enter(to, plane), SideLine::edge(from, to), items.is_visible(corner)});
+      table.d.put({vertices.enter(to, plane), SideLine::edge(from, to), items.visible_at(corner)});
       from = to;
     }
   }
 
-  void save_line(std::uint32_t i, std::uint32_t from, std::uint32_t to, bool whole) {
+  struct LineLook {
+    bool whole = false;        ///< it is an item of two points, no polygon's side
+    std::uint8_t visible = 1;  ///< as Primitives::visible
+  };
+  void save_line(std::uint32_t i, std::uint32_t from, std::uint32_t to, const LineLook& look) {
     table.entries.push_back({table.d.free(), 2, i, kNoPlane});
-    table.entries.back().whole = whole;
-    table.d.put({from, SideLine::edge(to, from), false});
-    table.d.put({to, SideLine::edge(from, to), true});
+    table.entries.back().whole = look.whole;
+    table.d.put({from, SideLine::edge(to, from), 0});
+    table.d.put({to, SideLine::edge(from, to), look.visible});
   }
 
   /// An edge-on polygon covers nothing; each side that is drawn becomes a line.
@@ -124,7 +128,7 @@ struct SortScene {
     for (std::uint32_t corner = item.first; corner < item.first + item.sides; ++corner) {
       const std::uint32_t to = items.point(corner);
       if (items.is_visible(corner)) {
-        save_line(i, from, to, false);
+        save_line(i, from, to, {.visible = items.visible_at(corner)});
         drawn = true;
       }
       from = to;
@@ -135,10 +139,25 @@ struct SortScene {
   }
 };
 
+/// The corner of the item at which the side ends that lies on that line, counted from 0. Looks from
+/// a corner on: the sides of a piece are in the polygon's order.
+inline std::uint32_t corner_of_side(const Primitives& items, const Primitives::Item& item,
+                                    const SideLine& line, std::uint32_t look_from) {
+  if (line.made_by_cut()) return SortedPieces::kNoCorner;
+  for (std::uint32_t n = 0; n < item.sides; ++n) {
+    const std::uint32_t k = (look_from + n) % item.sides;
+    const std::uint32_t before = k == 0 ? item.sides - 1 : k - 1;
+    if (items.point(item.first + k) == line.b && items.point(item.first + before) == line.a) {
+      return k;
+    }
+  }
+  return SortedPieces::kNoCorner;
+}
+
 /// The pieces of the entries, in that order, as the display file takes them.
 template <class Policy>
 SortedPieces sorted_pieces(const SortScene<Policy>& scene,
-                           std::span<const PolygonTable::Index> order) {
+                           std::span<const PolygonTable::Index> order, bool names_sides = false) {
   SortedPieces sorted;
   sorted.pieces.reserve(order.size() + scene.degenerate.size());
   const auto whole = [&](std::uint32_t item) {
@@ -164,10 +183,15 @@ SortedPieces sorted_pieces(const SortScene<Policy>& scene,
     }
     sorted.pieces.push_back(
         {entry.item, static_cast<std::uint32_t>(sorted.points.size()), entry.sides});
+    std::uint32_t corner = 0;
     for (std::uint32_t k = 0; k < entry.sides; ++k) {
       const SideBuffer::Side side = scene.table.d[entry.start + k];
       sorted.points.push_back(coordinates(side.vertex));
-      sorted.visible.push_back(side.visible ? 1 : 0);
+      sorted.visible.push_back(side.visible);
+      if (!names_sides) continue;
+      const Primitives::Item& item = scene.items.items[entry.item];
+      sorted.corners.push_back(corner_of_side(scene.items, item, side.line, corner));
+      if (sorted.corners.back() != SortedPieces::kNoCorner) corner = sorted.corners.back();
     }
   }
   sorted.comparisons = scene.comparing.comparisons();

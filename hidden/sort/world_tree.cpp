@@ -5,8 +5,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "hidden/exact/exact_vector.h"
-#include "hidden/exact/predicate_counts.h"
 #include "hidden/sort/sort_polygons.h"
 
 namespace displayfile {
@@ -73,14 +71,14 @@ WorldTree::NodePlane::NodePlane(const Plane& plane) : normal(plane.normal) {
 WorldTree::WorldTree(const Primitives& world, const SortOptions& options) {
   const Definitions points{world.points, {}};
   if (options.precision.exact) {
-    build(world, Exact(points, Exact::Lift::along_facing_axis));
+    build(world, Exact(points, Exact::Lift::along_facing_axis), options.names_sides);
   } else {
-    build(world, Roundoff::relative(points, options.precision.roundoff));
+    build(world, Roundoff::relative(points, options.precision.roundoff), options.names_sides);
   }
 }
 
 template <class Policy>
-void WorldTree::build(const Primitives& world, const Policy& policy) {
+void WorldTree::build(const Primitives& world, const Policy& policy, bool names_sides) {
   SortOptions options;
   options.root = RootChoice::sample;
   SortScene scene(world, policy, SortSpace::world);
@@ -91,7 +89,7 @@ void WorldTree::build(const Primitives& world, const Policy& policy) {
   std::vector<Index> pieces;
   pieces.reserve(sorting.order().size());
   for (const Placed& node : placed) add_pieces(scene, node.entry, pieces);
-  pieces_ = sorted_pieces(scene, pieces);
+  pieces_ = sorted_pieces(scene, pieces, names_sides);
   pieces_.depth = sorting.depth();
   degenerate_ = static_cast<Index>(scene.degenerate.size());
 }
@@ -119,16 +117,6 @@ void WorldTree::add_nodes(const Scene& scene, std::span<const Placed> placed) {
   }
 }
 
-/// Which side of the node's plane the eye is on: 1, -1, or 0 on it, where any order is right.
-int WorldTree::exact_side(const Node& node, const Eye& eye) const {
-  const Plane& plane = planes_[node.exact_plane];
-  if (!eye.at_infinity) return side_of_plane(eye.place, plane);
-  count_exact(Predicate::side_of_plane);
-  const ExactVector normal =
-      cross(exact_difference(plane.q, plane.p), exact_difference(plane.r, plane.p));
-  return displayfile::dot(normal, exact_difference(eye.place, Point3(0.0))).sign();
-}
-
 /// Algorithm 9.16 as the lecture gives it for an eye on either side. Where a node's pieces go is
 /// where its tree's begin, and after them what comes before: so the nodes are met in the order in
 /// which they stand, whatever the eye, and nothing recurs. `visit` gets each node with its plane's
@@ -150,7 +138,7 @@ void WorldTree::walk(const Eye& eye, std::vector<Index>& order, const Visitor& v
     const double error = plane.error_of_normal * size + plane.error_of_offset * w;
     bool eye_in_front = value > 0.0;
     if (!(std::abs(value) > error) && !node.is_leaf()) [[unlikely]] {
-      eye_in_front = exact_side(node, eye) >= 0;
+      eye_in_front = side_of_plane(eye, planes_[node.exact_plane]) >= 0;
     }
     visit(node, value, error);
     const bool back_first = eye_in_front == far_first;

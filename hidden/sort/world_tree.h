@@ -6,22 +6,11 @@
 #include <vector>
 
 #include "clip/point.h"
+#include "hidden/exact/eye.h"
 #include "hidden/exact/plane.h"
 #include "hidden/sort/hidden_surface_sort.h"
 
 namespace displayfile {
-
-/// From where a scene is seen, in world coordinates.
-struct Eye {
-  /// The centre of a perspective projection.
-  static Eye at(const Point3& centre) { return {centre, false}; }
-  /// A parallel projection: any vector toward the viewer, not zero.
-  static Eye toward(const Point3& direction) { return {direction, true}; }
-
-  Point3 place;
-  bool at_infinity;
-  bool operator==(const Eye&) const = default;
-};
 
 /// The tree of a scene's polygons in world coordinates, before viewing: built once and walked for
 /// every eye (hidden/sort/world_tree.md).
@@ -77,10 +66,9 @@ class WorldTree {
   struct Placed;
 
   template <class Policy>
-  void build(const Primitives& world, const Policy& policy);
+  void build(const Primitives& world, const Policy& policy, bool names_sides);
   template <class Scene>
   void add_nodes(const Scene& scene, std::span<const Placed> placed);
-  int exact_side(const Node& node, const Eye& eye) const;
   template <bool far_first, class Visitor>
   void walk(const Eye& eye, std::vector<Index>& order, const Visitor& visit) const;
 

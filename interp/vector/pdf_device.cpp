@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <ostream>
+#include <utility>
 
 #include "clip/error.h"
 #include "displayfile/output_file.h"
@@ -10,6 +11,7 @@
 #include "interp/interpreter.h"
 #include "interp/picture.h"
 #include "interp/text/cairo_text.h"
+#include "interp/vector/pdf_layers.h"
 #include "interp/vector/sampled/visible_order.h"
 
 namespace displayfile {
@@ -37,7 +39,9 @@ void PdfDevice::Destroy::operator()(_cairo_surface* surface) const {
 
 PdfDevice::PdfDevice(std::ostream& out, int width, int height, const Background& background)
     : VectorDevice(width, height, background),
-      surface_(cairo().pdf_surface_create_for_stream(write_to_stream, &out, width, height)) {
+      out_(out),
+      surface_(cairo().pdf_surface_create_for_stream(
+          write_to_stream, static_cast<std::ostream*>(&document_), width, height)) {
   require_success(cairo().surface_status(surface_.get()));
   // Left to itself Cairo stores the time.
   cairo().pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_CREATE_DATE,
@@ -54,6 +58,16 @@ PdfDevice::PdfDevice(std::ostream& out, int width, int height, const Background&
 }
 
 PdfDevice::~PdfDevice() = default;
+
+/// Cairo knows no layers: it marks what is in one, as something that it knows.
+void PdfDevice::begin_layer(std::string_view name) {
+  if (name == layer_) return;
+  if (!layer_.empty()) cairo().tag_end(context_.get(), kMarkOfLayer);
+  layer_ = name;
+  if (name.empty()) return;
+  cairo().tag_begin(context_.get(), kMarkOfLayer, nullptr);
+  layers_.push_back(name);
+}
 
 /// Rounded to 8 bits a component, as in every other picture.
 void PdfDevice::set_colour(const Colour& colour) {
@@ -83,6 +97,7 @@ void PdfDevice::clip_to(std::span<const PixelBox> pixels) {
 
 void PdfDevice::paint_fill(const Path& path, const Colour& colour, bool seam,
                            std::span<const PixelBox> within) {
+  begin_layer({});
   cairo_t* context = context_.get();
   if (!within.empty()) {
     cairo().save(context);
@@ -101,7 +116,8 @@ void PdfDevice::paint_fill(const Path& path, const Colour& colour, bool seam,
   if (!within.empty()) cairo().restore(context);
 }
 
-void PdfDevice::paint_lines(const Path& path, const LineStyle& style) {
+void PdfDevice::paint_lines(const Path& path, const LineStyle& style, LineKinds kinds) {
+  begin_layer(first_name_of(kinds));
   cairo_t* context = context_.get();
   set_colour(style.colour);
   cairo().set_line_width(context, style.width);
@@ -117,16 +133,20 @@ void PdfDevice::paint_lines(const Path& path, const LineStyle& style) {
 }
 
 void PdfDevice::paint_text(const ViewedText& text, const Point2& anchor, double size) {
+  begin_layer({});
   set_colour(text.line.colour);
   CairoText(context_.get(), text, anchor, size).show();
 }
 
 void PdfDevice::finish() {
   finish_lines();
+  begin_layer({});
   cairo().show_page(context_.get());
   require_success(cairo().status(context_.get()));
   cairo().surface_finish(surface_.get());
   require_success(cairo().surface_status(surface_.get()));
+  out_ << (layers_.empty() ? std::move(document_).str()
+                           : with_layers(std::move(document_).str(), layers_));
 }
 
 void write_pdf(const DisplayFile& display_file, int width, int height, bool z_buffer,

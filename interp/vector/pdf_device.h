@@ -3,6 +3,9 @@
 #include <filesystem>
 #include <iosfwd>
 #include <memory>
+#include <sstream>
+#include <string_view>
+#include <vector>
 
 #include "displayfile/display_file.h"
 #include "interp/vector/vector_device.h"
@@ -14,7 +17,8 @@ namespace displayfile {
 
 /// Draws a PDF page through Cairo, one point a pixel, on a background unless there is none. The
 /// bytes depend on what is drawn (and on Cairo's version; of texts on the fonts that it finds)
-/// alone. Cairo keeps coordinates to 1/256 point.
+/// alone. Cairo keeps coordinates to 1/256 point. Where lines were selected, those of each kind are
+/// a layer of its name, those of several that of the first (hidden/lines/line_kinds.h).
 class PdfDevice : public VectorDevice {
  public:
   /// The stream must live on until finish(). Throws Error unless both sides are 1 to
@@ -31,9 +35,10 @@ class PdfDevice : public VectorDevice {
   void close_group() override {}
   void paint_fill(const Path& path, const Colour& colour, bool seam,
                   std::span<const PixelBox> within) override;
-  void paint_lines(const Path& path, const LineStyle& style) override;
+  void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds) override;
   void paint_text(const ViewedText& text, const Point2& anchor, double size) override;
 
+  void begin_layer(std::string_view name);  ///< of what follows; empty: it is in none
   void set_colour(const Colour& colour);
   void set_path(const Path& path);
   void clip_to(std::span<const PixelBox> pixels);
@@ -42,6 +47,10 @@ class PdfDevice : public VectorDevice {
     void operator()(_cairo* context) const;
     void operator()(_cairo_surface* surface) const;
   };
+  std::ostream& out_;
+  std::ostringstream document_;           // until its layers are known
+  std::vector<std::string_view> layers_;  // of the parts of the content that are in one, in order
+  std::string_view layer_;                // in force
   std::unique_ptr<_cairo_surface, Destroy> surface_;
   std::unique_ptr<_cairo, Destroy> context_;
 };

@@ -123,7 +123,7 @@ void SvgDevice::paint_fill(const Path& path, const Colour& colour, bool seam,
   body_ += "\"/>\n";
 }
 
-void SvgDevice::paint_lines(const Path& path, const LineStyle& style) {
+void SvgDevice::paint_lines(const Path& path, const LineStyle& style, LineKinds kinds) {
   const bool dashed = style.kind == LineStyle::Kind::dashed;
   const LineKey key{pixel_of(style.colour), style.width, dashed ? style.dash : 0.0,
                     dashed ? style.gap : 0.0};
@@ -131,11 +131,12 @@ void SvgDevice::paint_lines(const Path& path, const LineStyle& style) {
   append_path_data(path);
   const auto outline_before =
       std::string_view(body_).substr(joinable_.data, joinable_.data_end - joinable_.data);
-  if (joinable_.class_end != 0 && outline_before == data_) {
+  if (joinable_.class_end != 0 && outline_before == data_ && !has_kind(kinds)) {
     body_.insert(joinable_.class_end, fmt::format(" l{}", number));
   } else {
     const bool dot = path.runs.size() == 1 && is_dot(path.run(0));
-    fmt::format_to(std::back_inserter(body_), "<path class=\"l{}\"{} d=\"", number,
+    fmt::format_to(std::back_inserter(body_), "<path class=\"l{}{}{}\"{} d=\"", number,
+                   has_kind(kinds) ? " " : "", names_of(kinds),
                    dot ? " stroke-linecap=\"square\"" : "");
     body_ += data_;
     body_ += "\"/>\n";

@@ -19,8 +19,10 @@ namespace displayfile {
 /// Draws an SVG picture (version 1.1 with CSS classes), in pixels of the size asked for, on a
 /// background, or on nothing if it is none. Each segment is a group, `<g id="segment-NAME"
 /// class="segment">`; one that is opened again is `segment-NAME-2`, and so on. Every style is a
-/// class: f1, f2, ... of fills, l1, l2, ... of lines, t1, t2, ... of texts. Coordinates have three
-/// decimals at most.
+/// class: f1, f2, ... of fills, l1, l2, ... of lines, t1, t2, ... of texts. Where lines were
+/// selected, each is also of a class for every kind that it is: outline, boundary, crease,
+/// material, intersection, all (displayfile/line_kinds.md). Coordinates have three decimals at
+/// most.
 class SvgDevice : public VectorDevice {
  public:
   /// Throws Error unless both sides are 1 to kLargestSide.
@@ -40,7 +42,7 @@ class SvgDevice : public VectorDevice {
   void close_group() override;
   void paint_fill(const Path& path, const Colour& colour, bool seam,
                   std::span<const PixelBox> within) override;
-  void paint_lines(const Path& path, const LineStyle& style) override;
+  void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds) override;
   void paint_text(const ViewedText& text, const Point2& anchor, double size) override;
 
   void append_path_data(const Path& path);

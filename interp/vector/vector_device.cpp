@@ -107,11 +107,23 @@ bool VectorDevice::clip_to_neighbourhood(Point2& a, Point2& b, double reach) con
 
 void VectorDevice::edges(const DrawnPolygon& polygon) {
   finish_lines();
+  const auto& kinds = polygon.kinds;
+  if (!std::ranges::any_of(kinds, has_kind)) return paint_edges(polygon, kDrawn);
+  for (auto k = kinds.begin(); k != kinds.end(); ++k) {
+    if (*k != 0 && std::find(kinds.begin(), k, *k) == k) paint_edges(polygon, *k);
+  }
+}
+
+/// Those that are drawn and of these kinds.
+void VectorDevice::paint_edges(const DrawnPolygon& polygon, LineKinds kinds) {
   const double reach = kReach + polygon.line.width / 2;
   const auto& v = polygon.vertices;
   const std::size_t n = v.size();
   // A side that is not drawn, or too far out, ends a run; without one the path is closed.
-  const auto drawn = [&](std::size_t i) { return polygon.sides[i] == op::line; };
+  const auto drawn = [&](std::size_t i) {
+    const LineKinds of_side = polygon.kinds.empty() ? kDrawn : polygon.kinds[i];
+    return polygon.sides[i] == op::line && of_side == kinds;
+  };
   std::size_t start = 0;
   while (start < n && drawn(start) && near_the_page(to_page(v[start]), reach)) ++start;
   path_.clear();
@@ -119,7 +131,7 @@ void VectorDevice::edges(const DrawnPolygon& polygon) {
     path_.start(true);
     path_.points.push_back(to_page(v.back()));
     for (const Point3& p : v.first(n - 1)) path_.points.push_back(to_page(p));
-    return paint_lines(path_, polygon.line);
+    return paint_lines(path_, polygon.line, kinds);
   }
   bool joined = false;  // the next side continues the run
   for (std::size_t k = 1; k <= n; ++k) {
@@ -137,7 +149,7 @@ void VectorDevice::edges(const DrawnPolygon& polygon) {
     path_.points.push_back(b);
     joined = b == whole_b;
   }
-  if (!path_.empty()) paint_lines(path_, polygon.line);
+  if (!path_.empty()) paint_lines(path_, polygon.line, kinds);
 }
 
 void VectorDevice::line(const DrawnLine& line) {
@@ -148,9 +160,10 @@ void VectorDevice::line(const DrawnLine& line) {
   const bool full =
       lines_.points.size() >= kLongestPath && line.style.kind == LineStyle::Kind::solid;
   if (lines_.empty() || full || lines_end_ != line.from || lines_style_ != line.style ||
-      a != whole_a) {
+      lines_kinds_ != line.kinds || a != whole_a) {
     finish_lines();
     lines_style_ = line.style;
+    lines_kinds_ = line.kinds;
     lines_.start(false);
     lines_.points.push_back(a);
   }
@@ -175,7 +188,7 @@ void VectorDevice::draw_texts(const DisplayFile& display_file, bool by_depth) {
 
 void VectorDevice::finish_lines() {
   if (lines_.empty()) return;
-  paint_lines(lines_, lines_style_);
+  paint_lines(lines_, lines_style_, lines_kinds_);
   lines_.clear();
 }
 

@@ -26,8 +26,8 @@ inline constexpr double kSeamWidth = 0.75;
 
 /// What the devices that draw lines and areas share: pixel coordinates with y down, from the
 /// picture's top left corner; nothing far outside of the picture; lines that continue each other
-/// joined into one path; seams closed. A shaded polygon is filled evenly, in the mean of its
-/// intensities.
+/// joined into one path, if they are of the same kinds; seams closed. A shaded polygon is filled
+/// evenly, in the mean of its intensities.
 class VectorDevice : public OutputDevice {
  public:
   /// Throws Error unless both sides are 1 to kLargestSide.
@@ -76,13 +76,15 @@ class VectorDevice : public OutputDevice {
   /// the seams if asked.
   virtual void paint_fill(const Path& path, const Colour& colour, bool seam,
                           std::span<const PixelBox> within) = 0;
-  virtual void paint_lines(const Path& path, const LineStyle& style) = 0;
+  /// Lines that are all of the same kinds (hidden/lines/line_kinds.h).
+  virtual void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds) = 0;
   /// `anchor` is on or close to the page; `size` of the letters in pixels.
   virtual void paint_text(const ViewedText& text, const Point2& anchor, double size) = 0;
 
  private:
   Point2 to_page(const Point3& device) const;
   bool near_the_page(const Point2& p, double reach) const;
+  void paint_edges(const DrawnPolygon& polygon, LineKinds kinds);
   bool clip_to_neighbourhood(Point2& a, Point2& b, double reach) const;
   void paint_inside(const DrawnPolygon& polygon, std::span<const PixelBox> within);
 
@@ -93,6 +95,7 @@ class VectorDevice : public OutputDevice {
   Path lines_;  // that continue each other, not painted yet
   Point3 lines_end_{0.0};
   LineStyle lines_style_;
+  LineKinds lines_kinds_ = kDrawn;
   std::vector<Point2> clipped_;
 };
 

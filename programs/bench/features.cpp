@@ -186,6 +186,11 @@ std::vector<Feature> table() {
        "",
        [](FeatureUse& u) { u.retained = true; },
        {"RetainedScene"}},
+      {"lines that are selected",
+       "set-lines",
+       "retaining world coordinates",
+       [](FeatureUse& u) { u.selects_lines = true; },
+       {"SideKinds", "SideTable"}},
       {"one tree for all views",
        "RetainedViews",
        "retaining world coordinates",
@@ -327,6 +332,7 @@ void draw_with(const FeatureUse& use, const Scene& scene, const LookAt& look) {
   std::optional<RetainedScene> retained;
   std::optional<RecordedProgram> program;
   if (use.retained) system.retain(&retained.emplace());
+  if (use.selects_lines) system.set_lines(line_selection("outline,crease"));
   if (use.recorded) system.set_recorder(&program.emplace().recorder);
   set_view(use, system);
   set_attributes(use, system);

@@ -30,7 +30,7 @@ struct FeatureUse {
   HiddenScope scope = HiddenScope::segment;
   bool ids = false, depth = false, svg = false, osmesa = false;
   int samples = 1, threads = 1;
-  bool recorded = false, retained = false, world_tree = false;
+  bool recorded = false, retained = false, selects_lines = false, world_tree = false;
 };
 
 /// What can be turned on and off.

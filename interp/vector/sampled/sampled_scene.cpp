@@ -89,7 +89,10 @@ SampledScene::Line SampledScene::line(std::uint32_t index) const {
   return {{from.x, from.y, entry.from_z},
           {to.x, to.y, entry.to_z},
           entry.fill,
-          scene.line_style(entry.item)};
+          scene.line_style(entry.item),
+          scene.kind(entry.item) == Primitives::Kind::line
+              ? kDrawn
+              : scene.side_kinds(entry.item, entry.to)};
 }
 
 bool SampledScene::covers(Fill fill, double x, double y) const {

@@ -35,6 +35,7 @@ struct SampledScene {
     Point3 from, to;
     Fill fill;
     const LineStyle& style;
+    LineKinds kinds;
   };
 
   SampledScene(const DisplayFile& display_file, const PictureSize& size);
@@ -67,12 +68,14 @@ template <class Draw>
 void SampledScene::draw_polygon(Item item, Draw&& draw) const {
   const auto vertices = scene.points(item);
   std::vector<std::int32_t> sides(vertices.size());
+  std::vector<LineKinds> kinds(vertices.size());
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    sides[i] = scene.edge_visible(item, i) ? op::line : op::move;
+    kinds[i] = scene.side_kinds(item, i);
+    sides[i] = kinds[i] != 0 ? op::line : op::move;
   }
   const FillStyle fill = scene.fill_style(item);
   draw(DrawnPolygon{vertices, sides, fill, scene.line_style(item), scene.pick_of_item(item),
-                    scene.intensities(item)});
+                    scene.intensities(item), kinds});
 }
 
 }  // namespace displayfile

@@ -300,7 +300,7 @@ class LinePartsDrawer {
     const auto point = [&](double t) {  // exactly an end at an end: lines that meet stay joined
       return t <= 0.0 ? line.from : t >= 1.0 ? line.to : line.from + t * (line.to - line.from);
     };
-    device_.line({point(from), point(to), style});
+    device_.line({point(from), point(to), style, line.kinds});
   }
 
   const SampledScene& drawing_;

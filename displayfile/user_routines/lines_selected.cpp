@@ -1,0 +1,65 @@
+#include <fmt/format.h>
+
+#include <glm/mat3x3.hpp>
+#include <string>
+#include <utility>
+
+#include "clip/error.h"
+#include "clip/memory.h"
+#include "displayfile/graphics_system.h"
+
+namespace displayfile {
+
+/// What polygons share is known in world coordinates alone.
+void GraphicsSystem::retain_for(std::string_view what) {
+  if (retained() != nullptr) return;
+  if (!display_file_.segments().empty()) {
+    throw Error(fmt::format(
+        "{} needs world coordinates, which the segments that there are have not retained: expected "
+        "it before the first segment",
+        what));
+  }
+  own_retained_.emplace();
+}
+
+void GraphicsSystem::set_lines(const LineSelection& selection) {
+  require_selection(selection);
+  if (!lines_replaced_) {
+    if (!selection.is_all_alone()) retain_for("set-lines");
+    lines_ = selection;
+  }
+  said_.insert(Setting::lines);
+  if (recorder_ == nullptr) return;
+  const std::string words = words_of(selection);
+  record("set-lines", {std::string_view(words)});
+}
+
+void GraphicsSystem::replace_lines(const LineSelection& selection) {
+  require_selection(selection);
+  if (!selection.is_all_alone()) retain_for("a selection of lines");
+  lines_ = selection;
+  lines_replaced_ = true;
+  said_.insert(Setting::lines);
+}
+
+/// The segment is complete, so that it is known which polygons share a side: what was entered is
+/// entered again from what was retained, with the sides that are selected.
+void GraphicsSystem::select_lines(Segment& segment) {
+  RetainedScene* const scene = retaining();
+  const auto select = [&] {
+    scene->close_segment(lines_);
+    if (lines_.is_all_alone() || retains_alone_) return;
+    const RetainedScene::Segment& part = scene->segments().back();
+    ViewStage stage(view_stage_->pipeline().volume());
+    Segment again(segment.name());
+    scene->enter_viewed(part, Eye::of(part.view), stage, glm::dmat3(1.0), again,
+                        [](std::uint32_t) {});
+    segment.take_instructions(std::move(again));
+  };
+  const std::size_t points = segment.entered()->points();
+  with_memory(
+      points * sizeof(Point3),
+      [&] { return fmt::format("selecting lines among those of {} points", points); }, select);
+}
+
+}  // namespace displayfile

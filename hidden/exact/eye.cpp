@@ -1,0 +1,33 @@
+#include "hidden/exact/eye.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "hidden/exact/exact_vector.h"
+#include "hidden/exact/predicate_counts.h"
+
+namespace displayfile {
+
+Eye Eye::of(const View& view) {
+  if (view.projection == View::Projection::perspective) return Eye::at(view.centre_of_projection);
+  const Point3& along = view.direction_of_projection;
+  return Eye::toward(glm::dot(unit(along), unit(view.plane_normal)) < 0.0 ? along : -along);
+}
+
+/// At infinity it is a direction's way along the normal; the plane's filter holds there too, with
+/// one difference less to round.
+int side_of_plane(const Eye& eye, const Plane& plane) {
+  if (!eye.at_infinity) return side_of_plane(eye.place, plane);
+  const Point3& v = eye.place;
+  const double value = plane.normal.x * v.x + plane.normal.y * v.y + plane.normal.z * v.z;
+  const double bound = plane.bound.x * std::abs(v.x) + plane.bound.y * std::abs(v.y) +
+                       plane.bound.z * std::abs(v.z) + kTiny;
+  if (std::abs(value) > bound) [[likely]]
+    return decided_sign(value);
+  count_exact(Predicate::side_of_plane);
+  const ExactVector normal =
+      cross(exact_difference(plane.q, plane.p), exact_difference(plane.r, plane.p));
+  return dot(normal, exact_difference(v, Point3(0.0))).sign();
+}
+
+}  // namespace displayfile

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "clip/point.h"
+#include "clip/view.h"
+#include "hidden/exact/plane.h"
+
+namespace displayfile {
+
+/// From where a scene is seen, in world coordinates.
+struct Eye {
+  /// The centre of a perspective projection.
+  static Eye at(const Point3& centre) { return {centre, false}; }
+  /// A parallel projection: any vector toward the viewer, not zero.
+  static Eye toward(const Point3& direction) { return {direction, true}; }
+  static Eye of(const View& view);
+
+  Point3 place;
+  bool at_infinity;
+  bool operator==(const Eye&) const = default;
+};
+
+/// Which side of the plane the eye is on: 1, -1, or 0 on it. True for coordinates up to
+/// kCoordinateLimit.
+int side_of_plane(const Eye& eye, const Plane& plane);
+
+}  // namespace displayfile

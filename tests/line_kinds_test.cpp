@@ -1,0 +1,630 @@
+// Which sides of polygons are lines: the kinds, found in world coordinates among the polygons that
+// share a side, on their way into segments, orders, views and files.
+
+#include "hidden/lines/line_kinds.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <compare>
+#include <map>
+#include <numbers>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "displayfile/recorder.h"
+#include "displayfile/retained_views.h"
+#include "displayfile/scene_viewer.h"
+#include "displayfile/sorted_display_file.h"
+#include "displayfile/turntable.h"
+#include "interp/draw.h"
+#include "tests/error_of.h"
+#include "tests/replayed.h"
+#include "tests/temporary_folder.h"
+
+namespace displayfile {
+namespace {
+
+using test::error_of;
+using test::error_of_program;
+
+constexpr LineKinds kOutline = kinds_of(LineKind::outline);
+constexpr LineKinds kBoundary = kinds_of(LineKind::boundary);
+constexpr LineKinds kCrease = kinds_of(LineKind::crease);
+constexpr LineKinds kMaterial = kinds_of(LineKind::material);
+constexpr LineKinds kAll = kinds_of(LineKind::all);
+
+LineSelection selected(const std::string& words) { return line_selection(words); }
+
+struct Less {
+  bool operator()(const Point3& a, const Point3& b) const {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  }
+};
+struct LessSide {
+  bool operator()(const std::pair<Point3, Point3>& a, const std::pair<Point3, Point3>& b) const {
+    if (a.first != b.first) return Less{}(a.first, b.first);
+    return Less{}(a.second, b.second);
+  }
+};
+/// Sides by their ends, the smaller first, whichever polygons have them, and of which kinds.
+using Sides = std::map<std::pair<Point3, Point3>, LineKinds, LessSide>;
+
+void add(Sides& sides, const Point3& a, const Point3& b, LineKinds kinds) {
+  if (kinds == 0) return;
+  LineKinds& of_side = sides[Less{}(a, b) ? std::pair(a, b) : std::pair(b, a)];
+  of_side = static_cast<LineKinds>(of_side | kinds);
+}
+std::size_t count(const Sides& sides, LineKinds kind) {
+  std::size_t n = 0;
+  for (const auto& [ends, kinds] : sides) n += (kinds & kind) != 0 ? 1 : 0;
+  return n;
+}
+
+/// The sides that a retained scene's segments draw, in world coordinates.
+Sides sides_in_view(const RetainedScene& scene, const Eye& eye) {
+  std::vector<LineKinds> of_corners;
+  scene.sides_in_view(eye, of_corners);
+  Sides sides;
+  for (std::uint32_t i = 0; i < scene.size(); ++i) {
+    const PointRow points = scene.points(i);
+    for (std::uint32_t k = 0; k < points.size(); ++k) {
+      const Point3& before = points[k == 0 ? points.size() - 1 : k - 1];
+      add(sides, before, points[k], of_corners[scene[i].first + k]);
+    }
+  }
+  return sides;
+}
+
+/// Those that instructions draw, in device coordinates.
+struct DrawnSides {
+  Sides sides;
+  std::map<LineKinds, double> lengths;  // in the projection, of each polygon's sides by themselves
+  std::span<const LineKinds> kinds;
+  void fill(const FillStyle&) {}
+  void line_style(const LineStyle&) {}
+  void pick(std::int32_t) {}
+  void move(const Point3&) {}
+  void line(const Point3&) {}
+  void side_kinds(std::span<const LineKinds> of_sides) { kinds = of_sides; }
+  void polygon(std::span<const Point3> points, std::span<const std::int32_t> codes) {
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const bool drawn = codes[k] == op::line;
+      EXPECT_TRUE(kinds.empty() || drawn == (kinds[k] != 0));
+      if (!drawn) continue;
+      const LineKinds of_side = kinds.empty() ? kDrawn : kinds[k];
+      const Point3 &from = points[k == 0 ? points.size() - 1 : k - 1], &to = points[k];
+      add(sides, from, to, of_side);
+      lengths[of_side] += std::hypot(to.x - from.x, to.y - from.y);
+    }
+    kinds = {};
+  }
+};
+DrawnSides drawn(const DisplayFile& file) {
+  DrawnSides drawn;
+  if (file.sorted() != nullptr) {
+    file.sorted()->walk(drawn);
+  } else {
+    for (const Segment& segment : file.segments()) segment.walk_drawn(drawn);
+  }
+  return drawn;
+}
+Sides drawn_sides(const DisplayFile& file) { return drawn(file).sides; }
+
+void expect_same_lengths(const DisplayFile& pieces, const DisplayFile& whole) {
+  const DrawnSides of_pieces = drawn(pieces), of_whole = drawn(whole);
+  EXPECT_EQ(of_pieces.lengths.size(), of_whole.lengths.size());
+  for (const auto& [kinds, length] : of_whole.lengths) {
+    const auto same = of_pieces.lengths.find(kinds);
+    ASSERT_NE(same, of_pieces.lengths.end()) << names_of(kinds);
+    EXPECT_NEAR(same->second, length, 1e-9) << names_of(kinds);
+  }
+}
+
+using Quad = std::array<Point3, 4>;
+std::vector<Quad> box() {
+  std::vector<Quad> quads;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-0.5, 0.5}) {
+      Quad quad;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const double u = k == 1 || k == 2 ? 0.5 : -0.5, v = k >= 2 ? 0.5 : -0.5;
+        quad[k][axis] = side;
+        quad[k][(axis + 1) % 3] = side > 0.0 ? u : v;
+        quad[k][(axis + 2) % 3] = side > 0.0 ? v : u;
+      }
+      quads.push_back(quad);
+    }
+  }
+  return quads;
+}
+void enter(GraphicsSystem& g, const std::vector<Quad>& quads) {
+  for (const Quad& quad : quads) g.polygon_abs_3(quad);
+}
+void enter_triangles(GraphicsSystem& g, const std::vector<Quad>& quads) {
+  for (const Quad& quad : quads) {
+    g.polygon_abs_3({quad[0], quad[1], quad[2]});
+    g.polygon_abs_3({quad[0], quad[2], quad[3]});
+  }
+}
+
+/// A closed ring of quadrilaterals that are not flat, so that they are entered as triangles.
+std::vector<Quad> torus(int around, int across) {
+  const auto at = [&](int i, int j) {
+    const double u = 2.0 * std::numbers::pi * (i % around) / around;
+    const double v = 2.0 * std::numbers::pi * (j % across) / across;
+    const double r = 0.5 + 0.2 * std::cos(v);
+    return Point3(r * std::cos(u), r * std::sin(u), 0.2 * std::sin(v) + 0.05 * std::sin(3.0 * u));
+  };
+  std::vector<Quad> quads;
+  for (int i = 0; i < around; ++i) {
+    for (int j = 0; j < across; ++j) {
+      quads.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  return quads;
+}
+
+/// A system whose only segment has what is entered, with those lines.
+template <class Enter>
+GraphicsSystem drawn_with(const std::string& words, Enter&& enter_all) {
+  GraphicsSystem g;
+  g.set_perspective({1.5, 1.2, 5.0});
+  g.set_view_depth(-3.0, 3.0);
+  g.set_lines(selected(words));
+  g.open_segment(1);
+  enter_all(g);
+  g.close_segment();
+  return g;
+}
+template <class Enter>
+Sides world_sides(const std::string& words, Enter&& enter_all,
+                  const Eye& eye = Eye::at({3, 2, 5})) {
+  return sides_in_view(*drawn_with(words, enter_all).retained(), eye);
+}
+
+// ---- The words ---------------------------------------------------------------------------
+
+TEST(LineKinds, WordsReadBackToTheSelection) {
+  EXPECT_EQ(words_of({}), "all");
+  EXPECT_TRUE(LineSelection{}.is_all_alone());
+  for (const std::string words :
+       {"all", "outline", "outline boundary crease material intersection all", "crease=12.5"}) {
+    LineSelection read{.kinds = 0};
+    std::istringstream each(words);
+    for (std::string word; each >> word;) add_line_kind(word, read);
+    EXPECT_EQ(words_of(read), words);
+  }
+  EXPECT_EQ(selected("crease=40,crease").crease_degrees, 40.0);
+  EXPECT_EQ(selected("outline,outline"), selected("outline"));
+  EXPECT_EQ(names_of(kOutline | kCrease), "outline crease");
+  EXPECT_EQ(first_name_of(kAll | kMaterial), "material");
+  EXPECT_EQ(names_of(kDrawn), "");
+}
+
+TEST(LineKinds, OtherWordsAreRefused) {
+  EXPECT_NE(error_of([] { selected("outlines"); }).find("did you mean 'outline'?"),
+            std::string::npos)
+      << error_of([] { selected("outlines"); });
+  for (const char* const bad : {"", "crease=", "crease=181", "crease=-1", "crease=nan", "crease=x",
+                                "crease=30x", "outline=3", "outline,", ",outline"}) {
+    EXPECT_NE(error_of([&] { selected(bad); }).find("expected"), std::string::npos) << bad;
+  }
+  EXPECT_EQ(selected("crease=0").crease_degrees, 0.0);
+  EXPECT_EQ(selected("crease=180").crease_degrees, 180.0);
+  GraphicsSystem g;
+  EXPECT_NE(error_of([&] { g.set_lines({.kinds = 0}); }), "");
+  EXPECT_NE(error_of([&] { g.set_lines({.kinds = kCrease, .crease_degrees = NAN}); }), "");
+  EXPECT_NE(error_of([&] { g.set_lines({.kinds = kDrawn}); }), "");
+  EXPECT_EQ(g.lines(), LineSelection{});
+}
+
+TEST(LineKinds, DrawingProgramsTellTheWord) {
+  EXPECT_EQ(error_of_program("set-lines outline creese\n").substr(0, 16), "scene.draw:1:19:");
+  EXPECT_EQ(error_of_program("set-lines outline crease=200\n").substr(0, 16), "scene.draw:1:19:");
+  EXPECT_NE(error_of_program("set-lines\n").find("expected one or more of all"), std::string::npos);
+  EXPECT_EQ(error_of_program("set-lines crease=12 outline\n"), "");
+}
+
+// ---- The kinds ---------------------------------------------------------------------------
+
+TEST(LineKinds, ACubeHasTwelveCreasesAndItsDiagonalsAreNone) {
+  const auto quads = [](GraphicsSystem& g) { enter(g, box()); };
+  const auto triangles = [](GraphicsSystem& g) { enter_triangles(g, box()); };
+  EXPECT_EQ(count(world_sides("crease", quads), kCrease), 12u);
+  for (const char* const words : {"crease", "crease=0", "crease=89.9"}) {
+    const Sides sides = world_sides(words, triangles);
+    EXPECT_EQ(sides.size(), 12u) << words;
+    EXPECT_EQ(count(sides, kCrease), 12u) << words;
+  }
+  EXPECT_EQ(world_sides("crease=90", triangles).size(), 0u);
+  EXPECT_EQ(world_sides("boundary", triangles).size(), 0u);
+  EXPECT_EQ(world_sides("all,crease", triangles).size(), 18u);
+}
+
+TEST(LineKinds, AnOpenBoxHasABoundary) {
+  const auto open_box = [](GraphicsSystem& g) {
+    auto quads = box();
+    quads.pop_back();
+    enter(g, quads);
+  };
+  EXPECT_EQ(world_sides("boundary", open_box).size(), 4u);
+  for (const auto& [ends, kinds] : world_sides("boundary,outline", open_box)) {
+    EXPECT_TRUE(kinds == kBoundary || kinds == kOutline);
+  }
+}
+
+TEST(LineKinds, AFoldIsACreaseIfItTurnsByMore) {
+  const auto folded = [](double degrees, bool reversed) {
+    return [=](GraphicsSystem& g) {
+      const double a = degrees * std::numbers::pi / 180.0, x = std::cos(a), z = std::sin(a);
+      g.polygon_abs_3({{0, 0, 0}, {0, 1, 0}, {-1, 1, 0}, {-1, 0, 0}});
+      if (reversed) {
+        g.polygon_abs_3({{0, 0, 0}, {0, 1, 0}, {x, 1, z}, {x, 0, z}});
+      } else {
+        g.polygon_abs_3({{0, 0, 0}, {x, 0, z}, {x, 1, z}, {0, 1, 0}});
+      }
+    };
+  };
+  for (const bool reversed : {false, true}) {  // the directions of the vertices do not matter
+    EXPECT_EQ(world_sides("crease", folded(29.0, reversed)).size(), 0u);
+    EXPECT_EQ(world_sides("crease", folded(31.0, reversed)).size(), 1u);
+    EXPECT_EQ(world_sides("crease", folded(-31.0, reversed)).size(), 1u);
+    EXPECT_EQ(world_sides("crease=28", folded(29.0, reversed)).size(), 1u);
+    EXPECT_EQ(world_sides("crease=170", folded(171.0, reversed)).size(), 1u);
+    EXPECT_EQ(world_sides("crease=0", folded(0.0, reversed)).size(), 0u);
+    EXPECT_EQ(world_sides("crease=180", folded(179.0, reversed)).size(), 0u);
+  }
+}
+
+TEST(LineKinds, OfSeveralPolygonsAtASideAnyTwoMakeACrease) {
+  const auto fan = [](const std::vector<double>& directions) {
+    return [=](GraphicsSystem& g) {
+      for (const double degrees : directions) {
+        const double a = degrees * std::numbers::pi / 180.0;
+        g.polygon_abs_3({{0, 0, 0}, {0, 0, 1}, {std::cos(a), std::sin(a), 0.5}});
+      }
+    };
+  };
+  EXPECT_EQ(world_sides("crease=60.1", fan({0, 120, 240})).size(), 0u);
+  EXPECT_EQ(world_sides("crease=59.9", fan({0, 120, 240})).size(), 1u);
+  EXPECT_EQ(world_sides("crease=101", fan({10, 90, 180, 270})).size(), 0u);
+  EXPECT_EQ(world_sides("crease=99", fan({10, 90, 180, 270})).size(), 1u);
+  EXPECT_EQ(world_sides("boundary", fan({0, 120, 240})).size(), 6u);
+}
+
+TEST(LineKinds, MaterialIsWhereFillsDiffer) {
+  const auto two = [](const FillStyle& left, const FillStyle& right) {
+    return [=](GraphicsSystem& g) {
+      g.set_light({0.0, 0.0, 1.0});
+      g.set_fill_style(left);
+      g.polygon_abs_3({{0, 0, 0}, {0, 1, 0}, {-1, 1, 0}, {-1, 0, 0}});
+      g.set_fill_style(right);
+      g.polygon_abs_3({{0, 0, 0}, {1, 0, 0.5}, {1, 1, 0.5}, {0, 1, 0}});
+    };
+  };
+  const FillStyle red{FillStyle::Kind::solid, {1, 0, 0}}, blue{FillStyle::Kind::solid, {0, 0, 1}};
+  EXPECT_EQ(world_sides("material", two(red, red)).size(), 0u);
+  EXPECT_EQ(count(world_sides("material", two(red, blue)), kMaterial), 1u);
+  EXPECT_EQ(world_sides("material", two(red, {FillStyle::Kind::hollow})).size(), 1u);
+}
+
+TEST(LineKinds, SidesMadeByTriangulationAreOutlinesOrNothing) {
+  const auto bent = [](GraphicsSystem& g) {
+    g.polygon_abs_3({{0, 0, 0}, {1, 0, 0.7}, {1, 1, 0}, {0, 1, 0.7}});
+  };
+  EXPECT_EQ(world_sides("all,boundary,crease=1", bent).size(), 4u);
+  EXPECT_EQ(count(world_sides("crease=1", bent), kCrease), 0u);
+  std::size_t outlines = 0;
+  for (int k = 0; k < 16; ++k) {
+    const double a = 2.0 * std::numbers::pi * k / 16;
+    outlines += world_sides("outline", bent, Eye::toward({std::cos(a), std::sin(a), 0.3})).size();
+  }
+  EXPECT_GT(outlines, 0u);
+}
+
+std::vector<Eye> eyes() {
+  return {Eye::at({3, 2, 5}),      Eye::at({0.1, 0.0, 1.0}), Eye::toward({0.3, 0.4, 1.0}),
+          Eye::toward({0, 0, 1}),  Eye::toward({1, 0, 0}),   Eye::toward({0, 1, 0}),
+          Eye::toward({-1, 1, 0}), Eye::at({0.6, 0, 0.2})};
+}
+
+/// Closed meshes have closed outlines, whatever the view.
+TEST(LineKinds, EvenlyManyOutlinesMeetAtEachVertexOfAClosedMesh) {
+  const std::vector<std::vector<Quad>> meshes{box(), torus(12, 8), torus(7, 5)};
+  for (const std::vector<Quad>& mesh : meshes) {
+    for (const bool triangles : {false, true}) {
+      const GraphicsSystem g = drawn_with("outline", [&](GraphicsSystem& system) {
+        triangles ? enter_triangles(system, mesh) : enter(system, mesh);
+      });
+      for (const Eye& eye : eyes()) {
+        const Sides sides = sides_in_view(*g.retained(), eye);
+        EXPECT_FALSE(sides.empty());
+        std::map<Point3, int, Less> at_vertex;
+        for (const auto& [ends, kinds] : sides) {
+          EXPECT_EQ(kinds, kOutline);
+          ++at_vertex[ends.first];
+          ++at_vertex[ends.second];
+        }
+        for (const auto& [vertex, sides_there] : at_vertex) EXPECT_EQ(sides_there % 2, 0);
+      }
+    }
+  }
+}
+
+TEST(LineKinds, EdgeOnCountsAsTurnedAway) {
+  const auto cube = [](GraphicsSystem& g) { enter(g, box()); };
+  EXPECT_EQ(world_sides("outline", cube, Eye::toward({0, 0, 1})).size(), 4u);  // of the front
+  EXPECT_EQ(world_sides("outline", cube, Eye::toward({1, 1, 1})).size(), 6u);
+}
+
+// ---- What is drawn -----------------------------------------------------------------------
+
+TEST(LineKinds, BackFacesAndClippingChangeNoKind) {
+  const auto outline = [](bool back_faces_removed, double front) {
+    GraphicsSystem g;
+    g.set_perspective({1.5, 1.2, 5.0});
+    g.set_view_depth(front, 3.0);
+    g.set_front_plane_clipping(true);
+    g.set_back_face_removal(back_faces_removed);
+    g.set_lines(selected("outline"));
+    g.open_segment(1);
+    enter(g, torus(12, 8));
+    g.close_segment();
+    return drawn_sides(g.display_file());
+  };
+  const Sides whole = outline(false, -3.0);
+  EXPECT_EQ(count(whole, kOutline), whole.size());
+  const auto xy = [](const Sides& sides) {
+    std::set<std::array<double, 4>> found;
+    for (const auto& [ends, kinds] : sides) {
+      found.insert({ends.first.x, ends.first.y, ends.second.x, ends.second.y});
+    }
+    return found;
+  };
+  EXPECT_EQ(xy(outline(true, -3.0)), xy(whole));
+  // A plane through the middle leaves of each outline the part behind it, and adds none.
+  const auto kept = xy(outline(false, 0.0)), all = xy(whole);
+  std::size_t cut = 0, same = 0;
+  for (const auto& side : kept) ++(all.contains(side) ? same : cut);
+  EXPECT_GT(same, 4u);
+  EXPECT_LE(cut, 6u);
+}
+
+TEST(LineKinds, OnlyWhatHasALineStyleIsDrawn) {
+  const GraphicsSystem none = drawn_with("outline,crease", [](GraphicsSystem& g) {
+    g.set_line_style({LineStyle::Kind::none});
+    enter(g, box());
+  });
+  SortedDisplayFile sorted;
+  const DisplayFile& file =
+      sorted.update(none, HiddenMethod::franklin, {.method = HiddenMethod::franklin});
+  EXPECT_EQ(file.sorted()->lines(), 0u);
+}
+
+/// Lines that the application draws are lines whatever is selected.
+TEST(LineKinds, LinesOfTheApplicationStay) {
+  const GraphicsSystem g = drawn_with("crease", [](GraphicsSystem& system) {
+    system.move_abs_3(-0.5, 0, 0);
+    system.line_abs_3(0.5, 0, 0);
+    system.polygon_abs_3({{0, 0, 0}, {0.5, 0, 0}, {0.5, 0.5, 0}});
+  });
+  EXPECT_EQ(g.display_file().segments()[0].lines(), 1u);
+  EXPECT_TRUE(drawn_sides(g.display_file()).empty());
+}
+
+TEST(LineKinds, AllAloneChangesNothing) {
+  GraphicsSystem plain, all;
+  all.set_lines({});
+  for (GraphicsSystem* const g : {&plain, &all}) {
+    g->open_segment(1);
+    enter(*g, torus(7, 5));
+    g->close_segment();
+  }
+  EXPECT_EQ(dump(plain.display_file()), dump(all.display_file()));
+  EXPECT_EQ(all.retained(), nullptr);
+  EXPECT_EQ(count(drawn_sides(all.display_file()), kDrawn), drawn_sides(all.display_file()).size());
+}
+
+/// What is selected when a segment is closed is the segment's.
+TEST(LineKinds, EachSegmentHasItsOwn) {
+  GraphicsSystem g;
+  g.set_lines(selected("crease"));
+  g.open_segment(1);
+  enter(g, box());
+  g.close_segment();
+  g.open_segment(2);
+  enter_triangles(g, box());
+  g.set_lines({});
+  g.close_segment();
+  const DisplayFile before = g.display_file();
+  EXPECT_EQ(count(drawn_sides(before), kCrease), 12u);
+  EXPECT_EQ(drawn_sides(before).size(), 18u);
+  g.delete_segment(2);
+  g.rename_segment(1, 3);
+  EXPECT_EQ(count(sides_in_view(*g.retained(), Eye::at({3, 2, 5})), kCrease), 12u);
+}
+
+TEST(LineKinds, NeedWhatWasRetained) {
+  GraphicsSystem g;
+  g.open_segment(1);
+  g.close_segment();
+  EXPECT_NE(error_of([&] { g.set_lines(selected("outline")); }), "");
+  EXPECT_EQ(g.lines(), LineSelection{});
+  EXPECT_EQ(error_of([&] { g.set_lines({}); }), "");
+  GraphicsSystem first;
+  first.set_lines(selected("outline"));
+  EXPECT_NE(first.retained(), nullptr);
+  EXPECT_NE(error_of([&] { first.retain(nullptr); }), "");
+  RetainedScene scene;
+  first.retain(&scene);
+  EXPECT_EQ(first.retained(), &scene);
+}
+
+TEST(LineKinds, ReplacedLinesStay) {
+  GraphicsSystem g;
+  g.replace_lines(selected("crease"));
+  replay("set-lines all outline\n", "scene.draw", g);
+  EXPECT_EQ(g.lines(), selected("crease"));
+  EXPECT_NE(error_of_program("set-lines what\n", g), "");
+}
+
+TEST(LineKinds, AreRecordedAndReplayed) {
+  std::ostringstream program;
+  Recorder recorder(program);
+  GraphicsSystem g;
+  g.set_recorder(&recorder);
+  g.set_perspective({1.5, 1.2, 5.0});
+  g.set_lines(selected("outline,crease=12.25"));
+  g.open_segment(1);
+  enter(g, torus(7, 5));
+  g.close_segment();
+  EXPECT_NE(program.str().find("set-lines outline crease=12.25\n"), std::string::npos);
+  const GraphicsSystem again = test::replayed(program.str());
+  EXPECT_EQ(dump(again.display_file()), dump(g.display_file()));
+  EXPECT_EQ(drawn_sides(again.display_file()), drawn_sides(g.display_file()));
+}
+
+/// Kinds go with the sides of polygons that a sort cuts.
+TEST(LineKinds, CutSidesKeepThem) {
+  const auto crossing = [](GraphicsSystem& g) {
+    enter(g, box());
+    g.polygon_abs_3({{-1, -1, 0.1}, {1, -1, 0.2}, {1, 1, 0.15}, {-1, 1, -0.1}});
+  };
+  const GraphicsSystem g = drawn_with("crease,boundary", crossing);
+  SortedDisplayFile sorted;
+  const DisplayFile& file = sorted.update(g, HiddenMethod::bsp, {.method = HiddenMethod::bsp});
+  EXPECT_GT(file.sorted()->counts.cuts, 0u);
+  EXPECT_GT(drawn_sides(file).size(), drawn_sides(g.display_file()).size());
+  EXPECT_EQ(drawn(g.display_file()).lengths.size(), 2u);
+  expect_same_lengths(file, g.display_file());
+}
+
+/// A line that polygons share is one, with the lowest of their pick identifiers.
+TEST(LineKinds, ASharedLineHasTheLowestPickIdentifier) {
+  GraphicsSystem g;
+  g.open_segment(1);
+  g.set_pick_id(7);
+  g.polygon_abs_3({{0, 0, 0}, {0.5, 0, 0}, {0.5, 0.5, 0}});
+  g.set_pick_id(3);
+  g.polygon_abs_3({{0, 0, 0}, {0.5, 0.5, 0}, {0, 0.5, 0}});
+  g.close_segment();
+  SortedDisplayFile sorted;
+  const DisplayFile& file =
+      sorted.update(g, HiddenMethod::franklin, {.method = HiddenMethod::franklin});
+  struct Picks {
+    std::int32_t now = -1;
+    std::multiset<std::int32_t> of_lines;
+    void fill(const FillStyle&) {}
+    void line_style(const LineStyle&) {}
+    void pick(std::int32_t id) { now = id; }
+    void move(const Point3&) {}
+    void line(const Point3&) { of_lines.insert(now); }
+    void polygon(std::span<const Point3>, std::span<const std::int32_t>) { ADD_FAILURE(); }
+  } picks;
+  file.sorted()->walk(picks);
+  EXPECT_EQ(picks.of_lines, (std::multiset<std::int32_t>{3, 3, 3, 7, 7}));
+}
+
+TEST(LineKinds, LineMethodsTellThem) {
+  const GraphicsSystem g =
+      drawn_with("outline,crease", [](GraphicsSystem& system) { enter(system, box()); });
+  SortedDisplayFile sorted;
+  const DisplayFile& file =
+      sorted.update(g, HiddenMethod::franklin, {.method = HiddenMethod::franklin});
+  struct Lines {
+    LineKinds now = kDrawn;
+    std::map<LineKinds, int> of_kinds;
+    void fill(const FillStyle&) {}
+    void line_style(const LineStyle&) {}
+    void pick(std::int32_t) {}
+    void move(const Point3&) {}
+    void line_kinds(LineKinds kinds) { now = kinds; }
+    void line(const Point3&) { ++of_kinds[now]; }
+    void polygon(std::span<const Point3>, std::span<const std::int32_t>) { ADD_FAILURE(); }
+  } lines;
+  file.sorted()->walk(lines);
+  EXPECT_EQ(lines.of_kinds, (std::map<LineKinds, int>{{kCrease, 3}, {kOutline | kCrease, 6}}));
+}
+
+// ---- New views ---------------------------------------------------------------------------
+
+View seen_from(const Point3& eye) {
+  View view;
+  view.set_perspective(eye);
+  view.set_depth(-3.0, 3.0);
+  return view;
+}
+
+/// A scene in a new view has the lines that it would have if it had been drawn there.
+TEST(LineKinds, NewViewsSelectTheirOwn) {
+  const auto draw_from = [](const Point3& eye) {
+    GraphicsSystem g;
+    g.set_perspective(eye);
+    g.set_view_depth(-3.0, 3.0);
+    g.set_back_face_removal(true);
+    g.set_lines(selected("outline,crease=50"));
+    for (int name = 1; name < 3; ++name) {
+      g.open_segment(name);
+      g.translate_3(0.2, 0.0, 0.1);
+      if (name == 1) {
+        enter(g, torus(9, 7));
+      } else {
+        enter(g, box());
+      }
+      g.close_segment();
+    }
+    return g;
+  };
+  const GraphicsSystem first = draw_from({1.5, 1.2, 5.0});
+  SceneViewer viewer(*first.retained(), first.display_file());
+  RetainedViews views(*first.retained(), first.display_file(), {});
+  for (const Point3& eye : {Point3(-2.0, 0.3, 4.0), Point3(0.0, 0.0, 5.0), Point3(1.5, 1.2, 5.0)}) {
+    const GraphicsSystem there = draw_from(eye);
+    const Sides expected = drawn_sides(there.display_file());
+    EXPECT_EQ(drawn_sides(viewer.display_file(seen_from(eye))), expected);
+    const ViewedScene right(there.display_file());
+    for (const int threads : {1, 3}) {
+      const ViewedScene& seen = viewer.view({.view = seen_from(eye), .threads = threads});
+      ASSERT_EQ(seen.items(), right.items());
+      for (ViewedScene::Item item = 0; item < seen.items(); ++item) {
+        for (std::size_t k = 0; k < seen.points(item).size(); ++k) {
+          EXPECT_EQ(seen.side_kinds(item, k), right.side_kinds(item, k));
+        }
+      }
+    }
+    const DisplayFile sorted = views.view(seen_from(eye));
+    EXPECT_GT(sorted.sorted()->counts.cuts, 0u);
+    expect_same_lengths(sorted, there.display_file());
+  }
+}
+
+// ---- Files -------------------------------------------------------------------------------
+
+class LineKindsFiles : public test::TemporaryFolder {};
+
+TEST_F(LineKindsFiles, EachKindIsAClassInSvg) {
+  const auto draw_box = [&](const std::string& words, HiddenMethod method) {
+    const GraphicsSystem g =
+        drawn_with(words, [](GraphicsSystem& system) { enter(system, box()); });
+    draw(g, file("box.svg"), {.hidden = method});
+    return test::content(file("box.svg"));
+  };
+  for (const HiddenMethod method :
+       {HiddenMethod::franklin, HiddenMethod::bsp, HiddenMethod::z_buffer, HiddenMethod::none}) {
+    const std::string svg = draw_box("outline,crease", method);
+    EXPECT_NE(svg.find("class=\"l1 outline crease\""), std::string::npos) << name_of(method);
+    EXPECT_NE(svg.find("class=\"l1 crease\""), std::string::npos) << name_of(method);
+    EXPECT_EQ(svg.find("class=\"l1\""), std::string::npos) << name_of(method);
+    EXPECT_EQ(draw_box("all", method).find("crease"), std::string::npos);
+  }
+  EXPECT_NE(draw_box("all,outline", HiddenMethod::franklin).find("class=\"l1 all\""),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace displayfile

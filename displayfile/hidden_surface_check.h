@@ -13,13 +13,20 @@ namespace displayfile {
 /// polygons, and those that find lines.
 bool is_object_space(HiddenMethod method);
 
+/// What is seen of a scene's lines and of its polygons' drawn sides, and before that what is hidden
+/// of them, if the options ask for it (hidden/lines/lines_in_order.h): what of one segment and line
+/// style is joined into chains. Throws Error for a method that finds no lines.
+SortedPieces lines_in_order(const ViewedScene& scene, HiddenMethod method,
+                            const SortOptions& options);
+
 /// HIDDEN-SURFACE-CHECK (algorithm 9.8): a segment's polygons and lines back to front, by `bsp`
 /// or `depth_sort`; or by `roberts` or `franklin` what is seen of its lines and its polygons'
-/// sides, and no fills. Points are those after the image transformation, and so are those of the
-/// result. Each piece of a polygon that was cut keeps its styles and its pick identifier, and if
-/// the polygon is shaded its place in the shade; sides that cuts made are invisible. A polygon that
-/// draws nothing, hollow and of line style none, is left out. The instructions must not grow while
-/// the result lives.
+/// sides, and no fills. If the options ask for hidden lines, these are drawn dashed: before the
+/// visible ones, or after all fills. Points are those after the image transformation, and so are
+/// those of the result. Each piece of a polygon that was cut keeps its styles and its pick
+/// identifier, and if the polygon is shaded its place in the shade; sides that cuts made are
+/// invisible. A polygon that draws nothing, hollow and of line style none, is left out. The
+/// instructions must not grow while the result lives.
 ///
 /// Throws Error for another method, and for more than 2^32 - 2 points.
 std::shared_ptr<const SortedScene> hidden_surface_check(

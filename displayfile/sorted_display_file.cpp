@@ -15,8 +15,9 @@ bool same(const Precision& a, const Precision& b) {
   return a.exact == b.exact && (a.exact || a.roundoff == b.roundoff);
 }
 
-bool is_of(const SortedScene& sorted, HiddenMethod method, const Precision& precision) {
-  return sorted.method == method && same(sorted.precision, precision);
+bool is_of(const SortedScene& sorted, HiddenMethod method, const SortOptions& options) {
+  return sorted.method == method && same(sorted.precision, options.precision) &&
+         sorted.hidden_lines == options.hidden_lines;
 }
 
 /// Instructions of closed segments do not change: the same pointer, the same instructions.
@@ -27,8 +28,9 @@ bool draw_the_same(const Segment& a, const Segment& b) {
 /// One order for all, whose groups do not overlap.
 std::shared_ptr<const SortedScene> joined(
     std::span<const std::shared_ptr<const SortedScene>> groups, HiddenMethod method,
-    const Precision& precision) {
-  auto all = std::make_shared<SortedScene>(SortedScene{{}, {}, method, precision, {}});
+    const SortOptions& options) {
+  auto all = std::make_shared<SortedScene>(
+      SortedScene{{}, {}, method, options.precision, {}, options.hidden_lines});
   for (const auto& group : groups) {
     all->parts.insert(all->parts.end(), group->parts.begin(), group->parts.end());
     all->counts += group->counts;
@@ -48,6 +50,11 @@ Precision precision_in_force(const GraphicsSystem& system, const HiddenSurfaceOp
   return options.precision.value_or(system.precision());
 }
 
+HiddenLines hidden_lines_in_force(const GraphicsSystem& system,
+                                  const HiddenSurfaceOptions& options) {
+  return options.hidden_lines.value_or(system.hidden_lines());
+}
+
 const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, HiddenMethod method,
                                              const HiddenSurfaceOptions& options) {
   last_ = std::exchange(file_, system.display_file());
@@ -58,6 +65,7 @@ const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, Hidde
   SortOptions sort;
   sort.precision = precision_in_force(system, options);
   sort.threads = options.threads;
+  sort.hidden_lines = hidden_lines_in_force(system, options);
   if (is_object_space(method) && scope == HiddenScope::all) {
     sort_together(method, sort);
   } else if (is_object_space(method) && !(applications && set == HiddenScope::segment)) {
@@ -65,19 +73,20 @@ const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, Hidde
   } else if (options.method && !is_object_space(method)) {
     unsort();
   } else {
-    sort_as_closed(options.precision, options.threads);
+    sort_as_closed(options);
   }
   last_ = {};
   return file_;
 }
 
-void SortedDisplayFile::sort_as_closed(const std::optional<Precision>& precision, int threads) {
+void SortedDisplayFile::sort_as_closed(const HiddenSurfaceOptions& asked) {
   for (const Segment& segment : file_.segments()) {
     const auto sorted = segment.sorted();
     if (!segment.visible || sorted == nullptr) continue;
     SortOptions options;
-    options.precision = precision.value_or(sorted->precision);
-    options.threads = threads;
+    options.precision = asked.precision.value_or(sorted->precision);
+    options.threads = asked.threads;
+    options.hidden_lines = asked.hidden_lines.value_or(sorted->hidden_lines);
     sort_segment(segment, sorted->method, options);
   }
 }
@@ -90,7 +99,7 @@ void SortedDisplayFile::sort_segments(HiddenMethod method, const SortOptions& op
 void SortedDisplayFile::sort_segment(const Segment& segment, HiddenMethod method,
                                      const SortOptions& options) {
   const auto will_do = [&](const Segment& s) {
-    return s.sorted_as_drawn() && is_of(*s.sorted(), method, options.precision);
+    return s.sorted_as_drawn() && is_of(*s.sorted(), method, options);
   };
   if (will_do(segment)) return;
   const int name = segment.name();
@@ -114,12 +123,12 @@ void SortedDisplayFile::sort_together(HiddenMethod method, const SortOptions& op
     orders.push_back(kept.emplace(name, sorted_group(group, method, options)).first->second.sorted);
   }
   const auto before = last_.sorted();
-  const bool unchanged = before != nullptr && is_of(*before, method, options.precision) &&
+  const bool unchanged = before != nullptr && is_of(*before, method, options) &&
                          work_.sorted == 0 && kept.size() == groups_.size();
   groups_ = std::move(kept);
   if (unchanged) return file_.set_sorted(before);
   if (orders.size() == 1) return file_.set_sorted(orders.front());
-  file_.set_sorted(joined(orders, method, options.precision));
+  file_.set_sorted(joined(orders, method, options));
 }
 
 /// Sorts the group, unless the last update did.
@@ -127,7 +136,7 @@ SortedDisplayFile::SortedGroup SortedDisplayFile::sorted_group(const SegmentGrou
                                                                HiddenMethod method,
                                                                const SortOptions& options) {
   const auto before = groups_.find(group.front()->name());
-  if (before != groups_.end() && is_of(*before->second.sorted, method, options.precision) &&
+  if (before != groups_.end() && is_of(*before->second.sorted, method, options) &&
       std::ranges::equal(before->second.segments, group,
                          [](const Segment& a, const Segment* b) { return draw_the_same(a, *b); })) {
     return before->second;

@@ -48,6 +48,7 @@ struct SortedScene {
   HiddenMethod method;        ///< that sorted them
   Precision precision;
   SortCounts counts;
+  HiddenLines hidden_lines = HiddenLines::none;  ///< if the method finds lines
   /// How far a boundary may lie from where the polygons as entered have it, beyond the rounding of
   /// a cut's own coordinates: where the cuts were made before viewing. Device coordinates.
   double boundary_error = 0.0;
@@ -77,7 +78,10 @@ class PieceWriter {
 
   void save_polygons_in_order(const OrderedScene& ordered) {
     ordered_ = &ordered;
-    for (const SortedPiece& piece : ordered.pieces.pieces) {
+    const std::vector<std::uint8_t>& hidden = ordered.pieces.hidden;
+    for (std::size_t k = 0; k < ordered.pieces.pieces.size(); ++k) {
+      const SortedPiece& piece = ordered.pieces.pieces[k];
+      is_hidden_ = !hidden.empty() && hidden[k] != 0;
       if (!scene().segments().empty()) check_segment(scene().segment_name(piece.item));
       send_to_df(piece);
     }
@@ -117,8 +121,9 @@ class PieceWriter {
   void send_to_df(const SortedPiece& piece) {
     const auto points = points_of(piece);
     const bool is_line = scene().kind(piece.item) == Primitives::Kind::line;
-    if (is_line || ordered_->pieces.are_lines) {
-      check_line_style(scene().line_style(piece.item));
+    if (is_line || is_hidden_ || ordered_->pieces.are_lines) {
+      const LineStyle& style = scene().line_style(piece.item);
+      check_line_style(is_hidden_ ? hidden_line_style(style) : style);
       if (!is_line) check_pick(piece.item);
       if (!pen_known_ || pen_ != points[0]) visit_.move(points[0]);
       visit_.line(points[1]);
@@ -199,6 +204,7 @@ class PieceWriter {
 
   Visitor& visit_;
   const OrderedScene* ordered_ = nullptr;
+  bool is_hidden_ = false;  // the piece that is sent
   ItemOfScene fill_of_;
   bool line_known_ = false, pick_known_ = false, pen_known_ = false;
   LineStyle line_;

@@ -68,7 +68,7 @@ DrawOptions with_background(const GraphicsSystem& system, DrawOptions options) {
 }  // namespace
 
 HiddenSurfaceOptions hidden_surface_options(const DrawOptions& options) {
-  return {options.hidden, options.scope, options.precision, options.threads};
+  return {options.hidden, options.scope, options.precision, options.threads, options.hidden_lines};
 }
 
 PictureKind picture_kind(const std::filesystem::path& file, const DrawOptions& options) {

@@ -20,6 +20,11 @@ void HiddenSurfaceWords::add_to(CLI::App& command) {
       .add_option("--precision", precision,
                   "exact, roundoff or roundoff=EPS; exact unless a program sets another")
       ->group(kHiddenSurfaceOptions);
+  command
+      .add_option("--hidden-lines", hidden_lines,
+                  "lines where they are hidden: none dashed; by the methods that find lines, and "
+                  "over what bsp and depth-sort put in order")
+      ->group(kHiddenSurfaceOptions);
 }
 
 HiddenSurfaceOptions HiddenSurfaceWords::options(int threads) const {
@@ -28,6 +33,7 @@ HiddenSurfaceOptions HiddenSurfaceWords::options(int threads) const {
   if (!hidden.empty()) read.method = hidden_method(hidden);
   if (!scope.empty()) read.scope = hidden_scope(scope);
   if (!precision.empty()) read.precision = displayfile::precision(precision);
+  if (!hidden_lines.empty()) read.hidden_lines = displayfile::hidden_lines(hidden_lines);
   return read;
 }
 

@@ -207,9 +207,10 @@ std::optional<Upright> enter_inputs(std::span<const std::string> inputs, Graphic
 
 std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
                                     const MeshWords& meshes, double aspect,
-                                    std::optional<HiddenMethod> method) {
+                                    const HiddenSurfaceOptions& asked) {
   MeshOptions options = meshes.options();
-  options.sides_drawn = method && finds_lines(*method);
+  options.sides_drawn = asked.method && finds_lines(*asked.method);
+  options.hidden_sides_drawn = asked.hidden_lines == HiddenLines::dashed;
   if (options.colour && std::ranges::all_of(inputs, is_drawing_program)) {
     throw Error("--colour: expected a mesh among the inputs");
   }
@@ -223,7 +224,7 @@ DisplayFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOpt
                      const MeshWords& meshes, double aspect) {
   GraphicsSystem system;
   system.set_threads(options.threads);
-  enter_inputs(inputs, system, meshes, aspect, options.method);
+  enter_inputs(inputs, system, meshes, aspect, options);
   return SortedDisplayFile{}.update(system, method_in_force(system, options), options);
 }
 

@@ -14,6 +14,7 @@ struct MeshOptions {
   bool file_colours = true;        ///< the colours that files give faces are taken
   /// Faces' sides are drawn, unless the application said how: with a method that finds lines.
   bool sides_drawn = false;
+  bool hidden_sides_drawn = false;  ///< and dashed where they are hidden: no back face is removed
 };
 
 }  // namespace displayfile

@@ -198,6 +198,11 @@ HiddenScope Line::take<HiddenScope>() {
 }
 
 template <>
+HiddenLines Line::take<HiddenLines>() {
+  return understood(words_[taken_++], hidden_lines);
+}
+
+template <>
 Shading Line::take<Shading>() {
   return understood(words_[taken_++], shading);
 }
@@ -465,6 +470,7 @@ constexpr auto kRoutines = std::to_array<Routine>({
     fixed<&G::set_hidden_method>("set-hidden-method", "method"),
     fixed<&G::set_hidden_scope>("set-hidden-scope", "segment|all"),
     fixed<&G::set_precision>("set-precision", "exact|roundoff[=EPS]"),
+    fixed<&G::set_hidden_lines>("set-hidden-lines", "none|dashed"),
     fixed<&G::set_z_buffer>("set-z-buffer", "on|off"),
 });
 

@@ -7,6 +7,7 @@
 
 #include "clip/point.h"
 #include "hidden/exact/precision.h"
+#include "hidden/hidden_lines.h"
 #include "hidden/hidden_method.h"
 #include "hidden/primitives.h"
 
@@ -23,6 +24,8 @@ struct SortOptions {
   Precision precision;
   RootChoice root = RootChoice::free;
   int threads = 1;  ///< the result is the same for any number
+  /// Drawn too, by who finds lines (hidden/lines/lines_in_order.h).
+  HiddenLines hidden_lines = HiddenLines::none;
 };
 
 /// A polygon or line in the order, or a piece of one that was cut.
@@ -41,6 +44,9 @@ struct SortedPieces {
   /// all that is drawn (hidden/lines/lines_in_order.h).
   bool are_lines = false;
   std::vector<SortedPiece> pieces;
+  /// Of each piece 1 if it is one of a line, of two points, that is hidden there: to be drawn
+  /// dashed. Empty: none is.
+  std::vector<std::uint8_t> hidden;
   /// The points of the pieces that were cut: coordinates, each rounded once, and whether the side
   /// that ends at the point is drawn (the sides that cuts made are not).
   std::vector<Point3> points;

@@ -23,6 +23,7 @@
 #include "displayfile/style.h"
 #include "displayfile/view_stage.h"
 #include "hidden/exact/precision.h"
+#include "hidden/hidden_lines.h"
 #include "hidden/hidden_method.h"
 #include "hidden/lines/line_kinds.h"
 #include "hidden/sort/hidden_surface_sort.h"
@@ -187,6 +188,9 @@ class GraphicsSystem {
   void set_hidden_scope(HiddenScope scope);
   /// The precision of the method that finds hidden surfaces. Error: a ROUNDOFF outside of [0,1).
   void set_precision(const Precision& precision);
+  /// Whether lines are drawn dashed where they are hidden, by the methods that find lines
+  /// (hidden/lines/README.md): as a segment is closed, or when all are looked at together.
+  void set_hidden_lines(HiddenLines lines);
   void set_z_buffer(bool on);
 
   /// Which sides of polygons are lines (displayfile/line_kinds.md), of the segments that are closed
@@ -225,6 +229,7 @@ class GraphicsSystem {
   HiddenMethod hidden_method() const { return method_; }
   std::optional<HiddenScope> hidden_scope() const { return scope_; }  ///< if it was set
   const Precision& precision() const { return sort_options_.precision; }
+  HiddenLines hidden_lines() const { return sort_options_.hidden_lines; }
   bool z_buffer() const { return z_buffer_; }
   const LineSelection& lines() const { return lines_; }
   std::size_t transformations_saved() const { return modelling_.saved(); }

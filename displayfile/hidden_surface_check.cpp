@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -12,23 +15,77 @@ namespace displayfile {
 
 namespace {
 
+/// Items of different segments or line styles are not drawn by one stroke: a number for each
+/// segment and style. Empty if there is one.
+std::vector<std::uint32_t> strokes_of(const ViewedScene& scene) {
+  std::map<std::array<double, 8>, std::uint32_t> numbers;
+  std::vector<std::uint32_t> of_items(scene.items());
+  const auto styles = scene.line_styles();
+  const auto segments = scene.segments();
+  std::size_t style = 0, segment = 0;
+  for (ViewedScene::Item item = 0; item < scene.items();) {
+    while (style + 1 < styles.size() && styles[style + 1].first <= item) ++style;
+    while (segment + 1 < segments.size() && segments[segment + 1].first <= item) ++segment;
+    ViewedScene::Item end = scene.items();
+    if (style + 1 < styles.size()) end = std::min(end, styles[style + 1].first);
+    if (segment + 1 < segments.size()) end = std::min(end, segments[segment + 1].first);
+    const auto& [kind, colour, width, dash, gap] = styles[style].style;
+    const std::array<double, 8> look{static_cast<double>(segment),
+                                     static_cast<double>(kind),
+                                     colour.r,
+                                     colour.g,
+                                     colour.b,
+                                     width,
+                                     dash,
+                                     gap};
+    const auto number = static_cast<std::uint32_t>(numbers.size());
+    std::fill(of_items.begin() + item, of_items.begin() + end,
+              numbers.try_emplace(look, number).first->second);
+    item = end;
+  }
+  if (numbers.size() < 2) of_items.clear();
+  return of_items;
+}
+
+/// Those that fills hide, over them.
+void append_hidden_lines(const ViewedScene& scene, const SortOptions& options,
+                         SortedPieces& sorted) {
+  const SortedPieces lines = lines_in_order(scene, HiddenMethod::franklin, options);
+  const auto count = std::ranges::count(lines.hidden, 1);  // the first
+  const auto shift = static_cast<std::uint32_t>(sorted.points.size());
+  sorted.hidden.assign(sorted.pieces.size(), 0);
+  sorted.hidden.resize(sorted.pieces.size() + static_cast<std::size_t>(count), 1);
+  for (const SortedPiece& piece : std::span(lines.pieces).first(static_cast<std::size_t>(count))) {
+    sorted.pieces.push_back({piece.item, piece.first + shift, piece.sides});
+  }
+  sorted.points.insert(sorted.points.end(), lines.points.begin(), lines.points.begin() + 2 * count);
+  sorted.visible.insert(sorted.visible.end(), lines.visible.begin(),
+                        lines.visible.begin() + 2 * count);
+}
+
 SortedPieces pieces_of(const ViewedScene& scene, HiddenMethod method, const SortOptions& options) {
-  Primitives items = scene.primitives();
-  if (!finds_lines(method)) return sort_hidden_surfaces(items, method, options);
-  const std::vector<std::uint8_t> drawn = scene.drawn_sides();
-  items.visible = drawn;
-  return lines_in_order(items, scene.picks(), method, options);
+  if (finds_lines(method)) return lines_in_order(scene, method, options);
+  SortedPieces sorted = sort_hidden_surfaces(scene.primitives(), method, options);
+  if (options.hidden_lines == HiddenLines::dashed) append_hidden_lines(scene, options, sorted);
+  return sorted;
 }
 
 std::shared_ptr<const SortedScene> sorted_scene(ViewedScene viewed,
                                                 const ImageTransformation& image,
                                                 HiddenMethod method, const SortOptions& options) {
   SortedPieces pieces = pieces_of(viewed, method, options);
-  const SortCounts counts{pieces.pieces.size(), pieces.cuts, pieces.comparisons, pieces.depth};
+  const auto hidden = static_cast<std::size_t>(std::ranges::count(pieces.hidden, 1));
+  const SortCounts counts{pieces.pieces.size() - hidden, pieces.cuts, pieces.comparisons,
+                          pieces.depth};
   auto ordered = std::make_shared<OrderedScene>(
       OrderedScene{std::make_shared<ViewedScene>(std::move(viewed)), std::move(pieces)});
-  return std::make_shared<SortedScene>(SortedScene{
-      {std::move(ordered)}, image, method, options.precision, counts, 0.0, options.intersections});
+  return std::make_shared<SortedScene>(SortedScene{{std::move(ordered)},
+                                                   image,
+                                                   method,
+                                                   options.precision,
+                                                   counts,
+                                                   options.hidden_lines,
+                                                   options.intersections});
 }
 
 /// What `sort` returns, which has every point in its tables at least.
@@ -41,6 +98,21 @@ std::shared_ptr<const SortedScene> with_memory_of_sort(std::size_t points, Hidde
 }
 
 }  // namespace
+
+SortedPieces lines_in_order(const ViewedScene& scene, HiddenMethod method,
+                            const SortOptions& options) {
+  Primitives items = scene.primitives();
+  const std::vector<std::uint8_t> drawn = scene.drawn_sides();
+  items.visible = drawn;
+  return lines_in_order(items, {scene.picks(), strokes_of(scene)}, method, options);
+}
+
+SortedPieces lines_in_order(const ViewedScene& scene, const SeenLines& seen) {
+  Primitives items = scene.primitives();
+  const std::vector<std::uint8_t> drawn = scene.drawn_sides();
+  items.visible = drawn;
+  return lines_in_order(items, {scene.picks(), strokes_of(scene)}, seen);
+}
 
 bool is_object_space(HiddenMethod by) {
   const HiddenMethod method = surfaces_of(by);

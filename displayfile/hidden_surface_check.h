@@ -5,6 +5,7 @@
 
 #include "displayfile/segment.h"
 #include "displayfile/sorted_scene.h"
+#include "hidden/lines/visible_lines.h"
 #include "hidden/sort/hidden_surface_sort.h"
 
 namespace displayfile {
@@ -13,13 +14,22 @@ namespace displayfile {
 /// polygons, also for the colour rule, and those that find lines.
 bool is_object_space(HiddenMethod by);
 
+/// What is seen of a scene's lines and of its polygons' drawn sides, and before that what is hidden
+/// of them, if the options ask for it (hidden/lines/lines_in_order.h): what of one segment and line
+/// style is joined into chains. Throws Error for a method that finds no lines.
+SortedPieces lines_in_order(const ViewedScene& scene, HiddenMethod method,
+                            const SortOptions& options);
+/// The same of what is known to be seen.
+SortedPieces lines_in_order(const ViewedScene& scene, const SeenLines& seen);
+
 /// HIDDEN-SURFACE-CHECK (algorithm 9.8): a segment's polygons and lines back to front, by `bsp`
 /// or `depth_sort`; or by `roberts`, `appel` or `franklin` what is seen of its lines and its
-/// polygons' sides, and no fills. Points are those after the image transformation, and so are those of the
-/// result. Each piece of a polygon that was cut keeps its styles and its pick identifier, and if
-/// the polygon is shaded its place in the shade; sides that cuts made are invisible. A polygon that
-/// draws nothing, hollow and of line style none, is left out. The instructions must not grow while
-/// the result lives.
+/// polygons' sides, and no fills. If the options ask for hidden lines, these are drawn dashed:
+/// before the visible ones, or after all fills. Points are those after the image transformation,
+/// and so are those of the result. Each piece of a polygon that was cut keeps its styles and its
+/// pick identifier, and if the polygon is shaded its place in the shade; sides that cuts made are
+/// invisible. A polygon that draws nothing, hollow and of line style none, is left out. The
+/// instructions must not grow while the result lives.
 ///
 /// Throws Error for another method, and for more than 2^32 - 2 points.
 std::shared_ptr<const SortedScene> hidden_surface_check(

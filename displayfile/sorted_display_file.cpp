@@ -17,6 +17,7 @@ bool same(const Precision& a, const Precision& b) {
 
 bool is_of(const SortedScene& sorted, HiddenMethod method, const SortOptions& options) {
   return sorted.method == method && same(sorted.precision, options.precision) &&
+         sorted.hidden_lines == options.hidden_lines &&
          sorted.intersections == options.intersections;
 }
 
@@ -37,8 +38,8 @@ SortOptions sort_options(const HiddenSurfaceOptions& options, const Precision& p
 std::shared_ptr<const SortedScene> joined(
     std::span<const std::shared_ptr<const SortedScene>> groups, HiddenMethod method,
     const SortOptions& options) {
-  auto all = std::make_shared<SortedScene>(
-      SortedScene{{}, {}, method, options.precision, {}, 0.0, options.intersections});
+  auto all = std::make_shared<SortedScene>(SortedScene{
+      {}, {}, method, options.precision, {}, options.hidden_lines, options.intersections});
   for (const auto& group : groups) {
     all->parts.insert(all->parts.end(), group->parts.begin(), group->parts.end());
     all->counts += group->counts;
@@ -58,6 +59,11 @@ Precision precision_in_force(const GraphicsSystem& system, const HiddenSurfaceOp
   return options.precision.value_or(system.precision());
 }
 
+HiddenLines hidden_lines_in_force(const GraphicsSystem& system,
+                                  const HiddenSurfaceOptions& options) {
+  return options.hidden_lines.value_or(system.hidden_lines());
+}
+
 const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, HiddenMethod by,
                                              const HiddenSurfaceOptions& options) {
   const HiddenMethod method = surfaces_of(by);
@@ -67,6 +73,7 @@ const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, Hidde
   const HiddenScope set = system.hidden_scope().value_or(usual);
   const HiddenScope scope = options.scope.value_or(set);
   SortOptions sort = sort_options(options, precision_in_force(system, options));
+  sort.hidden_lines = hidden_lines_in_force(system, options);
   sort.intersections =
       finds_lines(method) && contains(system.lines().kinds, LineKind::intersection);
   return sort_anew(system.display_file(), [&] {
@@ -84,7 +91,9 @@ const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, Hidde
 
 const DisplayFile& SortedDisplayFile::update(const DisplayFile& entered, HiddenMethod method,
                                              const HiddenSurfaceOptions& options) {
-  const SortOptions sort = sort_options(options, options.precision.value_or(Precision{}));
+  SortOptions sort = sort_options(options, options.precision.value_or(Precision{}));
+  sort.hidden_lines = options.hidden_lines.value_or(HiddenLines::none);
+  sort.intersections = finds_lines(method) && options.intersections;
   return sort_anew(entered, [&] {
     if (options.scope == HiddenScope::segment) {
       sort_segments(method, sort);
@@ -112,6 +121,7 @@ void SortedDisplayFile::sort_as_closed(const HiddenSurfaceOptions& asked) {
     const auto sorted = segment.sorted();
     if (!segment.visible || sorted == nullptr) continue;
     SortOptions options = sort_options(asked, asked.precision.value_or(sorted->precision));
+    options.hidden_lines = asked.hidden_lines.value_or(sorted->hidden_lines);
     options.intersections = sorted->intersections;
     sort_segment(segment, sorted->method, options);
   }

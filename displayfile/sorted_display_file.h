@@ -21,12 +21,17 @@ struct HiddenSurfaceOptions {
   /// Told by a method that finds lines of those looked at, anew for each segment, or group of
   /// segments, that is looked at by itself.
   WorkProgress progress = {};
+  std::optional<HiddenLines> hidden_lines = std::nullopt;
+  /// Lines along which polygons pass through each other are wanted too, where no application says.
+  bool intersections = false;
 };
 
 /// The method in force: that of the options, or else what the application set with
 /// set_z_buffer, set_hidden_line_removal and set_hidden_method.
 HiddenMethod method_in_force(const GraphicsSystem& system, const HiddenSurfaceOptions& options);
 Precision precision_in_force(const GraphicsSystem& system, const HiddenSurfaceOptions& options);
+HiddenLines hidden_lines_in_force(const GraphicsSystem& system,
+                                  const HiddenSurfaceOptions& options);
 
 /// A display file with its hidden surfaces sorted as the next drawing needs it. Kept from one
 /// drawing to the next, it sorts only what has changed since.
@@ -37,7 +42,7 @@ class SortedDisplayFile {
   /// `by` is the method in force, `automatic` replaced by what it means if that sorts. If so,
   ///  - a method that the application set leaves the segments as close-segment left them, unless
   ///    the scope is all; only a segment that has an image transformation since, or is asked for
-  ///    in another precision, is sorted again, as its transformed points are others;
+  ///    in another precision or with hidden lines otherwise, is sorted again;
   ///  - a method of the options, or one that `automatic` means, sorts all visible segments
   ///    together, each group that overlaps by itself (displayfile/segment_groups.h), or each on its
   ///    own if the options or the application set that scope.

@@ -7,12 +7,11 @@ namespace {
 std::size_t count(const SortedScene& sorted, bool lines) {
   std::size_t n = 0;
   for (const auto& part : sorted.parts) {
-    if (part->pieces.are_lines) {
-      n += lines ? part->pieces.pieces.size() : 0;
-      continue;
-    }
-    for (const SortedPiece& piece : part->pieces.pieces) {
-      n += (part->scene->kind(piece.item) == Primitives::Kind::line) == lines ? 1 : 0;
+    const SortedPieces& all = part->pieces;
+    for (std::size_t k = 0; k < all.pieces.size(); ++k) {
+      const bool is_line = all.are_lines || (!all.hidden.empty() && all.hidden[k] != 0) ||
+                           part->scene->kind(all.pieces[k].item) == Primitives::Kind::line;
+      n += is_line == lines ? 1 : 0;
     }
   }
   return n;
@@ -28,7 +27,8 @@ std::size_t SortedScene::bytes() const {
   std::size_t n = 0;
   for (const auto& part : parts) {
     const SortedPieces& pieces = part->pieces;
-    n += part->scene->bytes() + size(pieces.pieces) + size(pieces.points) + size(pieces.visible);
+    n += part->scene->bytes() + size(pieces.pieces) + size(pieces.points) + size(pieces.visible) +
+         size(pieces.hidden);
   }
   return n;
 }

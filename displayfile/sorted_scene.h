@@ -48,10 +48,11 @@ struct SortedScene {
   HiddenMethod method;        ///< that sorted them
   Precision precision;
   SortCounts counts;
+  HiddenLines hidden_lines = HiddenLines::none;  ///< SortOptions::hidden_lines
+  bool intersections = false;                    ///< SortOptions::intersections
   /// How far a boundary may lie from where the polygons as entered have it, beyond the rounding of
   /// a cut's own coordinates: where the cuts were made before viewing. Device coordinates.
   double boundary_error = 0.0;
-  bool intersections = false;  ///< SortOptions::intersections
 
   /// SAVE-POLYGONS-IN-ORDER (algorithm 9.16): calls the visitor for each instruction, back to
   /// front, as Instructions::walk does; a style, a pick identifier and a segment where they change,
@@ -79,7 +80,10 @@ class PieceWriter {
 
   void save_polygons_in_order(const OrderedScene& ordered) {
     ordered_ = &ordered;
-    for (const SortedPiece& piece : ordered.pieces.pieces) {
+    const std::vector<std::uint8_t>& hidden = ordered.pieces.hidden;
+    for (std::size_t k = 0; k < ordered.pieces.pieces.size(); ++k) {
+      const SortedPiece& piece = ordered.pieces.pieces[k];
+      is_hidden_ = !hidden.empty() && hidden[k] != 0;
       if (!scene().segments().empty()) check_segment(scene().segment_name(piece.item));
       send_to_df(piece);
     }
@@ -119,8 +123,9 @@ class PieceWriter {
   void send_to_df(const SortedPiece& piece) {
     const auto points = points_of(piece);
     const bool is_line = scene().kind(piece.item) == Primitives::Kind::line;
-    if (is_line || ordered_->pieces.are_lines) {
-      check_line_style(scene().line_style(piece.item));
+    if (is_line || is_hidden_ || ordered_->pieces.are_lines) {
+      const LineStyle& style = scene().line_style(piece.item);
+      check_line_style(is_hidden_ ? hidden_line_style(style) : style);
       if (!is_line) {
         check_pick(ordered_->pieces.pick_item(piece));
         check_line_kinds(ordered_->pieces.visible[piece.first + 1]);
@@ -219,6 +224,7 @@ class PieceWriter {
 
   Visitor& visit_;
   const OrderedScene* ordered_ = nullptr;
+  bool is_hidden_ = false;  // the piece that is sent
   ItemOfScene fill_of_;
   bool line_known_ = false, pick_known_ = false, pen_known_ = false;
   LineStyle line_;

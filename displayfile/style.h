@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <glm/vec3.hpp>
 #include <optional>
 
@@ -39,5 +40,17 @@ struct LineStyle {
   double dash = 6.0, gap = 4.0;  ///< lengths drawn and left out in turn, if dashed
   bool operator==(const LineStyle&) const = default;
 };
+
+/// How a line is drawn where it is hidden: as draughtsmen do, dashed and half as wide, but not
+/// below half a pixel, and in its own colour. The dashes are the style's, and grow with a width of
+/// more than a pixel.
+inline LineStyle hidden_line_style(const LineStyle& line) {
+  LineStyle hidden = line;
+  hidden.kind = LineStyle::Kind::dashed;
+  hidden.width = std::min(line.width, std::max(0.5, line.width / 2.0));
+  hidden.dash *= std::max(1.0, hidden.width);
+  hidden.gap *= std::max(1.0, hidden.width);
+  return hidden;
+}
 
 }  // namespace displayfile

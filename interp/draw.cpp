@@ -75,7 +75,12 @@ DrawOptions with_background(const GraphicsSystem& system, DrawOptions options) {
 }  // namespace
 
 HiddenSurfaceOptions hidden_surface_options(const DrawOptions& options) {
-  return {options.hidden, options.scope, options.precision, options.threads, options.progress};
+  return {.method = options.hidden,
+          .scope = options.scope,
+          .precision = options.precision,
+          .threads = options.threads,
+          .progress = options.progress,
+          .hidden_lines = options.hidden_lines};
 }
 
 PictureKind picture_kind(const std::filesystem::path& file, const DrawOptions& options) {

@@ -21,9 +21,10 @@ struct DrawOptions {
   /// segment keeps windows from being stretched.
   int width = 512, height = 512;
   std::optional<HiddenMethod> hidden =
-      std::nullopt;  ///< these three in place of what the application set
+      std::nullopt;  ///< these four in place of what the application set
   std::optional<HiddenScope> scope = std::nullopt;
   std::optional<Precision> precision = std::nullopt;
+  std::optional<HiddenLines> hidden_lines = std::nullopt;
   /// The extension of one of picture_formats(), with its dot or without, in place of the file's
   /// own; if there is neither, it is .png for "-", standard output.
   std::string format = {};

@@ -132,6 +132,7 @@ DrawOptions DrawCommand::all_options() const {
   all.hidden = sorting.method;
   all.scope = sorting.scope;
   all.precision = sorting.precision;
+  all.hidden_lines = sorting.hidden_lines;
   all.background = background.background();
   require_raster_device(options.device);
   return all;

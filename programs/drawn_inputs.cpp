@@ -62,7 +62,7 @@ void DrawnInputs::enter(GraphicsSystem& system) const {
   system.set_threads(options_.threads);
   system.set_shading(shading_);
   const double aspect = static_cast<double>(options_.width) / options_.height;
-  enter_inputs(inputs_, system, meshes_, aspect, options_.hidden);
+  enter_inputs(inputs_, system, meshes_, aspect, hidden_surface_options(options_));
 }
 
 /// What they drew is retained for that when they are read once more, as standard input cannot be.

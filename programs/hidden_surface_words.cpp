@@ -30,6 +30,11 @@ void HiddenSurfaceWords::add_to(CLI::App& command) {
                   "which two turn by more; 30), intersection, material (sides at which fills "
                   "differ)")
       ->group(kHiddenSurfaceOptions);
+  command
+      .add_option("--hidden-lines", hidden_lines,
+                  "lines where they are hidden: none dashed; by the methods that find lines, and "
+                  "over fills")
+      ->group(kHiddenSurfaceOptions);
 }
 
 HiddenSurfaceOptions HiddenSurfaceWords::options(int threads) const {
@@ -38,6 +43,7 @@ HiddenSurfaceOptions HiddenSurfaceWords::options(int threads) const {
   if (!hidden.empty()) read.method = hidden_method(hidden);
   if (!scope.empty()) read.scope = hidden_scope(scope);
   if (!precision.empty()) read.precision = displayfile::precision(precision);
+  if (!hidden_lines.empty()) read.hidden_lines = displayfile::hidden_lines(hidden_lines);
   return read;
 }
 

@@ -11,7 +11,7 @@ namespace displayfile {
 
 /// The options of commands that find hidden surfaces, as words.
 struct HiddenSurfaceWords {
-  std::string hidden, scope, precision;
+  std::string hidden, scope, precision, hidden_lines;
   std::optional<std::string> lines;
 
   void add_to(CLI::App& command);

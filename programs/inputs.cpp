@@ -224,9 +224,10 @@ std::optional<Upright> enter_inputs(std::span<const std::string> inputs, Graphic
 
 std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
                                     const MeshWords& meshes, double aspect,
-                                    std::optional<HiddenMethod> method) {
+                                    const HiddenSurfaceOptions& asked) {
   MeshOptions options = meshes.options();
-  options.sides_drawn = meshes.lines || (method && shows_lines_only(*method));
+  options.sides_drawn = meshes.lines || (asked.method && shows_lines_only(*asked.method));
+  options.hidden_sides_drawn = asked.hidden_lines == HiddenLines::dashed;
   if (options.colour && std::ranges::all_of(inputs, is_drawing_program)) {
     throw Error("--colour: expected a mesh among the inputs");
   }
@@ -240,7 +241,7 @@ DrawnFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptio
                    const MeshWords& meshes, double aspect) {
   GraphicsSystem system;
   system.set_threads(options.threads);
-  enter_inputs(inputs, system, meshes, aspect, options.method);
+  enter_inputs(inputs, system, meshes, aspect, options);
   const HiddenMethod method = method_in_force(system, options);
   Progress progress(
       fmt::format("hidden surfaces of {} polygons", system.display_file().polygons()));

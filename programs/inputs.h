@@ -23,11 +23,10 @@ bool is_drawing_program(const std::string& input);
 /// nothing if none was. Throws Error, naming the file and the place.
 std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
                                     const MeshOptions& options = {});
-/// The same with the command's options, for pictures of an aspect ratio, and by a method, if the
-/// command names one.
+/// The same with the command's options, for pictures of an aspect ratio.
 std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
                                     const MeshWords& meshes, double aspect,
-                                    std::optional<HiddenMethod> method = std::nullopt);
+                                    const HiddenSurfaceOptions& asked = {});
 
 /// The inputs' display file, in the order that is drawn, and the colour of all fills by the colour
 /// rule.

@@ -37,6 +37,7 @@ bool PictureCheck::asked_for(const CheckedInputs& inputs) {
   options_.hidden = hidden_surfaces.method;
   options_.scope = hidden_surfaces.scope;
   options_.precision = hidden_surfaces.precision;
+  options_.hidden_lines = hidden_surfaces.hidden_lines;
   options_.threads = hidden_surfaces.threads;
   return true;
 }

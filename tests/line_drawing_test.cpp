@@ -3,17 +3,23 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "clip/error.h"
+#include "displayfile/hidden_surface_check.h"
 #include "displayfile/recorder.h"
 #include "displayfile/sorted_display_file.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
 #include "displayfile/turntable.h"
+#include "hidden/lines/line_ends.h"
 #include "interp/draw.h"
 #include "interp/view_renderer.h"
 #include "tests/gallery.h"
@@ -51,7 +57,7 @@ void enter_cubes(GraphicsSystem& g, const View* view = nullptr) {
 }
 
 struct Counts {
-  int polygons = 0, lines = 0, picks = 0;
+  int polygons = 0, lines = 0, picks = 0, moves = 0;
 };
 Counts counts(const std::string& dump) {
   Counts found;
@@ -60,10 +66,23 @@ Counts counts(const std::string& dump) {
   for (std::string line; std::getline(words, line);) {
     found.polygons += line.starts_with("polygon ") ? 1 : 0;
     found.picks += line.starts_with("pick ") ? 1 : 0;
+    found.moves += line.starts_with("move ") ? 1 : 0;
     in_polygon = in_polygon || line.starts_with("polygon ");
     found.lines += !in_polygon && line.starts_with("line ") ? 1 : 0;
   }
   return found;
+}
+
+/// How many lines stand under each pick identifier.
+std::map<int, int> lines_of_picks(const std::string& dump) {
+  std::map<int, int> lines;
+  std::istringstream words(dump);
+  int pick = -1;
+  for (std::string line; std::getline(words, line);) {
+    if (line.starts_with("pick ")) pick = std::stoi(line.substr(5));
+    if (line.starts_with("line ")) ++lines[pick];
+  }
+  return lines;
 }
 
 std::string drawn(const GraphicsSystem& g, HiddenMethod method,
@@ -80,10 +99,20 @@ TEST(LineDrawing, ShowsTheNineEdgesOfACubeThatAreSeen) {
   g.open_segment(1);
   enter_cube(g, 0.0, 0.0);
   g.close_segment();
-  const Counts found = counts(dump(g.display_file()));
+  const std::string text = dump(g.display_file());
+  const Counts found = counts(text);
   EXPECT_EQ(found.polygons, 0);
   EXPECT_EQ(found.lines, 9);
-  EXPECT_EQ(found.picks, 3);  // the lines stand under the polygons that they belong to
+  // The lines stand under the polygons that they belong to: the first of those that share them.
+  const auto lines = lines_of_picks(text);
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines.at(0), 4);
+  EXPECT_EQ(lines.at(2), 3);
+  EXPECT_EQ(lines.at(4), 2);
+  // Four corners have three lines, so that there are two strokes, and one around the outline; they
+  // go on where the pick identifier changes.
+  EXPECT_GT(found.picks, 3);
+  EXPECT_EQ(found.moves, 3) << text;
 }
 
 /// A side that two polygons share is drawn if one of them is outlined, whichever was entered first;
@@ -194,9 +223,13 @@ TEST(LineDrawing, IsRecordedAndReplayed) {
   GraphicsSystem g, again;
   g.set_recorder(&recorder);
   g.set_hidden_method(HiddenMethod::roberts);
+  g.set_hidden_lines(HiddenLines::dashed);
   g.set_hidden_line_removal(true);
+  g.set_back_face_removal(false);
   enter_cubes(g);
+  EXPECT_NE(recording.str().find("set-hidden-lines dashed\n"), std::string::npos);
   replay(recording.str(), "recording", again);
+  EXPECT_EQ(again.hidden_lines(), HiddenLines::dashed);
   EXPECT_EQ(dump(again.display_file()), dump(g.display_file()));
 }
 
@@ -216,6 +249,192 @@ TEST(LineDrawing, IsTheSameByAllMethodsOverTheGallery) {
       EXPECT_EQ(draw(g, options).pixels, by_roberts.pixels) << name_of(method);
     }
   });
+}
+
+// ---- Hidden lines -------------------------------------------------------------------------------
+
+void enter_cube_with_back(GraphicsSystem& g) {
+  g.set_perspective({1.5, 1.2, 5.0});
+  g.set_hidden_method(HiddenMethod::franklin);
+  g.set_hidden_line_removal(true);
+  g.set_back_face_removal(false);
+  g.open_segment(1);
+  enter_cube(g, 0.0, 0.0);
+  g.close_segment();
+}
+
+TEST(LineDrawing, HiddenLinesAreDashedBeforeTheVisibleOnes) {
+  GraphicsSystem g;
+  g.set_hidden_lines(HiddenLines::dashed);
+  g.set_line_style({.colour = {0.0, 0.0, 1.0}, .width = 3.0});
+  enter_cube_with_back(g);
+  const std::string all = dump(g.display_file());
+  EXPECT_EQ(counts(all).lines, 12);
+  const auto dashed = all.find("line-style dashed 0 0 1 1.5 9 6");
+  const auto solid = all.find("line-style solid 0 0 1 3");
+  ASSERT_NE(dashed, all.npos) << all;
+  EXPECT_LT(dashed, solid);
+  EXPECT_EQ(counts(all.substr(dashed, solid - dashed)).lines, 3);
+  EXPECT_EQ(counts(all).polygons, 0);
+}
+
+/// As of a precision: what close-segment found stays until it is asked for otherwise.
+TEST(LineDrawing, HiddenLinesAreFoundAnewWhereTheyAreAskedForOtherwise) {
+  GraphicsSystem g;
+  enter_cube_with_back(g);
+  const std::string none = dump(g.display_file());
+  EXPECT_EQ(counts(none).lines, 9);
+  SortedDisplayFile kept;
+  const auto lines = [&](std::optional<HiddenLines> asked) {
+    return counts(dump(kept.update(g, HiddenMethod::franklin, {.hidden_lines = asked}))).lines;
+  };
+  EXPECT_EQ(lines({}), 9);
+  EXPECT_EQ(lines(HiddenLines::dashed), 12);
+  EXPECT_EQ(lines(HiddenLines::none), 9);
+  g.set_hidden_lines(HiddenLines::dashed);  // of segments that are closed from now on
+  EXPECT_EQ(lines({}), 9);
+  const auto together = [&](std::optional<HiddenLines> asked) {
+    return counts(dump(kept.update(g, HiddenMethod::franklin,
+                                   {.scope = HiddenScope::all, .hidden_lines = asked})))
+        .lines;
+  };
+  EXPECT_EQ(together({}), 12);
+  EXPECT_EQ(kept.work().sorted, 1u);
+  EXPECT_EQ(together({}), 12);
+  EXPECT_EQ(kept.work().sorted, 0u);
+  EXPECT_EQ(together(HiddenLines::none), 9);
+  EXPECT_EQ(kept.work().sorted, 1u);
+}
+
+TEST(LineDrawing, AWhollyHiddenSegmentIsDrawnDashedWithTheScopeAll) {
+  GraphicsSystem g;
+  g.open_segment(1);
+  g.polygon_abs_3({{-0.3, -0.2, -1}, {0.3, -0.2, -1}, {0.0, 0.3, -1}});
+  g.close_segment();
+  g.open_segment(2);
+  g.polygon_abs_3({{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0}});
+  g.close_segment();
+  SortedDisplayFile sorted;
+  const std::string all = dump(sorted.update(g, HiddenMethod::franklin,
+                                             {.method = HiddenMethod::franklin,
+                                              .scope = HiddenScope::all,
+                                              .hidden_lines = HiddenLines::dashed}));
+  EXPECT_EQ(counts(all).lines, 7);
+  const std::size_t dashed = all.find("line-style dashed"), second = all.find("segment 2");
+  ASSERT_NE(dashed, all.npos) << all;
+  EXPECT_LT(all.find("segment 1"), dashed);
+  EXPECT_LT(dashed, second);
+}
+
+/// In the orders of the sorts they come after all fills.
+TEST(LineDrawing, HiddenLinesAreDrawnOverFillsThatWereSorted) {
+  for (const HiddenMethod method : {HiddenMethod::bsp, HiddenMethod::depth_sort}) {
+    GraphicsSystem g;
+    enter_cubes(g);
+    SortedDisplayFile sorted;
+    const HiddenSurfaceOptions plain{.method = method, .scope = HiddenScope::all};
+    HiddenSurfaceOptions dashed = plain;
+    dashed.hidden_lines = HiddenLines::dashed;
+    const std::string without = dump(sorted.update(g, method, plain));
+    const DisplayFile& file = sorted.update(g, method, dashed);
+    EXPECT_GT(file.sorted()->lines(), 3u);
+    const std::string with = dump(file);
+    const std::size_t begin = with.find("line-style dashed");
+    ASSERT_NE(begin, with.npos);
+    EXPECT_EQ(with.find("polygon ", begin), with.npos);
+    EXPECT_EQ(counts(with).polygons, counts(without).polygons);
+    EXPECT_EQ(counts(without).lines, 0);
+    // The same as a method of lines draws.
+    const std::string lines = dump(sorted.update(g, HiddenMethod::franklin,
+                                                 {.method = HiddenMethod::franklin,
+                                                  .scope = HiddenScope::all,
+                                                  .hidden_lines = HiddenLines::dashed}));
+    const auto moves_and_lines = [](const std::string& text) {
+      std::istringstream in(text);
+      std::vector<std::string> found;
+      for (std::string line; std::getline(in, line);) {
+        if (line.starts_with("line-style solid")) break;
+        if (line.starts_with("line ")) found.push_back(line);
+      }
+      return found;
+    };
+    EXPECT_EQ(moves_and_lines(with.substr(begin)), moves_and_lines(lines));
+  }
+}
+
+// ---- Chains -------------------------------------------------------------------------------------
+
+/// Chains change the order and direction of the pieces, and nothing else.
+TEST(LineDrawing, ChainsAreOfThePiecesThatAreSeen) {
+  test::for_each_in_gallery([](const std::string&, const test::Retained& retained) {
+    const ViewedScene scene(retained.system.display_file());
+    Primitives items = scene.primitives();
+    const std::vector<std::uint8_t> sides = scene.drawn_sides();
+    items.visible = sides;
+    const SortedPieces sorted = lines_in_order(scene, HiddenMethod::franklin, {});
+    using Piece = std::tuple<std::uint32_t, double, double, double, double>;
+    const auto piece = [](std::uint32_t item, Point3 a, Point3 b) {
+      if (std::tie(b.x, b.y, b.z) < std::tie(a.x, a.y, a.z)) std::swap(a, b);
+      return Piece{item, a.x, a.y, b.x, b.y};
+    };
+    std::vector<Piece> found, expected;
+    for (const SortedPiece& p : sorted.pieces) {
+      found.push_back(piece(p.item, sorted.points[p.first], sorted.points[p.first + 1]));
+    }
+    for (const auto& [item, corner, from, to] :
+         visible_lines(items, drawn_lines(items), HiddenMethod::franklin, {}).pieces) {
+      const LineEnds ends(items, {item, corner});
+      expected.push_back(piece(item, ends.at(from), ends.at(to)));
+    }
+    std::ranges::sort(found);
+    std::ranges::sort(expected);
+    EXPECT_EQ(found, expected);
+  });
+}
+
+/// Two squares, one half behind the other: two strokes.
+TEST(LineDrawing, AStrokeGoesOnAroundCorners) {
+  GraphicsSystem g;
+  g.set_hidden_method(HiddenMethod::franklin);
+  g.set_hidden_line_removal(true);
+  g.open_segment(1);
+  g.polygon_abs_3({{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0}});
+  g.polygon_abs_3({{0.1, -0.5, -1}, {0.9, -0.5, -1}, {0.9, 0.2, -1}, {0.1, 0.2, -1}});
+  g.close_segment();
+  const std::string text = dump(g.display_file());
+  EXPECT_EQ(counts(text).lines, 7);
+  EXPECT_EQ(counts(text).moves, 2) << text;
+}
+
+/// The dashes of a triangle's sides, which run on around its corners, are those of the line.
+TEST(LineDrawing, DashesRunOnThroughCorners) {
+  const std::vector<Point3> corners{{-0.61, -0.5, 0}, {0.7, -0.33, 0}, {0.1, 0.57, 0}};
+  const auto picture = [&](bool as_lines) {
+    GraphicsSystem g;
+    g.set_hidden_method(HiddenMethod::franklin);
+    g.set_hidden_line_removal(true);
+    g.set_line_style({.kind = LineStyle::Kind::dashed, .width = 2.0, .dash = 7.0, .gap = 5.0});
+    g.open_segment(1);
+    if (as_lines) {
+      g.move_abs_3(corners[2].x, corners[2].y, corners[2].z);
+      for (const Point3& p : corners) g.line_abs_3(p.x, p.y, p.z);
+    } else {
+      g.polygon_abs_3(corners);
+    }
+    g.close_segment();
+    return draw(g, {.width = 90, .height = 70}).pixels;
+  };
+  EXPECT_EQ(picture(false), picture(true));
+  GraphicsSystem apart;  // each side with dashes of its own
+  apart.set_line_style({.kind = LineStyle::Kind::dashed, .width = 2.0, .dash = 7.0, .gap = 5.0});
+  apart.open_segment(1);
+  for (const std::size_t k : {0u, 2u, 1u}) {
+    const Point3 &a = corners[(k + 2) % 3], &b = corners[k];
+    apart.move_abs_3(a.x, a.y, a.z);
+    apart.line_abs_3(b.x, b.y, b.z);
+  }
+  apart.close_segment();
+  EXPECT_NE(draw(apart, {.width = 90, .height = 70}).pixels, picture(true));
 }
 
 TEST(LineDrawing, HasNeitherItemBufferNorDepths) {

@@ -175,7 +175,11 @@ class RandomApplication {
         const auto methods = hidden_methods();
         return system_.set_hidden_method(methods[below(methods.size())].method);
       }
-      case 27: return system_.set_z_buffer(chance(50));
+      case 27:
+        if (chance(50)) {
+          return system_.set_hidden_lines(chance(50) ? HiddenLines::none : HiddenLines::dashed);
+        }
+        return system_.set_z_buffer(chance(50));
       case 28: return system_.close_segment();
       case 29: return system_.save_transformation_3();
       case 30: return system_.restore_transformation_3();
@@ -199,6 +203,7 @@ void expect_same_state(const GraphicsSystem& a, const GraphicsSystem& b) {
   EXPECT_EQ(a.hidden_line_removal(), b.hidden_line_removal());
   EXPECT_EQ(a.back_face_removal(), b.back_face_removal());
   EXPECT_EQ(a.hidden_method(), b.hidden_method());
+  EXPECT_EQ(a.hidden_lines(), b.hidden_lines());
   EXPECT_EQ(a.z_buffer(), b.z_buffer());
   EXPECT_EQ(a.shading(), b.shading());
   EXPECT_EQ(a.shadows(), b.shadows());
@@ -243,7 +248,7 @@ TEST(RecordReplay, RandomApplications) {
   }
   // The applications did something: every routine, and pictures of some size.
   if (test::kSlower == 1) {
-    EXPECT_EQ(routines.size(), 56u);
+    EXPECT_EQ(routines.size(), 57u);
   }
   EXPECT_GT(instructions, 100000u / test::kSlower);
   EXPECT_GT(refused, 1000 / test::kSlower);

@@ -52,6 +52,24 @@ TEST_F(VectorFile, ADashGoesOnInTheLineThatContinuesItsOwn) {
   EXPECT_EQ(count(svg(g, 90, 60, true), "<path"), 1u);
 }
 
+/// Lines that come back to where they began are a closed path, whose last corner is joined.
+TEST_F(VectorFile, ALoopOfLinesIsAClosedPath) {
+  GraphicsSystem g = unit_square_without_lines();
+  g.open_segment(1);
+  g.set_line_style(line(kBlue, 3.0));
+  g.move_abs_2(0.25, 0.25);
+  g.line_abs_2(0.75, 0.25);
+  g.line_abs_2(0.5, 0.75);
+  g.line_abs_2(0.25, 0.25);
+  g.move_abs_2(0.0, 0.0);  // there and back: open
+  g.line_abs_2(0.25, 0.0);
+  g.line_abs_2(0.0, 0.0);
+  g.close_segment();
+  const std::string drawn = svg(g, 40, 40, false);
+  EXPECT_EQ(count(drawn, "d=\"M10,30 30,30 20,10Z\""), 1u) << drawn;
+  EXPECT_EQ(count(drawn, "d=\"M0,40 10,40 0,40\""), 1u) << drawn;
+}
+
 TEST_F(VectorFile, SvgOfASmallScene) {
   GraphicsSystem g = unit_square_without_lines();
   g.open_segment(3);

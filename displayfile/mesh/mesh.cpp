@@ -150,6 +150,12 @@ void set_mesh_light(GraphicsSystem& system) {
   system.set_light(Point3(axes[2]) + 0.6 * Point3(axes[1]) - 0.5 * Point3(axes[0]), 0.25);
 }
 
+/// Removed faces would hide no light, and have no sides that are drawn where they are hidden.
+bool needs_back_faces(const GraphicsSystem& system, const MeshOptions& options) {
+  return system.shadows() || options.hidden_sides_drawn ||
+         system.hidden_lines() != HiddenLines::none;
+}
+
 /// Sets what the application did not say.
 void bring_defaults(GraphicsSystem& system, const MeshOptions& options) {
   system.by_default(Setting::light, [&] { set_mesh_light(system); });
@@ -178,8 +184,9 @@ void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
   entering.file_colours &= !system.said().contains(Setting::fill_style);
   bring_defaults(system, options);
   for (const Mesh& mesh : meshes) {
-    system.by_default(Setting::back_face_removal, [&] {  // removed faces would hide no light
-      system.set_back_face_removal(!system.shadows() && closed_and_consistently_oriented(mesh));
+    system.by_default(Setting::back_face_removal, [&] {
+      system.set_back_face_removal(!needs_back_faces(system, options) &&
+                                   closed_and_consistently_oriented(mesh));
     });
     enter_mesh(mesh, system, static_cast<int>(name_after_all_in_use(system.display_file())),
                entering);

@@ -15,6 +15,7 @@ struct MeshOptions {
   /// Faces' sides are drawn, unless the application said how: with a method that shows lines only,
   /// and where lines are selected.
   bool sides_drawn = false;
+  bool hidden_sides_drawn = false;  ///< and dashed where they are hidden: no back face is removed
 };
 
 }  // namespace displayfile

@@ -198,6 +198,11 @@ HiddenScope Line::take<HiddenScope>() {
 }
 
 template <>
+HiddenLines Line::take<HiddenLines>() {
+  return understood(words_[taken_++], hidden_lines);
+}
+
+template <>
 Shading Line::take<Shading>() {
   return understood(words_[taken_++], shading);
 }
@@ -476,6 +481,7 @@ constexpr auto kRoutines = std::to_array<Routine>({
     {"set-lines", "one or more of all outline boundary crease[=DEGREES] material intersection",
      kVaries, lines},
     fixed<&G::set_precision>("set-precision", "exact|roundoff[=EPS]"),
+    fixed<&G::set_hidden_lines>("set-hidden-lines", "none|dashed"),
     fixed<&G::set_z_buffer>("set-z-buffer", "on|off"),
 });
 

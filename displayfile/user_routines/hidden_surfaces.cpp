@@ -41,6 +41,11 @@ void GraphicsSystem::set_precision(const Precision& precision) {
   record("set-precision", {std::string_view(text)});
 }
 
+void GraphicsSystem::set_hidden_lines(HiddenLines lines) {
+  sort_options_.hidden_lines = lines;
+  record("set-hidden-lines", {name_of(lines)});
+}
+
 void GraphicsSystem::set_z_buffer(bool on) {
   z_buffer_ = on;
   record("set-z-buffer", {on});

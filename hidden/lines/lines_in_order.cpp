@@ -1,64 +1,154 @@
 #include "hidden/lines/lines_in_order.h"
 
+#include <cstddef>
+
+#include "hidden/lines/chains.h"
+#include "hidden/lines/hidden_pieces.h"
+#include "hidden/lines/intersection_lines.h"
+#include "hidden/lines/line_ends.h"
+#include "hidden/lines/line_kinds.h"
+
 namespace displayfile {
 
 namespace {
 
-struct Ends {
-  Point3 from, to;
-};
-Ends ends_of(const Primitives& items, const VisiblePiece& piece) {
-  const PointRow points = items.points_of(items.items[piece.item]);
-  const std::uint32_t before =
-      piece.corner == 0 ? static_cast<std::uint32_t>(points.size()) - 1 : piece.corner - 1;
-  return {points[before], points[piece.corner]};
-}
+/// Items, and after them an item for each intersection line, so that these have names too.
+class ItemsAndIntersections {
+ public:
+  ItemsAndIntersections(const Primitives& items, std::span<const IntersectionLine> intersections)
+      : items_(items), intersections_(intersections) {
+    if (intersections.empty()) return;
+    points_.assign(items.points.begin(), items.points.end());
+    corners_.assign(items.corners.begin(), items.corners.end());
+    all_.assign(items.items.begin(), items.items.end());
+    for (const IntersectionLine& line : intersections) {
+      all_.push_back(
+          {static_cast<std::uint32_t>(corners_.empty() ? points_.size() : corners_.size()), 2,
+           Primitives::Kind::line});
+      for (const Point3& end : {line.start, line.end}) {
+        if (!corners_.empty()) corners_.push_back(static_cast<std::uint32_t>(points_.size()));
+        points_.push_back(end);
+      }
+    }
+  }
 
-/// At that share of the way.
-Point3 on_line(const Ends& ends, double share) {
-  if (share == 0.0) return ends.from;
-  return share == 1.0 ? ends.to : ends.from + share * (ends.to - ends.from);
+  /// Of all of them, without what is drawn.
+  Primitives primitives() const {
+    if (intersections_.empty()) return items_;
+    return {points_, corners_, {}, all_};
+  }
+  bool is_intersection(std::uint32_t item) const { return item >= items_.items.size(); }
+  /// The item whose line it is.
+  std::uint32_t item_of(std::uint32_t item) const {
+    if (!is_intersection(item)) return item;
+    return intersections_[item - items_.items.size()].item_b;
+  }
+  LineName name(std::uint32_t intersection) const {
+    return {static_cast<std::uint32_t>(items_.items.size()) + intersection, 1};
+  }
+
+ private:
+  const Primitives& items_;
+  std::span<const IntersectionLine> intersections_;
+  std::vector<Point3> points_;
+  std::vector<std::uint32_t> corners_;
+  std::vector<Primitives::Item> all_;
+};
+
+/// Adds pieces in order of chains.
+class ChainWriter {
+ public:
+  ChainWriter(const ItemsAndIntersections& items, std::span<const LineToDraw> lines,
+              std::span<const std::uint32_t> groups, SortedPieces& all)
+      : items_(items), primitives_(items.primitives()), lines_(lines), groups_(groups), all_(all) {}
+
+  /// Pieces in order of names.
+  void add(std::span<const VisiblePiece> pieces) {
+    links_.clear();
+    drawn_.clear();
+    auto line = lines_.begin();
+    for (const VisiblePiece& piece : pieces) {
+      const LineName name{piece.item, piece.corner};
+      Drawn drawn{items_.item_of(piece.item), kinds_of(LineKind::intersection)};
+      if (!items_.is_intersection(piece.item)) {
+        while (line->name != name) ++line;
+        drawn = {line->pick_item, line->kinds};
+      }
+      const LineEnds ends(primitives_, name);
+      const std::uint64_t group = groups_.empty() ? 0 : groups_[items_.item_of(piece.item)];
+      links_.push_back({ends.at(piece.from), ends.at(piece.to), (group << 8) | drawn.kinds});
+      drawn_.push_back(drawn);
+    }
+    for (const auto& [piece, reversed] : chains_of(links_).places) {
+      const auto first = static_cast<std::uint32_t>(all_.points.size());
+      all_.pieces.push_back({items_.item_of(pieces[piece].item), first, 2});
+      const ChainLink& link = links_[piece];
+      all_.points.push_back(reversed ? link.to : link.from);
+      all_.points.push_back(reversed ? link.from : link.to);
+      all_.visible.insert(all_.visible.end(), {LineKinds{0}, drawn_[piece].kinds});
+      all_.pick_items.push_back(drawn_[piece].pick_item);
+    }
+  }
+
+ private:
+  struct Drawn {
+    std::uint32_t pick_item;
+    LineKinds kinds;
+  };
+
+  const ItemsAndIntersections& items_;
+  Primitives primitives_;
+  std::span<const LineToDraw> lines_;
+  std::span<const std::uint32_t> groups_;
+  SortedPieces& all_;
+  std::vector<ChainLink> links_;
+  std::vector<Drawn> drawn_;
+};
+
+std::vector<LineName> names_of(std::span<const LineToDraw> lines) {
+  std::vector<LineName> names;
+  names.reserve(lines.size());
+  for (const LineToDraw& line : lines) names.push_back(line.name);
+  return names;
 }
 
 }  // namespace
 
-SortedPieces lines_in_order(const Primitives& items, HiddenMethod method,
-                            const SortOptions& options) {
+SortedPieces lines_in_order(const Primitives& items, const LinesOfItems& of_items,
+                            HiddenMethod method, const SortOptions& options) {
+  const std::vector<LineToDraw> lines = lines_to_draw(items, of_items.picks);
+  std::vector<LineName> names = names_of(lines);
   std::vector<IntersectionLine> intersections;
   if (options.intersections) intersections = intersection_lines(items, options.threads);
-  const SeenLines seen = visible_lines(
-      items, drawn_lines(items), method,
+  SeenLines seen = visible_lines(
+      items, names, method,
       {.precision = options.precision, .threads = options.threads, .progress = options.progress},
       intersections);
-  return lines_in_order(items, seen, intersections);
-}
-
-SortedPieces lines_in_order(const Primitives& items, const SeenLines& seen,
-                            std::span<const IntersectionLine> intersections) {
+  const ItemsAndIntersections all(items, intersections);
+  for (std::uint32_t k = 0; k < intersections.size(); ++k) names.push_back(all.name(k));
+  for (const auto& [line, from, to] : seen.intersections) {
+    const LineName name = all.name(line);
+    seen.pieces.push_back({name.item, name.corner, from, to});
+  }
   SortedPieces pieces;
   pieces.are_lines = true;
-  const std::size_t all = seen.pieces.size() + seen.intersections.size();
-  pieces.pieces.reserve(all);
-  pieces.points.reserve(2 * all);
-  const auto add = [&](std::uint32_t item, const Ends& ends, double from, double to) {
-    pieces.pieces.push_back({item, static_cast<std::uint32_t>(pieces.points.size()), 2});
-    pieces.points.push_back(on_line(ends, from));
-    pieces.points.push_back(on_line(ends, to));
-  };
-  auto next = seen.intersections.begin();
-  const auto add_intersections_before = [&](std::size_t item) {
-    for (; next != seen.intersections.end(); ++next) {
-      const IntersectionLine& line = intersections[next->line];
-      if (line.item_b >= item) return;
-      add(line.item_b, {line.start, line.end}, next->from, next->to);
-    }
-  };
-  for (const VisiblePiece& piece : seen.pieces) {
-    add_intersections_before(piece.item);
-    add(piece.item, ends_of(items, piece), piece.from, piece.to);
+  ChainWriter writer(all, lines, of_items.groups, pieces);
+  if (options.hidden_lines == HiddenLines::dashed) {
+    writer.add(uncovered_pieces(all.primitives(), seen, hidden_pieces(names, seen)));
+    pieces.hidden.assign(pieces.pieces.size(), 1);
   }
-  add_intersections_before(items.items.size());
-  pieces.visible.assign(pieces.points.size(), 1);
+  writer.add(seen.pieces);
+  if (!pieces.hidden.empty()) pieces.hidden.resize(pieces.pieces.size(), 0);
+  return pieces;
+}
+
+SortedPieces lines_in_order(const Primitives& items, const LinesOfItems& of_items,
+                            const SeenLines& seen) {
+  const std::vector<LineToDraw> lines = lines_to_draw(items, of_items.picks);
+  const ItemsAndIntersections all(items, {});
+  SortedPieces pieces;
+  pieces.are_lines = true;
+  ChainWriter(all, lines, of_items.groups, pieces).add(seen.pieces);
   return pieces;
 }
 

@@ -7,6 +7,7 @@
 
 #include "clip/point.h"
 #include "hidden/exact/precision.h"
+#include "hidden/hidden_lines.h"
 #include "hidden/hidden_method.h"
 #include "hidden/primitives.h"
 #include "hidden/work_progress.h"
@@ -29,6 +30,8 @@ struct SortOptions {
   /// The methods that find lines show those too along which polygons pass through each other
   /// (hidden/lines/intersection_lines.h).
   bool intersections = false;
+  /// Drawn too, by who finds lines (hidden/lines/lines_in_order.h).
+  HiddenLines hidden_lines = HiddenLines::none;
 };
 
 /// A polygon or line in the order, or a piece of one that was cut.
@@ -47,6 +50,9 @@ struct SortedPieces {
   /// all that is drawn (hidden/lines/lines_in_order.h).
   bool are_lines = false;
   std::vector<SortedPiece> pieces;
+  /// Of each piece 1 if it is one of a line, of two points, that is hidden there: to be drawn
+  /// dashed. Empty: none is.
+  std::vector<std::uint8_t> hidden;
   /// The points of the pieces that were cut: coordinates, each rounded once, and whether the side
   /// that ends at the point is drawn and as what, as Primitives::visible (the sides that cuts made
   /// are not).

@@ -7,10 +7,10 @@
 #include <tuple>
 #include <utility>
 
+#include "displayfile/hidden_surface_check.h"
 #include "displayfile/segment_groups.h"
 #include "displayfile/sorted_scene.h"
 #include "displayfile/viewed_scene.h"
-#include "hidden/lines/lines_in_order.h"
 
 namespace displayfile {
 
@@ -127,7 +127,7 @@ DisplayFile true_line_drawing(const DisplayFile& display_file, int threads,
   auto sorted = std::make_shared<SortedScene>();
   for (const SegmentGroup& group : overlapping_groups(display_file.visible_segments())) {
     auto scene = std::make_shared<ViewedScene>(group);
-    SortedPieces order = lines_in_order(scene->primitives(), items.of_group(group, pieces));
+    SortedPieces order = lines_in_order(*scene, items.of_group(group, pieces));
     sorted->counts.pieces += order.pieces.size();
     sorted->parts.push_back(
         std::make_shared<OrderedScene>(OrderedScene{std::move(scene), std::move(order)}));

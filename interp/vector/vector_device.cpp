@@ -188,6 +188,10 @@ void VectorDevice::draw_texts(const DisplayFile& display_file, bool by_depth) {
 
 void VectorDevice::finish_lines() {
   if (lines_.empty()) return;
+  if (lines_.points.size() > 3 && lines_.points.front() == lines_.points.back()) {
+    lines_.points.pop_back();  // the last line closes the run: its corner is joined too
+    lines_.runs.front().closed = true;
+  }
   paint_lines(lines_, lines_style_, lines_kinds_);
   lines_.clear();
 }

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "clip/point.h"
+#include "hidden/lines/visible_lines.h"
+#include "hidden/primitives.h"
+
+namespace displayfile {
+
+/// Where a line that is named starts and ends: the item's own points.
+struct LineEnds {
+  Point3 from, to;
+
+  LineEnds(const Primitives& items, const LineName& line) {
+    const PointRow points = items.points_of(items.items[line.item]);
+    const auto last = static_cast<std::uint32_t>(points.size()) - 1;
+    from = points[line.corner == 0 ? last : line.corner - 1];
+    to = points[line.corner];
+  }
+
+  /// The point at that share of the way, rounded; 0 and 1 are the ends themselves.
+  Point3 at(double share) const {
+    if (share == 0.0) return from;
+    return share == 1.0 ? to : from + share * (to - from);
+  }
+};
+
+}  // namespace displayfile

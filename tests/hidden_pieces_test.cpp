@@ -1,0 +1,280 @@
+// Lines where they are hidden (hidden/lines/hidden_pieces.h): with what is seen they are the whole;
+// what is covered is left out, worked by hand and against all pairs.
+
+#include "hidden/lines/hidden_pieces.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "hidden/exact/orientation.h"
+#include "hidden/lines/line_ends.h"
+#include "tests/slower.h"
+#include "tests/sort_scenes.h"
+
+namespace displayfile {
+namespace {
+
+using namespace test;
+
+struct Found {
+  std::vector<LineName> lines;
+  SeenLines seen;
+  std::vector<HiddenPiece> hidden, left;
+};
+Found found(const ItemList& list, HiddenMethod method = HiddenMethod::franklin) {
+  Found all;
+  all.lines = drawn_lines(list.view());
+  all.seen = visible_lines(list.view(), all.lines, method, {});
+  all.hidden = hidden_pieces(all.lines, all.seen);
+  all.left = uncovered_pieces(list.view(), all.seen, all.hidden);
+  return all;
+}
+
+bool in_order(const VisiblePiece& a, const VisiblePiece& b) {
+  return std::tie(a.item, a.corner, a.from) < std::tie(b.item, b.corner, b.from);
+}
+
+std::string described(std::vector<VisiblePiece> pieces) {
+  std::ranges::sort(pieces, in_order);
+  std::ostringstream out;
+  out.precision(17);
+  for (const auto& [item, corner, from, to] : pieces) {
+    out << item << ":" << corner << " " << from << " " << to << "\n";
+  }
+  return out.str();
+}
+
+// ---- What is hidden -----------------------------------------------------------------------------
+
+/// Bit for bit: each line begins at 0, each piece where the one before ends, and the last at 1.
+TEST(HiddenPieces, TileEveryLineWithWhatIsSeen) {
+  for (const SortFamily& family : sort_families()) {
+    for (int k = 0; k < 60 / kSlower; ++k) {
+      Source s(static_cast<std::uint64_t>(k));
+      const ItemList list = family.make(s);
+      for (const HiddenMethod method : {HiddenMethod::roberts, HiddenMethod::franklin}) {
+        const Found all = found(list, method);
+        std::vector<VisiblePiece> pieces = all.seen.pieces;
+        pieces.insert(pieces.end(), all.hidden.begin(), all.hidden.end());
+        std::ranges::sort(pieces, in_order);
+        auto piece = pieces.begin();
+        for (const LineName& line : all.lines) {
+          double at = 0.0;
+          for (; piece != pieces.end() && LineName{piece->item, piece->corner} == line; ++piece) {
+            ASSERT_EQ(piece->from, at) << family.name << " " << k;
+            ASSERT_LT(piece->from, piece->to);
+            at = piece->to;
+          }
+          ASSERT_EQ(at, 1.0) << family.name << " " << k << "\n" << list.text();
+        }
+        ASSERT_EQ(piece, pieces.end());
+      }
+    }
+  }
+}
+
+// ---- What is covered, by hand -------------------------------------------------------------------
+
+Loop box(double x0, double y0, double x1, double y1, double z) {
+  return {{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}};
+}
+
+/// The parts left of the last item, a line, behind a square that covers x from 0 to 1.
+std::vector<std::pair<double, double>> left_of_line(const std::vector<Loop>& before,
+                                                    const Point3& a, const Point3& b) {
+  ItemList list;
+  list.add(ItemList::Kind::solid, box(0.0, 0.0, 1.0, 1.0, 0.5), {0, 0, 0, 0});
+  for (const Loop& line : before) list.line(line[0], line[1]);
+  list.line(a, b);
+  std::vector<std::pair<double, double>> parts;
+  for (const HiddenPiece& piece : found(list).left) {
+    if (piece.item + 1 == list.items.size()) parts.emplace_back(piece.from, piece.to);
+  }
+  return parts;
+}
+using Shares = std::vector<std::pair<double, double>>;
+
+TEST(UncoveredPieces, WhatALineBeforeCoversIsLeftOut) {
+  const Point3 a(0.125, 0.25, 0.25), b(0.625, 0.75, 0.25);  // rises at 45 degrees
+  EXPECT_EQ(left_of_line({}, a, b), (Shares{{0.0, 1.0}}));
+  const auto near = [](double x0, double x1) {
+    return Loop{{x0, x0 + 0.125, 0.75}, {x1, x1 + 0.125, 0.875}};
+  };
+  EXPECT_EQ(left_of_line({near(0.125, 0.625)}, a, b), Shares{});
+  EXPECT_EQ(left_of_line({near(0.625, 0.125)}, a, b), Shares{});
+  EXPECT_EQ(left_of_line({near(0.0, 1.0)}, a, b), Shares{});
+  EXPECT_EQ(left_of_line({near(0.0, 0.25)}, a, b), (Shares{{0.25, 1.0}}));
+  EXPECT_EQ(left_of_line({near(0.25, 0.375)}, b, a), (Shares{{0.0, 0.5}, {0.75, 1.0}}));
+  EXPECT_EQ(left_of_line({near(0.25, 0.375), near(0.375, 0.5)}, a, b),
+            (Shares{{0.0, 0.25}, {0.75, 1.0}}));
+  EXPECT_EQ(left_of_line({near(0.625, 0.75)}, a, b), (Shares{{0.0, 1.0}}));  // touches its end
+  // Beside it by as little as can be.
+  Loop beside = near(0.125, 0.625);
+  beside[0].y = std::nextafter(beside[0].y, 1.0);
+  EXPECT_EQ(left_of_line({beside}, a, b), (Shares{{0.0, 1.0}}));
+}
+
+TEST(UncoveredPieces, OfHiddenOnesThatCoverEachOtherTheFirstIsDrawn) {
+  const Point3 a(0.125, 0.5, 0.25), b(0.625, 0.5, 0.25);
+  const auto behind = [](double x0, double x1, double z) {
+    return Loop{{x0, 0.5, z}, {x1, 0.5, z}};
+  };
+  for (const double z : {0.125, 0.375}) {  // farther or nearer
+    EXPECT_EQ(left_of_line({behind(0.125, 0.625, z)}, a, b), Shares{});
+    EXPECT_EQ(left_of_line({behind(0.0, 0.25, z)}, a, b), (Shares{{0.25, 1.0}}));
+    EXPECT_EQ(left_of_line({behind(0.25, 0.5, z)}, a, b), (Shares{{0.0, 0.25}, {0.75, 1.0}}));
+  }
+}
+
+/// A cube seen along an axis: the back is right behind the front.
+TEST(UncoveredPieces, OfACubeSeenAlongAnAxisNothingHiddenIsLeft) {
+  ItemList list;
+  const Loop front = box(0.25, 0.25, 0.75, 0.75, 0.75), back = box(0.25, 0.25, 0.75, 0.75, 0.25);
+  list.solid(front);
+  list.solid({back[3], back[2], back[1], back[0]});
+  for (std::size_t k = 0; k < 4; ++k) {
+    list.solid({front[k], back[k], back[(k + 1) % 4], front[(k + 1) % 4]});
+  }
+  list.solid(box(0.0, 0.0, 1.0, 1.0, 0.875));  // a sheet hides it all
+  const Found all = found(list);
+  EXPECT_EQ(all.hidden.size(), 8u);
+  EXPECT_EQ(described(all.left), "0:0 0 1\n0:1 0 1\n0:2 0 1\n0:3 0 1\n");
+}
+
+/// Lines that fall at 45 degrees, and those that run along an axis, either way.
+TEST(UncoveredPieces, WhicheverWayLinesRun) {
+  const Point2 ways[] = {{1, 0},   {-1, 0}, {0, 1},    {0, -1},    {1, 1},
+                         {-1, -1}, {1, -1}, {-1, 1},   {4, -3},    {3, -4},
+                         {-4, 3},  {-3, 4}, {1024, 1}, {-1024, 1}, {1, 1024}};
+  for (const Point2& way : ways) {
+    const Point2 along = way * (0x1p-4 / std::max(std::abs(way.x), std::abs(way.y)));
+    const auto at = [&](double t, double z) {
+      return Point3(0.5 + t * along.x, 0.5 + t * along.y, z);
+    };
+    const Loop near{at(-1.0, 0.75), at(1.0, 0.75)};
+    EXPECT_EQ(left_of_line({near}, at(-2.0, 0.25), at(2.0, 0.25)),
+              (Shares{{0.0, 0.25}, {0.75, 1.0}}))
+        << way.x << " " << way.y;
+    EXPECT_EQ(left_of_line({{near[1], near[0]}}, at(-1.0, 0.25), at(2.0, 0.25)),
+              (Shares{{2.0 / 3.0, 1.0}}));
+  }
+}
+
+// ---- What is covered, against all pairs ---------------------------------------------------------
+
+/// The same by comparing each hidden piece with each other piece.
+std::vector<HiddenPiece> left_by_all_pairs(const ItemList& list, const Found& all) {
+  std::vector<HiddenPiece> left;
+  for (const HiddenPiece& piece : all.hidden) {
+    const LineEnds own(list.view(), {piece.item, piece.corner});
+    std::vector<std::pair<double, double>> covered;
+    const auto cover = [&](const VisiblePiece& other) {
+      const LineEnds ends(list.view(), {other.item, other.corner});
+      if (orientation(own.from, own.to, ends.from) != 0) return;
+      if (orientation(own.from, own.to, ends.to) != 0) return;
+      const Point3 way = glm::abs(own.to - own.from);
+      const int axis = way.x >= way.y ? 0 : 1;
+      const auto share = [&](const Point3& p) {
+        return (p[axis] - own.from[axis]) / (own.to[axis] - own.from[axis]);
+      };
+      covered.push_back(std::minmax({share(ends.at(other.from)), share(ends.at(other.to))}));
+    };
+    const auto other_line = [&](const VisiblePiece& other) {
+      return other.item != piece.item || other.corner != piece.corner;
+    };
+    for (const VisiblePiece& other : all.seen.pieces) {
+      if (other_line(other)) cover(other);
+    }
+    for (const HiddenPiece& other : all.hidden) {
+      if (other_line(other) && in_order(other, piece)) cover(other);
+    }
+    std::ranges::sort(covered);
+    double from = piece.from;
+    for (const auto& [low, high] : covered) {
+      if (low > from) left.push_back({piece.item, piece.corner, from, std::min(low, piece.to)});
+      from = std::max(from, high);
+      if (from >= piece.to) break;
+    }
+    if (from < piece.to) left.push_back({piece.item, piece.corner, from, piece.to});
+  }
+  return left;
+}
+
+/// Rounded to what is far below what can be seen, crumbs left out, and what touches joined.
+std::string rounded(std::vector<HiddenPiece> pieces) {
+  std::ranges::sort(pieces, in_order);
+  std::vector<HiddenPiece> joined;
+  for (const HiddenPiece& piece : pieces) {
+    const double from = std::round(piece.from * 1e9) / 1e9, to = std::round(piece.to * 1e9) / 1e9;
+    if (!(from < to)) continue;
+    if (!joined.empty() && joined.back().item == piece.item &&
+        joined.back().corner == piece.corner && joined.back().to == from) {
+      joined.back().to = to;
+    } else {
+      joined.push_back({piece.item, piece.corner, from, to});
+    }
+  }
+  return described(joined);
+}
+
+TEST(UncoveredPieces, AsByAllPairsInEveryFamily) {
+  for (const SortFamily& family : sort_families()) {
+    for (int k = 0; k < 60 / kSlower; ++k) {
+      Source s(static_cast<std::uint64_t>(k));
+      const ItemList list = family.make(s);
+      const Found all = found(list);
+      ASSERT_EQ(rounded(all.left), rounded(left_by_all_pairs(list, all)))
+          << family.name << " " << k << "\n"
+          << list.text();
+    }
+  }
+}
+
+/// Many pieces on few lines, any direction: whole multiples of whole steps, so that they are in
+/// line exactly, and some an ulp beside.
+TEST(UncoveredPieces, AsByAllPairsOnFewLines) {
+  for (int k = 0; k < 300 / kSlower; ++k) {
+    Source s(static_cast<std::uint64_t>(k));
+    ItemList list;
+    list.add(ItemList::Kind::solid, box(0.0, 0.0, 1.0, 1.0, 0.5), {0, 0, 0, 0});
+    for (int line = 0; line < 3; ++line) {
+      const int dx = s.between(-20, 20), dy = s.between(-20, 20);
+      const int x = s.between(400, 600), y = s.between(400, 600);
+      if (dx == 0 && dy == 0) continue;
+      for (int piece = 0; piece < 12; ++piece) {
+        const auto at = [&](int t, double z) {
+          return Point3((x + t * dx) / 1024.0, (y + t * dy) / 1024.0, z);
+        };
+        const int from = s.between(-18, 18), to = s.between(-18, 18);
+        Point3 a = at(from, s.below(3) == 0 ? 0.75 : 0.25),
+               b = at(to, s.below(3) == 0 ? 0.75 : 0.25);
+        if (s.below(8) == 0) a.y = std::nextafter(a.y, 2.0);
+        if (from != to) list.line(a, b);
+      }
+    }
+    const Found all = found(list);
+    ASSERT_EQ(rounded(all.left), rounded(left_by_all_pairs(list, all))) << k << "\n" << list.text();
+  }
+}
+
+TEST(UncoveredPieces, ScalingByTwoChangesNothing) {
+  for (const SortFamily& family : sort_families()) {
+    for (int k = 0; k < 30 / kSlower; ++k) {
+      Source s(static_cast<std::uint64_t>(k));
+      ItemList list = family.make(s);
+      const std::string plain = described(found(list).left);
+      for (Point3& p : list.points) p *= 2.0;
+      ASSERT_EQ(described(found(list).left), plain) << family.name << " " << k;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace displayfile

@@ -1,0 +1,107 @@
+// Line drawings by the command: hidden lines dashed, and what is joined into chains.
+
+#include <algorithm>
+#include <string>
+
+#include "tests/command_fixture.h"
+
+namespace {
+
+class LineCommand : public Command {
+ protected:
+  /// A closed box as a mesh, its faces turned outward.
+  static constexpr const char* kBox =
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+      "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+
+  std::size_t count(const std::string& begin) const {
+    std::size_t n = out_.starts_with(begin) ? 1 : 0;
+    for (std::size_t at = out_.find("\n" + begin); at != std::string::npos;
+         at = out_.find("\n" + begin, at + 1)) {
+      ++n;
+    }
+    return n;
+  }
+};
+
+TEST_F(LineCommand, HiddenLinesOfABareMeshAreDashedAndComeFirst) {
+  write("box.obj", kBox);
+  ASSERT_EQ(run("dump box.obj --hidden franklin"), 0) << err_;
+  EXPECT_EQ(count("line "), 9u);
+  EXPECT_EQ(count("line-style dashed "), 0u);
+  ASSERT_EQ(run("dump box.obj --hidden franklin --hidden-lines none"), 0) << err_;
+  EXPECT_EQ(count("line "), 9u);
+  for (const char* method : {"franklin", "roberts"}) {
+    ASSERT_EQ(run(std::string("dump box.obj --hidden-lines dashed --hidden ") + method), 0) << err_;
+    EXPECT_GE(count("line "), 12u);  // and what rounding shows of those that are hidden
+    EXPECT_EQ(count("line-style dashed 0 0 0 0.5 6 4"), 1u) << out_;
+    const std::size_t dashed = out_.find("line-style dashed"),
+                      solid = out_.find("line-style solid");
+    ASSERT_LT(dashed, solid);
+    out_ = out_.substr(dashed, solid - dashed);
+    EXPECT_EQ(count("line "), 3u);
+  }
+  ASSERT_EQ(run("draw box.obj -o box.svg --hidden franklin --hidden-lines dashed"), 0) << err_;
+  EXPECT_NE(read(folder_ / "box.svg").find("stroke-width:0.5;stroke-dasharray:6 4"),
+            std::string::npos);
+}
+
+/// Behind a plate, of which it is seen what sticks out; a shorter line on the plate covers the rest
+/// but for two ends.
+TEST_F(LineCommand, HiddenLinesThatAreCoveredAreLeftOut) {
+  write("plate.draw",
+        "open-segment 1\n"
+        "polygon-abs-3 -0.5 -0.5 0  0.5 -0.5 0  0.5 0.5 0  -0.5 0.5 0\n"
+        "move-abs-3 -0.9 0 -1\nline-abs-3 0.9 0 -1\n"
+        "move-abs-3 0.4 0 0\nline-abs-3 -0.4 0 0\nclose-segment\n");
+  ASSERT_EQ(run("dump plate.draw --hidden franklin --hidden-lines dashed"), 0) << err_;
+  EXPECT_EQ(count("line "), 9u) << out_;
+  out_ = out_.substr(0, out_.find("line-style solid"));
+  EXPECT_EQ(count("line "), 2u);
+}
+
+TEST_F(LineCommand, AProgramSetsHiddenLinesAndTheCommandOtherwise) {
+  const std::string square = "polygon-abs-3 -0.5 -0.5 0  0.5 -0.5 0  0.5 0.5 0  -0.5 0.5 0\n";
+  const std::string program =
+      "set-hidden-method franklin\nset-hidden-line-removal on\nset-hidden-lines dashed\n"
+      "open-segment 1\nset-line-style solid 1 0 0 4\n" +
+      square + "move-abs-3 -0.9 0 -1\nline-abs-3 0.9 0 -1\nclose-segment\n";
+  write("a.draw", program);
+  ASSERT_EQ(run("dump a.draw"), 0) << err_;
+  EXPECT_EQ(count("line-style dashed 1 0 0 2 12 8"), 1u) << out_;
+  EXPECT_EQ(count("line "), 7u);
+  ASSERT_EQ(run("dump a.draw --hidden-lines none"), 0) << err_;
+  EXPECT_EQ(count("line-style dashed"), 0u);
+  EXPECT_EQ(count("line "), 6u);
+  // Over fills that were put in order.
+  ASSERT_EQ(run("dump a.draw --hidden bsp"), 0) << err_;
+  EXPECT_EQ(count("polygon "), 1u);
+  EXPECT_GT(out_.find("line-style dashed"), out_.find("polygon "));
+  ASSERT_EQ(run("draw a.draw -o a.svg --hidden depth-sort --stats"), 0) << err_;
+}
+
+TEST_F(LineCommand, UnknownHiddenLinesAreRefused) {
+  write("a.draw", "set-hidden-lines dotted\n");
+  expect_error("dump a.draw", "a.draw:1:18: hidden lines are none or dashed, not 'dotted'");
+  write("b.draw", "set-hidden-lines\n");
+  expect_error("dump b.draw",
+               "b.draw:1:17: set-hidden-lines: 0 arguments, expected 1: none|dashed");
+  write("box.obj", kBox);
+  for (const char* command :
+       {"dump box.obj", "draw box.obj -o x.png", "check box.obj --golden ."}) {
+    expect_error(std::string(command) + " --hidden-lines dahsed",
+                 "hidden lines are none or dashed, not 'dahsed'");
+  }
+}
+
+/// The box's outline and its inner corner: nine sides, drawn without lifting the pen but twice.
+TEST_F(LineCommand, LinesAreJoinedIntoChains) {
+  write("box.obj", kBox);
+  ASSERT_EQ(run("dump box.obj --hidden franklin"), 0) << err_;
+  EXPECT_LE(count("move "), 3u) << out_;
+  ASSERT_EQ(run("draw box.obj -o box.svg --hidden franklin"), 0) << err_;
+  const std::string svg = read(folder_ / "box.svg");
+  EXPECT_LE(std::ranges::count(svg, 'M'), 3) << svg;
+}
+
+}  // namespace

@@ -25,7 +25,7 @@
 #include "hidden/exact/precision.h"
 #include "hidden/hidden_lines.h"
 #include "hidden/hidden_method.h"
-#include "hidden/lines/line_kinds.h"
+#include "hidden/line_kinds.h"
 #include "hidden/sort/hidden_surface_sort.h"
 
 namespace displayfile {

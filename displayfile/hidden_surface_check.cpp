@@ -47,26 +47,30 @@ std::vector<std::uint32_t> strokes_of(const ViewedScene& scene) {
   return of_items;
 }
 
-/// Those that fills hide, over them.
-void append_hidden_lines(const ViewedScene& scene, const SortOptions& options,
-                         SortedPieces& sorted) {
+/// Lines that no polygon of the order has: those that fills hide, and where polygons pass through
+/// each other.
+void append_lines(const ViewedScene& scene, const SortOptions& options, SortedPieces& sorted) {
   const SortedPieces lines = lines_in_order(scene, HiddenMethod::franklin, options);
-  const auto count = std::ranges::count(lines.hidden, 1);  // the first
-  const auto shift = static_cast<std::uint32_t>(sorted.points.size());
   sorted.hidden.assign(sorted.pieces.size(), 0);
-  sorted.hidden.resize(sorted.pieces.size() + static_cast<std::size_t>(count), 1);
-  for (const SortedPiece& piece : std::span(lines.pieces).first(static_cast<std::size_t>(count))) {
-    sorted.pieces.push_back({piece.item, piece.first + shift, piece.sides});
+  for (std::size_t k = 0; k < lines.pieces.size(); ++k) {
+    const auto [item, first, sides] = lines.pieces[k];
+    const bool is_hidden = lines.is_hidden(k);
+    if (!is_hidden && !lines.is_intersection(lines.pieces[k])) continue;
+    sorted.pieces.push_back({item, static_cast<std::uint32_t>(sorted.points.size()), sides});
+    sorted.hidden.push_back(is_hidden ? 1 : 0);
+    for (std::uint32_t i = first; i < first + sides; ++i) {
+      sorted.points.push_back(lines.points[i]);
+      sorted.visible.push_back(lines.visible[i]);
+    }
   }
-  sorted.points.insert(sorted.points.end(), lines.points.begin(), lines.points.begin() + 2 * count);
-  sorted.visible.insert(sorted.visible.end(), lines.visible.begin(),
-                        lines.visible.begin() + 2 * count);
 }
 
 SortedPieces pieces_of(const ViewedScene& scene, HiddenMethod method, const SortOptions& options) {
   if (finds_lines(method)) return lines_in_order(scene, method, options);
   SortedPieces sorted = sort_hidden_surfaces(scene.primitives(), method, options);
-  if (options.hidden_lines == HiddenLines::dashed) append_hidden_lines(scene, options, sorted);
+  if (options.hidden_lines == HiddenLines::dashed || options.intersections) {
+    append_lines(scene, options, sorted);
+  }
   return sorted;
 }
 

@@ -12,7 +12,7 @@
 
 #include "clip/transformation.h"
 #include "displayfile/style.h"
-#include "hidden/lines/line_kinds.h"
+#include "hidden/line_kinds.h"
 
 namespace displayfile {
 

@@ -177,6 +177,7 @@ void RetainedScene::append(const RetainedScene& other, const Segment& segment) {
     enter_text(text.anchor, text.characters, other.attributes_[text.attributes]);
   });
   segments_.back().sides = segment.sides;
+  segments_.back().intersections = segment.intersections;
 }
 
 void RetainedScene::open_segment(int name, const View& view) {
@@ -187,8 +188,13 @@ void RetainedScene::open_segment(int name, const View& view) {
 
 void RetainedScene::close_segment(const LineSelection& lines) {
   Segment& segment = segments_.back();
+  segment.intersections = contains(lines.kinds, LineKind::intersection);
   segment.sides =
       lines.is_all_alone() ? nullptr : std::make_shared<const SideKinds>(*this, segment, lines);
+}
+
+bool RetainedScene::has_intersections() const {
+  return std::ranges::any_of(segments_, &Segment::intersections);
 }
 
 bool RetainedScene::selects_lines() const {

@@ -13,7 +13,7 @@
 #include "displayfile/attributes.h"
 #include "displayfile/view_stage.h"
 #include "hidden/exact/eye.h"
-#include "hidden/lines/line_kinds.h"
+#include "hidden/line_kinds.h"
 #include "hidden/primitives.h"
 
 namespace displayfile {
@@ -42,6 +42,7 @@ class RetainedScene {
     std::uint32_t first_text = 0, end_text = 0;
     /// Which sides are lines; null: those that the line style shows.
     std::shared_ptr<const SideKinds> sides = nullptr;
+    bool intersections = false;  ///< lines are too where polygons pass through each other
   };
   /// A text is no primitive: it hides nothing.
   struct Text {
@@ -110,6 +111,8 @@ class RetainedScene {
     return {points_, corners_, edge_visible_, items};
   }
 
+  /// In some segment lines are where polygons pass through each other.
+  bool has_intersections() const;
   /// Some segment draws other sides than those that the line style shows.
   bool selects_lines() const;
   /// For the side that ends at each corner of the scene its kinds in a view, 0 where it is not

@@ -7,7 +7,7 @@
 
 #include "displayfile/retained_scene.h"
 #include "hidden/exact/eye.h"
-#include "hidden/lines/line_kinds.h"
+#include "hidden/line_kinds.h"
 #include "hidden/primitives.h"
 
 namespace displayfile {

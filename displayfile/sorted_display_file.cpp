@@ -74,8 +74,7 @@ const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, Hidde
   const HiddenScope scope = options.scope.value_or(set);
   SortOptions sort = sort_options(options, precision_in_force(system, options));
   sort.hidden_lines = hidden_lines_in_force(system, options);
-  sort.intersections =
-      finds_lines(method) && contains(system.lines().kinds, LineKind::intersection);
+  sort.intersections = contains(system.lines().kinds, LineKind::intersection);
   return sort_anew(system.display_file(), [&] {
     if (is_object_space(method) && scope == HiddenScope::all) {
       sort_together(method, sort);
@@ -93,7 +92,7 @@ const DisplayFile& SortedDisplayFile::update(const DisplayFile& entered, HiddenM
                                              const HiddenSurfaceOptions& options) {
   SortOptions sort = sort_options(options, options.precision.value_or(Precision{}));
   sort.hidden_lines = options.hidden_lines.value_or(HiddenLines::none);
-  sort.intersections = finds_lines(method) && options.intersections;
+  sort.intersections = options.intersections;
   return sort_anew(entered, [&] {
     if (options.scope == HiddenScope::segment) {
       sort_segments(method, sort);

@@ -9,8 +9,8 @@ std::size_t count(const SortedScene& sorted, bool lines) {
   for (const auto& part : sorted.parts) {
     const SortedPieces& all = part->pieces;
     for (std::size_t k = 0; k < all.pieces.size(); ++k) {
-      const bool is_line = all.are_lines || (!all.hidden.empty() && all.hidden[k] != 0) ||
-                           part->scene->kind(all.pieces[k].item) == Primitives::Kind::line;
+      const bool is_line =
+          all.is_stroke(k) || part->scene->kind(all.pieces[k].item) == Primitives::Kind::line;
       n += is_line == lines ? 1 : 0;
     }
   }

@@ -80,10 +80,10 @@ class PieceWriter {
 
   void save_polygons_in_order(const OrderedScene& ordered) {
     ordered_ = &ordered;
-    const std::vector<std::uint8_t>& hidden = ordered.pieces.hidden;
     for (std::size_t k = 0; k < ordered.pieces.pieces.size(); ++k) {
       const SortedPiece& piece = ordered.pieces.pieces[k];
-      is_hidden_ = !hidden.empty() && hidden[k] != 0;
+      is_hidden_ = ordered.pieces.is_hidden(k);
+      is_stroke_ = ordered.pieces.is_stroke(k);
       if (!scene().segments().empty()) check_segment(scene().segment_name(piece.item));
       send_to_df(piece);
     }
@@ -123,7 +123,7 @@ class PieceWriter {
   void send_to_df(const SortedPiece& piece) {
     const auto points = points_of(piece);
     const bool is_line = scene().kind(piece.item) == Primitives::Kind::line;
-    if (is_line || is_hidden_ || ordered_->pieces.are_lines) {
+    if (is_line || is_stroke_) {
       const LineStyle& style = scene().line_style(piece.item);
       check_line_style(is_hidden_ ? hidden_line_style(style) : style);
       if (!is_line) {
@@ -224,7 +224,7 @@ class PieceWriter {
 
   Visitor& visit_;
   const OrderedScene* ordered_ = nullptr;
-  bool is_hidden_ = false;  // the piece that is sent
+  bool is_hidden_ = false, is_stroke_ = false;  // the piece that is sent
   ItemOfScene fill_of_;
   bool line_known_ = false, pick_known_ = false, pen_known_ = false;
   LineStyle line_;

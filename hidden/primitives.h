@@ -26,7 +26,7 @@ struct Primitives {
   /// corners are the points in a row.
   std::span<const std::uint32_t> corners;
   /// Whether the side that ends at the corner of the same index is drawn, 0 if not, and as which
-  /// kinds of lines (hidden/lines/line_kinds.h). Empty: all are, and nobody asked as which.
+  /// kinds of lines (hidden/line_kinds.h). Empty: all are, and nobody asked as which.
   std::span<const std::uint8_t> visible;
   std::span<const Item> items;
 

@@ -34,6 +34,8 @@ RasterRequest raster_request(const GraphicsSystem& system, const DisplayFile& fi
   request.method = method_in_force(system, hidden_surface_options(options));
   const Precision precision = precision_in_force(system, hidden_surface_options(options));
   if (!precision.exact) request.roundoff = precision.roundoff;
+  request.hidden_lines = hidden_lines_in_force(system, hidden_surface_options(options));
+  request.intersections = contains(system.lines().kinds, LineKind::intersection);
   return request;
 }
 

@@ -10,6 +10,7 @@
 #include "clip/point.h"
 #include "displayfile/background.h"
 #include "displayfile/style.h"
+#include "hidden/hidden_lines.h"
 #include "hidden/hidden_method.h"
 
 namespace displayfile {
@@ -45,6 +46,10 @@ struct RasterRequest {
   bool sorted = false;
   Background background = {};
   bool ids = false, depth = false;
+  /// Over fills whose surfaces are found, beside the lines that are seen
+  /// (displayfile/line_kinds.h).
+  HiddenLines hidden_lines = HiddenLines::none;
+  bool intersections = false;
   bool texts = true;  ///< drawn over the pixels: not where these are not kept
   int threads = 1;
   double line_scale = 1.0;  ///< of the widths and dashes of lines

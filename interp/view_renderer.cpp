@@ -58,11 +58,15 @@ struct ViewRenderer::Kept {
                RasterRequest request, const Draw& draw) {
     if (finds_lines(request.method)) {
       SortedDisplayFile lines;
-      const DisplayFile& seen = lines.update(viewer.display_file(view, lights_turned),
-                                             request.method, hidden_surface_options(options));
+      HiddenSurfaceOptions asked = hidden_surface_options(options);
+      asked.intersections = scene.has_intersections();
+      const DisplayFile& seen =
+          lines.update(viewer.display_file(view, lights_turned), request.method, asked);
       request.sorted = has_exact_order(seen);
       return draw(DisplayFileSource(seen, false, options, software), request);
     }
+    request.hidden_lines = options.hidden_lines.value_or(HiddenLines::none);
+    request.intersections = scene.has_intersections();
     return draw(ViewSource(viewer, view, lights_turned, options, software,
                            casters_of_shadows(options.threads)),
                 request);

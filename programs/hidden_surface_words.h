@@ -5,7 +5,7 @@
 #include <string>
 
 #include "displayfile/sorted_display_file.h"
-#include "hidden/lines/line_kinds.h"
+#include "hidden/line_kinds.h"
 
 namespace displayfile {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "displayfile/mesh/mesh_options.h"
-#include "hidden/lines/line_kinds.h"
+#include "hidden/line_kinds.h"
 #include "programs/camera_options.h"
 
 namespace displayfile {

@@ -1,7 +1,7 @@
 // Which sides of polygons are lines: the kinds, found in world coordinates among the polygons that
 // share a side, on their way into segments, orders, views and files.
 
-#include "hidden/lines/line_kinds.h"
+#include "hidden/line_kinds.h"
 
 #include <gtest/gtest.h>
 

@@ -2,11 +2,11 @@
 
 #include <cstddef>
 
+#include "hidden/line_kinds.h"
 #include "hidden/lines/chains.h"
 #include "hidden/lines/hidden_pieces.h"
 #include "hidden/lines/intersection_lines.h"
 #include "hidden/lines/line_ends.h"
-#include "hidden/lines/line_kinds.h"
 
 namespace displayfile {
 

@@ -7,8 +7,8 @@
 
 #include "hidden/exact/precision.h"
 #include "hidden/hidden_method.h"
+#include "hidden/line_kinds.h"
 #include "hidden/lines/intersection_lines.h"
-#include "hidden/lines/line_kinds.h"
 #include "hidden/primitives.h"
 #include "hidden/work_progress.h"
 

@@ -9,6 +9,7 @@
 #include "hidden/exact/precision.h"
 #include "hidden/hidden_lines.h"
 #include "hidden/hidden_method.h"
+#include "hidden/line_kinds.h"
 #include "hidden/primitives.h"
 #include "hidden/work_progress.h"
 
@@ -62,6 +63,19 @@ struct SortedPieces {
   /// that this one is or is a part of; kNoCorner of the sides that cuts made.
   std::vector<std::uint32_t> corners;
   static constexpr std::uint32_t kNoCorner = 0xffffffffu;
+
+  /// True if the piece is of a line where polygons pass through each other; such a piece has two
+  /// points, and is no more of the item than its style.
+  bool is_intersection(const SortedPiece& piece) const {
+    return piece.sides == 2 && piece.first != SortedPiece::kWhole &&
+           visible[piece.first + 1] == kinds_of(LineKind::intersection);
+  }
+  bool is_hidden(std::size_t k) const { return !hidden.empty() && hidden[k] != 0; }
+  /// True of a piece that is drawn as a line from one of its points to the other, whatever the item
+  /// is.
+  bool is_stroke(std::size_t k) const {
+    return are_lines || is_hidden(k) || is_intersection(pieces[k]);
+  }
 
   /// Of the pieces of lines, by their first point over 2: the item whose pick identifier they have,
   /// of those that share the side. Empty: their own.

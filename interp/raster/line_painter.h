@@ -52,6 +52,15 @@ class LinePainter {
         [](std::size_t) { return WholeLine(); }, plot);
   }
 
+  /// Lines, each with ends and a style of its own.
+  template <class Strokes, class Plot>
+  void strokes(const Strokes& lines, double line_scale, Plot&& plot) {
+    for (const auto& [from, to, style] : lines) {
+      const LineStyle as_drawn = scaled(style, line_scale);
+      draw_line({from, to, as_drawn}, WholeLine(), plot);
+    }
+  }
+
   /// What is seen of a scene's lines, in order of entry: pieces as visible_lines has them of the
   /// scene's items.
   template <class Plot>

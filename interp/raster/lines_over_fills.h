@@ -18,20 +18,43 @@ namespace displayfile {
 /// them.
 class LinesOverFills {
  public:
+  /// Which lines, and how exactly.
+  struct Wanted {
+    Precision precision = {};
+    HiddenLines hidden = HiddenLines::none;  ///< drawn too
+    bool intersections = false;              ///< where polygons pass through each other
+    bool operator==(const Wanted& o) const;
+  };
+  /// A line that is drawn as a whole.
+  struct Stroke {
+    Point3 from, to;
+    LineStyle style;
+  };
   /// Lines of one scene, which lives as long as it is drawn.
   struct Group {
     std::shared_ptr<const ViewedScene> scene;
-    Precision precision;
-    std::vector<VisiblePiece> pieces;
+    Wanted wanted;
+    std::vector<Stroke> hidden;         ///< drawn before the others
+    std::vector<VisiblePiece> pieces;   ///< of the scene's lines
+    std::vector<Stroke> intersections;  ///< what is seen of them
+
+    bool is_nothing() const { return hidden.empty() && pieces.empty() && intersections.empty(); }
+    /// By a LinePainter.
+    template <class Painter, class Plot>
+    void draw(Painter& painter, double line_scale, const Plot& plot) const {
+      painter.strokes(hidden, line_scale, plot);
+      painter.seen(*scene, pieces, line_scale, plot);
+      painter.strokes(intersections, line_scale, plot);
+    }
   };
 
   /// There are none.
   void clear();
   /// Those of one scene, which since the last clear() was always one of the same items.
-  void take(const std::shared_ptr<const ViewedScene>& scene, const Precision& precision,
-            int threads);
+  void take(const std::shared_ptr<const ViewedScene>& scene, const Wanted& wanted, int threads);
   /// Those of each visible segment that has an order of polygons of its own.
-  void take_sorted_segments(const DisplayFile& display_file, int threads);
+  /// Each in the precision in which it was sorted.
+  void take_sorted_segments(const DisplayFile& display_file, const Wanted& wanted, int threads);
 
   /// Null if they are not found together.
   const Group* all() const { return all_ ? &*all_ : nullptr; }
@@ -45,7 +68,7 @@ class LinesOverFills {
     ImageTransformation image;
     Group group;
   };
-  static Group group_of(const Segment& segment, int threads);
+  static Group group_of(const Segment& segment, const Wanted& wanted, int threads);
 
   std::optional<Group> all_;
   std::unordered_map<int, OfSegment> of_segments_;  // by name

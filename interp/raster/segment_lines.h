@@ -39,7 +39,7 @@ class SegmentLines {
  private:
   template <class Plot>
   void draw(const LinesOverFills::Group& group, Plot&& plot) {
-    painter_.seen(*group.scene, group.pieces, line_scale_, plot);
+    group.draw(painter_, line_scale_, plot);
   }
 
   LinePainter painter_;

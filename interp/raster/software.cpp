@@ -148,6 +148,9 @@ bool has_lines(const SortedScene& sorted) {
 Precision precision_of(const RasterRequest& request) {
   return request.roundoff ? Precision{false, *request.roundoff} : Precision{};
 }
+LinesOverFills::Wanted wanted_of(const RasterRequest& request) {
+  return {precision_of(request), request.hidden_lines, request.intersections};
+}
 
 }  // namespace
 
@@ -187,14 +190,16 @@ void SoftwareRenderer::take_up_lines(const DisplayFile& display_file,
   if (is_colour_rule(request.method)) {
     lines_.clear();
   } else if (is_image_space(request.method)) {
-    lines_.take(scene_, precision_of(request), request.threads);
+    lines_.take(scene_, wanted_of(request), request.threads);
   } else if (together == nullptr) {
-    lines_.take_sorted_segments(display_file, request.threads);
+    lines_.take_sorted_segments(display_file, wanted_of(request), request.threads);
   } else if (finds_lines(together->method) || !has_lines(*together)) {
     lines_.clear();
   } else {
     take_up_scene_of(display_file);
-    lines_.take(scene_, together->precision, request.threads);
+    LinesOverFills::Wanted wanted = wanted_of(request);
+    wanted.precision = together->precision;
+    lines_.take(scene_, wanted, request.threads);
   }
 }
 
@@ -211,7 +216,7 @@ SoftwareRenderer::Drawn SoftwareRenderer::prepare(const ViewedScene& scene,
   take_up_scene(request);
   if (!same || is_colour_rule(request.method)) lines_.clear();
   if (!is_colour_rule(request.method)) {
-    lines_.take(scene_, precision_of(request), request.threads);
+    lines_.take(scene_, wanted_of(request), request.threads);
   }
   texts_.clear();
   if (request.texts && !scene.texts().empty()) texts_ = seen_texts(scene);
@@ -358,17 +363,16 @@ void SoftwareRenderer::show_fills_seen(const Drawn& drawn, const RasterRequest& 
 }
 
 void SoftwareRenderer::draw_lines_seen(const RasterRequest& request, const RowRange& rows) {
-  if (lines_.all() == nullptr || lines_.all()->pieces.empty()) return;
+  if (lines_.all() == nullptr || lines_.all()->is_nothing()) return;
   const LinesOverFills::Group& lines = *lines_.all();
   const int at_a_time = rows_worth_a_walk(request, scene_->items());
   for_bands_of_rows(request, rows, at_a_time, [&](const RowRange& of_band) {
     const PictureSize size{request.width, request.height};
     RasterBand band(picture_, size, pixel_of(request.background), rows, of_band);
-    LinePainter(band.region)
-        .seen(*lines.scene, lines.pieces, request.line_scale,
-              [&](int x, int y, double /*z*/, std::uint32_t colour) {
-                picture_.pixels[band.index(y, x)] = colour;
-              });
+    LinePainter painter(band.region);
+    lines.draw(painter, request.line_scale, [&](int x, int y, double /*z*/, std::uint32_t colour) {
+      picture_.pixels[band.index(y, x)] = colour;
+    });
   });
 }
 

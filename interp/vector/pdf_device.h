@@ -18,7 +18,7 @@ namespace displayfile {
 /// Draws a PDF page through Cairo, one point a pixel, on a background unless there is none. The
 /// bytes depend on what is drawn (and on Cairo's version; of texts on the fonts that it finds)
 /// alone. Cairo keeps coordinates to 1/256 point. Where lines were selected, those of each kind are
-/// a layer of its name, those of several that of the first (hidden/lines/line_kinds.h).
+/// a layer of its name, those of several that of the first (hidden/line_kinds.h).
 class PdfDevice : public VectorDevice {
  public:
   /// The stream must live on until finish(). Throws Error unless both sides are 1 to

@@ -76,7 +76,7 @@ class VectorDevice : public OutputDevice {
   /// the seams if asked.
   virtual void paint_fill(const Path& path, const Colour& colour, bool seam,
                           std::span<const PixelBox> within) = 0;
-  /// Lines that are all of the same kinds (hidden/lines/line_kinds.h).
+  /// Lines that are all of the same kinds (hidden/line_kinds.h).
   virtual void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds) = 0;
   /// `anchor` is on or close to the page; `size` of the letters in pixels.
   virtual void paint_text(const ViewedText& text, const Point2& anchor, double size) = 0;

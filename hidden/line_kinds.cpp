@@ -1,4 +1,4 @@
-#include "hidden/lines/line_kinds.h"
+#include "hidden/line_kinds.h"
 
 #include <algorithm>
 #include <array>

@@ -79,7 +79,7 @@ int TruthCommand::run() const {
   if (from_world) system.retain(&retained);
   // Methods of lines draw the sides of bare meshes.
   const auto drawn_by = wants_lines() ? std::optional(judging.method) : std::nullopt;
-  enter_inputs(inputs, system, meshes, size.aspect(), drawn_by);
+  enter_inputs(inputs, system, meshes, size.aspect(), {.method = drawn_by});
   // Every output must be writable before the long work, and any is written.
   for (const std::string& output : {ids, depth, seen_lines}) {
     if (!output.empty()) OutputFile{output};

@@ -142,7 +142,8 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
   MeshWords turning = meshes;
   turning.turning = true;
   const std::optional<Upright> fitted =
-      enter_inputs(inputs, system, turning, aspect, options.hidden);
+      enter_inputs(inputs, system, turning, aspect,
+                   {.method = options.hidden, .hidden_lines = options.hidden_lines});
   warn_of_stretched_window(system, output.string(), options.width, options.height);
   left_out.note(system.display_file(), options, picture_kind(output, options));
   Turntable turntable(scene, system.display_file(), system.view());

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -82,7 +82,7 @@ TEST(Appel, OneRayForEachClosedMesh) {
   EXPECT_EQ(found_as_by_roberts(list).rays, 3u);
 }
 
-/// Of all lines together, in parts of each line's length.
+/// The sum over all lines, in parts of each line's length.
 double seen_of_lines(const SeenLines& seen) {
   double all = 0.0;
   for (const VisiblePiece& piece : seen.pieces) all += piece.to - piece.from;
@@ -170,6 +170,39 @@ TEST(Appel, CountsAreCarriedAlongALineFromEitherEnd) {
   const auto path =
       with_path(list, {{0.25, 0.5, 0.25}, {0.5, 0.6, 0.25}, {0.5, 0.9, 0.25}, {0.1, 0.9, 0.25}});
   EXPECT_EQ(found_as_by_roberts(path).rays, 2u);
+}
+
+TEST(Appel, CountsAreCarriedOverPolygonsThatAreNotFlat) {
+  ItemList list;  // a tube, open at its ends, of quadrilaterals that are all twisted
+  const auto at = [](int i, int j) {
+    const double angle = 0.3 + std::numbers::pi * (i / 8.0 + j / 40.0);
+    return Point3(0.1 + 0.08 * j, 0.5 + 0.3 * std::cos(angle), 0.5 + 0.3 * std::sin(angle));
+  };
+  for (int j = 0; j < 10; ++j) {
+    for (int i = 0; i < 16; ++i)
+      list.solid({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+  }
+  const AppelCounts counts = found_as_by_roberts(list);
+  EXPECT_LE(counts.rays, 20u);
+  EXPECT_GE(counts.carried, 300u);
+}
+
+TEST(Appel, LargeStarsAreLeftOut) {
+  ItemList list;
+  const auto rim = [](int k) {
+    const double angle = 0.1 + 2.0 * std::numbers::pi * k / 100.0;
+    return Point3(0.5 + 0.4 * std::cos(angle), 0.5 + 0.4 * std::sin(angle), 0.25);
+  };
+  for (int k = 0; k < 100; ++k) list.solid({{0.5, 0.6, 0.75}, rim(k), rim((k + 1) % 100)});
+  EXPECT_EQ(found_as_by_roberts(list).rays, 1u);
+}
+
+TEST(Appel, AnyNumberOfThreadsFindsTheSameInTheSameWay) {
+  ItemList list;
+  for (int k = 0; k < 12; ++k) add_ball(list, {0.3 + 0.03 * k, 0.5, 0.5 - 0.1 * k}, 0.2, 2);
+  const AppelCounts one = found_as_by_roberts(list), three = found_as_by_roberts(list, {{}, 3});
+  EXPECT_EQ(one.rays, 12u);
+  EXPECT_EQ(three.rays, one.rays);
 }
 
 TEST(Appel, LinesThroughSidesInSpace) {

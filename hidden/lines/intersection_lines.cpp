@@ -62,7 +62,7 @@ class Intersections {
     int common = 0;
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t p = corner(a, k);
-      common += (p == of_b[0]) | (p == of_b[1]) | (p == of_b[2]) ? 1 : 0;
+      common += (p == of_b[0] || p == of_b[1] || p == of_b[2]) ? 1 : 0;
     }
     return common > 1;
   }

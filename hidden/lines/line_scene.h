@@ -38,7 +38,7 @@ class LineScene {
   std::span<const std::uint32_t> first_lines() const { return first_lines_; }
   std::size_t names() const { return names_.size(); }
   const LineName& name(std::uint32_t n) const { return names_[n]; }
-  /// Of an intersection, its rounded end.
+  /// A point of the items, or an intersection's rounded end.
   const Point3& point(std::uint32_t p) const {
     return p < items_.points.size() ? items_.points[p] : ends_[p - items_.points.size()];
   }

@@ -59,6 +59,11 @@ bool lies_on_a_side(const ExactKernel::Segment_3& segment, const Corners& t) {
   return false;
 }
 
+/// True if it is so short that its rounded ends may be one point.
+bool is_crumb(const ExactKernel::Segment_3& segment) {
+  return segment.squared_length() < ExactNumberOfCgal(1e-31);
+}
+
 /// At random, on a grid of few places, around one line, or with a corner in common.
 std::array<Corners, 2> two_triangles(Source& s) {
   std::array<Corners, 2> pair;
@@ -86,7 +91,8 @@ TEST(IntersectionLinesAndCgal, TrianglesHaveTheSameSegment) {
     const auto common = common_segment(a, b);
     if (found.empty()) {
       touching += common ? 1 : 0;
-      ASSERT_TRUE(!common || lies_on_a_side(*common, a) || lies_on_a_side(*common, b))
+      ASSERT_TRUE(!common || is_crumb(*common) || lies_on_a_side(*common, a) ||
+                  lies_on_a_side(*common, b))
           << list.text();
       continue;
     }

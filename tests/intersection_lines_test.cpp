@@ -11,6 +11,7 @@
 #include <numbers>
 #include <ostream>
 #include <set>
+#include <span>
 #include <sstream>
 #include <string>
 #include <tuple>
@@ -267,6 +268,21 @@ TEST(IntersectionLines, AreHiddenLikeLines) {
   EXPECT_EQ(seen(outline), (Parts{{0.0, 1.0}}));
   outline.solid(square(0.0, 0.0, 1.0, 0.5, 0.9));  // that two share
   EXPECT_EQ(seen(outline), Parts{});
+}
+
+TEST(IntersectionLines, TheExactLineIsLookedAtAndNotTheRoundedOne) {
+  // At depth 1/5 all along, which is less than the double 0.2.
+  ItemList list = solids({{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.0, 1.0, 1.0}, {0.0, 1.0, 1.0}},
+                          {{0.0, 0.0, 1.0}, {1.0, 0.0, 1.0}, {1.0, 0.5, -1.0}, {0.0, 0.5, -1.0}}});
+  list.solid(square(0.25, 0.0, 0.75, 1.0, 0.2));
+  const auto lines = intersection_lines(list.view());
+  ASSERT_FALSE(lines.empty());
+  EXPECT_EQ(lines[0].start, Point3(0.0, 0.2, 0.2));
+  for (const HiddenMethod method : {HiddenMethod::roberts, HiddenMethod::franklin}) {
+    const std::vector<VisibleIntersection> right{{0, 0.0, 0.25}, {0, 0.75, 1.0}};
+    const std::span first(lines.data(), 1);
+    EXPECT_EQ(visible_lines(list.view(), {}, method, {}, first).intersections, right);
+  }
 }
 
 TEST(IntersectionLines, NothingThroughThemHidesThem) {

@@ -52,7 +52,7 @@ class Intersections {
   Definitions definitions() const { return {items_.points, planes_}; }
 
   /// True of triangles with two corners in common: neither has corners on both sides of the other's
-  /// plane. In a mesh that is most of those whose boxes meet.
+  /// plane.
   bool share_side(std::uint32_t a, std::uint32_t b) const {
     if (scene_.sides(a) != 3 || scene_.sides(b) != 3) return false;
     const auto corner = [&](std::uint32_t item, std::uint32_t k) {
@@ -62,7 +62,7 @@ class Intersections {
     int common = 0;
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t p = corner(a, k);
-      common += (p == of_b[0]) | (p == of_b[1]) | (p == of_b[2]) ? 1 : 0;
+      common += (p == of_b[0] || p == of_b[1] || p == of_b[2]) ? 1 : 0;
     }
     return common > 1;
   }

@@ -42,7 +42,7 @@ class LineScene {
   }
   std::size_t names() const { return names_.size(); }
   const LineName& name(std::uint32_t n) const { return names_[n]; }
-  /// Of an intersection, its rounded end.
+  /// A point of the items, or an intersection's rounded end.
   const Point3& point(std::uint32_t p) const {
     return p < items_.points.size() ? items_.points[p] : ends_[p - items_.points.size()];
   }

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <set>
+#include <span>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -193,11 +194,17 @@ class Reasons {
   }
 
   /// Where the order of drawing decides, the outline of any polygon is a reason, since nothing says
-  /// that one which does not overlap the line's own is drawn before; and so are the points of cuts.
+  /// that one which does not overlap the line's own is drawn before; and so are those of pieces.
   void take_order(const SortedScene& sorted) {
     in_order_ = true;
     for (const auto& part : sorted.parts) {
-      for (const Point3& p : part->pieces.points) cuts_.push_back(Point2(p) * size_);
+      for (const SortedPiece& piece : part->pieces.pieces) {
+        if (piece.first == SortedPiece::kWhole) continue;
+        const std::span points = std::span(part->pieces.points).subspan(piece.first, piece.sides);
+        for (std::size_t side = 0; side < points.size(); ++side) {
+          sides_of_pieces_.push_back(side_of(points, side));
+        }
+      }
     }
   }
 
@@ -205,9 +212,8 @@ class Reasons {
   /// nearer polygon, or passes a polygon no farther off in depth than these change in a pixel; or
   /// its own is narrower than a pixel there.
   bool explain(const Point2& centre) const {
-    for (const Point2& cut : cuts_) {
-      if (std::hypot(cut.x - centre.x, cut.y - centre.y) <= 1.5) return true;
-    }
+    const auto is_close = [&](const Side& side) { return side.nearest(centre).distance <= 1.0; };
+    if (std::ranges::any_of(sides_of_pieces_, is_close)) return true;
     for (ViewedScene::Item item = 0; item < scene_.items(); ++item) {
       const PointRow points = scene_.points(item);
       const bool is_line = scene_.kind(item) == Primitives::Kind::line;
@@ -283,7 +289,7 @@ class Reasons {
   Point2 size_;
   std::vector<PixelDepth> depths_;
   bool in_order_ = false;
-  std::vector<Point2> cuts_;  // in pixels
+  std::vector<Side> sides_of_pieces_;
 };
 
 struct Differences {

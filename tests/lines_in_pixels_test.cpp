@@ -73,7 +73,7 @@ class SlowPainter {
  private:
   static double cell(double v, int limit) { return v == limit ? limit - 1.0 : std::floor(v); }
 
-  /// Of a line that is not steep.
+  /// For a line that is not steep.
   bool is_there(const WholeLineInPixels& line, int column, int row, int columns, int rows,
                 const LinePiece& piece) const {
     const bool turned = line.to.x < line.from.x;

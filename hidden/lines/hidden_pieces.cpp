@@ -184,7 +184,10 @@ class Uncovering {
   };
 
   /// A piece's two ends as they are along the line.
-  std::pair<double, double> places(const VisiblePiece& piece) const {
+  struct Places {
+    double from, to;
+  };
+  Places places(const VisiblePiece& piece) const {
     const LineEnds ends(items_, name(piece));
     return {ends.at(piece.from)[axis_], ends.at(piece.to)[axis_]};
   }
@@ -256,14 +259,15 @@ class Uncovering {
     if (low == placed.low && high == placed.high) return left_.push_back(whole);
     if (high - low <= kCrumb * std::max(std::abs(low), std::abs(high))) return;
     const LineEnds ends(items_, name(whole));
-    const auto [from, to] = places(whole);
+    const Places own = places(whole);
     const auto share = [&](double at) {
-      if (at == from) return whole.from;
-      if (at == to) return whole.to;
+      if (at == own.from) return whole.from;
+      if (at == own.to) return whole.to;
       const double t = (at - ends.from[axis_]) / (ends.to[axis_] - ends.from[axis_]);
       return std::clamp(t, whole.from, whole.to);
     };
-    const double a = share(from < to ? low : high), b = share(from < to ? high : low);
+    const bool forward = own.from < own.to;
+    const double a = share(forward ? low : high), b = share(forward ? high : low);
     if (a < b) left_.push_back({whole.item, whole.corner, a, b});
   }
 

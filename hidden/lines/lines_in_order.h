@@ -15,7 +15,7 @@ namespace displayfile {
 /// item's own points; others are computed from those and rounded. Throws Error for a method that
 /// finds no lines.
 ///
-/// Of a side that polygons share, each piece is the first's that draws it, has all kinds that it is
+/// A piece of a side that polygons share is the first's that draws it, has all kinds that it is
 /// drawn as (SortedPieces::visible of its second point), and names the item of the lowest of their
 /// pick identifiers, which `picks` are of the items.
 SortedPieces lines_in_order(const Primitives& items, std::span<const std::int32_t> picks,

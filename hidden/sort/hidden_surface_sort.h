@@ -24,7 +24,7 @@ struct SortOptions {
   RootChoice root = RootChoice::free;
   int threads = 1;           ///< the result is the same for any number
   bool names_sides = false;  ///< SortedPieces::corners is wanted
-  /// Of methods that find lines: those where polygons pass through each other are wanted too.
+  /// For methods that find lines: those where polygons pass through each other are wanted too.
   bool intersections = false;
 };
 
@@ -54,8 +54,8 @@ struct SortedPieces {
   std::vector<std::uint32_t> corners;
   static constexpr std::uint32_t kNoCorner = 0xffffffffu;
 
-  /// Of the pieces of lines, by their first point over 2: the item whose pick identifier they have,
-  /// of those that share the side. Empty: their own.
+  /// The items whose pick identifiers pieces of lines have, by their first points over 2: of those
+  /// that share the side. Empty: their own.
   std::vector<std::uint32_t> pick_items;
   std::uint32_t pick_item(const SortedPiece& piece) const {
     return pick_items.empty() ? piece.item : pick_items[piece.first / 2];

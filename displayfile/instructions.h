@@ -35,7 +35,7 @@ inline constexpr std::int32_t pick_run = -33;
 /// The next code is the pick identifier of the lines that follow; at the start they have none.
 inline constexpr std::int32_t line_pick = -34;
 inline constexpr std::int32_t intensities = -64;  ///< of the vertices of the polygon that follows
-/// Of the sides of the polygon that follows, and of its intensities if it has some: kinds of lines.
+/// Kinds of lines of the sides of the polygon that follows, which stand before its intensities.
 inline constexpr std::int32_t side_kinds = -65;
 inline constexpr std::int32_t text = -128;  ///< its anchor and characters are kept apart
 /// The next code is the alignment, and with bit 2 set the text is always seen.

@@ -565,8 +565,8 @@ DisplayFile SceneViewer::display_file(const View& view, const glm::dmat3& lights
 
 std::size_t SceneViewer::bytes() const {
   const auto size = [](const auto& array) { return array.size() * sizeof(array[0]); };
-  std::size_t sum =
-      size(welded_) + size(outcodes_) + size(places_) + viewed_.bytes() + size(primitive_of_items_);
+  std::size_t sum = size(welded_) + size(sides_) + size(outcodes_) + size(places_) +
+                    viewed_.bytes() + size(primitive_of_items_);
   for (const auto& part : parts_) sum += part->bytes();
   return sum;
 }

@@ -20,7 +20,8 @@ namespace displayfile {
 /// A retained scene in new views, without a sort: what is in a view, for any method that works in
 /// image space (displayfile/scene_viewer.md). A vertex is viewed once however many polygons share
 /// it; polygons that are outside, turned away or between pixel centres cost a few instructions; and
-/// from the third view on no memory is asked for, as long as what is clipped does not grow.
+/// from the third view on no memory is asked for, as long as what is clipped does not grow and no
+/// lines are selected.
 class SceneViewer {
  public:
   /// The scene, and the display file of the system that retained it, which says which segments are

@@ -22,7 +22,7 @@ constexpr double kCoplanar = 1e-5;
 
 constexpr double kHalfTurn = std::numbers::pi;
 
-/// Of length 1, or 0 if it has none. Scaled first, as squares of large numbers overflow.
+/// A vector of length 1, or 0. Scaled first, as squares of large numbers overflow.
 Point3 direction_of(const Point3& v) {
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   return largest > 0.0 ? glm::normalize(v / largest) : Point3(0.0);

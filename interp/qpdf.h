@@ -39,6 +39,7 @@ class Qpdf {
   DISPLAYFILE_QPDF(oh_replace_stream_data);
   DISPLAYFILE_QPDF(read_memory);
   DISPLAYFILE_QPDF(set_deterministic_ID);
+  DISPLAYFILE_QPDF(set_object_stream_mode);
   DISPLAYFILE_QPDF(silence_errors);
   DISPLAYFILE_QPDF(write);
 #undef DISPLAYFILE_QPDF

@@ -17,7 +17,7 @@ struct HiddenSurfaceWords {
   void add_to(CLI::App& command);
   /// Throws Error for an unknown word.
   HiddenSurfaceOptions options(int threads) const;
-  /// Of what is drawn; nothing if the programs say it. Throws Error likewise.
+  /// Which lines are drawn; nothing if the programs say it. Throws Error likewise.
   std::optional<LineSelection> line_selection() const;
 };
 

@@ -626,5 +626,31 @@ TEST_F(LineKindsFiles, EachKindIsAClassInSvg) {
             std::string::npos);
 }
 
+std::size_t occurrences(const std::string& text, const std::string& words) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(words); at != text.npos; at = text.find(words, at + 1)) ++n;
+  return n;
+}
+
+/// A line of several kinds stands in the layer of the first.
+TEST_F(LineKindsFiles, EachKindIsALayerInPdf) {
+  const auto draw_box = [&](const std::string& words, HiddenMethod method) {
+    const GraphicsSystem g =
+        drawn_with(words, [](GraphicsSystem& system) { enter(system, box()); });
+    draw(g, file("box.pdf"), {.hidden = method});
+    return test::content(file("box.pdf"));
+  };
+  for (const HiddenMethod method : {HiddenMethod::franklin, HiddenMethod::bsp}) {
+    const std::string pdf = draw_box("outline,crease", method);
+    EXPECT_EQ(occurrences(pdf, "/Type /OCG"), 2u);
+    EXPECT_EQ(occurrences(pdf, "/Name (outline)"), 1u);
+    EXPECT_EQ(occurrences(pdf, "/Name (crease)"), 1u);
+    EXPECT_EQ(occurrences(pdf, "StructTreeRoot"), 0u);
+    EXPECT_EQ(draw_box("outline,crease", method), pdf);
+    EXPECT_EQ(occurrences(draw_box("outline", method), "/Type /OCG"), 1u);
+    EXPECT_EQ(occurrences(draw_box("all", method), "/OC"), 0u);
+  }
+}
+
 }  // namespace
 }  // namespace displayfile

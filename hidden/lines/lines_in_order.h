@@ -24,7 +24,7 @@ struct LinesOfItems {
 /// pieces of different kinds are not joined. The ends of a line are the item's own points; others
 /// are computed from those and rounded. Throws Error for a method that finds no lines.
 ///
-/// Of a side that polygons share, each piece is the first's that draws it, has all kinds that it is
+/// A piece of a side that polygons share is the first's that draws it, has all kinds that it is
 /// drawn as (SortedPieces::visible of its second point), and names the item of the lowest of their
 /// pick identifiers. Intersections, if the options ask for them, are pieces of the polygon that was
 /// entered later.

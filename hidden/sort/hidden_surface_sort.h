@@ -51,7 +51,7 @@ struct SortedPieces {
   /// all that is drawn (hidden/lines/lines_in_order.h).
   bool are_lines = false;
   std::vector<SortedPiece> pieces;
-  /// Of each piece 1 if it is one of a line, of two points, that is hidden there: to be drawn
+  /// For each piece 1 if it is one of a line, of two points, that is hidden there: to be drawn
   /// dashed. Empty: none is.
   std::vector<std::uint8_t> hidden;
   /// The points of the pieces that were cut: coordinates, each rounded once, and whether the side
@@ -77,8 +77,8 @@ struct SortedPieces {
     return are_lines || is_hidden(k) || is_intersection(pieces[k]);
   }
 
-  /// Of the pieces of lines, by their first point over 2: the item whose pick identifier they have,
-  /// of those that share the side. Empty: their own.
+  /// The items whose pick identifiers pieces of lines have, by their first points over 2: one of
+  /// those that share the side. Empty: their own.
   std::vector<std::uint32_t> pick_items;
   std::uint32_t pick_item(const SortedPiece& piece) const {
     return pick_items.empty() ? piece.item : pick_items[piece.first / 2];

@@ -68,7 +68,7 @@ class Document {
     check();
   }
 
-  /// Of what Cairo was told that the marks are.
+  /// What Cairo was told that the marks are is no more.
   void remove_structure() {
     qpdf().oh_remove_key(data_, qpdf().get_root(data_), "/StructTreeRoot");
     qpdf().oh_remove_key(data_, qpdf().get_root(data_), "/MarkInfo");
@@ -79,6 +79,7 @@ class Document {
   std::string bytes() {
     qpdf().init_write_memory(data_);
     qpdf().set_deterministic_ID(data_, QPDF_TRUE);
+    qpdf().set_object_stream_mode(data_, qpdf_o_disable);
     qpdf().write(data_);
     check();
     return {reinterpret_cast<const char*>(qpdf().get_buffer(data_)),

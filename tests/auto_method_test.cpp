@@ -47,8 +47,8 @@ TEST(AutoMethod, WhatOverlapsIsSorted) {
   EXPECT_EQ(choose_method(file, PictureKind::vector).method, HiddenMethod::depth_sort);
 }
 
-/// Of fills in the background's colour lines alone are seen, unless something is asked for that
-/// only fills have.
+/// Where fills have the background's colour lines alone are seen, unless something is asked for
+/// that only fills have.
 TEST(AutoMethod, LinesOverFillsThatAreNotSeenAreLeftToAMethodOfLines) {
   GraphicsSystem g;
   g.open_segment(1);

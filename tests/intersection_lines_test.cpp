@@ -236,7 +236,8 @@ Parts seen(const ItemList& list) {
   const auto lines = intersection_lines(list.view());
   EXPECT_EQ(lines.size(), 1u);
   Parts parts;
-  for (const HiddenMethod method : {HiddenMethod::roberts, HiddenMethod::appel, HiddenMethod::franklin}) {
+  for (const HiddenMethod method :
+       {HiddenMethod::roberts, HiddenMethod::appel, HiddenMethod::franklin}) {
     Parts found;
     for (const auto& piece : visible_lines(list.view(), {}, method, {}, lines).intersections) {
       found.emplace_back(piece.from, piece.to);

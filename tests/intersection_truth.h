@@ -49,7 +49,8 @@ inline std::string wrong_intersections(const DisplayFile& file, int more_threads
   std::ostringstream wrong;
   for (int threads = 1; threads <= more_threads; threads += 2) {
     const std::vector<IntersectionLine> lines = intersection_lines(scene.primitives(), threads);
-    for (const HiddenMethod method : {HiddenMethod::roberts, HiddenMethod::appel, HiddenMethod::franklin}) {
+    for (const HiddenMethod method :
+         {HiddenMethod::roberts, HiddenMethod::appel, HiddenMethod::franklin}) {
       const LineOptions options{.precision = {}, .threads = threads};
       const SeenLines seen = visible_lines(scene.primitives(), names, method, options, lines);
       const std::string found = text(claimed(lines, seen));

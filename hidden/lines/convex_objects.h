@@ -16,7 +16,7 @@ namespace displayfile {
 /// themselves, without an outline.
 class ConvexObjects {
  public:
-  /// Of all polygons that hide. The scene is of the items.
+  /// Finds those among all polygons that hide. The scene is of the items.
   ConvexObjects(const Primitives& items, const LineScene& scene);
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(objects_.size()); }

@@ -32,7 +32,7 @@ class ItemsAndIntersections {
     }
   }
 
-  /// Of all of them, without what is drawn.
+  /// All of them, without what is drawn.
   Primitives primitives() const {
     if (intersections_.empty()) return items_;
     return {points_, corners_, {}, all_};

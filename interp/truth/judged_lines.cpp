@@ -81,7 +81,7 @@ std::vector<VisiblePiece> pieces_as_drawn(const LineItems& items, int threads,
   return pieces;
 }
 
-/// Of the whole picture's items those of each visible segment, by their numbers: one after another.
+/// Which of the whole picture's items are each visible segment's: they follow each other.
 class ItemsOfSegments {
  public:
   explicit ItemsOfSegments(const DisplayFile& display_file) {
@@ -92,7 +92,8 @@ class ItemsOfSegments {
     }
   }
 
-  /// Of the pieces those of a group's segments, with the items' numbers in a scene of the group.
+  /// Those of the pieces that a group's segments have, with the items' numbers in a scene of the
+  /// group.
   SeenLines of_group(const SegmentGroup& group, std::span<const VisiblePiece> pieces) const {
     SeenLines found;
     std::uint32_t before = 0;

@@ -46,7 +46,7 @@ std::vector<double> roundoffs(const BenchCommand& command) {
   return values;
 }
 
-/// Of those with the names that the command asks for, or all of them.
+/// Those that have the names that the command asks for, or all of them.
 template <class C, class NameOf>
 std::vector<C> chosen(std::vector<C> all, const BenchCommand& command, const NameOf& name_of) {
   if (command.methods.empty()) return all;

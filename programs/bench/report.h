@@ -55,9 +55,9 @@ struct SceneRow {
   /// cases.
   std::optional<Spread> growth;
   std::vector<Cell> cells;
-  /// Of methods of lines, in times of kLineReference (programs/bench/line_measure.h); of the scenes
-  /// that differ in the picture's size alone the first has them. Their growth is that of this
-  /// reference.
+  /// What methods of lines have, in times of kLineReference (programs/bench/line_measure.h); of the
+  /// scenes that differ in the picture's size alone the first has them. Their growth is that of
+  /// this reference.
   std::vector<Cell> line_cells = {};
   std::optional<Spread> line_growth = std::nullopt;
 };

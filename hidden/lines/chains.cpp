@@ -97,7 +97,7 @@ class Joints {
     return scaled / std::sqrt(scaled.x * scaled.x + scaled.y * scaled.y);
   }
 
-  /// Of all pairs that are left always the one that turns least.
+  /// Joins the pair that turns least, of those left the next, and so on.
   void join_straightest(std::span<const End> ends) {
     directions_.clear();
     for (const End end : ends) directions_.push_back(direction(end));
@@ -116,7 +116,7 @@ class Joints {
     }
   }
 
-  /// Of many, in order of angles, each with the one that is half of them farther.
+  /// Joins many: in order of angles, each with the one that is half of them farther.
   void join_opposite(std::span<const End> ends) {
     angles_.clear();
     for (const End end : ends) {

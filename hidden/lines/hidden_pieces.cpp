@@ -251,8 +251,8 @@ class Uncovering {
     }
   }
 
-  /// Of a hidden piece what is drawn. A crumb that is no longer than the rounding of its ends is no
-  /// part.
+  /// Adds what is drawn of a hidden piece. A crumb that is no longer than the rounding of its ends
+  /// is no part.
   void add_part(const Placed& placed, double low, double high) {
     constexpr double kCrumb = 0x1p-46;
     const HiddenPiece& whole = hidden_[placed.piece];

@@ -44,7 +44,7 @@ struct SortedPieces {
   /// all that is drawn (hidden/lines/lines_in_order.h).
   bool are_lines = false;
   std::vector<SortedPiece> pieces;
-  /// Of each piece 1 if it is one of a line, of two points, that is hidden there: to be drawn
+  /// 1 for each piece that is one of a line, of two points, that is hidden there: to be drawn
   /// dashed. Empty: none is.
   std::vector<std::uint8_t> hidden;
   /// The points of the pieces that were cut: coordinates, each rounded once, and whether the side

@@ -304,26 +304,26 @@ TEST(IntersectionLines, NothingThroughThemHidesThem) {
   EXPECT_EQ(lines(third), 3u);
 }
 
-TEST(IntersectionLines, InOrderTheyAreOfTheLaterPolygonAfterItsSides) {
+TEST(IntersectionLines, InOrderTheyArePiecesOfTheLaterPolygonBesideThoseOfSides) {
   ItemList list = solids({kLevel, rising(0.375, 0.625)});
   list.solid(square(0.5, 0.0, 1.0, 1.0, 0.9));  // hides half
   const auto pieces = [&](HiddenMethod method, bool intersections) {
-    const SortOptions options{.precision = {}, .intersections = intersections};
-    return lines_in_order(list.view(), method, options);
+    SortOptions options;
+    options.intersections = intersections;
+    return lines_in_order(list.view(), {}, method, options);
   };
-  for (const HiddenMethod method : {HiddenMethod::roberts, HiddenMethod::franklin}) {
+  for (const HiddenMethod method :
+       {HiddenMethod::roberts, HiddenMethod::appel, HiddenMethod::franklin}) {
     const SortedPieces without = pieces(method, false), with = pieces(method, true);
     ASSERT_EQ(with.pieces.size(), without.pieces.size() + 1);
-    std::size_t added = 0;
-    while (added < without.pieces.size() && without.pieces[added].item <= 1) ++added;
-    for (std::size_t k = 0; k < with.pieces.size(); ++k) {
-      if (k == added) continue;
-      EXPECT_EQ(with.pieces[k].item, without.pieces[k - (k > added ? 1 : 0)].item);
-    }
-    EXPECT_EQ(with.pieces[added].item, 1u);
-    const std::uint32_t first = with.pieces[added].first;
-    EXPECT_EQ(with.points[first], Point3(0.375, 0.5, 0.5));
-    EXPECT_EQ(with.points[first + 1], Point3(0.5, 0.5, 0.5));
+    const auto is_intersection = [&](const SortedPiece& p) { return with.is_intersection(p); };
+    ASSERT_EQ(std::ranges::count_if(with.pieces, is_intersection), 1);
+    const SortedPiece piece = *std::ranges::find_if(with.pieces, is_intersection);
+    EXPECT_EQ(piece.item, 1u);
+    EXPECT_EQ(with.pick_item(piece), 1u);
+    EXPECT_EQ(with.points[piece.first], Point3(0.375, 0.5, 0.5));
+    EXPECT_EQ(with.points[piece.first + 1], Point3(0.5, 0.5, 0.5));
+    for (const SortedPiece& p : without.pieces) EXPECT_FALSE(without.is_intersection(p));
   }
 }
 

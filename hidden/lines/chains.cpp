@@ -97,11 +97,7 @@ class Joints {
     return scaled / std::sqrt(scaled.x * scaled.x + scaled.y * scaled.y);
   }
 
-<<<<<<< HEAD
-  /// Always joins, among all pairs that are left, the one that turns least.
-=======
   /// Joins the pair that turns least, of those left the next, and so on.
->>>>>>> dashed
   void join_straightest(std::span<const End> ends) {
     directions_.clear();
     for (const End end : ends) directions_.push_back(direction(end));

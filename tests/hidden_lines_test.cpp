@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -472,7 +473,8 @@ TEST(HiddenLines, ScalingByTwoAndMirroringChangeNothing) {
   }
 }
 
-TEST(HiddenLines, AnyNumberOfThreadsFindsTheSame) {
+/// Small triangles all over the picture.
+ItemList crowd() {
   Source s(7);
   ItemList list;
   for (int k = 0; k < 2000; ++k) {
@@ -481,10 +483,33 @@ TEST(HiddenLines, AnyNumberOfThreadsFindsTheSame) {
     const Point3 p = near(), q = near(), r = near();
     list.solid({p, q, r});
   }
+  return list;
+}
+
+TEST(HiddenLines, AnyNumberOfThreadsFindsTheSame) {
+  const ItemList list = crowd();
   for (const HiddenMethod method : kMethods) {
     LineOptions three;
     three.threads = 3;
     EXPECT_EQ(text(pieces(list, method)), text(pieces(list, method, three))) << name_of(method);
+  }
+}
+
+/// Franklin leaves out the cells where none goes.
+TEST(HiddenLines, OfFewLinesTheSameIsSeenAsAmongAll) {
+  const ItemList list = crowd();
+  const std::vector<LineName> all = all_lines(list);
+  const std::vector<VisiblePiece> seen_of_all = pieces(list, HiddenMethod::franklin);
+  for (const std::size_t step : {1000, 100, 10}) {
+    std::vector<LineName> few;
+    for (std::size_t k = 0; k < all.size(); k += step) few.push_back(all[k]);
+    std::vector<VisiblePiece> expected;
+    std::ranges::copy_if(seen_of_all, std::back_inserter(expected), [&](const VisiblePiece& piece) {
+      return std::ranges::binary_search(few, LineName{piece.item, piece.corner});
+    });
+    EXPECT_EQ(text(visible_lines(list.view(), few, HiddenMethod::franklin, {}).pieces),
+              text(expected))
+        << few.size();
   }
 }
 

@@ -30,6 +30,9 @@ constexpr double kMostToBlock = 64.0;
 /// Whether all of a box is behind blocking faces is looked up in cells of which it is no more than
 /// so many long.
 constexpr double kMostToLookUp = 4.0;
+/// Cells where no line goes are looked for unless the lines' boxes have more cells than this part
+/// of all: then there are few.
+constexpr std::size_t kPartWithLines = 4;
 /// Lines are put in the order of this level's cells.
 constexpr std::size_t kLevelOfOrder = 2;
 constexpr double kMostColumns = 8192.0;
@@ -49,6 +52,7 @@ CellGrid::CellGrid(const LineScene& scene, int threads) {
   lay_out(scene);
   if (levels_.empty()) return;
   find_blocking_faces(scene);
+  find_cells_with_lines(scene);
   enter(scene, threads);
 }
 
@@ -90,7 +94,7 @@ CellGrid::Range CellGrid::range(const Extent& box, std::size_t level) const {
   const double scale = std::ldexp(1.0, -static_cast<int>(level));
   const Point2 low = in_cells({box.x_min, box.y_min}) * scale;
   const Point2 high = in_cells({box.x_max, box.y_max}) * scale;
-  const auto& [columns, rows, first, entries, behind] = levels_[level];
+  const std::uint32_t columns = levels_[level].columns, rows = levels_[level].rows;
   return {cell_at(low.x - kMargin, columns), cell_at(high.x + kMargin, columns),
           cell_at(low.y - kMargin, rows), cell_at(high.y + kMargin, rows)};
 }
@@ -231,7 +235,32 @@ bool CellGrid::hides(const Extent& box) const {
 
 // ---- Polygons in cells --------------------------------------------------------------------
 
-/// Calls visit(level, cell, polygon) for each cell that a polygon is in and not behind all of.
+/// A line goes through no cell but those that its box has a part in, at any level.
+void CellGrid::find_cells_with_lines(const LineScene& scene) {
+  const std::size_t most = std::size_t{levels_[0].columns} * levels_[0].rows / kPartWithLines;
+  std::vector<Extent> boxes;
+  std::size_t cells = 0;
+  for (const LineScene::Line& line : scene.lines()) {
+    boxes.push_back(scene.extent(line));
+    const Range r = range(boxes.back(), 0);
+    cells += std::size_t{r.right - r.left + 1} * (r.top - r.bottom + 1);
+    if (cells > most) return;
+  }
+  for (std::size_t k = 0; k < levels_.size(); ++k) {
+    Level& level = levels_[k];
+    level.with_lines.resize(std::size_t{level.columns} * level.rows, 0);
+    for (const Extent& box : boxes) {
+      const Range r = range(box, k);
+      for (std::uint32_t j = r.bottom; j <= r.top; ++j) {
+        const auto row = level.with_lines.begin() + std::ptrdiff_t{j} * level.columns;
+        std::fill(row + r.left, row + r.right + 1, std::uint8_t{1});
+      }
+    }
+  }
+}
+
+/// Calls visit(level, cell, polygon) for each cell that a polygon is in, not behind all of it, and
+/// where lines go.
 template <class Visit>
 void CellGrid::for_each_entry(const LineScene& scene, const Visit& visit) const {
   for (std::uint32_t polygon = 0; polygon < scene.items(); ++polygon) {
@@ -243,6 +272,7 @@ void CellGrid::for_each_entry(const LineScene& scene, const Visit& visit) const 
     for (std::uint32_t j = cells.bottom; j <= cells.top; ++j) {
       for (std::uint32_t i = cells.left; i <= cells.right; ++i) {
         const std::size_t cell = std::size_t{j} * level.columns + i;
+        if (!level.with_lines.empty() && level.with_lines[cell] == 0) continue;
         if (!level.behind.empty() && level.behind[cell] > box.z_max) continue;
         visit(at, cell, polygon);
       }

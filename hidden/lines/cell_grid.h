@@ -20,7 +20,7 @@ inline std::uint32_t cell_at(double place, std::uint32_t cells) {
 /// several levels, each of cells twice as wide as those of the one before. A polygon is in the
 /// cells of one level, where it is about as large as a cell, so that it is in few. Each cell knows
 /// the depth behind which one polygon hides all of it: that of its blocking face. What lies
-/// behind that is left out.
+/// behind that is left out, and what is in cells where no line goes.
 class CellGrid {
  public:
   CellGrid(const LineScene& scene, int threads);
@@ -41,6 +41,7 @@ class CellGrid {
     std::vector<std::uint32_t> first;  // of each cell, row by row; and the end
     std::vector<Entry> entries;        // of a cell, the one that reaches nearest first
     std::vector<float> behind;  // of each cell; empty: no cell of any level has a blocking face
+    std::vector<std::uint8_t> with_lines;  // of each cell, 1 if some line may go there; empty: all
 
     std::span<const Entry> in_cell(std::uint32_t cell) const {
       return std::span(entries).subspan(first[cell], first[cell + 1] - first[cell]);
@@ -77,6 +78,7 @@ class CellGrid {
   float blocked_behind(const LineScene& scene, std::uint32_t polygon, const Point2& low,
                        const Point2& high) const;
   void pass_on_blocking();
+  void find_cells_with_lines(const LineScene& scene);
   void enter(const LineScene& scene, int threads);
   template <class Visit>
   void for_each_entry(const LineScene& scene, const Visit& visit) const;

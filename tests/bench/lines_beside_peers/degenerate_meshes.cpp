@@ -33,6 +33,7 @@ class Parts {
   /// From one corner to the opposite one, its faces turned out.
   Parts& box(const Point3& low, const Point3& high) {
     std::vector<Point3> corners;
+    corners.reserve(8);
     for (int k = 0; k < 8; ++k) {
       corners.emplace_back((k & 1) != 0 ? high.x : low.x, (k & 2) != 0 ? high.y : low.y,
                            (k & 4) != 0 ? high.z : low.z);

@@ -32,6 +32,7 @@ PeerProcess::PeerProcess(std::vector<std::string> command, double limit) : limit
   posix_spawn_file_actions_adddup2(&files, answers[1], STDOUT_FILENO);
   posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
   std::vector<char*> words;
+  words.reserve(command.size() + 1);
   for (std::string& word : command) words.push_back(word.data());
   words.push_back(nullptr);
   const bool started = posix_spawnp(&child_, words[0], &files, nullptr, words.data(), environ) == 0;
@@ -92,7 +93,7 @@ std::string PeerProcess::next_line() {
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(limit_);
   for (;;) {
     if (const std::size_t found = read_.find('\n'); found != std::string::npos) {
-      const std::string line = read_.substr(0, found);
+      std::string line = read_.substr(0, found);
       read_.erase(0, found + 1);
       return line;
     }

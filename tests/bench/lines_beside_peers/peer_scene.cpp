@@ -58,9 +58,12 @@ class Edges {
     std::vector<std::size_t> next = first_;
     for_each_side(mesh, [&](std::uint32_t low, const Use& use) { uses_[next[low]++] = use; });
     for (std::size_t i = 0; i + 1 < first_.size(); ++i) {
-      std::stable_sort(uses_.begin() + static_cast<std::ptrdiff_t>(first_[i]),
-                       uses_.begin() + static_cast<std::ptrdiff_t>(first_[i + 1]),
-                       [](const Use& a, const Use& b) { return a.other < b.other; });
+      const auto at = [&](std::size_t k) {
+        return uses_.begin() + static_cast<std::ptrdiff_t>(first_[i + k]);
+      };
+      std::sort(at(0), at(1), [](const Use& a, const Use& b) {
+        return a.other != b.other ? a.other < b.other : a.face < b.face;
+      });
     }
   }
 

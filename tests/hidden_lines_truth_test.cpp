@@ -109,7 +109,9 @@ TEST(HiddenLinesTruth, WithRoundoffSomeAreWrong) {
 /// The oracle's drawing of lines is that of a method that is right, instruction by instruction:
 /// groups of segments, image transformations, styles, pick identifiers, texts.
 TEST(HiddenLinesTruth, IsTheSameDrawing) {
-  const HiddenSurfaceOptions options{.method = HiddenMethod::franklin, .scope = HiddenScope::all};
+  const HiddenSurfaceOptions options{.method = HiddenMethod::franklin,
+                                     .scope = HiddenScope::all,
+                                     .hidden_lines = HiddenLines::none};
   int lines = 0;
   test::for_each_in_gallery([&](const std::string&, const test::Retained& retained) {
     const DisplayFile truth = true_line_drawing(retained.system.display_file(), 2);

@@ -196,7 +196,7 @@ PeerScene decals() {
   return seen(parts, kAside);
 }
 
-/// Has whole coordinates from 0 to one less than the end.
+/// A point of whole coordinates, from 0 to one less than the end.
 Point3 grid_point(Random& random, std::size_t end) {
   const auto x = random.below(end), y = random.below(end), z = random.below(end);
   return Point3(x, y, z);

@@ -248,7 +248,7 @@ TEST(RecordReplay, RandomApplications) {
   }
   // The applications did something: every routine, and pictures of some size.
   if (test::kSlower == 1) {
-    EXPECT_EQ(routines.size(), 57u);
+    EXPECT_EQ(routines.size(), 58u);
   }
   EXPECT_GT(instructions, 100000u / test::kSlower);
   EXPECT_GT(refused, 1000 / test::kSlower);

@@ -31,7 +31,7 @@ Point3 direction_of(const Point3& v) {
 /// True if the polygon turns its light face to the eye; one that is seen edge-on, or has no area,
 /// does not.
 bool faces(const Eye& eye, const PointRow& polygon) {
-  if (polygon.size() == 3) return side_of_plane(eye, {polygon[0], polygon[1], polygon[2]}) > 0;
+  if (polygon.size() == 3) return side_of_plane(eye, polygon[0], polygon[1], polygon[2]) > 0;
   const SupportVertices support = spread_vertices(polygon);
   if (support.edge_on) return false;
   const auto& [p, q, r] = support.index;

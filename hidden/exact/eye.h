@@ -2,6 +2,7 @@
 
 #include "clip/point.h"
 #include "clip/view.h"
+#include "hidden/exact/orientation.h"
 #include "hidden/exact/plane.h"
 
 namespace displayfile {
@@ -22,5 +23,9 @@ struct Eye {
 /// Which side of the plane the eye is on: 1, -1, or 0 on it. True for coordinates up to
 /// kCoordinateLimit.
 int side_of_plane(const Eye& eye, const Plane& plane);
+/// The same of the plane through three points.
+inline int side_of_plane(const Eye& eye, const Point3& p, const Point3& q, const Point3& r) {
+  return eye.at_infinity ? side_of_plane(eye, {p, q, r}) : orientation(p, q, r, eye.place);
+}
 
 }  // namespace displayfile

@@ -71,7 +71,7 @@ LineScene::Support LineScene::support_of(const Primitives::Item& item) const {
                   items_.point(item.first + vertices.index[1]),
                   items_.point(item.first + vertices.index[2])};
   const auto& points = items_.points;
-  if (facing({points[support.p], points[support.q], points[support.r]}) < 0) {
+  if (orientation(points[support.p], points[support.q], points[support.r]) < 0) {
     std::swap(support.q, support.r);
   }
   return support;

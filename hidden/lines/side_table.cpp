@@ -56,15 +56,18 @@ void for_each_side(const Primitives& items, const std::vector<std::uint32_t>& sa
 
 /// Counted, then put in the lists, and each list in order: no list is long but of a point where
 /// very many sides meet.
-SideTable::SideTable(const Primitives& items)
+SideTable::SideTable(const Primitives& items, Sides which)
     : same_(first_equal_points(items.points)), first_(items.points.size() + 1, 0) {
-  for_each_side(items, same_,
-                [&](std::uint32_t low, std::uint32_t, const LineName&) { ++first_[low + 1]; });
+  if (which == Sides::near_drawn && !items.visible.empty()) find_low_ends_of_drawn(items);
+  const auto counts = [&](std::uint32_t low) { return is_low_.empty() || is_low_[low] != 0; };
+  for_each_side(items, same_, [&](std::uint32_t low, std::uint32_t, const LineName&) {
+    if (counts(low)) ++first_[low + 1];
+  });
   for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
   sides_.resize(first_.back());
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
   for_each_side(items, same_, [&](std::uint32_t low, std::uint32_t high, const LineName& name) {
-    sides_[next[low]++] = {high, name};
+    if (counts(low)) sides_[next[low]++] = {high, name};
   });
   for (std::size_t low = 0; low + 1 < first_.size(); ++low) {
     std::sort(sides_.begin() + first_[low], sides_.begin() + first_[low + 1],
@@ -72,6 +75,13 @@ SideTable::SideTable(const Primitives& items)
                 return std::tie(s.high, s.name) < std::tie(t.high, t.name);
               });
   }
+}
+
+void SideTable::find_low_ends_of_drawn(const Primitives& items) {
+  is_low_.assign(items.points.size(), 0);
+  for_each_side(items, same_, [&](std::uint32_t low, std::uint32_t, const LineName& name) {
+    if (items.is_visible(items.items[name.item].first + name.corner)) is_low_[low] = 1;
+  });
 }
 
 std::span<const SideTable::Side> SideTable::sides_between(std::uint32_t a, std::uint32_t b) const {

@@ -13,7 +13,11 @@ namespace displayfile {
 /// that polygons share are found. Sides of no length are left out.
 class SideTable {
  public:
-  explicit SideTable(const Primitives& items);
+  enum class Sides {
+    all,
+    near_drawn,  ///< at least those that have the same ends as one that is drawn
+  };
+  explicit SideTable(const Primitives& items, Sides which = Sides::all);
 
   /// A side, in the list of its lower point.
   struct Side {
@@ -40,10 +44,13 @@ class SideTable {
   }
 
  private:
+  void find_low_ends_of_drawn(const Primitives& items);
+
   std::vector<std::uint32_t> same_;  // of each point, the first that is equal
   std::vector<std::uint32_t>
       first_;  // of each point, where the list begins of those it is lower of
   std::vector<Side> sides_;
+  std::vector<std::uint8_t> is_low_;  // of each point whether a drawn side has it; empty: all count
 };
 
 }  // namespace displayfile

@@ -43,7 +43,7 @@ std::vector<LineToDraw> lines_to_draw(const Primitives& items,
     sides += item.sides;
   }
   std::vector<SideLook> looks(sides);
-  SideTable(items).for_each_set([&](std::span<const SideTable::Side> same) {
+  SideTable(items, SideTable::Sides::near_drawn).for_each_set([&](std::span<const SideTable::Side> same) {
     const auto drawn = std::ranges::find_if(same, [&](const SideTable::Side& side) {
       return items.is_visible(items.items[side.name.item].first + side.name.corner);
     });

@@ -14,8 +14,9 @@
 
 #include "clip/error.h"
 #include "clip/view_volume.h"
-#include "displayfile/graphics_system.h"
+#include "displayfile/hidden_surface_check.h"
 #include "displayfile/mesh/fitted_view.h"
+#include "hidden/line_kinds.h"
 #include "programs/scenes/scene.h"
 
 namespace displayfile::bench {
@@ -244,6 +245,39 @@ EnteredMesh enter(const PeerScene& scene, const LineKinds& kinds) {
   entered.lines = kinds.all ? drawn_lines(entered.scene->primitives())
                             : features_of(scene.mesh, *entered.scene, kinds);
   return entered;
+}
+
+RetainedMesh::RetainedMesh(const PeerScene& scene, const LineKinds& kinds)
+    : view_(scene.view), intersections_(kinds.intersection) {
+  system_.retain_alone(retained_);
+  set_view(scene.view, system_);
+  system_.set_back_face_removal(false);
+  system_.set_line_style(LineStyle{});
+  std::string words = kinds.words;  // theirs are named as ours, and boundaries count as outlines
+  if (kinds.outline) words += ",boundary";
+  system_.set_lines(line_selection(words));
+  std::vector<std::uint32_t> sides(scene.mesh.faces());
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    sides[i] = static_cast<std::uint32_t>(scene.mesh.face(i).size());
+  }
+  system_.open_segment(1);
+  system_.polygons_abs_3(scene.mesh.vertices, scene.mesh.corners, sides);
+  system_.close_segment();
+  viewer_.emplace(retained_, system_.display_file());
+}
+
+SortedPieces RetainedMesh::draw(int threads) {
+  const ViewedScene& seen = viewer_->view({.view = view_, .threads = threads});
+  SortOptions options;
+  options.threads = threads;
+  options.intersections = intersections_;
+  return lines_in_order(seen, HiddenMethod::franklin, options);
+}
+
+void RetainedMesh::look_elsewhere() {
+  View other = view_;
+  other.up += 0.125 * Point3(0.5, 0.25, 1.0);
+  viewer_->view({.view = other});
 }
 
 LineDrawing read_world_segments(const std::string& path, const View& view) {

@@ -1,15 +1,20 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "clip/view.h"
 #include "displayfile/display_file.h"
+#include "displayfile/graphics_system.h"
 #include "displayfile/mesh/camera.h"
 #include "displayfile/mesh/mesh.h"
+#include "displayfile/retained_scene.h"
+#include "displayfile/scene_viewer.h"
 #include "displayfile/viewed_scene.h"
 #include "hidden/lines/visible_lines.h"
+#include "hidden/sort/hidden_surface_sort.h"
 #include "tests/bench/lines_beside_peers/drawn_length.h"
 
 namespace displayfile::bench {
@@ -46,6 +51,23 @@ struct EnteredMesh {
   std::vector<LineName> lines;  ///< of the kinds asked for, each shared one once
 };
 EnteredMesh enter(const PeerScene& scene, const LineKinds& kinds);
+
+/// The mesh retained, with the kinds of lines that are asked for: from there each view is drawn.
+class RetainedMesh {
+ public:
+  RetainedMesh(const PeerScene& scene, const LineKinds& kinds);
+  /// The line drawing of the scene's view, in chains: as a view renderer finds it.
+  SortedPieces draw(int threads);
+  /// In another view, so that nothing of the one before is left.
+  void look_elsewhere();
+
+ private:
+  View view_;
+  bool intersections_;
+  RetainedScene retained_;
+  GraphicsSystem system_;
+  std::optional<SceneViewer> viewer_;
+};
 
 /// What a peer wrote: segments' ends, in world coordinates or in those of the view plane, in the
 /// picture. Throws Error if the file cannot be read.

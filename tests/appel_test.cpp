@@ -37,10 +37,6 @@ std::size_t contour_edges(const ItemList& list) {
   return ContourEdges(scene, items, SideTable(items), 1).size();
 }
 
-Loop square(double x0, double y0, double x1, double y1, double z) {
-  return {{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}};
-}
-
 /// An octahedron divided into 8 * 4^levels triangles on a sphere.
 void add_ball(ItemList& list, const Point3& middle, double radius, int levels) {
   const auto turned = [](const Point3& p) {

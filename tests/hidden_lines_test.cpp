@@ -67,10 +67,6 @@ std::vector<std::pair<double, double>> seen(const ItemList& list, std::uint32_t 
 using Parts = std::vector<std::pair<double, double>>;
 const Parts kAll{{0.0, 1.0}}, kNothing{};
 
-Loop square(double x0, double y0, double x1, double y1, double z) {
-  return {{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}};
-}
-
 /// What is seen of the line among these.
 Parts line_among(const std::vector<Loop>& loops, const Point3& a, const Point3& b) {
   ItemList list;

@@ -248,10 +248,6 @@ Parts seen(const ItemList& list) {
   return parts;
 }
 
-Loop square(double x0, double y0, double x1, double y1, double z) {
-  return {{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}};
-}
-
 TEST(IntersectionLines, AreHiddenLikeLines) {
   ItemList list = solids({kLevel, rising(0.375, 0.625)});
   EXPECT_EQ(seen(list), (Parts{{0.0, 1.0}}));

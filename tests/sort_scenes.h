@@ -104,6 +104,10 @@ inline Point3 on_grid(Source& s, int n, int m) {
   return {static_cast<double>(x) / n, static_cast<double>(y) / n, static_cast<double>(z) / m};
 }
 
+inline Loop square(double x0, double y0, double x1, double y1, double z) {
+  return {{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}};
+}
+
 /// A simple polygon, mostly concave: its vertices around a centre.
 inline Loop star_shaped(Source& s, const Slope& slope, int sides) {
   Loop loop;

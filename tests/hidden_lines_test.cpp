@@ -496,7 +496,7 @@ TEST(HiddenLines, OfFewLinesTheSameIsSeenAsAmongAll) {
   const ItemList list = crowd();
   const std::vector<LineName> all = all_lines(list);
   const std::vector<VisiblePiece> seen_of_all = pieces(list, HiddenMethod::franklin);
-  for (const std::size_t step : {1000, 100, 10}) {
+  for (const std::size_t step : {1000u, 100u, 10u}) {
     std::vector<LineName> few;
     for (std::size_t k = 0; k < all.size(); k += step) few.push_back(all[k]);
     std::vector<VisiblePiece> expected;

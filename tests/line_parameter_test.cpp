@@ -168,7 +168,9 @@ TEST(LineParameters, OfTheLineThatTwoPlanesHaveInCommon) {
     if (!of_planes.is_line) continue;
     ++lines;
     const auto& [points, planes, from, to, a, b, is_line] = of_planes;
-    const auto any = [&] { return s.below(3) == 0 ? points[s.bits() % 6] : trial.point(s); };
+    const auto any = [&] {
+      return s.below(3) == 0 ? of_planes.points[s.bits() % 6] : trial.point(s);
+    };
     const Point3 p = any(), q = any(), r = any();
     const QPlane first(of(points[0]), of(points[1]), of(points[2]));
     const QPlane second(of(points[3]), of(points[4]), of(points[5]));

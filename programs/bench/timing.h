@@ -39,9 +39,9 @@ inline double seconds_each(Clock clock, int times, const auto& work) {
 /// what it takes is decided how often it is repeated.
 inline double seconds_once(const auto& work) {
   constexpr double kLong = 0.001;
-  constexpr int kMost = 5;
+  constexpr int kMostRounds = 5;
   double least = seconds_each(Clock::processor, 1, work);
-  for (int i = 1; i < kMost && least < kLong; ++i) {
+  for (int i = 1; i < kMostRounds && least < kLong; ++i) {
     least = std::min(least, seconds_each(Clock::processor, 1, work));
   }
   return least;

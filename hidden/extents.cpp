@@ -9,26 +9,26 @@ namespace displayfile {
 
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kUnbounded = std::numeric_limits<float>::infinity();
 
 constexpr float kLargest = std::numeric_limits<float>::max();
 
 float rounded_up(double v) {
-  if (std::abs(v) > kLargest) return v > 0.0 ? kInfinity : -kLargest;
+  if (std::abs(v) > kLargest) return v > 0.0 ? kUnbounded : -kLargest;
   const auto f = static_cast<float>(v);
-  return static_cast<double>(f) >= v ? f : std::nextafter(f, kInfinity);
+  return static_cast<double>(f) >= v ? f : std::nextafter(f, kUnbounded);
 }
 
 }  // namespace
 
 float rounded_down(double v) {
-  if (std::abs(v) > kLargest) return v > 0.0 ? kLargest : -kInfinity;
+  if (std::abs(v) > kLargest) return v > 0.0 ? kLargest : -kUnbounded;
   const auto f = static_cast<float>(v);
-  return static_cast<double>(f) <= v ? f : std::nextafter(f, -kInfinity);
+  return static_cast<double>(f) <= v ? f : std::nextafter(f, -kUnbounded);
 }
 
 Extent Extent::nothing() {
-  return {kInfinity, -kInfinity, kInfinity, -kInfinity, kInfinity, -kInfinity};
+  return {kUnbounded, -kUnbounded, kUnbounded, -kUnbounded, kUnbounded, -kUnbounded};
 }
 
 void Extent::include(const Point3& p, double radius) {
@@ -50,7 +50,7 @@ void Extent::include(const Extent& o) {
   z_max = std::max(z_max, o.z_max);
 }
 
-FlatBox FlatBox::nothing() { return {kInfinity, -kInfinity, kInfinity, -kInfinity}; }
+FlatBox FlatBox::nothing() { return {kUnbounded, -kUnbounded, kUnbounded, -kUnbounded}; }
 
 template <>
 void ExtentTree::build(std::size_t items, const std::function<FlatBox(Item)>& box_of, int threads) {

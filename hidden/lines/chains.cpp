@@ -150,7 +150,6 @@ class Joints {
 
 Chains chains_of(std::span<const ChainLink> pieces) {
   const Joints joints(pieces);
-  constexpr End kNone = Joints::kNone;
   Chains chains;
   chains.places.reserve(pieces.size());
   std::vector<std::uint8_t> placed(pieces.size(), 0);
@@ -158,12 +157,13 @@ Chains chains_of(std::span<const ChainLink> pieces) {
     if (placed[piece] != 0) continue;
     // Back to where the chain begins, or around to the piece itself.
     End start = 2 * piece;
-    for (End before = joints.mate(start); before != kNone; before = joints.mate(start)) {
+    for (End before = joints.mate(start); before != Joints::kNone; before = joints.mate(start)) {
       start = before ^ 1u;
       if (start / 2 == piece) break;
     }
     chains.first.push_back(static_cast<std::uint32_t>(chains.places.size()));
-    for (End end = start; end != kNone && placed[end / 2] == 0; end = joints.mate(end ^ 1u)) {
+    for (End end = start; end != Joints::kNone && placed[end / 2] == 0;
+         end = joints.mate(end ^ 1u)) {
       placed[end / 2] = 1;
       chains.places.push_back({end / 2, end % 2 == 1});
     }

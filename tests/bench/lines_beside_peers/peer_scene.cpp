@@ -293,10 +293,10 @@ LineDrawing read_world_segments(const std::string& path, const View& view) {
 
 LineDrawing read_view_plane_segments(const std::string& path, const View& view) {
   const std::vector<double> numbers = read_numbers(path);
-  const auto& [x_min, x_max, y_min, y_max] = view.window;
+  const auto& window = view.window;
   const auto at = [&](std::size_t i) {
-    return Point2((numbers[i] - x_min) / (x_max - x_min),
-                  (numbers[i + 1] - y_min) / (y_max - y_min));
+    return Point2((numbers[i] - window.x_min) / (window.x_max - window.x_min),
+                  (numbers[i + 1] - window.y_min) / (window.y_max - window.y_min));
   };
   LineDrawing drawing;
   for (std::size_t i = 0; i + 4 <= numbers.size(); i += 4) drawing.push_back({at(i), at(i + 2)});

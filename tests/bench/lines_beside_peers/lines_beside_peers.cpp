@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "hidden/lines/intersection_lines.h"
 #include "hidden/lines/visible_lines.h"
 #include "interp/truth/true_lines.h"
 #include "programs/bench/temporary_folder.h"
@@ -107,8 +108,11 @@ class Peer {
 };
 
 SeenLines found(const EnteredMesh& entered, int threads) {
-  return visible_lines(entered.scene->primitives(), entered.lines, HiddenMethod::franklin,
-                       {.precision = {}, .threads = threads});
+  const Primitives items = entered.scene->primitives();
+  std::vector<IntersectionLine> intersections;
+  if (entered.intersections) intersections = intersection_lines(items, threads);
+  return visible_lines(items, entered.lines, HiddenMethod::franklin,
+                       {.precision = {}, .threads = threads}, intersections);
 }
 
 /// The least of several rounds, the peer's over ours.

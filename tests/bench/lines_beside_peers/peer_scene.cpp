@@ -237,7 +237,7 @@ EnteredMesh enter(const PeerScene& scene, const LineKinds& kinds) {
   system.open_segment(1);
   system.polygons_abs_3(scene.mesh.vertices, scene.mesh.corners, sides);
   system.close_segment();
-  EnteredMesh entered{system.display_file(), nullptr, {}};
+  EnteredMesh entered{system.display_file(), nullptr, {}, kinds.intersection};
   entered.scene = std::make_unique<ViewedScene>(entered.file);
   if (entered.scene->items() != scene.mesh.faces()) {
     throw Error(scene.name + ": a face was clipped or cut");

@@ -49,6 +49,7 @@ struct EnteredMesh {
   DisplayFile file;
   std::unique_ptr<ViewedScene> scene;
   std::vector<LineName> lines;  ///< of the kinds asked for, each shared one once
+  bool intersections;           ///< are asked for, too
 };
 EnteredMesh enter(const PeerScene& scene, const LineKinds& kinds);
 

@@ -32,7 +32,8 @@ std::string drawn(const std::vector<ChainLink>& pieces) {
     if (k > 0) text += " |";
     for (const auto& [piece, reversed] : chains.chain(k)) {
       if (!text.empty()) text += ' ';
-      text += (reversed ? "-" : "") + std::to_string(piece);
+      if (reversed) text += '-';
+      text += std::to_string(piece);
     }
   }
   return text;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "displayfile/style.h"
+#include "hidden/hidden_method.h"
 
 namespace displayfile {
 
@@ -12,5 +13,9 @@ struct Background {
   Colour colour{1.0, 1.0, 1.0};
   bool operator==(const Background&) const = default;
 };
+
+/// Throws Error for the colour rule if there is no background, whose colour fills have in vectors
+/// and in dumps.
+void require_colour_of_fills(HiddenMethod method, const Background& background);
 
 }  // namespace displayfile

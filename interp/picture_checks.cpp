@@ -55,13 +55,6 @@ void require_drawable_by(HiddenMethod method, const DrawOptions& options) {
   }
 }
 
-void require_colour_of_fills(HiddenMethod method, const Background& background) {
-  if (!is_colour_rule(method) || background.kind != Background::Kind::none) return;
-  throw Error(
-      "the colour rule fills with the background's colour, and there is no background: expected "
-      "one, or a picture of pixels, in which what is hidden can be left out");
-}
-
 void require_drawable_in_memory(const DrawOptions& options) {
   require_numbers(options);
   device_of(options.device);

@@ -21,9 +21,6 @@ void require_drawable_in_memory(const DrawOptions& options);
 /// Throws Error if the method shows lines only and the device draws surfaces, or if it finds lines
 /// and something of fills is asked for.
 void require_drawable_by(HiddenMethod method, const DrawOptions& options);
-/// Throws Error for the colour rule if there is no background, whose colour fills have in vectors
-/// and in dumps.
-void require_colour_of_fills(HiddenMethod method, const Background& background);
 
 /// What `draw` returns: a picture in memory, for which there must be room before any work is done.
 template <class Draw>

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "displayfile/background.h"
 #include "interp/files/npy_file.h"
 #include "interp/files/row_file.h"
 #include "interp/picture_checks.h"

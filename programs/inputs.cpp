@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "displayfile/background.h"
 #include "displayfile/file_extension.h"
 #include "displayfile/input_file.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/text/drawing_program.h"
-#include "interp/picture_checks.h"
 #include "programs/keep_freed_memory.h"
 #include "programs/progress.h"
 #include "programs/warnings.h"

@@ -12,7 +12,7 @@ namespace displayfile {
 
 namespace {
 
-/// What stands in the table belongs to it, and to the handler alone from when it takes it: that one
+/// What stands in the table belongs to it, and to the handler alone while that has it: the handler
 /// frees nothing, since the process ends.
 constexpr std::size_t kPlaces = 4096;
 std::array<std::atomic<char*>, kPlaces> unfinished{};
@@ -48,8 +48,11 @@ UnfinishedPath& UnfinishedPath::operator=(UnfinishedPath&& other) noexcept {
 
 void UnfinishedPath::remove_all() noexcept {
   for (std::size_t i = kPlaces; i-- > 0;) {
-    const char* const path = unfinished[i].exchange(nullptr);
-    if (path != nullptr && ::unlink(path) != 0) ::rmdir(path);
+    char* const path = unfinished[i].exchange(nullptr);
+    if (path == nullptr) continue;
+    if (::unlink(path) != 0) ::rmdir(path);
+    char* none = nullptr;
+    unfinished[i].compare_exchange_strong(none, path);  // whose it is frees it, if time is left
   }
 }
 

@@ -70,6 +70,7 @@ void add_line_kind(std::string_view word, LineSelection& selection) {
   const auto entry = std::ranges::find(kKinds, name, &LineKindEntry::name);
   if (entry == kKinds.end()) {
     std::vector<std::string_view> known;
+    known.reserve(kKinds.size());
     for (const LineKindEntry& kind : kKinds) known.push_back(kind.name);
     refuse_word(word, known, kExpected);
   }

@@ -187,20 +187,18 @@ void SoftwareRenderer::take_up_scene_of(const DisplayFile& display_file) {
 void SoftwareRenderer::take_up_lines(const DisplayFile& display_file,
                                      const RasterRequest& request) {
   const SortedScene* const together = display_file.sorted().get();
-  if (is_colour_rule(request.method)) {
-    lines_.clear();
-  } else if (is_image_space(request.method)) {
-    lines_.take(scene_, wanted_of(request), request.threads);
-  } else if (together == nullptr) {
-    lines_.take_sorted_segments(display_file, wanted_of(request), request.threads);
-  } else if (finds_lines(together->method) || !has_lines(*together)) {
-    lines_.clear();
-  } else {
-    take_up_scene_of(display_file);
-    LinesOverFills::Wanted wanted = wanted_of(request);
-    wanted.precision = together->precision;
-    lines_.take(scene_, wanted, request.threads);
+  const bool in_image_space = is_image_space(request.method);
+  const bool as_they_come = !in_image_space && together != nullptr &&
+                            (finds_lines(together->method) || !has_lines(*together));
+  if (is_colour_rule(request.method) || as_they_come) return lines_.clear();
+  LinesOverFills::Wanted wanted = wanted_of(request);
+  if (in_image_space) return lines_.take(scene_, wanted, request.threads);
+  if (together == nullptr) {
+    return lines_.take_sorted_segments(display_file, wanted, request.threads);
   }
+  take_up_scene_of(display_file);
+  wanted.precision = together->precision;
+  lines_.take(scene_, wanted, request.threads);
 }
 
 SoftwareRenderer::Drawn SoftwareRenderer::prepare(const ViewedScene& scene,

@@ -43,13 +43,14 @@ std::vector<LineToDraw> lines_to_draw(const Primitives& items,
     sides += item.sides;
   }
   std::vector<SideLook> looks(sides);
-  SideTable(items, SideTable::Sides::near_drawn).for_each_set([&](std::span<const SideTable::Side> same) {
-    const auto drawn = std::ranges::find_if(same, [&](const SideTable::Side& side) {
-      return items.is_visible(items.items[side.name.item].first + side.name.corner);
-    });
-    if (drawn == same.end()) return;
-    looks[first[drawn->name.item] + drawn->name.corner] = shared_look(items, same, picks);
-  });
+  SideTable(items, SideTable::Sides::near_drawn)
+      .for_each_set([&](std::span<const SideTable::Side> same) {
+        const auto drawn = std::ranges::find_if(same, [&](const SideTable::Side& side) {
+          return items.is_visible(items.items[side.name.item].first + side.name.corner);
+        });
+        if (drawn == same.end()) return;
+        looks[first[drawn->name.item] + drawn->name.corner] = shared_look(items, same, picks);
+      });
   std::vector<LineToDraw> lines;
   for (std::uint32_t i = 0; i < items.items.size(); ++i) {
     const Primitives::Item& item = items.items[i];

@@ -29,32 +29,36 @@ function(switch header declaration replacement)
   file(WRITE ${overlay}/${header} "${replaced}")
 endfunction()
 
-switch(clip/transformation.h "return identity_;" "return is_left_out(Part::modelling) || identity_;")
+switch(clip/transformation.h "return identity_;"
+       "return is_left_out(PartLeftOut::modelling) || identity_;")
 switch(clip/transformation.h "return scale == Point2(1.0, 1.0)"
-       "if (is_left_out(Part::image_transformation)) return true;\n    return scale == Point2(1.0, 1.0)")
+       "if (is_left_out(PartLeftOut::image_transformation)) return true;\n    return scale == Point2(1.0, 1.0)")
 switch(displayfile/attributes.h "std::optional<Light> light;"
-       "Switch<Part::light, std::optional<Light>> light;")
+       "Switch<PartLeftOut::light, std::optional<Light>> light;")
 switch(displayfile/attributes.h "bool back_face_removal ="
-       "Switch<Part::back_face_removal, bool> back_face_removal =")
-switch(displayfile/attributes.h "bool shadows =" "Switch<Part::shadows, bool> shadows =")
+       "Switch<PartLeftOut::back_face_removal, bool> back_face_removal =")
+switch(displayfile/attributes.h "bool shadows ="
+       "Switch<PartLeftOut::shadows, bool> shadows =")
 switch(displayfile/graphics_system.h "Recorder* recorder_ ="
-       "Switch<Part::recording, Recorder*> recorder_ =")
+       "Switch<PartLeftOut::recording, Recorder*> recorder_ =")
 switch(displayfile/graphics_system.h "RetainedScene* retaining() { return own_retained_ ?"
-       "RetainedScene* retaining() { return is_left_out(Part::retaining) ? nullptr : own_retained_ ?")
-switch(displayfile/graphics_system.h "Shading shading_ =" "Switch<Part::shading, Shading> shading_ =")
+       "RetainedScene* retaining() { return is_left_out(PartLeftOut::retaining) ? nullptr :
+                                        own_retained_ ?")
+switch(displayfile/graphics_system.h "Shading shading_ ="
+       "Switch<PartLeftOut::shading, Shading> shading_ =")
 switch(displayfile/instructions.h "return has_shadows_;"
-       "return !is_left_out(Part::shadows) && has_shadows_;")
+       "return !is_left_out(PartLeftOut::shadows) && has_shadows_;")
 switch(displayfile/instructions.h "return !texts_.empty();"
-       "return !is_left_out(Part::texts) && !texts_.empty();")
+       "return !is_left_out(PartLeftOut::texts) && !texts_.empty();")
 switch(displayfile/style.h "std::optional<FillShadow> shadow{};"
-       "Switch<Part::shadows, std::optional<FillShadow>> shadow{};")
+       "Switch<PartLeftOut::shadows, std::optional<FillShadow>> shadow{};")
 switch(displayfile/style.h "enum class Kind { solid, dashed, none };\n  Kind kind ="
-       "enum class Kind { solid, dashed, none };\n  Switch<Part::lines, Kind, Kind::none> kind =")
+       "enum class Kind { solid, dashed, none };\n  Switch<PartLeftOut::lines, Kind, Kind::none> kind =")
 switch(displayfile/view_stage.h "std::span<const Point3> vertex_normals; "
-       "Switch<Part::shading, std::span<const Point3>> vertex_normals; ")
-switch(interp/draw.h "int samples = 1;" "Switch<Part::antialiasing, int, 1> samples = 1;")
+       "Switch<PartLeftOut::shading, std::span<const Point3>> vertex_normals; ")
+switch(interp/draw.h "int samples = 1;" "Switch<PartLeftOut::antialiasing, int, 1> samples = 1;")
 switch(interp/picture.h "bool ids = false, depth = false;"
-       "Switch<Part::item_buffer, bool> ids = false;\n  Switch<Part::depths, bool> depth = false;")
-switch(interp/picture.h "bool texts = true;" "Switch<Part::texts, bool> texts = true;")
+       "Switch<PartLeftOut::item_buffer, bool> ids = false;\n  Switch<PartLeftOut::depths, bool> depth = false;")
+switch(interp/picture.h "bool texts = true;" "Switch<PartLeftOut::texts, bool> texts = true;")
 
 include_directories(BEFORE ${overlay})

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 
 #include "clip/bounds.h"
@@ -24,27 +23,10 @@ struct SpaceBoxes {
       high[axis][k] = box.high[static_cast<int>(axis)];
     }
   }
-  Bounds box(std::size_t k) const {
-    return {{low[0][k], low[1][k], low[2][k]}, {high[0][k], high[1][k], high[2][k]}};
-  }
-
-  /// Tests all eight at once, without branches; those that touch the box are met too.
-  std::array<std::int32_t, kBoxes> meets(const Bounds& b) const {
-    std::array<std::int32_t, kBoxes> met;
-    met.fill(1);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double from = b.low[static_cast<int>(axis)], to = b.high[static_cast<int>(axis)];
-      for (std::size_t k = 0; k < kBoxes; ++k) {
-        met[k] &= static_cast<std::int32_t>(from <= high[axis][k]) &
-                  static_cast<std::int32_t>(low[axis][k] <= to);
-      }
-    }
-    return met;
-  }
 };
 
-/// A tree of boxes in space, for rays of any direction and all views, and for pairs of boxes that
-/// meet; of finite coordinates. It is halved, so that no input makes a deep tree.
+/// A tree of boxes in space, for rays of any direction and all views; of finite coordinates. It is
+/// halved, so that no input makes a deep tree.
 using SpaceTree = BoxTree<SpaceBoxes>;
 template <>
 void SpaceTree::build(std::size_t items, const std::function<Bounds(Item)>& box_of, int threads);

@@ -41,6 +41,9 @@ struct DepthBoxes {
     z_min[k] = e.z_min;
     z_max[k] = e.z_max;
   }
+  DepthBox box(std::size_t k) const {
+    return {{x_min[k], x_max[k], y_min[k], y_max[k], z_min[k], z_max[k]}};
+  }
 
   /// Tests all eight at once, without branches.
   std::array<std::int32_t, kBoxes> meets(const Extent& e) const {
@@ -55,9 +58,10 @@ struct DepthBoxes {
     }
     return met;
   }
+  std::array<std::int32_t, kBoxes> meets(const DepthBox& box) const { return meets(box.extent); }
 };
 
-/// Finds what is near something in space, in device coordinates.
+/// Finds what is near something in space, and pairs that meet there, in device coordinates.
 using DepthTree = BoxTree<DepthBoxes>;
 template <>
 void DepthTree::build(std::size_t items, const std::function<DepthBox(Item)>& box_of, int threads);

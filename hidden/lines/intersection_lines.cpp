@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "hidden/exact/depth_order.h"
+#include "hidden/lines/depth_boxes.h"
 #include "hidden/lines/line_scene.h"
 #include "hidden/parallel.h"
-#include "hidden/space_tree.h"
 
 namespace displayfile {
 
@@ -211,22 +211,6 @@ class Intersections {
   std::vector<Part> inside_, others_, more_;
 };
 
-/// The boxes of those that hide, by the list of these. What is beyond all floats counts as far
-/// away.
-SpaceTree tree_of(const LineScene& scene, const std::vector<std::uint32_t>& solids, int threads) {
-  SpaceTree tree;
-  tree.build(
-      solids.size(),
-      [&](SpaceTree::Item k) {
-        const Extent& e = scene.extent(solids[k]);
-        const auto finite = [](float v) { return std::clamp(double{v}, -1e300, 1e300); };
-        return Bounds{{finite(e.x_min), finite(e.y_min), finite(e.z_min)},
-                      {finite(e.x_max), finite(e.y_max), finite(e.z_max)}};
-      },
-      threads);
-  return tree;
-}
-
 }  // namespace
 
 std::vector<IntersectionLine> intersection_lines(const Primitives& items, int threads) {
@@ -236,14 +220,16 @@ std::vector<IntersectionLine> intersection_lines(const Primitives& items, int th
   for (std::uint32_t i = 0; i < scene.items(); ++i) {
     if (scene.hides(i)) solids.push_back(i);
   }
-  const SpaceTree tree = tree_of(scene, solids, threads);
+  DepthTree tree;
+  tree.build(
+      solids.size(), [&](DepthTree::Item k) { return DepthBox{scene.extent(solids[k])}; }, threads);
   std::vector<std::vector<IntersectionLine>> found((tree.leaves() + kLeavesOfAPart - 1) /
                                                    kLeavesOfAPart);
   in_parallel(threads, found.size(), [&](std::size_t part) {
     Intersections intersections(items, scene);
     const auto first = static_cast<std::uint32_t>(part) * kLeavesOfAPart;
     const std::uint32_t end = std::min(first + kLeavesOfAPart, tree.leaves());
-    tree.pairs(first, end, [&](SpaceTree::Position p, SpaceTree::Position q) {
+    tree.pairs(first, end, [&](DepthTree::Position p, DepthTree::Position q) {
       const std::uint32_t i = solids[tree.order()[p]], j = solids[tree.order()[q]];
       intersections.find(std::min(i, j), std::max(i, j), found[part]);
     });

@@ -1,5 +1,6 @@
 #include "hidden/extents.h"
 
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -13,10 +14,18 @@ constexpr float kUnbounded = std::numeric_limits<float>::infinity();
 
 constexpr float kLargest = std::numeric_limits<float>::max();
 
+/// The next float toward positive infinity, or toward negative infinity; of what is finite.
+float stepped_up(float f) {
+  if (f == 0.0F) return std::numeric_limits<float>::denorm_min();
+  const auto bits = std::bit_cast<std::uint32_t>(f);
+  return std::bit_cast<float>(f < 0.0F ? bits - 1 : bits + 1);
+}
+float stepped_down(float f) { return -stepped_up(-f); }
+
 float rounded_up(double v) {
   if (std::abs(v) > kLargest) return v > 0.0 ? kUnbounded : -kLargest;
   const auto f = static_cast<float>(v);
-  return static_cast<double>(f) >= v ? f : std::nextafter(f, kUnbounded);
+  return static_cast<double>(f) >= v ? f : stepped_up(f);
 }
 
 }  // namespace
@@ -24,11 +33,16 @@ float rounded_up(double v) {
 float rounded_down(double v) {
   if (std::abs(v) > kLargest) return v > 0.0 ? kLargest : -kUnbounded;
   const auto f = static_cast<float>(v);
-  return static_cast<double>(f) <= v ? f : std::nextafter(f, -kUnbounded);
+  return static_cast<double>(f) <= v ? f : stepped_down(f);
 }
 
 Extent Extent::nothing() {
   return {kUnbounded, -kUnbounded, kUnbounded, -kUnbounded, kUnbounded, -kUnbounded};
+}
+
+Extent Extent::between(const Point3& low, const Point3& high) {
+  return {rounded_down(low.x), rounded_up(high.x),  rounded_down(low.y),
+          rounded_up(high.y),  rounded_down(low.z), rounded_up(high.z)};
 }
 
 void Extent::include(const Point3& p, double radius) {
@@ -48,6 +62,10 @@ void Extent::include(const Extent& o) {
   y_max = std::max(y_max, o.y_max);
   z_min = std::min(z_min, o.z_min);
   z_max = std::max(z_max, o.z_max);
+}
+
+FlatBox FlatBox::between(const Point2& low, const Point2& high) {
+  return {rounded_down(low.x), rounded_up(high.x), rounded_down(low.y), rounded_up(high.y)};
 }
 
 FlatBox FlatBox::nothing() { return {kUnbounded, -kUnbounded, kUnbounded, -kUnbounded}; }

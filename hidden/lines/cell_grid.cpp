@@ -30,21 +30,8 @@ constexpr double kMostToBlock = 64.0;
 /// Whether all of a box is behind blocking faces is looked up in cells of which it is no more than
 /// so many long.
 constexpr double kMostToLookUp = 4.0;
-/// Cells where no line goes are looked for unless the lines' boxes have more cells than this part
-/// of all: then there are few.
-constexpr std::size_t kPartWithLines = 4;
 /// Lines are put in the order of this level's cells.
 constexpr std::size_t kLevelOfOrder = 2;
-constexpr double kMostColumns = 8192.0;
-/// A part of a cell that is far more than rounding moves a place, and far less than matters.
-constexpr double kMargin = 0x1p-20;
-
-/// The finest level at which what is so many of the finest's cells long is no more than
-/// `most` of its own.
-std::size_t level_for(double cells, double most, std::size_t levels) {
-  if (!(cells > most)) return 0;
-  return std::min(static_cast<std::size_t>(std::ilogb(cells / most)) + 1, levels - 1);
-}
 
 }  // namespace
 
@@ -52,7 +39,6 @@ CellGrid::CellGrid(const LineScene& scene, int threads) {
   lay_out(scene);
   if (levels_.empty()) return;
   find_blocking_faces(scene);
-  find_cells_with_lines(scene);
   enter(scene, threads);
 }
 
@@ -70,68 +56,46 @@ void CellGrid::lay_out(const LineScene& scene) {
   const double width = double{all.x_max} - double{all.x_min};
   const double height = double{all.y_max} - double{all.y_min};
   const double longer = std::max(width, height);
-  Level finest;
-  if (std::isfinite(longer) && longer > 0.0) {
-    origin_ = {all.x_min, all.y_min};
-    const auto count = static_cast<double>(lengths.size());
-    const double widest = std::sqrt(width * height / count);
-    cell_ = std::clamp(*half / kUsualLengthInCells, widest / std::sqrt(kMostCellsAPolygon), widest);
-    cell_ = std::max(cell_, longer / std::min(kMostColumns, count));
-    cells_a_unit_ = 1.0 / cell_;
-    finest.columns = static_cast<std::uint32_t>(width * cells_a_unit_) + 1;
-    finest.rows = static_cast<std::uint32_t>(height * cells_a_unit_) + 1;
-  }
-  levels_.push_back(finest);
-  while (levels_.back().columns > 1 || levels_.back().rows > 1) {
-    Level next;
-    next.columns = (levels_.back().columns + 1) / 2;
-    next.rows = (levels_.back().rows + 1) / 2;
-    levels_.push_back(next);
+  const auto count = static_cast<double>(lengths.size());
+  const double widest = std::sqrt(width * height / count);
+  const double cell =
+      std::clamp(*half / kUsualLengthInCells, widest / std::sqrt(kMostCellsAPolygon), widest);
+  layout_ = CellLayout(FlatBox::of(all),
+                       std::max(cell, longer / std::min(CellLayout::kMostColumns, count)));
+  for (const auto& [columns, rows] : layout_.levels()) {
+    levels_.push_back({.columns = columns, .rows = rows, .first = {}, .entries = {}, .behind = {}});
   }
 }
 
-CellGrid::Range CellGrid::range(const Extent& box, std::size_t level) const {
-  const double scale = std::ldexp(1.0, -static_cast<int>(level));
-  const Point2 low = in_cells({box.x_min, box.y_min}) * scale;
-  const Point2 high = in_cells({box.x_max, box.y_max}) * scale;
-  const std::uint32_t columns = levels_[level].columns, rows = levels_[level].rows;
-  return {cell_at(low.x - kMargin, columns), cell_at(high.x + kMargin, columns),
-          cell_at(low.y - kMargin, rows), cell_at(high.y + kMargin, rows)};
-}
-
-/// How many cells of the finest level a box is long.
-double CellGrid::length_in_cells(const Extent& box) const {
-  return cells_a_unit_ *
-         std::max(double{box.x_max} - double{box.x_min}, double{box.y_max} - double{box.y_min});
-}
-
-std::size_t CellGrid::level_of(const Extent& box) const {
-  return level_for(length_in_cells(box), kLargestInCells, levels_.size());
+std::size_t CellGrid::level_of(const FlatBox& box) const {
+  return layout_.level_for(layout_.length_in_cells(box), kLargestInCells);
 }
 
 // ---- Blocking faces -----------------------------------------------------------------------
 
 void CellGrid::find_blocking_faces(const LineScene& scene) {
   for (std::uint32_t i = 0; i < scene.items(); ++i) {
-    if (scene.hides(i) && length_in_cells(scene.extent(i)) > kLeastToBlock) block(scene, i);
+    if (!scene.hides(i)) continue;
+    if (layout_.length_in_cells(FlatBox::of(scene.extent(i))) > kLeastToBlock) block(scene, i);
   }
   if (!levels_[0].behind.empty()) pass_on_blocking();
 }
 
 /// Notes the polygon in the cells that it covers all of.
 void CellGrid::block(const LineScene& scene, std::uint32_t polygon) {
-  const Extent& box = scene.extent(polygon);
-  const std::size_t at = level_for(length_in_cells(box), kMostToBlock, levels_.size());
-  const double size = std::ldexp(cell_, static_cast<int>(at));
-  const Range cells = range(box, at);
+  const FlatBox box = FlatBox::of(scene.extent(polygon));
+  const std::size_t at = layout_.level_for(layout_.length_in_cells(box), kMostToBlock);
+  const double size = std::ldexp(layout_.cell(), static_cast<int>(at));
+  const CellLayout::Range cells = layout_.range(box, at);
+  const Point2& origin = layout_.origin();
   // The places' own rounding, where they are far from 0.
   const double margin =
-      kMargin * size + 0x1p-48 * (std::abs(origin_.x) + std::abs(origin_.y) +
-                                  size * (levels_[at].columns + levels_[at].rows));
+      CellLayout::kMargin * size + 0x1p-48 * (std::abs(origin.x) + std::abs(origin.y) +
+                                              size * (levels_[at].columns + levels_[at].rows));
   for (std::uint32_t j = cells.bottom; j <= cells.top; ++j) {
     for (std::uint32_t i = cells.left; i <= cells.right; ++i) {
-      const Point2 low = origin_ + size * Point2(i, j) - margin;
-      const Point2 high = origin_ + size * Point2(i + 1, j + 1) + margin;
+      const Point2 low = origin + size * Point2(i, j) - margin;
+      const Point2 high = origin + size * Point2(i + 1, j + 1) + margin;
       const float depth = blocked_behind(scene, polygon, low, high);
       if (depth == kNothingHidden) continue;
       if (levels_[0].behind.empty()) {
@@ -218,12 +182,14 @@ void CellGrid::pass_on_blocking() {
 
 bool CellGrid::hides(const Extent& box) const {
   if (levels_.empty() || levels_[0].behind.empty()) return false;
-  const Point2 low = in_cells({box.x_min, box.y_min}), high = in_cells({box.x_max, box.y_max});
+  const Point2 low = layout_.in_cells({box.x_min, box.y_min});
+  const Point2 high = layout_.in_cells({box.x_max, box.y_max});
   const bool inside =
       low.x >= 0.0 && low.y >= 0.0 && high.x <= levels_[0].columns && high.y <= levels_[0].rows;
   if (!inside) return false;
-  const std::size_t at = level_for(length_in_cells(box), kMostToLookUp, levels_.size());
-  const Range cells = range(box, at);
+  const FlatBox flat = FlatBox::of(box);
+  const std::size_t at = layout_.level_for(layout_.length_in_cells(flat), kMostToLookUp);
+  const CellLayout::Range cells = layout_.range(flat, at);
   const Level& level = levels_[at];
   for (std::uint32_t j = cells.bottom; j <= cells.top; ++j) {
     for (std::uint32_t i = cells.left; i <= cells.right; ++i) {
@@ -235,45 +201,19 @@ bool CellGrid::hides(const Extent& box) const {
 
 // ---- Polygons in cells --------------------------------------------------------------------
 
-/// A line goes through no cell but those that its box has a part in, at any level.
-void CellGrid::find_cells_with_lines(const LineScene& scene) {
-  const std::size_t most = std::size_t{levels_[0].columns} * levels_[0].rows / kPartWithLines;
-  std::vector<Extent> boxes;
-  std::size_t cells = 0;
-  for (const LineScene::Line& line : scene.lines()) {
-    boxes.push_back(scene.extent(line));
-    const Range r = range(boxes.back(), 0);
-    cells += std::size_t{r.right - r.left + 1} * (r.top - r.bottom + 1);
-    if (cells > most) return;
-  }
-  for (std::size_t k = 0; k < levels_.size(); ++k) {
-    Level& level = levels_[k];
-    level.with_lines.resize(std::size_t{level.columns} * level.rows, 0);
-    for (const Extent& box : boxes) {
-      const Range r = range(box, k);
-      for (std::uint32_t j = r.bottom; j <= r.top; ++j) {
-        const auto row = level.with_lines.begin() + std::ptrdiff_t{j} * level.columns;
-        std::fill(row + r.left, row + r.right + 1, std::uint8_t{1});
-      }
-    }
-  }
-}
-
-/// Calls visit(level, cell, polygon) for each cell that a polygon is in, not behind all of it, and
-/// where lines go.
+/// Calls visit(level, cell, polygon) for each cell that a polygon is in, not behind all of it.
 template <class Visit>
 void CellGrid::for_each_entry(const LineScene& scene, const Visit& visit) const {
   for (std::uint32_t polygon = 0; polygon < scene.items(); ++polygon) {
     if (!scene.hides(polygon)) continue;
-    const Extent& box = scene.extent(polygon);
+    const FlatBox box = FlatBox::of(scene.extent(polygon));
     const std::size_t at = level_of(box);
     const Level& level = levels_[at];
-    const Range cells = range(box, at);
+    const CellLayout::Range cells = layout_.range(box, at);
     for (std::uint32_t j = cells.bottom; j <= cells.top; ++j) {
       for (std::uint32_t i = cells.left; i <= cells.right; ++i) {
         const std::size_t cell = std::size_t{j} * level.columns + i;
-        if (!level.with_lines.empty() && level.with_lines[cell] == 0) continue;
-        if (!level.behind.empty() && level.behind[cell] > box.z_max) continue;
+        if (!level.behind.empty() && level.behind[cell] > scene.extent(polygon).z_max) continue;
         visit(at, cell, polygon);
       }
     }
@@ -320,7 +260,7 @@ std::vector<std::uint32_t> CellGrid::lines_by_cell(const LineScene& scene) const
   std::vector<std::uint32_t> cell_of, next(std::size_t{level.columns} * level.rows + 1, 0);
   cell_of.reserve(first_lines.size());
   for (const std::uint32_t line : first_lines) {
-    const Point2 from = in_cells(Point2(scene.point(scene.lines()[line].a))) * scale;
+    const Point2 from = layout_.in_cells(Point2(scene.point(scene.lines()[line].a))) * scale;
     cell_of.push_back(cell_at(from.y, level.rows) * level.columns + cell_at(from.x, level.columns));
     ++next[cell_of.back() + 1];
   }

@@ -50,8 +50,8 @@ class Franklin {
 
   void begin_line(const LineScene::Line& line) {
     line_.look_at(line);
-    from_ = grid_.in_cells(Point2(scene_.point(line.a)));
-    to_ = grid_.in_cells(Point2(scene_.point(line.b)));
+    from_ = grid_.layout().in_cells(Point2(scene_.point(line.a)));
+    to_ = grid_.layout().in_cells(Point2(scene_.point(line.b)));
     depth_from_ = scene_.point(line.a).z;
     depth_to_ = scene_.point(line.b).z;
     by_plane_ = line.by_plane;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <glm/common.hpp>
 #include <limits>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include "hidden/exact/ball.h"
 #include "hidden/exact/depth_order.h"
 #include "hidden/exact/support_plane.h"
+#include "hidden/lines/cells_of_lines.h"
 #include "hidden/lines/side_table.h"
 #include "hidden/parallel.h"
 
@@ -26,6 +28,17 @@ void in_even_parts(std::size_t size, int threads, const Work& work) {
     const std::size_t end = std::min(size, (part + 1) * kLinesOfAPart);
     for (std::size_t k = part * kLinesOfAPart; k < end; ++k) work(static_cast<std::uint32_t>(k));
   });
+}
+
+FlatBox flat_box(const PointRow& points) {
+  if (points.empty()) return FlatBox::nothing();
+  Point2 low(points[0]), high = low;
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    const Point2 p(points[k]);
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  return FlatBox::between(low, high);
 }
 
 void check_name(const Primitives& items, const LineName& name) {
@@ -54,7 +67,12 @@ LineScene::LineScene(const Primitives& items, std::span<const LineName> names, i
       support_(items.items.size()),
       extents_(items.items.size()) {
   for (const LineName& name : names) check_name(items, name);
+  const CellsOfLines cells(items, names, intersections);
   in_even_parts(items.items.size(), threads, [&](std::uint32_t i) {
+    if (!cells.are_everywhere() && !cells.come_near(flat_box(items.points_of(items.items[i])))) {
+      extents_[i] = Extent::nothing();
+      return;
+    }
     support_[i] = support_of(items_.items[i]);
     extents_[i] = hides(i) ? extent_of(i) : Extent::nothing();
   });
@@ -91,11 +109,7 @@ Extent LineScene::extent_of(std::uint32_t item) const {
   Extent box = Extent::nothing();
   if (polygon.sides == 3) {
     const Point3 &p = corner(item, 0), &q = corner(item, 1), &r = corner(item, 2);
-    box.include(
-        Point3(std::min({p.x, q.x, r.x}), std::min({p.y, q.y, r.y}), std::min({p.z, q.z, r.z})));
-    box.include(
-        Point3(std::max({p.x, q.x, r.x}), std::max({p.y, q.y, r.y}), std::max({p.z, q.z, r.z})));
-    return box;
+    return Extent::between(glm::min(glm::min(p, q), r), glm::max(glm::max(p, q), r));
   }
   const Plane support = plane(item);
   for (std::uint32_t k = 0; k < polygon.sides; ++k) {
@@ -111,8 +125,7 @@ Extent LineScene::extent(const Line& line) const {
     box.include(a, intersection->from.radius);
     box.include(b, intersection->to.radius);
   } else if (!line.by_plane) {
-    box.include(Point3(std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)));
-    box.include(Point3(std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)));
+    return Extent::between(glm::min(a, b), glm::max(a, b));
   } else {
     const Plane own = plane(line.own);
     include_on_plane(box, a, own);

@@ -1,0 +1,33 @@
+#include "hidden/lines/cell_layout.h"
+
+#include <cmath>
+
+namespace displayfile {
+
+CellLayout::CellLayout(const FlatBox& all, double cell) {
+  const double width = double{all.x_max} - double{all.x_min};
+  const double height = double{all.y_max} - double{all.y_min};
+  const double longer = std::max(width, height);
+  Size size;
+  if (std::isfinite(longer) && longer > 0.0) {
+    origin_ = {all.x_min, all.y_min};
+    cell_ = std::max(cell, longer / kMostColumns);
+    cells_a_unit_ = 1.0 / cell_;
+    size = {static_cast<std::uint32_t>(width * cells_a_unit_) + 1,
+            static_cast<std::uint32_t>(height * cells_a_unit_) + 1};
+  }
+  levels_.push_back(size);
+  scales_.push_back(1.0);
+  while (size.columns > 1 || size.rows > 1) {
+    size = {(size.columns + 1) / 2, (size.rows + 1) / 2};
+    levels_.push_back(size);
+    scales_.push_back(scales_.back() / 2.0);
+  }
+}
+
+std::size_t CellLayout::level_for(double cells, double most) const {
+  if (!(cells > most)) return 0;
+  return std::min(static_cast<std::size_t>(std::ilogb(cells / most)) + 1, levels_.size() - 1);
+}
+
+}  // namespace displayfile

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "clip/point.h"
+#include "hidden/extents.h"
+
+namespace displayfile {
+
+/// The cell of a place along an axis, of so many; those at the ends take what is beyond.
+inline std::uint32_t cell_at(double place, std::uint32_t cells) {
+  if (!(place > 0.0)) return 0;
+  return static_cast<std::uint32_t>(std::min(place, static_cast<double>(cells - 1)));
+}
+
+/// Where square cells lie over a rectangle, at several levels, each of cells twice as wide as those
+/// of the one before, up to a single one.
+class CellLayout {
+ public:
+  static constexpr double kMostColumns = 8192.0;
+  /// A part of a cell that is far more than rounding moves a place, and far less than matters.
+  static constexpr double kMargin = 0x1p-20;
+
+  /// No level.
+  CellLayout() = default;
+  /// Cells so wide, which make no more than kMostColumns; 0 or not finite: a single cell.
+  CellLayout(const FlatBox& all, double cell);
+
+  struct Size {
+    std::uint32_t columns = 1, rows = 1;
+    std::size_t cells() const { return std::size_t{columns} * rows; }
+  };
+  /// From the finest level to the one that is a single cell.
+  std::span<const Size> levels() const { return levels_; }
+
+  const Point2& origin() const { return origin_; }
+  double cell() const { return cell_; }  ///< how wide the finest level's are
+
+  /// A point's place in cells of the finest level. A cell (i, j) of level k has all points from i
+  /// 2^k to (i + 1) 2^k, j likewise, and some kMargin of a cell around, which pays for rounding
+  /// here.
+  Point2 in_cells(const Point2& p) const {
+    return {(p.x - origin_.x) * cells_a_unit_, (p.y - origin_.y) * cells_a_unit_};
+  }
+
+  /// The cells of a level that a box has a part in.
+  struct Range {
+    std::uint32_t left, right, bottom, top;  // the first and the last
+  };
+  Range range(const FlatBox& box, std::size_t level) const {
+    const double scale = scales_[level];
+    const Point2 low = in_cells({box.x_min, box.y_min}) * scale;
+    const Point2 high = in_cells({box.x_max, box.y_max}) * scale;
+    const auto& [columns, rows] = levels_[level];
+    return {cell_at(low.x - kMargin, columns), cell_at(high.x + kMargin, columns),
+            cell_at(low.y - kMargin, rows), cell_at(high.y + kMargin, rows)};
+  }
+
+  /// How many cells of the finest level a box is long.
+  double length_in_cells(const FlatBox& box) const {
+    return cells_a_unit_ *
+           std::max(double{box.x_max} - double{box.x_min}, double{box.y_max} - double{box.y_min});
+  }
+  /// The finest level at which what is so many of the finest's cells long is no more than `most` of
+  /// its own.
+  std::size_t level_for(double cells, double most) const;
+
+ private:
+  Point2 origin_{0.0};
+  double cell_ = 1.0, cells_a_unit_ = 0.0;  // the finest level's
+  std::vector<Size> levels_;
+  std::vector<double> scales_;  // of the levels, from the finest's cells
+};
+
+}  // namespace displayfile

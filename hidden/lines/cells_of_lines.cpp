@@ -1,0 +1,105 @@
+#include "hidden/lines/cells_of_lines.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace displayfile {
+
+namespace {
+
+/// Lines are few if they go through no more than this part of as many cells as there are items.
+constexpr std::size_t kPartWithLines = 4;
+/// A box is looked up at the level where it is no longer than this many cells.
+constexpr double kLargestInCells = 4.0;
+
+}  // namespace
+
+CellsOfLines::CellsOfLines(const Primitives& items, std::span<const LineName> names,
+                           std::span<const IntersectionLine> intersections) {
+  const std::size_t count = names.size() + intersections.size();
+  if (count == 0 || count > items.items.size() / kPartWithLines) return;
+  std::vector<Line> lines;
+  lines.reserve(count);
+  for (const LineName& name : names) {
+    const PointRow points = items.points_of(items.items[name.item]);
+    const std::size_t before = name.corner == 0 ? points.size() - 1 : name.corner - 1;
+    lines.push_back({Point2(points[before]), Point2(points[name.corner]), 0.0});
+  }
+  for (const IntersectionLine& line : intersections) {
+    lines.push_back({Point2(line.from.near), Point2(line.to.near),
+                     2.0 * std::max(line.from.radius, line.to.radius)});
+  }
+  Extent all = Extent::nothing();
+  for (const Line& line : lines) {
+    all.include(Point3(line.from, 0.0), line.margin);
+    all.include(Point3(line.to, 0.0), line.margin);
+  }
+  all_ = FlatBox::of(all);
+  const double width = double{all.x_max} - double{all.x_min};
+  const double height = double{all.y_max} - double{all.y_min};
+  layout_ = CellLayout(all_, std::sqrt(width * height / static_cast<double>(items.items.size())));
+  if (enter(lines)) pass_on();
+}
+
+/// Into cells of the finest level. False if they are not few.
+bool CellsOfLines::enter(const std::vector<Line>& lines) {
+  const CellLayout::Size& size = layout_.levels()[0];
+  std::vector<std::uint8_t> cells(size.cells(), 0);
+  std::size_t entered = 0;
+  for (const Line& line : lines) {
+    const Point2 from = layout_.in_cells(line.from), to = layout_.in_cells(line.to);
+    const Point2 along = to - from;
+    const double margin = line.margin / layout_.cell() + CellLayout::kMargin;
+    if (!std::isfinite(margin)) return false;
+    const int axis = std::abs(along.x) >= std::abs(along.y) ? 0 : 1, other = 1 - axis;
+    const std::uint32_t count = axis == 0 ? size.columns : size.rows;
+    const std::uint32_t others = axis == 0 ? size.rows : size.columns;
+    const double rise = along[axis] == 0.0 ? 0.0 : along[other] / along[axis];
+    const double low = std::min(from[axis], to[axis]), high = std::max(from[axis], to[axis]);
+    const std::uint32_t last = cell_at(high + margin, count);
+    for (std::uint32_t i = cell_at(low - margin, count); i <= last; ++i) {
+      const double u = std::clamp(i + 0.0, low, high), v = std::clamp(i + 1.0, low, high);
+      const double p = from[other] + (u - from[axis]) * rise;
+      const double q = from[other] + (v - from[axis]) * rise;
+      const std::uint32_t end = cell_at(std::max(p, q) + margin, others);
+      for (std::uint32_t j = cell_at(std::min(p, q) - margin, others); j <= end; ++j) {
+        cells[axis == 0 ? std::size_t{j} * count + i : std::size_t{i} * others + j] = 1;
+        ++entered;
+      }
+    }
+    if (entered > cells.size() / kPartWithLines) return false;
+  }
+  with_lines_.push_back(std::move(cells));
+  return true;
+}
+
+/// Lines that go through one of a cell's four parts go through the cell.
+void CellsOfLines::pass_on() {
+  for (std::size_t k = 1; k < layout_.levels().size(); ++k) {
+    const CellLayout::Size &parts = layout_.levels()[k - 1], &whole = layout_.levels()[k];
+    std::vector<std::uint8_t> cells(whole.cells(), 0);
+    for (std::uint32_t j = 0; j < parts.rows; ++j) {
+      for (std::uint32_t i = 0; i < parts.columns; ++i) {
+        cells[std::size_t{j / 2} * whole.columns + i / 2] |=
+            with_lines_[k - 1][std::size_t{j} * parts.columns + i];
+      }
+    }
+    with_lines_.push_back(std::move(cells));
+  }
+}
+
+bool CellsOfLines::come_near(const FlatBox& box) const {
+  if (are_everywhere()) return true;
+  if (!box.meets(all_)) return false;
+  const std::size_t level = layout_.level_for(layout_.length_in_cells(box), kLargestInCells);
+  const CellLayout::Range cells = layout_.range(box, level);
+  const std::uint32_t columns = layout_.levels()[level].columns;
+  for (std::uint32_t j = cells.bottom; j <= cells.top; ++j) {
+    for (std::uint32_t i = cells.left; i <= cells.right; ++i) {
+      if (with_lines_[level][std::size_t{j} * columns + i] != 0) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace displayfile

@@ -21,6 +21,8 @@ namespace {
 constexpr double kCoplanar = 1e-5;
 
 constexpr double kHalfTurn = std::numbers::pi;
+/// Cosines that differ by more are those of different angles, in the same order.
+constexpr double kNearlyEqual = 1e-12;
 
 /// A vector of length 1, or 0. Scaled first, as squares of large numbers overflow.
 Point3 direction_of(const Point3& v) {
@@ -77,12 +79,14 @@ class SideKinds::Finder {
         segment_(segment),
         wanted_(wanted),
         least_crease_(std::max(wanted.crease_degrees * kHalfTurn / 180.0, kCoplanar)),
+        cosine_(std::cos(least_crease_)),
         found_(found),
         own_(scene, segment) {}
 
   void find() {
     draw_all();
     if (wanted_.is_all_alone()) return;
+    if (wants(LineKind::crease)) find_normals();
     SideTable(own_.primitives).for_each_set([&](std::span<const SideTable::Side> sides) {
       LineKinds kinds = 0;
       const auto add = [&](LineKind kind, bool is_one) {
@@ -134,16 +138,25 @@ class SideKinds::Finder {
                                [&](const auto& side) { return !(look(side) == first); });
   }
 
+  void find_normals() {
+    normals_.reserve(segment_.end - segment_.first);
+    for (std::uint32_t i = segment_.first; i < segment_.end; ++i) {
+      normals_.push_back(scene_[i].is_line() ? Point3(0.0)
+                                             : direction_of(newell_normal(scene_.points(i))));
+    }
+  }
+
   /// A polygon's normal, turned so that of two polygons that run through the side in opposite
   /// directions, as those of one surface do, each has it out of the same face.
   Point3 turned_normal(const SideTable::Side& side) const {
-    const PointRow polygon = scene_.points(primitive_of(side));
-    const std::uint32_t before = side.name.corner == 0
-                                     ? static_cast<std::uint32_t>(polygon.size()) - 1
-                                     : side.name.corner - 1;
-    const Point3 &from = polygon[before], &to = polygon[side.name.corner];
+    const Primitives& all = own_.primitives;
+    const Primitives::Item& polygon = all.items[side.name.item];
+    const std::uint32_t corner = side.name.corner;
+    const Point3& from =
+        all.points[all.point(polygon.first + (corner == 0 ? polygon.sides : corner) - 1)];
+    const Point3& to = all.points[all.point(polygon.first + corner)];
     const bool runs_up = std::tie(from.x, from.y, from.z) < std::tie(to.x, to.y, to.z);
-    const Point3 normal = direction_of(newell_normal(polygon));
+    const Point3& normal = normals_[side.name.item];
     return runs_up ? normal : -normal;
   }
 
@@ -157,7 +170,11 @@ class SideKinds::Finder {
       if (normal != Point3(0.0)) around_.push_back(normal);
     }
     if (around_.size() < 2) return false;
-    if (around_.size() == 2) return turns_more(angle_between(around_[0], around_[1]));
+    if (around_.size() == 2) {
+      const double beyond = glm::dot(around_[0], around_[1]) + cosine_;
+      if (std::abs(beyond) > kNearlyEqual) return beyond > 0.0;
+      return turns_more(angle_between(around_[0], around_[1]));
+    }
     return turns_more(smallest_angle_around());
   }
   bool turns_more(double between_normals) const {
@@ -197,9 +214,11 @@ class SideKinds::Finder {
   const RetainedScene::Segment& segment_;
   const LineSelection wanted_;
   const double least_crease_;  // radians
+  const double cosine_;        // of it
   SideKinds& found_;
   OwnPrimitives own_;
-  std::vector<Point3> around_;  // of length 1
+  std::vector<Point3> normals_;  // of the primitives, of length 1; or 0
+  std::vector<Point3> around_;   // of length 1
   std::vector<double> angles_;
 };
 

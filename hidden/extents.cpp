@@ -64,10 +64,6 @@ void Extent::include(const Extent& o) {
   z_max = std::max(z_max, o.z_max);
 }
 
-FlatBox FlatBox::between(const Point2& low, const Point2& high) {
-  return {rounded_down(low.x), rounded_up(high.x), rounded_down(low.y), rounded_up(high.y)};
-}
-
 FlatBox FlatBox::nothing() { return {kUnbounded, -kUnbounded, kUnbounded, -kUnbounded}; }
 
 template <>

@@ -40,11 +40,6 @@ struct FlatBox {
 
   static FlatBox nothing();
   static FlatBox of(const Extent& e) { return {e.x_min, e.x_max, e.y_min, e.y_max}; }
-  /// Of all points between these corners of a rectangle.
-  static FlatBox between(const Point2& low, const Point2& high);
-  bool meets(const FlatBox& o) const {
-    return x_min <= o.x_max && o.x_min <= x_max && y_min <= o.y_max && o.y_min <= y_max;
-  }
   void include(const FlatBox& o) {
     x_min = std::min(x_min, o.x_min);
     x_max = std::max(x_max, o.x_max);

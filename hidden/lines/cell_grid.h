@@ -56,7 +56,7 @@ class CellGrid {
 
  private:
   void lay_out(const LineScene& scene);
-  std::size_t level_of(const FlatBox& box) const;
+  std::size_t level_of(const Rectangle& box) const;
   void find_blocking_faces(const LineScene& scene);
   void block(const LineScene& scene, std::uint32_t polygon);
   float blocked_behind(const LineScene& scene, std::uint32_t polygon, const Point2& low,

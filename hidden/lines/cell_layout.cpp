@@ -4,17 +4,16 @@
 
 namespace displayfile {
 
-CellLayout::CellLayout(const FlatBox& all, double cell) {
-  const double width = double{all.x_max} - double{all.x_min};
-  const double height = double{all.y_max} - double{all.y_min};
-  const double longer = std::max(width, height);
+CellLayout::CellLayout(const Rectangle& all, double cell) {
+  const Point2 sides = all.high - all.low;
+  const double longer = all.longer_side();
   Size size;
   if (std::isfinite(longer) && longer > 0.0) {
-    origin_ = {all.x_min, all.y_min};
+    origin_ = all.low;
     cell_ = std::max(cell, longer / kMostColumns);
     cells_a_unit_ = 1.0 / cell_;
-    size = {static_cast<std::uint32_t>(width * cells_a_unit_) + 1,
-            static_cast<std::uint32_t>(height * cells_a_unit_) + 1};
+    size = {static_cast<std::uint32_t>(sides.x * cells_a_unit_) + 1,
+            static_cast<std::uint32_t>(sides.y * cells_a_unit_) + 1};
   }
   levels_.push_back(size);
   scales_.push_back(1.0);

@@ -34,10 +34,10 @@ CellsOfLines::CellsOfLines(const Primitives& items, std::span<const LineName> na
     all.include(Point3(line.from, 0.0), line.margin);
     all.include(Point3(line.to, 0.0), line.margin);
   }
-  all_ = FlatBox::of(all);
-  const double width = double{all.x_max} - double{all.x_min};
-  const double height = double{all.y_max} - double{all.y_min};
-  layout_ = CellLayout(all_, std::sqrt(width * height / static_cast<double>(items.items.size())));
+  all_ = Rectangle::of(all);
+  const Point2 sides = all_.high - all_.low;
+  const auto cells = static_cast<double>(items.items.size());
+  layout_ = CellLayout(all_, std::sqrt(sides.x * sides.y / cells));
   if (enter(lines)) pass_on();
 }
 
@@ -88,7 +88,7 @@ void CellsOfLines::pass_on() {
   }
 }
 
-bool CellsOfLines::come_near(const FlatBox& box) const {
+bool CellsOfLines::come_near(const Rectangle& box) const {
   if (are_everywhere()) return true;
   if (!box.meets(all_)) return false;
   const std::size_t level = layout_.level_for(layout_.length_in_cells(box), kLargestInCells);

@@ -21,7 +21,7 @@ class CellsOfLines {
   /// True if lines are not few, or there are none: then they come near everything.
   bool are_everywhere() const { return with_lines_.empty(); }
   /// False only if no point of the box is on a line, in the projection.
-  bool come_near(const FlatBox& box) const;
+  bool come_near(const Rectangle& box) const;
 
  private:
   struct Line {
@@ -31,7 +31,7 @@ class CellsOfLines {
   bool enter(const std::vector<Line>& lines);
   void pass_on();
 
-  FlatBox all_ = FlatBox::nothing();  // around all lines
+  Rectangle all_{};  // around all lines
   CellLayout layout_;
   std::vector<std::vector<std::uint8_t>> with_lines_;  // of each level, of each cell, row by row
 };

@@ -30,15 +30,14 @@ void in_even_parts(std::size_t size, int threads, const Work& work) {
   });
 }
 
-FlatBox flat_box(const PointRow& points) {
-  if (points.empty()) return FlatBox::nothing();
-  Point2 low(points[0]), high = low;
-  for (std::size_t k = 1; k < points.size(); ++k) {
-    const Point2 p(points[k]);
-    low = glm::min(low, p);
-    high = glm::max(high, p);
+Rectangle rectangle_around(const PointRow& points) {
+  constexpr double kFarthest = std::numeric_limits<double>::infinity();
+  Rectangle all{Point2(kFarthest), Point2(-kFarthest)};
+  for (const Point3& p : points) {
+    all.low = glm::min(all.low, Point2(p));
+    all.high = glm::max(all.high, Point2(p));
   }
-  return FlatBox::between(low, high);
+  return all;
 }
 
 void check_name(const Primitives& items, const LineName& name) {
@@ -69,7 +68,8 @@ LineScene::LineScene(const Primitives& items, std::span<const LineName> names, i
   for (const LineName& name : names) check_name(items, name);
   const CellsOfLines cells(items, names, intersections);
   in_even_parts(items.items.size(), threads, [&](std::uint32_t i) {
-    if (!cells.are_everywhere() && !cells.come_near(flat_box(items.points_of(items.items[i])))) {
+    if (!cells.are_everywhere() &&
+        !cells.come_near(rectangle_around(items.points_of(items.items[i])))) {
       extents_[i] = Extent::nothing();
       return;
     }

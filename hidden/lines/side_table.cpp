@@ -9,18 +9,13 @@ namespace displayfile {
 
 namespace {
 
-std::uint64_t mixed(std::uint64_t h) {
-  h = (h ^ (h >> 32)) * 0x9e3779b97f4a7c15u;
-  return h ^ (h >> 29);
-}
-
 /// Equal points have the same, whichever zero they are written with.
 std::uint64_t hash_of(const Point3& p) {
-  std::uint64_t h = 0;
-  for (int i = 0; i < 3; ++i) {
-    h = mixed(h * 3 + (p[i] == 0.0 ? 0 : std::bit_cast<std::uint64_t>(p[i])));
-  }
-  return h;
+  const auto bits = [](double v) { return std::bit_cast<std::uint64_t>(v + 0.0); };
+  std::uint64_t h = bits(p.x) * 0x9e3779b97f4a7c15u;
+  h = (h ^ (h >> 32) ^ bits(p.y)) * 0xd6e8feb86659fd93u;
+  h = (h ^ (h >> 32) ^ bits(p.z)) * 0x9e3779b97f4a7c15u;
+  return h ^ (h >> 32);
 }
 
 /// For each point, the first that is equal to it.

@@ -60,7 +60,7 @@ void CellGrid::lay_out(const LineScene& scene) {
   const double widest = std::sqrt(width * height / count);
   const double cell =
       std::clamp(*half / kUsualLengthInCells, widest / std::sqrt(kMostCellsAPolygon), widest);
-  layout_ = CellLayout(Rectangle::of(all),
+  layout_ = CellLayout(rectangle_of(all),
                        std::max(cell, longer / std::min(CellLayout::kMostColumns, count)));
   for (const auto& [columns, rows] : layout_.levels()) {
     levels_.push_back({.columns = columns, .rows = rows, .first = {}, .entries = {}, .behind = {}});
@@ -76,14 +76,14 @@ std::size_t CellGrid::level_of(const Rectangle& box) const {
 void CellGrid::find_blocking_faces(const LineScene& scene) {
   for (std::uint32_t i = 0; i < scene.items(); ++i) {
     if (!scene.hides(i)) continue;
-    if (layout_.length_in_cells(Rectangle::of(scene.extent(i))) > kLeastToBlock) block(scene, i);
+    if (layout_.length_in_cells(rectangle_of(scene.extent(i))) > kLeastToBlock) block(scene, i);
   }
   if (!levels_[0].behind.empty()) pass_on_blocking();
 }
 
 /// Notes the polygon in the cells that it covers all of.
 void CellGrid::block(const LineScene& scene, std::uint32_t polygon) {
-  const Rectangle box = Rectangle::of(scene.extent(polygon));
+  const Rectangle box = rectangle_of(scene.extent(polygon));
   const std::size_t at = layout_.level_for(layout_.length_in_cells(box), kMostToBlock);
   const double size = std::ldexp(layout_.cell(), static_cast<int>(at));
   const CellLayout::Range cells = layout_.range(box, at);
@@ -187,7 +187,7 @@ bool CellGrid::hides(const Extent& box) const {
   const bool inside =
       low.x >= 0.0 && low.y >= 0.0 && high.x <= levels_[0].columns && high.y <= levels_[0].rows;
   if (!inside) return false;
-  const Rectangle flat = Rectangle::of(box);
+  const Rectangle flat = rectangle_of(box);
   const std::size_t at = layout_.level_for(layout_.length_in_cells(flat), kMostToLookUp);
   const CellLayout::Range cells = layout_.range(flat, at);
   const Level& level = levels_[at];
@@ -206,7 +206,7 @@ template <class Visit>
 void CellGrid::for_each_entry(const LineScene& scene, const Visit& visit) const {
   for (std::uint32_t polygon = 0; polygon < scene.items(); ++polygon) {
     if (!scene.hides(polygon)) continue;
-    const Rectangle box = Rectangle::of(scene.extent(polygon));
+    const Rectangle box = rectangle_of(scene.extent(polygon));
     const std::size_t at = level_of(box);
     const Level& level = levels_[at];
     const CellLayout::Range cells = layout_.range(box, at);

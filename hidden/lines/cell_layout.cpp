@@ -5,15 +5,15 @@
 namespace displayfile {
 
 CellLayout::CellLayout(const Rectangle& all, double cell) {
-  const Point2 sides = all.high - all.low;
-  const double longer = all.longer_side();
+  const double width = all.x_max - all.x_min, height = all.y_max - all.y_min;
+  const double longer = std::max(width, height);
   Size size;
   if (std::isfinite(longer) && longer > 0.0) {
-    origin_ = all.low;
+    origin_ = {all.x_min, all.y_min};
     cell_ = std::max(cell, longer / kMostColumns);
     cells_a_unit_ = 1.0 / cell_;
-    size = {static_cast<std::uint32_t>(sides.x * cells_a_unit_) + 1,
-            static_cast<std::uint32_t>(sides.y * cells_a_unit_) + 1};
+    size = {static_cast<std::uint32_t>(width * cells_a_unit_) + 1,
+            static_cast<std::uint32_t>(height * cells_a_unit_) + 1};
   }
   levels_.push_back(size);
   scales_.push_back(1.0);

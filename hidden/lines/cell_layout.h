@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "clip/point.h"
+#include "clip/rectangle.h"
 #include "hidden/extents.h"
 
 namespace displayfile {
@@ -16,16 +17,8 @@ inline std::uint32_t cell_at(double place, std::uint32_t cells) {
   return static_cast<std::uint32_t>(std::min(place, static_cast<double>(cells - 1)));
 }
 
-/// A part of the projection.
-struct Rectangle {
-  Point2 low, high;
-
-  static Rectangle of(const Extent& e) { return {{e.x_min, e.y_min}, {e.x_max, e.y_max}}; }
-  bool meets(const Rectangle& o) const {
-    return low.x <= o.high.x && o.low.x <= high.x && low.y <= o.high.y && o.low.y <= high.y;
-  }
-  double longer_side() const { return std::max(high.x - low.x, high.y - low.y); }
-};
+/// An extent in the projection.
+inline Rectangle rectangle_of(const Extent& e) { return {e.x_min, e.x_max, e.y_min, e.y_max}; }
 
 /// Where square cells lie over a rectangle, at several levels, each of cells twice as wide as those
 /// of the one before, up to a single one.
@@ -63,14 +56,17 @@ class CellLayout {
   };
   Range range(const Rectangle& box, std::size_t level) const {
     const double scale = scales_[level];
-    const Point2 low = in_cells(box.low) * scale, high = in_cells(box.high) * scale;
+    const Point2 low = in_cells({box.x_min, box.y_min}) * scale;
+    const Point2 high = in_cells({box.x_max, box.y_max}) * scale;
     const auto& [columns, rows] = levels_[level];
     return {cell_at(low.x - kMargin, columns), cell_at(high.x + kMargin, columns),
             cell_at(low.y - kMargin, rows), cell_at(high.y + kMargin, rows)};
   }
 
   /// How many cells of the finest level a box is long.
-  double length_in_cells(const Rectangle& box) const { return cells_a_unit_ * box.longer_side(); }
+  double length_in_cells(const Rectangle& box) const {
+    return cells_a_unit_ * std::max(box.x_max - box.x_min, box.y_max - box.y_min);
+  }
   /// The finest level at which what is so many of the finest's cells long is no more than `most` of
   /// its own.
   std::size_t level_for(double cells, double most) const;

@@ -12,6 +12,10 @@ constexpr std::size_t kPartWithLines = 4;
 /// A box is looked up at the level where it is no longer than this many cells.
 constexpr double kLargestInCells = 4.0;
 
+bool meet(const Rectangle& a, const Rectangle& b) {
+  return a.x_min <= b.x_max && b.x_min <= a.x_max && a.y_min <= b.y_max && b.y_min <= a.y_max;
+}
+
 }  // namespace
 
 CellsOfLines::CellsOfLines(const Primitives& items, std::span<const LineName> names,
@@ -34,10 +38,10 @@ CellsOfLines::CellsOfLines(const Primitives& items, std::span<const LineName> na
     all.include(Point3(line.from, 0.0), line.margin);
     all.include(Point3(line.to, 0.0), line.margin);
   }
-  all_ = Rectangle::of(all);
-  const Point2 sides = all_.high - all_.low;
+  all_ = rectangle_of(all);
   const auto cells = static_cast<double>(items.items.size());
-  layout_ = CellLayout(all_, std::sqrt(sides.x * sides.y / cells));
+  layout_ =
+      CellLayout(all_, std::sqrt((all_.x_max - all_.x_min) * (all_.y_max - all_.y_min) / cells));
   if (enter(lines)) pass_on();
 }
 
@@ -90,7 +94,7 @@ void CellsOfLines::pass_on() {
 
 bool CellsOfLines::come_near(const Rectangle& box) const {
   if (are_everywhere()) return true;
-  if (!box.meets(all_)) return false;
+  if (!meet(box, all_)) return false;
   const std::size_t level = layout_.level_for(layout_.length_in_cells(box), kLargestInCells);
   const CellLayout::Range cells = layout_.range(box, level);
   const std::uint32_t columns = layout_.levels()[level].columns;

@@ -8,10 +8,10 @@
 #include <string>
 
 #include "clip/error.h"
+#include "clip/rectangle.h"
 #include "hidden/exact/ball.h"
 #include "hidden/exact/depth_order.h"
 #include "hidden/exact/support_plane.h"
-#include "hidden/lines/cells_of_lines.h"
 #include "hidden/lines/side_table.h"
 #include "hidden/parallel.h"
 
@@ -28,16 +28,6 @@ void in_even_parts(std::size_t size, int threads, const Work& work) {
     const std::size_t end = std::min(size, (part + 1) * kLinesOfAPart);
     for (std::size_t k = part * kLinesOfAPart; k < end; ++k) work(static_cast<std::uint32_t>(k));
   });
-}
-
-Rectangle rectangle_around(const PointRow& points) {
-  constexpr double kFarthest = std::numeric_limits<double>::infinity();
-  Rectangle all{Point2(kFarthest), Point2(-kFarthest)};
-  for (const Point3& p : points) {
-    all.low = glm::min(all.low, Point2(p));
-    all.high = glm::max(all.high, Point2(p));
-  }
-  return all;
 }
 
 void check_name(const Primitives& items, const LineName& name) {
@@ -68,8 +58,7 @@ LineScene::LineScene(const Primitives& items, std::span<const LineName> names, i
   for (const LineName& name : names) check_name(items, name);
   const CellsOfLines cells(items, names, intersections);
   in_even_parts(items.items.size(), threads, [&](std::uint32_t i) {
-    if (!cells.are_everywhere() &&
-        !cells.come_near(rectangle_around(items.points_of(items.items[i])))) {
+    if (!cells.are_everywhere() && !comes_near_lines(items.items[i], cells)) {
       extents_[i] = Extent::nothing();
       return;
     }
@@ -79,6 +68,12 @@ LineScene::LineScene(const Primitives& items, std::span<const LineName> names, i
   find_uneven(threads);
   add_lines();
   add_intersections();
+}
+
+bool LineScene::comes_near_lines(const Primitives::Item& item, const CellsOfLines& cells) const {
+  if (item.sides == 0) return false;
+  const PointRow points = items_.points_of(item);
+  return cells.come_near(bounding_rectangle({points.data(), points.size()}));
 }
 
 LineScene::Support LineScene::support_of(const Primitives::Item& item) const {

@@ -7,6 +7,7 @@
 
 #include "hidden/exact/plane.h"
 #include "hidden/extents.h"
+#include "hidden/lines/cells_of_lines.h"
 #include "hidden/lines/intersection_lines.h"
 #include "hidden/lines/visible_lines.h"
 #include "hidden/primitives.h"
@@ -56,7 +57,7 @@ class LineScene {
   // ---- Polygons, by the number of the item -----------------------------------------------
 
   std::uint32_t items() const { return static_cast<std::uint32_t>(items_.items.size()); }
-  /// True for solid polygons that cover something.
+  /// True for solid polygons that cover something; where lines are few, if they come near one.
   bool hides(std::uint32_t item) const {
     return support_[item].p != kNone && items_.items[item].kind == Primitives::Kind::solid;
   }
@@ -88,6 +89,7 @@ class LineScene {
   struct Support {
     std::uint32_t p = kNone, q = kNone, r = kNone;
   };
+  bool comes_near_lines(const Primitives::Item& item, const CellsOfLines& cells) const;
   Support support_of(const Primitives::Item& item) const;
   Extent extent_of(std::uint32_t item) const;
   /// Includes a point of the projection at its depth on the plane.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -84,6 +85,11 @@ class BoxTree {
   template <class Rule>
   void build_by(std::size_t items, const std::function<Box(Item)>& box_of, int threads);
 
+  static std::uint32_t bits(const Lanes& lanes) {
+    std::uint32_t set = 0;
+    for (std::size_t k = 0; k < kBranches; ++k) set |= static_cast<std::uint32_t>(lanes[k]) << k;
+    return set;
+  }
   static bool is_item(std::uint32_t branch) { return (branch & kItem) != 0; }
   template <class Found>
   void pairs_of_leaf(const Node& own, Position first, const Box& all, Found&& found) const;
@@ -180,25 +186,23 @@ void BoxTree<Boxes>::pairs_of_leaf(const Node& own, Position first, const Box& a
   waiting[0] = 0;
   for (std::size_t count = 1; count > 0;) {
     const Node& node = nodes_[waiting[--count]];
-    const Lanes met = node.boxes.meets(all);
-    bool items = false;
-    for (std::size_t k = 0; k < kBranches; ++k) {
+    std::uint32_t items = 0;  // a bit for each that is met
+    for (std::uint32_t met = bits(node.boxes.meets(all)); met != 0; met &= met - 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(met));
       const std::uint32_t branch = node.branch[k];
-      if (met[k] == 0 || branch == 0) continue;
       if (is_item(branch)) {
-        items = true;
-      } else if (end_[branch] > first) {
+        items |= 1U << k;
+      } else if (branch != 0 && end_[branch] > first) {
         waiting[count++] = branch;
       }
     }
-    if (!items) continue;
+    if (items == 0) continue;
     for (std::size_t i = 0; i < kBranches; ++i) {
       if (!is_item(own.branch[i])) continue;
       const Position p = own.branch[i] & ~kItem;
-      const Lanes meets = node.boxes.meets(own.boxes.box(i));
-      for (std::size_t k = 0; k < kBranches; ++k) {
-        if (meets[k] == 0 || !is_item(node.branch[k])) continue;
-        const Position q = node.branch[k] & ~kItem;
+      std::uint32_t met = bits(node.boxes.meets(own.boxes.box(i))) & items;
+      for (; met != 0; met &= met - 1) {
+        const Position q = node.branch[static_cast<std::size_t>(std::countr_zero(met))] & ~kItem;
         if (p < q) found(p, q);
       }
     }

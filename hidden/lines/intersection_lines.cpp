@@ -55,14 +55,11 @@ class Intersections {
   /// plane.
   bool share_side(std::uint32_t a, std::uint32_t b) const {
     if (scene_.sides(a) != 3 || scene_.sides(b) != 3) return false;
-    const auto corner = [&](std::uint32_t item, std::uint32_t k) {
-      return items_.point(items_.items[item].first + k);
-    };
-    const std::array<std::uint32_t, 3> of_b{corner(b, 0), corner(b, 1), corner(b, 2)};
+    const Point3 &p = scene_.corner(b, 0), &q = scene_.corner(b, 1), &r = scene_.corner(b, 2);
     int common = 0;
     for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t p = corner(a, k);
-      common += (p == of_b[0] || p == of_b[1] || p == of_b[2]) ? 1 : 0;
+      const Point3& corner = scene_.corner(a, k);
+      common += corner == p || corner == q || corner == r ? 1 : 0;
     }
     return common > 1;
   }
@@ -84,8 +81,12 @@ class Intersections {
     bool before = false, behind = false;
     for (std::uint32_t k = 0; k < sides; ++k) {
       const Point3& corner = scene_.corner(item, k);
-      const int s = scene_.is_off_plane(item, k) ? depth_order(of_own, of_other, Point2(corner))
-                                                 : side_of_plane(corner, of_other);
+      int s = 0;
+      if (scene_.is_off_plane(item, k)) {
+        s = depth_order(of_own, of_other, Point2(corner));
+      } else if (!of_other.goes_through(corner)) {  // as most neighbours in a mesh do
+        s = side_of_plane(corner, of_other);
+      }
       side[k] = static_cast<std::int8_t>(s);
       before |= s > 0;
       behind |= s < 0;

@@ -22,12 +22,14 @@ class Intersections {
  public:
   Intersections(const Primitives& items, const LineScene& scene) : items_(items), scene_(scene) {}
 
-  /// Adds the lines of a pair of polygons that hide, in order of places; a was entered first.
-  void find(std::uint32_t a, std::uint32_t b, std::vector<IntersectionLine>& lines) {
-    if (share_side(a, b)) return;
-    const Plane &of_a = plane(a, kA), &of_b = plane(b, kB);
-    if (!reaches_through(b, kB, of_b, of_a) || !reaches_through(a, kA, of_a, of_b)) return;
-    planes_ = {of_a, of_b};
+  /// Adds the lines of a pair of polygons that hide, in order of places. The pairs of the first one
+  /// come after each other: mostly its plane tells, and the other's is not needed.
+  void find(std::uint32_t first, std::uint32_t second, std::vector<IntersectionLine>& lines) {
+    const auto [a, b] = std::minmax(first, second);  // a was entered first
+    pair_ = {a, b};
+    const std::uint32_t own = first == a ? kA : kB;
+    if (!reaches_through(1 - own) || !reaches_through(own)) return;
+    planes_ = {plane(kA), plane(kB)};
     inside_.clear();
     add_inside(a, kA, true);
     meet_inside(b, kB, true);
@@ -51,21 +53,10 @@ class Intersections {
 
   Definitions definitions() const { return {items_.points, planes_}; }
 
-  /// True of triangles with two corners in common: neither has corners on both sides of the other's
-  /// plane.
-  bool share_side(std::uint32_t a, std::uint32_t b) const {
-    if (scene_.sides(a) != 3 || scene_.sides(b) != 3) return false;
-    const Point3 &p = scene_.corner(b, 0), &q = scene_.corner(b, 1), &r = scene_.corner(b, 2);
-    int common = 0;
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const Point3& corner = scene_.corner(a, k);
-      common += corner == p || corner == q || corner == r ? 1 : 0;
-    }
-    return common > 1;
-  }
-
-  /// A pair's planes; those of the pairs before are kept, as neighbours come after each other.
-  const Plane& plane(std::uint32_t item, std::uint32_t own) {
+  /// One of the pair's planes; those of the pairs before are kept, as neighbours come after each
+  /// other.
+  const Plane& plane(std::uint32_t own) {
+    const std::uint32_t item = pair_[own];
     Known& known = known_[own][item % kKnown];
     if (known.item != item) known = {item, scene_.plane(item)};
     return known.plane;
@@ -73,8 +64,9 @@ class Intersections {
 
   /// Finds the side of the other polygon's plane that each corner is on, at the depth of its own
   /// plane: 1 where it is nearer, -1, 0; false if none is on the one side, or none on the other.
-  bool reaches_through(std::uint32_t item, std::uint32_t own, const Plane& of_own,
-                       const Plane& of_other) {
+  bool reaches_through(std::uint32_t own) {
+    const std::uint32_t item = pair_[own];
+    const Plane& of_other = plane(1 - own);
     const std::uint32_t sides = scene_.sides(item);
     std::vector<std::int8_t>& side = side_[own];
     side.resize(sides);
@@ -83,7 +75,7 @@ class Intersections {
       const Point3& corner = scene_.corner(item, k);
       int s = 0;
       if (scene_.is_off_plane(item, k)) {
-        s = depth_order(of_own, of_other, Point2(corner));
+        s = depth_order(plane(own), of_other, Point2(corner));
       } else if (!of_other.goes_through(corner)) {  // as most neighbours in a mesh do
         s = side_of_plane(corner, of_other);
       }
@@ -206,6 +198,7 @@ class Intersections {
   };
   static constexpr std::size_t kKnown = 64;
   std::array<std::array<Known, kKnown>, 2> known_;
+  std::array<std::uint32_t, 2> pair_{};
   std::array<Plane, 2> planes_;
   std::array<std::vector<std::int8_t>, 2> side_;  // of the other's plane, each corner
   std::vector<DefinedPoint> crossings_;
@@ -232,7 +225,7 @@ std::vector<IntersectionLine> intersection_lines(const Primitives& items, int th
     const std::uint32_t end = std::min(first + kLeavesOfAPart, tree.leaves());
     tree.pairs(first, end, [&](DepthTree::Position p, DepthTree::Position q) {
       const std::uint32_t i = solids[tree.order()[p]], j = solids[tree.order()[q]];
-      intersections.find(std::min(i, j), std::max(i, j), found[part]);
+      intersections.find(i, j, found[part]);
     });
   });
   std::vector<IntersectionLine> lines;

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "displayfile/hidden_surface_check.h"
 #include "displayfile/recorder.h"
+#include "displayfile/scene_lines.h"
 #include "displayfile/sorted_display_file.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
@@ -371,7 +371,8 @@ TEST(LineDrawing, ChainsAreOfThePiecesThatAreSeen) {
     Primitives items = scene.primitives();
     const std::vector<std::uint8_t> sides = scene.drawn_sides();
     items.visible = sides;
-    const SortedPieces sorted = lines_in_order(scene, HiddenMethod::franklin, {});
+    const SortedPieces sorted =
+        lines_in_order(scene, find_lines(scene, HiddenMethod::franklin, {}), HiddenLines::none);
     using Piece = std::tuple<std::uint32_t, double, double, double, double>;
     const auto piece = [](std::uint32_t item, Point3 a, Point3 b) {
       if (std::tie(b.x, b.y, b.z) < std::tie(a.x, a.y, a.z)) std::swap(a, b);

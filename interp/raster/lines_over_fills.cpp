@@ -1,52 +1,41 @@
 #include "interp/raster/lines_over_fills.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <utility>
 
-#include "displayfile/hidden_surface_check.h"
+#include "displayfile/scene_lines.h"
 
 namespace displayfile {
 
 namespace {
 
 /// The others that are wanted, each a stroke of its own.
-void take_strokes(LinesOverFills::Group& group, int threads) {
-  SortOptions options;
-  options.precision = group.wanted.precision;
-  options.threads = threads;
-  options.hidden_lines = group.wanted.hidden;
-  options.intersections = group.wanted.intersections;
-  const SortedPieces order = lines_in_order(*group.scene, HiddenMethod::franklin, options);
+void take_strokes(LinesOverFills::Group& group, const FoundLines& found) {
+  const SortedPieces order = lines_beside_sides(*group.scene, found, group.wanted.hidden);
   for (std::size_t k = 0; k < order.pieces.size(); ++k) {
     const SortedPiece& piece = order.pieces[k];
     const Point3 &from = order.points[piece.first], &to = order.points[piece.first + 1];
     const LineStyle& style = group.scene->line_style(piece.item);
     if (order.is_hidden(k)) {
       group.hidden.push_back({from, to, hidden_line_style(style)});
-    } else if (order.is_intersection(piece)) {
+    } else {
       group.intersections.push_back({from, to, style});
     }
   }
-}
-
-std::vector<VisiblePiece> visible_pieces_of(const ViewedScene& scene, const Precision& precision,
-                                            int threads) {
-  const std::vector<std::uint8_t> drawn = scene.drawn_sides();
-  Primitives outlined = scene.primitives();
-  outlined.visible = drawn;
-  return visible_lines(scene.primitives(), drawn_lines(outlined), HiddenMethod::franklin,
-                       {.precision = precision, .threads = threads})
-      .pieces;
 }
 
 LinesOverFills::Group lines_of(std::shared_ptr<const ViewedScene> scene,
                                const LinesOverFills::Wanted& wanted, int threads) {
   LinesOverFills::Group group{std::move(scene), wanted, {}, {}, {}};
   if (!group.scene->has_lines()) return group;
-  group.pieces = visible_pieces_of(*group.scene, wanted.precision, threads);
-  if (wanted.hidden != HiddenLines::none || wanted.intersections) take_strokes(group, threads);
+  SortOptions options;
+  options.precision = wanted.precision;
+  options.threads = threads;
+  options.intersections = wanted.intersections;
+  FoundLines found = find_lines(*group.scene, HiddenMethod::franklin, options);
+  if (wanted.hidden != HiddenLines::none || wanted.intersections) take_strokes(group, found);
+  group.pieces = std::move(found.seen.pieces);
   return group;
 }
 

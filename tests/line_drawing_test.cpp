@@ -362,6 +362,37 @@ TEST(LineDrawing, HiddenLinesAreDrawnOverFillsThatWereSorted) {
   }
 }
 
+/// One plate through another, in one segment.
+void enter_crossing_plates(GraphicsSystem& g) {
+  g.set_back_face_removal(false);
+  g.open_segment(1);
+  g.polygon_abs_3({{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0}});
+  g.polygon_abs_3({{-0.4, -0.3, -1}, {0.4, -0.3, -1}, {0.4, 0.3, 1}, {-0.4, 0.3, 1}});
+  g.close_segment();
+}
+
+TEST(LineDrawing, IntersectionsAreDrawnOverFillsThatWereSortedInEitherScope) {
+  for (const HiddenMethod method : {HiddenMethod::bsp, HiddenMethod::depth_sort}) {
+    GraphicsSystem g;
+    g.set_hidden_method(method);
+    g.set_hidden_line_removal(true);
+    g.set_lines(line_selection("intersection"));
+    enter_crossing_plates(g);
+    SortedDisplayFile sorted;
+    const auto last_line = [&](HiddenScope scope) {
+      const DisplayFile& file = sorted.update(g, method, {.scope = scope});
+      const auto order =
+          scope == HiddenScope::all ? file.sorted() : file.segments().front().sorted();
+      EXPECT_EQ(order->lines(), 1u) << name_of(scope);
+      const std::string text = dump(file);
+      return text.substr(text.rfind("\nmove "));
+    };
+    const std::string all = last_line(HiddenScope::all);
+    EXPECT_EQ(counts(all).lines, 1) << all;
+    EXPECT_EQ(last_line(HiddenScope::segment), all) << name_of(method);
+  }
+}
+
 // ---- Chains -------------------------------------------------------------------------------------
 
 /// Chains change the order and direction of the pieces, and nothing else.

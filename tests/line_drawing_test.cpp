@@ -393,6 +393,30 @@ TEST(LineDrawing, IntersectionsAreDrawnOverFillsThatWereSortedInEitherScope) {
   }
 }
 
+/// What is set later is of segments that are closed later, in pixels as in the instructions.
+TEST(LineDrawing, PixelsHaveTheHiddenLinesAndIntersectionsThatAnOrderHas) {
+  for (const HiddenMethod method : {HiddenMethod::bsp, HiddenMethod::depth_sort}) {
+    const auto pictures = [&](HiddenLines hidden, const char* lines) {
+      GraphicsSystem g;
+      g.set_hidden_method(method);
+      g.set_hidden_line_removal(true);
+      g.set_hidden_lines(hidden);
+      g.set_lines(line_selection(lines));
+      enter_crossing_plates(g);
+      DrawOptions options;
+      options.width = options.height = 90;
+      const Picture before = draw(g, options);
+      g.set_hidden_lines(hidden == HiddenLines::none ? HiddenLines::dashed : HiddenLines::none);
+      g.set_lines(line_selection("all"));
+      EXPECT_EQ(draw(g, options).pixels, before.pixels) << name_of(method) << " " << lines;
+      return before;
+    };
+    const Picture plain = pictures(HiddenLines::none, "all");
+    EXPECT_NE(pictures(HiddenLines::dashed, "all").pixels, plain.pixels);
+    EXPECT_NE(pictures(HiddenLines::none, "all,intersection").pixels, plain.pixels);
+  }
+}
+
 // ---- Chains -------------------------------------------------------------------------------------
 
 /// Chains change the order and direction of the pieces, and nothing else.

@@ -51,6 +51,10 @@ bool LinesOverFills::Wanted::operator==(const Wanted& o) const {
   return as_exact && hidden == o.hidden && intersections == o.intersections;
 }
 
+LinesOverFills::Wanted LinesOverFills::Wanted::by(const SortedScene& sorted) {
+  return {sorted.precision, sorted.hidden_lines, sorted.intersections};
+}
+
 void LinesOverFills::clear() {
   all_.reset();
   of_segments_.clear();
@@ -67,15 +71,13 @@ void LinesOverFills::take(const std::shared_ptr<const ViewedScene>& scene, const
   all_ = lines_of(scene, wanted, threads);
 }
 
-void LinesOverFills::take_sorted_segments(const DisplayFile& display_file, const Wanted& asked,
-                                          int threads) {
+void LinesOverFills::take_sorted_segments(const DisplayFile& display_file, int threads) {
   all_.reset();
   auto before = std::exchange(of_segments_, {});
   for (const Segment& segment : display_file.segments()) {
     if (!is_sorted_in_order(segment)) continue;
     const auto kept = before.find(segment.name());
-    Wanted wanted = asked;
-    wanted.precision = segment.sorted()->precision;
+    const Wanted wanted = Wanted::by(*segment.sorted());
     const auto will_do = [&](const OfSegment& old) {
       return old.entered == segment.entered() && old.image == segment.image &&
              old.group.wanted == wanted;

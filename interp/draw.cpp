@@ -12,6 +12,7 @@
 #include "interp/renderer.h"
 #include "interp/visibility/image_space.h"
 #include "interp/visibility/picker.h"
+#include "interp/visibility/world_rays.h"
 
 namespace displayfile {
 
@@ -45,6 +46,8 @@ RasterRequest raster_request(const ViewedWorld& world, const DrawOptions& option
   request.method =
       colour_rule ? colour_rule_by(HiddenMethod::world_ray_cast) : HiddenMethod::world_ray_cast;
   request.world = &world;
+  request.hidden_lines = options.hidden_lines.value_or(HiddenLines::none);
+  request.intersections = world.rays->scene().has_intersections();
   if (options.precision && !options.precision->exact) {
     request.roundoff = options.precision->roundoff;
   }
@@ -66,6 +69,7 @@ std::optional<ViewedWorld> world_in_force(const GraphicsSystem& system, HiddenMe
 DrawOptions with_settings(const GraphicsSystem& system, HiddenMethod method, DrawOptions options) {
   options.hidden = method;
   options.precision = precision_in_force(system, hidden_surface_options(options));
+  options.hidden_lines = hidden_lines_in_force(system, hidden_surface_options(options));
   return options;
 }
 

@@ -63,13 +63,15 @@ DrawOptions with_settings(const GraphicsSystem& system, DrawOptions options) {
     if (!options.precision) options.precision = system.precision();
     require_views(options);
   }
+  options.hidden_lines = hidden_lines_in_force(system, hidden_surface_options(options));
   if (!options.background) options.background = system.background();
   return options;
 }
 
 RetainedViews::Options tree_options(const GraphicsSystem& system, const DrawOptions& options) {
   return {options.scope.value_or(system.hidden_scope().value_or(HiddenScope::all)),
-          options.precision.value_or(system.precision())};
+          options.precision.value_or(system.precision()),
+          options.hidden_lines.value_or(HiddenLines::none), options.threads};
 }
 
 /// What of the statistics does not depend on the kind of tree.
@@ -174,7 +176,7 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
   if (options.hidden && surfaces_of(*options.hidden) == HiddenMethod::world_ray_cast) {
     return draw_all(WorldViews(scene, system.display_file()), draw_from_tree);
   }
-  return draw_all(RetainedViews(scene, system.display_file(), tree_options(system, options)),
+  return draw_all(RetainedViews(scene, system.display_file(), tree_options(system, drawing)),
                   draw_from_tree);
 }
 

@@ -94,6 +94,36 @@ TEST_F(LineCommand, UnknownHiddenLinesAreRefused) {
   }
 }
 
+/// Its first view is the scene as it was drawn; so the lines over its fills are those of the scene
+/// drawn alone, whoever finds the surfaces and whoever asks for hidden lines.
+TEST_F(LineCommand, ATurntableHasTheLinesOfASceneDrawnAlone) {
+  const std::string plates =
+      "set-lines all intersection\nset-back-face-removal off\nopen-segment 1\n"
+      "polygon-abs-3 -0.5 -0.5 0  0.5 -0.5 0  0.5 0.5 0  -0.5 0.5 0\n"
+      "polygon-abs-3 -0.4 -0.3 -1  0.4 -0.2 -1  0.4 0.3 1  -0.4 0.3 1\n"
+      "close-segment\nopen-segment 2\nmove-abs-3 -0.9 0.1 -1\nline-abs-3 0.9 0.3 -1\n"
+      "polygon-abs-3 -0.6 -0.8 -1  0.6 -0.7 0.7  0.1 -0.2 0.5\nclose-segment\n";
+  write("plain.draw", plates);
+  write("dashed.draw", "set-hidden-lines dashed\n" + plates);
+  for (const std::string by : {"bsp", "bsp --scope segment", "z-buffer", "scan-line",
+                               "world-ray-cast", "franklin", "roberts --scope segment"}) {
+    const std::string with = " --size 90x70 --hidden " + by;
+    const auto drawn = [&](const std::string& arguments) {
+      EXPECT_EQ(run("draw " + arguments + with), 0) << err_;
+      const std::string file = arguments.substr(arguments.find("-o ") + 3);
+      return read(folder_ / (file.find(" ") == std::string::npos ? file : "t-000.png"));
+    };
+    const std::string none = drawn("plain.draw -o none.png");
+    const std::string dashed = drawn("dashed.draw -o dashed.png");
+    EXPECT_NE(none, dashed) << by;
+    EXPECT_EQ(drawn("plain.draw -o t.png --turntable 1"), none) << by;
+    EXPECT_EQ(drawn("dashed.draw -o t.png --turntable 1"), dashed) << by;
+    EXPECT_EQ(drawn("plain.draw -o t.png --turntable 1 --hidden-lines dashed"), dashed) << by;
+    EXPECT_EQ(drawn("dashed.draw -o t.png --turntable 1 --hidden-lines none"), none) << by;
+    EXPECT_NE(drawn("plain.draw -o t.png --turntable 1 --lines all"), none) << by;
+  }
+}
+
 /// The box's outline and its inner corner: nine sides, drawn without lifting the pen but twice.
 TEST_F(LineCommand, LinesAreJoinedIntoChains) {
   write("box.obj", kBox);

@@ -47,6 +47,7 @@ RasterRequest raster_request(const ViewedWorld& world, const DrawOptions& option
       colour_rule ? colour_rule_by(HiddenMethod::world_ray_cast) : HiddenMethod::world_ray_cast;
   request.world = &world;
   request.hidden_lines = options.hidden_lines.value_or(HiddenLines::none);
+  require_hidden_lines_drawn(request.hidden_lines, request.method, options);
   request.intersections = world.rays->scene().has_intersections();
   if (options.precision && !options.precision->exact) {
     request.roundoff = options.precision->roundoff;
@@ -125,6 +126,8 @@ template <class DrawFile, class DrawWorld>
 auto draw_up_to_date(const GraphicsSystem& system, const DrawOptions& options, HiddenMethod method,
                      SortedDisplayFile& kept, DrawFile&& draw_file, DrawWorld&& draw_world) {
   require_drawable_by(method, options);
+  require_hidden_lines_drawn(hidden_lines_in_force(system, hidden_surface_options(options)), method,
+                             options);
   const DisplayFile& sorted = kept.update(system, method, hidden_surface_options(options));
   if (const auto world = world_in_force(system, method)) {
     return draw_world(*world, with_settings(system, method, options));

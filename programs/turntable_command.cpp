@@ -53,6 +53,11 @@ void require_all_drawable(const std::filesystem::path& output, const DrawOptions
   }
 }
 
+/// By rays that are cast before viewing.
+bool casts_into_world(const DrawOptions& options) {
+  return options.hidden && surfaces_of(*options.hidden) == HiddenMethod::world_ray_cast;
+}
+
 /// With what the inputs set in place of what was not asked for, so far as views follow it.
 DrawOptions with_settings(const GraphicsSystem& system, DrawOptions options) {
   const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
@@ -153,6 +158,9 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
   if (fitted) turntable.set_axis(fitted->up);
   if (fitted && looking.fit && !looking.angle_of_view) turntable.fit_window(views);
   const DrawOptions drawing = with_settings(system, options);
+  if (draws_each_anew(drawing) || casts_into_world(drawing)) {
+    require_hidden_lines_drawn(*drawing.hidden_lines, *drawing.hidden, drawing);
+  }
   const auto draw_all = [&](auto trees, const auto& draw_view) -> std::string {
     Progress progress(fmt::format("drawing {} views", views));
     for (int k = 0; k < views; ++k) {
@@ -173,7 +181,7 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
                                  const std::filesystem::path& file, const DrawOptions& of_view) {
     draw(trees.view(view, lights), file, of_view);
   };
-  if (options.hidden && surfaces_of(*options.hidden) == HiddenMethod::world_ray_cast) {
+  if (casts_into_world(drawing)) {
     return draw_all(WorldViews(scene, system.display_file()), draw_from_tree);
   }
   return draw_all(RetainedViews(scene, system.display_file(), tree_options(system, drawing)),

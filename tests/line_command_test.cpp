@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
+#include "interp/opengl/osmesa.h"
 #include "tests/command_fixture.h"
 
 namespace {
@@ -121,6 +123,48 @@ TEST_F(LineCommand, ATurntableHasTheLinesOfASceneDrawnAlone) {
     EXPECT_EQ(drawn("plain.draw -o t.png --turntable 1 --hidden-lines dashed"), dashed) << by;
     EXPECT_EQ(drawn("dashed.draw -o t.png --turntable 1 --hidden-lines none"), none) << by;
     EXPECT_NE(drawn("plain.draw -o t.png --turntable 1 --lines all"), none) << by;
+  }
+}
+
+/// They are drawn by who finds lines, or by an order of fills that has them: not by depths.
+TEST_F(LineCommand, HiddenLinesThatNothingDrawsAreRefused) {
+  const std::string plates =
+      "set-back-face-removal off\nopen-segment 1\n"
+      "polygon-abs-3 -0.5 -0.5 0  0.5 -0.5 0  0.5 0.5 0  -0.5 0.5 0\n"
+      "move-abs-3 -0.9 0.1 -1\nline-abs-3 0.9 0.3 -1\nclose-segment\n";
+  write("plain.draw", plates);
+  write("dashed.draw", "set-hidden-lines dashed\n" + plates);
+  write("rule.draw",
+        "set-hidden-method colour-rule\nset-hidden-line-removal on\n"
+        "set-hidden-lines dashed\n" +
+            plates);
+  const auto refused = [&](const std::string& with, const std::string& by) {
+    const bool is_sorted_for_views = with == " --hidden colour-rule";
+    for (const char* views : {"", " --turntable 2"}) {
+      if (*views != '\0' && is_sorted_for_views) continue;
+      const std::string words = "hidden lines are not drawn by " + by + ": expected ";
+      expect_error("draw plain.draw -o x.png --hidden-lines dashed" + with + views, words);
+      expect_error("draw dashed.draw -o x.png" + with + views, words);
+    }
+  };
+  for (const std::string rule : {"colour-rule", "colour-rule=z-buffer", "colour-rule=warnock"}) {
+    refused(" --hidden " + rule, "hidden-line method '" + rule + "'");
+  }
+  expect_error("draw plain.draw -o x.svg --hidden-lines dashed --hidden colour-rule=none",
+               "hidden-line method 'colour-rule=none': expected ");
+  expect_error("dump rule.draw", "hidden-line method 'colour-rule': expected ");
+  expect_error("draw rule.draw -o x.png", "hidden-line method 'colour-rule': expected ");
+  for (const std::string method : {"z-buffer", "scan-line", "world-ray-cast"}) {
+    refused(" --device osmesa --hidden " + method, "the osmesa device by '" + method + "'");
+  }
+  std::vector<std::string> drawing{"colour-rule=bsp", "colour-rule=depth-sort", "none",
+                                   "colour-rule --hidden-lines none"};
+  if (displayfile::osmesa_available()) {
+    drawing.insert(drawing.end(), {"bsp --device osmesa", "none --device osmesa",
+                                   "z-buffer --device osmesa --hidden-lines none"});
+  }
+  for (const std::string& by : drawing) {
+    EXPECT_EQ(run("draw dashed.draw -o t.png --hidden " + by), 0) << err_;
   }
 }
 

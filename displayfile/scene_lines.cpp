@@ -41,8 +41,8 @@ std::vector<std::uint32_t> strokes_of(const ViewedScene& scene) {
     ViewedScene::Item end = scene.items();
     if (style + 1 < styles.size()) end = std::min(end, styles[style + 1].first);
     if (segment + 1 < segments.size()) end = std::min(end, segments[segment + 1].first);
-    const auto& [line_kind, colour, width, dash, gap] = styles[style].style;
-    const LineStyle::Kind kind = line_kind;
+    const auto& [style_kind, colour, width, dash, gap] = styles[style].style;
+    const LineStyle::Kind kind = style_kind;
     const std::array<double, 8> look{static_cast<double>(segment),
                                      static_cast<double>(kind),
                                      colour.r,

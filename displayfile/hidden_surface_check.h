@@ -5,7 +5,6 @@
 
 #include "displayfile/segment.h"
 #include "displayfile/sorted_scene.h"
-#include "hidden/lines/visible_lines.h"
 #include "hidden/sort/hidden_surface_sort.h"
 
 namespace displayfile {
@@ -13,14 +12,6 @@ namespace displayfile {
 /// True for the methods that work in object space, which HIDDEN-SURFACE-CHECK runs: those that sort
 /// polygons, also for the colour rule, and those that find lines.
 bool is_object_space(HiddenMethod by);
-
-/// What is seen of a scene's lines and of its polygons' drawn sides, and before that what is hidden
-/// of them, if the options ask for it (hidden/lines/lines_in_order.h): what of one segment and line
-/// style is joined into chains. Throws Error for a method that finds no lines.
-SortedPieces lines_in_order(const ViewedScene& scene, HiddenMethod method,
-                            const SortOptions& options);
-/// The same of what is known to be seen.
-SortedPieces lines_in_order(const ViewedScene& scene, const SeenLines& seen);
 
 /// HIDDEN-SURFACE-CHECK (algorithm 9.8): a segment's polygons and lines back to front, by `bsp`
 /// or `depth_sort`; or by `roberts`, `appel` or `franklin` what is seen of its lines and its

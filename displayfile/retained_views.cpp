@@ -11,6 +11,7 @@
 
 #include "clip/clip_pipeline.h"
 #include "clip/error.h"
+#include "displayfile/scene_lines.h"
 #include "displayfile/view_rounding.h"
 #include "displayfile/view_stage.h"
 #include "hidden/sort/world_tree.h"
@@ -20,16 +21,18 @@ namespace displayfile {
 /// The segments that share a tree.
 class RetainedViews::Part {
  public:
-  Part(RetainedScene world, const ImageTransformation& image, HiddenScope scope,
-       const Precision& precision)
+  Part(RetainedScene world, const ImageTransformation& image, const Options& options)
       : image_(image),
-        together_(scope == HiddenScope::all),
-        precision_(precision),
+        together_(options.scope == HiddenScope::all),
+        lines_{.precision = options.precision,
+               .threads = options.threads,
+               .intersections = world.has_intersections(),
+               .hidden_lines = options.hidden_lines},
         world_(std::move(world)),
         items_(world_.items(primitive_of_)),
         any_sides_(world_.selects_lines() ? world_.sides_in_any_view() : std::vector<LineKinds>()),
         tree_(sorted_in_world(),
-              SortOptions{.precision = precision, .names_sides = world_.selects_lines()}),
+              SortOptions{.precision = options.precision, .names_sides = world_.selects_lines()}),
         moving_eye_(tree_) {
     for (std::uint32_t i = 0; i < world_.size(); ++i) {
       off_plane_.push_back(world_.off_plane(i));
@@ -56,10 +59,13 @@ class RetainedViews::Part {
     auto scene = std::make_shared<ViewedScene>(scene_of(file, first));
     auto sorted = std::make_shared<SortedScene>();
     sorted->method = HiddenMethod::bsp;
-    sorted->precision = precision_;
+    sorted->precision = lines_.precision;
+    sorted->hidden_lines = lines_.hidden_lines;
+    sorted->intersections = lines_.intersections;
     sorted->counts = counts();
     sorted->boundary_error = boundary_error(ViewRounding(view, volume), *scene);
     SortedPieces order = order_of_pieces(moving_eye_.far_to_near(eye), stage.pipeline());
+    append_lines(*scene, lines_, order);
     sorted->parts.push_back(
         std::make_shared<OrderedScene>(OrderedScene{std::move(scene), std::move(order)}));
     return sorted;
@@ -181,7 +187,7 @@ class RetainedViews::Part {
 
   ImageTransformation image_;  // the same of all segments
   bool together_;
-  Precision precision_;
+  SortOptions lines_;  // with which they are found
   RetainedScene world_;
   std::vector<std::uint32_t> primitive_of_;  // the items' primitives
   std::vector<Primitives::Item> items_;
@@ -202,8 +208,7 @@ RetainedViews::RetainedViews(const RetainedScene& scene, const DisplayFile& attr
   };
   const auto add = [&](RetainedScene world) {
     const ImageTransformation image = image_of(world.segments().front());
-    parts_.push_back(
-        std::make_unique<Part>(std::move(world), image, options.scope, options.precision));
+    parts_.push_back(std::make_unique<Part>(std::move(world), image, options));
   };
   if (options.scope == HiddenScope::segment) {
     for (const RetainedScene::Segment& part : visible.segments()) {

@@ -21,6 +21,8 @@ class RetainedViews {
   struct Options {
     HiddenScope scope = HiddenScope::all;  ///< one tree for all segments, or one for each
     Precision precision;
+    HiddenLines hidden_lines = HiddenLines::none;  ///< found in each view, and drawn too
+    int threads = 1;  ///< of finding lines; the result is the same for any number
   };
 
   /// Takes the visible segments of the scene, as they now are; `attributes` is the display file of
@@ -33,7 +35,9 @@ class RetainedViews {
   ~RetainedViews();
 
   /// What the scene is in this view, as if the application had drawn it there: the polygons clipped
-  /// and checked for back faces, whole and in order of entry; and sorted. Lights are turned by
+  /// and checked for back faces, whole and in order of entry; and sorted, with the lines over them
+  /// that close-segment would find: where polygons pass through each other, if segments select
+  /// that, and hidden ones if the options ask for them. Lights are turned by
   /// `lights_turned`, a rotation. Throws Error as ViewVolume does.
   DisplayFile view(const View& view, const glm::dmat3& lights_turned = glm::dmat3(1.0));
 

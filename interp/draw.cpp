@@ -12,6 +12,7 @@
 #include "interp/renderer.h"
 #include "interp/visibility/image_space.h"
 #include "interp/visibility/picker.h"
+#include "interp/visibility/world_rays.h"
 
 namespace displayfile {
 
@@ -45,6 +46,9 @@ RasterRequest raster_request(const ViewedWorld& world, const DrawOptions& option
   request.method =
       colour_rule ? colour_rule_by(HiddenMethod::world_ray_cast) : HiddenMethod::world_ray_cast;
   request.world = &world;
+  request.hidden_lines = options.hidden_lines.value_or(HiddenLines::none);
+  require_hidden_lines_drawn(request.hidden_lines, request.method, options);
+  request.intersections = world.rays->scene().has_intersections();
   if (options.precision && !options.precision->exact) {
     request.roundoff = options.precision->roundoff;
   }
@@ -66,6 +70,7 @@ std::optional<ViewedWorld> world_in_force(const GraphicsSystem& system, HiddenMe
 DrawOptions with_settings(const GraphicsSystem& system, HiddenMethod method, DrawOptions options) {
   options.hidden = method;
   options.precision = precision_in_force(system, hidden_surface_options(options));
+  options.hidden_lines = hidden_lines_in_force(system, hidden_surface_options(options));
   return options;
 }
 
@@ -121,6 +126,8 @@ template <class DrawFile, class DrawWorld>
 auto draw_up_to_date(const GraphicsSystem& system, const DrawOptions& options, HiddenMethod method,
                      SortedDisplayFile& kept, DrawFile&& draw_file, DrawWorld&& draw_world) {
   require_drawable_by(method, options);
+  require_hidden_lines_drawn(hidden_lines_in_force(system, hidden_surface_options(options)), method,
+                             options);
   const DisplayFile& sorted = kept.update(system, method, hidden_surface_options(options));
   if (const auto world = world_in_force(system, method)) {
     return draw_world(*world, with_settings(system, method, options));

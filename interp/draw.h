@@ -64,7 +64,8 @@ Picture draw(const GraphicsSystem& system, const DrawOptions& options = {});
 
 /// Draws the visible segments into a file, or "-", standard output. Its extension says its format,
 /// if the options do not. It appears whole or not at all. Throws Error for an unknown extension, a
-/// size that a device cannot draw, or a file that cannot be written.
+/// size that a device cannot draw, or a file that cannot be written; and as in memory for hidden
+/// lines by the colour rule or on the OSMesa device, unless fills are put in order.
 void draw(const GraphicsSystem& system, const std::filesystem::path& file,
           const DrawOptions& options, SortedDisplayFile& kept);
 void draw(const GraphicsSystem& system, const std::filesystem::path& file,

@@ -46,8 +46,8 @@ struct RasterRequest {
   bool sorted = false;
   Background background = {};
   bool ids = false, depth = false;
-  /// Over fills whose surfaces are found, beside the lines that are seen
-  /// (displayfile/line_kinds.h).
+  /// Over fills whose surfaces are found in image space, beside the lines that are seen
+  /// (hidden/lines/README.md); an order of polygons has those that it was made with.
   HiddenLines hidden_lines = HiddenLines::none;
   bool intersections = false;
   bool texts = true;  ///< drawn over the pixels: not where these are not kept

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include "clip/error.h"
+#include "displayfile/hidden_surface_check.h"
 #include "displayfile/output_file.h"
 #include "interp/picture_source.h"
 #include "interp/raster/antialias.h"
+#include "interp/visibility/image_space.h"
 
 namespace displayfile {
 
@@ -52,6 +54,24 @@ void require_drawable_by(HiddenMethod method, const DrawOptions& options) {
         "hidden-line method '{}' on the {} device, which draws surfaces: "
         "expected the {} device",
         name_of(method), device_of(options.device).choice.name, first_device().choice.name));
+  }
+}
+
+void require_hidden_lines_drawn(HiddenLines hidden_lines, HiddenMethod method,
+                                const DrawOptions& options) {
+  if (hidden_lines == HiddenLines::none || is_object_space(method)) return;
+  const RasterDevice& device = device_of(options.device);
+  if (is_colour_rule(method)) {
+    throw Error(fmt::format(
+        "hidden lines are not drawn by hidden-line method '{}': expected colour-rule=bsp, "
+        "colour-rule=depth-sort, a method that finds lines, or hidden lines none",
+        name_of(method)));
+  }
+  if (&device != &first_device() && is_image_space(method)) {
+    throw Error(
+        fmt::format("hidden lines are not drawn by the {} device by '{}': expected the {} device, "
+                    "bsp, depth-sort, or hidden lines none",
+                    device.choice.name, name_of(method), first_device().choice.name));
   }
 }
 

@@ -22,6 +22,11 @@ void require_drawable_in_memory(const DrawOptions& options);
 /// and something of fills is asked for.
 void require_drawable_by(HiddenMethod method, const DrawOptions& options);
 
+/// Throws Error if lines are to be drawn where they are hidden and nothing draws them there: the
+/// colour rule and the OSMesa device draw what comes, and only an order of fills has such lines.
+void require_hidden_lines_drawn(HiddenLines hidden_lines, HiddenMethod method,
+                                const DrawOptions& options);
+
 /// What `draw` returns: a picture in memory, for which there must be room before any work is done.
 template <class Draw>
 Picture with_memory_of_picture(const DrawOptions& options, const SoftwareRenderer& kept,

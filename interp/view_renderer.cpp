@@ -29,6 +29,8 @@ RasterRequest raster_request_of_view(const DrawOptions& options) {
                     name_of(request.method)));
   }
   require_drawable_by(request.method, options);
+  require_hidden_lines_drawn(options.hidden_lines.value_or(HiddenLines::none), request.method,
+                             options);
   if (options.precision && !options.precision->exact) {
     request.roundoff = options.precision->roundoff;
   }

@@ -53,6 +53,11 @@ void require_all_drawable(const std::filesystem::path& output, const DrawOptions
   }
 }
 
+/// By rays that are cast before viewing.
+bool casts_into_world(const DrawOptions& options) {
+  return options.hidden && surfaces_of(*options.hidden) == HiddenMethod::world_ray_cast;
+}
+
 /// With what the inputs set in place of what was not asked for, so far as views follow it.
 DrawOptions with_settings(const GraphicsSystem& system, DrawOptions options) {
   const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
@@ -63,13 +68,15 @@ DrawOptions with_settings(const GraphicsSystem& system, DrawOptions options) {
     if (!options.precision) options.precision = system.precision();
     require_views(options);
   }
+  options.hidden_lines = hidden_lines_in_force(system, hidden_surface_options(options));
   if (!options.background) options.background = system.background();
   return options;
 }
 
 RetainedViews::Options tree_options(const GraphicsSystem& system, const DrawOptions& options) {
   return {options.scope.value_or(system.hidden_scope().value_or(HiddenScope::all)),
-          options.precision.value_or(system.precision())};
+          options.precision.value_or(system.precision()),
+          options.hidden_lines.value_or(HiddenLines::none), options.threads};
 }
 
 /// What of the statistics does not depend on the kind of tree.
@@ -151,6 +158,9 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
   if (fitted) turntable.set_axis(fitted->up);
   if (fitted && looking.fit && !looking.angle_of_view) turntable.fit_window(views);
   const DrawOptions drawing = with_settings(system, options);
+  if (draws_each_anew(drawing) || casts_into_world(drawing)) {
+    require_hidden_lines_drawn(*drawing.hidden_lines, *drawing.hidden, drawing);
+  }
   const auto draw_all = [&](auto trees, const auto& draw_view) -> std::string {
     Progress progress(fmt::format("drawing {} views", views));
     for (int k = 0; k < views; ++k) {
@@ -171,10 +181,10 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
                                  const std::filesystem::path& file, const DrawOptions& of_view) {
     draw(trees.view(view, lights), file, of_view);
   };
-  if (options.hidden && surfaces_of(*options.hidden) == HiddenMethod::world_ray_cast) {
+  if (casts_into_world(drawing)) {
     return draw_all(WorldViews(scene, system.display_file()), draw_from_tree);
   }
-  return draw_all(RetainedViews(scene, system.display_file(), tree_options(system, options)),
+  return draw_all(RetainedViews(scene, system.display_file(), tree_options(system, drawing)),
                   draw_from_tree);
 }
 

@@ -306,7 +306,8 @@ TEST(IntersectionLines, InOrderTheyArePiecesOfTheLaterPolygonBesideThoseOfSides)
   const auto pieces = [&](HiddenMethod method, bool intersections) {
     SortOptions options;
     options.intersections = intersections;
-    return lines_in_order(list.view(), {}, method, options);
+    return lines_in_order(list.view(), {}, find_lines(list.view(), {}, method, options),
+                          HiddenLines::none);
   };
   for (const HiddenMethod method :
        {HiddenMethod::roberts, HiddenMethod::appel, HiddenMethod::franklin}) {

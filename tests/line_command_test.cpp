@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
+#include "interp/opengl/osmesa.h"
 #include "tests/command_fixture.h"
 
 namespace {
@@ -91,6 +93,78 @@ TEST_F(LineCommand, UnknownHiddenLinesAreRefused) {
        {"dump box.obj", "draw box.obj -o x.png", "check box.obj --golden ."}) {
     expect_error(std::string(command) + " --hidden-lines dahsed",
                  "hidden lines are none or dashed, not 'dahsed'");
+  }
+}
+
+/// Its first view is the scene as it was drawn; so the lines over its fills are those of the scene
+/// drawn alone, whoever finds the surfaces and whoever asks for hidden lines.
+TEST_F(LineCommand, ATurntableHasTheLinesOfASceneDrawnAlone) {
+  const std::string plates =
+      "set-lines all intersection\nset-back-face-removal off\nopen-segment 1\n"
+      "polygon-abs-3 -0.5 -0.5 0  0.5 -0.5 0  0.5 0.5 0  -0.5 0.5 0\n"
+      "polygon-abs-3 -0.4 -0.3 -1  0.4 -0.2 -1  0.4 0.3 1  -0.4 0.3 1\n"
+      "close-segment\nopen-segment 2\nmove-abs-3 -0.9 0.1 -1\nline-abs-3 0.9 0.3 -1\n"
+      "polygon-abs-3 -0.6 -0.8 -1  0.6 -0.7 0.7  0.1 -0.2 0.5\nclose-segment\n";
+  write("plain.draw", plates);
+  write("dashed.draw", "set-hidden-lines dashed\n" + plates);
+  for (const std::string by : {"bsp", "bsp --scope segment", "z-buffer", "scan-line",
+                               "world-ray-cast", "franklin", "roberts --scope segment"}) {
+    const std::string with = " --size 90x70 --hidden " + by;
+    const auto drawn = [&](const std::string& arguments) {
+      EXPECT_EQ(run("draw " + arguments + with), 0) << err_;
+      const std::string file = arguments.substr(arguments.find("-o ") + 3);
+      return read(folder_ / (file.find(" ") == std::string::npos ? file : "t-000.png"));
+    };
+    const std::string none = drawn("plain.draw -o none.png");
+    const std::string dashed = drawn("dashed.draw -o dashed.png");
+    EXPECT_NE(none, dashed) << by;
+    EXPECT_EQ(drawn("plain.draw -o t.png --turntable 1"), none) << by;
+    EXPECT_EQ(drawn("dashed.draw -o t.png --turntable 1"), dashed) << by;
+    EXPECT_EQ(drawn("plain.draw -o t.png --turntable 1 --hidden-lines dashed"), dashed) << by;
+    EXPECT_EQ(drawn("dashed.draw -o t.png --turntable 1 --hidden-lines none"), none) << by;
+    EXPECT_NE(drawn("plain.draw -o t.png --turntable 1 --lines all"), none) << by;
+  }
+}
+
+/// They are drawn by who finds lines, or by an order of fills that has them: not by depths.
+TEST_F(LineCommand, HiddenLinesThatNothingDrawsAreRefused) {
+  const std::string plates =
+      "set-back-face-removal off\nopen-segment 1\n"
+      "polygon-abs-3 -0.5 -0.5 0  0.5 -0.5 0  0.5 0.5 0  -0.5 0.5 0\n"
+      "move-abs-3 -0.9 0.1 -1\nline-abs-3 0.9 0.3 -1\nclose-segment\n";
+  write("plain.draw", plates);
+  write("dashed.draw", "set-hidden-lines dashed\n" + plates);
+  write("rule.draw",
+        "set-hidden-method colour-rule\nset-hidden-line-removal on\n"
+        "set-hidden-lines dashed\n" +
+            plates);
+  const auto refused = [&](const std::string& with, const std::string& by) {
+    const bool is_sorted_for_views = with == " --hidden colour-rule";
+    for (const char* views : {"", " --turntable 2"}) {
+      if (*views != '\0' && is_sorted_for_views) continue;
+      const std::string words = "hidden lines are not drawn by " + by + ": expected ";
+      expect_error("draw plain.draw -o x.png --hidden-lines dashed" + with + views, words);
+      expect_error("draw dashed.draw -o x.png" + with + views, words);
+    }
+  };
+  for (const std::string rule : {"colour-rule", "colour-rule=z-buffer", "colour-rule=warnock"}) {
+    refused(" --hidden " + rule, "hidden-line method '" + rule + "'");
+  }
+  expect_error("draw plain.draw -o x.svg --hidden-lines dashed --hidden colour-rule=none",
+               "hidden-line method 'colour-rule=none': expected ");
+  expect_error("dump rule.draw", "hidden-line method 'colour-rule': expected ");
+  expect_error("draw rule.draw -o x.png", "hidden-line method 'colour-rule': expected ");
+  for (const std::string method : {"z-buffer", "scan-line", "world-ray-cast"}) {
+    refused(" --device osmesa --hidden " + method, "the osmesa device by '" + method + "'");
+  }
+  std::vector<std::string> drawing{"colour-rule=bsp", "colour-rule=depth-sort", "none",
+                                   "colour-rule --hidden-lines none"};
+  if (displayfile::osmesa_available()) {
+    drawing.insert(drawing.end(), {"bsp --device osmesa", "none --device osmesa",
+                                   "z-buffer --device osmesa --hidden-lines none"});
+  }
+  for (const std::string& by : drawing) {
+    EXPECT_EQ(run("draw dashed.draw -o t.png --hidden " + by), 0) << err_;
   }
 }
 

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "displayfile/hidden_surface_check.h"
 #include "displayfile/recorder.h"
+#include "displayfile/scene_lines.h"
 #include "displayfile/sorted_display_file.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
@@ -362,6 +362,61 @@ TEST(LineDrawing, HiddenLinesAreDrawnOverFillsThatWereSorted) {
   }
 }
 
+/// One plate through another, in one segment.
+void enter_crossing_plates(GraphicsSystem& g) {
+  g.set_back_face_removal(false);
+  g.open_segment(1);
+  g.polygon_abs_3({{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0}});
+  g.polygon_abs_3({{-0.4, -0.3, -1}, {0.4, -0.3, -1}, {0.4, 0.3, 1}, {-0.4, 0.3, 1}});
+  g.close_segment();
+}
+
+TEST(LineDrawing, IntersectionsAreDrawnOverFillsThatWereSortedInEitherScope) {
+  for (const HiddenMethod method : {HiddenMethod::bsp, HiddenMethod::depth_sort}) {
+    GraphicsSystem g;
+    g.set_hidden_method(method);
+    g.set_hidden_line_removal(true);
+    g.set_lines(line_selection("intersection"));
+    enter_crossing_plates(g);
+    SortedDisplayFile sorted;
+    const auto last_line = [&](HiddenScope scope) {
+      const DisplayFile& file = sorted.update(g, method, {.scope = scope});
+      const auto order =
+          scope == HiddenScope::all ? file.sorted() : file.segments().front().sorted();
+      EXPECT_EQ(order->lines(), 1u) << name_of(scope);
+      const std::string text = dump(file);
+      return text.substr(text.rfind("\nmove "));
+    };
+    const std::string all = last_line(HiddenScope::all);
+    EXPECT_EQ(counts(all).lines, 1) << all;
+    EXPECT_EQ(last_line(HiddenScope::segment), all) << name_of(method);
+  }
+}
+
+/// What is set later is of segments that are closed later, in pixels as in the instructions.
+TEST(LineDrawing, PixelsHaveTheHiddenLinesAndIntersectionsThatAnOrderHas) {
+  for (const HiddenMethod method : {HiddenMethod::bsp, HiddenMethod::depth_sort}) {
+    const auto pictures = [&](HiddenLines hidden, const char* lines) {
+      GraphicsSystem g;
+      g.set_hidden_method(method);
+      g.set_hidden_line_removal(true);
+      g.set_hidden_lines(hidden);
+      g.set_lines(line_selection(lines));
+      enter_crossing_plates(g);
+      DrawOptions options;
+      options.width = options.height = 90;
+      const Picture before = draw(g, options);
+      g.set_hidden_lines(hidden == HiddenLines::none ? HiddenLines::dashed : HiddenLines::none);
+      g.set_lines(line_selection("all"));
+      EXPECT_EQ(draw(g, options).pixels, before.pixels) << name_of(method) << " " << lines;
+      return before;
+    };
+    const Picture plain = pictures(HiddenLines::none, "all");
+    EXPECT_NE(pictures(HiddenLines::dashed, "all").pixels, plain.pixels);
+    EXPECT_NE(pictures(HiddenLines::none, "all,intersection").pixels, plain.pixels);
+  }
+}
+
 // ---- Chains -------------------------------------------------------------------------------------
 
 /// Chains change the order and direction of the pieces, and nothing else.
@@ -371,7 +426,8 @@ TEST(LineDrawing, ChainsAreOfThePiecesThatAreSeen) {
     Primitives items = scene.primitives();
     const std::vector<std::uint8_t> sides = scene.drawn_sides();
     items.visible = sides;
-    const SortedPieces sorted = lines_in_order(scene, HiddenMethod::franklin, {});
+    const SortedPieces sorted =
+        lines_in_order(scene, find_lines(scene, HiddenMethod::franklin, {}), HiddenLines::none);
     using Piece = std::tuple<std::uint32_t, double, double, double, double>;
     const auto piece = [](std::uint32_t item, Point3 a, Point3 b) {
       if (std::tie(b.x, b.y, b.z) < std::tie(a.x, a.y, a.z)) std::swap(a, b);

@@ -15,6 +15,7 @@
 #include "clip/error.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/mesh/mesh.h"
+#include "displayfile/sorted_display_file.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/hard_cases.h"
 #include "tests/from_environment.h"
@@ -259,6 +260,62 @@ TEST(RetainedViews, ASortedSceneNamesTheSegmentWhereItChanges) {
   EXPECT_GT(sorted.polygons, file.polygons());
   EXPECT_GT(views.counts().cuts, 0u);
   for (const int id : sorted.picks) EXPECT_TRUE(id <= 2 || id == 70) << id;
+}
+
+/// Where an order's lines run that are drawn as such, and which of them are hidden.
+std::string strokes_of(const SortedScene& sorted) {
+  std::ostringstream text;
+  text.precision(17);
+  for (const auto& part : sorted.parts) {
+    const SortedPieces& all = part->pieces;
+    for (std::size_t k = 0; k < all.pieces.size(); ++k) {
+      if (!all.is_stroke(k)) continue;
+      text << (all.is_hidden(k) ? "hidden" : "seen") << " of " << all.pieces[k].item;
+      for (std::uint32_t i = all.pieces[k].first; i < all.pieces[k].first + 2; ++i) {
+        text << ' ' << all.points[i].x << ' ' << all.points[i].y << ' ' << all.points[i].z;
+      }
+      text << '\n';
+    }
+  }
+  return text.str();
+}
+
+/// Bit for bit: they are found in the view, not in the world.
+TEST(RetainedViews, HiddenLinesAndIntersectionsAreThoseOfTheSceneDrawnInThatView) {
+  const auto draw_along = [](const Point3& normal) {
+    GraphicsSystem g;
+    g.set_view_plane_normal(normal);
+    g.set_back_face_removal(false);
+    g.set_lines(line_selection("all,intersection"));
+    enter_two_segments(g);
+    return g;
+  };
+  const GraphicsSystem first = draw_along({0.0, 0.0, -1.0});
+  for (const HiddenScope scope : {HiddenScope::segment, HiddenScope::all}) {
+    for (const HiddenLines hidden : {HiddenLines::none, HiddenLines::dashed}) {
+      RetainedViews views(*first.retained(), first.display_file(),
+                          {.scope = scope, .precision = {}, .hidden_lines = hidden});
+      for (const Point3& normal : {Point3(0.0, 0.0, -1.0), Point3(0.3, -0.2, -1.0)}) {
+        const GraphicsSystem there = draw_along(normal);
+        SortedDisplayFile sorted;
+        const DisplayFile& right =
+            sorted.update(there, HiddenMethod::bsp,
+                          {.method = HiddenMethod::bsp, .scope = scope, .hidden_lines = hidden});
+        const DisplayFile file = views.view(there.view());
+        const auto strokes = [&](const DisplayFile& drawn) {
+          if (scope == HiddenScope::all) return strokes_of(*drawn.sorted());
+          std::string text;
+          for (const Segment& segment : drawn.segments()) text += strokes_of(*segment.sorted());
+          return text;
+        };
+        const std::string found = strokes(file);
+        EXPECT_NE(found.find("seen"), std::string::npos);
+        EXPECT_EQ(found.find("hidden") != std::string::npos, hidden == HiddenLines::dashed);
+        EXPECT_EQ(found, strokes(right));
+        EXPECT_EQ(drawn(file, 120).pixels, drawn(right, 120).pixels);
+      }
+    }
+  }
 }
 
 TEST(RetainedViews, InvisibleSegmentsAreLeftOut) {

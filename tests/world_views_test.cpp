@@ -37,13 +37,15 @@ DrawOptions options_of(HiddenMethod method) {
   return options;
 }
 
-/// Painted as by the z-buffer.
-void expect_right_painting(const Picture& picture, const DisplayFile& file) {
+/// Painted as by the z-buffer, hidden lines too.
+void expect_right_painting(const Picture& picture, const DisplayFile& file,
+                           HiddenLines hidden_lines = HiddenLines::none) {
   RasterRequest request;
   request.width = kWidth;
   request.height = kHeight;
   request.method = HiddenMethod::z_buffer;
   request.ids = request.depth = true;
+  request.hidden_lines = hidden_lines;
   const Picture by_z_buffer = draw_with_software(file, request);
   EXPECT_EQ(picture.pixels, by_z_buffer.pixels);
   EXPECT_EQ(picture.depth, by_z_buffer.depth);
@@ -70,7 +72,10 @@ std::size_t expect_right_unrounded(const Picture& picture, const Retained& retai
           << column << "," << row;
     }
   }
-  if (other == 0) expect_right_painting(picture, retained.system.display_file());
+  if (other == 0) {
+    const GraphicsSystem& system = retained.system;
+    expect_right_painting(picture, system.display_file(), system.hidden_lines());
+  }
   return other;
 }
 

@@ -37,7 +37,7 @@ void GraphicsSystem::close_segment() {
   const bool each_on_its_own = scope_.value_or(HiddenScope::segment) == HiddenScope::segment;
   if (hidden_ && is_object_space(method_) && each_on_its_own) {
     SortOptions options = sort_options_;
-    options.intersections = finds_lines(method_) && contains(lines_.kinds, LineKind::intersection);
+    options.intersections = contains(lines_.kinds, LineKind::intersection);
     segment.set_sorted(hidden_surface_check(segment.entered(), {}, method_, options));
   }
   segment.close();

@@ -112,44 +112,71 @@ std::vector<LineName> names_of(std::span<const LineToDraw> lines) {
   return names;
 }
 
-}  // namespace
-
-SortedPieces lines_in_order(const Primitives& items, const LinesOfItems& of_items,
-                            HiddenMethod method, const SortOptions& options) {
-  const std::vector<LineToDraw> lines = lines_to_draw(items, of_items.picks);
-  std::vector<LineName> names = names_of(lines);
-  std::vector<IntersectionLine> intersections;
-  if (options.intersections) intersections = intersection_lines(items, options.threads);
-  SeenLines seen = visible_lines(
-      items, names, method,
-      {.precision = options.precision, .threads = options.threads, .progress = options.progress},
-      intersections);
-  const ItemsAndIntersections all(items, intersections);
-  for (std::uint32_t k = 0; k < intersections.size(); ++k) names.push_back(all.name(k));
+/// What is seen of the intersections, as pieces of the items that they are.
+std::vector<VisiblePiece> seen_intersections(const ItemsAndIntersections& all,
+                                             const SeenLines& seen) {
+  std::vector<VisiblePiece> pieces;
+  pieces.reserve(seen.intersections.size());
   for (const auto& [line, from, to] : seen.intersections) {
     const LineName name = all.name(line);
-    seen.pieces.push_back({name.item, name.corner, from, to});
+    pieces.push_back({name.item, name.corner, from, to});
   }
+  return pieces;
+}
+
+/// What is hidden of lines and intersections.
+std::vector<HiddenPiece> uncovered_pieces_of(const FoundLines& found,
+                                             const ItemsAndIntersections& all,
+                                             std::span<const VisiblePiece> intersections) {
+  std::vector<LineName> names = names_of(found.lines);
+  for (std::uint32_t k = 0; k < found.intersections.size(); ++k) names.push_back(all.name(k));
+  SeenLines seen{found.seen.pieces, {}};
+  seen.pieces.insert(seen.pieces.end(), intersections.begin(), intersections.end());
+  return uncovered_pieces(all.primitives(), seen, hidden_pieces(names, seen));
+}
+
+/// `seen` are the lines' own pieces, or none of them. Intersections come after them, and no chain
+/// has pieces of both.
+SortedPieces pieces_in_order(const Primitives& items, std::span<const std::uint32_t> groups,
+                             const FoundLines& found, HiddenLines hidden_lines,
+                             std::span<const VisiblePiece> seen) {
+  const ItemsAndIntersections all(items, found.intersections);
+  const std::vector<VisiblePiece> intersections = seen_intersections(all, found.seen);
   SortedPieces pieces;
   pieces.are_lines = true;
-  ChainWriter writer(all, lines, of_items.groups, pieces);
-  if (options.hidden_lines == HiddenLines::dashed) {
-    writer.add(uncovered_pieces(all.primitives(), seen, hidden_pieces(names, seen)));
+  ChainWriter writer(all, found.lines, groups, pieces);
+  if (hidden_lines == HiddenLines::dashed) {
+    writer.add(uncovered_pieces_of(found, all, intersections));
     pieces.hidden.assign(pieces.pieces.size(), 1);
   }
-  writer.add(seen.pieces);
+  writer.add(seen);
+  writer.add(intersections);
   if (!pieces.hidden.empty()) pieces.hidden.resize(pieces.pieces.size(), 0);
   return pieces;
 }
 
-SortedPieces lines_in_order(const Primitives& items, const LinesOfItems& of_items,
-                            const SeenLines& seen) {
-  const std::vector<LineToDraw> lines = lines_to_draw(items, of_items.picks);
-  const ItemsAndIntersections all(items, {});
-  SortedPieces pieces;
-  pieces.are_lines = true;
-  ChainWriter(all, lines, of_items.groups, pieces).add(seen.pieces);
-  return pieces;
+}  // namespace
+
+FoundLines find_lines(const Primitives& items, std::span<const std::int32_t> picks,
+                      HiddenMethod method, const SortOptions& options) {
+  FoundLines found;
+  found.lines = lines_to_draw(items, picks);
+  if (options.intersections) found.intersections = intersection_lines(items, options.threads);
+  found.seen = visible_lines(
+      items, names_of(found.lines), method,
+      {.precision = options.precision, .threads = options.threads, .progress = options.progress},
+      found.intersections);
+  return found;
+}
+
+SortedPieces lines_in_order(const Primitives& items, std::span<const std::uint32_t> groups,
+                            const FoundLines& found, HiddenLines hidden_lines) {
+  return pieces_in_order(items, groups, found, hidden_lines, found.seen.pieces);
+}
+
+SortedPieces lines_beside_sides(const Primitives& items, std::span<const std::uint32_t> groups,
+                                const FoundLines& found, HiddenLines hidden_lines) {
+  return pieces_in_order(items, groups, found, hidden_lines, {});
 }
 
 }  // namespace displayfile

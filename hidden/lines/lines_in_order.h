@@ -11,28 +11,35 @@
 
 namespace displayfile {
 
-/// How lines of items are drawn.
-struct LinesOfItems {
-  std::span<const std::int32_t> picks;  ///< the items' pick identifiers; empty: all are equal
-  /// Lines of items of different groups are not joined into chains; empty: all are of one.
-  std::vector<std::uint32_t> groups;
+/// The lines of some items, and what is seen of them: found once, for all that is drawn of them.
+struct FoundLines {
+  std::vector<LineToDraw> lines;                ///< by item and corner
+  std::vector<IntersectionLine> intersections;  ///< none if they are not wanted
+  SeenLines seen;                               ///< of both
 };
 
-/// What is seen of all lines that are drawn (drawn_lines: of items that have no line style no side
-/// may be visible), as pieces of two points, and before them, if the options ask for hidden lines,
-/// what is not seen and not covered (uncovered_pieces). They are in order of chains (chains_of);
-/// pieces of different kinds are not joined. The ends of a line are the item's own points; others
-/// are computed from those and rounded. Throws Error for a method that finds no lines.
+/// All lines that are drawn (lines_to_draw: of items that have no line style no side may be
+/// visible), intersections if the options ask for them, and what the method sees of them. `picks`
+/// are the items' pick identifiers; empty: all are equal. Throws Error for a method that finds no
+/// lines.
+FoundLines find_lines(const Primitives& items, std::span<const std::int32_t> picks,
+                      HiddenMethod method, const SortOptions& options);
+
+/// What is seen of the lines, as pieces of two points, and before them, if they are `dashed`, what
+/// is not seen and not covered (uncovered_pieces). They are in order of chains (chains_of); pieces
+/// of different kinds are not joined, nor are those of items of different `groups`; empty: all are
+/// of one. The ends of a line are the item's own points; others are computed from those and
+/// rounded.
 ///
 /// A piece of a side that polygons share is the first's that draws it, has all kinds that it is
 /// drawn as (SortedPieces::visible of its second point), and names the item of the lowest of their
-/// pick identifiers. Intersections, if the options ask for them, are pieces of the polygon that was
-/// entered later.
-SortedPieces lines_in_order(const Primitives& items, const LinesOfItems& lines, HiddenMethod method,
-                            const SortOptions& options);
+/// pick identifiers. Intersections are pieces of the polygon that was entered later.
+SortedPieces lines_in_order(const Primitives& items, std::span<const std::uint32_t> groups,
+                            const FoundLines& found, HiddenLines hidden_lines);
 
-/// The same of what was found to be seen of those lines, without what is hidden.
-SortedPieces lines_in_order(const Primitives& items, const LinesOfItems& lines,
-                            const SeenLines& seen);
+/// Those of them that fills with their sides do not show, in the same order: the hidden ones, and
+/// what is seen of intersections.
+SortedPieces lines_beside_sides(const Primitives& items, std::span<const std::uint32_t> groups,
+                                const FoundLines& found, HiddenLines hidden_lines);
 
 }  // namespace displayfile

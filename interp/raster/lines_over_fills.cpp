@@ -1,52 +1,41 @@
 #include "interp/raster/lines_over_fills.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <utility>
 
-#include "displayfile/hidden_surface_check.h"
+#include "displayfile/scene_lines.h"
 
 namespace displayfile {
 
 namespace {
 
 /// The others that are wanted, each a stroke of its own.
-void take_strokes(LinesOverFills::Group& group, int threads) {
-  SortOptions options;
-  options.precision = group.wanted.precision;
-  options.threads = threads;
-  options.hidden_lines = group.wanted.hidden;
-  options.intersections = group.wanted.intersections;
-  const SortedPieces order = lines_in_order(*group.scene, HiddenMethod::franklin, options);
+void take_strokes(LinesOverFills::Group& group, const FoundLines& found) {
+  const SortedPieces order = lines_beside_sides(*group.scene, found, group.wanted.hidden);
   for (std::size_t k = 0; k < order.pieces.size(); ++k) {
     const SortedPiece& piece = order.pieces[k];
     const Point3 &from = order.points[piece.first], &to = order.points[piece.first + 1];
     const LineStyle& style = group.scene->line_style(piece.item);
     if (order.is_hidden(k)) {
       group.hidden.push_back({from, to, hidden_line_style(style)});
-    } else if (order.is_intersection(piece)) {
+    } else {
       group.intersections.push_back({from, to, style});
     }
   }
-}
-
-std::vector<VisiblePiece> visible_pieces_of(const ViewedScene& scene, const Precision& precision,
-                                            int threads) {
-  const std::vector<std::uint8_t> drawn = scene.drawn_sides();
-  Primitives outlined = scene.primitives();
-  outlined.visible = drawn;
-  return visible_lines(scene.primitives(), drawn_lines(outlined), HiddenMethod::franklin,
-                       {.precision = precision, .threads = threads})
-      .pieces;
 }
 
 LinesOverFills::Group lines_of(std::shared_ptr<const ViewedScene> scene,
                                const LinesOverFills::Wanted& wanted, int threads) {
   LinesOverFills::Group group{std::move(scene), wanted, {}, {}, {}};
   if (!group.scene->has_lines()) return group;
-  group.pieces = visible_pieces_of(*group.scene, wanted.precision, threads);
-  if (wanted.hidden != HiddenLines::none || wanted.intersections) take_strokes(group, threads);
+  SortOptions options;
+  options.precision = wanted.precision;
+  options.threads = threads;
+  options.intersections = wanted.intersections;
+  FoundLines found = find_lines(*group.scene, HiddenMethod::franklin, options);
+  if (wanted.hidden != HiddenLines::none || wanted.intersections) take_strokes(group, found);
+  group.pieces = std::move(found.seen.pieces);
   return group;
 }
 
@@ -60,6 +49,10 @@ bool LinesOverFills::Wanted::operator==(const Wanted& o) const {
   const bool as_exact = precision.exact == o.precision.exact &&
                         (precision.exact || precision.roundoff == o.precision.roundoff);
   return as_exact && hidden == o.hidden && intersections == o.intersections;
+}
+
+LinesOverFills::Wanted LinesOverFills::Wanted::by(const SortedScene& sorted) {
+  return {sorted.precision, sorted.hidden_lines, sorted.intersections};
 }
 
 void LinesOverFills::clear() {
@@ -78,15 +71,13 @@ void LinesOverFills::take(const std::shared_ptr<const ViewedScene>& scene, const
   all_ = lines_of(scene, wanted, threads);
 }
 
-void LinesOverFills::take_sorted_segments(const DisplayFile& display_file, const Wanted& asked,
-                                          int threads) {
+void LinesOverFills::take_sorted_segments(const DisplayFile& display_file, int threads) {
   all_.reset();
   auto before = std::exchange(of_segments_, {});
   for (const Segment& segment : display_file.segments()) {
     if (!is_sorted_in_order(segment)) continue;
     const auto kept = before.find(segment.name());
-    Wanted wanted = asked;
-    wanted.precision = segment.sorted()->precision;
+    const Wanted wanted = Wanted::by(*segment.sorted());
     const auto will_do = [&](const OfSegment& old) {
       return old.entered == segment.entered() && old.image == segment.image &&
              old.group.wanted == wanted;

@@ -24,6 +24,8 @@ class LinesOverFills {
     HiddenLines hidden = HiddenLines::none;  ///< drawn too
     bool intersections = false;              ///< where polygons pass through each other
     bool operator==(const Wanted& o) const;
+    /// What an order of polygons was made with, which has the same lines.
+    static Wanted by(const SortedScene& sorted);
   };
   /// A line that is drawn as a whole.
   struct Stroke {
@@ -52,9 +54,9 @@ class LinesOverFills {
   void clear();
   /// Those of one scene, which since the last clear() was always one of the same items.
   void take(const std::shared_ptr<const ViewedScene>& scene, const Wanted& wanted, int threads);
-  /// Those of each visible segment that has an order of polygons of its own.
-  /// Each in the precision in which it was sorted.
-  void take_sorted_segments(const DisplayFile& display_file, const Wanted& wanted, int threads);
+  /// Those of each visible segment that has an order of polygons of its own: those that the order
+  /// was made with.
+  void take_sorted_segments(const DisplayFile& display_file, int threads);
 
   /// Null if they are not found together.
   const Group* all() const { return all_ ? &*all_ : nullptr; }

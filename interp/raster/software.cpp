@@ -191,14 +191,10 @@ void SoftwareRenderer::take_up_lines(const DisplayFile& display_file,
   const bool as_they_come = !in_image_space && together != nullptr &&
                             (finds_lines(together->method) || !has_lines(*together));
   if (is_colour_rule(request.method) || as_they_come) return lines_.clear();
-  LinesOverFills::Wanted wanted = wanted_of(request);
-  if (in_image_space) return lines_.take(scene_, wanted, request.threads);
-  if (together == nullptr) {
-    return lines_.take_sorted_segments(display_file, wanted, request.threads);
-  }
+  if (in_image_space) return lines_.take(scene_, wanted_of(request), request.threads);
+  if (together == nullptr) return lines_.take_sorted_segments(display_file, request.threads);
   take_up_scene_of(display_file);
-  wanted.precision = together->precision;
-  lines_.take(scene_, wanted, request.threads);
+  lines_.take(scene_, LinesOverFills::Wanted::by(*together), request.threads);
 }
 
 SoftwareRenderer::Drawn SoftwareRenderer::prepare(const ViewedScene& scene,

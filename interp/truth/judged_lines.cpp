@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "displayfile/hidden_surface_check.h"
+#include "displayfile/scene_lines.h"
 #include "displayfile/segment_groups.h"
 #include "displayfile/sorted_scene.h"
 #include "displayfile/viewed_scene.h"
@@ -17,12 +17,10 @@ namespace displayfile {
 namespace {
 
 SeenLines lines_by(const DisplayFile& display_file, const LineJudging& judging) {
-  const ViewedScene scene(display_file);
-  const std::vector<std::uint8_t> drawn = scene.drawn_sides();
-  Primitives items = scene.primitives();
-  items.visible = drawn;
-  return visible_lines(items, drawn_lines(items), judging.method,
-                       {.precision = judging.precision, .threads = judging.threads});
+  SortOptions options;
+  options.precision = judging.precision;
+  options.threads = judging.threads;
+  return find_lines(ViewedScene(display_file), judging.method, options).seen;
 }
 
 }  // namespace
@@ -128,7 +126,8 @@ DisplayFile true_line_drawing(const DisplayFile& display_file, int threads,
   auto sorted = std::make_shared<SortedScene>();
   for (const SegmentGroup& group : overlapping_groups(display_file.visible_segments())) {
     auto scene = std::make_shared<ViewedScene>(group);
-    SortedPieces order = lines_in_order(*scene, items.of_group(group, pieces));
+    const FoundLines true_lines{lines_to_draw(*scene), {}, items.of_group(group, pieces)};
+    SortedPieces order = lines_in_order(*scene, true_lines, HiddenLines::none);
     sorted->counts.pieces += order.pieces.size();
     sorted->parts.push_back(
         std::make_shared<OrderedScene>(OrderedScene{std::move(scene), std::move(order)}));

@@ -14,8 +14,8 @@
 
 #include "clip/error.h"
 #include "clip/view_volume.h"
-#include "displayfile/hidden_surface_check.h"
 #include "displayfile/mesh/fitted_view.h"
+#include "displayfile/scene_lines.h"
 #include "hidden/line_kinds.h"
 #include "programs/scenes/scene.h"
 
@@ -271,7 +271,7 @@ SortedPieces RetainedMesh::draw(int threads) {
   SortOptions options;
   options.threads = threads;
   options.intersections = intersections_;
-  return lines_in_order(seen, HiddenMethod::franklin, options);
+  return lines_in_order(seen, find_lines(seen, HiddenMethod::franklin, options), HiddenLines::none);
 }
 
 void RetainedMesh::look_elsewhere() {

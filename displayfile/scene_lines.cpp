@@ -1,0 +1,99 @@
+#include "displayfile/scene_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+
+namespace displayfile {
+
+namespace {
+
+/// The items, of which those sides are visible that are drawn.
+class DrawnItems {
+ public:
+  explicit DrawnItems(const ViewedScene& scene)
+      : sides_(scene.drawn_sides()), items_(scene.primitives()) {
+    items_.visible = sides_;
+  }
+  DrawnItems(const DrawnItems&) = delete;
+  DrawnItems& operator=(const DrawnItems&) = delete;
+
+  const Primitives& operator*() const { return items_; }
+
+ private:
+  std::vector<std::uint8_t> sides_;
+  Primitives items_;
+};
+
+/// Items of different segments or line styles are not drawn by one stroke: a number for each
+/// segment and style. Empty if there is one.
+std::vector<std::uint32_t> strokes_of(const ViewedScene& scene) {
+  std::map<std::array<double, 8>, std::uint32_t> numbers;
+  std::vector<std::uint32_t> of_items(scene.items());
+  const auto styles = scene.line_styles();
+  const auto segments = scene.segments();
+  std::size_t style = 0, segment = 0;
+  for (ViewedScene::Item item = 0; item < scene.items();) {
+    while (style + 1 < styles.size() && styles[style + 1].first <= item) ++style;
+    while (segment + 1 < segments.size() && segments[segment + 1].first <= item) ++segment;
+    ViewedScene::Item end = scene.items();
+    if (style + 1 < styles.size()) end = std::min(end, styles[style + 1].first);
+    if (segment + 1 < segments.size()) end = std::min(end, segments[segment + 1].first);
+    const auto& [style_kind, colour, width, dash, gap] = styles[style].style;
+    const LineStyle::Kind kind = style_kind;
+    const std::array<double, 8> look{static_cast<double>(segment),
+                                     static_cast<double>(kind),
+                                     colour.r,
+                                     colour.g,
+                                     colour.b,
+                                     width,
+                                     dash,
+                                     gap};
+    const auto number = static_cast<std::uint32_t>(numbers.size());
+    std::fill(of_items.begin() + item, of_items.begin() + end,
+              numbers.try_emplace(look, number).first->second);
+    item = end;
+  }
+  if (numbers.size() < 2) of_items.clear();
+  return of_items;
+}
+
+}  // namespace
+
+std::vector<LineToDraw> lines_to_draw(const ViewedScene& scene) {
+  return lines_to_draw(*DrawnItems(scene), scene.picks());
+}
+
+FoundLines find_lines(const ViewedScene& scene, HiddenMethod method, const SortOptions& options) {
+  return find_lines(*DrawnItems(scene), scene.picks(), method, options);
+}
+
+SortedPieces lines_in_order(const ViewedScene& scene, const FoundLines& found,
+                            HiddenLines hidden_lines) {
+  return lines_in_order(scene.primitives(), strokes_of(scene), found, hidden_lines);
+}
+
+SortedPieces lines_beside_sides(const ViewedScene& scene, const FoundLines& found,
+                                HiddenLines hidden_lines) {
+  return lines_beside_sides(scene.primitives(), strokes_of(scene), found, hidden_lines);
+}
+
+void append_lines(const ViewedScene& scene, const SortOptions& options, SortedPieces& sorted) {
+  if (options.hidden_lines == HiddenLines::none && !options.intersections) return;
+  const SortedPieces lines = lines_beside_sides(
+      scene, find_lines(scene, HiddenMethod::franklin, options), options.hidden_lines);
+  sorted.hidden.assign(sorted.pieces.size(), 0);
+  for (std::size_t k = 0; k < lines.pieces.size(); ++k) {
+    const auto [item, first, sides] = lines.pieces[k];
+    sorted.pieces.push_back({item, static_cast<std::uint32_t>(sorted.points.size()), sides});
+    sorted.hidden.push_back(lines.is_hidden(k) ? 1 : 0);
+    for (std::uint32_t i = first; i < first + sides; ++i) {
+      sorted.points.push_back(lines.points[i]);
+      sorted.visible.push_back(lines.visible[i]);
+    }
+  }
+}
+
+}  // namespace displayfile

@@ -56,12 +56,6 @@ bool is_sorted_in_order(const Segment& segment) {
 
 }  // namespace
 
-bool LinesOverFills::Wanted::operator==(const Wanted& o) const {
-  const bool as_exact = precision.exact == o.precision.exact &&
-                        (precision.exact || precision.roundoff == o.precision.roundoff);
-  return as_exact && hidden == o.hidden && intersections == o.intersections;
-}
-
 void LinesOverFills::clear() {
   all_.reset();
   of_segments_.clear();

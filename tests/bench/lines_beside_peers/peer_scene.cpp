@@ -12,6 +12,7 @@
 #include <sstream>
 #include <utility>
 
+#include "clip/corners.h"
 #include "clip/error.h"
 #include "clip/view_volume.h"
 #include "displayfile/hidden_surface_check.h"
@@ -159,7 +160,8 @@ std::vector<double> read_numbers(const std::string& path) {
 
 Point2 in_device(const ViewedScene& scene, std::uint32_t item, std::uint32_t corner, double at) {
   const auto points = scene.points(item);
-  const Point2 to(points[corner]), from(points[corner == 0 ? points.size() - 1 : corner - 1]);
+  const Point2 to(points[corner]);
+  const Point2 from(points[previous_corner<std::size_t>(corner, points.size())]);
   return (1.0 - at) * from + at * to;
 }
 

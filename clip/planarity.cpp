@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "clip/back_face.h"
+#include "clip/corners.h"
 
 namespace displayfile {
 
@@ -59,7 +60,7 @@ std::span<const Triangulation::Triangle> Triangulation::triangulate(std::span<co
   ring_.resize(sides);
   for (std::uint32_t i = 0; i < sides; ++i) {
     flattened_.push_back(flatten(world[i], normal));
-    ring_[i] = {(i + sides - 1) % sides, (i + 1) % sides};
+    ring_[i] = {previous_corner(i, sides), next_corner(i, sides)};
   }
   const auto is_ear = [&](std::uint32_t b) {
     const auto [a, c] = ring_[b];
@@ -73,7 +74,7 @@ std::span<const Triangulation::Triangle> Triangulation::triangulate(std::span<co
   };
   // A side of the polygon joins neighbours in its order; anything else is a diagonal.
   const auto is_side = [&](std::uint32_t from, std::uint32_t to) {
-    return static_cast<std::uint8_t>((from + 1) % sides == to);
+    return static_cast<std::uint8_t>(next_corner(from, sides) == to);
   };
   const auto cut_off = [&](std::uint32_t b) {
     const auto [a, c] = ring_[b];

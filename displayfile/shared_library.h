@@ -22,4 +22,9 @@ class SharedLibrary {
   void* handle_;
 };
 
+/// Declares a member that is a library's function, of its type: named without the prefix that all
+/// functions of the library have.
+#define DISPLAYFILE_LIBRARY_FUNCTION(library, prefix, name) \
+  decltype(&::prefix##name) name = library.function<decltype(&::prefix##name)>(#prefix #name)
+
 }  // namespace displayfile

@@ -11,12 +11,8 @@ namespace displayfile {
 
 namespace {
 
-bool same(const Precision& a, const Precision& b) {
-  return a.exact == b.exact && (a.exact || a.roundoff == b.roundoff);
-}
-
 bool is_of(const SortedScene& sorted, HiddenMethod method, const SortOptions& options) {
-  return sorted.method == method && same(sorted.precision, options.precision) &&
+  return sorted.method == method && sorted.precision == options.precision &&
          sorted.hidden_lines == options.hidden_lines &&
          sorted.intersections == options.intersections;
 }

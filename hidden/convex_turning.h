@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "clip/corners.h"
 #include "clip/point.h"
 
 namespace displayfile {
@@ -20,7 +21,7 @@ int convex_turning(std::size_t n, const Turn& turn, const Direction& direction) 
   int turning = 0, reversals = 0;
   int last_direction = direction(n - 1, 0);
   for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t j = i + 1 < n ? i + 1 : 0, k = j + 1 < n ? j + 1 : 0;
+    const std::size_t j = next_corner(i, n), k = next_corner(j, n);
     const int way = direction(i, j);
     if (way == 0) return 0;
     if (way != last_direction) ++reversals;

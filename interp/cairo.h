@@ -13,8 +13,7 @@ class Cairo {
   SharedLibrary library_{"libcairo.so.2"};
 
  public:
-#define DISPLAYFILE_CAIRO(name) \
-  decltype(&::cairo_##name) name = library_.function<decltype(&::cairo_##name)>("cairo_" #name)
+#define DISPLAYFILE_CAIRO(name) DISPLAYFILE_LIBRARY_FUNCTION(library_, cairo_, name)
   DISPLAYFILE_CAIRO(clip);
   DISPLAYFILE_CAIRO(close_path);
   DISPLAYFILE_CAIRO(create);

@@ -12,8 +12,7 @@ class Qpdf {
   SharedLibrary library_{DISPLAYFILE_QPDF_SONAME};
 
  public:
-#define DISPLAYFILE_QPDF(name) \
-  decltype(&::qpdf_##name) name = library_.function<decltype(&::qpdf_##name)>("qpdf_" #name)
+#define DISPLAYFILE_QPDF(name) DISPLAYFILE_LIBRARY_FUNCTION(library_, qpdf_, name)
   DISPLAYFILE_QPDF(cleanup);
   DISPLAYFILE_QPDF(get_buffer);
   DISPLAYFILE_QPDF(get_buffer_length);

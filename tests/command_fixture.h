@@ -18,6 +18,10 @@ inline std::string read(const fs::path& file) { return displayfile::test::conten
 /// The command `displayfile` as its users meet it: run in a folder of the test's own.
 class Command : public displayfile::test::TemporaryFolder {
  protected:
+  static inline const std::string kTriangle =
+      "set-window 0 1 0 1\nset-line-style none\nopen-segment 1\n"
+      "polygon-abs-3 0 0 0  1 0 0  0 1 0\nclose-segment\n";
+
   void write(const std::string& name, const std::string& text) { file(name, text); }
 
   /// Runs the command in the test's folder; standard output and error go to out_ and err_.

@@ -16,10 +16,6 @@
 
 namespace {
 
-const std::string kTriangle =
-    "set-window 0 1 0 1\nset-line-style none\nopen-segment 1\n"
-    "polygon-abs-3 0 0 0  1 0 0  0 1 0\nclose-segment\n";
-
 TEST_F(Command, DrawsEveryFormatWithIdsAndDepth) {
   write("t.draw", "set-window-fit stretch\n" + kTriangle);
   for (const char* format : {"png", "ppm", "svg", "pdf"}) {
@@ -79,112 +75,6 @@ TEST_F(Command, CompareCountsWrongPixels) {
   EXPECT_NE(out_.find("64 wrong pixels of 64"), std::string::npos) << out_;
   EXPECT_EQ(run("draw u.draw -o c.png --size 9x8"), 0);
   EXPECT_EQ(run("compare b.png c.png"), 1);
-}
-
-TEST_F(Command, TruthIsTheItemBufferWhateverTheMethod) {
-  write("t.draw",
-        "set-window 0 1 0 1\nset-line-style none\nopen-segment 1\n"
-        "polygon-abs-3 0 0 1  1 0 1  1 1 1  0 1 1\n"
-        "polygon-abs-3 0 0 0  1 0 0  1 1 0\nclose-segment\n");
-  EXPECT_EQ(run("truth t.draw --size 9x7 --ids t.npy --depth tz.npy"), 0) << err_;
-  EXPECT_EQ(out_ + err_, "");
-  EXPECT_EQ(run("draw t.draw --size 9x7 -o d.png --ids d.npy --depth dz.npy --hidden z-buffer"), 0);
-  EXPECT_EQ(run("compare d.npy t.npy"), 0) << out_;
-  EXPECT_EQ(run("compare dz.npy tz.npy"), 0) << out_;
-  EXPECT_EQ(run("draw t.draw --size 9x7 -o p.png --ids p.npy --depth pz.npy --hidden none"), 0);
-  EXPECT_EQ(run("compare p.npy t.npy --marks marks.png"), 1);
-  EXPECT_NE(
-      out_.find("0 show the background in the first only, 0 in the second only, 32 different"),
-      std::string::npos)
-      << out_;
-  EXPECT_TRUE(fs::exists(folder_ / "marks.png"));
-  EXPECT_EQ(run("compare pz.npy tz.npy"), 1);
-  EXPECT_NE(out_.find("depth error: largest 0.25, mean 0.126984"), std::string::npos) << out_;
-  EXPECT_EQ(run("truth t.draw --ids big.npy"), 0);
-  EXPECT_EQ(fs::file_size(folder_ / "big.npy"), 128u + 512 * 512 * 4);
-}
-
-TEST_F(Command, TruthOfABareMeshSeesTheSceneThatDrawSees) {
-  write("m.obj",
-        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
-  EXPECT_EQ(run("truth m.obj --size 90x60 --ids t.npy"), 0) << err_;
-  EXPECT_EQ(run("draw m.obj --size 90x60 -o d.png --ids d.npy"), 0) << err_;
-  EXPECT_EQ(run("compare d.npy t.npy"), 0) << out_;
-}
-
-/// Lengths in the picture's side: of a line through the middle of two squares, one before it.
-TEST_F(Command, TruthJudgesLines) {
-  write("t.draw",
-        "set-window 0 1 0 1\nset-view-depth -2 2\nset-line-style solid 1 1 1\nopen-segment 1\n"
-        "move-abs-3 0 0.5 0\nline-abs-3 1 0.5 0\nset-line-style none\npolygon-abs-3 0.25 0 1  0.5 "
-        "0 1  0.5 1 1  0.25 1 1"
-        "\npolygon-abs-3 0.75 0 1e-7  1 0 1e-7  1 1 1e-7  0.75 1 1e-7\nclose-segment\n");
-  EXPECT_EQ(run("truth t.draw --seen-lines t.txt --hidden franklin"), 0) << err_;
-  EXPECT_EQ(out_,
-            "lines           1, judged whole\npieces seen     2 by franklin\n"
-            "total length    1 of the picture's side\nmissing length  0\nextra length    0\n");
-  for (const std::string method : {"roberts", "franklin"}) {
-    EXPECT_EQ(run("dump t.draw -o d.txt --hidden " + method), 0) << err_;
-    EXPECT_EQ(run("compare t.txt d.txt"), 0) << out_;
-  }
-  EXPECT_EQ(run("truth t.draw --hidden roberts --precision roundoff=1e-6"), 1) << err_;
-  EXPECT_NE(out_.find("missing length  0\nextra length    0.25\n"), std::string::npos) << out_;
-  EXPECT_EQ(run("truth t.draw --hidden roberts --precision roundoff=1e-6 --line-samples 400"), 1);
-  EXPECT_NE(out_.find("judged at "), std::string::npos) << out_;
-  EXPECT_NE(out_.find("missing length  0\nextra length    0.249"), std::string::npos) << out_;
-  write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
-  EXPECT_EQ(run("truth m.obj --hidden franklin --ids i.npy --size 9x9"), 0) << err_;
-  EXPECT_NE(out_.find("lines           3,"), std::string::npos) << out_;  // of the one front face
-  EXPECT_TRUE(fs::exists(folder_ / "i.npy"));
-  expect_error("truth t.draw --hidden z-buffer", "expected one of roberts");
-  expect_error("truth t.draw --hidden nothing", "unknown hidden-surface method 'nothing'");
-  expect_error("truth t.draw --hidden franklin --precision rough", "rough");
-  expect_error("truth t.draw --from world --seen-lines x.txt", "display-file coordinates");
-  expect_error("truth t.draw --seen-lines nowhere/x.txt", "nowhere/x.txt");
-  expect_error("truth t.draw --ids x.npy --line-samples 9", "expected --hidden");
-}
-
-TEST_F(Command, TruthFromWorldCountsWhatTheRoundingOfViewingDecides) {
-  write("view.draw", "set-view-plane-normal -3 -2 -6\nset-perspective 3 2 6\n");
-  write("apart.draw",
-        "open-segment 1\npolygon-abs-3 -1 0 1  1 0 1  1 0 -1  -1 0 -1\n"
-        "polygon-abs-3 -0.7 1e-9 0.6  0.9 1e-9 0.7  0.3 1e-9 -0.8\nclose-segment\n");
-  write("together.draw",
-        "open-segment 1\npolygon-abs-3 -1 0 1  1 0 1  1 0 -1  -1 0 -1\n"
-        "polygon-abs-3 -0.7 0 0.6  0.9 0 0.7  0.3 0 -0.8\nclose-segment\n");
-  EXPECT_EQ(run("truth view.draw apart.draw --from world --size 64x64"), 0) << err_;
-  EXPECT_EQ(out_, "0 of 4096 pixels differ: there the rounding of viewing decides\n");
-  EXPECT_EQ(
-      run("truth view.draw together.draw --from world --size 64x64 --ids w.npy --depth z.npy"), 0);
-  EXPECT_GT(std::stoi(out_), 10) << out_;
-  EXPECT_EQ(fs::file_size(folder_ / "z.npy"), 128u + 64 * 64 * 8);
-  const std::string different = out_.substr(0, out_.find(' '));
-  EXPECT_EQ(run("truth view.draw together.draw --from display-file --size 64x64 --ids d.npy"), 0);
-  EXPECT_EQ(out_, "");
-  EXPECT_EQ(run("compare w.npy d.npy"), 1);
-  EXPECT_NE(out_.find(different), std::string::npos) << out_;
-}
-
-TEST_F(Command, TruthAndMarksRefuse) {
-  write("t.draw", kTriangle);
-  expect_error("truth t.draw --from wordl", "--from wordl: did you mean 'world'?");
-  expect_error("truth t.draw --from", "--from");
-  expect_error("truth t.draw --depth z.npy", "--ids is required");
-  expect_error("truth t.draw --from world --ids nowhere/i.npy", "nowhere/i.npy");
-  expect_error("truth t.draw --from world --ids i.npy --depth nowhere/z.npy", "nowhere/z.npy");
-  expect_error("truth t.draw --ids nowhere/i.npy", "nowhere/i.npy");
-  expect_error("truth t.draw --ids i.npy --depth nowhere/z.npy", "nowhere/z.npy");
-  expect_error("truth t.draw --ids i.npy --size 0x5", "0x5");
-  expect_error("truth missing.draw --ids i.npy", "missing.draw");
-  EXPECT_EQ(run("truth t.draw"), 2);
-  EXPECT_EQ(run("truth t.draw --size 4x4 --ids a.npy"), 0);
-  EXPECT_EQ(run("truth t.draw --size 5x4 --ids b.npy"), 0);
-  EXPECT_EQ(run("compare a.npy b.npy"), 1);
-  expect_error("compare a.npy b.npy --marks m.png", "sizes differ");
-  expect_error("compare a.npy a.npy --marks m.gif", "m.gif");
-  expect_error("compare a.npy a.npy --marks nowhere/m.png", "nowhere/m.png");
-  EXPECT_EQ(run("dump t.draw -o t.txt"), 0);
-  expect_error("compare t.txt t.txt --marks m.png", "no pixels");
 }
 
 TEST_F(Command, ImportedMeshDrawsTheSamePicture) {
@@ -405,42 +295,6 @@ TEST_F(Command, TurntableDrawsLines) {
   write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
   EXPECT_EQ(run("draw m.obj -o m.svg --turntable 2 --hidden franklin"), 0) << err_;
   EXPECT_NE(read(folder_ / "m-001.svg").find("<path"), std::string::npos);
-}
-
-/// In the middle of writing, by a signal: of the file that is being written nothing stays.
-TEST_F(Command, LeavesNothingBehindWhenItIsStopped) {
-  std::string triangles = "set-view-depth -2 2\nopen-segment 1\n";
-  for (int k = 0; k < 300; ++k) {
-    const double x = -0.9 + 0.005 * k, y = 0.8 - 0.003 * (k * 7 % 500);
-    triangles += fmt::format("polygon-abs-3 {0} {1} {2}  {3} {1} 0  {0} {4} 0\n", x, y, 0.01 * k,
-                             x + 0.3, y - 0.4);
-  }
-  write("t.draw", triangles + "close-segment\n");
-  const auto has_unfinished = [&] {
-    return std::ranges::any_of(fs::directory_iterator(folder_), [](const auto& entry) {
-      return entry.path().filename().string().starts_with(".t");
-    });
-  };
-  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
-    const pid_t child = ::fork();
-    if (child == 0) {
-      ::signal(signal, SIG_DFL);  // one that is ignored would stay ignored
-      fs::current_path(folder_);
-      ::execl(DISPLAYFILE_COMMAND, DISPLAYFILE_COMMAND, "draw", "t.draw", "--turntable", "10000",
-              "-o", "t.png", "--size", "700x700", "--hidden", "franklin", nullptr);
-      ::_exit(127);
-    }
-    int status = 0;
-    while (!(fs::exists(folder_ / "t-0002.png") && has_unfinished())) {
-      ASSERT_EQ(::waitpid(child, &status, WNOHANG), 0) << "it ended by itself";
-    }
-    ::kill(child, signal);
-    ASSERT_EQ(::waitpid(child, &status, 0), child);
-    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << signal;
-    EXPECT_FALSE(has_unfinished()) << signal;
-    for (int k = 0; fs::remove(folder_ / fmt::format("t-{:04}.png", k)); ++k) {
-    }
-  }
 }
 
 TEST_F(Command, CastsRaysBeforeViewing) {

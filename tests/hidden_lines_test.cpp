@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <iterator>
 #include <numbers>
 #include <string>
@@ -422,6 +423,63 @@ TEST(HiddenLines, TheMethodsAgreeOnCrowds) {
         shrunken(list, [&](const ItemList& part) { return !difference(part).empty(); });
     ADD_FAILURE() << "seed " << k << ": " << difference(least) << "\n" << least.text();
     break;
+  }
+}
+
+/// What is seen of these lines, of all and of a few asked for alone, where it differs; empty if
+/// nothing does.
+std::string difference_of_few(const ItemList& list, const std::vector<LineName>& few,
+                              const std::vector<IntersectionLine>& intersections) {
+  std::string differ;
+  for (const HiddenMethod method : kMethods) {
+    const SeenLines all = visible_lines(list.view(), all_lines(list), method, {}, intersections);
+    const std::size_t one = intersections.empty() ? 0 : 1;
+    const SeenLines alone =
+        visible_lines(list.view(), few, method, {}, std::span(intersections).first(one));
+    std::vector<VisiblePiece> of_few;
+    for (const VisiblePiece& piece : all.pieces) {
+      if (std::ranges::binary_search(few, LineName{piece.item, piece.corner})) {
+        of_few.push_back(piece);
+      }
+    }
+    std::vector<VisibleIntersection> of_one;
+    for (const VisibleIntersection& part : all.intersections) {
+      if (part.line < one) of_one.push_back(part);
+    }
+    if (alone.pieces == of_few && alone.intersections == of_one) continue;
+    differ += std::string(name_of(method)) + ": " + text(alone.pieces) + "not " + text(of_few);
+  }
+  return differ;
+}
+
+TEST(HiddenLines, OfAFewLinesAsMuchIsSeenAsOfTheseAmongAll) {
+  const int scenes = from_environment("DISPLAYFILE_LINE_SCENES", 40 / kSlower);
+  for (const SortFamily& family : sort_families()) {
+    for (int k = 0; k < scenes; ++k) {
+      Source s(static_cast<std::uint64_t>(k));
+      ItemList list = family.make(s);
+      const std::vector<LineName> of_family = all_lines(list);
+      const ItemList others = crowd(s, s.between(50, 150));
+      for (std::size_t i = 0; i < others.items.size(); ++i) {
+        Loop loop(others.points_of(i).begin(), others.points_of(i).end());
+        if (k % 3 == 1) {  // most of them beside the family
+          for (Point3& p : loop) p += Point3(s.between(-2, 2), s.between(-2, 2), 0.0);
+        }
+        list.add(others.items[i].kind, loop);
+      }
+      if (k % 4 == 3) {  // far from 0, but exact
+        for (Point3& p : list.points) p = glm::round(p * 0x1p20) / 0x1p20 + Point3(0x1p20);
+      }
+      std::vector<LineName> few;
+      for (int n = s.between(1, 8); n > 0 && !of_family.empty(); --n) {
+        few.push_back(of_family[static_cast<std::size_t>(s.below(int(of_family.size())))]);
+      }
+      std::ranges::sort(few);
+      few.erase(std::unique(few.begin(), few.end()), few.end());
+      ASSERT_EQ(difference_of_few(list, few, intersection_lines(list.view())), "")
+          << family.name << ", seed " << k << "\n"
+          << list.text();
+    }
   }
 }
 

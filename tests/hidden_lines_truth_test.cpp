@@ -8,8 +8,7 @@
 
 #include "displayfile/sorted_display_file.h"
 #include "displayfile/text/dump.h"
-#include "programs/scenes/generated_scenes.h"
-#include "programs/scenes/hard_cases.h"
+#include "tests/entered_scenes.h"
 #include "tests/gallery.h"
 #include "tests/line_truth.h"
 #include "tests/retained_truth.h"
@@ -19,32 +18,13 @@
 namespace displayfile {
 namespace {
 
-DisplayFile entered(const Scene& scene, bool from_aside) {
-  GraphicsSystem system;
-  if (from_aside) {
-    system.set_perspective({1.0, 0.8, 4.0});
-  }
-  enter(scene, system);
-  return system.display_file();
-}
-
 TEST(HiddenLinesTruth, OfGeneratedScenes) {
-  for (const GeneratedScene& scene : generated_scenes()) {
-    for (const std::uint64_t seed : {1u, 2u}) {
-      SCOPED_TRACE(std::string(scene.name) + ", seed " + std::to_string(seed));
-      EXPECT_EQ(test::wrong_lines(entered(scene.make(40, seed), seed == 2)), "");
-    }
-  }
+  test::expect_right_generated_scenes(
+      [](const DisplayFile& file) { return test::wrong_lines(file); });
 }
 
 TEST(HiddenLinesTruth, OfHardCases) {
-  for (const HardCase& hard : hard_cases()) {
-    for (const double severity : hard.severities) {
-      SCOPED_TRACE(std::string(hard.name) + " " + std::to_string(severity));
-      const std::size_t n = std::min<std::size_t>(hard.size, 24);
-      EXPECT_EQ(test::wrong_lines(entered(hard.make(n, severity, 1), false)), "");
-    }
-  }
+  test::expect_right_hard_cases([](const DisplayFile& file) { return test::wrong_lines(file); });
 }
 
 /// Points on a coarse grid, so that lines meet corners, lie in planes and behind edges; polygons

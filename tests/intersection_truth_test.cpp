@@ -5,11 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <string>
 
-#include "programs/scenes/generated_scenes.h"
-#include "programs/scenes/hard_cases.h"
+#include "tests/entered_scenes.h"
 #include "tests/from_environment.h"
 #include "tests/line_truth.h"
 #include "tests/slower.h"
@@ -19,30 +17,14 @@
 namespace displayfile {
 namespace {
 
-DisplayFile viewed(const Scene& scene, bool from_aside) {
-  GraphicsSystem system;
-  if (from_aside) system.set_perspective({1.0, 0.8, 4.0});
-  enter(scene, system);
-  return system.display_file();
-}
-
 TEST(IntersectionTruth, OfGeneratedScenes) {
-  for (const GeneratedScene& scene : generated_scenes()) {
-    for (const std::uint64_t seed : {1u, 2u}) {
-      SCOPED_TRACE(std::string(scene.name) + ", seed " + std::to_string(seed));
-      EXPECT_EQ(test::wrong_intersections(viewed(scene.make(40, seed), seed == 2)), "");
-    }
-  }
+  test::expect_right_generated_scenes(
+      [](const DisplayFile& file) { return test::wrong_intersections(file); });
 }
 
 TEST(IntersectionTruth, OfHardCases) {
-  for (const HardCase& hard : hard_cases()) {
-    for (const double severity : hard.severities) {
-      SCOPED_TRACE(std::string(hard.name) + " " + std::to_string(severity));
-      const std::size_t n = std::min<std::size_t>(hard.size, 24);
-      EXPECT_EQ(test::wrong_intersections(viewed(hard.make(n, severity, 1), false)), "");
-    }
-  }
+  test::expect_right_hard_cases(
+      [](const DisplayFile& file) { return test::wrong_intersections(file); });
 }
 
 /// DISPLAYFILE_INTERSECTION_SCENES sets how many of each kind.

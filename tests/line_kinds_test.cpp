@@ -1,5 +1,5 @@
 // Which sides of polygons are lines: the kinds, found in world coordinates among the polygons that
-// share a side, on their way into segments, orders, views and files.
+// share a side, on their way into segments, orders and views.
 
 #include "hidden/line_kinds.h"
 
@@ -7,113 +7,40 @@
 
 #include <array>
 #include <cmath>
-#include <compare>
 #include <map>
 #include <numbers>
 #include <set>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "displayfile/recorder.h"
 #include "displayfile/retained_views.h"
 #include "displayfile/scene_viewer.h"
 #include "displayfile/sorted_display_file.h"
-#include "displayfile/turntable.h"
-#include "interp/draw.h"
-#include "tests/error_of.h"
-#include "tests/replayed.h"
-#include "tests/temporary_folder.h"
+#include "displayfile/text/dump.h"
+#include "tests/quad_meshes.h"
+#include "tests/sides_of_kinds.h"
 
 namespace displayfile {
 namespace {
 
-using test::error_of;
-using test::error_of_program;
-
-constexpr LineKinds kOutline = kinds_of(LineKind::outline);
-constexpr LineKinds kBoundary = kinds_of(LineKind::boundary);
-constexpr LineKinds kCrease = kinds_of(LineKind::crease);
-constexpr LineKinds kMaterial = kinds_of(LineKind::material);
-constexpr LineKinds kAll = kinds_of(LineKind::all);
-
-LineSelection selected(const std::string& words) { return line_selection(words); }
-
-struct Less {
-  bool operator()(const Point3& a, const Point3& b) const {
-    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-  }
-};
-struct LessSide {
-  bool operator()(const std::pair<Point3, Point3>& a, const std::pair<Point3, Point3>& b) const {
-    if (a.first != b.first) return Less{}(a.first, b.first);
-    return Less{}(a.second, b.second);
-  }
-};
-/// Sides by their ends, the smaller first, whichever polygons have them, and of which kinds.
-using Sides = std::map<std::pair<Point3, Point3>, LineKinds, LessSide>;
-
-void add(Sides& sides, const Point3& a, const Point3& b, LineKinds kinds) {
-  if (kinds == 0) return;
-  LineKinds& of_side = sides[Less{}(a, b) ? std::pair(a, b) : std::pair(b, a)];
-  of_side = static_cast<LineKinds>(of_side | kinds);
-}
-std::size_t count(const Sides& sides, LineKinds kind) {
-  std::size_t n = 0;
-  for (const auto& [ends, kinds] : sides) n += (kinds & kind) != 0 ? 1 : 0;
-  return n;
-}
-
-/// The sides that a retained scene's segments draw, in world coordinates.
-Sides sides_in_view(const RetainedScene& scene, const Eye& eye) {
-  std::vector<LineKinds> of_corners;
-  scene.sides_in_view(eye, of_corners);
-  Sides sides;
-  for (std::uint32_t i = 0; i < scene.size(); ++i) {
-    const PointRow points = scene.points(i);
-    for (std::uint32_t k = 0; k < points.size(); ++k) {
-      const Point3& before = points[k == 0 ? points.size() - 1 : k - 1];
-      add(sides, before, points[k], of_corners[scene[i].first + k]);
-    }
-  }
-  return sides;
-}
-
-/// Those that instructions draw, in device coordinates.
-struct DrawnSides {
-  Sides sides;
-  std::map<LineKinds, double> lengths;  // in the projection, of each polygon's sides by themselves
-  std::span<const LineKinds> kinds;
-  void fill(const FillStyle&) {}
-  void line_style(const LineStyle&) {}
-  void pick(std::int32_t) {}
-  void move(const Point3&) {}
-  void line(const Point3&) {}
-  void side_kinds(std::span<const LineKinds> of_sides) { kinds = of_sides; }
-  void polygon(std::span<const Point3> points, std::span<const std::int32_t> codes) {
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const bool drawn = codes[k] == op::line;
-      EXPECT_TRUE(kinds.empty() || drawn == (kinds[k] != 0));
-      if (!drawn) continue;
-      const LineKinds of_side = kinds.empty() ? kDrawn : kinds[k];
-      const Point3 &from = points[k == 0 ? points.size() - 1 : k - 1], &to = points[k];
-      add(sides, from, to, of_side);
-      lengths[of_side] += std::hypot(to.x - from.x, to.y - from.y);
-    }
-    kinds = {};
-  }
-};
-DrawnSides drawn(const DisplayFile& file) {
-  DrawnSides drawn;
-  if (file.sorted() != nullptr) {
-    file.sorted()->walk(drawn);
-  } else {
-    for (const Segment& segment : file.segments()) segment.walk_drawn(drawn);
-  }
-  return drawn;
-}
-Sides drawn_sides(const DisplayFile& file) { return drawn(file).sides; }
+using test::box;
+using test::count;
+using test::drawn;
+using test::drawn_sides;
+using test::drawn_with;
+using test::DrawnSides;
+using test::enter;
+using test::enter_triangles;
+using test::kBoundary;
+using test::kCrease;
+using test::kMaterial;
+using test::kOutline;
+using test::Less;
+using test::Quad;
+using test::Sides;
+using test::sides_in_view;
+using test::torus;
 
 void expect_same_lengths(const DisplayFile& pieces, const DisplayFile& whole) {
   const DrawnSides of_pieces = drawn(pieces), of_whole = drawn(whole);
@@ -125,109 +52,10 @@ void expect_same_lengths(const DisplayFile& pieces, const DisplayFile& whole) {
   }
 }
 
-using Quad = std::array<Point3, 4>;
-std::vector<Quad> box() {
-  std::vector<Quad> quads;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const double side : {-0.5, 0.5}) {
-      Quad quad;
-      for (std::size_t k = 0; k < 4; ++k) {
-        const double u = k == 1 || k == 2 ? 0.5 : -0.5, v = k >= 2 ? 0.5 : -0.5;
-        quad[k][axis] = side;
-        quad[k][(axis + 1) % 3] = side > 0.0 ? u : v;
-        quad[k][(axis + 2) % 3] = side > 0.0 ? v : u;
-      }
-      quads.push_back(quad);
-    }
-  }
-  return quads;
-}
-void enter(GraphicsSystem& g, const std::vector<Quad>& quads) {
-  for (const Quad& quad : quads) g.polygon_abs_3(quad);
-}
-void enter_triangles(GraphicsSystem& g, const std::vector<Quad>& quads) {
-  for (const Quad& quad : quads) {
-    g.polygon_abs_3({quad[0], quad[1], quad[2]});
-    g.polygon_abs_3({quad[0], quad[2], quad[3]});
-  }
-}
-
-/// A closed ring of quadrilaterals that are not flat, so that they are entered as triangles.
-std::vector<Quad> torus(int around, int across) {
-  const auto at = [&](int i, int j) {
-    const double u = 2.0 * std::numbers::pi * (i % around) / around;
-    const double v = 2.0 * std::numbers::pi * (j % across) / across;
-    const double r = 0.5 + 0.2 * std::cos(v);
-    return Point3(r * std::cos(u), r * std::sin(u), 0.2 * std::sin(v) + 0.05 * std::sin(3.0 * u));
-  };
-  std::vector<Quad> quads;
-  for (int i = 0; i < around; ++i) {
-    for (int j = 0; j < across; ++j) {
-      quads.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-  }
-  return quads;
-}
-
-/// A system whose only segment has what is entered, with those lines.
-template <class Enter>
-GraphicsSystem drawn_with(const std::string& words, Enter&& enter_all) {
-  GraphicsSystem g;
-  g.set_perspective({1.5, 1.2, 5.0});
-  g.set_view_depth(-3.0, 3.0);
-  g.set_lines(selected(words));
-  g.open_segment(1);
-  enter_all(g);
-  g.close_segment();
-  return g;
-}
 template <class Enter>
 Sides world_sides(const std::string& words, Enter&& enter_all,
                   const Eye& eye = Eye::at({3, 2, 5})) {
   return sides_in_view(*drawn_with(words, enter_all).retained(), eye);
-}
-
-// ---- The words ---------------------------------------------------------------------------
-
-TEST(LineKinds, WordsReadBackToTheSelection) {
-  EXPECT_EQ(words_of({}), "all");
-  EXPECT_TRUE(LineSelection{}.is_all_alone());
-  for (const std::string words :
-       {"all", "outline", "outline boundary crease material intersection all", "crease=12.5"}) {
-    LineSelection read{.kinds = 0};
-    std::istringstream each(words);
-    for (std::string word; each >> word;) add_line_kind(word, read);
-    EXPECT_EQ(words_of(read), words);
-  }
-  EXPECT_EQ(selected("crease=40,crease").crease_degrees, 40.0);
-  EXPECT_EQ(selected("outline,outline"), selected("outline"));
-  EXPECT_EQ(names_of(kOutline | kCrease), "outline crease");
-  EXPECT_EQ(first_name_of(kAll | kMaterial), "material");
-  EXPECT_EQ(names_of(kDrawn), "");
-}
-
-TEST(LineKinds, OtherWordsAreRefused) {
-  EXPECT_NE(error_of([] { selected("outlines"); }).find("did you mean 'outline'?"),
-            std::string::npos)
-      << error_of([] { selected("outlines"); });
-  for (const char* const bad : {"", "crease=", "crease=181", "crease=-1", "crease=nan", "crease=x",
-                                "crease=30x", "outline=3", "outline,", ",outline"}) {
-    EXPECT_NE(error_of([&] { selected(bad); }).find("expected"), std::string::npos) << bad;
-  }
-  EXPECT_EQ(selected("crease=0").crease_degrees, 0.0);
-  EXPECT_EQ(selected("crease=180").crease_degrees, 180.0);
-  GraphicsSystem g;
-  EXPECT_NE(error_of([&] { g.set_lines({.kinds = 0}); }), "");
-  EXPECT_NE(error_of([&] { g.set_lines({.kinds = kCrease, .crease_degrees = NAN}); }), "");
-  EXPECT_NE(error_of([&] { g.set_lines({.kinds = kDrawn}); }), "");
-  EXPECT_EQ(g.lines(), LineSelection{});
-}
-
-TEST(LineKinds, DrawingProgramsTellTheWord) {
-  EXPECT_EQ(error_of_program("set-lines outline creese\n").substr(0, 16), "scene.draw:1:19:");
-  EXPECT_EQ(error_of_program("set-lines outline crease=200\n").substr(0, 16), "scene.draw:1:19:");
-  EXPECT_NE(error_of_program("set-lines\n").find("expected one or more of all"), std::string::npos);
-  EXPECT_EQ(error_of_program("set-lines crease=12 outline\n"), "");
 }
 
 // ---- The kinds ---------------------------------------------------------------------------
@@ -371,7 +199,7 @@ TEST(LineKinds, BackFacesAndClippingChangeNoKind) {
     g.set_view_depth(front, 3.0);
     g.set_front_plane_clipping(true);
     g.set_back_face_removal(back_faces_removed);
-    g.set_lines(selected("outline"));
+    g.set_lines(line_selection("outline"));
     g.open_segment(1);
     enter(g, torus(12, 8));
     g.close_segment();
@@ -433,7 +261,7 @@ TEST(LineKinds, AllAloneChangesNothing) {
 /// What is selected when a segment is closed is the segment's.
 TEST(LineKinds, EachSegmentHasItsOwn) {
   GraphicsSystem g;
-  g.set_lines(selected("crease"));
+  g.set_lines(line_selection("crease"));
   g.open_segment(1);
   enter(g, box());
   g.close_segment();
@@ -447,46 +275,6 @@ TEST(LineKinds, EachSegmentHasItsOwn) {
   g.delete_segment(2);
   g.rename_segment(1, 3);
   EXPECT_EQ(count(sides_in_view(*g.retained(), Eye::at({3, 2, 5})), kCrease), 12u);
-}
-
-TEST(LineKinds, NeedWhatWasRetained) {
-  GraphicsSystem g;
-  g.open_segment(1);
-  g.close_segment();
-  EXPECT_NE(error_of([&] { g.set_lines(selected("outline")); }), "");
-  EXPECT_EQ(g.lines(), LineSelection{});
-  EXPECT_EQ(error_of([&] { g.set_lines({}); }), "");
-  GraphicsSystem first;
-  first.set_lines(selected("outline"));
-  EXPECT_NE(first.retained(), nullptr);
-  EXPECT_NE(error_of([&] { first.retain(nullptr); }), "");
-  RetainedScene scene;
-  first.retain(&scene);
-  EXPECT_EQ(first.retained(), &scene);
-}
-
-TEST(LineKinds, ReplacedLinesStay) {
-  GraphicsSystem g;
-  g.replace_lines(selected("crease"));
-  replay("set-lines all outline\n", "scene.draw", g);
-  EXPECT_EQ(g.lines(), selected("crease"));
-  EXPECT_NE(error_of_program("set-lines what\n", g), "");
-}
-
-TEST(LineKinds, AreRecordedAndReplayed) {
-  std::ostringstream program;
-  Recorder recorder(program);
-  GraphicsSystem g;
-  g.set_recorder(&recorder);
-  g.set_perspective({1.5, 1.2, 5.0});
-  g.set_lines(selected("outline,crease=12.25"));
-  g.open_segment(1);
-  enter(g, torus(7, 5));
-  g.close_segment();
-  EXPECT_NE(program.str().find("set-lines outline crease=12.25\n"), std::string::npos);
-  const GraphicsSystem again = test::replayed(program.str());
-  EXPECT_EQ(dump(again.display_file()), dump(g.display_file()));
-  EXPECT_EQ(drawn_sides(again.display_file()), drawn_sides(g.display_file()));
 }
 
 /// Kinds go with the sides of polygons that a sort cuts.
@@ -567,7 +355,7 @@ TEST(LineKinds, NewViewsSelectTheirOwn) {
     g.set_perspective(eye);
     g.set_view_depth(-3.0, 3.0);
     g.set_back_face_removal(true);
-    g.set_lines(selected("outline,crease=50"));
+    g.set_lines(line_selection("outline,crease=50"));
     for (int name = 1; name < 3; ++name) {
       g.open_segment(name);
       g.translate_3(0.2, 0.0, 0.1);
@@ -600,55 +388,6 @@ TEST(LineKinds, NewViewsSelectTheirOwn) {
     const DisplayFile sorted = views.view(seen_from(eye));
     EXPECT_GT(sorted.sorted()->counts.cuts, 0u);
     expect_same_lengths(sorted, there.display_file());
-  }
-}
-
-// ---- Files -------------------------------------------------------------------------------
-
-class LineKindsFiles : public test::TemporaryFolder {};
-
-TEST_F(LineKindsFiles, EachKindIsAClassInSvg) {
-  const auto draw_box = [&](const std::string& words, HiddenMethod method) {
-    const GraphicsSystem g =
-        drawn_with(words, [](GraphicsSystem& system) { enter(system, box()); });
-    draw(g, file("box.svg"), {.hidden = method});
-    return test::content(file("box.svg"));
-  };
-  for (const HiddenMethod method :
-       {HiddenMethod::franklin, HiddenMethod::bsp, HiddenMethod::z_buffer, HiddenMethod::none}) {
-    const std::string svg = draw_box("outline,crease", method);
-    EXPECT_NE(svg.find("class=\"l1 outline crease\""), std::string::npos) << name_of(method);
-    EXPECT_NE(svg.find("class=\"l1 crease\""), std::string::npos) << name_of(method);
-    EXPECT_EQ(svg.find("class=\"l1\""), std::string::npos) << name_of(method);
-    EXPECT_EQ(draw_box("all", method).find("crease"), std::string::npos);
-  }
-  EXPECT_NE(draw_box("all,outline", HiddenMethod::franklin).find("class=\"l1 all\""),
-            std::string::npos);
-}
-
-std::size_t occurrences(const std::string& text, const std::string& words) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(words); at != text.npos; at = text.find(words, at + 1)) ++n;
-  return n;
-}
-
-/// A line of several kinds stands in the layer of the first.
-TEST_F(LineKindsFiles, EachKindIsALayerInPdf) {
-  const auto draw_box = [&](const std::string& words, HiddenMethod method) {
-    const GraphicsSystem g =
-        drawn_with(words, [](GraphicsSystem& system) { enter(system, box()); });
-    draw(g, file("box.pdf"), {.hidden = method});
-    return test::content(file("box.pdf"));
-  };
-  for (const HiddenMethod method : {HiddenMethod::franklin, HiddenMethod::bsp}) {
-    const std::string pdf = draw_box("outline,crease", method);
-    EXPECT_EQ(occurrences(pdf, "/Type /OCG"), 2u);
-    EXPECT_EQ(occurrences(pdf, "/Name (outline)"), 1u);
-    EXPECT_EQ(occurrences(pdf, "/Name (crease)"), 1u);
-    EXPECT_EQ(occurrences(pdf, "StructTreeRoot"), 0u);
-    EXPECT_EQ(draw_box("outline,crease", method), pdf);
-    EXPECT_EQ(occurrences(draw_box("outline", method), "/Type /OCG"), 1u);
-    EXPECT_EQ(occurrences(draw_box("all", method), "/OC"), 0u);
   }
 }
 

@@ -27,6 +27,13 @@ TEST(Precision, IsReadFromTheCommandLine) {
   }
 }
 
+TEST(Precision, ItsRoundoffCountsOnlyWhereItIsUsed) {
+  EXPECT_EQ(precision("exact"), (Precision{.exact = true, .roundoff = 0.5}));
+  EXPECT_EQ(precision("roundoff=0.5"), (Precision{.exact = false, .roundoff = 0.5}));
+  EXPECT_NE(precision("roundoff=0.5"), precision("roundoff=0.25"));
+  EXPECT_NE(precision("roundoff"), precision("exact"));
+}
+
 TEST(Precision, SignofIsTheTextbooks) {
   const Roundoff roundoff({}, 0.5);
   EXPECT_EQ(roundoff.signof(0.5), 0);

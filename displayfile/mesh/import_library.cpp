@@ -16,6 +16,7 @@
 #include <span>
 #include <vector>
 
+#include "clip/corners.h"
 #include "clip/error.h"
 #include "displayfile/file_extension.h"
 #include "displayfile/mesh/lost_detail.h"
@@ -309,7 +310,7 @@ class SceneReader {
     };
     if (face.mNumIndices < 3) return;
     for (unsigned k = 0; k < face.mNumIndices; ++k) {
-      lost_detail_.add_edge(corner(k), corner((k + 1) % face.mNumIndices));
+      lost_detail_.add_edge(corner(k), corner(next_corner(k, face.mNumIndices)));
     }
   }
 

@@ -5,6 +5,7 @@
 
 #include "clip/angle.h"
 #include "clip/back_face.h"
+#include "clip/corners.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/mesh/welded_faces.h"
 
@@ -28,8 +29,8 @@ std::vector<Point3> angle_weighted_normals(const WeldedFaces& faces) {
     const Point3 normal = newell_normal(polygon);
     if (normal == Point3(0.0)) continue;
     for (std::size_t k = 0; k < face.size(); ++k) {
-      const Point3& before = polygon[k == 0 ? face.size() - 1 : k - 1];
-      const Point3& after = polygon[k + 1 == face.size() ? 0 : k + 1];
+      const Point3& before = polygon[previous_corner(k, polygon.size())];
+      const Point3& after = polygon[next_corner(k, polygon.size())];
       sum[face[k]] += angle_at(polygon[k], before, after) * unit(normal);
     }
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "clip/corners.h"
 #include "hidden/lines/simple_polygon.h"
 #include "hidden/parallel.h"
 
@@ -40,7 +41,7 @@ ContourEdges::ContourEdges(const LineScene& scene, const Primitives& items, cons
     std::uint32_t p = 0, q = 0;
     for (const auto& [high, name] : same) {
       const Primitives::Item& item = items.items[name.item];
-      const std::uint32_t before = name.corner == 0 ? item.sides - 1 : name.corner - 1;
+      const std::uint32_t before = previous_corner(name.corner, item.sides);
       p = sides.vertex(items.point(item.first + before));
       q = high;
       if (p != q) {  // it runs to the higher one

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <tuple>
 
+#include "clip/corners.h"
 #include "hidden/convex_turning.h"
 #include "hidden/disjoint_sets.h"
 #include "hidden/exact/orientation.h"
@@ -92,7 +93,7 @@ class Surfaces {
   std::uint32_t end_of(const LineName& side) const { return corner_of(side, false); }
   std::uint32_t corner_of(const LineName& side, bool start) const {
     const Primitives::Item& item = items_.items[side.item];
-    const std::uint32_t before = side.corner == 0 ? item.sides - 1 : side.corner - 1;
+    const std::uint32_t before = previous_corner(side.corner, item.sides);
     const bool takes_before = start == (turning_[side.item] > 0);
     return table_.vertex(items_.point(item.first + (takes_before ? before : side.corner)));
   }

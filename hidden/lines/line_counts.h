@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "clip/corners.h"
 #include "hidden/convex_turning.h"
 #include "hidden/lines/contour_edges.h"
 #include "hidden/lines/line_against_polygon.h"
@@ -241,8 +242,8 @@ class LineCounts {
   /// Whether the polygon's corner, at the line's start, has the line's left and right in it.
   SideCounts in_corner(std::uint32_t polygon, std::uint32_t corner) const {
     const std::uint32_t sides = scene_.sides(polygon);
-    std::uint32_t before = corner == 0 ? sides - 1 : corner - 1;
-    std::uint32_t after = corner + 1 < sides ? corner + 1 : 0;
+    std::uint32_t before = previous_corner(corner, sides);
+    std::uint32_t after = next_corner(corner, sides);
     if (contours_.way(polygon) < 0) std::swap(before, after);
     const Point2 at(line_.a), along(line_.b);
     // The corner's inside is passed through counterclockwise from p to q.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "clip/corners.h"
 #include "clip/point.h"
 #include "hidden/lines/visible_lines.h"
 #include "hidden/primitives.h"
@@ -11,9 +12,9 @@ struct LineEnds {
   Point3 from, to;
 
   LineEnds(const Primitives& items, const LineName& line) {
-    const PointRow points = items.points_of(items.items[line.item]);
-    const auto last = static_cast<std::uint32_t>(points.size()) - 1;
-    from = points[line.corner == 0 ? last : line.corner - 1];
+    const Primitives::Item& item = items.items[line.item];
+    const PointRow points = items.points_of(item);
+    from = points[previous_corner(line.corner, item.sides)];
     to = points[line.corner];
   }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "clip/corners.h"
 #include "hidden/exact/plane.h"
 #include "hidden/extents.h"
 #include "hidden/lines/cells_of_lines.h"
@@ -100,7 +101,7 @@ class LineScene {
   /// True if the side's own ends are not at the depth that the polygon's plane has there.
   bool is_uneven(const LineName& side) const;
   std::uint32_t corner_before(const LineName& side) const {
-    return side.corner == 0 ? items_.items[side.item].sides - 1 : side.corner - 1;
+    return previous_corner(side.corner, sides(side.item));
   }
 
   const Primitives& items_;

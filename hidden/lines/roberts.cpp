@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "clip/corners.h"
 #include "hidden/lines/convex_objects.h"
 #include "hidden/lines/line_against_polygon.h"
 #include "hidden/lines/visible_pieces.h"
@@ -60,7 +61,7 @@ class Roberts {
     bool within = true;
     for (std::size_t k = 0; k < outline.size(); ++k) {
       const Point2 p(scene_.point(outline[k]));
-      const Point2 q(scene_.point(outline[k + 1 < outline.size() ? k + 1 : 0]));
+      const Point2 q(scene_.point(outline[next_corner(k, outline.size())]));
       const int of_a = policy_.turn(p, q, a), of_b = policy_.turn(p, q, b);
       if (of_a <= 0 && of_b <= 0) return of_a < 0 || of_b < 0 ? Hides::nothing : Hides::some;
       within = within && of_a >= 0 && of_b >= 0;

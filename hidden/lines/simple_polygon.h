@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "clip/corners.h"
 #include "clip/point.h"
 #include "hidden/convex_turning.h"
 #include "hidden/exact/orientation.h"
@@ -35,7 +36,7 @@ int simple_turning(std::size_t sides, const At& at) {
   const auto direction = [&](std::size_t i, std::size_t j) { return direction_by_x(at(i), at(j)); };
   const int convex = convex_turning(sides, turn, direction);
   if (convex != 0 || sides <= 3 || sides > kMostSides) return convex;
-  const auto after = [&](std::size_t k) { return k + 1 < sides ? k + 1 : 0; };
+  const auto after = [&](std::size_t k) { return next_corner(k, sides); };
   std::size_t first = 0;  // by x, then y
   for (std::size_t i = 0; i < sides; ++i) {
     const std::size_t j = after(i), k = after(j);
@@ -46,7 +47,7 @@ int simple_turning(std::size_t sides, const At& at) {
       if (after(m) != i && segments_meet(at(i), at(j), at(m), at(after(m)))) return 0;
     }
   }
-  return turn(first == 0 ? sides - 1 : first - 1, first, after(first));
+  return turn(previous_corner(first, sides), first, after(first));
 }
 
 }  // namespace displayfile

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "clip/corners.h"
 #include "clip/error.h"
 #include "hidden/lines/appel.h"
 #include "hidden/lines/franklin.h"
@@ -57,7 +58,7 @@ std::vector<LineToDraw> lines_to_draw(const Primitives& items,
     const bool is_line = item.kind == Primitives::Kind::line;
     for (std::uint32_t corner = is_line ? 1 : 0; corner < item.sides; ++corner) {
       const Point3& to = items.points[items.point(item.first + corner)];
-      const std::uint32_t before = corner == 0 ? item.sides - 1 : corner - 1;
+      const std::uint32_t before = previous_corner(corner, item.sides);
       const Point3& from = items.points[items.point(item.first + before)];
       const SideLook look = is_line ? SideLook{kDrawn, i} : looks[first[i] + corner];
       if (look.kinds != 0 && Point2(from) != Point2(to)) {

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "clip/corners.h"
 #include "hidden/exact/support_plane.h"
 #include "hidden/extents.h"
 #include "hidden/sort/compare_polys.h"
@@ -146,7 +147,7 @@ inline std::uint32_t corner_of_side(const Primitives& items, const Primitives::I
   if (line.made_by_cut()) return SortedPieces::kNoCorner;
   for (std::uint32_t n = 0; n < item.sides; ++n) {
     const std::uint32_t k = (look_from + n) % item.sides;
-    const std::uint32_t before = k == 0 ? item.sides - 1 : k - 1;
+    const std::uint32_t before = previous_corner(k, item.sides);
     if (items.point(item.first + k) == line.b && items.point(item.first + before) == line.a) {
       return k;
     }

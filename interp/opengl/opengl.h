@@ -18,8 +18,7 @@ class OpenGl {
   SharedLibrary library_{"libOSMesa.so.8"};
 
  public:
-#define DISPLAYFILE_OSMESA(name) \
-  decltype(&::OSMesa##name) name = library_.function<decltype(&::OSMesa##name)>("OSMesa" #name)
+#define DISPLAYFILE_OSMESA(name) DISPLAYFILE_LIBRARY_FUNCTION(library_, OSMesa, name)
   DISPLAYFILE_OSMESA(CreateContextAttribs);
   DISPLAYFILE_OSMESA(DestroyContext);
   DISPLAYFILE_OSMESA(GetProcAddress);

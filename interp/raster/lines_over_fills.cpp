@@ -45,12 +45,6 @@ bool is_sorted_in_order(const Segment& segment) {
 
 }  // namespace
 
-bool LinesOverFills::Wanted::operator==(const Wanted& o) const {
-  const bool as_exact = precision.exact == o.precision.exact &&
-                        (precision.exact || precision.roundoff == o.precision.roundoff);
-  return as_exact && hidden == o.hidden && intersections == o.intersections;
-}
-
 LinesOverFills::Wanted LinesOverFills::Wanted::by(const SortedScene& sorted) {
   return {sorted.precision, sorted.hidden_lines, sorted.intersections};
 }

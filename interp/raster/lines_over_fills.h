@@ -23,7 +23,7 @@ class LinesOverFills {
     Precision precision = {};
     HiddenLines hidden = HiddenLines::none;  ///< drawn too
     bool intersections = false;              ///< where polygons pass through each other
-    bool operator==(const Wanted& o) const;
+    bool operator==(const Wanted& o) const = default;
     /// What an order of polygons was made with, which has the same lines.
     static Wanted by(const SortedScene& sorted);
   };

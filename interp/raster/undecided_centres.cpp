@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "clip/corners.h"
 #include "clip/rectangle.h"
 #include "hidden/exact/rounding.h"
 #include "hidden/exact/support_plane.h"
@@ -82,8 +83,8 @@ void note_rows_of_vertices(std::span<const Point3> polygon, const Point2& error,
     const int row = static_cast<int>(y);
     if (std::abs(y - row - 0.5) > error.y) [[likely]]
       continue;
-    const std::size_t before = i == 0 ? polygon.size() - 1 : i - 1;
-    const std::size_t after = i + 1 == polygon.size() ? 0 : i + 1;
+    const std::size_t before = previous_corner(i, polygon.size());
+    const std::size_t after = next_corner(i, polygon.size());
     for (const std::size_t other : {before, after}) {
       const Pixels columns = centres_in(close_part(pixel(i), pixel(other), error), 0, size.width);
       noted.add(row, columns.first, columns.end);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "clip/clip_to_rectangle.h"
+#include "clip/corners.h"
 #include "hidden/exact/support_plane.h"
 #include "interp/picture.h"
 #include "interp/text/seen_texts.h"
@@ -136,7 +137,7 @@ void VectorDevice::paint_edges(const DrawnPolygon& polygon, LineKinds kinds) {
   bool joined = false;  // the next side continues the run
   for (std::size_t k = 1; k <= n; ++k) {
     const std::size_t i = (start + k) % n;
-    Point2 a = to_page(v[(i + n - 1) % n]), b = to_page(v[i]);
+    Point2 a = to_page(v[previous_corner(i, n)]), b = to_page(v[i]);
     const Point2 whole_a = a, whole_b = b;
     if (!drawn(i) || !clip_to_neighbourhood(a, b, reach)) {
       joined = false;

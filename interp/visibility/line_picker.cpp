@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "clip/corners.h"
 #include "clip/rectangle.h"
 #include "hidden/exact/defined_point.h"
 #include "hidden/exact/support_plane.h"
@@ -84,7 +85,7 @@ void LinePicker::enter_lines(int threads) {
         const Entry& entry = entries_[i];
         const auto points = scene_.points(entry.item);
         const Point2 to(points[entry.to]);
-        const Point2 from(points[(entry.to + points.size() - 1) % points.size()]);
+        const Point2 from(points[previous_corner<std::size_t>(entry.to, points.size())]);
         const double margin = scene_.line_style(entry.item).width / 2.0;
         return DeepPixelBox{box_of(glm::min(from, to), glm::max(from, to), margin), 0.0F};
       },
@@ -104,7 +105,7 @@ void LinePicker::enter_fills(int threads) {
 
 LinePicker::Line LinePicker::line_of(const Entry& entry) const {
   const auto points = scene_.points(entry.item);
-  const Point3& from = points[(entry.to + points.size() - 1) % points.size()];
+  const Point3& from = points[previous_corner<std::size_t>(entry.to, points.size())];
   Line line;
   line.stored = {from, points[entry.to]};
   line.ends = {stored_point(line.stored[0]), stored_point(line.stored[1])};

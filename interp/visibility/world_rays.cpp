@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "clip/corners.h"
 #include "clip/error.h"
 #include "clip/view_volume.h"
 #include "hidden/exact/ball.h"
@@ -144,7 +145,7 @@ bool clip(const Linear<Number>& inside, std::vector<WorldPoint<Number>>& points,
           std::vector<WorldPoint<Number>>& cut) {
   cut.clear();
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const WorldPoint<Number>& a = points[i == 0 ? points.size() - 1 : i - 1];
+    const WorldPoint<Number>& a = points[previous_corner(i, points.size())];
     const WorldPoint<Number>& b = points[i];
     const Number at_a = inside.at(a), at_b = inside.at(b);
     const int sign_a = sign_of(at_a), sign_b = sign_of(at_b);

@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 
 #include "programs/bench/advice.h"
 #include "programs/bench/analysis.h"
 #include "programs/bench/json_report.h"
-#include "programs/bench/line_measure.h"
-#include "programs/bench/line_summary.h"
+#include "programs/bench/page_of_lines.h"
+#include "programs/bench/page_parts.h"
 #include "programs/bench/summary.h"
 #include "programs/bench/svg_plot.h"
 
@@ -35,30 +34,6 @@ th { vertical-align: bottom } th.c { text-align: center; border-left: 1px solid 
 .panel { width: 470px } .panel .legend { margin-left: 60px }
 details { margin: 4px 0 } summary { cursor: pointer }
 )";
-
-/// Distinct also for most who do not see all colours.
-std::string colour_of(const std::string& method) {
-  static const std::map<std::string, std::string> colours{
-      {"none", "#7f7f7f"},        {"z-buffer", "#1f5fbf"},   {"plain-z-buffer", "#e08a00"},
-      {"bsp", "#1f8f3f"},         {"depth-sort", "#c92a2a"}, {"scan-line", "#7b3fb5"},
-      {"scan-line-z", "#8c5a2b"}, {"warnock", "#d6489a"},    {"ray-cast", "#0f9aa8"},
-      {"osmesa", "#111111"},      {"auto", "#8fce00"},       {"embree", "#b8a000"},
-      {"gl2ps", "#ff6f61"},       {"roberts", "#1f5fbf"},    {"appel", "#e08a00"},
-      {"franklin", "#c92a2a"},
-  };
-  const auto colour = colours.find(method);
-  return colour == colours.end() ? "#556b2f" : colour->second;
-}
-
-/// The colour is the method's, the shape the precision's; exact ones are filled.
-Mark mark_of(const std::vector<Column>& all, const Column& column) {
-  int shape = 0;
-  for (const Column& c : all) {
-    if (c == column) break;
-    shape += c.method == column.method;
-  }
-  return {colour_of(column.method), shape, column.exact || column.precision.empty()};
-}
 
 Column column_of(const Cell& cell) { return {cell.key.method, cell.key.precision, cell.exact}; }
 
@@ -101,19 +76,14 @@ class Page {
   std::string html() const {
     return "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'>"
            "<title>Display File: speed against error</title><style>" +
-           std::string(kStyle) + "</style></head><body>\n" + head() + in_short() + lines_plot() +
-           which_when() + pareto() + gaps() + growth_of(Fit::Against::polygons) +
-           growth_of(Fit::Against::pixels) + fragments() + heat() + threads() + overview() +
-           pay_for_what_is_used() + all_figures() + "</body></html>\n";
+           std::string(kStyle) + "</style></head><body>\n" + head() + in_short() +
+           lines_plot(report_) + which_when() + pareto() + gaps() +
+           growth_of(Fit::Against::polygons) + growth_of(Fit::Against::pixels) + fragments() +
+           heat() + threads() + overview() + pay_for_what_is_used() + all_figures() +
+           "</body></html>\n";
   }
 
  private:
-  static std::string row(std::string_view tag, const std::vector<std::string>& cells) {
-    std::string text = "<tr>";
-    for (const std::string& cell : cells) text += fmt::format("<{}>{}", tag, cell);
-    return text + '\n';
-  }
-
   std::string legend(const std::function<bool(const Column&)>& shown, bool with_method) const {
     std::string text = "<div class='legend'>";
     for (const Column& column : columns_) {
@@ -181,32 +151,6 @@ class Page {
       text += "</table></div>\n";
     }
     return text;
-  }
-
-  /// The table of lines is among those that a README's blocks hold.
-  std::string lines_plot() const {
-    const LineMethods methods = line_methods(report_);
-    std::vector<Column> all;
-    for (const LineMethod& method : methods.all) all.push_back(method.column);
-    Plot plot{"Hidden lines: below and left is better",
-              fmt::format("time / time of {}", kLineReference),
-              "missing and extra length, % of all lines", true};
-    plot.width = 980.0;
-    std::vector<Curve> curves;
-    std::string names = "<div class='legend'>";
-    for (const LineMethod& method : methods.all) {
-      if (!method.time) continue;
-      const Mark mark = mark_of(all, method.column);
-      curves.push_back({mark,
-                        false,
-                        {{*method.time, method.percent(), std::nullopt,
-                          fmt::format("{}: time {:.3g}, {:.3g} % wrong", method.column.name(),
-                                      *method.time, method.percent())}}});
-      names +=
-          fmt::format("<span>{}{}</span> ", marker_in_text(mark), escaped(method.column.name()));
-    }
-    if (curves.empty()) return "";
-    return "<div class='wide'>" + svg(plot, curves) + "</div>\n" + names + "</div>\n";
   }
 
   /// One panel a scene, and one of the hard cases together.
@@ -347,7 +291,7 @@ class Page {
     });
     std::vector<std::string> heads{fmt::format("exponent of {}", name_of(against))};
     for (const std::string& name : scenes) heads.push_back(escaped(short_name(name)));
-    std::string text = "<div class='wide'><table>\n" + row("th", heads);
+    std::string text = "<div class='wide'><table>\n" + table_row("th", heads);
     for (const Column& column : columns_) {
       const bool fitted = std::ranges::any_of(all, [&](const Fit& f) {
         return f.against == against && f.method == column.method && f.precision == column.precision;
@@ -363,7 +307,7 @@ class Page {
                                          : fmt::format("{} <small>({} points)</small>",
                                                        number(fit->exponent), fit->points));
       }
-      text += row("td", cells);
+      text += table_row("td", cells);
     }
     return text + "</table></div>\n";
   }
@@ -425,7 +369,7 @@ class Page {
     std::vector<std::string> heads{head};
     const auto scenes = names_but_hard_cases(report_);
     for (const std::string& name : scenes) heads.push_back(escaped(short_name(name)));
-    std::string text = "<div class='wide'><table>\n" + row("th", heads);
+    std::string text = "<div class='wide'><table>\n" + table_row("th", heads);
     for (const Column& column : columns_) {
       if (!shown(column)) continue;
       std::vector<std::string> cells{escaped(column.name())};
@@ -434,7 +378,7 @@ class Page {
         const Cell* cell = measured(r, column.method, column.precision);
         cells.push_back(cell == nullptr ? "" : value(r, *cell));
       }
-      text += row("td", cells);
+      text += table_row("td", cells);
     }
     return text + "</table></div>\n";
   }
@@ -516,30 +460,22 @@ class Page {
     text +=
         "<div class='wide'><table>\n"
         "<tr><th><th colspan='3' class='c'>off<th colspan='7' class='c'>on\n" +
-        row("th", {"feature, what turns it on", "own instructions", "own allocations", "bytes",
-                   "instructions", "/ off", "own instructions", "own allocations",
-                   "allocations more", "bytes more", "memory / off"});
+        table_row("th", {"feature, what turns it on", "own instructions", "own allocations",
+                         "bytes", "instructions", "/ off", "own instructions", "own allocations",
+                         "allocations more", "bytes more", "memory / off"});
     for (const FeatureRow& r : costs.rows) text += of_feature(r, costs.bytes_a_polygon);
     return text + "</table></div>\n";
   }
 
-  static std::string of(const Spread& s) {
-    return number(s.median) + "<td>" + number(s.least) + "<td>" + number(s.greatest);
-  }
-
   static std::string figures(const Cell& cell) {
-    std::string text =
-        fmt::format("<tr><td>{}<td class='l'>{}<td>{}<td>{}", escaped(cell.key.method),
-                    escaped(cell.key.precision), cell.key.threads, cell.exact ? "exact" : "");
-    if (!cell.skipped.empty()) {
-      return text + "<td class='l' colspan='12'>skipped: " + escaped(cell.skipped) + '\n';
-    }
+    if (!cell.skipped.empty()) return row_skipped(cell, 12);
+    std::string text = row_begun(cell);
     text += fmt::format("<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}", cell.wrong_pixels,
                         number(cell.largest_depth_error), number(cell.mean_depth_error),
                         cell.fragments ? number(*cell.fragments) : "",
                         cell.bytes ? fmt::format("{}", *cell.bytes) : "", cell.exact_calls,
-                        of(cell.time));
-    return text + (cell.again ? "<td>" + of(*cell.again) : "<td><td><td>") + '\n';
+                        spread_cells(cell.time));
+    return text + (cell.again ? "<td>" + spread_cells(*cell.again) : "<td><td><td>") + '\n';
   }
 
   /// One row a comparison.
@@ -547,8 +483,8 @@ class Page {
     if (report_.beside.empty()) return "";
     std::string text =
         "<details><summary>Beside others, and without exact stages</summary><table>\n" +
-        row("th",
-            {"scene", "threads", "other", "what", "times as fast", "least", "greatest", "count"});
+        table_row("th", {"scene", "threads", "other", "what", "times as fast", "least", "greatest",
+                         "count"});
     for (const Beside& b : report_.beside) {
       text += fmt::format("<tr><td>{}<td>{}<td class='l'>{}<td class='l'>{}", escaped(b.scene),
                           b.threads, escaped(b.other), escaped(b.what));
@@ -556,51 +492,15 @@ class Page {
         text += "<td class='l' colspan='4'>skipped: " + escaped(b.left_out) + '\n';
         continue;
       }
-      text += b.times_faster ? "<td>" + of(*b.times_faster) : "<td><td><td>";
+      text += b.times_faster ? "<td>" + spread_cells(*b.times_faster) : "<td><td><td>";
       text += b.count ? "<td>" + number(*b.count) + '\n' : "<td>\n";
     }
     return text + "</table></details>\n";
   }
 
-  static std::string figures_of_lines(const Cell& cell) {
-    std::string text =
-        fmt::format("<tr><td>{}<td class='l'>{}<td>{}<td>{}", escaped(cell.key.method),
-                    escaped(cell.key.precision), cell.key.threads, cell.exact ? "exact" : "");
-    if (!cell.skipped.empty()) {
-      return text + "<td class='l' colspan='10'>skipped: " + escaped(cell.skipped) + '\n';
-    }
-    const auto& [lines, pieces, length, missing, extra] = *cell.lines;
-    return text + fmt::format("<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}\n", lines, pieces,
-                              number(length), number(missing), number(extra), *cell.bytes,
-                              cell.exact_calls, of(cell.time));
-  }
-
-  std::string all_figures_of_lines() const {
-    std::string text;
-    for (const SceneRow& r : report_.scenes) {
-      if (r.line_cells.empty()) continue;
-      text += fmt::format("<details><summary>lines of {}: {} polygons",
-                          escaped(r.scene.id_but_size()), r.polygons);
-      if (r.line_growth) {
-        text += fmt::format(
-            "; the reference of lines takes {} ({} to {}) times what it takes on "
-            "the first",
-            number(r.line_growth->median), number(r.line_growth->least),
-            number(r.line_growth->greatest));
-      }
-      text += "</summary><table>\n" +
-              row("th", {"method", "precision", "threads", "claims", "lines", "pieces", "length",
-                         "missing length", "extra length", "bytes", "exact-stage calls", "time",
-                         "least", "greatest"});
-      for (const Cell& cell : r.line_cells) text += figures_of_lines(cell);
-      text += "</table></details>\n";
-    }
-    return text;
-  }
-
   std::string all_figures() const {
     std::string text = "<h2>All figures</h2>\n<p>The same as in the JSON.</p>\n" + comparisons() +
-                       all_figures_of_lines();
+                       figures_of_lines(report_);
     for (const SceneRow& r : report_.scenes) {
       if (r.cells.empty()) continue;
       text += fmt::format("<details><summary>{}: {} polygons, {} pixels", escaped(r.scene.id()),
@@ -614,10 +514,10 @@ class Page {
                             number(r.growth->greatest));
       }
       text += "</summary><table>\n" +
-              row("th",
-                  {"method", "precision", "threads", "claims", "wrong pixels",
-                   "largest depth error", "mean", "fragments a polygon", "bytes",
-                   "exact-stage calls", "time", "least", "greatest", "again", "least", "greatest"});
+              table_row("th", {"method", "precision", "threads", "claims", "wrong pixels",
+                               "largest depth error", "mean", "fragments a polygon", "bytes",
+                               "exact-stage calls", "time", "least", "greatest", "again", "least",
+                               "greatest"});
       for (const Cell& cell : r.cells) text += figures(cell);
       text += "</table></details>\n";
     }

@@ -35,6 +35,13 @@ inline double seconds_each(Clock clock, int times, const auto& work) {
   return (now(clock) - start) / times;
 }
 
+/// The least of so many, as other work only adds to it.
+inline double least_seconds_each(Clock clock, int rounds, const auto& work) {
+  double least = seconds_each(clock, 1, work);
+  for (int i = 1; i < rounds; ++i) least = std::min(least, seconds_each(clock, 1, work));
+  return least;
+}
+
 /// The least of a few where the work is short: a single one may have waited for something, and by
 /// what it takes is decided how often it is repeated.
 inline double seconds_once(const auto& work) {

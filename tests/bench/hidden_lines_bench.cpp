@@ -8,7 +8,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
-#include <exception>
 #include <string>
 #include <vector>
 
@@ -16,18 +15,16 @@
 #include "programs/bench/growth.h"
 #include "programs/bench/side_by_side.h"
 #include "programs/bench/timing.h"
+#include "tests/bench/command_line.h"
 #include "tests/bench/device_scene.h"
+#include "tests/bench/growth_options.h"
 #include "tests/bench/result_table.h"
 
 namespace displayfile::bench {
 namespace {
 
-struct Options {
-  std::vector<std::string> meshes;
+struct Options : GrowthOptions {
   std::vector<std::string> scenes = {"terrain", "village", "soup"};
-  int threads = 1;
-  int rounds = 5;
-  int low = 4, high = 6;  ///< of the sizes of growth, powers of ten
 };
 
 /// A scene with all its sides, each shared one once.
@@ -77,15 +74,9 @@ std::vector<std::string> ratios_of(const LinesOfScene& of, const Options& option
           options.threads == 1 ? "" : text(one)};
 }
 
-/// The least of three times, as other work only adds to it.
 double time_of(const LinesOfScene& of, HiddenMethod method, const Options& options) {
-  double least = 0.0;
-  for (int i = 0; i < 3; ++i) {
-    const double time =
-        seconds_each(clock_of(options.threads), 1, [&] { of.find(method, true, options.threads); });
-    least = i == 0 ? time : std::min(least, time);
-  }
-  return least;
+  return least_seconds_each(clock_of(options.threads), 3,
+                            [&] { of.find(method, true, options.threads); });
 }
 
 std::vector<std::string> growth_of(const std::string& name, const Options& options) {
@@ -97,8 +88,7 @@ std::vector<std::string> growth_of(const std::string& name, const Options& optio
     by_franklin.push_back(time_of(of, HiddenMethod::franklin, options));
     by_appel.push_back(time_of(of, HiddenMethod::appel, options));
   }
-  return {name, fmt::format("10^{} to 10^{}", options.low, options.high),
-          fmt::format("{:.2f}", fitted_exponent(sizes, by_franklin)),
+  return {name, options.sizes(), fmt::format("{:.2f}", fitted_exponent(sizes, by_franklin)),
           fmt::format("{:.2f}", fitted_exponent(sizes, by_appel)),
           fmt::format("{:.1f} to {:.1f}", overlaps.front(), overlaps.back())};
 }
@@ -119,7 +109,7 @@ void run(const Options& options) {
                                "Roberts over Franklin", "Appel over Franklin",
                                "Appel, exact over roundoff", "one thread over these"},
                               rows));
-  if (options.high <= options.low) return;
+  if (!options.want_growth()) return;
   rows.clear();
   for (const std::string& name : options.scenes) rows.push_back(growth_of(name, options));
   fmt::print("\nGrowth\n\n{}", text_table({"scene", "polygons", "Franklin's exponent", "Appel's",
@@ -132,20 +122,9 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
   displayfile::bench::Options options;
-  CLI::App app("Hidden lines, compared");
-  app.add_option("meshes", options.meshes, "meshes")->check(CLI::ExistingFile);
+  CLI::App app("Hidden lines, compared", "hidden_lines_bench");
+  add_options(app, options);
   app.add_option("--scenes", options.scenes, "generated scenes")->delimiter(',');
-  app.add_option("--threads", options.threads)->check(CLI::Range(1, 1024));
-  app.add_option("--rounds", options.rounds)->check(CLI::Range(1, 1000));
-  app.add_option("--low", options.low, "growth from 10^this")->check(CLI::Range(1, 7));
-  app.add_option("--high", options.high, "growth to 10^this; no more than --low: none")
-      ->check(CLI::Range(1, 7));
-  CLI11_PARSE(app, argc, argv);
-  try {
-    displayfile::bench::run(options);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "hidden_lines_bench: {}\n", error.what());
-    return 1;
-  }
-  return 0;
+  return displayfile::bench::parsed_and_run(app, argc, argv,
+                                            [&] { displayfile::bench::run(options); });
 }

@@ -7,9 +7,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdint>
-#include <exception>
 #include <map>
 #include <string>
 #include <tuple>
@@ -19,18 +17,13 @@
 #include "programs/bench/growth.h"
 #include "programs/bench/side_by_side.h"
 #include "programs/bench/timing.h"
+#include "tests/bench/command_line.h"
 #include "tests/bench/device_scene.h"
+#include "tests/bench/growth_options.h"
 #include "tests/bench/result_table.h"
 
 namespace displayfile::bench {
 namespace {
-
-struct Options {
-  std::vector<std::string> meshes;
-  int threads = 1;
-  int rounds = 5;
-  int low = 4, high = 6;  ///< of the sizes of growth, powers of ten
-};
 
 /// A scene whose polygons share their corners, as those of a mesh do.
 struct SharedScene {
@@ -75,7 +68,7 @@ std::string text(const Spread& s) {
   return fmt::format("{:.3f} ({:.3f} to {:.3f})", s.median, s.least, s.greatest);
 }
 
-std::vector<std::string> ratios_of(const SharedScene& scene, const Options& options) {
+std::vector<std::string> ratios_of(const SharedScene& scene, const GrowthOptions& options) {
   const LineOptions exact{.precision = {}, .threads = options.threads};
   const auto found = intersection_lines(scene.items(), options.threads);
   const auto franklin = [&](const std::vector<IntersectionLine>& intersections) {
@@ -95,37 +88,29 @@ std::vector<std::string> ratios_of(const SharedScene& scene, const Options& opti
           text(see)};
 }
 
-std::vector<std::string> growth_of(const std::string& name, const Options& options) {
+std::vector<std::string> growth_of(const std::string& name, const GrowthOptions& options) {
   std::vector<double> sizes, finding, seeing;
   std::size_t first = 0, last = 0;
   for (const std::size_t n : sizes_of_growth(options.low, options.high)) {
     const SharedScene scene(generated(name, n));
+    const Clock clock = clock_of(options.threads);
     std::vector<IntersectionLine> found;
-    double find = 0.0, see = 0.0;
-    for (int i = 0; i < 3; ++i) {  // the least, as other work only adds to it
-      const double time = seconds_each(clock_of(options.threads), 1, [&] {
-        found = intersection_lines(scene.items(), options.threads);
-      });
-      const double more = seconds_each(clock_of(options.threads), 1, [&] {
-        visible_lines(scene.items(), {}, HiddenMethod::franklin,
-                      {.precision = {}, .threads = options.threads}, found);
-      });
-      find = i == 0 ? time : std::min(find, time);
-      see = i == 0 ? more : std::min(see, more);
-    }
     sizes.push_back(static_cast<double>(scene.polygons.size()));
-    finding.push_back(find);
-    seeing.push_back(see);
+    finding.push_back(least_seconds_each(
+        clock, 3, [&] { found = intersection_lines(scene.items(), options.threads); }));
+    seeing.push_back(least_seconds_each(clock, 3, [&] {
+      visible_lines(scene.items(), {}, HiddenMethod::franklin,
+                    {.precision = {}, .threads = options.threads}, found);
+    }));
     last = found.size();
     if (sizes.size() == 1) first = last;
   }
-  return {name, fmt::format("10^{} to 10^{}", options.low, options.high),
-          fmt::format("{} to {}", first, last),
+  return {name, options.sizes(), fmt::format("{} to {}", first, last),
           fmt::format("{:.2f}", fitted_exponent(sizes, finding)),
           fmt::format("{:.2f}", fitted_exponent(sizes, seeing))};
 }
 
-void run(const Options& options) {
+void run(const GrowthOptions& options) {
   fmt::print(
       "Intersection lines, {} thread(s). Times in one run, in those of the hidden lines of all "
       "sides: the median of {} rounds, least and greatest.\n\n",
@@ -143,7 +128,7 @@ void run(const Options& options) {
   fmt::print("{}", text_table({"scene", "polygons", "sides", "intersections", "pieces of them",
                                "to find them", "all lines with them"},
                               rows));
-  if (options.high <= options.low) return;
+  if (!options.want_growth()) return;
   rows.clear();
   for (const char* const name : {"terrain", "village", "soup"}) {
     rows.push_back(growth_of(name, options));
@@ -157,20 +142,9 @@ void run(const Options& options) {
 }  // namespace displayfile::bench
 
 int main(int argc, char** argv) {
-  displayfile::bench::Options options;
-  CLI::App app("Intersection lines, compared");
-  app.add_option("meshes", options.meshes, "meshes")->check(CLI::ExistingFile);
-  app.add_option("--threads", options.threads)->check(CLI::Range(1, 1024));
-  app.add_option("--rounds", options.rounds)->check(CLI::Range(1, 1000));
-  app.add_option("--low", options.low, "growth from 10^this")->check(CLI::Range(1, 7));
-  app.add_option("--high", options.high, "growth to 10^this; no more than --low: none")
-      ->check(CLI::Range(1, 7));
-  CLI11_PARSE(app, argc, argv);
-  try {
-    displayfile::bench::run(options);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "intersection_lines_bench: {}\n", error.what());
-    return 1;
-  }
-  return 0;
+  displayfile::bench::GrowthOptions options;
+  CLI::App app("Intersection lines, compared", "intersection_lines_bench");
+  add_options(app, options);
+  return displayfile::bench::parsed_and_run(app, argc, argv,
+                                            [&] { displayfile::bench::run(options); });
 }

@@ -8,12 +8,12 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
-#include <exception>
 #include <string>
 #include <vector>
 
 #include "interp/truth/judged_lines.h"
 #include "programs/inputs.h"
+#include "tests/bench/command_line.h"
 #include "tests/bench/result_table.h"
 
 namespace displayfile::bench {
@@ -99,18 +99,12 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
   displayfile::bench::Options options;
-  CLI::App app("Lines of meshes against the truth");
+  CLI::App app("Lines of meshes against the truth", "lines_against_truth");
   app.add_option("meshes", options.meshes, "meshes")->check(CLI::ExistingFile)->required();
   app.add_option("--method", options.method, "roberts, appel or franklin");
   app.add_option("--precision", options.precision, "exact, roundoff or roundoff=EPS");
   app.add_option("--samples", options.samples, "points of each view, at least");
   app.add_option("--threads", options.threads)->check(CLI::Range(1, 1024));
-  CLI11_PARSE(app, argc, argv);
-  try {
-    displayfile::bench::run(options);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "lines_against_truth: {}\n", error.what());
-    return 1;
-  }
-  return 0;
+  return displayfile::bench::parsed_and_run(app, argc, argv,
+                                            [&] { displayfile::bench::run(options); });
 }

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "clip/corners.h"
 #include "displayfile/display_file.h"
 
 namespace displayfile {
@@ -71,7 +72,7 @@ void SampledScene::add_sides(Item item, Fill fill) {
   };
   double drawn = 0.0;
   for (std::uint32_t i = 0; i < vertices.size(); ++i) {
-    const Point3& from = vertices[i > 0 ? i - 1 : vertices.size() - 1];
+    const Point3& from = vertices[previous_corner<std::size_t>(i, vertices.size())];
     if (scene.edge_visible(item, i)) {
       lines.push_back({item, i, fill, z_on_plane(from), z_on_plane(vertices[i]), drawn});
       drawn += length(from, vertices[i]);
@@ -84,7 +85,7 @@ void SampledScene::add_sides(Item item, Fill fill) {
 SampledScene::Line SampledScene::line(std::uint32_t index) const {
   const LineEntry& entry = lines[index];
   const auto points = scene.points(entry.item);
-  const Point3& from = points[entry.to > 0 ? entry.to - 1 : points.size() - 1];
+  const Point3& from = points[previous_corner<std::size_t>(entry.to, points.size())];
   const Point3& to = points[entry.to];
   return {{from.x, from.y, entry.from_z},
           {to.x, to.y, entry.to_z},

@@ -7,7 +7,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <exception>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -21,6 +20,7 @@
 #include "interp/truth/true_lines.h"
 #include "programs/bench/temporary_folder.h"
 #include "programs/bench/timing.h"
+#include "tests/bench/command_line.h"
 #include "tests/bench/lines_beside_peers/degenerate_meshes.h"
 #include "tests/bench/lines_beside_peers/drawn_length.h"
 #include "tests/bench/lines_beside_peers/peer_process.h"
@@ -307,7 +307,7 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
   displayfile::bench::Options options;
-  CLI::App app("Hidden lines beside Blender's Line Art and OpenCASCADE");
+  CLI::App app("Hidden lines beside Blender's Line Art and OpenCASCADE", "lines_beside_peers");
   app.add_option("meshes", options.meshes, "meshes")->check(CLI::ExistingFile);
   app.add_flag("--degenerate", options.degenerate, "the table of degenerate meshes");
   app.add_option("--kinds", options.kinds, "all; outline,crease; all,intersection; again for more")
@@ -321,12 +321,6 @@ int main(int argc, char** argv) {
   app.add_option("--blender", options.blender, "the program");
   app.add_option("--line-art", options.line_art_options,
                  "NAME=VALUE,... of the modifier, for meshes");
-  CLI11_PARSE(app, argc, argv);
-  try {
-    displayfile::bench::run(options);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "lines_beside_peers: {}\n", error.what());
-    return 1;
-  }
-  return 0;
+  return displayfile::bench::parsed_and_run(app, argc, argv,
+                                            [&] { displayfile::bench::run(options); });
 }

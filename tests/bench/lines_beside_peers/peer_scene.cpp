@@ -12,6 +12,7 @@
 #include <sstream>
 #include <utility>
 
+#include "clip/corners.h"
 #include "clip/error.h"
 #include "clip/view_volume.h"
 #include "displayfile/mesh/fitted_view.h"
@@ -147,6 +148,20 @@ std::vector<LineName> features_of(const Mesh& mesh, const ViewedScene& scene,
   return lines;
 }
 
+/// The whole mesh as a segment, in the scene's view.
+void enter_mesh(const PeerScene& scene, GraphicsSystem& system) {
+  set_view(scene.view, system);
+  system.set_back_face_removal(false);
+  system.set_line_style(LineStyle{});
+  std::vector<std::uint32_t> sides(scene.mesh.faces());
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    sides[i] = static_cast<std::uint32_t>(scene.mesh.face(i).size());
+  }
+  system.open_segment(1);
+  system.polygons_abs_3(scene.mesh.vertices, scene.mesh.corners, sides);
+  system.close_segment();
+}
+
 std::vector<double> read_numbers(const std::string& path) {
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   if (!file) throw Error(path + ": cannot be read");
@@ -159,7 +174,8 @@ std::vector<double> read_numbers(const std::string& path) {
 
 Point2 in_device(const ViewedScene& scene, std::uint32_t item, std::uint32_t corner, double at) {
   const auto points = scene.points(item);
-  const Point2 to(points[corner]), from(points[corner == 0 ? points.size() - 1 : corner - 1]);
+  const Point2 to(points[corner]);
+  const Point2 from(points[previous_corner<std::size_t>(corner, points.size())]);
   return (1.0 - at) * from + at * to;
 }
 
@@ -227,16 +243,7 @@ void write_view(const PeerScene& scene, const std::string& path) {
 
 EnteredMesh enter(const PeerScene& scene, const LineKinds& kinds) {
   GraphicsSystem system;
-  set_view(scene.view, system);
-  system.set_back_face_removal(false);
-  system.set_line_style(LineStyle{});
-  std::vector<std::uint32_t> sides(scene.mesh.faces());
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    sides[i] = static_cast<std::uint32_t>(scene.mesh.face(i).size());
-  }
-  system.open_segment(1);
-  system.polygons_abs_3(scene.mesh.vertices, scene.mesh.corners, sides);
-  system.close_segment();
+  enter_mesh(scene, system);
   EnteredMesh entered{system.display_file(), nullptr, {}, kinds.intersection};
   entered.scene = std::make_unique<ViewedScene>(entered.file);
   if (entered.scene->items() != scene.mesh.faces()) {
@@ -250,19 +257,10 @@ EnteredMesh enter(const PeerScene& scene, const LineKinds& kinds) {
 RetainedMesh::RetainedMesh(const PeerScene& scene, const LineKinds& kinds)
     : view_(scene.view), intersections_(kinds.intersection) {
   system_.retain_alone(retained_);
-  set_view(scene.view, system_);
-  system_.set_back_face_removal(false);
-  system_.set_line_style(LineStyle{});
   std::string words = kinds.words;  // theirs are named as ours, and boundaries count as outlines
   if (kinds.outline) words += ",boundary";
   system_.set_lines(line_selection(words));
-  std::vector<std::uint32_t> sides(scene.mesh.faces());
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    sides[i] = static_cast<std::uint32_t>(scene.mesh.face(i).size());
-  }
-  system_.open_segment(1);
-  system_.polygons_abs_3(scene.mesh.vertices, scene.mesh.corners, sides);
-  system_.close_segment();
+  enter_mesh(scene, system_);
   viewer_.emplace(retained_, system_.display_file());
 }
 

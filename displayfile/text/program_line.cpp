@@ -1,0 +1,145 @@
+#include "displayfile/text/program_line.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
+#include "clip/words.h"
+#include "displayfile/characters.h"
+
+namespace displayfile {
+
+namespace {
+
+/// What words are made of: all but blanks and the start of a comment. (Other control characters
+/// are refused before any line is read.) A table, as every byte of a program is looked at.
+constexpr auto kInWord = [] {
+  std::array<bool, 256> in_word{};
+  for (std::size_t c = 0; c < in_word.size(); ++c) {
+    in_word[c] = c != ' ' && c != '\t' && c != '\r' && c != '#';
+  }
+  return in_word;
+}();
+bool in_word(char c) { return kInWord[static_cast<unsigned char>(c)]; }
+
+/// Where a word that begins with a quotation mark ends: with the next one that no backslash stands
+/// before, and what follows it up to a blank; or else with the line.
+const char* end_of_quoted(const char* p, const char* end) {
+  do ++p;
+  while (p != end && *p != '"' && (*p != '\\' || ++p != end));
+  return p;
+}
+
+/// from_chars, but the whole word and with an optional plus sign.
+template <class Number>
+std::errc read(std::string_view word, Number& value) {
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return end == word.data() + word.size() ? error : std::errc::invalid_argument;
+}
+
+double number(std::string_view word) {
+  double value = 0.0;
+  const std::errc error = read(word, value);
+  if (error == std::errc{} && std::isfinite(value)) return value;
+  if (error == std::errc::result_out_of_range) {
+    throw ErrorAt(word.data(), "number " + quoted(word) + " out of range of a double");
+  }
+  throw ErrorAt(word.data(), error == std::errc{} ? "expected a finite number, not " + quoted(word)
+                                                  : fmt::format("expected a number, not {}{}",
+                                                                quoted(word), hint_at(word)));
+}
+
+}  // namespace
+
+std::string_view hint_at(std::string_view word) {
+  return word.find(',') != word.npos && word[0] != '"'
+             ? ": numbers have no commas: blanks part them, a point their decimals"
+             : "";
+}
+
+void ProgramLine::split(std::string_view text) {
+  words_.clear();
+  taken_ = 1;
+  const char* p = text.data();
+  const char* const end = p + text.size();
+  for (;;) {
+    while (p != end && !in_word(*p) && *p != '#') ++p;
+    if (p == end || *p == '#') return;
+    const char* const start = p;
+    if (*p == '"') p = end_of_quoted(p, end);
+    while (p != end && in_word(*p)) ++p;
+    words_.emplace_back(start, static_cast<std::size_t>(p - start));
+  }
+}
+
+template <>
+double ProgramLine::take<double>() {
+  return number(take_word());
+}
+
+template <>
+Point2 ProgramLine::take<Point2>() {
+  const double x = take<double>(), y = take<double>();
+  return {x, y};
+}
+
+template <>
+Point3 ProgramLine::take<Point3>() {
+  const double x = take<double>(), y = take<double>(), z = take<double>();
+  return {x, y, z};
+}
+
+template <>
+int ProgramLine::take<int>() {
+  const std::string_view word = take_word();
+  int value = 0;
+  const std::errc error = read(word, value);
+  if (error == std::errc{}) return value;
+  throw ErrorAt(word.data(), error == std::errc::result_out_of_range
+                                 ? "whole number " + quoted(word) + " out of range"
+                                 : "expected a whole number, not " + quoted(word));
+}
+
+template <>
+std::string_view ProgramLine::take<std::string_view>() {
+  const std::string_view word = take_word();
+  if (word[0] != '"') {
+    throw ErrorAt(word.data(), "expected a text in quotation marks, not " + quoted(word));
+  }
+  characters_.clear();
+  std::size_t i = 1;
+  for (; i < word.size() && word[i] != '"'; ++i) {
+    if (word[i] == '\\' && ++i < word.size() && word[i] != '"' && word[i] != '\\') {
+      throw ErrorAt(&word[i - 1], "expected \\\" or \\\\ after a backslash in a text");
+    }
+    if (i < word.size()) characters_ += word[i];
+  }
+  if (i >= word.size()) {
+    throw ErrorAt(word.data() + word.size(), "the text does not end: expected a quotation mark");
+  }
+  if (i + 1 != word.size()) {
+    throw ErrorAt(&word[i + 1], "expected a blank after the text's quotation mark");
+  }
+  const auto drawable = word.substr(0, drawable_length(word));
+  if (drawable.size() < word.size()) {
+    throw ErrorAt(word.data() + drawable.size(), not_drawable(word.substr(drawable.size())));
+  }
+  return characters_;
+}
+
+template <class Point>
+std::span<const Point> ProgramLine::take_points() {
+  auto& points = std::get<std::vector<Point>>(points_);
+  points.clear();
+  while (taken_ < words_.size()) points.push_back(take<Point>());
+  return points;
+}
+
+template std::span<const Point2> ProgramLine::take_points();
+template std::span<const Point3> ProgramLine::take_points();
+
+}  // namespace displayfile

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "clip/error.h"
+#include "clip/point.h"
+
+namespace displayfile {
+
+/// An error whose place in the text is known.
+struct ErrorAt : Error {
+  ErrorAt(const char* place, const std::string& message) : Error(message), at(place) {}
+  const char* at;
+};
+
+/// What `read` makes of a word; its Error, at the word.
+template <class Read>
+auto understood(std::string_view word, const Read& read) {
+  try {
+    return read(word);
+  } catch (const Error& error) {
+    throw ErrorAt(word.data(), error.what());
+  }
+}
+
+/// What may be wrong with a word in which a number was expected, or numbers: how a message about it
+/// ends. Empty if nothing is known.
+std::string_view hint_at(std::string_view word);
+
+/// One line of a drawing program as words: the routine's name, then its arguments, which are
+/// taken in order. What stands in quotation marks is one word, with them.
+class ProgramLine {
+ public:
+  void split(std::string_view text);
+
+  bool empty() const { return words_.empty(); }
+  std::string_view name() const { return words_[0]; }
+  std::size_t arguments() const { return words_.size() - 1; }
+  std::string_view argument(std::size_t i) const { return words_[i + 1]; }
+  /// Takes one argument, or as many as T has coordinates: a number, a point, or a text in
+  /// quotation marks, without them, valid until the next is taken; what else T may be is for the
+  /// routines to say (routines.cpp). Throws ErrorAt for a word that is not one; there must be
+  /// enough words.
+  template <class T>
+  T take();
+  /// Takes all that are left; there must be whole points. Valid until the next line is split.
+  template <class Point>
+  std::span<const Point> take_points();
+  std::string_view take_word() { return words_[taken_++]; }
+
+ private:
+  std::vector<std::string_view> words_;
+  std::size_t taken_ = 0;  // words
+  std::string characters_;
+  std::tuple<std::vector<Point2>, std::vector<Point3>> points_;
+};
+
+template <>
+double ProgramLine::take<double>();
+template <>
+int ProgramLine::take<int>();
+template <>
+Point2 ProgramLine::take<Point2>();
+template <>
+Point3 ProgramLine::take<Point3>();
+template <>
+std::string_view ProgramLine::take<std::string_view>();
+extern template std::span<const Point2> ProgramLine::take_points();
+extern template std::span<const Point3> ProgramLine::take_points();
+
+}  // namespace displayfile

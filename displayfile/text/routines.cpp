@@ -1,0 +1,341 @@
+#include "displayfile/text/routines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "clip/nearest_word.h"
+#include "clip/words.h"
+#include "displayfile/axes.h"
+#include "displayfile/text/program_line.h"
+
+namespace displayfile {
+
+// ---- The words of arguments --------------------------------------------------------------
+
+namespace {
+
+constexpr Word<bool> kSwitches[] = {{true, "on"}, {false, "off"}};
+constexpr Word<FillStyle::Kind> kFillKinds[] = {{FillStyle::Kind::solid, "solid"},
+                                                {FillStyle::Kind::hollow, "hollow"}};
+constexpr Word<LineStyle::Kind> kLineKinds[] = {{LineStyle::Kind::solid, "solid"},
+                                                {LineStyle::Kind::dashed, "dashed"},
+                                                {LineStyle::Kind::none, "none"}};
+
+template <class Value, std::size_t N>
+Value one_of(const Word<Value> (&known)[N], std::string_view word) {
+  return understood(word, [&](std::string_view w) { return value_of(known, w, "expected"); });
+}
+
+}  // namespace
+
+template <>
+bool ProgramLine::take<bool>() {
+  return one_of(kSwitches, take_word());
+}
+
+template <>
+FillStyle::Kind ProgramLine::take<FillStyle::Kind>() {
+  return one_of(kFillKinds, take_word());
+}
+
+template <>
+LineStyle::Kind ProgramLine::take<LineStyle::Kind>() {
+  return one_of(kLineKinds, take_word());
+}
+
+template <>
+HiddenMethod ProgramLine::take<HiddenMethod>() {
+  return understood(take_word(), hidden_method);
+}
+
+template <>
+HiddenScope ProgramLine::take<HiddenScope>() {
+  return understood(take_word(), hidden_scope);
+}
+
+template <>
+HiddenLines ProgramLine::take<HiddenLines>() {
+  return understood(take_word(), hidden_lines);
+}
+
+template <>
+Shading ProgramLine::take<Shading>() {
+  return understood(take_word(), shading);
+}
+
+template <>
+WindowFit ProgramLine::take<WindowFit>() {
+  return understood(take_word(), window_fit);
+}
+
+template <>
+Precision ProgramLine::take<Precision>() {
+  return understood(take_word(), precision);
+}
+
+template <>
+TextStyle::Alignment ProgramLine::take<TextStyle::Alignment>() {
+  return understood(take_word(), alignment);
+}
+
+// ---- The routines ------------------------------------------------------------------------
+
+namespace {
+
+constexpr int kVaries = -1;
+
+struct Routine {
+  std::string_view name;
+  std::string_view expected;  ///< the arguments, in words
+  int arguments;              ///< how many; kVaries if `call` looks to it
+  void (*call)(GraphicsSystem&, ProgramLine&, const Routine&);
+};
+
+[[noreturn]] void wrong_count(const ProgramLine& line, const Routine& routine) {
+  const std::size_t count = line.arguments();
+  std::string message =
+      fmt::format("{}: {} argument{}, expected ", routine.name, count, count == 1 ? "" : "s");
+  if (routine.arguments == 0) {
+    message += "none";
+  } else if (routine.arguments == kVaries) {
+    message += routine.expected;
+  } else {
+    message += fmt::format("{}: {}", routine.arguments, routine.expected);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (const std::string_view hint = hint_at(line.argument(i)); !hint.empty()) {
+      message += hint;
+      break;
+    }
+  }
+  const bool too_many = routine.arguments != kVaries && std::cmp_greater(count, routine.arguments);
+  if (too_many) {
+    throw ErrorAt(line.argument(static_cast<std::size_t>(routine.arguments)).data(), message);
+  }
+  const std::string_view last = count == 0 ? line.name() : line.argument(count - 1);
+  throw ErrorAt(last.data() + last.size(), message);
+}
+
+/// A routine of the application API, taken apart: how many words its arguments are, and the
+/// call with arguments read from a line.
+template <auto routine>
+struct Api;
+template <class... Argument, void (GraphicsSystem::*routine)(Argument...)>
+struct Api<routine> {
+  template <class T>
+  static constexpr int kWords = std::is_same_v<T, Point3> ? 3 : 1;
+  static constexpr int words = (0 + ... + kWords<std::decay_t<Argument>>);
+
+  static void call(GraphicsSystem& system, ProgramLine& line, const Routine&) {
+    const std::tuple<std::decay_t<Argument>...> arguments{line.take<std::decay_t<Argument>>()...};
+    std::apply([&](const auto&... argument) { (system.*routine)(argument...); }, arguments);
+  }
+};
+
+consteval int words_in(std::string_view text) {
+  return text.empty() ? 0 : static_cast<int>(1 + std::ranges::count(text, ' '));
+}
+
+template <auto routine>
+consteval Routine fixed(std::string_view name, std::string_view expected) {
+  if (words_in(expected) != Api<routine>::words) throw "the words do not match the routine";
+  return {name, expected, Api<routine>::words, Api<routine>::call};
+}
+
+template <class Point, void (GraphicsSystem::*routine)(std::span<const Point>)>
+void points(GraphicsSystem& system, ProgramLine& line, const Routine& entry) {
+  if (line.arguments() % static_cast<std::size_t>(Point::length()) != 0) wrong_count(line, entry);
+  (system.*routine)(line.take_points<Point>());
+}
+
+void fill_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  if (line.arguments() == 0) wrong_count(line, routine);
+  const auto kind = line.take<FillStyle::Kind>();
+  const bool solid = kind == FillStyle::Kind::solid;
+  if (line.arguments() != (solid ? 4 : 1)) wrong_count(line, routine);
+  system.set_fill_style(solid ? FillStyle{kind, line.take<Point3>()} : FillStyle{kind});
+}
+
+void line_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  if (line.arguments() == 0) wrong_count(line, routine);
+  const std::size_t count = line.arguments();
+  const auto kind = line.take<LineStyle::Kind>();
+  if (kind == LineStyle::Kind::none) {
+    if (count != 1) wrong_count(line, routine);
+    return system.set_line_style({kind});
+  }
+  const bool dashed = kind == LineStyle::Kind::dashed;
+  if (count != 4 && count != 5 && !(dashed && count == 7)) wrong_count(line, routine);
+  LineStyle style{kind, line.take<Point3>()};
+  if (count >= 5) style.width = line.take<double>();
+  if (count == 7) {
+    style.dash = line.take<double>();
+    style.gap = line.take<double>();
+  }
+  system.set_line_style(style);
+}
+
+void background(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  if (line.arguments() != 1 && line.arguments() != 3) wrong_count(line, routine);
+  if (line.arguments() == 3) {
+    return system.set_background({Background::Kind::solid, line.take<Point3>()});
+  }
+  if (line.argument(0) != "none") {
+    throw ErrorAt(line.argument(0).data(),
+                  "expected none, or three numbers: r g b, not " + quoted(line.argument(0)));
+  }
+  system.set_background({Background::Kind::none});
+}
+
+void light(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  if (line.arguments() != 3 && line.arguments() != 4) wrong_count(line, routine);
+  const auto toward = line.take<Point3>();
+  if (line.arguments() == 3) return system.set_light(toward);
+  system.set_light(toward, line.take<double>());
+}
+
+void text_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  const std::size_t count = line.arguments();
+  if (count < 1 || count > 3) wrong_count(line, routine);
+  TextStyle style;
+  style.size = line.take<double>();
+  style.always = count > 1 && line.argument(count - 1) == "always";
+  const std::size_t others = count - (style.always ? 2 : 1);
+  if (others > 0) style.alignment = line.take<TextStyle::Alignment>();
+  if (others > 1) {
+    const std::string_view word = line.argument(2);
+    throw ErrorAt(word.data(), "expected always, or nothing, not " + quoted(word));
+  }
+  system.set_text_style(style);
+}
+
+void lines(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  if (line.arguments() == 0) wrong_count(line, routine);
+  LineSelection selection{.kinds = 0};
+  for (std::size_t i = 0; i < line.arguments(); ++i) {
+    understood(line.argument(i), [&](std::string_view word) { add_line_kind(word, selection); });
+  }
+  system.set_lines(selection);
+}
+
+void axes(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  const std::size_t count = line.arguments();
+  if (count != 6 && count != 9) wrong_count(line, routine);
+  Point3 low, high;
+  for (int a = 0; a < 3; ++a) {
+    low[a] = line.take<double>();
+    high[a] = line.take<double>();
+  }
+  std::array<std::string, 3> names{"x", "y", "z"};
+  if (count == 9) {
+    for (std::string& name : names) name = line.take<std::string_view>();
+  }
+  axes_3(system, low, high, {names[0], names[1], names[2]});
+}
+
+using G = GraphicsSystem;
+
+/// Every user routine. They are looked up in this order: those that fill programs come first.
+constexpr auto kRoutines = std::to_array<Routine>({
+    {"polygon-abs-3", "a multiple of 3: x y z ...", kVaries, points<Point3, &G::polygon_abs_3>},
+    fixed<&G::line_abs_3>("line-abs-3", "x y z"),
+    fixed<&G::move_abs_3>("move-abs-3", "x y z"),
+    {"polygon-abs-2", "a multiple of 2: x y ...", kVaries, points<Point2, &G::polygon_abs_2>},
+    fixed<&G::line_abs_2>("line-abs-2", "x y"),
+    fixed<&G::move_abs_2>("move-abs-2", "x y"),
+    {"polygon-rel-3", "a multiple of 3: dx dy dz ...", kVaries, points<Point3, &G::polygon_rel_3>},
+    fixed<&G::line_rel_3>("line-rel-3", "dx dy dz"),
+    fixed<&G::move_rel_3>("move-rel-3", "dx dy dz"),
+    {"polygon-rel-2", "a multiple of 2: dx dy ...", kVaries, points<Point2, &G::polygon_rel_2>},
+    fixed<&G::line_rel_2>("line-rel-2", "dx dy"),
+    fixed<&G::move_rel_2>("move-rel-2", "dx dy"),
+    fixed<&G::set_pick_id>("set-pick-id", "n"),
+    fixed<&G::text>("text", "\"characters\""),
+    {"axes-3", "6 or 9: x-min x-max y-min y-max z-min z-max [\"x\" \"y\" \"z\"]", kVaries, axes},
+    {"set-fill-style", "solid r g b | hollow", kVaries, fill_style},
+    {"set-line-style", "solid r g b [width] | dashed r g b [width [dash gap]] | none", kVaries,
+     line_style},
+    {"set-text-style", "size [left|centre|right] [always]", kVaries, text_style},
+    {"set-light", "3 or 4: x y z [ambient]", kVaries, light},
+    {"set-vertex-normals", "a multiple of 3: x y z ...", kVaries,
+     points<Point3, &G::set_vertex_normals>},
+    fixed<&G::set_shading>("set-shading", "flat|gouraud"),
+    fixed<&G::set_shadows>("set-shadows", "on|off"),
+
+    fixed<&G::open_segment>("open-segment", "name"),
+    fixed<&G::close_segment>("close-segment", ""),
+    fixed<&G::delete_segment>("delete-segment", "name"),
+    fixed<&G::delete_all_segments>("delete-all-segments", ""),
+    fixed<&G::rename_segment>("rename-segment", "name new-name"),
+    fixed<&G::set_visibility>("set-visibility", "name on|off"),
+    fixed<&G::set_image_translation>("set-image-translation", "name tx ty"),
+    fixed<&G::set_image_scale>("set-image-scale", "name sx sy"),
+    fixed<&G::set_image_rotation>("set-image-rotation", "name angle"),
+    fixed<&G::set_image_centre>("set-image-centre", "name x y"),
+
+    fixed<&G::create_transformation_3>("create-transformation-3", ""),
+    fixed<&G::translate_3>("translate-3", "tx ty tz"),
+    fixed<&G::scale_3>("scale-3", "sx sy sz"),
+    fixed<&G::rotate_x_3>("rotate-x-3", "angle"),
+    fixed<&G::rotate_y_3>("rotate-y-3", "angle"),
+    fixed<&G::rotate_z_3>("rotate-z-3", "angle"),
+    fixed<&G::save_transformation_3>("save-transformation-3", ""),
+    fixed<&G::restore_transformation_3>("restore-transformation-3", ""),
+
+    fixed<&G::set_view_reference_point>("set-view-reference-point", "x y z"),
+    fixed<&G::set_view_plane_normal>("set-view-plane-normal", "dx dy dz"),
+    fixed<&G::set_view_distance>("set-view-distance", "distance"),
+    fixed<&G::set_view_up>("set-view-up", "dx dy dz"),
+    fixed<&G::set_parallel>("set-parallel", "dx dy dz"),
+    fixed<&G::set_perspective>("set-perspective", "x y z"),
+    fixed<&G::set_view_depth>("set-view-depth", "front back"),
+    fixed<&G::set_front_plane_clipping>("set-front-plane-clipping", "on|off"),
+    fixed<&G::set_back_plane_clipping>("set-back-plane-clipping", "on|off"),
+    fixed<&G::set_window>("set-window", "x-min x-max y-min y-max"),
+    fixed<&G::set_viewport>("set-viewport", "x-min x-max y-min y-max"),
+    fixed<&G::set_window_fit>("set-window-fit", "widen|stretch"),
+    {"set-background", "r g b | none", kVaries, background},
+
+    fixed<&G::set_hidden_line_removal>("set-hidden-line-removal", "on|off"),
+    fixed<&G::set_back_face_removal>("set-back-face-removal", "on|off"),
+    fixed<&G::set_hidden_method>("set-hidden-method", "method"),
+    fixed<&G::set_hidden_scope>("set-hidden-scope", "segment|all"),
+    {"set-lines", "one or more of all outline boundary crease[=DEGREES] material intersection",
+     kVaries, lines},
+    fixed<&G::set_precision>("set-precision", "exact|roundoff[=EPS]"),
+    fixed<&G::set_hidden_lines>("set-hidden-lines", "none|dashed"),
+    fixed<&G::set_z_buffer>("set-z-buffer", "on|off"),
+});
+
+[[noreturn]] void unknown_routine(std::string_view name) {
+  std::array<std::string_view, kRoutines.size()> names;
+  std::ranges::transform(kRoutines, names.begin(), &Routine::name);
+  std::string message = fmt::format("unknown routine {}:", quoted(name));
+  if (const std::string meant = did_you_mean(name, names); !meant.empty()) {
+    message += meant + " expected a user routine";
+  } else {
+    message += " expected a user routine, such as open-segment or polygon-abs-3";
+  }
+  throw ErrorAt(name.data(), message);
+}
+
+}  // namespace
+
+void call_routine(ProgramLine& line, GraphicsSystem& system) {
+  const auto routine = std::ranges::find(kRoutines, line.name(), &Routine::name);
+  if (routine == kRoutines.end()) unknown_routine(line.name());
+  if (routine->arguments != kVaries && std::cmp_not_equal(routine->arguments, line.arguments())) {
+    wrong_count(line, *routine);
+  }
+  routine->call(system, line, *routine);
+}
+
+}  // namespace displayfile

@@ -7,7 +7,8 @@ namespace displayfile {
 
 namespace {
 
-/// Lines are few if they go through no more than this part of as many cells as there are items.
+/// Lines are few if they go through no more cells than this part of the items, of cells that are at
+/// most as many as these.
 constexpr std::size_t kPartWithLines = 4;
 /// A box is looked up at the level where it is no longer than this many cells.
 constexpr double kLargestInCells = 4.0;
@@ -39,14 +40,14 @@ CellsOfLines::CellsOfLines(const Primitives& items, std::span<const LineName> na
     all.include(Point3(line.to, 0.0), line.margin);
   }
   all_ = rectangle_of(all);
-  const auto cells = static_cast<double>(items.items.size());
-  layout_ =
-      CellLayout(all_, std::sqrt((all_.x_max - all_.x_min) * (all_.y_max - all_.y_min) / cells));
-  if (enter(lines)) pass_on();
+  const double longer = std::max(all_.x_max - all_.x_min, all_.y_max - all_.y_min);
+  const std::size_t most = items.items.size() / kPartWithLines;
+  layout_ = CellLayout(all_, longer / std::sqrt(static_cast<double>(items.items.size())));
+  if (enter(lines, most)) pass_on();
 }
 
-/// Into cells of the finest level. False if they are not few.
-bool CellsOfLines::enter(const std::vector<Line>& lines) {
+/// Into cells of the finest level. False if they are more than so many.
+bool CellsOfLines::enter(const std::vector<Line>& lines, std::size_t most) {
   const CellLayout::Size& size = layout_.levels()[0];
   std::vector<std::uint8_t> cells(size.cells(), 0);
   std::size_t entered = 0;
@@ -71,7 +72,7 @@ bool CellsOfLines::enter(const std::vector<Line>& lines) {
         ++entered;
       }
     }
-    if (entered > cells.size() / kPartWithLines) return false;
+    if (entered > most) return false;
   }
   with_lines_.push_back(std::move(cells));
   return true;

@@ -28,7 +28,7 @@ class CellsOfLines {
     Point2 from, to;
     double margin;  ///< around it
   };
-  bool enter(const std::vector<Line>& lines);
+  bool enter(const std::vector<Line>& lines, std::size_t most);
   void pass_on();
 
   Rectangle all_{};  // around all lines

@@ -16,14 +16,20 @@ using test::box;
 using test::drawn_with;
 using test::enter;
 
-class LineKindsFiles : public test::TemporaryFolder {};
+class LineKindsFiles : public test::TemporaryFolder {
+ protected:
+  /// What is in the file that a box with those lines is drawn into.
+  std::string box_in(const std::string& name, const std::string& words, HiddenMethod method) {
+    const GraphicsSystem g =
+        drawn_with(words, [](GraphicsSystem& system) { enter(system, box()); });
+    draw(g, file(name), {.hidden = method});
+    return test::content(file(name));
+  }
+};
 
 TEST_F(LineKindsFiles, EachKindIsAClassInSvg) {
   const auto draw_box = [&](const std::string& words, HiddenMethod method) {
-    const GraphicsSystem g =
-        drawn_with(words, [](GraphicsSystem& system) { enter(system, box()); });
-    draw(g, file("box.svg"), {.hidden = method});
-    return test::content(file("box.svg"));
+    return box_in("box.svg", words, method);
   };
   for (const HiddenMethod method :
        {HiddenMethod::franklin, HiddenMethod::bsp, HiddenMethod::z_buffer, HiddenMethod::none}) {
@@ -46,10 +52,7 @@ std::size_t occurrences(const std::string& text, const std::string& words) {
 /// A line of several kinds stands in the layer of the first.
 TEST_F(LineKindsFiles, EachKindIsALayerInPdf) {
   const auto draw_box = [&](const std::string& words, HiddenMethod method) {
-    const GraphicsSystem g =
-        drawn_with(words, [](GraphicsSystem& system) { enter(system, box()); });
-    draw(g, file("box.pdf"), {.hidden = method});
-    return test::content(file("box.pdf"));
+    return box_in("box.pdf", words, method);
   };
   for (const HiddenMethod method : {HiddenMethod::franklin, HiddenMethod::bsp}) {
     const std::string pdf = draw_box("outline,crease", method);

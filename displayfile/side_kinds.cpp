@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "clip/back_face.h"
+#include "clip/corners.h"
 #include "clip/point.h"
 #include "hidden/exact/plane.h"
 #include "hidden/exact/support_plane.h"
@@ -153,7 +154,7 @@ class SideKinds::Finder {
     const Primitives::Item& polygon = all.items[side.name.item];
     const std::uint32_t corner = side.name.corner;
     const Point3& from =
-        all.points[all.point(polygon.first + (corner == 0 ? polygon.sides : corner) - 1)];
+        all.points[all.point(polygon.first + previous_corner(corner, polygon.sides))];
     const Point3& to = all.points[all.point(polygon.first + corner)];
     const bool runs_up = std::tie(from.x, from.y, from.z) < std::tie(to.x, to.y, to.z);
     const Point3& normal = normals_[side.name.item];

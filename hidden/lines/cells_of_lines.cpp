@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "clip/corners.h"
+
 namespace displayfile {
 
 namespace {
@@ -27,7 +29,7 @@ CellsOfLines::CellsOfLines(const Primitives& items, std::span<const LineName> na
   lines.reserve(count);
   for (const LineName& name : names) {
     const PointRow points = items.points_of(items.items[name.item]);
-    const std::size_t before = name.corner == 0 ? points.size() - 1 : name.corner - 1;
+    const auto before = previous_corner<std::size_t>(name.corner, points.size());
     lines.push_back({Point2(points[before]), Point2(points[name.corner]), 0.0});
   }
   for (const IntersectionLine& line : intersections) {

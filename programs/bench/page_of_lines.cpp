@@ -16,7 +16,7 @@ namespace displayfile::bench {
 
 namespace {
 
-std::string row_of_lines(const Cell& cell) {
+std::string line_figures(const Cell& cell) {
   if (!cell.skipped.empty()) return row_skipped(cell, 10);
   const auto& [lines, pieces, length, missing, extra] = *cell.lines;
   return row_begun(cell) + fmt::format("<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}\n", lines,
@@ -67,7 +67,7 @@ std::string figures_of_lines(const Report& report) {
             table_row("th", {"method", "precision", "threads", "claims", "lines", "pieces",
                              "length", "missing length", "extra length", "bytes",
                              "exact-stage calls", "time", "least", "greatest"});
-    for (const Cell& cell : r.line_cells) text += row_of_lines(cell);
+    for (const Cell& cell : r.line_cells) text += line_figures(cell);
     text += "</table></details>\n";
   }
   return text;

@@ -21,7 +21,7 @@ struct Extent {
 
   /// Holds nothing, and meets only what has no bounds.
   static Extent nothing();
-  /// Of all points between these.
+  /// Has all points between these.
   static Extent between(const Point3& low, const Point3& high);
   /// Takes in a box of that radius around the point.
   void include(const Point3& p, double radius = 0.0);

@@ -12,6 +12,11 @@ ExactNumber difference(double a, double b) { return ExactNumber(a) - ExactNumber
 }  // namespace
 
 int exact_orientation(const Point2& a, const Point2& b, const Point2& c) {
+  // Both products have a factor that is zero, as on a line along an axis.
+  if ((a.x == c.x || b.y == c.y) && (a.y == c.y || b.x == c.x)) {
+    count_by_definition(Predicate::orientation_2);
+    return 0;
+  }
   count_exact(Predicate::orientation_2);
   return (difference(a.x, c.x) * difference(b.y, c.y) - difference(a.y, c.y) * difference(b.x, c.x))
       .sign();

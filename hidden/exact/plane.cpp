@@ -19,6 +19,15 @@ NormalComponent normal_component(double a, double d, double b, double c) {
   return {value, (error + 4.0 * kUnit * std::abs(value)) * kInflate + kTiny};
 }
 
+/// True if the point and the plane's are all at one place along an axis: it is on the plane, or they
+/// give no plane.
+bool is_across_an_axis(const Plane& plane, const Point3& v) {
+  const auto are_level = [&](int axis) {
+    return v[axis] == plane.p[axis] && v[axis] == plane.q[axis] && v[axis] == plane.r[axis];
+  };
+  return are_level(0) || are_level(1) || are_level(2);
+}
+
 }  // namespace
 
 Plane::Plane(const Point3& p_, const Point3& q_, const Point3& r_) : p(p_), q(q_), r(r_) {
@@ -46,7 +55,7 @@ int facing_axis(const Plane& plane) {
 }
 
 int exact_side_of_plane(const Point3& v, const Plane& plane) {
-  if (plane.goes_through(v)) {
+  if (plane.goes_through(v) || is_across_an_axis(plane, v)) {
     count_by_definition(Predicate::side_of_plane);
     return 0;
   }

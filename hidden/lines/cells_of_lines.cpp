@@ -13,7 +13,7 @@ namespace {
 /// most as many as these.
 constexpr std::size_t kPartWithLines = 4;
 /// A box is looked up at the level where it is no longer than this many cells.
-constexpr double kLargestInCells = 4.0;
+constexpr double kLongestLookedUp = 4.0;
 
 bool meet(const Rectangle& a, const Rectangle& b) {
   return a.x_min <= b.x_max && b.x_min <= a.x_max && a.y_min <= b.y_max && b.y_min <= a.y_max;
@@ -98,7 +98,7 @@ void CellsOfLines::pass_on() {
 bool CellsOfLines::come_near(const Rectangle& box) const {
   if (are_everywhere()) return true;
   if (!meet(box, all_)) return false;
-  const std::size_t level = layout_.level_for(layout_.length_in_cells(box), kLargestInCells);
+  const std::size_t level = layout_.level_for(layout_.length_in_cells(box), kLongestLookedUp);
   const CellLayout::Range cells = layout_.range(box, level);
   const std::uint32_t columns = layout_.levels()[level].columns;
   for (std::uint32_t j = cells.bottom; j <= cells.top; ++j) {

@@ -62,26 +62,29 @@ class ChainWriter {
               std::span<const std::uint32_t> groups, SortedPieces& all)
       : items_(items), primitives_(items.primitives()), lines_(lines), groups_(groups), all_(all) {}
 
-  /// Pieces in order of names.
+  /// Pieces in order of names, but for those whose rounded ends are one point in the projection.
   void add(std::span<const VisiblePiece> pieces) {
     links_.clear();
     drawn_.clear();
     auto line = lines_.begin();
     for (const VisiblePiece& piece : pieces) {
       const LineName name{piece.item, piece.corner};
-      Drawn drawn{items_.item_of(piece.item), kinds_of(LineKind::intersection)};
+      const std::uint32_t item = items_.item_of(piece.item);
+      Drawn drawn{item, item, kinds_of(LineKind::intersection)};
       if (!items_.is_intersection(piece.item)) {
         while (line->name != name) ++line;
-        drawn = {line->pick_item, line->kinds};
+        drawn = {item, line->pick_item, line->kinds};
       }
       const LineEnds ends(primitives_, name);
-      const std::uint64_t group = groups_.empty() ? 0 : groups_[items_.item_of(piece.item)];
-      links_.push_back({ends.at(piece.from), ends.at(piece.to), (group << 8) | drawn.kinds});
+      const Point3 from = ends.at(piece.from), to = ends.at(piece.to);
+      if (Point2(from) == Point2(to)) continue;
+      const std::uint64_t group = groups_.empty() ? 0 : groups_[item];
+      links_.push_back({from, to, (group << 8) | drawn.kinds});
       drawn_.push_back(drawn);
     }
     for (const auto& [piece, reversed] : chains_of(links_).places) {
       const auto first = static_cast<std::uint32_t>(all_.points.size());
-      all_.pieces.push_back({items_.item_of(pieces[piece].item), first, 2});
+      all_.pieces.push_back({drawn_[piece].item, first, 2});
       const ChainLink& link = links_[piece];
       all_.points.push_back(reversed ? link.to : link.from);
       all_.points.push_back(reversed ? link.from : link.to);
@@ -92,7 +95,7 @@ class ChainWriter {
 
  private:
   struct Drawn {
-    std::uint32_t pick_item;
+    std::uint32_t item, pick_item;
     LineKinds kinds;
   };
 

@@ -29,7 +29,8 @@ FoundLines find_lines(const Primitives& items, std::span<const std::int32_t> pic
 /// is not seen and not covered (uncovered_pieces). They are in order of chains (chains_of); pieces
 /// of different kinds are not joined, nor are those of items of different `groups`; empty: all are
 /// of one. The ends of a line are the item's own points; others are computed from those and
-/// rounded.
+/// rounded. A piece whose ends become one point in the projection is left out, which would be drawn
+/// as a dot.
 ///
 /// A piece of a side that polygons share is the first's that draws it, has all kinds that it is
 /// drawn as (SortedPieces::visible of its second point), and names the item of the lowest of their

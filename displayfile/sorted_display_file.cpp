@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "clip/error.h"
 #include "displayfile/hidden_surface_check.h"
 
 namespace displayfile {
@@ -58,6 +60,16 @@ Precision precision_in_force(const GraphicsSystem& system, const HiddenSurfaceOp
 HiddenLines hidden_lines_in_force(const GraphicsSystem& system,
                                   const HiddenSurfaceOptions& options) {
   return options.hidden_lines.value_or(system.hidden_lines());
+}
+
+void require_hidden_lines_found(HiddenLines hidden_lines, HiddenMethod method) {
+  if (hidden_lines == HiddenLines::none || is_object_space(method) || !is_colour_rule(method)) {
+    return;
+  }
+  const std::string name(name_of(method));
+  throw Error("hidden lines are not drawn by hidden-line method '" + name +
+              "': expected colour-rule=bsp, colour-rule=depth-sort, a method that finds lines, or "
+              "hidden lines none");
 }
 
 const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, HiddenMethod by,

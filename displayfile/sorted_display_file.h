@@ -32,6 +32,9 @@ HiddenMethod method_in_force(const GraphicsSystem& system, const HiddenSurfaceOp
 Precision precision_in_force(const GraphicsSystem& system, const HiddenSurfaceOptions& options);
 HiddenLines hidden_lines_in_force(const GraphicsSystem& system,
                                   const HiddenSurfaceOptions& options);
+/// Throws Error if lines are to be drawn where they are hidden, and the method is the colour rule
+/// over surfaces that are in no order: it finds no lines.
+void require_hidden_lines_found(HiddenLines hidden_lines, HiddenMethod method);
 
 /// A display file with its hidden surfaces sorted as the next drawing needs it. Kept from one
 /// drawing to the next, it sorts only what has changed since.

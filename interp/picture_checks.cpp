@@ -60,13 +60,8 @@ void require_drawable_by(HiddenMethod method, const DrawOptions& options) {
 void require_hidden_lines_drawn(HiddenLines hidden_lines, HiddenMethod method,
                                 const DrawOptions& options) {
   if (hidden_lines == HiddenLines::none || is_object_space(method)) return;
+  require_hidden_lines_found(hidden_lines, method);
   const RasterDevice& device = device_of(options.device);
-  if (is_colour_rule(method)) {
-    throw Error(fmt::format(
-        "hidden lines are not drawn by hidden-line method '{}': expected colour-rule=bsp, "
-        "colour-rule=depth-sort, a method that finds lines, or hidden lines none",
-        name_of(method)));
-  }
   if (&device != &first_device() && is_image_space(method)) {
     throw Error(
         fmt::format("hidden lines are not drawn by the {} device by '{}': expected the {} device, "

@@ -16,7 +16,6 @@
 #include "displayfile/input_file.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/text/drawing_program.h"
-#include "interp/picture_checks.h"
 #include "programs/keep_freed_memory.h"
 #include "programs/progress.h"
 #include "programs/warnings.h"
@@ -244,7 +243,7 @@ DrawnFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptio
   system.set_threads(options.threads);
   enter_inputs(inputs, system, meshes, aspect, options);
   const HiddenMethod method = method_in_force(system, options);
-  require_hidden_lines_drawn(hidden_lines_in_force(system, options), method, {});
+  require_hidden_lines_found(hidden_lines_in_force(system, options), method);
   Progress progress(
       fmt::format("hidden surfaces of {} polygons", system.display_file().polygons()));
   HiddenSurfaceOptions shown = options;

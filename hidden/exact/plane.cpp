@@ -19,8 +19,8 @@ NormalComponent normal_component(double a, double d, double b, double c) {
   return {value, (error + 4.0 * kUnit * std::abs(value)) * kInflate + kTiny};
 }
 
-/// True if the point and the plane's are all at one place along an axis: it is on the plane, or they
-/// give no plane.
+/// True if the point and the plane's are all at one place along an axis: it is on the plane, or
+/// they give no plane.
 bool is_across_an_axis(const Plane& plane, const Point3& v) {
   const auto are_level = [&](int axis) {
     return v[axis] == plane.p[axis] && v[axis] == plane.q[axis] && v[axis] == plane.r[axis];

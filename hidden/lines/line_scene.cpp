@@ -58,7 +58,7 @@ LineScene::LineScene(const Primitives& items, std::span<const LineName> names, i
   for (const LineName& name : names) check_name(items, name);
   const CellsOfLines cells(items, names, intersections);
   in_even_parts(items.items.size(), threads, [&](std::uint32_t i) {
-    if (!cells.are_everywhere() && !comes_near_lines(items.items[i], cells)) {
+    if (!comes_near_lines(items.items[i], cells)) {
       extents_[i] = Extent::nothing();
       return;
     }
@@ -71,6 +71,7 @@ LineScene::LineScene(const Primitives& items, std::span<const LineName> names, i
 }
 
 bool LineScene::comes_near_lines(const Primitives::Item& item, const CellsOfLines& cells) const {
+  if (cells.are_everywhere()) return true;
   if (item.sides == 0) return false;
   const PointRow points = items_.points_of(item);
   return cells.come_near(bounding_rectangle({points.data(), points.size()}));

@@ -62,9 +62,7 @@ void CellGrid::lay_out(const LineScene& scene) {
       std::clamp(*half / kUsualLengthInCells, widest / std::sqrt(kMostCellsAPolygon), widest);
   layout_ = CellLayout(rectangle_of(all),
                        std::max(cell, longer / std::min(CellLayout::kMostColumns, count)));
-  for (const auto& [columns, rows] : layout_.levels()) {
-    levels_.push_back({.columns = columns, .rows = rows, .first = {}, .entries = {}, .behind = {}});
-  }
+  for (const CellLayout::Size& size : layout_.levels()) levels_.push_back({size, {}, {}, {}});
 }
 
 std::size_t CellGrid::level_of(const Rectangle& box) const {
@@ -100,7 +98,7 @@ void CellGrid::block(const LineScene& scene, std::uint32_t polygon) {
       if (depth == kNothingHidden) continue;
       if (levels_[0].behind.empty()) {
         for (Level& level : levels_) {
-          level.behind.resize(std::size_t{level.columns} * level.rows, kNothingHidden);
+          level.behind.resize(level.cells(), kNothingHidden);
         }
       }
       float& behind = levels_[at].behind[std::size_t{j} * levels_[at].columns + i];
@@ -222,7 +220,7 @@ void CellGrid::for_each_entry(const LineScene& scene, const Visit& visit) const 
 
 /// Counted first, then entered, then each cell's put in order.
 void CellGrid::enter(const LineScene& scene, int threads) {
-  for (Level& level : levels_) level.first.resize(std::size_t{level.columns} * level.rows + 1, 0);
+  for (Level& level : levels_) level.first.resize(level.cells() + 1, 0);
   for_each_entry(scene, [&](std::size_t at, std::size_t cell, std::uint32_t) {
     ++levels_[at].first[cell + 1];
   });
@@ -257,7 +255,7 @@ std::vector<std::uint32_t> CellGrid::lines_by_cell(const LineScene& scene) const
   const std::size_t at = std::min(kLevelOfOrder, levels_.size() - 1);
   const Level& level = levels_[at];
   const double scale = std::ldexp(1.0, -static_cast<int>(at));
-  std::vector<std::uint32_t> cell_of, next(std::size_t{level.columns} * level.rows + 1, 0);
+  std::vector<std::uint32_t> cell_of, next(level.cells() + 1, 0);
   cell_of.reserve(first_lines.size());
   for (const std::uint32_t line : first_lines) {
     const Point2 from = layout_.in_cells(Point2(scene.point(scene.lines()[line].a))) * scale;

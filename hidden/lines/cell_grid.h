@@ -31,8 +31,7 @@ class CellGrid {
     }
   };
 
-  struct Level {
-    std::uint32_t columns = 1, rows = 1;
+  struct Level : CellLayout::Size {
     std::vector<std::uint32_t> first;  // of each cell, row by row; and the end
     std::vector<Entry> entries;        // of a cell, the one that reaches nearest first
     std::vector<float> behind;  // of each cell; empty: no cell of any level has a blocking face

@@ -1,29 +1,14 @@
 #include "hidden/exact/line_parameter.h"
 
-#include <cfenv>
-#include <cfloat>
-#include <limits>
 #include <optional>
 
 #include "hidden/exact/exact_vector.h"
+#include "hidden/exact/line_estimates.h"
 #include "hidden/exact/predicate_counts.h"
 
 namespace displayfile {
 
 namespace {
-
-// ---- The middle stage ---------------------------------------------------------------------
-
-/// A value and by how much it may be off, before the quotient.
-struct Estimate {
-  DoubleDouble value;
-  double error;
-};
-
-constexpr double kNothingKnown = std::numeric_limits<double>::infinity();
-
-/// Double-double arithmetic errs by as much as is said only in rounding to nearest, to doubles.
-bool is_double_double_sound() { return FLT_EVAL_METHOD == 0 && std::fegetround() == FE_TONEAREST; }
 
 /// at_a / (at_a - at_b), cut off and rounded; nothing if that depends on what may be off.
 std::optional<double> rounded_share(const Estimate& at_a, const Estimate& at_b) {
@@ -47,93 +32,12 @@ std::optional<double> rounded_share(const Estimate& at_a, const Estimate& at_b) 
   return low;
 }
 
-/// d x (v - p).
-Estimate estimated_turn(const Point2& p, const DoubleDouble& dx, const DoubleDouble& dy,
-                        const Point2& v) {
-  constexpr double kError = 0x1p-101;
-  const DoubleDouble left = dx * exact_difference(v.y, p.y);
-  const DoubleDouble right = dy * exact_difference(v.x, p.x);
-  return {left - right, kError * (std::abs(left.high) + std::abs(right.high)) + kTiny};
-}
-
-/// How far a plane's points, and another, lie from its first along an axis.
-double reach(const Plane& plane, double at, int axis) {
-  return std::max({std::abs(plane.q[axis] - plane.p[axis]), std::abs(plane.r[axis] - plane.p[axis]),
-                   std::abs(at - plane.p[axis])});
-}
-
-/// One component of the plane's normal.
-DoubleDouble normal_along(const Plane& plane, int axis) {
-  const int j = (axis + 1) % 3, k = (axis + 2) % 3;
-  const auto side = [&](const Point3& end, int i) { return exact_difference(end[i], plane.p[i]); };
-  return side(plane.q, j) * side(plane.r, k) - side(plane.q, k) * side(plane.r, j);
-}
-
-/// The plane's value at v.
-Estimate estimated_value(const Plane& plane, const Point3& v) {
-  constexpr double kError = 0x1p-97;
-  constexpr double kUnderflow = 0x1p-700;
-  DoubleDouble sum;
-  for (int i = 0; i < 3; ++i) {
-    sum = sum + normal_along(plane, i) * exact_difference(v[i], plane.p[i]);
-  }
-  const double size = reach(plane, v.x, 0) * (reach(plane, v.y, 1) * reach(plane, v.z, 2));
-  return {sum, kError * size + kUnderflow};
-}
-
-/// What the depths of planes are compared by.
-struct PlaneEstimate {
-  explicit PlaneEstimate(const Plane& plane_)
-      : plane(plane_),
-        a(normal_along(plane_, 0)),
-        b(normal_along(plane_, 1)),
-        c(normal_along(plane_, 2)) {}
-  /// A (x - p.x) + B (y - p.y).
-  DoubleDouble slope(const Point2& at) const {
-    return a * exact_difference(at.x, plane.p.x) + b * exact_difference(at.y, plane.p.y);
-  }
-  const Plane& plane;
-  DoubleDouble a, b, c;
-};
-
-/// The difference of two planes' depths times both C.
-Estimate estimated_apart(const PlaneEstimate& one, const PlaneEstimate& other, const Point2& at) {
-  constexpr double kError = 0x1p-97, kUnderflow = 0x1p-600, kLargestFigure = 0x1p+100;
-  const DoubleDouble apart = exact_difference(one.plane.p.z, other.plane.p.z);
-  const DoubleDouble value =
-      apart * one.c * other.c - one.slope(at) * other.c + other.slope(at) * one.c;
-  const auto flat = [&](const Plane& p) { return reach(p, at.x, 0) * reach(p, at.y, 1); };
-  const double flat_one = flat(one.plane), flat_other = flat(other.plane);
-  const double high_one = reach(one.plane, one.plane.p.z, 2);
-  const double high_other = reach(other.plane, other.plane.p.z, 2);
-  const double high = std::abs(apart.high) + high_one + high_other;
-  // Larger figures could make much of what is lost to underflow.
-  if (!(std::max(std::max(flat_one, flat_other), high) < kLargestFigure))
-    return {value, kNothingKnown};
-  return {value, kError * (flat_one * flat_other * high) + kUnderflow};
-}
-
-// ---- The exact stage ----------------------------------------------------------------------
-
 /// part / whole, cut off and rounded.
 double exact_share(const ExactNumber& part, const ExactNumber& whole) {
   count_exact(Predicate::line_parameter);
   if (part.sign() * whole.sign() <= 0) return 0.0;
   if ((part - whole).sign() * whole.sign() >= 0) return 1.0;
   return rounded_quotient(part, whole);
-}
-
-ExactNumber exactly_apart(double a, double b) { return ExactNumber(a) - ExactNumber(b); }
-
-ExactNumber exact_turn(const Point2& a, const Point2& b, const Point2& c) {
-  return exactly_apart(b.x, a.x) * exactly_apart(c.y, a.y) -
-         exactly_apart(b.y, a.y) * exactly_apart(c.x, a.x);
-}
-
-/// C times the plane's depth at a point of the projection.
-ExactNumber exact_depth(const ExactPlane& plane, const Point2& at) {
-  return plane.normal.z * plane.through.z - plane.normal.x * (ExactNumber(at.x) - plane.through.x) -
-         plane.normal.y * (ExactNumber(at.y) - plane.through.y);
 }
 
 }  // namespace
@@ -189,12 +93,9 @@ double meeting_parameter(const Point3& a, const Point3& b, const Plane& plane) {
 
 double exact_meeting_parameter(const Point2& a, const Point2& b, const Plane& one,
                                const Plane& other) {
-  const ExactPlane first(one), second(other);
-  const auto apart = [&](const Point2& at) {
-    return exact_depth(first, at) * second.normal.z - exact_depth(second, at) * first.normal.z;
-  };
-  const ExactNumber at_a = apart(a);
-  return exact_share(at_a, at_a - apart(b));
+  const ExactDepths depths(one, other);
+  const ExactNumber at_a = depths.apart(a);
+  return exact_share(at_a, at_a - depths.apart(b));
 }
 
 double meeting_parameter(const Point2& a, const Point2& b, const Plane& one, const Plane& other) {
@@ -247,7 +148,7 @@ Estimate estimated_value(const Plane& plane, const DefinedEnd& v) {
     const EndDifference from(v, i, plane.p[i]);
     const DoubleDouble normal = normal_along(plane, i);
     const int j = (i + 1) % 3, k = (i + 2) % 3;
-    const double largest = reach(plane, plane.p[j], j) * reach(plane, plane.p[k], k);
+    const double largest = reach_along(plane, plane.p[j], j) * reach_along(plane, plane.p[k], k);
     sum = sum + normal * from.value;
     error += kError * (largest * from.size);
   }

@@ -96,15 +96,15 @@ void CellGrid::block(const LineScene& scene, std::uint32_t polygon) {
       const Point2 high = origin + size * Point2(i + 1, j + 1) + margin;
       const float depth = blocked_behind(scene, polygon, low, high);
       if (depth == kNothingHidden) continue;
-      if (levels_[0].behind.empty()) {
-        for (Level& level : levels_) {
-          level.behind.resize(level.cells(), kNothingHidden);
-        }
-      }
+      if (levels_[0].behind.empty()) begin_blocking();
       float& behind = levels_[at].behind[std::size_t{j} * levels_[at].columns + i];
       behind = std::max(behind, depth);
     }
   }
+}
+
+void CellGrid::begin_blocking() {
+  for (Level& level : levels_) level.behind.resize(level.cells(), kNothingHidden);
 }
 
 /// The least depth of the polygon over a rectangle, if it covers all of that: if its sides all turn

@@ -11,6 +11,8 @@
 
 namespace displayfile {
 
+class ContourEdges;
+
 /// Franklin's grid (hidden/lines/franklin.md): square cells over all that hides something, at
 /// several levels, each of cells twice as wide as those of the one before. A polygon is in the
 /// cells of one level, where it is about as large as a cell, so that it is in few. Each cell knows
@@ -36,7 +38,7 @@ class CellGrid {
     std::vector<Entry> entries;        // of a cell, the one that reaches nearest first
     std::vector<float> behind;  // of each cell; empty: no cell of any level has a blocking face
 
-    std::span<const Entry> in_cell(std::uint32_t cell) const {
+    std::span<const Entry> in_cell(std::size_t cell) const {
       return std::span(entries).subspan(first[cell], first[cell + 1] - first[cell]);
     }
   };
@@ -50,6 +52,11 @@ class CellGrid {
   /// other is looked at together, while its data are at hand.
   std::vector<std::uint32_t> lines_by_cell(const LineScene& scene) const;
 
+  /// Finds where polygons that are joined side to side cover cells together, and are before what
+  /// else is there: behind them all is hidden, as behind a blocking face
+  /// (hidden/map/visible_map.md).
+  void find_blocking_sheets(const LineScene& scene, const ContourEdges& contours, int threads);
+
   /// True if the box is behind the blocking faces of cells that have it all.
   bool hides(const Extent& box) const;
 
@@ -61,6 +68,9 @@ class CellGrid {
   float blocked_behind(const LineScene& scene, std::uint32_t polygon, const Point2& low,
                        const Point2& high) const;
   void pass_on_blocking();
+  void begin_blocking();
+  std::vector<std::uint8_t> cells_with_contours(const LineScene& scene,
+                                                const ContourEdges& contours) const;
   void enter(const LineScene& scene, int threads);
   template <class Visit>
   void for_each_entry(const LineScene& scene, const Visit& visit) const;

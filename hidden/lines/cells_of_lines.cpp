@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "clip/corners.h"
+#include "hidden/lines/cell_walk.h"
 
 namespace displayfile {
 
@@ -55,25 +56,12 @@ bool CellsOfLines::enter(const std::vector<Line>& lines, std::size_t most) {
   std::size_t entered = 0;
   for (const Line& line : lines) {
     const Point2 from = layout_.in_cells(line.from), to = layout_.in_cells(line.to);
-    const Point2 along = to - from;
     const double margin = line.margin / layout_.cell() + CellLayout::kMargin;
     if (!std::isfinite(margin)) return false;
-    const int axis = std::abs(along.x) >= std::abs(along.y) ? 0 : 1, other = 1 - axis;
-    const std::uint32_t count = axis == 0 ? size.columns : size.rows;
-    const std::uint32_t others = axis == 0 ? size.rows : size.columns;
-    const double rise = along[axis] == 0.0 ? 0.0 : along[other] / along[axis];
-    const double low = std::min(from[axis], to[axis]), high = std::max(from[axis], to[axis]);
-    const std::uint32_t last = cell_at(high + margin, count);
-    for (std::uint32_t i = cell_at(low - margin, count); i <= last; ++i) {
-      const double u = std::clamp(i + 0.0, low, high), v = std::clamp(i + 1.0, low, high);
-      const double p = from[other] + (u - from[axis]) * rise;
-      const double q = from[other] + (v - from[axis]) * rise;
-      const std::uint32_t end = cell_at(std::max(p, q) + margin, others);
-      for (std::uint32_t j = cell_at(std::min(p, q) - margin, others); j <= end; ++j) {
-        cells[axis == 0 ? std::size_t{j} * count + i : std::size_t{i} * others + j] = 1;
-        ++entered;
-      }
-    }
+    for_each_cell_near(size, from, to, margin, [&](std::size_t cell) {
+      cells[cell] = 1;
+      ++entered;
+    });
     if (entered > most) return false;
   }
   with_lines_.push_back(std::move(cells));

@@ -40,6 +40,7 @@ class ContourEdges {
                      [&](DepthTree::Position position) { return visit(edges_[position]); });
   }
   std::size_t size() const { return edges_.size(); }
+  const std::vector<Edge>& edges() const { return edges_; }
 
  private:
   std::vector<std::int8_t> way_;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "hidden/lines/cell_grid.h"
+#include "hidden/lines/cell_walk.h"
 #include "hidden/lines/line_against_polygon.h"
 #include "hidden/lines/visible_pieces.h"
 
@@ -42,12 +43,6 @@ class Franklin {
     double nearest, farthest;
   };
 
-  /// The cells of the column that the stretch goes through.
-  struct Rows {
-    std::uint32_t low, high;
-    bool inside;  ///< the stretch does not leave the grid
-  };
-
   void begin_line(const LineScene::Line& line) {
     line_.look_at(line);
     from_ = grid_.layout().in_cells(Point2(scene_.point(line.a)));
@@ -61,56 +56,30 @@ class Franklin {
     }
   }
 
-  /// Goes along the line through the cells of a level, column by column if it is more level than
-  /// steep and otherwise row by row. The cells' borders lie at parameters that are doubles, and
-  /// what is hidden between two of them ends at them or at a true end: no end is made here.
+  /// What is hidden between two borders of cells ends at them or at a true end: no end is made
+  /// here.
   void walk(const CellGrid::Level& level, double scale) {
-    const Point2 from = from_ * scale, to = to_ * scale, along = to - from;
-    const int axis = std::abs(along.x) >= std::abs(along.y) ? 0 : 1, other = 1 - axis;
-    const std::uint32_t count = axis == 0 ? level.columns : level.rows;
-    const std::uint32_t others = axis == 0 ? level.rows : level.columns;
-    const std::uint32_t first = cell_at(from[axis], count), last = cell_at(to[axis], count);
-    const bool rising = first <= last;
-    double t = 0.0;
-    for (std::uint32_t i = first;; rising ? ++i : --i) {
-      double next = 1.0;
-      if (i != last) {
-        const double border = rising ? i + 1.0 : i + 0.0;
-        next = std::clamp((border - from[axis]) / along[axis], t, 1.0);
-      }
-      const double v = from[other] + t * along[other], w = from[other] + next * along[other];
-      const double u = from[axis] + t * along[axis], x = from[axis] + next * along[axis];
-      const Rows rows{cell_at(std::min(v, w), others), cell_at(std::max(v, w), others),
-                      within(u, x, count) && within(v, w, others)};
-      const auto cell = [&](std::uint32_t j) {
-        return axis == 0 ? j * level.columns + i : i * level.columns + j;
-      };
-      find_hidden(level, stretch({t, next}), rows, cell);
-      if (i == last) return;
-      t = next;
-    }
+    walk_cells(level, from_ * scale, to_ * scale, [&](const CellsOfStretch& cells) {
+      find_hidden(level, stretch(cells.part), cells);
+      return true;
+    });
   }
 
-  static bool within(double u, double v, std::uint32_t cells) {
-    return std::min(u, v) >= 0.0 && std::max(u, v) <= cells;
-  }
-
-  template <class Cell>
-  void find_hidden(const CellGrid::Level& level, const Stretch& stretch, const Rows& rows,
-                   const Cell& cell) {
+  void find_hidden(const CellGrid::Level& level, const Stretch& stretch,
+                   const CellsOfStretch& cells) {
     if (parts_.hides(stretch.part)) return;
-    if (rows.inside && !level.behind.empty()) {
+    if (cells.inside && !level.behind.empty()) {
       bool blocked = true;
-      for (std::uint32_t j = rows.low; blocked && j <= rows.high; ++j) {
-        blocked = level.behind[cell(j)] > stretch.nearest;
+      for (std::uint32_t j = cells.low; blocked && j <= cells.high; ++j) {
+        blocked = level.behind[cells.cell(j)] > stretch.nearest;
       }
       if (blocked) {
         parts_.add_both(stretch.part);
         return;
       }
     }
-    for (std::uint32_t j = rows.low; j <= rows.high; ++j) {
-      for (const CellGrid::Entry& entry : level.in_cell(cell(j))) {
+    for (std::uint32_t j = cells.low; j <= cells.high; ++j) {
+      for (const CellGrid::Entry& entry : level.in_cell(cells.cell(j))) {
         if (entry.z_max <= stretch.farthest) break;  // and so are those after it
         if (!entry.meets(box_) || looked_at_[entry.polygon] == number_) continue;
         looked_at_[entry.polygon] = number_;

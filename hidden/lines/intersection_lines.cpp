@@ -38,7 +38,6 @@ class Intersections {
     join_inside();
     for (const auto& [from, to] : inside_) {
       IntersectionLine line{a, b, rounded_once(from), rounded_once(to), {}, {}};
-      if (Point2(line.from.near) == Point2(line.to.near)) continue;
       line.start = drawn(line.from);
       line.end = drawn(line.to);
       lines.push_back(line);
@@ -120,8 +119,10 @@ class Intersections {
   }
   DefinedPoint at_corner(std::uint32_t item, std::uint32_t own, std::uint32_t k) const {
     const std::uint32_t p = point(item, k);
-    return scene_.is_off_plane(item, k) ? lifted_point(definitions(), p, own)
-                                        : stored_point(items_.points[p]);
+    DefinedPoint v = scene_.is_off_plane(item, k) ? lifted_point(definitions(), p, own)
+                                                  : stored_point(items_.points[p]);
+    v.a = p;  // who asks of a stored point too, of which the items' it is
+    return v;
   }
   DefinedPoint on_side(std::uint32_t item, std::uint32_t own, std::uint32_t k,
                        std::uint32_t next) const {
@@ -208,12 +209,22 @@ class Intersections {
 }  // namespace
 
 std::vector<IntersectionLine> intersection_lines(const Primitives& items, int threads) {
-  constexpr std::uint32_t kLeavesOfAPart = 64;
   const LineScene scene(items, {}, threads);
   std::vector<std::uint32_t> solids;
   for (std::uint32_t i = 0; i < scene.items(); ++i) {
     if (scene.hides(i)) solids.push_back(i);
   }
+  std::vector<IntersectionLine> lines = intersection_lines(items, scene, solids, threads);
+  std::erase_if(lines, [](const IntersectionLine& line) {
+    return Point2(line.from.near) == Point2(line.to.near);
+  });
+  return lines;
+}
+
+std::vector<IntersectionLine> intersection_lines(const Primitives& items, const LineScene& scene,
+                                                 std::span<const std::uint32_t> solids,
+                                                 int threads) {
+  constexpr std::uint32_t kLeavesOfAPart = 64;
   DepthTree tree;
   tree.build(
       solids.size(), [&](DepthTree::Item k) { return DepthBox{scene.extent(solids[k])}; }, threads);

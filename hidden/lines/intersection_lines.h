@@ -1,12 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "hidden/exact/defined_point.h"
 #include "hidden/primitives.h"
 
 namespace displayfile {
+
+class LineScene;
 
 /// A part of a line along which two solid polygons pass through each other. Device coordinates.
 struct IntersectionLine {
@@ -25,5 +28,10 @@ struct IntersectionLine {
 /// definition): in order of item_b, item_a, and of places along the line that both planes have in
 /// common. Edge-on polygons have none. Exact; the same for any number of threads.
 std::vector<IntersectionLine> intersection_lines(const Primitives& items, int threads = 1);
+/// The same among some polygons, which hide, with lines too whose ends differ but are rounded
+/// alike. The scene is of the same items.
+std::vector<IntersectionLine> intersection_lines(const Primitives& items, const LineScene& scene,
+                                                 std::span<const std::uint32_t> polygons,
+                                                 int threads);
 
 }  // namespace displayfile

@@ -64,7 +64,11 @@ class LineScene {
   }
   std::uint32_t sides(std::uint32_t item) const { return items_.items[item].sides; }
   const Point3& corner(std::uint32_t item, std::uint32_t corner) const {
-    return items_.points[items_.point(items_.items[item].first + corner)];
+    return items_.points[corner_point(item, corner)];
+  }
+  /// The corner's point, by its number among the items'.
+  std::uint32_t corner_point(std::uint32_t item, std::uint32_t corner) const {
+    return items_.point(items_.items[item].first + corner);
   }
   /// The support plane of a polygon that has one, turned to the viewer. Those of a triangle are its
   /// own vertices.

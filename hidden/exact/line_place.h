@@ -1,0 +1,32 @@
+#pragma once
+
+#include "clip/point.h"
+#include "hidden/exact/exact_number.h"
+#include "hidden/exact/plane.h"
+
+namespace displayfile {
+
+// Where something meets the line from a to b in the projection, as a point: each coordinate the
+// true one rounded once, to the nearest double. The same bits for whoever asks, since the point is
+// the same, for coordinates up to kCoordinateLimit.
+
+/// Where the line through p and q crosses it. They must not be parallel.
+Point2 crossing_place(const Point2& a, const Point2& b, const Point2& p, const Point2& q);
+
+/// Where two planes, neither of them edge-on, have the same depth above it; not all along.
+Point2 meeting_place(const Point2& a, const Point2& b, const Plane& one, const Plane& other);
+
+/// The point (x, y) / w, by exact numbers; w is not zero.
+struct ExactPlace {
+  ExactNumber x, y, w;
+};
+ExactPlace exact_place(const Point2& p);
+ExactPlace exact_crossing_place(const Point2& a, const Point2& b, const Point2& p, const Point2& q);
+ExactPlace exact_meeting_place(const Point2& a, const Point2& b, const Plane& one,
+                               const Plane& other);
+
+Point2 rounded(const ExactPlace& place);
+/// The order by x, then y; 0 if they are the same point.
+int compare_xy(const ExactPlace& p, const ExactPlace& q);
+
+}  // namespace displayfile

@@ -1,0 +1,76 @@
+#include <array>
+#include <span>
+
+#include "hidden/lines/intersection_lines.h"
+#include "hidden/lines/visible_pieces.h"
+#include "hidden/map/edges_along_line.h"
+#include "hidden/map/map_edges.h"
+#include "hidden/map/map_precision.h"
+#include "hidden/map/meeting_carrier.h"
+#include "hidden/parallel.h"
+
+namespace displayfile {
+
+namespace {
+
+/// Finds the edges on one intersection line after the other.
+template <class Policy>
+class MeetingFinder {
+  using Edges = EdgesAlongLine<MeetingCarrier<Policy>, Policy>;
+  using Seen = SeenAlongLine<MeetingCarrier<Policy>>;
+
+ public:
+  MeetingFinder(const MapScene& map, const Policy& policy) : map_(map), edges_(map, policy) {}
+
+  void find(const IntersectionLine& line, std::vector<MapEdge>& edges) {
+    Extent box = Extent::nothing();
+    box.include(line.from.near, line.from.radius);
+    box.include(line.to.near, line.to.radius);
+    if (map_.grid.hides(box)) return;
+    edges_.line().look_at(line);
+    owners_ = {line.item_a, line.item_b};
+    edges_.begin(owners_, Edges::kNoSide);
+    edges_.seen().begin(2);  // the two
+    const bool a_is_left = edges_.line().first_is_nearer_on_left();
+    edges_.seen().begin_with(Seen::kLeft, a_is_left ? line.item_a : line.item_b, false);
+    edges_.seen().begin_with(Seen::kRight, a_is_left ? line.item_b : line.item_a, false);
+    edges_.note_added(line.item_a);
+    edges_.note_added(line.item_b);
+    edges_.find(box, edges);
+  }
+
+ private:
+  const MapScene& map_;
+  Edges edges_;
+  std::array<std::uint32_t, 2> owners_{};
+};
+
+}  // namespace
+
+template <class Policy>
+std::vector<MapEdge> edges_of_meetings(const MapScene& map, const Policy& policy, int threads) {
+  constexpr std::size_t kLinesOfAPart = 64;
+  std::vector<std::uint32_t> contested;  // nothing passes visibly through what is seen as a whole
+  for (std::uint32_t i = 0; i < map.lines.items(); ++i) {
+    if (map.faces[i] == SeenFaces::Seen::some) contested.push_back(i);
+  }
+  const std::vector<IntersectionLine> lines =
+      intersection_lines(map.items, map.lines, contested, threads);
+  std::vector<std::vector<MapEdge>> found((lines.size() + kLinesOfAPart - 1) / kLinesOfAPart);
+  const auto make_finder = [&] { return MeetingFinder<Policy>(map, policy); };
+  Finders finders(make_finder);
+  in_parallel(threads, found.size(), [&](std::size_t part) {
+    const std::size_t end = std::min(lines.size(), (part + 1) * kLinesOfAPart);
+    finders.use([&](auto& finder) {
+      for (std::size_t k = part * kLinesOfAPart; k < end; ++k) finder.find(lines[k], found[part]);
+    });
+  });
+  std::vector<MapEdge> edges;
+  for (const auto& of_part : found) edges.insert(edges.end(), of_part.begin(), of_part.end());
+  return edges;
+}
+
+template std::vector<MapEdge> edges_of_meetings(const MapScene&, const ExactMap&, int);
+template std::vector<MapEdge> edges_of_meetings(const MapScene&, const RoundoffMap&, int);
+
+}  // namespace displayfile

@@ -1,0 +1,133 @@
+#include <span>
+
+#include "clip/corners.h"
+#include "hidden/lines/visible_pieces.h"
+#include "hidden/map/edges_along_line.h"
+#include "hidden/map/map_edges.h"
+#include "hidden/map/map_precision.h"
+#include "hidden/map/side_carrier.h"
+#include "hidden/parallel.h"
+
+namespace displayfile {
+
+namespace {
+
+using SameSides = std::span<const SideTable::Side>;
+
+/// A side that polygons share, from its lower point to its higher one.
+struct SharedSide {
+  std::uint32_t low, high;
+  SameSides same;
+};
+
+SharedSide shared_side(const MapScene& map, SameSides same) {
+  const auto [item, corner] = same.front().name;
+  const std::uint32_t p = map.sides.vertex(map.lines.corner_point(item, corner));
+  const std::uint32_t before = previous_corner(corner, map.lines.sides(item));
+  const std::uint32_t q = map.sides.vertex(map.lines.corner_point(item, before));
+  return {std::min(p, q), std::max(p, q), same};
+}
+
+/// 1 if a polygon that is counted has its inside left of the side, -1 if right, 0 if it is not
+/// known.
+int inside_of(const MapScene& map, const ContourEdges& ways, const SharedSide& side,
+              const LineName& name) {
+  const std::uint32_t end = map.sides.vertex(map.lines.corner_point(name.item, name.corner));
+  return end == side.high ? ways.way(name.item) : -ways.way(name.item);
+}
+
+/// Finds the edges on one side after the other.
+template <class Policy>
+class SideFinder {
+  using Edges = EdgesAlongLine<SideCarrier<Policy>, Policy>;
+  using Seen = SeenAlongLine<SideCarrier<Policy>>;
+
+ public:
+  SideFinder(const MapScene& map, const ContourEdges& ways, const Policy& policy)
+      : map_(map), ways_(ways), edges_(map, policy) {}
+
+  void find(const SharedSide& side, std::vector<MapEdge>& edges) {
+    const Point3 &a = map_.lines.point(side.low), &b = map_.lines.point(side.high);
+    edges_.line().look_at(side.low, side.high);
+    owners_.clear();
+    for (const auto& [high, name] : side.same) {
+      const bool is_known = !owners_.empty() && owners_.back() == name.item;
+      if (map_.lines.hides(name.item) && !is_known) owners_.push_back(name.item);
+    }
+    edges_.begin(owners_, {side.low, side.high});
+    edges_.seen().begin();
+    for (const auto& [high, name] : side.same) begin_with_whole(side, name);
+    for (const std::uint32_t item : owners_) {
+      if (map_.faces[item] != SeenFaces::Seen::whole) edges_.add(item);
+    }
+    edges_.find(Extent::between(glm::min(a, b), glm::max(a, b)), edges);
+  }
+
+ private:
+  /// What is seen as a whole is seen all along its sides.
+  void begin_with_whole(const SharedSide& side, const LineName& name) {
+    if (map_.faces[name.item] != SeenFaces::Seen::whole) return;
+    const bool is_left = inside_of(map_, ways_, side, name) > 0;
+    edges_.seen().begin_with(is_left ? Seen::kLeft : Seen::kRight, name.item, true);
+    edges_.note_added(name.item);
+  }
+
+  const MapScene& map_;
+  const ContourEdges& ways_;
+  Edges edges_;
+  std::vector<std::uint32_t> owners_;
+};
+
+/// The sides of what may be seen, but for those between two polygons that are seen as a whole:
+/// these are edges, which are added.
+std::vector<SharedSide> sides_to_look_at(const MapScene& map, const ContourEdges& ways,
+                                         std::vector<MapEdge>& edges) {
+  using enum SeenFaces::Seen;
+  std::vector<SharedSide> sides;
+  map.sides.for_each_set([&](SameSides same) {
+    bool any = false, all_whole = true;
+    for (const auto& [high, name] : same) {
+      const SeenFaces::Seen seen = map.faces[name.item];
+      any |= seen != nothing;
+      all_whole &= seen == whole;
+    }
+    if (!any) return;
+    const SharedSide side = shared_side(map, same);
+    const Point2 low(map.lines.point(side.low)), high(map.lines.point(side.high));
+    if (low == high) return;
+    if (same.size() != 2 || !all_whole) return sides.push_back(side);
+    const std::uint32_t one = same[0].name.item, other = same[1].name.item;
+    const bool is_left = inside_of(map, ways, side, same[0].name) > 0;
+    edges.push_back({MapPlace::at_point(side.low), MapPlace::at_point(side.high), low + 0.0,
+                     high + 0.0, is_left ? one : other, is_left ? other : one});
+  });
+  return sides;
+}
+
+}  // namespace
+
+template <class Policy>
+std::vector<MapEdge> edges_on_sides(const MapScene& map, const ContourEdges& ways,
+                                    const Policy& policy, int threads) {
+  constexpr std::size_t kSidesOfAPart = 256;
+  std::vector<MapEdge> edges;
+  const std::vector<SharedSide> sides = sides_to_look_at(map, ways, edges);
+  std::vector<std::vector<MapEdge>> found((sides.size() + kSidesOfAPart - 1) / kSidesOfAPart);
+  const auto make_finder = [&] { return SideFinder<Policy>(map, ways, policy); };
+  Finders finders(make_finder);
+  in_parallel(threads, found.size(), [&](std::size_t part) {
+    const std::size_t end = std::min(sides.size(), (part + 1) * kSidesOfAPart);
+    finders.use([&](auto& finder) {
+      for (std::size_t k = part * kSidesOfAPart; k < end; ++k) finder.find(sides[k], found[part]);
+    });
+  });
+  for (const auto& of_part : found) edges.insert(edges.end(), of_part.begin(), of_part.end());
+  return edges;
+}
+
+template std::vector<MapEdge> edges_on_sides(const MapScene&, const ContourEdges&, const ExactMap&,
+                                             int);
+template std::vector<MapEdge> edges_on_sides(const MapScene&, const ContourEdges&,
+                                             const RoundoffMap&, int);
+
+}  // namespace displayfile

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "hidden/lines/cell_grid.h"
+#include "hidden/lines/contour_edges.h"
+#include "hidden/lines/line_scene.h"
+#include "hidden/lines/side_table.h"
+#include "hidden/map/map_place.h"
+#include "hidden/map/seen_faces.h"
+
+namespace displayfile {
+
+/// What the edges of a map are found from.
+struct MapScene {
+  const Primitives& items;
+  const LineScene& lines;  ///< the polygons; it has no lines
+  const SideTable& sides;
+  const CellGrid& grid;
+  const SeenFaces& faces;
+};
+
+/// A part of a line with one item seen left of it and another right of it, going from `from` to
+/// `to`; LineScene::kNone where nothing is seen.
+struct MapEdge {
+  MapPlace from, to;
+  Point2 at_from, at_to;  ///< the places rounded once
+  std::uint32_t left, right;
+};
+
+/// The edges that lie on sides of what is seen beside them.
+template <class Policy>
+std::vector<MapEdge> edges_on_sides(const MapScene& map, const ContourEdges& ways,
+                                    const Policy& policy, int threads);
+
+/// The edges where what is seen beside them passes through each other.
+template <class Policy>
+std::vector<MapEdge> edges_of_meetings(const MapScene& map, const Policy& policy, int threads);
+
+}  // namespace displayfile

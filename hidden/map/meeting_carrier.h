@@ -1,0 +1,118 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "hidden/exact/defined_point.h"
+#include "hidden/lines/intersection_lines.h"
+#include "hidden/lines/line_scene.h"
+#include "hidden/map/map_place.h"
+
+namespace displayfile {
+
+/// The line along which two polygons pass through each other, as edges of a map may lie on it: what
+/// a SideCarrier is for sides.
+template <class Policy>
+class MeetingCarrier {
+ public:
+  struct Place {
+    DefinedPoint at;
+    MapPlace what;
+  };
+
+  MeetingCarrier(const LineScene& scene, const Policy& policy) : scene_(scene), policy_(policy) {}
+
+  void look_at(const IntersectionLine& line) {
+    line_ = &line;
+    planes_.assign({scene_.plane(line.item_a), scene_.plane(line.item_b)});
+    from_ = line.from.near;
+    to_ = line.to.near;
+    left_is_first_ = finds_first_on_left();
+  }
+
+  const Point3& from() const { return from_; }
+  const Point3& to() const { return to_; }
+  Place start() const { return {line_->from, what(line_->from)}; }
+  Place end() const { return {line_->to, what(line_->to)}; }
+
+  /// Which of the two polygons is nearer left of the line is the same all along.
+  bool first_is_nearer_on_left() const { return left_is_first_; }
+
+  int side(const Point3& p) const {
+    if constexpr (!Policy::kExact) return policy_.turn(Point2(from_), Point2(to_), Point2(p));
+    const int nearer = policy_.order(planes_[0], planes_[1], p);
+    return left_is_first_ ? nearer : -nearer;
+  }
+
+  Place at_point(std::uint32_t p) const {
+    return cut_off({lifted_point(definitions(), p, 0), MapPlace::at_point(p)});
+  }
+  Place crossing(std::uint32_t p, std::uint32_t q) const {
+    return cut_off({lifted_edge_cut(definitions(), p, q, 0, 1),
+                    MapPlace::meeting(p, q, line_->item_a, line_->item_b)});
+  }
+  /// One of the two polygons is of the line.
+  Place meeting(std::uint32_t item, const Plane& plane, std::uint32_t other,
+                const Plane& of_other) {
+    const bool first = item != line_->item_a && item != line_->item_b;
+    planes_.push_back(first ? plane : of_other);
+    const auto third = static_cast<std::uint32_t>(planes_.size() - 1);
+    return cut_off({plane_cut(definitions(), 0, 1, third),
+                    MapPlace::planes(line_->item_a, line_->item_b, first ? item : other)});
+  }
+
+  int order_at_start(const Plane& one, const Plane& other) const {
+    return policy_.order(definitions(), one, other, line_->from);
+  }
+  int order_at_end(const Plane& one, const Plane& other) const {
+    return policy_.order(definitions(), one, other, line_->to);
+  }
+
+  int order_beside(const Plane& one, const Plane& other, const Point3& at) const {
+    return policy_.order(one, other, at);
+  }
+
+  /// The line's ends are in this order by x, then y.
+  int compare(const Place& p, const Place& q) const {
+    if (p.what == q.what) return 0;
+    return compare_xy(definitions(), p.at, q.at);
+  }
+
+ private:
+  Definitions definitions() const { return {scene_.points(), planes_}; }
+
+  static bool has_corner(const DefinedPoint& v) {
+    return v.kind == DefinedPoint::Kind::stored || v.kind == DefinedPoint::Kind::lifted;
+  }
+  MapPlace what(const DefinedPoint& v) const {
+    return has_corner(v) ? MapPlace::at_point(v.a)
+                         : MapPlace::meeting(v.a, v.b, line_->item_a, line_->item_b);
+  }
+
+  Place cut_off(const Place& place) const {
+    if (compare_xy(definitions(), place.at, line_->from) <= 0) return start();
+    if (compare_xy(definitions(), place.at, line_->to) >= 0) return end();
+    return place;
+  }
+
+  /// A corner beside the line tells.
+  bool finds_first_on_left() const {
+    for (std::uint32_t k = 0; k < scene_.sides(line_->item_a); ++k) {
+      const Point3& corner = scene_.corner(line_->item_a, k);
+      const int nearer = policy_.order(planes_[0], planes_[1], corner);
+      if (nearer == 0) continue;
+      return nearer == orientation(definitions(), line_->from, line_->to, stored_point(corner));
+    }
+    return true;
+  }
+
+  const LineScene& scene_;
+  const Policy& policy_;
+  const IntersectionLine* line_ = nullptr;
+  std::vector<Plane> planes_;  // the two, and those of places
+  Point3 from_{0.0}, to_{0.0};
+  bool left_is_first_ = true;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,252 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "clip/corners.h"
+#include "hidden/lines/line_scene.h"
+
+namespace displayfile {
+
+/// What is seen immediately left of a line and immediately right of it, all along, of the polygons
+/// that were added so far: on either side stretches from place to place, each with one polygon, or
+/// none. A polygon covers what is inside its boundary (even-odd), at the depth of its plane. Where
+/// two have the same depth on the line, the one that is nearer beside it is seen, and in one plane
+/// the one entered later (hidden/map/visible_map.md).
+///
+/// Carrier is SideCarrier or MeetingCarrier: the line itself. Keeps what it works with, so that
+/// nothing is allocated per polygon.
+template <class Carrier>
+class SeenAlongLine {
+ public:
+  using Place = typename Carrier::Place;
+  static constexpr std::uint32_t kNothing = std::numeric_limits<std::uint32_t>::max();
+  enum Side : std::uint8_t { kLeft, kRight };
+
+  /// A polygon, by its place among those added; kNothing: none.
+  struct Stretch {
+    Place from, to;
+    std::uint32_t face;
+  };
+  struct Face {
+    std::uint32_t item;
+    Plane plane;
+  };
+
+  SeenAlongLine(const LineScene& scene, Carrier line) : scene_(scene), line_(std::move(line)) {}
+
+  Carrier& line() { return line_; }
+
+  /// Nothing is seen along the line that the carrier looks at. What is seen of the first so many
+  /// polygons added is contested by the others, which do not contest each other.
+  void begin(std::uint32_t contested = kNothing) {
+    contested_ = contested;
+    is_settled_ = {false, false};
+    faces_.clear();
+    ends_.clear();
+    for (auto& stretches : seen_) {
+      stretches.clear();
+      stretches.push_back({line_.start(), line_.end(), kNothing});
+    }
+  }
+  /// The polygon is seen all along one side; settled: whatever is added.
+  void begin_with(Side side, std::uint32_t item, bool is_settled) {
+    faces_.push_back({item, scene_.plane(item)});
+    seen_[side].front().face = static_cast<std::uint32_t>(faces_.size() - 1);
+    is_settled_[side] = is_settled;
+  }
+
+  const std::vector<Stretch>& seen(Side side) const { return seen_[side]; }
+  /// The item of a stretch; kNothing if there is none.
+  std::uint32_t item(const Stretch& stretch) const {
+    return stretch.face == kNothing ? kNothing : faces_[stretch.face].item;
+  }
+
+  /// Adds a polygon that hides. True if something is changed by it. on_line(place) is called where
+  /// its boundary touches the line, and along_line(before, corner) for each side that lies on it.
+  template <class OnLine, class AlongLine>
+  bool add(std::uint32_t item, const OnLine& on_line, const AlongLine& along_line) {
+    const std::uint32_t sides = scene_.sides(item);
+    side_.resize(sides);
+    bool left = false, right = false, on = false;
+    for (std::uint32_t k = 0; k < sides; ++k) {
+      const int side = line_.side(scene_.corner(item, k));
+      side_[k] = static_cast<std::int8_t>(side);
+      left |= side > 0;
+      right |= side < 0;
+      on |= side == 0;
+    }
+    if (on) tell_of_corners(item, on_line, along_line);
+    bool changed = false;
+    bool known = false;
+    for (const Side side : {kLeft, kRight}) {
+      if (is_settled_[side] || !(side == kLeft ? left : right)) continue;
+      find_crossings(item, side);
+      for (std::size_t k = 0; k + 1 < crossings_.size(); k += 2) {
+        if (line_.compare(crossings_[k], crossings_[k + 1]) == 0) {
+          on_line(crossings_[k]);
+          continue;
+        }
+        if (!known) {
+          known = true;
+          faces_.push_back({item, scene_.plane(item)});
+        }
+        changed |= insert(side, crossings_[k], crossings_[k + 1]);
+      }
+    }
+    return changed;
+  }
+
+  /// True if the polygon whose cover ends at a place has there the depth of the stretch's.
+  bool touches(const Stretch& stretch, std::uint32_t face, const Place& at) {
+    if (stretch.face == face) return true;  // its own boundary crosses itself there
+    if (stretch.face >= contested_) return false;
+    const Order order = order_of(face, stretch.face);
+    if (order.at_start == 0 && order.at_end == 0) return true;
+    if (order.at_start * order.at_end >= 0) return false;
+    return line_.compare(meeting_of(face, stretch.face), at) == 0;
+  }
+  /// Where covers of polygons end, but for the line's own ends.
+  struct End {
+    Place at;
+    std::uint32_t face;
+  };
+  const std::vector<End>& ends() const { return ends_; }
+
+ private:
+  struct Order {
+    int at_start, at_end;
+  };
+
+  template <class OnLine, class AlongLine>
+  void tell_of_corners(std::uint32_t item, const OnLine& on_line, const AlongLine& along_line) {
+    const auto sides = static_cast<std::uint32_t>(side_.size());
+    for (std::uint32_t k = 0; k < sides; ++k) {
+      if (side_[k] != 0) continue;
+      on_line(line_.at_point(scene_.corner_point(item, k)));
+      const std::uint32_t before = previous_corner(k, sides);
+      if (side_[before] == 0) along_line(before, k);
+    }
+  }
+
+  /// Where the boundary crosses a line close by, on that side, in order. Between the first and the
+  /// second they are inside, and so on (even-odd).
+  void find_crossings(std::uint32_t item, Side side) {
+    crossings_.clear();
+    const auto is_beyond = [&](std::uint32_t k) {
+      return side == kLeft ? side_[k] > 0 : side_[k] < 0;
+    };
+    const auto sides = static_cast<std::uint32_t>(side_.size());
+    std::uint32_t k = sides - 1;
+    for (std::uint32_t next = 0; next < sides; k = next++) {
+      if (is_beyond(k) == is_beyond(next)) continue;
+      const std::uint32_t p = scene_.corner_point(item, k), q = scene_.corner_point(item, next);
+      crossings_.push_back(side_[k] == 0      ? line_.at_point(p)
+                           : side_[next] == 0 ? line_.at_point(q)
+                                              : line_.crossing(p, q));
+    }
+    const auto is_before = [&](const Place& p, const Place& q) { return line_.compare(p, q) < 0; };
+    if (crossings_.size() > 2) {
+      std::ranges::sort(crossings_, is_before);
+    } else if (crossings_.size() == 2 && is_before(crossings_[1], crossings_[0])) {
+      std::swap(crossings_[0], crossings_[1]);
+    }
+    beside_ = kNothing;
+    for (std::uint32_t corner = 0; corner < sides && beside_ == kNothing; ++corner) {
+      if (is_beyond(corner)) beside_ = corner;
+    }
+  }
+
+  Order order_of(std::uint32_t face, std::uint32_t other) const {
+    const Plane &one = faces_[face].plane, &two = faces_[other].plane;
+    return {line_.order_at_start(one, two), line_.order_at_end(one, two)};
+  }
+  Place meeting_of(std::uint32_t face, std::uint32_t other) {
+    return line_.meeting(faces_[face].item, faces_[face].plane, faces_[other].item,
+                         faces_[other].plane);
+  }
+
+  /// Whether the polygon added last is nearer than another beside the line, if both have the same
+  /// depth all along it.
+  bool is_nearer_beside(std::uint32_t other) const {
+    const Face &one = faces_.back(), &two = faces_[other];
+    const int order = line_.order_beside(one.plane, two.plane, scene_.corner(one.item, beside_));
+    return order != 0 ? order > 0 : one.item > two.item;
+  }
+
+  /// Lets the polygon added last be seen from place to place, where it is nearer.
+  bool insert(Side side, const Place& from, const Place& to) {
+    const auto face = static_cast<std::uint32_t>(faces_.size() - 1);
+    std::vector<Stretch>& seen = seen_[side];
+    bool changed = false;
+    next_.clear();
+    for (const Stretch& old : seen) {
+      if (line_.compare(old.to, from) <= 0 || line_.compare(to, old.from) <= 0) {
+        next_.push_back(old);
+        continue;
+      }
+      Place first = line_.compare(old.from, from) < 0 ? from : old.from;
+      Place last = line_.compare(to, old.to) < 0 ? to : old.to;
+      if (!nearer_part(face, old.face, first, last)) {
+        next_.push_back(old);
+        continue;
+      }
+      changed = true;
+      if (line_.compare(old.from, first) < 0) push({old.from, first, old.face});
+      push({first, last, face});
+      if (line_.compare(last, old.to) < 0) push({last, old.to, old.face});
+    }
+    const auto note_end = [&](const Place& at) {
+      if (line_.compare(line_.start(), at) < 0 && line_.compare(at, line_.end()) < 0) {
+        ends_.push_back({at, face});
+      }
+    };
+    note_end(from);
+    note_end(to);
+    if (changed) std::swap(seen, next_);
+    return changed;
+  }
+
+  /// Leaves of a part what the face is nearer in than the other; false if that is nothing.
+  bool nearer_part(std::uint32_t face, std::uint32_t other, Place& from, Place& to) {
+    if (other == kNothing) return true;
+    if (other >= contested_) return false;
+    const Order order = order_of(face, other);
+    if (order.at_start == 0 && order.at_end == 0) return is_nearer_beside(other);
+    if (order.at_start >= 0 && order.at_end >= 0) return true;
+    if (order.at_start <= 0 && order.at_end <= 0) return false;
+    const Place meeting = meeting_of(face, other);
+    if (order.at_start > 0) {
+      if (line_.compare(meeting, to) < 0) to = meeting;
+    } else if (line_.compare(from, meeting) < 0) {
+      from = meeting;
+    }
+    return line_.compare(from, to) < 0;
+  }
+
+  void push(const Stretch& stretch) {
+    if (!next_.empty() && next_.back().face == stretch.face) {
+      next_.back().to = stretch.to;
+    } else {
+      next_.push_back(stretch);
+    }
+  }
+
+  const LineScene& scene_;
+  Carrier line_;
+  std::uint32_t contested_ = kNothing;
+  std::array<bool, 2> is_settled_{};
+  std::vector<Face> faces_;
+  std::array<std::vector<Stretch>, 2> seen_;
+  std::vector<Stretch> next_;
+  std::vector<End> ends_;
+  std::vector<std::int8_t> side_;  // of the line, each corner of the polygon that is added
+  std::vector<Place> crossings_;
+  std::uint32_t beside_ = kNothing;  // a corner of it on the side that is looked at
+};
+
+}  // namespace displayfile

@@ -1,0 +1,137 @@
+#include "hidden/map/seen_faces.h"
+
+#include <algorithm>
+
+#include "clip/corners.h"
+#include "hidden/exact/orientation.h"
+#include "hidden/lines/visible_pieces.h"
+#include "hidden/parallel.h"
+
+namespace displayfile {
+
+namespace {
+
+/// Looks at one polygon after the other, among those that are near it.
+class FaceFinder {
+ public:
+  FaceFinder(const LineScene& scene, const ContourEdges& ways, const CellGrid& grid)
+      : scene_(scene), ways_(ways), grid_(grid), looked_at_(scene.items(), 0) {}
+
+  SeenFaces::Seen look_at(std::uint32_t item) {
+    using enum SeenFaces::Seen;
+    if (!scene_.hides(item) || grid_.hides(scene_.extent(item))) return nothing;
+    if (!is_convex(item)) return some;
+    item_ = item;
+    plane_ = scene_.plane(item);
+    if (++number_ == 0) {  // all numbers were used
+      std::ranges::fill(looked_at_, 0);
+      number_ = 1;
+    }
+    looked_at_[item] = number_;
+    return is_whole() ? whole : some;
+  }
+
+ private:
+  bool is_convex(std::uint32_t item) const {
+    const std::uint32_t sides = scene_.sides(item);
+    const int way = ways_.way(item);
+    if (sides == 3 || way == 0) return way != 0;
+    const auto at = [&](std::uint32_t k) { return Point2(scene_.corner(item, k)); };
+    for (std::uint32_t k = 0; k < sides; ++k) {
+      const std::uint32_t next = next_corner(k, sides);
+      if (orientation(at(k), at(next), at(next_corner(next, sides))) * way < 0) return false;
+    }
+    return true;
+  }
+
+  bool is_whole() {
+    const Extent& box = scene_.extent(item_);
+    const auto levels = grid_.levels();
+    for (std::size_t k = levels.size(); k-- > 0;) {
+      const CellGrid::Level& level = levels[k];
+      if (level.entries.empty()) continue;
+      const CellLayout::Range cells = grid_.layout().range(rectangle_of(box), k);
+      for (std::uint32_t j = cells.bottom; j <= cells.top; ++j) {
+        for (std::uint32_t i = cells.left; i <= cells.right; ++i) {
+          for (const CellGrid::Entry& e : level.in_cell(std::size_t{j} * level.columns + i)) {
+            if (e.z_max < box.z_min) break;  // and so are those after it
+            if (!e.meets(box) || looked_at_[e.polygon] == number_) continue;
+            looked_at_[e.polygon] = number_;
+            if (!is_beside(e.polygon) && !is_behind(e.polygon)) return false;
+          }
+        }
+      }
+    }
+    return true;
+  }
+
+  /// True if a side parts the two in the projection.
+  bool is_beside(std::uint32_t other) const {
+    return parts(item_, ways_.way(item_), other) ||
+           (ways_.way(other) != 0 && scene_.sides(other) == 3 &&
+            parts(other, ways_.way(other), item_));
+  }
+  /// True if all of the other is on the outer side of a side of a convex polygon.
+  bool parts(std::uint32_t convex, int way, std::uint32_t other) const {
+    const std::uint32_t sides = scene_.sides(convex);
+    Point2 p(scene_.corner(convex, sides - 1));
+    for (std::uint32_t k = 0; k < sides; ++k) {
+      const Point2 q(scene_.corner(convex, k));
+      if (has_no_corner_inside(p, q, way, other)) return true;
+      p = q;
+    }
+    return false;
+  }
+  bool has_no_corner_inside(const Point2& p, const Point2& q, int way, std::uint32_t other) const {
+    const std::uint32_t sides = scene_.sides(other);
+    for (std::uint32_t k = 0; k < sides; ++k) {
+      const Point2 c(scene_.corner(other, k));
+      if (c == p || c == q) continue;  // polygons share points
+      if (orientation(p, q, c) * way > 0) return false;
+    }
+    return true;
+  }
+
+  /// True if all of the other is behind the plane, but not all in it.
+  bool is_behind(std::uint32_t other) const {
+    bool any = false;
+    for (std::uint32_t k = 0; k < scene_.sides(other); ++k) {
+      if (scene_.is_off_plane(other, k)) return false;
+      const Point3& c = scene_.corner(other, k);
+      if (plane_.goes_through(c)) continue;
+      const int side = side_of_plane(c, plane_);
+      if (side > 0) return false;
+      any |= side < 0;
+    }
+    return any;
+  }
+
+  const LineScene& scene_;
+  const ContourEdges& ways_;
+  const CellGrid& grid_;
+  std::uint32_t item_ = 0;
+  Plane plane_;
+  std::vector<std::uint32_t> looked_at_;
+  std::uint32_t number_ = 0;
+};
+
+}  // namespace
+
+SeenFaces::SeenFaces(const LineScene& scene, const ContourEdges& ways, const CellGrid& grid,
+                     int threads)
+    : seen_(scene.items(), Seen::nothing) {
+  if (grid.levels().empty()) return;
+  constexpr std::size_t kFacesOfAPart = 4096;
+  const auto make_finder = [&] { return FaceFinder(scene, ways, grid); };
+  Finders finders(make_finder);
+  in_parallel(threads, (seen_.size() + kFacesOfAPart - 1) / kFacesOfAPart, [&](std::size_t part) {
+    const std::size_t end = std::min(seen_.size(), (part + 1) * kFacesOfAPart);
+    finders.use([&](FaceFinder& finder) {
+      for (std::size_t i = part * kFacesOfAPart; i < end; ++i) {
+        seen_[i] = finder.look_at(static_cast<std::uint32_t>(i));
+      }
+    });
+  });
+}
+
+}  // namespace displayfile

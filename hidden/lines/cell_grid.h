@@ -57,6 +57,10 @@ class CellGrid {
   /// (hidden/map/visible_map.md).
   void find_blocking_sheets(const LineScene& scene, const ContourEdges& contours, int threads);
 
+  /// True only if nothing is before any part of the polygon that the box is of, nor at the same
+  /// depth, as find_blocking_sheets found.
+  bool shows(const Extent& box) const;
+
   /// True if the box is behind the blocking faces of cells that have it all.
   bool hides(const Extent& box) const;
 
@@ -69,14 +73,13 @@ class CellGrid {
                        const Point2& high) const;
   void pass_on_blocking();
   void begin_blocking();
-  std::vector<std::uint8_t> cells_with_contours(const LineScene& scene,
-                                                const ContourEdges& contours) const;
   void enter(const LineScene& scene, int threads);
   template <class Visit>
   void for_each_entry(const LineScene& scene, const Visit& visit) const;
 
   CellLayout layout_;
   std::vector<Level> levels_;
+  std::vector<std::uint8_t> single_;  // of the finest cells: nothing before `behind` is on another
 };
 
 }  // namespace displayfile

@@ -21,7 +21,7 @@ bool has_corner_off_plane(const LineScene& scene, std::uint32_t item) {
 
 ContourEdges::ContourEdges(const LineScene& scene, const Primitives& items, const SideTable& sides,
                            int threads)
-    : way_(scene.items(), 0) {
+    : way_(scene.items(), 0), has_contour_(scene.items(), 0) {
   constexpr std::size_t kPart = 2048;
   if (!scene.all_even()) uneven_.resize(scene.items(), 0);
   in_parallel(threads, (way_.size() + kPart - 1) / kPart, [&](std::size_t part) {
@@ -32,6 +32,7 @@ ContourEdges::ContourEdges(const LineScene& scene, const Primitives& items, cons
         return Point2(scene.corner(i, static_cast<std::uint32_t>(k)));
       }));
       if (!uneven_.empty()) uneven_[i] = has_corner_off_plane(scene, i) ? 1 : 0;
+      has_contour_[i] = way_[i] == 0 || !is_even(i) ? 1 : 0;
     }
   });
   std::vector<Edge> edges;
@@ -51,6 +52,14 @@ ContourEdges::ContourEdges(const LineScene& scene, const Primitives& items, cons
         more -= way(name.item);
       }
     }
+    const bool all_even = std::ranges::all_of(
+        same, [&](const SideTable::Side& side) { return is_even(side.name.item); });
+    if (more != 0 || !all_even) {
+      for (const auto& [high, name] : same) {
+        has_contour_[name.item] = 1;
+        contour_sides_.push_back(name);
+      }
+    }
     if (more == 0) return;
     edges.push_back({items.points[p], items.points[q], more});
     DepthBox box = DepthBox::nothing();
@@ -58,6 +67,7 @@ ContourEdges::ContourEdges(const LineScene& scene, const Primitives& items, cons
     box.extent.include(edges.back().q);
     boxes.push_back(box);
   });
+  std::ranges::sort(contour_sides_);
   tree_.build(boxes, threads);
   edges_.reserve(edges.size());
   for (const DepthTree::Item i : tree_.order()) edges_.push_back(edges[i]);

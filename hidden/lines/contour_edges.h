@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -40,12 +41,22 @@ class ContourEdges {
                      [&](DepthTree::Position position) { return visit(edges_[position]); });
   }
   std::size_t size() const { return edges_.size(); }
-  const std::vector<Edge>& edges() const { return edges_; }
+
+  /// False only if each side of a polygon that hides is one at which the polygons that are left of
+  /// it and those right of it, as many of both, have one depth; of one side, by the corner at which
+  /// it ends.
+  bool has_contour(std::uint32_t item) const { return has_contour_[item] != 0; }
+  bool is_contour(std::uint32_t item, std::uint32_t corner) const {
+    return way_[item] == 0 || !is_even(item) ||
+           std::ranges::binary_search(contour_sides_, LineName{item, corner});
+  }
 
  private:
   std::vector<std::int8_t> way_;
   std::vector<std::uint8_t> uneven_;  // empty: none is
   std::vector<Edge> edges_;           // by position in the tree
+  std::vector<std::uint8_t> has_contour_;
+  std::vector<LineName> contour_sides_;  // in order
   DepthTree tree_;
 };
 

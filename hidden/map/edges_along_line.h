@@ -31,7 +31,9 @@ class EdgesAlongLine {
 
  public:
   EdgesAlongLine(const MapScene& map, const Policy& policy)
-      : map_(map), seen_(map.lines, Carrier(map.lines, policy)), looked_at_(map.lines.items(), 0) {}
+      : map_(map),
+        seen_(map.lines, map.sides, Carrier(map.lines, policy)),
+        looked_at_(map.lines.items(), 0) {}
 
   Carrier& line() { return seen_.line(); }
   Seen& seen() { return seen_; }

@@ -1,3 +1,4 @@
+#include <glm/common.hpp>
 #include <span>
 
 #include "clip/corners.h"
@@ -48,6 +49,8 @@ class SideFinder {
 
   void find(const SharedSide& side, std::vector<MapEdge>& edges) {
     const Point3 &a = map_.lines.point(side.low), &b = map_.lines.point(side.high);
+    const Extent box = Extent::between(glm::min(a, b), glm::max(a, b));
+    if (map_.lines.all_even() && map_.grid.hides(box)) return;
     edges_.line().look_at(side.low, side.high);
     owners_.clear();
     for (const auto& [high, name] : side.same) {
@@ -60,7 +63,7 @@ class SideFinder {
     for (const std::uint32_t item : owners_) {
       if (map_.faces[item] != SeenFaces::Seen::whole) edges_.add(item);
     }
-    edges_.find(Extent::between(glm::min(a, b), glm::max(a, b)), edges);
+    edges_.find(box, edges);
   }
 
  private:

@@ -9,6 +9,7 @@
 
 #include "clip/corners.h"
 #include "hidden/lines/line_scene.h"
+#include "hidden/lines/side_table.h"
 
 namespace displayfile {
 
@@ -37,7 +38,8 @@ class SeenAlongLine {
     Plane plane;
   };
 
-  SeenAlongLine(const LineScene& scene, Carrier line) : scene_(scene), line_(std::move(line)) {}
+  SeenAlongLine(const LineScene& scene, const SideTable& sides, Carrier line)
+      : scene_(scene), sides_(sides), line_(std::move(line)) {}
 
   Carrier& line() { return line_; }
 
@@ -127,7 +129,7 @@ class SeenAlongLine {
     const auto sides = static_cast<std::uint32_t>(side_.size());
     for (std::uint32_t k = 0; k < sides; ++k) {
       if (side_[k] != 0) continue;
-      on_line(line_.at_point(scene_.corner_point(item, k)));
+      on_line(line_.at_point(vertex(item, k)));
       const std::uint32_t before = previous_corner(k, sides);
       if (side_[before] == 0) along_line(before, k);
     }
@@ -144,7 +146,7 @@ class SeenAlongLine {
     std::uint32_t k = sides - 1;
     for (std::uint32_t next = 0; next < sides; k = next++) {
       if (is_beyond(k) == is_beyond(next)) continue;
-      const std::uint32_t p = scene_.corner_point(item, k), q = scene_.corner_point(item, next);
+      const std::uint32_t p = vertex(item, k), q = vertex(item, next);
       crossings_.push_back(side_[k] == 0      ? line_.at_point(p)
                            : side_[next] == 0 ? line_.at_point(q)
                                               : line_.crossing(p, q));
@@ -161,11 +163,35 @@ class SeenAlongLine {
     }
   }
 
+  /// The point of a corner, the first of those that are equal.
+  std::uint32_t vertex(std::uint32_t item, std::uint32_t corner) const {
+    return sides_.vertex(scene_.corner_point(item, corner));
+  }
+
+  /// How many points two triangles have in common, and two of them.
+  std::size_t shared_points(std::uint32_t one, std::uint32_t two,
+                            std::array<std::uint32_t, 2>& shared) const {
+    std::size_t count = 0;
+    if (scene_.sides(one) != 3 || scene_.sides(two) != 3) return count;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      for (std::uint32_t j = 0; j < 3; ++j) {
+        if (vertex(one, i) != vertex(two, j)) continue;
+        if (count < 2) shared[count] = vertex(one, i);
+        ++count;
+      }
+    }
+    return count;
+  }
+
   Order order_of(std::uint32_t face, std::uint32_t other) const {
     const Plane &one = faces_[face].plane, &two = faces_[other].plane;
     return {line_.order_at_start(one, two), line_.order_at_end(one, two)};
   }
+  /// Neighbours meet where the side that they share crosses the line.
   Place meeting_of(std::uint32_t face, std::uint32_t other) {
+    const std::uint32_t one = faces_[face].item, two = faces_[other].item;
+    std::array<std::uint32_t, 2> shared{};
+    if (shared_points(one, two, shared) == 2) return line_.crossing(shared[0], shared[1]);
     return line_.meeting(faces_[face].item, faces_[face].plane, faces_[other].item,
                          faces_[other].plane);
   }
@@ -237,6 +263,7 @@ class SeenAlongLine {
   }
 
   const LineScene& scene_;
+  const SideTable& sides_;
   Carrier line_;
   std::uint32_t contested_ = kNothing;
   std::array<bool, 2> is_settled_{};

@@ -11,6 +11,9 @@ namespace displayfile {
 
 namespace {
 
+/// Cells are looked up for a triangle that is no more than so many long.
+constexpr double kMostCellsToLookUp = 16.0;
+
 /// Looks at one polygon after the other, among those that are near it.
 class FaceFinder {
  public:
@@ -19,8 +22,11 @@ class FaceFinder {
 
   SeenFaces::Seen look_at(std::uint32_t item) {
     using enum SeenFaces::Seen;
-    if (!scene_.hides(item) || grid_.hides(scene_.extent(item))) return nothing;
+    if (!scene_.hides(item) || grid_.hides(scene_.extent(item)) || is_behind_cells(item)) {
+      return nothing;
+    }
     if (!is_convex(item)) return some;
+    if (grid_.shows(scene_.extent(item))) return whole;
     item_ = item;
     plane_ = scene_.plane(item);
     if (++number_ == 0) {  // all numbers were used
@@ -32,6 +38,41 @@ class FaceFinder {
   }
 
  private:
+  /// True if all of a triangle is behind what blocks the finest level's cells that it is in.
+  bool is_behind_cells(std::uint32_t item) const {
+    const CellGrid::Level& level = grid_.levels()[0];
+    const int way = ways_.way(item);
+    if (level.behind.empty() || scene_.sides(item) != 3 || way == 0) return false;
+    const Extent& box = scene_.extent(item);
+    const CellLayout& layout = grid_.layout();
+    if (layout.length_in_cells(rectangle_of(box)) > kMostCellsToLookUp) return false;
+    const CellLayout::Range cells = layout.range(rectangle_of(box), 0);
+    for (std::uint32_t j = cells.bottom; j <= cells.top; ++j) {
+      for (std::uint32_t i = cells.left; i <= cells.right; ++i) {
+        const bool is_blocked = level.behind[std::size_t{j} * level.columns + i] > box.z_max;
+        if (!is_blocked && !is_outside(item, way, i, j)) return false;
+      }
+    }
+    return true;
+  }
+  /// True if a cell is outside of a side of a triangle.
+  bool is_outside(std::uint32_t item, int way, std::uint32_t i, std::uint32_t j) const {
+    const CellLayout& layout = grid_.layout();
+    const Point2 low = layout.origin() + layout.cell() * (Point2(i, j) - CellLayout::kMargin);
+    const Point2 high =
+        layout.origin() + layout.cell() * (Point2(i + 1, j + 1) + CellLayout::kMargin);
+    Point2 p(scene_.corner(item, 2));
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const Point2 q(scene_.corner(item, k));
+      const Point2 along = static_cast<double>(way) * (q - p);
+      // The corner of the cell that is farthest on the inner side.
+      const Point2 corner(along.y < 0.0 ? high.x : low.x, along.x > 0.0 ? high.y : low.y);
+      if (filtered_orientation(p, q, corner) * way < 0) return true;
+      p = q;
+    }
+    return false;
+  }
+
   bool is_convex(std::uint32_t item) const {
     const std::uint32_t sides = scene_.sides(item);
     const int way = ways_.way(item);
@@ -57,7 +98,9 @@ class FaceFinder {
             if (e.z_max < box.z_min) break;  // and so are those after it
             if (!e.meets(box) || looked_at_[e.polygon] == number_) continue;
             looked_at_[e.polygon] = number_;
-            if (!is_beside(e.polygon) && !is_behind(e.polygon)) return false;
+            if (!is_clearly_behind(e.polygon) && !is_beside(e.polygon) && !is_behind(e.polygon)) {
+              return false;
+            }
           }
         }
       }
@@ -92,6 +135,18 @@ class FaceFinder {
     return true;
   }
 
+  /// is_behind, if no exact arithmetic is needed to tell.
+  bool is_clearly_behind(std::uint32_t other) const {
+    bool any = false;
+    for (std::uint32_t k = 0; k < scene_.sides(other); ++k) {
+      const Point3& c = scene_.corner(other, k);
+      if (plane_.goes_through(c)) continue;
+      const auto [value, bound] = plane_value(c, plane_);
+      if (!(value < -bound)) return false;
+      any = true;
+    }
+    return any && (scene_.all_even() || is_behind(other));
+  }
   /// True if all of the other is behind the plane, but not all in it.
   bool is_behind(std::uint32_t other) const {
     bool any = false;

@@ -402,4 +402,31 @@ inline SortedPieces sorted(const ItemList& list, const Way& way, const Precision
                               {.precision = precision, .root = way.root, .threads = threads});
 }
 
+/// Polygons of all sizes, so many that cells of several levels have blocking faces: some on a grid,
+/// some far outside, some steep.
+inline ItemList crowd(Source& s, int polygons) {
+  ItemList list;
+  const bool on_a_grid = s.below(2) == 0;
+  for (int k = 0; k < polygons; ++k) {
+    const double size = std::pow(2.0, -s.between(0, 6)), tilt = s.below(3) == 0 ? 1.0 : 0.01;
+    const Point3 at = in_cube(s);
+    Loop loop;
+    for (int n = s.below(3) == 0 ? s.between(4, 6) : 3; n > 0; --n) {
+      const Point3 p = at + size * Point3(s.unit() - 0.5, s.unit() - 0.5, tilt * (s.unit() - 0.5));
+      loop.push_back(on_a_grid ? Point3(std::round(p.x * 64.0), std::round(p.y * 64.0),
+                                        std::round(p.z * 16.0)) /
+                                     64.0
+                               : p);
+    }
+    if (s.below(20) == 0) {
+      list.line(loop[0], loop[1] + 2.0 * (loop[1] - loop[0]));
+    } else if (s.below(20) == 0) {
+      list.hollow(loop);
+    } else {
+      list.solid(loop);
+    }
+  }
+  return list;
+}
+
 }  // namespace displayfile::test

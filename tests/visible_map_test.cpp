@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <sstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "tests/from_environment.h"
@@ -48,6 +52,115 @@ TEST(VisibleMap, EveryFamilyAgainstTheTruth) {
       ADD_FAILURE() << family.name << ", seed " << k << "\n" << shrunken_wrong(list);
       break;
     }
+  }
+}
+
+// ---- Against the plain form ---------------------------------------------------------------------
+
+using EdgeInWords = std::tuple<double, double, double, double, std::uint32_t, std::uint32_t>;
+
+/// The edges in order, each from its lower end.
+std::vector<EdgeInWords> edges_of(const VisibleMap& map) {
+  std::vector<EdgeInWords> edges;
+  for (const auto& [from, to, left, right] : map.edges) {
+    const Point2 &p = map.points[from], &q = map.points[to];
+    const bool runs_up = std::tie(p.x, p.y) < std::tie(q.x, q.y);
+    if (p == q) continue;
+    edges.push_back(runs_up ? EdgeInWords{p.x, p.y, q.x, q.y, left, right}
+                            : EdgeInWords{q.x, q.y, p.x, p.y, right, left});
+  }
+  std::ranges::sort(edges);
+  return edges;
+}
+
+/// How the map differs from that without shortcuts, in words; empty if it does not.
+std::string difference_from_plain(const Primitives& items, int threads = 1) {
+  const auto plain = edges_of(visible_map(items, {.precision = {}, .shortcuts = false}));
+  const auto map = edges_of(visible_map(items, {.precision = {}, .threads = threads}));
+  if (map == plain) return "";
+  std::ostringstream differ;
+  const auto tell = [&](const char* which, const auto& these, const auto& others) {
+    for (const EdgeInWords& e : these) {
+      if (std::ranges::binary_search(others, e)) continue;
+      const auto& [x, y, u, v, left, right] = e;
+      differ << which << " (" << x << ", " << y << ") to (" << u << ", " << v
+             << "): " << static_cast<int>(left) << " | " << static_cast<int>(right) << "\n";
+      if (differ.str().size() > 500) return;
+    }
+  };
+  tell("only plain:", plain, map);
+  tell("only with shortcuts:", map, plain);
+  return differ.str();
+}
+
+TEST(VisibleMap, ShortcutsChangeNothingInCrowds) {
+  const int scenes = from_environment("DISPLAYFILE_MAP_SCENES", 60 / kSlower);
+  for (int k = 0; k < scenes; ++k) {
+    Source s(static_cast<std::uint64_t>(k));
+    const ItemList list = crowd(s, s.between(20, 400));
+    const std::string differ = difference_from_plain(list.view(), 1 + k % 3);
+    if (differ.empty()) continue;
+    const ItemList least = shrunken(
+        list, [](const ItemList& part) { return !difference_from_plain(part.view()).empty(); });
+    ADD_FAILURE() << "seed " << k << ": " << difference_from_plain(least.view()) << "\n"
+                  << least.text();
+    break;
+  }
+}
+
+TEST(VisibleMap, CrowdsAgainstTheTruth) {
+  const int scenes = from_environment("DISPLAYFILE_MAP_SCENES", 6 / kSlower + 1);
+  for (int k = 0; k < scenes; ++k) {
+    Source s(static_cast<std::uint64_t>(k));
+    const ItemList list = crowd(s, s.between(10, 40));
+    if (wrong_in(list).empty()) continue;
+    ADD_FAILURE() << "seed " << k << "\n" << shrunken_wrong(list);
+    break;
+  }
+}
+
+/// A surface over a grid of so many squares, each of two triangles; heights follow waves and
+/// noise; and where it folds over, parts of it are before others.
+void add_sheet(ItemList& list, Source& s, int squares, bool on_a_grid) {
+  const double depth = s.unit(), wave = s.unit(), fold = s.below(2) == 0 ? 0.15 : 0.0;
+  const double noise = s.below(2) == 0 ? 0.3 / squares : 0.0;
+  std::vector<Point3> points;
+  for (int j = 0; j <= squares; ++j) {
+    for (int i = 0; i <= squares; ++i) {
+      const double u = static_cast<double>(i) / squares, v = static_cast<double>(j) / squares;
+      Point3 p(u + fold * std::sin(9.0 * v + 5.0 * u), v + fold * std::cos(7.0 * u),
+               depth + 0.2 * wave * std::sin(6.0 * u + 4.0 * v) + noise * s.unit());
+      if (on_a_grid)
+        p = Point3(std::round(p.x * 64.0), std::round(p.y * 64.0), std::round(p.z * 64.0)) / 64.0;
+      points.push_back(p);
+    }
+  }
+  for (int j = 0; j < squares; ++j) {
+    for (int i = 0; i < squares; ++i) {
+      const auto at = [&](int k, int l) {
+        return points[static_cast<std::size_t>((j + l) * (squares + 1) + i + k)];
+      };
+      if (s.below(40) == 0) continue;  // a hole
+      list.solid({at(0, 0), at(1, 0), at(1, 1)});
+      list.solid({at(0, 0), at(1, 1), at(0, 1)});
+    }
+  }
+}
+
+TEST(VisibleMap, ShortcutsChangeNothingInSheets) {
+  const int scenes = from_environment("DISPLAYFILE_MAP_SCENES", 40 / kSlower + 1);
+  for (int k = 0; k < scenes; ++k) {
+    Source s(static_cast<std::uint64_t>(k));
+    ItemList list;
+    const bool on_a_grid = s.below(3) == 0;
+    for (int n = s.between(1, 3); n > 0; --n) add_sheet(list, s, s.between(4, 14), on_a_grid);
+    const std::string differ = difference_from_plain(list.view(), 1 + k % 3);
+    if (differ.empty()) continue;
+    const ItemList least = shrunken(
+        list, [](const ItemList& part) { return !difference_from_plain(part.view()).empty(); });
+    ADD_FAILURE() << "seed " << k << ": " << difference_from_plain(least.view()) << "\n"
+                  << least.text();
+    break;
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hidden/exact/defined_point.h"
 #include "hidden/exact/pixel_centre.h"
@@ -29,10 +30,10 @@ inline PlaneValue slope_value(const Plane& plane, const Position& at) {
   return {value, bound};
 }
 
-/// The filter: the sign of (za - zb) Ca Cb over that of Ca Cb, without a quotient; 0 where it
-/// is undecided (predicates.md, section 6). The heights of the planes' own points are
-/// subtracted first, so that level planes are told apart however close.
-inline int filtered_depth_order(const Plane& a, const Plane& b, const Position& at) {
+/// (za - zb) Ca Cb, without a quotient, with its bound (predicates.md, section 6); an infinite one
+/// where figures are too large. The heights of the planes' own points are subtracted first, so that
+/// level planes are told apart however close. Linear in the projection.
+inline PlaneValue depth_difference(const Plane& a, const Plane& b, const Position& at) {
   constexpr double kLargestFactor = 0x1p+330;  // three of them are far below the largest double
   const double ca = a.normal.z, cb = b.normal.z;
   const double most_ca = std::abs(ca) + a.bound.z, most_cb = std::abs(cb) + b.bound.z;
@@ -44,9 +45,16 @@ inline int filtered_depth_order(const Plane& a, const Plane& b, const Position& 
                        b.bound.z * std::abs(at_a.value) + a.bound.z * std::abs(at_b.value);
   const double largest = std::max(std::max(std::max(most_ca, most_cb), std::abs(apart)),
                                   std::max(std::abs(at_a.value), std::abs(at_b.value)));
-  const bool decided = std::abs(difference) > bound * kInflate + kTiny &&
-                       std::abs(ca) > a.bound.z && std::abs(cb) > b.bound.z &&
-                       largest <= kLargestFactor;
+  return {difference, largest <= kLargestFactor ? bound * kInflate + kTiny
+                                                : std::numeric_limits<double>::infinity()};
+}
+
+/// The filter: the sign of that difference over that of Ca Cb; 0 where it is undecided.
+inline int filtered_depth_order(const Plane& a, const Plane& b, const Position& at) {
+  const auto [difference, bound] = depth_difference(a, b, at);
+  const double ca = a.normal.z, cb = b.normal.z;
+  const bool decided =
+      std::abs(difference) > bound && std::abs(ca) > a.bound.z && std::abs(cb) > b.bound.z;
   return decided ? decided_sign(difference) * decided_sign(ca, cb) : 0;
 }
 

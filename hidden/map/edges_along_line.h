@@ -213,6 +213,7 @@ class EdgesAlongLine {
                         [&](const Place& p, const Place& q) { return line().compare(p, q) < 0; });
     }
     Place start = from;
+    bool goes_on = false;
     for (const Place& end : breaks_) {
       if (line().compare(start, end) >= 0) continue;
       const bool is_others = claimed && std::ranges::any_of(claims_, [&](const Claim& claim) {
@@ -221,8 +222,9 @@ class EdgesAlongLine {
                              });
       if (!is_others) {
         edges.push_back({start.what, end.what, rounded(map_.lines, start.what),
-                         rounded(map_.lines, end.what), on_left, on_right});
+                         rounded(map_.lines, end.what), on_left, on_right, goes_on});
       }
+      goes_on = !is_others;
       start = end;
     }
   }

@@ -28,6 +28,7 @@ struct MapEdge {
   MapPlace from, to;
   Point2 at_from, at_to;  ///< the places rounded once
   std::uint32_t left, right;
+  bool goes_on = false;  ///< it goes on along the line of the edge before it, with the same items
 };
 
 /// The edges that lie on sides of what is seen beside them.

@@ -15,6 +15,10 @@ class MapVertices {
   MapVertices(const LineScene& scene, VisibleMap& map, bool exact, std::size_t expected)
       : scene_(scene), map_(map), exact_(exact), table_(std::bit_ceil(2 * expected + 2), kFree) {}
 
+  /// Vertices where an edge was ended since another's end might touch it.
+  void note_touched(std::uint32_t vertex) { touched_.push_back(vertex); }
+  const std::vector<std::uint32_t>& touched() const { return touched_; }
+
   std::uint32_t number(const MapPlace& place, const Point2& at) {
     if (2 * map_.points.size() >= table_.size()) grow();
     std::size_t k = first_place(at);
@@ -53,7 +57,7 @@ class MapVertices {
   const LineScene& scene_;
   VisibleMap& map_;
   bool exact_;
-  std::vector<std::uint32_t> table_;
+  std::vector<std::uint32_t> table_, touched_;
 };
 
 }  // namespace displayfile

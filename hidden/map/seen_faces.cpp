@@ -172,6 +172,12 @@ class FaceFinder {
 
 }  // namespace
 
+SeenFaces::SeenFaces(const LineScene& scene) {
+  for (std::uint32_t i = 0; i < scene.items(); ++i) {
+    seen_.push_back(scene.hides(i) ? Seen::some : Seen::nothing);
+  }
+}
+
 SeenFaces::SeenFaces(const LineScene& scene, const ContourEdges& ways, const CellGrid& grid,
                      int threads)
     : seen_(scene.items(), Seen::nothing) {

@@ -18,6 +18,8 @@ class SeenFaces {
     some,     ///< more must be asked
   };
 
+  /// Nothing is known of what hides.
+  explicit SeenFaces(const LineScene& scene);
   /// Exactly, what is told.
   SeenFaces(const LineScene& scene, const ContourEdges& ways, const CellGrid& grid, int threads);
 

@@ -1,8 +1,11 @@
 #pragma once
 
-#include <utility>
+#include <cmath>
+#include <cstdint>
 
+#include "hidden/exact/depth_order.h"
 #include "hidden/exact/line_parameter.h"
+#include "hidden/exact/orientation.h"
 #include "hidden/lines/line_scene.h"
 #include "hidden/map/map_place.h"
 
@@ -13,9 +16,9 @@ namespace displayfile {
 template <class Policy>
 class SideCarrier {
  public:
-  /// A place on the line: its share of the way, rounded once, and what it is.
+  /// A place on the line: its share of the way, off by so much at most, and what it is.
   struct Place {
-    double share;
+    double share, error;
     MapPlace what;
   };
 
@@ -33,8 +36,8 @@ class SideCarrier {
 
   const Point3& from() const { return from_; }
   const Point3& to() const { return to_; }
-  Place start() const { return {0.0, MapPlace::at_point(a_)}; }
-  Place end() const { return {1.0, MapPlace::at_point(b_)}; }
+  Place start() const { return {0.0, 0.0, MapPlace::at_point(a_)}; }
+  Place end() const { return {1.0, 0.0, MapPlace::at_point(b_)}; }
 
   /// The side of the line that a point is on: 1 if left of it, -1, 0.
   int side(const Point3& p) const { return policy_.turn(Point2(from_), Point2(to_), Point2(p)); }
@@ -46,26 +49,43 @@ class SideCarrier {
     const bool before_end = rises_ ? v[axis_] < to_[axis_] : v[axis_] > to_[axis_];
     if (!after_start) return start();
     if (!before_end) return end();
-    return {point_parameter(Point2(from_), Point2(to_), Point2(v)), MapPlace::at_point(p)};
+    const double share = (v[axis_] - from_[axis_]) / (to_[axis_] - from_[axis_]);
+    return {share, kShareError, MapPlace::at_point(p)};
   }
   /// Where the side from p to q crosses it, which are on opposite sides of it.
   Place crossing(std::uint32_t p, std::uint32_t q) const {
     const Point2 a(from_), b(to_), c(scene_.point(p)), d(scene_.point(q));
-    const double share = crossing_parameter(a, b, c, d);
-    if (share == 0.0 || share == 1.0) {
-      const int at_a = orientation(c, d, a), at_b = orientation(c, d, b);
-      if (at_a == 0) return start();
-      if (at_b == 0) return end();
-      if (at_a == at_b) return share == 0.0 ? start() : end();
+    const OrientationValue start_value = orientation_value(c, d, a);
+    const OrientationValue end_value = orientation_value(c, d, b);
+    const PlaneValue at_a = with_bound({start_value.determinant, start_value.bound});
+    const PlaneValue at_b = with_bound({end_value.determinant, end_value.bound});
+    const MapPlace what = MapPlace::crossing(a_, b_, p, q);
+    const bool is_decided = std::abs(at_a.value) > at_a.bound && std::abs(at_b.value) > at_b.bound;
+    if (is_decided && decided_sign(at_a.value) != decided_sign(at_b.value)) {
+      return between(at_a, at_b, what);
     }
-    return {share, MapPlace::crossing(a_, b_, p, q)};
+    const double least = std::abs(std::abs(at_a.value) - std::abs(at_b.value));
+    if (is_decided && least > at_a.bound + at_b.bound) {  // it crosses the line beyond an end
+      return std::abs(at_a.value) < std::abs(at_b.value) ? start() : end();
+    }
+    const int side_a = orientation(c, d, a), side_b = orientation(c, d, b);
+    if (side_a == 0) return start();
+    if (side_b == 0) return end();
+    const double share = crossing_parameter(a, b, c, d);
+    if (side_a == side_b) return share == 0.0 ? start() : end();
+    return {share, kShareError, what};
   }
   /// Where two polygons' planes have the same depth; one is nearer at one end, the other at the
   /// other.
   Place meeting(std::uint32_t item, const Plane& plane, std::uint32_t other,
                 const Plane& of_other) const {
-    return {meeting_parameter(Point2(from_), Point2(to_), plane, of_other),
-            MapPlace::meeting(a_, b_, item, other)};
+    const PlaneValue at_a = with_bound(depth_difference(plane, of_other, {from_.x, from_.y, 0.0}));
+    const PlaneValue at_b = with_bound(depth_difference(plane, of_other, {to_.x, to_.y, 0.0}));
+    const MapPlace what = MapPlace::meeting(a_, b_, item, other);
+    if (std::abs(at_a.value) > at_a.bound && std::abs(at_b.value) > at_b.bound) {
+      return between(at_a, at_b, what);
+    }
+    return {meeting_parameter(Point2(from_), Point2(to_), plane, of_other), kShareError, what};
   }
 
   /// The sign of the first plane's depth less the other's at the start, and at the end.
@@ -83,15 +103,31 @@ class SideCarrier {
 
   /// -1 if p comes before q, 1 if after it, 0 if they are one place.
   int compare(const Place& p, const Place& q) const {
-    if (p.share != q.share) return p.share < q.share ? -1 : 1;
-    if constexpr (Policy::kExact) {
-      if (p.what != q.what) return compare_xy(scene_, p.what, q.what) * (runs_up() ? 1 : -1);
-    }
-    return 0;
+    const double apart = p.share - q.share;
+    if constexpr (!Policy::kExact) return sign_of(apart);
+    if (std::abs(apart) > p.error + q.error) return decided_sign(apart);
+    if (p.what == q.what) return 0;
+    return compare_xy(scene_, p.what, q.what) * (rises_ ? 1 : -1);  // by x, then y
   }
 
  private:
-  bool runs_up() const { return rises_; }  // by x, then y
+  /// A quotient of differences of doubles is off by less.
+  static constexpr double kShareError = 0x1p-50;
+
+  /// The filter's bound is one of the sign; that of the value has the value's own rounding too.
+  static PlaneValue with_bound(const PlaneValue& v) {
+    return {v.value, v.bound + 8.0 * kUnit * std::abs(v.value)};
+  }
+
+  /// Where something is zero that is linear along the line, of opposite signs at its ends.
+  static Place between(const PlaneValue& at_a, const PlaneValue& at_b, const MapPlace& what) {
+    const double whole = std::abs(at_a.value) + std::abs(at_b.value);
+    const double share = std::abs(at_a.value) / whole;
+    // |a / (a + b)| changes by no more than this if both may be off by their bounds.
+    const double least = whole - (at_a.bound + at_b.bound) * kInflate;
+    const double error = least > 0.0 ? (at_a.bound + at_b.bound) / least * 2.0 + kShareError : 2.0;
+    return {share, error, what};
+  }
 
   const LineScene& scene_;
   const Policy& policy_;

@@ -8,6 +8,38 @@ namespace displayfile {
 
 namespace {
 
+/// Numbers the vertices of edges, and joins what goes on through a vertex where nothing else ends.
+void add_edges(const std::vector<MapEdge>& found, MapVertices& vertices, VisibleMap& map) {
+  for (const MapEdge& edge : found) {
+    const std::uint32_t from = vertices.number(edge.from, edge.at_from);
+    const std::uint32_t to = vertices.number(edge.to, edge.at_to);
+    if (from != to) map.edges.push_back({from, to, edge.left, edge.right});
+    if (edge.goes_on) vertices.note_touched(from);
+  }
+}
+
+void join_edges(const std::vector<std::uint32_t>& touched, VisibleMap& map) {
+  if (touched.empty()) return;
+  std::vector<std::uint32_t> ends(map.points.size(), 0);
+  for (const VisibleMap::Edge& edge : map.edges) {
+    ++ends[edge.from];
+    ++ends[edge.to];
+  }
+  std::vector<std::uint8_t> is_touched(map.points.size(), 0);
+  for (const std::uint32_t vertex : touched) is_touched[vertex] = 1;
+  std::size_t last = 0;
+  for (std::size_t k = 1; k < map.edges.size(); ++k) {
+    VisibleMap::Edge& before = map.edges[last];
+    const VisibleMap::Edge& edge = map.edges[k];
+    if (before.to == edge.from && is_touched[edge.from] != 0 && ends[edge.from] == 2) {
+      before.to = edge.to;
+    } else {
+      map.edges[++last] = edge;
+    }
+  }
+  map.edges.resize(last + 1);
+}
+
 template <class Policy>
 void find_map(const MapScene& scene, const ContourEdges& ways, const Policy& policy, int threads,
               VisibleMap& map) {
@@ -15,13 +47,9 @@ void find_map(const MapScene& scene, const ContourEdges& ways, const Policy& pol
   const std::vector<MapEdge> meetings = edges_of_meetings(scene, policy, threads);
   MapVertices vertices(scene.lines, map, Policy::kExact, sides.size() + meetings.size());
   map.edges.reserve(sides.size() + meetings.size());
-  for (const auto* edges : {&sides, &meetings}) {
-    for (const MapEdge& edge : *edges) {
-      const std::uint32_t from = vertices.number(edge.from, edge.at_from);
-      const std::uint32_t to = vertices.number(edge.to, edge.at_to);
-      if (from != to) map.edges.push_back({from, to, edge.left, edge.right});
-    }
-  }
+  add_edges(sides, vertices, map);
+  add_edges(meetings, vertices, map);
+  join_edges(vertices.touched(), map);
 }
 
 }  // namespace
@@ -32,8 +60,9 @@ VisibleMap visible_map(const Primitives& items, const MapOptions& options) {
   const SideTable sides(items);
   const ContourEdges ways(scene, items, sides, options.threads);
   CellGrid grid(scene, options.threads);
-  grid.find_blocking_sheets(scene, ways, options.threads);
-  const SeenFaces faces(scene, ways, grid, options.threads);
+  if (options.shortcuts) grid.find_blocking_sheets(scene, ways, options.threads);
+  const SeenFaces faces =
+      options.shortcuts ? SeenFaces(scene, ways, grid, options.threads) : SeenFaces(scene);
   const MapScene all{items, scene, sides, grid, faces};
   const Definitions points{items.points, {}};
   if (options.precision.exact) {

@@ -39,6 +39,9 @@ struct VisibleMap {
 struct MapOptions {
   Precision precision;
   int threads = 1;  ///< the result is the same for any number
+  /// What is known of whole polygons spares looking at their sides. Without it all is found side by
+  /// side, to compare with.
+  bool shortcuts = true;
 };
 
 VisibleMap visible_map(const Primitives& items, const MapOptions& options);

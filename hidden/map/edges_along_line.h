@@ -32,7 +32,7 @@ class EdgesAlongLine {
  public:
   EdgesAlongLine(const MapScene& map, const Policy& policy)
       : map_(map),
-        seen_(map.lines, map.sides, Carrier(map.lines, policy)),
+        seen_(map.lines, map.sides, Carrier(map.lines, map.sides, policy)),
         looked_at_(map.lines.items(), 0) {}
 
   Carrier& line() { return seen_.line(); }
@@ -110,23 +110,29 @@ class EdgesAlongLine {
       touches_.push_back(at);
     }
   }
+  /// Where the boundary of a polygon crosses itself on the line it may end nothing there, but does
+  /// beside it.
   void note_sides(std::uint32_t item) {
     const std::uint32_t sides = map_.lines.sides(item);
     std::uint32_t before = sides - 1;
     int side_before = line().side(map_.lines.corner(item, before));
     for (std::uint32_t k = 0; k < sides; before = k++) {
       const int side = line().side(map_.lines.corner(item, k));
-      if (side == 0) note_touch(line().at_point(map_.lines.corner_point(item, k)));
+      if (side == 0) note_touch(line().at_point(vertex(item, k)));
       if (side == 0 && side_before == 0) note_side(item, before, k);
+      if (side * side_before < 0)
+        note_touch(line().crossing(vertex(item, before), vertex(item, k)));
       side_before = side;
     }
   }
+  std::uint32_t vertex(std::uint32_t item, std::uint32_t corner) const {
+    return map_.sides.vertex(map_.lines.corner_point(item, corner));
+  }
+
   /// Edges on such a side of the polygon are the lower one's.
   void note_side(std::uint32_t item, std::uint32_t before, std::uint32_t corner) {
-    const std::uint32_t p = map_.lines.corner_point(item, before);
-    const std::uint32_t q = map_.lines.corner_point(item, corner);
-    const std::uint32_t a = map_.sides.vertex(p), b = map_.sides.vertex(q);
-    if (!(SidePoints{std::min(a, b), std::max(a, b)} < own_)) return;
+    const std::uint32_t p = vertex(item, before), q = vertex(item, corner);
+    if (!(SidePoints{std::min(p, q), std::max(p, q)} < own_)) return;
     Place from = line().at_point(p), to = line().at_point(q);
     const int order = line().compare(from, to);
     if (order > 0) std::swap(from, to);

@@ -7,6 +7,7 @@
 #include "hidden/exact/defined_point.h"
 #include "hidden/lines/intersection_lines.h"
 #include "hidden/lines/line_scene.h"
+#include "hidden/lines/side_table.h"
 #include "hidden/map/map_place.h"
 
 namespace displayfile {
@@ -21,7 +22,8 @@ class MeetingCarrier {
     MapPlace what;
   };
 
-  MeetingCarrier(const LineScene& scene, const Policy& policy) : scene_(scene), policy_(policy) {}
+  MeetingCarrier(const LineScene& scene, const SideTable& sides, const Policy& policy)
+      : scene_(scene), sides_(sides), policy_(policy) {}
 
   void look_at(const IntersectionLine& line) {
     line_ = &line;
@@ -86,8 +88,9 @@ class MeetingCarrier {
     return v.kind == DefinedPoint::Kind::stored || v.kind == DefinedPoint::Kind::lifted;
   }
   MapPlace what(const DefinedPoint& v) const {
-    return has_corner(v) ? MapPlace::at_point(v.a)
-                         : MapPlace::meeting(v.a, v.b, line_->item_a, line_->item_b);
+    const std::uint32_t a = sides_.vertex(v.a);
+    return has_corner(v) ? MapPlace::at_point(a)
+                         : MapPlace::meeting(a, sides_.vertex(v.b), line_->item_a, line_->item_b);
   }
 
   Place cut_off(const Place& place) const {
@@ -108,6 +111,7 @@ class MeetingCarrier {
   }
 
   const LineScene& scene_;
+  const SideTable& sides_;
   const Policy& policy_;
   const IntersectionLine* line_ = nullptr;
   std::vector<Plane> planes_;  // the two, and those of places

@@ -7,6 +7,7 @@
 #include "hidden/exact/line_parameter.h"
 #include "hidden/exact/orientation.h"
 #include "hidden/lines/line_scene.h"
+#include "hidden/lines/side_table.h"
 #include "hidden/map/map_place.h"
 
 namespace displayfile {
@@ -22,7 +23,8 @@ class SideCarrier {
     MapPlace what;
   };
 
-  SideCarrier(const LineScene& scene, const Policy& policy) : scene_(scene), policy_(policy) {}
+  SideCarrier(const LineScene& scene, const SideTable& /*sides*/, const Policy& policy)
+      : scene_(scene), policy_(policy) {}
 
   /// The points differ in the projection.
   void look_at(std::uint32_t a, std::uint32_t b) {

@@ -1,0 +1,268 @@
+#include "hidden/map/map_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "hidden/exact/precision_policies.h"
+#include "hidden/exact/support_plane.h"
+
+namespace displayfile {
+
+namespace {
+
+/// An edge as the outline of what is seen on its left.
+struct Side {
+  std::uint32_t from, to;
+};
+
+/// The sides of each item's parts.
+class SidesOfItems {
+ public:
+  SidesOfItems(std::size_t items, const VisibleMap& map) : first_(items + 1, 0) {
+    const auto count = [&](std::uint32_t item) {
+      if (item != VisibleMap::kNothing) ++first_[item + 1];
+    };
+    for (const VisibleMap::Edge& edge : map.edges) {
+      count(edge.left);
+      count(edge.right);
+    }
+    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    sides_.resize(first_.back());
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (const auto& [from, to, left, right] : map.edges) {
+      if (left != VisibleMap::kNothing) sides_[next[left]++] = {from, to};
+      if (right != VisibleMap::kNothing) sides_[next[right]++] = {to, from};
+    }
+  }
+
+  std::span<Side> of(std::uint32_t item) {
+    return std::span(sides_).subspan(first_[item], first_[item + 1] - first_[item]);
+  }
+
+ private:
+  std::vector<std::uint32_t> first_;
+  std::vector<Side> sides_;
+};
+
+/// Follows the sides of one item's parts after the other's.
+class Outlines {
+ public:
+  explicit Outlines(const VisibleMap& map) : map_(map) {}
+
+  /// The vertices of a closed line that has the part on its left, no two in a row rounded alike.
+  struct Loop {
+    std::vector<std::uint32_t> vertices;
+    double area;  ///< twice; negative: of a hole
+  };
+
+  /// The parts: an outline each, with its holes joined to it.
+  const std::vector<Loop>& parts_of(std::span<Side> sides) {
+    find_loops(sides);
+    parts_.clear();
+    std::vector<std::size_t> holes;
+    for (std::size_t k = 0; k < loops_.size(); ++k) {
+      if (loops_[k].area > 0.0) {
+        parts_.push_back(std::move(loops_[k]));
+      } else if (loops_[k].area < 0.0) {
+        holes.push_back(k);
+      }
+    }
+    for (const std::size_t hole : holes) join(loops_[hole].vertices);
+    return parts_;
+  }
+
+ private:
+  const Point2& at(std::uint32_t vertex) const { return map_.points[vertex]; }
+
+  void find_loops(std::span<Side> sides) {
+    loops_.clear();
+    std::ranges::sort(sides, {}, &Side::from);
+    used_.assign(sides.size(), 0);
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      if (used_[k] == 0) follow(sides, k);
+    }
+  }
+
+  /// From a side on, until it is come back to, or, where roundoff left the outline open, no side
+  /// goes on.
+  void follow(std::span<const Side> sides, std::size_t start) {
+    std::vector<std::uint32_t> vertices;
+    for (std::size_t k = start; k < sides.size() && used_[k] == 0; k = next_of(sides, k)) {
+      used_[k] = 1;
+      const std::uint32_t vertex = sides[k].to;
+      if (vertices.empty() || at(vertices.back()) != at(vertex)) vertices.push_back(vertex);
+    }
+    while (vertices.size() > 1 && at(vertices.front()) == at(vertices.back())) vertices.pop_back();
+    if (vertices.size() < 3) return;
+    const double area = area_of(vertices);
+    loops_.push_back({std::move(vertices), area});
+  }
+
+  /// Where several go on, the one that keeps to the same part: the first clockwise from where the
+  /// side came.
+  std::size_t next_of(std::span<const Side> sides, std::size_t k) const {
+    const auto begin = std::ranges::lower_bound(sides, sides[k].to, {}, &Side::from);
+    const auto end = std::ranges::upper_bound(sides, sides[k].to, {}, &Side::from);
+    const auto first = static_cast<std::size_t>(begin - sides.begin());
+    const auto last = static_cast<std::size_t>(end - sides.begin());
+    if (last == first + 1) return first;
+    std::size_t best = sides.size();
+    double least = std::numeric_limits<double>::infinity();
+    const Point2 back = at(sides[k].from) - at(sides[k].to);
+    for (std::size_t i = first; i < last; ++i) {
+      if (used_[i] != 0) continue;
+      const Point2 on = at(sides[i].to) - at(sides[i].from);
+      const double cross = back.x * on.y - back.y * on.x, dot = back.x * on.x + back.y * on.y;
+      double turn = std::atan2(-cross, dot);
+      if (turn <= 0.0) turn += 2.0 * std::numbers::pi;
+      if (turn < least) {
+        least = turn;
+        best = i;
+      }
+    }
+    return best;
+  }
+
+  double area_of(std::span<const std::uint32_t> vertices) const {
+    double area = 0.0;
+    const Point2& origin = at(vertices[0]);
+    for (std::size_t k = 1; k + 1 < vertices.size(); ++k) {
+      const Point2 p = at(vertices[k]) - origin, q = at(vertices[k + 1]) - origin;
+      area += p.x * q.y - p.y * q.x;
+    }
+    return area;
+  }
+
+  /// Joins a hole to the smallest outline around it.
+  void join(const std::vector<std::uint32_t>& hole) {
+    Loop* around = nullptr;
+    for (Loop& part : parts_) {
+      const bool smaller = around == nullptr || part.area < around->area;
+      if (smaller && (parts_.size() == 1 || has_inside(part.vertices, hole))) around = &part;
+    }
+    if (around == nullptr) return;
+    // From its first vertex to the closest one.
+    const auto lowest = std::ranges::min_element(hole, [&](std::uint32_t v, std::uint32_t w) {
+      return std::pair(at(v).x, at(v).y) < std::pair(at(w).x, at(w).y);
+    });
+    std::vector<std::uint32_t>& outline = around->vertices;
+    const auto distance = [&](std::uint32_t v) {
+      const Point2 apart = at(v) - at(*lowest);
+      return apart.x * apart.x + apart.y * apart.y;
+    };
+    const auto closest = std::ranges::min_element(outline, {}, distance);
+    joined_.assign(outline.begin(), closest + 1);
+    joined_.insert(joined_.end(), lowest, hole.end());
+    joined_.insert(joined_.end(), hole.begin(), lowest + 1);
+    joined_.insert(joined_.end(), closest, outline.end());
+    if (at(*closest) == at(*lowest)) {  // they touch: no way between
+      joined_.clear();
+      joined_.insert(joined_.end(), outline.begin(), closest);
+      joined_.insert(joined_.end(), lowest, hole.end());
+      joined_.insert(joined_.end(), hole.begin(), lowest);
+      joined_.insert(joined_.end(), closest, outline.end());
+    }
+    std::swap(outline, joined_);
+  }
+
+  bool has_inside(const std::vector<std::uint32_t>& outline,
+                  const std::vector<std::uint32_t>& hole) const {
+    for (const std::uint32_t v : hole) {
+      if (std::ranges::find(outline, v) != outline.end()) continue;
+      bool inside = false;
+      std::uint32_t before = outline.back();
+      for (const std::uint32_t w : outline) {
+        const Point2 &p = at(before), &q = at(w), &c = at(v);
+        if ((p.y > c.y) != (q.y > c.y) && (orientation(p, q, c) > 0) == (q.y > p.y)) {
+          inside = !inside;
+        }
+        before = w;
+      }
+      return inside;
+    }
+    return true;
+  }
+
+  const VisibleMap& map_;
+  std::vector<std::uint8_t> used_;
+  std::vector<Loop> loops_, parts_;
+  std::vector<std::uint32_t> joined_;
+};
+
+/// Makes pieces of parts.
+class PieceMaker {
+ public:
+  PieceMaker(const Primitives& items, const VisibleMap& map, SortedPieces& sorted)
+      : items_(items), map_(map), sorted_(sorted) {}
+
+  void add_whole(std::uint32_t item) {
+    sorted_.pieces.push_back({item, SortedPiece::kWhole, items_.items[item].sides});
+  }
+
+  void add(std::uint32_t item, std::span<const std::uint32_t> vertices) {
+    if (item != item_) begin_item(item);
+    sorted_.pieces.push_back({item, static_cast<std::uint32_t>(sorted_.points.size()),
+                              static_cast<std::uint32_t>(vertices.size())});
+    for (const std::uint32_t vertex : vertices) {
+      sorted_.points.push_back(point(map_.points[vertex]));
+      sorted_.visible.push_back(0);
+    }
+  }
+
+ private:
+  void begin_item(std::uint32_t item) {
+    item_ = item;
+    const PointRow points = items_.points_of(items_.items[item]);
+    points_.assign(points.begin(), points.end());
+    const auto& [p, q, r] = support_vertices(points_).index;
+    plane_ = Plane(points_[p], points_[q], points_[r]);
+  }
+
+  Point3 point(const Point2& at) const {
+    for (const Point3& corner : points_) {
+      if (corner.x == at.x && corner.y == at.y) return corner;
+    }
+    return {at.x, at.y, Roundoff::depth(plane_, {at.x, at.y, 0.0})};
+  }
+
+  const Primitives& items_;
+  const VisibleMap& map_;
+  SortedPieces& sorted_;
+  std::uint32_t item_ = VisibleMap::kNothing;
+  std::vector<Point3> points_;  // of the item
+  Plane plane_;
+};
+
+bool draws_no_side(const Primitives& items, const Primitives::Item& item) {
+  for (std::uint32_t k = 0; k < item.sides; ++k) {
+    if (items.is_visible(item.first + k)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+SortedPieces pieces_of_map(const Primitives& items, const VisibleMap& map) {
+  SortedPieces sorted;
+  SidesOfItems sides(items.items.size(), map);
+  Outlines outlines(map);
+  PieceMaker maker(items, map, sorted);
+  for (std::uint32_t i = 0; i < items.items.size(); ++i) {
+    const std::span<Side> of_item = sides.of(i);
+    if (of_item.empty()) continue;
+    const Primitives::Item& item = items.items[i];
+    if (map.whole[i] != 0 && of_item.size() == item.sides && draws_no_side(items, item)) {
+      maker.add_whole(i);
+      continue;
+    }
+    for (const auto& part : outlines.parts_of(of_item)) maker.add(i, part.vertices);
+  }
+  return sorted;
+}
+
+}  // namespace displayfile

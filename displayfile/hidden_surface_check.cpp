@@ -16,6 +16,7 @@ SortedPieces pieces_of(const ViewedScene& scene, HiddenMethod method, const Sort
   if (finds_lines(method)) {
     return lines_in_order(scene, find_lines(scene, method, options), options.hidden_lines);
   }
+  if (method == HiddenMethod::map) return map_in_order(scene, options);
   SortedPieces sorted = sort_hidden_surfaces(scene.primitives(), method, options);
   append_lines(scene, options, sorted);
   return sorted;
@@ -52,7 +53,8 @@ std::shared_ptr<const SortedScene> with_memory_of_sort(std::size_t points, Hidde
 
 bool is_object_space(HiddenMethod by) {
   const HiddenMethod method = surfaces_of(by);
-  return method == HiddenMethod::bsp || method == HiddenMethod::depth_sort || finds_lines(method);
+  return method == HiddenMethod::bsp || method == HiddenMethod::depth_sort ||
+         method == HiddenMethod::map || finds_lines(method);
 }
 
 std::shared_ptr<const SortedScene> hidden_surface_check(

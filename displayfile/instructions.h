@@ -297,6 +297,9 @@ class TransformedVisitor {
   void side_kinds(std::span<const LineKinds> kinds) {
     if constexpr (requires { visit_.side_kinds(kinds); }) visit_.side_kinds(kinds);
   }
+  void disjoint_polygons(bool begin) {
+    if constexpr (requires { visit_.disjoint_polygons(begin); }) visit_.disjoint_polygons(begin);
+  }
   void line_kinds(LineKinds kinds) {
     if constexpr (requires { visit_.line_kinds(kinds); }) visit_.line_kinds(kinds);
   }

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <map>
 
+#include "hidden/map/map_pieces.h"
+
 namespace displayfile {
 
 namespace {
@@ -78,6 +80,26 @@ SortedPieces lines_in_order(const ViewedScene& scene, const FoundLines& found,
 SortedPieces lines_beside_sides(const ViewedScene& scene, const FoundLines& found,
                                 HiddenLines hidden_lines) {
   return lines_beside_sides(scene.primitives(), strokes_of(scene), found, hidden_lines);
+}
+
+SortedPieces map_in_order(const ViewedScene& scene, const SortOptions& options) {
+  const DrawnItems items(scene);
+  const SortedPieces fills = pieces_of_map(
+      *items, visible_map(*items, {.precision = options.precision, .threads = options.threads}));
+  const FoundLines found = find_lines(scene, HiddenMethod::franklin, options);
+  if (found.lines.empty() && found.intersections.empty()) return fills;
+  // The lines' points stay where their pick identifiers are looked up.
+  SortedPieces all = lines_in_order(scene, found, options.hidden_lines);
+  const auto before = static_cast<std::uint32_t>(all.points.size());
+  all.first_stroke = fills.pieces.size();
+  all.pieces.insert(all.pieces.begin(), fills.pieces.begin(), fills.pieces.end());
+  for (std::size_t k = 0; k < all.first_stroke; ++k) {
+    if (all.pieces[k].first != SortedPiece::kWhole) all.pieces[k].first += before;
+  }
+  if (!all.hidden.empty()) all.hidden.insert(all.hidden.begin(), all.first_stroke, 0);
+  all.points.insert(all.points.end(), fills.points.begin(), fills.points.end());
+  all.visible.insert(all.visible.end(), fills.visible.begin(), fills.visible.end());
+  return all;
 }
 
 void append_lines(const ViewedScene& scene, const SortOptions& options, SortedPieces& sorted) {

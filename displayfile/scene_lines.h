@@ -20,6 +20,9 @@ SortedPieces lines_in_order(const ViewedScene& scene, const FoundLines& found,
 SortedPieces lines_beside_sides(const ViewedScene& scene, const FoundLines& found,
                                 HiddenLines hidden_lines);
 
+/// The scene's map, and after all fills its lines.
+SortedPieces map_in_order(const ViewedScene& scene, const SortOptions& options);
+
 /// Adds to an order of the scene's polygons, after all fills, the lines that the options ask for
 /// and no polygon of the order has: those that are hidden, and where polygons pass through each
 /// other.

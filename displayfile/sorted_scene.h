@@ -57,7 +57,8 @@ struct SortedScene {
   /// SAVE-POLYGONS-IN-ORDER (algorithm 9.16): calls the visitor for each instruction, back to
   /// front, as Instructions::walk does; a style, a pick identifier and a segment where they change,
   /// and, if the visitor has it, line_kinds(LineKinds) of the lines that follow, kDrawn at first.
-  /// Texts follow all else.
+  /// disjoint_polygons(true), if the visitor has it, comes before the polygons of a map, which do
+  /// not overlap, and disjoint_polygons(false) after them. Texts follow all else.
   template <class Visitor>
   void walk(Visitor&& visit) const;
   /// Calls the visitor as walk does, with points after an image transformation.
@@ -79,8 +80,16 @@ class PieceWriter {
   explicit PieceWriter(Visitor& visit) : visit_(visit) {}
 
   void save_polygons_in_order(const OrderedScene& ordered) {
+    save_pieces(ordered, 0, std::min(ordered.pieces.first_stroke, ordered.pieces.pieces.size()));
+  }
+  /// What is drawn as lines after all polygons.
+  void save_strokes(const OrderedScene& ordered) {
+    save_pieces(ordered, ordered.pieces.first_stroke, ordered.pieces.pieces.size());
+  }
+
+  void save_pieces(const OrderedScene& ordered, std::size_t from, std::size_t to) {
     ordered_ = &ordered;
-    for (std::size_t k = 0; k < ordered.pieces.pieces.size(); ++k) {
+    for (std::size_t k = from; k < to; ++k) {
       const SortedPiece& piece = ordered.pieces.pieces[k];
       is_hidden_ = ordered.pieces.is_hidden(k);
       is_stroke_ = ordered.pieces.is_stroke(k);
@@ -243,7 +252,15 @@ class PieceWriter {
 template <class Visitor>
 void SortedScene::walk(Visitor&& visit) const {
   PieceWriter<std::remove_reference_t<Visitor>> writer(visit);
+  const bool are_disjoint = method == HiddenMethod::map;
+  if constexpr (requires { visit.disjoint_polygons(true); }) {
+    if (are_disjoint) visit.disjoint_polygons(true);
+  }
   for (const auto& part : parts) writer.save_polygons_in_order(*part);
+  if constexpr (requires { visit.disjoint_polygons(true); }) {
+    if (are_disjoint) visit.disjoint_polygons(false);
+  }
+  for (const auto& part : parts) writer.save_strokes(*part);
   if constexpr (requires { visit.text(Point3(), std::string_view()); }) {
     for (const auto& part : parts) writer.save_texts(*part->scene);
   }

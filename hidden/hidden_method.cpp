@@ -21,6 +21,7 @@ constexpr std::array kMethods{
     HiddenMethodEntry{z_buffer, "z-buffer", true},
     HiddenMethodEntry{bsp, "bsp", true},
     HiddenMethodEntry{depth_sort, "depth-sort", true},
+    HiddenMethodEntry{map, "map", true},
     HiddenMethodEntry{scan_line, "scan-line", true},
     HiddenMethodEntry{scan_line_z, "scan-line-z", true},
     HiddenMethodEntry{ray_cast, "ray-cast", true},

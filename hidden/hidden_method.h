@@ -15,6 +15,7 @@ enum class HiddenMethod {
   z_buffer,    ///< in image space, pixel by pixel
   bsp,         ///< in object space: a tree of the polygons' planes (hidden/sort/bsp.md)
   depth_sort,  ///< in object space: a graph of what must be drawn first (hidden/sort/depth_sort.md)
+  map,         ///< in object space: what is seen of each polygon (hidden/map/visible_map.md)
   scan_line,   ///< in image space, row by row, without a z-buffer (interp/visibility/scan_line.md)
   scan_line_z,  ///< in image space, row by row, with a z-buffer one row high
   ray_cast,     ///< in image space, a ray through each pixel centre (interp/visibility/ray_cast.md)

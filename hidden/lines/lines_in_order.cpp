@@ -146,7 +146,7 @@ SortedPieces pieces_in_order(const Primitives& items, std::span<const std::uint3
   const ItemsAndIntersections all(items, found.intersections);
   const std::vector<VisiblePiece> intersections = seen_intersections(all, found.seen);
   SortedPieces pieces;
-  pieces.are_lines = true;
+  pieces.first_stroke = 0;
   ChainWriter writer(all, found.lines, groups, pieces);
   if (hidden_lines == HiddenLines::dashed) {
     writer.add(uncovered_pieces_of(found, all, intersections));

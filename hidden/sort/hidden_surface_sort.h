@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -47,10 +48,11 @@ struct SortedPiece {
 /// Where polygons are coplanar the one entered later comes later; where a line lies in a polygon's
 /// plane, the line.
 struct SortedPieces {
-  /// The pieces are those of lines and of polygons' sides that are seen, of two points each, and
-  /// all that is drawn (hidden/lines/lines_in_order.h).
-  bool are_lines = false;
   std::vector<SortedPiece> pieces;
+  /// From this piece on they are parts of lines and of polygons' sides, of two points each
+  /// (hidden/lines/lines_in_order.h): after all fills, or if it is the first, all that is drawn.
+  static constexpr std::size_t kNoStrokes = std::numeric_limits<std::size_t>::max();
+  std::size_t first_stroke = kNoStrokes;
   /// For each piece 1 if it is one of a line, of two points, that is hidden there: to be drawn
   /// dashed. Empty: none is.
   std::vector<std::uint8_t> hidden;
@@ -74,7 +76,7 @@ struct SortedPieces {
   /// True of a piece that is drawn as a line from one of its points to the other, whatever the item
   /// is.
   bool is_stroke(std::size_t k) const {
-    return are_lines || is_hidden(k) || is_intersection(pieces[k]);
+    return k >= first_stroke || is_hidden(k) || is_intersection(pieces[k]);
   }
 
   /// The items whose pick identifiers pieces of lines have, by their first points over 2: one of

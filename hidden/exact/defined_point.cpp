@@ -190,6 +190,16 @@ bool in_line_by_definition(const Definitions& all, const DefinedPoint& a, const 
          DefiningLines(all, b).hold(a, c) || DefiningLines(all, c).hold(a, b);
 }
 
+/// A coordinate of a point on a line of which all points have it: polygons clipped by a window have
+/// such sides. Null if it is not known so.
+const double* common_coordinate(const Definitions& all, const DefinedPoint& v, int axis) {
+  if (is_known(v, axis)) return &v.near[axis];
+  const bool is_cut = v.kind == DefinedPoint::Kind::edge_cut ||
+                      (v.kind == DefinedPoint::Kind::lifted_edge_cut && v.axis != axis);
+  if (!is_cut || all.points[v.a][axis] != all.points[v.b][axis]) return nullptr;
+  return &all.points[v.a][axis];
+}
+
 /// The sign of a - b by one coordinate: rounding keeps order, so a rounded difference beyond
 /// both radii is one in truth.
 template <class Coordinate>
@@ -204,6 +214,10 @@ int compare(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b
     return decided_sign(difference);
   }
   if (same_by_definition(all, a, b)) {
+    count_by_definition(Predicate::compare);
+    return 0;
+  }
+  if (have_one_coordinate(all, a, b, axis)) {
     count_by_definition(Predicate::compare);
     return 0;
   }
@@ -302,6 +316,14 @@ int orientation(const Definitions& all, const DefinedPoint& a, const DefinedPoin
   }
   count_exact(Predicate::side_of_line);
   return exact_orientation(exact_point(all, a), exact_point(all, b), exact_point(all, c));
+}
+
+bool have_one_coordinate(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b,
+                         int axis) {
+  const double* const of_a = common_coordinate(all, a, axis);
+  if (of_a == nullptr) return false;
+  const double* const of_b = common_coordinate(all, b, axis);
+  return of_b != nullptr && *of_a == *of_b;
 }
 
 int compare_x(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b) {

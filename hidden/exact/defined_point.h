@@ -86,6 +86,11 @@ int compare_x(const Definitions& all, const DefinedPoint& a, const DefinedPoint&
 int compare_y(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b);
 int compare_z(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b);
 
+/// True if the points lie on lines of which all points have that coordinate in common, as the sides
+/// of polygons that a window clipped do.
+bool have_one_coordinate(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b,
+                         int axis);
+
 /// The order by x, then y: 0 if they are the same point of the projection.
 int compare_xy(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b);
 /// The order by x, then y, then z: 0 if they are the same point.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hidden/exact/depth_order.h"
+#include "hidden/exact/order_on_line.h"
 #include "hidden/lines/depth_boxes.h"
 #include "hidden/lines/line_scene.h"
 #include "hidden/parallel.h"
@@ -20,7 +21,8 @@ namespace {
 /// that nothing is allocated per pair.
 class Intersections {
  public:
-  Intersections(const Primitives& items, const LineScene& scene) : items_(items), scene_(scene) {}
+  Intersections(const Primitives& items, const LineScene& scene, IntersectionEnds ends)
+      : items_(items), scene_(scene), ends_(ends) {}
 
   /// Adds the lines of a pair of polygons that hide, in order of places. The pairs of the first one
   /// come after each other: mostly its plane tells, and the other's is not needed.
@@ -30,6 +32,7 @@ class Intersections {
     const std::uint32_t own = first == a ? kA : kB;
     if (!reaches_through(1 - own) || !reaches_through(own)) return;
     planes_ = {plane(kA), plane(kB)};
+    order_ = OrderOnLine(planes_[kA], planes_[kB]);
     inside_.clear();
     add_inside(a, kA, true);
     meet_inside(b, kB, true);
@@ -37,7 +40,12 @@ class Intersections {
     if (touches_line(kB)) meet_inside(b, kB, false);
     join_inside();
     for (const auto& [from, to] : inside_) {
+      if (ends_ == IntersectionEnds::defined) {
+        lines.push_back({a, b, from, to, {}, {}});
+        continue;
+      }
       IntersectionLine line{a, b, rounded_once(from), rounded_once(to), {}, {}};
+      if (Point2(line.from.near) == Point2(line.to.near)) continue;
       line.start = drawn(line.from);
       line.end = drawn(line.to);
       lines.push_back(line);
@@ -104,8 +112,8 @@ class Intersections {
                            : side[next] == 0 ? at_corner(item, own, next)
                                              : on_side(item, own, k, next));
     }
-    const auto is_less = [all = definitions()](const DefinedPoint& v, const DefinedPoint& w) {
-      return compare_xy(all, v, w) < 0;
+    const auto is_less = [&](const DefinedPoint& v, const DefinedPoint& w) {
+      return compare(v, w) < 0;
     };
     if (crossings_.size() > 2) {
       std::ranges::sort(crossings_, is_less);
@@ -134,6 +142,10 @@ class Intersections {
 
   // ---- Parts of the line, in order ----------------------------------------------------------
 
+  int compare(const DefinedPoint& v, const DefinedPoint& w) const {
+    return order_.compare(definitions(), v, w);
+  }
+
   void add_inside(std::uint32_t item, std::uint32_t own, bool before) {
     find_crossings(item, own, before);
     for (std::size_t k = 0; k + 1 < crossings_.size(); k += 2) {
@@ -141,7 +153,7 @@ class Intersections {
     }
   }
   void add_part(const DefinedPoint& from, const DefinedPoint& to) {
-    if (compare_xy(definitions(), from, to) < 0) inside_.push_back({from, to});
+    if (compare(from, to) < 0) inside_.push_back({from, to});
   }
   /// Leaves what is inside this one too.
   void meet_inside(std::uint32_t item, std::uint32_t own, bool before) {
@@ -151,11 +163,10 @@ class Intersections {
     add_inside(item, own, before);
     std::swap(inside_, more_);
     inside_.clear();
-    const Definitions all = definitions();
     for (std::size_t i = 0, j = 0; i < others_.size() && j < more_.size();) {
       const Part &p = others_[i], &q = more_[j];
-      const bool ends_first = compare_xy(all, p.to, q.to) < 0;
-      add_part(compare_xy(all, p.from, q.from) < 0 ? q.from : p.from, ends_first ? p.to : q.to);
+      const bool ends_first = compare(p.to, q.to) < 0;
+      add_part(compare(p.from, q.from) < 0 ? q.from : p.from, ends_first ? p.to : q.to);
       ++(ends_first ? i : j);
     }
   }
@@ -164,7 +175,7 @@ class Intersections {
     if (inside_.size() < 2) return;
     std::size_t last = 0;
     for (std::size_t k = 1; k < inside_.size(); ++k) {
-      if (compare_xy(definitions(), inside_[last].to, inside_[k].from) == 0) {
+      if (compare(inside_[last].to, inside_[k].from) == 0) {
         inside_[last].to = inside_[k].to;
       } else {
         inside_[++last] = inside_[k];
@@ -193,6 +204,7 @@ class Intersections {
 
   const Primitives& items_;
   const LineScene& scene_;
+  IntersectionEnds ends_;
   struct Known {
     std::uint32_t item = LineScene::kNone;
     Plane plane;
@@ -201,6 +213,7 @@ class Intersections {
   std::array<std::array<Known, kKnown>, 2> known_;
   std::array<std::uint32_t, 2> pair_{};
   std::array<Plane, 2> planes_;
+  OrderOnLine order_;
   std::array<std::vector<std::int8_t>, 2> side_;  // of the other's plane, each corner
   std::vector<DefinedPoint> crossings_;
   std::vector<Part> inside_, others_, more_;
@@ -214,16 +227,12 @@ std::vector<IntersectionLine> intersection_lines(const Primitives& items, int th
   for (std::uint32_t i = 0; i < scene.items(); ++i) {
     if (scene.hides(i)) solids.push_back(i);
   }
-  std::vector<IntersectionLine> lines = intersection_lines(items, scene, solids, threads);
-  std::erase_if(lines, [](const IntersectionLine& line) {
-    return Point2(line.from.near) == Point2(line.to.near);
-  });
-  return lines;
+  return intersection_lines(items, scene, solids, IntersectionEnds::rounded, threads);
 }
 
 std::vector<IntersectionLine> intersection_lines(const Primitives& items, const LineScene& scene,
                                                  std::span<const std::uint32_t> solids,
-                                                 int threads) {
+                                                 IntersectionEnds ends, int threads) {
   constexpr std::uint32_t kLeavesOfAPart = 64;
   DepthTree tree;
   tree.build(
@@ -231,7 +240,7 @@ std::vector<IntersectionLine> intersection_lines(const Primitives& items, const 
   std::vector<std::vector<IntersectionLine>> found((tree.leaves() + kLeavesOfAPart - 1) /
                                                    kLeavesOfAPart);
   in_parallel(threads, found.size(), [&](std::size_t part) {
-    Intersections intersections(items, scene);
+    Intersections intersections(items, scene, ends);
     const auto first = static_cast<std::uint32_t>(part) * kLeavesOfAPart;
     const std::uint32_t end = std::min(first + kLeavesOfAPart, tree.leaves());
     tree.pairs(first, end, [&](DepthTree::Position p, DepthTree::Position q) {

@@ -28,10 +28,17 @@ struct IntersectionLine {
 /// definition): in order of item_b, item_a, and of places along the line that both planes have in
 /// common. Edge-on polygons have none. Exact; the same for any number of threads.
 std::vector<IntersectionLine> intersection_lines(const Primitives& items, int threads = 1);
-/// The same among some polygons, which hide, with lines too whose ends differ but are rounded
-/// alike. The scene is of the same items.
+
+/// What is kept of an intersection line's ends.
+enum class IntersectionEnds {
+  rounded,  ///< `near` is rounded once; lines whose ends are rounded alike are left out
+  defined,  ///< `near` is close to the end, as DefinedPoint has it; nothing is drawn, and no line
+            ///< left out
+};
+
+/// The same among some polygons, which hide. The scene is of the same items.
 std::vector<IntersectionLine> intersection_lines(const Primitives& items, const LineScene& scene,
                                                  std::span<const std::uint32_t> polygons,
-                                                 int threads);
+                                                 IntersectionEnds ends, int threads);
 
 }  // namespace displayfile

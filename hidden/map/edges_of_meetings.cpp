@@ -55,7 +55,7 @@ std::vector<MapEdge> edges_of_meetings(const MapScene& map, const Policy& policy
     if (map.faces[i] == SeenFaces::Seen::some) contested.push_back(i);
   }
   const std::vector<IntersectionLine> lines =
-      intersection_lines(map.items, map.lines, contested, threads);
+      intersection_lines(map.items, map.lines, contested, IntersectionEnds::defined, threads);
   std::vector<std::vector<MapEdge>> found((lines.size() + kLinesOfAPart - 1) / kLinesOfAPart);
   const auto make_finder = [&] { return MeetingFinder<Policy>(map, policy); };
   Finders finders(make_finder);

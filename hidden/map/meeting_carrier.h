@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hidden/exact/defined_point.h"
+#include "hidden/exact/order_on_line.h"
 #include "hidden/lines/intersection_lines.h"
 #include "hidden/lines/line_scene.h"
 #include "hidden/lines/side_table.h"
@@ -28,15 +29,18 @@ class MeetingCarrier {
   void look_at(const IntersectionLine& line) {
     line_ = &line;
     planes_.assign({scene_.plane(line.item_a), scene_.plane(line.item_b)});
+    order_ = OrderOnLine(planes_[0], planes_[1]);
     from_ = line.from.near;
     to_ = line.to.near;
+    start_ = {line.from, what(line.from)};
+    end_ = {line.to, what(line.to)};
     left_is_first_ = finds_first_on_left();
   }
 
   const Point3& from() const { return from_; }
   const Point3& to() const { return to_; }
-  Place start() const { return {line_->from, what(line_->from)}; }
-  Place end() const { return {line_->to, what(line_->to)}; }
+  const Place& start() const { return start_; }
+  const Place& end() const { return end_; }
 
   /// Which of the two polygons is nearer left of the line is the same all along.
   bool first_is_nearer_on_left() const { return left_is_first_; }
@@ -78,7 +82,7 @@ class MeetingCarrier {
   /// The line's ends are in this order by x, then y.
   int compare(const Place& p, const Place& q) const {
     if (p.what == q.what) return 0;
-    return compare_xy(definitions(), p.at, q.at);
+    return order_.compare(definitions(), p.at, q.at);
   }
 
  private:
@@ -94,9 +98,8 @@ class MeetingCarrier {
   }
 
   Place cut_off(const Place& place) const {
-    if (compare_xy(definitions(), place.at, line_->from) <= 0) return start();
-    if (compare_xy(definitions(), place.at, line_->to) >= 0) return end();
-    return place;
+    if (compare(place, start_) <= 0) return start_;
+    return compare(place, end_) >= 0 ? end_ : place;
   }
 
   /// A corner beside the line tells.
@@ -116,6 +119,8 @@ class MeetingCarrier {
   const IntersectionLine* line_ = nullptr;
   std::vector<Plane> planes_;  // the two, and those of places
   Point3 from_{0.0}, to_{0.0};
+  Place start_, end_;
+  OrderOnLine order_;
   bool left_is_first_ = true;
 };
 

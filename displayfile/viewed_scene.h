@@ -72,7 +72,7 @@ class ViewedScene {
   /// True while the display file's visible segments are those that the scene was made of.
   bool is_of(const DisplayFile& display_file) const;
   /// Scenes of the same number, which is not 0, are of one SceneViewer and differ in colours,
-  /// intensities and shadows alone: items, points and fills are the same, and lie where they were.
+  /// shading and shadows alone: items, points and fills are the same, and lie where they were.
   std::uint64_t geometry() const { return geometry_; }
 
   // ---- Items -----------------------------------------------------------------------------

@@ -67,7 +67,15 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace displayfile {
 
+/// A few pixels are painted before vectors are filled with what all have in common.
 void PhongShade::paint(int row, int first, std::span<std::uint32_t> pixels) const {
+  constexpr std::size_t kFew = 2;
+  if (pixels.size() <= kFew) {
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      pixels[i] = at(row, first + static_cast<int>(i));
+    }
+    return;
+  }
   static const auto paint_row = DISPLAYFILE_WIDEST_FORM(PaintPhong);
   paint_row({normal_of_row(row), dn_dx_, low_, high_, light_.toward, colour_, x0_, light_.ambient},
             first, pixels);

@@ -23,8 +23,8 @@ class PhongShade {
         x0_(plane.x0 * size.width),
         y0_(plane.y0 * size.height),
         n0_(plane.n0),
-        dn_dx_(plane.dn_dx / static_cast<double>(size.width)),
-        dn_dy_(plane.dn_dy / static_cast<double>(size.height)) {}
+        dn_dx_(plane.dn_dx * (1.0 / size.width)),
+        dn_dy_(plane.dn_dy * (1.0 / size.height)) {}
 
   /// Paints the columns first, first + 1, ... of a row, as in Picture::pixels, in the widest
   /// vectors that the processor has.

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <cmath>
+#include <ctime>
 #include <filesystem>
 #include <numbers>
 #include <string>
@@ -48,7 +49,7 @@ DisplayFile ball(int triangles, Shading shading) {
     for (int k = 0; k < n; ++k) {
       const Point3 a = point(i, k), b = point(i, k + 1), c = point(i + 1, k + 1);
       const Point3 d = point(i + 1, k);
-      for (const std::array& triangle : {std::array{a, b, c}, std::array{a, c, d}}) {
+      for (const auto& triangle : {std::array{a, b, c}, std::array{a, c, d}}) {
         g.set_vertex_normals(triangle);
         g.polygon_abs_3(triangle);
       }
@@ -65,17 +66,25 @@ DisplayFile mesh(const std::string& path, Shading shading) {
   return g.display_file();
 }
 
-/// Ratios of the second's time to the first's.
+/// By one thread.
+double processor_seconds(const auto& work) {
+  const std::clock_t start = std::clock();
+  work();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+/// Ratios of the second's processor time to the first's.
 void compare(const std::string& name, const DisplayFile& a, const DisplayFile& b,
              const Options& options) {
   const RasterRequest request{
       .width = options.size, .height = options.size, .method = hidden_method(options.method)};
   SoftwareRenderer of_a, of_b;
-  const Spread again = times_faster(
-      options.rounds, [&] { of_a.draw(a, request); }, [&] { of_b.draw(b, request); });
-  const Spread anew = times_faster(
-      options.rounds, [&] { draw_with_software(a, request); },
-      [&] { draw_with_software(b, request); });
+  const Spread again = ratio_of_seconds(
+      options.rounds, [&] { return processor_seconds([&] { of_a.draw(a, request); }); },
+      [&] { return processor_seconds([&] { of_b.draw(b, request); }); });
+  const Spread anew = ratio_of_seconds(
+      options.rounds, [&] { return processor_seconds([&] { draw_with_software(a, request); }); },
+      [&] { return processor_seconds([&] { draw_with_software(b, request); }); });
   fmt::print("  {:<20} again {:5.2f} ({:.2f} to {:.2f}), anew {:5.2f} ({:.2f} to {:.2f})\n", name,
              again.median, again.least, again.greatest, anew.median, anew.least, anew.greatest);
 }

@@ -1,7 +1,6 @@
 #include "clip/clip_pipeline.h"
 
 #include <algorithm>
-#include <type_traits>
 
 #include "clip/intensity.h"
 
@@ -11,6 +10,11 @@ namespace {
 
 constexpr std::array kStages{ClipPlane::back,  ClipPlane::front,  ClipPlane::eye, ClipPlane::left,
                              ClipPlane::right, ClipPlane::bottom, ClipPlane::top};
+
+template <class V>
+concept HasValue = requires(const V& v) {
+  v.value;
+};
 
 }  // namespace
 
@@ -26,11 +30,11 @@ V ClipPipeline::cut(const V& inside, const V& outside, ClipPlane plane) const {
   const double t = d_in / (d_in - d_out);
   V v{};
   v.position = inside.position + (outside.position - inside.position) * t;
-  if constexpr (std::is_same_v<V, ShadedVertex>) {
-    v.intensity = inside.intensity;
-    if (outside.intensity != inside.intensity) {  // then both ends are in front of the eye
+  if constexpr (HasValue<V>) {
+    v.value = inside.value;
+    if (outside.value != inside.value) {  // then both ends are in front of the eye
       const double t_in_picture = t * outside.position.w / v.position.w;
-      v.intensity += (outside.intensity - inside.intensity) * t_in_picture;
+      v.value += (outside.value - inside.value) * t_in_picture;
     }
   }
   volume_.snap(plane, v.position);
@@ -77,11 +81,10 @@ void ClipPipeline::clip_stage(ClipPlane plane, Stages<V>& stage) const {
   stage.in.swap(stage.out);
 }
 
-template <class V>
+template <class V, class Values>
 void ClipPipeline::run_stages(std::span<const Point3> world,
                               std::span<const std::uint8_t> edge_visible,
-                              [[maybe_unused]] std::span<const double> intensities,
-                              Stages<V>& stage) const {
+                              [[maybe_unused]] const Values& values, Stages<V>& stage) const {
   const std::size_t n = world.size();
   stage.in.resize(n);
   Outcode any = 0, all = ~0u;
@@ -90,17 +93,17 @@ void ClipPipeline::run_stages(std::span<const Point3> world,
     v.position = volume_.transform(world[i]);
     v.outcode = volume_.outcode(v.position);
     v.edge_visible = edge_visible.empty() ? std::uint8_t{1} : edge_visible[i];
-    if constexpr (std::is_same_v<V, ShadedVertex>) v.intensity = intensities[i];
+    if constexpr (HasValue<V>) v.value = values[i];
     any |= v.outcode;
     all &= v.outcode;
   }
   if (all != 0) return stage.in.clear();  // wholly outside of one plane
   if (any == 0) return;
-  if constexpr (std::is_same_v<V, ShadedVertex>) {
+  if constexpr (HasValue<V>) {
     const auto in_front = [](const V& v) { return v.position.w > 0.0; };
     if (!std::ranges::all_of(stage.in, in_front)) {
-      const double mean = mean_intensity(intensities);
-      for (V& v : stage.in) v.intensity = mean;
+      const auto mean = mean_of_vertices(values);
+      for (V& v : stage.in) v.value = mean;
     }
   }
   for (ClipPlane plane : kStages) {
@@ -127,15 +130,33 @@ ClippedPolygon ClipPipeline::clip_polygon(std::span<const Point3> world,
                                           std::span<const std::uint8_t> edge_visible,
                                           std::span<const double> intensities) {
   if (intensities.empty()) {
-    run_stages(world, edge_visible, {}, stage_);
+    run_stages(world, edge_visible, NoValues(), stage_);
     return in_device_coordinates<Vertex>(stage_.in);
   }
-  run_stages(world, edge_visible, intensities, shaded_stage_);
-  ClippedPolygon clipped = in_device_coordinates<ShadedVertex>(shaded_stage_.in);
-  intensities_.clear();
-  for (const ShadedVertex& v : shaded_stage_.in) intensities_.push_back(v.intensity);
+  ClippedPolygon clipped =
+      clip_shaded(world, edge_visible, intensities, intensity_stage_, intensities_);
   if (!clipped.vertices.empty()) clipped.intensities = intensities_;
   return clipped;
+}
+
+ClippedPolygon ClipPipeline::clip_with_normals(std::span<const Point3> world,
+                                               std::span<const std::uint8_t> edge_visible,
+                                               std::span<const Point3> normals) {
+  ClippedPolygon clipped = clip_shaded(world, edge_visible, normals, normal_stage_, normals_);
+  if (!clipped.vertices.empty()) clipped.normals = normals_;
+  return clipped;
+}
+
+template <class Value>
+ClippedPolygon ClipPipeline::clip_shaded(std::span<const Point3> world,
+                                         std::span<const std::uint8_t> edge_visible,
+                                         std::span<const Value> values,
+                                         Stages<ShadedVertex<Value>>& stage,
+                                         std::vector<Value>& of_clipped) {
+  run_stages(world, edge_visible, values, stage);
+  of_clipped.clear();
+  for (const ShadedVertex<Value>& v : stage.in) of_clipped.push_back(v.value);
+  return in_device_coordinates<ShadedVertex<Value>>(stage.in);
 }
 
 bool ClipPipeline::clip_line(const Point3& a, const Point3& b, Point3& device_a,

@@ -16,6 +16,7 @@ struct ClippedPolygon {
   std::span<const Point3> vertices;
   std::span<const std::uint8_t> edge_visible;
   std::span<const double> intensities = {};  ///< of the vertices, if the polygon had some
+  std::span<const Point3> normals = {};      ///< likewise
 };
 
 /// A vertex that polygons share, as the pipeline sees it.
@@ -31,10 +32,11 @@ struct ViewedVertex {
 /// feeding the next. A polygon wholly inside, or wholly outside of one plane, meets no stage.
 /// Every edge that crosses a plane is cut by the same expression from its inside end to its
 /// outside end, so two polygons that share it are cut at the same point, bit for bit.
-/// Intensities of vertices go through the stages with them; where an edge is cut, the intensity is
-/// that which runs linearly along the edge in the picture. If a vertex is not in front of the
-/// centre of projection, the polygon has no such picture and all get the mean.
-/// Method: Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17 (1974).
+/// Intensities of vertices, or normals, go through the stages with them; where an edge is cut, the
+/// intensity, and each component of the normal, is that which runs linearly along the edge in the
+/// picture. If a vertex is not in front of the centre of projection, the polygon has no such
+/// picture and all get the mean. Method: Sutherland and Hodgman, "Reentrant polygon clipping", CACM
+/// 17 (1974).
 class ClipPipeline {
  public:
   explicit ClipPipeline(const ViewVolume& volume) : volume_(volume) {}
@@ -46,6 +48,10 @@ class ClipPipeline {
   ClippedPolygon clip_polygon(std::span<const Point3> world,
                               std::span<const std::uint8_t> edge_visible = {},
                               std::span<const double> intensities = {});
+  /// The same of a polygon whose vertices have normals, one each.
+  ClippedPolygon clip_with_normals(std::span<const Point3> world,
+                                   std::span<const std::uint8_t> edge_visible,
+                                   std::span<const Point3> normals);
 
   /// Clips the line from a to b (world) in place of its device coordinates; false if
   /// nothing of it is inside.
@@ -66,8 +72,9 @@ class ClipPipeline {
     Outcode outcode;
     std::uint8_t edge_visible;  ///< of the side that ends here
   };
+  template <class Value>
   struct ShadedVertex : Vertex {
-    double intensity;
+    Value value;  ///< its intensity, or its normal
   };
   /// What goes into a stage, and what comes out of it.
   template <class V>
@@ -79,19 +86,29 @@ class ClipPipeline {
   V cut(const V& inside, const V& outside, ClipPlane plane) const;
   template <class V>
   void clip_stage(ClipPlane plane, Stages<V>& stage) const;
-  /// Takes the vertices, transformed, through all stages that they need: into stage.in.
-  template <class V>
+  /// No vertex of the polygon has a value.
+  struct NoValues {};
+  /// Takes the vertices, transformed, through all stages that they need: into stage.in. Values are
+  /// a span, if the stages' vertices have them.
+  template <class V, class Values>
   void run_stages(std::span<const Point3> world, std::span<const std::uint8_t> edge_visible,
-                  std::span<const double> intensities, Stages<V>& stage) const;
+                  const Values& values, Stages<V>& stage) const;
   template <class V>
   ClippedPolygon in_device_coordinates(std::span<const V> clipped);
+  template <class Value>
+  ClippedPolygon clip_shaded(std::span<const Point3> world,
+                             std::span<const std::uint8_t> edge_visible,
+                             std::span<const Value> values, Stages<ShadedVertex<Value>>& stage,
+                             std::vector<Value>& of_clipped);
 
   ViewVolume volume_;
   Stages<Vertex> stage_;
-  Stages<ShadedVertex> shaded_stage_;
+  Stages<ShadedVertex<double>> intensity_stage_;
+  Stages<ShadedVertex<Point3>> normal_stage_;
   std::vector<Point3> vertices_;
   std::vector<std::uint8_t> visible_;
   std::vector<double> intensities_;
+  std::vector<Point3> normals_;
 };
 
 }  // namespace displayfile

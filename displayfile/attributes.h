@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "displayfile/lighting.h"
+#include "displayfile/shading.h"
 #include "displayfile/style.h"
 
 namespace displayfile {
@@ -15,6 +16,7 @@ struct Attributes {
   std::optional<Light> light;  ///< the fill is lit in each view
   bool back_face_removal = false;
   bool shadows = false;
+  Shading shading = Shading::flat;  ///< of polygons whose vertices have normals
   bool operator==(const Attributes&) const = default;
 };
 
@@ -22,7 +24,7 @@ struct Attributes {
 inline bool equal_but_for_colour(const Attributes& a, const Attributes& b) {
   return a.fill.kind == b.fill.kind && a.fill.shadow == b.fill.shadow && a.line == b.line &&
          a.text == b.text && a.light == b.light && a.back_face_removal == b.back_face_removal &&
-         a.shadows == b.shadows;
+         a.shadows == b.shadows && a.shading == b.shading;
 }
 
 }  // namespace displayfile

@@ -150,9 +150,10 @@ class GraphicsSystem {
   /// between the light and the side of it that is seen).
   void set_light(const Point3& toward, double ambient = 0.2);
   /// Gouraud shading (displayfile/gouraud.md): where there is light, a polygon whose vertices have
-  /// normals is lit at each of them, and the intensities are interpolated over its picture. One of
-  /// more than three sides is entered as triangles whose diagonals are invisible. Any other polygon
-  /// is shaded flat.
+  /// normals is lit at each of them, and the intensities are interpolated over its picture. Phong
+  /// shading (displayfile/phong.md): the normals are interpolated, and each pixel is lit; in
+  /// vectors and by the OSMesa device as with Gouraud shading. One of more than three sides is
+  /// entered as triangles whose diagonals are invisible. Any other polygon is shaded flat.
   void set_shading(Shading shading);
   /// Shadows (interp/raster/shadows.md): where there is light, the solid polygons that follow are
   /// drawn in the ambient light alone where a solid polygon hides the light from them, whether that
@@ -224,7 +225,7 @@ class GraphicsSystem {
   std::optional<int> open_segment_name() const { return open_; }
   bool hidden_line_removal() const { return hidden_; }
   bool back_face_removal() const { return attributes_.back_face_removal; }
-  Shading shading() const { return shading_; }
+  Shading shading() const { return attributes_.shading; }
   bool shadows() const { return attributes_.shadows; }
   HiddenMethod hidden_method() const { return method_; }
   std::optional<HiddenScope> hidden_scope() const { return scope_; }  ///< if it was set
@@ -338,7 +339,6 @@ class GraphicsSystem {
   Pen pen_;
   Attributes attributes_;
   Background background_;
-  Shading shading_ = Shading::flat;
   std::vector<Point3> vertex_normals_;  // of the next polygon, as the application gave them
   std::int32_t pick_ = -1;
   std::int64_t ordinal_ = 0, triangulated_ = 0;

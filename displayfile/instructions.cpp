@@ -81,15 +81,24 @@ void Instructions::enter_line(const Point3& from, const Point3& to) {
 
 void Instructions::enter_polygon(std::span<const Point3> vertices,
                                  std::span<const std::uint8_t> edge_visible,
-                                 std::span<const double> intensities) {
+                                 const VertexShading& shading) {
   enter_pick();
+  if (!shading.normals.empty() && light_ != *shading.light) {
+    const auto& [toward, ambient] = *shading.light;
+    op_.push_back(op::light);
+    style_operands_.insert(style_operands_.end(), {toward.x, toward.y, toward.z, ambient});
+    light_ = *shading.light;
+  }
   if (std::ranges::any_of(edge_visible, has_kind)) {
     op_.push_back(op::side_kinds);
     side_kinds_.insert(side_kinds_.end(), edge_visible.begin(), edge_visible.end());
   }
-  if (!intensities.empty()) {
+  if (!shading.intensities.empty()) {
     op_.push_back(op::intensities);
-    intensities_.insert(intensities_.end(), intensities.begin(), intensities.end());
+    intensities_.insert(intensities_.end(), shading.intensities.begin(), shading.intensities.end());
+  } else if (!shading.normals.empty()) {
+    op_.push_back(op::normals);
+    normals_.insert(normals_.end(), shading.normals.begin(), shading.normals.end());
   }
   const std::size_t start = op_.size();
   op_.resize(start + 1 + vertices.size());
@@ -143,8 +152,8 @@ std::size_t Instructions::bytes() const {
   return op_.size() * sizeof(op_[0]) + points_.size() * sizeof(points_[0]) +
          flat_points_.size() * sizeof(flat_points_[0]) +
          style_operands_.size() * sizeof(style_operands_[0]) +
-         intensities_.size() * sizeof(intensities_[0]) + side_kinds_.size() +
-         texts_.size() * sizeof(texts_[0]) + characters_.size();
+         intensities_.size() * sizeof(intensities_[0]) + normals_.size() * sizeof(normals_[0]) +
+         side_kinds_.size() + texts_.size() * sizeof(texts_[0]) + characters_.size();
 }
 
 /// At least twice the room there is, so that many small calls cost no more than one.
@@ -163,6 +172,7 @@ void Instructions::shrink_to_fit() {
   flat_points_.shrink_to_fit();
   style_operands_.shrink_to_fit();
   intensities_.shrink_to_fit();
+  normals_.shrink_to_fit();
   side_kinds_.shrink_to_fit();
   texts_.shrink_to_fit();
   characters_.shrink_to_fit();

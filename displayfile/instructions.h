@@ -12,6 +12,7 @@
 
 #include "clip/transformation.h"
 #include "displayfile/style.h"
+#include "displayfile/vertex_shading.h"
 #include "hidden/line_kinds.h"
 
 namespace displayfile {
@@ -35,12 +36,19 @@ inline constexpr std::int32_t pick_run = -33;
 /// The next code is the pick identifier of the lines that follow; at the start they have none.
 inline constexpr std::int32_t line_pick = -34;
 inline constexpr std::int32_t intensities = -64;  ///< of the vertices of the polygon that follows
-/// Kinds of lines of the sides of the polygon that follows, which stand before its intensities.
+/// Kinds of lines of the sides of the polygon that follows, which stand before its intensities or
+/// normals.
 inline constexpr std::int32_t side_kinds = -65;
-inline constexpr std::int32_t text = -128;  ///< its anchor and characters are kept apart
+inline constexpr std::int32_t normals = -66;  ///< of the vertices of the polygon that follows
+inline constexpr std::int32_t light = -67;    ///< that normals are seen in from here on
+inline constexpr std::int32_t text = -128;    ///< its anchor and characters are kept apart
 /// The next code is the alignment, and with bit 2 set the text is always seen.
 inline constexpr std::int32_t text_style = -129;
 inline constexpr std::int32_t text_always = 4;
+/// True for what stands right before a polygon that is shaded smoothly.
+inline constexpr bool is_of_vertices(std::int32_t code) {
+  return code == intensities || code == normals;
+}
 }  // namespace op
 
 /// Display-file instructions in arrays of their own, in the order in which they were entered.
@@ -56,9 +64,9 @@ class Instructions {
   void set_line_pick(std::int32_t id) { line_pick_ = id; }  ///< of lines; -1: none
   void enter_line(const Point3& from, const Point3& to);  ///< a move first, if the pen is elsewhere
   /// 3 vertices or more; edge_visible is of the edge that ends at the vertex: 0 if it is not drawn,
-  /// or the kinds of line that it is. A shaded polygon has one intensity a vertex, a flat one none.
+  /// or the kinds of line that it is.
   void enter_polygon(std::span<const Point3> vertices, std::span<const std::uint8_t> edge_visible,
-                     std::span<const double> intensities = {});
+                     const VertexShading& shading = {});
 
   /// A text at a point: UTF-8 that can be drawn (displayfile/characters.h). The pen stays where it
   /// is.
@@ -88,9 +96,10 @@ class Instructions {
   ///   fill(FillStyle), line_style(LineStyle), pick(int), move(Point3), line(Point3),
   ///   polygon(span<const Point3> vertices, span<const int32_t> sides) - sides holds op::line
   ///   or op::move for the edge that ends at the vertex of the same index - and, if the visitor
-  ///   has them, before a shaded polygon intensities(span<const double>), and before one of whose
-  ///   sides it was asked what kinds of lines they are side_kinds(span<const LineKinds>), 0 of
-  ///   those that are not drawn; both stay until the walk is over; line_pick(int), of the lines
+  ///   has them, before a shaded polygon intensities(span<const double>) or
+  ///   normals(span<const Point3>, const Light&), and before one of whose sides it was asked what
+  ///   kinds of lines they are side_kinds(span<const LineKinds>), 0 of those that are not drawn;
+  ///   all these spans stay until the walk is over; line_pick(int), of the lines
   ///   that follow, and text_style(TextStyle), text(Point3 anchor, string_view), in the colour of
   ///   the line style. A text does not move the pen.
   template <class Visitor>
@@ -112,6 +121,8 @@ class Instructions {
   std::span<const Point3> stored_points() const { return points_; }
   /// The intensities of the vertices of all shaded polygons, in order of entry.
   std::span<const double> stored_intensities() const { return intensities_; }
+  /// The normals of those with Phong shading.
+  std::span<const Point3> stored_normals() const { return normals_; }
   /// False if nothing that was entered shows: there is nothing, or all is hollow and of line style
   /// none. Looks no further than the first style that shows.
   bool shows() const;
@@ -121,10 +132,6 @@ class Instructions {
   void shrink_to_fit();
 
  private:
-  template <class Visitor>
-  static void visit_intensities(Visitor& visit, std::span<const double> of_vertices) {
-    if constexpr (requires { visit.intensities(of_vertices); }) visit.intensities(of_vertices);
-  }
   template <class Visitor>
   static void visit_side_kinds(Visitor& visit, std::span<const LineKinds> of_sides) {
     if constexpr (requires { visit.side_kinds(of_sides); }) visit.side_kinds(of_sides);
@@ -158,6 +165,7 @@ class Instructions {
   std::vector<Point2> flat_points_;  // otherwise, all at depth flat_z_
   std::vector<double> style_operands_;
   std::vector<double> intensities_;
+  std::vector<Point3> normals_;
   std::vector<LineKinds> side_kinds_;  // of the polygons that have them, one after another
   std::vector<TextAt> texts_;
   std::string characters_;  // of all texts
@@ -169,6 +177,7 @@ class Instructions {
   std::optional<FillStyle> fill_;
   std::optional<LineStyle> line_;
   std::optional<TextStyle> text_style_;
+  std::optional<Light> light_;
   std::optional<std::int32_t> pick_;  // of the next polygon
   std::optional<std::int32_t> last_pick_;
   bool last_pick_repeats_ = false;                     // the last two polygons have it
@@ -184,6 +193,8 @@ void Instructions::walk(Visitor&& visit) const {
   const Point2* next_flat = flat_points_.data();
   const double* operand = style_operands_.data();
   const double* next_intensity = intensities_.data();
+  const Point3* next_normal = normals_.data();
+  Light light{};
   const LineKinds* next_kinds = side_kinds_.data();
   std::size_t next_text = 0;
   Picks picks;
@@ -238,12 +249,24 @@ void Instructions::walk(Visitor&& visit) const {
       case op::intensities: {
         const auto sides = static_cast<std::size_t>(op_[i + 1]);
         if (picks.in_run) visit.pick(picks.take());
-        visit_intensities(visit, {next_intensity, sides});
+        visit_shading(visit, {.intensities = {next_intensity, sides}});
         next_intensity += sides;
         break;
       }
+      case op::light: {
+        light = {{operand[0], operand[1], operand[2]}, operand[3]};
+        operand += 4;
+        break;
+      }
+      case op::normals: {
+        const auto sides = static_cast<std::size_t>(op_[i + 1]);
+        if (picks.in_run) visit.pick(picks.take());
+        visit_shading(visit, {.normals = {next_normal, sides}, .light = &light});
+        next_normal += sides;
+        break;
+      }
       case op::side_kinds: {
-        const std::size_t polygon = op_[i + 1] == op::intensities ? i + 2 : i + 1;
+        const std::size_t polygon = op::is_of_vertices(op_[i + 1]) ? i + 2 : i + 1;
         const auto sides = static_cast<std::size_t>(op_[polygon]);
         visit_side_kinds(visit, {next_kinds, sides});
         next_kinds += sides;
@@ -266,7 +289,7 @@ void Instructions::walk(Visitor&& visit) const {
       }
       default: {
         const auto sides = static_cast<std::size_t>(op_[i]);
-        if (picks.in_run && op_[i - 1] != op::intensities) visit.pick(picks.take());
+        if (picks.in_run && !op::is_of_vertices(op_[i - 1])) visit.pick(picks.take());
         visit.polygon(take(sides), std::span<const std::int32_t>(&op_[i + 1], sides));
         i += sides;
       }
@@ -293,6 +316,10 @@ class TransformedVisitor {
   }
   void intensities(std::span<const double> values) {
     if constexpr (requires { visit_.intensities(values); }) visit_.intensities(values);
+  }
+  /// World coordinates: an image transformation leaves them as they are.
+  void normals(std::span<const Point3> values, const Light& light) {
+    if constexpr (requires { visit_.normals(values, light); }) visit_.normals(values, light);
   }
   void side_kinds(std::span<const LineKinds> kinds) {
     if constexpr (requires { visit_.side_kinds(kinds); }) visit_.side_kinds(kinds);

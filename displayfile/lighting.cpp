@@ -1,6 +1,5 @@
 #include "displayfile/lighting.h"
 
-#include <algorithm>
 #include <glm/geometric.hpp>
 
 namespace displayfile {
@@ -8,7 +7,7 @@ namespace displayfile {
 double intensity(const Light& light, const Point3& normal, bool turned_away) {
   double cosine = normal == Point3(0.0) ? 0.0 : glm::dot(unit(normal), light.toward);
   if (turned_away) cosine = -cosine;  // the dark face is the one that is seen
-  return std::min(1.0, light.ambient + (1.0 - light.ambient) * std::max(0.0, cosine));
+  return intensity_at(light, cosine);
 }
 
 FillStyle lit(const FillStyle& fill, double intensity) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "clip/point.h"
@@ -14,6 +15,12 @@ struct Light {
   double ambient;  ///< in [0,1]
   bool operator==(const Light&) const = default;
 };
+
+/// The intensity of a surface where the light is at an angle of that cosine to the normal of the
+/// side that is seen; NaN stands for a surface that has none.
+inline double intensity_at(const Light& light, double cosine) {
+  return std::min(1.0, light.ambient + (1.0 - light.ambient) * std::max(0.0, cosine));
+}
 
 /// The intensity of a surface of that normal (of any length, or zero): ambient + (1 - ambient)
 /// max(0, cosine of the angle between the light and the normal, turned round if it is turned away).

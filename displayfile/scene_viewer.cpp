@@ -318,16 +318,10 @@ class SceneViewer::Part {
     if (!std::ranges::all_of(polygon.edge_visible, [](LineKinds k) { return k == kDrawn; })) {
       seen_->note_edges(shared_.corners + own_corner, polygon.edge_visible);
     }
-    std::optional<std::uint32_t> first_intensity;
-    if (!polygon.intensities.empty() && is_solid(attributes_)) {
-      first_intensity = static_cast<std::uint32_t>(seen_->own_intensities_.size());
-      seen_->own_intensities_.insert(seen_->own_intensities_.end(), polygon.intensities.begin(),
-                                     polygon.intensities.end());
-    }
     take_points(polygon.vertices);
     const auto vertices = std::span(seen_->own_points_).last(polygon.vertices.size());
     seen_->add_polygon(first, vertices, {*fill, attributes_.line, primitive.pick},
-                       first_intensity.value_or(ViewedScene::kNone));
+                       viewed.shading());
   }
 
   void take_points(std::span<const Point3> points) {
@@ -518,7 +512,6 @@ void SceneViewer::take_parts(Take&& take) {
     }
   }
   viewed_.points_ = viewed_.own_points_;
-  viewed_.intensities_ = viewed_.own_intensities_;
   number_own_corners();
   if (!viewed_.edge_visible_.empty()) viewed_.edge_visible_.resize(viewed_.corners_.size(), 1);
 }

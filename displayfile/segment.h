@@ -44,8 +44,8 @@ class Segment {
   void set_line_pick(std::int32_t id) { writable().set_line_pick(id); }
   void enter_line(const Point3& from, const Point3& to) { writable().enter_line(from, to); }
   void enter_polygon(std::span<const Point3> vertices, std::span<const std::uint8_t> edge_visible,
-                     std::span<const double> intensities = {}) {
-    writable().enter_polygon(vertices, edge_visible, intensities);
+                     const VertexShading& shading = {}) {
+    writable().enter_polygon(vertices, edge_visible, shading);
   }
   void enter_text(const Point3& anchor, std::string_view characters) {
     writable().enter_text(anchor, characters);

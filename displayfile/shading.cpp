@@ -6,7 +6,8 @@ namespace displayfile {
 
 namespace {
 
-constexpr Word<Shading> kShadings[] = {{Shading::flat, "flat"}, {Shading::gouraud, "gouraud"}};
+constexpr Word<Shading> kShadings[] = {
+    {Shading::flat, "flat"}, {Shading::gouraud, "gouraud"}, {Shading::phong, "phong"}};
 
 }  // namespace
 

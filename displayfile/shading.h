@@ -8,9 +8,10 @@ namespace displayfile {
 enum class Shading {
   flat,     ///< one intensity a polygon
   gouraud,  ///< one a vertex, linear over the picture of a triangle (displayfile/gouraud.md)
+  phong,    ///< a normal a vertex, linear likewise, lit at each pixel (displayfile/phong.md)
 };
 
-/// Reads `flat` or `gouraud`; throws Error for anything else.
+/// Reads `flat`, `gouraud` or `phong`; throws Error for anything else.
 Shading shading(std::string_view text);
 std::string_view name_of(Shading shading);
 

@@ -11,6 +11,7 @@
 
 #include "clip/transformation.h"
 #include "displayfile/intensity_plane.h"
+#include "displayfile/normal_plane.h"
 #include "displayfile/viewed_scene.h"
 #include "hidden/hidden_method.h"
 #include "hidden/sort/hidden_surface_sort.h"
@@ -196,17 +197,14 @@ class PieceWriter {
                            : ordered_->pieces.visible[piece.first + i]);
       sides_.push_back(kinds_.back() != 0 ? op::line : op::move);
     }
-    auto intensities = intensities_of(piece, points);
+    VertexShading shading = shading_of(piece, points);
     if (points.size() < 3) {
       padded_.assign(points.begin(), points.end());
       padded_.resize(3, points.back());
       sides_.resize(3, op::move);
       kinds_.resize(3, 0);
-      if (!intensities.empty()) {
-        intensities_.assign(intensities.begin(), intensities.end());
-        intensities_.resize(3, intensities_.back());
-        intensities = intensities_;
-      }
+      shading.intensities = padded(shading.intensities, intensities_);
+      shading.normals = padded(shading.normals, normals_);
       points = padded_;
     }
     check_pick(piece.item);
@@ -215,20 +213,34 @@ class PieceWriter {
         visit_.side_kinds(std::span<const LineKinds>(kinds_));
       }
     }
-    if constexpr (requires { visit_.intensities(intensities); }) {
-      if (!intensities.empty()) visit_.intensities(intensities);
-    }
+    visit_shading(visit_, shading);
     visit_.polygon(points, std::span<const std::int32_t>(sides_));
   }
 
   /// A piece of a shaded polygon lies in the picture of the whole one.
-  std::span<const double> intensities_of(const SortedPiece& piece, std::span<const Point3> points) {
-    const auto of_whole = scene().intensities(piece.item);
-    if (of_whole.empty() || piece.first == SortedPiece::kWhole) return of_whole;
-    const IntensityPlane plane(scene().points(piece.item), of_whole);
-    intensities_.clear();
-    for (const Point3& p : points) intensities_.push_back(plane.at(p));
-    return intensities_;
+  VertexShading shading_of(const SortedPiece& piece, std::span<const Point3> points) {
+    const VertexShading whole = scene().shading(piece.item);
+    if (whole.empty() || piece.first == SortedPiece::kWhole) return whole;
+    const PointRow vertices = scene().points(piece.item);
+    const auto values_at_points = [&](const auto& plane, auto& values) {
+      values.clear();
+      for (const Point3& p : points) values.push_back(plane.at(p));
+    };
+    if (whole.normals.empty()) {
+      values_at_points(IntensityPlane(vertices, whole.intensities), intensities_);
+      return {.intensities = intensities_};
+    }
+    values_at_points(NormalPlane(vertices, whole.normals), normals_);
+    return {.normals = normals_, .light = whole.light};
+  }
+
+  /// Of three vertices, where there are fewer; none stay none.
+  template <class Value>
+  static std::span<const Value> padded(std::span<const Value> values, std::vector<Value>& room) {
+    if (values.empty()) return {};
+    if (values.data() != room.data()) room.assign(values.begin(), values.end());
+    room.resize(3, room.back());
+    return room;
   }
 
   Visitor& visit_;
@@ -247,6 +259,7 @@ class PieceWriter {
   LineKinds line_kinds_ = kDrawn;
   std::vector<Point3> padded_;
   std::vector<double> intensities_;  // of one piece
+  std::vector<Point3> normals_;      // likewise
 };
 
 template <class Visitor>

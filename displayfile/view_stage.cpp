@@ -10,9 +10,18 @@ ViewedPolygon ViewStage::view_polygon(const WorldPolygon& polygon, const Attribu
   const ClippedPolygon clipped =
       polygon.vertex_normals.empty()
           ? pipeline_.clip_polygon(polygon.vertices, polygon.edge_visible)
-          : lighting_.clip(pipeline_, polygon.vertices, polygon.edge_visible,
-                           polygon.vertex_normals, *attributes.light);
+          : clip_smooth(polygon, attributes);
   return view_clipped(clipped, polygon, attributes);
+}
+
+/// With what is interpolated over it; equal normals, whatever their length, need nothing.
+ClippedPolygon ViewStage::clip_smooth(const WorldPolygon& polygon, const Attributes& attributes) {
+  const auto& [vertices, edge_visible, normal, normals, pick] = polygon;
+  if (attributes.shading != Shading::phong) {
+    return gouraud_.clip(pipeline_, vertices, edge_visible, normals, *attributes.light);
+  }
+  if (!differ(normals)) return pipeline_.clip_polygon(vertices, edge_visible);
+  return phong_.clip(pipeline_, vertices, edge_visible, normals);
 }
 
 std::span<const Point3> ViewStage::enter_polygon(const WorldPolygon& polygon,
@@ -84,7 +93,7 @@ ViewedPolygon ViewStage::view_clipped(ClippedPolygon clipped, const WorldPolygon
   if (attributes.back_face_removal && is_back_face(clipped.vertices)) return {};
   if (!attributes.light) return {clipped, &attributes.fill};
   lit_ = lit_fill(polygon, attributes, clipped);
-  return {clipped, &lit_};
+  return {clipped, &lit_, &*attributes.light};
 }
 
 std::span<const Point3> ViewStage::enter(const ViewedPolygon& viewed, const Attributes& attributes,
@@ -93,7 +102,7 @@ std::span<const Point3> ViewStage::enter(const ViewedPolygon& viewed, const Attr
   if (polygon.vertices.empty()) return {};
   enter_styles(*viewed.fill, attributes, segment);
   segment.set_pick(pick);
-  segment.enter_polygon(polygon.vertices, polygon.edge_visible, polygon.intensities);
+  segment.enter_polygon(polygon.vertices, polygon.edge_visible, viewed.shading());
   return polygon.vertices;
 }
 
@@ -105,14 +114,18 @@ void ViewStage::enter_styles(const FillStyle& fill, const Attributes& attributes
   line_entered_ = true;
 }
 
-/// The intensities of a polygon that is lit evenly after all are taken away.
+/// The intensities or normals of a polygon that is lit evenly after all are taken away.
 FillStyle ViewStage::lit_fill(const WorldPolygon& polygon, const Attributes& attributes,
                               ClippedPolygon& clipped) const {
   const Light& light = *attributes.light;
-  const bool turned_away = !attributes.back_face_removal && newell_c(clipped.vertices) < 0.0;
-  FillStyle fill = polygon.vertex_normals.empty()
-                       ? lit(attributes.fill, light, polygon.normal, turned_away)
-                       : shaded_fill(attributes.fill, clipped);
+  const auto of_normal = [&](const Point3& normal) {
+    const bool turned_away = !attributes.back_face_removal && newell_c(clipped.vertices) < 0.0;
+    return lit(attributes.fill, light, normal, turned_away);
+  };
+  FillStyle fill = polygon.vertex_normals.empty() ? of_normal(polygon.normal)
+                   : !clipped.intensities.empty() ? shaded_fill(attributes.fill, clipped)
+                   : !clipped.normals.empty()     ? phong_fill(attributes.fill, light, clipped)
+                                                  : of_normal(polygon.vertex_normals[0]);
   if (attributes.shadows) {
     fill.shadow = shadow_on(fill, attributes.fill, light, pipeline_.volume());
   }

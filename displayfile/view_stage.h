@@ -9,7 +9,9 @@
 #include "clip/clip_pipeline.h"
 #include "displayfile/attributes.h"
 #include "displayfile/gouraud.h"
+#include "displayfile/phong.h"
 #include "displayfile/segment.h"
+#include "displayfile/vertex_shading.h"
 
 namespace displayfile {
 
@@ -27,6 +29,9 @@ struct WorldPolygon {
 struct ViewedPolygon {
   ClippedPolygon polygon;  ///< no vertices: nothing is drawn
   const FillStyle* fill = nullptr;
+  const Light* light = nullptr;  ///< null: there is none
+
+  VertexShading shading() const { return {polygon.intensities, polygon.normals, light}; }
 };
 
 /// The one way from world coordinates to a view, for polygons as they are entered and for a
@@ -78,6 +83,7 @@ class ViewStage {
   };
   Outcodes outcodes(std::span<const std::uint32_t> corners) const;
   const ViewedVertex& viewed(std::uint32_t corner) const { return shared_[corner - first_shared_]; }
+  ClippedPolygon clip_smooth(const WorldPolygon& polygon, const Attributes& attributes);
   ViewedPolygon view_clipped(ClippedPolygon clipped, const WorldPolygon& polygon,
                              const Attributes& attributes);
   std::span<const Point3> enter(const ViewedPolygon& viewed, const Attributes& attributes,
@@ -87,7 +93,8 @@ class ViewStage {
                      ClippedPolygon& clipped) const;
 
   ClipPipeline pipeline_;
-  GouraudLighting lighting_;
+  GouraudLighting gouraud_;
+  PhongNormals phong_;
   FillStyle lit_;
   // The segment has these styles of the attributes; where there is light, each polygon's own fill.
   bool fill_entered_ = false, line_entered_ = false;

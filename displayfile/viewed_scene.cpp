@@ -35,21 +35,23 @@ const auto& style_at(const Runs& runs, std::uint32_t item) {
 struct ViewedScene::Collector {
   ViewedScene& scene;
   bool in_place;
-  std::size_t points;                // seen so far
-  std::size_t intensities_seen = 0;  // of these instructions
+  std::size_t points;  // seen so far
   FillStyle fill_style{};
   LineStyle style{};
   TextStyle of_texts{};
   std::int32_t pick_id = -1, line_pick_id = -1;
-  std::span<const double> of_vertices{};  // of the polygon that follows
-  std::span<const LineKinds> kinds{};     // of its sides
-  std::vector<std::uint8_t> drawn{};      // its sides
+  VertexShading of_vertices{};         // of the polygon that follows
+  std::span<const LineKinds> kinds{};  // of its sides
+  std::vector<std::uint8_t> drawn{};   // its sides
 
   void fill(const FillStyle& s) { fill_style = s; }
   void line_style(const LineStyle& s) { style = s; }
   void pick(std::int32_t id) { pick_id = id; }
   void line_pick(std::int32_t id) { line_pick_id = id; }
-  void intensities(std::span<const double> values) { of_vertices = values; }
+  void intensities(std::span<const double> values) { of_vertices = {.intensities = values}; }
+  void normals(std::span<const Point3> values, const Light& light) {
+    of_vertices = {.normals = values, .light = &light};
+  }
   void side_kinds(std::span<const LineKinds> values) { kinds = values; }
   void text_style(const TextStyle& s) { of_texts = s; }
   void text(const Point3& anchor, std::string_view characters) {
@@ -69,8 +71,6 @@ struct ViewedScene::Collector {
     take(vertices);
     const auto shading = std::exchange(of_vertices, {});
     const auto of_sides = std::exchange(kinds, {});
-    const std::size_t first_intensity = in_place ? intensities_seen : scene.own_intensities_.size();
-    intensities_seen += shading.size();
     const Look look{fill_style, style, pick_id};
     if (!look.shows()) return;
     if (!of_sides.empty()) {
@@ -80,11 +80,7 @@ struct ViewedScene::Collector {
       for (const std::int32_t side : sides) drawn.push_back(side == op::line ? 1 : 0);
       scene.note_edges(first, drawn);
     }
-    const bool shaded = fill_style.kind == FillStyle::Kind::solid && !shading.empty();
-    scene.add_polygon(static_cast<std::uint32_t>(first), vertices, look,
-                      shaded ? static_cast<std::uint32_t>(first_intensity) : kNone);
-    if (!shaded || in_place) return;
-    scene.own_intensities_.insert(scene.own_intensities_.end(), shading.begin(), shading.end());
+    scene.add_polygon(static_cast<std::uint32_t>(first), vertices, look, shading);
   }
 
  private:
@@ -101,12 +97,9 @@ void ViewedScene::note_edges(std::size_t first, std::span<const std::uint8_t> vi
 }
 
 void ViewedScene::add_polygon(std::uint32_t first, std::span<const Point3> vertices,
-                              const Look& look, std::uint32_t first_intensity) {
+                              const Look& look, const VertexShading& shading) {
   const bool solid = look.fill.kind == FillStyle::Kind::solid;
-  if (first_intensity != kNone) {
-    first_intensity_.resize(items_.size(), kNone);
-    first_intensity_.push_back(first_intensity);
-  }
+  if (solid && !shading.empty()) add_shading(shading);
   if (solid && look.fill.shadow) {
     if (shadows_.empty() || shadows_.back() != *look.fill.shadow) {
       shadows_.push_back(*look.fill.shadow);
@@ -128,6 +121,16 @@ void ViewedScene::add_polygon(std::uint32_t first, std::span<const Point3> verti
   for (const Point3& v : vertices) largest_depth_ = std::max(largest_depth_, std::abs(v.z));
 }
 
+void ViewedScene::add_shading(const VertexShading& shading) {
+  if (shading.normals.empty()) return intensities_.add(items(), shading.intensities);
+  normals_.add(items(), shading.normals);
+  if (lights_.empty() || lights_.back().style != *shading.light) {
+    lights_.push_back({items(), *shading.light});
+  }
+}
+
+const Light& ViewedScene::light(Item item) const { return style_at(lights_, item); }
+
 void ViewedScene::clear() {
   edge_visible_.clear();
   items_.clear();
@@ -142,8 +145,9 @@ void ViewedScene::clear() {
   many_sided_corners_ = 0;
   fills_ = 0;
   fill_item_.clear();
-  own_intensities_.clear();
-  first_intensity_.clear();
+  intensities_.clear();
+  normals_.clear();
+  lights_.clear();
   shadow_.clear();
   shadows_.clear();
   has_lines_ = false;
@@ -177,8 +181,9 @@ void ViewedScene::append(const ViewedScene& part, std::size_t corners, std::size
     append_all(edge_visible_, part.edge_visible_);
   }
   append_all(own_points_, part.own_points_);
-  append_numbers(first_intensity_, part.first_intensity_, own_intensities_.size());
-  append_all(own_intensities_, part.own_intensities_);
+  intensities_.append(part.intensities_, first_item);
+  normals_.append(part.normals_, first_item);
+  append_runs(lights_, part.lights_);
   append_numbers(shadow_, part.shadow_, shadows_.size());
   append_all(shadows_, part.shadows_);
   append_colours(part, first_item);
@@ -273,13 +278,16 @@ void ViewedScene::collect(const std::shared_ptr<const Instructions>& entered,
   const std::size_t items = items_.size() + entered->polygons() + entered->lines();
   items_.reserve(items);
   pick_.reserve(items);
+  if (in_place) {
+    intensities_.lie_in(entered->stored_intensities());
+    normals_.lie_in(entered->stored_normals());
+  }
   entered->walk_transformed(image, Collector{*this, in_place, own_points_.size()});
 }
 
 /// The arrays have their final places.
 void ViewedScene::finish(bool in_place) {
   points_ = in_place ? sources_.front().instructions->stored_points() : own_points_;
-  intensities_ = in_place ? sources_.front().instructions->stored_intensities() : own_intensities_;
   if (!edge_visible_.empty()) edge_visible_.resize(points_.size(), 1);
 }
 
@@ -334,7 +342,7 @@ std::size_t ViewedScene::bytes() const {
   return characters + size(texts_) + size(own_points_) + size(corners_) + size(edge_visible_) +
          size(items_) + size(pick_) + size(colours_) + size(own_colours_) + size(lines_) +
          size(segments_) + many_sided_.bytes() + size(of_many_sided_) + size(fill_item_) +
-         size(own_intensities_) + size(first_intensity_) + size(shadow_) + size(shadows_);
+         intensities_.bytes() + normals_.bytes() + size(lights_) + size(shadow_) + size(shadows_);
 }
 
 }  // namespace displayfile

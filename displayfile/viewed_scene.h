@@ -15,6 +15,8 @@
 #include "displayfile/instructions.h"
 #include "displayfile/item_ranks.h"
 #include "displayfile/style.h"
+#include "displayfile/vertex_shading.h"
+#include "displayfile/vertex_values.h"
 #include "hidden/exact/plane.h"
 #include "hidden/primitives.h"
 
@@ -70,7 +72,7 @@ class ViewedScene {
   /// True while the display file's visible segments are those that the scene was made of.
   bool is_of(const DisplayFile& display_file) const;
   /// Scenes of the same number, which is not 0, are of one SceneViewer and differ in colours,
-  /// intensities and shadows alone: items, points and fills are the same, and lie where they were.
+  /// shading and shadows alone: items, points and fills are the same, and lie where they were.
   std::uint64_t geometry() const { return geometry_; }
 
   // ---- Items -----------------------------------------------------------------------------
@@ -89,10 +91,11 @@ class ViewedScene {
   LineKinds side_kinds(Item item, std::size_t vertex) const {
     return edge_visible_.empty() ? kDrawn : edge_visible_[items_[item].first + vertex];
   }
-  /// The intensities of the vertices of a shaded polygon; empty if it is not shaded.
-  std::span<const double> intensities(Item item) const {
-    if (item >= first_intensity_.size() || first_intensity_[item] == kNone) return {};
-    return intensities_.subspan(first_intensity_[item], items_[item].sides);
+  /// What the vertices of a smoothly shaded polygon have; empty if it is not shaded so.
+  VertexShading shading(Item item) const {
+    const std::uint32_t sides = items_[item].sides;
+    const auto normals = normals_.of(item, sides);
+    return {intensities_.of(item, sides), normals, normals.empty() ? nullptr : &light(item)};
   }
   /// As Primitives::visible: the sides that are drawn, visible ones of items that have a line
   /// style.
@@ -163,8 +166,8 @@ class ViewedScene {
   std::int32_t pick(Fill fill) const {  ///< -1: the background
     return fill == kBackground ? -1 : pick_[item_of(fill)];
   }
-  bool has_shades() const { return !first_intensity_.empty(); }  ///< some polygon is shaded
-  bool has_shadows() const { return !shadows_.empty(); }         ///< some fill shows them
+  bool has_shades() const { return !intensities_.empty() || !normals_.empty(); }  ///< some polygon
+  bool has_shadows() const { return !shadows_.empty(); }  ///< some fill shows them
   /// The shadow of a fill that is not the background; null if none is seen on it.
   const FillShadow* shadow(Fill fill) const { return shadow_of_item(item_of(fill)); }
 
@@ -205,10 +208,11 @@ class ViewedScene {
   }
   void finish(bool in_place);
   void add_item(const Primitives::Item& item, const Look& look);
-  /// A polygon of which something can be seen, its first corner and its vertices; intensities
-  /// begin at that place among all, if it has some.
+  /// A polygon of which something can be seen, its first corner and its vertices.
   void add_polygon(std::uint32_t first, std::span<const Point3> vertices, const Look& look,
-                   std::uint32_t first_intensity = kNone);
+                   const VertexShading& shading = {});
+  void add_shading(const VertexShading& shading);  ///< of the item that is added next
+  const Light& light(Item item) const;             ///< that its normals are seen in
   /// The item added last is a fill.
   void add_fill() {
     const Item item = items() - 1;
@@ -305,10 +309,10 @@ class ViewedScene {
   std::uint32_t many_sided_corners_ = 0;  // of all of them
   std::uint32_t fills_ = 0;
   std::vector<Item> fill_item_;  // empty while every item is a fill
-  std::span<const double> intensities_;
-  std::vector<double> own_intensities_;
-  std::vector<std::uint32_t> first_intensity_;  // of items up to the last shaded one, or kNone
-  std::vector<std::uint32_t> shadow_;           // of items, a place in shadows_ or kNone
+  VertexValues<double> intensities_;
+  VertexValues<Point3> normals_;
+  std::vector<Run<Light>> lights_;     // of the items that have normals
+  std::vector<std::uint32_t> shadow_;  // of items, a place in shadows_ or kNone
   std::vector<FillShadow> shadows_;
   bool has_lines_ = false;
   double largest_depth_ = 0.0;

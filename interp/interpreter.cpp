@@ -1,5 +1,9 @@
 #include "interp/interpreter.h"
 
+#include <vector>
+
+#include "displayfile/vertex_shading.h"
+
 namespace displayfile {
 
 LineStyle scaled(LineStyle style, double by) {
@@ -20,10 +24,11 @@ struct Interpretation {
   LineStyle style;
   std::int32_t pick_id = -1;
   Point3 pen{0.0};
-  std::span<const double> of_vertices{};  // of the polygon that follows
+  VertexShading of_vertices{};            // of the polygon that follows
   std::span<const LineKinds> of_sides{};  // likewise
   LineKinds of_lines = kDrawn;            // that follow
   bool in_segment = false;
+  std::vector<double> of_normals{};  // intensities, of one polygon
 
   void segment(int name) {
     end_segment();
@@ -37,7 +42,10 @@ struct Interpretation {
   void fill(const FillStyle& s) { fill_style = s; }
   void line_style(const LineStyle& s) { style = scaled(s, line_scale); }
   void pick(int id) { pick_id = id; }
-  void intensities(std::span<const double> values) { of_vertices = values; }
+  void intensities(std::span<const double> values) { of_vertices = {.intensities = values}; }
+  void normals(std::span<const Point3> values, const Light& light) {
+    of_vertices = {.normals = values, .light = &light};
+  }
   void side_kinds(std::span<const LineKinds> kinds) { of_sides = kinds; }
   void line_kinds(LineKinds kinds) { of_lines = kinds; }
   void move(const Point3& p) { pen = p; }
@@ -48,7 +56,11 @@ struct Interpretation {
     pen = p;
   }
   void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
-    const DrawnPolygon polygon{vertices, sides, fill_style, style, pick_id, of_vertices, of_sides};
+    const DrawnPolygon polygon{vertices,         sides,
+                               fill_style,       style,
+                               pick_id,          vertex_intensities(of_vertices, of_normals),
+                               of_sides,         of_vertices.normals,
+                               of_vertices.light};
     if (pass != Pass::lines && fill_style.kind == FillStyle::Kind::solid) device.fill(polygon);
     if (pass != Pass::fills && style.kind != LineStyle::Kind::none) device.edges(polygon);
     of_vertices = {};

@@ -25,6 +25,10 @@ struct DrawnPolygon {
   std::span<const double> intensities = {};
   /// The kinds of line that the sides are, 0 of those that are not drawn. Empty if nobody asked.
   std::span<const LineKinds> kinds = {};
+  /// With Phong shading (displayfile/phong.md) the normals of the vertices too, and the light that
+  /// they are seen in, for a device that lights each pixel: to others it is Gouraud shading.
+  std::span<const Point3> normals = {};
+  const Light* light = nullptr;
 };
 
 /// For a device that fills a polygon with one colour: a shaded one gets the mean of its

@@ -116,7 +116,7 @@ InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem
       replay_ahead(read.programs.back(), input_name(input), ahead);
       continue;
     }
-    const bool smooth = ahead.shading() == Shading::gouraud;
+    const bool smooth = ahead.shading() != Shading::flat;
     const NamedWarnings named(input);
     Mesh& mesh = read.meshes.emplace_back(read_mesh(input, smooth));
     if (smooth) complete_normals(mesh);

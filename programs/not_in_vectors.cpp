@@ -13,9 +13,11 @@ namespace displayfile {
 
 namespace {
 
-bool has_shaded_polygons(const DisplayFile& drawn) {
-  return std::ranges::any_of(drawn.segments(), [](const Segment& segment) {
-    return segment.visible && !segment.entered()->stored_intensities().empty();
+/// Whether something of a visible segment has what its instructions store of vertices.
+template <class Stored>
+bool has_stored(const DisplayFile& drawn, Stored stored) {
+  return std::ranges::any_of(drawn.segments(), [&](const Segment& segment) {
+    return segment.visible && !((*segment.entered()).*stored)().empty();
   });
 }
 
@@ -23,14 +25,16 @@ bool has_shaded_polygons(const DisplayFile& drawn) {
 
 void NotInVectors::note(const DisplayFile& drawn, const DrawOptions& options, PictureKind kind) {
   if (kind != PictureKind::vector) return;
-  if (has_shaded_polygons(drawn)) shading_ = true;
+  if (has_stored(drawn, &Instructions::stored_intensities)) gouraud_ = true;
+  if (has_stored(drawn, &Instructions::stored_normals)) phong_ = true;
   if (drawn.has_shadows()) shadows_ = true;
   if (options.samples > 1) samples_ = true;
 }
 
 void NotInVectors::warn(const std::string& output) const {
   std::vector<std::string_view> left_out;
-  if (shading_) left_out.emplace_back("Gouraud shading (a polygon is filled evenly)");
+  if (gouraud_) left_out.emplace_back("Gouraud shading (a polygon is filled evenly)");
+  if (phong_) left_out.emplace_back("Phong shading (a polygon is filled evenly)");
   if (shadows_) left_out.emplace_back("shadows");
   if (samples_) left_out.emplace_back("--samples");
   if (left_out.empty()) return;

@@ -15,7 +15,7 @@ struct ShadingWord {
   void add_to(CLI::App& command) {
     command
         .add_option("--shading", word,
-                    "flat, or gouraud for smooth meshes; what the inputs start with")
+                    "flat, or gouraud or phong for smooth meshes; what the inputs start with")
         ->capture_default_str()
         ->group(kPictureOptions);
   }

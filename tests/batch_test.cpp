@@ -252,6 +252,8 @@ TEST_F(Batch, WhatVectorsLeaveOutIsSaidOnce) {
               "--samples\n");
     EXPECT_EQ(run(all + ".png' --samples 3 --shading gouraud" + turned), 0);
     EXPECT_EQ(err_, "");
+    EXPECT_EQ(run(all + ".svg' --shading phong" + turned), 0);
+    EXPECT_EQ(err_, "{number}.svg: vectors leave out Phong shading (a polygon is filled evenly)\n");
   }
   write("shadows.draw",
         "set-light 0.3 0.2 1\nset-shadows on\nset-fill-style solid 1 1 1\nopen-segment "

@@ -138,7 +138,8 @@ TEST_F(Command, ShadingIsThatOfMeshesDrawnOrImported) {
   EXPECT_EQ(run("draw m.obj -o v.png --shading gouraud --turntable 2"), 0) << err_;
   EXPECT_EQ(run("draw m.obj -o f.png --turntable 2"), 0) << err_;
   EXPECT_EQ(run("compare v-000.png f-000.png"), 1);
-  expect_error("draw m.obj -o a.png --shading phong", "shading is flat or gouraud, not 'phong'");
+  expect_error("draw m.obj -o a.png --shading round",
+               "shading is flat, gouraud or phong, not 'round'");
 }
 
 TEST_F(Command, HiddenMethodReplacesTheProgramsOwn) {

@@ -104,7 +104,7 @@ TEST_F(EnteredColours, OfASecondMeshHoldToo) {
 TEST_F(EnteredColours, AreRecordedWithTheNamesOfObjects) {
   for (const MeshOptions& options :
        {MeshOptions{}, MeshOptions{.camera = {}, .colour = Colour(0.5, 0.25, 0)}}) {
-    for (const Shading shading : {Shading::flat, Shading::gouraud}) {
+    for (const Shading shading : {Shading::flat, Shading::gouraud, Shading::phong}) {
       GraphicsSystem imported, replayed;
       std::ostringstream program;
       Recorder recorder(program);

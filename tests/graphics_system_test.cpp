@@ -160,7 +160,8 @@ TEST(Instructions, EveryPolygonHasTheIdentifierThatWasSet) {
       }
       instructions.set_pick(id);
       const bool shaded = random() % 3 == 0;
-      instructions.enter_polygon(triangle, visible, shaded ? intensities : std::vector<double>());
+      instructions.enter_polygon(
+          triangle, visible, shaded ? VertexShading{.intensities = intensities} : VertexShading());
       set.push_back(id);
     }
     Picks walked;

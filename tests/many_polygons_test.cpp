@@ -110,7 +110,7 @@ std::string retained_view(std::uint32_t seed, bool alone, bool triangles) {
   if (seed % 2 == 0) g.set_perspective({0.5, 0.25, 3});
   if (seed % 4 < 2) g.set_light({1, 2, 3});
   if (seed % 5 == 1) g.set_pick_id(7);
-  if (seed % 5 == 2) g.set_shading(Shading::gouraud);
+  if (seed % 5 == 2) g.set_shading(seed % 2 == 0 ? Shading::gouraud : Shading::phong);
   g.set_back_face_removal(seed % 3 == 0);
   g.rotate_y_3(10.0 * seed);
   for (const int name : {1, 2}) {

@@ -124,7 +124,10 @@ class RandomApplication {
       case 12: return system_.set_line_style(line_style());
       case 13: return system_.set_light(point_3(), uniform(-0.05, 1));
       case 14: return system_.set_pick_id(static_cast<int>(below(1000)) - 10);
-      case 15: return system_.set_shading(chance(70) ? Shading::gouraud : Shading::flat);
+      case 15:
+        return system_.set_shading(chance(30)   ? Shading::flat
+                                   : chance(50) ? Shading::gouraud
+                                                : Shading::phong);
       case 16: return system_.set_vertex_normals(points<Point3>());
       case 17: {
         const auto vertices = points<Point3>();

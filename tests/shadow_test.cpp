@@ -411,11 +411,11 @@ TEST(Shadows, LinesAreNotInThem) {
 }
 
 /// On a smoothly shaded fill too a shadow is the ambient light alone.
-TEST(Shadows, LieOnGouraudShading) {
-  const auto with = [&](bool shadows) {
+TEST(Shadows, LieOnSmoothShading) {
+  const auto with = [&](bool shadows, Shading shading) {
     GraphicsSystem g;
     set_style({1, 0, 1}, shadows, g);
-    g.set_shading(Shading::gouraud);
+    g.set_shading(shading);
     g.open_segment(1);
     g.set_vertex_normals({{-0.2, 0, 1}, {0.2, 0, 1}, {0.2, 0, 1}, {-0.2, 0, 1}});
     g.polygon_abs_3(square({0, 0, -0.5}, {0.9, 0, 0}, {0, 0.9, 0}));
@@ -424,10 +424,12 @@ TEST(Shadows, LieOnGouraudShading) {
     g.close_segment();
     return picture(g);
   };
-  const Picture lit = with(false), seen = with(true);
-  EXPECT_EQ(shadowed(lit), 0u);
-  EXPECT_GT(shadowed(seen), 50u);
-  EXPECT_EQ(others(lit, seen), shadowed(seen));
+  for (const Shading shading : {Shading::gouraud, Shading::phong}) {
+    const Picture lit = with(false, shading), seen = with(true, shading);
+    EXPECT_EQ(shadowed(lit), 0u);
+    EXPECT_GT(shadowed(seen), 50u);
+    EXPECT_EQ(others(lit, seen), shadowed(seen));
+  }
 }
 
 // ---- The same picture ---------------------------------------------------------------------

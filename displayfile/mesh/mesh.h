@@ -109,7 +109,7 @@ void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name
 void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
                   const MeshOptions& options = {});
 
-/// Reads meshes and enters them so; where Gouraud shading is in force, with normals of the
+/// Reads meshes and enters them so; where smooth shading is in force, with normals of the
 /// vertices, from the file or else completed. If no window was set before, a view is fitted to them
 /// (fitted_view.h), which stays set: in the modelling transformation in force, for the system's
 /// aspect ratio, or for the one given, which then stays that of the system.

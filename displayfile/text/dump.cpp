@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string_view>
 #include <unordered_set>
+#include <vector>
 
 #include "displayfile/characters.h"
 
@@ -71,6 +72,7 @@ class Dumper {
   void segment(int name, bool visible = true) {
     met_.insert(name);
     fills_written_ = false;
+    light_.reset();
     write_line(FMT_COMPILE("segment {} {}"), name, visible ? "visible" : "invisible");
   }
   void pick(int id) { write_line(FMT_COMPILE("pick {}"), id); }
@@ -78,6 +80,17 @@ class Dumper {
   void line(const Point3& p) { write_line(FMT_COMPILE("line {} {} {}"), p.x, p.y, p.z); }
   void intensities(std::span<const double> values) {
     if (!fills_) write_line(FMT_COMPILE("intensities {}"), fmt::join(values, " "));
+  }
+  void normals(std::span<const Point3> values, const Light& light) {
+    if (fills_) return;
+    if (light_ != light) {
+      light_ = light;
+      const Point3& toward = light.toward;
+      write_line(FMT_COMPILE("light {} {} {} {}"), toward.x, toward.y, toward.z, light.ambient);
+    }
+    components_.clear();
+    for (const Point3& n : values) components_.insert(components_.end(), {n.x, n.y, n.z});
+    write_line(FMT_COMPILE("normals {}"), fmt::join(components_, " "));
   }
   void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
     const Point3& start = vertices.back();
@@ -92,6 +105,8 @@ class Dumper {
   std::ostream& out_;
   std::optional<Colour> fills_;  // of all that is solid
   bool fills_written_ = false;   // and in force
+  std::optional<Light> light_;   // in force
+  std::vector<double> components_;
   fmt::memory_buffer buffer_;
   std::unordered_set<int> met_;  // segments
 };

@@ -46,6 +46,7 @@ struct InstructionFields {
   std::span<const std::string_view> fields;
 };
 constexpr std::string_view kPoint[] = {"x", "y", "z"};
+constexpr std::string_view kNormal[] = {"normal x", "normal y", "normal z"};
 constexpr std::string_view kPolygon[] = {"number of sides", "x", "y", "z"};
 constexpr std::string_view kText[] = {"x", "y", "z", "text"};
 constexpr std::string_view kTextStyle[] = {"size", "alignment"};
@@ -53,10 +54,11 @@ constexpr std::string_view kPick[] = {"pick identifier"};
 constexpr std::string_view kStyle[] = {"kind", "red", "green", "blue", "line width", "dash", "gap"};
 constexpr std::string_view kShadow[] = {"red",     "green",   "blue",   "light x",
                                         "light y", "light z", "light w"};
+constexpr std::string_view kLight[] = {"light x", "light y", "light z", "ambient light"};
 constexpr InstructionFields kInstructions[] = {
-    {"line ", kPoint},    {"move ", kPoint}, {"polygon ", kPolygon},
-    {"pick ", kPick},     {"fill ", kStyle}, {"line-style ", kStyle},
-    {"shadow ", kShadow}, {"text ", kText},  {"text-style ", kTextStyle},
+    {"line ", kPoint},           {"move ", kPoint},       {"polygon ", kPolygon}, {"pick ", kPick},
+    {"fill ", kStyle},           {"line-style ", kStyle}, {"shadow ", kShadow},   {"text ", kText},
+    {"text-style ", kTextStyle}, {"light ", kLight},
 };
 
 std::string_view field_name(std::string_view instruction, std::size_t field) {
@@ -64,6 +66,7 @@ std::string_view field_name(std::string_view instruction, std::size_t field) {
     if (instruction.starts_with(start) && field < fields.size()) return fields[field];
   }
   if (instruction.starts_with("intensities ")) return "intensity";
+  if (instruction.starts_with("normals ")) return kNormal[field % std::size(kNormal)];
   return "operand";
 }
 

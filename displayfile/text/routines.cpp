@@ -267,7 +267,7 @@ constexpr auto kRoutines = std::to_array<Routine>({
     {"set-light", "3 or 4: x y z [ambient]", kVaries, light},
     {"set-vertex-normals", "a multiple of 3: x y z ...", kVaries,
      points<Point3, &G::set_vertex_normals>},
-    fixed<&G::set_shading>("set-shading", "flat|gouraud"),
+    fixed<&G::set_shading>("set-shading", "flat|gouraud|phong"),
     fixed<&G::set_shadows>("set-shadows", "on|off"),
 
     fixed<&G::open_segment>("open-segment", "name"),

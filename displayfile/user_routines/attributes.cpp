@@ -71,7 +71,7 @@ void GraphicsSystem::set_light(const Point3& toward, double ambient) {
 }
 
 void GraphicsSystem::set_shading(Shading shading) {
-  shading_ = shading;
+  attributes_.shading = shading;
   record("set-shading", {name_of(shading)});
 }
 

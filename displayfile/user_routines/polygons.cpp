@@ -73,7 +73,8 @@ void GraphicsSystem::polygon(std::span<const Point3> object) {
   for (std::size_t i = 0; i < object.size(); ++i) world_points_[i] = to_world(object[i]);
   const int pick = pick_ >= 0 ? pick_ : static_cast<int>(ordinal_);
   const Point3 normal = attributes_.light ? newell_normal(world_points_) : Point3(0.0);
-  const bool smooth = attributes_.light && shading_ == Shading::gouraud && !vertex_normals_.empty();
+  const bool smooth =
+      attributes_.light && attributes_.shading != Shading::flat && !vertex_normals_.empty();
   const auto vertex_normals = smooth ? world_normals(normal) : std::span<const Point3>();
   const bool flat = is_flat(world_points_);
   if (flat && (object.size() == 3 || !differ(vertex_normals))) {

@@ -24,10 +24,11 @@ void FillPaints::take_palette(const ViewedScene& scene) {
 void FillPaints::take(const ViewedScene& scene) {
   pixel_.resize(1);
   pixel_.reserve(scene.most_fills() + 1);
-  shade_.clear();
   shades_.clear();
+  phongs_.clear();
   take_palette(scene);
   const auto runs = scene.fill_colours();
+  const bool has_shades = scene.has_shades();
   std::size_t next = 0;  // of the runs: fills come in their order
   std::uint32_t number = 0, pixel = 0;
   for (Fill fill = 1; fill < scene.end(); ++fill) {
@@ -39,12 +40,15 @@ void FillPaints::take(const ViewedScene& scene) {
                                              : pixel_of(painted(scene.colour(number)));
     }
     pixel_.push_back(pixel);
-    const auto intensities = scene.intensities(item);
-    if (intensities.empty()) continue;
-    shade_.resize(fill, kNone);
-    shade_.push_back(static_cast<std::uint32_t>(shades_.size()));
-    shades_.push_back(
-        {painted(scene.colour(number)), IntensityPlane(scene.points(item), intensities)});
+    if (!has_shades) continue;
+    const VertexShading shading = scene.shading(item);
+    if (shading.empty()) continue;
+    const Colour colour = painted(scene.colour(number));
+    if (shading.normals.empty()) {
+      shades_.add(fill, {colour, IntensityPlane(scene.points(item), shading.intensities)});
+    } else {
+      phongs_.add(fill, {colour, NormalPlane(scene.points(item), shading.normals), *shading.light});
+    }
   }
 }
 

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "displayfile/intensity_plane.h"
+#include "displayfile/lighting.h"
+#include "displayfile/normal_plane.h"
 #include "displayfile/viewed_scene.h"
 #include "interp/picture.h"
 
@@ -30,22 +32,47 @@ class FillPaints {
     Colour colour;
     IntensityPlane intensity;
   };
-  bool has_shades() const { return !shades_.empty(); }
-  /// Null if it is flat.
-  const Shade* shade(Fill fill) const {
-    return fill >= shade_.size() || shade_[fill] == kNone ? nullptr : &shades_[shade_[fill]];
-  }
+  /// The same with Phong shading.
+  struct Phong {
+    Colour colour;
+    NormalPlane normal;
+    Light light;
+  };
+  bool has_shades() const { return !shades_.all.empty() || !phongs_.all.empty(); }
+  /// Null if it is flat, or has Phong shading.
+  const Shade* shade(Fill fill) const { return shades_.of(fill); }
+  /// Null if it is flat, or has Gouraud shading.
+  const Phong* phong(Fill fill) const { return phongs_.of(fill); }
 
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
+  /// What some fills have.
+  template <class Paint>
+  struct OfFills {
+    std::vector<std::uint32_t> number;  // of the fills up to the last that has one: in `all`
+    std::vector<Paint> all;
+
+    const Paint* of(Fill fill) const {
+      return fill >= number.size() || number[fill] == kNone ? nullptr : &all[number[fill]];
+    }
+    void add(Fill fill, const Paint& paint) {  ///< larger than those added before
+      number.resize(fill, kNone);
+      number.push_back(static_cast<std::uint32_t>(all.size()));
+      all.push_back(paint);
+    }
+    void clear() {
+      number.clear();
+      all.clear();
+    }
+  };
   void take_palette(const ViewedScene& scene);
 
   std::vector<std::uint32_t> pixel_{0xFFFFFFFF};  // the background's first
   std::uint64_t palette_ = 0;                     // that palette_pixel_ is of
   std::vector<std::uint32_t> palette_pixel_;
-  std::vector<std::uint32_t> shade_;  // of the fills up to the last that has one: in shades_
-  std::vector<Shade> shades_;
+  OfFills<Shade> shades_;
+  OfFills<Phong> phongs_;
 };
 
 }  // namespace displayfile

@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <variant>
 
 #include "displayfile/intensity_plane.h"
 #include "hidden/exact/pixel_centre.h"
 #include "hidden/exact/support_plane.h"
 #include "interp/output_device.h"
 #include "interp/picture.h"
+#include "interp/raster/phong_shade.h"
 #include "interp/raster/shadows.h"
 
 namespace displayfile {
@@ -58,11 +60,15 @@ class FillColour {
  public:
   /// Null: no shadows are seen.
   FillColour(const DrawnPolygon& polygon, const PictureSize& size, const Shadows* shadows) {
+    const Colour colour = painted_colour(polygon.fill);
     if (polygon.intensities.empty()) {
-      colour_ = pixel_of(painted_colour(polygon.fill));
+      paint_ = pixel_of(colour);
+    } else if (polygon.normals.empty()) {
+      paint_.emplace<PixelShade>(colour, IntensityPlane(polygon.vertices, polygon.intensities),
+                                 size);
     } else {
-      shade_.emplace(painted_colour(polygon.fill),
-                     IntensityPlane(polygon.vertices, polygon.intensities), size);
+      paint_.emplace<PhongShade>(colour, NormalPlane(polygon.vertices, polygon.normals),
+                                 *polygon.light, size);
     }
     if (shadows == nullptr || !polygon.fill.shadow) return;
     const std::span<const Point3> v = polygon.vertices;
@@ -74,10 +80,12 @@ class FillColour {
 
   /// Paints what PixelShade::paint does; at() is the pixel at one place.
   void paint(int row, int first, std::span<std::uint32_t> pixels) const {
-    if (shade_) {
-      shade_->paint(row, first, pixels);
+    if (const auto* colour = std::get_if<std::uint32_t>(&paint_)) {
+      std::ranges::fill(pixels, *colour);
+    } else if (const auto* shade = std::get_if<PixelShade>(&paint_)) {
+      shade->paint(row, first, pixels);
     } else {
-      std::ranges::fill(pixels, colour_);
+      std::get_if<PhongShade>(&paint_)->paint(row, first, pixels);
     }
     if (shadow_) shadow_->paint(row, first, pixels);
   }
@@ -88,8 +96,7 @@ class FillColour {
   }
 
  private:
-  std::uint32_t colour_ = 0;
-  std::optional<PixelShade> shade_;
+  std::variant<std::uint32_t, PixelShade, PhongShade> paint_;  // one colour, or a shade
   std::optional<ShadowedFill> shadow_;
 };
 

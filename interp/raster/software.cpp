@@ -11,6 +11,7 @@
 #include "interp/raster/line_painter.h"
 #include "interp/raster/lines_by_depth.h"
 #include "interp/raster/painter.h"
+#include "interp/raster/phong_shade.h"
 #include "interp/raster/pixel_shade.h"
 #include "interp/raster/raster_band.h"
 #include "interp/raster/sorted_painter.h"
@@ -99,9 +100,12 @@ class FillsShown {
 
   void shade(int row, int first, std::span<const Fill> seen) {
     for_each_run(row, first, seen, [&](Fill fill, int column, std::span<std::uint32_t> pixels) {
-      const FillPaints::Shade* const shade = paints_.shade(fill);
-      if (shade == nullptr) return;
-      PixelShade(shade->colour, shade->intensity, band_.size()).paint(row, column, pixels);
+      if (const FillPaints::Shade* const shade = paints_.shade(fill)) {
+        PixelShade(shade->colour, shade->intensity, band_.size()).paint(row, column, pixels);
+      } else if (const FillPaints::Phong* const phong = paints_.phong(fill)) {
+        PhongShade(phong->colour, phong->normal, phong->light, band_.size())
+            .paint(row, column, pixels);
+      }
     });
   }
 

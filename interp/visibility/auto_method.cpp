@@ -61,7 +61,7 @@ bool shows_lines_alone(const ViewedScene& scene, const Background& background) {
   const auto of_background = [&](Fill fill) {
     const FillStyle style = scene.fill_style(scene.item_of(fill));
     return style.colour == background.colour && !style.shadow &&
-           scene.intensities(scene.item_of(fill)).empty();
+           scene.shading(scene.item_of(fill)).empty();
   };
   for (Fill fill = 1; fill < scene.end(); ++fill) {
     if (!of_background(fill)) return false;

@@ -114,6 +114,15 @@ std::vector<Feature> table() {
        [](FeatureUse& u) { u.vertex_normals = true; },
        {"Gouraud", "set_vertex_normals", "world_normals", "ShadedVertex", "shaded_fill",
         "apply_to_normal", "IntensityPlane", "PixelShade"}},
+      {"Phong shading",
+       "set-shading phong, set-vertex-normals",
+       "lighting",
+       [](FeatureUse& u) {
+         u.vertex_normals = true;
+         u.shading = Shading::phong;
+       },
+       {"PhongNormals::clip", "PhongShade", "PaintPhong", "phong_fill", "clip_with_normals",
+        "set_vertex_normals", "world_normals", "ShadedVertex", "apply_to_normal", "NormalPlane"}},
       {"shadows",
        "set-shadows",
        "lighting",
@@ -227,7 +236,7 @@ void set_attributes(const FeatureUse& use, GraphicsSystem& system) {
   if (use.modelling) system.rotate_z_3(1.0);
   if (use.back_face_removal) system.set_back_face_removal(true);
   if (use.light) system.set_light({1.0, 2.0, 3.0});
-  if (use.vertex_normals) system.set_shading(Shading::gouraud);
+  if (use.vertex_normals) system.set_shading(use.shading);
   if (use.shadows) system.set_shadows(true);
   if (!use.method) return;
   if (*use.method == HiddenMethod::z_buffer) {

@@ -9,6 +9,7 @@
 
 #include "displayfile/display_file.h"
 #include "displayfile/hidden_scope.h"
+#include "displayfile/shading.h"
 #include "displayfile/style.h"
 #include "hidden/exact/precision.h"
 #include "hidden/hidden_method.h"
@@ -25,6 +26,7 @@ struct FeatureUse {
   bool pick_identifiers = false;  ///< set for each polygon
   bool texts = false;             ///< one in each segment
   bool back_face_removal = false, light = false, vertex_normals = false, shadows = false;
+  Shading shading = Shading::gouraud;  ///< with vertex_normals
   std::optional<HiddenMethod> method;  ///< set by the application; none: hidden-line removal off
   Precision precision;
   HiddenScope scope = HiddenScope::segment;

@@ -24,9 +24,9 @@ constexpr std::size_t kMostPolygons = 2000;
 
 std::string written(fuzz::FuzzInput input, Shading& shading) {
   constexpr const char* kFormats[] = {"obj", "off", "ply", "stl"};
-  const int kind = input.below(8);
+  const int kind = input.below(12);
   const char* const format = kFormats[kind % 4];
-  shading = kind < 4 ? Shading::flat : Shading::gouraud;
+  shading = kind < 4 ? Shading::flat : kind < 8 ? Shading::gouraud : Shading::phong;
   const auto path = std::filesystem::temp_directory_path() /
                     ("mesh_fuzz." + std::to_string(::getpid()) + "." + format);
   std::ofstream(path, std::ios::binary)

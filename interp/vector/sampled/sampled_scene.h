@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "displayfile/vertex_shading.h"
 #include "displayfile/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
 #include "interp/output_device.h"
@@ -74,8 +75,9 @@ void SampledScene::draw_polygon(Item item, Draw&& draw) const {
     sides[i] = kinds[i] != 0 ? op::line : op::move;
   }
   const FillStyle fill = scene.fill_style(item);
+  std::vector<double> of_normals;
   draw(DrawnPolygon{vertices, sides, fill, scene.line_style(item), scene.pick_of_item(item),
-                    scene.intensities(item), kinds});
+                    vertex_intensities(scene.shading(item), of_normals), kinds});
 }
 
 }  // namespace displayfile

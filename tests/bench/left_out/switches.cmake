@@ -44,8 +44,8 @@ switch(displayfile/graphics_system.h "Recorder* recorder_ ="
 switch(displayfile/graphics_system.h "RetainedScene* retaining() { return own_retained_ ?"
        "RetainedScene* retaining() { return is_left_out(PartLeftOut::retaining) ? nullptr :
                                         own_retained_ ?")
-switch(displayfile/graphics_system.h "Shading shading_ ="
-       "Switch<PartLeftOut::shading, Shading> shading_ =")
+switch(displayfile/attributes.h "Shading shading ="
+       "Switch<PartLeftOut::shading, Shading> shading =")
 switch(displayfile/instructions.h "return has_shadows_;"
        "return !is_left_out(PartLeftOut::shadows) && has_shadows_;")
 switch(displayfile/instructions.h "return !texts_.empty();"

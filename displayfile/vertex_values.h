@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace displayfile {
+
+/// What the vertices of some of a scene's items have, intensities or normals: one value each, in
+/// order of entry.
+template <class Value>
+class VertexValues {
+ public:
+  /// From here on values that are added lie among these, which must live on, and are not copied.
+  void lie_in(std::span<const Value> stored) { all_ = stored; }
+  /// Those of an item, which is larger than all that were added before.
+  void add(std::uint32_t item, std::span<const Value> values) {
+    first_.resize(item, kNone);
+    if (all_.empty()) {
+      first_.push_back(static_cast<std::uint32_t>(own_.size()));
+      own_.insert(own_.end(), values.begin(), values.end());
+    } else {
+      first_.push_back(static_cast<std::uint32_t>(values.data() - all_.data()));
+    }
+  }
+  /// Those of the items of another scene, which come from that one on. Nothing lies elsewhere.
+  void append(const VertexValues& part, std::uint32_t first_item) {
+    if (part.first_.empty()) return;
+    first_.resize(first_item, kNone);
+    const auto before = static_cast<std::uint32_t>(own_.size());
+    for (const std::uint32_t first : part.first_) {
+      first_.push_back(first == kNone ? kNone : first + before);
+    }
+    own_.insert(own_.end(), part.own_.begin(), part.own_.end());
+  }
+  void clear() {
+    all_ = {};
+    own_.clear();
+    first_.clear();
+  }
+
+  bool empty() const { return first_.empty(); }  ///< no item has any
+  /// Of an item of so many sides; empty if it has none.
+  std::span<const Value> of(std::uint32_t item, std::uint32_t sides) const {
+    if (item >= first_.size() || first_[item] == kNone) return {};
+    return (all_.empty() ? std::span<const Value>(own_) : all_).subspan(first_[item], sides);
+  }
+  std::size_t bytes() const {  ///< of its own arrays, as used
+    return own_.size() * sizeof(Value) + first_.size() * sizeof(first_[0]);
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  std::span<const Value> all_;  // empty: these are own_
+  std::vector<Value> own_;
+  std::vector<std::uint32_t> first_;  // of items up to the last that has some, or kNone
+};
+
+}  // namespace displayfile

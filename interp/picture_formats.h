@@ -12,6 +12,7 @@
 #include "interp/files/row_file.h"
 #include "interp/picture.h"
 #include "interp/raster/software.h"
+#include "interp/vector/pens/pen_drawing.h"
 
 /// The tables of what a picture can be written as and by what its pixels can be drawn. A new format
 /// or device is a line here and a file of its own.
@@ -25,8 +26,11 @@ struct PictureFormat {
   std::unique_ptr<RowFile> (*alpha_file)(const std::filesystem::path&, int width, int height);
   void (*write_vectors)(const DisplayFile&, int width, int height, bool z_buffer,
                         const std::filesystem::path&, const Background&, bool colour_rule);
+  void (*write_pens)(const PenDrawing&, const std::filesystem::path&) = nullptr;
 
   bool is_of_pixels() const { return pixel_file != nullptr; }
+  bool is_of_vectors() const { return write_vectors != nullptr; }
+  bool is_for_pens() const { return write_pens != nullptr; }
   bool can_be_transparent() const { return alpha_file != nullptr || write_vectors != nullptr; }
 };
 

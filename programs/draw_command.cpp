@@ -108,6 +108,7 @@ void DrawCommand::add_picture_options(CLI::App& command) {
       ->group(kPictureOptions);
   shading.add_to(command);
   background.add_to(command);
+  paper.add_to(command);
   command
       .add_option("--turntable", turntable,
                   "N views, turned evenly all around the axis that is up, from one BSP tree; "
@@ -134,6 +135,10 @@ DrawOptions DrawCommand::all_options() const {
   all.precision = sorting.precision;
   all.hidden_lines = sorting.hidden_lines;
   all.background = background.background();
+  paper.read(all);
+  if (turntable && all.pens && !all.pens->hatching && !all.hidden) {
+    all.hidden = HiddenMethod::franklin;
+  }
   require_raster_device(options.device);
   return all;
 }

@@ -104,7 +104,7 @@ MethodChoice drawing_choice(const GraphicsSystem& system, const DrawOptions& opt
                             PictureKind kind) {
   const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
   if (surfaces_of(method) != HiddenMethod::automatic) return {method, "as asked for"};
-  if (options.pens && !options.pens->hatching) {
+  if (options.pens && !options.pens->hatching && !is_colour_rule(method)) {
     return {HiddenMethod::franklin, "for pens: the lines that are seen, and nothing else"};
   }
   std::optional<Background> background = options.background.value_or(system.background());

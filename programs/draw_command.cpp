@@ -21,6 +21,7 @@
 #include "programs/drawn_inputs.h"
 #include "programs/each_input.h"
 #include "programs/input_names.h"
+#include "programs/inputs.h"
 #include "programs/made_folders.h"
 #include "programs/option_groups.h"
 #include "programs/output_name.h"
@@ -146,6 +147,10 @@ DrawOptions DrawCommand::all_options() const {
 MeshWords DrawCommand::entering() const {
   MeshWords words = meshes;
   words.lines = hidden_surfaces.line_selection();
+  const bool for_pens = paper.pens || !paper.hatch.empty();
+  if (for_pens && !words.lines && std::ranges::none_of(inputs, is_drawing_program)) {
+    words.lines = displayfile::line_selection("outline,boundary,crease");
+  }
   return words;
 }
 

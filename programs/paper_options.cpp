@@ -76,7 +76,8 @@ void PaperWords::add_to(CLI::App& command) {
       .add_flag("--pens", pens,
                 "for plotters and lasers: strokes alone, none twice, in an order with little travel "
                 "between them, a layer for each pen (colour and width); on A4 unless --paper says "
-                "another; auto is franklin then")
+                "another; auto is franklin then, and bare meshes "
+                "have --lines outline,boundary,crease unless it is said")
       ->group(kPaperOptions);
   command
       .add_option("--hatch", hatch,

@@ -17,6 +17,7 @@
 
 #include "displayfile/sorted_display_file.h"
 #include "interp/vector/pens/pen_drawing.h"
+#include "interp/vector/pens/pen_files.h"
 #include "interp/vector/pens/pen_order.h"
 #include "interp/vector/pens/point_tree.h"
 #include "interp/vector/pens/unique_strokes.h"
@@ -33,6 +34,7 @@ namespace {
 
 struct Options {
   std::vector<std::string> inputs;
+  std::string pictures;        ///< a folder for the drawings as SVG; empty: none
   int rounds = 100;            ///< of the lower bound
   std::size_t most = 6'000;    ///< points for which it is sought
   int low = 3, high = 6;       ///< of the numbers of paths of growth, powers of ten
@@ -93,6 +95,7 @@ double length_of_all(std::span<const Stroke> strokes) {
 
 std::vector<std::string> row_of(const Drawn& drawing, const Options& options) {
   std::size_t strokes = 0, left = 0, paths = 0;
+  PenDrawing picture{fit_on_paper(Paper{}, 512, 512), {}};
   double before = 0.0, after = 0.0, as_found = 0.0, greedy = 0.0, ours = 0.0, bound = 0.0;
   bool bounded = true;
   for (const PenStrokes& of_pen : drawing.strokes) {
@@ -111,6 +114,10 @@ std::vector<std::string> row_of(const Drawn& drawing, const Options& options) {
     if (bounded) bound += travel_bound(chains, options.rounds);
     order_for_pen(chains);
     ours += travel(chains);
+    picture.layers.push_back({of_pen.pen, std::move(chains)});
+  }
+  if (!options.pictures.empty()) {
+    write_pens_svg(picture, options.pictures + "/" + drawing.name + ".svg");
   }
   constexpr double kMetre = 1e6;
   return {drawing.name,
@@ -195,6 +202,7 @@ int main(int argc, char** argv) {
   CLI::App app("Drawings for pens", "pen_travel");
   app.add_option("inputs", options.inputs, "meshes and drawing programs")->check(CLI::ExistingFile);
   app.add_option("--rounds", options.rounds, "of the lower bound")->check(CLI::Range(1, 10'000));
+  app.add_option("--pictures", options.pictures, "a folder for the drawings as SVG");
   app.add_option("--most", options.most, "points of paths for which the bound is sought");
   app.add_option("--low", options.low, "growth from 10^this")->check(CLI::Range(1, 7));
   app.add_option("--high", options.high, "growth to 10^this; no more than --low: none")

@@ -18,7 +18,8 @@ namespace {
 
 bool is_finite(const Point2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
-Colour pen_on(const Colour& paper) {
+Colour pen_on(const Colour& paper, const std::optional<Hatching>& hatching) {
+  if (hatching && hatching->colour) return *hatching->colour;
   return Darkness::luma(paper) < 0.5 ? Colour(1.0) : Colour(0.0);
 }
 
@@ -32,15 +33,13 @@ std::int32_t units(double millimetres) {
 PenDevice::PenDevice(const Picture& picture, const std::optional<Hatching>& hatching,
                      const Colour& background)
     : picture_(picture),
-      hatching_(hatching),
-      hatching_colour_(hatching && hatching->colour ? *hatching->colour : pen_on(background)),
-      darkness_(background, hatching_colour_) {
+      darkness_(background, pen_on(background, hatching)) {
   const PaperFit& fit = picture.fit;
   frame_ = {fit.left, fit.left + fit.pixel * picture.width, fit.top,
             fit.top + fit.pixel * picture.height};
   if (!hatching) return;
-  hatch_lines_.emplace_back(hatching->spacing, hatching->angle, frame_);
-  if (hatching->cross) hatch_lines_.emplace_back(hatching->spacing, hatching->angle + 90.0, frame_);
+  hatching_pen_ = {pixel_of(pen_on(background, hatching)), units(hatching->width)};
+  hatched_.emplace(*hatching, frame_);
 }
 
 Point2 PenDevice::on_sheet(const Point3& device) const {
@@ -93,10 +92,7 @@ void PenDevice::edges(const DrawnPolygon& polygon) {
 }
 
 void PenDevice::fill(const DrawnPolygon& polygon) {
-  if (hatching_) hatch(polygon);
-}
-
-void PenDevice::hatch(const DrawnPolygon& polygon) {
+  if (!hatched_) return;
   points_.clear();
   dark_.clear();
   for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
@@ -105,12 +101,7 @@ void PenDevice::hatch(const DrawnPolygon& polygon) {
     const double intensity = polygon.intensities.empty() ? 1.0 : polygon.intensities[i];
     dark_.push_back(darkness_.of(polygon.fill.colour * intensity));
   }
-  if (!hatching_->cross) return hatch_lines_[0].add(points_, dark_);
-  // One direction up to the middle tone, and what is darker by the other.
-  for (double& d : dark_) d = 2.0 * d;
-  hatch_lines_[0].add(points_, dark_);
-  for (double& d : dark_) d -= 1.0;
-  hatch_lines_[1].add(points_, dark_);
+  hatched_->add(points_, dark_, fills_are_disjoint_);
 }
 
 std::vector<Stroke>& PenDevice::strokes_of(const Pen& pen, std::vector<PenStrokes>& all) {
@@ -129,13 +120,10 @@ std::vector<PenStrokes> PenDevice::strokes() {
     }
     of_pen.insert(of_pen.end(), c.strokes.begin(), c.strokes.end());
   }
-  for (HatchLines& lines : hatch_lines_) {
-    // A dot where a line would be shorter than it is wide adds a speck, not a tone.
-    const std::vector<Stroke> hatched = lines.strokes(hatching_->width / 4.0);
-    if (hatched.empty()) continue;
-    std::vector<Stroke>& of_pen =
-        strokes_of(Pen{pixel_of(hatching_colour_), units(hatching_->width)}, all);
-    of_pen.insert(of_pen.end(), hatched.begin(), hatched.end());
+  if (!hatched_) return all;
+  if (const std::vector<Stroke> lines = hatched_->strokes(); !lines.empty()) {
+    std::vector<Stroke>& of_pen = strokes_of(hatching_pen_, all);
+    of_pen.insert(of_pen.end(), lines.begin(), lines.end());
   }
   return all;
 }

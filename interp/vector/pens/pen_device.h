@@ -5,6 +5,7 @@
 
 #include "interp/output_device.h"
 #include "interp/paper.h"
+#include "interp/vector/pens/hatched_fills.h"
 #include "interp/vector/pens/hatching.h"
 #include "interp/vector/pens/stroke.h"
 
@@ -29,6 +30,8 @@ class PenDevice : public OutputDevice {
   PenDevice(const Picture& picture, const std::optional<Hatching>& hatching,
             const Colour& background);
 
+  void begin_disjoint_fills() override { fills_are_disjoint_ = true; }
+  void end_disjoint_fills() override { fills_are_disjoint_ = false; }
   void fill(const DrawnPolygon& polygon) override;
   void edges(const DrawnPolygon& polygon) override;
   void line(const DrawnLine& line) override;
@@ -46,14 +49,13 @@ class PenDevice : public OutputDevice {
   std::vector<Stroke>& strokes_of(const LineStyle& style);
   static std::vector<Stroke>& strokes_of(const Pen& pen, std::vector<PenStrokes>& all);
   void add(const Point3& from, const Point3& to, std::vector<Stroke>& strokes) const;
-  void hatch(const DrawnPolygon& polygon);
 
   Picture picture_;
   Rectangle frame_;
-  std::optional<Hatching> hatching_;
-  Colour hatching_colour_{0.0};
+  Pen hatching_pen_{};
   Darkness darkness_;
-  std::vector<HatchLines> hatch_lines_;  // in one direction, or in two
+  std::optional<HatchedFills> hatched_;
+  bool fills_are_disjoint_ = false;
   std::vector<Collected> collected_;
   std::size_t last_ = 0;  // that was asked for
   std::vector<Point2> points_;

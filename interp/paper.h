@@ -25,6 +25,8 @@ struct Paper {
 Paper paper_of(std::string_view word);
 inline constexpr double kLargestSheet = 10'000.0;
 
+inline constexpr double kPointsOfMillimetre = 72.0 / 25.4;  ///< of PDF
+
 /// Where a picture of so many pixels lies on a sheet.
 struct PaperFit {
   double width, height;  ///< of the sheet as it lies

@@ -34,14 +34,10 @@ void require_numbers(const DrawOptions& options) {
 void require_paper_and_pens(const std::filesystem::path& file, const PictureFormat& format,
                             const DrawOptions& options) {
   if (!options.paper && !options.pens) return;
-  if (options.pens && !format.is_for_pens()) {
-    throw Error(fmt::format("{}: pens draw no {} files: expected one of {}", file.string(),
-                            format.choice.name,
-                            names_of_formats(&PictureFormat::is_for_pens, " ")));
-  }
-  if (format.is_of_pixels()) {
-    throw Error(fmt::format("{}: a paper size is of vectors: expected one of {}", file.string(),
-                            names_of_formats(&PictureFormat::is_of_vectors, " ")));
+  if (!format.is_for_paper()) {
+    throw Error(fmt::format("{}: {} files have no size on paper, and are not for pens: expected one of {}",
+                            file.string(), format.choice.name,
+                            names_of_formats(&PictureFormat::is_for_paper, " ")));
   }
   fit_on_paper(options.paper.value_or(Paper{}), options.width, options.height);
   if (options.pens) require_pens(*options.pens);

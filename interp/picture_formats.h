@@ -3,6 +3,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -25,12 +26,12 @@ struct PictureFormat {
   std::unique_ptr<RowFile> (*pixel_file)(const std::filesystem::path&, int width, int height);
   std::unique_ptr<RowFile> (*alpha_file)(const std::filesystem::path&, int width, int height);
   void (*write_vectors)(const DisplayFile&, int width, int height, bool z_buffer,
-                        const std::filesystem::path&, const Background&, bool colour_rule);
+                        const std::filesystem::path&, const Background&, bool colour_rule,
+                        const std::optional<Paper>&);
   void (*write_pens)(const PenDrawing&, const std::filesystem::path&) = nullptr;
 
   bool is_of_pixels() const { return pixel_file != nullptr; }
-  bool is_of_vectors() const { return write_vectors != nullptr; }
-  bool is_for_pens() const { return write_pens != nullptr; }
+  bool is_for_paper() const { return write_pens != nullptr; }  ///< with pens and without
   bool can_be_transparent() const { return alpha_file != nullptr || write_vectors != nullptr; }
 };
 

@@ -54,7 +54,7 @@ class DisplayFileSource : public PictureSource {
                                file);
     }
     format.write_vectors(file_, request.width, request.height, by_depth_, file, request.background,
-                         is_colour_rule(request.method));
+                         is_colour_rule(request.method), paper_);
   }
 
  private:

@@ -174,13 +174,37 @@ TEST_F(PenFiles, HatchingIsALayer) {
   EXPECT_NEAR(length, 1000.0 * (100 * 100 + 50 * 100), 1e-3);
 }
 
+/// Without pens a picture on paper is what it is otherwise.
+TEST_F(PenFiles, AnyVectorsMayBeOnPaper) {
+  GraphicsSystem g = unit_square();
+  g.open_segment(1);
+  g.set_fill_style(solid(kRed));
+  g.polygon_abs_2({{0, 0}, {1, 0}, {1, 1}});
+  g.close_segment();
+  DrawOptions options;
+  options.width = options.height = 100;
+  draw(g, file("plain.svg"), options);
+  options.paper = sheet(110, 120, 5);
+  const std::string plain = content(file("plain.svg"));
+  const std::size_t end_of_head = plain.find("<svg");
+  EXPECT_EQ(svg(g, options),
+            plain.substr(0, end_of_head) +
+                "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"110mm\" "
+                "height=\"120mm\" viewBox=\"0 0 110 120\">\n"
+                "<g transform=\"translate(5 10) scale(1)\">\n" +
+                plain.substr(end_of_head) + "</g>\n</svg>\n");
+  draw(g, file("a.pdf"), options);
+  EXPECT_NE(content(file("a.pdf")).find("/MediaBox [ 0 0 311.811024 340.15748 ]"),
+            std::string::npos);
+}
+
 TEST_F(PenFiles, AreRefusedWhereTheyMeanNothing) {
   GraphicsSystem g = unit_square();
   g.open_segment(1);
   g.polygon_abs_2({{0, 0}, {1, 0}, {1, 1}});
   g.close_segment();
   DrawOptions options = for_pens({});
-  expect_error([&] { draw(g, file("a.png"), options); }, "pens draw no .png files");
+  expect_error([&] { draw(g, file("a.png"), options); }, ".png files have no size on paper");
   for (const HiddenMethod method : {HiddenMethod::bsp, HiddenMethod::depth_sort,
                                     HiddenMethod::z_buffer, HiddenMethod::colour_rule}) {
     options.hidden = method;
@@ -193,7 +217,7 @@ TEST_F(PenFiles, AreRefusedWhereTheyMeanNothing) {
   expect_error([&] { draw(g, file("a.svg"), options); }, "hatching 0 mm apart");
   options.pens.reset();
   options.hidden.reset();
-  expect_error([&] { draw(g, file("a.png"), options); }, "a paper size is of vectors");
+  expect_error([&] { draw(g, file("a.png"), options); }, ".png files have no size on paper");
   options.paper->margin = 200.0;
   expect_error([&] { draw(g, file("a.svg"), options); }, "margins of 200 mm");
   EXPECT_TRUE(empty_folder());

@@ -12,8 +12,6 @@ namespace displayfile {
 
 namespace {
 
-constexpr double kPointsOfMillimetre = 72.0 / 25.4;
-
 cairo_status_t write_page(void* closure, const unsigned char* data, unsigned length) {
   auto& out = *static_cast<std::ostream*>(closure);
   out.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(length));

@@ -88,8 +88,7 @@ Paper paper_of(std::string_view word) {
   std::tie(paper.width, paper.height) = *sides;
   require_sheet(paper.width, paper.height);
   if (!portrait && !landscape) {
-    paper.turned =
-        paper.width > paper.height ? Paper::Turned::landscape : Paper::Turned::portrait;
+    paper.turned = paper.width > paper.height ? Paper::Turned::landscape : Paper::Turned::portrait;
   }
   return paper;
 }
@@ -105,9 +104,10 @@ PaperFit fit_on_paper(const Paper& paper, int picture_width, int picture_height)
   fit.height = landscape ? shorter : longer;
   const double across = fit.width - 2.0 * paper.margin, down = fit.height - 2.0 * paper.margin;
   if (!(paper.margin >= 0.0) || !(across >= 1.0) || !(down >= 1.0)) {
-    throw Error(fmt::format("margins of {} mm on paper of {}x{} mm: expected 0 or more, with 1 mm "
-                            "or more between them",
-                            paper.margin, fit.width, fit.height));
+    throw Error(
+        fmt::format("margins of {} mm on paper of {}x{} mm: expected 0 or more, with 1 mm "
+                    "or more between them",
+                    paper.margin, fit.width, fit.height));
   }
   fit.pixel = std::min(across / picture_width, down / picture_height);
   fit.left = (fit.width - fit.pixel * picture_width) / 2.0;

@@ -33,7 +33,8 @@ struct PaperFit {
   double left, top;      ///< the picture's upper left corner, from that of the sheet
   double pixel;          ///< a pixel's side
 };
-/// Throws Error if the margins leave nothing, or are negative, or for a sheet that paper_of refuses.
+/// Throws Error if the margins leave nothing, or are negative, or for a sheet that paper_of
+/// refuses.
 PaperFit fit_on_paper(const Paper& paper, int picture_width, int picture_height);
 
 /// Fills as parallel lines: the darker a fill, the more of them.

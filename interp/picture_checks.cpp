@@ -35,9 +35,9 @@ void require_paper_and_pens(const std::filesystem::path& file, const PictureForm
                             const DrawOptions& options) {
   if (!options.paper && !options.pens) return;
   if (!format.is_for_paper()) {
-    throw Error(fmt::format("{}: {} files have no size on paper, and are not for pens: expected one of {}",
-                            file.string(), format.choice.name,
-                            names_of_formats(&PictureFormat::is_for_paper, " ")));
+    throw Error(fmt::format(
+        "{}: {} files have no size on paper, and are not for pens: expected one of {}",
+        file.string(), format.choice.name, names_of_formats(&PictureFormat::is_for_paper, " ")));
   }
   fit_on_paper(options.paper.value_or(Paper{}), options.width, options.height);
   if (options.pens) require_pens(*options.pens);

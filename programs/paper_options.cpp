@@ -28,9 +28,10 @@ std::optional<double> number_of(std::string_view word) {
 Hatching hatching_of(const std::string& text) {
   Hatching hatching;
   const auto fail = [&] {
-    throw Error(fmt::format("--hatch {}: expected SPACING[,ANGLE][,cross][,width=MM][,COLOUR], in "
-                            "mm and degrees, COLOUR #rrggbb, black or white, such as 0.8,45,cross",
-                            text));
+    throw Error(
+        fmt::format("--hatch {}: expected SPACING[,ANGLE][,cross][,width=MM][,COLOUR], in "
+                    "mm and degrees, COLOUR #rrggbb, black or white, such as 0.8,45,cross",
+                    text));
   };
   const auto number = [&](std::string_view word) {
     const auto value = number_of(word);
@@ -65,27 +66,30 @@ Hatching hatching_of(const std::string& text) {
 
 void PaperWords::add_to(CLI::App& command) {
   command
-      .add_option("--paper", paper,
-                  "a sheet on which an SVG or a PDF is drawn as large as fits: A0 to A6, letter, "
-                  "legal, tabloid, or WIDTHxHEIGHT in mm; -portrait or -landscape after it, or else "
-                  "as the picture is wider or higher")
+      .add_option(
+          "--paper", paper,
+          "a sheet on which an SVG or a PDF is drawn as large as fits: A0 to A6, letter, "
+          "legal, tabloid, or WIDTHxHEIGHT in mm; -portrait or -landscape after it, or else "
+          "as the picture is wider or higher")
       ->group(kPaperOptions);
   command.add_option("--margin", margin, "mm around the picture on the paper [10]")
       ->group(kPaperOptions);
   command
-      .add_flag("--pens", pens,
-                "for plotters and lasers: strokes alone, none twice, in an order with little travel "
-                "between them, a layer for each pen (colour and width); on A4 unless --paper says "
-                "another; auto is franklin then, and bare meshes "
-                "have --lines outline,boundary,crease unless it is said")
+      .add_flag(
+          "--pens", pens,
+          "for plotters and lasers: strokes alone, none twice, in an order with little travel "
+          "between them, a layer for each pen (colour and width); on A4 unless --paper says "
+          "another; auto is franklin then, and bare meshes "
+          "have --lines outline,boundary,crease unless it is said")
       ->group(kPaperOptions);
   command
-      .add_option("--hatch", hatch,
-                  "SPACING[,ANGLE][,cross][,width=MM][,COLOUR]: --pens, with fills as parallel "
-                  "lines, SPACING mm apart where a fill is as dark as the pen and farther the "
-                  "brighter it is, at ANGLE degrees [45]; cross: darker than the middle tone, lines "
-                  "at right angles too; by a pen of a width [0.3] and colour [black; white on dark "
-                  "paper]")
+      .add_option(
+          "--hatch", hatch,
+          "SPACING[,ANGLE][,cross][,width=MM][,COLOUR]: --pens, with fills as parallel "
+          "lines, SPACING mm apart where a fill is as dark as the pen and farther the "
+          "brighter it is, at ANGLE degrees [45]; cross: darker than the middle tone, lines "
+          "at right angles too; by a pen of a width [0.3] and colour [black; white on dark "
+          "paper]")
       ->group(kPaperOptions);
 }
 

@@ -1,4 +1,5 @@
-// Hatching: inside of the fills, as dense as they are dark, in lines that go on from piece to piece.
+// Hatching: inside of the fills, as dense as they are dark, in lines that go on from piece to
+// piece.
 
 #include <gtest/gtest.h>
 
@@ -41,7 +42,8 @@ std::vector<Stroke> hatched(const Polygon& polygon, double darkness, double spac
 
 /// Of one fill, the length of lines times their distance is the fill's area, as far as it is dark.
 TEST(Hatching, IsAsDenseAsTheFillIsDark) {
-  const Polygon star{{100, 10}, {120, 80}, {190, 100}, {120, 120}, {100, 190}, {80, 120}, {10, 100}, {80, 80}};
+  const Polygon star{{100, 10},  {120, 80}, {190, 100}, {120, 120},
+                     {100, 190}, {80, 120}, {10, 100},  {80, 80}};
   double area = 0.0;
   for (std::size_t i = 0; i < star.size(); ++i) {
     const Point2 &a = star[i], &b = star[(i + 1) % star.size()];
@@ -83,7 +85,8 @@ TEST(Hatching, LiesInsideOfTheFill) {
   const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
   for (int round = 0; round < 60; ++round) {
     Polygon polygon;
-    for (int k = 0; k < 3 + round % 7; ++k) polygon.push_back({-50 + 300 * unit(), -50 + 300 * unit()});
+    for (int k = 0; k < 3 + round % 7; ++k)
+      polygon.push_back({-50 + 300 * unit(), -50 + 300 * unit()});
     const std::vector<Stroke> strokes = hatched(polygon, 1.0, 3.0, 180.0 * unit());
     for (const Stroke& s : strokes) {
       for (const double t : {0.001, 0.3, 0.5, 0.999}) {
@@ -161,8 +164,8 @@ TEST(Hatching, WhatIsLaterCovers) {
 
 /// A piece with a hole is one loop with a bridge to the hole, there and back.
 TEST(Hatching, ABridgeToAHoleIsNotSeen) {
-  const Polygon keyhole{{0, 0}, {100, 0}, {100, 100}, {0, 100}, {0, 50}, {30, 50},
-                        {30, 70}, {70, 70}, {70, 30}, {30, 30}, {30, 50}, {0, 50}};
+  const Polygon keyhole{{0, 0},   {100, 0}, {100, 100}, {0, 100}, {0, 50},  {30, 50},
+                        {30, 70}, {70, 70}, {70, 30},   {30, 30}, {30, 50}, {0, 50}};
   const std::vector<Stroke> strokes = hatched(keyhole, 1.0, 1.0, 90.0);
   EXPECT_EQ(strokes.size(), 140u);  // 100 upright lines, of which 40 have the hole
   EXPECT_NEAR(length(strokes), 100 * 100 - 40 * 40, 1e-9);

@@ -27,7 +27,8 @@ TEST(Paper, HasNames) {
 TEST(Paper, UnknownOnesAreErrors) {
   expect_error([] { paper_of("A9"); }, "unknown paper 'A9'");
   expect_error([] { paper_of("lettr"); }, "did you mean 'letter'?");
-  for (const char* const word : {"", "x", "10", "10x", "x10", "10x10x10", "10mmx10mm", "A4-upright"}) {
+  for (const char* const word :
+       {"", "x", "10", "10x", "x10", "10x10x10", "10mmx10mm", "A4-upright"}) {
     expect_error([&] { paper_of(word); }, "unknown paper");
   }
   for (const char* const word : {"0x10", "10x-5", "nanx10", "10x1e9", "infx10"}) {

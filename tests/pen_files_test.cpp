@@ -105,8 +105,9 @@ TEST_F(PenFiles, WhatIsHiddenIsNotDrawn) {
   g.polygon_abs_3({{0.2, 0.2, 0.1}, {0.8, 0.2, 0.1}, {0.8, 0.8, 0.1}, {0.2, 0.8, 0.1}});
   g.polygon_abs_3({{0, 0, 0.9}, {1, 0, 0.9}, {1, 1, 0.9}, {0, 1, 0.9}});
   g.close_segment();
-  EXPECT_NE(svg(g, for_pens(sheet(110, 110, 5))).find("<path d=\"M5 5l0 100 100 0 0-100z\"/>\n</g>"),
-            std::string::npos)
+  EXPECT_NE(
+      svg(g, for_pens(sheet(110, 110, 5))).find("<path d=\"M5 5l0 100 100 0 0-100z\"/>\n</g>"),
+      std::string::npos)
       << content(file("a.svg"));
 }
 

@@ -175,7 +175,8 @@ TEST(UniqueStrokes, ThereAndBackAndDots) {
   EXPECT_EQ(unique_strokes({{{0, 0}, {9, 9}}, {{9, 9}, {0, 0}}, {{0, 0}, {9, 9}}}).size(), 1u);
   const std::vector<Stroke> dots{{{5, 5}, {5, 5}}, {{5, 5}, {5, 5}}, {{500, 500}, {500, 500}}};
   EXPECT_EQ(unique_strokes(dots).size(), 2u);
-  EXPECT_EQ(unique_strokes({{{0, 0}, {100, 0}}, {{50, 1}, {50, 1}}, {{50, 3}, {50, 3}}}).size(), 2u);
+  EXPECT_EQ(unique_strokes({{{0, 0}, {100, 0}}, {{50, 1}, {50, 1}}, {{50, 3}, {50, 3}}}).size(),
+            2u);
 }
 
 /// A stack of strokes, each within reach of the next, is not all on the first.
@@ -195,7 +196,9 @@ std::vector<Stroke> board(int columns, int rows) {
   for (int x = 0; x <= columns; ++x) {
     for (int y = 0; y <= rows; ++y) {
       // Bent, so that no two sides lie on a line.
-      const auto at = [](int i, int j) { return SheetPoint{1000 * i + 37 * j * j, 1000 * j + 53 * i * i}; };
+      const auto at = [](int i, int j) {
+        return SheetPoint{1000 * i + 37 * j * j, 1000 * j + 53 * i * i};
+      };
       if (x < columns) strokes.push_back({at(x, y), at(x + 1, y)});
       if (y < rows) strokes.push_back({at(x, y), at(x, y + 1)});
     }
@@ -256,8 +259,10 @@ TEST(StrokeChains, LoopsThatTouchAreOnePath) {
 }
 
 TEST(StrokeChains, StrokesOnOneLineBecomeOne) {
-  const std::vector<PenPath> paths = stroke_chains(std::vector<Stroke>{
-      {{0, 0}, {100, 33}}, {{100, 33}, {200, 67}}, {{300, 100}, {200, 67}}, {{300, 100}, {300, 900}}});
+  const std::vector<PenPath> paths = stroke_chains(std::vector<Stroke>{{{0, 0}, {100, 33}},
+                                                                       {{100, 33}, {200, 67}},
+                                                                       {{300, 100}, {200, 67}},
+                                                                       {{300, 100}, {300, 900}}});
   ASSERT_EQ(paths.size(), 1u);
   EXPECT_EQ(paths[0].points, (std::vector<SheetPoint>{{0, 0}, {300, 100}, {300, 900}}));
   // Around a square that begins within a side.
@@ -309,7 +314,8 @@ TEST(Dashes, GoOnAroundCorners) {
 TEST(PointTree, FindsTheNearestLeft) {
   Dice dice(7);
   std::vector<SheetPoint> points;
-  for (int k = 0; k < 500; ++k) points.push_back({dice.from(0, 60), dice.from(0, 60)});  // equal ones
+  for (int k = 0; k < 500; ++k)
+    points.push_back({dice.from(0, 60), dice.from(0, 60)});  // equal ones
   PointTree tree(points);
   std::vector<bool> removed(points.size(), false);
   std::vector<std::uint32_t> found;
@@ -338,7 +344,9 @@ std::vector<PenPath> strewn(unsigned seed, int n, bool with_loops) {
   std::vector<PenPath> paths;
   for (int k = 0; k < n; ++k) {
     const SheetPoint p{dice.from(0, 200'000), dice.from(0, 200'000)};
-    const auto near = [&] { return SheetPoint{p.x + dice.from(1, 5000), p.y + dice.from(1, 5000)}; };
+    const auto near = [&] {
+      return SheetPoint{p.x + dice.from(1, 5000), p.y + dice.from(1, 5000)};
+    };
     const int kind = with_loops ? dice.from(0, 3) : 1;
     if (kind == 0) {
       paths.push_back({{p, near(), near(), near()}, true});
@@ -363,7 +371,8 @@ TEST(PenOrder, IsAPermutationWithDirections) {
         EXPECT_EQ(sides_of(ordered), sides_of(paths));
         std::multiset<std::size_t> sizes, sizes_ordered;
         for (const PenPath& p : paths) sizes.insert(p.points.size() + (p.closed ? 100 : 0));
-        for (const PenPath& p : ordered) sizes_ordered.insert(p.points.size() + (p.closed ? 100 : 0));
+        for (const PenPath& p : ordered)
+          sizes_ordered.insert(p.points.size() + (p.closed ? 100 : 0));
         EXPECT_EQ(sizes, sizes_ordered);
         EXPECT_LE(travel(ordered), travel(paths) + 1e-6);
         std::vector<PenPath> again = paths;

@@ -34,10 +34,10 @@ namespace {
 
 struct Options {
   std::vector<std::string> inputs;
-  std::string pictures;        ///< a folder for the drawings as SVG; empty: none
-  int rounds = 100;            ///< of the lower bound
-  std::size_t most = 6'000;    ///< points for which it is sought
-  int low = 3, high = 6;       ///< of the numbers of paths of growth, powers of ten
+  std::string pictures;      ///< a folder for the drawings as SVG; empty: none
+  int rounds = 100;          ///< of the lower bound
+  std::size_t most = 6'000;  ///< points for which it is sought
+  int low = 3, high = 6;     ///< of the numbers of paths of growth, powers of ten
 };
 
 /// What vpype's `linesort` does by default, from its documentation: it begins with the first line,
@@ -81,7 +81,10 @@ Drawn drawn(const std::string& input, const std::string& lines, bool hatched) {
   std::vector<PenStrokes> strokes = pen_strokes(file, 512, 512, Paper{}, pens);
   if (hatched) strokes = {std::move(strokes.back())};  // the sides are not hidden
   const std::string name = input.substr(input.find_last_of('/') + 1);
-  return {name + ", " + (hatched ? "hatched" : is_drawing_program(input) ? "lines" : lines),
+  return {name + ", " +
+              (hatched                     ? "hatched"
+               : is_drawing_program(input) ? "lines"
+                                           : lines),
           std::move(strokes)};
 }
 
@@ -161,19 +164,21 @@ void print_growth(const Options& options) {
     }));
     std::vector<Stroke> strokes;
     for (const PenPath& path : paths) strokes.push_back({path.points[0], path.points[1]});
-    joining.push_back(least_seconds_each(Clock::processor, 2,
-                                         [&] { stroke_chains(unique_strokes(strokes)); }));
+    joining.push_back(
+        least_seconds_each(Clock::processor, 2, [&] { stroke_chains(unique_strokes(strokes)); }));
     const std::vector<PenPath> greedy = sorted_greedily(paths);
-    rows.push_back({std::to_string(n), fmt::format("{:.3f}", travel(ordered) / travel(greedy)),
-                    fmt::format("{:.2f}", ordering.back() / ordering.front() / (sizes.back() / sizes.front())),
-                    fmt::format("{:.2f}", joining.back() / joining.front() / (sizes.back() / sizes.front()))});
+    rows.push_back(
+        {std::to_string(n), fmt::format("{:.3f}", travel(ordered) / travel(greedy)),
+         fmt::format("{:.2f}", ordering.back() / ordering.front() / (sizes.back() / sizes.front())),
+         fmt::format("{:.2f}", joining.back() / joining.front() / (sizes.back() / sizes.front()))});
   }
-  fmt::print("\nStrewn strokes: growth\n\n{}\nExponents: {:.2f} of ordering, {:.2f} of finding what is "
-             "drawn twice and joining\n",
-             text_table({"strokes", "ours / greedy", "ordering, each, in that of the fewest",
-                         "joining, likewise"},
-                        rows),
-             fitted_exponent(sizes, ordering), fitted_exponent(sizes, joining));
+  fmt::print(
+      "\nStrewn strokes: growth\n\n{}\nExponents: {:.2f} of ordering, {:.2f} of finding what is "
+      "drawn twice and joining\n",
+      text_table({"strokes", "ours / greedy", "ordering, each, in that of the fewest",
+                  "joining, likewise"},
+                 rows),
+      fitted_exponent(sizes, ordering), fitted_exponent(sizes, joining));
 }
 
 void run(const Options& options) {

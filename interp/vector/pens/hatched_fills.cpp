@@ -32,8 +32,7 @@ void HatchedFills::add(std::span<const Point2> polygon, std::span<const double> 
   const std::size_t first = points_.size();
   points_.insert(points_.end(), polygon.begin(), polygon.end());
   darkness_.insert(darkness_.end(), darkness.begin(), darkness.end());
-  const bool even =
-      std::ranges::all_of(darkness, [&](double d) { return d == darkness.front(); });
+  const bool even = std::ranges::all_of(darkness, [&](double d) { return d == darkness.front(); });
   fills_.push_back({first, points_.size(), even});
   overlap_ = overlap_ || !overlaps_nothing;
 }

@@ -12,8 +12,8 @@
 namespace displayfile {
 
 /// The fills of a picture, hatched (interp/vector/pens/hatching.md). A tone that covers much of the
-/// picture gets lines that are evenly apart, at a spacing of its own; all others share one grid, and
-/// of two the darker has all lines of the lighter.
+/// picture gets lines that are evenly apart, at a spacing of its own; all others share one grid,
+/// and of two the darker has all lines of the lighter.
 class HatchedFills {
  public:
   /// Millimetres on the sheet, y down; only inside of the frame.
@@ -22,7 +22,8 @@ class HatchedFills {
 
   /// A polygon by the even-odd rule, with its darkness (Darkness) at each vertex, linear between
   /// them. It covers what was added before, unless it is known to overlap nothing.
-  void add(std::span<const Point2> polygon, std::span<const double> darkness, bool overlaps_nothing);
+  void add(std::span<const Point2> polygon, std::span<const double> darkness,
+           bool overlaps_nothing);
 
   /// All lines, in one direction after the other.
   std::vector<Stroke> strokes() const;
@@ -37,7 +38,8 @@ class HatchedFills {
   }
   double darkness(const Fill& fill) const { return darkness_[fill.first]; }
   std::vector<double> large_tones() const;
-  void add_direction(double degrees, double factor, double less, std::vector<Stroke>& strokes) const;
+  void add_direction(double degrees, double factor, double less,
+                     std::vector<Stroke>& strokes) const;
 
   Hatching hatching_;
   Rectangle frame_;

@@ -160,7 +160,9 @@ void HatchLines::find_inked(std::span<const Span> spans) {
 void HatchLines::add_strokes(double shortest, std::vector<Stroke>& strokes) const {
   const double v = across(line_);
   for (const Part& part : inked_) {
-    const auto point = [&](double u) { return Point2(u * cosine_ - v * sine_, u * sine_ + v * cosine_); };
+    const auto point = [&](double u) {
+      return Point2(u * cosine_ - v * sine_, u * sine_ + v * cosine_);
+    };
     const Point2 a = point(part.from), b = point(part.to);
     const auto inside = part_in_rectangle(a, b, frame_);
     if (!inside || (inside->to - inside->from) * (part.to - part.from) < shortest) continue;

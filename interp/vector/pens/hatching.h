@@ -32,8 +32,8 @@ class HatchLines {
   /// Millimetres on the sheet, y down; only inside of the frame.
   HatchLines(double spacing, double degrees, const Rectangle& frame);
 
-  /// A polygon by the even-odd rule, with its darkness at each vertex, linear between them. It covers
-  /// what was added before.
+  /// A polygon by the even-odd rule, with its darkness at each vertex, linear between them. It
+  /// covers what was added before.
   void add(std::span<const Point2> polygon, std::span<const double> darkness);
   /// The lines, each as long as it can be; none shorter than `shortest` millimetres.
   std::vector<Stroke> strokes(double shortest);

@@ -24,16 +24,15 @@ Colour pen_on(const Colour& paper, const std::optional<Hatching>& hatching) {
 }
 
 std::int32_t units(double millimetres) {
-  return static_cast<std::int32_t>(std::lround(
-      std::clamp(millimetres, 0.0, kLargestSheet) * kUnitsOfMillimetre));
+  return static_cast<std::int32_t>(
+      std::lround(std::clamp(millimetres, 0.0, kLargestSheet) * kUnitsOfMillimetre));
 }
 
 }  // namespace
 
 PenDevice::PenDevice(const Picture& picture, const std::optional<Hatching>& hatching,
                      const Colour& background)
-    : picture_(picture),
-      darkness_(background, pen_on(background, hatching)) {
+    : picture_(picture), darkness_(background, pen_on(background, hatching)) {
   const PaperFit& fit = picture.fit;
   frame_ = {fit.left, fit.left + fit.pixel * picture.width, fit.top,
             fit.top + fit.pixel * picture.height};
@@ -71,8 +70,8 @@ void PenDevice::add(const Point3& from, const Point3& to, std::vector<Stroke>& s
   if (!inside) return;
   const auto at = [&](double t) {
     const Point2 p = t == 0.0 ? a : t == 1.0 ? b : a + t * (b - a);  // clamped: for rounding
-    return sheet_point({std::clamp(p.x, frame_.x_min, frame_.x_max),
-                        std::clamp(p.y, frame_.y_min, frame_.y_max)});
+    return sheet_point(
+        {std::clamp(p.x, frame_.x_min, frame_.x_max), std::clamp(p.y, frame_.y_min, frame_.y_max)});
   };
   const Stroke stroke{at(inside->from), at(inside->to)};
   if (!stroke.is_dot() || a == b) strokes.push_back(stroke);

@@ -22,7 +22,8 @@ struct PenStrokes {
 /// one is asked for, of a pen that comes last. Only what is inside of the picture.
 class PenDevice : public OutputDevice {
  public:
-  /// `picture`: of so many pixels, and how it lies on the sheet. `background` is the paper's colour.
+  /// `picture`: of so many pixels, and how it lies on the sheet. `background` is the paper's
+  /// colour.
   struct Picture {
     int width, height;
     PaperFit fit;

@@ -16,7 +16,8 @@ double length_of(const PenPath& path) {
   double length = 0.0;
   const auto& p = path.points;
   for (std::size_t i = path.closed ? 0 : 1; i < p.size(); ++i) {
-    length += std::sqrt(static_cast<double>(squared_distance(p[i == 0 ? p.size() - 1 : i - 1], p[i])));
+    length +=
+        std::sqrt(static_cast<double>(squared_distance(p[i == 0 ? p.size() - 1 : i - 1], p[i])));
   }
   return length;
 }
@@ -52,7 +53,9 @@ class StrokeJoints {
   StrokeEnd mate(StrokeEnd end) const { return mate_[end]; }
 
  private:
-  static StrokeEnd first(const Chains::Place& place) { return 2 * place.piece + (place.reversed ? 1 : 0); }
+  static StrokeEnd first(const Chains::Place& place) {
+    return 2 * place.piece + (place.reversed ? 1 : 0);
+  }
   static StrokeEnd last(const Chains::Place& place) { return first(place) ^ 1u; }
   const SheetPoint& at(StrokeEnd end) const {
     return end % 2 == 0 ? strokes_[end / 2].from : strokes_[end / 2].to;
@@ -65,7 +68,8 @@ class StrokeJoints {
   void splice_loops() {
     std::vector<StrokeEnd> ends(mate_.size());
     std::iota(ends.begin(), ends.end(), StrokeEnd{0});
-    std::ranges::sort(ends, [&](StrokeEnd a, StrokeEnd b) { return std::pair(at(a), a) < std::pair(at(b), b); });
+    std::ranges::sort(
+        ends, [&](StrokeEnd a, StrokeEnd b) { return std::pair(at(a), a) < std::pair(at(b), b); });
     DisjointSets paths(closed_.size());
     for (std::size_t from = 0; from < ends.size();) {
       std::size_t to = from + 1;
@@ -162,10 +166,9 @@ std::size_t sharpest_corner(std::span<const SheetPoint> loop) {
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const SheetPoint& before = loop[i == 0 ? loop.size() - 1 : i - 1];
     const SheetPoint& after = loop[i + 1 == loop.size() ? 0 : i + 1];
-    const double straight =
-        static_cast<double>(dot(before, loop[i], loop[i], after)) /
-        std::sqrt(static_cast<double>(squared_distance(before, loop[i])) *
-                  static_cast<double>(squared_distance(loop[i], after)));
+    const double straight = static_cast<double>(dot(before, loop[i], loop[i], after)) /
+                            std::sqrt(static_cast<double>(squared_distance(before, loop[i])) *
+                                      static_cast<double>(squared_distance(loop[i], after)));
     if (straight < least) {
       least = straight;
       sharpest = i;
@@ -201,14 +204,17 @@ std::vector<PenPath> stroke_chains(std::span<const Stroke> strokes) {
   }
   const StrokeJoints joints(lines);
   std::vector<std::uint8_t> drawn(lines.size(), 0);
-  const auto at = [&](StrokeEnd end) { return end % 2 == 0 ? lines[end / 2].from : lines[end / 2].to; };
+  const auto at = [&](StrokeEnd end) {
+    return end % 2 == 0 ? lines[end / 2].from : lines[end / 2].to;
+  };
   std::vector<SheetPoint> points;
   for (StrokeEnd stroke = 0; stroke < lines.size(); ++stroke) {
     if (drawn[stroke] != 0) continue;
     // Back to where the path begins, or around to the stroke itself.
     StrokeEnd start = 2 * stroke;
     bool closed = false;
-    for (StrokeEnd before = joints.mate(start); before != kNoEnd && !closed; before = joints.mate(start)) {
+    for (StrokeEnd before = joints.mate(start); before != kNoEnd && !closed;
+         before = joints.mate(start)) {
       start = before ^ 1u;
       closed = start == 2 * stroke;
     }

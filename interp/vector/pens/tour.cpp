@@ -12,14 +12,15 @@ namespace displayfile {
 
 namespace {
 
-constexpr std::size_t kNear = 8;         // ends that are looked at from an end
-constexpr std::size_t kMostMoved = 3;    // paths, by an Or-opt exchange
+constexpr std::size_t kNear = 8;             // ends that are looked at from an end
+constexpr std::size_t kMostMoved = 3;        // paths, by an Or-opt exchange
 constexpr std::size_t kMostTurned = 25'000;  // paths: what keeps the time in bounds
-constexpr double kGain = 1e-6;           // less is rounding: exchanges must come to an end
+constexpr double kGain = 1e-6;               // less is rounding: exchanges must come to an end
 
 }  // namespace
 
-Tour::Tour(std::vector<SheetPoint> ends) : points_(std::move(ends)), places_(points_.size() / 2 + 1) {
+Tour::Tour(std::vector<SheetPoint> ends)
+    : points_(std::move(ends)), places_(points_.size() / 2 + 1) {
   entered_at_.resize(places_);
   place_of_.resize(places_);
   for (Place p = 0; p < places_; ++p) put(p, 2 * p);
@@ -173,9 +174,11 @@ void Tour::improve() {
   for (std::size_t next = 0; next < to_look_at_.size(); ++next) {
     const End end = to_look_at_[next];
     queued_[end] = 0;
-    while (improve_at(end)) {}
+    while (improve_at(end)) {
+    }
     if (next == points_.size()) {  // what was looked at is not needed any more
-      to_look_at_.erase(to_look_at_.begin(), to_look_at_.begin() + static_cast<std::ptrdiff_t>(next) + 1);
+      to_look_at_.erase(to_look_at_.begin(),
+                        to_look_at_.begin() + static_cast<std::ptrdiff_t>(next) + 1);
       next = static_cast<std::size_t>(-1);
     }
   }

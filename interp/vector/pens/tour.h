@@ -27,8 +27,8 @@ class Tour {
   std::vector<End> entered() const;
 
  private:
-  // Places on the way are cyclic: after the last path stands one that is nowhere, at distance 0 from
-  // every end, so that the way may begin and end where it likes.
+  // Places on the way are cyclic: after the last path stands one that is nowhere, at distance 0
+  // from every end, so that the way may begin and end where it likes.
   using Place = std::uint32_t;
   using Path = std::uint32_t;
 
@@ -47,12 +47,12 @@ class Tour {
   void find_near_ends();
 
   std::vector<SheetPoint> points_;
-  std::size_t places_;            // the paths, and nowhere
-  std::vector<End> entered_at_;   // by place
-  std::vector<Place> place_of_;   // of each path
-  std::vector<End> near_;         // kNear for each end
-  std::size_t near_count_ = 0;    // for each end
-  std::vector<End> to_look_at_;   // a queue
+  std::size_t places_;           // the paths, and nowhere
+  std::vector<End> entered_at_;  // by place
+  std::vector<Place> place_of_;  // of each path
+  std::vector<End> near_;        // kNear for each end
+  std::size_t near_count_ = 0;   // for each end
+  std::vector<End> to_look_at_;  // a queue
   std::vector<std::uint8_t> queued_;
 };
 

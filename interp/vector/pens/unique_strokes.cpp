@@ -177,9 +177,8 @@ std::vector<Stroke> unique_strokes(std::vector<Stroke> strokes) {
   const auto repeated = std::ranges::unique(strokes);
   strokes.erase(repeated.begin(), repeated.end());
   if (strokes.empty()) return strokes;
-  std::ranges::stable_sort(strokes, std::ranges::greater(), [](const Stroke& s) {
-    return squared_distance(s.from, s.to);
-  });
+  std::ranges::stable_sort(strokes, std::ranges::greater(),
+                           [](const Stroke& s) { return squared_distance(s.from, s.to); });
   return Uniqueness(strokes).kept();
 }
 

@@ -23,6 +23,10 @@ bool has_shaded_polygons(const DisplayFile& drawn) {
 
 void NotInVectors::note(const DisplayFile& drawn, const DrawOptions& options, PictureKind kind) {
   if (kind != PictureKind::vector) return;
+  if (options.pens) {  // what pens hatch has its shades
+    if (drawn.has_texts()) texts_ = true;
+    return;
+  }
   if (has_shaded_polygons(drawn)) shading_ = true;
   if (drawn.has_shadows()) shadows_ = true;
   if (options.samples > 1) samples_ = true;
@@ -33,6 +37,7 @@ void NotInVectors::warn(const std::string& output) const {
   if (shading_) left_out.emplace_back("Gouraud shading (a polygon is filled evenly)");
   if (shadows_) left_out.emplace_back("shadows");
   if (samples_) left_out.emplace_back("--samples");
+  if (texts_) left_out.emplace_back("texts, whose letters no pen draws");
   if (left_out.empty()) return;
   warnings() << fmt::format("{}: vectors leave out {}\n", output, fmt::join(left_out, ", "));
 }

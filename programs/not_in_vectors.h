@@ -17,7 +17,7 @@ class NotInVectors {
   void warn(const std::string& output) const;
 
  private:
-  std::atomic<bool> shading_ = false, shadows_ = false, samples_ = false;
+  std::atomic<bool> shading_ = false, shadows_ = false, samples_ = false, texts_ = false;
 };
 
 }  // namespace displayfile

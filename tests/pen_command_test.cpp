@@ -52,6 +52,12 @@ TEST_F(PenCommand, PutsAnyVectorsOnPaper) {
   EXPECT_NE(read(folder_ / "a.pdf").find("/MediaBox [ 0 0 612 792 ]"), std::string::npos);
 }
 
+TEST_F(PenCommand, TellsThatTextsAreLeftOut) {
+  write("text.draw", "open-segment 1\nmove-abs-2 0 0\nline-abs-2 1 1\ntext \"A\"\nclose-segment\n");
+  ASSERT_EQ(run("draw text.draw --pens -o a.svg"), 0) << err_;
+  EXPECT_NE(err_.find("vectors leave out texts"), std::string::npos) << err_;
+}
+
 TEST_F(PenCommand, MistakesAreTold) {
   expect_error("draw box.obj --paper A11 -o a.svg", "unknown paper 'A11'");
   expect_error("draw box.obj --paper A4 -o a.png", ".png files have no size on paper");

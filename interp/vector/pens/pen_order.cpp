@@ -23,7 +23,8 @@ double way(const SheetPoint& a, const SheetPoint& b) {
 
 void begin_at(PenPath& path, std::size_t point) {
   if (path.closed) {
-    std::ranges::rotate(path.points, path.points.begin() + static_cast<std::ptrdiff_t>(point));
+    std::rotate(path.points.begin(), path.points.begin() + static_cast<std::ptrdiff_t>(point),
+                path.points.end());
   } else if (point != 0) {
     std::ranges::reverse(path.points);
   }

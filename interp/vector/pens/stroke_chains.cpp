@@ -180,7 +180,7 @@ std::size_t sharpest_corner(std::span<const SheetPoint> loop) {
 PenPath straightened(std::vector<SheetPoint> points, bool closed) {
   if (closed) {
     const auto corner = static_cast<std::ptrdiff_t>(sharpest_corner(points));
-    std::ranges::rotate(points, points.begin() + corner);
+    std::rotate(points.begin(), points.begin() + corner, points.end());
     points.push_back(points.front());
   }
   PenPath path{straightened(points), closed};

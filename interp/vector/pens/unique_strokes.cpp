@@ -174,8 +174,7 @@ std::vector<Stroke> unique_strokes(std::vector<Stroke> strokes) {
     if (s.to < s.from) std::swap(s.from, s.to);
   }
   std::ranges::sort(strokes);
-  const auto repeated = std::ranges::unique(strokes);
-  strokes.erase(repeated.begin(), repeated.end());
+  strokes.erase(std::unique(strokes.begin(), strokes.end()), strokes.end());
   if (strokes.empty()) return strokes;
   std::ranges::stable_sort(strokes, std::ranges::greater(),
                            [](const Stroke& s) { return squared_distance(s.from, s.to); });

@@ -87,11 +87,8 @@ double travel_bound(const std::vector<PenPath>& paths, int rounds) {
   double best = 0.0, step = 0.0;
   for (int round = 0; round < rounds; ++round) {
     const double tree = shortest_tree(ends, prices, joined);
-    double bound = tree, squares = 0.0;
-    for (std::size_t e = 0; e < prices.size(); ++e) {
-      bound -= prices[e] * ends.uses[e];
-      squares += (joined[e] - ends.uses[e]) * (joined[e] - ends.uses[e]);
-    }
+    double bound = tree;
+    for (std::size_t e = 0; e < prices.size(); ++e) bound -= prices[e] * ends.uses[e];
     double least = std::numeric_limits<double>::infinity(), second = least;
     for (const double p : prices) {
       second = std::min(second, std::max(least, p));

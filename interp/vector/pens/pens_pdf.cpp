@@ -12,7 +12,7 @@ namespace displayfile {
 
 namespace {
 
-cairo_status_t write_page(void* closure, const unsigned char* data, unsigned length) {
+cairo_status_t write_pens_page(void* closure, const unsigned char* data, unsigned length) {
   auto& out = *static_cast<std::ostream*>(closure);
   out.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(length));
   return out ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
@@ -48,7 +48,7 @@ void write_pens_pdf(const PenDrawing& drawing, const std::filesystem::path& file
   const auto destroy_surface = [](cairo_surface_t* s) { cairo().surface_destroy(s); };
   const auto destroy = [](cairo_t* c) { cairo().destroy(c); };
   const std::unique_ptr<cairo_surface_t, decltype(destroy_surface)> surface(
-      cairo().pdf_surface_create_for_stream(write_page, &output.stream(),
+      cairo().pdf_surface_create_for_stream(write_pens_page, &output.stream(),
                                             drawing.fit.width * kPointsOfMillimetre,
                                             drawing.fit.height * kPointsOfMillimetre));
   require(cairo().surface_status(surface.get()));

@@ -89,7 +89,9 @@ void PaperWords::add_to(CLI::App& command) {
           "lines, SPACING mm apart where a fill is as dark as the pen and farther the "
           "brighter it is, at ANGLE degrees [45]; cross: darker than the middle tone, lines "
           "at right angles too; by a pen of a width [0.3] and colour [black; white on dark "
-          "paper]")
+          "paper]. Fills must come as they are seen, and not be painted over: as by --hidden none "
+          "or "
+          "back-face where that is so")
       ->group(kPaperOptions);
 }
 

@@ -11,7 +11,7 @@ namespace displayfile {
 namespace {
 
 /// A tone is large from so many lines, each as long as they are apart times this.
-constexpr double kLinesOfLargeTone = 20.0;
+constexpr double kLinesOfLargeTone = 10.0;
 
 /// Even spacings are whole parts of the closest: tones that differ by rounding are one.
 constexpr double kPartsOfSpacing = 16.0;

@@ -36,6 +36,7 @@ class Cairo {
   DISPLAYFILE_CAIRO(rectangle);
   DISPLAYFILE_CAIRO(restore);
   DISPLAYFILE_CAIRO(save);
+  DISPLAYFILE_CAIRO(scale);
   DISPLAYFILE_CAIRO(select_font_face);
   DISPLAYFILE_CAIRO(set_dash);
   DISPLAYFILE_CAIRO(set_fill_rule);

@@ -104,6 +104,9 @@ MethodChoice drawing_choice(const GraphicsSystem& system, const DrawOptions& opt
                             PictureKind kind) {
   const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
   if (surfaces_of(method) != HiddenMethod::automatic) return {method, "as asked for"};
+  if (options.pens && !options.pens->hatching && !is_colour_rule(method)) {
+    return {HiddenMethod::franklin, "for pens: the lines that are seen, and nothing else"};
+  }
   std::optional<Background> background = options.background.value_or(system.background());
   if (!options.ids.empty() || !options.depth.empty()) background.reset();  // fills are asked for
   if (is_colour_rule(method)) background.reset();                          // they hide at least
@@ -157,6 +160,7 @@ void draw_into_file(const GraphicsSystem& system, const std::filesystem::path& f
   const HiddenMethod method = picture_kind(file, options) == PictureKind::raster
                                   ? method_in_force(system, hidden_surface_options(options))
                                   : drawing_method(system, options, PictureKind::vector);
+  if (options.pens) require_drawn_by_pens(method, *options.pens);
   with_memory_of_drawing(system.display_file().bytes(), file, options, [&] {
     draw_up_to_date(
         system, options, method, kept.sorted,

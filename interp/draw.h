@@ -10,6 +10,7 @@
 #include "displayfile/graphics_system.h"
 #include "displayfile/sorted_display_file.h"
 #include "hidden/exact/precision.h"
+#include "interp/paper.h"
 #include "interp/picture.h"
 #include "interp/world_views.h"
 
@@ -34,6 +35,12 @@ struct DrawOptions {
   /// Antialiasing: the mean of samples x samples for each pixel, 1 to kMostSamples; vectors, ids
   /// and depth are not affected.
   int samples = 1;
+  std::optional<Paper> paper =
+      std::nullopt;  ///< vectors on a sheet, in place of a page of its size
+  /// Vectors for pens: on A4 unless another paper is said. `hidden` must then be a method that
+  /// leaves out what is hidden, or hides nothing (draws_for_pens); `automatic` is franklin, or
+  /// where fills are hatched none, if nothing hides.
+  std::optional<Pens> pens = std::nullopt;
   std::filesystem::path ids = {};    ///< item buffer as int32 .npy, if not empty
   std::filesystem::path depth = {};  ///< depth of the fills seen as float64 .npy, if not empty
   bool with_ids = false, with_depth = false;  ///< a picture in memory has them: Picture's members

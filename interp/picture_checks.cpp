@@ -30,6 +30,19 @@ void require_numbers(const DrawOptions& options) {
                   options.width, options.height, options.samples, options.samples, most, most));
 }
 
+/// Paper and pens are of vectors.
+void require_paper_and_pens(const std::filesystem::path& file, const PictureFormat& format,
+                            const DrawOptions& options) {
+  if (!options.paper && !options.pens) return;
+  if (!format.is_for_paper()) {
+    throw Error(fmt::format(
+        "{}: {} files have no size on paper, and are not for pens: expected one of {}",
+        file.string(), format.choice.name, names_of_formats(&PictureFormat::is_for_paper, " ")));
+  }
+  fit_on_paper(options.paper.value_or(Paper{}), options.width, options.height);
+  if (options.pens) require_pens(*options.pens);
+}
+
 /// Every output must be writable before any is written.
 void require_writable(const std::filesystem::path& file, const DrawOptions& options) {
   OutputFile{file.string()};
@@ -38,6 +51,26 @@ void require_writable(const std::filesystem::path& file, const DrawOptions& opti
 }
 
 }  // namespace
+
+bool draws_for_pens(HiddenMethod method, bool of_fills) {
+  if (finds_lines(method)) return !of_fills;
+  return method == HiddenMethod::none || method == HiddenMethod::back_face;
+}
+
+void require_drawn_by_pens(HiddenMethod method, const Pens& pens) {
+  if (draws_for_pens(method, pens.hatching.has_value())) return;
+  std::string expected;
+  for (const HiddenMethodEntry& entry : hidden_methods()) {
+    if (!draws_for_pens(entry.method, pens.hatching.has_value())) continue;
+    if (expected.find(name_of(entry.method)) != std::string::npos) continue;
+    expected.append(expected.empty() ? "" : " ").append(name_of(entry.method));
+  }
+  throw Error(fmt::format("pens and hidden-surface method '{}', which {}: expected one of {}",
+                          name_of(method),
+                          finds_lines(method) ? "draws no fills to be hatched"
+                                              : "hides by painting over what was drawn",
+                          expected));
+}
 
 void require_drawable_by(HiddenMethod method, const DrawOptions& options) {
   if (!shows_lines_only(method)) return;
@@ -90,6 +123,7 @@ void require_drawable(const std::filesystem::path& file, const DrawOptions& opti
                             file.string(), format.choice.name,
                             names_of_formats(&PictureFormat::can_be_transparent, " ")));
   }
+  require_paper_and_pens(file, format, options);
   require_writable(file, options);
 }
 

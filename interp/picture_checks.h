@@ -22,6 +22,12 @@ void require_drawable_in_memory(const DrawOptions& options);
 /// and something of fills is asked for.
 void require_drawable_by(HiddenMethod method, const DrawOptions& options);
 
+/// True if all that a method hands on is to be seen, or at least hides nothing, so that nothing
+/// needs to be painted over: as pens need it. `of_fills`: and it hands on fills, for hatching.
+bool draws_for_pens(HiddenMethod method, bool of_fills);
+/// Throws Error for another method.
+void require_drawn_by_pens(HiddenMethod method, const Pens& pens);
+
 /// Throws Error if lines are to be drawn where they are hidden and nothing draws them there: the
 /// colour rule and the OSMesa device draw what comes, and only an order of fills has such lines.
 void require_hidden_lines_drawn(HiddenLines hidden_lines, HiddenMethod method,

@@ -15,6 +15,7 @@
 #include "interp/files/ppm_file.h"
 #include "interp/opengl/osmesa.h"
 #include "interp/vector/pdf_device.h"
+#include "interp/vector/pens/pen_files.h"
 #include "interp/vector/svg_device.h"
 
 namespace displayfile {
@@ -24,8 +25,8 @@ namespace {
 constexpr std::array kFormats{
     PictureFormat{{".png", "pixels, compressed"}, png_row_file, png_alpha_row_file, nullptr},
     PictureFormat{{".ppm", "pixels, plain"}, ppm_row_file, nullptr, nullptr},
-    PictureFormat{{".svg", "vectors, for the web"}, nullptr, nullptr, write_svg},
-    PictureFormat{{".pdf", "vectors, for print"}, nullptr, nullptr, write_pdf},
+    PictureFormat{{".svg", "vectors, for the web"}, nullptr, nullptr, write_svg, write_pens_svg},
+    PictureFormat{{".pdf", "vectors, for print"}, nullptr, nullptr, write_pdf, write_pens_pdf},
 };
 
 constexpr std::array kDevices{

@@ -3,6 +3,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,7 @@
 #include "interp/files/row_file.h"
 #include "interp/picture.h"
 #include "interp/raster/software.h"
+#include "interp/vector/pens/pen_drawing.h"
 
 /// The tables of what a picture can be written as and by what its pixels can be drawn. A new format
 /// or device is a line here and a file of its own.
@@ -24,9 +26,12 @@ struct PictureFormat {
   std::unique_ptr<RowFile> (*pixel_file)(const std::filesystem::path&, int width, int height);
   std::unique_ptr<RowFile> (*alpha_file)(const std::filesystem::path&, int width, int height);
   void (*write_vectors)(const DisplayFile&, int width, int height, bool z_buffer,
-                        const std::filesystem::path&, const Background&, bool colour_rule);
+                        const std::filesystem::path&, const Background&, bool colour_rule,
+                        const std::optional<Paper>&);
+  void (*write_pens)(const PenDrawing&, const std::filesystem::path&) = nullptr;
 
   bool is_of_pixels() const { return pixel_file != nullptr; }
+  bool is_for_paper() const { return write_pens != nullptr; }  ///< with pens and without
   bool can_be_transparent() const { return alpha_file != nullptr || write_vectors != nullptr; }
 };
 

@@ -8,6 +8,7 @@
 #include "displayfile/scene_viewer.h"
 #include "interp/draw.h"
 #include "interp/picture.h"
+#include "interp/picture_checks.h"
 #include "interp/picture_formats.h"
 #include "interp/raster/software.h"
 
@@ -30,7 +31,12 @@ class DisplayFileSource : public PictureSource {
   /// `by_depth`: vectors find their hidden surfaces themselves.
   DisplayFileSource(const DisplayFile& file, bool by_depth, const DrawOptions& options,
                     SoftwareRenderer& kept)
-      : file_(file), by_depth_(by_depth), device_(device_of(options.device)), kept_(kept) {}
+      : file_(file),
+        by_depth_(by_depth),
+        device_(device_of(options.device)),
+        paper_(options.paper),
+        pens_(options.pens),
+        kept_(kept) {}
 
   Picture draw(const RasterRequest& request) const override {
     return device_.draw(file_, request, kept_);
@@ -41,14 +47,22 @@ class DisplayFileSource : public PictureSource {
   }
   void write_vectors(const PictureFormat& format, const std::filesystem::path& file,
                      const RasterRequest& request) const override {
+    if (pens_) {
+      if (by_depth_) require_drawn_by_pens(request.method, *pens_);
+      return format.write_pens(pen_drawing(file_, request.width, request.height,
+                                           paper_.value_or(Paper{}), *pens_, request.background),
+                               file);
+    }
     format.write_vectors(file_, request.width, request.height, by_depth_, file, request.background,
-                         is_colour_rule(request.method));
+                         is_colour_rule(request.method), paper_);
   }
 
  private:
   const DisplayFile& file_;
   bool by_depth_;
   const RasterDevice& device_;
+  std::optional<Paper> paper_;
+  std::optional<Pens> pens_;
   SoftwareRenderer& kept_;
 };
 

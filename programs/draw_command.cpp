@@ -21,6 +21,7 @@
 #include "programs/drawn_inputs.h"
 #include "programs/each_input.h"
 #include "programs/input_names.h"
+#include "programs/inputs.h"
 #include "programs/made_folders.h"
 #include "programs/option_groups.h"
 #include "programs/output_name.h"
@@ -108,6 +109,7 @@ void DrawCommand::add_picture_options(CLI::App& command) {
       ->group(kPictureOptions);
   shading.add_to(command);
   background.add_to(command);
+  paper.add_to(command);
   command
       .add_option("--turntable", turntable,
                   "N views, turned evenly all around the axis that is up, from one BSP tree; "
@@ -134,6 +136,10 @@ DrawOptions DrawCommand::all_options() const {
   all.precision = sorting.precision;
   all.hidden_lines = sorting.hidden_lines;
   all.background = background.background();
+  paper.read(all);
+  if (turntable && all.pens && !all.pens->hatching && !all.hidden) {
+    all.hidden = HiddenMethod::franklin;
+  }
   require_raster_device(options.device);
   return all;
 }
@@ -141,6 +147,10 @@ DrawOptions DrawCommand::all_options() const {
 MeshWords DrawCommand::entering() const {
   MeshWords words = meshes;
   words.lines = hidden_surfaces.line_selection();
+  const bool for_pens = paper.pens || !paper.hatch.empty();
+  if (for_pens && !words.lines && std::ranges::none_of(inputs, is_drawing_program)) {
+    words.lines = displayfile::line_selection("outline,boundary,crease");
+  }
   return words;
 }
 

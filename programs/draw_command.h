@@ -13,6 +13,7 @@
 #include "programs/made_folders.h"
 #include "programs/mesh_words.h"
 #include "programs/not_in_vectors.h"
+#include "programs/paper_options.h"
 #include "programs/pick_option.h"
 #include "programs/picture_size.h"
 #include "programs/shading_word.h"
@@ -29,6 +30,7 @@ struct DrawCommand {
   PictureSizeWord size;
   HiddenSurfaceWords hidden_surfaces;
   BackgroundWord background;
+  PaperWords paper;
   ShadingWord shading;  ///< that the inputs start with
   MeshWords meshes;
   bool stats = false;

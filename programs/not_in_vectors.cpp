@@ -25,6 +25,10 @@ bool has_stored(const DisplayFile& drawn, Stored stored) {
 
 void NotInVectors::note(const DisplayFile& drawn, const DrawOptions& options, PictureKind kind) {
   if (kind != PictureKind::vector) return;
+  if (options.pens) {  // what pens hatch has its shades
+    if (drawn.has_texts()) texts_ = true;
+    return;
+  }
   if (has_stored(drawn, &Instructions::stored_intensities)) gouraud_ = true;
   if (has_stored(drawn, &Instructions::stored_normals)) phong_ = true;
   if (drawn.has_shadows()) shadows_ = true;
@@ -37,6 +41,7 @@ void NotInVectors::warn(const std::string& output) const {
   if (phong_) left_out.emplace_back("Phong shading (a polygon is filled evenly)");
   if (shadows_) left_out.emplace_back("shadows");
   if (samples_) left_out.emplace_back("--samples");
+  if (texts_) left_out.emplace_back("texts, whose letters no pen draws");
   if (left_out.empty()) return;
   warnings() << fmt::format("{}: vectors leave out {}\n", output, fmt::join(left_out, ", "));
 }

@@ -17,7 +17,8 @@ class NotInVectors {
   void warn(const std::string& output) const;
 
  private:
-  std::atomic<bool> gouraud_ = false, phong_ = false, shadows_ = false, samples_ = false;
+  std::atomic<bool> gouraud_ = false, phong_ = false, shadows_ = false, samples_ = false,
+                    texts_ = false;
 };
 
 }  // namespace displayfile

@@ -27,6 +27,7 @@ bool draws_each_anew(const DrawOptions& options) {
 
 void require_views(const DrawOptions& options) {
   const HiddenMethod method = surfaces_of(options.hidden.value_or(HiddenMethod::automatic));
+  if (options.pens) require_drawn_by_pens(method, *options.pens);
   if (method == HiddenMethod::bsp || is_image_space(method)) return;
   if (finds_lines(method)) return require_drawable_by(method, options);
   throw Error(

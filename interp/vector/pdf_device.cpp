@@ -37,11 +37,14 @@ void PdfDevice::Destroy::operator()(_cairo_surface* surface) const {
   cairo().surface_destroy(surface);
 }
 
-PdfDevice::PdfDevice(std::ostream& out, int width, int height, const Background& background)
+PdfDevice::PdfDevice(std::ostream& out, int width, int height, const Background& background,
+                     const std::optional<PaperFit>& sheet)
     : VectorDevice(width, height, background),
       out_(out),
       surface_(cairo().pdf_surface_create_for_stream(
-          write_to_stream, static_cast<std::ostream*>(&document_), width, height)) {
+          write_to_stream, static_cast<std::ostream*>(&document_),
+          sheet ? sheet->width * kPointsOfMillimetre : width,
+          sheet ? sheet->height * kPointsOfMillimetre : height)) {
   require_success(cairo().surface_status(surface_.get()));
   // Left to itself Cairo stores the time.
   cairo().pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_CREATE_DATE,
@@ -51,6 +54,14 @@ PdfDevice::PdfDevice(std::ostream& out, int width, int height, const Background&
   cairo().set_fill_rule(context_.get(), CAIRO_FILL_RULE_EVEN_ODD);
   cairo().set_line_join(context_.get(), CAIRO_LINE_JOIN_ROUND);
   cairo().set_line_cap(context_.get(), CAIRO_LINE_CAP_BUTT);
+  if (sheet) {
+    const double points = sheet->pixel * kPointsOfMillimetre;
+    cairo().translate(context_.get(), sheet->left * kPointsOfMillimetre,
+                      sheet->top * kPointsOfMillimetre);
+    cairo().scale(context_.get(), points, points);
+    cairo().rectangle(context_.get(), 0.0, 0.0, width, height);
+    cairo().clip(context_.get());
+  }
   if (background.kind == Background::Kind::none) return;
   set_colour(background.colour);
   cairo().rectangle(context_.get(), 0.0, 0.0, width, height);
@@ -150,11 +161,14 @@ void PdfDevice::finish() {
 }
 
 void write_pdf(const DisplayFile& display_file, int width, int height, bool z_buffer,
-               const std::filesystem::path& path, const Background& background, bool colour_rule) {
+               const std::filesystem::path& path, const Background& background, bool colour_rule,
+               const std::optional<Paper>& paper) {
   require_picture_size(width, height);
   OutputFile file(path.string());
   try {
-    PdfDevice device(file.stream(), width, height, background);
+    std::optional<PaperFit> sheet;
+    if (paper) sheet = fit_on_paper(*paper, width, height);
+    PdfDevice device(file.stream(), width, height, background, sheet);
     if (colour_rule) device.fill_with_background();
     if (z_buffer) {
       draw_in_visible_order(display_file, width, height, device);

@@ -3,11 +3,13 @@
 #include <filesystem>
 #include <iosfwd>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string_view>
 #include <vector>
 
 #include "displayfile/display_file.h"
+#include "interp/paper.h"
 #include "interp/vector/vector_device.h"
 
 struct _cairo;
@@ -24,7 +26,9 @@ class PdfDevice : public VectorDevice {
   /// The stream must live on until finish(). Throws Error unless both sides are 1 to
   /// kLargestSide, or if Cairo cannot make the surface. (Readers may show less: the PDF
   /// specification advises pages of at most 14,400 points.)
-  PdfDevice(std::ostream& out, int width, int height, const Background& background = {});
+  /// On a sheet, if one is given: of its size, the picture where it lies and cut off at its frame.
+  PdfDevice(std::ostream& out, int width, int height, const Background& background = {},
+            const std::optional<PaperFit>& sheet = {});
   ~PdfDevice() override;
 
   /// Completes the document. To be called once. Throws Error if Cairo failed.
@@ -58,9 +62,9 @@ class PdfDevice : public VectorDevice {
 /// Draws the visible segments into a PDF file of one page, width x height points, in order or as
 /// the z-buffer shows them (interp/vector/sampled/visible_order.h). The file appears whole or not
 /// at all. Throws Error, naming the file, if it cannot be written, or for a size outside of 1 to
-/// kLargestSide.
+/// kLargestSide. On paper, if one is given: as large as fits, on a page of its size.
 void write_pdf(const DisplayFile& display_file, int width, int height, bool z_buffer,
                const std::filesystem::path& path, const Background& background = {},
-               bool colour_rule = false);
+               bool colour_rule = false, const std::optional<Paper>& paper = {});
 
 }  // namespace displayfile

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <iterator>
 #include <ostream>
+#include <sstream>
 #include <string_view>
 
 #include "displayfile/output_file.h"
 #include "interp/interpreter.h"
 #include "interp/picture.h"
 #include "interp/vector/sampled/visible_order.h"
+#include "interp/vector/svg_sheet.h"
 
 namespace displayfile {
 
@@ -206,7 +208,8 @@ void SvgDevice::finish(std::ostream& out) {
 }
 
 void write_svg(const DisplayFile& display_file, int width, int height, bool z_buffer,
-               const std::filesystem::path& path, const Background& background, bool colour_rule) {
+               const std::filesystem::path& path, const Background& background, bool colour_rule,
+               const std::optional<Paper>& paper) {
   SvgDevice device(width, height, background);
   if (colour_rule) device.fill_with_background();
   OutputFile file(path.string());
@@ -216,7 +219,13 @@ void write_svg(const DisplayFile& display_file, int width, int height, bool z_bu
     interpret(display_file, device);
   }
   device.draw_texts(display_file, z_buffer);
-  device.finish(file.stream());
+  if (paper) {
+    std::ostringstream document;
+    device.finish(document);
+    write_on_sheet(document.view(), fit_on_paper(*paper, width, height), file.stream());
+  } else {
+    device.finish(file.stream());
+  }
   file.commit();
 }
 

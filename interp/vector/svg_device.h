@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iosfwd>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "displayfile/display_file.h"
+#include "interp/paper.h"
 #include "interp/vector/vector_device.h"
 
 namespace displayfile {
@@ -65,8 +67,9 @@ class SvgDevice : public VectorDevice {
 /// Draws the visible segments into an SVG file, in order or as the z-buffer shows them
 /// (interp/vector/sampled/visible_order.h). The file appears whole or not at all. Throws Error,
 /// naming the file, if it cannot be written, or for a size outside of 1 to kLargestSide.
+/// On paper, if one is given: as large as fits, in millimetres.
 void write_svg(const DisplayFile& display_file, int width, int height, bool z_buffer,
                const std::filesystem::path& path, const Background& background = {},
-               bool colour_rule = false);
+               bool colour_rule = false, const std::optional<Paper>& paper = {});
 
 }  // namespace displayfile

@@ -1,0 +1,131 @@
+#include "interp/paper.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "clip/error.h"
+#include "clip/nearest_word.h"
+
+namespace displayfile {
+
+namespace {
+
+struct SheetSize {
+  std::string_view name;
+  double width, height;
+};
+constexpr std::array kSheetSizes{
+    SheetSize{"a0", 841.0, 1189.0},   SheetSize{"a1", 594.0, 841.0},
+    SheetSize{"a2", 420.0, 594.0},    SheetSize{"a3", 297.0, 420.0},
+    SheetSize{"a4", 210.0, 297.0},    SheetSize{"a5", 148.0, 210.0},
+    SheetSize{"a6", 105.0, 148.0},    SheetSize{"letter", 215.9, 279.4},
+    SheetSize{"legal", 215.9, 355.6}, SheetSize{"tabloid", 279.4, 431.8},
+};
+constexpr std::string_view kSheetWords = "A0 to A6, letter, legal, tabloid, or WIDTHxHEIGHT in mm";
+
+std::string in_lower_case(std::string_view word) {
+  std::string lower(word);
+  std::ranges::transform(lower, lower.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return lower;
+}
+
+bool is_side_of_sheet(double side) { return side >= 1.0 && side <= kLargestSheet; }
+
+void require_sheet(double width, double height) {
+  if (is_side_of_sheet(width) && is_side_of_sheet(height)) return;
+  throw Error(
+      fmt::format("paper of {}x{} mm: expected sides of 1 to {} mm", width, height, kLargestSheet));
+}
+
+/// WxH, if the word is that.
+std::optional<std::pair<double, double>> sides_of(std::string_view word) {
+  double width = 0.0, height = 0.0;
+  const char *const begin = word.data(), *const end = begin + word.size();
+  const auto w = std::from_chars(begin, end, width);
+  if (w.ec != std::errc{} || w.ptr == end || *w.ptr != 'x') return std::nullopt;
+  const auto h = std::from_chars(w.ptr + 1, end, height);
+  if (h.ec != std::errc{} || h.ptr != end) return std::nullopt;
+  return std::pair(width, height);
+}
+
+}  // namespace
+
+Paper paper_of(std::string_view word) {
+  const std::string lower = in_lower_case(word);
+  std::string_view size = lower;
+  Paper paper;
+  const auto is_turned = [&](std::string_view suffix) {
+    if (!size.ends_with(suffix)) return false;
+    size.remove_suffix(suffix.size());
+    return true;
+  };
+  const bool portrait = is_turned("-portrait"), landscape = !portrait && is_turned("-landscape");
+  if (portrait) paper.turned = Paper::Turned::portrait;
+  if (landscape) paper.turned = Paper::Turned::landscape;
+  const auto* const sheet = std::ranges::find(kSheetSizes, size, &SheetSize::name);
+  if (sheet != kSheetSizes.end()) {
+    paper.width = sheet->width;
+    paper.height = sheet->height;
+    return paper;
+  }
+  const auto sides = sides_of(size);
+  if (!sides) {
+    std::vector<std::string_view> names;
+    for (const SheetSize& s : kSheetSizes) names.push_back(s.name);
+    throw Error(fmt::format(
+        "unknown paper '{}':{} expected {}, with -portrait or -landscape after it or without", word,
+        did_you_mean(size, names), kSheetWords));
+  }
+  std::tie(paper.width, paper.height) = *sides;
+  require_sheet(paper.width, paper.height);
+  if (!portrait && !landscape) {
+    paper.turned = paper.width > paper.height ? Paper::Turned::landscape : Paper::Turned::portrait;
+  }
+  return paper;
+}
+
+PaperFit fit_on_paper(const Paper& paper, int picture_width, int picture_height) {
+  require_sheet(paper.width, paper.height);
+  const bool landscape = paper.turned == Paper::Turned::automatic
+                             ? picture_width > picture_height
+                             : paper.turned == Paper::Turned::landscape;
+  const auto [shorter, longer] = std::minmax(paper.width, paper.height);
+  PaperFit fit{};
+  fit.width = landscape ? longer : shorter;
+  fit.height = landscape ? shorter : longer;
+  const double across = fit.width - 2.0 * paper.margin, down = fit.height - 2.0 * paper.margin;
+  if (!(paper.margin >= 0.0) || !(across >= 1.0) || !(down >= 1.0)) {
+    throw Error(
+        fmt::format("margins of {} mm on paper of {}x{} mm: expected 0 or more, with 1 mm "
+                    "or more between them",
+                    paper.margin, fit.width, fit.height));
+  }
+  fit.pixel = std::min(across / picture_width, down / picture_height);
+  fit.left = (fit.width - fit.pixel * picture_width) / 2.0;
+  fit.top = (fit.height - fit.pixel * picture_height) / 2.0;
+  return fit;
+}
+
+void require_pens(const Pens& pens) {
+  if (!pens.hatching) return;
+  const Hatching& hatching = *pens.hatching;
+  if (!(hatching.spacing >= kClosestHatching && hatching.spacing <= kLargestSheet)) {
+    throw Error(fmt::format("hatching {} mm apart: expected {} to {} mm", hatching.spacing,
+                            kClosestHatching, kLargestSheet));
+  }
+  if (!std::isfinite(hatching.angle)) throw Error("hatching at an angle that is no number");
+  if (!(hatching.width > 0.0 && hatching.width <= kLargestSheet)) {
+    throw Error(fmt::format("hatching by a pen of {} mm: expected more than 0", hatching.width));
+  }
+}
+
+}  // namespace displayfile

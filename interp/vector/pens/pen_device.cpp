@@ -1,0 +1,130 @@
+#include "interp/vector/pens/pen_device.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "clip/clip_to_rectangle.h"
+#include "clip/corners.h"
+#include "interp/picture.h"
+#include "interp/vector/pens/dashes.h"
+#include "interp/vector/pens/sheet_point.h"
+#include "interp/vector/pens/stroke_chains.h"
+#include "interp/vector/pens/unique_strokes.h"
+
+namespace displayfile {
+
+namespace {
+
+bool is_finite(const Point2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+
+Colour pen_on(const Colour& paper, const std::optional<Hatching>& hatching) {
+  if (hatching && hatching->colour) return *hatching->colour;
+  return Darkness::luma(paper) < 0.5 ? Colour(1.0) : Colour(0.0);
+}
+
+std::int32_t units(double millimetres) {
+  return static_cast<std::int32_t>(
+      std::lround(std::clamp(millimetres, 0.0, kLargestSheet) * kUnitsOfMillimetre));
+}
+
+}  // namespace
+
+PenDevice::PenDevice(const Picture& picture, const std::optional<Hatching>& hatching,
+                     const Colour& background)
+    : picture_(picture), darkness_(background, pen_on(background, hatching)) {
+  const PaperFit& fit = picture.fit;
+  frame_ = {fit.left, fit.left + fit.pixel * picture.width, fit.top,
+            fit.top + fit.pixel * picture.height};
+  if (!hatching) return;
+  hatching_pen_ = {pixel_of(pen_on(background, hatching)), units(hatching->width)};
+  hatched_.emplace(*hatching, frame_);
+}
+
+Point2 PenDevice::on_sheet(const Point3& device) const {
+  const PaperFit& fit = picture_.fit;
+  return {fit.left + device.x * picture_.width * fit.pixel,
+          fit.top + (1.0 - device.y) * picture_.height * fit.pixel};
+}
+
+std::vector<Stroke>& PenDevice::strokes_of(const LineStyle& style) {
+  const double of_pixel = picture_.fit.pixel;
+  const Pen pen{pixel_of(style.colour), units(style.width * of_pixel)};
+  const bool dashed = style.kind == LineStyle::Kind::dashed;
+  const double dash = dashed ? style.dash * of_pixel * kUnitsOfMillimetre : 0.0;
+  const double gap = dashed ? style.gap * of_pixel * kUnitsOfMillimetre : 0.0;
+  const auto is_it = [&](const Collected& c) {
+    return c.pen == pen && c.dash == dash && c.gap == gap;
+  };
+  if (last_ < collected_.size() && is_it(collected_[last_])) return collected_[last_].strokes;
+  const auto found = std::ranges::find_if(collected_, is_it);
+  last_ = static_cast<std::size_t>(found - collected_.begin());
+  if (found == collected_.end()) collected_.push_back({pen, dash, gap, {}});
+  return collected_[last_].strokes;
+}
+
+void PenDevice::add(const Point3& from, const Point3& to, std::vector<Stroke>& strokes) const {
+  const Point2 a = on_sheet(from), b = on_sheet(to);
+  if (!is_finite(a) || !is_finite(b)) return;
+  const auto inside = part_in_rectangle(a, b, frame_);
+  if (!inside) return;
+  const auto at = [&](double t) {
+    const Point2 p = t == 0.0 ? a : t == 1.0 ? b : a + t * (b - a);  // clamped: for rounding
+    return sheet_point(
+        {std::clamp(p.x, frame_.x_min, frame_.x_max), std::clamp(p.y, frame_.y_min, frame_.y_max)});
+  };
+  const Stroke stroke{at(inside->from), at(inside->to)};
+  if (!stroke.is_dot() || a == b) strokes.push_back(stroke);
+}
+
+void PenDevice::line(const DrawnLine& line) { add(line.from, line.to, strokes_of(line.style)); }
+
+void PenDevice::edges(const DrawnPolygon& polygon) {
+  std::vector<Stroke>& strokes = strokes_of(polygon.line);
+  const auto& v = polygon.vertices;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const Point3 &from = v[previous_corner(i, v.size())], &to = v[i];
+    if (polygon.sides[i] != op::line || Point2(from) == Point2(to)) continue;
+    if (!polygon.kinds.empty() && polygon.kinds[i] == 0) continue;
+    add(from, to, strokes);
+  }
+}
+
+void PenDevice::fill(const DrawnPolygon& polygon) {
+  if (!hatched_) return;
+  points_.clear();
+  dark_.clear();
+  for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
+    points_.push_back(on_sheet(polygon.vertices[i]));
+    if (!is_finite(points_.back())) return;
+    const double intensity = polygon.intensities.empty() ? 1.0 : polygon.intensities[i];
+    dark_.push_back(darkness_.of(polygon.fill.colour * intensity));
+  }
+  hatched_->add(points_, dark_, fills_are_disjoint_);
+}
+
+std::vector<Stroke>& PenDevice::strokes_of(const Pen& pen, std::vector<PenStrokes>& all) {
+  const auto found = std::ranges::find(all, pen, &PenStrokes::pen);
+  if (found != all.end()) return found->strokes;
+  return all.emplace_back(PenStrokes{pen, {}}).strokes;
+}
+
+std::vector<PenStrokes> PenDevice::strokes() {
+  std::vector<PenStrokes> all;
+  for (Collected& c : collected_) {
+    if (c.strokes.empty()) continue;
+    std::vector<Stroke>& of_pen = strokes_of(c.pen, all);
+    if (c.gap > 0.0) {
+      c.strokes = dashes(stroke_chains(unique_strokes(std::move(c.strokes))), c.dash, c.gap);
+    }
+    of_pen.insert(of_pen.end(), c.strokes.begin(), c.strokes.end());
+  }
+  if (!hatched_) return all;
+  if (const std::vector<Stroke> lines = hatched_->strokes(); !lines.empty()) {
+    std::vector<Stroke>& of_pen = strokes_of(hatching_pen_, all);
+    of_pen.insert(of_pen.end(), lines.begin(), lines.end());
+  }
+  return all;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "interp/output_device.h"
+#include "interp/paper.h"
+#include "interp/vector/pens/hatched_fills.h"
+#include "interp/vector/pens/hatching.h"
+#include "interp/vector/pens/stroke.h"
+
+namespace displayfile {
+
+/// The strokes of one pen.
+struct PenStrokes {
+  Pen pen;
+  std::vector<Stroke> strokes;
+};
+
+/// Takes what the interpreter meets as strokes on a sheet: lines and edges as they come, many of
+/// them twice, by pens in the order in which these are first needed; and fills as hatching, where
+/// one is asked for, of a pen that comes last. Only what is inside of the picture.
+class PenDevice : public OutputDevice {
+ public:
+  /// `picture`: of so many pixels, and how it lies on the sheet. `background` is the paper's
+  /// colour.
+  struct Picture {
+    int width, height;
+    PaperFit fit;
+  };
+  PenDevice(const Picture& picture, const std::optional<Hatching>& hatching,
+            const Colour& background);
+
+  void begin_disjoint_fills() override { fills_are_disjoint_ = true; }
+  void end_disjoint_fills() override { fills_are_disjoint_ = false; }
+  void fill(const DrawnPolygon& polygon) override;
+  void edges(const DrawnPolygon& polygon) override;
+  void line(const DrawnLine& line) override;
+
+  /// All strokes, dashed lines cut into their dashes. To be called once.
+  std::vector<PenStrokes> strokes();
+
+ private:
+  struct Collected {
+    Pen pen;
+    double dash, gap;  // thousandths of a millimetre; 0 and 0: solid
+    std::vector<Stroke> strokes;
+  };
+  Point2 on_sheet(const Point3& device) const;
+  std::vector<Stroke>& strokes_of(const LineStyle& style);
+  static std::vector<Stroke>& strokes_of(const Pen& pen, std::vector<PenStrokes>& all);
+  void add(const Point3& from, const Point3& to, std::vector<Stroke>& strokes) const;
+
+  Picture picture_;
+  Rectangle frame_;
+  Pen hatching_pen_{};
+  Darkness darkness_;
+  std::optional<HatchedFills> hatched_;
+  bool fills_are_disjoint_ = false;
+  std::vector<Collected> collected_;
+  std::size_t last_ = 0;  // that was asked for
+  std::vector<Point2> points_;
+  std::vector<double> dark_;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "displayfile/background.h"
+#include "displayfile/display_file.h"
+#include "interp/paper.h"
+#include "interp/vector/pens/pen_device.h"
+#include "interp/vector/pens/stroke_chains.h"
+
+namespace displayfile {
+
+/// What one pen draws, in order.
+struct PenLayer {
+  Pen pen;
+  std::vector<PenPath> paths;
+};
+
+/// A picture for pens, on its sheet.
+struct PenDrawing {
+  PaperFit fit;
+  std::vector<PenLayer> layers;  ///< at least one path each
+};
+
+/// The visible segments' strokes in the order of the display file, as they come. Throws Error for
+/// what require_pens or fit_on_paper refuses.
+std::vector<PenStrokes> pen_strokes(const DisplayFile& display_file, int width, int height,
+                                    const Paper& paper, const Pens& pens,
+                                    const Background& background = {});
+/// The same as they are to be drawn.
+PenDrawing pen_drawing(const DisplayFile& display_file, int width, int height, const Paper& paper,
+                       const Pens& pens, const Background& background = {});
+
+}  // namespace displayfile

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+
+#include "interp/vector/pens/pen_drawing.h"
+
+namespace displayfile {
+
+/// Writes a drawing for pens as SVG in millimetres, a layer for each pen as Inkscape has them: a
+/// group with inkscape:groupmode="layer" whose label begins with the pen's number, 1, 2, ... Each
+/// path is an element, in the order in which they are to be drawn. The file appears whole or not at
+/// all. Throws Error, naming the file, if it cannot be written.
+void write_pens_svg(const PenDrawing& drawing, const std::filesystem::path& file);
+/// The same as PDF, whose page is the sheet, pen after pen. Throws Error too if there is no Cairo.
+void write_pens_pdf(const PenDrawing& drawing, const std::filesystem::path& file);
+
+}  // namespace displayfile

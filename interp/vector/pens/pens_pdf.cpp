@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <ostream>
+
+#include "clip/error.h"
+#include "displayfile/output_file.h"
+#include "interp/cairo.h"
+#include "interp/vector/pens/pen_files.h"
+
+namespace displayfile {
+
+namespace {
+
+cairo_status_t write_pens_page(void* closure, const unsigned char* data, unsigned length) {
+  auto& out = *static_cast<std::ostream*>(closure);
+  out.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(length));
+  return out ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
+}
+
+void draw_path(cairo_t* context, const PenPath& path) {
+  constexpr double kPointsOfUnit = kPointsOfMillimetre / kUnitsOfMillimetre;
+  cairo().new_path(context);
+  for (const SheetPoint& p : path.points) {  // the first of them moves
+    cairo().line_to(context, p.x * kPointsOfUnit, p.y * kPointsOfUnit);
+  }
+  if (path.closed || path.points.size() == 1) cairo().close_path(context);
+  cairo().stroke(context);
+}
+
+void draw_layer(cairo_t* context, const PenLayer& layer) {
+  const std::uint32_t c = layer.pen.colour;
+  cairo().set_source_rgb(context, (c & 0xff) / 255.0, ((c >> 8) & 0xff) / 255.0,
+                         ((c >> 16) & 0xff) / 255.0);
+  cairo().set_line_width(context, layer.pen.width * kPointsOfMillimetre / kUnitsOfMillimetre);
+  for (const PenPath& path : layer.paths) draw_path(context, path);
+}
+
+}  // namespace
+
+void write_pens_pdf(const PenDrawing& drawing, const std::filesystem::path& file) {
+  OutputFile output(file.string());
+  const auto require = [&](cairo_status_t status) {
+    if (status == CAIRO_STATUS_SUCCESS) return;
+    throw Error(fmt::format("{}: Cairo cannot write the PDF: {}", file.string(),
+                            cairo().status_to_string(status)));
+  };
+  const auto destroy_surface = [](cairo_surface_t* s) { cairo().surface_destroy(s); };
+  const auto destroy = [](cairo_t* c) { cairo().destroy(c); };
+  const std::unique_ptr<cairo_surface_t, decltype(destroy_surface)> surface(
+      cairo().pdf_surface_create_for_stream(write_pens_page, &output.stream(),
+                                            drawing.fit.width * kPointsOfMillimetre,
+                                            drawing.fit.height * kPointsOfMillimetre));
+  require(cairo().surface_status(surface.get()));
+  // Left to itself Cairo stores the time.
+  cairo().pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE,
+                                   "2000-01-01T00:00:00Z");
+  const std::unique_ptr<cairo_t, decltype(destroy)> context(cairo().create(surface.get()));
+  require(cairo().status(context.get()));
+  cairo().set_line_cap(context.get(), CAIRO_LINE_CAP_ROUND);
+  cairo().set_line_join(context.get(), CAIRO_LINE_JOIN_ROUND);
+  for (const PenLayer& layer : drawing.layers) draw_layer(context.get(), layer);
+  cairo().show_page(context.get());
+  require(cairo().status(context.get()));
+  cairo().surface_finish(surface.get());
+  require(cairo().surface_status(surface.get()));
+  output.commit();
+}
+
+}  // namespace displayfile

@@ -1,0 +1,83 @@
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <iterator>
+#include <ostream>
+#include <string>
+
+#include "displayfile/output_file.h"
+#include "interp/vector/pens/pen_files.h"
+
+namespace displayfile {
+
+namespace {
+
+/// Units as millimetres, in the shortest form: exact.
+void append_millimetres(std::string& out, std::int64_t units) {
+  if (units < 0) out.push_back('-');
+  const std::int64_t size = units < 0 ? -units : units;
+  fmt::format_to(std::back_inserter(out), "{}", size / 1000);
+  if (size % 1000 == 0) return;
+  fmt::format_to(std::back_inserter(out), ".{:03}", size % 1000);
+  while (out.back() == '0') out.pop_back();
+}
+
+void append_pair(std::string& out, std::int64_t x, std::int64_t y) {
+  append_millimetres(out, x);
+  if (y >= 0) out.push_back(' ');
+  append_millimetres(out, y);
+}
+
+/// From point to point by what lies between: the numbers are short, and their sums exact.
+void append_path_data(std::string& out, const PenPath& path) {
+  SheetPoint pen{0, 0};
+  char command = 'M';
+  for (const SheetPoint& p : path.points) {
+    if (command != ' ') out.push_back(command);
+    const std::int64_t dx = p.x - pen.x;
+    if (command == ' ' && dx >= 0) out.push_back(' ');
+    append_pair(out, dx, p.y - pen.y);
+    command = command == 'M' ? 'l' : ' ';
+    pen = p;
+  }
+  if (path.points.size() == 1) out += "l0 0";
+  if (path.closed) out.push_back('z');
+}
+
+}  // namespace
+
+void write_pens_svg(const PenDrawing& drawing, const std::filesystem::path& file) {
+  OutputFile output(file.string());
+  std::ostream& out = output.stream();
+  out << fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+      "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\" "
+      "width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n",
+      drawing.fit.width, drawing.fit.height);
+  std::string text;
+  int number = 0;
+  for (const PenLayer& layer : drawing.layers) {
+    const std::uint32_t c = layer.pen.colour;
+    const std::string colour =
+        fmt::format("#{:02x}{:02x}{:02x}", c & 0xff, (c >> 8) & 0xff, (c >> 16) & 0xff);
+    std::string width;
+    append_millimetres(width, layer.pen.width);
+    ++number;
+    text = fmt::format(
+        "<g id=\"pen-{0}\" inkscape:groupmode=\"layer\" inkscape:label=\"{0} {1} {2} mm\" "
+        "fill=\"none\" stroke=\"{1}\" stroke-width=\"{2}\" stroke-linecap=\"round\" "
+        "stroke-linejoin=\"round\">\n",
+        number, colour, width);
+    for (const PenPath& path : layer.paths) {
+      text += "<path d=\"";
+      append_path_data(text, path);
+      text += "\"/>\n";
+    }
+    out << text << "</g>\n";
+  }
+  out << "</svg>\n";
+  output.commit();
+}
+
+}  // namespace displayfile

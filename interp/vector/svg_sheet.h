@@ -1,0 +1,14 @@
+#pragma once
+
+#include <ostream>
+#include <string_view>
+
+#include "interp/paper.h"
+
+namespace displayfile {
+
+/// Writes an SVG document, whose size is in pixels, on a sheet: a document in millimetres, in which
+/// the other stands as it is, cut off at its frame.
+void write_on_sheet(std::string_view document, const PaperFit& sheet, std::ostream& out);
+
+}  // namespace displayfile

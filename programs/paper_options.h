@@ -1,0 +1,23 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+
+#include "interp/draw.h"
+
+namespace displayfile {
+
+/// The options --paper, --margin, --pens and --hatch, as words.
+struct PaperWords {
+  std::string paper, hatch;
+  std::optional<double> margin;
+  bool pens = false;
+
+  void add_to(CLI::App& command);
+  /// Sets the paper and the pens of the options. Throws Error for a word that is none, or for a
+  /// length out of its range.
+  void read(DrawOptions& options) const;
+};
+
+}  // namespace displayfile

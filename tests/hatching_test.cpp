@@ -1,0 +1,204 @@
+// Hatching: inside of the fills, as dense as they are dark, in lines that go on from piece to
+// piece.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "interp/vector/pens/hatching.h"
+
+namespace displayfile {
+namespace {
+
+constexpr Rectangle kSheet{0.0, 200.0, 0.0, 200.0};
+
+using Polygon = std::vector<Point2>;
+
+void add(HatchLines& lines, const Polygon& polygon, double darkness) {
+  lines.add(polygon, std::vector<double>(polygon.size(), darkness));
+}
+Polygon box(double x0, double y0, double x1, double y1) {
+  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+}
+
+double length(const Stroke& s) {
+  return std::sqrt(static_cast<double>(squared_distance(s.from, s.to))) / kUnitsOfMillimetre;
+}
+double length(const std::vector<Stroke>& strokes) {
+  double sum = 0.0;
+  for (const Stroke& s : strokes) sum += length(s);
+  return sum;
+}
+
+std::vector<Stroke> hatched(const Polygon& polygon, double darkness, double spacing, double angle) {
+  HatchLines lines(spacing, angle, kSheet);
+  add(lines, polygon, darkness);
+  return lines.strokes(0.0);
+}
+
+/// Of one fill, the length of lines times their distance is the fill's area, as far as it is dark.
+TEST(Hatching, IsAsDenseAsTheFillIsDark) {
+  const Polygon star{{100, 10},  {120, 80}, {190, 100}, {120, 120},
+                     {100, 190}, {80, 120}, {10, 100},  {80, 80}};
+  double area = 0.0;
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const Point2 &a = star[i], &b = star[(i + 1) % star.size()];
+    area += (a.x * b.y - a.y * b.x) / 2.0;
+  }
+  for (const double angle : {0.0, 30.0, 45.0, 90.0, 135.0, -20.0, 405.0}) {
+    for (const double darkness : {1.0, 0.75, 0.5, 0.25, 0.125, 0.3}) {
+      const double spacing = 0.2;
+      const double drawn = length(hatched(star, darkness, spacing, angle)) * spacing;
+      const double whole = std::round(darkness * 64.0) / 64.0;  // tones of the grid
+      EXPECT_NEAR(drawn / (area * whole), 1.0, 0.03) << angle << " " << darkness;
+    }
+    EXPECT_TRUE(hatched(star, 0.0, 0.2, angle).empty());
+    EXPECT_TRUE(hatched(star, -1.0, 0.2, angle).empty());  // brighter than the paper
+    EXPECT_EQ(hatched(star, 2.0, 1.0, angle), hatched(star, 1.0, 1.0, angle));
+  }
+}
+
+TEST(Hatching, LiesAtItsAngle) {
+  for (const Stroke& s : hatched(box(10, 10, 90, 90), 1.0, 1.0, 0.0)) EXPECT_EQ(s.from.y, s.to.y);
+  for (const Stroke& s : hatched(box(10, 10, 90, 90), 1.0, 1.0, 90.0)) EXPECT_EQ(s.from.x, s.to.x);
+  for (const Stroke& s : hatched(box(10, 10, 90, 90), 1.0, 1.0, 45.0)) {  // up to the right
+    EXPECT_NEAR(s.to.x - s.from.x, -(s.to.y - s.from.y), 1.0);
+  }
+}
+
+bool is_inside(const Polygon& polygon, double x, double y) {
+  bool inside = false;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Point2 &a = polygon[i], &b = polygon[j];
+    if ((a.y > y) != (b.y > y) && x < (b.x - a.x) * (y - a.y) / (b.y - a.y) + a.x) inside = !inside;
+  }
+  return inside;
+}
+
+/// Also of polygons that cross themselves, which are filled even-odd, and outside of the sheet.
+TEST(Hatching, LiesInsideOfTheFill) {
+  std::mt19937 random(3);
+  const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  for (int round = 0; round < 60; ++round) {
+    Polygon polygon;
+    for (int k = 0; k < 3 + round % 7; ++k)
+      polygon.push_back({-50 + 300 * unit(), -50 + 300 * unit()});
+    const std::vector<Stroke> strokes = hatched(polygon, 1.0, 3.0, 180.0 * unit());
+    for (const Stroke& s : strokes) {
+      for (const double t : {0.001, 0.3, 0.5, 0.999}) {
+        if (length(s) < 0.01) continue;
+        const double x = (s.from.x + t * (s.to.x - s.from.x)) / kUnitsOfMillimetre;
+        const double y = (s.from.y + t * (s.to.y - s.from.y)) / kUnitsOfMillimetre;
+        const bool inside = is_inside(polygon, x, y) || is_inside(polygon, x + 0.002, y) ||
+                            is_inside(polygon, x - 0.002, y) || is_inside(polygon, x, y + 0.002) ||
+                            is_inside(polygon, x, y - 0.002);
+        EXPECT_TRUE(inside) << round << ": " << x << " " << y;
+        EXPECT_TRUE(x >= 0.0 && x <= 200.0 && y >= 0.0 && y <= 200.0);
+      }
+    }
+  }
+}
+
+/// Pieces of one tone that tile a figure have the lines of the figure, none of them cut.
+TEST(Hatching, GoesOnFromPieceToPiece) {
+  std::mt19937 random(5);
+  const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  for (const double angle : {0.0, 45.0, 77.0}) {
+    HatchLines lines(0.7, angle, kSheet);
+    std::vector<std::vector<Point2>> grid(9, std::vector<Point2>(9));
+    for (int i = 0; i < 9; ++i) {
+      for (int j = 0; j < 9; ++j) {
+        const bool inner = i > 0 && i < 8 && j > 0 && j < 8;
+        grid[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = {
+            20.0 + 10 * i + (inner ? 4 * unit() : 0.0), 20.0 + 10 * j + (inner ? 4 * unit() : 0.0)};
+      }
+    }
+    for (std::size_t i = 0; i < 8; ++i) {
+      for (std::size_t j = 0; j < 8; ++j) {
+        add(lines, {grid[i][j], grid[i + 1][j], grid[i + 1][j + 1]}, 0.6);
+        add(lines, {grid[i][j], grid[i + 1][j + 1], grid[i][j + 1]}, 0.6);
+      }
+    }
+    const std::vector<Stroke> pieces = lines.strokes(0.0);
+    const std::vector<Stroke> whole = hatched(box(20, 20, 100, 100), 0.6, 0.7, angle);
+    ASSERT_EQ(pieces.size(), whole.size()) << angle;
+    for (std::size_t k = 0; k < whole.size(); ++k) {
+      EXPECT_LE(squared_distance(pieces[k].from, whole[k].from), 2);
+      EXPECT_LE(squared_distance(pieces[k].to, whole[k].to), 2);
+    }
+  }
+}
+
+/// A darker fill has all lines of a lighter one: they go on across both.
+TEST(Hatching, OfADarkerFillHasTheLinesOfALighter) {
+  HatchLines lines(1.0, 0.0, kSheet);
+  add(lines, box(10, 10, 60, 170), 0.3);
+  add(lines, box(60, 10, 110, 170), 0.8);
+  std::size_t across = 0, of_the_darker = 0;
+  for (const Stroke& s : lines.strokes(0.0)) {
+    if (s.from.x == 10'000) {
+      EXPECT_EQ(s.to.x, 110'000);
+      ++across;
+    } else {
+      EXPECT_EQ(s.from.x, 60'000);
+      ++of_the_darker;
+    }
+  }
+  EXPECT_NEAR(static_cast<double>(across), 0.3 * 160, 3.0);
+  EXPECT_NEAR(static_cast<double>(of_the_darker), 0.5 * 160, 3.0);
+}
+
+TEST(Hatching, WhatIsLaterCovers) {
+  HatchLines lines(1.0, 0.0, kSheet);
+  add(lines, box(0, 0, 100, 10), 1.0);
+  add(lines, box(30, 0, 60, 10), 0.0);  // bright over dark: nothing is drawn there
+  add(lines, box(50, 0, 70, 10), 1.0);
+  const std::vector<Stroke> strokes = lines.strokes(0.0);
+  EXPECT_EQ(strokes.size(), 20u);
+  EXPECT_NEAR(length(strokes), 10 * (30 + 50), 1e-9);
+}
+
+/// A piece with a hole is one loop with a bridge to the hole, there and back.
+TEST(Hatching, ABridgeToAHoleIsNotSeen) {
+  const Polygon keyhole{{0, 0},   {100, 0}, {100, 100}, {0, 100}, {0, 50},  {30, 50},
+                        {30, 70}, {70, 70}, {70, 30},   {30, 30}, {30, 50}, {0, 50}};
+  const std::vector<Stroke> strokes = hatched(keyhole, 1.0, 1.0, 90.0);
+  EXPECT_EQ(strokes.size(), 140u);  // 100 upright lines, of which 40 have the hole
+  EXPECT_NEAR(length(strokes), 100 * 100 - 40 * 40, 1e-9);
+}
+
+/// Where intensities change along a line it ends where the fill gets too bright for it.
+TEST(Hatching, FollowsALinearDarkness) {
+  HatchLines lines(0.5, 0.0, kSheet);
+  const Polygon square = box(0, 0, 128, 128);
+  lines.add(square, std::vector<double>{0.0, 1.0, 1.0, 0.0});
+  const std::vector<Stroke> strokes = lines.strokes(0.0);
+  EXPECT_NEAR(length(strokes) * 0.5, 128 * 128 / 2.0, 128.0);
+  for (const Stroke& s : strokes) EXPECT_EQ(s.to.x, 128'000);
+  HatchLines halves(0.5, 0.0, kSheet);  // in two pieces: the same lines
+  halves.add(Polygon{{0, 0}, {128, 0}, {128, 128}}, std::vector<double>{0.0, 1.0, 1.0});
+  halves.add(Polygon{{0, 0}, {128, 128}, {0, 128}}, std::vector<double>{0.0, 1.0, 0.0});
+  EXPECT_EQ(halves.strokes(0.0), strokes);
+}
+
+TEST(Hatching, ShortLinesAreLeftOut) {
+  HatchLines lines(1.0, 45.0, kSheet);
+  add(lines, box(10, 10, 20, 20), 1.0);
+  for (const Stroke& s : lines.strokes(3.0)) EXPECT_GE(length(s), 2.999);
+}
+
+TEST(Darkness, IsBetweenPaperAndPen) {
+  const Colour black(0.0), white(1.0), grey(0.25);
+  EXPECT_EQ(Darkness(white, black).of(white), 0.0);
+  EXPECT_EQ(Darkness(white, black).of(black), 1.0);
+  EXPECT_NEAR(Darkness(white, black).of(grey), 0.75, 1e-12);
+  EXPECT_NEAR(Darkness(black, white).of(grey), 0.25, 1e-12);  // a white pen on black paper
+  EXPECT_EQ(Darkness(white, white).of(black), 0.0);           // it would not be seen
+}
+
+}  // namespace
+}  // namespace displayfile

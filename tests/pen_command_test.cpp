@@ -1,0 +1,81 @@
+// --paper, --margin, --pens and --hatch by the command.
+
+#include <string>
+
+#include "tests/command_fixture.h"
+
+namespace {
+
+class PenCommand : public Command {
+ protected:
+  PenCommand() {
+    write("box.obj",
+          "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+          "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 4 1 5 8\n");
+    write("flat.draw",
+          "set-window 0 1 0 1\nopen-segment 1\nset-fill-style solid 0 0 0\n"
+          "polygon-abs-2 0 0  1 0  1 1  0 1\nclose-segment\n");
+  }
+};
+
+/// Nine sides of a box are seen: five points where an odd number of them ends or more, one layer.
+TEST_F(PenCommand, DrawsTheLinesOfAMesh) {
+  ASSERT_EQ(run("draw box.obj --pens -o a.svg"), 0) << err_;
+  const std::string svg = read(folder_ / "a.svg");
+  EXPECT_NE(svg.find("width=\"210mm\" height=\"297mm\" viewBox=\"0 0 210 297\""),
+            std::string::npos);
+  EXPECT_NE(svg.find("inkscape:groupmode=\"layer\" inkscape:label=\"1 #000000 0.371 mm\""),
+            std::string::npos);
+  EXPECT_EQ(svg.find("inkscape:label=\"2 "), std::string::npos);
+  EXPECT_NE(svg.find("<path"), std::string::npos);
+  ASSERT_EQ(run("draw box.obj --pens --hidden roberts -o b.svg"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "b.svg"), svg);
+  ASSERT_EQ(run("draw box.obj --pens --threads 3 --quiet --paper A4 --margin 10 -o b.svg"), 0);
+  EXPECT_EQ(read(folder_ / "b.svg"), svg);
+  ASSERT_EQ(run("draw box.obj --pens --turntable 2 -o t.svg"), 0) << err_;
+  EXPECT_NE(read(folder_ / "t-000.svg").find("inkscape:label=\"1 "), std::string::npos);
+}
+
+TEST_F(PenCommand, HatchesFills) {
+  ASSERT_EQ(run("draw flat.draw --hatch 2,0 --paper 100x120 --margin 10 -o a.svg"), 0) << err_;
+  std::string svg = read(folder_ / "a.svg");
+  EXPECT_NE(svg.find("viewBox=\"0 0 100 120\""), std::string::npos);
+  EXPECT_NE(svg.find("inkscape:label=\"2 #000000 0.3 mm\""), std::string::npos) << svg;
+  ASSERT_EQ(run("draw flat.draw --hatch 2,30,cross,width=0.5,#ff0000 -o a.svg"), 0) << err_;
+  EXPECT_NE(read(folder_ / "a.svg").find("#ff0000 0.5 mm"), std::string::npos);
+}
+
+TEST_F(PenCommand, PutsAnyVectorsOnPaper) {
+  ASSERT_EQ(run("draw box.obj --paper a5-landscape -o a.svg"), 0) << err_;
+  EXPECT_NE(read(folder_ / "a.svg").find("width=\"210mm\" height=\"148mm\""), std::string::npos);
+  ASSERT_EQ(run("draw box.obj --paper letter --margin 0 -o a.pdf"), 0) << err_;
+  EXPECT_NE(read(folder_ / "a.pdf").find("/MediaBox [ 0 0 612 792 ]"), std::string::npos);
+}
+
+TEST_F(PenCommand, TellsThatTextsAreLeftOut) {
+  write("text.draw", "open-segment 1\nmove-abs-2 0 0\nline-abs-2 1 1\ntext \"A\"\nclose-segment\n");
+  ASSERT_EQ(run("draw text.draw --pens -o a.svg"), 0) << err_;
+  EXPECT_NE(err_.find("vectors leave out texts"), std::string::npos) << err_;
+}
+
+TEST_F(PenCommand, MistakesAreTold) {
+  expect_error("draw box.obj --paper A11 -o a.svg", "unknown paper 'A11'");
+  expect_error("draw box.obj --paper A4 -o a.png", ".png files have no size on paper");
+  expect_error("draw box.obj --pens -o a.ppm", ".ppm files have no size on paper");
+  expect_error("draw box.obj --paper A4 --margin 200 -o a.svg", "margins of 200 mm");
+  expect_error("draw box.obj --paper A4 --margin -1 -o a.pdf", "margins of -1 mm");
+  expect_error("draw box.obj --margin 10 -o a.svg", "--margin 10: expected with --paper");
+  expect_error("draw box.obj --pens --hidden bsp -o a.svg", "hides by painting over");
+  expect_error("draw box.obj --pens --hidden z-buffer -o a.svg", "hides by painting over");
+  expect_error("draw box.obj --pens --turntable 3 --hidden bsp -o a.svg", "hides by painting over");
+  expect_error("draw flat.draw --hatch 1 --hidden franklin -o a.svg", "draws no fills");
+  for (const char* const hatch :
+       {"x", "1,", "1,45,", ",45", "1,45,60", "1,cross,45,7", "1,blue?"}) {
+    expect_error(std::string("draw flat.draw --hatch '") + hatch + "' -o a.svg",
+                 "expected SPACING[,ANGLE]");
+  }
+  expect_error("draw flat.draw --hatch 0.01 -o a.svg", "hatching 0.01 mm apart");
+  expect_error("draw flat.draw --hatch 1,0,width=0 -o a.svg", "by a pen of 0 mm");
+}
+
+}  // namespace

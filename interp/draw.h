@@ -11,6 +11,7 @@
 #include "displayfile/sorted_display_file.h"
 #include "hidden/exact/precision.h"
 #include "interp/picture.h"
+#include "interp/vector_options.h"
 #include "interp/world_views.h"
 
 namespace displayfile {
@@ -37,6 +38,7 @@ struct DrawOptions {
   std::filesystem::path ids = {};    ///< item buffer as int32 .npy, if not empty
   std::filesystem::path depth = {};  ///< depth of the fills seen as float64 .npy, if not empty
   bool with_ids = false, with_depth = false;  ///< a picture in memory has them: Picture's members
+  VectorOptions vectors = {};                 ///< of vectors
   WorkProgress progress = {};                 ///< as HiddenSurfaceOptions's
 };
 

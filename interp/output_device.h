@@ -48,6 +48,11 @@ class OutputDevice {
   /// The instructions that follow, up to end_segment, are the segment's.
   virtual void begin_segment(int /*name*/) {}
   virtual void end_segment() {}
+  /// The fills that follow, up to end_disjoint_fills, do not overlap: they tile what is seen. Sides
+  /// of neighbours are the same, bit for bit, in opposite directions, and a vertex on a neighbour's
+  /// side is a vertex of the neighbour too. Segments may begin and end in between; no lines do.
+  virtual void begin_disjoint_fills() {}
+  virtual void end_disjoint_fills() {}
   virtual void fill(const DrawnPolygon& polygon) = 0;   ///< the inside, in the fill style
   virtual void edges(const DrawnPolygon& polygon) = 0;  ///< the visible edges, in the line style
   virtual void line(const DrawnLine& line) = 0;

@@ -22,6 +22,7 @@ void require_numbers(const DrawOptions& options) {
     throw Error(fmt::format("{} samples along a pixel's side: expected 1 to {}", options.samples,
                             kMostSamples));
   }
+  require_vector_options(options.vectors);
   require_picture_size(options.width, options.height);
   const int most = kLargestSide / options.samples;
   if (options.width <= most && options.height <= most) return;

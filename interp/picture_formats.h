@@ -24,7 +24,8 @@ struct PictureFormat {
   std::unique_ptr<RowFile> (*pixel_file)(const std::filesystem::path&, int width, int height);
   std::unique_ptr<RowFile> (*alpha_file)(const std::filesystem::path&, int width, int height);
   void (*write_vectors)(const DisplayFile&, int width, int height, bool z_buffer,
-                        const std::filesystem::path&, const Background&, bool colour_rule);
+                        const std::filesystem::path&, const Background&, bool colour_rule,
+                        const VectorOptions&);
 
   bool is_of_pixels() const { return pixel_file != nullptr; }
   bool can_be_transparent() const { return alpha_file != nullptr || write_vectors != nullptr; }

@@ -30,7 +30,11 @@ class DisplayFileSource : public PictureSource {
   /// `by_depth`: vectors find their hidden surfaces themselves.
   DisplayFileSource(const DisplayFile& file, bool by_depth, const DrawOptions& options,
                     SoftwareRenderer& kept)
-      : file_(file), by_depth_(by_depth), device_(device_of(options.device)), kept_(kept) {}
+      : file_(file),
+        by_depth_(by_depth),
+        device_(device_of(options.device)),
+        vectors_(options.vectors),
+        kept_(kept) {}
 
   Picture draw(const RasterRequest& request) const override {
     return device_.draw(file_, request, kept_);
@@ -42,13 +46,14 @@ class DisplayFileSource : public PictureSource {
   void write_vectors(const PictureFormat& format, const std::filesystem::path& file,
                      const RasterRequest& request) const override {
     format.write_vectors(file_, request.width, request.height, by_depth_, file, request.background,
-                         is_colour_rule(request.method));
+                         is_colour_rule(request.method), vectors_);
   }
 
  private:
   const DisplayFile& file_;
   bool by_depth_;
   const RasterDevice& device_;
+  VectorOptions vectors_;
   SoftwareRenderer& kept_;
 };
 

@@ -48,7 +48,7 @@ class Rasterised : public TemporaryFolder, public testing::WithParamInterface<co
   Picture draw(const GraphicsSystem& g, int width, int height, bool z_buffer) const {
     const fs::path path = file(std::string("a.") + GetParam());
     (svg_format() ? write_svg : write_pdf)(g.display_file(), width, height, z_buffer, path, {},
-                                           false);
+                                           false, {});
     const Picture picture = rasterised(path);
     EXPECT_EQ(picture.width, width);
     EXPECT_EQ(picture.height, height);

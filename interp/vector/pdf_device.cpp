@@ -11,6 +11,7 @@
 #include "interp/interpreter.h"
 #include "interp/picture.h"
 #include "interp/text/cairo_text.h"
+#include "interp/vector/cairo_figure.h"
 #include "interp/vector/pdf_layers.h"
 #include "interp/vector/sampled/visible_order.h"
 
@@ -37,8 +38,9 @@ void PdfDevice::Destroy::operator()(_cairo_surface* surface) const {
   cairo().surface_destroy(surface);
 }
 
-PdfDevice::PdfDevice(std::ostream& out, int width, int height, const Background& background)
-    : VectorDevice(width, height, background),
+PdfDevice::PdfDevice(std::ostream& out, int width, int height, const Background& background,
+                     const VectorOptions& options)
+    : VectorDevice(width, height, background, options),
       out_(out),
       surface_(cairo().pdf_surface_create_for_stream(
           write_to_stream, static_cast<std::ostream*>(&document_), width, height)) {
@@ -71,9 +73,7 @@ void PdfDevice::begin_layer(std::string_view name) {
 
 /// Rounded to 8 bits a component, as in every other picture.
 void PdfDevice::set_colour(const Colour& colour) {
-  const std::uint32_t pixel = pixel_of(colour);
-  cairo().set_source_rgb(context_.get(), (pixel & 0xff) / 255.0, ((pixel >> 8) & 0xff) / 255.0,
-                         ((pixel >> 16) & 0xff) / 255.0);
+  set_cairo_colour(context_.get(), pixel_of(colour));
 }
 
 void PdfDevice::set_path(const Path& path) {
@@ -116,6 +116,12 @@ void PdfDevice::paint_fill(const Path& path, const Colour& colour, bool seam,
   if (!within.empty()) cairo().restore(context);
 }
 
+void PdfDevice::paint_figure(const Figure& figure) {
+  begin_layer({});
+  cairo().set_dash(context_.get(), nullptr, 0, 0.0);
+  paint_cairo_figure(context_.get(), figure, options().seams);
+}
+
 void PdfDevice::paint_lines(const Path& path, const LineStyle& style, LineKinds kinds) {
   begin_layer(first_name_of(kinds));
   cairo_t* context = context_.get();
@@ -150,11 +156,12 @@ void PdfDevice::finish() {
 }
 
 void write_pdf(const DisplayFile& display_file, int width, int height, bool z_buffer,
-               const std::filesystem::path& path, const Background& background, bool colour_rule) {
+               const std::filesystem::path& path, const Background& background, bool colour_rule,
+               const VectorOptions& options) {
   require_picture_size(width, height);
   OutputFile file(path.string());
   try {
-    PdfDevice device(file.stream(), width, height, background);
+    PdfDevice device(file.stream(), width, height, background, options);
     if (colour_rule) device.fill_with_background();
     if (z_buffer) {
       draw_in_visible_order(display_file, width, height, device);

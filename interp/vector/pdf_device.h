@@ -24,7 +24,8 @@ class PdfDevice : public VectorDevice {
   /// The stream must live on until finish(). Throws Error unless both sides are 1 to
   /// kLargestSide, or if Cairo cannot make the surface. (Readers may show less: the PDF
   /// specification advises pages of at most 14,400 points.)
-  PdfDevice(std::ostream& out, int width, int height, const Background& background = {});
+  PdfDevice(std::ostream& out, int width, int height, const Background& background = {},
+            const VectorOptions& options = {});
   ~PdfDevice() override;
 
   /// Completes the document. To be called once. Throws Error if Cairo failed.
@@ -35,6 +36,7 @@ class PdfDevice : public VectorDevice {
   void close_group() override {}
   void paint_fill(const Path& path, const Colour& colour, bool seam,
                   std::span<const PixelBox> within) override;
+  void paint_figure(const Figure& figure) override;
   void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds) override;
   void paint_text(const ViewedText& text, const Point2& anchor, double size) override;
 
@@ -61,6 +63,6 @@ class PdfDevice : public VectorDevice {
 /// kLargestSide.
 void write_pdf(const DisplayFile& display_file, int width, int height, bool z_buffer,
                const std::filesystem::path& path, const Background& background = {},
-               bool colour_rule = false);
+               bool colour_rule = false, const VectorOptions& options = {});
 
 }  // namespace displayfile

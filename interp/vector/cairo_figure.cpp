@@ -30,8 +30,8 @@ void fill_regions(_cairo* context, const Figure& figure) {
 }
 
 /// From the last to the first: on a side that two share, the earlier is on top.
-void stroke_traps(_cairo* context, const Figure& figure) {
-  cairo().set_line_width(context, kTrapWidth);
+void stroke_traps(_cairo* context, const Figure& figure, double width) {
+  cairo().set_line_width(context, width);
   for (auto region = figure.regions.rbegin(); region != figure.regions.rend(); ++region) {
     set_cairo_colour(context, region->paint.pixel);
     set_path(context, region->loops, figure.unit);
@@ -61,7 +61,8 @@ void set_cairo_colour(_cairo* context, std::uint32_t pixel) {
 void paint_cairo_figure(_cairo* context, const Figure& figure, Seams seams) {
   if (seams == Seams::butted || figure.regions.size() == 1) return fill_regions(context, figure);
   const Pattern pieces = group(context, [&] {
-    stroke_traps(context, figure);
+    static const int n=getenv("TRAPS")?atoi(getenv("TRAPS")):kTraps;
+    for (int k = 0; k < n; ++k) stroke_traps(context, figure, kTrapWidth / (1 << k));
     fill_regions(context, figure);
   });
   const Pattern mask = group(context, [&] {

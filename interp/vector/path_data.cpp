@@ -57,7 +57,7 @@ class PathWriter {
     char text[12];
     const char* end = std::to_chars(text, text + sizeof text, value).ptr;
     if (value >= 0 && out_.back() >= '0' && out_.back() <= '9') out_.push_back(' ');
-    out_.append(text, end);
+    out_.append(static_cast<const char*>(text), end);
   }
 
   std::string& out_;
@@ -94,7 +94,7 @@ std::vector<std::size_t> along_rows(const LatticeLoops& loops) {
 
 }  // namespace
 
-void append_path_data(std::string& out, const LatticeLoops& loops) {
+void append_loops(std::string& out, const LatticeLoops& loops) {
   PathWriter writer(out);
   for (const std::size_t k : along_rows(loops)) {
     const auto loop = loops.loop(k);

@@ -9,6 +9,6 @@ namespace displayfile {
 /// Appends loops as the data of an SVG path, in few characters: relative whole numbers, `h` and `v`
 /// where they are shorter; each loop begins where its longest side need not be written, and loops
 /// follow each other from row to row.
-void append_path_data(std::string& out, const LatticeLoops& loops);
+void append_loops(std::string& out, const LatticeLoops& loops);
 
 }  // namespace displayfile

@@ -27,7 +27,7 @@ void append_mask(std::string& out, std::size_t number, const LatticeLoops& outli
                  "width=\"{}\" height=\"{}\">\n<path class=\"whole\" d=\"",
                  number, low.x - room, low.y - room, high.x - low.x + 2 * room,
                  high.y - low.y + 2 * room);
-  append_path_data(out, outline);
+  append_loops(out, outline);
   out += "\"/>\n</mask>\n";
 }
 
@@ -36,11 +36,13 @@ void append_mask(std::string& out, std::size_t number, const LatticeLoops& outli
 /// The outlines of the regions again, from the last to the first: on a side that two share, the
 /// earlier is on top.
 void SvgDevice::append_traps(const Figure& figure, std::size_t first_region) {
-  body_ += "<g class=\"traps\">\n";
+  fmt::format_to(std::back_inserter(body_), "<g class=\"traps\"><g id=\"t{}\">\n", figures_);
   for (std::size_t i = figure.regions.size(); i-- > 0;) {
     fmt::format_to(std::back_inserter(body_), "<use xlink:href=\"#r{}\"/>\n", first_region + i);
   }
-  body_ += "</g>\n";
+  body_ += "</g></g>\n";
+  static const int n=getenv("TRAPS")?atoi(getenv("TRAPS")):kTraps;
+  for (int k = 1; k < n; ++k) fmt::format_to(std::back_inserter(body_), "<use stroke-width=\"{}\" xlink:href=\"#t{}\"/>", kTrapWidth / figure.unit / (1 << k), figures_);
 }
 
 void SvgDevice::append_regions(const Figure& figure, std::size_t first_region) {
@@ -63,7 +65,7 @@ void SvgDevice::append_regions(const Figure& figure, std::size_t first_region) {
       fmt::format_to(std::back_inserter(body_), " data-pick=\"{}\"", region.pick);
     }
     body_ += " d=\"";
-    append_path_data(body_, region.loops);
+    append_loops(body_, region.loops);
     if (options().pick_ids) {
       fmt::format_to(std::back_inserter(body_), "\"><title>{}</title></path>\n", region.pick);
     } else {

@@ -1,6 +1,7 @@
 #include "interp/vector/cairo_figure.h"
 
 #include <memory>
+#include <span>
 
 #include "interp/cairo.h"
 #include "interp/vector/seams.h"
@@ -9,16 +10,17 @@ namespace displayfile {
 
 namespace {
 
+void add_line(_cairo* context, std::span<const LatticePoint> points, double unit, bool closed) {
+  cairo().move_to(context, points[0].x * unit, points[0].y * unit);
+  for (const LatticePoint& p : points.subspan(1)) {
+    cairo().line_to(context, p.x * unit, p.y * unit);
+  }
+  if (closed) cairo().close_path(context);
+}
+
 void set_path(_cairo* context, const LatticeLoops& loops, double unit) {
   cairo().new_path(context);
-  for (std::size_t k = 0; k < loops.size(); ++k) {
-    bool first = true;
-    for (const LatticePoint& p : loops.loop(k)) {
-      (first ? cairo().move_to : cairo().line_to)(context, p.x * unit, p.y * unit);
-      first = false;
-    }
-    cairo().close_path(context);
-  }
+  for (std::size_t k = 0; k < loops.size(); ++k) add_line(context, loops.loop(k), unit, true);
 }
 
 void fill_regions(_cairo* context, const Figure& figure) {
@@ -29,14 +31,20 @@ void fill_regions(_cairo* context, const Figure& figure) {
   }
 }
 
-/// From the last to the first: on a side that two share, the earlier is on top.
-void stroke_traps(_cairo* context, const Figure& figure, double width) {
-  cairo().set_line_width(context, width);
-  for (auto region = figure.regions.rbegin(); region != figure.regions.rend(); ++region) {
-    set_cairo_colour(context, region->paint.pixel);
-    set_path(context, region->loops, figure.unit);
-    cairo().stroke(context);
+void stroke_traps(_cairo* context, const Figure& figure) {
+  cairo().set_line_cap(context, CAIRO_LINE_CAP_ROUND);
+  for (const double width : kTrapWidths) {
+    cairo().set_line_width(context, width);
+    for (const FigureTrap& trap : figure.traps) {
+      set_cairo_colour(context, trap.paint.pixel);
+      cairo().new_path(context);
+      for (std::size_t k = 0; k < trap.sides.size(); ++k) {
+        add_line(context, trap.sides.chain(k), figure.unit, trap.sides.closed[k]);
+      }
+      cairo().stroke(context);
+    }
   }
+  cairo().set_line_cap(context, CAIRO_LINE_CAP_BUTT);
 }
 
 struct DestroyPattern {
@@ -58,11 +66,10 @@ void set_cairo_colour(_cairo* context, std::uint32_t pixel) {
                          ((pixel >> 16) & 0xff) / 255.0);
 }
 
-void paint_cairo_figure(_cairo* context, const Figure& figure, Seams seams) {
-  if (seams == Seams::butted || figure.regions.size() == 1) return fill_regions(context, figure);
+void paint_cairo_figure(_cairo* context, const Figure& figure) {
+  if (figure.traps.empty()) return fill_regions(context, figure);
   const Pattern pieces = group(context, [&] {
-    static const int n=getenv("TRAPS")?atoi(getenv("TRAPS")):kTraps;
-    for (int k = 0; k < n; ++k) stroke_traps(context, figure, kTrapWidth / (1 << k));
+    stroke_traps(context, figure);
     fill_regions(context, figure);
   });
   const Pattern mask = group(context, [&] {

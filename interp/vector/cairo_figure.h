@@ -13,6 +13,6 @@ void set_cairo_colour(_cairo* context, std::uint32_t pixel);
 
 /// Paints a figure into a document that knows groups and masks, which PDF does. The fill rule is
 /// even-odd, line joins are round, and there are no dashes.
-void paint_cairo_figure(_cairo* context, const Figure& figure, Seams seams);
+void paint_cairo_figure(_cairo* context, const Figure& figure);
 
 }  // namespace displayfile

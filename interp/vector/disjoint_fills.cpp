@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "interp/vector/traps.h"
+
 namespace displayfile {
 
 namespace {
@@ -76,8 +78,8 @@ void DisjointFills::add_regions(Figure& figure, const FigureRegion& like,
   add_regions(figure, like, std::move(high));
 }
 
-Figure DisjointFills::take_figure() {
-  Figure figure{options_.precision, {}, {}};
+Figure DisjointFills::merged() {
+  Figure figure{options_.precision, {}, {}, {}};
   for (auto& [key, pieces] : pieces_of_) {
     const auto& [segment, pick, paint] = key;
     add_regions(figure, {segments_[segment], pick, paint, {}}, std::move(pieces));
@@ -90,6 +92,14 @@ Figure DisjointFills::take_figure() {
   for (FigureRegion& region : figure.regions) together.push_back(&region.loops);
   drop_straight_vertices(together);
   std::erase_if(figure.regions, [](const FigureRegion& r) { return r.loops.empty(); });
+  return figure;
+}
+
+Figure DisjointFills::take_figure() {
+  Figure figure = merged();
+  if (options_.seams == Seams::trapped && figure.regions.size() > 1) {
+    figure.traps = traps_of(figure.regions);
+  }
   *this = DisjointFills(options_);
   return figure;
 }

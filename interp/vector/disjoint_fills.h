@@ -29,13 +29,23 @@ struct FigureRegion {
   LatticeLoops loops;
 };
 
+/// Sides of regions that are stroked under them in the paint of the region whose they are, the
+/// earlier of two.
+struct FigureTrap {
+  FillPaint paint;
+  LatticeChains sides;
+};
+
 /// Disjoint fills as they are written (interp/vector/seams.md).
 struct Figure {
   double unit;  ///< of coordinates, in pixels
   /// Disjoint, those of a segment one after another; none has more than kMostVertices. Which of
   /// two neighbours is the earlier is said by their places here.
   std::vector<FigureRegion> regions;
-  LatticeLoops outline;  ///< of all of them together
+  /// Every side of a region once, those on the outline too; in the order in which they are drawn,
+  /// from the last region to the first. Empty if the figure is butted, or one region.
+  std::vector<FigureTrap> traps;
+  LatticeLoops outline;  ///< of all regions together
 
   /// Many programs, and printers, draw longer paths slowly or not at all.
   static constexpr std::size_t kMostVertices = 32'000;
@@ -64,6 +74,8 @@ class DisjointFills {
     return std::span(points_).subspan(pieces_[piece].first,
                                       pieces_[piece].end - pieces_[piece].first);
   }
+  /// What was collected, merged, without traps.
+  Figure merged();
   void add_regions(Figure& figure, const FigureRegion& like, std::vector<std::size_t> pieces) const;
 
   VectorOptions options_;

@@ -8,11 +8,6 @@ namespace displayfile {
 
 namespace {
 
-struct LatticeSide {
-  LatticePoint a, b;  // a < b
-  friend auto operator<=>(const LatticeSide&, const LatticeSide&) = default;
-};
-
 /// Those that lie there an odd number of times, once each, sorted.
 std::vector<LatticeSide> odd_sides(std::span<const std::span<const LatticePoint>> loops) {
   std::vector<LatticeSide> sides;
@@ -23,7 +18,7 @@ std::vector<LatticeSide> odd_sides(std::span<const std::span<const LatticePoint>
     if (loop.empty()) continue;
     LatticePoint from = loop.back();
     for (const LatticePoint& to : loop) {
-      if (from != to) sides.push_back({std::min(from, to), std::max(from, to)});
+      if (from != to) sides.emplace_back(from, to);
       from = to;
     }
   }
@@ -35,7 +30,7 @@ std::vector<LatticeSide> odd_sides(std::span<const std::span<const LatticePoint>
     if ((end - i) % 2 == 1) sides[kept++] = sides[i];
     i = end;
   }
-  sides.resize(kept);
+  sides.erase(sides.begin() + static_cast<std::ptrdiff_t>(kept), sides.end());
   return sides;
 }
 

@@ -32,6 +32,26 @@ struct LatticeLoops {
   }
 };
 
+/// Lines from vertex to vertex, closed or open.
+struct LatticeChains {
+  std::vector<LatticePoint> points;  ///< one chain after another
+  std::vector<std::size_t> ends;     ///< of each chain
+  std::vector<bool> closed;
+
+  std::size_t size() const { return ends.size(); }
+  std::span<const LatticePoint> chain(std::size_t i) const {
+    const std::size_t first = i == 0 ? 0 : ends[i - 1];
+    return std::span(points).subspan(first, ends[i] - first);
+  }
+};
+
+/// A side, whichever way it is run along.
+struct LatticeSide {
+  LatticePoint a, b;  ///< a < b
+  LatticeSide(const LatticePoint& p, const LatticePoint& q) : a(p < q ? p : q), b(p < q ? q : p) {}
+  friend auto operator<=>(const LatticeSide&, const LatticeSide&) = default;
+};
+
 /// The boundary of what an odd number of these loops cover: a side that lies in them an even number
 /// of times, in whichever directions, is gone, and the others are chained. The loops cross
 /// neither each other nor themselves where those that came in did not; they may touch at vertices.

@@ -81,11 +81,12 @@ std::size_t first_of(std::span<const LatticePoint> loop) {
 }
 
 /// From left to right in one row and back in the next.
-std::vector<std::size_t> along_rows(const LatticeLoops& loops) {
-  std::vector<std::size_t> order(loops.size());
+template <class FirstVertex>
+std::vector<std::size_t> along_rows(std::size_t count, const FirstVertex& first_vertex) {
+  std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), 0u);
   std::ranges::sort(order, {}, [&](std::size_t k) {
-    const LatticePoint p = loops.loop(k)[0];
+    const LatticePoint p = first_vertex(k);
     const std::int32_t row = p.y / kRowOfLoops;
     return std::tuple(row, row % 2 == 0 ? p.x : -p.x, k);
   });
@@ -96,12 +97,24 @@ std::vector<std::size_t> along_rows(const LatticeLoops& loops) {
 
 void append_loops(std::string& out, const LatticeLoops& loops) {
   PathWriter writer(out);
-  for (const std::size_t k : along_rows(loops)) {
+  for (const std::size_t k :
+       along_rows(loops.size(), [&](std::size_t i) { return loops.loop(i)[0]; })) {
     const auto loop = loops.loop(k);
     const std::size_t first = first_of(loop);
     writer.move_to(loop[first]);
     for (std::size_t i = 1; i < loop.size(); ++i) writer.line_to(loop[(first + i) % loop.size()]);
     writer.close();
+  }
+}
+
+void append_chains(std::string& out, const LatticeChains& chains) {
+  PathWriter writer(out);
+  for (const std::size_t k :
+       along_rows(chains.size(), [&](std::size_t i) { return chains.chain(i)[0]; })) {
+    const auto chain = chains.chain(k);
+    writer.move_to(chain[0]);
+    for (const LatticePoint& p : chain.subspan(1)) writer.line_to(p);
+    if (chains.closed[k]) writer.close();
   }
 }
 

@@ -11,4 +11,7 @@ namespace displayfile {
 /// follow each other from row to row.
 void append_loops(std::string& out, const LatticeLoops& loops);
 
+/// The same of chains, in their order and from their first vertices.
+void append_chains(std::string& out, const LatticeChains& chains);
+
 }  // namespace displayfile

@@ -119,7 +119,7 @@ void PdfDevice::paint_fill(const Path& path, const Colour& colour, bool seam,
 void PdfDevice::paint_figure(const Figure& figure) {
   begin_layer({});
   cairo().set_dash(context_.get(), nullptr, 0, 0.0);
-  paint_cairo_figure(context_.get(), figure, options().seams);
+  paint_cairo_figure(context_.get(), figure);
 }
 
 void PdfDevice::paint_lines(const Path& path, const LineStyle& style, LineKinds kinds) {

@@ -196,9 +196,10 @@ void SvgDevice::finish(std::ostream& out) {
       kSeamWidth);
   if (figures_ > 0) {
     out << fmt::format(
-        ".figure{{fill-rule:evenodd;stroke-linejoin:round}}\n"
+        ".figure{{fill-rule:evenodd;stroke-linejoin:round;stroke-linecap:round}}\n"
         ".pieces,.pieces "
-        ".segment{{stroke-width:0}}\n.whole{{fill:#fff}}\n.traps{{stroke-width:{:.0f}}}\n",
+        ".segment{{stroke-width:0}}\n.whole{{fill:#fff}}\n.traps{{stroke-width:{:.0f}}}\n.traps "
+        "path{{fill:none}}\n",
         std::ceil(kTrapWidth / options().precision));
   }
   for (const std::string& rule : fills) out << rule;

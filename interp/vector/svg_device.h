@@ -51,8 +51,8 @@ class SvgDevice : public VectorDevice {
   std::size_t fill_class(const FillKey& key) {
     return fill_classes_.try_emplace(key, fill_classes_.size() + 1).first->second;
   }
-  void append_traps(const Figure& figure, std::size_t first_region);
-  void append_regions(const Figure& figure, std::size_t first_region);
+  void append_traps(const Figure& figure);
+  void append_regions(const Figure& figure);
   void append_path_data(const Path& path);
   void append_clip_path(std::span<const PixelBox> pixels);
 
@@ -62,7 +62,7 @@ class SvgDevice : public VectorDevice {
   std::map<TextKey, std::size_t> text_classes_;
   std::unordered_map<int, int> times_opened_;
   std::size_t clip_paths_ = 0;
-  std::size_t figures_ = 0, regions_ = 0;  // so many have a number
+  std::size_t figures_ = 0;
 
   // The element written last, if it is a fill that edges of the same outline may join.
   struct {

@@ -33,19 +33,24 @@ void append_mask(std::string& out, std::size_t number, const LatticeLoops& outli
 
 }  // namespace
 
-/// The outlines of the regions again, from the last to the first: on a side that two share, the
-/// earlier is on top.
-void SvgDevice::append_traps(const Figure& figure, std::size_t first_region) {
-  fmt::format_to(std::back_inserter(body_), "<g class=\"traps\"><g id=\"t{}\">\n", figures_);
-  for (std::size_t i = figure.regions.size(); i-- > 0;) {
-    fmt::format_to(std::back_inserter(body_), "<use xlink:href=\"#r{}\"/>\n", first_region + i);
+/// Drawn once for each width: a group, and the same again.
+void SvgDevice::append_traps(const Figure& figure) {
+  auto out = std::back_inserter(body_);
+  fmt::format_to(out, "<g class=\"traps\">\n<g id=\"traps-{}\">\n", figures_);
+  for (const FigureTrap& trap : figure.traps) {
+    fmt::format_to(out, "<path class=\"f{}\" d=\"", fill_class({trap.paint.pixel, true}));
+    append_chains(body_, trap.sides);
+    body_ += "\"/>\n";
   }
-  body_ += "</g></g>\n";
-  static const int n=getenv("TRAPS")?atoi(getenv("TRAPS")):kTraps;
-  for (int k = 1; k < n; ++k) fmt::format_to(std::back_inserter(body_), "<use stroke-width=\"{}\" xlink:href=\"#t{}\"/>", kTrapWidth / figure.unit / (1 << k), figures_);
+  body_ += "</g>\n";
+  for (std::size_t k = 1; k < kTrapWidths.size(); ++k) {
+    fmt::format_to(out, "<use xlink:href=\"#traps-{}\" stroke-width=\"{:.0f}\"/>\n", figures_,
+                   std::ceil(kTrapWidths[k] / figure.unit));
+  }
+  body_ += "</g>\n";
 }
 
-void SvgDevice::append_regions(const Figure& figure, std::size_t first_region) {
+void SvgDevice::append_regions(const Figure& figure) {
   int segment = 0;
   const auto change_to = [&](int other) {
     if (segment != 0) close_group();
@@ -53,14 +58,10 @@ void SvgDevice::append_regions(const Figure& figure, std::size_t first_region) {
     segment = other;
   };
   body_ += "<g class=\"pieces\">\n";
-  const bool trapped = options().seams == Seams::trapped;
-  for (std::size_t i = 0; i < figure.regions.size(); ++i) {
-    const FigureRegion& region = figure.regions[i];
+  for (const FigureRegion& region : figure.regions) {
     if (region.segment != segment) change_to(region.segment);
-    body_ += "<path";
-    if (trapped) fmt::format_to(std::back_inserter(body_), " id=\"r{}\"", first_region + i);
-    fmt::format_to(std::back_inserter(body_), " class=\"f{}\"",
-                   fill_class({region.paint.pixel, trapped}));
+    fmt::format_to(std::back_inserter(body_), "<path class=\"f{}\"",
+                   fill_class({region.paint.pixel, !figure.traps.empty()}));
     if (options().pick_ids) {
       fmt::format_to(std::back_inserter(body_), " data-pick=\"{}\"", region.pick);
     }
@@ -78,22 +79,20 @@ void SvgDevice::append_regions(const Figure& figure, std::size_t first_region) {
 
 void SvgDevice::paint_figure(const Figure& figure) {
   ++figures_;
-  const std::size_t first_region = regions_ + 1;
-  regions_ += figure.regions.size();
-  const bool masked = options().seams == Seams::trapped && figure.regions.size() > 1;
+  const bool trapped = !figure.traps.empty();
   fmt::format_to(std::back_inserter(body_), "<g class=\"figure\" transform=\"scale({})\"",
                  figure.unit);
-  if (masked) {
+  if (trapped) {
     fmt::format_to(std::back_inserter(body_),
                    " mask=\"url(#figure-{})\" xmlns:xlink=\"http://www.w3.org/1999/xlink\"",
                    figures_);
   }
   body_ += ">\n";
-  if (masked) {
+  if (trapped) {
     append_mask(body_, figures_, figure.outline, figure.unit);
-    append_traps(figure, first_region);
+    append_traps(figure);
   }
-  append_regions(figure, first_region);
+  append_regions(figure);
   body_ += "</g>\n";
   joinable_ = {};
 }

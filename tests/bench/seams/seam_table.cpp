@@ -1,5 +1,5 @@
-// Seams: how tilings of pieces look in the viewers that are installed, written in several ways, beside
-// what 16 x 16 samples a pixel of the same pieces show.
+// Seams: how tilings of pieces look in the viewers that are installed, written in several ways,
+// beside what 16 x 16 samples a pixel of the same pieces show.
 
 #include <fmt/format.h>
 
@@ -54,7 +54,8 @@ void hand_over(const Tiling& tiling, bool disjoint, VectorDevice& device) {
 fs::path written(const Tiling& tiling, const Way& way, const std::string& format,
                  const fs::path& folder) {
   std::string name = tiling.name + " " + way.name + "." + format;
-  std::ranges::replace_if(name, [](char c) { return c == ' ' || c == ','; }, '-');
+  std::ranges::replace_if(
+      name, [](char c) { return c == ' ' || c == ','; }, '-');
   const fs::path file = folder / name;
   std::ofstream out(file, std::ios::binary);
   VectorOptions options;
@@ -87,16 +88,15 @@ void measure(const Tiling& tiling, double scale, const std::vector<Viewer>& view
     double solid_outline = 0.0;
     for (const Way& way : kWays) {
       const fs::path file = written(way.even ? even : tiling, way, viewer.format, folder);
-      const SeamError e = seam_error(way.even ? even_truth : truth,
-                                     seen_in(viewer, file, scale, tiling.side));
+      const SeamError e =
+          seam_error(way.even ? even_truth : truth, seen_in(viewer, file, scale, tiling.side));
       if (way.even) solid_outline = e.outline;
-      table.rows.push_back({tiling.name, fmt::format("{}", scale),
-                            fmt::format("{} {}", viewer.name, viewer.format), way.name,
-                            fmt::format("{:.1f}", e.one), fmt::format("{:.1f}", e.two),
-                            fmt::format("{:.1f}", e.near_others), fmt::format("{:.2f}", e.mean_two),
-                            fmt::format("{:.2f}", e.mean_more),
-                            fmt::format("{:.1f}", e.outline), fmt::format("{:.0f}", e.outside),
-                            fmt::format("{}", fs::file_size(file))});
+      table.rows.push_back(
+          {tiling.name, fmt::format("{}", scale), fmt::format("{} {}", viewer.name, viewer.format),
+           way.name, fmt::format("{:.1f}", e.one), fmt::format("{:.1f}", e.two),
+           fmt::format("{:.1f}", e.near_others), fmt::format("{:.2f}", e.mean_two),
+           fmt::format("{:.2f}", e.mean_more), fmt::format("{:.1f}", e.outline),
+           fmt::format("{:.0f}", e.outside), fmt::format("{}", fs::file_size(file))});
       if (way.name != "trapped" || viewer.format == "eps") continue;
       if (viewer.is_browser) {
         table.worst_in_browser = std::max(table.worst_in_browser, e.inside());
@@ -132,8 +132,9 @@ int main(int argc, char** argv) {
     for (const Tiling& tiling : tilings) {
       for (const double scale : scales) measure(tiling, scale, viewers, folder, table);
     }
-    fmt::print("{}", text_table({"figure", "scale", "viewer", "written", "one", "two", "near others",
-                                 "mean two", "mean more", "outline", "outside", "bytes"},
-                                table.rows));
+    fmt::print("{}",
+               text_table({"figure", "scale", "viewer", "written", "one", "two", "near others",
+                           "mean two", "mean more", "outline", "outside", "bytes"},
+                          table.rows));
   });
 }

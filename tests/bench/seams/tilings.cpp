@@ -57,9 +57,8 @@ std::vector<std::array<Point3, 3>> disc_triangles() {
     std::size_t i = 0, o = 0;  // the next that is not joined yet
     const std::size_t inner = in.size() == 1 ? 0 : in.size();
     while (i < inner || o < out.size()) {
-      const bool outward =
-          o < out.size() &&
-          (i >= inner || turn_of(turns[k + 1], o + 1) <= turn_of(turns[k], i + 1));
+      const bool outward = o < out.size() &&
+                           (i >= inner || turn_of(turns[k + 1], o + 1) <= turn_of(turns[k], i + 1));
       const Point3 &p = in[i % in.size()], &q = out[o % out.size()];
       triangles.push_back({p, q, outward ? out[(o + 1) % out.size()] : in[(i + 1) % in.size()]});
       outward ? ++o : ++i;
@@ -100,7 +99,9 @@ std::vector<bool> overlapping(const std::vector<Triangle>& triangles) {
   constexpr int kCells = 256;
   std::vector<std::vector<std::size_t>> cells(kCells * kCells);
   std::vector<bool> left_out(triangles.size());
-  const auto cell = [](double v) { return std::clamp(static_cast<int>(v * kCells), 0, kCells - 1); };
+  const auto cell = [](double v) {
+    return std::clamp(static_cast<int>(v * kCells), 0, kCells - 1);
+  };
   for (std::size_t k = 0; k < triangles.size(); ++k) {
     const auto& t = triangles[k];
     const auto [x0, x1] = std::minmax({t[0].x, t[1].x, t[2].x});
@@ -147,9 +148,11 @@ Tiling stripes() {
   for (int k = 0; k < 10; ++k) {
     const double top = bottom + 0.08 + 0.01 * random();
     const double a = left + 0.03 * (random() - 0.5), b = right + 0.03 * (random() - 0.5);
-    tiling.tiles.push_back(
-        {{{0.1, bottom + left, 0.5}, {0.9, bottom + right, 0.5}, {0.9, top + b, 0.5}, {0.1, top + a, 0.5}},
-         random.colour()});
+    tiling.tiles.push_back({{{0.1, bottom + left, 0.5},
+                             {0.9, bottom + right, 0.5},
+                             {0.9, top + b, 0.5},
+                             {0.1, top + a, 0.5}},
+                            random.colour()});
     bottom = top;
     left = a;
     right = b;

@@ -94,7 +94,10 @@ void cover_row(const SampledTile& tile, int row, std::vector<double>& crossings,
 
 /// What is in a square around each, one direction after the other.
 void reach_out(std::vector<FewColours>& colours, int side, int reach) {
-  const auto at = [&](int x, int y) { return static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x); };
+  const auto at = [&](int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(side) +
+           static_cast<std::size_t>(x);
+  };
   for (const bool along_x : {true, false}) {
     const std::vector<FewColours> before = colours;
     for (int y = 0; y < side; ++y) {
@@ -146,6 +149,19 @@ TrueCoverage true_coverage(const Tiling& tiling, double scale, double precision,
     for (float& channel : pixel.colour) channel /= kAll;
     pixel.covered /= kAll;
     pixel.colours = colours[i].count();
+  }
+  for (int y = 1; y + 1 < truth.side; ++y) {
+    for (int x = 1; x + 1 < truth.side; ++x) {
+      const auto covered = [&](int dx, int dy) {
+        return truth
+                   .pixels[static_cast<std::size_t>(y + dy) * side +
+                           static_cast<std::size_t>(x + dx)]
+                   .covered == 1.0f;
+      };
+      bool deep = true;
+      for (int d = 0; d < 9; ++d) deep = deep && covered(d % 3 - 1, d / 3 - 1);
+      truth.pixels[static_cast<std::size_t>(y) * side + static_cast<std::size_t>(x)].deep = deep;
+    }
   }
   reach_out(colours, truth.side, 1);
   for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
@@ -219,9 +235,8 @@ SeamError seam_error(const TrueCoverage& truth, const Picture& picture) {
       continue;
     }
     if (wanted.colours > 1) (wanted.colours == 2 ? two : more).add(off);
-    if (wanted.near > 2) continue;
-    const double leak =
-        off_the_mix(seen, wanted.mixed[0], wanted.mixed[wanted.near == 2 ? 1 : 0]);
+    if (wanted.near > 2 || !wanted.deep) continue;
+    const double leak = off_the_mix(seen, wanted.mixed[0], wanted.mixed[wanted.near == 2 ? 1 : 0]);
     double& largest = wanted.in_reach > 2 ? error.near_others
                       : wanted.near == 2  ? error.two
                                           : error.one;

@@ -18,6 +18,7 @@ struct TrueCoverage {
     float covered;                   ///< 0 to 1
     std::uint8_t colours, in_reach;  ///< so many in the pixel, and within the reach of it; 3: more
     std::uint8_t near;               ///< so many in the pixel and those around it
+    bool deep;                       ///< it and those around it are covered wholly
     std::array<std::uint32_t, 2> mixed;  ///< which, the first two
   };
   std::vector<Pixel> pixels;
@@ -27,9 +28,10 @@ TrueCoverage true_coverage(const Tiling& tiling, double scale, double precision,
 
 /// Differences of the three channels' largest, of 255.
 struct SeamError {
-  /// The largest difference from any mix of the colours in a pixel and around it, of pixels that are
-  /// covered wholly and have one such colour, or two: what is seen of anything else. (How much there
-  /// is of each is the viewer's antialiasing.) With more than two within reach of traps: apart.
+  /// The largest difference from any mix of the colours in a pixel and around it, of pixels that
+  /// are covered wholly, as those around them, and have one such colour, or two: what is seen of
+  /// anything else. (How much there is of each is the viewer's antialiasing.) With more than two
+  /// within reach of traps: apart.
   double one = 0.0, two = 0.0, near_others = 0.0;
   /// The mean difference from the truth of pixels that are covered wholly and have two colours in
   /// them, or more.

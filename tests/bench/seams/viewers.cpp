@@ -29,7 +29,8 @@ Command browser(const fs::path& file, double scale, int side, const fs::path& pn
   const int pixels = static_cast<int>(std::lround(side * scale));
   const fs::path page = png.string() + ".html";
   std::ofstream(page) << fmt::format(
-      "<body style=\"margin:0;background:#fff\"><img src=\"{}\" width=\"{}\" style=\"display:block\">",
+      "<body style=\"margin:0;background:#fff\"><img src=\"{}\" width=\"{}\" "
+      "style=\"display:block\">",
       fs::absolute(file).string(), pixels);
   return {"chromium",
           "--headless",
@@ -44,11 +45,16 @@ Command browser(const fs::path& file, double scale, int side, const fs::path& pn
 }
 
 Command ghostscript(const fs::path& file, double scale, const fs::path& png) {
-  return {"gs",           "-q",
-          "-dNOPAUSE",    "-dBATCH",
-          "-dSAFER",      "-sDEVICE=png16m",
-          "-dEPSCrop",    "-dGraphicsAlphaBits=4",
-          "-r" + dots(scale), "-sOutputFile=" + png.string(),
+  return {"gs",
+          "-q",
+          "-dNOPAUSE",
+          "-dBATCH",
+          "-dSAFER",
+          "-sDEVICE=png16m",
+          "-dEPSCrop",
+          "-dGraphicsAlphaBits=4",
+          "-r" + dots(scale),
+          "-sOutputFile=" + png.string(),
           file.string()};
 }
 
@@ -60,8 +66,8 @@ const std::vector<Viewer>& viewers() {
   static const std::vector<Viewer> all{
       {"librsvg", "rsvg-convert", "svg", false,
        [](const fs::path& file, double scale, int, const fs::path& png) {
-         return Command{"rsvg-convert", "-z", fmt::format("{}", scale), "-b", "white", "-o",
-                        png.string(), file.string()};
+         return Command{"rsvg-convert", "-z",         fmt::format("{}", scale), "-b", "white", "-o",
+                        png.string(),   file.string()};
        }},
       {"Chromium", "chromium", "svg", true, browser},
       {"poppler", "pdftoppm", "pdf", false,
@@ -74,7 +80,8 @@ const std::vector<Viewer>& viewers() {
        }},
       {"MuPDF", "mutool", "pdf", false,
        [](const fs::path& file, double scale, int, const fs::path& png) {
-         return Command{"mutool", "draw", "-q", "-r", dots(scale), "-o", png.string(), file.string()};
+         return Command{"mutool",    "draw", "-q",         "-r",
+                        dots(scale), "-o",   png.string(), file.string()};
        }},
       {"Ghostscript", "gs", "pdf", false,
        [](const fs::path& file, double scale, int, const fs::path& png) {

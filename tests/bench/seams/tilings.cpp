@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <numbers>
 #include <random>
 
+#include "interp/picture.h"
 #include "tests/bench/device_scene.h"
 
 namespace displayfile::bench {
@@ -128,7 +130,11 @@ std::vector<bool> overlapping(const std::vector<Triangle>& triangles) {
 }  // namespace
 
 Tiling one_colour_disc() {
-  Tiling tiling = disc("disc, one colour", [] { return Colour(0.1, 0.25, 0.5); });
+  return disc("disc, one colour", [] { return Colour(0.1, 0.25, 0.5); });
+}
+Tiling one_colour_disc_of_elements() {
+  Tiling tiling = one_colour_disc();
+  tiling.name = "disc, one colour, elements";
   tiling.apart = true;
   return tiling;
 }
@@ -180,12 +186,19 @@ Tiling front_faces(const std::string& mesh) {
   return tiling;
 }
 
-Tiling in_mean_colour(const Tiling& tiling) {
-  Colour sum(0.0);
-  for (const auto& tile : tiling.tiles) sum += tile.colour;
-  Tiling even = tiling;
-  for (auto& tile : even.tiles) tile.colour = sum / static_cast<double>(tiling.tiles.size());
-  return even;
+Tiling in_black(const Tiling& tiling) {
+  Tiling black = tiling;
+  black.apart = false;
+  for (auto& tile : black.tiles) tile.colour = Colour(0.0);
+  return black;
+}
+
+std::vector<Colour> colours_of(const Tiling& tiling) {
+  std::map<std::uint32_t, Colour> by_pixel;
+  for (const auto& tile : tiling.tiles) by_pixel.emplace(pixel_of(tile.colour), tile.colour);
+  std::vector<Colour> colours;
+  for (const auto& [pixel, colour] : by_pixel) colours.push_back(colour);
+  return colours;
 }
 
 }  // namespace displayfile::bench

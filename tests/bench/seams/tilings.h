@@ -22,6 +22,7 @@ struct Tiling {
 
 /// A disc of random triangles: all of one colour, each of one of two, or each of its own.
 Tiling one_colour_disc();
+Tiling one_colour_disc_of_elements();  ///< each triangle an element of its own
 Tiling two_colour_disc();
 Tiling many_colour_disc();
 /// Stripes of random colours, wide enough that no pixel is near three of them.
@@ -29,7 +30,10 @@ Tiling stripes();
 /// A mesh's front faces, each in the grey of its slope, without those that another overlaps.
 Tiling front_faces(const std::string& mesh);
 
-/// The same pieces, all in their mean colour.
-Tiling in_mean_colour(const Tiling& tiling);
+/// The same pieces, all black.
+Tiling in_black(const Tiling& tiling);
+
+/// The colours of pieces, in the order of pixel_of.
+std::vector<Colour> colours_of(const Tiling& tiling);
 
 }  // namespace displayfile::bench

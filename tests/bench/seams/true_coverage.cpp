@@ -181,19 +181,27 @@ double channel(std::uint32_t pixel, unsigned k) {
   return static_cast<double>((pixel >> (8 * k)) & 255);
 }
 
-/// The largest difference of a channel from the nearest mix of two colours.
+/// The largest difference of a channel from the nearest mix of two colours, as pixels hold it:
+/// rounded.
 double off_the_mix(std::uint32_t seen, std::uint32_t a, std::uint32_t b) {
   double along = 0.0, length = 0.0;
   for (unsigned k = 0; k < 3; ++k) {
     along += (channel(seen, k) - channel(a, k)) * (channel(b, k) - channel(a, k));
     length += (channel(b, k) - channel(a, k)) * (channel(b, k) - channel(a, k));
   }
-  const double t = length == 0.0 ? 0.0 : std::clamp(along / length, 0.0, 1.0);
-  double off = 0.0;
-  for (unsigned k = 0; k < 3; ++k) {
-    off = std::max(off, std::abs(channel(seen, k) - std::lerp(channel(a, k), channel(b, k), t)));
+  constexpr int kAround = 16;  // mixes that are tried on either side of the nearest
+  constexpr double kStep = 1.0 / 2048;
+  double least = 255.0;
+  for (int i = -kAround; i <= kAround; ++i) {
+    const double t = length == 0.0 ? 0.0 : std::clamp(along / length + i * kStep, 0.0, 1.0);
+    double off = 0.0;
+    for (unsigned k = 0; k < 3; ++k) {
+      const double mix = std::floor(std::lerp(channel(a, k), channel(b, k), t) + 0.5);
+      off = std::max(off, std::abs(channel(seen, k) - mix));
+    }
+    least = std::min(least, off);
   }
-  return off;
+  return least;
 }
 
 class Mean {
@@ -211,12 +219,32 @@ class Mean {
 
 }  // namespace
 
+Picture as_one_path(const TrueCoverage& truth, const Picture& black) {
+  Picture picture = black;
+  const auto side = static_cast<std::size_t>(truth.side);
+  for (std::size_t i = 0; i < side * side; ++i) {
+    std::uint32_t& pixel =
+        picture.pixels[i / side * static_cast<std::size_t>(picture.width) + i % side];
+    const auto& wanted = truth.pixels[i];
+    const double covered = 1.0 - channel(pixel, 0) / 255.0;
+    const auto own = static_cast<double>(wanted.covered);
+    pixel = 0xff000000;
+    for (unsigned k = 0; k < 3; ++k) {
+      const auto mixed = static_cast<double>(wanted.colour[k]);
+      const double inside = own == 0.0 ? 0.0 : (mixed - 255.0 * (1.0 - own)) / own;
+      const double seen = covered * inside + (1.0 - covered) * 255.0;
+      pixel |= static_cast<std::uint32_t>(std::lround(std::clamp(seen, 0.0, 255.0))) << (8 * k);
+    }
+  }
+  return picture;
+}
+
 SeamError seam_error(const TrueCoverage& truth, const Picture& picture) {
   if (picture.width < truth.side || picture.height < truth.side) {
     throw Error("a picture that is too small");
   }
   SeamError error;
-  Mean two, more, outline;
+  Mean two, more, outline, outline_meeting;
   const auto side = static_cast<std::size_t>(truth.side);
   for (std::size_t i = 0; i < side * side; ++i) {
     const auto& wanted = truth.pixels[i];
@@ -231,7 +259,7 @@ SeamError seam_error(const TrueCoverage& truth, const Picture& picture) {
       continue;
     }
     if (wanted.covered < 1.0f) {
-      outline.add(off);
+      (wanted.colours == 1 ? outline : outline_meeting).add(off);
       continue;
     }
     if (wanted.colours > 1) (wanted.colours == 2 ? two : more).add(off);
@@ -245,6 +273,7 @@ SeamError seam_error(const TrueCoverage& truth, const Picture& picture) {
   error.mean_two = two.value();
   error.mean_more = more.value();
   error.outline = outline.value();
+  error.outline_meeting = outline_meeting.value();
   return error;
 }
 

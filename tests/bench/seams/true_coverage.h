@@ -36,11 +36,17 @@ struct SeamError {
   /// The mean difference from the truth of pixels that are covered wholly and have two colours in
   /// them, or more.
   double mean_two = 0.0, mean_more = 0.0;
-  double outline = 0.0;  ///< mean difference from the truth of pixels that are covered in part
+  /// The mean difference from the truth of pixels that are covered in part: by one colour, and
+  /// where several meet on the outline.
+  double outline = 0.0, outline_meeting = 0.0;
   double outside = 0.0;  ///< the largest of pixels that are not covered
 
   double inside() const { return one > two ? one : two; }
 };
 SeamError seam_error(const TrueCoverage& truth, const Picture& picture);
+
+/// What a viewer would show of a figure that it drew as one path and filled with the true colours:
+/// `black` is that path as it shows it, in black.
+Picture as_one_path(const TrueCoverage& truth, const Picture& black);
 
 }  // namespace displayfile::bench

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cairo-pdf.h>
+#include <cairo-ps.h>
 #include <cairo.h>
 
 #include "displayfile/shared_library.h"
@@ -36,6 +37,8 @@ class Cairo {
   DISPLAYFILE_CAIRO(pdf_surface_create_for_stream);
   DISPLAYFILE_CAIRO(pdf_surface_set_metadata);
   DISPLAYFILE_CAIRO(pop_group);
+  DISPLAYFILE_CAIRO(ps_surface_create_for_stream);
+  DISPLAYFILE_CAIRO(ps_surface_set_eps);
   DISPLAYFILE_CAIRO(push_group);
   DISPLAYFILE_CAIRO(rectangle);
   DISPLAYFILE_CAIRO(restore);

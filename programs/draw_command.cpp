@@ -60,6 +60,7 @@ CLI::App& DrawCommand::add_to(CLI::App& app) {
   add_picture_options(command);
   meshes.add_to(command);
   hidden_surfaces.add_to(command);
+  vectors.add_to(command);
   command.add_flag("--stats", stats, "print what was drawn")->group(kReportOptions);
   command
       .add_option("--pick", pick,
@@ -134,6 +135,7 @@ DrawOptions DrawCommand::all_options() const {
   all.precision = sorting.precision;
   all.hidden_lines = sorting.hidden_lines;
   all.background = background.background();
+  all.vectors = vectors.options();
   require_raster_device(options.device);
   return all;
 }

@@ -16,6 +16,7 @@
 #include "programs/pick_option.h"
 #include "programs/picture_size.h"
 #include "programs/shading_word.h"
+#include "programs/vector_words.h"
 
 namespace displayfile {
 
@@ -29,6 +30,7 @@ struct DrawCommand {
   PictureSizeWord size;
   HiddenSurfaceWords hidden_surfaces;
   BackgroundWord background;
+  VectorWords vectors;
   ShadingWord shading;  ///< that the inputs start with
   MeshWords meshes;
   bool stats = false;

@@ -5,6 +5,7 @@ namespace displayfile {
 // What options are for: --help lists them so.
 inline constexpr const char* kOutputOptions = "Output";
 inline constexpr const char* kPictureOptions = "Picture";
+inline constexpr const char* kVectorOptions = "Vectors";
 inline constexpr const char* kCameraOptions = "Camera";
 inline constexpr const char* kHiddenSurfaceOptions = "Hidden surfaces";
 inline constexpr const char* kGoldenOptions = "Golden files";

@@ -15,4 +15,7 @@ void set_cairo_colour(_cairo* context, std::uint32_t pixel);
 /// even-odd, line joins are round, and there are no dashes.
 void paint_cairo_figure(_cairo* context, const Figure& figure);
 
+/// The same into a document that knows neither, as EPS does not: with tents in place of traps.
+void paint_cairo_figure_without_masks(_cairo* context, const Figure& figure);
+
 }  // namespace displayfile

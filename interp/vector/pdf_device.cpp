@@ -27,8 +27,22 @@ cairo_status_t write_to_stream(void* closure, const unsigned char* data, unsigne
 
 void require_success(cairo_status_t status) {
   if (status != CAIRO_STATUS_SUCCESS) {
-    throw Error(fmt::format("Cairo cannot write the PDF: {}", cairo().status_to_string(status)));
+    throw Error(fmt::format("Cairo cannot write the page: {}", cairo().status_to_string(status)));
   }
+}
+
+cairo_surface_t* page_surface(PageFormat format, std::ostream& out, int width, int height) {
+  return (format == PageFormat::pdf
+              ? cairo().pdf_surface_create_for_stream
+              : cairo().ps_surface_create_for_stream)(write_to_stream, &out, width, height);
+}
+
+/// Cairo stores the time in it.
+std::string without_date(std::string eps) {
+  constexpr std::string_view kDate = "%%CreationDate:";
+  const std::size_t at = eps.find(kDate);
+  if (at != eps.npos) eps.erase(at, eps.find('\n', at) + 1 - at);
+  return eps;
 }
 
 }  // namespace
@@ -39,15 +53,18 @@ void PdfDevice::Destroy::operator()(_cairo_surface* surface) const {
 }
 
 PdfDevice::PdfDevice(std::ostream& out, int width, int height, const Background& background,
-                     const VectorOptions& options)
+                     const VectorOptions& options, PageFormat format)
     : VectorDevice(width, height, background, options),
       out_(out),
-      surface_(cairo().pdf_surface_create_for_stream(
-          write_to_stream, static_cast<std::ostream*>(&document_), width, height)) {
+      format_(format),
+      surface_(page_surface(format, document_, width, height)) {
   require_success(cairo().surface_status(surface_.get()));
-  // Left to itself Cairo stores the time.
-  cairo().pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_CREATE_DATE,
-                                   "2000-01-01T00:00:00Z");
+  if (format == PageFormat::pdf) {  // left to itself Cairo stores the time
+    cairo().pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_CREATE_DATE,
+                                     "2000-01-01T00:00:00Z");
+  } else {
+    cairo().ps_surface_set_eps(surface_.get(), true);
+  }
   context_.reset(cairo().create(surface_.get()));
   require_success(cairo().status(context_.get()));
   cairo().set_fill_rule(context_.get(), CAIRO_FILL_RULE_EVEN_ODD);
@@ -63,7 +80,7 @@ PdfDevice::~PdfDevice() = default;
 
 /// Cairo knows no layers: it marks what is in one, as something that it knows.
 void PdfDevice::begin_layer(std::string_view name) {
-  if (name == layer_) return;
+  if (name == layer_ || format_ == PageFormat::eps) return;
   if (!layer_.empty()) cairo().tag_end(context_.get(), kMarkOfLayer);
   layer_ = name;
   if (name.empty()) return;
@@ -119,7 +136,8 @@ void PdfDevice::paint_fill(const Path& path, const Colour& colour, bool seam,
 void PdfDevice::paint_figure(const Figure& figure) {
   begin_layer({});
   cairo().set_dash(context_.get(), nullptr, 0, 0.0);
-  paint_cairo_figure(context_.get(), figure);
+  (format_ == PageFormat::pdf ? paint_cairo_figure : paint_cairo_figure_without_masks)(
+      context_.get(), figure);
 }
 
 void PdfDevice::paint_lines(const Path& path, const LineStyle& style, LineKinds kinds) {
@@ -151,17 +169,23 @@ void PdfDevice::finish() {
   require_success(cairo().status(context_.get()));
   cairo().surface_finish(surface_.get());
   require_success(cairo().surface_status(surface_.get()));
+  if (format_ == PageFormat::eps) {
+    out_ << without_date(std::move(document_).str());
+    return;
+  }
   out_ << (layers_.empty() ? std::move(document_).str()
                            : with_layers(std::move(document_).str(), layers_));
 }
 
-void write_pdf(const DisplayFile& display_file, int width, int height, bool z_buffer,
-               const std::filesystem::path& path, const Background& background, bool colour_rule,
-               const VectorOptions& options) {
+namespace {
+
+void write_page(PageFormat format, const DisplayFile& display_file, int width, int height,
+                bool z_buffer, const std::filesystem::path& path, const Background& background,
+                bool colour_rule, const VectorOptions& options) {
   require_picture_size(width, height);
   OutputFile file(path.string());
   try {
-    PdfDevice device(file.stream(), width, height, background, options);
+    PdfDevice device(file.stream(), width, height, background, options, format);
     if (colour_rule) device.fill_with_background();
     if (z_buffer) {
       draw_in_visible_order(display_file, width, height, device);
@@ -174,6 +198,22 @@ void write_pdf(const DisplayFile& display_file, int width, int height, bool z_bu
     throw Error(fmt::format("{}: {}", path.string(), e.what()));
   }
   file.commit();
+}
+
+}  // namespace
+
+void write_pdf(const DisplayFile& display_file, int width, int height, bool z_buffer,
+               const std::filesystem::path& path, const Background& background, bool colour_rule,
+               const VectorOptions& options) {
+  write_page(PageFormat::pdf, display_file, width, height, z_buffer, path, background, colour_rule,
+             options);
+}
+
+void write_eps(const DisplayFile& display_file, int width, int height, bool z_buffer,
+               const std::filesystem::path& path, const Background& background, bool colour_rule,
+               const VectorOptions& options) {
+  write_page(PageFormat::eps, display_file, width, height, z_buffer, path, background, colour_rule,
+             options);
 }
 
 }  // namespace displayfile

@@ -90,7 +90,8 @@ fs::path written(const Tiling& tiling, Way way, const std::string& format, const
     draw(tiling, way, device);
     device.finish(out);
   } else {
-    PdfDevice device(out, tiling.side, tiling.side, {}, options);
+    PdfDevice device(out, tiling.side, tiling.side, {}, options,
+                     format == "pdf" ? PageFormat::pdf : PageFormat::eps);
     draw(tiling, way, device);
     device.finish();
   }

@@ -89,7 +89,7 @@ TEST(DisjointFills, NeighboursOfOneColourAreOneRegionWithoutTheSideBetweenThem) 
 /// A vertex in the middle of a straight side stays as long as a third side ends there.
 TEST(DisjointFills, AVertexIsStraightForAllOrStays) {
   DisjointFills fills{{}};
-  fills.add({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}}, kRedPaint, 1, 0);
+  fills.add(Loop{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}}, kRedPaint, 1, 0);
   fills.add(square(0, 1), kBluePaint, 1, 1);
   fills.add(square(1, 1), FillPaint{0xff00ff00}, 1, 2);
   const Figure figure = fills.take_figure();
@@ -98,12 +98,12 @@ TEST(DisjointFills, AVertexIsStraightForAllOrStays) {
   for (const auto& region : figure.regions) vertices += region.loops.points.size();
   EXPECT_EQ(vertices, 5u + 4u + 4u);
   EXPECT_EQ(figure.outline.points.size(),
-            4u);  // (0, 1) and (2, 1) are straight there, but not for all
+            4u);  // a mask, by itself
 }
 
 TEST(DisjointFills, APieceWithAKeyholeLosesItsBridge) {
   DisjointFills fills{{}};
-  fills.add({{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}, {3, 3}, {3, 6}, {6, 6}, {6, 3}, {3, 3}},
+  fills.add(Loop{{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}, {3, 3}, {3, 6}, {6, 6}, {6, 3}, {3, 3}},
             kRedPaint, 1, 0);
   fills.add(square(3, 3, 3), kBluePaint, 1, 1);
   const Figure figure = fills.take_figure();
@@ -120,9 +120,9 @@ TEST(DisjointFills, APieceWithAKeyholeLosesItsBridge) {
 TEST(DisjointFills, WhatRoundingMakesThinIsLeftOutAndLeavesNoGapInTheOutline) {
   DisjointFills fills{{}};
   fills.add(square(0, 0), kRedPaint, 1, 0);
-  fills.add({{1, 0}, {1.0001, 0.5}, {1, 1}}, kBluePaint, 1, 1);  // a sliver between
-  fills.add({{1, 0}, {2, 0}, {2, 1}, {1, 1}, {1.0001, 0.5}}, FillPaint{7}, 1, 2);
-  fills.add({{0.5, 0.5}, {0.5, 0.5}, {0.5, 0.5}}, kBluePaint, 1, 3);
+  fills.add(Loop{{1, 0}, {1.0001, 0.5}, {1, 1}}, kBluePaint, 1, 1);  // a sliver between
+  fills.add(Loop{{1, 0}, {2, 0}, {2, 1}, {1, 1}, {1.0001, 0.5}}, FillPaint{7}, 1, 2);
+  fills.add(Loop{{0.5, 0.5}, {0.5, 0.5}, {0.5, 0.5}}, kBluePaint, 1, 3);
   const Figure figure = fills.take_figure();
   EXPECT_EQ(figure.regions.size(), 2u);
   EXPECT_EQ(figure.outline.size(), 1u);
@@ -160,7 +160,7 @@ Figure random_figure(int n, unsigned colours, const VectorOptions& options = {})
   std::mt19937 random(2);
   std::int32_t pick = 0;
   for (const Loop& loop : grid(n, 1)) {
-    const std::uint32_t colour = random() % colours;
+    const auto colour = static_cast<std::uint32_t>(random() % colours);
     fills.add(loop, {colour}, pick % 2 + 1, pick);
     ++pick;
   }

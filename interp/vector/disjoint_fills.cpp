@@ -88,7 +88,9 @@ Figure DisjointFills::merged() {
   all.reserve(pieces_.size());
   for (std::size_t piece = 0; piece < pieces_.size(); ++piece) all.push_back(loop(piece));
   figure.outline = boundary_of(all);
-  std::vector<LatticeLoops*> together{&figure.outline};
+  LatticeLoops* const alone = &figure.outline;
+  drop_straight_vertices(std::span(&alone, 1));  // nobody shares the sides of a mask
+  std::vector<LatticeLoops*> together;
   for (FigureRegion& region : figure.regions) together.push_back(&region.loops);
   drop_straight_vertices(together);
   std::erase_if(figure.regions, [](const FigureRegion& r) { return r.loops.empty(); });

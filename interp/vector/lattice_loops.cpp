@@ -36,8 +36,8 @@ std::vector<LatticeSide> odd_sides(std::span<const std::span<const LatticePoint>
 
 using Wide = std::int64_t;
 
-/// The cross product of the ways from o to p and to q. Differences have 31 bits at most.
-Wide cross(const LatticePoint& o, const LatticePoint& p, const LatticePoint& q) {
+/// The turn: the cross product of the ways from o to p and to q. Differences have 31 bits at most.
+Wide turn(const LatticePoint& o, const LatticePoint& p, const LatticePoint& q) {
   return (Wide{p.x} - o.x) * (Wide{q.y} - o.y) - (Wide{p.y} - o.y) * (Wide{q.x} - o.x);
 }
 
@@ -53,7 +53,7 @@ bool before_in_angle(const LeavingSide& p, const LeavingSide& q) {
     return s.to.y > s.from.y || (s.to.y == s.from.y && s.to.x > s.from.x);
   };
   if (upper(p) != upper(q)) return upper(q);
-  return cross(p.from, p.to, q.to) > 0;
+  return turn(p.from, p.to, q.to) > 0;
 }
 
 /// At each vertex the sides that leave it are paired: neighbours in angle, so that no two pairs
@@ -151,7 +151,7 @@ std::vector<LatticePoint> straight_vertices(std::span<LatticeLoops* const> all) 
       const LatticePoint p = ends[i].other, q = ends[i + 1].other;
       const Wide along =
           (Wide{p.x} - v.x) * (Wide{q.x} - v.x) + (Wide{p.y} - v.y) * (Wide{q.y} - v.y);
-      if (cross(v, p, q) == 0 && along < 0) straight.push_back(v);
+      if (turn(v, p, q) == 0 && along < 0) straight.push_back(v);
     }
     i = end;
   }

@@ -83,19 +83,15 @@ void paint_cairo_figure(_cairo* context, const Figure& figure) {
   cairo().set_source_rgb(context, 0.0, 0.0, 0.0);  // the groups may go
 }
 
-/// The clip is for what of a tent is over a hole of the figure, which its own loops do not have.
 void paint_cairo_figure_without_masks(_cairo* context, const Figure& figure) {
   if (!figure.traps.empty()) {
-    cairo().save(context);
-    set_path(context, figure.outline, figure.unit);
-    cairo().clip(context);
     cairo().set_fill_rule(context, CAIRO_FILL_RULE_WINDING);
     for (const FigureTents& tents : tents_of(figure.regions, kTrapWidth / 2.0 / figure.unit)) {
       set_cairo_colour(context, tents.paint.pixel);
       set_path(context, tents.triangles, figure.unit);
       cairo().fill(context);
     }
-    cairo().restore(context);
+    cairo().set_fill_rule(context, CAIRO_FILL_RULE_EVEN_ODD);
   }
   fill_regions(context, figure);
 }

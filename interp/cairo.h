@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cairo-pdf.h>
+#include <cairo-ps.h>
 #include <cairo.h>
 
 #include "displayfile/shared_library.h"
@@ -29,10 +30,16 @@ class Cairo {
   DISPLAYFILE_CAIRO(image_surface_get_data);
   DISPLAYFILE_CAIRO(image_surface_get_stride);
   DISPLAYFILE_CAIRO(line_to);
+  DISPLAYFILE_CAIRO(mask);
   DISPLAYFILE_CAIRO(move_to);
   DISPLAYFILE_CAIRO(new_path);
+  DISPLAYFILE_CAIRO(pattern_destroy);
   DISPLAYFILE_CAIRO(pdf_surface_create_for_stream);
   DISPLAYFILE_CAIRO(pdf_surface_set_metadata);
+  DISPLAYFILE_CAIRO(pop_group);
+  DISPLAYFILE_CAIRO(ps_surface_create_for_stream);
+  DISPLAYFILE_CAIRO(ps_surface_set_eps);
+  DISPLAYFILE_CAIRO(push_group);
   DISPLAYFILE_CAIRO(rectangle);
   DISPLAYFILE_CAIRO(restore);
   DISPLAYFILE_CAIRO(save);
@@ -45,6 +52,7 @@ class Cairo {
   DISPLAYFILE_CAIRO(set_line_cap);
   DISPLAYFILE_CAIRO(set_line_join);
   DISPLAYFILE_CAIRO(set_line_width);
+  DISPLAYFILE_CAIRO(set_source);
   DISPLAYFILE_CAIRO(set_source_rgb);
   DISPLAYFILE_CAIRO(show_page);
   DISPLAYFILE_CAIRO(show_text);

@@ -12,6 +12,7 @@
 #include "hidden/exact/precision.h"
 #include "interp/paper.h"
 #include "interp/picture.h"
+#include "interp/vector_options.h"
 #include "interp/world_views.h"
 
 namespace displayfile {
@@ -35,15 +36,14 @@ struct DrawOptions {
   /// Antialiasing: the mean of samples x samples for each pixel, 1 to kMostSamples; vectors, ids
   /// and depth are not affected.
   int samples = 1;
-  std::optional<Paper> paper =
-      std::nullopt;  ///< vectors on a sheet, in place of a page of its size
   /// Vectors for pens: on A4 unless another paper is said. `hidden` must then be a method that
   /// leaves out what is hidden, or hides nothing (draws_for_pens); `automatic` is franklin, or
-  /// where fills are hatched none, if nothing hides.
+  /// where fills are hatched the map.
   std::optional<Pens> pens = std::nullopt;
   std::filesystem::path ids = {};    ///< item buffer as int32 .npy, if not empty
   std::filesystem::path depth = {};  ///< depth of the fills seen as float64 .npy, if not empty
   bool with_ids = false, with_depth = false;  ///< a picture in memory has them: Picture's members
+  VectorOptions vectors = {};                 ///< of vectors
   WorkProgress progress = {};                 ///< as HiddenSurfaceOptions's
 };
 

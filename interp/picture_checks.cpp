@@ -22,6 +22,7 @@ void require_numbers(const DrawOptions& options) {
     throw Error(fmt::format("{} samples along a pixel's side: expected 1 to {}", options.samples,
                             kMostSamples));
   }
+  require_vector_options(options.vectors);
   require_picture_size(options.width, options.height);
   const int most = kLargestSide / options.samples;
   if (options.width <= most && options.height <= most) return;
@@ -33,13 +34,13 @@ void require_numbers(const DrawOptions& options) {
 /// Paper and pens are of vectors.
 void require_paper_and_pens(const std::filesystem::path& file, const PictureFormat& format,
                             const DrawOptions& options) {
-  if (!options.paper && !options.pens) return;
+  if (!options.vectors.paper && !options.pens) return;
   if (!format.is_for_paper()) {
     throw Error(fmt::format(
         "{}: {} files have no size on paper, and are not for pens: expected one of {}",
         file.string(), format.choice.name, names_of_formats(&PictureFormat::is_for_paper, " ")));
   }
-  fit_on_paper(options.paper.value_or(Paper{}), options.width, options.height);
+  fit_on_paper(options.vectors.paper.value_or(Paper{}), options.width, options.height);
   if (options.pens) require_pens(*options.pens);
 }
 
@@ -54,7 +55,8 @@ void require_writable(const std::filesystem::path& file, const DrawOptions& opti
 
 bool draws_for_pens(HiddenMethod method, bool of_fills) {
   if (finds_lines(method)) return !of_fills;
-  return method == HiddenMethod::none || method == HiddenMethod::back_face;
+  return method == HiddenMethod::map || method == HiddenMethod::none ||
+         method == HiddenMethod::back_face;
 }
 
 void require_drawn_by_pens(HiddenMethod method, const Pens& pens) {

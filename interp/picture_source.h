@@ -34,8 +34,8 @@ class DisplayFileSource : public PictureSource {
       : file_(file),
         by_depth_(by_depth),
         device_(device_of(options.device)),
-        paper_(options.paper),
         pens_(options.pens),
+        vectors_(options.vectors),
         kept_(kept) {}
 
   Picture draw(const RasterRequest& request) const override {
@@ -50,19 +50,19 @@ class DisplayFileSource : public PictureSource {
     if (pens_) {
       if (by_depth_) require_drawn_by_pens(request.method, *pens_);
       return format.write_pens(pen_drawing(file_, request.width, request.height,
-                                           paper_.value_or(Paper{}), *pens_, request.background),
+                                           vectors_.paper.value_or(Paper{}), *pens_, request.background),
                                file);
     }
     format.write_vectors(file_, request.width, request.height, by_depth_, file, request.background,
-                         is_colour_rule(request.method), paper_);
+                         is_colour_rule(request.method), vectors_);
   }
 
  private:
   const DisplayFile& file_;
   bool by_depth_;
   const RasterDevice& device_;
-  std::optional<Paper> paper_;
   std::optional<Pens> pens_;
+  VectorOptions vectors_;
   SoftwareRenderer& kept_;
 };
 

@@ -61,6 +61,7 @@ CLI::App& DrawCommand::add_to(CLI::App& app) {
   add_picture_options(command);
   meshes.add_to(command);
   hidden_surfaces.add_to(command);
+  vectors.add_to(command);
   command.add_flag("--stats", stats, "print what was drawn")->group(kReportOptions);
   command
       .add_option("--pick", pick,
@@ -136,6 +137,7 @@ DrawOptions DrawCommand::all_options() const {
   all.precision = sorting.precision;
   all.hidden_lines = sorting.hidden_lines;
   all.background = background.background();
+  all.vectors = vectors.options();
   paper.read(all);
   if (turntable && all.pens && !all.pens->hatching && !all.hidden) {
     all.hidden = HiddenMethod::franklin;

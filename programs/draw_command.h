@@ -17,6 +17,7 @@
 #include "programs/pick_option.h"
 #include "programs/picture_size.h"
 #include "programs/shading_word.h"
+#include "programs/vector_words.h"
 
 namespace displayfile {
 
@@ -31,6 +32,7 @@ struct DrawCommand {
   HiddenSurfaceWords hidden_surfaces;
   BackgroundWord background;
   PaperWords paper;
+  VectorWords vectors;
   ShadingWord shading;  ///< that the inputs start with
   MeshWords meshes;
   bool stats = false;

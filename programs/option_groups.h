@@ -6,6 +6,7 @@ namespace displayfile {
 inline constexpr const char* kOutputOptions = "Output";
 inline constexpr const char* kPictureOptions = "Picture";
 inline constexpr const char* kPaperOptions = "Paper and pens";
+inline constexpr const char* kVectorOptions = "Vectors";
 inline constexpr const char* kCameraOptions = "Camera";
 inline constexpr const char* kHiddenSurfaceOptions = "Hidden surfaces";
 inline constexpr const char* kGoldenOptions = "Golden files";

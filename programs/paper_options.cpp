@@ -96,15 +96,15 @@ void PaperWords::add_to(CLI::App& command) {
 }
 
 void PaperWords::read(DrawOptions& options) const {
-  if (!paper.empty()) options.paper = paper_of(paper);
+  if (!paper.empty()) options.vectors.paper = paper_of(paper);
   if (pens || !hatch.empty()) options.pens.emplace();
   if (!hatch.empty()) options.pens->hatching = hatching_of(hatch);
   if (!margin) return;
-  if (!options.paper && !options.pens) {
+  if (!options.vectors.paper && !options.pens) {
     throw Error(fmt::format("--margin {}: expected with --paper, --pens or --hatch", *margin));
   }
-  if (!options.paper) options.paper.emplace();
-  options.paper->margin = *margin;
+  if (!options.vectors.paper) options.vectors.paper.emplace();
+  options.vectors.paper->margin = *margin;
 }
 
 }  // namespace displayfile

@@ -493,7 +493,7 @@ TEST_F(Command, HelpNamesEveryFormatAndDevice) {
     EXPECT_NE(help.find(std::string(device.name) + " ("), help.npos) << device.name;
   }
   write("t.draw", kTriangle);
-  expect_error("draw t.draw -o x.gif", "expected one of .png .ppm .svg .pdf");
+  expect_error("draw t.draw -o x.gif", "expected one of .png .ppm .svg .pdf .eps");
   expect_error("draw t.draw -o x.png --device plotter", "expected software or osmesa");
   expect_error("draw t.draw -o x.svg --device osmesa", "expected .png or .ppm");
 }
@@ -573,6 +573,24 @@ TEST_F(Command, OutOfMemoryStatesTheBytes) {
   expect_error("draw cube.draw -o out.png --size 16384x16384 --samples 1 --device osmesa",
                "out of memory: out.png of 16384 x 16384 needs at least 2147483");
   EXPECT_EQ(run("truth cube.draw --size 60x60 --ids ids.npy"), 0) << err_;
+}
+
+TEST_F(Command, OptionsOfVectorsOutOfTheirRangesAreRefused) {
+  write("t.draw", kTriangle);
+  expect_error("draw t.draw -o t.svg --seams glued", "expected trapped or butted");
+  for (const char* precision : {"0", "2", "fine", "0.01,0.01", "nan"}) {
+    expect_error(std::string("draw t.draw -o t.svg --vector-precision ") + precision,
+                 "expected 0.001 to 1 pixels");
+  }
+  EXPECT_EQ(run("draw t.draw -o t.svg --seams butted --vector-precision 0.05 --pick-ids"), 0);
+}
+
+TEST_F(Command, EpsIsAFormatOfVectors) {
+  write("t.draw", kTriangle);
+  EXPECT_EQ(run("draw t.draw -o t.eps --hidden bsp --size 64x48"), 0) << err_;
+  const std::string eps = read(folder_ / "t.eps");
+  EXPECT_TRUE(eps.starts_with("%!PS-Adobe-3.0 EPSF-3.0"));
+  EXPECT_NE(eps.find("%%BoundingBox: 0 0 64 48"), std::string::npos) << eps.substr(0, 400);
 }
 
 }  // namespace

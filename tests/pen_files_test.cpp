@@ -29,7 +29,7 @@ Paper sheet(double width, double height, double margin) {
 DrawOptions for_pens(const Paper& paper) {
   DrawOptions options;
   options.width = options.height = 100;
-  options.paper = paper;
+  options.vectors.paper = paper;
   options.pens.emplace();
   return options;
 }
@@ -161,7 +161,7 @@ TEST_F(PenFiles, HatchingIsALayer) {
   DrawOptions options = for_pens(sheet(110, 110, 5));
   options.hidden = HiddenMethod::none;
   options.pens->hatching = Hatching{1.0, 0.0, false, {}, 0.25};
-  const PenDrawing drawing = pen_drawing(g.display_file(), 100, 100, *options.paper, *options.pens);
+  const PenDrawing drawing = pen_drawing(g.display_file(), 100, 100, *options.vectors.paper, *options.pens);
   ASSERT_EQ(drawing.layers.size(), 1u);
   EXPECT_EQ(drawing.layers[0].pen, (Pen{0xff000000u, 250}));
   double length = 0.0;
@@ -169,7 +169,7 @@ TEST_F(PenFiles, HatchingIsALayer) {
   EXPECT_NEAR(length, 1000.0 * (50 * 100 + 50 * 50), 1e-3);
   EXPECT_NE(svg(g, options).find("inkscape:label=\"1 #000000 0.25 mm\""), std::string::npos);
   options.pens->hatching->cross = true;  // black twice as dense as the middle tone
-  const PenDrawing crossed = pen_drawing(g.display_file(), 100, 100, *options.paper, *options.pens);
+  const PenDrawing crossed = pen_drawing(g.display_file(), 100, 100, *options.vectors.paper, *options.pens);
   length = 0.0;
   for (const PenPath& path : crossed.layers[0].paths) length += length_of(path);
   EXPECT_NEAR(length, 1000.0 * (100 * 100 + 50 * 100), 1e-3);
@@ -185,7 +185,7 @@ TEST_F(PenFiles, AnyVectorsMayBeOnPaper) {
   DrawOptions options;
   options.width = options.height = 100;
   draw(g, file("plain.svg"), options);
-  options.paper = sheet(110, 120, 5);
+  options.vectors.paper = sheet(110, 120, 5);
   const std::string plain = content(file("plain.svg"));
   const std::size_t end_of_head = plain.find("<svg");
   EXPECT_EQ(svg(g, options),
@@ -219,7 +219,7 @@ TEST_F(PenFiles, AreRefusedWhereTheyMeanNothing) {
   options.pens.reset();
   options.hidden.reset();
   expect_error([&] { draw(g, file("a.png"), options); }, ".png files have no size on paper");
-  options.paper->margin = 200.0;
+  options.vectors.paper->margin = 200.0;
   expect_error([&] { draw(g, file("a.svg"), options); }, "margins of 200 mm");
   EXPECT_TRUE(empty_folder());
 }

@@ -104,6 +104,7 @@ class Canvas : public VectorDevice {
       }
     }
   }
+  void paint_figure(const Figure&) override {}
   void paint_text(const ViewedText&, const Point2&, double) override {}
   void paint_lines(const Path& path, const LineStyle&, LineKinds) override {
     EXPECT_TRUE(open_);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <ostream>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "interp/interpreter.h"
 #include "interp/picture.h"
 #include "interp/text/cairo_text.h"
+#include "interp/vector/cairo_figure.h"
 #include "interp/vector/pdf_layers.h"
 #include "interp/vector/sampled/visible_order.h"
 
@@ -26,8 +28,31 @@ cairo_status_t write_to_stream(void* closure, const unsigned char* data, unsigne
 
 void require_success(cairo_status_t status) {
   if (status != CAIRO_STATUS_SUCCESS) {
-    throw Error(fmt::format("Cairo cannot write the PDF: {}", cairo().status_to_string(status)));
+    throw Error(fmt::format("Cairo cannot write the page: {}", cairo().status_to_string(status)));
   }
+}
+
+/// Where the picture lies on its paper; on none its pixels are points.
+std::optional<PaperFit> sheet_of(const VectorOptions& options, int width, int height) {
+  if (!options.paper) return std::nullopt;
+  return fit_on_paper(*options.paper, width, height);
+}
+
+cairo_surface_t* page_surface(PageFormat format, std::ostream& out, int pixels_across,
+                              int pixels_down, const std::optional<PaperFit>& sheet) {
+  const double width = sheet ? sheet->width * kPointsOfMillimetre : pixels_across;
+  const double height = sheet ? sheet->height * kPointsOfMillimetre : pixels_down;
+  return (format == PageFormat::pdf
+              ? cairo().pdf_surface_create_for_stream
+              : cairo().ps_surface_create_for_stream)(write_to_stream, &out, width, height);
+}
+
+/// Cairo stores the time in it.
+std::string without_date(std::string eps) {
+  constexpr std::string_view kDate = "%%CreationDate:";
+  const std::size_t at = eps.find(kDate);
+  if (at != eps.npos) eps.erase(at, eps.find('\n', at) + 1 - at);
+  return eps;
 }
 
 }  // namespace
@@ -38,23 +63,25 @@ void PdfDevice::Destroy::operator()(_cairo_surface* surface) const {
 }
 
 PdfDevice::PdfDevice(std::ostream& out, int width, int height, const Background& background,
-                     const std::optional<PaperFit>& sheet)
-    : VectorDevice(width, height, background),
+                     const VectorOptions& options, PageFormat format)
+    : VectorDevice(width, height, background, options),
       out_(out),
-      surface_(cairo().pdf_surface_create_for_stream(
-          write_to_stream, static_cast<std::ostream*>(&document_),
-          sheet ? sheet->width * kPointsOfMillimetre : width,
-          sheet ? sheet->height * kPointsOfMillimetre : height)) {
+      format_(format),
+      surface_(
+          page_surface(format, document_, width, height, sheet_of(options, width, height))) {
   require_success(cairo().surface_status(surface_.get()));
-  // Left to itself Cairo stores the time.
-  cairo().pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_CREATE_DATE,
-                                   "2000-01-01T00:00:00Z");
+  if (format == PageFormat::pdf) {  // left to itself Cairo stores the time
+    cairo().pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_CREATE_DATE,
+                                     "2000-01-01T00:00:00Z");
+  } else {
+    cairo().ps_surface_set_eps(surface_.get(), true);
+  }
   context_.reset(cairo().create(surface_.get()));
   require_success(cairo().status(context_.get()));
   cairo().set_fill_rule(context_.get(), CAIRO_FILL_RULE_EVEN_ODD);
   cairo().set_line_join(context_.get(), CAIRO_LINE_JOIN_ROUND);
   cairo().set_line_cap(context_.get(), CAIRO_LINE_CAP_BUTT);
-  if (sheet) {
+  if (const auto sheet = sheet_of(options, width, height)) {
     const double points = sheet->pixel * kPointsOfMillimetre;
     cairo().translate(context_.get(), sheet->left * kPointsOfMillimetre,
                       sheet->top * kPointsOfMillimetre);
@@ -72,7 +99,7 @@ PdfDevice::~PdfDevice() = default;
 
 /// Cairo knows no layers: it marks what is in one, as something that it knows.
 void PdfDevice::begin_layer(std::string_view name) {
-  if (name == layer_) return;
+  if (name == layer_ || format_ == PageFormat::eps) return;
   if (!layer_.empty()) cairo().tag_end(context_.get(), kMarkOfLayer);
   layer_ = name;
   if (name.empty()) return;
@@ -82,9 +109,7 @@ void PdfDevice::begin_layer(std::string_view name) {
 
 /// Rounded to 8 bits a component, as in every other picture.
 void PdfDevice::set_colour(const Colour& colour) {
-  const std::uint32_t pixel = pixel_of(colour);
-  cairo().set_source_rgb(context_.get(), (pixel & 0xff) / 255.0, ((pixel >> 8) & 0xff) / 255.0,
-                         ((pixel >> 16) & 0xff) / 255.0);
+  set_cairo_colour(context_.get(), pixel_of(colour));
 }
 
 void PdfDevice::set_path(const Path& path) {
@@ -127,6 +152,13 @@ void PdfDevice::paint_fill(const Path& path, const Colour& colour, bool seam,
   if (!within.empty()) cairo().restore(context);
 }
 
+void PdfDevice::paint_figure(const Figure& figure) {
+  begin_layer({});
+  cairo().set_dash(context_.get(), nullptr, 0, 0.0);
+  (format_ == PageFormat::pdf ? paint_cairo_figure : paint_cairo_figure_without_masks)(
+      context_.get(), figure);
+}
+
 void PdfDevice::paint_lines(const Path& path, const LineStyle& style, LineKinds kinds) {
   begin_layer(first_name_of(kinds));
   cairo_t* context = context_.get();
@@ -156,19 +188,23 @@ void PdfDevice::finish() {
   require_success(cairo().status(context_.get()));
   cairo().surface_finish(surface_.get());
   require_success(cairo().surface_status(surface_.get()));
+  if (format_ == PageFormat::eps) {
+    out_ << without_date(std::move(document_).str());
+    return;
+  }
   out_ << (layers_.empty() ? std::move(document_).str()
                            : with_layers(std::move(document_).str(), layers_));
 }
 
-void write_pdf(const DisplayFile& display_file, int width, int height, bool z_buffer,
-               const std::filesystem::path& path, const Background& background, bool colour_rule,
-               const std::optional<Paper>& paper) {
+namespace {
+
+void write_page(PageFormat format, const DisplayFile& display_file, int width, int height,
+                bool z_buffer, const std::filesystem::path& path, const Background& background,
+                bool colour_rule, const VectorOptions& options) {
   require_picture_size(width, height);
   OutputFile file(path.string());
   try {
-    std::optional<PaperFit> sheet;
-    if (paper) sheet = fit_on_paper(*paper, width, height);
-    PdfDevice device(file.stream(), width, height, background, sheet);
+    PdfDevice device(file.stream(), width, height, background, options, format);
     if (colour_rule) device.fill_with_background();
     if (z_buffer) {
       draw_in_visible_order(display_file, width, height, device);
@@ -181,6 +217,22 @@ void write_pdf(const DisplayFile& display_file, int width, int height, bool z_bu
     throw Error(fmt::format("{}: {}", path.string(), e.what()));
   }
   file.commit();
+}
+
+}  // namespace
+
+void write_pdf(const DisplayFile& display_file, int width, int height, bool z_buffer,
+               const std::filesystem::path& path, const Background& background, bool colour_rule,
+               const VectorOptions& options) {
+  write_page(PageFormat::pdf, display_file, width, height, z_buffer, path, background, colour_rule,
+             options);
+}
+
+void write_eps(const DisplayFile& display_file, int width, int height, bool z_buffer,
+               const std::filesystem::path& path, const Background& background, bool colour_rule,
+               const VectorOptions& options) {
+  write_page(PageFormat::eps, display_file, width, height, z_buffer, path, background, colour_rule,
+             options);
 }
 
 }  // namespace displayfile

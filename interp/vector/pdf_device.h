@@ -17,18 +17,23 @@ struct _cairo_surface;
 
 namespace displayfile {
 
-/// Draws a PDF page through Cairo, one point a pixel, on a background unless there is none. The
-/// bytes depend on what is drawn (and on Cairo's version; of texts on the fonts that it finds)
-/// alone. Cairo keeps coordinates to 1/256 point. Where lines were selected, those of each kind are
-/// a layer of its name, those of several that of the first (hidden/line_kinds.h).
+/// What Cairo writes pages as.
+enum class PageFormat { pdf, eps };
+
+/// Draws a PDF page, or an EPS picture, through Cairo, one point a pixel, on a background unless
+/// there is none. The bytes depend on what is drawn (and on Cairo's version; of texts on the fonts
+/// that it finds) alone. Cairo keeps coordinates to 1/256 point. Where lines were selected, those
+/// of each kind are a layer of its name, those of several that of the first (hidden/line_kinds.h);
+/// EPS has none.
 class PdfDevice : public VectorDevice {
  public:
   /// The stream must live on until finish(). Throws Error unless both sides are 1 to
   /// kLargestSide, or if Cairo cannot make the surface. (Readers may show less: the PDF
   /// specification advises pages of at most 14,400 points.)
-  /// On a sheet, if one is given: of its size, the picture where it lies and cut off at its frame.
+  /// On paper, if the options have one: a page of its size, the picture where it lies and cut off at
+  /// its frame.
   PdfDevice(std::ostream& out, int width, int height, const Background& background = {},
-            const std::optional<PaperFit>& sheet = {});
+            const VectorOptions& options = {}, PageFormat format = PageFormat::pdf);
   ~PdfDevice() override;
 
   /// Completes the document. To be called once. Throws Error if Cairo failed.
@@ -39,6 +44,7 @@ class PdfDevice : public VectorDevice {
   void close_group() override {}
   void paint_fill(const Path& path, const Colour& colour, bool seam,
                   std::span<const PixelBox> within) override;
+  void paint_figure(const Figure& figure) override;
   void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds) override;
   void paint_text(const ViewedText& text, const Point2& anchor, double size) override;
 
@@ -52,6 +58,7 @@ class PdfDevice : public VectorDevice {
     void operator()(_cairo_surface* surface) const;
   };
   std::ostream& out_;
+  PageFormat format_;
   std::ostringstream document_;           // until its layers are known
   std::vector<std::string_view> layers_;  // of the parts of the content that are in one, in order
   std::string_view layer_;                // in force
@@ -65,6 +72,11 @@ class PdfDevice : public VectorDevice {
 /// kLargestSide. On paper, if one is given: as large as fits, on a page of its size.
 void write_pdf(const DisplayFile& display_file, int width, int height, bool z_buffer,
                const std::filesystem::path& path, const Background& background = {},
-               bool colour_rule = false, const std::optional<Paper>& paper = {});
+               bool colour_rule = false, const VectorOptions& options = {});
+
+/// The same into an EPS file, a picture of that size (PostScript, level 3).
+void write_eps(const DisplayFile& display_file, int width, int height, bool z_buffer,
+               const std::filesystem::path& path, const Background& background = {},
+               bool colour_rule = false, const VectorOptions& options = {});
 
 }  // namespace displayfile

@@ -12,6 +12,7 @@
 #include "interp/interpreter.h"
 #include "interp/picture.h"
 #include "interp/vector/sampled/visible_order.h"
+#include "interp/vector/seams.h"
 #include "interp/vector/svg_sheet.h"
 
 namespace displayfile {
@@ -108,8 +109,7 @@ void SvgDevice::append_clip_path(std::span<const PixelBox> pixels) {
 
 void SvgDevice::paint_fill(const Path& path, const Colour& colour, bool seam,
                            std::span<const PixelBox> within) {
-  const FillKey key{pixel_of(colour), seam};
-  const std::size_t number = fill_classes_.try_emplace(key, fill_classes_.size() + 1).first->second;
+  const std::size_t number = fill_class({pixel_of(colour), seam});
   append_path_data(path);
   if (!within.empty()) append_clip_path(within);
   fmt::format_to(std::back_inserter(body_), "<path class=\"f{}", number);
@@ -196,6 +196,14 @@ void SvgDevice::finish(std::ostream& out) {
       width(), height(),
       solid ? fmt::format(".background{{fill:{}}}\n", hex(pixel_of(background()))) : "",
       kSeamWidth);
+  if (figures_ > 0) {
+    out << fmt::format(
+        ".figure{{fill-rule:evenodd;stroke-linejoin:round;stroke-linecap:round}}\n"
+        ".pieces,.pieces "
+        ".segment{{stroke-width:0}}\n.whole{{fill:#fff}}\n.traps{{stroke-width:{:.0f}}}\n.traps "
+        "path{{fill:none}}\n",
+        std::ceil(kTrapWidth / options().precision));
+  }
   for (const std::string& rule : fills) out << rule;
   for (const std::string& rule : lines) out << rule;
   for (const std::string& rule : texts) out << rule;
@@ -209,8 +217,8 @@ void SvgDevice::finish(std::ostream& out) {
 
 void write_svg(const DisplayFile& display_file, int width, int height, bool z_buffer,
                const std::filesystem::path& path, const Background& background, bool colour_rule,
-               const std::optional<Paper>& paper) {
-  SvgDevice device(width, height, background);
+               const VectorOptions& options) {
+  SvgDevice device(width, height, background, options);
   if (colour_rule) device.fill_with_background();
   OutputFile file(path.string());
   if (z_buffer) {
@@ -219,10 +227,10 @@ void write_svg(const DisplayFile& display_file, int width, int height, bool z_bu
     interpret(display_file, device);
   }
   device.draw_texts(display_file, z_buffer);
-  if (paper) {
+  if (options.paper) {
     std::ostringstream document;
     device.finish(document);
-    write_on_sheet(document.view(), fit_on_paper(*paper, width, height), file.stream());
+    write_on_sheet(document.view(), fit_on_paper(*options.paper, width, height), file.stream());
   } else {
     device.finish(file.stream());
   }

@@ -24,12 +24,14 @@ namespace displayfile {
 /// class: f1, f2, ... of fills, l1, l2, ... of lines, t1, t2, ... of texts. Where lines were
 /// selected, each is also of a class for every kind that it is: outline, boundary, crease,
 /// material, intersection, all (displayfile/line_kinds.md). Coordinates have three decimals at
-/// most.
+/// most. Disjoint fills are a group of class "figure", in coordinates of its own: whole units of
+/// the stated precision (interp/vector/seams.md).
 class SvgDevice : public VectorDevice {
  public:
   /// Throws Error unless both sides are 1 to kLargestSide.
-  SvgDevice(int width, int height, const Background& background = {})
-      : VectorDevice(width, height, background) {}
+  SvgDevice(int width, int height, const Background& background = {},
+            const VectorOptions& options = {})
+      : VectorDevice(width, height, background, options) {}
 
   /// Writes the document. It is kept in memory until then: the classes come first and are
   /// known last. To be called once.
@@ -44,9 +46,15 @@ class SvgDevice : public VectorDevice {
   void close_group() override;
   void paint_fill(const Path& path, const Colour& colour, bool seam,
                   std::span<const PixelBox> within) override;
+  void paint_figure(const Figure& figure) override;  // svg_figure.cpp
   void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds) override;
   void paint_text(const ViewedText& text, const Point2& anchor, double size) override;
 
+  std::size_t fill_class(const FillKey& key) {
+    return fill_classes_.try_emplace(key, fill_classes_.size() + 1).first->second;
+  }
+  void append_traps(const Figure& figure);
+  void append_regions(const Figure& figure);
   void append_path_data(const Path& path);
   void append_clip_path(std::span<const PixelBox> pixels);
 
@@ -56,6 +64,7 @@ class SvgDevice : public VectorDevice {
   std::map<TextKey, std::size_t> text_classes_;
   std::unordered_map<int, int> times_opened_;
   std::size_t clip_paths_ = 0;
+  std::size_t figures_ = 0;
 
   // The element written last, if it is a fill that edges of the same outline may join.
   struct {
@@ -70,6 +79,6 @@ class SvgDevice : public VectorDevice {
 /// On paper, if one is given: as large as fits, in millimetres.
 void write_svg(const DisplayFile& display_file, int width, int height, bool z_buffer,
                const std::filesystem::path& path, const Background& background = {},
-               bool colour_rule = false, const std::optional<Paper>& paper = {});
+               bool colour_rule = false, const VectorOptions& options = {});
 
 }  // namespace displayfile

@@ -40,9 +40,15 @@ std::span<const Point2> VectorDevice::Path::run(std::size_t i) const {
   return std::span(points).subspan(runs[i].first, end - runs[i].first);
 }
 
-VectorDevice::VectorDevice(int width, int height, const Background& background)
-    : width_(width), height_(height), background_(background) {
+VectorDevice::VectorDevice(int width, int height, const Background& background,
+                           const VectorOptions& options)
+    : width_(width),
+      height_(height),
+      background_(background),
+      options_(options),
+      disjoint_(options) {
   require_picture_size(width, height);
+  require_vector_options(options);
 }
 
 Point2 VectorDevice::to_page(const Point3& device) const {
@@ -54,38 +60,62 @@ bool VectorDevice::near_the_page(const Point2& p, double reach) const {
 }
 
 void VectorDevice::begin_segment(int name) {
+  if (fills_are_disjoint_) {
+    segment_of_disjoint_ = name;
+    return;
+  }
   finish_lines();
   open_group(name);
 }
 
 void VectorDevice::end_segment() {
+  if (fills_are_disjoint_) return;
   finish_lines();
   close_group();
 }
 
-void VectorDevice::fill(const DrawnPolygon& polygon) { paint_inside(polygon, {}); }
+void VectorDevice::begin_disjoint_fills() {
+  finish_lines();
+  fills_are_disjoint_ = true;
+  segment_of_disjoint_ = 0;
+}
+
+void VectorDevice::end_disjoint_fills() {
+  fills_are_disjoint_ = false;
+  const Figure figure = disjoint_.take_figure();
+  if (!figure.regions.empty()) paint_figure(figure);
+}
+
+void VectorDevice::fill(const DrawnPolygon& polygon) {
+  if (!fills_are_disjoint_) return paint_inside(polygon, {});
+  if (!find_loop(polygon.vertices)) return;
+  const Colour colour = fills_with_background_ ? background_.colour : even_fill(polygon).colour;
+  disjoint_.add(path_.points, {pixel_of(colour)}, segment_of_disjoint_, polygon.pick);
+}
 
 void VectorDevice::fill_within(const DrawnPolygon& polygon, std::span<const PixelBox> pixels) {
   if (!pixels.empty()) paint_inside(polygon, pixels);
 }
 
-void VectorDevice::paint_inside(const DrawnPolygon& polygon, std::span<const PixelBox> within) {
-  finish_lines();
-  if (support_vertices(polygon.vertices).edge_on) return;
+/// The polygon as path_, one closed run; false if nothing of it is near the page.
+bool VectorDevice::find_loop(std::span<const Point3> vertices) {
   path_.clear();
   path_.start(true);
-  path_.points.push_back(to_page(polygon.vertices.back()));
-  for (const Point3& v : polygon.vertices.first(polygon.vertices.size() - 1)) {
-    path_.points.push_back(to_page(v));
-  }
-  if (!std::ranges::all_of(path_.points, finite)) return;
+  path_.points.push_back(to_page(vertices.back()));
+  for (const Point3& v : vertices.first(vertices.size() - 1)) path_.points.push_back(to_page(v));
+  if (!std::ranges::all_of(path_.points, finite)) return false;
   if (!std::ranges::all_of(path_.points,
                            [&](const Point2& p) { return near_the_page(p, kReach); })) {
     // What this adds along the sides is out of sight.
     clip_to_rectangle(path_.points, clipped_,
                       {-kReach, width_ + kReach, -kReach, height_ + kReach});
-    if (path_.points.size() < 3) return;
   }
+  return path_.points.size() >= 3;
+}
+
+void VectorDevice::paint_inside(const DrawnPolygon& polygon, std::span<const PixelBox> within) {
+  finish_lines();
+  if (support_vertices(polygon.vertices).edge_on || !find_loop(polygon.vertices)) return;
   const Colour colour = fills_with_background_ ? background_.colour : even_fill(polygon).colour;
   paint_fill(path_, colour, !edges_cover_seams(polygon), within);
 }

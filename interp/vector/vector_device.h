@@ -9,6 +9,7 @@
 #include "displayfile/viewed_scene.h"
 #include "interp/output_device.h"
 #include "interp/scan/pixel_box.h"
+#include "interp/vector/disjoint_fills.h"
 
 namespace displayfile {
 
@@ -30,8 +31,9 @@ inline constexpr double kSeamWidth = 0.75;
 /// evenly, in the mean of its intensities.
 class VectorDevice : public OutputDevice {
  public:
-  /// Throws Error unless both sides are 1 to kLargestSide.
-  VectorDevice(int width, int height, const Background& background = {});
+  /// Throws Error unless both sides are 1 to kLargestSide, or if an option is out of its range.
+  VectorDevice(int width, int height, const Background& background = {},
+               const VectorOptions& options = {});
 
   /// All that is filled from here on has the background's colour, by the colour rule.
   void fill_with_background() { fills_with_background_ = true; }
@@ -41,6 +43,8 @@ class VectorDevice : public OutputDevice {
   void fill(const DrawnPolygon& polygon) final;
   void edges(const DrawnPolygon& polygon) final;
   void line(const DrawnLine& line) final;
+  void begin_disjoint_fills() final;
+  void end_disjoint_fills() final;
   /// Draws the inside, but only within these pixels, which do not overlap: for a polygon that was
   /// covered where it must be seen, since no order of whole polygons is right.
   void fill_within(const DrawnPolygon& polygon, std::span<const PixelBox> pixels);
@@ -67,6 +71,7 @@ class VectorDevice : public OutputDevice {
   int width() const { return width_; }
   int height() const { return height_; }
   const Background& background() const { return background_; }
+  const VectorOptions& options() const { return options_; }
   /// To be called by the derived class when all is drawn.
   void finish_lines();
 
@@ -76,6 +81,9 @@ class VectorDevice : public OutputDevice {
   /// the seams if asked.
   virtual void paint_fill(const Path& path, const Colour& colour, bool seam,
                           std::span<const PixelBox> within) = 0;
+  /// Paints disjoint fills, with their seams as options() say; in the group that is open, or else
+  /// in one for each segment.
+  virtual void paint_figure(const Figure& figure) = 0;
   /// Lines that are all of the same kinds (hidden/line_kinds.h).
   virtual void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds) = 0;
   /// `anchor` is on or close to the page; `size` of the letters in pixels.
@@ -87,10 +95,15 @@ class VectorDevice : public OutputDevice {
   void paint_edges(const DrawnPolygon& polygon, LineKinds kinds);
   bool clip_to_neighbourhood(Point2& a, Point2& b, double reach) const;
   void paint_inside(const DrawnPolygon& polygon, std::span<const PixelBox> within);
+  bool find_loop(std::span<const Point3> vertices);
 
   int width_, height_;
   Background background_;
+  VectorOptions options_;
   bool fills_with_background_ = false;
+  bool fills_are_disjoint_ = false;
+  DisjointFills disjoint_;
+  int segment_of_disjoint_ = 0;
   Path path_;
   Path lines_;  // that continue each other, not painted yet
   Point3 lines_end_{0.0};

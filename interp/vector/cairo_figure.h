@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+
+#include "interp/vector/disjoint_fills.h"
+
+struct _cairo;
+
+namespace displayfile {
+
+/// The colour of what is drawn next, as pixel_of gives it.
+void set_cairo_colour(_cairo* context, std::uint32_t pixel);
+
+/// Paints a figure into a document that knows groups and masks, which PDF does. The fill rule is
+/// even-odd, line joins are round, and there are no dashes.
+void paint_cairo_figure(_cairo* context, const Figure& figure);
+
+/// The same into a document that knows neither, as EPS does not: with tents in place of traps.
+void paint_cairo_figure_without_masks(_cairo* context, const Figure& figure);
+
+}  // namespace displayfile

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "clip/point.h"
+#include "interp/vector/lattice_loops.h"
+#include "interp/vector_options.h"
+
+namespace displayfile {
+
+/// What a piece is painted with: one colour. (A gradient over a shaded triangle is to be another
+/// kind; whatever paints a region paints its trap.)
+struct FillPaint {
+  std::uint32_t pixel;  ///< pixel_of its colour
+  friend auto operator<=>(const FillPaint&, const FillPaint&) = default;
+};
+
+/// Pieces of one segment and one paint as one path: of one pick identifier if those are kept apart.
+struct FigureRegion {
+  int segment;  ///< 0 if the pieces came within one segment
+  std::int32_t pick;
+  FillPaint paint;
+  LatticeLoops loops;
+};
+
+/// Sides of regions that are stroked under them in the paint of the region whose they are, the
+/// earlier of two.
+struct FigureTrap {
+  FillPaint paint;
+  LatticeChains sides;
+};
+
+/// Disjoint fills as they are written (interp/vector/seams.md).
+struct Figure {
+  double unit;  ///< of coordinates, in pixels
+  /// Disjoint, those of a segment one after another; none has more than kMostVertices. Which of
+  /// two neighbours is the earlier is said by their places here.
+  std::vector<FigureRegion> regions;
+  /// Every side of a region once, those on the outline too; in the order in which they are drawn,
+  /// from the last region to the first. Empty if the figure is butted, or one region.
+  std::vector<FigureTrap> traps;
+  LatticeLoops outline;  ///< of all regions together
+
+  /// Many programs, and printers, draw longer paths slowly or not at all.
+  static constexpr std::size_t kMostVertices = 32'000;
+};
+
+/// Collects fills that do not overlap, and makes a figure of them. Vertices are rounded once, so
+/// that neighbours with a side in common have one afterwards.
+class DisjointFills {
+ public:
+  explicit DisjointFills(const VectorOptions& options) : options_(options) {}
+
+  bool empty() const { return pieces_.empty(); }
+  /// A loop in pixels, y down, finite and less than a million in magnitude; what covers nothing
+  /// once it is rounded is left out.
+  void add(std::span<const Point2> loop, const FillPaint& paint, int segment, std::int32_t pick);
+  /// What was collected, which is gone then.
+  Figure take_figure();
+
+ private:
+  using Key =
+      std::tuple<std::size_t, std::int32_t, FillPaint>;  // place of the segment, pick, paint
+  struct Piece {
+    std::size_t first, end;  // of its vertices
+  };
+  std::span<const LatticePoint> loop(std::size_t piece) const {
+    return std::span(points_).subspan(pieces_[piece].first,
+                                      pieces_[piece].end - pieces_[piece].first);
+  }
+  /// What was collected, merged, without traps.
+  Figure merged();
+  void add_regions(Figure& figure, const FigureRegion& like, std::vector<std::size_t> pieces) const;
+
+  VectorOptions options_;
+  std::vector<LatticePoint> points_;
+  std::vector<Piece> pieces_;
+  std::vector<int> segments_;  // in the order in which they came
+  std::map<Key, std::vector<std::size_t>> pieces_of_;
+};
+
+}  // namespace displayfile

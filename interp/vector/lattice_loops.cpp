@@ -1,0 +1,185 @@
+#include "interp/vector/lattice_loops.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace displayfile {
+
+namespace {
+
+/// Those that lie there an odd number of times, once each, sorted.
+std::vector<LatticeSide> odd_sides(std::span<const std::span<const LatticePoint>> loops) {
+  std::vector<LatticeSide> sides;
+  std::size_t corners = 0;
+  for (const auto& loop : loops) corners += loop.size();
+  sides.reserve(corners);
+  for (const auto& loop : loops) {
+    if (loop.empty()) continue;
+    LatticePoint from = loop.back();
+    for (const LatticePoint& to : loop) {
+      if (from != to) sides.emplace_back(from, to);
+      from = to;
+    }
+  }
+  std::ranges::sort(sides);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < sides.size();) {
+    std::size_t end = i;
+    while (end < sides.size() && sides[end] == sides[i]) ++end;
+    if ((end - i) % 2 == 1) sides[kept++] = sides[i];
+    i = end;
+  }
+  sides.erase(sides.begin() + static_cast<std::ptrdiff_t>(kept), sides.end());
+  return sides;
+}
+
+using Wide = std::int64_t;
+
+/// The turn: the cross product of the ways from o to p and to q. Differences have 31 bits at most.
+Wide turn(const LatticePoint& o, const LatticePoint& p, const LatticePoint& q) {
+  return (Wide{p.x} - o.x) * (Wide{q.y} - o.y) - (Wide{p.y} - o.y) * (Wide{q.x} - o.x);
+}
+
+/// A side as it leaves one of its ends.
+struct LeavingSide {
+  LatticePoint from, to;
+  std::size_t side;
+};
+
+/// By the angle from the direction of -x.
+bool before_in_angle(const LeavingSide& p, const LeavingSide& q) {
+  const auto upper = [](const LeavingSide& s) {
+    return s.to.y > s.from.y || (s.to.y == s.from.y && s.to.x > s.from.x);
+  };
+  if (upper(p) != upper(q)) return upper(q);
+  return turn(p.from, p.to, q.to) > 0;
+}
+
+/// At each vertex the sides that leave it are paired: neighbours in angle, so that no two pairs
+/// cross. There is an even number of them.
+class PairedSides {
+ public:
+  explicit PairedSides(std::span<const LatticeSide> sides) : twins_(2 * sides.size()) {
+    leaving_.reserve(2 * sides.size());
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+      leaving_.push_back({sides[s].a, sides[s].b, s});
+      leaving_.push_back({sides[s].b, sides[s].a, s});
+    }
+    std::ranges::sort(leaving_, [](const LeavingSide& p, const LeavingSide& q) {
+      return std::tie(p.from, p.to) < std::tie(q.from, q.to);
+    });
+    for (std::size_t i = 0; i < leaving_.size();) {
+      std::size_t end = i;
+      while (end < leaving_.size() && leaving_[end].from == leaving_[i].from) ++end;
+      if (end - i > 2) {
+        std::sort(leaving_.begin() + static_cast<std::ptrdiff_t>(i),
+                  leaving_.begin() + static_cast<std::ptrdiff_t>(end), before_in_angle);
+      }
+      i = end;
+    }
+    std::vector<std::size_t> other(sides.size(), kNone);
+    for (std::size_t i = 0; i < leaving_.size(); ++i) {
+      std::size_t& seen = other[leaving_[i].side];
+      if (seen == kNone) {
+        seen = i;
+      } else {
+        twins_[i] = seen;
+        twins_[seen] = i;
+      }
+    }
+  }
+
+  std::size_t size() const { return leaving_.size(); }
+  const LeavingSide& operator[](std::size_t i) const { return leaving_[i]; }
+  /// The one by which a loop goes on that came along i.
+  std::size_t next(std::size_t i) const { return twins_[i] ^ 1; }
+
+ private:
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  // Sorted by `from`, of which each has an even number: 2k and 2k + 1 are a pair.
+  std::vector<LeavingSide> leaving_;
+  std::vector<std::size_t> twins_;  // the same side as it leaves its other end
+};
+
+}  // namespace
+
+LatticeLoops boundary_of(std::span<const std::span<const LatticePoint>> loops) {
+  const std::vector<LatticeSide> sides = odd_sides(loops);
+  const PairedSides paired(sides);
+  std::vector<bool> chained(sides.size());
+  LatticeLoops boundary;
+  for (std::size_t first = 0; first < paired.size(); ++first) {
+    if (chained[paired[first].side]) continue;
+    for (std::size_t i = first; !chained[paired[i].side]; i = paired.next(i)) {
+      chained[paired[i].side] = true;
+      boundary.points.push_back(paired[i].from);
+    }
+    boundary.close();
+  }
+  return boundary;
+}
+
+namespace {
+
+/// A corner of a loop: its vertex, and the end of one of its sides.
+struct EndOfSide {
+  LatticePoint vertex, other;
+  friend auto operator<=>(const EndOfSide&, const EndOfSide&) = default;
+};
+
+std::vector<LatticePoint> straight_vertices(std::span<LatticeLoops* const> all) {
+  std::vector<EndOfSide> ends;
+  for (const LatticeLoops* loops : all) {
+    for (std::size_t k = 0; k < loops->size(); ++k) {
+      LatticePoint from = loops->loop(k).back();
+      for (const LatticePoint& to : loops->loop(k)) {
+        ends.push_back({from, to});
+        ends.push_back({to, from});
+        from = to;
+      }
+    }
+  }
+  std::ranges::sort(ends);
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  std::vector<LatticePoint> straight;
+  for (std::size_t i = 0; i < ends.size();) {
+    const LatticePoint v = ends[i].vertex;
+    std::size_t end = i;
+    while (end < ends.size() && ends[end].vertex == v) ++end;
+    if (end - i == 2) {
+      const LatticePoint p = ends[i].other, q = ends[i + 1].other;
+      const Wide along =
+          (Wide{p.x} - v.x) * (Wide{q.x} - v.x) + (Wide{p.y} - v.y) * (Wide{q.y} - v.y);
+      if (turn(v, p, q) == 0 && along < 0) straight.push_back(v);
+    }
+    i = end;
+  }
+  return straight;
+}
+
+}  // namespace
+
+void drop_straight_vertices(std::span<LatticeLoops* const> all) {
+  const std::vector<LatticePoint> straight = straight_vertices(all);
+  if (straight.empty()) return;
+  for (LatticeLoops* loops : all) {
+    LatticeLoops kept;
+    kept.points.reserve(loops->points.size());
+    kept.ends.reserve(loops->size());
+    for (std::size_t k = 0; k < loops->size(); ++k) {
+      const std::size_t first = kept.points.size();
+      for (const LatticePoint& p : loops->loop(k)) {
+        if (!std::ranges::binary_search(straight, p)) kept.points.push_back(p);
+      }
+      if (kept.points.size() - first >= 3) {
+        kept.close();
+      } else {
+        kept.points.resize(first);  // it covers nothing
+      }
+    }
+    *loops = std::move(kept);
+  }
+}
+
+}  // namespace displayfile

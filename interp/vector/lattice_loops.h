@@ -1,0 +1,66 @@
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace displayfile {
+
+/// A point in whole units of a stated precision, y down, from the picture's top left corner.
+struct LatticePoint {
+  std::int32_t x, y;
+  friend auto operator<=>(const LatticePoint&, const LatticePoint&) = default;
+};
+
+/// Closed loops, filled by the even-odd rule.
+struct LatticeLoops {
+  std::vector<LatticePoint> points;  ///< one loop after another
+  std::vector<std::size_t> ends;     ///< of each loop
+
+  std::size_t size() const { return ends.size(); }
+  bool empty() const { return ends.empty(); }
+  std::span<const LatticePoint> loop(std::size_t i) const {
+    const std::size_t first = i == 0 ? 0 : ends[i - 1];
+    return std::span(points).subspan(first, ends[i] - first);
+  }
+  void close() { ends.push_back(points.size()); }
+  void add(std::span<const LatticePoint> loop) {
+    points.insert(points.end(), loop.begin(), loop.end());
+    close();
+  }
+};
+
+/// Lines from vertex to vertex, closed or open.
+struct LatticeChains {
+  std::vector<LatticePoint> points;  ///< one chain after another
+  std::vector<std::size_t> ends;     ///< of each chain
+  std::vector<bool> closed;
+
+  std::size_t size() const { return ends.size(); }
+  std::span<const LatticePoint> chain(std::size_t i) const {
+    const std::size_t first = i == 0 ? 0 : ends[i - 1];
+    return std::span(points).subspan(first, ends[i] - first);
+  }
+};
+
+/// A side, whichever way it is run along.
+struct LatticeSide {
+  LatticePoint a, b;  ///< a < b
+  LatticeSide(const LatticePoint& p, const LatticePoint& q) : a(p < q ? p : q), b(p < q ? q : p) {}
+  friend auto operator<=>(const LatticeSide&, const LatticeSide&) = default;
+};
+
+/// The boundary of what an odd number of these loops cover: a side that lies in them an even number
+/// of times, in whichever directions, is gone, and the others are chained. The loops cross
+/// neither each other nor themselves where those that came in did not; they may touch at vertices.
+/// O(n log n).
+LatticeLoops boundary_of(std::span<const std::span<const LatticePoint>> loops);
+
+/// Leaves out each vertex that is straight, and so for all whose sides end there: two sides in
+/// line, and no third, in all of these loops together. Neighbours still have the same sides
+/// afterwards.
+void drop_straight_vertices(std::span<LatticeLoops* const> all);
+
+}  // namespace displayfile

@@ -1,0 +1,100 @@
+// How SVG has disjoint fills: interp/vector/seams.md.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "interp/vector/path_data.h"
+#include "interp/vector/seams.h"
+#include "interp/vector/svg_device.h"
+
+namespace displayfile {
+
+namespace {
+
+/// The mask of the outline, in units. Its own bounds leave room, not to be an edge themselves.
+void append_mask(std::string& out, std::size_t number, const LatticeLoops& outline, double unit) {
+  LatticePoint low = outline.points.front(), high = low;
+  for (const LatticePoint& p : outline.points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  const int room = static_cast<int>(std::ceil(kTrapWidth / unit));
+  fmt::format_to(std::back_inserter(out),
+                 "<mask id=\"figure-{}\" maskUnits=\"userSpaceOnUse\" x=\"{}\" y=\"{}\" "
+                 "width=\"{}\" height=\"{}\">\n<path class=\"whole\" d=\"",
+                 number, low.x - room, low.y - room, high.x - low.x + 2 * room,
+                 high.y - low.y + 2 * room);
+  append_loops(out, outline);
+  out += "\"/>\n</mask>\n";
+}
+
+}  // namespace
+
+/// Drawn once for each width: a group, and the same again.
+void SvgDevice::append_traps(const Figure& figure) {
+  auto out = std::back_inserter(body_);
+  fmt::format_to(out, "<g class=\"traps\">\n<g id=\"traps-{}\">\n", figures_);
+  for (const FigureTrap& trap : figure.traps) {
+    fmt::format_to(out, "<path class=\"f{}\" d=\"", fill_class({trap.paint.pixel, true}));
+    append_chains(body_, trap.sides);
+    body_ += "\"/>\n";
+  }
+  body_ += "</g>\n";
+  for (std::size_t k = 1; k < kTrapWidths.size(); ++k) {
+    fmt::format_to(out, "<use xlink:href=\"#traps-{}\" stroke-width=\"{:.0f}\"/>\n", figures_,
+                   std::ceil(kTrapWidths[k] / figure.unit));
+  }
+  body_ += "</g>\n";
+}
+
+void SvgDevice::append_regions(const Figure& figure) {
+  int segment = 0;
+  const auto change_to = [&](int other) {
+    if (segment != 0) close_group();
+    if (other != 0) open_group(other);
+    segment = other;
+  };
+  body_ += "<g class=\"pieces\">\n";
+  for (const FigureRegion& region : figure.regions) {
+    if (region.segment != segment) change_to(region.segment);
+    fmt::format_to(std::back_inserter(body_), "<path class=\"f{}\"",
+                   fill_class({region.paint.pixel, !figure.traps.empty()}));
+    if (options().pick_ids) {
+      fmt::format_to(std::back_inserter(body_), " data-pick=\"{}\"", region.pick);
+    }
+    body_ += " d=\"";
+    append_loops(body_, region.loops);
+    if (options().pick_ids) {
+      fmt::format_to(std::back_inserter(body_), "\"><title>{}</title></path>\n", region.pick);
+    } else {
+      body_ += "\"/>\n";
+    }
+  }
+  change_to(0);
+  body_ += "</g>\n";
+}
+
+void SvgDevice::paint_figure(const Figure& figure) {
+  ++figures_;
+  const bool trapped = !figure.traps.empty();
+  fmt::format_to(std::back_inserter(body_), "<g class=\"figure\" transform=\"scale({})\"",
+                 figure.unit);
+  if (trapped) {
+    fmt::format_to(std::back_inserter(body_),
+                   " mask=\"url(#figure-{})\" xmlns:xlink=\"http://www.w3.org/1999/xlink\"",
+                   figures_);
+  }
+  body_ += ">\n";
+  if (trapped) {
+    append_mask(body_, figures_, figure.outline, figure.unit);
+    append_traps(figure);
+  }
+  append_regions(figure);
+  body_ += "</g>\n";
+  joinable_ = {};
+}
+
+}  // namespace displayfile

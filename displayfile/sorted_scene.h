@@ -59,7 +59,8 @@ struct SortedScene {
   /// front, as Instructions::walk does; a style, a pick identifier and a segment where they change,
   /// and, if the visitor has it, line_kinds(LineKinds) of the lines that follow, kDrawn at first.
   /// disjoint_polygons(true), if the visitor has it, comes before the polygons of a map, which do
-  /// not overlap, and disjoint_polygons(false) after them. Texts follow all else.
+  /// not overlap, and disjoint_polygons(false) after them: a segment that was named between them is
+  /// over then. Texts follow all else.
   template <class Visitor>
   void walk(Visitor&& visit) const;
   /// Calls the visitor as walk does, with points after an image transformation.
@@ -98,6 +99,9 @@ class PieceWriter {
       send_to_df(piece);
     }
   }
+
+  /// What follows names its segment, whichever it is.
+  void name_segment_again() { segment_ = 0; }
 
   /// For a visitor that takes texts.
   void save_texts(const ViewedScene& scene) {
@@ -271,7 +275,10 @@ void SortedScene::walk(Visitor&& visit) const {
   }
   for (const auto& part : parts) writer.save_polygons_in_order(*part);
   if constexpr (requires { visit.disjoint_polygons(true); }) {
-    if (are_disjoint) visit.disjoint_polygons(false);
+    if (are_disjoint) {
+      visit.disjoint_polygons(false);
+      writer.name_segment_again();
+    }
   }
   for (const auto& part : parts) writer.save_strokes(*part);
   if constexpr (requires { visit.text(Point3(), std::string_view()); }) {

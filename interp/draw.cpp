@@ -107,6 +107,9 @@ MethodChoice drawing_choice(const GraphicsSystem& system, const DrawOptions& opt
   if (options.pens && !options.pens->hatching && !is_colour_rule(method)) {
     return {HiddenMethod::franklin, "for pens: the lines that are seen, and nothing else"};
   }
+  if (options.pens && !is_colour_rule(method)) {
+    return {HiddenMethod::map, "for pens: fills are hatched where they are seen"};
+  }
   std::optional<Background> background = options.background.value_or(system.background());
   if (!options.ids.empty() || !options.depth.empty()) background.reset();  // fills are asked for
   if (is_colour_rule(method)) background.reset();                          // they hide at least

@@ -24,11 +24,11 @@ struct Interpretation {
   LineStyle style;
   std::int32_t pick_id = -1;
   Point3 pen{0.0};
-  VertexShading of_vertices{};            // of the polygon that follows
-  std::span<const LineKinds> of_sides{};  // likewise
-  LineKinds of_lines = kDrawn;            // that follow
-  bool in_segment = false;
-  std::vector<double> of_normals{};  // intensities, of one polygon
+  VertexShading of_vertices{};                         // of the polygon that follows
+  std::span<const LineKinds> of_sides{};               // likewise
+  LineKinds of_lines = kDrawn;                         // that follow
+  bool in_segment = false, in_segment_before = false;  // before disjoint polygons
+  std::vector<double> of_normals{};                    // intensities, of one polygon
 
   void segment(int name) {
     end_segment();
@@ -48,6 +48,14 @@ struct Interpretation {
   }
   void side_kinds(std::span<const LineKinds> kinds) { of_sides = kinds; }
   void line_kinds(LineKinds kinds) { of_lines = kinds; }
+  void disjoint_polygons(bool begin) {
+    if (begin) {
+      in_segment_before = in_segment;
+      return device.begin_disjoint_fills();
+    }
+    if (!in_segment_before) end_segment();
+    device.end_disjoint_fills();
+  }
   void move(const Point3& p) { pen = p; }
   void line(const Point3& p) {
     if (pass != Pass::fills && style.kind != LineStyle::Kind::none) {

@@ -27,8 +27,7 @@ constexpr std::array kFormats{
     PictureFormat{{".ppm", "pixels, plain"}, ppm_row_file, nullptr, nullptr},
     PictureFormat{{".svg", "vectors, for the web"}, nullptr, nullptr, write_svg, write_pens_svg},
     PictureFormat{{".pdf", "vectors, for print"}, nullptr, nullptr, write_pdf, write_pens_pdf},
-    PictureFormat{
-        {".eps", "vectors, to be placed in print"}, nullptr, nullptr, write_eps, nullptr},
+    PictureFormat{{".eps", "vectors, to be placed in print"}, nullptr, nullptr, write_eps, nullptr},
 };
 
 constexpr std::array kDevices{

@@ -25,9 +25,8 @@ struct PictureFormat {
   Choice choice;
   std::unique_ptr<RowFile> (*pixel_file)(const std::filesystem::path&, int width, int height);
   std::unique_ptr<RowFile> (*alpha_file)(const std::filesystem::path&, int width, int height);
-  void (*write_vectors)(const DisplayFile&, int width, int height, bool z_buffer,
-                        const std::filesystem::path&, const Background&, bool colour_rule,
-                        const VectorOptions&);
+  void (*write_vectors)(const DisplayFile&, int width, int height, const std::filesystem::path&,
+                        const Background&, bool colour_rule, const VectorOptions&);
   void (*write_pens)(const PenDrawing&, const std::filesystem::path&) = nullptr;
 
   bool is_of_pixels() const { return pixel_file != nullptr; }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "displayfile/background.h"
+#include "displayfile/sorted_display_file.h"
 #include "interp/files/npy_file.h"
 #include "interp/files/row_file.h"
 #include "interp/picture_checks.h"
@@ -24,6 +25,29 @@ RasterRequest raster_request(const DrawOptions& options) {
   request.background = options.background.value_or(Background{});
   request.threads = options.threads;
   return request;
+}
+
+void DisplayFileSource::write_vectors(const PictureFormat& format,
+                                      const std::filesystem::path& file,
+                                      const RasterRequest& request) const {
+  SortedDisplayFile map;
+  if (by_depth_) {
+    HiddenSurfaceOptions options;
+    options.threads = request.threads;
+    if (request.roundoff) options.precision = Precision{false, *request.roundoff};
+    options.hidden_lines = request.hidden_lines;
+    options.intersections = request.intersections;
+    map.update(file_, HiddenMethod::map, options);
+  }
+  const DisplayFile& drawn = by_depth_ ? map.display_file() : file_;
+  if (pens_) {
+    return format.write_pens(
+        pen_drawing(drawn, request.width, request.height, vectors_.paper.value_or(Paper{}), *pens_,
+                    request.background),
+        file);
+  }
+  format.write_vectors(drawn, request.width, request.height, file, request.background,
+                       is_colour_rule(request.method), vectors_);
 }
 
 namespace {

@@ -28,7 +28,7 @@ class PictureSource {
 
 class DisplayFileSource : public PictureSource {
  public:
-  /// `by_depth`: vectors find their hidden surfaces themselves.
+  /// `by_depth`: vectors of it are its map, as where a method of image space is asked for.
   DisplayFileSource(const DisplayFile& file, bool by_depth, const DrawOptions& options,
                     SoftwareRenderer& kept)
       : file_(file),
@@ -46,16 +46,7 @@ class DisplayFileSource : public PictureSource {
     device_.draw_rows(file_, request, kept_, take);
   }
   void write_vectors(const PictureFormat& format, const std::filesystem::path& file,
-                     const RasterRequest& request) const override {
-    if (pens_) {
-      if (by_depth_) require_drawn_by_pens(request.method, *pens_);
-      return format.write_pens(pen_drawing(file_, request.width, request.height,
-                                           vectors_.paper.value_or(Paper{}), *pens_, request.background),
-                               file);
-    }
-    format.write_vectors(file_, request.width, request.height, by_depth_, file, request.background,
-                         is_colour_rule(request.method), vectors_);
-  }
+                     const RasterRequest& request) const override;
 
  private:
   const DisplayFile& file_;

@@ -24,27 +24,16 @@ test::Vertices square(double x, double y, double side, double z) {
   return {{x, y, z}, {x + side, y, z}, {x + side, y + side, z}, {x, y + side, z}};
 }
 
-TEST(AutoMethod, TilesBesideEachOtherNeedNoOrder) {
-  std::vector<test::Vertices> tiles;
-  for (int k = 0; k < 256; ++k) {
-    tiles.push_back(square(k % 16 / 16.0, k / 16 / 16.0, 1 / 16.0, (k * 7 % 13) / 13.0));
-  }
-  const DisplayFile file = file_of(tiles);
-  EXPECT_EQ(choose_method(file, PictureKind::vector).method, HiddenMethod::none);
-}
-
-/// The three sides seen of a cube: their boxes overlap, but none hides another.
-TEST(AutoMethod, AConvexObjectWithoutBackFacesNeedsNoOrder) {
-  const Point3 o(0.5, 0.5, 1), x(0.375, -0.25, -0.25), y(0, 0.375, -0.5), z(-0.375, -0.25, -0.25);
-  const DisplayFile cube = file_of(
-      {{o, o + x, o + x + y, o + y}, {o, o + y, o + y + z, o + z}, {o, o + z, o + z + x, o + x}});
-  EXPECT_TRUE(nothing_hides(ViewedScene(cube)));
-  EXPECT_EQ(choose_method(cube, PictureKind::vector).method, HiddenMethod::none);
-}
-
-TEST(AutoMethod, WhatOverlapsIsSorted) {
+TEST(AutoMethod, VectorsAreTheMap) {
   const DisplayFile file = file_of({square(0.1, 0.1, 0.5, 0.9), square(0.3, 0.3, 0.5, 0.1)});
-  EXPECT_EQ(choose_method(file, PictureKind::vector).method, HiddenMethod::depth_sort);
+  EXPECT_EQ(choose_method(file, PictureKind::vector).method, HiddenMethod::map);
+}
+
+TEST(AutoMethod, VectorsWithoutFillsHideNothing) {
+  DisplayFile file;
+  file.create(1).set_style(LineStyle{});
+  file.segment(1).enter_line({0, 0, 0}, {1, 1, 0});
+  EXPECT_EQ(choose_method(file, PictureKind::vector).method, HiddenMethod::none);
 }
 
 /// Where fills have the background's colour lines alone are seen, unless something is asked for
@@ -110,27 +99,11 @@ TEST(AutoMethod, DrawsTheTruth) {
 }
 
 /// Edges are drawn over the neighbours' insides.
-TEST(AutoMethod, LinesAreHiddenByOrder) {
+TEST(AutoMethod, LinesAreHiddenByTheMap) {
   DisplayFile file = file_of({square(0, 0, 0.5, 0.5), square(0.5, 0, 0.5, 0.5)});
   file.segment(1).set_style(LineStyle{});
   file.segment(1).enter_line({0, 0, 0}, {1, 1, 0});
-  EXPECT_EQ(choose_method(file, PictureKind::vector).method, HiddenMethod::depth_sort);
-}
-
-/// Whatever is said to need no order is drawn right in the order of entry.
-TEST(AutoMethod, NothingHidesOnlyWhereAnyOrderIsRight) {
-  int claimed = 0;
-  for (const test::SceneFamily& family : test::scene_families()) {
-    for (std::uint32_t seed = 0; seed < 300; ++seed) {
-      const DisplayFile file = test::scene(family, seed, 2 + static_cast<int>(seed % 3));
-      if (!nothing_hides(ViewedScene(file))) continue;
-      ++claimed;
-      const RasterRequest request{.width = 32, .height = 32, .ids = true};
-      ASSERT_EQ(draw_with_software(file, request).ids, truth(file, 32, 32, false).ids)
-          << family.name << ", seed " << seed;
-    }
-  }
-  EXPECT_GT(claimed, 50);
+  EXPECT_EQ(choose_method(file, PictureKind::vector).method, HiddenMethod::map);
 }
 
 }  // namespace

@@ -509,7 +509,7 @@ TEST_F(PhongVectors, AreFilledInTheMeanOfTheVertices) {
     return fmt::format("{:02x}", static_cast<int>(255 * mean * kFill.colour[channel] + 0.5));
   };
   for (const bool z_buffer : {false, true}) {
-    write_svg(g.display_file(), 64, 64, z_buffer, file("t.svg"));
+    write_svg(g.display_file(), 64, 64, file("t.svg"));
     EXPECT_NE(test::content(file("t.svg")).find("fill:#" + hex(0) + hex(1) + hex(2)),
               std::string::npos);
   }

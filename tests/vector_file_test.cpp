@@ -34,7 +34,7 @@ std::size_t count(const std::string& text, std::string_view part) {
 class VectorFile : public TemporaryFolder {
  protected:
   std::string svg(const GraphicsSystem& g, int width, int height, bool z_buffer) const {
-    write_svg(g.display_file(), width, height, z_buffer, file("a.svg"));
+    write_svg(g.display_file(), width, height, file("a.svg"));
     return content(file("a.svg"));
   }
 };
@@ -221,20 +221,20 @@ TEST_F(VectorFile, BadSizesAndPathsAreErrorsAndLeaveNothing) {
   const DisplayFile& d = g.display_file();
   for (const auto& size : {std::pair{0, 0}, {0, 5}, {5, -1}, {70000, 5}, {5, 1000000}}) {
     const int w = size.first, h = size.second;
-    EXPECT_FALSE(error_of([&] { write_svg(d, w, h, true, file("a.svg")); }).empty());
-    EXPECT_FALSE(error_of([&] { write_pdf(d, w, h, false, file("a.pdf")); }).empty());
+    EXPECT_FALSE(error_of([&] { write_svg(d, w, h, file("a.svg")); }).empty());
+    EXPECT_FALSE(error_of([&] { write_pdf(d, w, h, file("a.pdf")); }).empty());
   }
   const fs::path nowhere = file("no-such-folder") / "a";
-  EXPECT_NE(error_of([&] { write_svg(d, 9, 9, false, nowhere); }).find(nowhere), std::string::npos);
-  EXPECT_NE(error_of([&] { write_pdf(d, 9, 9, false, nowhere); }).find(nowhere), std::string::npos);
+  EXPECT_NE(error_of([&] { write_svg(d, 9, 9, nowhere); }).find(nowhere), std::string::npos);
+  EXPECT_NE(error_of([&] { write_pdf(d, 9, 9, nowhere); }).find(nowhere), std::string::npos);
   EXPECT_TRUE(empty_folder());
 }
 
 TEST_F(VectorFile, FullDiskIsAnError) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   GraphicsSystem g = unit_square_without_lines();
-  EXPECT_NE(error_of([&] { write_svg(g.display_file(), 9, 9, false, "/dev/full"); }), "");
-  EXPECT_NE(error_of([&] { write_pdf(g.display_file(), 9, 9, false, "/dev/full"); }), "");
+  EXPECT_NE(error_of([&] { write_svg(g.display_file(), 9, 9, "/dev/full"); }), "");
+  EXPECT_NE(error_of([&] { write_pdf(g.display_file(), 9, 9, "/dev/full"); }), "");
 }
 
 TEST_F(VectorFile, PdfBytesDependOnTheDrawingAlone) {
@@ -242,12 +242,12 @@ TEST_F(VectorFile, PdfBytesDependOnTheDrawingAlone) {
   g.open_segment(1);
   g.polygon_abs_2({{0, 0}, {1, 0}, {1, 1}});
   g.close_segment();
-  write_pdf(g.display_file(), 300, 200, false, file("a.pdf"));
+  write_pdf(g.display_file(), 300, 200, file("a.pdf"));
   const std::string pdf = content(file("a.pdf"));
   EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
   EXPECT_EQ(count(pdf, "/CreationDate (20000101"), 1u);
   EXPECT_EQ(count(pdf, "/MediaBox [ 0 0 300 200 ]"), 1u);
-  write_pdf(g.display_file(), 300, 200, false, file("b.pdf"));
+  write_pdf(g.display_file(), 300, 200, file("b.pdf"));
   EXPECT_EQ(content(file("b.pdf")), pdf);
 }
 

@@ -14,7 +14,6 @@
 #include "interp/text/cairo_text.h"
 #include "interp/vector/cairo_figure.h"
 #include "interp/vector/pdf_layers.h"
-#include "interp/vector/sampled/visible_order.h"
 
 namespace displayfile {
 
@@ -67,8 +66,7 @@ PdfDevice::PdfDevice(std::ostream& out, int width, int height, const Background&
     : VectorDevice(width, height, background, options),
       out_(out),
       format_(format),
-      surface_(
-          page_surface(format, document_, width, height, sheet_of(options, width, height))) {
+      surface_(page_surface(format, document_, width, height, sheet_of(options, width, height))) {
   require_success(cairo().surface_status(surface_.get()));
   if (format == PageFormat::pdf) {  // left to itself Cairo stores the time
     cairo().pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_CREATE_DATE,
@@ -122,23 +120,9 @@ void PdfDevice::set_path(const Path& path) {
   }
 }
 
-void PdfDevice::clip_to(std::span<const PixelBox> pixels) {
-  cairo().new_path(context_.get());
-  for (const PixelBox& b : pixels) {
-    cairo().rectangle(context_.get(), b.first_column, height() - b.end_row,
-                      b.end_column - b.first_column, b.end_row - b.first_row);
-  }
-  cairo().clip(context_.get());
-}
-
-void PdfDevice::paint_fill(const Path& path, const Colour& colour, bool seam,
-                           std::span<const PixelBox> within) {
+void PdfDevice::paint_fill(const Path& path, const Colour& colour, bool seam) {
   begin_layer({});
   cairo_t* context = context_.get();
-  if (!within.empty()) {
-    cairo().save(context);
-    clip_to(within);
-  }
   set_colour(colour);
   set_path(path);
   if (seam) {
@@ -149,7 +133,6 @@ void PdfDevice::paint_fill(const Path& path, const Colour& colour, bool seam,
   } else {
     cairo().fill(context);
   }
-  if (!within.empty()) cairo().restore(context);
 }
 
 void PdfDevice::paint_figure(const Figure& figure) {
@@ -199,19 +182,15 @@ void PdfDevice::finish() {
 namespace {
 
 void write_page(PageFormat format, const DisplayFile& display_file, int width, int height,
-                bool z_buffer, const std::filesystem::path& path, const Background& background,
-                bool colour_rule, const VectorOptions& options) {
+                const std::filesystem::path& path, const Background& background, bool colour_rule,
+                const VectorOptions& options) {
   require_picture_size(width, height);
   OutputFile file(path.string());
   try {
     PdfDevice device(file.stream(), width, height, background, options, format);
     if (colour_rule) device.fill_with_background();
-    if (z_buffer) {
-      draw_in_visible_order(display_file, width, height, device);
-    } else {
-      interpret(display_file, device);
-    }
-    device.draw_texts(display_file, z_buffer);
+    interpret(display_file, device);
+    device.draw_texts(display_file);
     device.finish();
   } catch (const Error& e) {
     throw Error(fmt::format("{}: {}", path.string(), e.what()));
@@ -221,18 +200,16 @@ void write_page(PageFormat format, const DisplayFile& display_file, int width, i
 
 }  // namespace
 
-void write_pdf(const DisplayFile& display_file, int width, int height, bool z_buffer,
+void write_pdf(const DisplayFile& display_file, int width, int height,
                const std::filesystem::path& path, const Background& background, bool colour_rule,
                const VectorOptions& options) {
-  write_page(PageFormat::pdf, display_file, width, height, z_buffer, path, background, colour_rule,
-             options);
+  write_page(PageFormat::pdf, display_file, width, height, path, background, colour_rule, options);
 }
 
-void write_eps(const DisplayFile& display_file, int width, int height, bool z_buffer,
+void write_eps(const DisplayFile& display_file, int width, int height,
                const std::filesystem::path& path, const Background& background, bool colour_rule,
                const VectorOptions& options) {
-  write_page(PageFormat::eps, display_file, width, height, z_buffer, path, background, colour_rule,
-             options);
+  write_page(PageFormat::eps, display_file, width, height, path, background, colour_rule, options);
 }
 
 }  // namespace displayfile

@@ -30,8 +30,8 @@ class PdfDevice : public VectorDevice {
   /// The stream must live on until finish(). Throws Error unless both sides are 1 to
   /// kLargestSide, or if Cairo cannot make the surface. (Readers may show less: the PDF
   /// specification advises pages of at most 14,400 points.)
-  /// On paper, if the options have one: a page of its size, the picture where it lies and cut off at
-  /// its frame.
+  /// On paper, if the options have one: a page of its size, the picture where it lies and cut off
+  /// at its frame.
   PdfDevice(std::ostream& out, int width, int height, const Background& background = {},
             const VectorOptions& options = {}, PageFormat format = PageFormat::pdf);
   ~PdfDevice() override;
@@ -42,8 +42,7 @@ class PdfDevice : public VectorDevice {
  private:
   void open_group(int) override {}
   void close_group() override {}
-  void paint_fill(const Path& path, const Colour& colour, bool seam,
-                  std::span<const PixelBox> within) override;
+  void paint_fill(const Path& path, const Colour& colour, bool seam) override;
   void paint_figure(const Figure& figure) override;
   void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds) override;
   void paint_text(const ViewedText& text, const Point2& anchor, double size) override;
@@ -51,7 +50,6 @@ class PdfDevice : public VectorDevice {
   void begin_layer(std::string_view name);  ///< of what follows; empty: it is in none
   void set_colour(const Colour& colour);
   void set_path(const Path& path);
-  void clip_to(std::span<const PixelBox> pixels);
 
   struct Destroy {
     void operator()(_cairo* context) const;
@@ -66,16 +64,16 @@ class PdfDevice : public VectorDevice {
   std::unique_ptr<_cairo, Destroy> context_;
 };
 
-/// Draws the visible segments into a PDF file of one page, width x height points, in order or as
-/// the z-buffer shows them (interp/vector/sampled/visible_order.h). The file appears whole or not
-/// at all. Throws Error, naming the file, if it cannot be written, or for a size outside of 1 to
-/// kLargestSide. On paper, if one is given: as large as fits, on a page of its size.
-void write_pdf(const DisplayFile& display_file, int width, int height, bool z_buffer,
+/// Draws the visible segments into a PDF file of one page, width x height points, in their
+/// order. The file appears whole or not at all. Throws Error, naming the file, if it cannot be
+/// written, or for a size outside of 1 to kLargestSide. On paper, if one is given: as large as
+/// fits, on a page of its size.
+void write_pdf(const DisplayFile& display_file, int width, int height,
                const std::filesystem::path& path, const Background& background = {},
                bool colour_rule = false, const VectorOptions& options = {});
 
 /// The same into an EPS file, a picture of that size (PostScript, level 3).
-void write_eps(const DisplayFile& display_file, int width, int height, bool z_buffer,
+void write_eps(const DisplayFile& display_file, int width, int height,
                const std::filesystem::path& path, const Background& background = {},
                bool colour_rule = false, const VectorOptions& options = {});
 

@@ -11,7 +11,6 @@
 #include "displayfile/output_file.h"
 #include "interp/interpreter.h"
 #include "interp/picture.h"
-#include "interp/vector/sampled/visible_order.h"
 #include "interp/vector/seams.h"
 #include "interp/vector/svg_sheet.h"
 
@@ -96,31 +95,14 @@ void SvgDevice::append_path_data(const Path& path) {
   }
 }
 
-void SvgDevice::append_clip_path(std::span<const PixelBox> pixels) {
-  auto out = std::back_inserter(body_);
-  fmt::format_to(out, "<clipPath id=\"pixels-{}\"><path d=\"", ++clip_paths_);
-  for (const PixelBox& b : pixels) {
-    const int columns = b.end_column - b.first_column;
-    fmt::format_to(out, "M{},{}h{}v{}h-{}Z", b.first_column, height() - b.end_row, columns,
-                   b.end_row - b.first_row, columns);
-  }
-  body_ += "\"/></clipPath>\n";
-}
-
-void SvgDevice::paint_fill(const Path& path, const Colour& colour, bool seam,
-                           std::span<const PixelBox> within) {
+void SvgDevice::paint_fill(const Path& path, const Colour& colour, bool seam) {
   const std::size_t number = fill_class({pixel_of(colour), seam});
   append_path_data(path);
-  if (!within.empty()) append_clip_path(within);
   fmt::format_to(std::back_inserter(body_), "<path class=\"f{}", number);
   const std::size_t class_end = body_.size();
-  body_ += '"';
-  if (!within.empty()) {
-    fmt::format_to(std::back_inserter(body_), " clip-path=\"url(#pixels-{})\"", clip_paths_);
-  }
-  body_ += " d=\"";
+  body_ += "\" d=\"";
   joinable_ = {};
-  if (!seam && within.empty()) joinable_ = {class_end, body_.size(), body_.size() + data_.size()};
+  if (!seam) joinable_ = {class_end, body_.size(), body_.size() + data_.size()};
   body_ += data_;
   body_ += "\"/>\n";
 }
@@ -215,18 +197,14 @@ void SvgDevice::finish(std::ostream& out) {
   out << body_ << "</svg>\n";
 }
 
-void write_svg(const DisplayFile& display_file, int width, int height, bool z_buffer,
+void write_svg(const DisplayFile& display_file, int width, int height,
                const std::filesystem::path& path, const Background& background, bool colour_rule,
                const VectorOptions& options) {
   SvgDevice device(width, height, background, options);
   if (colour_rule) device.fill_with_background();
   OutputFile file(path.string());
-  if (z_buffer) {
-    draw_in_visible_order(display_file, width, height, device);
-  } else {
-    interpret(display_file, device);
-  }
-  device.draw_texts(display_file, z_buffer);
+  interpret(display_file, device);
+  device.draw_texts(display_file);
   if (options.paper) {
     std::ostringstream document;
     device.finish(document);

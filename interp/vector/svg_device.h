@@ -44,8 +44,7 @@ class SvgDevice : public VectorDevice {
 
   void open_group(int segment_name) override;
   void close_group() override;
-  void paint_fill(const Path& path, const Colour& colour, bool seam,
-                  std::span<const PixelBox> within) override;
+  void paint_fill(const Path& path, const Colour& colour, bool seam) override;
   void paint_figure(const Figure& figure) override;  // svg_figure.cpp
   void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds) override;
   void paint_text(const ViewedText& text, const Point2& anchor, double size) override;
@@ -56,14 +55,12 @@ class SvgDevice : public VectorDevice {
   void append_traps(const Figure& figure);
   void append_regions(const Figure& figure);
   void append_path_data(const Path& path);
-  void append_clip_path(std::span<const PixelBox> pixels);
 
   std::string body_;
   std::map<FillKey, std::size_t> fill_classes_;
   std::map<LineKey, std::size_t> line_classes_;
   std::map<TextKey, std::size_t> text_classes_;
   std::unordered_map<int, int> times_opened_;
-  std::size_t clip_paths_ = 0;
   std::size_t figures_ = 0;
 
   // The element written last, if it is a fill that edges of the same outline may join.
@@ -73,11 +70,10 @@ class SvgDevice : public VectorDevice {
   std::string data_;
 };
 
-/// Draws the visible segments into an SVG file, in order or as the z-buffer shows them
-/// (interp/vector/sampled/visible_order.h). The file appears whole or not at all. Throws Error,
-/// naming the file, if it cannot be written, or for a size outside of 1 to kLargestSide.
-/// On paper, if one is given: as large as fits, in millimetres.
-void write_svg(const DisplayFile& display_file, int width, int height, bool z_buffer,
+/// Draws the visible segments into an SVG file, in their order. The file appears whole or not at
+/// all. Throws Error, naming the file, if it cannot be written, or for a size outside of 1 to
+/// kLargestSide. On paper, if one is given: as large as fits, in millimetres.
+void write_svg(const DisplayFile& display_file, int width, int height,
                const std::filesystem::path& path, const Background& background = {},
                bool colour_rule = false, const VectorOptions& options = {});
 

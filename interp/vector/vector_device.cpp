@@ -87,14 +87,16 @@ void VectorDevice::end_disjoint_fills() {
 }
 
 void VectorDevice::fill(const DrawnPolygon& polygon) {
-  if (!fills_are_disjoint_) return paint_inside(polygon, {});
-  if (!find_loop(polygon.vertices)) return;
-  const Colour colour = fills_with_background_ ? background_.colour : even_fill(polygon).colour;
-  disjoint_.add(path_.points, {pixel_of(colour)}, segment_of_disjoint_, polygon.pick);
-}
-
-void VectorDevice::fill_within(const DrawnPolygon& polygon, std::span<const PixelBox> pixels) {
-  if (!pixels.empty()) paint_inside(polygon, pixels);
+  const auto colour = [&] {
+    return fills_with_background_ ? background_.colour : even_fill(polygon).colour;
+  };
+  if (fills_are_disjoint_) {
+    if (!find_loop(polygon.vertices)) return;
+    return disjoint_.add(path_.points, {pixel_of(colour())}, segment_of_disjoint_, polygon.pick);
+  }
+  finish_lines();
+  if (support_vertices(polygon.vertices).edge_on || !find_loop(polygon.vertices)) return;
+  paint_fill(path_, colour(), !edges_cover_seams(polygon));
 }
 
 /// The polygon as path_, one closed run; false if nothing of it is near the page.
@@ -111,13 +113,6 @@ bool VectorDevice::find_loop(std::span<const Point3> vertices) {
                       {-kReach, width_ + kReach, -kReach, height_ + kReach});
   }
   return path_.points.size() >= 3;
-}
-
-void VectorDevice::paint_inside(const DrawnPolygon& polygon, std::span<const PixelBox> within) {
-  finish_lines();
-  if (support_vertices(polygon.vertices).edge_on || !find_loop(polygon.vertices)) return;
-  const Colour colour = fills_with_background_ ? background_.colour : even_fill(polygon).colour;
-  paint_fill(path_, colour, !edges_cover_seams(polygon), within);
 }
 
 bool VectorDevice::clip_to_neighbourhood(Point2& a, Point2& b, double reach) const {
@@ -203,9 +198,9 @@ void VectorDevice::line(const DrawnLine& line) {
   if (b != whole_b) finish_lines();
 }
 
-void VectorDevice::draw_texts(const DisplayFile& display_file, bool by_depth) {
+void VectorDevice::draw_texts(const DisplayFile& display_file) {
   int segment = 0;  // names are 1 or more
-  for (const ViewedText& text : seen_texts(display_file, by_depth)) {
+  for (const ViewedText& text : seen_texts(display_file, false)) {
     const Point2 anchor = to_page(text.anchor);
     if (!finite(anchor) || !near_the_page(anchor, kReach)) continue;
     if (text.segment != segment) {

@@ -8,7 +8,6 @@
 #include "displayfile/display_file.h"
 #include "displayfile/viewed_scene.h"
 #include "interp/output_device.h"
-#include "interp/scan/pixel_box.h"
 #include "interp/vector/disjoint_fills.h"
 
 namespace displayfile {
@@ -45,12 +44,9 @@ class VectorDevice : public OutputDevice {
   void line(const DrawnLine& line) final;
   void begin_disjoint_fills() final;
   void end_disjoint_fills() final;
-  /// Draws the inside, but only within these pixels, which do not overlap: for a polygon that was
-  /// covered where it must be seen, since no order of whole polygons is right.
-  void fill_within(const DrawnPolygon& polygon, std::span<const PixelBox> pixels);
   /// Draws the texts that are to be seen of the visible segments, after all else
   /// (interp/text/seen_texts.h).
-  void draw_texts(const DisplayFile& display_file, bool by_depth);
+  void draw_texts(const DisplayFile& display_file);
 
  protected:
   /// Points of lines; each run starts at its own first point and is closed or open.
@@ -77,10 +73,8 @@ class VectorDevice : public OutputDevice {
 
   virtual void open_group(int segment_name) = 0;
   virtual void close_group() = 0;
-  /// Paints by the even-odd rule; within pixel blocks if there are any; with the line that closes
-  /// the seams if asked.
-  virtual void paint_fill(const Path& path, const Colour& colour, bool seam,
-                          std::span<const PixelBox> within) = 0;
+  /// Paints by the even-odd rule; with the line that closes the seams if asked.
+  virtual void paint_fill(const Path& path, const Colour& colour, bool seam) = 0;
   /// Paints disjoint fills, with their seams as options() say; in the group that is open, or else
   /// in one for each segment.
   virtual void paint_figure(const Figure& figure) = 0;
@@ -94,7 +88,6 @@ class VectorDevice : public OutputDevice {
   bool near_the_page(const Point2& p, double reach) const;
   void paint_edges(const DrawnPolygon& polygon, LineKinds kinds);
   bool clip_to_neighbourhood(Point2& a, Point2& b, double reach) const;
-  void paint_inside(const DrawnPolygon& polygon, std::span<const PixelBox> within);
   bool find_loop(std::span<const Point3> vertices);
 
   int width_, height_;

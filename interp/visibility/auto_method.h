@@ -28,8 +28,4 @@ inline constexpr HiddenMethod kMethodForPixels = HiddenMethod::z_buffer;
 MethodChoice choose_method(const DisplayFile& display_file, PictureKind kind,
                            const std::optional<Background>& background = std::nullopt);
 
-/// True if no fill can hide another: then any order of drawing is right. What it may cost is linear
-/// in the number of fills; where more would be needed to find out, false.
-bool nothing_hides(const ViewedScene& scene);
-
 }  // namespace displayfile

@@ -62,7 +62,7 @@ void sort_and_write(const DisplayFile& file, HiddenMethod method, int threads) {
   options.threads = threads;
   sorted.set_sorted(hidden_surface_check(sorted.visible_segments(), method, options));
   const auto path = std::filesystem::temp_directory_path() / "visible_map_bench.svg";
-  write_svg(sorted, 512, 512, false, path);
+  write_svg(sorted, 512, 512, path);
   std::filesystem::remove(path);
 }
 

@@ -238,7 +238,7 @@ class PieceWriter {
     return {.normals = normals_, .light = whole.light};
   }
 
-  /// Of three vertices, where there are fewer; none stay none.
+  /// Fewer than three become three; none stay none.
   template <class Value>
   static std::span<const Value> padded(std::span<const Value> values, std::vector<Value>& room) {
     if (values.empty()) return {};

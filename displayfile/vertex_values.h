@@ -42,7 +42,7 @@ class VertexValues {
   }
 
   bool empty() const { return first_.empty(); }  ///< no item has any
-  /// Of an item of so many sides; empty if it has none.
+  /// The values of an item of so many sides; empty if it has none.
   std::span<const Value> of(std::uint32_t item, std::uint32_t sides) const {
     if (item >= first_.size() || first_[item] == kNone) return {};
     return (all_.empty() ? std::span<const Value>(own_) : all_).subspan(first_[item], sides);

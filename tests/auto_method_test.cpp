@@ -52,12 +52,12 @@ TEST(AutoMethod, LinesOverFillsThatAreNotSeenAreLeftToAMethodOfLines) {
   };
   EXPECT_EQ(method(), HiddenMethod::franklin);
   EXPECT_EQ(method({}, PictureKind::raster), HiddenMethod::z_buffer);
-  EXPECT_EQ(method({.background = Background{Background::Kind::none}}), HiddenMethod::depth_sort);
+  EXPECT_EQ(method({.background = Background{Background::Kind::none}}), HiddenMethod::map);
   EXPECT_EQ(method({.background = Background{Background::Kind::solid, {1, 1, 0}}}),
-            HiddenMethod::depth_sort);
-  EXPECT_EQ(method({.ids = "ids.npy"}), HiddenMethod::depth_sort);
+            HiddenMethod::map);
+  EXPECT_EQ(method({.ids = "ids.npy"}), HiddenMethod::map);
   g.set_background({Background::Kind::solid, {0, 0, 1}});
-  EXPECT_EQ(method(), HiddenMethod::depth_sort);
+  EXPECT_EQ(method(), HiddenMethod::map);
   g.set_background({});
   EXPECT_EQ(method(), HiddenMethod::franklin);
   g.open_segment(2);
@@ -69,11 +69,11 @@ TEST(AutoMethod, LinesOverFillsThatAreNotSeenAreLeftToAMethodOfLines) {
   g.set_fill_style({FillStyle::Kind::solid, {1, 0, 0}});
   g.polygon_abs_3({{-0.9, -0.9, 0.1}, {-0.7, -0.9, 0.1}, {-0.8, -0.7, 0.1}});
   g.close_segment();
-  EXPECT_EQ(method(), HiddenMethod::depth_sort);  // that one is seen
+  EXPECT_EQ(method(), HiddenMethod::map);  // that one is seen
   g.set_visibility(3, false);
   EXPECT_EQ(method(), HiddenMethod::franklin);
   g.set_visibility(1, false);
-  EXPECT_EQ(method(), HiddenMethod::none);  // no line is drawn
+  EXPECT_EQ(method(), HiddenMethod::map);  // no line is drawn
 }
 
 /// How far that is from the best method of each scene, `displayfile bench` tells.

@@ -253,7 +253,7 @@ TEST_F(Command, AutoDrawsLinesAlone) {
   EXPECT_EQ(run("draw t.draw --hidden franklin -o f.svg"), 0) << err_;
   EXPECT_EQ(read(folder_ / "a.svg"), read(folder_ / "f.svg"));
   EXPECT_EQ(run("draw t.draw --hidden auto -o b.svg --background none --explain"), 0) << err_;
-  EXPECT_NE(out_.find("auto: depth-sort"), out_.npos) << out_;
+  EXPECT_NE(out_.find("auto: map"), out_.npos) << out_;
   EXPECT_EQ(run("draw t.draw --hidden auto -o c.svg --ids i.npy"), 0) << err_;
   EXPECT_TRUE(fs::exists(folder_ / "i.npy"));
 }

@@ -22,7 +22,7 @@ TEST(DrawingMethod, IsThatOfTheOptionsOrElseOfTheApplication) {
   g.close_segment();
   EXPECT_EQ(drawing_method(g, {}, PictureKind::vector), HiddenMethod::none);
   g.set_hidden_line_removal(true);
-  EXPECT_EQ(drawing_method(g, {}, PictureKind::vector), HiddenMethod::depth_sort);
+  EXPECT_EQ(drawing_method(g, {}, PictureKind::vector), HiddenMethod::map);
   EXPECT_EQ(drawing_method(g, {}, PictureKind::raster), HiddenMethod::z_buffer);
   EXPECT_EQ(drawing_method(g, {.hidden = HiddenMethod::bsp}, PictureKind::raster),
             HiddenMethod::bsp);

@@ -40,7 +40,7 @@ std::vector<Stroke> hatched(const Polygon& polygon, double darkness, double spac
   return lines.strokes(0.0);
 }
 
-/// Of one fill, the length of lines times their distance is the fill's area, as far as it is dark.
+/// For one fill, the length of lines times their distance is the fill's area, as far as it is dark.
 TEST(Hatching, IsAsDenseAsTheFillIsDark) {
   const Polygon star{{100, 10},  {120, 80}, {190, 100}, {120, 120},
                      {100, 190}, {80, 120}, {10, 100},  {80, 80}};

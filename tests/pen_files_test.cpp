@@ -161,7 +161,8 @@ TEST_F(PenFiles, HatchingIsALayer) {
   DrawOptions options = for_pens(sheet(110, 110, 5));
   options.hidden = HiddenMethod::none;
   options.pens->hatching = Hatching{1.0, 0.0, false, {}, 0.25};
-  const PenDrawing drawing = pen_drawing(g.display_file(), 100, 100, *options.vectors.paper, *options.pens);
+  const PenDrawing drawing =
+      pen_drawing(g.display_file(), 100, 100, *options.vectors.paper, *options.pens);
   ASSERT_EQ(drawing.layers.size(), 1u);
   EXPECT_EQ(drawing.layers[0].pen, (Pen{0xff000000u, 250}));
   double length = 0.0;
@@ -169,7 +170,8 @@ TEST_F(PenFiles, HatchingIsALayer) {
   EXPECT_NEAR(length, 1000.0 * (50 * 100 + 50 * 50), 1e-3);
   EXPECT_NE(svg(g, options).find("inkscape:label=\"1 #000000 0.25 mm\""), std::string::npos);
   options.pens->hatching->cross = true;  // black twice as dense as the middle tone
-  const PenDrawing crossed = pen_drawing(g.display_file(), 100, 100, *options.vectors.paper, *options.pens);
+  const PenDrawing crossed =
+      pen_drawing(g.display_file(), 100, 100, *options.vectors.paper, *options.pens);
   length = 0.0;
   for (const PenPath& path : crossed.layers[0].paths) length += length_of(path);
   EXPECT_NEAR(length, 1000.0 * (100 * 100 + 50 * 100), 1e-3);

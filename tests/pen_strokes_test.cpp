@@ -383,7 +383,7 @@ TEST(PenOrder, IsAPermutationWithDirections) {
   }
 }
 
-/// Of few paths every order and direction can be tried.
+/// Where paths are few, every order and direction can be tried.
 TEST(PenOrder, OfFewPathsIsNearTheBest) {
   double ours = 0.0, best = 0.0;
   for (unsigned seed = 1; seed <= 40; ++seed) {

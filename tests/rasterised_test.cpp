@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <string>
 
+#include "interp/draw.h"
 #include "interp/files/png_file.h"
 #include "interp/raster/software.h"
 #include "interp/vector/pdf_device.h"
@@ -45,10 +46,13 @@ class Rasterised : public TemporaryFolder, public testing::WithParamInterface<co
     if (!have(tool)) GTEST_SKIP() << tool << " is not installed";
   }
   bool svg_format() const { return std::string(GetParam()) == "svg"; }
-  Picture draw(const GraphicsSystem& g, int width, int height, bool z_buffer) const {
+  Picture draw(const GraphicsSystem& g, int width, int height, bool by_map) const {
     const fs::path path = file(std::string("a.") + GetParam());
-    (svg_format() ? write_svg : write_pdf)(g.display_file(), width, height, z_buffer, path, {},
-                                           false, {});
+    DrawOptions options;
+    options.width = width;
+    options.height = height;
+    if (by_map) options.hidden = HiddenMethod::map;
+    displayfile::draw(g, path, options);
     const Picture picture = rasterised(path);
     EXPECT_EQ(picture.width, width);
     EXPECT_EQ(picture.height, height);
@@ -175,8 +179,8 @@ TEST_P(Rasterised, NoSeamsBetweenNeighbours) {
     g.polygon_abs_3({{.503, .501, .5}, rim(k), rim(k + 1)});
   }
   g.close_segment();
-  for (const bool z_buffer : {false, true}) {
-    const Picture p = draw(g, 200, 200, z_buffer);
+  for (const bool by_map : {false, true}) {
+    const Picture p = draw(g, 200, 200, by_map);
     int lightest = 0;
     for (int y = 0; y < p.height; ++y) {
       for (int x = 0; x < p.width; ++x) {
@@ -197,8 +201,8 @@ TEST_P(Rasterised, FarCoordinates) {
   g.polygon_abs_2({{0, 0}, {1, 0}, {1, 1}});  // its long side runs through the picture's corners
   g.close_segment();
   g.set_image_scale(1, 1e12, 1e12);
-  for (const bool z_buffer : {false, true}) {
-    const Picture p = draw(g, 100, 100, z_buffer);
+  for (const bool by_map : {false, true}) {
+    const Picture p = draw(g, 100, 100, by_map);
     EXPECT_EQ(at(p, .7, .3), 0xff00ff00u);
     EXPECT_EQ(at(p, .3, .7), 0xffffffffu);
   }

@@ -38,7 +38,7 @@ TEST_F(TextFile, SvgHasTextElementsAfterAllElse) {
                                 "a.svg");
   EXPECT_NE(
       svg.find("</g>\n"
-               "<g id=\"segment-1-2\" class=\"segment\">\n"
+               "<g id=\"segment-1-3\" class=\"segment\">\n"
                "<text class=\"t1\" x=\"256\" y=\"384\">x &lt; y &amp; \"z\" &gt; "
                "\u03c0</text>\n"
                "<text class=\"t1\" xml:space=\"preserve\" x=\"256\" y=\"256\"> always</text>\n"

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "interp/draw.h"
 #include "interp/interpreter.h"
 #include "interp/vector/pdf_device.h"
 #include "interp/vector/svg_device.h"
@@ -33,8 +34,12 @@ std::size_t count(const std::string& text, std::string_view part) {
 
 class VectorFile : public TemporaryFolder {
  protected:
-  std::string svg(const GraphicsSystem& g, int width, int height, bool z_buffer) const {
-    write_svg(g.display_file(), width, height, file("a.svg"));
+  std::string svg(const GraphicsSystem& g, int width, int height, bool by_map = false) const {
+    DrawOptions options;
+    options.width = width;
+    options.height = height;
+    if (by_map) options.hidden = HiddenMethod::map;
+    draw(g, file("a.svg"), options);
     return content(file("a.svg"));
   }
 };
@@ -117,8 +122,8 @@ TEST_F(VectorFile, NothingAndInvisibleSegmentsMakeAnEmptyPicture) {
   g.polygon_abs_2({{0, 0}, {1, 0}, {1, 1}});
   g.close_segment();
   g.set_visibility(1, false);
-  for (const bool z_buffer : {false, true}) {
-    EXPECT_EQ(body(svg(g, 10, 10, z_buffer)),
+  for (const bool by_map : {false, true}) {
+    EXPECT_EQ(body(svg(g, 10, 10, by_map)),
               "<rect class=\"background\" width=\"10\" height=\"10\"/>\n</svg>\n");
   }
 }
@@ -201,18 +206,16 @@ TEST_F(VectorFile, FarCoordinatesAreCutOffOutsideOfThePicture) {
   g.line_abs_2(1, 1);
   g.close_segment();
   g.set_image_scale(1, 1e90, 1e90);
-  for (const bool z_buffer : {false, true}) {
-    const std::string text = body(svg(g, 100, 100, z_buffer));
-    EXPECT_GE(count(text, "class=\"l1\""), 1u);
-    EXPECT_EQ(count(text, "class=\"f1\""), 1u);
-    std::istringstream numbers(text);
-    for (char c; numbers.get(c);) {
-      if (c < '0' || c > '9') continue;
-      numbers.unget();
-      double v = 0.0;
-      numbers >> v;
-      ASSERT_LE(v, 32767.0) << text;
-    }
+  const std::string text = body(svg(g, 100, 100));
+  EXPECT_GE(count(text, "class=\"l1\""), 1u);
+  EXPECT_EQ(count(text, "class=\"f1\""), 1u);
+  std::istringstream numbers(text);
+  for (char c; numbers.get(c);) {
+    if (c < '0' || c > '9') continue;
+    numbers.unget();
+    double v = 0.0;
+    numbers >> v;
+    ASSERT_LE(v, 32767.0) << text;
   }
 }
 

@@ -41,7 +41,7 @@ class Intersections {
     join_inside();
     for (const auto& [from, to] : inside_) {
       if (ends_ == IntersectionEnds::defined) {
-        lines.push_back({a, b, from, to, {}, {}});
+        lines.push_back({a, b, well_known(from), well_known(to), {}, {}});
         continue;
       }
       IntersectionLine line{a, b, rounded_once(from), rounded_once(to), {}, {}};
@@ -184,6 +184,9 @@ class Intersections {
     inside_.resize(last + 1);
   }
 
+  DefinedPoint well_known(const DefinedPoint& v) const {
+    return is_badly_known(v) ? refined(definitions(), v) : v;
+  }
   DefinedPoint rounded_once(DefinedPoint v) const {
     v.near = rounded(definitions(), v) + 0.0;  // an end at zero has one sign, whatever it is from
     if (v.kind == DefinedPoint::Kind::stored) return v;

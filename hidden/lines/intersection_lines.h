@@ -32,7 +32,7 @@ std::vector<IntersectionLine> intersection_lines(const Primitives& items, int th
 /// What is kept of an intersection line's ends.
 enum class IntersectionEnds {
   rounded,  ///< `near` is rounded once; lines whose ends are rounded alike are left out
-  defined,  ///< `near` is close to the end, as DefinedPoint has it; nothing is drawn, and no line
+  defined,  ///< `near` is close to the end, so that filters decide; nothing is drawn, and no line
             ///< left out
 };
 

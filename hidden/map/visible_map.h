@@ -14,8 +14,8 @@ namespace displayfile {
 /// which one item is seen on the left and another on the right (hidden/map/visible_map.md). Device
 /// coordinates.
 ///
-/// Of the solid polygons that cover a point, the one is seen whose plane is nearest there, and of
-/// several in one plane the one entered last. Edge-on polygons, hollow ones and lines are not part
+/// Among the solid polygons that cover a point, the one is seen whose plane is nearest there, and
+/// among several in one plane the one entered last. Edge-on polygons, hollow ones and lines are not part
 /// of it.
 struct VisibleMap {
   static constexpr std::uint32_t kNothing = std::numeric_limits<std::uint32_t>::max();

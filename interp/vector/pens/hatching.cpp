@@ -99,7 +99,7 @@ void HatchLines::add(std::span<const Point2> polygon, std::span<const double> da
   }
 }
 
-/// Of a part of a span, that in which it is dark enough.
+/// The part of a part of a span in which it is dark enough.
 void HatchLines::ink(const Span& span, double from, double to) {
   const double change = (span.dark_to - span.dark_from) / (span.to - span.from);
   const double dark_from = span.dark_from + change * (from - span.from);
@@ -115,7 +115,7 @@ void HatchLines::ink(const Span& span, double from, double to) {
   }
 }
 
-/// Of what overlaps, what was added last covers the rest: from place to place along the line.
+/// What was added last covers what it overlaps: from place to place along the line.
 void HatchLines::find_nearest_of_overlapping(std::span<const Span> spans) {
   struct Event {
     double at;

@@ -16,7 +16,7 @@ namespace displayfile {
 class Darkness {
  public:
   Darkness(const Colour& paper, const Colour& pen);
-  /// Of a fill; below 0 or above 1 where it is brighter than the paper or darker than the pen.
+  /// That of a fill; below 0 or above 1 where it is brighter than the paper or darker than the pen.
   double of(const Colour& fill) const { return (paper_ - luma(fill)) * scale_; }
   static double luma(const Colour& colour);
 

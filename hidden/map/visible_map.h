@@ -15,8 +15,8 @@ namespace displayfile {
 /// coordinates.
 ///
 /// Among the solid polygons that cover a point, the one is seen whose plane is nearest there, and
-/// among several in one plane the one entered last. Edge-on polygons, hollow ones and lines are not part
-/// of it.
+/// among several in one plane the one entered last. Edge-on polygons, hollow ones and lines are not
+/// part of it.
 struct VisibleMap {
   static constexpr std::uint32_t kNothing = std::numeric_limits<std::uint32_t>::max();
 

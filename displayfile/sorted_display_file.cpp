@@ -28,6 +28,7 @@ SortOptions sort_options(const HiddenSurfaceOptions& options, const Precision& p
   SortOptions sort;
   sort.precision = precision;
   sort.threads = options.threads;
+  sort.most_pieces = options.most_pieces;
   sort.progress = options.progress;
   return sort;
 }

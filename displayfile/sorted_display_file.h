@@ -17,7 +17,8 @@ struct HiddenSurfaceOptions {
   std::optional<HiddenMethod> method = std::nullopt;
   std::optional<HiddenScope> scope = std::nullopt;
   std::optional<Precision> precision = std::nullopt;
-  int threads = 1;  ///< the result is the same for any number
+  int threads = 1;                        ///< the result is the same for any number
+  std::size_t most_pieces = kMostPieces;  ///< of a sort; Error for more
   /// Told by a method that finds lines of those looked at, anew for each segment, or group of
   /// segments, that is looked at by itself.
   WorkProgress progress = {};

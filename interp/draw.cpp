@@ -86,6 +86,7 @@ HiddenSurfaceOptions hidden_surface_options(const DrawOptions& options) {
           .scope = options.scope,
           .precision = options.precision,
           .threads = options.threads,
+          .most_pieces = options.most_pieces,
           .progress = options.progress,
           .hidden_lines = options.hidden_lines};
 }

@@ -30,8 +30,9 @@ struct DrawOptions {
   /// The extension of one of picture_formats(), with its dot or without, in place of the file's
   /// own; if there is neither, it is .png for "-", standard output.
   std::string format = {};
-  std::string device = "software";  ///< of raster pictures: one of raster_devices()
-  int threads = 1;                  ///< at most, 1 or more
+  std::string device = "software";        ///< of raster pictures: one of raster_devices()
+  int threads = 1;                        ///< at most, 1 or more
+  std::size_t most_pieces = kMostPieces;  ///< that a sort may cut polygons into; Error for more
   std::optional<Background> background = std::nullopt;  ///< in place of the application's
   /// Antialiasing: the mean of samples x samples for each pixel, 1 to kMostSamples; vectors, ids
   /// and depth are not affected.

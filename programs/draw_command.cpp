@@ -135,6 +135,7 @@ DrawOptions DrawCommand::all_options() const {
   all.hidden = sorting.method;
   all.scope = sorting.scope;
   all.precision = sorting.precision;
+  all.most_pieces = sorting.most_pieces;
   all.hidden_lines = sorting.hidden_lines;
   all.background = background.background();
   all.vectors = vectors.options();

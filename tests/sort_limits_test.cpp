@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "clip/error.h"
+#include "tests/error_of.h"
 #include "tests/every_way.h"
 #include "tests/from_environment.h"
 
@@ -30,6 +31,29 @@ TEST_P(EveryWay, NothingAtAll) {
   const SortedPieces pieces = sorted({}, GetParam());
   EXPECT_TRUE(pieces.pieces.empty());
   EXPECT_EQ(pieces.cuts, 0u);
+}
+
+TEST(SortLimits, MorePiecesThanAllowedNameTheMap) {
+  ItemList list;
+  for (int k = 0; k < 8; ++k) {
+    const double u = 0.1 * k;
+    list.solid({{0, 0, u}, {1, 0, 1 - u}, {1, 1, u}});
+    list.solid({{0, 1, 1 - u}, {1, 0.1 * u, u}, {0.5 * u, 0, 1 - u}});
+  }
+  for (const HiddenMethod method : {HiddenMethod::bsp, HiddenMethod::depth_sort}) {
+    SortOptions options;
+    const std::size_t pieces = sort_hidden_surfaces(list.view(), method, options).pieces.size();
+    ASSERT_GT(pieces, list.items.size() + 4);
+    options.most_pieces = list.items.size() + 2;
+    const std::string error = error_of([&] { sort_hidden_surfaces(list.view(), method, options); });
+    EXPECT_NE(error.find("more than 18 pieces: expected hidden-surface method map"), error.npos)
+        << error;
+    options.most_pieces = 1;  // what is not cut is allowed
+    ItemList apart;
+    apart.solid({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    apart.solid({{0, 0, 1}, {1, 0, 1}, {0, 1, 1}});
+    EXPECT_EQ(sort_hidden_surfaces(apart.view(), method, options).pieces.size(), 2u);
+  }
 }
 
 TEST_P(EveryWay, AllDegenerate) {

@@ -81,7 +81,9 @@ class Outlines {
 
   void find_loops(std::span<Side> sides) {
     loops_.clear();
-    std::ranges::sort(sides, {}, &Side::from);
+    std::ranges::sort(sides, [](const Side& s, const Side& t) {
+      return s.from != t.from ? s.from < t.from : s.to < t.to;
+    });
     used_.assign(sides.size(), 0);
     for (std::size_t k = 0; k < sides.size(); ++k) {
       if (used_[k] == 0) follow(sides, k);

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "clip/error.h"
 #include "hidden/sort/polygon_table.h"
 #include "hidden/sort/vertex_table.h"
 
@@ -41,8 +43,14 @@ class ComparePolys {
     Index front, back;
   };
   /// Cuts the polygon that was compared last, which lies on both sides: TEST becomes the half on
-  /// its first side, a new entry the other.
+  /// its first side, a new entry the other. Throws Error if the table may not grow.
   Halves split(Index test, std::uint32_t plane) {
+    if (table_.entries.size() >= table_.most_entries) {
+      throw Error("the sort of hidden surfaces cuts polygons into more than " +
+                  std::to_string(table_.most_entries) +
+                  " pieces: expected hidden-surface method map, which has pieces of what is seen "
+                  "alone, or a higher limit of pieces");
+    }
     ++cuts_;
     const Index split_v = table_.d.free();
     table_.e.clear();

@@ -439,6 +439,7 @@ class DepthSort {
 SortedPieces sort_by_depth(const Primitives& items, const SortOptions& options) {
   const auto sort = [&](const auto& policy) {
     SortScene scene(items, policy);
+    scene.table.most_entries = std::max(options.most_pieces, items.items.size());
     return DepthSort(scene, options).sorted();
   };
   const Definitions points{items.points, {}};

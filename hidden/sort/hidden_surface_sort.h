@@ -23,12 +23,16 @@ enum class RootChoice {
   free,    ///< also of planes that belong to no polygon; and only among polygons that overlap
 };
 
+/// Into how many pieces a sort may cut polygons, if nobody says otherwise.
+inline constexpr std::size_t kMostPieces = 10'000'000;
+
 struct SortOptions {
   Precision precision;
   RootChoice root = RootChoice::free;
   int threads = 1;             ///< the result is the same for any number
   WorkProgress progress = {};  ///< told by methods that find lines: of the lines looked at
   bool names_sides = false;    ///< SortedPieces::corners is wanted
+  std::size_t most_pieces = kMostPieces;
   /// The methods that find lines show those too along which polygons pass through each other
   /// (hidden/lines/intersection_lines.h).
   bool intersections = false;
@@ -93,7 +97,7 @@ struct SortedPieces {
 
 /// Sorts by `bsp` or `depth_sort` (hidden/sort/bsp.md, hidden/sort/depth_sort.md). Polygons that
 /// are edge-on or of fewer than three different points hide nothing; they keep their outlines.
-/// Throws Error for another method.
+/// Throws Error for another method, and where more pieces would be made than the options allow.
 SortedPieces sort_hidden_surfaces(const Primitives& items, HiddenMethod method,
                                   const SortOptions& options);
 

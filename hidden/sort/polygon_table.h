@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -29,8 +30,9 @@ struct PolygonTable {
   };
 
   std::vector<Entry> entries;
-  SideBuffer d;  ///< the D buffer: sides of all polygons
-  SideBuffer e;  ///< the E buffer: one half of the polygon being split
+  std::size_t most_entries = kNone;  ///< no polygon is cut if there are so many
+  SideBuffer d;                      ///< the D buffer: sides of all polygons
+  SideBuffer e;                      ///< the E buffer: one half of the polygon being split
 
   Entry& operator[](Index i) { return entries[i]; }
   const Entry& operator[](Index i) const { return entries[i]; }

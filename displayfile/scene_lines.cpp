@@ -84,7 +84,7 @@ SortedPieces lines_beside_sides(const ViewedScene& scene, const FoundLines& foun
 
 SortedPieces map_in_order(const ViewedScene& scene, const SortOptions& options) {
   const DrawnItems items(scene);
-  const SortedPieces fills = pieces_of_map(
+  SortedPieces fills = pieces_of_map(
       *items, visible_map(*items, {.precision = options.precision, .threads = options.threads}));
   const FoundLines found = find_lines(scene, HiddenMethod::franklin, options);
   if (found.lines.empty() && found.intersections.empty()) return fills;

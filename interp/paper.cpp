@@ -80,6 +80,7 @@ Paper paper_of(std::string_view word) {
   const auto sides = sides_of(size);
   if (!sides) {
     std::vector<std::string_view> names;
+    names.reserve(kSheetSizes.size());
     for (const SheetSize& s : kSheetSizes) names.push_back(s.name);
     throw Error(fmt::format(
         "unknown paper '{}':{} expected {}, with -portrait or -landscape after it or without", word,

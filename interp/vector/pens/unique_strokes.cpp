@@ -145,8 +145,7 @@ class Uniqueness {
     // Less than that together, and they meet end to end.
     if (to - from < std::min(2.0 * kOnStroke, length)) return rest_.push_back(part);
     const auto away = [&](double along) {  // of the part's point there from the other's line
-      const double of_start =
-          static_cast<double>(cross(drawn.from, drawn.to, drawn.from, part.from));
+      const auto of_start = static_cast<double>(cross(drawn.from, drawn.to, drawn.from, part.from));
       const auto turn = static_cast<double>(cross(drawn.from, drawn.to, part.from, part.to));
       return std::abs(of_start + turn * (along / length)) / length_drawn;
     };

@@ -49,20 +49,20 @@ class MeetingFinder {
 
 template <class Policy>
 std::vector<MapEdge> edges_of_meetings(const MapScene& map, const Policy& policy, int threads) {
-  constexpr std::size_t kLinesOfAPart = 64;
+  constexpr std::size_t kMeetingsOfAPart = 64;
   std::vector<std::uint32_t> contested;  // nothing passes visibly through what is seen as a whole
   for (std::uint32_t i = 0; i < map.lines.items(); ++i) {
     if (map.faces[i] == SeenFaces::Seen::some) contested.push_back(i);
   }
   const std::vector<IntersectionLine> lines =
       intersection_lines(map.items, map.lines, contested, IntersectionEnds::defined, threads);
-  std::vector<std::vector<MapEdge>> found((lines.size() + kLinesOfAPart - 1) / kLinesOfAPart);
+  std::vector<std::vector<MapEdge>> found((lines.size() + kMeetingsOfAPart - 1) / kMeetingsOfAPart);
   const auto make_finder = [&] { return MeetingFinder<Policy>(map, policy); };
   Finders finders(make_finder);
   in_parallel(threads, found.size(), [&](std::size_t part) {
-    const std::size_t end = std::min(lines.size(), (part + 1) * kLinesOfAPart);
+    const std::size_t end = std::min(lines.size(), (part + 1) * kMeetingsOfAPart);
     finders.use([&](auto& finder) {
-      for (std::size_t k = part * kLinesOfAPart; k < end; ++k) finder.find(lines[k], found[part]);
+      for (std::size_t k = part * kMeetingsOfAPart; k < end; ++k) finder.find(lines[k], found[part]);
     });
   });
   std::vector<MapEdge> edges;

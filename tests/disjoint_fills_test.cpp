@@ -230,6 +230,7 @@ TEST(DisjointFills, NoRegionHasMoreVerticesThanAPathMay) {
   for (const FigureTrap& trap : figure.traps) {
     EXPECT_LE(trap.sides.points.size(), Figure::kMostVertices);
   }
+  EXPECT_EQ(sum, area(figure.outline));
   EXPECT_EQ(area(figure.outline), 2.0 * n * n * 100 * 100);
 }
 

@@ -62,7 +62,8 @@ std::vector<MapEdge> edges_of_meetings(const MapScene& map, const Policy& policy
   in_parallel(threads, found.size(), [&](std::size_t part) {
     const std::size_t end = std::min(lines.size(), (part + 1) * kMeetingsOfAPart);
     finders.use([&](auto& finder) {
-      for (std::size_t k = part * kMeetingsOfAPart; k < end; ++k) finder.find(lines[k], found[part]);
+      for (std::size_t k = part * kMeetingsOfAPart; k < end; ++k)
+        finder.find(lines[k], found[part]);
     });
   });
   std::vector<MapEdge> edges;

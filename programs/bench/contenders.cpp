@@ -157,8 +157,7 @@ std::vector<Contender> contenders(std::span<const double> roundoffs) {
   for (const ImageSpaceEntry& entry : image_space_methods()) {
     for (const Precision& p : precisions) all.push_back(image_space(entry.method, p));
   }
-  for (const HiddenMethod method :
-       {HiddenMethod::bsp, HiddenMethod::depth_sort, HiddenMethod::map}) {
+  for (const HiddenMethod method : {HiddenMethod::bsp, HiddenMethod::depth_sort}) {
     for (const Precision& p : precisions) all.push_back(sort(method, p));
   }
   for (const DepthFormatEntry& entry : depth_formats()) all.push_back(plain(entry));

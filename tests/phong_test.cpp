@@ -39,6 +39,7 @@ using test::Dice;
 using test::direction;
 using test::drawn;
 using test::enter;
+using test::expect_one_picture_by_all_methods;
 using test::intensity_of;
 using test::kAmbient;
 using test::kFill;
@@ -367,21 +368,7 @@ TEST(PhongShading, FindsWhatLiesBetweenTheVertices) {
 }
 
 TEST(PhongShading, IsTheSameByEveryMethodAndForAnyNumberOfThreads) {
-  for (const std::uint32_t seed : {1u, 2u, 3u}) {
-    const GraphicsSystem g = drawn(triangles(seed, 60), Shading::phong, seed == 2);
-    const Picture expected = picture(g, HiddenMethod::z_buffer);
-    for (const auto& entry : image_space_methods()) {
-      for (const int threads : {1, 3}) {
-        const Picture seen = picture(g, entry.method, threads);
-        EXPECT_EQ(seen.pixels, expected.pixels) << name_of(entry.method);
-      }
-    }
-    for (const HiddenMethod method : {HiddenMethod::bsp, HiddenMethod::depth_sort}) {
-      const Picture seen = picture(g, method, 2);
-      EXPECT_EQ(seen.ids, expected.ids) << name_of(method);
-      EXPECT_LE(compare(seen, expected).largest, 1.0) << name_of(method);
-    }
-  }
+  expect_one_picture_by_all_methods(Shading::phong);
 }
 
 /// A window that cuts leaves the pixels that are left as they were.

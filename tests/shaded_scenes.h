@@ -2,6 +2,8 @@
 
 // Polygons whose vertices have normals, for the tests of smooth shading.
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -11,6 +13,8 @@
 
 #include "displayfile/graphics_system.h"
 #include "interp/draw.h"
+#include "interp/files/picture_compare.h"
+#include "interp/visibility/image_space.h"
 #include "tests/truth_scenes.h"
 
 namespace displayfile::test {
@@ -102,6 +106,27 @@ inline Picture picture(const GraphicsSystem& g, HiddenMethod method, int threads
 
 inline double intensity_of(const Point3& normal) {
   return kAmbient + (1 - kAmbient) * std::max(0.0, glm::dot(unit(normal), unit(kLight)));
+}
+
+/// Every image-space method shows the same picture; sorted fragments and pieces of the map, whose
+/// corners are rounded, the same within one level.
+inline void expect_one_picture_by_all_methods(Shading shading) {
+  for (const std::uint32_t seed : {1u, 2u, 3u}) {
+    const GraphicsSystem g = drawn(triangles(seed, 60), shading, seed == 2);
+    const Picture expected = picture(g, HiddenMethod::z_buffer);
+    for (const auto& entry : image_space_methods()) {
+      for (const int threads : {1, 3}) {
+        const Picture seen = picture(g, entry.method, threads);
+        EXPECT_EQ(seen.pixels, expected.pixels) << name_of(entry.method);
+      }
+    }
+    for (const HiddenMethod method :
+         {HiddenMethod::bsp, HiddenMethod::depth_sort, HiddenMethod::map}) {
+      const Picture seen = picture(g, method, 2);
+      EXPECT_EQ(seen.ids, expected.ids) << name_of(method);
+      EXPECT_LE(compare(seen, expected).largest, 1.0) << name_of(method);
+    }
+  }
 }
 
 }  // namespace displayfile::test

@@ -42,6 +42,7 @@ using test::Dice;
 using test::drawn;
 using test::enter;
 using test::error_of;
+using test::expect_one_picture_by_all_methods;
 using test::intensity_of;
 using test::kAmbient;
 using test::kFill;
@@ -285,24 +286,8 @@ TEST(GouraudShading, IsLinearOverThePictureOfATriangle) {
   EXPECT_GT(inside, 1000);
 }
 
-/// Every image-space method shows the same picture; sorted fragments, whose corners are rounded,
-/// the same within one level.
 TEST(GouraudShading, IsTheSameByEveryMethodAndForAnyNumberOfThreads) {
-  for (const std::uint32_t seed : {1u, 2u, 3u}) {
-    const GraphicsSystem g = drawn(triangles(seed, 60), Shading::gouraud, seed == 2);
-    const Picture expected = picture(g, HiddenMethod::z_buffer);
-    for (const auto& entry : image_space_methods()) {
-      for (const int threads : {1, 3}) {
-        const Picture seen = picture(g, entry.method, threads);
-        EXPECT_EQ(seen.pixels, expected.pixels) << name_of(entry.method);
-      }
-    }
-    for (const HiddenMethod method : {HiddenMethod::bsp, HiddenMethod::depth_sort}) {
-      const Picture seen = picture(g, method, 2);
-      EXPECT_EQ(seen.ids, expected.ids) << name_of(method);
-      EXPECT_LE(compare(seen, expected).largest, 1.0) << name_of(method);
-    }
-  }
+  expect_one_picture_by_all_methods(Shading::gouraud);
 }
 
 /// The diagonals are those of the world, not of the picture.

@@ -5,6 +5,7 @@
 #include <cfloat>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "clip/point.h"
 #include "hidden/exact/double_double.h"
@@ -99,6 +100,37 @@ inline Estimate estimated_apart(const PlaneEstimate& one, const PlaneEstimate& o
   if (!(std::max(std::max(flat_one, flat_other), high) < kLargestFigure))
     return {value, kNothingKnown};
   return {value, kError * (flat_one * flat_other * high) + kUnderflow};
+}
+
+/// A share of the way along a line, and by how much it may be off.
+struct EstimatedShare {
+  DoubleDouble t;
+  double error;
+};
+
+/// at_a / (at_a - at_b); nothing if the difference is not known well enough.
+inline std::optional<EstimatedShare> estimated_share(const Estimate& at_a, const Estimate& at_b) {
+  constexpr double kDifference = 0x1p-103, kQuotient = 0x1p-100;
+  const DoubleDouble whole = at_a.value - at_b.value;
+  const double error_of_whole =
+      at_a.error + at_b.error +
+      kDifference * (std::abs(at_a.value.high) + std::abs(at_b.value.high));
+  const double least = std::abs(whole.high) - error_of_whole * kInflate;
+  if (!(least > 0.5 * std::abs(whole.high))) return std::nullopt;
+  const DoubleDouble t = at_a.value / whole;
+  const double size = std::abs(t.high);
+  return EstimatedShare{
+      t,
+      ((at_a.error + size * error_of_whole + kTiny) / least + size * kQuotient) * (1.0 + 0x1p-20) +
+          kTiny};
+}
+
+/// The double that all values so close to a sum of two round to; nothing if they do not round to
+/// one.
+inline std::optional<double> rounded_sum(const DoubleDouble& sum, double error) {
+  const double low = sum.high + (sum.low - error), high = sum.high + (sum.low + error);
+  if (low != high) return std::nullopt;  // false for NaN, where something overflowed
+  return low;
 }
 
 // ---- Exactly --------------------------------------------------------------------------------

@@ -12,24 +12,12 @@ namespace {
 
 /// at_a / (at_a - at_b), cut off and rounded; nothing if that depends on what may be off.
 std::optional<double> rounded_share(const Estimate& at_a, const Estimate& at_b) {
-  constexpr double kDifference = 0x1p-103, kQuotient = 0x1p-100;
-  const DoubleDouble whole = at_a.value - at_b.value;
-  const double error_of_whole =
-      at_a.error + at_b.error +
-      kDifference * (std::abs(at_a.value.high) + std::abs(at_b.value.high));
-  const double least = std::abs(whole.high) - error_of_whole * kInflate;
-  if (!(least > 0.5 * std::abs(whole.high))) return std::nullopt;
-  const DoubleDouble t = at_a.value / whole;
-  const double size = std::abs(t.high);
-  const double error =
-      ((at_a.error + size * error_of_whole + kTiny) / least + size * kQuotient) * (1.0 + 0x1p-20) +
-      kTiny;
-  const double low = t.high + (t.low - error), high = t.high + (t.low + error);
+  const auto share = estimated_share(at_a, at_b);
+  if (!share) return std::nullopt;
   // Beyond an end it need not be known.
-  if (high <= 0.0) return 0.0;
-  if (low >= 1.0) return 1.0;
-  if (low != high) return std::nullopt;  // false for NaN, where something overflowed
-  return low;
+  if (share->t.high + (share->t.low + share->error) <= 0.0) return 0.0;
+  if (share->t.high + (share->t.low - share->error) >= 1.0) return 1.0;
+  return rounded_sum(share->t, share->error);
 }
 
 /// part / whole, cut off and rounded.

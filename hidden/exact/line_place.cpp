@@ -13,28 +13,20 @@ namespace {
 /// off.
 std::optional<Point2> rounded_point(const Point2& a, const Point2& b, const Estimate& at_a,
                                     const Estimate& at_b) {
-  constexpr double kDifference = 0x1p-103, kQuotient = 0x1p-100, kSum = 0x1p-101;
-  const DoubleDouble whole = at_a.value - at_b.value;
-  const double error_of_whole =
-      at_a.error + at_b.error +
-      kDifference * (std::abs(at_a.value.high) + std::abs(at_b.value.high));
-  const double least = std::abs(whole.high) - error_of_whole * kInflate;
-  if (!(least > 0.5 * std::abs(whole.high))) return std::nullopt;
-  const DoubleDouble t = at_a.value / whole;
-  const double size = std::abs(t.high);
-  const double error_of_t =
-      ((at_a.error + size * error_of_whole + kTiny) / least + size * kQuotient) * (1.0 + 0x1p-20);
+  constexpr double kSum = 0x1p-101;
+  const auto share = estimated_share(at_a, at_b);
+  if (!share) return std::nullopt;
   Point2 place(0.0);
   for (int axis = 0; axis < 2; ++axis) {
-    const DoubleDouble along = exact_difference(b[axis], a[axis]), way = t * along;
+    const DoubleDouble along = exact_difference(b[axis], a[axis]), way = share->t * along;
     const DoubleDouble at = DoubleDouble{a[axis], 0.0} + way;
     const double error =
-        (error_of_t * std::abs(along.high) + kSum * (std::abs(a[axis]) + std::abs(way.high))) *
+        (share->error * std::abs(along.high) + kSum * (std::abs(a[axis]) + std::abs(way.high))) *
             (1.0 + 0x1p-20) +
         kTiny;
-    const double low = at.high + (at.low - error), high = at.high + (at.low + error);
-    if (low != high) return std::nullopt;  // false for NaN, where something overflowed
-    place[axis] = low + 0.0;
+    const auto rounded = rounded_sum(at, error);
+    if (!rounded) return std::nullopt;
+    place[axis] = *rounded + 0.0;
   }
   return place;
 }

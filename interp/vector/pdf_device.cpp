@@ -13,17 +13,12 @@
 #include "interp/picture.h"
 #include "interp/text/cairo_text.h"
 #include "interp/vector/cairo_figure.h"
+#include "interp/vector/cairo_stream.h"
 #include "interp/vector/pdf_layers.h"
 
 namespace displayfile {
 
 namespace {
-
-cairo_status_t write_to_stream(void* closure, const unsigned char* data, unsigned length) {
-  auto& out = *static_cast<std::ostream*>(closure);
-  out.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(length));
-  return out ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
-}
 
 void require_success(cairo_status_t status) {
   if (status != CAIRO_STATUS_SUCCESS) {

@@ -6,17 +6,13 @@
 #include "clip/error.h"
 #include "displayfile/output_file.h"
 #include "interp/cairo.h"
+#include "interp/vector/cairo_figure.h"
+#include "interp/vector/cairo_stream.h"
 #include "interp/vector/pens/pen_files.h"
 
 namespace displayfile {
 
 namespace {
-
-cairo_status_t write_pens_page(void* closure, const unsigned char* data, unsigned length) {
-  auto& out = *static_cast<std::ostream*>(closure);
-  out.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(length));
-  return out ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
-}
 
 void draw_path(cairo_t* context, const PenPath& path) {
   constexpr double kPointsOfUnit = kPointsOfMillimetre / kUnitsOfMillimetre;
@@ -29,9 +25,7 @@ void draw_path(cairo_t* context, const PenPath& path) {
 }
 
 void draw_layer(cairo_t* context, const PenLayer& layer) {
-  const std::uint32_t c = layer.pen.colour;
-  cairo().set_source_rgb(context, (c & 0xff) / 255.0, ((c >> 8) & 0xff) / 255.0,
-                         ((c >> 16) & 0xff) / 255.0);
+  set_cairo_colour(context, layer.pen.colour);
   cairo().set_line_width(context, layer.pen.width * kPointsOfMillimetre / kUnitsOfMillimetre);
   for (const PenPath& path : layer.paths) draw_path(context, path);
 }
@@ -48,7 +42,7 @@ void write_pens_pdf(const PenDrawing& drawing, const std::filesystem::path& file
   const auto destroy_surface = [](cairo_surface_t* s) { cairo().surface_destroy(s); };
   const auto destroy = [](cairo_t* c) { cairo().destroy(c); };
   const std::unique_ptr<cairo_surface_t, decltype(destroy_surface)> surface(
-      cairo().pdf_surface_create_for_stream(write_pens_page, &output.stream(),
+      cairo().pdf_surface_create_for_stream(write_to_stream, &output.stream(),
                                             drawing.fit.width * kPointsOfMillimetre,
                                             drawing.fit.height * kPointsOfMillimetre));
   require(cairo().surface_status(surface.get()));

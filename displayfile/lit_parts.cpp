@@ -8,7 +8,10 @@
 #include <utility>
 
 #include "clip/corners.h"
+#include "clip/rectangle.h"
 #include "displayfile/light_view.h"
+#include "hidden/convex_turning.h"
+#include "hidden/exact/orientation.h"
 #include "hidden/exact/support_plane.h"
 #include "hidden/map/map_pieces.h"
 
@@ -45,9 +48,16 @@ class PlanesOfLight {
       add(i, points);
     }
     join();
+    find_those_below();
   }
 
   const std::vector<PlanePoints>& planes() const { return planes_; }
+  bool are_in_one(Item a, Item b) const {
+    return planes_[a][0] != Primitives::kOwnPlane && planes_[a] == planes_[b];
+  }
+  /// True if one that was entered later lies over it but for rounding, so that the light seems to
+  /// see that one alone, and the viewer may see both.
+  bool is_below_another(Item item) const { return below_[item] != 0; }
 
  private:
   struct Lying {
@@ -81,6 +91,7 @@ class PlanesOfLight {
       return a.size != b.size ? a.size > b.size : a.item < b.item;
     });
     std::multimap<double, const Lying*> largest;
+    std::map<Item, std::vector<Item>> others;  // of the largest
     for (const Lying& now : lying_) {
       const auto end = largest.upper_bound(now.depth + now.error);
       auto other = largest.lower_bound(now.depth - now.error);
@@ -89,9 +100,73 @@ class PlanesOfLight {
         largest.emplace(now.depth, &now);
       } else {
         planes_[now.item] = planes_[other->second->item] = other->second->points;
+        others[other->second->item].push_back(now.item);
+      }
+    }
+    for (auto& [item, in_plane] : others) {
+      in_plane.push_back(item);
+      in_one_plane_.push_back(std::move(in_plane));
+    }
+  }
+
+  /// Those of a plane in order of x, each with those that begin before it ends.
+  void find_those_below() {
+    below_.assign(planes_.size(), 0);
+    std::vector<std::pair<Rectangle, Item>> boxes;
+    for (const std::vector<Item>& items : in_one_plane_) {
+      boxes.clear();
+      for (const Item i : items) {
+        const PointRow points = items_.points_of(items_.items[i]);
+        boxes.emplace_back(bounding_rectangle({points.data(), points.size()}), i);
+      }
+      std::ranges::sort(boxes, [](const auto& a, const auto& b) {
+        return std::pair(a.first.x_min, a.second) < std::pair(b.first.x_min, b.second);
+      });
+      for (std::size_t k = 0; k < boxes.size(); ++k) {
+        const Rectangle& box = boxes[k].first;
+        for (std::size_t n = k + 1; n < boxes.size() && boxes[n].first.x_min < box.x_max; ++n) {
+          const Rectangle& other = boxes[n].first;
+          if (other.y_min >= box.y_max || box.y_min >= other.y_max) continue;
+          const auto [low, high] = std::minmax(boxes[k].second, boxes[n].second);
+          if (below_[low] == 0 && lies_over(low, high)) below_[low] = 1;
+        }
       }
     }
   }
+
+  /// True if the two overlap, and are not in one plane exactly.
+  bool lies_over(Item low, Item high) const {
+    if (has_a_side_between(low, high) || has_a_side_between(high, low)) return false;
+    PlanePoints points;
+    find_plane(items_, items_.items[low], points);
+    const Plane of_low = plane(points);
+    return std::ranges::any_of(items_.points_of(items_.items[high]), [&](const Point3& v) {
+      return side_of_plane(v, of_low) != 0;
+    });
+  }
+  bool has_a_side_between(Item convex, Item other) const {
+    const PointRow points = items_.points_of(items_.items[convex]);
+    const PointRow others = items_.points_of(items_.items[other]);
+    const std::size_t sides = points.size();
+    const auto at = [&](std::size_t k) { return Point2(points[k]); };
+    const int way = convex_turning(
+        sides,
+        [&](std::size_t i, std::size_t j, std::size_t k) {
+          return orientation(at(i), at(j), at(k));
+        },
+        [&](std::size_t i, std::size_t j) { return direction_by_x(at(i), at(j)); });
+    if (way == 0) return false;
+    for (std::size_t k = 0; k < sides; ++k) {
+      const Point2 p = at(k), q = at(next_corner(k, sides));
+      if (std::ranges::all_of(others, [&](const Point3& v) {
+            return orientation(p, q, Point2(v)) * way <= 0;
+          })) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   bool lies_in(Item item, const Plane& plane) const {
     return std::ranges::all_of(items_.points_of(items_.items[item]), [&](const Point3& v) {
       return std::abs(plane_value(v, plane).value) <= kOnPlane * plane.reach;
@@ -101,6 +176,8 @@ class PlanesOfLight {
   const Primitives& items_;
   std::vector<PlanePoints> planes_;
   std::vector<Lying> lying_;
+  std::vector<std::vector<Item>> in_one_plane_;
+  std::vector<std::uint8_t> below_;
 };
 
 /// A scene's polygons, and in place of each of which the light reaches a part, that one in shadow
@@ -144,6 +221,12 @@ class LitScene {
       if (shadow == nullptr || shadow->light != light) continue;
       const auto parts = std::span(pieces.pieces).subspan(first, k - first);
       reached_[i].lit = parts.empty() ? Lit::in_shadow : Lit::lit;
+      if (planes.is_below_another(i) && map.whole[i] == 0) {
+        const SortedPieces lit_of_item = not_covered(i, planes, lit, pieces, options);
+        reached_[i].lit = lit_of_item.pieces.empty() ? Lit::in_shadow : Lit::lit;
+        add_parts(i, lit_of_item.pieces, lit_of_item, seen, *view);
+        continue;
+      }
       if (parts.empty() || map.whole[i] != 0) continue;
       add_parts(i, parts, pieces, seen, *view);
     }
@@ -186,6 +269,40 @@ class LitScene {
     Lit lit;
     bool is_part;
   };
+
+  /// What the light sees of an item if others in its plane do not cover it.
+  static SortedPieces not_covered(Item i, const PlanesOfLight& planes, const Primitives& items,
+                                  const SortedPieces& pieces, const MapOptions& options) {
+    std::vector<Point3> points;
+    std::vector<Primitives::Item> own;
+    const auto add = [&](std::span<const Point3> outline, double depth) {
+      own.push_back({static_cast<std::uint32_t>(points.size()),
+                     static_cast<std::uint32_t>(outline.size()), Primitives::Kind::solid});
+      for (const Point3& p : outline) points.emplace_back(p.x, p.y, depth);
+    };
+    const auto row = [](const PointRow& r) { return std::span(r.data(), r.size()); };
+    const PointRow corners = items.points_of(items.items[i]);
+    const Rectangle box = bounding_rectangle(row(corners));
+    add(row(corners), 0.0);
+    const auto add_before = [&](std::span<const Point3> outline) {
+      const Rectangle other = bounding_rectangle(outline);
+      const bool apart = other.x_min >= box.x_max || box.x_min >= other.x_max ||
+                         other.y_min >= box.y_max || box.y_min >= other.y_max;
+      if (!apart) add(outline, 1.0);
+    };
+    for (const SortedPiece& piece : pieces.pieces) {
+      if (piece.item == i || planes.are_in_one(piece.item, i)) continue;
+      if (piece.first == SortedPiece::kWhole) {
+        add_before(row(items.points_of(items.items[piece.item])));
+      } else {
+        add_before(std::span(pieces.points).subspan(piece.first, piece.sides));
+      }
+    }
+    const Primitives all{points, {}, {}, own};
+    SortedPieces seen = pieces_of_map(all, visible_map(all, options));
+    std::erase_if(seen.pieces, [](const SortedPiece& piece) { return piece.item != 0; });
+    return seen;
+  }
 
   void add_parts(Item i, std::span<const SortedPiece> parts, const SortedPieces& pieces,
                  const std::vector<Point3>& seen, const LightView& view) {

@@ -8,8 +8,8 @@
 namespace displayfile {
 
 /// Device coordinates as a light sees them that is infinitely far away in the world: parallel
-/// projectors along z, larger z nearer to the light (displayfile/lit_parts.md). Lines stay lines and
-/// planes stay planes.
+/// projectors along z, larger z nearer to the light (displayfile/lit_parts.md). Lines stay lines
+/// and planes stay planes.
 class LightView {
  public:
   /// The light as FillShadow::light has it. None if some of the points have no place in front of

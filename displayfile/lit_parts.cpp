@@ -75,9 +75,9 @@ class PlanesOfLight {
     const Plane plane = this->plane(points);
     const Point2 at(0.4142135623730951, 0.7320508075688772);
     const double slope = std::abs(plane.normal.z);
-    const double depth = plane.p.z - (plane.normal.x * (at.x - plane.p.x) +
-                                      plane.normal.y * (at.y - plane.p.y)) /
-                                         plane.normal.z;
+    const double depth =
+        plane.p.z - (plane.normal.x * (at.x - plane.p.x) + plane.normal.y * (at.y - plane.p.y)) /
+                        plane.normal.z;
     const double error = 4.0 * kOnPlane * plane.reach / slope;
     if (std::isfinite(depth) && std::isfinite(error)) {
       lying_.push_back({item, points, depth, error, plane.reach});
@@ -140,9 +140,8 @@ class PlanesOfLight {
     PlanePoints points;
     find_plane(items_, items_.items[low], points);
     const Plane of_low = plane(points);
-    return std::ranges::any_of(items_.points_of(items_.items[high]), [&](const Point3& v) {
-      return side_of_plane(v, of_low) != 0;
-    });
+    return std::ranges::any_of(items_.points_of(items_.items[high]),
+                               [&](const Point3& v) { return side_of_plane(v, of_low) != 0; });
   }
   bool has_a_side_between(Item convex, Item other) const {
     const PointRow points = items_.points_of(items_.items[convex]);
@@ -158,9 +157,8 @@ class PlanesOfLight {
     if (way == 0) return false;
     for (std::size_t k = 0; k < sides; ++k) {
       const Point2 p = at(k), q = at(next_corner(k, sides));
-      if (std::ranges::all_of(others, [&](const Point3& v) {
-            return orientation(p, q, Point2(v)) * way <= 0;
-          })) {
+      if (std::ranges::all_of(
+              others, [&](const Point3& v) { return orientation(p, q, Point2(v)) * way <= 0; })) {
         return true;
       }
     }
@@ -341,8 +339,7 @@ class LitScene {
     double weights = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
       const Point3& vertex = items_.points[plane[k]];
-      const double weight =
-          cross(from_it[(k + 1) % 3], from_it[(k + 2) % 3]) / view.weight(vertex);
+      const double weight = cross(from_it[(k + 1) % 3], from_it[(k + 2) % 3]) / view.weight(vertex);
       sum += weight * vertex;
       weights += weight;
     }
@@ -358,8 +355,8 @@ class LitScene {
       for (std::size_t p = reached.first_part; p < reached.first_part + reached.parts; ++p) {
         const std::size_t end =
             p + 1 < part_first_.size() ? part_first_[p + 1] : part_corners_.size();
-        add_part(i, reached.plane, std::span(part_corners_).subspan(part_first_[p],
-                                                                    end - part_first_[p]));
+        add_part(i, reached.plane,
+                 std::span(part_corners_).subspan(part_first_[p], end - part_first_[p]));
       }
     }
   }
@@ -384,8 +381,8 @@ class LitScene {
 
   const ViewedScene& scene_;
   const Primitives& items_;
-  std::vector<Reached> reached_;           // of the items
-  std::vector<std::size_t> part_first_;    // of all lit parts
+  std::vector<Reached> reached_;         // of the items
+  std::vector<std::size_t> part_first_;  // of all lit parts
   std::vector<std::uint32_t> part_corners_;
   // The items and their parts.
   std::vector<Point3> points_;

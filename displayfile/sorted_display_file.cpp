@@ -39,9 +39,14 @@ SortOptions sort_options(const HiddenSurfaceOptions& options, const Precision& p
 std::shared_ptr<const SortedScene> joined(
     std::span<const std::shared_ptr<const SortedScene>> groups, HiddenMethod method,
     const SortOptions& options) {
-  auto all = std::make_shared<SortedScene>(SortedScene{
-      {}, {}, method, options.precision, {}, options.hidden_lines, options.intersections,
-      options.shadows});
+  auto all = std::make_shared<SortedScene>(SortedScene{{},
+                                                       {},
+                                                       method,
+                                                       options.precision,
+                                                       {},
+                                                       options.hidden_lines,
+                                                       options.intersections,
+                                                       options.shadows});
   for (const auto& group : groups) {
     all->parts.insert(all->parts.end(), group->parts.begin(), group->parts.end());
     all->counts += group->counts;
@@ -81,8 +86,8 @@ const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, Hidde
   const HiddenMethod method = surfaces_of(by);
   const bool applications =
       !options.method && surfaces_of(method_in_force(system, options)) == method;
-  const bool finds_shadows = options.shadows && method == HiddenMethod::map &&
-                             system.display_file().has_shadows();
+  const bool finds_shadows =
+      options.shadows && method == HiddenMethod::map && system.display_file().has_shadows();
   const auto usual = applications && !finds_shadows ? HiddenScope::segment : HiddenScope::all;
   const HiddenScope set = system.hidden_scope().value_or(usual);
   const HiddenScope scope = options.scope.value_or(set);

@@ -61,8 +61,8 @@ struct SortedScene {
   /// and, if the visitor has it, line_kinds(LineKinds) of the lines that follow, kDrawn at first.
   /// disjoint_polygons(true), if the visitor has it, comes before the polygons of a map, which do
   /// not overlap, and disjoint_polygons(false) after them: a segment that was named between them is
-  /// over then. Texts follow all else. A fill whose shadows were found has the colour that it has in
-  /// the light or in the shadow, and shows none.
+  /// over then. Texts follow all else. A fill whose shadows were found has the colour that it has
+  /// in the light or in the shadow, and shows none.
   template <class Visitor>
   void walk(Visitor&& visit) const;
   /// Calls the visitor as walk does, with points after an image transformation.

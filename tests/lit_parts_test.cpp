@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "displayfile/sorted_display_file.h"
+#include "displayfile/text/dump.h"
 #include "interp/draw.h"
+#include "interp/files/picture_compare.h"
 #include "interp/raster/software.h"
 #include "tests/slower.h"
 #include "tests/truth_scenes.h"
@@ -131,7 +133,8 @@ Polygons tiled_floor(int n, double height) {
                        {at(i), height, at(j)}});
     }
   }
-  tiles.push_back({{-0.9, height, 0.3}, {0.9, height, 0.3}, {0.9, height, 0.1}, {-0.9, height, 0.1}});
+  tiles.push_back(
+      {{-0.9, height, 0.3}, {0.9, height, 0.3}, {0.9, height, 0.1}, {-0.9, height, 0.1}});
   return tiles;
 }
 
@@ -187,6 +190,67 @@ TEST(LitParts, OfABallAboveAFloor) {
                               "seed " + std::to_string(seed));
     }
   }
+}
+
+/// What is lit keeps its shades, and what is in shadow has none.
+TEST(LitParts, AreShadedSmoothly) {
+  for (const Shading shading : {Shading::gouraud, Shading::phong}) {
+    for (const Eye eye : kEyes) {
+      GraphicsSystem g;
+      set_view(eye, g);
+      g.set_line_style({LineStyle::Kind::none});
+      g.set_light({0.5, 1.0, 0.7}, 0.2);
+      g.set_shadows(true);
+      g.set_shading(shading);
+      g.open_segment(1);
+      for (int k = 0; k < 5; ++k) {
+        const Point3 at(-0.8 + 0.2 * k, -0.6 + 0.25 * k, 0.3 * k - 0.6);
+        const Polygons triangles{{at, at + Point3(0.9, 0.1, 0.2), at + Point3(0.3, 0.2, -0.8)},
+                                 {at, at + Point3(0.3, 0.2, -0.8), at + Point3(-0.4, 0.5, 0.3)}};
+        for (const auto& triangle : triangles) {
+          g.set_vertex_normals({{0.3, 1, 0.2}, {-0.2, 1, 0.6}, {0.6, 0.5, 0.4}});
+          g.polygon_abs_3(triangle);
+        }
+      }
+      g.close_segment();
+      const Picture map = by_map(g), rays = by_rays(g);
+      EXPECT_EQ(map.ids, rays.ids);
+      EXPECT_LE(compare(map, rays).largest, 1.0);
+    }
+  }
+}
+
+TEST(LitParts, AreTheSameForAnyNumberOfThreads) {
+  Dice dice{7};
+  Polygons boxes;
+  for (int k = 0; k < 12; ++k) {
+    const Point3 low = at_random(dice, Point3(-0.9), Point3(0.6));
+    add(box(low, low + at_random(dice, Point3(0.1), Point3(0.5))), boxes);
+  }
+  const GraphicsSystem g = drawn({tiled_floor(3, -0.8), boxes}, {0.3, 1, 0.5}, Eye::close);
+  const std::string one = dump(with_map(g));
+  EXPECT_EQ(dump(with_map(g, 3)), one);
+  EXPECT_EQ(one.find("shadow"), std::string::npos);
+}
+
+/// An order that was found without shadows will not do, and one that has them will again.
+TEST(LitParts, AreFoundAgainWhereSomethingChanged) {
+  GraphicsSystem g = drawn({tiled_floor(1, -0.5), box({-0.3, -0.2, -0.3}, {0.2, 0.1, 0.2})},
+                           {0.2, 1, 0.1}, Eye::above);
+  SortedDisplayFile sorted;
+  HiddenSurfaceOptions options;
+  const auto pieces = [&] {
+    return sorted.update(g.display_file(), HiddenMethod::map, options).sorted();
+  };
+  const auto without = pieces();
+  options.shadows = true;
+  const auto with = pieces();
+  EXPECT_GT(with->counts.pieces, without->counts.pieces);
+  EXPECT_EQ(pieces(), with);
+  g.set_visibility(2, false);
+  EXPECT_LT(pieces()->counts.pieces, with->counts.pieces);
+  options.shadows = false;
+  EXPECT_FALSE(pieces()->shadows);
 }
 
 }  // namespace

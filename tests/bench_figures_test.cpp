@@ -59,10 +59,10 @@ TEST_F(Bench, ExactMethodsHaveNoWrongPixelsAndOthersHave) {
   }
   for (const auto& entry : displayfile::hidden_methods()) {
     using enum displayfile::HiddenMethod;
-    const bool of_surfaces = entry.method == z_buffer || entry.method == bsp ||
-                             entry.method == depth_sort || entry.method == scan_line ||
-                             entry.method == scan_line_z || entry.method == ray_cast ||
-                             entry.method == warnock;
+    const bool of_surfaces =
+        entry.method == z_buffer || entry.method == bsp || entry.method == depth_sort ||
+        entry.method == displayfile::HiddenMethod::map || entry.method == scan_line ||
+        entry.method == scan_line_z || entry.method == ray_cast || entry.method == warnock;
     if (!entry.available || !of_surfaces) continue;
     EXPECT_TRUE(exact.contains(std::string(entry.name))) << entry.name;
     EXPECT_TRUE(wrong.contains(std::string(entry.name))) << entry.name << " with roundoff";
@@ -206,20 +206,32 @@ TEST_F(Bench, HoldsRaysAgainstEmbreesAndPiecesAgainstThoseOfGl2ps) {
   for (const char* of : {"bsp", "depth-sort", "gl2ps", "gl2ps, best root"}) {
     EXPECT_GE(pieces[of], 1.0) << of;
   }
+  EXPECT_GT(pieces["map"], 0.0);  // only what is seen: it may be less than a triangle each
+  for (const char* peer : {"gl2ps", "gl2ps, best root"}) {
+    EXPECT_GT(times_faster(report, 1, peer, "map"), 0.0) << peer;
+  }
   EXPECT_LE(pieces["gl2ps, best root"], pieces["gl2ps"]);
 }
 
-/// The same code, not another: on a scene that rounding hardly confuses hardly a pixel is wrong.
+/// Whoever reads that a method is exact reads also, once, what that costs it: in the JSON and in a
+/// row of the table. The other side is the same code, not another: on a scene that rounding hardly
+/// confuses hardly a pixel is wrong.
 TEST_F(Bench, HoldsEachExactMethodAgainstItselfWithoutItsExactStages) {
-  ASSERT_EQ(run("bench soup --polygons 24 --sizes 32 --rounds 1 --threads 1 --json b.json"), 0)
+  write("R.md", block("exactness", ""));
+  ASSERT_EQ(run("bench soup --polygons 24 --sizes 32 --rounds 1 --threads 1 --json b.json "
+                "--readme R.md"),
+            0)
       << err_;
   std::set<std::string> methods, exact;
   const Json report = json("b.json");
+  const std::string table = read(folder_ / "R.md");
   for (const Json& beside : report["beside"]) {
     if (beside["other"] != "without exact stages") continue;
-    methods.insert(beside["what"].get<std::string>());
+    const std::string method = beside["what"];
+    EXPECT_TRUE(methods.insert(method).second) << method << " twice";
     EXPECT_GT(beside["times_faster"]["median"], 0.0);
     EXPECT_LE(beside["count"], 8.0) << beside;  // of 1024: edges are rounded too
+    EXPECT_NE(table.find(fmt::format("| {} | ", method)), table.npos) << method << table;
   }
   for (const Json& cell : report["cells"]) {
     if (cell["exact"].get<bool>() && cell["method"] != "auto") {
@@ -227,6 +239,47 @@ TEST_F(Bench, HoldsEachExactMethodAgainstItselfWithoutItsExactStages) {
     }
   }
   EXPECT_EQ(methods, exact);
+}
+
+/// A square in front of one that it hides and of one that it leaves the shape of an L: the sorts
+/// keep all three, and the map has two pieces. All see the same.
+TEST_F(Bench, CountsThePiecesOfTheMapThatAreSeen) {
+  write("squares.draw",
+        "set-window 0 1 0 1\nset-line-style none\nopen-segment 1\n"
+        "polygon-abs-3 0.2 0.2 0  0.6 0.2 0  0.6 0.6 0  0.2 0.6 0\n"
+        "polygon-abs-3 0.3 0.3 -0.2  0.5 0.3 -0.2  0.5 0.5 -0.2  0.3 0.5 -0.2\n"
+        "polygon-abs-3 0.4 0.4 -0.4  0.8 0.4 -0.4  0.8 0.8 -0.4  0.4 0.8 -0.4\nclose-segment\n");
+  write("R.md", block("methods", "") + block("advice", ""));
+  ASSERT_EQ(run("bench squares.draw --sizes 32 --rounds 1 --threads 1,2 --methods "
+                "z-buffer,bsp,depth-sort,map --json b.json -o p.html --readme R.md"),
+            0)
+      << err_;
+  std::map<std::string, int> cells;
+  for (const Json& cell : json("b.json")["cells"]) {
+    const std::string method = cell["method"];
+    ++cells[method];
+    EXPECT_EQ(cell["wrong_pixels"], 0) << cell;
+    EXPECT_LT(cell["largest_depth_error"], 1e-9) << cell;
+    EXPECT_EQ(cell.contains("fragments_per_polygon"), method != "z-buffer") << cell;
+    if (method == "bsp" || method == "depth-sort") {
+      EXPECT_EQ(cell["fragments_per_polygon"], 1.0) << cell;
+    }
+    if (method == "map") {
+      EXPECT_NEAR(cell["fragments_per_polygon"], 2.0 / 3.0, 1e-4) << cell;
+      EXPECT_GT(cell["bytes"], 0) << cell;
+    }
+  }
+  EXPECT_EQ(cells["map"], 5);  // exact on one thread and on two; three ROUNDOFFs
+  for (const char* row :
+       {"\n  map, exact ", "\n  map, exact, 2 threads ", "\n  map, roundoff=1e-6 "}) {
+    EXPECT_NE(out_.find(row), out_.npos) << row << out_;
+  }
+  const std::string page = read(folder_ / "p.html"), readme = read(folder_ / "R.md");
+  EXPECT_NE(page.find("map, exact</span>"), page.npos);
+  EXPECT_NE(readme.find("| map, exact |"), readme.npos) << readme;
+  // The fewest pieces are the smallest file.
+  EXPECT_NE(readme.find("| A plot in a paper: vectors, drawn once | map, exact |"), readme.npos)
+      << readme;
 }
 
 }  // namespace

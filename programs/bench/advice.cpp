@@ -9,6 +9,7 @@
 #include <span>
 
 #include "programs/bench/analysis.h"
+#include "programs/bench/contenders.h"
 #include "programs/bench/json_report.h"
 #include "programs/bench/walk.h"
 
@@ -66,35 +67,37 @@ std::string over(const Rows& rows, std::size_t of) {
                                        left_out));
 }
 
-/// Only what sorts can be written as vectors.
+/// Only what is in polygons can be written as vectors.
 std::optional<Advice> plot_in_a_paper(const Report& report) {
   const Rows still = still_scenes(report);
-  const auto is_sort = [](const Column& c) {
-    return c.exact && (c.method == "bsp" || c.method == "depth-sort");
+  const auto gives_polygons = [](const Column& c) {
+    return c.exact && is_in_object_space(c.method);
   };
-  const Rows rows = with_nothing_left_out(report, still, is_sort);
+  const Rows rows = with_nothing_left_out(report, still, gives_polygons);
   const auto fragments =
       means(report, rows, is_exact, [](const Cell& cell) { return cell.fragments; });
   if (rows.empty() || fragments.empty()) return std::nullopt;
   const Mean& best = fragments.front();
   Advice advice{"A plot in a paper: vectors, drawn once",
                 best.column.name(),
-                fmt::format("pixels cannot be scaled, so only the sorts draw vectors; pieces of a "
-                            "polygon, over {}: {}",
+                fmt::format("pixels cannot be scaled, so only the methods in object space draw "
+                            "vectors; pieces of a polygon, over {}: {}",
                             over(rows, still.size()), listed(fragments)),
                 {}};
   advice.why.emplace_back(
-      "Vectors need polygons in an order, so only the sorts in object space can "
-      "draw them; an image-space method gives pixels.");
+      "Vectors need polygons, in an order as from a sort or without overlap as from the map; an "
+      "image-space method gives pixels.");
   advice.why.push_back(fmt::format(
-      "Fragments a polygon (geometric mean over {}): {}. Fewer pieces are a smaller file.",
+      "Fragments a polygon (geometric mean over {}): {}. Fewer pieces are a smaller file; "
+      "the map's are those alone that are seen.",
       over(rows, still.size()), listed(fragments)));
-  const auto times = means(report, rows, is_sort, time_of);
+  const auto times = means(report, rows, gives_polygons, time_of);
   advice.why.push_back(fmt::format("Time of a picture, in reference times: {}.", listed(times)));
   for (const Column& column : columns(report)) {
     if (column.method != best.column.method || column.exact) continue;
     advice.why.push_back(fmt::format(
-        "With {} the same sort has {} wrong pixels on these scenes and {} on the hard cases; exact "
+        "With {} the same method has {} wrong pixels on these scenes and {} on the hard cases; "
+        "exact "
         "has {} and {}.",
         column.precision, wrong_in(rows, column), wrong_pixels(report, "", column).wrong,
         wrong_in(rows, best.column), wrong_pixels(report, "", best.column).wrong));

@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "hidden/map/map_pieces.h"
 #include "hidden/sort/hidden_surface_sort.h"
 #include "interp/opengl/osmesa.h"
 #include "interp/renderer.h"
@@ -171,7 +172,11 @@ void compare_with_embree(Comparison& comparison) {
 
 // ---- gl2ps -----------------------------------------------------------------------------
 
-constexpr HiddenMethod kSorts[] = {HiddenMethod::bsp, HiddenMethod::depth_sort};
+/// From the polygons to the points of their pieces, exact, on one thread.
+SortedPieces pieces_by(HiddenMethod method, const Primitives& polygons) {
+  if (method == HiddenMethod::map) return pieces_of_map(polygons, visible_map(polygons, {}));
+  return sort_hidden_surfaces(polygons, method, SortOptions{});
+}
 
 void compare_with_gl2ps(Comparison& comparison) {
   const BesideTask& task = comparison.task();
@@ -179,18 +184,18 @@ void compare_with_gl2ps(Comparison& comparison) {
   const ViewedScene scene(file);
   const Triangles triangles = in_triangles(scene);
   const auto count = static_cast<double>(std::max<std::size_t>(1, triangles.size()));
-  const auto left_out = [&](HiddenMethod sort) {
-    return task.left_out.contains(std::string(name_of(sort)));
+  const auto left_out = [&](HiddenMethod method) {
+    return task.left_out.contains(std::string(name_of(method)));
   };
   comparison.count(kGl2ps, kTriangles, static_cast<double>(triangles.size()));
-  for (const HiddenMethod sort : kSorts) {
-    const std::string name(name_of(sort));
-    if (left_out(sort)) {
+  for (const HiddenMethod method : kObjectSpaceMethods) {
+    const std::string name(name_of(method));
+    if (left_out(method)) {
       comparison.leave_out(name, kPieces, task.left_out.at(name));
       continue;
     }
-    const auto sorted = sort_hidden_surfaces(scene.primitives(), sort, SortOptions{});
-    comparison.count(name, kPieces, static_cast<double>(sorted.pieces.size()) / count);
+    const SortedPieces found = pieces_by(method, scene.primitives());
+    comparison.count(name, kPieces, static_cast<double>(found.pieces.size()) / count);
   }
   for (const bool best_root : {false, true}) {
     const char* const name = best_root ? kGl2psBestRoot : kGl2ps;
@@ -198,19 +203,19 @@ void compare_with_gl2ps(Comparison& comparison) {
     if (!gl2ps.ends()) {
       const char* const why = "gl2ps's sort does not come to an end";
       comparison.leave_out(name, kPieces, why);
-      for (const HiddenMethod sort : kSorts) {
-        comparison.leave_out(name, std::string(name_of(sort)), why);
+      for (const HiddenMethod method : kObjectSpaceMethods) {
+        comparison.leave_out(name, std::string(name_of(method)), why);
       }
       continue;
     }
     comparison.count(name, kPieces, static_cast<double>(gl2ps.pieces().size()) / count);
-    for (const HiddenMethod sort : kSorts) {
-      const std::string of(name_of(sort));
-      if (left_out(sort)) {
+    for (const HiddenMethod method : kObjectSpaceMethods) {
+      const std::string of(name_of(method));
+      if (left_out(method)) {
         comparison.leave_out(name, of, task.left_out.at(of));
         continue;
       }
-      const auto ours = [&] { sort_hidden_surfaces(scene.primitives(), sort, SortOptions{}); };
+      const auto ours = [&] { pieces_by(method, scene.primitives()); };
       const auto round = [&] {
         const double our_seconds = seconds_each(Clock::processor, 1, ours);
         return std::pair(our_seconds, gl2ps.sort());
@@ -255,8 +260,9 @@ void compare_image_space(Comparison& comparison, const ViewedScene& scene, Hidde
   comparison.found.back().count = static_cast<double>(wrong);
 }
 
-/// Without any ROUNDOFF a sort cuts what crosses by rounding alone.
-void compare_sort(Comparison& comparison, const DisplayFile& file, HiddenMethod method) {
+/// Without any ROUNDOFF a sort cuts what crosses by rounding alone, and the map divides what is in
+/// one plane but for rounding.
+void compare_object_space(Comparison& comparison, const DisplayFile& file, HiddenMethod method) {
   const BesideTask& task = comparison.task();
   const std::string name(name_of(method));
   const Frame frame{task.scene.size, task.scene.size};
@@ -288,8 +294,8 @@ void compare_without_exact_stages(Comparison& comparison) {
   for (const ImageSpaceEntry& entry : image_space_methods()) {
     if (is_compared(entry.method)) compare_image_space(comparison, scene, entry.method);
   }
-  for (const HiddenMethod sort : kSorts) {
-    if (is_compared(sort)) compare_sort(comparison, file, sort);
+  for (const HiddenMethod method : kObjectSpaceMethods) {
+    if (is_compared(method)) compare_object_space(comparison, file, method);
   }
 }
 

@@ -17,22 +17,25 @@ namespace displayfile::bench {
 /// | other | what | ours | the other's |
 /// |---|---|---|---|
 /// | kOsmesa | kStartUp | a new system, one triangle, its picture | a new context, one triangle |
-/// | | kNewVertices | the mesh entered anew, and drawn | its vertices handed over anew, and drawn |
-/// | | kNewViews | a retained scene in eight views (moving_camera.h) | a resident mesh with as many
-/// matrices |
-/// | kFewestPolygons | kNewViews | the same | the scene of its name with the fewest polygons, ours
-/// | | | kAgain | the same display file again | the resident mesh again | | kEmbree, kEmbreeHigh |
-/// kRays | rays cast at a tree that is there | the same | | | kBuilding | making that tree | the
-/// same | | kGl2ps, kGl2psBestRoot | a sort's name | that sort of the triangles | its BSP sort of
-/// them | | kRounded | a method's name | the method | the same code with a ROUNDOFF of 0, of a sort
-/// 1e-12; the z-buffer's in single precision |
+/// | | kNewVertices | the mesh entered anew, and drawn | its vertices handed over, and drawn |
+/// | | kNewViews | a retained scene in eight views | a resident mesh, as many matrices |
+/// | | kAgain | the same display file again | the resident mesh again |
+/// | kFewestPolygons | kNewViews | as above | ours, of its name the scene of fewest polygons |
+/// | kEmbree, kEmbreeHigh | kRays | rays cast at a tree that is there | the same |
+/// | | kBuilding | making that tree | the same |
+/// | kGl2ps, kGl2psBestRoot | a sort's name | that sort of the triangles | its BSP sort of them |
+/// | | the map's name | their map, and its pieces | likewise |
+/// | kRounded | a method's name | the method | the same code without its exact stages |
+///
+/// Without them the z-buffer decides in single precision, sorts and the map with a ROUNDOFF of
+/// 1e-12, and the others with one of 0. Eight views are those of moving_camera.h.
 ///
 /// and counts: kTriangles that kOsmesa and kGl2ps got; of a moving camera the kViews that were held
 /// against kTruth, and in all of them kWrongPixels; of kMemory the bytes a triangle, of
 /// kRetainedScene, kView and kDrawing (MovingCamera); kPieces a triangle, of kGl2ps,
-/// kGl2psBestRoot and of our sorts; of kOsmesa kOtherPixels, in a hundred where its picture of a
-/// view is another than ours, the most of all views; of kEmbree kPacket, how many rays it casts at
-/// a time; of kRounded, with its time, the wrong pixels.
+/// kGl2psBestRoot, our sorts and the map; of kOsmesa kOtherPixels, in a hundred where its picture
+/// of a view is another than ours, the most of all views; of kEmbree kPacket, how many rays it
+/// casts at a time; of kRounded, with its time, the wrong pixels.
 namespace beside {
 inline constexpr const char* kOsmesa = "OSMesa";
 inline constexpr const char* kEmbree = "Embree";

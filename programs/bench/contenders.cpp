@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "displayfile/hidden_surface_check.h"
@@ -46,7 +47,8 @@ class SoftwareDrawing : public Drawing {
   std::optional<SoftwareRenderer> renderer_;
 };
 
-/// All segments sorted together, and painted back to front. The order is what is kept.
+/// All segments together, sorted and painted back to front, or divided into what is seen and that
+/// painted. The pieces are what is kept.
 class SortedDrawing : public Drawing {
  public:
   SortedDrawing(const DisplayFile& file, const RasterRequest& request, HiddenMethod method,
@@ -117,7 +119,7 @@ Contender image_space(HiddenMethod method, const Precision& precision) {
           }};
 }
 
-Contender sort(HiddenMethod method, const Precision& precision) {
+Contender object_space(HiddenMethod method, const Precision& precision) {
   return {std::string(name_of(method)),
           name_of_precision(precision),
           precision.exact,
@@ -143,6 +145,11 @@ Contender plain(const DepthFormatEntry& entry) {
 
 }  // namespace
 
+bool is_in_object_space(std::string_view method) {
+  return std::ranges::any_of(kObjectSpaceMethods,
+                             [&](HiddenMethod known) { return name_of(known) == method; });
+}
+
 std::string name_of_precision(const Precision& precision) {
   if (precision.exact) return "exact";
   std::string eps = fmt::format("{:g}", precision.roundoff);
@@ -157,8 +164,8 @@ std::vector<Contender> contenders(std::span<const double> roundoffs) {
   for (const ImageSpaceEntry& entry : image_space_methods()) {
     for (const Precision& p : precisions) all.push_back(image_space(entry.method, p));
   }
-  for (const HiddenMethod method : {HiddenMethod::bsp, HiddenMethod::depth_sort}) {
-    for (const Precision& p : precisions) all.push_back(sort(method, p));
+  for (const HiddenMethod method : kObjectSpaceMethods) {
+    for (const Precision& p : precisions) all.push_back(object_space(method, p));
   }
   for (const DepthFormatEntry& entry : depth_formats()) all.push_back(plain(entry));
   for (Contender& peer : peers()) all.push_back(std::move(peer));

@@ -1,15 +1,18 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "displayfile/display_file.h"
 #include "hidden/exact/precision.h"
+#include "hidden/hidden_method.h"
 #include "interp/picture.h"
 
 namespace displayfile::bench {
@@ -30,7 +33,7 @@ class Drawing {
   virtual void draw_again() { draw_anew(); }
   /// Draws the picture again with the item buffer and the depths; after draw_anew.
   virtual Picture judged() = 0;
-  /// Polygons and lines before and after the sort of a method that sorts; after judged.
+  /// Polygons and lines before and after a sort or the map; after judged.
   struct Pieces {
     std::uint64_t of, made;
   };
@@ -55,12 +58,18 @@ struct Contender {
   std::string name() const { return precision.empty() ? method : method + ", " + precision; }
 };
 
+/// What finds polygons in object space, before there is any pixel: the sorts give pieces of all
+/// polygons in an order, the map those that are seen, none of which overlaps another.
+inline constexpr std::array kObjectSpaceMethods{HiddenMethod::bsp, HiddenMethod::depth_sort,
+                                                HiddenMethod::map};
+bool is_in_object_space(std::string_view method);
+
 /// "exact", or "roundoff=1e-6".
 std::string name_of_precision(const Precision& precision);
 
 /// All that this build has: the heedless painter; what `auto` picks for a picture; the image-space
-/// methods and the sorts, exact and with each ROUNDOFF; the plain z-buffer and OSMesa at each of
-/// their depth formats; Embree and gl2ps.
+/// methods, the sorts and the map, exact and with each ROUNDOFF; the plain z-buffer and OSMesa at
+/// each of their depth formats; Embree and gl2ps.
 std::vector<Contender> contenders(std::span<const double> roundoffs);
 
 /// What all times are given in: the exact z-buffer on one thread.

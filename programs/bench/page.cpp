@@ -334,8 +334,9 @@ class Page {
       if (!curves.empty()) panels += svg({name, "polygons", "fragments a polygon"}, curves);
     }
     if (panels.empty()) return "";
-    return "<h2>Fragments</h2>\n<p>Pieces that the sorts in object space make of a polygon. gl2ps "
-           "gets triangles: the pieces of those are in a table above.</p>\n" +
+    return "<h2>Fragments</h2>\n<p>Pieces that the sorts make of a polygon, and those of which the "
+           "map says that they are seen. gl2ps gets triangles: the pieces of those are in a table "
+           "above.</p>\n" +
            legend([&](const Column& c) { return std::ranges::find(drawn, c) != drawn.end(); },
                   true) +
            "<div class='plots'>\n" + panels + "</div>\n";

@@ -18,7 +18,7 @@ std::string colour_of(const std::string& method) {
       {"scan-line-z", "#8c5a2b"}, {"warnock", "#d6489a"},    {"ray-cast", "#0f9aa8"},
       {"osmesa", "#111111"},      {"auto", "#8fce00"},       {"embree", "#b8a000"},
       {"gl2ps", "#ff6f61"},       {"roberts", "#1f5fbf"},    {"appel", "#e08a00"},
-      {"franklin", "#c92a2a"},
+      {"franklin", "#c92a2a"},    {"map", "#3a4a9f"},
   };
   const auto colour = colours.find(method);
   return colour == colours.end() ? "#556b2f" : colour->second;

@@ -40,7 +40,7 @@ struct Cell {
   /// Absolute, over the pixels where the depths of the picture and of the truth are both finite;
   /// the view volume is 1 deep.
   double largest_depth_error = 0.0, mean_depth_error = 0.0;
-  std::optional<double> fragments;    ///< pieces a polygon that a sort got, of gl2ps a triangle
+  std::optional<double> fragments;  ///< pieces a polygon, of a sort or the map; of gl2ps a triangle
   std::optional<std::int64_t> bytes;  ///< most held at a time
   std::uint64_t exact_calls = 0;      ///< of the predicates' exact stage, for one picture
   Spread time{};                      ///< of a picture from the display file, in reference times

@@ -10,6 +10,7 @@
 #include "programs/bench/advice.h"
 #include "programs/bench/analysis.h"
 #include "programs/bench/beside.h"
+#include "programs/bench/contenders.h"
 #include "programs/bench/json_report.h"
 #include "programs/bench/line_summary.h"
 #include "programs/bench/moving_camera_summary.h"
@@ -206,11 +207,11 @@ std::optional<Summary> exactness(const Report& report) {
       "the wrong pixels that it then has on these scenes. What is timed is the method's own work "
       "on "
       "a viewed scene, from making ready to what is seen at every pixel; of a sort, the sort and "
-      "the "
-      "painting of its order. The code without exact stages has a ROUNDOFF of 0: what doubles tell "
+      "the painting of its order; of the map, finding what is seen and painting that. The code "
+      "without exact stages has a ROUNDOFF of 0: what doubles tell "
       "is taken. The z-buffer's takes what single precision tells. Without any ROUNDOFF a sort "
-      "would "
-      "cut what crosses by rounding alone, and has one of 1e-12.",
+      "would cut what crosses by rounding alone, and the map divide what is in one plane but for "
+      "rounding: they have one of 1e-12.",
       {{"method", "exact over rounded", "scenes", "wrong pixels without"}}};
   LeftOut left_out;
   std::vector<std::string> methods;
@@ -245,20 +246,26 @@ std::optional<Summary> exactness(const Report& report) {
 /// A row a scene: ours and gl2ps's, of the same triangles.
 std::optional<Summary> pieces(const Report& report) {
   using namespace beside;
-  const std::string bsp(name_of(HiddenMethod::bsp)), depth_sort(name_of(HiddenMethod::depth_sort));
   Summary summary{
       "pieces",
       "Pieces of a triangle, beside gl2ps",
-      "Pieces that a sort makes of a triangle; 1 is a sort that cut nothing. All get the same "
-      "triangles, gl2ps's in single precision, with and without GL2PS_BEST_ROOT; and how many "
+      "Pieces that a sort makes of a triangle, 1 if it cut nothing; of the map those that are "
+      "seen, since what is hidden is in none. All get the same triangles, gl2ps's in single "
+      "precision, with and without GL2PS_BEST_ROOT; and how many "
       "times "
       "as fast ours is as each, on one thread by the processor's time, as gl2ps has but one. Timed "
       "is the sort alone: ours from the triangles to the order and the points of its pieces, "
       "gl2ps's "
       "gl2psEndPage in a format that writes no polygons, without the handing over.",
-      {{"scene", "triangles", bsp, depth_sort, kGl2ps, kGl2psBestRoot, bsp + " beside gl2ps",
-        bsp + " beside best root", depth_sort + " beside gl2ps",
-        depth_sort + " beside best root"}}};
+      {{"scene", "triangles"}}};
+  Row& head = summary.rows.front();
+  Row ours;
+  for (const HiddenMethod method : kObjectSpaceMethods) ours.emplace_back(name_of(method));
+  head.insert(head.end(), ours.begin(), ours.end());
+  head.insert(head.end(), {kGl2ps, kGl2psBestRoot});
+  for (const std::string& name : ours) {
+    head.insert(head.end(), {name + " beside gl2ps", name + " beside best root"});
+  }
   LeftOut left_out;
   for (const std::string& name : names_but_hard_cases(report)) {
     const SceneRow& row = shown_scene(report, name);
@@ -267,11 +274,13 @@ std::optional<Summary> pieces(const Report& report) {
     };
     const Beside* const triangles = find_beside(report, row.scene.id(), 1, kGl2ps, kTriangles);
     if (triangles == nullptr) continue;
-    summary.rows.push_back({short_name(name), grouped(static_cast<std::int64_t>(*triangles->count)),
-                            cell(bsp, kPieces), cell(depth_sort, kPieces), cell(kGl2ps, kPieces),
-                            cell(kGl2psBestRoot, kPieces), cell(kGl2ps, bsp),
-                            cell(kGl2psBestRoot, bsp), cell(kGl2ps, depth_sort),
-                            cell(kGl2psBestRoot, depth_sort)});
+    Row of_scene{short_name(name), grouped(static_cast<std::int64_t>(*triangles->count))};
+    for (const std::string& method : ours) of_scene.push_back(cell(method, kPieces));
+    for (const char* peer : {kGl2ps, kGl2psBestRoot}) of_scene.push_back(cell(peer, kPieces));
+    for (const std::string& method : ours) {
+      for (const char* peer : {kGl2ps, kGl2psBestRoot}) of_scene.push_back(cell(peer, method));
+    }
+    summary.rows.push_back(std::move(of_scene));
   }
   if (summary.rows.size() == 1) return std::nullopt;
   summary.text += left_out.words();
@@ -300,13 +309,12 @@ std::string used_for(const std::vector<Advice>& all, const Column& column) {
   return text;
 }
 
-/// The geometric mean of the pieces that a sort, ours or another's, makes of a triangle; empty if
-/// it has none on one of the scenes.
+/// The geometric mean of the pieces that a sort, ours or another's, or the map makes of a triangle;
+/// empty if it has none on one of the scenes.
 std::string pieces_a_triangle(const Report& report, const Rows& rows, const Column& column) {
-  const bool sorts = column.method == name_of(HiddenMethod::bsp) ||
-                     column.method == name_of(HiddenMethod::depth_sort);
-  const std::string whose = sorts ? column.method : beside::kGl2psBestRoot;
-  if (!sorts && column.name() != beside::kGl2psBestRootColumn) return "";
+  const bool has_pieces = is_in_object_space(column.method);
+  const std::string whose = has_pieces ? column.method : beside::kGl2psBestRoot;
+  if (!has_pieces && column.name() != beside::kGl2psBestRootColumn) return "";
   std::vector<double> each;
   for (const SceneRow* row : rows) {
     const Beside* const found = find_beside(report, row->scene.id(), 1, whose, beside::kPieces);
@@ -335,7 +343,9 @@ std::optional<Summary> methods(const Report& report) {
           "is "
           "warm, and has the polygons in its own form. gl2ps sorts, and draws no pixels. Wrong "
           "pixels "
-          "are those of the hard cases; pieces those of a triangle, of the same triangles.",
+          "are those of the hard cases; pieces those of a triangle, of the same triangles; the "
+          "map's "
+          "are those that are seen.",
           report.reference, rows.size(), names),
       {{"method", "anew", "again", "wrong pixels, %", "bytes a polygon", "pieces", "advised for"}}};
   const std::vector<Advice> advised = advice(report);

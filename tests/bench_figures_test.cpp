@@ -255,7 +255,8 @@ TEST_F(Bench, CountsThePiecesOfTheMapThatAreSeen) {
             0)
       << err_;
   std::map<std::string, int> cells;
-  for (const Json& cell : json("b.json")["cells"]) {
+  const Json report = json("b.json");
+  for (const Json& cell : report["cells"]) {
     const std::string method = cell["method"];
     ++cells[method];
     EXPECT_EQ(cell["wrong_pixels"], 0) << cell;

@@ -1,5 +1,7 @@
 #include "interp/raster/sorted_painter.h"
 
+#include <algorithm>
+
 #include "hidden/exact/support_plane.h"
 #include "interp/interpreter.h"
 
@@ -50,6 +52,27 @@ struct Coverage {
 
 }  // namespace
 
+/// Notes the centres close to boundaries of polygons that a map left out. Where one touches what
+/// hides it, without being seen on any side of that, it may be seen at a centre by its later entry.
+class SortedPainter::HiddenBoundaries : public OutputDevice {
+ public:
+  explicit HiddenBoundaries(SortedPainter& painter) : painter_(painter) {}
+  void begin_segment(int name) override {
+    is_of_map_ = painter_.is_map(name) && painter_.undecided_of(name) == Undecided::at_boundaries;
+    painter_.boundary_error_ = Point2(painter_.band_.size().width, painter_.band_.size().height) *
+                               painter_.sort_boundary_error(name);
+  }
+  void fill(const DrawnPolygon& polygon) override {
+    if (is_of_map_) painter_.note_boundary(polygon);
+  }
+  void edges(const DrawnPolygon&) override {}
+  void line(const DrawnLine&) override {}
+
+ private:
+  SortedPainter& painter_;
+  bool is_of_map_ = false;
+};
+
 SortedPainter::SortedPainter(const DisplayFile& display_file, const RasterBand& band,
                              const LinesOverFills& found, double line_scale)
     : display_file_(display_file),
@@ -66,6 +89,22 @@ SortedPainter::Undecided SortedPainter::undecided_of(int segment_name) const {
   const Segment& segment = display_file_.segment(segment_name);
   if (!segment.sorted() || !segment.sorted()->precision.exact) return Undecided::none;
   return segment.sorted_as_drawn() ? Undecided::at_boundaries : Undecided::all;
+}
+
+bool SortedPainter::is_map(int segment_name) const {
+  const auto& sorted = display_file_.sorted() ? display_file_.sorted()
+                                              : display_file_.segment(segment_name).sorted();
+  return sorted != nullptr && sorted->method == HiddenMethod::map;
+}
+
+void SortedPainter::note_boundary(const DrawnPolygon& polygon) {
+  const Point2 error = boundary_error(polygon.vertices, band_.size()) + boundary_error_;
+  note_rows_of_vertices(polygon.vertices, error, band_.size(), undecided_);
+  const ScanConverter::Rows rows = converter_.begin(polygon.vertices, band_.region);
+  if (rows.first == rows.end) return;
+  converter_.watch(error);
+  converter_.scan([](int, int, int) {},
+                  [&](int row, int first, int end) { undecided_.add(row, first, end); });
 }
 
 /// How far the segment's boundaries may be off besides (SortedScene::boundary_error).
@@ -117,6 +156,13 @@ void SortedPainter::fill(const DrawnPolygon& polygon) {
 std::size_t SortedPainter::decide_centres() {
   lines_.end(plot());
   Picture& picture = band_.picture;
+  const auto segments = display_file_.visible_segments();
+  const bool has_map = std::ranges::any_of(
+      segments, [&](const Segment* segment) { return is_map(segment->name()); });
+  if (has_map) {
+    HiddenBoundaries boundaries(*this);
+    interpret(display_file_, boundaries, Pass::fills, Order::entered);
+  }
   if (!undecided_.empty()) {
     for_each_nearest(undecided_, [&](int row, int column, const NearestAtCentres::Seen* seen) {
       const std::size_t at = band_.index(row, column);

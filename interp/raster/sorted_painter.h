@@ -47,6 +47,10 @@ class SortedPainter : public OutputDevice {
     all,            ///< it was moved after it was sorted, and all its points rounded anew
   };
   Undecided undecided_of(int segment_name) const;
+  class HiddenBoundaries;
+  /// True if the segment's fills are those that its map says are seen.
+  bool is_map(int segment_name) const;
+  void note_boundary(const DrawnPolygon& polygon);
   double sort_boundary_error(int segment_name) const;
   void show_depth_of_whole_polygons();
   template <class Show>

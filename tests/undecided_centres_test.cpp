@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "displayfile/hidden_surface_check.h"
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
 #include "tests/painted_fills.h"
@@ -59,6 +60,38 @@ TEST(UndecidedCentres, AFoldThroughCentresShowsThePolygonEnteredLater) {
     }
   }
   EXPECT_GT(wrong_if_heedless, 0u);
+}
+
+/// A flap behind the sheet is no piece of the map, and is seen on its edge if it was entered later.
+TEST(UndecidedCentres, WhatAMapLeavesOutIsSeenWhereItTouchesAndWasEnteredLater) {
+  std::size_t seen = 0;
+  for (const int axis : {0, 1, 2}) {
+    for (const double rise : {-0.25, 0.25}) {
+      for (const bool sheet_first : {false, true}) {
+        const auto [sheet, flap] = fold(axis, rise);
+        const int pick_of_flap = sheet_first ? 1 : 0;
+        const Fills fills{{sheet_first ? sheet : flap, 0}, {sheet_first ? flap : sheet, 1}};
+        for (const bool together : {false, true}) {
+          DisplayFile file;
+          Segment& segment = file.create(1);
+          enter(segment, fills);
+          segment.close();
+          if (together) {
+            file.set_sorted(
+                hidden_surface_check(file.visible_segments(), HiddenMethod::map, SortOptions{}));
+          } else {
+            segment.set_sorted(
+                hidden_surface_check(segment.entered(), {}, HiddenMethod::map, SortOptions{}));
+          }
+          EXPECT_EQ(wrong(file, kSize, kSize), "") << axis << ' ' << rise << ' ' << sheet_first;
+          if (rise < 0.0)
+            seen += static_cast<std::size_t>(
+                std::ranges::count(paint(file, kSize, kSize).ids, pick_of_flap));
+        }
+      }
+    }
+  }
+  EXPECT_GT(seen, 0u);
 }
 
 TEST(UndecidedCentres, TwoPolygonsWithACommonSideInBothOrders) {

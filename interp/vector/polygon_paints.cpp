@@ -19,6 +19,9 @@ constexpr double kNarrowPiece = 0.5;
 /// In levels of the brightest component, of 255.
 constexpr double kEvenLevels = 0.5, kRampTolerance = 0.125;
 
+/// In pixels.
+constexpr double kLongestRamp = 1e6;
+
 /// More digits than renderers have.
 constexpr int kMostDecimals = 6;
 
@@ -29,6 +32,7 @@ struct PageIntensity {
   double at(const Point2& p) const {
     return at_origin + slope.x * (p.x - origin.x) + slope.y * (p.y - origin.y);
   }
+  double steepness() const { return std::sqrt(slope.x * slope.x + slope.y * slope.y); }
 };
 
 PageIntensity intensity_over_page(const DrawnPolygon& polygon, std::span<const Point2> page) {
@@ -47,9 +51,8 @@ PageIntensity intensity_over_page(const DrawnPolygon& polygon, std::span<const P
   return {p, {plane.dz_dx, plane.dz_dy}, p.z};
 }
 
-/// Black where the intensity is 0, full where it is 1, across the middle of the polygon.
-ColourRamp ramp_of(const PageIntensity& intensity, std::span<const Point2> page) {
-  const Point2 middle = mean_of_vertices(page);
+/// Black where the intensity is 0, full where it is 1, on a line through that point.
+ColourRamp ramp_through(const Point2& middle, const PageIntensity& intensity) {
   const Point2& slope = intensity.slope;
   const Point2 whole = 1.0 / (slope.x * slope.x + slope.y * slope.y) * slope;
   const Point2 black = middle - intensity.at(middle) * whole, full = black + whole;
@@ -73,7 +76,7 @@ bool lies_on(const ColourRamp& ramp, std::span<const Point2> page, double tolera
 }  // namespace
 
 FillPaint PolygonPaints::paint_of(const DrawnPolygon& polygon, std::span<const Point2> page,
-                                  double unit) {
+                                  std::span<const Point2> shown, double unit) {
   const Colour& colour = polygon.fill.colour;
   const auto& intensities = polygon.intensities;
   if (intensities.empty()) return {pixel_of(colour)};
@@ -88,7 +91,11 @@ FillPaint PolygonPaints::paint_of(const DrawnPolygon& polygon, std::span<const P
   const auto [low, high] = std::ranges::minmax(intensities);
   if ((high - low) * levels >= kEvenLevels) {
     const PageIntensity intensity = intensity_over_page(polygon, page);
-    const ColourRamp exact = ramp_of(intensity, page);
+    const Point2 middle = mean_of_vertices(shown);
+    if (!(intensity.steepness() > 1.0 / kLongestRamp)) {
+      return {pixel_of(colour * std::clamp(intensity.at(middle), low, high))};
+    }
+    const ColourRamp exact = ramp_through(middle, intensity);
     double step = unit;
     for (int decimals = 0; decimals <= kMostDecimals; ++decimals, step /= 10.0) {
       const ColourRamp ramp = rounded_to(exact, step);

@@ -96,12 +96,13 @@ void VectorDevice::fill(const DrawnPolygon& polygon) {
   paint_fill(path_, paint_of(polygon), !edges_cover_seams(polygon));
 }
 
-/// Of a polygon whose vertices are finite.
+/// Of a polygon whose loop was found.
 FillPaint VectorDevice::paint_of(const DrawnPolygon& polygon) {
   if (fills_with_background_) return {pixel_of(background_.colour)};
   page_.clear();
   for (const Point3& v : polygon.vertices) page_.push_back(to_page(v));
-  return paints_.paint_of(polygon, page_, fills_are_disjoint_ ? options_.precision : 1.0);
+  return paints_.paint_of(polygon, page_, path_.points,
+                          fills_are_disjoint_ ? options_.precision : 1.0);
 }
 
 /// The polygon as path_, one closed run; false if nothing of it is near the page.

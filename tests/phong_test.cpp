@@ -2,8 +2,6 @@
 // linearly over the picture of a triangle, whatever clips, sorts or moves it, and no pixel's
 // polygon is another. The judge is the definition, in long double.
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>

@@ -37,7 +37,8 @@ std::shared_ptr<const SortedScene> sorted_scene(ViewedScene viewed,
                                                    options.precision,
                                                    counts,
                                                    options.hidden_lines,
-                                                   options.intersections});
+                                                   options.intersections,
+                                                   options.shadows});
 }
 
 /// What `sort` returns, which has every point in its tables at least.

@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <utility>
 
+#include "displayfile/lit_parts.h"
 #include "hidden/map/map_pieces.h"
 
 namespace displayfile {
@@ -84,14 +86,17 @@ SortedPieces lines_beside_sides(const ViewedScene& scene, const FoundLines& foun
 
 SortedPieces map_in_order(const ViewedScene& scene, const SortOptions& options) {
   const DrawnItems items(scene);
-  SortedPieces fills = pieces_of_map(
-      *items, visible_map(*items, {.precision = options.precision, .threads = options.threads}));
+  const MapOptions of_map{.precision = options.precision, .threads = options.threads};
+  SortedPieces fills = options.shadows && scene.has_shadows()
+                           ? lit_pieces_of_map(scene, *items, of_map)
+                           : pieces_of_map(*items, visible_map(*items, of_map));
   const FoundLines found = find_lines(scene, HiddenMethod::franklin, options);
   if (found.lines.empty() && found.intersections.empty()) return fills;
   // The lines' points stay where their pick identifiers are looked up.
   SortedPieces all = lines_in_order(scene, found, options.hidden_lines);
   const auto before = static_cast<std::uint32_t>(all.points.size());
   all.first_stroke = fills.pieces.size();
+  all.lights = std::move(fills.lights);
   all.pieces.insert(all.pieces.begin(), fills.pieces.begin(), fills.pieces.end());
   for (std::size_t k = 0; k < all.first_stroke; ++k) {
     if (all.pieces[k].first != SortedPiece::kWhole) all.pieces[k].first += before;

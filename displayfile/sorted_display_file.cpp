@@ -16,7 +16,8 @@ namespace {
 bool is_of(const SortedScene& sorted, HiddenMethod method, const SortOptions& options) {
   return sorted.method == method && sorted.precision == options.precision &&
          sorted.hidden_lines == options.hidden_lines &&
-         sorted.intersections == options.intersections;
+         sorted.intersections == options.intersections &&
+         (sorted.shadows == options.shadows || !sorted.has_shadows());
 }
 
 /// Instructions of closed segments do not change: the same pointer, the same instructions.
@@ -30,6 +31,7 @@ SortOptions sort_options(const HiddenSurfaceOptions& options, const Precision& p
   sort.threads = options.threads;
   sort.most_pieces = options.most_pieces;
   sort.progress = options.progress;
+  sort.shadows = options.shadows;
   return sort;
 }
 
@@ -37,8 +39,14 @@ SortOptions sort_options(const HiddenSurfaceOptions& options, const Precision& p
 std::shared_ptr<const SortedScene> joined(
     std::span<const std::shared_ptr<const SortedScene>> groups, HiddenMethod method,
     const SortOptions& options) {
-  auto all = std::make_shared<SortedScene>(SortedScene{
-      {}, {}, method, options.precision, {}, options.hidden_lines, options.intersections});
+  auto all = std::make_shared<SortedScene>(SortedScene{{},
+                                                       {},
+                                                       method,
+                                                       options.precision,
+                                                       {},
+                                                       options.hidden_lines,
+                                                       options.intersections,
+                                                       options.shadows});
   for (const auto& group : groups) {
     all->parts.insert(all->parts.end(), group->parts.begin(), group->parts.end());
     all->counts += group->counts;
@@ -78,7 +86,9 @@ const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, Hidde
   const HiddenMethod method = surfaces_of(by);
   const bool applications =
       !options.method && surfaces_of(method_in_force(system, options)) == method;
-  const auto usual = applications ? HiddenScope::segment : HiddenScope::all;
+  const bool finds_shadows =
+      options.shadows && method == HiddenMethod::map && system.display_file().has_shadows();
+  const auto usual = applications && !finds_shadows ? HiddenScope::segment : HiddenScope::all;
   const HiddenScope set = system.hidden_scope().value_or(usual);
   const HiddenScope scope = options.scope.value_or(set);
   SortOptions sort = sort_options(options, precision_in_force(system, options));
@@ -141,7 +151,9 @@ void SortedDisplayFile::sort_segments(HiddenMethod method, const SortOptions& op
 
 /// Takes the order of the segment itself or of the last update, if one of them will do.
 void SortedDisplayFile::sort_segment(const Segment& segment, HiddenMethod method,
-                                     const SortOptions& options) {
+                                     const SortOptions& asked) {
+  SortOptions options = asked;
+  options.shadows = false;  // other segments hide the light too
   const auto will_do = [&](const Segment& s) {
     return s.sorted_as_drawn() && is_of(*s.sorted(), method, options);
   };
@@ -158,7 +170,10 @@ void SortedDisplayFile::sort_segment(const Segment& segment, HiddenMethod method
 }
 
 void SortedDisplayFile::sort_together(HiddenMethod method, const SortOptions& options) {
-  const auto groups = overlapping_groups(file_.visible_segments());
+  const auto segments = file_.visible_segments();
+  const bool all_in_one = options.shadows && method == HiddenMethod::map && file_.has_shadows();
+  const auto groups = all_in_one ? std::vector<SegmentGroup>{{segments.begin(), segments.end()}}
+                                 : overlapping_groups(segments);
   std::unordered_map<int, SortedGroup> kept;
   std::vector<std::shared_ptr<const SortedScene>> orders;
   work_ = {.groups = groups.size()};

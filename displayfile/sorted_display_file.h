@@ -25,6 +25,10 @@ struct HiddenSurfaceOptions {
   std::optional<HiddenLines> hidden_lines = std::nullopt;
   /// Lines along which polygons pass through each other are wanted too, where no application says.
   bool intersections = false;
+  /// Of a map: which pieces the light reaches is wanted too, where shadows are shown
+  /// (displayfile/lit_parts.md). Segments are then looked at together, unless the application or
+  /// scope says otherwise, since each may darken any other.
+  bool shadows = false;
 };
 
 /// The method in force: that of the options, or else what the application set with
@@ -85,7 +89,7 @@ class SortedDisplayFile {
   void sort_as_closed(const HiddenSurfaceOptions& asked);
   void sort_segments(HiddenMethod method, const SortOptions& options);
   void sort_together(HiddenMethod method, const SortOptions& options);
-  void sort_segment(const Segment& segment, HiddenMethod method, const SortOptions& options);
+  void sort_segment(const Segment& segment, HiddenMethod method, const SortOptions& asked);
   void unsort();
 
   DisplayFile file_;

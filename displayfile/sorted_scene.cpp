@@ -1,5 +1,7 @@
 #include "displayfile/sorted_scene.h"
 
+#include <algorithm>
+
 namespace displayfile {
 
 namespace {
@@ -19,6 +21,10 @@ std::size_t count(const SortedScene& sorted, bool lines) {
 
 }  // namespace
 
+bool SortedScene::has_shadows() const {
+  return std::ranges::any_of(parts, [](const auto& part) { return part->scene->has_shadows(); });
+}
+
 std::size_t SortedScene::polygons() const { return count(*this, false); }
 std::size_t SortedScene::lines() const { return count(*this, true); }
 
@@ -28,7 +34,7 @@ std::size_t SortedScene::bytes() const {
   for (const auto& part : parts) {
     const SortedPieces& pieces = part->pieces;
     n += part->scene->bytes() + size(pieces.pieces) + size(pieces.points) + size(pieces.visible) +
-         size(pieces.hidden);
+         size(pieces.hidden) + size(pieces.lights);
   }
   return n;
 }

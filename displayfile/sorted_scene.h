@@ -51,6 +51,7 @@ struct SortedScene {
   SortCounts counts;
   HiddenLines hidden_lines = HiddenLines::none;  ///< SortOptions::hidden_lines
   bool intersections = false;                    ///< SortOptions::intersections
+  bool shadows = false;                          ///< SortOptions::shadows
   /// How far a boundary may lie from where the polygons as entered have it, beyond the rounding of
   /// a cut's own coordinates: where the cuts were made before viewing. Device coordinates.
   double boundary_error = 0.0;
@@ -60,7 +61,8 @@ struct SortedScene {
   /// and, if the visitor has it, line_kinds(LineKinds) of the lines that follow, kDrawn at first.
   /// disjoint_polygons(true), if the visitor has it, comes before the polygons of a map, which do
   /// not overlap, and disjoint_polygons(false) after them: a segment that was named between them is
-  /// over then. Texts follow all else.
+  /// over then. Texts follow all else. A fill whose shadows were found has the colour that it has
+  /// in the light or in the shadow, and shows none.
   template <class Visitor>
   void walk(Visitor&& visit) const;
   /// Calls the visitor as walk does, with points after an image transformation.
@@ -70,6 +72,7 @@ struct SortedScene {
     walk(TransformedVisitor(visit, moved));
   }
 
+  bool has_shadows() const;      ///< some fill shows them
   std::size_t polygons() const;  ///< pieces that are drawn as polygons
   std::size_t lines() const;     ///< and as lines
   std::size_t bytes() const;     ///< of the scenes' own arrays and the orders, as used
@@ -95,6 +98,7 @@ class PieceWriter {
       const SortedPiece& piece = ordered.pieces.pieces[k];
       is_hidden_ = ordered.pieces.is_hidden(k);
       is_stroke_ = ordered.pieces.is_stroke(k);
+      light_ = ordered.pieces.light(k);
       if (!scene().segments().empty()) check_segment(scene().segment_name(piece.item));
       send_to_df(piece);
     }
@@ -118,10 +122,19 @@ class PieceWriter {
   }
 
  private:
-  /// Whose fill style is in force.
+  using Lit = SortedPieces::Lit;
+  /// Whose fill style is in force, and in which light.
   struct ItemOfScene {
     const ViewedScene* scene = nullptr;
     ViewedScene::Item item = 0;
+    Lit light = Lit::unknown;
+    FillStyle style() const {
+      FillStyle style = scene->fill_style(item);
+      if (light == Lit::unknown || !style.shadow) return style;
+      if (light == Lit::in_shadow) style.colour = style.shadow->colour;
+      style.shadow.reset();
+      return style;
+    }
   };
 
   const ViewedScene& scene() const { return *ordered_->scene; }
@@ -159,10 +172,10 @@ class PieceWriter {
 
   /// CHECK-STYLE (algorithm 9.18): a style is sent only where it changes.
   void check_fill_style(std::uint32_t item) {
-    const FillStyle style = scene().fill_style(item);
-    const bool same =
-        fill_of_.scene != nullptr && fill_of_.scene->fill_style(fill_of_.item) == style;
-    fill_of_ = {&scene(), item};
+    const ItemOfScene now{&scene(), item, light_};
+    const FillStyle style = now.style();
+    const bool same = fill_of_.scene != nullptr && fill_of_.style() == style;
+    fill_of_ = now;
     if (!same) visit_.fill(style);
   }
   void check_line_style(const LineStyle& style) {
@@ -223,6 +236,7 @@ class PieceWriter {
 
   /// A piece of a shaded polygon lies in the picture of the whole one.
   VertexShading shading_of(const SortedPiece& piece, std::span<const Point3> points) {
+    if (light_ == Lit::in_shadow) return {};
     const VertexShading whole = scene().shading(piece.item);
     if (whole.empty() || piece.first == SortedPiece::kWhole) return whole;
     const PointRow vertices = scene().points(piece.item);
@@ -250,6 +264,7 @@ class PieceWriter {
   Visitor& visit_;
   const OrderedScene* ordered_ = nullptr;
   bool is_hidden_ = false, is_stroke_ = false;  // the piece that is sent
+  Lit light_ = Lit::unknown;                    // likewise
   ItemOfScene fill_of_;
   bool line_known_ = false, pick_known_ = false, pen_known_ = false;
   LineStyle line_;

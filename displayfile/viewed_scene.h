@@ -170,6 +170,10 @@ class ViewedScene {
   bool has_shadows() const { return !shadows_.empty(); }  ///< some fill shows them
   /// The shadow of a fill that is not the background; null if none is seen on it.
   const FillShadow* shadow(Fill fill) const { return shadow_of_item(item_of(fill)); }
+  /// Null if no shadow is seen on the item's fill.
+  const FillShadow* shadow_of_item(Item item) const {
+    return item >= shadow_.size() || shadow_[item] == kNone ? nullptr : &shadows_[shadow_[item]];
+  }
 
   const std::vector<ViewedText>& texts() const { return texts_; }  ///< in order of entry
 
@@ -199,10 +203,6 @@ class ViewedScene {
   void collect(std::span<const Segment* const> segments);
   void collect(const std::shared_ptr<const Instructions>& entered, const ImageTransformation& image,
                bool in_place);
-  /// Null if no shadow is seen on the item's fill.
-  const FillShadow* shadow_of_item(Item item) const {
-    return item >= shadow_.size() || shadow_[item] == kNone ? nullptr : &shadows_[shadow_[item]];
-  }
   const Point3& point(std::uint32_t corner) const {
     return points_[corners_.empty() ? corner : corners_[corner]];
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -29,7 +30,16 @@ struct Primitives {
   /// kinds of lines (hidden/line_kinds.h). Empty: all are, and nobody asked as which.
   std::span<const std::uint8_t> visible;
   std::span<const Item> items;
+  /// The plane that each polygon counts as lying in, for the map and who finds lines: three points
+  /// that are not in line in the projection, maybe another's; each of its vertices counts as moved
+  /// along z on to it. Empty, and where the first is kOwnPlane: the support plane.
+  using PlanePoints = std::array<std::uint32_t, 3>;
+  std::span<const PlanePoints> planes = {};
+  static constexpr std::uint32_t kOwnPlane = 0xffffffffu;
 
+  bool has_own_plane(std::size_t item) const {
+    return planes.empty() || planes[item][0] == kOwnPlane;
+  }
   std::size_t all_corners() const { return corners.empty() ? points.size() : corners.size(); }
   std::uint32_t point(std::uint32_t corner) const {
     return corners.empty() ? corner : corners[corner];

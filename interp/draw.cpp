@@ -131,11 +131,14 @@ struct KeptForPictures {
 /// scene.
 template <class DrawFile, class DrawWorld>
 auto draw_up_to_date(const GraphicsSystem& system, const DrawOptions& options, HiddenMethod method,
-                     SortedDisplayFile& kept, DrawFile&& draw_file, DrawWorld&& draw_world) {
+                     PictureKind kind, SortedDisplayFile& kept, DrawFile&& draw_file,
+                     DrawWorld&& draw_world) {
   require_drawable_by(method, options);
   require_hidden_lines_drawn(hidden_lines_in_force(system, hidden_surface_options(options)), method,
                              options);
-  const DisplayFile& sorted = kept.update(system, method, hidden_surface_options(options));
+  HiddenSurfaceOptions asked = hidden_surface_options(options);
+  asked.shadows = kind == PictureKind::vector;
+  const DisplayFile& sorted = kept.update(system, method, asked);
   if (const auto world = world_in_force(system, method)) {
     return draw_world(*world, with_settings(system, method, options));
   }
@@ -147,7 +150,8 @@ Picture draw_in_memory(const GraphicsSystem& system, const DrawOptions& as_asked
   const DrawOptions options = with_background(system, as_asked);
   return with_memory_of_picture(options, kept.software, [&] {
     return draw_up_to_date(
-        system, options, method_in_force(system, hidden_surface_options(options)), kept.sorted,
+        system, options, method_in_force(system, hidden_surface_options(options)),
+        PictureKind::raster, kept.sorted,
         [&](const DisplayFile& sorted, const RasterRequest& request) {
           return draw_pixels(DisplayFileSource(sorted, false, options, kept.software), request,
                              options);
@@ -160,14 +164,15 @@ void draw_into_file(const GraphicsSystem& system, const std::filesystem::path& f
                     const DrawOptions& as_asked, const KeptForPictures& kept) {
   const DrawOptions options = with_background(system, as_asked);
   require_drawable(file, options);
+  const PictureKind kind = picture_kind(file, options);
   // For a picture of pixels it is the renderer that picks a method.
-  const HiddenMethod method = picture_kind(file, options) == PictureKind::raster
+  const HiddenMethod method = kind == PictureKind::raster
                                   ? method_in_force(system, hidden_surface_options(options))
                                   : drawing_method(system, options, PictureKind::vector);
   if (options.pens) require_drawn_by_pens(method, *options.pens);
   with_memory_of_drawing(system.display_file().bytes(), file, options, [&] {
     draw_up_to_date(
-        system, options, method, kept.sorted,
+        system, options, method, kind, kept.sorted,
         [&](const DisplayFile& sorted, const RasterRequest& request) {
           const DisplayFileSource source(sorted, is_image_space(method), options, kept.software);
           write_picture(source, request, file, options);

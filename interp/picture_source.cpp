@@ -37,6 +37,7 @@ void DisplayFileSource::write_vectors(const PictureFormat& format,
     if (request.roundoff) options.precision = Precision{false, *request.roundoff};
     options.hidden_lines = request.hidden_lines;
     options.intersections = request.intersections;
+    options.shadows = true;
     map.update(file_, HiddenMethod::map, options);
   }
   const DisplayFile& drawn = by_depth_ ? map.display_file() : file_;

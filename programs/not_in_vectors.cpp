@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "interp/visibility/image_space.h"
 #include "programs/warnings.h"
 
 namespace displayfile {
@@ -23,21 +24,24 @@ bool has_stored(const DisplayFile& drawn, Stored stored) {
 
 }  // namespace
 
-void NotInVectors::note(const DisplayFile& drawn, const DrawOptions& options, PictureKind kind) {
+void NotInVectors::note(const DisplayFile& drawn, const DrawOptions& options, PictureKind kind,
+                        HiddenMethod by) {
   if (kind != PictureKind::vector) return;
   if (options.pens) {  // what pens hatch has its shades
     if (drawn.has_texts()) texts_ = true;
     return;
   }
   if (has_stored(drawn, &Instructions::stored_normals)) phong_ = true;
-  if (drawn.has_shadows()) shadows_ = true;
+  const bool by_map = by == HiddenMethod::map || is_image_space(by);
+  const bool each_segment = options.scope == HiddenScope::segment && by == HiddenMethod::map;
+  if (drawn.has_shadows() && (!by_map || each_segment)) shadows_ = true;
   if (options.samples > 1) samples_ = true;
 }
 
 void NotInVectors::warn(const std::string& output) const {
   std::vector<std::string_view> left_out;
   if (phong_) left_out.emplace_back("Phong shading (drawn as Gouraud shading)");
-  if (shadows_) left_out.emplace_back("shadows");
+  if (shadows_) left_out.emplace_back("shadows (those of map are drawn, of all segments)");
   if (samples_) left_out.emplace_back("--samples");
   if (texts_) left_out.emplace_back("texts, whose letters no pen draws");
   if (left_out.empty()) return;

@@ -259,10 +259,17 @@ TEST_F(Batch, WhatVectorsLeaveOutIsSaidOnce) {
         "set-light 0.3 0.2 1\nset-shadows on\nset-fill-style solid 1 1 1\nopen-segment "
         "1\npolygon-abs-3 0 0 0  1 0 0  1 1 0  0 1 0\n"
         "polygon-abs-3 0.2 0.2 0.3  0.6 0.2 0.3  0.6 0.6 0.3  0.2 0.6 0.3\nclose-segment\n");
-  EXPECT_EQ(run("draw shadows.draw -o s.svg"), 0);
-  EXPECT_EQ(err_, "s.svg: vectors leave out shadows\n");
-  EXPECT_EQ(run("draw shadows.draw -o s.png"), 0);
-  EXPECT_EQ(err_, "");
+  const std::string left_out =
+      "s.svg: vectors leave out shadows (those of map are drawn, of all segments)\n";
+  for (const char* by : {"", " --hidden bsp", " --hidden map --scope segment"}) {
+    EXPECT_EQ(run(std::string("draw shadows.draw -o s.svg") + by), 0);
+    EXPECT_EQ(err_, left_out) << by;
+  }
+  for (const char* drawn : {"s.png", "s.svg --hidden map", "s.svg --hidden z-buffer",
+                            "s.svg --hidden auto --turntable 2"}) {
+    EXPECT_EQ(run(std::string("draw shadows.draw -o ") + drawn), 0) << drawn;
+    EXPECT_EQ(err_, "") << drawn;
+  }
 }
 
 TEST_F(Batch, EveryMessageNamesItsFile) {

@@ -32,10 +32,11 @@ class MapTruth {
       planes_.emplace_back();
       if (item.kind == Primitives::Kind::line) continue;
       const SupportVertices support = support_vertices(items.points_of(item));
-      if (support.edge_on) continue;
+      const bool is_own = items.has_own_plane(i);
       const auto at = [&](std::size_t k) {
-        return points_[items.point(item.first + support.index[k])];
+        return points_[is_own ? items.point(item.first + support.index[k]) : items.planes[i][k]];
       };
+      if (is_own ? support.edge_on : turn(at(0), at(1), at(2)) == 0) continue;
       planes_.back().emplace_back(at(0), at(1), at(2));
       if (item.kind != Primitives::Kind::solid) continue;
       Polygon polygon{i, {}};

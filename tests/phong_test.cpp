@@ -2,6 +2,7 @@
 // linearly over the picture of a triangle, whatever clips, sorts or moves it, and no pixel's
 // polygon is another. The judge is the definition, in long double.
 
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -25,6 +26,7 @@ struct ItemList {
   std::vector<Point3> points;
   std::vector<std::uint8_t> visible;
   std::vector<Primitives::Item> items;
+  std::vector<Primitives::PlanePoints> planes;  // empty, or of all items
 
   void add(Kind kind, const Loop& vertices, std::vector<std::uint8_t> sides = {}) {
     if (sides.empty()) sides.resize(vertices.size(), 1);
@@ -32,6 +34,17 @@ struct ItemList {
                      static_cast<std::uint32_t>(vertices.size()), kind});
     points.insert(points.end(), vertices.begin(), vertices.end());
     visible.insert(visible.end(), sides.begin(), sides.end());
+    if (!planes.empty()) planes.push_back({Primitives::kOwnPlane, 0, 0});
+  }
+  /// A polygon that counts as lying in the plane of three points.
+  void solid_in(const std::array<Point3, 3>& plane, const Loop& vertices) {
+    planes.resize(items.size(), {Primitives::kOwnPlane, 0, 0});
+    solid(vertices);
+    const auto first = static_cast<std::uint32_t>(points.size());
+    planes.resize(items.size());
+    planes.back() = {first, first + 1, first + 2};
+    points.insert(points.end(), plane.begin(), plane.end());
+    visible.resize(points.size(), 0);
   }
   void solid(const Loop& vertices) { add(Kind::solid, vertices); }
   void hollow(const Loop& vertices) { add(Kind::hollow, vertices); }
@@ -43,14 +56,19 @@ struct ItemList {
   std::span<const std::uint8_t> visible_of(std::size_t i) const {
     return std::span(visible).subspan(items[i].first, items[i].sides);
   }
-  Primitives view() const { return {points, {}, visible, items}; }
+  Primitives view() const { return {points, {}, visible, items, planes}; }
 
   ItemList without(std::size_t item) const {
     ItemList rest;
     for (std::size_t i = 0; i < items.size(); ++i) {
       if (i == item) continue;
-      rest.add(items[i].kind, {points_of(i).begin(), points_of(i).end()},
-               {visible_of(i).begin(), visible_of(i).end()});
+      const Loop vertices{points_of(i).begin(), points_of(i).end()};
+      if (view().has_own_plane(i)) {
+        rest.add(items[i].kind, vertices, {visible_of(i).begin(), visible_of(i).end()});
+      } else {
+        const auto& [p, q, r] = planes[i];
+        rest.solid_in({points[p], points[q], points[r]}, vertices);
+      }
     }
     return rest;
   }
@@ -61,6 +79,11 @@ struct ItemList {
     for (std::size_t i = 0; i < items.size(); ++i) {
       out << i << " " << kNames[static_cast<int>(items[i].kind)];
       for (const Point3& p : points_of(i)) out << "  " << p.x << " " << p.y << " " << p.z;
+      if (!view().has_own_plane(i)) out << "  in";
+      for (std::size_t k = 0; k < 3 && !view().has_own_plane(i); ++k) {
+        const Point3& p = points[planes[i][k]];
+        out << "  " << p.x << " " << p.y << " " << p.z;
+      }
       out << "\n";
     }
     return out.str();

@@ -55,6 +55,64 @@ TEST(VisibleMap, EveryFamilyAgainstTheTruth) {
   }
 }
 
+// ---- Polygons that are said to lie in a plane ---------------------------------------------------
+
+/// Triangles of a flat area, all of them in the plane of one; beside the area others that share
+/// sides with it, steep ones too; and parts of the triangles.
+ItemList flat_area(Source& s) {
+  const int n = s.between(2, 5);
+  const Point3 origin(s.unit() * 0.3, s.unit() * 0.3, s.unit());
+  Point3 across(0.5, 0.0, s.unit() - 0.5), up(0.0, 0.5, s.unit() - 0.5);
+  const bool exact = s.below(4) == 0;
+  if (!exact) {
+    across += 0.2 * Point3(s.unit(), s.unit(), s.unit());
+    up += 0.2 * Point3(s.unit(), s.unit(), s.unit());
+  }
+  std::vector<Point3> grid;
+  for (int j = 0; j <= n; ++j) {
+    for (int i = 0; i <= n; ++i) {
+      const double u = (i + (exact ? 0.0 : 0.4 * s.unit())) / n;
+      const double v = (j + (exact ? 0.0 : 0.4 * s.unit())) / n;
+      grid.push_back(origin + u * across + v * up);
+    }
+  }
+  const auto at = [&](int i, int j) { return grid[static_cast<std::size_t>(j * (n + 1) + i)]; };
+  const std::array<Point3, 3> plane{at(0, 0), at(1, 0), at(0, 1)};
+  ItemList list;
+  const auto add = [&](const Loop& loop) {
+    list.solid_in(plane, loop);
+    if (s.below(3) != 0) return;
+    const double t = s.below(2) == 0 ? 0.5 : s.unit();
+    list.solid_in(plane, {loop[0], loop[0] + t * (loop[1] - loop[0]),
+                          loop[0] + (1.0 - t) * (loop[2] - loop[0])});
+  };
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      add({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      add({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  for (int k = 0; k < n; ++k) {  // a fold along two sides of it
+    const Point3 fold(s.below(2) == 0 ? 1e-9 * s.unit() : 0.2 * (s.unit() - 0.5),
+                      s.below(2) == 0 ? 1e-16 * s.unit() : -0.1 * s.unit(), 0.3 * (s.unit() - 0.5));
+    list.solid({at(k, 0), at(k + 1, 0), at(k + 1, 0) + fold, at(k, 0) + fold});
+    list.solid({at(n, k), at(n, k + 1), at(n, k) + fold});
+    if (s.below(2) == 0) list.solid({at(k, n), at(k + 1, n), at(k, 0)});
+  }
+  return list;
+}
+
+TEST(VisibleMap, PolygonsInOnePlaneAgainstTheTruth) {
+  const int scenes = from_environment("DISPLAYFILE_MAP_SCENES", 120 / kSlower);
+  for (int k = 0; k < scenes; ++k) {
+    Source s(static_cast<std::uint64_t>(k));
+    const ItemList list = flat_area(s);
+    if (wrong_in(list).empty()) continue;
+    ADD_FAILURE() << "seed " << k << "\n" << shrunken_wrong(list);
+    break;
+  }
+}
+
 // ---- Against the plain form ---------------------------------------------------------------------
 
 using EdgeInWords = std::tuple<double, double, double, double, std::uint32_t, std::uint32_t>;

@@ -62,7 +62,7 @@ LineScene::LineScene(const Primitives& items, std::span<const LineName> names, i
       extents_[i] = Extent::nothing();
       return;
     }
-    support_[i] = support_of(items_.items[i]);
+    support_[i] = support_of(i);
     extents_[i] = hides(i) ? extent_of(i) : Extent::nothing();
   });
   find_uneven(threads);
@@ -77,17 +77,24 @@ bool LineScene::comes_near_lines(const Primitives::Item& item, const CellsOfLine
   return cells.come_near(bounding_rectangle({points.data(), points.size()}));
 }
 
-LineScene::Support LineScene::support_of(const Primitives::Item& item) const {
+LineScene::Support LineScene::support_of(std::uint32_t number) const {
+  const Primitives::Item& item = items_.items[number];
   if (item.kind == Primitives::Kind::line) return {};
-  const SupportVertices vertices = support_vertices(items_.points_of(item));
-  if (vertices.edge_on) return {};
-  Support support{items_.point(item.first + vertices.index[0]),
-                  items_.point(item.first + vertices.index[1]),
-                  items_.point(item.first + vertices.index[2])};
-  const auto& points = items_.points;
-  if (orientation(points[support.p], points[support.q], points[support.r]) < 0) {
-    std::swap(support.q, support.r);
+  Support support;
+  if (items_.has_own_plane(number)) {
+    const SupportVertices vertices = support_vertices(items_.points_of(item));
+    if (vertices.edge_on) return {};
+    support = {items_.point(item.first + vertices.index[0]),
+               items_.point(item.first + vertices.index[1]),
+               items_.point(item.first + vertices.index[2])};
+  } else {
+    const auto& [p, q, r] = items_.planes[number];
+    support = {p, q, r};
   }
+  const auto& points = items_.points;
+  const int turn = orientation(points[support.p], points[support.q], points[support.r]);
+  if (turn == 0) return {};
+  if (turn < 0) std::swap(support.q, support.r);
   return support;
 }
 
@@ -103,7 +110,7 @@ void LineScene::include_on_plane(Extent& box, const Point3& at, const Plane& pla
 Extent LineScene::extent_of(std::uint32_t item) const {
   const Primitives::Item& polygon = items_.items[item];
   Extent box = Extent::nothing();
-  if (polygon.sides == 3) {
+  if (polygon.sides == 3 && items_.has_own_plane(item)) {
     const Point3 &p = corner(item, 0), &q = corner(item, 1), &r = corner(item, 2);
     return Extent::between(glm::min(glm::min(p, q), r), glm::max(glm::max(p, q), r));
   }
@@ -135,17 +142,21 @@ void LineScene::find_uneven(int threads) {
   first_corner_.reserve(items_.items.size() + 1);
   std::uint32_t corners = 0;
   bool all_flat = true;
-  for (const Primitives::Item& item : items_.items) {
+  const auto may_be_uneven = [&](std::size_t i) {
+    const Primitives::Item& item = items_.items[i];
+    return item.kind != Primitives::Kind::line && (item.sides > 3 || !items_.has_own_plane(i));
+  };
+  for (std::size_t i = 0; i < items_.items.size(); ++i) {
     first_corner_.push_back(corners);
-    corners += item.sides;
-    all_flat = all_flat && (item.sides <= 3 || item.kind == Primitives::Kind::line);
+    corners += items_.items[i].sides;
+    all_flat = all_flat && !may_be_uneven(i);
   }
   if (all_flat) return;
   off_plane_.resize(corners, 0);
   std::atomic<bool> is_any = false;
   in_even_parts(items_.items.size(), threads, [&](std::uint32_t i) {
     const Support& support = support_[i];
-    if (support.p == kNone || sides(i) <= 3) return;
+    if (support.p == kNone || !may_be_uneven(i)) return;
     const Plane own = plane(i);
     for (std::uint32_t k = 0; k < sides(i); ++k) {
       const Point3& v = corner(i, k);

@@ -70,8 +70,8 @@ class LineScene {
   std::uint32_t corner_point(std::uint32_t item, std::uint32_t corner) const {
     return items_.point(items_.items[item].first + corner);
   }
-  /// The support plane of a polygon that has one, turned to the viewer. Those of a triangle are its
-  /// own vertices.
+  /// The support plane of a polygon that has one, or that it is said to lie in, turned to the
+  /// viewer.
   Plane plane(std::uint32_t item) const {
     const auto& [p, q, r] = support_[item];
     return {items_.points[p], items_.points[q], items_.points[r]};
@@ -95,7 +95,7 @@ class LineScene {
     std::uint32_t p = kNone, q = kNone, r = kNone;
   };
   bool comes_near_lines(const Primitives::Item& item, const CellsOfLines& cells) const;
-  Support support_of(const Primitives::Item& item) const;
+  Support support_of(std::uint32_t item) const;
   Extent extent_of(std::uint32_t item) const;
   /// Includes a point of the projection at its depth on the plane.
   static void include_on_plane(Extent& box, const Point3& at, const Plane& plane);

@@ -221,8 +221,13 @@ class PieceMaker {
     item_ = item;
     const PointRow points = items_.points_of(items_.items[item]);
     points_.assign(points.begin(), points.end());
-    const auto& [p, q, r] = support_vertices(points_).index;
-    plane_ = Plane(points_[p], points_[q], points_[r]);
+    if (items_.has_own_plane(item)) {
+      const auto& [p, q, r] = support_vertices(points_).index;
+      plane_ = Plane(points_[p], points_[q], points_[r]);
+    } else {
+      const auto& [p, q, r] = items_.planes[item];
+      plane_ = Plane(items_.points[p], items_.points[q], items_.points[r]);
+    }
   }
 
   Point3 point(const Point2& at) const {

@@ -168,7 +168,7 @@ class SeenAlongLine {
     return sides_.vertex(scene_.corner_point(item, corner));
   }
 
-  /// How many points two triangles have in common, and two of them.
+  /// How many points two triangles have in common that lie in both their planes, and two of them.
   std::size_t shared_points(std::uint32_t one, std::uint32_t two,
                             std::array<std::uint32_t, 2>& shared) const {
     std::size_t count = 0;
@@ -176,6 +176,7 @@ class SeenAlongLine {
     for (std::uint32_t i = 0; i < 3; ++i) {
       for (std::uint32_t j = 0; j < 3; ++j) {
         if (vertex(one, i) != vertex(two, j)) continue;
+        if (scene_.is_off_plane(one, i) || scene_.is_off_plane(two, j)) continue;
         if (count < 2) shared[count] = vertex(one, i);
         ++count;
       }

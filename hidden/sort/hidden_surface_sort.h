@@ -38,6 +38,9 @@ struct SortOptions {
   bool intersections = false;
   /// Drawn too, by who finds lines (hidden/lines/lines_in_order.h).
   HiddenLines hidden_lines = HiddenLines::none;
+  /// The map tells which of its pieces the light reaches (SortedPieces::lights), where shadows are
+  /// shown.
+  bool shadows = false;
 };
 
 /// A polygon or line in the order, or a piece of one that was cut.
@@ -60,6 +63,14 @@ struct SortedPieces {
   /// For each piece 1 if it is one of a line, of two points, that is hidden there: to be drawn
   /// dashed. Empty: none is.
   std::vector<std::uint8_t> hidden;
+  /// For each piece whether the light reaches it, wholly or nowhere. Empty: nobody asked.
+  enum class Lit : std::uint8_t {
+    unknown,  ///< nobody asked of this one, or it shows no shadows
+    lit,
+    in_shadow,
+  };
+  std::vector<Lit> lights;
+  Lit light(std::size_t k) const { return k < lights.size() ? lights[k] : Lit::unknown; }
   /// The points of the pieces that were cut: coordinates, each rounded once, and whether the side
   /// that ends at the point is drawn and as what, as Primitives::visible (the sides that cuts made
   /// are not).

@@ -61,11 +61,11 @@ void PointTree::search(std::uint32_t number, const SheetPoint& to, std::size_t c
       const Candidate candidate{squared_distance(to, points_[point]), point};
       if (best_.size() == count) {
         if (!(candidate < best_.front())) continue;
-        std::ranges::pop_heap(best_);
+        std::pop_heap(best_.begin(), best_.end());
         best_.pop_back();
       }
       best_.push_back(candidate);
-      std::ranges::push_heap(best_);
+      std::push_heap(best_.begin(), best_.end());
     }
     return;
   }

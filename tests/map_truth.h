@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <map>
 #include <sstream>
 #include <string>
@@ -39,9 +41,12 @@ class MapTruth {
       if (is_own ? support.edge_on : turn(at(0), at(1), at(2)) == 0) continue;
       planes_.back().emplace_back(at(0), at(1), at(2));
       if (item.kind != Primitives::Kind::solid) continue;
-      Polygon polygon{i, {}};
+      Polygon polygon{i, {}, Point2(1e300), Point2(-1e300)};
       for (std::uint32_t k = 0; k < item.sides; ++k) {
-        polygon.corners.push_back(points_[items.point(item.first + k)]);
+        const std::uint32_t point = items.point(item.first + k);
+        polygon.corners.push_back(points_[point]);
+        polygon.low = glm::min(polygon.low, Point2(items.points[point]));
+        polygon.high = glm::max(polygon.high, Point2(items.points[point]));
       }
       polygons_.push_back(std::move(polygon));
     }
@@ -51,8 +56,12 @@ class MapTruth {
   std::uint32_t seen_beside(const Q& x, const Q& y, const Q& dx, const Q& dy) const {
     std::uint32_t seen = kNothing;
     Q nearest, slope_of_nearest;
+    const Point2 about(x.get_d(), y.get_d());
+    const double off = 1e-9 * (std::abs(about.x) + std::abs(about.y) + 1.0);
     for (const Polygon& polygon : polygons_) {
-      if (!covers(polygon, x, y, dx, dy)) continue;
+      const bool apart = about.x < polygon.low.x - off || about.x > polygon.high.x + off ||
+                         about.y < polygon.low.y - off || about.y > polygon.high.y + off;
+      if (apart || !covers(polygon, x, y, dx, dy)) continue;
       const QPlane& plane = planes_[polygon.item].front();
       const Q z = plane.z(x, y), slope = -(plane.a * dx + plane.b * dy) / plane.c;
       if (seen == kNothing || z > nearest || (z == nearest && slope >= slope_of_nearest)) {
@@ -92,6 +101,7 @@ class MapTruth {
   struct Polygon {
     std::uint32_t item;
     std::vector<QPoint> corners;
+    Point2 low, high;  // of the box around them
   };
   const std::vector<Polygon>& polygons() const { return polygons_; }
 
@@ -120,9 +130,10 @@ class MapTruth {
 };
 
 /// What is wrong in a map of the items, in words; empty if nothing is. Points at random are asked
-/// about too, as many as those given.
+/// about too, as many as those given. Of a large scene every so many edges and sides are looked at
+/// for what is seen beside them; that outlines close, and edges meet at vertices, of all.
 inline std::string wrong_in_map(const Primitives& items, const VisibleMap& map,
-                                std::span<const Point2> asked) {
+                                std::span<const Point2> asked, std::size_t every = 1) {
   const MapTruth truth(items);
   std::ostringstream wrong;
   std::vector<QPoint> at;
@@ -139,7 +150,7 @@ inline std::string wrong_in_map(const Primitives& items, const VisibleMap& map,
   const auto name = [](std::uint32_t item) {
     return item == VisibleMap::kNothing ? std::string("nothing") : std::to_string(item);
   };
-  for (std::size_t e = 0; e < map.edges.size(); ++e) {
+  for (std::size_t e = 0; e < map.edges.size(); e += every) {
     const auto& [from, to, left, right] = map.edges[e];
     const Q dx = at[to].x - at[from].x, dy = at[to].y - at[from].y;
     if (dx == 0 && dy == 0) wrong << "edge " << e << " has no length\n";
@@ -231,7 +242,8 @@ inline std::string wrong_in_map(const Primitives& items, const VisibleMap& map,
     }
   };
   for (const Point2& p : asked) ask(scaled(p.x, 0), scaled(p.y, 0), 0, 0);
-  for (const MapTruth::Polygon& polygon : truth.polygons()) {
+  for (std::size_t k = 0; k < truth.polygons().size(); k += every) {
+    const MapTruth::Polygon& polygon = truth.polygons()[k];
     const QPoint* p = &polygon.corners.back();
     for (const QPoint& q : polygon.corners) {
       const Q dx = q.x - p->x, dy = q.y - p->y;

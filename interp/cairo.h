@@ -33,6 +33,8 @@ class Cairo {
   DISPLAYFILE_CAIRO(mask);
   DISPLAYFILE_CAIRO(move_to);
   DISPLAYFILE_CAIRO(new_path);
+  DISPLAYFILE_CAIRO(pattern_add_color_stop_rgb);
+  DISPLAYFILE_CAIRO(pattern_create_linear);
   DISPLAYFILE_CAIRO(pattern_destroy);
   DISPLAYFILE_CAIRO(pdf_surface_create_for_stream);
   DISPLAYFILE_CAIRO(pdf_surface_set_metadata);

@@ -31,7 +31,7 @@ struct DrawnPolygon {
   const Light* light = nullptr;
 };
 
-/// For a device that fills a polygon with one colour: a shaded one gets the mean of its
+/// Where a polygon is filled with one colour: a shaded one gets the mean of its
 /// intensities.
 inline FillStyle even_fill(const DrawnPolygon& polygon) {
   if (polygon.intensities.empty()) return polygon.fill;

@@ -31,7 +31,6 @@ void NotInVectors::note(const DisplayFile& drawn, const DrawOptions& options, Pi
     if (drawn.has_texts()) texts_ = true;
     return;
   }
-  if (has_stored(drawn, &Instructions::stored_intensities)) gouraud_ = true;
   if (has_stored(drawn, &Instructions::stored_normals)) phong_ = true;
   const bool by_map = by == HiddenMethod::map || is_image_space(by);
   const bool each_segment = options.scope == HiddenScope::segment && by == HiddenMethod::map;
@@ -41,8 +40,7 @@ void NotInVectors::note(const DisplayFile& drawn, const DrawOptions& options, Pi
 
 void NotInVectors::warn(const std::string& output) const {
   std::vector<std::string_view> left_out;
-  if (gouraud_) left_out.emplace_back("Gouraud shading (a polygon is filled evenly)");
-  if (phong_) left_out.emplace_back("Phong shading (a polygon is filled evenly)");
+  if (phong_) left_out.emplace_back("Phong shading (drawn as Gouraud shading)");
   if (shadows_) left_out.emplace_back("shadows (those of map are drawn, of all segments)");
   if (samples_) left_out.emplace_back("--samples");
   if (texts_) left_out.emplace_back("texts, whose letters no pen draws");

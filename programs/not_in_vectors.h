@@ -19,8 +19,7 @@ class NotInVectors {
   void warn(const std::string& output) const;
 
  private:
-  std::atomic<bool> gouraud_ = false, phong_ = false, shadows_ = false, samples_ = false,
-                    texts_ = false;
+  std::atomic<bool> phong_ = false, shadows_ = false, samples_ = false, texts_ = false;
 };
 
 }  // namespace displayfile

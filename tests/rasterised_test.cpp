@@ -15,6 +15,7 @@
 #include "interp/raster/software.h"
 #include "interp/vector/pdf_device.h"
 #include "interp/vector/svg_device.h"
+#include "tests/shaded_scenes.h"
 #include "tests/temporary_folder.h"
 #include "tests/unit_square.h"
 #include "tests/vector_scenes.h"
@@ -162,6 +163,41 @@ TEST_P(Rasterised, ManyInterpenetratingPolygons) {
   GraphicsSystem g = unit_square_without_lines();
   enter_random(g, 11, 30, 0.6, 4);
   EXPECT_GT(expect_the_z_buffers_colours(g, draw(g, 300, 300, true), 40), 50'000);
+}
+
+/// As the z-buffer shades, where the pixels around show the same triangle. Poppler takes a gradient
+/// at a pixel's corner: off by no more than the next pixel is.
+TEST_P(Rasterised, GouraudShading) {
+  GraphicsSystem g;
+  g.set_view_depth(-2, 2);
+  enter(triangles(2, 30), Shading::gouraud, g);
+  RasterRequest request{.width = 300, .height = 300, .ids = true};
+  request.method = HiddenMethod::z_buffer;
+  const Picture expected = draw_with_software(g.display_file(), request);
+  const Picture p = draw(g, 300, 300, true);
+  int compared = 0, wrong = 0;
+  for (int y = 2; y < 298; ++y) {
+    for (int x = 2; x < 298; ++x) {
+      const auto place = [&](int dx, int dy) {
+        return static_cast<std::size_t>((y + dy) * 300 + x + dx);
+      };
+      bool one = expected.ids[place(0, 0)] >= 0;
+      for (int k = 0; k < 25; ++k) {
+        one = one && expected.ids[place(k / 5 - 2, k % 5 - 2)] == expected.ids[place(0, 0)];
+      }
+      if (!one) continue;
+      ++compared;
+      const std::uint32_t colour = expected.pixels[place(0, 0)];
+      int allowed = 2;
+      for (int k = 0; k < 9 && !svg_format(); ++k) {
+        const std::uint32_t next = expected.pixels[place(k / 3 - 1, k % 3 - 1)];
+        allowed = std::max(allowed, 2 + channel_difference(next, colour));
+      }
+      wrong += channel_difference(p.pixels[place(0, 0)], colour) > allowed ? 1 : 0;
+    }
+  }
+  EXPECT_GT(compared, 20'000);
+  EXPECT_LE(wrong, 40);  // as of ManyInterpenetratingPolygons
 }
 
 TEST_P(Rasterised, NoSeamsBetweenNeighbours) {

@@ -11,6 +11,9 @@ namespace displayfile {
 /// The colour of what is drawn next, as pixel_of gives it.
 void set_cairo_colour(_cairo* context, std::uint32_t pixel);
 
+/// The same with what a region is painted with.
+void set_cairo_paint(_cairo* context, const FillPaint& paint);
+
 /// Paints a figure into a document that knows groups and masks, which PDF does. The fill rule is
 /// even-odd, line joins are round, and there are no dashes.
 void paint_cairo_figure(_cairo* context, const Figure& figure);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -9,17 +8,11 @@
 #include <vector>
 
 #include "clip/point.h"
+#include "interp/vector/fill_paint.h"
 #include "interp/vector/lattice_loops.h"
 #include "interp/vector_options.h"
 
 namespace displayfile {
-
-/// What a piece is painted with: one colour. (A gradient over a shaded triangle is to be another
-/// kind; whatever paints a region paints its trap.)
-struct FillPaint {
-  std::uint32_t pixel;  ///< pixel_of its colour
-  friend auto operator<=>(const FillPaint&, const FillPaint&) = default;
-};
 
 /// Pieces of one segment and one paint as one path: of one pick identifier if those are kept apart.
 struct FigureRegion {

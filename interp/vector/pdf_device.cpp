@@ -115,10 +115,10 @@ void PdfDevice::set_path(const Path& path) {
   }
 }
 
-void PdfDevice::paint_fill(const Path& path, const Colour& colour, bool seam) {
+void PdfDevice::paint_fill(const Path& path, const FillPaint& paint, bool seam) {
   begin_layer({});
   cairo_t* context = context_.get();
-  set_colour(colour);
+  set_cairo_paint(context, paint);
   set_path(path);
   if (seam) {
     cairo().fill_preserve(context);

@@ -42,7 +42,7 @@ class PdfDevice : public VectorDevice {
  private:
   void open_group(int) override {}
   void close_group() override {}
-  void paint_fill(const Path& path, const Colour& colour, bool seam) override;
+  void paint_fill(const Path& path, const FillPaint& paint, bool seam) override;
   void paint_figure(const Figure& figure) override;
   void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds) override;
   void paint_text(const ViewedText& text, const Point2& anchor, double size) override;

@@ -95,10 +95,17 @@ void SvgDevice::append_path_data(const Path& path) {
   }
 }
 
-void SvgDevice::paint_fill(const Path& path, const Colour& colour, bool seam) {
-  const std::size_t number = fill_class({pixel_of(colour), seam});
+void SvgDevice::paint_fill(const Path& path, const FillPaint& paint, bool seam) {
   append_path_data(path);
-  fmt::format_to(std::back_inserter(body_), "<path class=\"f{}", number);
+  body_ += "<path";
+  if (paint.ramp) {
+    const std::size_t number = ramps_.number(paint, 1.0);
+    fmt::format_to(std::back_inserter(body_), " fill=\"url(#r{})\"", number);
+    if (seam) fmt::format_to(std::back_inserter(body_), " stroke=\"url(#r{})\"", number);
+    body_ += " class=\"shaded";
+  } else {
+    fmt::format_to(std::back_inserter(body_), " class=\"f{}", fill_class({paint.pixel, seam}));
+  }
   const std::size_t class_end = body_.size();
   body_ += "\" d=\"";
   joinable_ = {};
@@ -190,6 +197,7 @@ void SvgDevice::finish(std::ostream& out) {
   for (const std::string& rule : lines) out << rule;
   for (const std::string& rule : texts) out << rule;
   out << "</style>\n";
+  ramps_.write(out);
   if (solid) {
     out << fmt::format("<rect class=\"background\" width=\"{}\" height=\"{}\"/>\n", width(),
                        height());

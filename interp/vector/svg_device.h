@@ -14,6 +14,7 @@
 
 #include "displayfile/display_file.h"
 #include "interp/paper.h"
+#include "interp/vector/svg_ramps.h"
 #include "interp/vector/vector_device.h"
 
 namespace displayfile {
@@ -44,7 +45,7 @@ class SvgDevice : public VectorDevice {
 
   void open_group(int segment_name) override;
   void close_group() override;
-  void paint_fill(const Path& path, const Colour& colour, bool seam) override;
+  void paint_fill(const Path& path, const FillPaint& paint, bool seam) override;
   void paint_figure(const Figure& figure) override;  // svg_figure.cpp
   void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds) override;
   void paint_text(const ViewedText& text, const Point2& anchor, double size) override;
@@ -52,12 +53,14 @@ class SvgDevice : public VectorDevice {
   std::size_t fill_class(const FillKey& key) {
     return fill_classes_.try_emplace(key, fill_classes_.size() + 1).first->second;
   }
+  void append_paint(const char* property, const FillPaint& paint, const Figure& figure);
   void append_traps(const Figure& figure);
   void append_regions(const Figure& figure);
   void append_path_data(const Path& path);
 
   std::string body_;
   std::map<FillKey, std::size_t> fill_classes_;
+  SvgRamps ramps_;
   std::map<LineKey, std::size_t> line_classes_;
   std::map<TextKey, std::size_t> text_classes_;
   std::unordered_map<int, int> times_opened_;

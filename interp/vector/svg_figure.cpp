@@ -33,12 +33,24 @@ void append_mask(std::string& out, std::size_t number, const LatticeLoops& outli
 
 }  // namespace
 
+/// The beginning of a path: a class, which regions and traps share, or a ramp as its fill or
+/// stroke.
+void SvgDevice::append_paint(const char* property, const FillPaint& paint, const Figure& figure) {
+  auto out = std::back_inserter(body_);
+  if (paint.ramp) {
+    fmt::format_to(out, "<path {}=\"url(#r{})\"", property, ramps_.number(paint, figure.unit));
+  } else {
+    fmt::format_to(out, "<path class=\"f{}\"", fill_class({paint.pixel, !figure.traps.empty()}));
+  }
+}
+
 /// Drawn once for each width: a group, and the same again.
 void SvgDevice::append_traps(const Figure& figure) {
   auto out = std::back_inserter(body_);
   fmt::format_to(out, "<g class=\"traps\">\n<g id=\"traps-{}\">\n", figures_);
   for (const FigureTrap& trap : figure.traps) {
-    fmt::format_to(out, "<path class=\"f{}\" d=\"", fill_class({trap.paint.pixel, true}));
+    append_paint("stroke", trap.paint, figure);
+    body_ += " d=\"";
     append_chains(body_, trap.sides);
     body_ += "\"/>\n";
   }
@@ -60,8 +72,7 @@ void SvgDevice::append_regions(const Figure& figure) {
   body_ += "<g class=\"pieces\">\n";
   for (const FigureRegion& region : figure.regions) {
     if (region.segment != segment) change_to(region.segment);
-    fmt::format_to(std::back_inserter(body_), "<path class=\"f{}\"",
-                   fill_class({region.paint.pixel, !figure.traps.empty()}));
+    append_paint("fill", region.paint, figure);
     if (options().pick_ids) {
       fmt::format_to(std::back_inserter(body_), " data-pick=\"{}\"", region.pick);
     }

@@ -87,16 +87,22 @@ void VectorDevice::end_disjoint_fills() {
 }
 
 void VectorDevice::fill(const DrawnPolygon& polygon) {
-  const auto colour = [&] {
-    return fills_with_background_ ? background_.colour : even_fill(polygon).colour;
-  };
   if (fills_are_disjoint_) {
     if (!find_loop(polygon.vertices)) return;
-    return disjoint_.add(path_.points, {pixel_of(colour())}, segment_of_disjoint_, polygon.pick);
+    return disjoint_.add(path_.points, paint_of(polygon), segment_of_disjoint_, polygon.pick);
   }
   finish_lines();
   if (support_vertices(polygon.vertices).edge_on || !find_loop(polygon.vertices)) return;
-  paint_fill(path_, colour(), !edges_cover_seams(polygon));
+  paint_fill(path_, paint_of(polygon), !edges_cover_seams(polygon));
+}
+
+/// Of a polygon whose loop was found.
+FillPaint VectorDevice::paint_of(const DrawnPolygon& polygon) {
+  if (fills_with_background_) return {pixel_of(background_.colour)};
+  page_.clear();
+  for (const Point3& v : polygon.vertices) page_.push_back(to_page(v));
+  return paints_.paint_of(polygon, page_, path_.points,
+                          fills_are_disjoint_ ? options_.precision : 1.0);
 }
 
 /// The polygon as path_, one closed run; false if nothing of it is near the page.

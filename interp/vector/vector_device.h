@@ -9,6 +9,7 @@
 #include "displayfile/viewed_scene.h"
 #include "interp/output_device.h"
 #include "interp/vector/disjoint_fills.h"
+#include "interp/vector/polygon_paints.h"
 
 namespace displayfile {
 
@@ -27,7 +28,7 @@ inline constexpr double kSeamWidth = 0.75;
 /// What the devices that draw lines and areas share: pixel coordinates with y down, from the
 /// picture's top left corner; nothing far outside of the picture; lines that continue each other
 /// joined into one path, if they are of the same kinds; seams closed. A shaded polygon is filled
-/// evenly, in the mean of its intensities.
+/// with a linear gradient.
 class VectorDevice : public OutputDevice {
  public:
   /// Throws Error unless both sides are 1 to kLargestSide, or if an option is out of its range.
@@ -74,7 +75,7 @@ class VectorDevice : public OutputDevice {
   virtual void open_group(int segment_name) = 0;
   virtual void close_group() = 0;
   /// Paints by the even-odd rule; with the line that closes the seams if asked.
-  virtual void paint_fill(const Path& path, const Colour& colour, bool seam) = 0;
+  virtual void paint_fill(const Path& path, const FillPaint& paint, bool seam) = 0;
   /// Paints disjoint fills, with their seams as options() say; in the group that is open, or else
   /// in one for each segment.
   virtual void paint_figure(const Figure& figure) = 0;
@@ -86,6 +87,7 @@ class VectorDevice : public OutputDevice {
  private:
   Point2 to_page(const Point3& device) const;
   bool near_the_page(const Point2& p, double reach) const;
+  FillPaint paint_of(const DrawnPolygon& polygon);
   void paint_edges(const DrawnPolygon& polygon, LineKinds kinds);
   bool clip_to_neighbourhood(Point2& a, Point2& b, double reach) const;
   bool find_loop(std::span<const Point3> vertices);
@@ -95,6 +97,7 @@ class VectorDevice : public OutputDevice {
   VectorOptions options_;
   bool fills_with_background_ = false;
   bool fills_are_disjoint_ = false;
+  PolygonPaints paints_;
   DisjointFills disjoint_;
   int segment_of_disjoint_ = 0;
   Path path_;
@@ -102,7 +105,7 @@ class VectorDevice : public OutputDevice {
   Point3 lines_end_{0.0};
   LineStyle lines_style_;
   LineKinds lines_kinds_ = kDrawn;
-  std::vector<Point2> clipped_;
+  std::vector<Point2> clipped_, page_;
 };
 
 }  // namespace displayfile

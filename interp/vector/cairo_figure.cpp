@@ -1,5 +1,6 @@
 #include "interp/vector/cairo_figure.h"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <span>
@@ -17,6 +18,37 @@ std::array<double, 3> components_of(std::uint32_t pixel) {
   return {(pixel & 0xff) / 255.0, ((pixel >> 8) & 0xff) / 255.0, ((pixel >> 16) & 0xff) / 255.0};
 }
 
+/// Cairo writes a gradient anew each time that something is painted with it, and who reads many
+/// takes long. So what varies by no more than so many levels is painted in the colour half way: a
+/// region, and its traps, of which little is to be seen; all traps where there are many ramps,
+/// which are short then.
+constexpr double kEvenLevelsOfRegion = 2.0, kEvenLevelsOfTrap = 8.0;
+constexpr std::ptrdiff_t kManyRamps = 1000;
+
+double even_levels_of_traps(const Figure& figure) {
+  const auto ramps = std::ranges::count_if(
+      figure.regions, [](const FigureRegion& region) { return region.paint.ramp.has_value(); });
+  return ramps <= kManyRamps ? kEvenLevelsOfTrap : 255.0;
+}
+
+/// Sets the paint, where the points are painted: even if it varies by no more than so many levels.
+void set_paint(_cairo* context, const FillPaint& paint, std::span<const LatticePoint> points,
+               double unit, double even_levels) {
+  if (!paint.ramp) return set_cairo_colour(context, paint.pixel);
+  double low = 1.0, high = 0.0;
+  for (const LatticePoint& p : points) {
+    const double part = std::clamp(paint.ramp->at(Point2(p.x, p.y) * unit), 0.0, 1.0);
+    low = std::min(low, part);
+    high = std::max(high, part);
+  }
+  const auto full = components_of(paint.pixel);
+  if ((high - low) * 255.0 * std::ranges::max(full) > even_levels) {
+    return set_cairo_paint(context, paint);
+  }
+  const double middle = (low + high) / 2.0;
+  cairo().set_source_rgb(context, full[0] * middle, full[1] * middle, full[2] * middle);
+}
+
 void add_line(_cairo* context, std::span<const LatticePoint> points, double unit, bool closed) {
   cairo().move_to(context, points[0].x * unit, points[0].y * unit);
   for (const LatticePoint& p : points.subspan(1)) {
@@ -32,18 +64,19 @@ void set_path(_cairo* context, const LatticeLoops& loops, double unit) {
 
 void fill_regions(_cairo* context, const Figure& figure) {
   for (const FigureRegion& region : figure.regions) {
-    set_cairo_paint(context, region.paint);
+    set_paint(context, region.paint, region.loops.points, figure.unit, kEvenLevelsOfRegion);
     set_path(context, region.loops, figure.unit);
     cairo().fill(context);
   }
 }
 
 void stroke_traps(_cairo* context, const Figure& figure) {
+  const double even_levels = even_levels_of_traps(figure);
   cairo().set_line_cap(context, CAIRO_LINE_CAP_ROUND);
   for (const double width : kTrapWidths) {
     cairo().set_line_width(context, width);
     for (const FigureTrap& trap : figure.traps) {
-      set_cairo_paint(context, trap.paint);
+      set_paint(context, trap.paint, trap.sides.points, figure.unit, even_levels);
       cairo().new_path(context);
       for (std::size_t k = 0; k < trap.sides.size(); ++k) {
         add_line(context, trap.sides.chain(k), figure.unit, trap.sides.closed[k]);
@@ -103,8 +136,9 @@ void paint_cairo_figure(_cairo* context, const Figure& figure) {
 void paint_cairo_figure_without_masks(_cairo* context, const Figure& figure) {
   if (!figure.traps.empty()) {
     cairo().set_fill_rule(context, CAIRO_FILL_RULE_WINDING);
+    const double even_levels = even_levels_of_traps(figure);
     for (const FigureTents& tents : tents_of(figure.regions, kTrapWidth / 2.0 / figure.unit)) {
-      set_cairo_paint(context, tents.paint);
+      set_paint(context, tents.paint, tents.triangles.points, figure.unit, even_levels);
       set_path(context, tents.triangles, figure.unit);
       cairo().fill(context);
     }

@@ -42,7 +42,7 @@ LightView LightView::from_afar(const HomogeneousPoint& light) {
   return view;
 }
 
-/// Of a perspective view: what is infinitely far in the world is a plane of equal depth, on which
+/// For perspective views. What is infinitely far in the world is a plane of equal depth, on which
 /// the light is, and before which everything lies.
 LightView LightView::from_nearby(const HomogeneousPoint& light) {
   const Point3 at = Point3(light) / light.w;

@@ -25,7 +25,7 @@ struct HiddenSurfaceOptions {
   std::optional<HiddenLines> hidden_lines = std::nullopt;
   /// Lines along which polygons pass through each other are wanted too, where no application says.
   bool intersections = false;
-  /// Of a map: which pieces the light reaches is wanted too, where shadows are shown
+  /// The map is to tell which pieces the light reaches, where shadows are shown
   /// (displayfile/lit_parts.md). Segments are then looked at together, unless the application or
   /// scope says otherwise, since each may darken any other.
   bool shadows = false;

@@ -96,7 +96,7 @@ void VectorDevice::fill(const DrawnPolygon& polygon) {
   paint_fill(path_, paint_of(polygon), !edges_cover_seams(polygon));
 }
 
-/// Of a polygon whose loop was found.
+/// The polygon is one whose loop was found.
 FillPaint VectorDevice::paint_of(const DrawnPolygon& polygon) {
   if (fills_with_background_) return {pixel_of(background_.colour)};
   page_.clear();

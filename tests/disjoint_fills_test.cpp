@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <map>
 #include <random>
 #include <sstream>
@@ -210,6 +212,39 @@ TEST(DisjointFills, PickIdentifiersKeepPiecesApart) {
   for (const FigureRegion& region : figure.regions) picks.push_back(region.pick);
   std::ranges::sort(picks);
   for (std::int32_t k = 0; k < 36; ++k) EXPECT_EQ(picks[static_cast<std::size_t>(k)], k);
+}
+
+/// Every vertex is moved by half a unit along an axis at most, so that what is moved of an area is
+/// no more than the precision times the length of its sides.
+TEST(DisjointFills, RoundingMovesNoMoreThanThePrecisionAlongTheSides) {
+  for (const double precision : {0.001, 0.01, 0.3}) {
+    VectorOptions options;
+    options.pick_ids = true;
+    options.precision = precision;
+    const Figure figure = random_figure(12, 3, options);
+    const std::vector<Loop> loops = grid(12, 1);
+    ASSERT_EQ(figure.regions.size(), loops.size());
+    double moved = 0.0, allowed = 0.0;
+    for (const FigureRegion& region : figure.regions) {
+      const Loop& loop = loops[static_cast<std::size_t>(region.pick)];
+      double twice = 0.0;
+      Point2 from = loop.back();
+      for (const Point2& to : loop) {
+        twice += from.x * to.y - to.x * from.y;
+        allowed += precision * glm::distance(from, to);
+        from = to;
+      }
+      moved += std::abs(area(region.loops) * precision * precision - std::abs(twice)) / 2.0;
+      for (const LatticePoint& p : region.loops.points) {
+        EXPECT_TRUE(std::ranges::any_of(loop, [&](const Point2& v) {
+          return std::abs(p.x * precision - v.x) <= precision * 0.5000001 &&
+                 std::abs(p.y * precision - v.y) <= precision * 0.5000001;
+        }));
+      }
+    }
+    EXPECT_LE(moved, allowed);
+    EXPECT_GT(moved, 0.0);
+  }
 }
 
 TEST(DisjointFills, NoRegionHasMoreVerticesThanAPathMay) {

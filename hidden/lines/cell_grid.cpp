@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "hidden/exact/ball.h"
 #include "hidden/exact/depth_order.h"
@@ -249,22 +250,34 @@ void CellGrid::enter(const LineScene& scene, int threads) {
   }
 }
 
-std::vector<std::uint32_t> CellGrid::lines_by_cell(const LineScene& scene) const {
-  const auto first_lines = scene.first_lines();
-  if (levels_.empty()) return {first_lines.begin(), first_lines.end()};
+std::vector<std::uint32_t> CellGrid::by_cell(std::span<const Point2> places) const {
+  std::vector<std::uint32_t> order(places.size());
+  std::iota(order.begin(), order.end(), 0u);
+  if (levels_.empty()) return order;
   const std::size_t at = std::min(kLevelOfOrder, levels_.size() - 1);
   const Level& level = levels_[at];
   const double scale = std::ldexp(1.0, -static_cast<int>(at));
   std::vector<std::uint32_t> cell_of, next(level.cells() + 1, 0);
-  cell_of.reserve(first_lines.size());
-  for (const std::uint32_t line : first_lines) {
-    const Point2 from = layout_.in_cells(Point2(scene.point(scene.lines()[line].a))) * scale;
-    cell_of.push_back(cell_at(from.y, level.rows) * level.columns + cell_at(from.x, level.columns));
+  cell_of.reserve(places.size());
+  for (const Point2& place : places) {
+    const Point2 p = layout_.in_cells(place) * scale;
+    cell_of.push_back(cell_at(p.y, level.rows) * level.columns + cell_at(p.x, level.columns));
     ++next[cell_of.back() + 1];
   }
   for (std::size_t c = 1; c < next.size(); ++c) next[c] += next[c - 1];
-  std::vector<std::uint32_t> order(first_lines.size());
-  for (std::size_t k = 0; k < first_lines.size(); ++k) order[next[cell_of[k]]++] = first_lines[k];
+  for (std::uint32_t k = 0; k < places.size(); ++k) order[next[cell_of[k]]++] = k;
+  return order;
+}
+
+std::vector<std::uint32_t> CellGrid::lines_by_cell(const LineScene& scene) const {
+  const auto first_lines = scene.first_lines();
+  std::vector<Point2> starts;
+  starts.reserve(first_lines.size());
+  for (const std::uint32_t line : first_lines) {
+    starts.emplace_back(scene.point(scene.lines()[line].a));
+  }
+  std::vector<std::uint32_t> order = by_cell(starts);
+  for (std::uint32_t& k : order) k = first_lines[k];
   return order;
 }
 

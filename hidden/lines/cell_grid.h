@@ -48,8 +48,10 @@ class CellGrid {
   /// What covers one of a cell's points is in the cell, if it is of the level.
   const CellLayout& layout() const { return layout_; }
 
-  /// The first line of each name, in order of the cells where the lines begin: what lies near each
-  /// other is looked at together, while its data are at hand.
+  /// The numbers of places, in order of the cells that these lie in: what lies near each other is
+  /// looked at together, while its data are at hand.
+  std::vector<std::uint32_t> by_cell(std::span<const Point2> places) const;
+  /// The first line of each name, by the cells where the lines begin.
   std::vector<std::uint32_t> lines_by_cell(const LineScene& scene) const;
 
   /// Finds where polygons that are joined side to side cover cells together, and are before what

@@ -115,16 +115,33 @@ std::vector<MapEdge> edges_on_sides(const MapScene& map, const ContourEdges& way
   constexpr std::size_t kSidesOfAPart = 256;
   std::vector<MapEdge> edges;
   const std::vector<SharedSide> sides = sides_to_look_at(map, ways, edges);
+  std::vector<Point2> places;
+  places.reserve(sides.size());
+  for (const SharedSide& side : sides) places.emplace_back(map.lines.point(side.low));
+  const std::vector<std::uint32_t> order = map.grid.by_cell(places);
+  // The edges of a part of that order, and whose they are.
   std::vector<std::vector<MapEdge>> found((sides.size() + kSidesOfAPart - 1) / kSidesOfAPart);
+  struct OfSide {
+    std::uint32_t part, first, end;
+  };
+  std::vector<OfSide> of_sides(sides.size());
   const auto make_finder = [&] { return SideFinder<Policy>(map, ways, policy); };
   Finders finders(make_finder);
   in_parallel(threads, found.size(), [&](std::size_t part) {
     const std::size_t end = std::min(sides.size(), (part + 1) * kSidesOfAPart);
     finders.use([&](auto& finder) {
-      for (std::size_t k = part * kSidesOfAPart; k < end; ++k) finder.find(sides[k], found[part]);
+      for (std::size_t k = part * kSidesOfAPart; k < end; ++k) {
+        OfSide& of_side = of_sides[order[k]];
+        of_side.part = static_cast<std::uint32_t>(part);
+        of_side.first = static_cast<std::uint32_t>(found[part].size());
+        finder.find(sides[order[k]], found[part]);
+        of_side.end = static_cast<std::uint32_t>(found[part].size());
+      }
     });
   });
-  for (const auto& of_part : found) edges.insert(edges.end(), of_part.begin(), of_part.end());
+  for (const auto& [part, first, end] : of_sides) {
+    edges.insert(edges.end(), found[part].begin() + first, found[part].begin() + end);
+  }
   return edges;
 }
 

@@ -43,6 +43,7 @@ PageIntensity intensity_over_page(const DrawnPolygon& polygon, std::span<const P
   const Point3 p = corner(0), q = corner(1), r = corner(2);
   const Point2 along = Point2(q) - Point2(p), aside = Point2(r) - Point2(p);
   const double length = std::sqrt(along.x * along.x + along.y * along.y);
+  if (!(length > 0.0)) return {p, Point2(0.0), mean_intensity(polygon.intensities)};  // a point
   const double height = std::abs(along.x * aside.y - along.y * aside.x) / length;
   if (support.edge_on || !(height >= kNarrowPiece)) {
     return {p, (q.z - p.z) / (length * length) * along, p.z};

@@ -188,9 +188,9 @@ void SvgDevice::finish(std::ostream& out) {
   if (figures_ > 0) {
     out << fmt::format(
         ".figure{{fill-rule:evenodd;stroke-linejoin:round;stroke-linecap:round}}\n"
-        ".pieces,.pieces "
-        ".segment{{stroke-width:0}}\n.whole{{fill:#fff}}\n.traps{{stroke-width:{:.0f}}}\n.traps "
-        "path{{fill:none}}\n",
+        ".pieces,.pieces .segment{{stroke-width:0}}\n.whole{{fill:#fff}}\n"
+        // The class of what <use> draws again: outside of it no class is seen from there.
+        ".traps{{stroke-width:{:.0f}}}\n.sides path{{fill:none}}\n",
         std::ceil(kTrapWidth / options().precision));
   }
   for (const std::string& rule : fills) out << rule;

@@ -47,7 +47,7 @@ void SvgDevice::append_paint(const char* property, const FillPaint& paint, const
 /// Drawn once for each width: a group, and the same again.
 void SvgDevice::append_traps(const Figure& figure) {
   auto out = std::back_inserter(body_);
-  fmt::format_to(out, "<g class=\"traps\">\n<g id=\"traps-{}\">\n", figures_);
+  fmt::format_to(out, "<g class=\"traps\">\n<g id=\"traps-{}\" class=\"sides\">\n", figures_);
   for (const FigureTrap& trap : figure.traps) {
     append_paint("stroke", trap.paint, figure);
     body_ += " d=\"";

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -132,7 +133,7 @@ class PieceWriter {
       FillStyle style = scene->fill_style(item);
       if (light == Lit::unknown || !style.shadow) return style;
       if (light == Lit::in_shadow) style.colour = style.shadow->colour;
-      style.shadow.reset();
+      style.shadow = std::nullopt;
       return style;
     }
   };

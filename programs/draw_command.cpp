@@ -184,8 +184,7 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
     make_folders();
     entered.draw(file, sorted, progress.told());
   }
-  left_out.note(system.display_file(), drawing, kind,
-                drawing_method(system, entered.options(), kind));
+  left_out.note(system, entered.options(), kind);
   entered.warn_if_nothing_is_seen();
   if (pick) text += picked(system, pick_option(*pick), entered.options());
   if (stats) text += drawing_statistics(system, sorted.display_file(), entered.options(), kind);

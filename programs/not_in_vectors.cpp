@@ -24,14 +24,16 @@ bool has_stored(const DisplayFile& drawn, Stored stored) {
 
 }  // namespace
 
-void NotInVectors::note(const DisplayFile& drawn, const DrawOptions& options, PictureKind kind,
-                        HiddenMethod by) {
+void NotInVectors::note(const GraphicsSystem& system, const DrawOptions& options,
+                        PictureKind kind) {
   if (kind != PictureKind::vector) return;
+  const DisplayFile& drawn = system.display_file();
   if (options.pens) {  // what pens hatch has its shades
     if (drawn.has_texts()) texts_ = true;
     return;
   }
   if (has_stored(drawn, &Instructions::stored_normals)) phong_ = true;
+  const HiddenMethod by = drawing_method(system, options, kind);
   const bool by_map = by == HiddenMethod::map || is_image_space(by);
   const bool each_segment = options.scope == HiddenScope::segment && by == HiddenMethod::map;
   if (drawn.has_shadows() && (!by_map || each_segment)) shadows_ = true;

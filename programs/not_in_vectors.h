@@ -10,11 +10,10 @@ namespace displayfile {
 /// What vectors leave out, told once for all pictures of a call of the command.
 class NotInVectors {
  public:
-  /// Notes what a picture of that kind leaves out of the display file and the options. `by` is the
-  /// method of hidden surfaces: shadows are the map's, which is drawn for methods of image space
-  /// too. Several threads may call it at a time.
-  void note(const DisplayFile& drawn, const DrawOptions& options, PictureKind kind,
-            HiddenMethod by);
+  /// Notes what a picture of that kind leaves out of what the application drew, and of the options.
+  /// Shadows are the map's, which is drawn for methods of image space too. Several threads may call
+  /// it at a time.
+  void note(const GraphicsSystem& system, const DrawOptions& options, PictureKind kind);
   /// Warns, with the output's name as given, if something was left out (programs/warnings.h).
   void warn(const std::string& output) const;
 

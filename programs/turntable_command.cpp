@@ -153,8 +153,7 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
       enter_inputs(inputs, system, turning, aspect,
                    {.method = options.hidden, .hidden_lines = options.hidden_lines});
   warn_of_stretched_window(system, output.string(), options.width, options.height);
-  left_out.note(system.display_file(), options, picture_kind(output, options),
-                drawing_method(system, options, picture_kind(output, options)));
+  left_out.note(system, options, picture_kind(output, options));
   Turntable turntable(scene, system.display_file(), system.view());
   const Camera looking = meshes.camera();
   if (fitted) turntable.set_axis(fitted->up);

@@ -331,6 +331,14 @@ TEST(SvgFigure, IsOneGroupUnderOneMask) {
   EXPECT_EQ(times(svg, "<g"), times(svg, "</g>"));
 }
 
+/// A browser that draws what <use> names sees no class outside of that: traps would be filled.
+TEST(SvgFigure, TrapsHaveNoFillWhereTheyAreDrawnAgain) {
+  const std::string svg = svg_of_squares({});
+  EXPECT_EQ(times(svg, "<g id=\"traps-1\" class=\"sides\">"), 1u) << svg;
+  EXPECT_EQ(times(svg, "<use xlink:href=\"#traps-1\""), 4u) << svg;
+  EXPECT_EQ(times(svg, ".sides path{fill:none}"), 1u) << svg;
+}
+
 TEST(SvgFigure, ButtedHasNeitherTrapsNorMask) {
   VectorOptions options;
   options.seams = Seams::butted;

@@ -28,8 +28,9 @@ Point3 GraphicsSystem::to_world(const Point3& object) const {
 }
 
 void GraphicsSystem::polygon_abs_3(std::span<const Point3> vertices) {
+  if (recorder_ == nullptr) return polygon(vertices);
   polygon(vertices);
-  if (recorder_ != nullptr) recorder_->write("polygon-abs-3", vertices, 3);
+  recorder_->write("polygon-abs-3", vertices, 3);
 }
 
 void GraphicsSystem::polygon_rel_3(std::span<const Point3> steps) {

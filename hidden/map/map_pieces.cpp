@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -77,6 +78,11 @@ class Outlines {
   }
 
  private:
+  struct Middle {
+    double length;  // of the side, squared
+    Point2 at;
+  };
+
   const Point2& at(std::uint32_t vertex) const { return map_.points[vertex]; }
 
   void find_loops(std::span<Side> sides) {
@@ -143,9 +149,10 @@ class Outlines {
   /// Joins a hole to the smallest outline around it.
   void join(const std::vector<std::uint32_t>& hole) {
     Loop* around = nullptr;
+    if (parts_.size() > 1) find_middles(hole);
     for (Loop& part : parts_) {
       const bool smaller = around == nullptr || part.area < around->area;
-      if (smaller && (parts_.size() == 1 || has_inside(part.vertices, hole))) around = &part;
+      if (smaller && (parts_.size() == 1 || has_hole_inside(part.vertices))) around = &part;
     }
     if (around == nullptr) return;
     // From its first vertex to the closest one.
@@ -172,28 +179,48 @@ class Outlines {
     std::swap(outline, joined_);
   }
 
-  bool has_inside(const std::vector<std::uint32_t>& outline,
-                  const std::vector<std::uint32_t>& hole) const {
+  /// The middles of a hole's three longest sides. A corner may touch the outline, and rounding may
+  /// have put it beyond that.
+  void find_middles(const std::vector<std::uint32_t>& hole) {
+    middles_.clear();
+    std::uint32_t before = hole.back();
     for (const std::uint32_t v : hole) {
-      if (std::ranges::find(outline, v) != outline.end()) continue;
-      bool inside = false;
-      std::uint32_t before = outline.back();
-      for (const std::uint32_t w : outline) {
-        const Point2 &p = at(before), &q = at(w), &c = at(v);
-        if ((p.y > c.y) != (q.y > c.y) && (orientation(p, q, c) > 0) == (q.y > p.y)) {
-          inside = !inside;
-        }
-        before = w;
-      }
-      return inside;
+      const Point2 &p = at(before), &q = at(v), side = q - p;
+      middles_.push_back({side.x * side.x + side.y * side.y, 0.5 * (p + q)});
+      before = v;
     }
-    return true;
+    std::partial_sort(middles_.begin(), middles_.begin() + 3, middles_.end(),
+                      [](const Middle& a, const Middle& b) {
+                        return std::tuple(a.length, a.at.x, a.at.y) >
+                               std::tuple(b.length, b.at.x, b.at.y);
+                      });
+  }
+
+  /// Whether two of those three are inside. If a side runs along the outline within rounding, it is
+  /// one of the three, or what two of them enclose is nothing but rounding.
+  bool has_hole_inside(const std::vector<std::uint32_t>& outline) const {
+    const bool first = is_inside(outline, middles_[0].at);
+    return first == is_inside(outline, middles_[1].at) ? first : is_inside(outline, middles_[2].at);
+  }
+
+  bool is_inside(const std::vector<std::uint32_t>& outline, const Point2& c) const {
+    bool inside = false;
+    std::uint32_t before = outline.back();
+    for (const std::uint32_t w : outline) {
+      const Point2 &p = at(before), &q = at(w);
+      if ((p.y > c.y) != (q.y > c.y) && (orientation(p, q, c) > 0) == (q.y > p.y)) {
+        inside = !inside;
+      }
+      before = w;
+    }
+    return inside;
   }
 
   const VisibleMap& map_;
   std::vector<std::uint8_t> used_;
   std::vector<Loop> loops_, parts_;
   std::vector<std::uint32_t> joined_;
+  std::vector<Middle> middles_;
 };
 
 /// Makes pieces of parts.

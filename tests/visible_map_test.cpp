@@ -11,6 +11,9 @@
 #include <tuple>
 #include <vector>
 
+#include "displayfile/graphics_system.h"
+#include "interp/draw.h"
+#include "programs/scenes/random_scenes.h"
 #include "tests/from_environment.h"
 #include "tests/map_truth.h"
 #include "tests/slower.h"
@@ -51,6 +54,30 @@ TEST(VisibleMap, EveryFamilyAgainstTheTruth) {
       if (wrong_in(list).empty()) continue;
       ADD_FAILURE() << family.name << ", seed " << k << "\n" << shrunken_wrong(list);
       break;
+    }
+  }
+}
+
+/// With ROUNDOFF too, where sides are parallel to the lines in which polygons meet.
+TEST(VisibleMap, RoundoffSaysOfNothingParallelThatItCrosses) {
+  for (const double part : {0.0, 1e-15, 1e-12, 1e-6, 1e-3}) {
+    for (int seed = 0; seed < 1200 / kSlower; ++seed) {
+      GraphicsSystem system;
+      enter(random_degenerate_scene(static_cast<std::uint64_t>(seed)), system);
+      DrawOptions options{.width = 8, .height = 8};
+      options.hidden = HiddenMethod::map;
+      options.precision = {false, part};
+      ASSERT_NO_THROW(draw(system, options)) << "seed " << seed << ", ROUNDOFF " << part;
+    }
+    for (const SortFamily& family : sort_families()) {
+      for (int k = 0; k < 60 / kSlower; ++k) {
+        Source s(static_cast<std::uint64_t>(k));
+        const ItemList list = family.make(s);
+        const VisibleMap map = visible_map(list.view(), {.precision = {false, part}});
+        for (const Point2& p : map.points) {
+          ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y)) << family.name << ", seed " << k;
+        }
+      }
     }
   }
 }

@@ -35,25 +35,32 @@ class ExactMap {
   Exact exact_;
 };
 
-/// The textbook's: doubles decide, and depths no farther apart than ROUNDOFF are equal.
+/// What is no farther apart than ROUNDOFF touches, in the projection and in depth, as the textbook
+/// has it. Beyond that signs are true ones, so that what is said to cross has a crossing.
 class RoundoffMap {
  public:
   static constexpr bool kExact = false;
 
-  RoundoffMap(const Definitions& all, double part) : roundoff_(Roundoff::relative(all, part)) {}
+  RoundoffMap(const Definitions& all, double part)
+      : exact_(all), roundoff_(Roundoff::relative(all, part)) {}
 
   int turn(const Point2& a, const Point2& b, const Point2& c) const {
-    return roundoff_.turn(a, b, c);
+    return roundoff_.turn(a, b, c) == 0 ? 0 : exact_.turn(a, b, c);
   }
   int order(const Plane& one, const Plane& other, const Point3& at) const {
-    return roundoff_.signof(Roundoff::depth(one, at) - Roundoff::depth(other, at));
+    return is_close(one, other, at) ? 0 : ExactMap::order(one, other, at);
   }
-  int order(const Definitions&, const Plane& one, const Plane& other,
+  int order(const Definitions& all, const Plane& one, const Plane& other,
             const DefinedPoint& at) const {
-    return order(one, other, at.near);
+    return is_close(one, other, at.near) ? 0 : ExactMap::order(all, one, other, at);
   }
 
  private:
+  bool is_close(const Plane& one, const Plane& other, const Point3& at) const {
+    return roundoff_.signof(Roundoff::depth(one, at) - Roundoff::depth(other, at)) == 0;
+  }
+
+  ExactMap exact_;
   Roundoff roundoff_;
 };
 

@@ -10,6 +10,7 @@
 #include "hidden/lines/line_scene.h"
 #include "hidden/lines/side_table.h"
 #include "hidden/map/map_place.h"
+#include "hidden/map/map_precision.h"
 
 namespace displayfile {
 
@@ -46,8 +47,10 @@ class MeetingCarrier {
   bool first_is_nearer_on_left() const { return left_is_first_; }
 
   int side(const Point3& p) const {
-    if constexpr (!Policy::kExact) return policy_.turn(Point2(from_), Point2(to_), Point2(p));
-    const int nearer = policy_.order(planes_[0], planes_[1], p);
+    if constexpr (!Policy::kExact) {
+      if (policy_.turn(Point2(from_), Point2(to_), Point2(p)) == 0) return 0;
+    }
+    const int nearer = ExactMap::order(planes_[0], planes_[1], p);
     return left_is_first_ ? nearer : -nearer;
   }
 
@@ -106,7 +109,7 @@ class MeetingCarrier {
   bool finds_first_on_left() const {
     for (std::uint32_t k = 0; k < scene_.sides(line_->item_a); ++k) {
       const Point3& corner = scene_.corner(line_->item_a, k);
-      const int nearer = policy_.order(planes_[0], planes_[1], corner);
+      const int nearer = ExactMap::order(planes_[0], planes_[1], corner);
       if (nearer == 0) continue;
       return nearer == orientation(definitions(), line_->from, line_->to, stored_point(corner));
     }

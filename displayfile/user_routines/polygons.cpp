@@ -28,7 +28,8 @@ Point3 GraphicsSystem::to_world(const Point3& object) const {
 }
 
 void GraphicsSystem::polygon_abs_3(std::span<const Point3> vertices) {
-  if (recorder_ == nullptr) return polygon(vertices);
+  if (recorder_ == nullptr) [[likely]]
+    return polygon(vertices);
   polygon(vertices);
   recorder_->write("polygon-abs-3", vertices, 3);
 }
@@ -85,7 +86,7 @@ void GraphicsSystem::polygon(std::span<const Point3> object) {
   }
   triangulated_ += flat ? 0 : 1;
   ++ordinal_;
-  vertex_normals_.clear();
+  if (!vertex_normals_.empty()) vertex_normals_.clear();
   pen_ = {object.back(), world_points_.back()};
 }
 
@@ -114,10 +115,11 @@ void GraphicsSystem::enter_triangles(const Point3& normal, std::span<const Point
 }
 
 void GraphicsSystem::enter(const WorldPolygon& polygon) {
-  if (RetainedScene* scene = retaining()) scene->enter_polygon(polygon, attributes_);
-  if (!retains_alone_) {
-    view_stage_->enter_polygon(polygon, attributes_, display_file_.segment(*open_));
+  if (RetainedScene* scene = retaining()) {
+    scene->enter_polygon(polygon, attributes_);
+    if (retains_alone_) return;
   }
+  view_stage_->enter_polygon(polygon, attributes_, display_file_.segment(*open_));
 }
 
 namespace {

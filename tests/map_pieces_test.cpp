@@ -63,14 +63,10 @@ std::string wrong_areas(const Primitives& items, const VisibleMap& map) {
 }
 
 TEST(MapPieces, HaveTheAreaOfWhatIsSeenInEveryFamily) {
-  for (const SortFamily& family : sort_families()) {
-    for (int k = 0; k < 300 / kSlower; ++k) {
-      Source s(static_cast<std::uint64_t>(k));
-      const ItemList list = family.make(s);
-      EXPECT_EQ(wrong_areas(list.view(), visible_map(list.view(), {})), "")
-          << family.name << ", seed " << k;
-    }
-  }
+  for_each_scene_of_families(300 / kSlower, [](const ItemList& list, const auto& name, int seed) {
+    EXPECT_EQ(wrong_areas(list.view(), visible_map(list.view(), {})), "")
+        << name << ", seed " << seed;
+  });
 }
 
 /// Adds a closed line that has the item on its left.

@@ -404,6 +404,17 @@ inline const std::vector<SortFamily>& sort_families() {
   return all;
 }
 
+/// Scenes of every family, each with its family's name and its seed.
+template <class Use>
+void for_each_scene_of_families(int of_each, const Use& use) {
+  for (const SortFamily& family : sort_families()) {
+    for (int seed = 0; seed < of_each; ++seed) {
+      Source s(static_cast<std::uint64_t>(seed));
+      use(family.make(s), family.name, seed);
+    }
+  }
+}
+
 /// A method with its choice of a root.
 struct Way {
   std::string name;

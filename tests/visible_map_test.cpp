@@ -69,16 +69,11 @@ TEST(VisibleMap, RoundoffSaysOfNothingParallelThatItCrosses) {
       options.precision = {false, part};
       ASSERT_NO_THROW(draw(system, options)) << "seed " << seed << ", ROUNDOFF " << part;
     }
-    for (const SortFamily& family : sort_families()) {
-      for (int k = 0; k < 60 / kSlower; ++k) {
-        Source s(static_cast<std::uint64_t>(k));
-        const ItemList list = family.make(s);
-        const VisibleMap map = visible_map(list.view(), {.precision = {false, part}});
-        for (const Point2& p : map.points) {
-          ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y)) << family.name << ", seed " << k;
-        }
+    for_each_scene_of_families(60 / kSlower, [&](const ItemList& list, const auto& name, int seed) {
+      for (const Point2& p : visible_map(list.view(), {.precision = {false, part}}).points) {
+        ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y)) << name << ", seed " << seed;
       }
-    }
+    });
   }
 }
 

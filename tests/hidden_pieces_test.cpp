@@ -55,29 +55,25 @@ std::string described(std::vector<VisiblePiece> pieces) {
 
 /// Bit for bit: each line begins at 0, each piece where the one before ends, and the last at 1.
 TEST(HiddenPieces, TileEveryLineWithWhatIsSeen) {
-  for (const SortFamily& family : sort_families()) {
-    for (int k = 0; k < 60 / kSlower; ++k) {
-      Source s(static_cast<std::uint64_t>(k));
-      const ItemList list = family.make(s);
-      for (const HiddenMethod method : {HiddenMethod::roberts, HiddenMethod::franklin}) {
-        const Found all = found(list, method);
-        std::vector<VisiblePiece> pieces = all.seen.pieces;
-        pieces.insert(pieces.end(), all.hidden.begin(), all.hidden.end());
-        std::ranges::sort(pieces, in_order);
-        auto piece = pieces.begin();
-        for (const LineName& line : all.lines) {
-          double at = 0.0;
-          for (; piece != pieces.end() && LineName{piece->item, piece->corner} == line; ++piece) {
-            ASSERT_EQ(piece->from, at) << family.name << " " << k;
-            ASSERT_LT(piece->from, piece->to);
-            at = piece->to;
-          }
-          ASSERT_EQ(at, 1.0) << family.name << " " << k << "\n" << list.text();
+  for_each_scene_of_families(60 / kSlower, [](const ItemList& list, const auto& name, int seed) {
+    for (const HiddenMethod method : {HiddenMethod::roberts, HiddenMethod::franklin}) {
+      const Found all = found(list, method);
+      std::vector<VisiblePiece> pieces = all.seen.pieces;
+      pieces.insert(pieces.end(), all.hidden.begin(), all.hidden.end());
+      std::ranges::sort(pieces, in_order);
+      auto piece = pieces.begin();
+      for (const LineName& line : all.lines) {
+        double at = 0.0;
+        for (; piece != pieces.end() && LineName{piece->item, piece->corner} == line; ++piece) {
+          ASSERT_EQ(piece->from, at) << name << " " << seed;
+          ASSERT_LT(piece->from, piece->to);
+          at = piece->to;
         }
-        ASSERT_EQ(piece, pieces.end());
+        ASSERT_EQ(at, 1.0) << name << " " << seed << "\n" << list.text();
       }
+      ASSERT_EQ(piece, pieces.end());
     }
-  }
+  });
 }
 
 // ---- What is covered, by hand -------------------------------------------------------------------

@@ -99,8 +99,8 @@ TEST(DisjointFills, AVertexIsStraightForAllOrStays) {
   std::size_t vertices = 0;
   for (const auto& region : figure.regions) vertices += region.loops.points.size();
   EXPECT_EQ(vertices, 5u + 4u + 4u);
-  EXPECT_EQ(figure.outline.points.size(),
-            4u);  // a mask, by itself
+  ASSERT_EQ(figure.outline.size(), 1u);
+  EXPECT_EQ(figure.outline[0].points.size(), 4u);  // a mask, by itself
 }
 
 TEST(DisjointFills, APieceWithAKeyholeLosesItsBridge) {
@@ -114,8 +114,9 @@ TEST(DisjointFills, APieceWithAKeyholeLosesItsBridge) {
       figure.regions[0].paint == kRedPaint ? figure.regions[0] : figure.regions[1];
   EXPECT_EQ(with_hole.loops.size(), 2u);
   EXPECT_EQ(with_hole.loops.points.size(), 8u);
-  EXPECT_EQ(figure.outline.size(), 1u);
-  EXPECT_EQ(figure.outline.points.size(), 4u);
+  ASSERT_EQ(figure.outline.size(), 1u);
+  EXPECT_EQ(figure.outline[0].size(), 1u);
+  EXPECT_EQ(figure.outline[0].points.size(), 4u);
   EXPECT_EQ(sides_of(figure.traps).size(), 8u);
 }
 
@@ -127,8 +128,9 @@ TEST(DisjointFills, WhatRoundingMakesThinIsLeftOutAndLeavesNoGapInTheOutline) {
   fills.add(Loop{{0.5, 0.5}, {0.5, 0.5}, {0.5, 0.5}}, kBluePaint, 1, 3);
   const Figure figure = fills.take_figure();
   EXPECT_EQ(figure.regions.size(), 2u);
-  EXPECT_EQ(figure.outline.size(), 1u);
-  EXPECT_EQ(area(figure.outline), 2.0 * 2 * 100 * 100);
+  ASSERT_EQ(figure.outline.size(), 1u);
+  EXPECT_EQ(figure.outline[0].size(), 1u);
+  EXPECT_EQ(area(figure.outline[0]), 2.0 * 2 * 100 * 100);
 }
 
 /// A grid of random quadrilaterals in random colours: they tile a square.
@@ -192,8 +194,9 @@ TEST(DisjointFills, EverySideOfARegionIsInOneTrapOnceInThePaintOfTheFirst) {
 
 TEST(DisjointFills, TheOutlineIsThatOfTheUnion) {
   const Figure figure = random_figure(20, 5);
-  EXPECT_EQ(area(figure.outline), 2.0 * 10000 * 10000);
-  EXPECT_EQ(figure.outline.size(), 1u);
+  ASSERT_EQ(figure.outline.size(), 1u);
+  EXPECT_EQ(area(figure.outline[0]), 2.0 * 10000 * 10000);
+  EXPECT_EQ(figure.outline[0].size(), 1u);
 }
 
 TEST(DisjointFills, OnlyATrappedFigureOfSeveralRegionsHasTraps) {
@@ -247,6 +250,17 @@ TEST(DisjointFills, RoundingMovesNoMoreThanThePrecisionAlongTheSides) {
   }
 }
 
+bool is_long(const LatticeLoops& loops) { return loops.points.size() > Figure::kMostVertices; }
+
+bool has_long_path(const Figure& figure) {
+  return std::ranges::any_of(figure.regions, is_long, &FigureRegion::loops) ||
+         std::ranges::any_of(figure.outline, is_long) ||
+         std::ranges::any_of(figure.outline_tents, is_long) ||
+         std::ranges::any_of(figure.traps, [](const FigureTrap& trap) {
+           return trap.sides.points.size() > Figure::kMostVertices;
+         });
+}
+
 TEST(DisjointFills, NoRegionHasMoreVerticesThanAPathMay) {
   DisjointFills fills{{}};
   const int n = 150;  // a chessboard: no sides go, 45,000 vertices of each colour
@@ -256,17 +270,77 @@ TEST(DisjointFills, NoRegionHasMoreVerticesThanAPathMay) {
     }
   }
   const Figure figure = fills.take_figure();
+  EXPECT_FALSE(has_long_path(figure));
   EXPECT_EQ(figure.regions.size(), 4u);
   double sum = 0.0;
-  for (const FigureRegion& region : figure.regions) {
-    EXPECT_LE(region.loops.points.size(), Figure::kMostVertices);
-    sum += area(region.loops);
+  for (const FigureRegion& region : figure.regions) sum += area(region.loops);
+  ASSERT_EQ(figure.outline.size(), 1u);
+  EXPECT_EQ(sum, area(figure.outline[0]));
+  EXPECT_EQ(sum, 2.0 * n * n * 100 * 100);
+}
+
+/// One piece around n x n holes, which it has by bridges. Its loop starts and ends in a corner.
+Loop plate(int n) {
+  const double side = 2.0 * n + 1.0;
+  Loop loop{{0, 0}, {0, side}, {side, side}, {side, 0}, {0, 0}};
+  for (int y = 0; y < n; ++y) {
+    for (int x = 0; x < n; ++x) {
+      Loop hole = square(2.0 * x + 1.0, 2.0 * y + 1.0);
+      hole.push_back(hole[0]);
+      loop.insert(loop.end(), hole.begin(), hole.end());
+      loop.emplace_back(0, 0);
+    }
   }
-  for (const FigureTrap& trap : figure.traps) {
-    EXPECT_LE(trap.sides.points.size(), Figure::kMostVertices);
+  loop.pop_back();  // it closes itself
+  return loop;
+}
+
+TEST(DisjointFills, NoSinglePieceHasMoreVerticesThanAPathMay) {
+  const int n = 100;
+  for (const bool filled : {true, false}) {
+    DisjointFills fills{{}};
+    fills.add(plate(n), kRedPaint, 1, 0);
+    for (int y = 0; y < n; ++y) {
+      for (int x = 0; x < n; ++x) {
+        // Or holes are seen through, and one of them is half full.
+        if (filled) fills.add(square(2.0 * x + 1.0, 2.0 * y + 1.0), kBluePaint, 1, 1);
+      }
+    }
+    if (!filled) fills.add({{{1, 1}, {2, 2}, {1, 2}}}, kBluePaint, 1, 1);
+    const Figure figure = fills.take_figure();
+    EXPECT_FALSE(has_long_path(figure));
+    EXPECT_EQ(figure.regions.size(), filled ? 4u : 3u);
+    EXPECT_EQ(figure.outline.size(), filled ? 1u : 2u);
+    EXPECT_EQ(figure.outline_tents.empty(), filled);
+    // Which side of it a region is on: each is had by two, but for those on the outline.
+    std::map<LatticeSide, int> sides, of_outline;
+    for (const FigureRegion& region : figure.regions) {
+      for (const auto& [side, times] : sides_of(region.loops)) sides[side] += times;
+    }
+    for (const LatticeLoops& part : figure.outline) {
+      for (const auto& [side, times] : sides_of(part)) of_outline[side] += times;
+    }
+    std::erase_if(sides, [](const auto& side) { return side.second == 2; });
+    std::erase_if(of_outline, [](const auto& side) { return side.second == 2; });
+    EXPECT_EQ(sides, of_outline);
+    for (const auto& [side, times] : sides) EXPECT_EQ(times, 1);
   }
-  EXPECT_EQ(sum, area(figure.outline));
-  EXPECT_EQ(area(figure.outline), 2.0 * n * n * 100 * 100);
+}
+
+TEST(DisjointFills, AMaskOfSeveralPartsHasTentsOverTheSidesBetweenThem) {
+  DisjointFills fills{{}};
+  fills.add(plate(100), kRedPaint, 1, 0);
+  fills.add({{{1, 1}, {2, 2}, {1, 2}}}, kBluePaint, 1, 1);
+  const Figure figure = fills.take_figure();
+  ASSERT_EQ(figure.outline.size(), 2u);
+  // Over each side between the two there is a tent on either side of it.
+  const auto first = sides_of(figure.outline[0]), second = sides_of(figure.outline[1]);
+  std::size_t between = 0;
+  for (const auto& [side, times] : first) between += second.count(side);
+  EXPECT_GT(between, 0u);
+  std::size_t tents = 0;
+  for (const LatticeLoops& some : figure.outline_tents) tents += some.size();
+  EXPECT_EQ(tents, 2 * between);
 }
 
 TEST(DisjointFills, TentsStayWithinTheirRegionsLoops) {

@@ -13,9 +13,16 @@ namespace displayfile {
 
 namespace {
 
-/// Red, green and blue in [0,1].
+/// In [0,1]. Cairo writes six decimals, and MuPDF takes the whole part of 255 times as much: what
+/// is no more than the component would come out as the level below.
+double component(std::uint32_t level) {
+  constexpr double kLastDecimal = 1e-6;
+  return level == 0 ? 0.0 : std::min(level / 255.0 + kLastDecimal, 1.0);
+}
+
+/// Red, green and blue.
 std::array<double, 3> components_of(std::uint32_t pixel) {
-  return {(pixel & 0xff) / 255.0, ((pixel >> 8) & 0xff) / 255.0, ((pixel >> 16) & 0xff) / 255.0};
+  return {component(pixel & 0xff), component((pixel >> 8) & 0xff), component((pixel >> 16) & 0xff)};
 }
 
 /// Cairo writes a gradient anew each time that something is painted with it, and who reads many
@@ -125,8 +132,16 @@ void paint_cairo_figure(_cairo* context, const Figure& figure) {
   });
   const Pattern mask = group(context, [&] {
     cairo().set_source_rgb(context, 1.0, 1.0, 1.0);
-    set_path(context, figure.outline, figure.unit);
-    cairo().fill(context);
+    for (const LatticeLoops& part : figure.outline) {
+      set_path(context, part, figure.unit);
+      cairo().fill(context);
+    }
+    cairo().set_fill_rule(context, CAIRO_FILL_RULE_WINDING);
+    for (const LatticeLoops& tents : figure.outline_tents) {
+      set_path(context, tents, figure.unit);
+      cairo().fill(context);
+    }
+    cairo().set_fill_rule(context, CAIRO_FILL_RULE_EVEN_ODD);
   });
   cairo().set_source(context, pieces.get());
   cairo().mask(context, mask.get());

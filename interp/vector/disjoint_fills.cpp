@@ -2,8 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 #include <utility>
 
+#include "interp/vector/cut_loops.h"
+#include "interp/vector/seams.h"
+#include "interp/vector/tents.h"
 #include "interp/vector/traps.h"
 
 namespace displayfile {
@@ -19,24 +24,43 @@ bool in_line(Loop loop) {
   });
 }
 
-/// Cuts a set of pieces in two about equal ones along its longer extent.
-template <class LoopOf>
-std::pair<std::vector<std::size_t>, std::vector<std::size_t>> halves(
-    std::vector<std::size_t> pieces, const LoopOf& loop_of) {
-  const auto first_vertex = [&](std::size_t piece) { return loop_of(piece)[0]; };
-  LatticePoint low = first_vertex(pieces[0]), high = low;
-  for (const std::size_t piece : pieces) {
-    const LatticePoint p = first_vertex(piece);
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+/// Cuts what has more vertices than a path may have.
+void cut_long_loops(Figure& figure) {
+  const auto is_long = [](const LatticeLoops& loops) {
+    return loops.points.size() > Figure::kMostVertices;
+  };
+  const auto any_is_long = [&] {
+    return std::ranges::any_of(figure.regions, is_long, &FigureRegion::loops) ||
+           std::ranges::any_of(figure.outline, is_long);
+  };
+  while (any_is_long()) {
+    VerticesOnSides put;
+    std::vector<FigureRegion> regions;
+    for (FigureRegion& region : figure.regions) {
+      for (LatticeLoops& part : parts_of(region.loops, Figure::kMostVertices, put)) {
+        regions.push_back({region.segment, region.pick, region.paint, std::move(part)});
+      }
+    }
+    std::vector<LatticeLoops> outline;
+    for (const LatticeLoops& loops : figure.outline) {
+      std::ranges::move(parts_of(loops, Figure::kMostVertices, put), std::back_inserter(outline));
+    }
+    for (FigureRegion& region : regions) put_vertices(region.loops, put);
+    for (LatticeLoops& loops : outline) put_vertices(loops, put);
+    figure.regions = std::move(regions);
+    figure.outline = std::move(outline);
   }
-  const bool wide = std::int64_t{high.x} - low.x >= std::int64_t{high.y} - low.y;
-  std::ranges::stable_sort(pieces, {}, [&](std::size_t piece) {
-    const LatticePoint p = first_vertex(piece);
-    return wide ? p.x : p.y;
-  });
-  const auto middle = pieces.begin() + static_cast<std::ptrdiff_t>(pieces.size() / 2);
-  return {{pieces.begin(), middle}, {middle, pieces.end()}};
+}
+
+/// What closes the seams between the parts of the outline.
+std::vector<LatticeLoops> tents_of_outline(const Figure& figure) {
+  std::vector<FigureRegion> parts;
+  for (const LatticeLoops& part : figure.outline) parts.push_back({0, 0, {}, part});
+  std::vector<LatticeLoops> tents;
+  for (FigureTents& some : tents_of(parts, kTrapWidth / 2.0 / figure.unit)) {
+    tents.push_back(std::move(some.triangles));
+  }
+  return tents;
 }
 
 }  // namespace
@@ -60,40 +84,29 @@ void DisjointFills::add(std::span<const Point2> loop, const FillPaint& paint, in
   pieces_of_[key].push_back(pieces_.size() - 1);
 }
 
-/// One, unless it would have too many vertices.
-void DisjointFills::add_regions(Figure& figure, const FigureRegion& like,
-                                std::vector<std::size_t> pieces) const {
-  const auto loop_of = [&](std::size_t piece) { return loop(piece); };
+LatticeLoops DisjointFills::boundary_of_pieces(std::span<const std::size_t> pieces) const {
   std::vector<Loop> loops;
   loops.reserve(pieces.size());
   for (const std::size_t piece : pieces) loops.push_back(loop(piece));
-  FigureRegion region = like;
-  region.loops = boundary_of(loops);
-  if (region.loops.points.size() <= Figure::kMostVertices || pieces.size() == 1) {
-    if (!region.loops.empty()) figure.regions.push_back(std::move(region));
-    return;
-  }
-  auto [low, high] = halves(std::move(pieces), loop_of);
-  add_regions(figure, like, std::move(low));
-  add_regions(figure, like, std::move(high));
+  return boundary_of(loops);
 }
 
 Figure DisjointFills::merged() {
-  Figure figure{options_.precision, {}, {}, {}};
-  for (auto& [key, pieces] : pieces_of_) {
+  Figure figure{options_.precision, {}, {}, {}, {}};
+  for (const auto& [key, pieces] : pieces_of_) {
     const auto& [segment, pick, paint] = key;
-    add_regions(figure, {segments_[segment], pick, paint, {}}, std::move(pieces));
+    figure.regions.push_back({segments_[segment], pick, paint, boundary_of_pieces(pieces)});
   }
-  std::vector<Loop> all;
-  all.reserve(pieces_.size());
-  for (std::size_t piece = 0; piece < pieces_.size(); ++piece) all.push_back(loop(piece));
-  figure.outline = boundary_of(all);
-  LatticeLoops* const alone = &figure.outline;
+  std::vector<std::size_t> all(pieces_.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  figure.outline = {boundary_of_pieces(all)};
+  LatticeLoops* const alone = &figure.outline[0];
   drop_straight_vertices(std::span(&alone, 1));  // nobody shares the sides of a mask
   std::vector<LatticeLoops*> together;
   for (FigureRegion& region : figure.regions) together.push_back(&region.loops);
   drop_straight_vertices(together);
   std::erase_if(figure.regions, [](const FigureRegion& r) { return r.loops.empty(); });
+  cut_long_loops(figure);
   return figure;
 }
 
@@ -101,6 +114,7 @@ Figure DisjointFills::take_figure() {
   Figure figure = merged();
   if (options_.seams == Seams::trapped && figure.regions.size() > 1) {
     figure.traps = traps_of(figure.regions);
+    figure.outline_tents = tents_of_outline(figure);
   }
   *this = DisjointFills(options_);
   return figure;

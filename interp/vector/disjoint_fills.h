@@ -38,7 +38,10 @@ struct Figure {
   /// Every side of a region once, those on the outline too; in the order in which they are drawn,
   /// from the last region to the first. Empty if the figure is butted, or one region.
   std::vector<FigureTrap> traps;
-  LatticeLoops outline;  ///< of all regions together
+  /// Of all regions together, in parts of no more than kMostVertices: one, but for very long ones.
+  std::vector<LatticeLoops> outline;
+  /// Triangles over the sides between the parts of an outline, where they would show in a mask.
+  std::vector<LatticeLoops> outline_tents;
 
   /// Many programs, and printers, draw longer paths slowly or not at all.
   static constexpr std::size_t kMostVertices = 32'000;
@@ -69,7 +72,7 @@ class DisjointFills {
   }
   /// What was collected, merged, without traps.
   Figure merged();
-  void add_regions(Figure& figure, const FigureRegion& like, std::vector<std::size_t> pieces) const;
+  LatticeLoops boundary_of_pieces(std::span<const std::size_t> pieces) const;
 
   VectorOptions options_;
   std::vector<LatticePoint> points_;

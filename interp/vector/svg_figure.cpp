@@ -14,21 +14,32 @@ namespace displayfile {
 
 namespace {
 
+void append_white_path(std::string& out, const char* attributes, const LatticeLoops& loops) {
+  fmt::format_to(std::back_inserter(out), "<path class=\"whole\"{} d=\"", attributes);
+  append_loops(out, loops);
+  out += "\"/>\n";
+}
+
 /// The mask of the outline, in units. Its own bounds leave room, not to be an edge themselves.
-void append_mask(std::string& out, std::size_t number, const LatticeLoops& outline, double unit) {
-  LatticePoint low = outline.points.front(), high = low;
-  for (const LatticePoint& p : outline.points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+void append_mask(std::string& out, std::size_t number, const Figure& figure) {
+  LatticePoint low = figure.outline.front().points.front(), high = low;
+  for (const LatticeLoops& part : figure.outline) {
+    for (const LatticePoint& p : part.points) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
   }
-  const int room = static_cast<int>(std::ceil(kTrapWidth / unit));
+  const int room = static_cast<int>(std::ceil(kTrapWidth / figure.unit));
   fmt::format_to(std::back_inserter(out),
                  "<mask id=\"figure-{}\" maskUnits=\"userSpaceOnUse\" x=\"{}\" y=\"{}\" "
-                 "width=\"{}\" height=\"{}\">\n<path class=\"whole\" d=\"",
+                 "width=\"{}\" height=\"{}\">\n",
                  number, low.x - room, low.y - room, high.x - low.x + 2 * room,
                  high.y - low.y + 2 * room);
-  append_loops(out, outline);
-  out += "\"/>\n</mask>\n";
+  for (const LatticeLoops& part : figure.outline) append_white_path(out, "", part);
+  for (const LatticeLoops& tents : figure.outline_tents) {
+    append_white_path(out, " fill-rule=\"nonzero\"", tents);
+  }
+  out += "</mask>\n";
 }
 
 }  // namespace
@@ -100,7 +111,7 @@ void SvgDevice::paint_figure(const Figure& figure) {
   }
   body_ += ">\n";
   if (trapped) {
-    append_mask(body_, figures_, figure.outline, figure.unit);
+    append_mask(body_, figures_, figure);
     append_traps(figure);
   }
   append_regions(figure);

@@ -1,0 +1,144 @@
+// Long loops in parts: disjoint, together what there was, with the same vertices on sides that are
+// shared (interp/vector/cut_loops.h).
+
+#include "interp/vector/cut_loops.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "interp/vector/lattice_loops.h"
+
+namespace displayfile {
+namespace {
+
+/// Those that lie there an odd number of times.
+std::set<LatticeSide> odd_sides(const std::vector<LatticeLoops>& all) {
+  std::set<LatticeSide> odd;
+  for (const LatticeLoops& loops : all) {
+    for (std::size_t k = 0; k < loops.size(); ++k) {
+      LatticePoint from = loops.loop(k).back();
+      for (const LatticePoint& to : loops.loop(k)) {
+        const LatticeSide side(from, to);
+        if (!odd.erase(side)) odd.insert(side);
+        from = to;
+      }
+    }
+  }
+  return odd;
+}
+
+struct Box {
+  LatticePoint low, high;
+};
+Box box_of(const LatticeLoops& loops) {
+  Box box{loops.points[0], loops.points[0]};
+  for (const LatticePoint& p : loops.points) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+  }
+  return box;
+}
+
+void expect_parts(const LatticeLoops& loops, std::size_t most) {
+  VerticesOnSides put;
+  std::vector<LatticeLoops> parts = parts_of(loops, most, put);
+  for (const LatticeLoops& part : parts) EXPECT_LE(part.points.size(), most);
+  // Cuts run along columns and rows, so that parts lie in rectangles of their own.
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Box a = box_of(parts[i]);
+    for (std::size_t j = 0; j < i; ++j) {
+      const Box b = box_of(parts[j]);
+      EXPECT_TRUE(a.high.x <= b.low.x || b.high.x <= a.low.x || a.high.y <= b.low.y ||
+                  b.high.y <= a.low.y);
+    }
+  }
+  LatticeLoops with = loops;
+  put_vertices(with, put);
+  for (LatticeLoops& part : parts) put_vertices(part, put);
+  // What parts have in common is gone, and what there was is left.
+  EXPECT_EQ(odd_sides(parts), odd_sides({with}));
+}
+
+LatticeLoops random_loops(std::mt19937& random, int loops, int vertices, std::int32_t size) {
+  LatticeLoops all;
+  for (int k = 0; k < loops; ++k) {
+    std::vector<LatticePoint> loop;
+    for (int i = 0; i < vertices; ++i) {
+      const auto at = [&] {
+        return static_cast<std::int32_t>(random() % static_cast<unsigned>(size));
+      };
+      const std::int32_t x = at();
+      loop.push_back({x, at()});
+    }
+    all.add(loop);
+  }
+  const std::vector<std::span<const LatticePoint>> spans = [&] {
+    std::vector<std::span<const LatticePoint>> found;
+    for (std::size_t k = 0; k < all.size(); ++k) found.push_back(all.loop(k));
+    return found;
+  }();
+  return boundary_of(spans);
+}
+
+/// Loops that cross each other and themselves, and the least lattices: all the worse than what is
+/// to be expected.
+TEST(CutLoops, PartsAreDisjointAndTogetherWhatThereWas) {
+  std::mt19937 random(5);
+  for (int run = 0; run < 300; ++run) {
+    const auto size = static_cast<std::int32_t>(2 + random() % (run % 3 == 0 ? 6 : 5000));
+    const LatticeLoops loops = random_loops(random, 1 + run % 7, 3 + run % 19, size);
+    for (const std::size_t most : {8u, 20u, 50u}) expect_parts(loops, most);
+  }
+}
+
+TEST(CutLoops, WhatIsShortIsLeftAsItIs) {
+  LatticeLoops loops;
+  loops.add(std::array{LatticePoint{0, 0}, LatticePoint{5, 0}, LatticePoint{0, 5}});
+  VerticesOnSides put;
+  const std::vector<LatticeLoops> parts = parts_of(loops, 8, put);
+  ASSERT_EQ(parts.size(), 1u);
+  EXPECT_EQ(parts[0].points, loops.points);
+  EXPECT_TRUE(put.empty());
+}
+
+/// A side of a neighbour is cut where it is, whichever way it is run along.
+TEST(CutLoops, ACutPutsTheVertexNearestToWhereASideCrosses) {
+  LatticeLoops comb;  // ten teeth: sides from (0, y) to (90, y + 3)
+  std::vector<LatticePoint> loop{{0, 1000}, {-5, 0}};
+  for (std::int32_t y = 0; y < 100; y += 10) {
+    loop.push_back({0, y});
+    loop.push_back({91, y + 3});
+    loop.push_back({0, y + 5});
+  }
+  comb.add(loop);
+  VerticesOnSides put;
+  const std::vector<LatticeLoops> parts = parts_of(comb, 16, put);
+  EXPECT_GE(parts.size(), 2u);
+  for (const auto& [side, vertex] : put) {
+    const double across = side.b.x - side.a.x, up = side.b.y - side.a.y;
+    const double height = (vertex.x - side.a.x) * up - (vertex.y - side.a.y) * across;
+    EXPECT_LE(std::abs(height), 0.5 * std::max(std::abs(across), std::abs(up)));
+  }
+}
+
+/// Differences of 31 bits.
+TEST(CutLoops, TheLargestCoordinatesAreCut) {
+  const std::int32_t far = 1'000'000'000;
+  std::vector<LatticePoint> loop;
+  for (std::int32_t k = 0; k < 12; ++k) {
+    loop.push_back({-far + k, k % 2 == 0 ? -far : far - k});
+    loop.push_back({far - k, k % 3 == 0 ? far : -far + k});
+  }
+  LatticeLoops loops;
+  loops.add(loop);
+  expect_parts(boundary_of(std::array{std::span<const LatticePoint>(loops.loop(0))}), 8);
+}
+
+}  // namespace
+}  // namespace displayfile

@@ -110,8 +110,7 @@ std::vector<LatticePoint> vertices_on(const Cut& cut, const LatticeLoops& loops,
     there.push_back(put.emplace(side, crossing(side, cut)).first->second);
   });
   std::ranges::sort(there);
-  const auto rest = std::ranges::unique(there);
-  there.erase(rest.begin(), rest.end());
+  there.erase(std::unique(there.begin(), there.end()), there.end());
   return there;
 }
 

@@ -100,7 +100,7 @@ Figure DisjointFills::merged() {
   std::vector<std::size_t> all(pieces_.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   figure.outline = {boundary_of_pieces(all)};
-  LatticeLoops* const alone = &figure.outline[0];
+  LatticeLoops* const alone = &figure.outline.front();
   drop_straight_vertices(std::span(&alone, 1));  // nobody shares the sides of a mask
   std::vector<LatticeLoops*> together;
   for (FigureRegion& region : figure.regions) together.push_back(&region.loops);

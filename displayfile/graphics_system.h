@@ -21,6 +21,7 @@
 #include "displayfile/said_settings.h"
 #include "displayfile/shading.h"
 #include "displayfile/style.h"
+#include "displayfile/surface_grid.h"
 #include "displayfile/view_stage.h"
 #include "hidden/exact/precision.h"
 #include "hidden/hidden_lines.h"
@@ -134,6 +135,15 @@ class GraphicsSystem {
                       std::span<const std::uint32_t> sides = {},
                       std::span<const FillStyle> fills = {});
 
+  /// A surface over a grid, as cells of two triangles each, with an invisible diagonal from the
+  /// least corner to the greatest. Its curves are the triangles' other sides, in the line style;
+  /// those of the other family are as invisible as diagonals, and hide what is behind all the same.
+  /// The side that z grows toward is the light face. A cell with an unknown height (NaN) in one of
+  /// its corners is left out. Each cell has a pick identifier, as a polygon has. The current
+  /// position is then the grid's last point. Errors, before any cell is entered: those of
+  /// require_surface, those of coordinates, normals that set_vertex_normals has set.
+  void surface_3(const SurfaceGrid& grid);
+
   /// A text at the current position, which stays: UTF-8, on one line. It is drawn if the position
   /// is within the view volume and, where hidden surfaces are removed, nothing hides it
   /// (interp/truth/truth.md); an image transformation moves it, but does not scale or turn its
@@ -169,6 +179,8 @@ class GraphicsSystem {
   void set_vertex_normals(std::initializer_list<Point3> normals) {
     set_vertex_normals(span(normals));
   }
+  /// Which curves of the surfaces that follow are drawn [both].
+  void set_surface_curves(SurfaceCurves curves);
   /// The pick identifier of the polygons and lines that follow, 0 or more; -1 gives each polygon
   /// its ordinal in the program again, and lines none.
   void set_pick_id(int id);
@@ -226,6 +238,7 @@ class GraphicsSystem {
   bool hidden_line_removal() const { return hidden_; }
   bool back_face_removal() const { return attributes_.back_face_removal; }
   Shading shading() const { return attributes_.shading; }
+  SurfaceCurves surface_curves() const { return surface_curves_; }
   bool shadows() const { return attributes_.shadows; }
   HiddenMethod hidden_method() const { return method_; }
   std::optional<HiddenScope> hidden_scope() const { return scope_; }  ///< if it was set
@@ -328,6 +341,8 @@ class GraphicsSystem {
   }
   void enter_triangles(const Point3& normal, std::span<const Point3> vertex_normals, int pick);
   std::span<const Point3> world_normals(const Point3& own);
+  std::vector<Point3> world_points_of(const SurfaceGrid& grid) const;
+  void enter_cell(const SurfaceGrid& grid, std::span<const Point3> world, int i, int j);
 
   View view_;
   PictureWindows windows_;
@@ -340,6 +355,7 @@ class GraphicsSystem {
   Attributes attributes_;
   Background background_;
   std::vector<Point3> vertex_normals_;  // of the next polygon, as the application gave them
+  SurfaceCurves surface_curves_ = SurfaceCurves::both;
   std::int32_t pick_ = -1;
   std::int64_t ordinal_ = 0, triangulated_ = 0;
   bool hidden_ = false, z_buffer_ = false;

@@ -22,8 +22,14 @@ struct Append {
 }  // namespace
 
 void Recorder::write(std::string_view routine, std::initializer_list<Argument> arguments) {
+  write(routine, arguments, {});
+}
+
+void Recorder::write(std::string_view routine, std::initializer_list<Argument> arguments,
+                     std::span<const double> numbers) {
   line_ = routine;
   for (const Argument& a : arguments) std::visit(Append{line_}, a);
+  for (const double number : numbers) Append{line_}(number);
   out_ << (line_ += '\n');
 }
 

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "clip/nearest_word.h"
 #include "clip/words.h"
@@ -69,6 +71,11 @@ HiddenLines ProgramLine::take<HiddenLines>() {
 template <>
 Shading ProgramLine::take<Shading>() {
   return understood(take_word(), shading);
+}
+
+template <>
+SurfaceCurves ProgramLine::take<SurfaceCurves>() {
+  return understood(take_word(), surface_curves);
 }
 
 template <>
@@ -241,6 +248,31 @@ void axes(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
   axes_3(system, low, high, {names[0], names[1], names[2]});
 }
 
+/// A height that is unknown is written nan.
+void surface(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  constexpr std::size_t kBefore = 6;  // what stands before the heights
+  if (line.arguments() < kBefore) wrong_count(line, routine);
+  SurfaceGrid grid{};
+  const auto take_range = [&](double& low, double& high, int& points) {
+    low = line.take<double>();
+    high = line.take<double>();
+    points = line.take<int>();
+  };
+  take_range(grid.x_min, grid.x_max, grid.x_points);
+  take_range(grid.y_min, grid.y_max, grid.y_points);
+  std::vector<double> heights(line.arguments() - kBefore);
+  for (std::size_t k = 0; k < heights.size(); ++k) {
+    if (line.argument(kBefore + k) == "nan") {
+      line.take_word();
+      heights[k] = std::numeric_limits<double>::quiet_NaN();
+    } else {
+      heights[k] = line.take<double>();
+    }
+  }
+  grid.heights = heights;
+  system.surface_3(grid);
+}
+
 using G = GraphicsSystem;
 
 /// Every user routine. They are looked up in this order: those that fill programs come first.
@@ -259,6 +291,9 @@ constexpr auto kRoutines = std::to_array<Routine>({
     fixed<&G::move_rel_2>("move-rel-2", "dx dy"),
     fixed<&G::set_pick_id>("set-pick-id", "n"),
     fixed<&G::text>("text", "\"characters\""),
+    {"surface-3", "6 and heights: x-min x-max x-points y-min y-max y-points z ...", kVaries,
+     surface},
+    fixed<&G::set_surface_curves>("set-surface-curves", "x|y|both"),
     {"axes-3", "6 or 9: x-min x-max y-min y-max z-min z-max [\"x\" \"y\" \"z\"]", kVaries, axes},
     {"set-fill-style", "solid r g b | hollow", kVaries, fill_style},
     {"set-line-style", "solid r g b [width] | dashed r g b [width [dash gap]] | none", kVaries,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "clip/clip_stage.h"
 #include "clip/intensity.h"
 
 namespace displayfile {
@@ -48,37 +49,12 @@ V ClipPipeline::cut(const V& inside, const V& outside, ClipPlane plane) const {
   return v;
 }
 
-/// One stage: in to out, which then change places.
 template <class V>
 void ClipPipeline::clip_stage(ClipPlane plane, Stages<V>& stage) const {
-  const Outcode bit = bit_of(plane);
-  stage.out.clear();
-  if (stage.in.empty()) return;
-  const V* previous = &stage.in.back();
-  for (const V& vertex : stage.in) {
-    const bool was_outside = (previous->outcode & bit) != 0;
-    const bool is_outside = (vertex.outcode & bit) != 0;
-    if (was_outside && !is_outside) {
-      V entry = cut(vertex, *previous, plane);  // reached along the plane
-      if (volume_.inside_distance(plane, vertex.position) == 0.0) {
-        stage.out.push_back(vertex);  // the edge enters at its end: nothing of it remains
-        stage.out.back().edge_visible = 0;
-      } else {
-        stage.out.push_back(entry);
-        stage.out.push_back(vertex);
-      }
-    } else if (!was_outside && is_outside) {
-      if (volume_.inside_distance(plane, previous->position) != 0.0) {
-        V exit = cut(*previous, vertex, plane);
-        exit.edge_visible = vertex.edge_visible;
-        stage.out.push_back(exit);
-      }
-    } else if (!is_outside) {
-      stage.out.push_back(vertex);
-    }
-    previous = &vertex;
-  }
-  stage.in.swap(stage.out);
+  displayfile::clip_stage(
+      bit_of(plane), stage.in, stage.out,
+      [&](const V& v) { return volume_.inside_distance(plane, v.position) == 0.0; },
+      [&](const V& inside, const V& outside) { return cut(inside, outside, plane); });
 }
 
 template <class V, class Values>

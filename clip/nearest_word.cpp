@@ -55,11 +55,13 @@ std::string did_you_mean(std::string_view word, std::span<const std::string_view
   if (known.empty() || word.size() < 2 || word.size() > kLongest) return "";
   std::string_view meant = nearest_words(word, known).front();
   if (edit_distance(word, meant) > std::max<std::size_t>(1, word.size() / 3)) {
-    const auto is_part = [&](std::string_view other) {
-      return other.starts_with(word) || other.ends_with(word);
+    // The word may be a part of a known one; the shortest such adds least to what was written.
+    const auto length_of_whole = [&](std::string_view other) {
+      const bool is_part = other.starts_with(word) || other.ends_with(word);
+      return is_part ? other.size() : std::string_view::npos;
     };
-    const auto whole = std::ranges::find_if(known, is_part);
-    if (whole == known.end()) return "";
+    const auto whole = std::ranges::min_element(known, {}, length_of_whole);
+    if (length_of_whole(*whole) == std::string_view::npos) return "";
     meant = *whole;
   }
   return " did you mean '" + std::string(meant) + "'?";

@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include "clip/cutting_planes.h"
 #include "clip/planarity.h"
 #include "clip/transformation.h"
 #include "clip/view.h"
@@ -140,8 +141,9 @@ class GraphicsSystem {
   /// those of the other family are as invisible as diagonals, and hide what is behind all the same.
   /// The side that z grows toward is the light face. A cell with an unknown height (NaN) in one of
   /// its corners is left out. Each cell has a pick identifier, as a polygon has. The current
-  /// position is then the grid's last point. Errors, before any cell is entered: those of
-  /// require_surface, those of coordinates, normals that set_vertex_normals has set.
+  /// position is then the grid's last point, with z 0 if its height is unknown. Errors, before any
+  /// cell is entered: those of require_surface, those of coordinates, normals that
+  /// set_vertex_normals has set.
   void surface_3(const SurfaceGrid& grid);
 
   /// A text at the current position, which stays: UTF-8, on one line. It is drawn if the position
@@ -179,8 +181,21 @@ class GraphicsSystem {
   void set_vertex_normals(std::initializer_list<Point3> normals) {
     set_vertex_normals(span(normals));
   }
+  /// Cutting plane n, 1 to 6: of the primitives that follow, in any view, what has
+  /// a x + b y + c z + d < 0 is cut away, x y z being world coordinates after the modelling
+  /// transformation (clip/cutting_planes.md). Sides that it makes are not drawn, and what it cuts
+  /// open stays open. Errors: those of CuttingPlanes::set.
+  void set_cutting_plane(int n, double a, double b, double c, double d);
+  void set_cutting_plane_off(int n);  ///< Error: n is not 1 to 6.
   /// Which curves of the surfaces that follow are drawn [both].
   void set_surface_curves(SurfaceCurves curves);
+  /// Of which side their curves are drawn: where the other one is seen, they hide all the same
+  /// [both]. A curve between a cell seen from above and one seen from below is drawn if one of its
+  /// sides is.
+  void set_surface_sides(SurfaceSides sides);
+  /// The line style of their lower side; none given: that of set_line_style, which is the upper
+  /// side's, in force for the surface. Errors: those of set_line_style.
+  void set_lower_line_style(const std::optional<LineStyle>& style);
   /// The pick identifier of the polygons and lines that follow, 0 or more; -1 gives each polygon
   /// its ordinal in the program again, and lines none.
   void set_pick_id(int id);
@@ -238,7 +253,10 @@ class GraphicsSystem {
   bool hidden_line_removal() const { return hidden_; }
   bool back_face_removal() const { return attributes_.back_face_removal; }
   Shading shading() const { return attributes_.shading; }
+  const CuttingPlanes& cutting_planes() const { return cutting_planes_; }
   SurfaceCurves surface_curves() const { return surface_curves_; }
+  SurfaceSides surface_sides() const { return surface_sides_; }
+  const std::optional<LineStyle>& lower_line_style() const { return lower_line_; }
   bool shadows() const { return attributes_.shadows; }
   HiddenMethod hidden_method() const { return method_; }
   std::optional<HiddenScope> hidden_scope() const { return scope_; }  ///< if it was set
@@ -247,7 +265,8 @@ class GraphicsSystem {
   bool z_buffer() const { return z_buffer_; }
   const LineSelection& lines() const { return lines_; }
   std::size_t transformations_saved() const { return modelling_.saved(); }
-  std::int64_t polygons_entered() const { return ordinal_; }  ///< calls of the polygon routines
+  /// Calls of the polygon routines, and cells of surfaces.
+  std::int64_t polygons_entered() const { return ordinal_; }
   std::int64_t polygons_triangulated() const { return triangulated_; }  ///< for not being flat
 
   /// Sets something for the case that the application does not say it: calls set() unless it was
@@ -321,6 +340,8 @@ class GraphicsSystem {
     said_.insert(setting);
     record(routine, arguments);
   }
+  static LineStyle require_line_style(const LineStyle& style);
+  void record_line_style(std::string_view routine, const LineStyle& style);
   void require_open() const;
   void require_view_may_change() const;
   Point3 to_world(const Point3& object) const;
@@ -328,6 +349,8 @@ class GraphicsSystem {
   void line_to(const Point3& object);
   void polygon(std::span<const Point3> object);
   void enter(const WorldPolygon& polygon);
+  void enter_cut(const WorldPolygon& polygon);
+  void enter_whole(const WorldPolygon& polygon);
   std::span<const Point3> shared_world(std::span<const Point3> vertices);
   void make_room_for_shared(std::span<const Point3> world, std::size_t polygons,
                             std::size_t corners, std::size_t fills);
@@ -342,7 +365,9 @@ class GraphicsSystem {
   void enter_triangles(const Point3& normal, std::span<const Point3> vertex_normals, int pick);
   std::span<const Point3> world_normals(const Point3& own);
   std::vector<Point3> world_points_of(const SurfaceGrid& grid) const;
-  void enter_cell(const SurfaceGrid& grid, std::span<const Point3> world, int i, int j);
+  void enter_cells(const SurfaceGrid& grid, std::span<const Point3> world, Segment& segment);
+  void enter_cell(const SurfaceGrid& grid, std::span<const Point3> world, int i, int j,
+                  Segment& segment);
 
   View view_;
   PictureWindows windows_;
@@ -355,7 +380,10 @@ class GraphicsSystem {
   Attributes attributes_;
   Background background_;
   std::vector<Point3> vertex_normals_;  // of the next polygon, as the application gave them
+  CuttingPlanes cutting_planes_;
   SurfaceCurves surface_curves_ = SurfaceCurves::both;
+  SurfaceSides surface_sides_ = SurfaceSides::both;
+  std::optional<LineStyle> lower_line_;
   std::int32_t pick_ = -1;
   std::int64_t ordinal_ = 0, triangulated_ = 0;
   bool hidden_ = false, z_buffer_ = false;

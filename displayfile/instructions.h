@@ -14,6 +14,7 @@
 #include "displayfile/style.h"
 #include "displayfile/vertex_shading.h"
 #include "hidden/line_kinds.h"
+#include "hidden/surface_mark.h"
 
 namespace displayfile {
 
@@ -67,6 +68,10 @@ class Instructions {
   /// or the kinds of line that it is.
   void enter_polygon(std::span<const Point3> vertices, std::span<const std::uint8_t> edge_visible,
                      const VertexShading& shading = {});
+
+  /// A surface's cells follow: the next polygons, if all of it is inside of the view.
+  void mark_surface(const SurfaceMark& mark) { surfaces_.push_back(mark); }
+  std::span<const SurfaceMark> surfaces() const { return surfaces_; }
 
   /// A text at a point: UTF-8 that can be drawn (displayfile/characters.h). The pen stays where it
   /// is.
@@ -169,6 +174,7 @@ class Instructions {
   std::vector<LineKinds> side_kinds_;  // of the polygons that have them, one after another
   std::vector<TextAt> texts_;
   std::string characters_;  // of all texts
+  std::vector<SurfaceMark> surfaces_;
   double flat_z_ = 0.0;
   bool stores_z_ = false;
   std::size_t polygons_ = 0, lines_ = 0;

@@ -21,10 +21,6 @@ struct Append {
 
 }  // namespace
 
-void Recorder::write(std::string_view routine, std::initializer_list<Argument> arguments) {
-  write(routine, arguments, {});
-}
-
 void Recorder::write(std::string_view routine, std::initializer_list<Argument> arguments,
                      std::span<const double> numbers) {
   line_ = routine;

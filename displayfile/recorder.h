@@ -20,11 +20,10 @@ class Recorder {
 
   using Argument = std::variant<double, int, bool, std::string_view>;  ///< bool: on or off
 
-  /// One line: the routine's name in drawing programs and its arguments.
-  void write(std::string_view routine, std::initializer_list<Argument> arguments);
-  /// One line of arguments and, after them, numbers.
+  /// One line: the routine's name in drawing programs and its arguments, the last of which may be
+  /// any number of numbers.
   void write(std::string_view routine, std::initializer_list<Argument> arguments,
-             std::span<const double> numbers);
+             std::span<const double> numbers = {});
   /// One line of points, `coordinates` (2 or 3) of each.
   void write(std::string_view routine, std::span<const Point3> points, int coordinates);
   /// One line that replaying passes over. What a drawing program may not hold becomes '?'.

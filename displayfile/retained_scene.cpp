@@ -54,7 +54,7 @@ Attributes RetainedScene::attributes(std::uint32_t i) const {
 bool RetainedScene::draws(std::uint32_t i) const {
   const Attributes& attributes = shared_attributes(i);
   return primitives_[i].is_line() || attributes.fill.kind == FillStyle::Kind::solid ||
-         attributes.line.kind != LineStyle::Kind::none;
+         attributes.is_outlined();
 }
 
 double RetainedScene::off_plane(std::uint32_t i) const {

@@ -145,8 +145,7 @@ class RetainedViews::Part {
     const std::vector<LineKinds> sides = sides_of(primitive, piece);
     if (piece.sides == 2) {
       std::array<Point3, 2> ends;
-      const bool drawn =
-          world_.shared_attributes(primitive).line.kind != LineStyle::Kind::none && sides[1] != 0;
+      const bool drawn = world_.shared_attributes(primitive).is_outlined() && sides[1] != 0;
       if (drawn && pipeline.clip_line(world[0], world[1], ends[0], ends[1])) {
         add_piece(primitive, ends, std::array<std::uint8_t, 2>{0, sides[1]}, pieces);
       }

@@ -40,9 +40,6 @@ std::uint64_t new_number() {
 bool is_solid(const Attributes& attributes) {
   return attributes.fill.kind == FillStyle::Kind::solid;
 }
-bool is_outlined(const Attributes& attributes) {
-  return attributes.line.kind != LineStyle::Kind::none;
-}
 
 }  // namespace
 
@@ -177,7 +174,7 @@ class SceneViewer::Part {
     attributes_ = scene.all_attributes()[attributes];
     light_ = attributes_.light ? &*attributes_.light : nullptr;
     if (light_ != nullptr) light_->toward = in_view_->wanted.lights_turned * light_->toward;
-    outlined_ = is_outlined(attributes_);
+    outlined_ = attributes_.is_outlined();
   }
 
   void view_any(std::uint32_t i, const Primitive& primitive) {
@@ -264,7 +261,10 @@ class SceneViewer::Part {
     const RetainedScene& scene = *viewer.scene_;
     if (light_ != nullptr && scene.is_smooth(i)) return false;
     const PointRow vertices(viewer.viewed_.own_points_, {corners, primitive.sides});
-    const double c = attributes_.back_face_removal || light_ != nullptr ? newell_c(vertices) : 0.0;
+    const bool has_two_styles = attributes_.dark_line.has_value();
+    if (has_two_styles && attributes_.fill.kind != FillStyle::Kind::solid) return false;
+    const bool turns = attributes_.back_face_removal || light_ != nullptr || has_two_styles;
+    const double c = turns ? newell_c(vertices) : 0.0;
     if (attributes_.back_face_removal && c <= 0.0) return true;
     const FillStyle* fill = &attributes_.fill;
     if (light_ != nullptr) {
@@ -278,7 +278,7 @@ class SceneViewer::Part {
     if (shows_nothing(vertices)) return true;
     const std::uint32_t colour = light_ != nullptr ? ViewedScene::kNone : primitive.look;
     seen_->add_polygon(primitive.first, vertices,
-                       {*fill, attributes_.line, primitive.pick, colour});
+                       {*fill, attributes_.line_of(c < 0.0), primitive.pick, colour});
     return true;
   }
 
@@ -320,8 +320,7 @@ class SceneViewer::Part {
     }
     take_points(polygon.vertices);
     const auto vertices = std::span(seen_->own_points_).last(polygon.vertices.size());
-    seen_->add_polygon(first, vertices, {*fill, attributes_.line, primitive.pick},
-                       viewed.shading());
+    seen_->add_polygon(first, vertices, {*fill, *viewed.line, primitive.pick}, viewed.shading());
   }
 
   void take_points(std::span<const Point3> points) {
@@ -384,7 +383,7 @@ SceneViewer::SceneViewer(const RetainedScene& scene, const DisplayFile& attribut
 
 SceneViewer::Look SceneViewer::look_of(const Attributes& attributes) {
   const bool lit = attributes.light.has_value();
-  const bool outlined = is_outlined(attributes);
+  const bool outlined = attributes.is_outlined();
   return {.is_nothing = !is_solid(attributes) && !outlined,
           .is_plain = is_solid(attributes) && !outlined && !(lit && attributes.shadows),
           .is_lit = lit,

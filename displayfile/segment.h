@@ -50,6 +50,7 @@ class Segment {
   void enter_text(const Point3& anchor, std::string_view characters) {
     writable().enter_text(anchor, characters);
   }
+  void mark_surface(const SurfaceMark& mark) { writable().mark_surface(mark); }
   template <class PointAt>
   void enter_next_polygon(std::uint32_t n, const PointAt& point) {
     writable().enter_next_polygon(n, point);

@@ -25,6 +25,7 @@ struct ExtentVisitor {
 }  // namespace
 
 std::vector<SegmentGroup> overlapping_groups(std::span<const Segment* const> segments) {
+  if (segments.size() == 1) return {{segments[0]}};
   std::vector<Extent> extents(segments.size(), Extent::nothing());
   for (std::size_t i = 0; i < segments.size(); ++i) {
     segments[i]->walk_entered_drawn(ExtentVisitor{extents[i]});

@@ -15,6 +15,9 @@ namespace {
 constexpr Word<SurfaceCurves> kCurves[] = {
     {SurfaceCurves::x, "x"}, {SurfaceCurves::y, "y"}, {SurfaceCurves::both, "both"}};
 
+constexpr Word<SurfaceSides> kSides[] = {
+    {SurfaceSides::upper, "upper"}, {SurfaceSides::lower, "lower"}, {SurfaceSides::both, "both"}};
+
 void require_range(char axis, double low, double high) {
   if (std::isfinite(low) && std::isfinite(high) && low < high) return;
   throw Error(fmt::format("surface from {0} {1} to {2}: expected finite numbers, {0}-min < {0}-max",
@@ -48,5 +51,10 @@ SurfaceCurves surface_curves(std::string_view text) {
   return value_of(kCurves, text, "curves of a surface are");
 }
 std::string_view name_of(SurfaceCurves curves) { return word_of(kCurves, curves); }
+
+SurfaceSides surface_sides(std::string_view text) {
+  return value_of(kSides, text, "sides of a surface are");
+}
+std::string_view name_of(SurfaceSides sides) { return word_of(kSides, sides); }
 
 }  // namespace displayfile

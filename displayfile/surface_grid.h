@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string_view>
 
@@ -14,6 +15,9 @@ struct SurfaceGrid {
   int y_points;
   std::span<const double> heights;  ///< z, x fastest; NaN where there is no surface
 
+  std::size_t cells() const {
+    return static_cast<std::size_t>(x_points - 1) * static_cast<std::size_t>(y_points - 1);
+  }
   /// The ends of the range are met exactly.
   double x(int i) const { return at(x_min, x_max, x_points, i); }
   double y(int j) const { return at(y_min, y_max, y_points, j); }
@@ -32,8 +36,15 @@ void require_surface(const SurfaceGrid& grid);
 /// Which curves of a surface are drawn as lines: those of x run along x, with y the same.
 enum class SurfaceCurves { x, y, both };
 
+/// The sides of a surface whose curves are drawn: the upper one is that which z grows toward.
+enum class SurfaceSides { upper, lower, both };
+
 /// Reads `x`, `y` or `both`; throws Error for anything else.
 SurfaceCurves surface_curves(std::string_view text);
 std::string_view name_of(SurfaceCurves curves);
+
+/// Reads `upper`, `lower` or `both`; throws Error for anything else.
+SurfaceSides surface_sides(std::string_view text);
+std::string_view name_of(SurfaceSides sides);
 
 }  // namespace displayfile

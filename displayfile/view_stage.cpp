@@ -1,5 +1,6 @@
 #include "displayfile/view_stage.h"
 
+#include <algorithm>
 #include <array>
 
 #include "clip/back_face.h"
@@ -51,7 +52,8 @@ std::optional<bool> ViewStage::enter_triangle(std::span<const Point3> world,
                                               Segment& segment) {
   const Outcodes codes = outcodes(corners);
   if (codes.all != 0) return false;  // wholly outside of one plane
-  if (codes.any != 0 || (attributes.light && attributes.shadows)) return std::nullopt;
+  const bool needs_more = (attributes.light && attributes.shadows) || attributes.dark_line;
+  if (codes.any != 0 || needs_more) return std::nullopt;
   const std::array device{viewed(corners[0]).device, viewed(corners[1]).device,
                           viewed(corners[2]).device};
   const bool turns = attributes.back_face_removal || attributes.light;
@@ -59,10 +61,10 @@ std::optional<bool> ViewStage::enter_triangle(std::span<const Point3> world,
   if (attributes.back_face_removal && c <= 0.0) return false;
   if (attributes.light) {
     const std::array own{world[corners[0]], world[corners[1]], world[corners[2]]};
-    enter_styles(lit(attributes.fill, *attributes.light, newell_normal(own), c < 0.0), attributes,
-                 segment);
+    enter_styles(lit(attributes.fill, *attributes.light, newell_normal(own), c < 0.0),
+                 attributes.line, attributes, segment);
   } else {
-    enter_styles(attributes.fill, attributes, segment);
+    enter_styles(attributes.fill, attributes.line, attributes, segment);
   }
   segment.set_pick(pick);
   segment.enter_next_polygon(3, [&](std::uint32_t i) { return device[i]; });
@@ -91,27 +93,42 @@ ViewedPolygon ViewStage::view_clipped(ClippedPolygon clipped, const WorldPolygon
                                       const Attributes& attributes) {
   if (clipped.vertices.size() < 3) return {};
   if (attributes.back_face_removal && is_back_face(clipped.vertices)) return {};
-  if (!attributes.light) return {clipped, &attributes.fill};
+  const LineStyle* const line = &line_of(attributes, clipped);
+  if (!attributes.light) return {clipped, &attributes.fill, line};
   lit_ = lit_fill(polygon, attributes, clipped);
-  return {clipped, &lit_, &*attributes.light};
+  return {clipped, &lit_, line, &*attributes.light};
+}
+
+/// A hollow polygon that draws none of its sides in this view stays, with invisible sides: what is
+/// in a scene does not depend on the view.
+const LineStyle& ViewStage::line_of(const Attributes& attributes, ClippedPolygon& clipped) {
+  if (!attributes.dark_line) return attributes.line;
+  const bool dark = newell_c(clipped.vertices) < 0.0;
+  const LineStyle& line = attributes.line_of(dark);
+  const bool is_left_out =
+      line.kind == LineStyle::Kind::none && attributes.fill.kind != FillStyle::Kind::solid;
+  if (!is_left_out || !attributes.is_outlined()) return line;
+  no_edges_.resize(std::max(no_edges_.size(), clipped.vertices.size()), 0);
+  clipped.edge_visible = std::span(no_edges_).first(clipped.vertices.size());
+  return attributes.line_of(!dark);
 }
 
 std::span<const Point3> ViewStage::enter(const ViewedPolygon& viewed, const Attributes& attributes,
                                          std::int32_t pick, Segment& segment) {
   const ClippedPolygon& polygon = viewed.polygon;
   if (polygon.vertices.empty()) return {};
-  enter_styles(*viewed.fill, attributes, segment);
+  enter_styles(*viewed.fill, *viewed.line, attributes, segment);
   segment.set_pick(pick);
   segment.enter_polygon(polygon.vertices, polygon.edge_visible, viewed.shading());
   return polygon.vertices;
 }
 
-void ViewStage::enter_styles(const FillStyle& fill, const Attributes& attributes,
-                             Segment& segment) {
+void ViewStage::enter_styles(const FillStyle& fill, const LineStyle& line,
+                             const Attributes& attributes, Segment& segment) {
   if (!fill_entered_) segment.set_style(fill);
-  if (!line_entered_) segment.set_style(attributes.line);
+  if (!line_entered_) segment.set_style(line);
   fill_entered_ = !attributes.light;
-  line_entered_ = true;
+  line_entered_ = !attributes.dark_line;
 }
 
 /// The intensities or normals of a polygon that is lit evenly after all are taken away.

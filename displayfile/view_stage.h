@@ -29,7 +29,8 @@ struct WorldPolygon {
 struct ViewedPolygon {
   ClippedPolygon polygon;  ///< no vertices: nothing is drawn
   const FillStyle* fill = nullptr;
-  const Light* light = nullptr;  ///< null: there is none
+  const LineStyle* line = nullptr;  ///< of its sides
+  const Light* light = nullptr;     ///< null: there is none
 
   VertexShading shading() const { return {polygon.intensities, polygon.normals, light}; }
 };
@@ -88,7 +89,9 @@ class ViewStage {
                              const Attributes& attributes);
   std::span<const Point3> enter(const ViewedPolygon& viewed, const Attributes& attributes,
                                 std::int32_t pick, Segment& segment);
-  void enter_styles(const FillStyle& fill, const Attributes& attributes, Segment& segment);
+  void enter_styles(const FillStyle& fill, const LineStyle& line, const Attributes& attributes,
+                    Segment& segment);
+  const LineStyle& line_of(const Attributes& attributes, ClippedPolygon& clipped);
   FillStyle lit_fill(const WorldPolygon& polygon, const Attributes& attributes,
                      ClippedPolygon& clipped) const;
 
@@ -102,6 +105,7 @@ class ViewStage {
   std::uint32_t first_shared_ = 0;
   std::vector<Point3> device_;           // of a polygon
   std::vector<std::uint8_t> all_edges_;  // ones
+  std::vector<std::uint8_t> no_edges_;   // zeros
 };
 
 }  // namespace displayfile

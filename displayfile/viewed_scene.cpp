@@ -140,6 +140,7 @@ void ViewedScene::clear() {
   lines_.clear();
   segments_.clear();
   texts_.clear();
+  surfaces_.clear();
   many_sided_.clear();
   of_many_sided_.clear();
   many_sided_corners_ = 0;
@@ -281,6 +282,10 @@ void ViewedScene::collect(const std::shared_ptr<const Instructions>& entered,
   if (in_place) {
     intensities_.lie_in(entered->stored_intensities());
     normals_.lie_in(entered->stored_normals());
+  }
+  for (SurfaceMark mark : entered->surfaces()) {
+    mark.upward = ImageMatrix(image).apply(mark.upward);
+    surfaces_.push_back(mark);
   }
   entered->walk_transformed(image, Collector{*this, in_place, own_points_.size()});
 }

@@ -77,7 +77,9 @@ class ViewedScene {
 
   // ---- Items -----------------------------------------------------------------------------
 
-  Primitives primitives() const { return {points_, corners_, edge_visible_, items_}; }
+  Primitives primitives() const {
+    return {points_, corners_, edge_visible_, items_, {}, surfaces_};
+  }
   std::uint32_t items() const { return static_cast<std::uint32_t>(items_.size()); }
   Primitives::Kind kind(Item item) const { return items_[item].kind; }
   PointRow points(Item item) const {
@@ -300,7 +302,8 @@ class ViewedScene {
   std::vector<Run<LineStyle>> lines_;  // of the items' lines or edges
   std::vector<SegmentStart> segments_;
   std::vector<ViewedText> texts_;
-  ItemRanks many_sided_;  // polygons of more than three sides
+  std::vector<SurfaceMark> surfaces_;  // of the segments, as they are seen
+  ItemRanks many_sided_;               // polygons of more than three sides
   struct ManySided {
     std::array<std::uint32_t, 3> support;
     std::uint32_t corners_before;  // of those before it

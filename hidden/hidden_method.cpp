@@ -36,6 +36,7 @@ constexpr std::array kMethods{
     HiddenMethodEntry{roberts, "roberts", true},
     HiddenMethodEntry{appel, "appel", true},
     HiddenMethodEntry{franklin, "franklin", true},
+    HiddenMethodEntry{perimeter, "perimeter", true},
     HiddenMethodEntry{colour_rule, "colour-rule", true},
 };
 constexpr std::string_view kColourRuleBy = "colour-rule=";

@@ -32,6 +32,7 @@ enum class HiddenMethod {
   appel,        ///< lines in object space, by the number of polygons before them
                 ///< (hidden/lines/appel.md)
   franklin,     ///< lines in object space, by cells of the picture (hidden/lines/franklin.md)
+  perimeter,    ///< the curves of one surface over a grid (hidden/lines/perimeter.md)
   colour_rule,  ///< fills in the background's colour, lines over them, by the surfaces that
                 ///< `automatic` finds (interp/raster/colour_rule.md). The last of this list
 };
@@ -53,8 +54,10 @@ constexpr HiddenMethod surfaces_of(HiddenMethod method) {
 /// drawn.
 constexpr bool finds_lines(HiddenMethod method) {
   return method == HiddenMethod::roberts || method == HiddenMethod::appel ||
-         method == HiddenMethod::franklin;
+         method == HiddenMethod::franklin || method == HiddenMethod::perimeter;
 }
+/// True for what draws surfaces over grids alone, and refuses other scenes.
+constexpr bool needs_surface(HiddenMethod method) { return method == HiddenMethod::perimeter; }
 
 /// True for the methods whose pictures are of lines: of fills nothing is seen but what they hide.
 constexpr bool shows_lines_only(HiddenMethod method) {

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "clip/point_row.h"
+#include "hidden/surface_mark.h"
 
 namespace displayfile {
 
@@ -36,6 +37,8 @@ struct Primitives {
   using PlanePoints = std::array<std::uint32_t, 3>;
   std::span<const PlanePoints> planes = {};
   static constexpr std::uint32_t kOwnPlane = 0xffffffffu;
+  /// The surfaces over grids that were entered, in order, for the perimeter method.
+  std::span<const SurfaceMark> surfaces = {};
 
   bool has_own_plane(std::size_t item) const {
     return planes.empty() || planes[item][0] == kOwnPlane;

@@ -13,6 +13,7 @@
 #include "displayfile/recorder.h"
 #include "displayfile/retained_scene.h"
 #include "displayfile/retained_views.h"
+#include "displayfile/shapes/shapes.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
 #include "displayfile/turntable.h"

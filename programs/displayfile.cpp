@@ -22,7 +22,9 @@
 #include "programs/import_command.h"
 #include "programs/keep_freed_memory.h"
 #include "programs/picture_check.h"
+#include "programs/sheet_command.h"
 #include "programs/stop_signals.h"
+#include "programs/surface_command.h"
 #include "programs/truth_command.h"
 #include "programs/version.h"
 
@@ -75,16 +77,20 @@ int run(int argc, char** argv) {
   TruthCommand truth;
   CompareCommand compare;
   ImportCommand import;
+  SurfaceCommand surface;
   PictureCheck pictures;
+  SheetCommand sheet;
   check.other = &pictures;
-  draw.options.threads = dump.threads = check.threads = truth.threads =
-      static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  draw.options.threads = dump.threads = check.threads = truth.threads = surface.threads =
+      sheet.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   add(draw);
   add(dump);
   add(check);
   add(truth);
   add(compare);
   add(import);
+  add(surface);
+  add(sheet);
   const CLI::App& bench = add_bench(app);
 
   require_known_command(app, argc, argv);

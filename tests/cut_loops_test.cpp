@@ -21,14 +21,10 @@ namespace {
 std::set<LatticeSide> odd_sides(const std::vector<LatticeLoops>& all) {
   std::set<LatticeSide> odd;
   for (const LatticeLoops& loops : all) {
-    for (std::size_t k = 0; k < loops.size(); ++k) {
-      LatticePoint from = loops.loop(k).back();
-      for (const LatticePoint& to : loops.loop(k)) {
-        const LatticeSide side(from, to);
-        if (!odd.erase(side)) odd.insert(side);
-        from = to;
-      }
-    }
+    for_each_side(loops, [&](const LatticePoint& from, const LatticePoint& to) {
+      const LatticeSide side(from, to);
+      if (!odd.erase(side)) odd.insert(side);
+    });
   }
   return odd;
 }

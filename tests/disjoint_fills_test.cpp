@@ -52,13 +52,9 @@ double area(const LatticeLoops& loops) {
 
 std::map<LatticeSide, int> sides_of(const LatticeLoops& loops) {
   std::map<LatticeSide, int> sides;
-  for (std::size_t k = 0; k < loops.size(); ++k) {
-    LatticePoint from = loops.loop(k).back();
-    for (const LatticePoint& to : loops.loop(k)) {
-      ++sides[LatticeSide(from, to)];
-      from = to;
-    }
-  }
+  for_each_side(loops, [&](const LatticePoint& from, const LatticePoint& to) {
+    ++sides[LatticeSide(from, to)];
+  });
   return sides;
 }
 
@@ -470,6 +466,33 @@ TEST(CairoFigure, EpsIsVectorsAndTheSameEachTime) {
   EXPECT_EQ(times(once, "CreationDate"), 0u);
   EXPECT_EQ(times(once, "/ImageType"), 0u);
   EXPECT_EQ(once, eps());
+}
+
+/// As viewers read them that round, and that take the whole part (MuPDF).
+TEST(CairoFigure, EveryLevelOfAColourIsWrittenSoThatItIsReadAsItself) {
+  for (std::uint32_t level = 0; level < 256; ++level) {
+    std::ostringstream out;
+    PdfDevice device(out, 100, 100, {}, {}, PageFormat::eps);
+    device.begin_segment(1);
+    device.begin_disjoint_fills();
+    const std::vector<Point3> vertices{{0.1, 0.1, 0}, {0.9, 0.1, 0}, {0.5, 0.9, 0}};
+    const std::vector<std::int32_t> sides(3, 0);
+    const FillStyle fill{FillStyle::Kind::solid, Colour(level / 255.0)};
+    device.fill({vertices, sides, fill, {LineStyle::Kind::none}, 0});
+    device.end_disjoint_fills();
+    device.end_segment();
+    device.finish();
+    std::istringstream words(out.str());
+    std::string before, word, written;  // the last that is set, after the background's
+    while (words >> word) {
+      if (word == "g") written = before;
+      before = word;
+    }
+    ASSERT_FALSE(written.empty());
+    const double read = std::stod(written) * 255.0;
+    EXPECT_EQ(std::floor(read), level) << written;
+    EXPECT_EQ(std::lround(read), static_cast<long>(level)) << written;
+  }
 }
 
 TEST(VectorOptions, APrecisionOutOfItsRangeIsRefused) {

@@ -176,7 +176,8 @@ class RandomApplication {
       case 25: return system_.set_back_face_removal(chance(30));
       case 26: {
         const auto methods = hidden_methods();
-        return system_.set_hidden_method(methods[below(methods.size())].method);
+        const HiddenMethod method = methods[below(methods.size())].method;
+        return system_.set_hidden_method(needs_surface(method) ? HiddenMethod::franklin : method);
       }
       case 27:
         if (chance(50)) {

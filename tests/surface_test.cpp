@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -205,6 +207,105 @@ TEST(Surface, WhatCannotBeOneIsRefusedAndNothingIsEntered) {
   EXPECT_EQ(g.polygons_entered(), 0);
 }
 
+/// The line styles that a dump has, in order, and how many polygons in each.
+std::map<std::string, int> polygons_by_style(const std::string& dumped) {
+  std::map<std::string, int> polygons;
+  std::string style;
+  std::istringstream lines(dumped);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("line-style ")) style = line.substr(11);
+    if (line.starts_with("polygon ")) ++polygons[style];
+  }
+  return polygons;
+}
+
+/// A roof, of which one slope is seen from above and the other from below, in the view along y.
+void enter_roof(GraphicsSystem& g) {
+  const std::vector<double> heights{0, 0, 2, 2, -1, -1};
+  g.set_line_style({LineStyle::Kind::solid, {1, 0, 0}});
+  g.open_segment(1);
+  g.surface_3({-1, 1, 2, -1, 1, 3, heights});
+  g.line_abs_3(0, 0, 0);
+  g.close_segment();
+}
+
+void look_along_y(GraphicsSystem& g) {
+  g.set_view_plane_normal({0, 1, -0.5});
+  g.set_parallel({0, 1, -0.5});
+  g.set_view_up({0, 0, 1});
+  g.set_window(-4, 4, -4, 4);
+}
+
+TEST(Surface, EachSideHasItsLineStyle) {
+  const LineStyle below{LineStyle::Kind::dashed, {0, 0, 1}, 2, 3, 4};
+  struct Case {
+    SurfaceSides sides;
+    std::optional<LineStyle> lower;
+    std::map<std::string, int> expected;
+  };
+  const std::string red = "solid 1 0 0 1", blue = "dashed 0 0 1 2 3 4";
+  for (const auto& [sides, lower, expected] :
+       {Case{SurfaceSides::both, {}, {{red, 4}}},
+        Case{SurfaceSides::both, below, {{red, 2}, {blue, 2}}},
+        Case{SurfaceSides::upper, below, {{red, 2}, {"none", 2}}},
+        Case{SurfaceSides::lower, below, {{"none", 2}, {blue, 2}}},
+        Case{SurfaceSides::lower, {}, {{"none", 2}, {red, 2}}}}) {
+    for (const bool mirrored : {false, true}) {
+      GraphicsSystem g;
+      RetainedScene scene;
+      g.retain(&scene);
+      look_along_y(g);
+      if (mirrored) g.scale_3(-1, 1, 1);
+      g.set_surface_sides(sides);
+      g.set_lower_line_style(lower);
+      enter_roof(g);
+      EXPECT_EQ(polygons_by_style(dump(g.display_file())), expected);
+      EXPECT_EQ(g.attributes().line.colour, Colour(1, 0, 0));
+      EXPECT_FALSE(g.attributes().dark_line);
+      // From the other side, what was above is below.
+      View back = g.view();
+      back.set_plane_normal({0, -1, -0.5});
+      back.set_parallel({0, -1, -0.5});
+      const std::string behind = dump(RetainedViews(scene, g.display_file(), {}).view(back));
+      EXPECT_EQ(polygons_by_style(behind), expected);
+    }
+  }
+}
+
+TEST(Surface, AHollowSideThatIsNotDrawnStaysAndHasNoSides) {
+  GraphicsSystem g;
+  look_along_y(g);
+  g.set_fill_style({FillStyle::Kind::hollow});
+  g.set_surface_sides(SurfaceSides::upper);
+  enter_roof(g);
+  const std::string dumped = dump(g.display_file());
+  EXPECT_EQ(count(dumped, "polygon "), 4u);
+  EXPECT_EQ(count(dumped, "line "), 4u + 1u);
+}
+
+TEST(Surface, SidesAreRecorded) {
+  std::ostringstream program;
+  Recorder recorder(program);
+  GraphicsSystem g;
+  g.set_recorder(&recorder);
+  look_along_y(g);
+  g.set_surface_sides(SurfaceSides::lower);
+  g.set_lower_line_style(LineStyle{LineStyle::Kind::solid, {0, 1, 0}, 3});
+  enter_roof(g);
+  g.set_lower_line_style(std::nullopt);
+  GraphicsSystem again;
+  replay(program.str(), "recorded", again);
+  EXPECT_EQ(dump(again.display_file()), dump(g.display_file()));
+  EXPECT_EQ(again.surface_sides(), SurfaceSides::lower);
+  EXPECT_FALSE(again.lower_line_style());
+  EXPECT_EQ(count(program.str(), "set-lower-line-style same"), 1u);
+  expect_error(
+      [&] {
+        g.set_lower_line_style(LineStyle{LineStyle::Kind::solid, {0, 0, 2}});
+      },
+      "expected");
+}
+
 std::string error_of_program(const std::string& program) {
   GraphicsSystem g;
   return test::error_of([&] { replay(program, "p", g); });
@@ -219,6 +320,9 @@ TEST(Surface, ProgramsAreToldWhatIsWrongWhere) {
   EXPECT_NE(error_of_program("open-segment 1\nsurface-3 0 1 2 0 1 2  1 2 inf 3\n").find("p:2:28"),
             std::string::npos);
   EXPECT_NE(error_of_program("set-surface-curves z\n").find("p:1:20"), std::string::npos);
+  EXPECT_NE(error_of_program("set-surface-sides left\n").find("p:1:19"), std::string::npos);
+  EXPECT_NE(error_of_program("set-lower-line-style\n").find("none | same"), std::string::npos);
+  EXPECT_NE(error_of_program("set-lower-line-style same 1\n").find("p:1:22"), std::string::npos);
 }
 
 }  // namespace

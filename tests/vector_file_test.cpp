@@ -71,8 +71,8 @@ TEST_F(VectorFile, ALoopOfLinesIsAClosedPath) {
   g.line_abs_2(0.0, 0.0);
   g.close_segment();
   const std::string drawn = svg(g, 40, 40, false);
-  EXPECT_EQ(count(drawn, "d=\"M10,30 30,30 20,10Z\""), 1u) << drawn;
-  EXPECT_EQ(count(drawn, "d=\"M0,40 10,40 0,40\""), 1u) << drawn;
+  EXPECT_EQ(count(drawn, "d=\"M10 30l20 0-10-20Z\""), 1u) << drawn;
+  EXPECT_EQ(count(drawn, "d=\"M0 40l10 0-10 0\""), 1u) << drawn;
 }
 
 TEST_F(VectorFile, SvgOfASmallScene) {
@@ -105,12 +105,12 @@ TEST_F(VectorFile, SvgOfASmallScene) {
 </style>
 <rect class="background" width="200" height="100"/>
 <g id="segment-3" class="segment">
-<path class="f1 l1" d="M20,50 20,90 100,90 100,50Z"/>
-<path class="f2" d="M66.667,10 20,40 100,40Z"/>
+<path class="f1 l1" d="M20 50l0 40 80 0 0-40Z"/>
+<path class="f2" d="M66.667 10l-46.667 30 80 0Z"/>
 </g>
 <g id="segment-1" class="segment">
-<path class="l2" d="M0,75 200,75 200,0"/>
-<path class="l2" stroke-linecap="square" d="M100,50 100,50"/>
+<path class="l2" d="M0 75l200 0 0-75"/>
+<path class="l2" stroke-linecap="square" d="M100 50l0 0"/>
 </g>
 </svg>
 )");
@@ -161,10 +161,10 @@ const std::vector<Point3> kSquare{{.2, .2, 0}, {.8, .2, 0}, {.8, .8, 0}, {.2, .8
 TEST(SvgDevice, OnlyVisibleSidesAreDrawn) {
   // The sides that end at the second and the fourth vertex.
   const std::string svg = svg_of(kSquare, {op::move, op::line, op::move, op::line});
-  EXPECT_EQ(count(svg, "class=\"l1\" d=\"M20,80 80,80M80,20 20,20\""), 1u) << svg;
+  EXPECT_EQ(count(svg, "class=\"l1\" d=\"M20 80l60 0M80 20l-60 0\""), 1u) << svg;
   // A run goes on over the polygon's first vertex.
   const std::string three = svg_of(kSquare, {op::line, op::line, op::move, op::line});
-  EXPECT_EQ(count(three, "class=\"l1\" d=\"M80,20 20,20 20,80 80,80\""), 1u) << three;
+  EXPECT_EQ(count(three, "class=\"l1\" d=\"M80 20l-60 0 0 60 60 0\""), 1u) << three;
   EXPECT_EQ(count(svg_of(kSquare, {op::move, op::move, op::move, op::move}), "<path"), 1u);
 }
 

@@ -16,6 +16,7 @@
 #include "clip/nearest_word.h"
 #include "clip/words.h"
 #include "displayfile/axes.h"
+#include "displayfile/shapes/shapes.h"
 #include "displayfile/text/program_line.h"
 
 namespace displayfile {
@@ -76,6 +77,11 @@ Shading ProgramLine::take<Shading>() {
 template <>
 SurfaceCurves ProgramLine::take<SurfaceCurves>() {
   return understood(take_word(), surface_curves);
+}
+
+template <>
+SurfaceSides ProgramLine::take<SurfaceSides>() {
+  return understood(take_word(), surface_sides);
 }
 
 template <>
@@ -171,13 +177,13 @@ void fill_style(GraphicsSystem& system, ProgramLine& line, const Routine& routin
   system.set_fill_style(solid ? FillStyle{kind, line.take<Point3>()} : FillStyle{kind});
 }
 
-void line_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+LineStyle take_line_style(ProgramLine& line, const Routine& routine) {
   if (line.arguments() == 0) wrong_count(line, routine);
   const std::size_t count = line.arguments();
   const auto kind = line.take<LineStyle::Kind>();
   if (kind == LineStyle::Kind::none) {
     if (count != 1) wrong_count(line, routine);
-    return system.set_line_style({kind});
+    return {kind};
   }
   const bool dashed = kind == LineStyle::Kind::dashed;
   if (count != 4 && count != 5 && !(dashed && count == 7)) wrong_count(line, routine);
@@ -187,7 +193,19 @@ void line_style(GraphicsSystem& system, ProgramLine& line, const Routine& routin
     style.dash = line.take<double>();
     style.gap = line.take<double>();
   }
-  system.set_line_style(style);
+  return style;
+}
+
+void line_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  system.set_line_style(take_line_style(line, routine));
+}
+
+void lower_line_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  if (line.arguments() == 1 && line.argument(0) == "same") {
+    line.take_word();
+    return system.set_lower_line_style(std::nullopt);
+  }
+  system.set_lower_line_style(take_line_style(line, routine));
 }
 
 void background(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
@@ -273,6 +291,75 @@ void surface(GraphicsSystem& system, ProgramLine& line, const Routine& routine) 
   system.surface_3(grid);
 }
 
+// Shapes. Those whose arguments are counted in the table take them in their order.
+
+template <auto shape>
+void of_corners(GraphicsSystem& system, ProgramLine& line, const Routine&) {
+  Point3 low, high;
+  for (int a = 0; a < 3; ++a) {
+    low[a] = line.take<double>();
+    high[a] = line.take<double>();
+  }
+  shape(system, low, high);
+}
+
+/// A place, two lengths and a number of facets.
+template <auto shape>
+void of_lengths(GraphicsSystem& system, ProgramLine& line, const Routine&) {
+  const auto place = line.take<Point3>();
+  const auto first = line.take<double>(), second = line.take<double>();
+  shape(system, place, first, second, line.take<int>());
+}
+
+void cone(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  if (line.arguments() != 6 && line.arguments() != 7) wrong_count(line, routine);
+  const auto base = line.take<Point3>();
+  const auto radius = line.take<double>(), height = line.take<double>();
+  const int facets = line.take<int>();
+  const double top_radius = line.arguments() == 7 ? line.take<double>() : 0.0;
+  cone_3(system, base, radius, height, facets, top_radius);
+}
+
+void sphere(GraphicsSystem& system, ProgramLine& line, const Routine&) {
+  const auto centre = line.take<Point3>();
+  const auto radius = line.take<double>();
+  sphere_3(system, centre, radius, line.take<int>());
+}
+
+std::vector<Point2> take_profile(ProgramLine& line, std::size_t before) {
+  std::vector<Point2> profile;
+  for (std::size_t k = before; k < line.arguments(); k += 2) {
+    const auto x = line.take<double>();
+    profile.emplace_back(x, line.take<double>());
+  }
+  return profile;
+}
+
+void extrude(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  if (line.arguments() < 2 || line.arguments() % 2 != 0) wrong_count(line, routine);
+  const auto z_min = line.take<double>(), z_max = line.take<double>();
+  extrude_3(system, z_min, z_max, take_profile(line, 2));
+}
+
+void turn(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  if (line.arguments() % 2 != 1) wrong_count(line, routine);
+  const int facets = line.take<int>();
+  turn_3(system, facets, take_profile(line, 1));
+}
+
+void cutting_plane(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  if (line.arguments() != 2 && line.arguments() != 5) wrong_count(line, routine);
+  const int n = line.take<int>();
+  if (line.arguments() == 2) {
+    if (const std::string_view word = line.take_word(); word != "off") {
+      throw ErrorAt(word.data(), "expected off, or four numbers: a b c d, not " + quoted(word));
+    }
+    return system.set_cutting_plane_off(n);
+  }
+  const auto normal = line.take<Point3>();
+  system.set_cutting_plane(n, normal.x, normal.y, normal.z, line.take<double>());
+}
+
 using G = GraphicsSystem;
 
 /// Every user routine. They are looked up in this order: those that fill programs come first.
@@ -294,7 +381,20 @@ constexpr auto kRoutines = std::to_array<Routine>({
     {"surface-3", "6 and heights: x-min x-max x-points y-min y-max y-points z ...", kVaries,
      surface},
     fixed<&G::set_surface_curves>("set-surface-curves", "x|y|both"),
+    fixed<&G::set_surface_sides>("set-surface-sides", "upper|lower|both"),
+    {"set-lower-line-style", "solid r g b [width] | dashed r g b [width [dash gap]] | none | same",
+     kVaries, lower_line_style},
+    {"box-3", "x-min x-max y-min y-max z-min z-max", 6, of_corners<box_3>},
+    {"wedge-3", "x-min x-max y-min y-max z-min z-max", 6, of_corners<wedge_3>},
+    {"prism-3", "x y z radius height sides", 6, of_lengths<prism_3>},
+    {"cylinder-3", "x y z radius height facets", 6, of_lengths<cylinder_3>},
+    {"cone-3", "6 or 7: x y z radius height facets [top-radius]", kVaries, cone},
+    {"sphere-3", "x y z radius facets", 5, sphere},
+    {"torus-3", "x y z radius tube-radius facets", 6, of_lengths<torus_3>},
+    {"extrude-3", "2 and a multiple of 2: z-min z-max  x y ...", kVaries, extrude},
+    {"turn-3", "1 and a multiple of 2: facets  x z ...", kVaries, turn},
     {"axes-3", "6 or 9: x-min x-max y-min y-max z-min z-max [\"x\" \"y\" \"z\"]", kVaries, axes},
+    {"set-cutting-plane", "5: n a b c d, or 2: n off", kVaries, cutting_plane},
     {"set-fill-style", "solid r g b | hollow", kVaries, fill_style},
     {"set-line-style", "solid r g b [width] | dashed r g b [width [dash gap]] | none", kVaries,
      line_style},

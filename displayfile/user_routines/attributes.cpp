@@ -21,28 +21,33 @@ void GraphicsSystem::set_fill_style(const FillStyle& style) {
 }
 
 void GraphicsSystem::set_line_style(const LineStyle& style) {
+  const LineStyle checked = require_line_style(style);
   attributes_changed();
-  if (style.kind == LineStyle::Kind::none) {
-    attributes_.line = {LineStyle::Kind::none};
-    return record_said(Setting::line_style, "set-line-style", {"none"});
-  }
+  attributes_.line = checked;
+  said_.insert(Setting::line_style);
+  record_line_style("set-line-style", checked);
+}
+
+/// One style has one representation: what has no meaning in its kind is as it is at the start.
+LineStyle GraphicsSystem::require_line_style(const LineStyle& style) {
+  if (style.kind == LineStyle::Kind::none) return {LineStyle::Kind::none};
   require_colour(style.colour);
-  const bool dashed = style.kind == LineStyle::Kind::dashed;
-  for (double length : {style.width, style.dash, style.gap}) {
-    if (!(length > 0.0 && length <= 1e6)) {
-      throw Error(fmt::format("line width or dash {}: expected more than 0 pixels and at most 1e6",
-                              length));
-    }
+  for (const double length : {style.width, style.dash, style.gap}) {
+    if (length > 0.0 && length <= 1e6) continue;
+    throw Error(
+        fmt::format("line width or dash {}: expected more than 0 pixels and at most 1e6", length));
   }
-  attributes_.line = style;
+  if (style.kind == LineStyle::Kind::dashed) return style;
+  return {style.kind, style.colour, style.width};
+}
+
+void GraphicsSystem::record_line_style(std::string_view routine, const LineStyle& style) {
   const Colour& c = style.colour;
-  if (dashed) {
-    record_said(Setting::line_style, "set-line-style",
-                {"dashed", c.r, c.g, c.b, style.width, style.dash, style.gap});
-  } else {
-    attributes_.line.dash = LineStyle{}.dash;  // of no meaning here: one style, one representation
-    attributes_.line.gap = LineStyle{}.gap;
-    record_said(Setting::line_style, "set-line-style", {"solid", c.r, c.g, c.b, style.width});
+  switch (style.kind) {
+    case LineStyle::Kind::none: return record(routine, {"none"});
+    case LineStyle::Kind::solid: return record(routine, {"solid", c.r, c.g, c.b, style.width});
+    case LineStyle::Kind::dashed:
+      return record(routine, {"dashed", c.r, c.g, c.b, style.width, style.dash, style.gap});
   }
 }
 

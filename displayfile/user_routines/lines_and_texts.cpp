@@ -15,14 +15,15 @@ void GraphicsSystem::move_to(const Point3& object) {
 void GraphicsSystem::line_to(const Point3& object) {
   require_open();
   const Pen end{object, to_world(object)};
-  if (attributes_.line.kind != LineStyle::Kind::none) {
+  Point3 from = pen_.world, to = end.world;
+  if (attributes_.line.kind != LineStyle::Kind::none && cutting_planes_.cut_line(from, to)) {
     Segment& segment = display_file_.segment(*open_);
     segment.set_line_pick(pick_);
     if (RetainedScene* scene = retaining()) {
-      scene->enter_line(pen_.world, end.world, attributes_, pick_);
+      scene->enter_line(from, to, attributes_, pick_);
     }
     if (!retains_alone_) {
-      view_stage_->enter_line(pen_.world, end.world, attributes_.line, segment);
+      view_stage_->enter_line(from, to, attributes_.line, segment);
     }
   }
   pen_ = end;
@@ -77,7 +78,7 @@ void GraphicsSystem::text(std::string_view characters) {
   if (const std::size_t good = drawable_length(characters); good < characters.size()) {
     throw Error(not_drawable(characters.substr(good)));
   }
-  if (!characters.empty()) {
+  if (!characters.empty() && cutting_planes_.outcode(pen_.world) == 0) {
     if (RetainedScene* scene = retaining()) {
       scene->enter_text(pen_.world, characters, attributes_);
     }

@@ -52,6 +52,7 @@ void GraphicsSystem::select_lines(Segment& segment) {
     const RetainedScene::Segment& part = scene->segments().back();
     ViewStage stage(view_stage_->pipeline().volume());
     Segment again(segment.name());
+    for (const SurfaceMark& mark : segment.entered()->surfaces()) again.mark_surface(mark);
     scene->enter_viewed(part, Eye::of(part.view), stage, glm::dmat3(1.0), again,
                         [](std::uint32_t) {});
     segment.take_instructions(std::move(again));

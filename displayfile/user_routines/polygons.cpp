@@ -115,6 +115,10 @@ void GraphicsSystem::enter_triangles(const Point3& normal, std::span<const Point
 }
 
 void GraphicsSystem::enter(const WorldPolygon& polygon) {
+  cutting_planes_.any() ? enter_cut(polygon) : enter_whole(polygon);
+}
+
+void GraphicsSystem::enter_whole(const WorldPolygon& polygon) {
   if (RetainedScene* scene = retaining()) {
     scene->enter_polygon(polygon, attributes_);
     if (retains_alone_) return;
@@ -175,7 +179,8 @@ void GraphicsSystem::polygons_abs_3(std::span<const Point3> vertices,
         return of_all;
       });
   keep_fill_style([&] {
-    if (retains_alone_ && sides.empty() && fills.size() <= 1 && recorder_ == nullptr) {
+    const bool at_once = sides.empty() && fills.size() <= 1 && !cutting_planes_.any();
+    if (retains_alone_ && at_once && recorder_ == nullptr) {
       if (!fills.empty() && fills[0] != attributes_.fill) set_fill_style(fills[0]);
       const bool all_of_one = pick_ >= 0;
       const auto pick = all_of_one ? pick_ : static_cast<std::int32_t>(ordinal_);
@@ -219,7 +224,8 @@ void GraphicsSystem::enter_shared(std::span<const Point3> world,
                                   std::span<const std::uint32_t> corners, Segment& segment) {
   const int pick = pick_ >= 0 ? pick_ : static_cast<int>(ordinal_);
   ++ordinal_;
-  const bool plain = corners.size() == 3 && retaining() == nullptr;
+  const bool cutting = cutting_planes_.any();
+  const bool plain = corners.size() == 3 && retaining() == nullptr && !cutting;
   if (plain && view_stage_->enter_triangle(world, corners, pick, attributes_, segment)) return;
   const PointRow vertices(world, corners);
   const Point3 normal = attributes_.light ? newell_normal(vertices) : Point3(0.0);
@@ -229,6 +235,7 @@ void GraphicsSystem::enter_shared(std::span<const Point3> world,
     return enter_triangles(normal, {}, pick);
   }
   const WorldPolygon polygon{std::span(vertices), {}, normal, {}, pick};
+  if (cutting && cutting_planes_.cut_some(vertices)) return enter_cut(polygon);
   if (RetainedScene* scene = retaining()) scene->enter_shared(corners, polygon, attributes_);
   if (!retains_alone_) view_stage_->enter_shared(corners, polygon, attributes_, segment);
 }

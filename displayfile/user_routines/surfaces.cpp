@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <vector>
 
 #include "clip/back_face.h"
@@ -12,9 +13,31 @@
 
 namespace displayfile {
 
+namespace {
+
+/// Where the height is unknown there is no cell, but the current position may come to be there.
+double known_height(double z) { return std::isnan(z) ? 0.0 : z; }
+
+}  // namespace
+
 void GraphicsSystem::set_surface_curves(SurfaceCurves curves) {
   surface_curves_ = curves;
   record("set-surface-curves", {name_of(curves)});
+}
+
+void GraphicsSystem::set_surface_sides(SurfaceSides sides) {
+  surface_sides_ = sides;
+  record("set-surface-sides", {name_of(sides)});
+}
+
+void GraphicsSystem::set_lower_line_style(const std::optional<LineStyle>& style) {
+  if (!style) {
+    lower_line_.reset();
+    return record("set-lower-line-style", {"same"});
+  }
+  const LineStyle checked = require_line_style(*style);
+  record_line_style("set-lower-line-style", checked);
+  lower_line_ = checked;
 }
 
 void GraphicsSystem::surface_3(const SurfaceGrid& grid) {
@@ -27,27 +50,67 @@ void GraphicsSystem::surface_3(const SurfaceGrid& grid) {
       grid.heights.size() * sizeof(Point3),
       [&] { return fmt::format("a surface of {} x {} points", grid.x_points, grid.y_points); },
       [&] { return world_points_of(grid); });
-  for (int j = 0; j + 1 < grid.y_points; ++j) {
-    for (int i = 0; i + 1 < grid.x_points; ++i) enter_cell(grid, world, i, j);
+  Segment& segment = display_file_.segment(*open_);
+  if (!retains_alone_) {
+    const Point3 upward = modelling_.apply_to_difference({0.0, 0.0, 1.0});
+    segment.mark_surface({view_stage_->pipeline().volume().infinitely_far(upward),
+                          static_cast<std::uint32_t>(grid.x_points),
+                          static_cast<std::uint32_t>(grid.y_points)});
+    view_stage_->view_vertices(world);
+    const std::size_t triangles = 2 * grid.cells();
+    segment.reserve_polygons(triangles, 3 * triangles, attributes_.light ? triangles : 0);
   }
-  // An unknown height leaves the current position in the grid's plane.
-  const double last = grid.heights.back();
-  const Point3 end(grid.x_max, grid.y_max, std::isnan(last) ? 0.0 : last);
-  pen_ = {end, to_world(end)};
+  enter_cells(grid, world, segment);
+  pen_ = {{grid.x_max, grid.y_max, known_height(grid.heights.back())}, world.back()};
   if (recorder_ == nullptr) return;
   recorder_->write("surface-3",
                    {grid.x_min, grid.x_max, grid.x_points, grid.y_min, grid.y_max, grid.y_points},
                    grid.heights);
 }
 
-/// All are looked at before any is entered. Those of holes are never used.
+/// In the line styles of both sides of the surface; afterwards that of other primitives is in force
+/// again.
+void GraphicsSystem::enter_cells(const SurfaceGrid& grid, std::span<const Point3> world,
+                                 Segment& segment) {
+  constexpr LineStyle kNotDrawn{LineStyle::Kind::none};
+  const LineStyle in_force = attributes_.line;
+  const LineStyle upper = surface_sides_ == SurfaceSides::lower ? kNotDrawn : in_force;
+  const LineStyle lower =
+      surface_sides_ == SurfaceSides::upper ? kNotDrawn : lower_line_.value_or(in_force);
+  if (upper != lower) {
+    // What mirrors the surface turns its upper side's triangles to their dark faces.
+    const Point3 x = modelling_.apply_to_difference({1.0, 0.0, 0.0});
+    const Point3 y = modelling_.apply_to_difference({0.0, 1.0, 0.0});
+    const Point3 z = modelling_.apply_to_difference({0.0, 0.0, 1.0});
+    const bool mirrored = glm::dot(glm::cross(x, y), z) < 0.0;
+    attributes_.line = mirrored ? lower : upper;
+    attributes_.dark_line = mirrored ? upper : lower;
+  }
+  const auto restore = [&] {
+    attributes_.line = in_force;
+    attributes_.dark_line.reset();
+    attributes_changed();
+  };
+  attributes_changed();
+  try {
+    for (int j = 0; j + 1 < grid.y_points; ++j) {
+      for (int i = 0; i + 1 < grid.x_points; ++i) enter_cell(grid, world, i, j, segment);
+    }
+  } catch (...) {
+    restore();
+    throw;
+  }
+  restore();
+}
+
+/// All are looked at before any is entered.
 std::vector<Point3> GraphicsSystem::world_points_of(const SurfaceGrid& grid) const {
   std::vector<Point3> world;
   world.reserve(grid.heights.size());
   for (int j = 0; j < grid.y_points; ++j) {
     for (int i = 0; i < grid.x_points; ++i) {
-      const double z = grid.heights[world.size()];
-      world.push_back(to_world({grid.x(i), grid.y(j), std::isnan(z) ? 0.0 : z}));
+      const double z = known_height(grid.heights[world.size()]);
+      world.push_back(to_world({grid.x(i), grid.y(j), z}));
     }
   }
   return world;
@@ -56,26 +119,29 @@ std::vector<Point3> GraphicsSystem::world_points_of(const SurfaceGrid& grid) con
 /// Two triangles, counterclockwise from above, with an invisible diagonal from the least corner to
 /// the greatest; nothing if the surface has a hole in one of its corners.
 void GraphicsSystem::enter_cell(const SurfaceGrid& grid, std::span<const Point3> world, int i,
-                                int j) {
+                                int j, Segment& segment) {
   const auto index = [&](int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.x_points) +
-           static_cast<std::size_t>(x);
+    return static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(grid.x_points) +
+           static_cast<std::uint32_t>(x);
   };
   const std::array corners{index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)};
-  for (const std::size_t corner : corners) {
+  for (const std::uint32_t corner : corners) {
     if (std::isnan(grid.heights[corner])) return;
   }
   const std::uint8_t of_x = surface_curves_ != SurfaceCurves::y;
   const std::uint8_t of_y = surface_curves_ != SurfaceCurves::x;
   const int pick = pick_ >= 0 ? pick_ : static_cast<int>(ordinal_);
   ++ordinal_;
-  const auto enter_triangle = [&](const std::array<Point3, 3>& triangle,
+  const auto enter_triangle = [&](const std::array<std::uint32_t, 3>& of_triangle,
                                   const std::array<std::uint8_t, 3>& edge_visible) {
-    const Point3 normal = attributes_.light ? newell_normal(std::span(triangle)) : Point3(0.0);
-    enter({std::span(triangle), edge_visible, normal, {}, pick});
+    const Point3 normal =
+        attributes_.light ? newell_normal(PointRow(world, of_triangle)) : Point3(0.0);
+    const WorldPolygon triangle{PointRow(world, of_triangle), edge_visible, normal, {}, pick};
+    if (cutting_planes_.any()) return enter_cut(triangle);
+    if (RetainedScene* scene = retaining()) scene->enter_polygon(triangle, attributes_);
+    if (!retains_alone_) view_stage_->enter_shared(of_triangle, triangle, attributes_, segment);
   };
-  const Point3 &a = world[corners[0]], &b = world[corners[1]], &c = world[corners[2]],
-               &d = world[corners[3]];
+  const auto [a, b, c, d] = corners;
   enter_triangle({a, b, c}, {0, of_x, of_y});
   enter_triangle({a, c, d}, {of_y, 0, of_x});
 }

@@ -1,13 +1,16 @@
 #include "hidden/lines/visible_lines.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "clip/corners.h"
 #include "clip/error.h"
 #include "hidden/lines/appel.h"
 #include "hidden/lines/franklin.h"
+#include "hidden/lines/grid_surface.h"
 #include "hidden/lines/line_scene.h"
+#include "hidden/lines/perimeter.h"
 #include "hidden/lines/roberts.h"
 #include "hidden/lines/side_table.h"
 
@@ -32,26 +35,71 @@ SideLook shared_look(const Primitives& items, std::span<const SideTable::Side> s
   return look;
 }
 
+/// Looks of the sides of all items, each at the first item that draws it.
+class SideLooks {
+ public:
+  SideLooks(const Primitives& items, std::span<const std::int32_t> picks)
+      : items_(items), picks_(picks) {
+    first_.reserve(items.items.size());
+    std::size_t sides = 0;
+    for (const Primitives::Item& item : items.items) {
+      first_.push_back(sides);
+      sides += item.sides;
+    }
+    looks_.resize(sides);
+    if (const auto surface = GridSurface::of(items)) {
+      look_at(*surface);
+    } else {
+      SideTable(items, SideTable::Sides::near_drawn)
+          .for_each_set([&](std::span<const SideTable::Side> same) { look_at(same); });
+    }
+  }
+
+  const SideLook& operator[](const LineName& name) const {
+    return looks_[first_[name.item] + name.corner];
+  }
+
+ private:
+  void look_at(std::span<const SideTable::Side> same) {
+    const auto drawn = std::ranges::find_if(same, [&](const SideTable::Side& side) {
+      return items_.is_visible(items_.items[side.name.item].first + side.name.corner);
+    });
+    if (drawn == same.end()) return;
+    looks_[first_[drawn->name.item] + drawn->name.corner] = shared_look(items_, same, picks_);
+  }
+  /// A surface's sides are known, and no two of them have the same ends.
+  void look_at(const GridSurface& surface) {
+    std::vector<SideTable::Side> one(surface.sides(), {0, {LineScene::kNone, 0}});
+    for (std::uint32_t item = 0; item < items_.items.size(); ++item) {
+      for (std::uint32_t corner = 0; corner < items_.items[item].sides; ++corner) {
+        const std::uint32_t side = surface.side(item, corner);
+        if (side == GridSurface::kNone) continue;
+        SideTable::Side& other = one[side];
+        if (other.name.item == LineScene::kNone) {
+          other = {side, {item, corner}};
+        } else {
+          const std::array same{other, SideTable::Side{side, {item, corner}}};
+          look_at(same);
+          other.high = GridSurface::kNone;
+        }
+      }
+    }
+    for (const SideTable::Side& side : one) {
+      if (side.high != GridSurface::kNone) look_at(std::span(&side, 1));
+    }
+  }
+
+  const Primitives& items_;
+  std::span<const std::int32_t> picks_;
+  std::vector<std::size_t> first_;  // side of each item, among those of all
+  std::vector<SideLook> looks_;
+};
+
 }  // namespace
 
 std::vector<LineToDraw> lines_to_draw(const Primitives& items,
                                       std::span<const std::int32_t> picks) {
-  std::vector<std::size_t> first;  // side of each item, among those of all
-  first.reserve(items.items.size());
-  std::size_t sides = 0;
-  for (const Primitives::Item& item : items.items) {
-    first.push_back(sides);
-    sides += item.sides;
-  }
-  std::vector<SideLook> looks(sides);
-  SideTable(items, SideTable::Sides::near_drawn)
-      .for_each_set([&](std::span<const SideTable::Side> same) {
-        const auto drawn = std::ranges::find_if(same, [&](const SideTable::Side& side) {
-          return items.is_visible(items.items[side.name.item].first + side.name.corner);
-        });
-        if (drawn == same.end()) return;
-        looks[first[drawn->name.item] + drawn->name.corner] = shared_look(items, same, picks);
-      });
+  const SideLooks looks(items, picks);
   std::vector<LineToDraw> lines;
   for (std::uint32_t i = 0; i < items.items.size(); ++i) {
     const Primitives::Item& item = items.items[i];
@@ -60,7 +108,7 @@ std::vector<LineToDraw> lines_to_draw(const Primitives& items,
       const Point3& to = items.points[items.point(item.first + corner)];
       const std::uint32_t before = previous_corner(corner, item.sides);
       const Point3& from = items.points[items.point(item.first + before)];
-      const SideLook look = is_line ? SideLook{kDrawn, i} : looks[first[i] + corner];
+      const SideLook look = is_line ? SideLook{kDrawn, i} : looks[{i, corner}];
       if (look.kinds != 0 && Point2(from) != Point2(to)) {
         lines.push_back({{i, corner}, look.kinds, look.pick_item});
       }
@@ -80,11 +128,14 @@ SeenLines visible_lines(const Primitives& items, std::span<const LineName> lines
                         std::span<const IntersectionLine> intersections) {
   if (!finds_lines(method)) {
     throw Error("the hidden-line method " + std::string(name_of(method)) +
-                " does not find visible lines: expected roberts, appel or franklin");
+                " does not find visible lines: expected roberts, appel, franklin or perimeter");
   }
   std::vector<LineName> names(lines.begin(), lines.end());
-  std::ranges::sort(names);
+  if (!std::ranges::is_sorted(names)) std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());
+  if (method == HiddenMethod::perimeter) {
+    return visible_lines_by_perimeter(items, names, options, intersections);
+  }
   const LineScene scene(items, names, options.threads, intersections);
   if (method == HiddenMethod::roberts) return visible_lines_by_roberts(items, scene, options);
   if (method == HiddenMethod::appel) return visible_lines_by_appel(items, scene, options);

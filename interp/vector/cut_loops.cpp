@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -29,17 +30,6 @@ struct Cut {
   }
 };
 
-template <class Visit>
-void for_each_side(const LatticeLoops& loops, const Visit& visit) {
-  for (std::size_t k = 0; k < loops.size(); ++k) {
-    LatticePoint from = loops.loop(k).back();
-    for (const LatticePoint& to : loops.loop(k)) {
-      visit(from, to);
-      from = to;
-    }
-  }
-}
-
 /// The nearest point of the lattice to where the side crosses, the same whichever way it is run
 /// along.
 LatticePoint crossing(const LatticeSide& side, const Cut& cut) {
@@ -59,25 +49,17 @@ LatticePoint crossing(const LatticeSide& side, const Cut& cut) {
   return cut.point(static_cast<std::int32_t>(low.*cut.along + rise));
 }
 
-/// Through the middle of the vertices, and so that some are on either side; across is x or y.
-Cut middle_cut(const LatticeLoops& loops, Coordinate across, Coordinate along) {
+/// Through the middle of the vertices, with some of them on either side; nothing if they are no
+/// farther apart than a unit.
+std::optional<Cut> middle_cut(const LatticeLoops& loops, Coordinate across, Coordinate along) {
   std::vector<std::int32_t> places;
   places.reserve(loops.points.size());
   for (const LatticePoint& p : loops.points) places.push_back(p.*across);
+  const auto [low, high] = std::ranges::minmax(places);
+  if (high - std::int64_t{low} < 2) return std::nullopt;
   const auto middle = places.begin() + static_cast<std::ptrdiff_t>(places.size() / 2);
   std::nth_element(places.begin(), middle, places.end());
-  const auto [low, high] = std::ranges::minmax(places);
-  return {across, along, low + 1 < high ? std::clamp(*middle, low + 1, high - 1) : low};
-}
-
-/// A cut with nothing on one side of it separates nothing.
-bool separates(const LatticeLoops& loops, const Cut& cut) {
-  bool before = false, after = false;
-  for (const LatticePoint& p : loops.points) {
-    before = before || cut.side_of(p) < 0;
-    after = after || cut.side_of(p) > 0;
-  }
-  return before && after;
+  return Cut{across, along, std::clamp(*middle, low + 1, high - 1)};
 }
 
 std::size_t crossed_by(const LatticeLoops& loops, const Cut& cut) {
@@ -88,14 +70,14 @@ std::size_t crossed_by(const LatticeLoops& loops, const Cut& cut) {
   return crossed;
 }
 
-/// Of those that separate. One does: vertices that are no farther apart than a unit in both
-/// directions are four.
+/// The one that crosses fewer sides. There is one: vertices that are no farther apart than a unit
+/// in both directions are four, and six sides join them.
 Cut best_cut(const LatticeLoops& loops) {
-  const Cut column = middle_cut(loops, &LatticePoint::x, &LatticePoint::y);
-  const Cut row = middle_cut(loops, &LatticePoint::y, &LatticePoint::x);
-  if (!separates(loops, column)) return row;
-  if (!separates(loops, row)) return column;
-  return crossed_by(loops, column) <= crossed_by(loops, row) ? column : row;
+  const auto column = middle_cut(loops, &LatticePoint::x, &LatticePoint::y);
+  const auto row = middle_cut(loops, &LatticePoint::y, &LatticePoint::x);
+  if (!column) return row.value();
+  if (!row) return *column;
+  return crossed_by(loops, *column) <= crossed_by(loops, *row) ? *column : *row;
 }
 
 /// The vertices of the loops on the cut, in order, each once: those that are there, and where sides

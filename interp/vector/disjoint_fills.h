@@ -38,7 +38,7 @@ struct Figure {
   /// Every side of a region once, those on the outline too; in the order in which they are drawn,
   /// from the last region to the first. Empty if the figure is butted, or one region.
   std::vector<FigureTrap> traps;
-  /// Of all regions together, in parts of no more than kMostVertices: one, but for very long ones.
+  /// The outline of all regions together, in parts of no more than kMostVertices; most have one.
   std::vector<LatticeLoops> outline;
   /// Triangles over the sides between the parts of an outline, where they would show in a mask.
   std::vector<LatticeLoops> outline_tents;

@@ -15,12 +15,9 @@ std::vector<LatticeSide> odd_sides(std::span<const std::span<const LatticePoint>
   for (const auto& loop : loops) corners += loop.size();
   sides.reserve(corners);
   for (const auto& loop : loops) {
-    if (loop.empty()) continue;
-    LatticePoint from = loop.back();
-    for (const LatticePoint& to : loop) {
+    for_each_side(loop, [&](const LatticePoint& from, const LatticePoint& to) {
       if (from != to) sides.emplace_back(from, to);
-      from = to;
-    }
+    });
   }
   std::ranges::sort(sides);
   std::size_t kept = 0;
@@ -131,14 +128,10 @@ struct EndOfSide {
 std::vector<LatticePoint> straight_vertices(std::span<LatticeLoops* const> all) {
   std::vector<EndOfSide> ends;
   for (const LatticeLoops* loops : all) {
-    for (std::size_t k = 0; k < loops->size(); ++k) {
-      LatticePoint from = loops->loop(k).back();
-      for (const LatticePoint& to : loops->loop(k)) {
-        ends.push_back({from, to});
-        ends.push_back({to, from});
-        from = to;
-      }
-    }
+    for_each_side(*loops, [&](const LatticePoint& from, const LatticePoint& to) {
+      ends.push_back({from, to});
+      ends.push_back({to, from});
+    });
   }
   std::ranges::sort(ends);
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());

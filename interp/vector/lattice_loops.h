@@ -52,6 +52,21 @@ struct LatticeSide {
   friend auto operator<=>(const LatticeSide&, const LatticeSide&) = default;
 };
 
+/// Calls visit(from, to) for each side, as it is run along.
+template <class Visit>
+void for_each_side(std::span<const LatticePoint> loop, Visit&& visit) {
+  if (loop.empty()) return;
+  LatticePoint from = loop.back();
+  for (const LatticePoint& to : loop) {
+    visit(from, to);
+    from = to;
+  }
+}
+template <class Visit>
+void for_each_side(const LatticeLoops& loops, Visit&& visit) {
+  for (std::size_t k = 0; k < loops.size(); ++k) for_each_side(loops.loop(k), visit);
+}
+
 /// The boundary of what an odd number of these loops cover: a side that lies in them an even number
 /// of times, in whichever directions, is gone, and the others are chained. The loops cross
 /// neither each other nor themselves where those that came in did not; they may touch at vertices.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <ostream>
@@ -18,18 +20,36 @@ namespace displayfile {
 
 namespace {
 
-/// A coordinate to a thousandth of a pixel, in the shortest form. At most 1e6 in magnitude.
-void append_coordinate(std::string& out, double v) {
-  long long thousandths = std::llround(v * 1000.0);
+long long thousandths_of(double v) { return std::llround(v * 1000.0); }
+
+/// A number in the shortest form.
+void append_thousandths(std::string& out, long long thousandths) {
   if (thousandths < 0) {
     out.push_back('-');
     thousandths = -thousandths;
   }
-  fmt::format_to(std::back_inserter(out), "{}", thousandths / 1000);
-  if (const long long fraction = thousandths % 1000; fraction != 0) {
-    fmt::format_to(std::back_inserter(out), ".{:03}", fraction);
-    while (out.back() == '0') out.pop_back();
+  const long long whole = thousandths / 1000;
+  int fraction = static_cast<int>(thousandths % 1000);
+  if (whole != 0 || fraction == 0) {
+    std::array<char, 24> digits;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), whole).ptr;
+    out.append(digits.data(), end);
   }
+  if (fraction == 0) return;
+  out.push_back('.');
+  for (int unit = 100; fraction != 0; fraction %= unit, unit /= 10) {
+    out.push_back(static_cast<char>('0' + fraction / unit));
+  }
+}
+
+/// A coordinate to a thousandth of a pixel. At most 1e6 in magnitude.
+void append_coordinate(std::string& out, double v) { append_thousandths(out, thousandths_of(v)); }
+
+/// A number after another, with a blank between them where they would read as one.
+void append_next_thousandths(std::string& out, long long thousandths, bool before_has_point) {
+  const bool begins_with_point = thousandths > 0 && thousandths < 1000;
+  if (thousandths >= 0 && !(begins_with_point && before_has_point)) out.push_back(' ');
+  append_thousandths(out, thousandths);
 }
 
 /// Characters as XML has them.
@@ -80,16 +100,27 @@ void SvgDevice::close_group() {
   joinable_ = {};
 }
 
+/// The first point of each run as it is, the others as steps from the one before: as rounded
+/// points are apart, so that no error adds up.
 void SvgDevice::append_path_data(const Path& path) {
   data_.clear();
   for (std::size_t i = 0; i < path.runs.size(); ++i) {
-    char separator = 'M';
+    long long x = 0, y = 0;
+    char command = 'M';
+    bool before_has_point = false;
     for (const Point2& p : path.run(i)) {
-      data_.push_back(separator);
-      append_coordinate(data_, p.x);
-      data_.push_back(',');
-      append_coordinate(data_, p.y);
-      separator = ' ';
+      const long long to_x = thousandths_of(p.x), to_y = thousandths_of(p.y);
+      if (command != 0) {
+        data_.push_back(command);
+        append_thousandths(data_, to_x - x);
+      } else {
+        append_next_thousandths(data_, to_x - x, before_has_point);
+      }
+      append_next_thousandths(data_, to_y - y, (to_x - x) % 1000 != 0);
+      before_has_point = (to_y - y) % 1000 != 0;
+      command = command == 'M' ? 'l' : char{0};
+      x = to_x;
+      y = to_y;
     }
     if (path.runs[i].closed) data_.push_back('Z');
   }

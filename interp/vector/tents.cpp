@@ -26,11 +26,9 @@ std::vector<SideOfLoop> sides_of_loops(std::span<const FigureRegion> regions) {
   for (std::uint32_t r = 0; r < regions.size(); ++r) {
     const LatticeLoops& loops = regions[r].loops;
     for (std::uint32_t k = 0; k < loops.size(); ++k) {
-      LatticePoint from = loops.loop(k).back();
-      for (const LatticePoint& to : loops.loop(k)) {
+      for_each_side(loops.loop(k), [&](const LatticePoint& from, const LatticePoint& to) {
         sides.push_back({LatticeSide(from, to), r, k});
-        from = to;
-      }
+      });
     }
   }
   std::ranges::sort(sides);

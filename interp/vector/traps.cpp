@@ -12,14 +12,9 @@ class FirstRegions {
  public:
   explicit FirstRegions(std::span<const FigureRegion> regions) {
     for (std::uint32_t r = 0; r < regions.size(); ++r) {
-      const LatticeLoops& loops = regions[r].loops;
-      for (std::size_t k = 0; k < loops.size(); ++k) {
-        LatticePoint from = loops.loop(k).back();
-        for (const LatticePoint& to : loops.loop(k)) {
-          sides_.push_back({LatticeSide(from, to), r});
-          from = to;
-        }
-      }
+      for_each_side(regions[r].loops, [&](const LatticePoint& from, const LatticePoint& to) {
+        sides_.push_back({LatticeSide(from, to), r});
+      });
     }
     std::ranges::sort(sides_);
   }

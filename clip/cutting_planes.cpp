@@ -1,0 +1,137 @@
+#include "clip/cutting_planes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "clip/clip_stage.h"
+#include "clip/error.h"
+
+namespace displayfile {
+
+namespace {
+
+void require_plane_number(int n) {
+  if (n >= 1 && n <= CuttingPlanes::kMost) return;
+  throw Error(fmt::format("cutting plane {}: expected 1 to {}", n, CuttingPlanes::kMost));
+}
+
+bool is_within_limit(double value) { return std::abs(value) <= kCoordinateLimit; }
+
+Point3 unit_normal(const Point3& n) { return n == Point3(0.0) ? n : unit(n); }
+
+}  // namespace
+
+void CuttingPlanes::set(int n, double a, double b, double c, double d) {
+  require_plane_number(n);
+  const auto plane_in_words = [&] { return fmt::format("cutting plane {} {} {} {}", a, b, c, d); };
+  if (!is_within_limit(a) || !is_within_limit(b) || !is_within_limit(c) || !is_within_limit(d)) {
+    throw Error(plane_in_words() + ": expected finite numbers of magnitude at most 1e100");
+  }
+  const double largest = std::max({std::abs(a), std::abs(b), std::abs(c)});
+  if (largest == 0.0) {
+    throw Error(plane_in_words() + ": its normal is zero: expected a, b or c other than 0");
+  }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  const auto scaled = [&](double value) { return std::ldexp(value, -exponent); };
+  if (!is_within_limit(scaled(d))) {
+    throw Error(plane_in_words() + " is too far from the origin: expected at most 1e100");
+  }
+  const auto k = static_cast<std::size_t>(n - 1);
+  planes_[k] = {{scaled(a), scaled(b), scaled(c)}, scaled(d)};
+  on_ |= 1u << k;
+}
+
+void CuttingPlanes::set_off(int n) {
+  require_plane_number(n);
+  on_ &= ~(1u << (n - 1));
+}
+
+unsigned CuttingPlanes::outcode(const Point3& world) const {
+  unsigned code = 0;
+  for (unsigned k = 0; k < kMost; ++k) {
+    if ((on_ >> k & 1u) != 0 && !(planes_[k].distance(world) >= 0.0)) code |= 1u << k;
+  }
+  return code;
+}
+
+/// A point that is on the plane but for rounding: exactly, if the plane is across an axis.
+void CuttingPlanes::Plane::snap(Point3& p) const {
+  for (int i = 0; i < 3; ++i) {
+    if (normal[(i + 1) % 3] == 0.0 && normal[(i + 2) % 3] == 0.0) p[i] = -d / normal[i];
+  }
+}
+
+/// Where an edge crosses the plane. The cut point is inside of each plane that both ends are inside
+/// of, whatever rounding says: a neighbour that shares the edge may run no stage for that plane.
+CuttingPlanes::Vertex CuttingPlanes::cut_edge(const Vertex& inside, const Vertex& outside,
+                                              int plane) const {
+  const Plane& by = planes_[static_cast<std::size_t>(plane)];
+  const double d_in = std::max(by.distance(inside.position), 0.0);
+  const double d_out = by.distance(outside.position);
+  const double t = d_in / (d_in - d_out);
+  Vertex v{};
+  v.position = inside.position + (outside.position - inside.position) * t;
+  by.snap(v.position);
+  v.normal = inside.normal;
+  if (inside.normal != outside.normal) {
+    v.normal += (outside.normal - inside.normal) * t;
+    if (v.normal == Point3(0.0)) v.normal = inside.normal;
+  }
+  v.outcode = outcode(v.position) & (inside.outcode | outside.outcode) & ~(1u << plane);
+  return v;
+}
+
+CutPolygon CuttingPlanes::cut(std::span<const Point3> world,
+                              std::span<const std::uint8_t> edge_visible,
+                              std::span<const Point3> normals) {
+  unsigned any = 0, all = ~0u;
+  in_.clear();
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    in_.push_back({world[i], normals.empty() ? Point3(0.0) : unit_normal(normals[i]),
+                   outcode(world[i]), edge_visible.empty() ? std::uint8_t{1} : edge_visible[i]});
+    any |= in_.back().outcode;
+    all &= in_.back().outcode;
+  }
+  if (any == 0) return {world, edge_visible, normals};
+  if (all != 0) return {};
+  for (int k = 0; k < kMost; ++k) {
+    if ((any >> k & 1u) == 0) continue;
+    const Plane& by = planes_[static_cast<std::size_t>(k)];
+    clip_stage(
+        1u << k, in_, out_, [&](const Vertex& v) { return by.distance(v.position) <= 0.0; },
+        [&](const Vertex& inside, const Vertex& outside) { return cut_edge(inside, outside, k); });
+    any = 0;
+    for (const Vertex& v : in_) any |= v.outcode;
+  }
+  if (in_.size() < 3) return {};
+  vertices_.clear();
+  visible_.clear();
+  normals_.clear();
+  for (const Vertex& v : in_) {
+    vertices_.push_back(v.position);
+    visible_.push_back(v.edge_visible);
+    if (!normals.empty()) normals_.push_back(v.normal);
+  }
+  return {vertices_, visible_, normals_};
+}
+
+bool CuttingPlanes::cut_line(Point3& a, Point3& b) const {
+  Vertex from{a, {}, outcode(a), 1}, to{b, {}, outcode(b), 1};
+  if ((from.outcode | to.outcode) == 0) return true;
+  for (int k = 0; k < kMost; ++k) {
+    if ((from.outcode & to.outcode) != 0) return false;
+    if ((from.outcode >> k & 1u) != 0) {
+      from = cut_edge(to, from, k);
+    } else if ((to.outcode >> k & 1u) != 0) {
+      to = cut_edge(from, to, k);
+    }
+  }
+  a = from.position;
+  b = to.position;
+  return true;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "clip/point.h"
+
+namespace displayfile {
+
+/// What cutting planes leave of a polygon, in world coordinates; spans as in ClippedPolygon
+/// (clip/clip_pipeline.h). Sides that the cutting made are not drawn. No vertices: all is cut away.
+struct CutPolygon {
+  std::span<const Point3> vertices;
+  std::span<const std::uint8_t> edge_visible;  ///< may be empty: all are
+  std::span<const Point3> normals;             ///< if the polygon had some
+};
+
+/// Up to six planes of world coordinates, each of which cuts away what has a x + b y + c z + d < 0:
+/// to look inside (clip/cutting_planes.md). Distances and cut points are doubles. PHIGS's modelling
+/// clipping volume, and OpenGL's user clip planes.
+class CuttingPlanes {
+ public:
+  static constexpr int kMost = 6;
+
+  /// Sets plane n, from 1, and turns it on. Throws Error for an n outside of 1 to 6, a number that
+  /// is not finite or exceeds kCoordinateLimit, a zero normal a b c, and a plane farther than
+  /// kCoordinateLimit from the origin.
+  void set(int n, double a, double b, double c, double d);
+  /// Throws Error for an n outside of 1 to 6.
+  void set_off(int n);
+
+  bool any() const { return on_ != 0; }
+  bool is_on(int n) const { return (on_ >> (n - 1) & 1u) != 0; }
+
+  /// The planes that cut the point away, one bit each. A point on a plane stays.
+  unsigned outcode(const Point3& world) const;
+  /// True if a plane cuts some of these points away.
+  template <class Points>
+  bool cut_some(const Points& world) const {
+    for (const Point3& p : world) {
+      if (outcode(p) != 0) return true;
+    }
+    return false;
+  }
+
+  /// What is left of a polygon; edge_visible empty for "all sides", normals one a vertex or none.
+  /// A normal where an edge is cut is that which runs linearly along the edge, between normals of
+  /// length 1. What is not cut is returned as it was given. Valid until the next call.
+  CutPolygon cut(std::span<const Point3> world, std::span<const std::uint8_t> edge_visible,
+                 std::span<const Point3> normals);
+  /// What is left of the line from a to b, in their place; false if that is nothing.
+  bool cut_line(Point3& a, Point3& b) const;
+
+ private:
+  /// a, b, c and d times a power of two, so that the largest of a, b and c is between 1/2 and 1.
+  struct Plane {
+    Point3 normal{0.0};
+    double d = 0.0;
+    double distance(const Point3& p) const {
+      return normal.x * p.x + normal.y * p.y + normal.z * p.z + d;
+    }
+    void snap(Point3& p) const;
+  };
+  struct Vertex {
+    Point3 position;
+    Point3 normal{0.0};
+    unsigned outcode;
+    std::uint8_t edge_visible;  ///< of the side that ends here
+  };
+
+  Vertex cut_edge(const Vertex& inside, const Vertex& outside, int plane) const;
+
+  std::array<Plane, kMost> planes_{};
+  unsigned on_ = 0;
+  std::vector<Vertex> in_, out_;
+  std::vector<Point3> vertices_, normals_;
+  std::vector<std::uint8_t> visible_;
+};
+
+}  // namespace displayfile

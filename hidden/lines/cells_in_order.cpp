@@ -1,0 +1,54 @@
+#include "hidden/lines/cells_in_order.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+
+namespace displayfile {
+
+/// True if the eye and a third point are on the same side of the vertical plane through two: the
+/// signs of two volumes, with the eye infinitely far toward growing depth. If the eye is in the
+/// plane but for rounding, neither side hides the other.
+bool CellsInOrder::eye_is_beyond(std::uint32_t a, std::uint32_t b, std::uint32_t beside) const {
+  const auto homogeneous = [&](std::uint32_t k) {
+    return HomogeneousPoint(surface_.point(k), 1.0);
+  };
+  const HomogeneousPoint p = homogeneous(a), way = homogeneous(b) - p;
+  const HomogeneousPoint& up = surface_.upward();
+  const double of_eye =
+      glm::determinant(glm::dmat4(p, way, up, HomogeneousPoint(0.0, 0.0, 1.0, 0.0)));
+  const double of_point = glm::determinant(glm::dmat4(p, way, up, homogeneous(beside) - p));
+  return (of_eye > 0.0) == (of_point > 0.0);
+}
+
+/// The number of the first cell that is not nearer than the next: that of curves beyond which the
+/// eye is, less one.
+std::uint32_t CellsInOrder::foot_column() const {
+  std::uint32_t beyond = 0;
+  const std::uint32_t last = surface_.columns(), top = surface_.rows();
+  for (std::uint32_t i = 0; i <= last; ++i) {
+    const std::uint32_t a = surface_.number(i, 0), b = surface_.number(i, top);
+    const bool is_beyond = i < last ? eye_is_beyond(a, b, surface_.number(i + 1, 0))
+                                    : !eye_is_beyond(a, b, surface_.number(i - 1, 0));
+    beyond += is_beyond ? 1 : 0;
+  }
+  return beyond == 0 ? 0 : beyond - 1;
+}
+
+std::uint32_t CellsInOrder::foot_row() const {
+  std::uint32_t beyond = 0;
+  const std::uint32_t last = surface_.rows(), right = surface_.columns();
+  for (std::uint32_t j = 0; j <= last; ++j) {
+    const std::uint32_t a = surface_.number(0, j), b = surface_.number(right, j);
+    const bool is_beyond = j < last ? eye_is_beyond(a, b, surface_.number(0, j + 1))
+                                    : !eye_is_beyond(a, b, surface_.number(0, j - 1));
+    beyond += is_beyond ? 1 : 0;
+  }
+  return beyond == 0 ? 0 : beyond - 1;
+}
+
+bool CellsInOrder::is_second_first(std::uint32_t i, std::uint32_t j) const {
+  return eye_is_beyond(surface_.number(i, j), surface_.number(i + 1, j + 1),
+                       surface_.number(i, j + 1));
+}
+
+}  // namespace displayfile

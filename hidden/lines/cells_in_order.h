@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "hidden/lines/grid_surface.h"
+
+namespace displayfile {
+
+/// The order of a surface's cells, nearest first, around the foot of the perpendicular from the
+/// eye: no triangle is before one that hides part of it.
+class CellsInOrder {
+ public:
+  explicit CellsInOrder(const GridSurface& surface)
+      : surface_(surface), column_(foot_column()), row_(foot_row()) {}
+
+  /// Calls visit(i, j, second_first) for each cell; second_first: its triangle at (i, j + 1) is
+  /// nearer than the one at (i + 1, j).
+  template <class Visit>
+  void for_each_cell(const Visit& visit) const {
+    outward(row_, surface_.rows(), [&](std::uint32_t j) {
+      outward(column_, surface_.columns(),
+              [&](std::uint32_t i) { visit(i, j, is_second_first(i, j)); });
+    });
+  }
+
+ private:
+  /// From the foot's on upward, then those below it downward.
+  template <class Visit>
+  static void outward(std::uint32_t foot, std::uint32_t end, const Visit& visit) {
+    for (std::uint32_t k = foot; k < end; ++k) visit(k);
+    for (std::uint32_t k = foot; k-- > 0;) visit(k);
+  }
+  std::uint32_t foot_column() const;
+  std::uint32_t foot_row() const;
+  bool is_second_first(std::uint32_t i, std::uint32_t j) const;
+  bool eye_is_beyond(std::uint32_t a, std::uint32_t b, std::uint32_t beside) const;
+
+  const GridSurface& surface_;
+  std::uint32_t column_, row_;  // where cells begin that lie behind those before them
+};
+
+}  // namespace displayfile

@@ -1,0 +1,86 @@
+#include "hidden/lines/grid_surface.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "clip/error.h"
+
+namespace displayfile {
+
+GridSurface::GridSurface(const Primitives& items) {
+  const std::string wrong = take(items);
+  if (wrong.empty()) return;
+  throw Error(fmt::format(
+      "hidden-line method 'perimeter' draws one surface, whole and of solid cells; {}: expected "
+      "another method, such as franklin",
+      wrong));
+}
+
+std::optional<GridSurface> GridSurface::of(const Primitives& items) {
+  GridSurface surface;
+  if (items.surfaces.size() != 1 || !surface.take(items).empty()) return std::nullopt;
+  return surface;
+}
+
+std::string GridSurface::take(const Primitives& items) {
+  const auto is_polygon = [](const Primitives::Item& item) {
+    return item.kind != Primitives::Kind::line;
+  };
+  if (items.surfaces.empty()) return "there is none that is entered at once (surface-3)";
+  if (items.surfaces.size() > 1) return fmt::format("there are {}", items.surfaces.size());
+  mark_ = items.surfaces[0];
+  const auto first = std::ranges::find_if(items.items, is_polygon);
+  first_item_ = static_cast<std::uint32_t>(first - items.items.begin());
+  const auto polygons = static_cast<std::size_t>(std::ranges::count_if(items.items, is_polygon));
+  if (polygons > std::size_t{2} * columns() * rows()) return "there are polygons beside it";
+  points_.resize(points());
+  known_.assign(points(), 0);
+  for (std::uint32_t j = 0; j < rows(); ++j) {
+    for (std::uint32_t i = 0; i < columns(); ++i) {
+      if (take_cell(items, i, j)) continue;
+      return fmt::format("its cell {} {} is missing, clipped, hollow, turned away or of no length",
+                         i + 1, j + 1);
+    }
+  }
+  known_ = {};
+  return {};
+}
+
+bool GridSurface::take_cell(const Primitives& items, std::uint32_t i, std::uint32_t j) {
+  const std::uint32_t item = first_item_ + 2 * (j * columns() + i);
+  const std::uint32_t a = number(i, j), b = number(i + 1, j), c = number(i + 1, j + 1),
+                      d = number(i, j + 1);
+  return take_triangle(items, item, {a, b, c}) && take_triangle(items, item + 1, {a, c, d});
+}
+
+/// Cells share points bit for bit: one that was clipped has others.
+bool GridSurface::take_triangle(const Primitives& items, std::uint32_t number,
+                                const std::uint32_t (&numbers)[3]) {
+  if (number >= items.items.size()) return false;
+  const Primitives::Item& item = items.items[number];
+  if (item.kind != Primitives::Kind::solid || item.sides != 3) return false;
+  const PointRow corners = items.points_of(item);
+  for (std::size_t k = 0; k < 3; ++k) {
+    Point3& point = points_[numbers[k]];
+    if (known_[numbers[k]] == 0) {
+      known_[numbers[k]] = 1;
+      point = corners[k];
+    } else if (point != corners[k]) {
+      return false;
+    }
+  }
+  return corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0];
+}
+
+std::uint32_t GridSurface::side(std::uint32_t item, std::uint32_t corner) const {
+  if (item < first_item_ || item - first_item_ >= 2 * columns() * rows()) return kNone;
+  const std::uint32_t triangle = item - first_item_, cell = triangle / 2;
+  const std::uint32_t i = cell % columns(), j = cell / columns();
+  if (triangle % 2 == 0) {  // from its third corner to the first, and so on
+    return corner == 0 ? diagonal(i, j) : corner == 1 ? side_along_x(i, j) : side_along_y(i + 1, j);
+  }
+  return corner == 0 ? side_along_y(i, j) : corner == 1 ? diagonal(i, j) : side_along_x(i, j + 1);
+}
+
+}  // namespace displayfile

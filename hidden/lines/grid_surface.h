@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hidden/primitives.h"
+#include "hidden/surface_mark.h"
+
+namespace displayfile {
+
+/// The one surface among some items: its cells of two triangles each, row by row, as surface_3
+/// enters them.
+class GridSurface {
+ public:
+  /// Throws Error unless the polygons of the items are the solid triangles of one surface, none of
+  /// them clipped or left out; the message names a method that draws what they are.
+  explicit GridSurface(const Primitives& items);
+  /// The surface, or nothing if they are not.
+  static std::optional<GridSurface> of(const Primitives& items);
+
+  const HomogeneousPoint& upward() const { return mark_.upward; }
+  std::uint32_t columns() const { return mark_.x_points - 1; }  ///< of cells
+  std::uint32_t rows() const { return mark_.y_points - 1; }
+  /// Points (i, j) are numbered row by row.
+  std::uint32_t number(std::uint32_t i, std::uint32_t j) const { return j * mark_.x_points + i; }
+  std::uint32_t points() const { return mark_.x_points * mark_.y_points; }
+  const Point3& point(std::uint32_t number) const { return points_[number]; }
+
+  /// The sides of cells, by number: first those along x, then those along y, then the diagonals.
+  std::uint32_t side_along_x(std::uint32_t i, std::uint32_t j) const { return j * columns() + i; }
+  std::uint32_t side_along_y(std::uint32_t i, std::uint32_t j) const {
+    return columns() * mark_.y_points + j * mark_.x_points + i;
+  }
+  std::uint32_t diagonal(std::uint32_t i, std::uint32_t j) const {
+    return columns() * mark_.y_points + mark_.x_points * rows() + j * columns() + i;
+  }
+  std::uint32_t sides() const { return diagonal(0, rows()); }
+
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+  /// The side that ends at that corner of a polygon of the items; kNone if it is not the surface's.
+  std::uint32_t side(std::uint32_t item, std::uint32_t corner) const;
+  /// True if the item is the triangle of its cell that has the corner (i + 1, j).
+  bool is_first(std::uint32_t item) const { return (item - first_item_) % 2 == 0; }
+
+ private:
+  GridSurface() = default;
+  /// Nothing, or what is wrong with it.
+  std::string take(const Primitives& items);
+  bool take_cell(const Primitives& items, std::uint32_t i, std::uint32_t j);
+  bool take_triangle(const Primitives& items, std::uint32_t item,
+                     const std::uint32_t (&numbers)[3]);
+
+  SurfaceMark mark_{};
+  std::uint32_t first_item_ = 0;
+  std::vector<Point3> points_;
+  std::vector<std::uint8_t> known_;
+};
+
+}  // namespace displayfile

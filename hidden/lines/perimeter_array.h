@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hidden/lines/hidden_parts.h"
+#include "hidden/lines/verticals.h"
+
+namespace displayfile {
+
+/// The perimeters as the problem book has them: an array of minima and maxima, one for each column
+/// of a plotting device, and a test of a line's endpoints. What ROUNDOFF draws, and the plain form
+/// beside which the exact polylines stand.
+class PerimeterArray {
+ public:
+  static constexpr std::uint32_t kColumns = 1024;
+
+  /// Heights no farther apart than the share `roundoff` of the whole are equal.
+  PerimeterArray(const GridSurface& surface, const Verticals& verticals, double roundoff);
+
+  /// What is not seen of the line: nothing, all, or from one end to the column where that changes.
+  void find_hidden(std::uint32_t a, std::uint32_t b, std::vector<PartOfLine>& parts) const;
+  void extend(std::uint32_t a, std::uint32_t b);
+
+ private:
+  struct Range {
+    double low, high;
+  };
+  double column_of(double x) const { return (x - left_) / width_; }
+  std::uint32_t index(double column) const;
+  bool is_hidden(std::uint32_t column, double height) const {
+    return height < columns_[column].high - equal_ && height > columns_[column].low + equal_;
+  }
+
+  const GridSurface& surface_;
+  const Verticals& verticals_;
+  double left_, width_, equal_;
+  std::vector<Range> columns_;
+};
+
+}  // namespace displayfile

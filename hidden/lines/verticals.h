@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "hidden/lines/grid_surface.h"
+
+namespace displayfile {
+
+/// The pictures of a surface's verticals: parallel lines, or lines through their vanishing point.
+/// A projective map makes them the columns x = constant of a picture of its own, in which they run
+/// up as y grows: straight lines stay straight. Its coordinates are rounded, and decide nothing but
+/// in which column something is.
+class Verticals {
+ public:
+  explicit Verticals(const GridSurface& surface);
+
+  /// True if the surface is seen along its verticals: nothing of it hides anything.
+  bool are_points() const { return are_points_; }
+  /// True if all of the surface is on one side of the vanishing point, so that each vertical has
+  /// one direction; otherwise there are no columns.
+  bool make_columns() const { return make_columns_; }
+
+  /// Where point (i, j) of that number is among the columns.
+  const Point2& in_columns(std::uint32_t number) const { return in_columns_[number]; }
+  /// Along the picture of the vertical at a point, upward.
+  Point2 direction_at(const Point2& p) const { return Point2(upward_) - upward_.w * p; }
+  /// True if a line runs along the verticals, all but.
+  bool are_along(const Point2& a, const Point2& b) const {
+    constexpr double kSlope = 1e-6;
+    const Point2 up = direction_at(a), way = b - a;
+    return std::abs(way.x * up.y - way.y * up.x) <=
+           kSlope * std::hypot(way.x, way.y) * std::hypot(up.x, up.y);
+  }
+  /// Where on the line from a to b the vertical of p is, in [0,1]; the line does not run along it.
+  double part_at(const Point2& a, const Point2& b, const Point2& p) const {
+    const Point2 up = direction_at(p);
+    const double of_a = (a.x - p.x) * up.y - (a.y - p.y) * up.x;
+    const double of_b = (b.x - p.x) * up.y - (b.y - p.y) * up.x;
+    const double part = of_a / (of_a - of_b);
+    return part > 0.0 ? std::fmin(part, 1.0) : 0.0;
+  }
+  /// Where on the line from a to b the column x is.
+  double part_at_column(const Point2& a, const Point2& b, double x) const;
+
+ private:
+  /// Where a point is: across the middle vertical, over how the verticals have come together there.
+  struct Place {
+    double across, along, over;
+  };
+  Place place(const Point2& p) const;
+
+  HomogeneousPoint upward_;
+  Point2 middle_{0.0}, up_{0.0}, across_{0.0};
+  std::vector<Point2> in_columns_;
+  bool are_points_ = false, make_columns_ = false;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace displayfile {
+
+/// A scale of drawings, PAPER:PART.
+struct DrawingScale {
+  double paper = 1.0, part = 1.0;
+  double factor() const { return paper / part; }
+  std::string text() const;
+};
+
+/// Reads `2:1`, `1:50` and so on. Throws Error for anything but two positive numbers.
+DrawingScale drawing_scale(std::string_view word);
+/// The largest standard scale (ISO 5455: 1, 2 and 5 times a power of ten, to 1) for which fits(),
+/// from 1000000:1 to 1:1000000000. Throws Error if none does.
+DrawingScale largest_standard_scale(const std::function<bool(double)>& fits);
+
+}  // namespace displayfile

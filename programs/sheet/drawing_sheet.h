@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "clip/point.h"
+
+namespace displayfile {
+
+/// What lines of a sheet are for: a layer each. Widths and dashes are millimetres.
+enum class SheetLayer { visible, hidden, hatch, cutting, frame, text };
+struct SheetPen {
+  std::string_view name;
+  double width;
+  std::vector<double> dashes;  ///< drawn, left out, and so on; empty: solid
+};
+inline const std::array<SheetPen, 6>& sheet_pens() {
+  static const std::array<SheetPen, 6> pens{{{"VISIBLE", 0.5, {}},
+                                             {"HIDDEN", 0.25, {3.0, 1.0}},
+                                             {"HATCH", 0.13, {}},
+                                             {"CUTTING", 0.25, {8.0, 1.5, 1.0, 1.5}},
+                                             {"FRAME", 0.5, {}},
+                                             {"TEXT", 0.25, {}}}};
+  return pens;
+}
+inline const SheetPen& pen_of(SheetLayer layer) {
+  return sheet_pens()[static_cast<std::size_t>(layer)];
+}
+
+/// A drawing on paper. Millimetres from the lower left corner, y up.
+struct DrawingSheet {
+  struct Line {
+    SheetLayer layer;
+    std::vector<Point2> points;
+    bool closed = false;
+  };
+  struct Text {
+    Point2 at;      ///< where its baseline begins, or its middle if it is centred
+    double height;  ///< of capital letters
+    std::string characters;
+    bool centred = false;
+  };
+  double width = 0.0, height = 0.0;
+  std::string title;
+  std::vector<Line> lines;
+  std::vector<Text> texts;
+};
+
+/// Writes a sheet in the format that the file's name ends in: .svg, .pdf or .dxf; whole or not at
+/// all. Throws Error if it cannot.
+void write_sheet(const DrawingSheet& sheet, const std::string& file);
+/// Throws Error for another ending, or one whose library this build lacks.
+void require_sheet_file(const std::string& file);
+
+void write_sheet_svg(const DrawingSheet& sheet, const std::string& file);
+void write_sheet_pdf(const DrawingSheet& sheet, const std::string& file);
+void write_sheet_dxf(const DrawingSheet& sheet, const std::string& file);
+extern const bool kWritesDxf;  ///< dxflib was found when this was built
+
+}  // namespace displayfile

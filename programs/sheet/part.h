@@ -1,0 +1,15 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "displayfile/mesh/mesh.h"
+
+namespace displayfile {
+
+/// The inputs as one mesh: the faces of meshes and what drawing programs draw of polygons, in the
+/// coordinates of who stands before it: x to the right, y up, z toward the viewer. `up` is an axis
+/// as --up has it; empty: as the first input's file says. Throws Error if there are no faces.
+Mesh read_part(std::span<const std::string> inputs, const std::string& up);
+
+}  // namespace displayfile

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "displayfile/mesh/section.h"
+#include "hidden/line_kinds.h"
+
+namespace displayfile {
+
+enum class ViewKind { front, top, right, left, isometric };
+
+/// From a part's coordinates (part.h) to those of a view: x to the right and y up on the paper, z
+/// toward the viewer. All but the isometric one permute the axes, and round nothing.
+Point3 in_view(ViewKind view, const Point3& p);
+/// Toward the viewer.
+Point3 toward_viewer(ViewKind view);
+
+/// What a view shows, in the part's unit.
+struct PartView {
+  struct Line {
+    Point2 from, to;
+    bool hidden;
+  };
+  ViewKind kind = ViewKind::front;
+  Point2 low{0.0}, high{0.0};  ///< of the whole part
+  std::vector<Line> lines;
+  std::vector<std::vector<Point2>> cut;  ///< loops of the cut face
+  std::optional<double> position;        ///< of a section, along toward_viewer
+};
+
+/// Finds a view's lines, the hidden ones too, exactly (hidden/lines/franklin.md). With a position
+/// the part is cut there, and what is nearer to the viewer taken away; `hatched` is false if the
+/// part is not closed: then the cut face is open.
+PartView view_of_part(const Mesh& part, ViewKind kind, const LineSelection& lines,
+                      std::optional<double> position, bool hatched, int threads);
+
+}  // namespace displayfile

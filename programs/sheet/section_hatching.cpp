@@ -1,0 +1,41 @@
+#include "programs/sheet/section_hatching.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace displayfile {
+
+std::vector<std::pair<Point2, Point2>> section_hatching(
+    const std::vector<std::vector<Point2>>& loops, double spacing) {
+  constexpr double kHalf = std::numbers::sqrt2 / 2.0;
+  // A crossing of a side with a hatching line: the line's number, and the place along it.
+  std::vector<std::pair<std::int64_t, double>> crossings;
+  for (const auto& loop : loops) {
+    Point2 from = loop.back();
+    for (const Point2& to : loop) {
+      const double y0 = (from.y - from.x) * kHalf / spacing, y1 = (to.y - to.x) * kHalf / spacing;
+      const double x0 = (from.x + from.y) * kHalf, x1 = (to.x + to.y) * kHalf;
+      const auto [low, high] = std::minmax(y0, y1);
+      for (auto k = static_cast<std::int64_t>(std::floor(low)) + 1; static_cast<double>(k) <= high;
+           ++k) {
+        crossings.emplace_back(k, x0 + (x1 - x0) * (static_cast<double>(k) - y0) / (y1 - y0));
+      }
+      from = to;
+    }
+  }
+  std::ranges::sort(crossings);
+  std::vector<std::pair<Point2, Point2>> lines;
+  const auto point = [&](std::int64_t k, double x) {
+    const double y = static_cast<double>(k) * spacing;
+    return Point2((x - y) * kHalf, (x + y) * kHalf);
+  };
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+    const auto [k, begin] = crossings[i];
+    lines.emplace_back(point(k, begin), point(k, crossings[i + 1].second));
+  }
+  return lines;
+}
+
+}  // namespace displayfile

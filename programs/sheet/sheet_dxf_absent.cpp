@@ -1,0 +1,12 @@
+#include "clip/error.h"
+#include "programs/sheet/drawing_sheet.h"
+
+namespace displayfile {
+
+const bool kWritesDxf = false;
+
+void write_sheet_dxf(const DrawingSheet&, const std::string& file) {
+  throw Error(file + ": this build has no DXF");
+}
+
+}  // namespace displayfile

@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <ostream>
+
+#include "displayfile/output_file.h"
+#include "programs/sheet/drawing_sheet.h"
+
+namespace displayfile {
+
+namespace {
+
+constexpr double kCapitalsOfFont = 0.72;  // the height of capital letters, in parts of the size
+
+std::string escaped_text(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&') {
+      out += "&amp;";
+    } else if (c == '<') {
+      out += "&lt;";
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
+std::string path_of(const DrawingSheet& sheet, const DrawingSheet::Line& line) {
+  std::string path;
+  for (const Point2& p : line.points) {
+    path += fmt::format("{}{} {}", path.empty() ? "M" : "L", p.x, sheet.height - p.y);
+  }
+  return path + (line.closed ? "Z" : "");
+}
+
+void write_layer(const DrawingSheet& sheet, SheetLayer layer, std::ostream& out) {
+  const SheetPen& pen = pen_of(layer);
+  std::string path;
+  for (const auto& line : sheet.lines) {
+    if (line.layer == layer) path += path_of(sheet, line);
+  }
+  if (path.empty()) return;
+  const std::string dashes =
+      pen.dashes.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", fmt::join(pen.dashes, " "));
+  fmt::print(out, "<path id=\"{}\" stroke-width=\"{}\"{} d=\"{}\"/>\n", pen.name, pen.width, dashes,
+             path);
+}
+
+}  // namespace
+
+void write_sheet_svg(const DrawingSheet& sheet, const std::string& file) {
+  OutputFile output(file);
+  std::ostream& out = output.stream();
+  fmt::print(out,
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}mm\" height=\"{1}mm\" "
+             "viewBox=\"0 0 {0} {1}\">\n<title>{2}</title>\n"
+             "<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n"
+             "<g fill=\"none\" stroke=\"#000\" stroke-linecap=\"round\" "
+             "stroke-linejoin=\"round\">\n",
+             sheet.width, sheet.height, escaped_text(sheet.title));
+  for (const SheetLayer layer : {SheetLayer::hatch, SheetLayer::hidden, SheetLayer::cutting,
+                                 SheetLayer::visible, SheetLayer::frame, SheetLayer::text}) {
+    write_layer(sheet, layer, out);
+  }
+  out << "</g>\n<g font-family=\"sans-serif\">\n";
+  for (const auto& text : sheet.texts) {
+    fmt::print(out, "<text x=\"{:.6g}\" y=\"{:.6g}\" font-size=\"{:.4g}\"{}>{}</text>\n", text.at.x,
+               sheet.height - text.at.y, text.height / kCapitalsOfFont,
+               text.centred ? " text-anchor=\"middle\"" : "", escaped_text(text.characters));
+  }
+  out << "</g>\n</svg>\n";
+  output.commit();
+}
+
+}  // namespace displayfile

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "programs/sheet/part_view.h"
+
+namespace displayfile {
+
+/// The lines, in millimetres, with none drawn twice: those along one line that touch or overlap
+/// become one, and what of a hidden one is under a visible one is left out. Ends stay as they are.
+std::vector<PartView::Line> unique_lines(const std::vector<PartView::Line>& lines);
+
+}  // namespace displayfile

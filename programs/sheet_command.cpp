@@ -1,0 +1,174 @@
+#include "programs/sheet_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+#include "clip/error.h"
+#include "interp/paper.h"
+#include "programs/input_names.h"
+#include "programs/option_groups.h"
+#include "programs/progress.h"
+#include "programs/sheet/arrangement.h"
+#include "programs/sheet/part.h"
+#include "programs/warnings.h"
+
+namespace displayfile {
+
+namespace {
+
+struct LengthUnit {
+  const char* name;
+  double millimetres;
+};
+constexpr std::array kUnits{LengthUnit{"mm", 1.0}, LengthUnit{"cm", 10.0}, LengthUnit{"m", 1000.0},
+                            LengthUnit{"inch", 25.4}};
+
+double millimetres_of(const std::string& unit) {
+  const auto* const found = std::ranges::find(kUnits, unit, &LengthUnit::name);
+  if (found != kUnits.end()) return found->millimetres;
+  throw Error(fmt::format("--unit {}: expected mm, cm, m or inch", unit));
+}
+
+SheetProjection projection_of(const std::string& word) {
+  if (word == "third") return SheetProjection::third;
+  if (word == "first") return SheetProjection::first;
+  throw Error(fmt::format("--projection {}: expected third or first", word));
+}
+
+/// Positions of sections in the front, top and side view, as `front=0`.
+std::array<std::optional<double>, 4> sections_of(const std::vector<std::string>& words) {
+  constexpr std::array<std::string_view, 3> kViews{"front", "top", "side"};
+  std::array<std::optional<double>, 4> positions;
+  for (const std::string& word : words) {
+    const auto fail = [&](std::string_view what) {
+      throw Error(fmt::format("--section {}: {}", word, what));
+    };
+    constexpr std::string_view kExpected = "expected front=POSITION, top=POSITION or side=POSITION";
+    const std::size_t equals = word.find('=');
+    const auto* const view = std::ranges::find(kViews, word.substr(0, equals));
+    if (equals == std::string::npos || view == kViews.end()) fail(kExpected);
+    double value = 0.0;
+    const char* const end = word.data() + word.size();
+    const auto [stop, failure] = std::from_chars(word.data() + equals + 1, end, value);
+    if (failure != std::errc{} || stop != end || !std::isfinite(value)) fail(kExpected);
+    auto& position = positions[static_cast<std::size_t>(view - kViews.begin())];
+    if (position) fail("the view has a section already: expected one a view");
+    position = value;
+  }
+  return positions;
+}
+
+void read_paper(const std::string& word, double margin, SheetWords& words) {
+  Paper paper = paper_of(word);
+  paper.margin = margin;
+  constexpr int kWide = 2, kHigh = 1;  // four views are wider than high
+  const PaperFit fit = fit_on_paper(paper, kWide, kHigh);
+  words.width = fit.width;
+  words.height = fit.height;
+  words.margin = margin;
+}
+
+}  // namespace
+
+CLI::App& SheetCommand::add_to(CLI::App& app) {
+  CLI::App& command = *app.add_subcommand(
+      "sheet", "Draw a part on a sheet of paper: front, top, side and isometric view");
+  add_inputs(command, "PART", inputs, "meshes and drawing programs of polygons");
+  command.add_option("-o,--output", output, "the sheet: .svg, .pdf or .dxf")
+      ->required()
+      ->group(kOutputOptions);
+  command.add_option("--paper", paper, "as draw has it: a4, a3-portrait, 300x200")
+      ->capture_default_str()
+      ->group(kPaperOptions);
+  command.add_option("--margin", margin, "mm from the paper's edge to the frame")
+      ->capture_default_str()
+      ->group(kPaperOptions);
+  command
+      .add_option("--scale", scale,
+                  "PAPER:PART, such as 1:2; else the largest standard one (ISO 5455) that fits")
+      ->group(kPictureOptions);
+  command
+      .add_option("--projection", projection,
+                  "third: the top view above and the right side on the right; first: the top view "
+                  "below and the left side on the right")
+      ->capture_default_str()
+      ->group(kPictureOptions);
+  command.add_option("--unit", unit, "of the part's coordinates: mm, cm, m or inch")
+      ->capture_default_str()
+      ->group(kPictureOptions);
+  command
+      .add_option("--up", up, "the axis that is up: x, y, z, -x, -y or -z; else as the file says")
+      ->group(kPictureOptions);
+  command
+      .add_option("--section", sections,
+                  "front=POSITION, top= or side=: that view shows the part cut, the cut face "
+                  "hatched; POSITION along the direction toward who looks at the view, in the "
+                  "part's unit; may be given for each of them")
+      ->group(kPictureOptions);
+  command.add_option("--hatch", hatch, "mm between the lines of hatching")
+      ->capture_default_str()
+      ->group(kPictureOptions);
+  command.add_option("--lines", lines, "which edges are lines, as draw has it")
+      ->capture_default_str()
+      ->group(kHiddenSurfaceOptions);
+  command.add_option("--title", title, "in the title block; else the part's file name")
+      ->group(kPictureOptions);
+  command.add_option("--date", date, "in the title block; else there is none")
+      ->group(kPictureOptions);
+  command.add_option("--threads", threads, "the sheet is the same for any number")
+      ->check(CLI::Range(1, 1024))
+      ->group(kPictureOptions);
+  return command;
+}
+
+int SheetCommand::run() const {
+  require_sheet_file(output);
+  SheetWords words;
+  read_paper(paper, margin, words);
+  words.projection = projection_of(projection);
+  words.unit = millimetres_of(unit);
+  words.title = title.empty() ? std::filesystem::path(inputs.front()).stem().string() : title;
+  words.date = date;
+  words.hatch = hatch;
+  if (!(hatch >= kClosestHatching && hatch <= kLargestSheet)) {
+    throw Error(
+        fmt::format("--hatch {}: expected {} to {} mm", hatch, kClosestHatching, kLargestSheet));
+  }
+  std::optional<DrawingScale> asked;
+  if (!scale.empty()) asked = drawing_scale(scale);
+  const auto positions = sections_of(sections);
+  const LineSelection selection = line_selection(lines);
+  const Mesh part = read_part(inputs, up);
+
+  const bool is_cut = std::ranges::any_of(positions, [](const auto& p) { return p.has_value(); });
+  const bool hatched = is_cut && closed_and_consistently_oriented(part);
+  if (is_cut && !hatched) {
+    warnings() << fmt::format(
+        "{}: not closed and consistently oriented: the section is drawn open, without hatching\n",
+        inputs.front());
+  }
+  std::array<PartView, 4> views;
+  {
+    Progress progress("finding the lines of four views");
+    const auto kinds = views_of_sheet(words.projection);
+    for (std::size_t k = 0; k < 4; ++k) {
+      views[k] = view_of_part(part, kinds[k], selection, positions[k], hatched, threads);
+      if (positions[k] && hatched && views[k].cut.empty()) {
+        warnings() << fmt::format("{}: the plane of the section at {} does not cut the part\n",
+                                  inputs.front(), *positions[k]);
+      }
+      progress.update(k + 1, 4);
+    }
+  }
+  const DrawingScale chosen = scale_of_sheet(views, words, asked ? &*asked : nullptr);
+  write_sheet(arrange(views, words, chosen), output);
+  return 0;
+}
+
+}  // namespace displayfile

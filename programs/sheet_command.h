@@ -1,0 +1,23 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace displayfile {
+
+/// `displayfile sheet`: four views of a part on a sheet of paper, hidden lines dashed.
+struct SheetCommand {
+  std::vector<std::string> inputs;
+  std::string output, paper = "a3", scale, projection = "third", unit = "mm", title, date, up;
+  std::string lines = "outline,boundary,crease";
+  std::vector<std::string> sections;
+  double margin = 10.0, hatch = 2.0;
+  int threads = 1;
+
+  CLI::App& add_to(CLI::App& app);
+  int run() const;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "programs/surface/surface_data.h"
+
+namespace displayfile {
+
+/// True if this build can read expressions.
+bool reads_expressions();
+
+/// The heights of an expression in x and y over a grid; NaN where it has no value. Throws Error for
+/// one that cannot be read, with the place in it and what was expected.
+std::vector<double> heights_of(const std::string& expression, const GridRange& grid);
+
+}  // namespace displayfile

@@ -1,0 +1,14 @@
+#include "clip/error.h"
+#include "programs/surface/expression.h"
+
+namespace displayfile {
+
+bool reads_expressions() { return false; }
+
+std::vector<double> heights_of(const std::string& expression, const GridRange&) {
+  throw Error("expression '" + expression +
+              "': this build has no muParser, which reads expressions: expected a grid of heights, "
+              ".npy or .txt");
+}
+
+}  // namespace displayfile

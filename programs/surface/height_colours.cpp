@@ -1,0 +1,24 @@
+#include "programs/surface/height_colours.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace displayfile {
+
+Colour height_colour(double part) {
+  // Even steps in lightness (CIE L* 18 to 92), chosen for this.
+  static const std::array<Colour, 7> kColours{Colour{0.23, 0.06, 0.36}, Colour{0.24, 0.22, 0.52},
+                                              Colour{0.16, 0.38, 0.56}, Colour{0.10, 0.53, 0.56},
+                                              Colour{0.25, 0.68, 0.47}, Colour{0.60, 0.81, 0.30},
+                                              Colour{0.97, 0.91, 0.25}};
+  const double place = std::clamp(part, 0.0, 1.0) * (kColours.size() - 1);
+  const auto k = std::min(static_cast<std::size_t>(place), kColours.size() - 2);
+  const double rest = place - static_cast<double>(k);
+  return kColours[k] + rest * (kColours[k + 1] - kColours[k]);
+}
+
+Colour height_colour_of_step(int step) { return height_colour((step + 0.5) / kHeightColours); }
+
+}  // namespace displayfile

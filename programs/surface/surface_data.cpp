@@ -1,0 +1,138 @@
+#include "programs/surface/surface_data.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <string_view>
+#include <variant>
+
+#include "clip/error.h"
+#include "clip/memory.h"
+#include "interp/files/npy_file.h"
+#include "programs/progress.h"
+#include "programs/surface/expression.h"
+
+namespace displayfile {
+
+namespace {
+
+bool read_height(std::string_view text, double& value) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+bool read_points(std::string_view text, int& value) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+/// One row of a text; the column of what is no number is told.
+std::vector<double> heights_of_row(std::string_view line, const std::string& file, int row) {
+  constexpr std::string_view kBetween = " \t\r,;";
+  line = line.substr(0, line.find('#'));
+  std::vector<double> numbers;
+  for (std::size_t at = line.find_first_not_of(kBetween); at != line.npos;) {
+    const std::size_t end = std::min(line.find_first_of(kBetween, at), line.size());
+    const std::string_view word = line.substr(at, end - at);
+    double value = 0.0;
+    if (!read_height(word, value) || std::isinf(value)) {
+      throw Error(fmt::format("{}:{}:{}: '{}': expected a finite number, or nan for a hole", file,
+                              row, at + 1, word));
+    }
+    numbers.push_back(value);
+    at = line.find_first_not_of(kBetween, end);
+  }
+  return numbers;
+}
+
+void read_text_grid(const std::string& file, SurfaceData& surface) {
+  std::ifstream stream(file);
+  if (!stream) throw Error(file + ": cannot be read");
+  std::size_t columns = 0;
+  int row = 0, rows = 0;
+  for (std::string line; std::getline(stream, line);) {
+    const std::vector<double> numbers = heights_of_row(line, file, ++row);
+    if (numbers.empty()) continue;
+    if (rows++ > 0 && numbers.size() != columns) {
+      throw Error(fmt::format("{}:{}:1: a row of {} heights: expected {}, as in the first", file,
+                              row, numbers.size(), columns));
+    }
+    columns = numbers.size();
+    surface.heights.insert(surface.heights.end(), numbers.begin(), numbers.end());
+  }
+  surface.range.x_points = static_cast<int>(columns);
+  surface.range.y_points = rows;
+}
+
+void read_npy_grid(const std::string& file, SurfaceData& surface) {
+  const NpyArray array = read_npy(file);
+  surface.range.x_points = array.width;
+  surface.range.y_points = array.height;
+  std::visit([&](const auto& values) { surface.heights.assign(values.begin(), values.end()); },
+             array.values);
+}
+
+}  // namespace
+
+void read_range(const char* option, const std::string& text, double& low, double& high) {
+  if (text.empty()) return;
+  const std::size_t colon = text.find(':');
+  const std::string_view words = text;
+  double from = 0.0, to = 0.0;
+  const bool read = colon != text.npos && read_height(words.substr(0, colon), from) &&
+                    read_height(words.substr(colon + 1), to) && std::isfinite(from) &&
+                    std::isfinite(to) && from < to;
+  if (!read) {
+    throw Error(
+        fmt::format("{} {}: expected A:B, two finite numbers, the first less", option, text));
+  }
+  low = from;
+  high = to;
+}
+
+void read_grid_size(const std::string& text, GridRange& range) {
+  if (text.empty()) return;
+  const std::string_view words = text;
+  const std::size_t cross = words.find('x');
+  int across = 0, along = 0;
+  const bool read = cross != words.npos && read_points(words.substr(0, cross), across) &&
+                    read_points(words.substr(cross + 1), along) && across >= 2 && along >= 2;
+  if (!read) {
+    throw Error(fmt::format("--grid {}: expected NXxNY points, 2 or more each way", text));
+  }
+  range.x_points = across;
+  range.y_points = along;
+}
+
+SurfaceData read_surface(const std::string& expression_or_file, const GridRange& range) {
+  SurfaceData surface{expression_or_file, range, {}};
+  if (expression_or_file.ends_with(".npy")) {
+    read_npy_grid(expression_or_file, surface);
+  } else if (expression_or_file.ends_with(".txt")) {
+    read_text_grid(expression_or_file, surface);
+  } else {
+    const Progress progress("evaluating " + expression_or_file);
+    const std::size_t points =
+        static_cast<std::size_t>(range.x_points) * static_cast<std::size_t>(range.y_points);
+    surface.heights = with_memory(
+        points * sizeof(double),
+        [&] { return fmt::format("a grid of {} x {} points", range.x_points, range.y_points); },
+        [&] { return heights_of(expression_or_file, range); });
+  }
+  try {
+    require_surface(surface.grid());
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", expression_or_file, error.what()));
+  }
+  if (std::ranges::all_of(surface.heights, [](double z) { return std::isnan(z); })) {
+    throw Error(expression_or_file + ": there is no height at any point: expected numbers");
+  }
+  return surface;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "displayfile/surface_grid.h"
+
+namespace displayfile {
+
+/// Where a grid's points are: displayfile/surface_grid.h without heights.
+struct GridRange {
+  double x_min = -1.0, x_max = 1.0;
+  int x_points = 50;
+  double y_min = -1.0, y_max = 1.0;
+  int y_points = 50;
+
+  double x(int i) const { return grid().x(i); }
+  double y(int j) const { return grid().y(j); }
+  SurfaceGrid grid(std::span<const double> heights = {}) const {
+    return {x_min, x_max, x_points, y_min, y_max, y_points, heights};
+  }
+};
+
+/// A surface to be drawn.
+struct SurfaceData {
+  std::string name;  ///< the expression, or the file
+  GridRange range;
+  std::vector<double> heights;
+
+  SurfaceGrid grid() const { return range.grid(heights); }
+};
+
+/// Reads `A:B`, A < B. Throws Error, naming the option, for anything else.
+void read_range(const char* option, const std::string& text, double& low, double& high);
+/// Reads `NXxNY`, 2 or more each way. Throws Error likewise.
+void read_grid_size(const std::string& text, GridRange& range);
+
+/// The surface of an expression, or of a file that ends in .npy or .txt: an array of heights whose
+/// first row is that of y-min, which stands for the size of the grid; blanks or commas between the
+/// numbers of a row of text, `nan` for a hole, `#` before a comment. Throws Error for what is
+/// neither, for infinite heights, rows of different lengths, and a grid that is larger than memory.
+SurfaceData read_surface(const std::string& expression_or_file, const GridRange& range);
+
+}  // namespace displayfile

@@ -1,0 +1,252 @@
+#include "programs/surface/surface_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "clip/error.h"
+#include "displayfile/axes.h"
+#include "displayfile/mesh/fitted_view.h"
+#include "programs/surface/contours.h"
+#include "programs/surface/height_colours.h"
+
+namespace displayfile {
+
+namespace {
+
+constexpr double kLetterHeight = 0.026;  // of the picture's height
+constexpr LineStyle kAxisStyle{LineStyle::Kind::solid, {0.15, 0.15, 0.15}, 1.0};
+constexpr LineStyle kBoxStyle{LineStyle::Kind::solid, {0.6, 0.6, 0.6}, 0.75};
+constexpr LineStyle kContourStyle{LineStyle::Kind::solid, {0.35, 0.35, 0.45}, 0.75};
+
+/// What a box around the surfaces is.
+struct SurfaceBox {
+  Point3 low{std::numeric_limits<double>::infinity()};
+  Point3 high{-std::numeric_limits<double>::infinity()};
+};
+
+SurfaceBox box_of_surfaces(std::span<const SurfaceData> surfaces, const SurfaceLook& look) {
+  SurfaceBox box;
+  for (const SurfaceData& surface : surfaces) {
+    const GridRange& range = surface.range;
+    box.low.x = std::min(box.low.x, range.x_min);
+    box.high.x = std::max(box.high.x, range.x_max);
+    box.low.y = std::min(box.low.y, range.y_min);
+    box.high.y = std::max(box.high.y, range.y_max);
+    for (const double z : surface.heights) {
+      if (std::isnan(z)) continue;
+      box.low.z = std::min(box.low.z, z);
+      box.high.z = std::max(box.high.z, z);
+    }
+  }
+  if (look.contours > 0 && !look.heights) box.low.z -= 0.6 * (box.high.z - box.low.z);
+  if (look.heights) {
+    box.low.z = std::min(box.low.z, (*look.heights)[0]);
+    box.high.z = std::max(box.high.z, (*look.heights)[1]);
+  }
+  if (box.low.z == box.high.z) {  // a flat surface has room above and below it
+    const double room = std::max(0.5, 0.5 * std::abs(box.low.z));
+    box.low.z -= room;
+    box.high.z += room;
+  }
+  return box;
+}
+
+/// The box as it is shown: two wide, and about as high as wide over the golden section.
+void set_box_proportions(GraphicsSystem& system, const SurfaceBox& box, bool true_scale) {
+  const Point3 middle = 0.5 * box.low + 0.5 * box.high, size = box.high - box.low;
+  system.translate_3(-middle.x, -middle.y, -middle.z);
+  if (true_scale) {
+    const double scale = 2.0 / std::max(size.x, size.y);
+    return system.scale_3(scale, scale, scale);
+  }
+  constexpr double kHeight = 1.24;
+  system.scale_3(2.0 / size.x, 2.0 / size.y, kHeight / size.z);
+}
+
+Point3 corner_of_box(const SurfaceBox& box, unsigned number) {
+  return {(number & 1u) != 0 ? box.high.x : box.low.x, (number & 2u) != 0 ? box.high.y : box.low.y,
+          (number & 4u) != 0 ? box.high.z : box.low.z};
+}
+
+/// The whole box in the picture, with room for numbers around it, and for the legend.
+void set_view_of_box(GraphicsSystem& system, const SurfaceBox& box, const SurfaceLook& look) {
+  std::array<Point3, 8> corners;
+  for (unsigned k = 0; k < 8; ++k) {
+    corners[k] = system.modelling_transformation().apply(corner_of_box(box, k));
+  }
+  fit_view(corners, system, look.camera);
+  const Rectangle window = system.view().window;
+  const double room_x = look.axes ? 0.10 : 0.0, room_y = look.axes ? 0.09 : 0.0;
+  const double for_legend = look.coloured ? 0.16 : 0.0;
+  const double width = window.x_max - window.x_min, height = window.y_max - window.y_min;
+  const double scale = 1.0 / std::min(1.0 - 2.0 * room_x - for_legend, 1.0 - 2.0 * room_y);
+  const double middle_x = 0.5 * (window.x_min + window.x_max) + 0.5 * for_legend * width * scale;
+  const double middle_y = 0.5 * (window.y_min + window.y_max);
+  system.set_window(middle_x - 0.5 * width * scale, middle_x + 0.5 * width * scale,
+                    middle_y - 0.5 * height * scale, middle_y + 0.5 * height * scale);
+  system.set_window_fit(WindowFit::widen);
+}
+
+/// The edges that end at the corner farthest from the viewer.
+void draw_box(GraphicsSystem& system, const SurfaceBox& box) {
+  unsigned farthest = 0;
+  double depth = std::numeric_limits<double>::infinity();
+  for (unsigned k = 0; k < 8; ++k) {
+    const auto at = system.to_device(corner_of_box(box, k));
+    if (!at || at->z >= depth) continue;
+    depth = at->z;
+    farthest = k;
+  }
+  system.set_line_style(kBoxStyle);
+  const auto draw = [&](unsigned from, unsigned to) {
+    const Point3 a = corner_of_box(box, from), b = corner_of_box(box, to);
+    system.move_abs_3(a.x, a.y, a.z);
+    system.line_abs_3(b.x, b.y, b.z);
+  };
+  // Of each of the three faces behind, the frame; an edge of two of them is drawn once.
+  for (unsigned axis = 1; axis <= 4; axis *= 2) draw(farthest, farthest ^ axis);
+  for (unsigned axis = 1; axis <= 4; axis *= 2) {
+    for (unsigned other = 1; other <= 4; other *= 2) {
+      if (other != axis) draw(farthest ^ axis, farthest ^ axis ^ other);
+    }
+  }
+}
+
+/// Fills of surfaces that are drawn together, light enough for curves over them.
+FillStyle fill_of_surface(std::size_t surface, std::size_t surfaces) {
+  static const std::array<Colour, 6> kFills{Colour{0.62, 0.76, 0.90}, Colour{0.97, 0.78, 0.55},
+                                            Colour{0.68, 0.86, 0.64}, Colour{0.90, 0.68, 0.75},
+                                            Colour{0.80, 0.74, 0.90}, Colour{0.93, 0.90, 0.60}};
+  if (surfaces == 1) return {FillStyle::Kind::solid, {1.0, 1.0, 1.0}};
+  return {FillStyle::Kind::solid, kFills[surface % kFills.size()]};
+}
+
+/// Thinner, the closer the curves are.
+LineStyle curve_style(const SurfaceData& surface, const SurfaceLook& look) {
+  const int most = std::max(surface.range.x_points, surface.range.y_points);
+  const double width =
+      look.curve_width > 0.0 ? look.curve_width : std::clamp(40.0 / most, 0.15, 0.8);
+  return {LineStyle::Kind::solid, {0.1, 0.1, 0.15}, width};
+}
+
+/// Each cell in the colour of its mean height.
+void draw_coloured(GraphicsSystem& system, const SurfaceData& surface, double low, double high) {
+  const SurfaceGrid grid = surface.grid();
+  int last = -1;
+  for (int j = 0; j + 1 < grid.y_points; ++j) {
+    for (int i = 0; i + 1 < grid.x_points; ++i) {
+      const auto at = [&](int x, int y) {
+        return grid.heights[static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.x_points) +
+                            static_cast<std::size_t>(x)];
+      };
+      const std::array corners{at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)};
+      const double mean = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
+      if (std::isnan(mean)) continue;
+      const double part = high > low ? (mean - low) / (high - low) : 0.5;
+      const int step = std::clamp(static_cast<int>(part * kHeightColours), 0, kHeightColours - 1);
+      if (step != last) {
+        system.set_fill_style({FillStyle::Kind::solid, height_colour_of_step(step)});
+      }
+      last = step;
+      system.surface_3({grid.x(i), grid.x(i + 1), 2, grid.y(j), grid.y(j + 1), 2, corners});
+    }
+  }
+}
+
+/// A bar of all colours at the right, with the heights beside it.
+void draw_legend(GraphicsSystem& system, double low, double high, const std::string& name) {
+  system.create_transformation_3();
+  system.set_view_reference_point({0, 0, 0});
+  system.set_view_plane_normal({0, 0, -1});
+  system.set_view_distance(0);
+  system.set_view_up({0, 1, 0});
+  system.set_parallel({0, 0, -1});
+  system.set_front_plane_clipping(false);
+  system.set_back_plane_clipping(false);
+  const double aspect = system.aspect_ratio();
+  system.set_window(0, aspect, 0, 1);
+  system.open_segment(2);
+  const double left = aspect - 0.14, right = aspect - 0.115, bottom = 0.25, top = 0.75;
+  const auto at = [&](double part) { return bottom + part * (top - bottom); };
+  system.set_line_style({LineStyle::Kind::none});
+  for (int step = 0; step < kHeightColours; ++step) {
+    const double from = at(static_cast<double>(step) / kHeightColours);
+    const double to = at(static_cast<double>(step + 1) / kHeightColours);
+    system.set_fill_style({FillStyle::Kind::solid, height_colour_of_step(step)});
+    system.polygon_abs_3({{left, from, 0}, {right, from, 0}, {right, to, 0}, {left, to, 0}});
+  }
+  system.set_line_style(kAxisStyle);
+  system.move_abs_3(left, bottom, 0);
+  for (const Point2& p :
+       {Point2{right, bottom}, Point2{right, top}, Point2{left, top}, Point2{left, bottom}}) {
+    system.line_abs_3(p.x, p.y, 0);
+  }
+  system.set_text_style(
+      {.size = kLetterHeight, .alignment = TextStyle::Alignment::left, .always = true});
+  constexpr int kMarks = 4;
+  for (int k = 0; k <= kMarks; ++k) {
+    const double part = static_cast<double>(k) / kMarks;
+    system.move_abs_3(right, at(part), 0);
+    system.line_abs_3(right + 0.008, at(part), 0);
+    system.move_abs_3(right + 0.014, at(part) - 0.35 * kLetterHeight, 0);
+    std::string text = fmt::format("{:.3g}", low + part * (high - low));
+    if (text.starts_with('-')) text = "\u2212" + text.substr(1);
+    system.text(text);
+  }
+  system.move_abs_3(left, top + kLetterHeight, 0);
+  system.text(name);
+  system.close_segment();
+}
+
+}  // namespace
+
+void enter_surfaces(GraphicsSystem& system, std::span<const SurfaceData> surfaces,
+                    const SurfaceLook& look) {
+  SurfaceBox box = box_of_surfaces(surfaces, look);
+  set_box_proportions(system, box, look.true_scale);
+  set_view_of_box(system, box, look);
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const SurfaceData& surface : surfaces) {
+    for (const double z : surface.heights) {
+      if (std::isnan(z)) continue;
+      low = std::min(low, z);
+      high = std::max(high, z);
+    }
+  }
+  system.set_surface_curves(look.curves);
+  system.set_surface_sides(look.sides);
+  system.open_segment(1);
+  if (look.box) draw_box(system, box);
+  if (look.axes) {
+    system.set_line_style(kAxisStyle);
+    system.set_text_style({.size = kLetterHeight});
+    axes_3(system, box.low, box.high, {look.names[0], look.names[1], look.names[2]});
+  }
+  if (look.contours > 0) {
+    system.set_line_style(kContourStyle);
+    for (const SurfaceData& surface : surfaces) {
+      for (const auto& [from, to] :
+           contour_lines(surface.grid(), low, high, look.contours, box.low.z)) {
+        system.move_abs_3(from.x, from.y, from.z);
+        system.line_abs_3(to.x, to.y, to.z);
+      }
+    }
+  }
+  for (std::size_t k = 0; k < surfaces.size(); ++k) {
+    system.set_line_style(curve_style(surfaces[k], look));
+    system.set_fill_style(fill_of_surface(k, surfaces.size()));
+    if (look.coloured) {
+      draw_coloured(system, surfaces[k], low, high);
+    } else {
+      system.surface_3(surfaces[k].grid());
+    }
+  }
+  system.close_segment();
+  if (look.coloured) draw_legend(system, low, high, look.names[2]);
+}
+
+}  // namespace displayfile

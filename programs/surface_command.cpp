@@ -1,0 +1,170 @@
+#include "programs/surface_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "clip/error.h"
+#include "displayfile/output_file.h"
+#include "interp/draw.h"
+#include "programs/progress.h"
+
+namespace displayfile {
+
+namespace {
+
+constexpr int kMostContours = 100;
+
+/// `X,Y,Z`, three names.
+std::array<std::string, 3> names_of_axes(const std::string& text) {
+  std::array<std::string, 3> names{"x", "y", "z"};
+  if (text.empty()) return names;
+  std::istringstream words(text);
+  std::size_t count = 0;
+  for (std::string word; std::getline(words, word, ','); ++count) {
+    if (count < names.size()) names[count] = word;
+  }
+  if (count != names.size()) {
+    throw Error(fmt::format("--labels {}: expected three names with commas between them", text));
+  }
+  return names;
+}
+
+bool has_holes(const SurfaceData& surface) {
+  return std::ranges::any_of(surface.heights, [](double height) { return std::isnan(height); });
+}
+
+/// One surface in lines is drawn nearest first; what has colours, or passes through another, as
+/// surfaces are.
+HiddenMethod usual_method(std::span<const SurfaceData> surfaces, bool coloured) {
+  if (surfaces.size() > 1 || coloured) return HiddenMethod::automatic;
+  return has_holes(surfaces[0]) ? HiddenMethod::franklin : HiddenMethod::perimeter;
+}
+
+}  // namespace
+
+CLI::App& SurfaceCommand::add_to(CLI::App& app) {
+  CLI::App& command = *app.add_subcommand(
+      "surface", "Draw surfaces z = F(x, y) over a grid: curves, axes, colours");
+  command
+      .add_option("SURFACE", surfaces,
+                  "expressions in x and y, or files of heights, .npy or .txt, the row of y-min "
+                  "first; several are drawn together, and pass through each other")
+      ->required();
+  command.add_option("-o,--output", output, "the picture: .svg .pdf .eps .png .ppm")->required();
+  command.add_option("--x", x, "A:B, the range of x [-1:1]");
+  command.add_option("--y", y, "A:B, the range of y [-1:1]");
+  command.add_option("--z", z, "A:B, heights that the box has at least");
+  command.add_option("--grid", grid, "NXxNY, points of expressions [50x50]");
+  command.add_option("--curves", curves, "x, y or both: which curves are drawn")
+      ->default_str("both");
+  command.add_option("--sides", sides, "upper, lower or both: of which sides of the surface")
+      ->default_str("both");
+  command.add_option("--colour", colour, "height: cells in colours by their height, and a legend");
+  command
+      .add_option("--contours", contours, "so many lines of equal height, at the base of the box")
+      ->default_str("0");
+  command.add_flag("--axes,!--no-axes", axes, "axes with numbers and names")->default_str("true");
+  command.add_flag("--box,!--no-box", box, "the faces of the box behind the surface")
+      ->default_str("true");
+  command.add_option("--labels", labels, "X,Y,Z, the names of the axes [x,y,z]");
+  command.add_flag("--true-scale", true_scale,
+                   "a unit is as long along each axis; otherwise the box has a pleasant shape");
+  command.add_option("--program", program, "write the drawing program, too");
+  command.add_option("--threads", threads,
+                     "threads at most; the picture is the same for any number");
+  command.add_option("--samples", samples, "antialiasing of pixels: samples x samples each");
+  size.add_to(command);
+  camera.add_to(command);
+  hidden_surfaces.add_to(command);
+  background.add_to(command);
+  vectors.add_to(command);
+  paper.add_to(command);
+  return command;
+}
+
+GridRange SurfaceCommand::range() const {
+  GridRange range;
+  read_range("--x", x, range.x_min, range.x_max);
+  read_range("--y", y, range.y_min, range.y_max);
+  read_grid_size(grid, range);
+  return range;
+}
+
+SurfaceLook SurfaceCommand::look() const {
+  SurfaceLook look;
+  look.camera = camera.camera();
+  if (camera.up.empty()) look.camera.upright = upright("z");
+  if (camera.eye.empty()) look.camera.eye = EyeDirection{30.0, 30.0};
+  if (!z.empty()) {
+    look.heights.emplace();
+    read_range("--z", z, (*look.heights)[0], (*look.heights)[1]);
+  }
+  look.true_scale = true_scale;
+  look.curves = surface_curves(curves);
+  look.sides = surface_sides(sides);
+  if (!colour.empty() && colour != "height") {
+    throw Error(fmt::format("--colour {}: expected height", colour));
+  }
+  look.coloured = !colour.empty();
+  if (contours < 0 || contours > kMostContours) {
+    throw Error(fmt::format("--contours {}: expected 0 to {}", contours, kMostContours));
+  }
+  look.contours = contours;
+  look.axes = axes;
+  look.box = box;
+  look.names = names_of_axes(labels);
+  return look;
+}
+
+DrawOptions SurfaceCommand::drawing() const {
+  DrawOptions drawing;
+  size.read(drawing.width, drawing.height);
+  const HiddenSurfaceOptions hiding = hidden_surfaces.options(threads);
+  drawing.hidden = hiding.method;
+  drawing.scope = hiding.scope.value_or(HiddenScope::all);
+  drawing.precision = hiding.precision;
+  drawing.most_pieces = hiding.most_pieces;
+  drawing.hidden_lines = hiding.hidden_lines;
+  drawing.threads = threads;
+  drawing.samples = samples;
+  drawing.background = background.background();
+  drawing.vectors = vectors.options();
+  paper.read(drawing);
+  return drawing;
+}
+
+int SurfaceCommand::run() const {
+  const GridRange points = range();
+  const SurfaceLook shown = look();
+  DrawOptions options = drawing();
+  require_drawable(output, options);
+  std::vector<SurfaceData> data;
+  for (const std::string& surface : surfaces) data.push_back(read_surface(surface, points));
+  if (!options.hidden) options.hidden = usual_method(data, shown.coloured);
+  GraphicsSystem system;
+  system.set_aspect_ratio(static_cast<double>(options.width) / options.height);
+  if (const auto lines = hidden_surfaces.line_selection()) system.replace_lines(*lines);
+  std::optional<OutputFile> recorded;
+  std::optional<Recorder> recorder;
+  if (!program.empty()) {
+    recorded.emplace(program);
+    recorder.emplace(recorded->stream());
+    system.set_recorder(&*recorder);
+  }
+  {
+    const Progress progress("entering surfaces");
+    enter_surfaces(system, data, shown);
+  }
+  Progress progress("drawing " + output);
+  options.progress = progress.told();
+  draw(system, output, options);
+  if (recorded) recorded->commit();
+  return 0;
+}
+
+}  // namespace displayfile

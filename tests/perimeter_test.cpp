@@ -1,0 +1,297 @@
+// The perimeter method against the general methods of lines on the same triangles.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "displayfile/graphics_system.h"
+#include "displayfile/scene_lines.h"
+#include "hidden/lines/line_ends.h"
+#include "interp/truth/judged_lines.h"
+#include "tests/error_of.h"
+#include "tests/slower.h"
+#include "tests/truth_scenes.h"
+
+namespace displayfile {
+namespace {
+
+using Height = std::function<double(double, double)>;
+
+/// A surface over [-1, 1] x [-1, 1].
+std::vector<double> heights_of(int nx, int ny, const Height& height) {
+  std::vector<double> heights;
+  for (int j = 0; j < ny; ++j) {
+    for (int i = 0; i < nx; ++i) {
+      heights.push_back(height(-1.0 + 2.0 * i / (nx - 1), -1.0 + 2.0 * j / (ny - 1)));
+    }
+  }
+  return heights;
+}
+
+/// Where the eye is, in degrees around z and above the grid, and how far from its middle; parallel
+/// if it is not near at all.
+struct Camera {
+  double azimuth, elevation, distance = 0.0;
+};
+
+Point3 toward(const Camera& camera) {
+  const SineCosine a = sine_cosine_of_degrees(camera.azimuth),
+                   e = sine_cosine_of_degrees(camera.elevation);
+  return {e.cosine * a.sine, -e.cosine * a.cosine, e.sine};
+}
+
+void look(GraphicsSystem& g, const Camera& camera) {
+  const Point3 eye = toward(camera);
+  g.set_view_plane_normal(-eye);
+  g.set_view_up(std::abs(camera.elevation) == 90.0 ? Point3(0, 1, 0) : Point3(0, 0, 1));
+  if (camera.distance > 0.0) {
+    g.set_perspective(camera.distance * eye);
+    g.set_window(-30, 30, -30, 30);
+  } else {
+    g.set_parallel(-eye);
+    g.set_window(-4, 4, -4, 4);
+  }
+  g.set_window_fit(WindowFit::stretch);
+}
+
+DisplayFile surface_seen(const Camera& camera, int nx, int ny, const std::vector<double>& heights,
+                         SurfaceCurves curves = SurfaceCurves::both) {
+  GraphicsSystem g;
+  look(g, camera);
+  g.set_surface_curves(curves);
+  g.open_segment(1);
+  g.surface_3({-1, 1, nx, -1, 1, ny, heights});
+  g.close_segment();
+  return g.display_file();
+}
+
+using Pieces = std::map<LineName, std::vector<std::pair<double, double>>>;
+
+Pieces pieces_of(const FoundLines& found) {
+  Pieces pieces;
+  for (const auto& [item, corner, from, to] : found.seen.pieces) {
+    pieces[{item, corner}].emplace_back(from, to);
+  }
+  return pieces;
+}
+
+/// How much one list of intervals has that the other has not, and the reverse.
+double difference(const std::vector<std::pair<double, double>>& one,
+                  const std::vector<std::pair<double, double>>& other) {
+  std::vector<std::pair<double, int>> ends;
+  for (const auto& [from, to] : one) ends.insert(ends.end(), {{from, 1}, {to, -1}});
+  for (const auto& [from, to] : other) ends.insert(ends.end(), {{from, 2}, {to, -2}});
+  std::ranges::sort(ends);
+  double sum = 0.0, last = 0.0;
+  int state = 0;
+  for (const auto& [at, change] : ends) {
+    if (state == 1 || state == 2) sum += at - last;
+    last = at;
+    state += change;
+  }
+  return sum;
+}
+
+struct Compared {
+  double differs = 0.0;  ///< in length of the projection
+  std::size_t pieces = 0, equal = 0, lines = 0;
+};
+
+Compared compared(const DisplayFile& file, const SortOptions& options = {}) {
+  const ViewedScene scene(file);
+  const FoundLines general = find_lines(scene, HiddenMethod::franklin, {});
+  const FoundLines found = find_lines(scene, HiddenMethod::perimeter, options);
+  Pieces expected = pieces_of(general), seen = pieces_of(found);
+  Compared result{
+      .differs = 0.0, .pieces = found.seen.pieces.size(), .equal = 0, .lines = found.lines.size()};
+  for (const LineToDraw& line : general.lines) {
+    const LineEnds ends(scene.primitives(), line.name);
+    const double length = glm::length(Point2(ends.to) - Point2(ends.from));
+    const double differs = length * difference(expected[line.name], seen[line.name]);
+    result.differs += differs;
+    result.equal += expected[line.name] == seen[line.name] ? 1 : 0;
+  }
+  return result;
+}
+
+double wave(double x, double y) { return 0.5 * std::sin(5.0 * x) * std::cos(4.0 * y + x); }
+
+constexpr double kRounding = 1e-9;
+
+TEST(Perimeter, FromAllSidesIsWhatTheGeneralMethodsSee) {
+  const std::vector<double> heights = heights_of(13, 17, wave);
+  for (const double distance : {0.0, 3.0, 5.0}) {
+    for (int azimuth = 0; azimuth < 360; azimuth += 17) {
+      for (const double elevation : {-70.0, -20.0, 0.0, 7.0, 30.0, 65.0, 89.0}) {
+        SCOPED_TRACE(testing::Message() << azimuth << " " << elevation << " " << distance);
+        const Camera camera{static_cast<double>(azimuth), elevation, distance};
+        const Compared result = compared(surface_seen(camera, 13, 17, heights));
+        EXPECT_LE(result.differs, kRounding);
+        EXPECT_GT(result.pieces, 13u * 17u / 8u);
+      }
+    }
+  }
+}
+
+TEST(Perimeter, MostPiecesAreTheSameBitForBit) {
+  const std::vector<double> heights = heights_of(40, 40, wave);
+  const Compared result = compared(surface_seen({33.0, 25.0, 4.0}, 40, 40, heights));
+  EXPECT_LE(result.differs, kRounding);
+  EXPECT_EQ(result.equal, result.lines);
+}
+
+TEST(Perimeter, AlongTheGridAndFromAbove) {
+  const std::vector<double> heights = heights_of(11, 9, wave);
+  for (const double distance : {0.0, 4.0}) {
+    for (const double azimuth : {0.0, 90.0, 180.0, 270.0}) {
+      for (const double elevation : {-90.0, -30.0, 0.0, 15.0, 60.0, 90.0}) {
+        SCOPED_TRACE(testing::Message() << azimuth << " " << elevation << " " << distance);
+        const Compared result =
+            compared(surface_seen({azimuth, elevation, distance}, 11, 9, heights));
+        EXPECT_LE(result.differs, kRounding);
+      }
+    }
+  }
+}
+
+/// Heights of few values, so that cells are flat and heights equal; plains and steps.
+std::vector<double> stepped(test::Dice& dice, int nx, int ny) {
+  const int values = dice.from(1, 4);
+  const bool in_rows = dice.one_in(3), in_columns = dice.one_in(3);
+  std::vector<double> of_row(static_cast<std::size_t>(std::max(nx, ny)));
+  for (double& z : of_row) z = dice.from(0, values) / 4.0;
+  std::vector<double> heights;
+  for (int j = 0; j < ny; ++j) {
+    for (int i = 0; i < nx; ++i) {
+      heights.push_back(in_rows      ? of_row[static_cast<std::size_t>(j)]
+                        : in_columns ? of_row[static_cast<std::size_t>(i)]
+                                     : dice.from(0, values) / 4.0);
+    }
+  }
+  return heights;
+}
+
+TEST(Perimeter, OfRandomGridsAndViews) {
+  constexpr std::uint32_t kGrids = 1000 / test::kSlower;
+  for (std::uint32_t seed = 0; seed < kGrids; ++seed) {
+    SCOPED_TRACE(seed);
+    test::Dice dice(seed);
+    const int nx = dice.from(2, 12), ny = dice.from(2, 12);
+    std::vector<double> heights(static_cast<std::size_t>(nx * ny));
+    for (double& z : heights) z = dice.from(-1000, 1000) / 1000.0;
+    if (dice.one_in(2)) heights = stepped(dice, nx, ny);
+    Camera camera{dice.from(0, 3599) / 10.0, dice.from(-890, 890) / 10.0,
+                  dice.one_in(2) ? 0.0 : dice.from(25, 80) / 10.0};
+    if (dice.one_in(3)) camera.azimuth = 45.0 * dice.from(0, 7);
+    if (dice.one_in(4)) camera.elevation = 0.0;
+    const auto curves = static_cast<SurfaceCurves>(dice.from(0, 2));
+    const Compared result = compared(surface_seen(camera, nx, ny, heights, curves));
+    EXPECT_LE(result.differs, kRounding);
+  }
+}
+
+TEST(Perimeter, AgainstTheTruth) {
+  constexpr std::uint32_t kGrids = 40 / test::kSlower;
+  for (std::uint32_t seed = 0; seed < kGrids; ++seed) {
+    SCOPED_TRACE(seed);
+    test::Dice dice(seed + 5000);
+    const int nx = dice.from(2, 7), ny = dice.from(2, 7);
+    const Camera camera{dice.from(0, 359) * 1.0, dice.from(-80, 80) * 1.0,
+                        dice.one_in(2) ? 0.0 : dice.from(3, 8) * 1.0};
+    const DisplayFile file = surface_seen(camera, nx, ny, stepped(dice, nx, ny));
+    const JudgedLines judged = judged_lines(file, {.method = HiddenMethod::perimeter});
+    EXPECT_LE(judged.errors.missing + judged.errors.extra, kRounding);
+  }
+}
+
+TEST(Perimeter, ThroughModellingAndImageTransformations) {
+  const std::vector<double> heights = heights_of(15, 12, wave);
+  GraphicsSystem g;
+  look(g, {20.0, 30.0, 6.0});
+  g.scale_3(0.7, 1.2, -0.8);
+  g.rotate_x_3(25);
+  g.rotate_z_3(40);
+  g.open_segment(1);
+  g.surface_3({-1, 1, 15, -1, 1, 12, heights});
+  g.close_segment();
+  g.set_image_rotation(1, 30);
+  g.set_image_scale(1, 0.8, 0.5);
+  EXPECT_LE(compared(g.display_file()).differs, kRounding);
+}
+
+TEST(Perimeter, OtherLinesAreHiddenByTheSurface) {
+  const std::vector<double> heights = heights_of(15, 12, wave);
+  GraphicsSystem g;
+  look(g, {20.0, 30.0});
+  g.open_segment(1);
+  g.move_abs_3(-1, 1.5, -1);
+  g.line_abs_3(1, 1.2, 1);
+  g.surface_3({-1, 1, 15, -1, 1, 12, heights});
+  g.line_abs_3(0, 0, -2);
+  g.close_segment();
+  EXPECT_LE(compared(g.display_file()).differs, kRounding);
+}
+
+TEST(Perimeter, WithRoundoffItIsTheProblemBooksArray) {
+  const std::vector<double> heights = heights_of(40, 40, wave);
+  const DisplayFile file = surface_seen({33.0, 25.0, 4.0}, 40, 40, heights);
+  SortOptions options;
+  options.precision = {.exact = false, .roundoff = 1e-9};
+  const Compared result = compared(file, options);
+  EXPECT_GT(result.differs, kRounding);
+  EXPECT_LT(result.differs, 1.0);  // of some 30 that are seen
+}
+
+std::string error_of(const std::function<void(GraphicsSystem&)>& enter) {
+  GraphicsSystem g;
+  look(g, {20.0, 30.0});
+  g.set_hidden_method(HiddenMethod::perimeter);
+  g.open_segment(1);
+  enter(g);
+  return test::error_of(
+      [&] { find_lines(ViewedScene(g.display_file()), HiddenMethod::perimeter, {}); });
+}
+
+TEST(Perimeter, WhatIsNotOneWholeSurfaceIsRefused) {
+  const std::vector<double> heights = heights_of(5, 5, wave);
+  const SurfaceGrid grid{-1, 1, 5, -1, 1, 5, heights};
+  const std::string draws = "'perimeter' draws one surface, whole and of solid cells; ";
+  const auto expect = [&](const std::string& what,
+                          const std::function<void(GraphicsSystem&)>& enter) {
+    const std::string error = error_of(enter);
+    EXPECT_NE(error.find(draws + what), std::string::npos) << error;
+    EXPECT_NE(error.find("expected another method, such as franklin"), std::string::npos) << error;
+  };
+  expect("there is none", [](auto& g) { g.polygon_abs_3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}); });
+  expect("there are 2", [&](auto& g) {
+    g.surface_3(grid);
+    g.surface_3(grid);
+  });
+  expect("there are polygons beside it", [&](auto& g) {
+    g.surface_3(grid);
+    g.polygon_abs_3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  });
+  expect("its cell 3 3 is missing", [&](auto& g) {
+    std::vector<double> with_hole = heights;
+    with_hole[18] = std::numeric_limits<double>::quiet_NaN();
+    g.surface_3({-1, 1, 5, -1, 1, 5, with_hole});
+  });
+  expect("its cell 1 1 is missing, clipped, hollow", [&](auto& g) {
+    g.set_fill_style({FillStyle::Kind::hollow});
+    g.surface_3(grid);
+  });
+  expect("its cell", [&](auto& g) { g.surface_3({-9, 1, 5, -1, 1, 5, heights}); });
+  EXPECT_EQ(error_of([&](auto& g) { g.surface_3(grid); }), "");
+  EXPECT_EQ(error_of([&](auto& g) { g.line_abs_3(1, 1, 1); }), "");
+}
+
+}  // namespace
+}  // namespace displayfile

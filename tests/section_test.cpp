@@ -1,0 +1,161 @@
+// Sections of meshes by planes, against rational arithmetic.
+
+#include "displayfile/mesh/section.h"
+
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "clip/error.h"
+
+namespace displayfile {
+namespace {
+
+Mesh mesh_of(std::vector<Point3> vertices, const std::vector<std::vector<std::uint32_t>>& faces) {
+  Mesh mesh;
+  mesh.vertices = std::move(vertices);
+  mesh.first_corner.push_back(0);
+  for (const auto& face : faces) {
+    mesh.corners.insert(mesh.corners.end(), face.begin(), face.end());
+    mesh.first_corner.push_back(mesh.corners.size());
+  }
+  mesh.objects.push_back({"", 0, mesh.faces()});
+  return mesh;
+}
+
+Mesh unit_cube() {
+  return mesh_of(
+      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
+      {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
+}
+
+/// A torus of triangles with a hole.
+Mesh torus(int around, int across) {
+  std::vector<Point3> vertices;
+  std::vector<std::vector<std::uint32_t>> faces;
+  for (int i = 0; i < around; ++i) {
+    for (int k = 0; k < across; ++k) {
+      const double u = 2 * M_PI * i / around, v = 2 * M_PI * k / across;
+      const double r = 2.0 + 0.7 * std::cos(v);
+      vertices.emplace_back(r * std::cos(u), r * std::sin(u), 0.7 * std::sin(v));
+      const auto at = [&](int a, int b) {
+        return static_cast<std::uint32_t>((a % around) * across + b % across);
+      };
+      faces.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
+      faces.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
+    }
+  }
+  return mesh_of(vertices, faces);
+}
+
+/// The area in the projection along an axis, a sum over triangles with no loops at all. A vertex
+/// in the plane counts as before it.
+mpq_class exact_projected_area(const Mesh& mesh, const SectionPlane& plane, int axis) {
+  using Exact = std::array<mpq_class, 3>;
+  const auto exact = [](const Point3& p) { return Exact{p.x, p.y, p.z}; };
+  const auto value = [&](const Exact& p) {
+    return mpq_class(plane.normal.x * p[0] + plane.normal.y * p[1] + plane.normal.z * p[2] -
+                     plane.distance);
+  };
+  const int x = (axis + 1) % 3, y = (axis + 2) % 3;
+  mpq_class sum = 0;
+  for (std::size_t f = 0; f < mesh.faces(); ++f) {
+    const auto face = mesh.face(f);
+    for (std::size_t k = 2; k < face.size(); ++k) {
+      const std::array t{exact(mesh.vertices[face[0]]), exact(mesh.vertices[face[k - 1]]),
+                         exact(mesh.vertices[face[k]])};
+      Exact up, down;
+      bool is_cut = false;
+      for (int i = 0; i < 3; ++i) {
+        const Exact &a = t[i], &b = t[(i + 1) % 3];
+        const mpq_class va = value(a), vb = value(b);
+        if ((va >= 0) == (vb >= 0)) continue;
+        is_cut = true;
+        Exact& p = vb >= 0 ? up : down;
+        for (int c = 0; c < 3; ++c) p[c] = (a[c] * vb - b[c] * va) / (vb - va);
+      }
+      if (is_cut) sum += (down[x] * up[y] - up[x] * down[y]) * (-1);
+    }
+  }
+  return sum / -2;
+}
+
+void expect_exact_area(const Mesh& mesh, const SectionPlane& plane) {
+  int axis = 0;
+  for (int k = 1; k < 3; ++k) {
+    if (std::abs(plane.normal[k]) > std::abs(plane.normal[axis])) axis = k;
+  }
+  const mpq_class exact = exact_projected_area(mesh, plane, axis);
+  const double expected = exact.get_d() * (glm::length(plane.normal) / plane.normal[axis]);
+  const Section cut = section(mesh, plane);
+  EXPECT_TRUE(cut.closed);
+  EXPECT_NEAR(std::abs(cut.area), std::abs(expected), 1e-12 * std::abs(expected));
+  EXPECT_GE(cut.area, 0.0);
+}
+
+TEST(Section, CutsACubeInASquare) {
+  const Section cut = section(unit_cube(), {{0, 0, 1}, 0.25});
+  ASSERT_EQ(cut.loops.size(), 1U);
+  EXPECT_EQ(cut.area, 1.0);
+  for (const Point3& p : cut.loops[0]) EXPECT_EQ(p.z, 0.25);
+  for (const Point3& p : cut.behind.vertices) EXPECT_TRUE(p.z <= 0.25 || p.z == 1.0);
+}
+
+TEST(Section, AFaceInThePlaneIsCutWhereThereIsSolidBehindIt) {
+  EXPECT_EQ(section(unit_cube(), {{0, 0, 1}, 1.0}).area, 1.0);
+  EXPECT_EQ(section(unit_cube(), {{0, 0, 1}, 0.0}).area, 0.0);
+  EXPECT_TRUE(section(unit_cube(), {{0, 0, 1}, 0.0}).loops.empty());
+  EXPECT_EQ(section(unit_cube(), {{0, 0, -1}, 0.0}).area, 1.0);
+}
+
+TEST(Section, WhatIsBehindIsClosedByTheLoopsBitForBit) {
+  const Section cut = section(torus(24, 12), {{0.3, -0.5, 0.8}, 0.1});
+  Mesh closed = cut.behind;
+  for (const auto& loop : cut.loops) {
+    const auto first = static_cast<std::uint32_t>(closed.vertices.size());
+    closed.vertices.insert(closed.vertices.end(), loop.begin(), loop.end());
+    for (std::uint32_t k = 0; k < loop.size(); ++k) closed.corners.push_back(first + k);
+    closed.first_corner.push_back(closed.corners.size());
+  }
+  closed.objects = {{"", 0, closed.faces()}};
+  EXPECT_TRUE(closed_and_consistently_oriented(closed));
+}
+
+TEST(Section, AreasAreThoseOfRationalArithmetic) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> in(-1.0, 1.0);
+  const Mesh meshes[] = {unit_cube(), torus(24, 12)};
+  for (const Mesh& mesh : meshes) {
+    for (int k = 0; k < 50; ++k) {
+      Point3 normal(in(random), in(random), in(random));
+      if (k % 5 == 0) normal = Point3(k % 3 == 0, k % 3 == 1, k % 3 == 2);
+      const Point3& vertex = mesh.vertices[random() % mesh.vertices.size()];
+      const double through = glm::dot(normal, vertex);  // a vertex: exactly if along an axis
+      expect_exact_area(mesh, {normal, k % 2 == 0 ? through : 0.7 * through});
+    }
+  }
+}
+
+TEST(Section, AnOpenMeshHasNoLoops) {
+  Mesh open = unit_cube();
+  open.corners.resize(20);
+  open.first_corner.resize(6);
+  open.objects[0].faces = 5;
+  const Section cut = section(open, {{0, 0, 1}, 0.5});
+  EXPECT_FALSE(cut.closed);
+  EXPECT_TRUE(cut.loops.empty());
+  EXPECT_GT(cut.behind.faces(), 0U);
+}
+
+TEST(Section, RefusesPlanesThatAreNone) {
+  EXPECT_THROW(section(unit_cube(), {{0, 0, 0}, 1.0}), Error);
+  EXPECT_THROW(section(unit_cube(), {{0, 0, std::nan("")}, 1.0}), Error);
+  EXPECT_THROW(section(unit_cube(), {{0, 0, 1}, std::numeric_limits<double>::infinity()}), Error);
+}
+
+}  // namespace
+}  // namespace displayfile

@@ -1,0 +1,104 @@
+// `displayfile sheet`, as its users meet it.
+
+#include <regex>
+#include <sstream>
+
+#include "tests/command_fixture.h"
+
+namespace {
+
+class SheetCommandTest : public Command {
+ protected:
+  void SetUp() override {
+    write("box.obj",
+          "v 0 0 0\nv 60 0 0\nv 60 40 0\nv 0 40 0\nv 0 0 30\nv 60 0 30\nv 60 40 30\nv 0 40 30\n"
+          "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+  }
+  /// Coordinates of the path of a layer.
+  std::vector<double> numbers(const std::string& file, const std::string& layer) {
+    const std::string text = read(folder_ / file);
+    const std::size_t at = text.find("id=\"" + layer + "\"");
+    if (at == std::string::npos) return {};
+    const std::size_t begin = text.find(" d=\"", at) + 4;
+    std::string path = text.substr(begin, text.find('"', begin) - begin);
+    for (char& c : path) c = std::isalpha(static_cast<unsigned char>(c)) && c != 'e' ? ' ' : c;
+    std::istringstream in(path);
+    std::vector<double> all;
+    for (double x = 0.0; in >> x;) all.push_back(x);
+    return all;
+  }
+};
+
+TEST_F(SheetCommandTest, AMillimetreIsAMillimetreAtOneToOne) {
+  ASSERT_EQ(run("sheet box.obj -o box.svg --scale 1:1"), 0) << err_;
+  const auto all = numbers("box.svg", "VISIBLE");
+  ASSERT_FALSE(all.empty());
+  const double left = [&] {
+    double x = 1e9;
+    for (std::size_t i = 0; i < all.size(); i += 2) x = std::min(x, all[i]);
+    return x;
+  }();
+  int widths = 0;
+  for (std::size_t i = 0; i < all.size(); i += 2) widths += std::abs(all[i] - left - 60.0) < 1e-11;
+  EXPECT_GE(widths, 4);  // two corners of the front view, two of the top view
+}
+
+TEST_F(SheetCommandTest, HiddenLinesUnderVisibleOnesAreLeftOut) {
+  ASSERT_EQ(run("sheet box.obj -o box.svg"), 0) << err_;
+  EXPECT_EQ(numbers("box.svg", "HIDDEN").size() / 2, 6U);  // three edges of the isometric view
+}
+
+TEST_F(SheetCommandTest, SectionsAreHatched) {
+  ASSERT_EQ(run("sheet box.obj -o box.svg --section front=10 --section side=5"), 0) << err_;
+  EXPECT_EQ(err_, "");
+  EXPECT_FALSE(numbers("box.svg", "HATCH").empty());
+  EXPECT_NE(read(folder_ / "box.svg").find(">B-B<"), std::string::npos);
+}
+
+TEST_F(SheetCommandTest, AnOpenMeshIsToldAndNotHatched) {
+  write("open.obj", "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 9\nf 1 2 3\nf 1 3 4\n");
+  ASSERT_EQ(run("sheet open.obj -o open.svg --section front=4"), 0) << err_;
+  EXPECT_NE(err_.find("not closed"), std::string::npos);
+  EXPECT_TRUE(numbers("open.svg", "HATCH").empty());
+}
+
+TEST_F(SheetCommandTest, APartOfNoThicknessIsDrawn) {
+  write("flat.draw", kTriangle);
+  ASSERT_EQ(run("sheet flat.draw -o flat.svg"), 0) << err_;
+  EXPECT_FALSE(numbers("flat.svg", "VISIBLE").empty());
+}
+
+TEST_F(SheetCommandTest, WritesPdfAndDxf) {
+  ASSERT_EQ(run("sheet box.obj -o box.pdf"), 0) << err_;
+  EXPECT_TRUE(read(folder_ / "box.pdf").starts_with("%PDF"));
+  if (run("sheet box.obj -o box.dxf --section front=10") == 2) {
+    EXPECT_NE(err_.find("libdxflib-dev"), std::string::npos) << err_;
+    return;
+  }
+  const std::string dxf = read(folder_ / "box.dxf");
+  for (const char* word : {"VISIBLE", "HIDDEN", "HATCH", "FRAME", "DASHED", "$INSUNITS"}) {
+    EXPECT_NE(dxf.find(word), std::string::npos) << word;
+  }
+}
+
+TEST_F(SheetCommandTest, EveryOptionHasItsMessage) {
+  expect_error("sheet box.obj -o box.png", "box.png: expected a sheet that ends in .svg, .pdf or");
+  expect_error("sheet box.obj -o s.svg --paper a9", "unknown paper 'a9'");
+  expect_error("sheet box.obj -o s.svg --margin 200", "margins of 200 mm");
+  expect_error("sheet box.obj -o s.svg --scale 1", "--scale 1: expected PAPER:PART");
+  expect_error("sheet box.obj -o s.svg --scale 1:0", "--scale 1:0: expected PAPER:PART");
+  expect_error("sheet box.obj -o s.svg --scale 50:1", "--scale 50:1: the views do not fit");
+  expect_error("sheet box.obj -o s.svg --projection second", "expected third or first");
+  expect_error("sheet box.obj -o s.svg --unit foot", "--unit foot: expected mm, cm, m or inch");
+  expect_error("sheet box.obj -o s.svg --section back=1", "--section back=1: expected front=");
+  expect_error("sheet box.obj -o s.svg --section front=nan", "--section front=nan: expected");
+  expect_error("sheet box.obj -o s.svg --section top=1 --section top=2", "has a section already");
+  expect_error("sheet box.obj -o s.svg --hatch 0", "--hatch 0: expected");
+  expect_error("sheet box.obj -o s.svg --lines edge", "edge");
+  expect_error("sheet box.obj -o s.svg --up w", "up is");
+  expect_error("sheet none.obj -o s.svg", "none.obj: no such file");
+  write("empty.draw", "open-segment 1\nclose-segment\n");
+  expect_error("sheet empty.draw -o s.svg", "empty.draw: no polygons");
+}
+
+}  // namespace

@@ -1,0 +1,145 @@
+// `displayfile surface`: expressions and grids, what is drawn beside them, and what is refused.
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "interp/files/npy_file.h"
+#include "tests/command_fixture.h"
+
+namespace {
+
+class SurfaceCommandTest : public Command {
+ protected:
+  /// Draws, and counts what the drawing program has of a routine.
+  std::size_t count(const std::string& arguments, const std::string& routine) {
+    EXPECT_EQ(run("surface " + arguments + " -o s.svg --program s.draw"), 0) << err_;
+    std::istringstream lines(read(folder_ / "s.draw"));
+    std::size_t found = 0;
+    for (std::string line; std::getline(lines, line);) found += line.starts_with(routine + " ");
+    return found;
+  }
+
+  void refuses(const std::string& arguments, const std::string& expected) {
+    EXPECT_EQ(run("surface " + arguments), 2) << arguments;
+    EXPECT_NE(err_.find(expected), std::string::npos) << err_;
+    EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 1) << err_;
+    EXPECT_FALSE(fs::exists(folder_ / "s.svg"));
+    EXPECT_FALSE(fs::exists(folder_ / "s.draw"));
+  }
+
+  /// True if this build reads expressions.
+  bool reads_expressions() {
+    if (run("surface x -o s.svg") == 0) {
+      fs::remove(folder_ / "s.svg");
+      return true;
+    }
+    EXPECT_NE(err_.find("this build has no muParser"), std::string::npos) << err_;
+    return false;
+  }
+};
+
+TEST_F(SurfaceCommandTest, AnExpressionIsItsHeights) {
+  if (!reads_expressions()) GTEST_SKIP() << "no muParser";
+  ASSERT_EQ(run("surface 'x^2 - 2*y + pi' --x 0:2 --y -1:1 --grid 3x2 -o s.svg --program s.draw "
+                "--no-axes --no-box"),
+            0)
+      << err_;
+  const std::string program = read(folder_ / "s.draw");
+  const std::string heights =
+      "surface-3 0 2 3 -1 1 2 5.141592653589793 6.141592653589793 9.141592653589793 "
+      "1.1415926535897931 2.141592653589793 5.141592653589793\n";
+  EXPECT_NE(program.find(heights), std::string::npos) << program;
+  EXPECT_EQ(run("draw s.draw -o again.svg --hidden perimeter --size 640x480"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "again.svg"), read(folder_ / "s.svg"));
+}
+
+TEST_F(SurfaceCommandTest, ATextAndAnArrayAreTheSame) {
+  write("g.txt", "# heights\n0 1, 2\n3;4\t5e0 # the last row\n");
+  const std::vector<double> heights{0, 1, 2, 3, 4, 5};
+  displayfile::write_npy(heights, 3, 2, folder_ / "g.npy");
+  ASSERT_EQ(run("surface g.txt -o t.svg"), 0) << err_;
+  ASSERT_EQ(run("surface g.npy -o n.svg"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "t.svg"), read(folder_ / "n.svg"));
+}
+
+TEST_F(SurfaceCommandTest, AllFormatsAndMethodsDrawIt) {
+  write("g.txt", "0 1 0\n1 2 1\n0 1 0\n");
+  for (const char* name : {"a.svg", "a.pdf", "a.eps", "a.png", "a.ppm"}) {
+    EXPECT_EQ(run(std::string("surface g.txt --colour height -o ") + name), 0) << err_;
+    EXPECT_GT(fs::file_size(folder_ / name), 500u);
+  }
+  ASSERT_EQ(run("surface g.txt -o p.svg"), 0) << err_;
+  for (const char* method : {"franklin", "roberts", "appel", "perimeter"}) {
+    ASSERT_EQ(run(std::string("surface g.txt -o m.svg --hidden ") + method), 0) << err_;
+    EXPECT_EQ(read(folder_ / "m.svg"), read(folder_ / "p.svg")) << method;
+  }
+}
+
+TEST_F(SurfaceCommandTest, AHoleIsDrawnByAnotherMethod) {
+  write("g.txt", "0 1 0\n1 nan 1\n0 1 0\n2 2 2\n");
+  EXPECT_EQ(run("surface g.txt -o s.svg"), 0) << err_;
+}
+
+TEST_F(SurfaceCommandTest, OptionsSayWhatIsDrawn) {
+  write("g.txt", "0 1 0\n1 2 1\n0 1 0\n");
+  EXPECT_GT(count("g.txt", "text"), 8u);
+  EXPECT_EQ(count("g.txt --no-axes", "text"), 0u);
+  EXPECT_EQ(count("g.txt --no-axes", "line-abs-3"), 9u);  // the box
+  EXPECT_EQ(count("g.txt --no-axes --no-box", "line-abs-3"), 0u);
+  EXPECT_GT(count("g.txt --no-axes --no-box --contours 3", "line-abs-3"), 8u);
+  EXPECT_EQ(count("g.txt --colour height", "surface-3"), 4u);
+  EXPECT_EQ(count("g.txt g.txt", "surface-3"), 2u);
+  EXPECT_EQ(count("g.txt --curves x", "set-surface-curves"), 1u);
+  EXPECT_EQ(count("g.txt --sides lower", "set-surface-sides"), 1u);
+  EXPECT_EQ(count("g.txt --labels u,v,height", "text \"height\""), 0u);  // no blank follows
+  EXPECT_NE(read(folder_ / "s.draw").find("text \"height\"\n"), std::string::npos);
+}
+
+TEST_F(SurfaceCommandTest, WhatIsWrongIsToldAndNothingIsWritten) {
+  write("g.txt", "0 1 0\n1 2 1\n0 1 0\n");
+  const std::string s = " -o s.svg --program s.draw";
+  refuses("g.txt --x 3:1" + s, "--x 3:1: expected A:B, two finite numbers, the first less");
+  refuses("g.txt --y 1" + s, "--y 1: expected A:B");
+  refuses("g.txt --z nan:1" + s, "--z nan:1: expected A:B");
+  refuses("g.txt --grid 1x1" + s, "--grid 1x1: expected NXxNY points, 2 or more each way");
+  refuses("g.txt --grid 5" + s, "--grid 5: expected");
+  refuses("g.txt --curves z" + s, "curves of a surface are");
+  refuses("g.txt --sides left" + s, "sides of a surface are");
+  refuses("g.txt --colour red" + s, "--colour red: expected height");
+  refuses("g.txt --contours 101" + s, "--contours 101: expected 0 to 100");
+  refuses("g.txt --labels a,b" + s, "--labels a,b: expected three names");
+  refuses("g.txt --eye here" + s, "--eye");
+  refuses("g.txt -o s.txt", "unknown picture format '.txt'");
+  refuses("none.txt" + s, "none.txt: cannot be read");
+  refuses("none.npy" + s, "none.npy: no such file");
+  refuses("g.txt g.txt --hidden perimeter" + s, "there are 2");
+  write("g.txt", "1 2 3\n4 5\n");
+  refuses("g.txt" + s, "g.txt:2:1: a row of 2 heights: expected 3, as in the first");
+  write("g.txt", "1 2 3\n4 inf 5\n");
+  refuses("g.txt" + s, "g.txt:2:3: 'inf': expected a finite number, or nan for a hole");
+  write("g.txt", "1 2 3\n4 five 5\n");
+  refuses("g.txt" + s, "g.txt:2:3: 'five': expected");
+  write("g.txt", "1 2 3\n");
+  refuses("g.txt" + s, "g.txt: surface of 3 x 1 points: expected 2 or more each way");
+  write("g.txt", "");
+  refuses("g.txt" + s, "g.txt: surface of 0 x 0 points");
+  write("g.txt", "nan nan\nnan nan\n");
+  refuses("g.txt" + s, "g.txt: there is no height at any point");
+  const std::vector<double> heights{0, 1, 2, std::numeric_limits<double>::infinity()};
+  displayfile::write_npy(heights, 2, 2, folder_ / "g.npy");
+  refuses("g.npy" + s, "g.npy: height inf of point 2 2 of the surface");
+}
+
+TEST_F(SurfaceCommandTest, AnExpressionThatIsNoneIsToldWithItsPlace) {
+  if (!reads_expressions()) GTEST_SKIP() << "no muParser";
+  refuses("'sin(x' -o s.svg", "expression 'sin(x': at character 7: Missing parenthesis");
+  refuses("'x+q' -o s.svg", "expression 'x+q': at character 3");
+  refuses("'' -o s.svg", "expected an expression in x and y");
+  refuses("'1/x' --x 0:1 -o s.svg", "1/x: height inf of point 1 1 of the surface");
+  refuses("x --grid 2000000000x2000000000 -o s.svg", "out of memory: a grid of 2000000000 x");
+}
+
+}  // namespace

@@ -356,9 +356,15 @@ TEST_F(Bench, ThePageBeginsWithSpeedAgainstErrorOfAll) {
     const auto error_of = [&](const std::string& of) {
       return errors.at(of).first / errors.at(of).second;
     };
-    const bool beaten = std::ranges::any_of(times, [&](const auto& other) {
-      return other.second < time && error_of(other.first) <= error_of(name);
-    });
+    const auto as_good = [&](const auto& other) {
+      return other.first != name && other.second <= time &&
+             error_of(other.first) <= error_of(name);
+    };
+    const auto equal = [&](const auto& other) {
+      return as_good(other) && other.second == time && error_of(other.first) == error_of(name);
+    };
+    if (std::ranges::any_of(times, equal)) continue;  // Either may stand for both.
+    const bool beaten = std::ranges::any_of(times, as_good);
     const bool on_front =
         written.find(fmt::format(" {} (time {:.3g}, ", name, time)) != written.npos;
     EXPECT_EQ(on_front, !beaten) << name << '\n' << written;

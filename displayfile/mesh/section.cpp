@@ -59,15 +59,16 @@ CutPoint cut_point(const CuttingPlane& plane, const Point3& behind, const Point3
   const DoubleDouble v0 = plane.value(behind), v1 = plane.value(before);
   CutPoint point;
   for (int k = 0; k < 3; ++k) {
+    DoubleDouble& coordinate = point[static_cast<std::size_t>(k)];
     if (v1.high == 0.0) {
-      point[k] = {before[k], 0.0};
+      coordinate = {before[k], 0.0};
     } else {
-      point[k] =
+      coordinate =
           (DoubleDouble{behind[k], 0.0} * v1 - DoubleDouble{before[k], 0.0} * v0) / (v1 - v0);
     }
   }
   if (const int k = plane.own_axis(); k >= 0) {
-    point[k] =
+    point[static_cast<std::size_t>(k)] =
         DoubleDouble{plane.plane().distance, 0.0} / DoubleDouble{plane.plane().normal[k], 0.0};
   }
   return point;
@@ -208,8 +209,8 @@ bool chain(std::span<const Link> links, std::size_t edges,
 
 /// Twice the area of a loop in the projection along an axis.
 DoubleDouble twice_area(std::span<const CutPoint> points, std::span<const std::uint32_t> loop,
-                        int axis) {
-  const int x = (axis + 1) % 3, y = (axis + 2) % 3;
+                        std::size_t axis) {
+  const std::size_t x = (axis + 1) % 3, y = (axis + 2) % 3;
   const CutPoint& origin = points[loop[0]];
   DoubleDouble sum;
   for (std::size_t k = 2; k < loop.size(); ++k) {
@@ -249,7 +250,7 @@ Section section(const Mesh& mesh, const SectionPlane& plane) {
   }
   DoubleDouble sum;
   for (const auto& loop : loops) {
-    sum = sum + twice_area(cutter.edges.points, loop, axis);
+    sum = sum + twice_area(cutter.edges.points, loop, static_cast<std::size_t>(axis));
     std::vector<Point3> points;
     for (const std::uint32_t edge : loop) {
       const Point3 p = rounded_point(cutter.edges.points[edge]);

@@ -297,6 +297,9 @@ std::optional<FrontOfAll> front_of_all(const Report& report) {
     found.all.push_back({mean.column, mean.time, figure(percent)});
   }
   if (found.all.empty()) return std::nullopt;
+  std::ranges::stable_sort(found.all, {}, [](const SpeedAndError& one) {
+    return std::pair(one.time, one.percent);
+  });
   for (const SpeedAndError& one : found.all) {
     if (found.front.empty() || one.percent < found.front.back().percent) {
       found.front.push_back(one);

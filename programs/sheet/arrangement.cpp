@@ -23,7 +23,7 @@ struct Cells {
 };
 
 Cells cells_of(const std::array<PartView, 4>& views) {
-  const auto size = [&](int k) { return views[k].high - views[k].low; };
+  const auto size = [&](std::size_t k) { return views[k].high - views[k].low; };
   Cells cells{};
   cells.first_column = size(0).x;
   cells.second_column = std::max(size(2).x, size(3).x);
@@ -121,7 +121,7 @@ DrawingSheet arrange(const std::array<PartView, 4>& views, const SheetWords& wor
   const double high = low + mm * (third ? cells.front_row : cells.other_row) + gap.y;
   const double front = third ? low : high, other = third ? high : low;
   // A view in the other row stands as near to the front view as the row allows.
-  const auto in_other_row = [&](int k) {
+  const auto in_other_row = [&](std::size_t k) {
     const double rest = mm * (cells.other_row - (views[k].high.y - views[k].low.y));
     return third ? other : other + rest;
   };
@@ -131,14 +131,14 @@ DrawingSheet arrange(const std::array<PartView, 4>& views, const SheetWords& wor
   const std::array<Point2, 4> at{Point2(left, front), Point2(left, in_other_row(1)),
                                  Point2(right, front), Point2(right, other) + free_of_isometric};
   char letter = 'A';
-  for (int k = 0; k < 4; ++k) {
+  for (std::size_t k = 0; k < 4; ++k) {
     add_view(views[k], at[k], mm, words.hatch, sheet);
     if (!views[k].position) continue;
     constexpr double kTextHeight = 3.5, kBelow = 7.0;
     const double middle = at[k].x + mm * (views[k].high.x - views[k].low.x) / 2.0;
     sheet.texts.push_back(
         {{middle, at[k].y - kBelow}, kTextHeight, fmt::format("{0}-{0}", letter), true});
-    const int shown_in = k == 0 ? 1 : 0;
+    const std::size_t shown_in = k == 0 ? 1 : 0;
     add_cutting_line(views[shown_in], at[shown_in], mm, views[k], std::string(1, letter), sheet);
     ++letter;
   }

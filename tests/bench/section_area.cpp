@@ -42,7 +42,7 @@ std::vector<std::array<Point3, 3>> triangles_of(const Mesh& mesh) {
   return all;
 }
 
-int largest_axis(const Point3& normal) {
+std::size_t largest_axis(const Point3& normal) {
   const Point3 size = glm::abs(normal);
   return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
 }
@@ -50,7 +50,7 @@ int largest_axis(const Point3& normal) {
 /// The area in the projection along an axis, as a sum over triangles: no loops are made. The limit
 /// of planes from behind: a vertex in the plane counts as before it.
 double exact_area(const std::vector<std::array<Point3, 3>>& triangles, const SectionPlane& plane) {
-  const int axis = largest_axis(plane.normal), x = (axis + 1) % 3, y = (axis + 2) % 3;
+  const std::size_t axis = largest_axis(plane.normal), x = (axis + 1) % 3, y = (axis + 2) % 3;
   const auto value = [&](const RationalPoint& p) {
     return mpq_class(plane.normal.x * p[0] + plane.normal.y * p[1] + plane.normal.z * p[2] -
                      plane.distance);
@@ -69,23 +69,23 @@ double exact_area(const std::vector<std::array<Point3, 3>>& triangles, const Sec
     if (all_before || all_behind) continue;
     std::array<RationalPoint, 3> t;
     std::array<mpq_class, 3> v;
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
       t[i] = {triangle[i].x, triangle[i].y, triangle[i].z};
       v[i] = value(t[i]);
     }
     RationalPoint up, down;
     bool is_cut = false;
-    for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
       if ((v[i] >= 0) == (v[j] >= 0)) continue;
       is_cut = true;
       RationalPoint& p = v[j] >= 0 ? up : down;
-      for (int c = 0; c < 3; ++c) p[c] = (t[i][c] * v[j] - t[j][c] * v[i]) / (v[j] - v[i]);
+      for (std::size_t c = 0; c < 3; ++c) p[c] = (t[i][c] * v[j] - t[j][c] * v[i]) / (v[j] - v[i]);
     }
     if (is_cut) twice += down[x] * up[y] - up[x] * down[y];
   }
   const mpq_class half = twice / 2;
-  return half.get_d() * (glm::length(plane.normal) / plane.normal[axis]);
+  return half.get_d() * (glm::length(plane.normal) / plane.normal[static_cast<int>(axis)]);
 }
 
 std::vector<SectionPlane> planes_through(const Mesh& mesh) {

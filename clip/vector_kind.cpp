@@ -1,5 +1,13 @@
 #include "clip/vector_kind.h"
 
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "clip/error.h"
+
 #if defined(__x86_64__) || defined(__i386__)
 #include <cpuid.h>
 #endif
@@ -41,10 +49,28 @@ VectorKind find_widest_vectors() {
 VectorKind find_widest_vectors() { return VectorKind::baseline; }
 #endif
 
+constexpr std::array<std::string_view, 4> kNames{"baseline", "sse4", "avx2", "avx512"};
+
 }  // namespace
 
-VectorKind widest_vectors() {
+VectorKind vectors_of_processor() {
   static const VectorKind widest = find_widest_vectors();
+  return widest;
+}
+
+VectorKind vector_kind(std::string_view name) {
+  const auto* const found = std::ranges::find(kNames, name);
+  if (found != kNames.end()) return static_cast<VectorKind>(found - kNames.begin());
+  throw Error("DISPLAYFILE_VECTORS=" + std::string(name) +
+              ": expected baseline, sse4, avx2 or avx512");
+}
+
+VectorKind widest_vectors() {
+  static const VectorKind widest = [] {
+    const char* const most = std::getenv("DISPLAYFILE_VECTORS");
+    return most == nullptr ? vectors_of_processor()
+                           : std::min(vector_kind(most), vectors_of_processor());
+  }();
   return widest;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 namespace displayfile {
 
 /// The kinds of vectors that this processor can calculate with, beyond those that every processor
@@ -9,7 +11,15 @@ namespace displayfile {
 /// it is loaded.
 enum class VectorKind { baseline, sse4, avx2, avx512 };
 
-/// The widest vectors that can be run; found at the first call.
+/// The widest vectors that this processor can run; found at the first call.
+VectorKind vectors_of_processor();
+
+/// The kind of that name: baseline, sse4, avx2 or avx512. Throws Error for any other.
+VectorKind vector_kind(std::string_view name);
+
+/// The widest vectors that are used: the processor's, or no wider ones than the environment variable
+/// DISPLAYFILE_VECTORS names, with which tests run the narrower forms too. All give the same results.
+/// Found at the first call. Throws Error if the variable names no kind.
 VectorKind widest_vectors();
 
 /// The form of a function for the widest vectors that can be run. The forms are given in the order

@@ -58,8 +58,7 @@ TEST(MapOfScenes, TheGallerysAgainstTheTruth) {
 
 TEST(MapOfScenes, MeshesAgainstTheTruth) {
   const char* const set = std::getenv("DISPLAYFILE_MAP_MESHES");
-  if (set == nullptr) GTEST_SKIP() << "DISPLAYFILE_MAP_MESHES names no meshes";
-  std::istringstream names(set);
+  std::istringstream names(set == nullptr ? "/usr/share/assimp/models/OBJ/spider.obj" : set);
   for (std::string name; std::getline(names, name, ':');) {
     const Mesh mesh = read_mesh(name);
     GraphicsSystem system;

@@ -154,11 +154,11 @@ TEST(HardCases, DifferOnlyWhereTheTransformationsRoundingDecides) {
 // ---- Meshes ------------------------------------------------------------------------------
 
 /// The mesh files that DISPLAYFILE_WORLD_TREE_MESHES names, or that are in the folders it names,
-/// separated by colons.
+/// separated by colons; one of the import library's own, where it names none.
 std::vector<std::string> mesh_files() {
   std::vector<std::string> files;
   const char* const set = std::getenv("DISPLAYFILE_WORLD_TREE_MESHES");
-  std::istringstream names(set == nullptr ? "" : set);
+  std::istringstream names(set == nullptr ? "/usr/share/assimp/models/OBJ/spider.obj" : set);
   for (std::string name; std::getline(names, name, ':');) {
     if (!std::filesystem::is_directory(name)) {
       files.push_back(name);
@@ -173,9 +173,8 @@ std::vector<std::string> mesh_files() {
 
 TEST(Meshes, NoWrongPixelFromAnyEye) {
   const std::vector<std::string> files = mesh_files();
-  if (files.empty()) GTEST_SKIP() << "DISPLAYFILE_WORLD_TREE_MESHES names no meshes";
   const int size = from_environment("DISPLAYFILE_WORLD_TREE_SIZE", 200);
-  const int eyes = from_environment("DISPLAYFILE_WORLD_TREE_EYES", 100);
+  const int eyes = from_environment("DISPLAYFILE_WORLD_TREE_EYES", 10);
   for (const std::string& file : files) {
     const Mesh mesh = read_mesh(file);
     Retained retained;

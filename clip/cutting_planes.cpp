@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "clip/clip_stage.h"
 #include "clip/error.h"
@@ -64,15 +65,20 @@ void CuttingPlanes::Plane::snap(Point3& p) const {
   }
 }
 
-/// Where an edge crosses the plane. The cut point is inside of each plane that both ends are inside
-/// of, whatever rounding says: a neighbour that shares the edge may run no stage for that plane.
-CuttingPlanes::Vertex CuttingPlanes::cut_edge(const Vertex& inside, const Vertex& outside,
-                                              int plane) const {
-  const Plane& by = planes_[static_cast<std::size_t>(plane)];
+CuttingPlanes::UnitPlane CuttingPlanes::unit_plane(int n) const {
+  const Plane& by = plane(n);
+  const double length = std::sqrt(glm::dot(by.normal, by.normal));
+  return {by.normal / length, by.d / length};
+}
+
+CuttingPlanes::Place CuttingPlanes::crossing(int n, const Place& inside,
+                                             const Place& outside) const {
+  const Plane& by = plane(n);
   const double d_in = std::max(by.distance(inside.position), 0.0);
   const double d_out = by.distance(outside.position);
+  if (d_out == 0.0) return outside;
   const double t = d_in / (d_in - d_out);
-  Vertex v{};
+  Place v;
   v.position = inside.position + (outside.position - inside.position) * t;
   by.snap(v.position);
   v.normal = inside.normal;
@@ -80,7 +86,16 @@ CuttingPlanes::Vertex CuttingPlanes::cut_edge(const Vertex& inside, const Vertex
     v.normal += (outside.normal - inside.normal) * t;
     if (v.normal == Point3(0.0)) v.normal = inside.normal;
   }
-  v.outcode = outcode(v.position) & (inside.outcode | outside.outcode) & ~(1u << plane);
+  return v;
+}
+
+/// Where an edge crosses the plane. The cut point is inside of each plane that both ends are inside
+/// of, whatever rounding says: a neighbour that shares the edge may run no stage for that plane.
+CuttingPlanes::Vertex CuttingPlanes::cut_edge(const Vertex& inside, const Vertex& outside,
+                                              int plane) const {
+  Vertex v{};
+  v.place = crossing(plane + 1, inside.place, outside.place);
+  v.outcode = outcode(v.place.position) & (inside.outcode | outside.outcode) & ~(1u << plane);
   return v;
 }
 
@@ -90,8 +105,9 @@ CutPolygon CuttingPlanes::cut(std::span<const Point3> world,
   unsigned any = 0, all = ~0u;
   in_.clear();
   for (std::size_t i = 0; i < world.size(); ++i) {
-    in_.push_back({world[i], normals.empty() ? Point3(0.0) : unit_normal(normals[i]),
-                   outcode(world[i]), edge_visible.empty() ? std::uint8_t{1} : edge_visible[i]});
+    in_.push_back({{world[i], normals.empty() ? Point3(0.0) : unit_normal(normals[i])},
+                   outcode(world[i]),
+                   edge_visible.empty() ? std::uint8_t{1} : edge_visible[i]});
     any |= in_.back().outcode;
     all &= in_.back().outcode;
   }
@@ -101,7 +117,7 @@ CutPolygon CuttingPlanes::cut(std::span<const Point3> world,
     if ((any >> k & 1u) == 0) continue;
     const Plane& by = planes_[static_cast<std::size_t>(k)];
     clip_stage(
-        1u << k, in_, out_, [&](const Vertex& v) { return by.distance(v.position) <= 0.0; },
+        1u << k, in_, out_, [&](const Vertex& v) { return by.distance(v.place.position) <= 0.0; },
         [&](const Vertex& inside, const Vertex& outside) { return cut_edge(inside, outside, k); });
     any = 0;
     for (const Vertex& v : in_) any |= v.outcode;
@@ -111,15 +127,15 @@ CutPolygon CuttingPlanes::cut(std::span<const Point3> world,
   visible_.clear();
   normals_.clear();
   for (const Vertex& v : in_) {
-    vertices_.push_back(v.position);
+    vertices_.push_back(v.place.position);
     visible_.push_back(v.edge_visible);
-    if (!normals.empty()) normals_.push_back(v.normal);
+    if (!normals.empty()) normals_.push_back(v.place.normal);
   }
   return {vertices_, visible_, normals_};
 }
 
 bool CuttingPlanes::cut_line(Point3& a, Point3& b) const {
-  Vertex from{a, {}, outcode(a), 1}, to{b, {}, outcode(b), 1};
+  Vertex from{{a, Point3(0.0)}, outcode(a), 1}, to{{b, Point3(0.0)}, outcode(b), 1};
   if ((from.outcode | to.outcode) == 0) return true;
   for (int k = 0; k < kMost; ++k) {
     if ((from.outcode & to.outcode) != 0) return false;
@@ -129,8 +145,8 @@ bool CuttingPlanes::cut_line(Point3& a, Point3& b) const {
       to = cut_edge(from, to, k);
     }
   }
-  a = from.position;
-  b = to.position;
+  a = from.place.position;
+  b = to.place.position;
   return true;
 }
 

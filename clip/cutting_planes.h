@@ -53,6 +53,26 @@ class CuttingPlanes {
   /// What is left of the line from a to b, in their place; false if that is nothing.
   bool cut_line(Point3& a, Point3& b) const;
 
+  // For who cuts a whole solid, plane by plane (displayfile/solids/cut_solid.h). Plane n is on.
+
+  /// Twice or less than twice the signed distance, in units of some power of two: below 0 where the
+  /// plane cuts away.
+  double distance(int n, const Point3& world) const { return plane(n).distance(world); }
+  /// Toward what stays, of length 1; the plane is normal . p = -offset.
+  struct UnitPlane {
+    Point3 normal;
+    double offset;
+  };
+  UnitPlane unit_plane(int n) const;
+  /// A point and a normal there.
+  struct Place {
+    Point3 position;
+    Point3 normal;
+  };
+  /// Where the edge between a vertex inside of plane n and one outside of it, or on it, crosses:
+  /// the point that `cut` makes there, bit for bit.
+  Place crossing(int n, const Place& inside, const Place& outside) const;
+
  private:
   /// a, b, c and d times a power of two, so that the largest of a, b and c is between 1/2 and 1.
   struct Plane {
@@ -63,9 +83,9 @@ class CuttingPlanes {
     }
     void snap(Point3& p) const;
   };
+  const Plane& plane(int n) const { return planes_[static_cast<std::size_t>(n - 1)]; }
   struct Vertex {
-    Point3 position;
-    Point3 normal{0.0};
+    Place place;
     unsigned outcode;
     std::uint8_t edge_visible;  ///< of the side that ends here
   };

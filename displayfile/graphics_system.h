@@ -6,6 +6,8 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "clip/cutting_planes.h"
 #include "clip/planarity.h"
@@ -21,6 +23,9 @@
 #include "displayfile/retained_scene.h"
 #include "displayfile/said_settings.h"
 #include "displayfile/shading.h"
+#include "displayfile/solids/cut_faces.h"
+#include "displayfile/solids/open_solids.h"
+#include "displayfile/solids/solid_operation.h"
 #include "displayfile/style.h"
 #include "displayfile/surface_grid.h"
 #include "displayfile/view_stage.h"
@@ -146,6 +151,23 @@ class GraphicsSystem {
   /// set_vertex_normals has set.
   void surface_3(const SurfaceGrid& grid);
 
+  /// What is entered from here to end_solid is one closed solid, made of its parts in their order
+  /// (displayfile/solids/README.md). A part is a shape, closed polygons that one call enters, a
+  /// solid within it, or else the polygons between two of these, together. Solids may stand
+  /// one within another, OpenSolids::kDeepest deep. Until the outermost ends, nothing is in the
+  /// display file. The modelling transformation and the styles are those in force at each polygon, the
+  /// cutting planes those in force at the end. Errors: no segment open, too deep.
+  void begin_solid(SolidOperation operation = SolidOperation::unite);
+  /// Combines the parts; one part alone is the solid as it is. What is left is entered as polygons,
+  /// in the styles and with the pick identifiers of those that they are parts of; if that is nothing,
+  /// empty_solids counts it. Errors, after which the solid is still open: none is, it has
+  /// no part, a part is not closed; and with several parts, one that passes through itself, a
+  /// result that is no solid, no library that combines (ExactSolid); cut faces with more than
+  /// kMostHatchingLines.
+  void end_solid();
+  /// The innermost solid is as if it had not begun. Error: none is open.
+  void discard_solid();
+
   /// A text at the current position, which stays: UTF-8, on one line. It is drawn if the position
   /// is within the view volume and, where hidden surfaces are removed, nothing hides it
   /// (interp/truth/truth.md); an image transformation moves it, but does not scale or turn its
@@ -184,9 +206,15 @@ class GraphicsSystem {
   /// Cutting plane n, 1 to 6: of the primitives that follow, in any view, what has
   /// a x + b y + c z + d < 0 is cut away, x y z being world coordinates after the modelling
   /// transformation (clip/cutting_planes.md). Sides that it makes are not drawn, and what it cuts
-  /// open stays open. Errors: those of CuttingPlanes::set.
+  /// open stays open but for set_cut_faces. Errors: those of CuttingPlanes::set.
   void set_cutting_plane(int n, double a, double b, double c, double d);
   void set_cutting_plane_off(int n);  ///< Error: n is not 1 to 6.
+  /// What becomes of the faces where cutting planes cut closed solids that follow, if a call enters
+  /// them whole: shapes, end_solid, polygons_abs_3, meshes [open]. Polygons that are entered one by
+  /// one, and what is not closed, stay cut open. A cut face has the styles and, as a polygon, the
+  /// pick identifier in force. Errors: a spacing that is not above 0, an angle that is not finite.
+  void set_cut_faces(const CutFaces& faces);
+  static constexpr double kMostHatchingLines = 100000.0;
   /// Which curves of the surfaces that follow are drawn [both].
   void set_surface_curves(SurfaceCurves curves);
   /// Of which side their curves are drawn: where the other one is seen, they hide all the same
@@ -257,6 +285,30 @@ class GraphicsSystem {
   SurfaceCurves surface_curves() const { return surface_curves_; }
   SurfaceSides surface_sides() const { return surface_sides_; }
   const std::optional<LineStyle>& lower_line_style() const { return lower_line_; }
+  const CutFaces& cut_faces() const { return cut_faces_; }
+  /// How many solids are open, one within another.
+  std::size_t solids_open() const { return solids_.depth(); }
+  /// Calls of end_solid that left nothing of the outermost solid.
+  std::int64_t empty_solids() const { return empty_solids_; }
+  /// Whether the call that enters a closed solid makes more of it than its polygons alone.
+  bool takes_whole_solids() const {
+    return !solids_.empty() || (cut_faces_.kind != CutFaces::Kind::open && cutting_planes_.any());
+  }
+  /// Calls enter(), which enters the polygons of a closed solid: if takes_whole_solids(), as a solid
+  /// of one part. If enter() throws, or end_solid(), the solid is discarded.
+  template <class Enter>
+  void as_solid(Enter&& enter) {
+    if (!takes_whole_solids()) return enter();
+    const std::size_t depth = solids_open();
+    begin_solid();
+    try {
+      enter();
+      end_solid();
+    } catch (...) {
+      if (solids_open() > depth) discard_solid();
+      throw;
+    }
+  }
   bool shadows() const { return attributes_.shadows; }
   HiddenMethod hidden_method() const { return method_; }
   std::optional<HiddenScope> hidden_scope() const { return scope_; }  ///< if it was set
@@ -350,6 +402,12 @@ class GraphicsSystem {
   void polygon(std::span<const Point3> object);
   void enter(const WorldPolygon& polygon);
   void enter_cut(const WorldPolygon& polygon);
+  void enter_solid(const SolidFaces& whole, double spacing);
+  void enter_face(const SolidFaces& solid, std::size_t i, bool is_to_be_cut);
+  void enter_hatching(const SolidFaces& solid, std::size_t face, double spacing);
+  void enter_world_line(const Point3& from, const Point3& to);
+  double hatching_spacing(std::span<const Point3> solid) const;
+  void require_no_solid(std::string_view what) const;
   void enter_whole(const WorldPolygon& polygon);
   std::span<const Point3> shared_world(std::span<const Point3> vertices);
   void make_room_for_shared(std::span<const Point3> world, std::size_t polygons,
@@ -381,6 +439,14 @@ class GraphicsSystem {
   Background background_;
   std::vector<Point3> vertex_normals_;  // of the next polygon, as the application gave them
   CuttingPlanes cutting_planes_;
+  CutFaces cut_faces_;
+  OpenSolids solids_;
+  struct BeforeSolid {
+    Pen pen;
+    std::int64_t ordinal, triangulated;
+  };
+  std::vector<BeforeSolid> before_solids_;  // of each that is open
+  std::int64_t empty_solids_ = 0;
   SurfaceCurves surface_curves_ = SurfaceCurves::both;
   SurfaceSides surface_sides_ = SurfaceSides::both;
   std::optional<LineStyle> lower_line_;

@@ -12,6 +12,7 @@
 #include "clip/error.h"
 #include "clip/view_volume.h"
 #include "displayfile/mesh/fitted_view.h"
+#include "displayfile/solids/solid_faces.h"
 
 namespace displayfile {
 
@@ -90,6 +91,17 @@ void enter_one_by_one(const Mesh& mesh, const Mesh::Object& object,
   }
 }
 
+/// Each side of its faces is used as often in one direction as in the other.
+bool is_closed(const Mesh& mesh, const Mesh::Object& object) {
+  std::vector<std::uint32_t> corners, sides;
+  for (std::size_t i = object.first_face; i < object.first_face + object.faces; ++i) {
+    const auto face = mesh.face(i);
+    corners.insert(corners.end(), face.begin(), face.end());
+    sides.push_back(static_cast<std::uint32_t>(face.size()));
+  }
+  return !open_side(mesh.vertices, corners, sides);
+}
+
 /// The polygons at once, of those vertices between the first and the last that the object has. An
 /// object whose few vertices lie far apart among all is entered one by one instead.
 void enter_object(const Mesh& mesh, const Mesh::Object& object, std::span<const FillStyle> fills,
@@ -100,7 +112,11 @@ void enter_object(const Mesh& mesh, const Mesh::Object& object, std::span<const 
   const auto [low, high] = std::ranges::minmax(corners);
   const std::size_t vertices = std::size_t{high} - low + 1;
   if (!mesh.corner_normals.empty() || vertices > 2 * corners.size()) {
-    return system.keep_fill_style([&] { enter_one_by_one(mesh, object, fills, system); });
+    const auto enter = [&] {
+      system.keep_fill_style([&] { enter_one_by_one(mesh, object, fills, system); });
+    };
+    const bool is_solid = system.takes_whole_solids() && is_closed(mesh, object);
+    return is_solid ? system.as_solid(enter) : enter();
   }
   std::vector<std::uint32_t> from_low;
   if (low > 0) {

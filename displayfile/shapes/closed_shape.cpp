@@ -17,14 +17,7 @@ void require_enterable(const GraphicsSystem& system, const ClosedShape& solid) {
   }
 }
 
-}  // namespace
-
-void enter(GraphicsSystem& system, const ClosedShape& solid) {
-  const bool smooth = system.attributes().light && system.shading() != Shading::flat;
-  if (solid.normals.empty() || !smooth) {
-    return system.polygons_abs_3(solid.vertices, solid.corners, solid.sides);
-  }
-  require_enterable(system, solid);
+void enter_with_normals(GraphicsSystem& system, const ClosedShape& solid) {
   std::vector<Point3> vertices;
   std::size_t first = 0;
   for (const std::uint32_t sides : solid.sides) {
@@ -38,6 +31,17 @@ void enter(GraphicsSystem& system, const ClosedShape& solid) {
     system.polygon_abs_3(vertices);
     first += sides;
   }
+}
+
+}  // namespace
+
+void enter(GraphicsSystem& system, const ClosedShape& solid) {
+  const bool smooth = system.attributes().light && system.shading() != Shading::flat;
+  if (solid.normals.empty() || !smooth) {
+    return system.polygons_abs_3(solid.vertices, solid.corners, solid.sides);
+  }
+  require_enterable(system, solid);
+  system.as_solid([&] { enter_with_normals(system, solid); });
 }
 
 }  // namespace displayfile

@@ -85,6 +85,7 @@ void replay(std::string_view text, std::string_view file_name, GraphicsSystem& s
   require_text(text, file_name);
   const std::optional<int> open_before = system.open_segment_name();
   const std::size_t saved_before = system.transformations_saved();
+  const std::size_t solids_before = system.solids_open();
   ProgramLine line;
   for (std::string_view rest = text; !rest.empty();) {
     const std::size_t length = std::min(rest.find('\n'), rest.size());
@@ -103,6 +104,10 @@ void replay(std::string_view text, std::string_view file_name, GraphicsSystem& s
     const std::size_t last = text.find_last_not_of(" \t\r\n") + 1;
     return error_at(file_name, text, text.data() + last, message);
   };
+  if (const std::size_t solids = system.solids_open(); solids > solids_before) {
+    throw at_end(fmt::format("{} solid{} still open at the end: expected end-solid",
+                             solids - solids_before, solids - solids_before == 1 ? "" : "s"));
+  }
   if (const auto open = system.open_segment_name(); open && open != open_before) {
     throw at_end(fmt::format("segment {} still open at the end: expected close-segment", *open));
   }

@@ -85,6 +85,11 @@ SurfaceSides ProgramLine::take<SurfaceSides>() {
 }
 
 template <>
+SolidOperation ProgramLine::take<SolidOperation>() {
+  return understood(take_word(), solid_operation);
+}
+
+template <>
 WindowFit ProgramLine::take<WindowFit>() {
   return understood(take_word(), window_fit);
 }
@@ -360,6 +365,17 @@ void cutting_plane(GraphicsSystem& system, ProgramLine& line, const Routine& rou
   system.set_cutting_plane(n, normal.x, normal.y, normal.z, line.take<double>());
 }
 
+void cut_faces(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  if (line.arguments() == 0) wrong_count(line, routine);
+  CutFaces faces;
+  faces.kind = understood(line.take_word(), cut_faces_kind);
+  const std::size_t most = faces.kind == CutFaces::Kind::hatched ? 3 : 1;
+  if (line.arguments() > most) wrong_count(line, routine);
+  if (line.arguments() > 1) faces.spacing = line.take<double>();
+  if (line.arguments() > 2) faces.angle = line.take<double>();
+  system.set_cut_faces(faces);
+}
+
 using G = GraphicsSystem;
 
 /// Every user routine. They are looked up in this order: those that fill programs come first.
@@ -393,8 +409,12 @@ constexpr auto kRoutines = std::to_array<Routine>({
     {"torus-3", "x y z radius tube-radius facets", 6, of_lengths<torus_3>},
     {"extrude-3", "2 and a multiple of 2: z-min z-max  x y ...", kVaries, extrude},
     {"turn-3", "1 and a multiple of 2: facets  x z ...", kVaries, turn},
+    fixed<&G::begin_solid>("begin-solid", "union|intersection|difference"),
+    fixed<&G::end_solid>("end-solid", ""),
+    fixed<&G::discard_solid>("discard-solid", ""),
     {"axes-3", "6 or 9: x-min x-max y-min y-max z-min z-max [\"x\" \"y\" \"z\"]", kVaries, axes},
     {"set-cutting-plane", "5: n a b c d, or 2: n off", kVaries, cutting_plane},
+    {"set-cut-faces", "open | closed | hatched [spacing [angle]]", kVaries, cut_faces},
     {"set-fill-style", "solid r g b | hollow", kVaries, fill_style},
     {"set-line-style", "solid r g b [width] | dashed r g b [width [dash gap]] | none", kVaries,
      line_style},

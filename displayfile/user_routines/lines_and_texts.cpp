@@ -14,19 +14,21 @@ void GraphicsSystem::move_to(const Point3& object) {
 
 void GraphicsSystem::line_to(const Point3& object) {
   require_open();
+  require_no_solid("a line");
   const Pen end{object, to_world(object)};
   Point3 from = pen_.world, to = end.world;
   if (attributes_.line.kind != LineStyle::Kind::none && cutting_planes_.cut_line(from, to)) {
-    Segment& segment = display_file_.segment(*open_);
-    segment.set_line_pick(pick_);
-    if (RetainedScene* scene = retaining()) {
-      scene->enter_line(from, to, attributes_, pick_);
-    }
-    if (!retains_alone_) {
-      view_stage_->enter_line(from, to, attributes_.line, segment);
-    }
+    enter_world_line(from, to);
   }
   pen_ = end;
+}
+
+/// Whole, in a line style that is not none.
+void GraphicsSystem::enter_world_line(const Point3& from, const Point3& to) {
+  Segment& segment = display_file_.segment(*open_);
+  segment.set_line_pick(pick_);
+  if (RetainedScene* scene = retaining()) scene->enter_line(from, to, attributes_, pick_);
+  if (!retains_alone_) view_stage_->enter_line(from, to, attributes_.line, segment);
 }
 
 void GraphicsSystem::move_abs_3(double x, double y, double z) {
@@ -71,6 +73,7 @@ void GraphicsSystem::line_rel_2(double dx, double dy) {
 
 void GraphicsSystem::text(std::string_view characters) {
   require_open();
+  require_no_solid("a text");
   if (characters.size() > kLongestText) {
     throw Error(
         fmt::format("text of {} bytes: expected at most {}", characters.size(), kLongestText));

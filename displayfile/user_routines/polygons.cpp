@@ -8,6 +8,7 @@
 #include "clip/back_face.h"
 #include "clip/error.h"
 #include "clip/memory.h"
+#include "displayfile/solids/solid_faces.h"
 #include "displayfile/user_routines/ranges.h"
 
 namespace displayfile {
@@ -74,6 +75,7 @@ void GraphicsSystem::polygon(std::span<const Point3> object) {
   world_points_.resize(object.size());
   for (std::size_t i = 0; i < object.size(); ++i) world_points_[i] = to_world(object[i]);
   const int pick = pick_ >= 0 ? pick_ : static_cast<int>(ordinal_);
+  ++ordinal_;
   const Point3 normal = attributes_.light ? newell_normal(world_points_) : Point3(0.0);
   const bool smooth =
       attributes_.light && attributes_.shading != Shading::flat && !vertex_normals_.empty();
@@ -85,7 +87,6 @@ void GraphicsSystem::polygon(std::span<const Point3> object) {
     enter_triangles(normal, vertex_normals, pick);
   }
   triangulated_ += flat ? 0 : 1;
-  ++ordinal_;
   if (!vertex_normals_.empty()) vertex_normals_.clear();
   pen_ = {object.back(), world_points_.back()};
 }
@@ -115,6 +116,9 @@ void GraphicsSystem::enter_triangles(const Point3& normal, std::span<const Point
 }
 
 void GraphicsSystem::enter(const WorldPolygon& polygon) {
+  if (!solids_.empty()) {
+    return solids_.add(polygon, attributes_, static_cast<std::uint32_t>(ordinal_));
+  }
   cutting_planes_.any() ? enter_cut(polygon) : enter_whole(polygon);
 }
 
@@ -169,17 +173,22 @@ void GraphicsSystem::polygons_abs_3(std::span<const Point3> vertices,
   Segment& segment = display_file_.segment(*open_);
   const std::size_t polygons = sides.empty() ? corners.size() / 3 : sides.size();
   const std::size_t styles = attributes_.light ? polygons : fills.size();
+  bool is_solid = takes_whole_solids();
   const std::span<const Point3> world = with_memory(
       vertices.size() * sizeof(Point3) + corners.size() * (sizeof(Point3) + sizeof(std::int32_t)) +
           styles * sizeof(Colour),
       [&] { return fmt::format("entering {} polygons of {} corners", polygons, corners.size()); },
       [&] {
         const std::span<const Point3> of_all = shared_world(vertices);
-        make_room_for_shared(of_all, polygons, corners.size(), styles);
+        is_solid = is_solid && !open_side(of_all, corners, sides);
+        if (!is_solid && solids_.empty()) {
+          make_room_for_shared(of_all, polygons, corners.size(), styles);
+        }
         return of_all;
       });
-  keep_fill_style([&] {
-    const bool at_once = sides.empty() && fills.size() <= 1 && !cutting_planes_.any();
+  const auto enter_all = [&] {
+    const bool at_once =
+        sides.empty() && fills.size() <= 1 && !cutting_planes_.any() && solids_.empty();
     if (retains_alone_ && at_once && recorder_ == nullptr) {
       if (!fills.empty() && fills[0] != attributes_.fill) set_fill_style(fills[0]);
       const bool all_of_one = pick_ >= 0;
@@ -199,7 +208,12 @@ void GraphicsSystem::polygons_abs_3(std::span<const Point3> vertices,
       for (const std::uint32_t corner : polygon) object_points_.push_back(vertices[corner]);
       recorder_->write("polygon-abs-3", object_points_, 3);
     }
-  });
+  };
+  if (is_solid) {
+    as_solid([&] { keep_fill_style(enter_all); });
+  } else {
+    keep_fill_style(enter_all);
+  }
   if (!corners.empty()) pen_ = {vertices[corners.back()], world[corners.back()]};
 }
 
@@ -225,7 +239,8 @@ void GraphicsSystem::enter_shared(std::span<const Point3> world,
   const int pick = pick_ >= 0 ? pick_ : static_cast<int>(ordinal_);
   ++ordinal_;
   const bool cutting = cutting_planes_.any();
-  const bool plain = corners.size() == 3 && retaining() == nullptr && !cutting;
+  const bool whole = !cutting && solids_.empty();
+  const bool plain = corners.size() == 3 && retaining() == nullptr && whole;
   if (plain && view_stage_->enter_triangle(world, corners, pick, attributes_, segment)) return;
   const PointRow vertices(world, corners);
   const Point3 normal = attributes_.light ? newell_normal(vertices) : Point3(0.0);
@@ -235,6 +250,7 @@ void GraphicsSystem::enter_shared(std::span<const Point3> world,
     return enter_triangles(normal, {}, pick);
   }
   const WorldPolygon polygon{std::span(vertices), {}, normal, {}, pick};
+  if (!solids_.empty()) return enter(polygon);
   if (cutting && cutting_planes_.cut_some(vertices)) return enter_cut(polygon);
   if (RetainedScene* scene = retaining()) scene->enter_shared(corners, polygon, attributes_);
   if (!retains_alone_) view_stage_->enter_shared(corners, polygon, attributes_, segment);

@@ -32,6 +32,7 @@ void GraphicsSystem::open_segment(int name) {
 /// if hidden surfaces are to be sorted they are added back to front.
 void GraphicsSystem::close_segment() {
   if (!open_) throw Error("no segment open");
+  if (!solids_.empty()) throw Error("a solid is still open: end it first, by end-solid");
   Segment& segment = display_file_.segment(*open_);
   if (retaining() != nullptr) select_lines(segment);
   const bool each_on_its_own = scope_.value_or(HiddenScope::segment) == HiddenScope::segment;

@@ -42,6 +42,7 @@ void GraphicsSystem::set_lower_line_style(const std::optional<LineStyle>& style)
 
 void GraphicsSystem::surface_3(const SurfaceGrid& grid) {
   require_open();
+  require_no_solid("a surface");
   require_surface(grid);
   if (!vertex_normals_.empty()) {
     throw Error("normals of one polygon's vertices are set: expected none before a surface");

@@ -7,7 +7,7 @@
 
 #include "clip/error.h"
 #include "programs/sheet/chained_lines.h"
-#include "programs/sheet/section_hatching.h"
+#include "displayfile/solids/hatched_loops.h"
 #include "programs/sheet/unique_lines.h"
 
 namespace displayfile {
@@ -52,7 +52,7 @@ void add_view(const PartView& view, const Point2& at, double mm, double hatch,
     for (const Point2& p : loop) placed.push_back(on_paper(p));
     sheet.lines.push_back({SheetLayer::visible, placed, true});
   }
-  for (const auto& [from, to] : section_hatching(loops, hatch)) {
+  for (const auto& [from, to] : hatched_loops(loops, hatch, kHatchingDirection)) {
     sheet.lines.push_back({SheetLayer::hatch, {from, to}});
   }
 }

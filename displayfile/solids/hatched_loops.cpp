@@ -1,22 +1,23 @@
-#include "programs/sheet/section_hatching.h"
+#include "displayfile/solids/hatched_loops.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 
 namespace displayfile {
 
-std::vector<std::pair<Point2, Point2>> section_hatching(
-    const std::vector<std::vector<Point2>>& loops, double spacing) {
-  constexpr double kHalf = std::numbers::sqrt2 / 2.0;
+std::vector<std::pair<Point2, Point2>> hatched_loops(const std::vector<std::vector<Point2>>& loops,
+                                                     double spacing, const Point2& direction) {
   // A crossing of a side with a hatching line: the line's number, and the place along it.
   std::vector<std::pair<std::int64_t, double>> crossings;
+  const auto along = [&](const Point2& p) { return p.x * direction.x + p.y * direction.y; };
+  const auto across = [&](const Point2& p) {
+    return (p.y * direction.x - p.x * direction.y) / spacing;
+  };
   for (const auto& loop : loops) {
     Point2 from = loop.back();
     for (const Point2& to : loop) {
-      const double y0 = (from.y - from.x) * kHalf / spacing, y1 = (to.y - to.x) * kHalf / spacing;
-      const double x0 = (from.x + from.y) * kHalf, x1 = (to.x + to.y) * kHalf;
+      const double y0 = across(from), y1 = across(to), x0 = along(from), x1 = along(to);
       const auto [low, high] = std::minmax(y0, y1);
       for (auto k = static_cast<std::int64_t>(std::floor(low)) + 1; static_cast<double>(k) <= high;
            ++k) {
@@ -29,7 +30,7 @@ std::vector<std::pair<Point2, Point2>> section_hatching(
   std::vector<std::pair<Point2, Point2>> lines;
   const auto point = [&](std::int64_t k, double x) {
     const double y = static_cast<double>(k) * spacing;
-    return Point2((x - y) * kHalf, (x + y) * kHalf);
+    return Point2(x * direction.x - y * direction.y, x * direction.y + y * direction.x);
   };
   for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
     const auto [k, begin] = crossings[i];

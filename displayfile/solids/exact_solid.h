@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "clip/point.h"
+#include "displayfile/solids/solid_operation.h"
+
+namespace displayfile {
+
+/// Triangles that bound a solid. World coordinates.
+struct BoundingTriangles {
+  std::vector<Point3> vertices;                         ///< no two of one position
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices into vertices
+  std::vector<std::uint32_t> source;                    ///< of each: what it is a part of
+  /// Of the side that ends at each vertex: whether the triangle beyond lies in the same plane,
+  /// exactly, and on the other side of it. Only told of results.
+  std::vector<std::array<std::uint8_t, 3>> is_flat;
+};
+
+/// A solid whose vertices are where they are, not rounded. Made by the library that combines solids
+/// (exact_solid.cpp), or, where there was none when this was built, by none (exact_solid_absent.cpp).
+class ExactSolid {
+ public:
+  struct Body;  ///< the library's
+
+  /// Triangles that are closed: turned so that they bound a volume, a shell within another being a
+  /// hollow. Throws Error if they are not closed, or pass through each other; `name` says which
+  /// solid that is.
+  ExactSolid(const BoundingTriangles& triangles, std::string_view name);
+
+  /// Throws Error if the result is no solid whose surface parts inside from outside everywhere:
+  /// two that touch along an edge alone.
+  static ExactSolid combined(SolidOperation operation, const ExactSolid& a, const ExactSolid& b);
+
+  bool is_empty() const;
+  /// Its triangles, counterclockwise from outside; each vertex rounded, coordinate by coordinate.
+  BoundingTriangles rounded() const;
+
+ private:
+  explicit ExactSolid(std::shared_ptr<const Body> body) : body_(std::move(body)) {}
+
+  std::shared_ptr<const Body> body_;
+};
+
+}  // namespace displayfile

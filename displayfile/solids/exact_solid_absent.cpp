@@ -1,0 +1,31 @@
+// Where CGAL was not there when this was built: solids are not combined.
+
+#include "clip/error.h"
+#include "displayfile/solids/exact_solid.h"
+
+namespace displayfile {
+
+namespace {
+
+[[noreturn]] void say_so() {
+  throw Error(
+      "combining solids needs CGAL, which was not there when this was built: install it (Debian: "
+      "libcgal-dev) and build again");
+}
+
+}  // namespace
+
+ExactSolid::ExactSolid(const BoundingTriangles& /*triangles*/, std::string_view /*name*/) {
+  say_so();
+}
+
+ExactSolid ExactSolid::combined(SolidOperation /*operation*/, const ExactSolid& /*a*/,
+                                const ExactSolid& /*b*/) {
+  say_so();
+}
+
+bool ExactSolid::is_empty() const { say_so(); }
+
+BoundingTriangles ExactSolid::rounded() const { say_so(); }
+
+}  // namespace displayfile

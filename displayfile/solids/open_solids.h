@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "displayfile/solids/exact_solid.h"
+#include "displayfile/solids/solid_faces.h"
+#include "displayfile/solids/solid_operation.h"
+#include "displayfile/view_stage.h"
+
+namespace displayfile {
+
+/// Solids that are being entered, one within another: what is entered of each is collected until it
+/// ends (displayfile/solids/README.md). World coordinates.
+class OpenSolids {
+ public:
+  static constexpr std::size_t kDeepest = 32;
+
+  bool empty() const { return levels_.empty(); }
+  std::size_t depth() const { return levels_.size(); }
+
+  /// What is entered from now on is a part of the solid that is open, as one. Throws Error beyond
+  /// kDeepest.
+  void begin(SolidOperation operation);
+  /// A polygon of the innermost solid; `polygon` numbers the call that entered it.
+  void add(const WorldPolygon& polygon, const Attributes& attributes, std::uint32_t polygon_number);
+  /// Combines the parts of the innermost solid, which becomes a part of the one around it; of the
+  /// outermost it is the faces that are returned, none if nothing is left. Throws Error if it has no
+  /// parts, or one of them is no closed solid, and those of ExactSolid; nothing has changed then.
+  std::optional<SolidFaces> end();
+  /// The innermost is as if it had not begun.
+  void discard();
+
+  /// The corners of all that was collected.
+  std::span<const Point3> vertices() const { return collected_.vertices; }
+
+ private:
+  /// Faces that were entered, or what was made of some.
+  struct Part {
+    std::size_t first_face, end_face;
+    std::optional<ExactSolid> made;
+  };
+  struct Level {
+    SolidOperation operation;
+    std::size_t loose_around;  ///< first_loose of the solid around it, before it began
+    std::size_t first_face;    ///< of the solid
+    std::size_t first_loose;   ///< polygons from here on are the next part
+    std::vector<Part> parts;
+  };
+
+  std::vector<Part> parts_of_innermost() const;
+  static std::string name_of_part(std::size_t k, std::size_t parts);
+  ExactSolid exactly(const Part& part, const std::string& name) const;
+
+  std::vector<Level> levels_;
+  SolidFaces collected_;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "clip/point.h"
+#include "displayfile/attributes.h"
+
+namespace displayfile {
+
+/// The surface of a solid in world coordinates: faces that share vertices, each a polygon or several
+/// loops, filled even-odd, with what they are drawn with.
+struct SolidFaces {
+  struct Corner {
+    std::uint32_t vertex;
+    std::uint8_t edge_visible;  ///< of the side that ends here
+    Point3 normal{0.0};         ///< if the face is smooth
+  };
+  struct Face {
+    Point3 normal{0.0};         ///< Newell's of the whole polygon that it is of, where there is light
+    std::int32_t pick = 0;
+    std::uint32_t attributes = 0;
+    std::uint32_t polygon = 0;  ///< the call that entered it
+    bool smooth = false;        ///< its corners have normals
+    int cut_by = 0;             ///< the cutting plane whose cut face it is, or 0
+    std::size_t end_loop = 0;   ///< its loops begin where those of the face before end
+  };
+
+  std::vector<Point3> vertices;
+  std::vector<Corner> corners;
+  std::vector<std::size_t> end_corner;  ///< of each loop
+  std::vector<Face> faces;
+  std::vector<Attributes> attributes;
+
+  std::size_t first_loop(std::size_t face) const { return face == 0 ? 0 : faces[face - 1].end_loop; }
+  std::span<const Corner> loop(std::size_t i) const {
+    const std::size_t first = i == 0 ? 0 : end_corner[i - 1];
+    return std::span(corners).subspan(first, end_corner[i] - first);
+  }
+  /// Adds a loop of the face that `add` ends; one of fewer than three corners is none.
+  void add_loop(std::span<const Corner> loop);
+  /// The face of the loops that were added since the last one; nothing if there are none.
+  void add(const Face& face);
+};
+
+/// A face as one even-odd polygon: its loops are joined by sides there and back, which are not
+/// drawn.
+struct FacePolygon {
+  std::vector<Point3> vertices;
+  std::vector<std::uint8_t> edge_visible;  ///< of the side that ends at the vertex
+  std::vector<Point3> normals;             ///< if the face is smooth
+};
+void set_to_face(FacePolygon& polygon, const SolidFaces& solid, std::size_t face);
+
+/// A side that is used more often in its own direction than in the other one: what has one is not
+/// closed.
+using OpenSide = std::pair<Point3, Point3>;
+
+/// Nothing if each side of these polygons is used as often in one direction as in the other;
+/// vertices of equal position are one. As in polygons_abs_3, three corners each if `sides` is empty.
+std::optional<OpenSide> open_side(std::span<const Point3> vertices,
+                                  std::span<const std::uint32_t> corners,
+                                  std::span<const std::uint32_t> sides);
+/// The same of some faces of a solid.
+std::optional<OpenSide> open_side(const SolidFaces& solid, std::size_t first_face,
+                                  std::size_t end_face);
+
+}  // namespace displayfile

@@ -1,0 +1,199 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "clip/error.h"
+#include "clip/planarity.h"
+#include "clip/transformation.h"
+#include "displayfile/gouraud.h"
+#include "displayfile/graphics_system.h"
+#include "displayfile/solids/cut_solid.h"
+#include "displayfile/solids/hatched_loops.h"
+#include "displayfile/user_routines/ranges.h"
+
+namespace displayfile {
+
+void GraphicsSystem::require_no_solid(std::string_view what) const {
+  if (solids_.empty()) return;
+  throw Error(fmt::format("{} within a solid: expected shapes and polygons until end-solid", what));
+}
+
+void GraphicsSystem::begin_solid(SolidOperation operation) {
+  require_open();
+  solids_.begin(operation);
+  before_solids_.push_back({pen_, ordinal_, triangulated_});
+  record("begin-solid", {name_of(operation)});
+}
+
+void GraphicsSystem::end_solid() {
+  if (solids_.empty()) throw Error("no solid open: expected begin-solid before");
+  const double spacing = hatching_spacing(solids_.vertices());
+  std::optional<SolidFaces> whole = solids_.end();
+  before_solids_.pop_back();
+  if (whole) enter_solid(*whole, spacing);
+  record("end-solid", {});
+}
+
+void GraphicsSystem::discard_solid() {
+  if (solids_.empty()) throw Error("no solid open: expected begin-solid before");
+  solids_.discard();
+  const BeforeSolid before = before_solids_.back();
+  before_solids_.pop_back();
+  pen_ = before.pen;
+  ordinal_ = before.ordinal;
+  triangulated_ = before.triangulated;
+  vertex_normals_.clear();
+  record("discard-solid", {});
+}
+
+void GraphicsSystem::set_cut_faces(const CutFaces& faces) {
+  require_finite({faces.angle}, "angle");
+  if (faces.spacing && !(*faces.spacing > 0.0 && *faces.spacing <= kCoordinateLimit)) {
+    throw Error(fmt::format("hatching {} apart: expected a number above 0, at most 1e100",
+                            *faces.spacing));
+  }
+  cut_faces_ = {faces.kind};
+  if (faces.kind == CutFaces::Kind::hatched) cut_faces_ = faces;  // or they have no meaning
+  if (!cut_faces_.spacing) return record("set-cut-faces", {name_of(faces.kind)});
+  record("set-cut-faces", {name_of(faces.kind), *cut_faces_.spacing, cut_faces_.angle});
+}
+
+/// Between hatching lines on a solid that has these vertices. Error: there would be too many.
+double GraphicsSystem::hatching_spacing(std::span<const Point3> solid) const {
+  if (cut_faces_.kind != CutFaces::Kind::hatched || solid.empty()) return 1.0;
+  Point3 low = solid.front(), high = low, farthest(0.0);
+  for (const Point3& p : solid) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+    farthest = glm::max(farthest, glm::abs(p));
+  }
+  const Point3 extent = high - low;
+  const double longest = std::max({extent.x, extent.y, extent.z});
+  constexpr double kParts = 24.0;
+  const double spacing = cut_faces_.spacing.value_or(longest > 0.0 ? longest / kParts : 1.0);
+  if (2.0 * longest / spacing <= kMostHatchingLines &&
+      std::max({farthest.x, farthest.y, farthest.z}) / spacing <= 1e12) {
+    return spacing;
+  }
+  throw Error(fmt::format(
+      "cut faces hatched {} apart: expected at most {} lines on a solid {:.6g} long, and less than "
+      "1e12 from it to the origin",
+      spacing, kMostHatchingLines, longest));
+}
+
+/// Cut, if its cut faces are to be closed, and its polygons entered, each with what it is drawn with;
+/// what was in force is in force again.
+void GraphicsSystem::enter_solid(const SolidFaces& whole, double spacing) {
+  if (whole.faces.empty()) {
+    ++empty_solids_;
+    return;
+  }
+  const bool is_cut = cut_faces_.kind != CutFaces::Kind::open && cutting_planes_.any();
+  const Attributes in_force = attributes_;
+  const SolidFaces* solid = &whole;
+  SolidFaces cut;
+  if (is_cut) {
+    cut = cut_solid(whole, cutting_planes_, static_cast<std::uint32_t>(whole.attributes.size()));
+    cut.attributes.push_back(in_force);
+    solid = &cut;
+  }
+  const auto restore = [&] {
+    attributes_ = in_force;
+    attributes_changed();
+  };
+  try {
+    for (std::size_t i = 0; i < solid->faces.size(); ++i) enter_face(*solid, i, !is_cut);
+  } catch (...) {
+    restore();
+    throw;
+  }
+  restore();
+  if (!is_cut || cut_faces_.kind != CutFaces::Kind::hatched) return;
+  for (std::size_t i = 0; i < solid->faces.size(); ++i) {
+    if (solid->faces[i].cut_by != 0) enter_hatching(*solid, i, spacing);
+  }
+}
+
+/// A face of a solid as a polygon, or as triangles where its normals differ.
+void GraphicsSystem::enter_face(const SolidFaces& solid, std::size_t i, bool is_to_be_cut) {
+  const SolidFaces::Face& face = solid.faces[i];
+  FacePolygon polygon;
+  set_to_face(polygon, solid, i);
+  if (const Attributes& own = solid.attributes[face.attributes]; attributes_ != own) {
+    attributes_ = own;
+    attributes_changed();
+  }
+  int pick = face.pick;
+  if (face.cut_by != 0) pick = pick_ >= 0 ? pick_ : static_cast<int>(ordinal_++);
+  const Point3 normal = attributes_.light ? face.normal : Point3(0.0);
+  const auto enter_one = [&](const WorldPolygon& one) {
+    is_to_be_cut ? enter(one) : enter_whole(one);
+  };
+  if (polygon.vertices.size() == 3 || !differ(polygon.normals)) {
+    return enter_one(
+        {polygon.vertices, polygon.edge_visible, normal, polygon.normals, pick});
+  }
+  for (const auto& [vertex, edge_visible] : triangulation_.triangulate(polygon.vertices)) {
+    std::array<Point3, 3> corners, normals;
+    std::array<std::uint8_t, 3> drawn{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = polygon.vertices[vertex[k]];
+      normals[k] = polygon.normals[vertex[k]];
+      drawn[k] = edge_visible[k] != 0 ? polygon.edge_visible[vertex[k]] : std::uint8_t{0};
+    }
+    enter_one({corners, drawn, normal, normals, pick});
+  }
+}
+
+namespace {
+
+/// Two directions in a plane, seen from where its normal points: to the right along the level, and
+/// up. z is up; in a level plane, y.
+struct DirectionsInPlane {
+  Point3 right, up;
+
+  explicit DirectionsInPlane(const Point3& normal) {
+    const bool is_level = normal.x == 0.0 && normal.y == 0.0;
+    right = unit(glm::cross(is_level ? Point3(0.0, 1.0, 0.0) : Point3(0.0, 0.0, 1.0), normal));
+    up = glm::cross(normal, right);
+  }
+};
+
+}  // namespace
+
+/// Lines within the loops of a cut face, filled even-odd, in the line style in force. They are
+/// entered a millionth of the solid's size before it, so that rounding does not hide them behind it.
+void GraphicsSystem::enter_hatching(const SolidFaces& solid, std::size_t face, double spacing) {
+  if (attributes_.line.kind == LineStyle::Kind::none) return;
+  constexpr double kBefore = 1e-6;
+  const auto [inward, offset] = cutting_planes_.unit_plane(solid.faces[face].cut_by);
+  const DirectionsInPlane in_plane(-inward);
+  std::vector<std::vector<Point2>> loops;
+  Point3 low = solid.vertices[solid.loop(solid.first_loop(face))[0].vertex], high = low;
+  for (std::size_t i = solid.first_loop(face); i < solid.faces[face].end_loop; ++i) {
+    auto& loop = loops.emplace_back();
+    for (const SolidFaces::Corner& corner : solid.loop(i)) {
+      const Point3& p = solid.vertices[corner.vertex];
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+      loop.emplace_back(glm::dot(p, in_plane.right), glm::dot(p, in_plane.up));
+    }
+  }
+  const Point3 extent = high - low;
+  const Point3 origin =
+      -(offset + kBefore * std::max({extent.x, extent.y, extent.z})) * inward;
+  const auto [sine, cosine] = sine_cosine_of_degrees(cut_faces_.angle);
+  for (const auto& [from, to] : hatched_loops(loops, spacing, {cosine, sine})) {
+    enter_world_line(origin + from.x * in_plane.right + from.y * in_plane.up,
+                     origin + to.x * in_plane.right + to.y * in_plane.up);
+  }
+}
+
+}  // namespace displayfile

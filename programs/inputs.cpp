@@ -102,9 +102,9 @@ std::size_t bytes_of_meshes(std::span<const std::string> inputs) {
 /// Replays the programs ahead of their time, beside the system: what they draw is to be in the view
 /// that is fitted to the meshes as they place them.
 InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem& system,
-                       const Camera& camera) {
+                       const MeshOptions& options) {
   ask_for_memory(2 * bytes_of_meshes(inputs));  // a mesh's text and what is made of it are more
-  InputsRead read{{}, {}, {}, {}, CommonUpright(camera)};
+  InputsRead read{{}, {}, {}, {}, CommonUpright(options.camera)};
   RetainedScene drawn;
   GraphicsSystem ahead;
   ahead.retain(&drawn);
@@ -118,7 +118,7 @@ InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem
     }
     const bool smooth = ahead.shading() != Shading::flat;
     const NamedWarnings named(input);
-    Mesh& mesh = read.meshes.emplace_back(read_mesh(input, smooth));
+    Mesh& mesh = read.meshes.emplace_back(read_mesh(input, smooth, options.import_limits));
     if (smooth) complete_normals(mesh);
     const GraphicsSystem& before = system.view_was_set() ? system : ahead;
     if (before.said().contains(Setting::window)) continue;
@@ -194,7 +194,7 @@ std::optional<Upright> enter_inputs(std::span<const std::string> inputs, Graphic
     }
     return std::nullopt;
   }
-  InputsRead read = read_inputs(inputs, system, options.camera);
+  InputsRead read = read_inputs(inputs, system, options);
   const std::string& first_mesh = *std::ranges::find_if_not(inputs, is_drawing_program);
   naming(first_mesh, [&] {
     if (read.bare.empty()) return;

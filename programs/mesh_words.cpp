@@ -12,6 +12,7 @@ namespace displayfile {
 
 void MeshWords::add_to(CLI::App& command) {
   CameraWords::add_to(command);
+  import.add_to(command);
   command
       .add_option("--colour", colour,
                   "R,G,B, each 0 to 1, #rrggbb, white or black: of all faces of meshes, in place "
@@ -20,7 +21,7 @@ void MeshWords::add_to(CLI::App& command) {
 }
 
 MeshOptions MeshWords::options() const {
-  MeshOptions options{.camera = camera()};
+  MeshOptions options{.camera = camera(), .import_limits = import.limits()};
   if (colour.empty()) return options;
   options.colour = colour_of(colour);
   if (!options.colour) {

@@ -7,12 +7,15 @@
 #include "displayfile/mesh/mesh_options.h"
 #include "hidden/line_kinds.h"
 #include "programs/camera_options.h"
+#include "programs/import_words.h"
 
 namespace displayfile {
 
-/// The options of commands that enter meshes, as words: those of the camera, and the colour.
+/// The options of commands that enter meshes, as words: those of the camera, the colour, and what
+/// the import library may take.
 struct MeshWords : CameraWords {
   std::string colour;
+  ImportWords import;
   std::optional<LineSelection> lines;  ///< no option: what --lines selects of all inputs
 
   void add_to(CLI::App& command);

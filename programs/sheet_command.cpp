@@ -124,6 +124,7 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
   command.add_option("--threads", threads, "the sheet is the same for any number")
       ->check(CLI::Range(1, 1024))
       ->group(kPictureOptions);
+  import.add_to(command);
   return command;
 }
 
@@ -144,7 +145,7 @@ int SheetCommand::run() const {
   if (!scale.empty()) asked = drawing_scale(scale);
   const auto positions = sections_of(sections);
   const LineSelection selection = line_selection(lines);
-  const Mesh part = read_part(inputs, up);
+  const Mesh part = read_part(inputs, up, import.limits());
 
   const bool is_cut = std::ranges::any_of(positions, [](const auto& p) { return p.has_value(); });
   const bool hatched = is_cut && closed_and_consistently_oriented(part);

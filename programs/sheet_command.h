@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "programs/import_words.h"
+
 namespace displayfile {
 
 /// `displayfile sheet`: four views of a part on a sheet of paper, hidden lines dashed.
@@ -15,6 +17,7 @@ struct SheetCommand {
   std::vector<std::string> sections;
   double margin = 10.0, hatch = 2.0;
   int threads = 1;
+  ImportWords import;
 
   CLI::App& add_to(CLI::App& app);
   int run() const;

@@ -19,8 +19,10 @@
 #include "clip/corners.h"
 #include "clip/error.h"
 #include "displayfile/file_extension.h"
+#include "displayfile/mesh/import_library_files.h"
 #include "displayfile/mesh/lost_detail.h"
 #include "displayfile/mesh/mesh_builder.h"
+#include "displayfile/mesh/neighbour_files.h"
 #include "displayfile/mesh/up_axis.h"
 #include "displayfile/shared_library.h"
 
@@ -84,10 +86,12 @@ Scene import_scene(const ImportLibrary& library, const std::string& path) {
   const std::unique_ptr<aiPropertyStore, decltype(&aiReleasePropertyStore)> properties(
       library.create_properties(), library.release_properties);
   library.set_property(properties.get(), AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
+  const NeighbourFiles neighbours(path);
+  aiFileIO files = files_among(neighbours);
   // The library keeps the message of what failed last in one place for all threads.
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
-  Scene scene(library.import_file(path.c_str(), 0, nullptr, properties.get()), library.release);
+  Scene scene(library.import_file(path.c_str(), 0, &files, properties.get()), library.release);
   // Where there is a scene, the message is that of a file before.
   if (scene == nullptr || scene->mRootNode == nullptr) {
     throw Error(fmt::format("{}: not a mesh that can be read: {}", path,
@@ -366,6 +370,8 @@ Mesh read_by_import_library(const std::string& path, bool with_normals) {
         extension.empty() ? "it, and its name has no extension" : extension + " files"));
   }
 }
+
+void load_import_library(const std::string& path) { library_for(path); }
 
 std::optional<std::string> import_library_version() {
   try {

@@ -219,7 +219,7 @@ std::vector<Mesh::Skipped> import_meshes(std::span<const std::string> paths, Gra
   std::int64_t name = name_after_all_in_use(system.display_file());
   for (const std::string& path : paths) {
     const bool smooth = system.shading() != Shading::flat;
-    meshes.push_back(read_mesh(path, smooth));
+    meshes.push_back(read_mesh(path, smooth, options.import_limits));
     if (smooth) complete_normals(meshes.back());
     require_free_names(meshes.back(), system, name);
     name += static_cast<std::int64_t>(meshes.back().objects.size());

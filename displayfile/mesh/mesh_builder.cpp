@@ -11,10 +11,7 @@
 
 namespace displayfile {
 
-namespace {
-
-/// True if the corners have at least three different positions.
-bool has_three_positions(const std::vector<Point3>& vertices,
+bool has_three_positions(std::span<const Point3> vertices,
                          std::span<const std::uint32_t> corners) {
   const Point3& first = vertices[corners[0]];
   const Point3* second = nullptr;
@@ -29,6 +26,8 @@ bool has_three_positions(const std::vector<Point3>& vertices,
   }
   return false;
 }
+
+namespace {
 
 // ---- Colours ---------------------------------------------------------------------------
 

@@ -15,6 +15,9 @@
 
 namespace displayfile {
 
+/// True if the corners have at least three different positions: a face that has not is degenerate.
+bool has_three_positions(std::span<const Point3> vertices, std::span<const std::uint32_t> corners);
+
 /// A mesh while its file is read. Corners and their normals may be named before what they refer to
 /// was read; the reader sees to it that all of it is there at the end.
 class MeshBuilder {

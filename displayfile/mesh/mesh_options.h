@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "displayfile/mesh/camera.h"
+#include "displayfile/mesh/import_limits.h"
 #include "displayfile/style.h"
 
 namespace displayfile {
@@ -16,6 +17,7 @@ struct MeshOptions {
   /// and where lines are selected.
   bool sides_drawn = false;
   bool hidden_sides_drawn = false;  ///< and dashed where they are hidden: no back face is removed
+  ImportLimits import_limits{};     ///< of formats that the import library reads
 };
 
 }  // namespace displayfile

@@ -9,7 +9,7 @@
 #include "clip/error.h"
 #include "displayfile/characters.h"
 #include "displayfile/file_extension.h"
-#include "displayfile/mesh/import_library.h"
+#include "displayfile/mesh/import_process.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/mesh/mesh_file.h"
 #include "displayfile/mesh/up_axis.h"
@@ -78,25 +78,27 @@ class InputFile {
 
 /// Some of the import library's readers may take texts in UTF-16; none of those here does. What
 /// they say of one that they do not take is about bytes that its author never saw.
-Mesh read_utf16(const std::string& path, bool with_normals, const Format* format) {
+Mesh read_utf16(const std::string& path, bool with_normals, const ImportLimits& limits,
+                const Format* format) {
   try {
-    if (format == nullptr) return read_by_import_library(path, with_normals);
+    if (format == nullptr) return read_by_import_process(path, with_normals, limits);
   } catch (const Error&) {
   }
   throw Error(fmt::format("{}: not a mesh that can be read: UTF-16, expected UTF-8 text", path));
 }
 
-Mesh read_any(const std::string& path, bool with_normals) {
+Mesh read_any(const std::string& path, bool with_normals, const ImportLimits& limits) {
   constexpr std::size_t kBeginning = 4;
   InputFile in(path);
   MeshFile file{path, {}, with_normals};
   in.read_to(file.data, std::min(in.size(), kBeginning));
   const Format* format = format_of(path, file.data);
-  if (begins_in_utf16(file.data)) return read_utf16(path, with_normals, format);
+  if (begins_in_utf16(file.data)) return read_utf16(path, with_normals, limits, format);
   const std::string extension =
       format != nullptr ? std::string(format->extension) : extension_of(path);
   if (format != nullptr || text_says_upright(extension)) in.read_to(file.data, in.size());
-  Mesh mesh = format != nullptr ? format->read(file) : read_by_import_library(path, with_normals);
+  Mesh mesh = format != nullptr ? format->read(file)
+                                : read_by_import_process(path, with_normals, limits);
   set_upright_of_format(mesh, extension, file.data);
   const bool is_known = mesh.upright || mesh.usual_upright;
   if (format == nullptr && !is_known) mesh.upright = upright("y");  // as the library gives them
@@ -105,14 +107,14 @@ Mesh read_any(const std::string& path, bool with_normals) {
 
 }  // namespace
 
-Mesh read_mesh(const std::string& path, bool with_normals) {
+Mesh read_mesh(const std::string& path, bool with_normals, const ImportLimits& limits) {
   try {
-    return read_any(path, with_normals);
+    return read_any(path, with_normals, limits);
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {
     throw Error(fmt::format("{}: not enough memory for the mesh", path));
-  } catch (const std::exception& e) {  // what an importer of the library let through
+  } catch (const std::exception& e) {
     throw Error(fmt::format("{}: not a mesh that can be read: {}", path, e.what()));
   }
 }

@@ -51,7 +51,8 @@ void append_mesh(const Mesh& other, Mesh& all) {
 
 }  // namespace
 
-Mesh read_part(std::span<const std::string> inputs, const std::string& up) {
+Mesh read_part(std::span<const std::string> inputs, const std::string& up,
+               const ImportLimits& limits) {
   Mesh part;
   part.first_corner.push_back(0);
   std::optional<Upright> standing;
@@ -63,7 +64,7 @@ Mesh read_part(std::span<const std::string> inputs, const std::string& up) {
       continue;
     }
     const NamedWarnings named(input);
-    const Mesh mesh = read_mesh(input);
+    const Mesh mesh = read_mesh(input, false, limits);
     report_skipped(std::span(&input, 1), std::span(&mesh.skipped, 1));
     if (!standing) standing = mesh.upright;
     append_mesh(mesh, part);

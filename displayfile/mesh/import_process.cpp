@@ -1,0 +1,370 @@
+#include "displayfile/mesh/import_process.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <utility>
+#include <vector>
+
+#include "clip/error.h"
+#include "displayfile/mesh/import_protocol.h"
+#include "displayfile/mesh/import_start.h"
+#include "displayfile/mesh/mesh_reply.h"
+
+namespace displayfile {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// ---- Limits ----------------------------------------------------------------------------
+
+void require_limits(const std::string& path, const ImportLimits& limits) {
+  if (limits.memory > 0 && limits.seconds > 0.0) return;  // false for NaN too
+  throw Error(fmt::format("{}: import limits of {} bytes and {} seconds: expected more than 0",
+                          path, limits.memory, limits.seconds));
+}
+
+/// As `--import-memory` takes it, too.
+std::string in_words(std::size_t bytes) {
+  constexpr std::array<std::pair<int, const char*>, 3> kUnits{
+      {{30, "GiB"}, {20, "MiB"}, {10, "KiB"}}};
+  for (const auto& [bits, name] : kUnits) {
+    const std::size_t unit = std::size_t{1} << bits;
+    if (bytes >= unit && bytes % unit == 0) return fmt::format("{} {}", bytes / unit, name);
+  }
+  return fmt::format("{} bytes", bytes);
+}
+
+Error too_slow(const std::string& path, const ImportLimits& limits) {
+  return Error(
+      fmt::format("{}: the import library (Assimp) did not read it in {} seconds, which is the "
+                  "limit: --import-seconds (ImportLimits::seconds) sets another",
+                  path, limits.seconds));
+}
+
+Error too_hungry(const std::string& path, const ImportLimits& limits) {
+  return Error(
+      fmt::format("{}: the import library (Assimp) asked for more than {} of memory to read it, "
+                  "which is the limit: --import-memory (ImportLimits::memory) sets another",
+                  path, in_words(limits.memory)));
+}
+
+std::string name_of_signal(int number) {
+  switch (number) {
+    case SIGSEGV: return "SIGSEGV";
+    case SIGBUS: return "SIGBUS";
+    case SIGABRT: return "SIGABRT";
+    case SIGFPE: return "SIGFPE";
+    case SIGILL: return "SIGILL";
+    case SIGSYS: return "SIGSYS";
+    default: return fmt::format("signal {}", number);
+  }
+}
+
+/// What to say of a process that did not answer.
+Error without_answer(const std::string& path, const ImportLimits& limits, int status) {
+  const auto failed = [&](const std::string& how) {
+    return Error(fmt::format(
+        "{}: not a mesh that can be read: the import library (Assimp) {}", path, how));
+  };
+  if (WIFSIGNALED(status)) {
+    const int number = WTERMSIG(status);
+    if (number == SIGXCPU) return too_slow(path, limits);
+    if (number == SIGKILL) {
+      return failed("was killed while it read it, as systems do that run out of memory");
+    }
+    return failed("crashed on it (" + name_of_signal(number) + ")");
+  }
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
+  if (code == kOutOfMemoryStatus) return too_hungry(path, limits);
+  if (code == kOtherProtocolStatus) return failed("is called by an import program of another build");
+  return failed(fmt::format("ended the process in which it read it, with status {}", code));
+}
+
+// ---- Descriptors -----------------------------------------------------------------------
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number = -1) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+  ~Descriptor() { close(); }
+
+  int number() const { return number_; }
+  void close() {
+    if (number_ >= 0) ::close(std::exchange(number_, -1));
+  }
+
+ private:
+  int number_;
+};
+
+struct Pipe {
+  Descriptor read_end, write_end;
+};
+
+/// Out of the way of those that the other process gets, and closed where it is not handed over.
+Descriptor moved_up(Descriptor descriptor) {
+  constexpr int kFirst = 10;
+  return Descriptor(fcntl(descriptor.number(), F_DUPFD_CLOEXEC, kFirst));
+}
+
+Pipe make_pipe(const std::string& path) {
+  std::array<int, 2> ends{-1, -1};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) {
+    throw Error(fmt::format("{}: no pipe to the import program: {}", path, std::strerror(errno)));
+  }
+  Pipe pipe{moved_up(Descriptor(ends[0])), moved_up(Descriptor(ends[1]))};
+  const int flags = fcntl(pipe.read_end.number(), F_GETFL);
+  if (flags < 0 || fcntl(pipe.read_end.number(), F_SETFL, flags | O_NONBLOCK) != 0 ||
+      pipe.write_end.number() < 0) {
+    throw Error(fmt::format("{}: no pipe to the import program: {}", path, std::strerror(errno)));
+  }
+  return pipe;
+}
+
+// ---- The program -----------------------------------------------------------------------
+
+/// Where the import program may stand: beside this program, where an installation has it, and where
+/// it was built. DISPLAYFILE_IMPORT_PROGRAM names another one in place of all.
+std::vector<std::filesystem::path> places_of_program() {
+  constexpr const char* kName = "displayfile-import";
+  if (const char* named = std::getenv("DISPLAYFILE_IMPORT_PROGRAM")) return {named};
+  std::vector<std::filesystem::path> places;
+  std::error_code unknown;
+  const auto own = std::filesystem::read_symlink("/proc/self/exe", unknown);
+  if (!unknown) {
+    const auto folder = own.parent_path();
+    places.push_back(folder / kName);
+    places.push_back((folder / DISPLAYFILE_IMPORT_FOLDER / kName).lexically_normal());
+  }
+#ifdef DISPLAYFILE_IMPORT_BUILT
+  places.emplace_back(DISPLAYFILE_IMPORT_BUILT);
+#endif
+  places.push_back(std::filesystem::path(DISPLAYFILE_IMPORT_INSTALLED) / kName);
+  return places;
+}
+
+std::string import_program(const std::string& path) {
+  std::string looked_at;
+  int why = ENOENT;
+  for (const auto& place : places_of_program()) {
+    if (access(place.c_str(), X_OK) == 0) return place.string();
+    if (errno != ENOENT && errno != ENOTDIR) why = errno;
+    looked_at += (looked_at.empty() ? "" : ", ") + place.string();
+  }
+  throw Error(fmt::format(
+      "{}: the program that reads it cannot be started: {}: {}; the environment's "
+      "DISPLAYFILE_IMPORT_PROGRAM names it where it stands elsewhere",
+      path, looked_at, std::strerror(why)));
+}
+
+/// What the program inherits: three descriptors, no blocked signal, and none ignored that would let
+/// it go on when nobody listens.
+class Inheritance {
+ public:
+  Inheritance(int reply, int messages) {
+    posix_spawn_file_actions_init(&files_);
+    posix_spawn_file_actions_addopen(&files_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&files_, messages, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&files_, messages, STDERR_FILENO);
+    posix_spawn_file_actions_adddup2(&files_, reply, kReplyDescriptor);
+    sigset_t none, all;
+    sigemptyset(&none);
+    sigfillset(&all);
+    posix_spawnattr_init(&attributes_);
+    posix_spawnattr_setsigmask(&attributes_, &none);
+    posix_spawnattr_setsigdefault(&attributes_, &all);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  }
+  Inheritance(const Inheritance&) = delete;
+  Inheritance& operator=(const Inheritance&) = delete;
+  ~Inheritance() {
+    posix_spawn_file_actions_destroy(&files_);
+    posix_spawnattr_destroy(&attributes_);
+  }
+
+  const posix_spawn_file_actions_t* files() const { return &files_; }
+  const posix_spawnattr_t* attributes() const { return &attributes_; }
+
+ private:
+  posix_spawn_file_actions_t files_{};
+  posix_spawnattr_t attributes_{};
+};
+
+int spawn(std::vector<std::string>& words, int reply, int messages) {
+  std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  const Inheritance inheritance(reply, messages);
+  pid_t child = 0;
+  const int failure = posix_spawn(&child, words[0].c_str(), inheritance.files(),
+                                  inheritance.attributes(), arguments.data(), environ);
+  return failure == 0 ? child : -failure;
+}
+
+// ---- The process -----------------------------------------------------------------------
+
+/// It ended, or closed its end, before its answer was whole.
+struct NoAnswer {};
+
+class ImportProcess {
+ public:
+  ImportProcess(const std::string& path, bool with_normals, const ImportLimits& limits)
+      : path_(path), limits_(limits) {
+    constexpr double kMostSeconds = 1e9;
+    deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                   std::chrono::duration<double>(
+                                       std::min(limits.seconds, kMostSeconds)));
+    Pipe reply = make_pipe(path), messages = make_pipe(path);
+    constexpr int kPipeBytes = 1 << 20;  // fewer turns; the system may have its own opinion
+    fcntl(reply.write_end.number(), F_SETPIPE_SZ, kPipeBytes);
+    start(with_normals, reply.write_end, messages.write_end);
+    reply_ = std::move(reply.read_end);
+    messages_ = std::move(messages.read_end);
+  }
+  ImportProcess(const ImportProcess&) = delete;
+  ImportProcess& operator=(const ImportProcess&) = delete;
+  ~ImportProcess() { end(); }
+
+  /// Waits for so many bytes of the answer. Throws Error at a limit, NoAnswer if they do not come.
+  void fill(std::span<std::byte> bytes) {
+    while (!bytes.empty()) {
+      if (Clock::now() >= deadline_) throw too_slow(path_, limits_);
+      const ssize_t count = read(reply_.number(), bytes.data(), bytes.size());
+      if (count > 0) {
+        bytes = bytes.subspan(static_cast<std::size_t>(count));
+      } else if (count < 0 && errno == EAGAIN) {
+        wait_for_more();
+      } else if (count == 0 || errno != EINTR) {
+        throw NoAnswer{};
+      }
+    }
+  }
+
+  /// Ends it, if it has not ended, and tells what it said. Returns its status, or 0 if something
+  /// else in this process waits for all children, and has it.
+  int end() {
+    if (child_ <= 0) return status_;
+    kill(child_, SIGKILL);  // what has ended already keeps its status
+    while (waitpid(child_, &status_, 0) < 0) {
+      if (errno == EINTR) continue;
+      status_ = 0;
+      break;
+    }
+    child_ = 0;
+    take_messages();
+    if (!said_.empty()) std::cerr << said_ << std::flush;
+    return status_;
+  }
+
+ private:
+  void start(bool with_normals, const Descriptor& reply, const Descriptor& messages) {
+    const double seconds = std::min(std::ceil(limits_.seconds), 1e9);
+    std::vector<std::string> words{import_program(path_),
+                                   kImportProtocol,
+                                   std::to_string(getpid()),
+                                   std::to_string(limits_.memory),
+                                   fmt::format("{:.0f}", seconds),
+                                   with_normals ? "1" : "0",
+                                   path_};
+    child_ = import_starter()(words, reply.number(), messages.number());
+    if (child_ > 0) return;
+    throw Error(fmt::format("{}: the program that reads it cannot be started: {}: {}", path_,
+                            words[0], std::strerror(-child_)));
+  }
+
+  void wait_for_more() {
+    std::array<pollfd, 2> ends{
+        {{reply_.number(), POLLIN, 0}, {messages_.number(), POLLIN, 0}}};
+    using std::chrono::milliseconds;
+    const auto left = std::chrono::ceil<milliseconds>(deadline_ - Clock::now());
+    constexpr milliseconds kWatch(20), kLong(60'000);
+    const auto wait = std::clamp(left, milliseconds(0), kWatchesResidentMemory ? kWatch : kLong);
+    if (poll(ends.data(), ends.size(), static_cast<int>(wait.count())) < 0 && errno != EINTR) {
+      throw NoAnswer{};
+    }
+    if (ends[1].revents != 0) take_messages();
+    if (kWatchesResidentMemory && resident_bytes() > limits_.memory) {
+      throw too_hungry(path_, limits_);
+    }
+  }
+
+  /// What it has written so far. It may write more than is told of it.
+  void take_messages() {
+    std::array<char, 4096> part;
+    for (std::size_t taken = 0; messages_.number() >= 0 && taken < kMostOfMessage;) {
+      const ssize_t count = read(messages_.number(), part.data(), part.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0 && errno == EAGAIN) return;
+      if (count <= 0) return messages_.close();
+      const auto bytes = static_cast<std::size_t>(count);
+      said_.append(part.data(), std::min(bytes, kMostOfMessage - said_.size()));
+      taken += bytes;
+    }
+  }
+
+  std::size_t resident_bytes() const {
+    std::ifstream pages(fmt::format("/proc/{}/statm", child_));
+    std::size_t all = 0, resident = 0;
+    pages >> all >> resident;
+    return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  }
+
+  const std::string& path_;
+  const ImportLimits& limits_;
+  Clock::time_point deadline_;
+  pid_t child_ = 0;
+  int status_ = 0;
+  Descriptor reply_, messages_;
+  std::string said_;
+};
+
+}  // namespace
+
+ImportStarter& import_starter() {
+  static ImportStarter starter = spawn;
+  return starter;
+}
+
+Mesh read_by_import_process(const std::string& path, bool with_normals,
+                            const ImportLimits& limits) {
+  require_limits(path, limits);
+  ImportProcess process(path, with_normals, limits);
+  try {
+    auto reply = receive_reply([&](std::span<std::byte> bytes) { process.fill(bytes); },
+                               limits.memory);
+    process.end();
+    if (auto* const mesh = std::get_if<Mesh>(&reply)) return std::move(*mesh);
+    const std::string& message = std::get<std::string>(reply);
+    throw Error(message.starts_with(path) ? message : fmt::format("{}: {}", path, message));
+  } catch (const NoAnswer&) {
+    throw without_answer(path, limits, process.end());
+  } catch (const BadReply& e) {
+    throw Error(fmt::format(
+        "{}: not a mesh that can be read: what the import program gave is none: {}", path,
+        e.what()));
+  }
+}
+
+}  // namespace displayfile

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "displayfile/mesh/import_limits.h"
+#include "displayfile/mesh/mesh.h"
+
+namespace displayfile {
+
+/// Reads a mesh by the import library, as read_by_import_library does, in a process of its own
+/// (import_process.md): what the library does there, this process goes on. It may be called from
+/// several threads at once. What readers write to standard error is written to std::cerr.
+///
+/// Throws Error as read_by_import_library does, with its words; and, naming the file, if the
+/// library crashed on it, took longer or more memory than the limits say, or if the process cannot
+/// be started. The limits must be more than zero.
+Mesh read_by_import_process(const std::string& path, bool with_normals, const ImportLimits& limits);
+
+}  // namespace displayfile

@@ -1,0 +1,15 @@
+#include "displayfile/mesh/allowed_formats.h"
+#include "displayfile/mesh/import_library.h"
+#include "displayfile/mesh/import_process.h"
+
+namespace displayfile {
+
+/// On systems whose processes cannot be limited as import_process.cpp limits them: the library runs
+/// in this process, on the formats that are allowed.
+Mesh read_by_import_process(const std::string& path, bool with_normals,
+                            const ImportLimits& limits) {
+  if (!limits.any_format) require_allowed_format(path);
+  return read_by_import_library(path, with_normals);
+}
+
+}  // namespace displayfile

@@ -1,0 +1,8 @@
+// The program `displayfile-import`. Only displayfile starts it (displayfile/mesh/import_process.md).
+
+#include "programs/exit_status.h"
+#include "programs/import_program/import_program.h"
+
+int main(int argc, char** argv) {
+  return displayfile::exit_status(displayfile::read_for_waiting_process, argc, argv);
+}

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <cstddef>
+#include <string>
+
+#include "displayfile/mesh/import_limits.h"
+
+namespace displayfile {
+
+/// The options of commands that read meshes: what the import library may take for one.
+struct ImportWords {
+  std::string memory, seconds;
+  bool any_format = false;
+
+  void add_to(CLI::App& command);
+  /// Throws Error for a word that is not understood.
+  ImportLimits limits() const;
+};
+
+}  // namespace displayfile

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "clip/cutting_planes.h"
-#include "clip/planarity.h"
 #include "clip/transformation.h"
 #include "clip/view.h"
 #include "clip/window_fit.h"
@@ -34,6 +33,7 @@
 #include "hidden/hidden_method.h"
 #include "hidden/line_kinds.h"
 #include "hidden/sort/hidden_surface_sort.h"
+#include "hidden/triangulation.h"
 
 namespace displayfile {
 

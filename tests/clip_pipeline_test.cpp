@@ -242,39 +242,6 @@ TEST(Planarity, ToleranceIsRelativeToThePolygon) {
   }
 }
 
-TEST(Planarity, TrianglesTileThePolygonWithHiddenDiagonals) {
-  // A concave, bent polygon: an L folded along its diagonal.
-  const Polygon bent{{0, 0, 0}, {3, 0, 0}, {3, 1, 0.5}, {1, 1, 0}, {1, 3, 0.5}, {0, 3, 0}};
-  ASSERT_FALSE(is_flat(bent));
-  Triangulation triangulation;
-  const auto triangles = triangulation.triangulate(bent);
-  ASSERT_EQ(triangles.size(), 4u);
-  double sum = 0;
-  std::ptrdiff_t sides = 0;
-  for (const auto& t : triangles) {
-    const Polygon piece{bent[t.vertex[0]], bent[t.vertex[1]], bent[t.vertex[2]]};
-    EXPECT_GT(area(piece), 0.0);  // no piece is turned over
-    sum += area(piece);
-    sides += std::ranges::count(t.edge_visible, 1);
-  }
-  EXPECT_DOUBLE_EQ(sum, area(bent));
-  EXPECT_EQ(sides, 6);  // each side of the polygon once, no diagonal
-}
-
-// A polygon that crosses itself everywhere has few ears; it must not take cubic time.
-TEST(Planarity, ATangleOfManyVerticesIsCutToo) {
-  std::mt19937_64 random(7);
-  std::uniform_real_distribution<double> u(-1, 1);
-  Polygon tangle;
-  for (int i = 0; i < 5000; ++i) tangle.emplace_back(u(random), u(random), u(random));
-  Triangulation triangulation;
-  const auto triangles = triangulation.triangulate(tangle);
-  EXPECT_EQ(triangles.size(), 4998u);
-  std::ptrdiff_t sides = 0;
-  for (const auto& t : triangles) sides += std::ranges::count(t.edge_visible, 1);
-  EXPECT_EQ(sides, 5000);
-}
-
 TEST(ClipToRectangle, SolvedCases) {
   const Rectangle unit{0, 1, 0, 1};
   std::vector<Point3> spare;

@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "clip/error.h"
-#include "clip/planarity.h"
 #include "displayfile/mesh/welded_faces.h"
 #include "hidden/exact/double_double.h"
 #include "hidden/exact/exact_number.h"
 #include "hidden/exact/rounding.h"
+#include "hidden/triangulation.h"
 
 namespace displayfile {
 

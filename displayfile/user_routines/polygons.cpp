@@ -8,6 +8,7 @@
 #include "clip/back_face.h"
 #include "clip/error.h"
 #include "clip/memory.h"
+#include "clip/planarity.h"
 #include "displayfile/solids/solid_faces.h"
 #include "displayfile/user_routines/ranges.h"
 

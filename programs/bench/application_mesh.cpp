@@ -4,11 +4,11 @@
 #include <limits>
 
 #include "clip/error.h"
-#include "clip/planarity.h"
 #include "clip/view_volume.h"
 #include "displayfile/equal_points.h"
 #include "displayfile/lighting.h"
 #include "displayfile/turntable.h"
+#include "hidden/triangulation.h"
 #include "interp/picture.h"
 #include "programs/bench/contenders.h"
 #include "programs/scenes/scene.h"

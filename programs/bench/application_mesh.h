@@ -13,7 +13,7 @@
 namespace displayfile::bench {
 
 /// A scene as an application has it before any library knows of it, and views of it: what both
-/// sides of a comparison get. Polygons are cut into triangles (clip/planarity.h), as OpenGL knows
+/// sides of a comparison get. Polygons are cut into triangles (hidden/triangulation.h), as OpenGL knows
 /// nothing else, and vertices that are equal to the last bit are one.
 struct ApplicationMesh {
   std::vector<Point3> vertices;        ///< world coordinates

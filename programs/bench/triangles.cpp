@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "clip/planarity.h"
+#include "hidden/triangulation.h"
 
 namespace displayfile::bench {
 

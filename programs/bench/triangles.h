@@ -15,7 +15,7 @@ struct Triangles {
   std::size_t size() const { return fills.size(); }
 };
 
-/// Cut by clip/planarity.h: a fill that crosses itself has no tiling, and what is made of it covers
+/// Cut by hidden/triangulation.h: a fill that crosses itself has no tiling, and what is made of it covers
 /// other pixels.
 Triangles in_triangles(const ViewedScene& scene);
 

@@ -14,8 +14,8 @@
 #include <random>
 
 #include "clip/error.h"
-#include "clip/planarity.h"
 #include "displayfile/mesh/section.h"
+#include "hidden/triangulation.h"
 
 namespace displayfile {
 namespace {

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "clip/point.h"
+
+namespace displayfile {
+
+/// Three corners of a polygon, in its order.
+using CornerTriple = std::array<std::uint32_t, 3>;
+
+/// Cuts ears off a polygon until a triangle is left: the plain way, quadratic for usual polygons.
+class EarCutting {
+ public:
+  /// Appends the triangles of a polygon that runs counterclockwise, two fewer than it has corners
+  /// (three at least); each of its sides is a side of one of them. Signs are those of doubles. If a
+  /// round finds no ear, or so many corners have been looked at, the next corner is cut off as it
+  /// is: a polygon that crosses itself is cut where ears are found, and fanned from there.
+  void cut(std::span<const Point2> polygon, std::size_t most_looks,
+           std::vector<CornerTriple>& triangles);
+
+ private:
+  struct Neighbours {
+    std::uint32_t previous, next;
+  };
+  bool is_ear(std::uint32_t corner);
+
+  std::span<const Point2> polygon_;
+  std::vector<Neighbours> ring_;  // of the corners that are left
+  std::size_t looks_ = 0;
+};
+
+}  // namespace displayfile

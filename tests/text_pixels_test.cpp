@@ -224,7 +224,7 @@ Picture joined_rows(const DisplayFile& file, const RasterRequest& request) {
 
 /// The picture is the same row by row, and by any number of threads; identifiers and depths know
 /// nothing of texts.
-TEST(Text, SamePixelsHoweverTheyAreDrawn) {
+TEST(Text, SamePixelsHoweverTheyAreDrawnAndOnAnyThreads) {
   const std::string texts =
       "set-text-style .4 centre\nmove-abs-3 .5 .37 0\ntext \"H\u00e9g\"\n"
       "set-text-style .05 left\nmove-abs-3 .2 .7777 0\ntext \"small, on several strips\"\n";

@@ -184,7 +184,7 @@ bool is_the_plain_one(const ItemList& list, int seed) {
   return false;
 }
 
-TEST(VisibleMap, ShortcutsChangeNothingInCrowds) {
+TEST(VisibleMap, ShortcutsAndThreadsChangeNothingInCrowds) {
   const int scenes = from_environment("DISPLAYFILE_MAP_SCENES", 60 / kSlower);
   for (int k = 0; k < scenes; ++k) {
     Source s(static_cast<std::uint64_t>(k));

@@ -98,7 +98,7 @@ TEST(WorldViews, DrawTheGallery) {
   EXPECT_GE(drawn, 10);
 }
 
-TEST(WorldViews, DrawAllViewsFromOneTree) {
+TEST(WorldViews, DrawAllViewsFromOneTreeOnSeveralThreads) {
   Retained retained;
   enter(generated_scene("city").make(300, 2), retained.system);
   const DisplayFile& file = retained.system.display_file();

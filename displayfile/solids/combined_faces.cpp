@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "clip/back_face.h"
-#include "clip/planarity.h"
 #include "displayfile/equal_points.h"
+#include "hidden/triangulation.h"
 
 namespace displayfile {
 
@@ -141,8 +141,8 @@ class Faces {
 
   /// Of a side of the boundary of its source's face.
   bool is_drawn(const Side& side) const {
-    const auto beyond = std::ranges::lower_bound(sides_, std::tuple(side.to, side.from, 0u), {},
-                                                 &Side::place);
+    const auto beyond =
+        std::ranges::lower_bound(sides_, std::tuple(side.to, side.from, 0u), {}, &Side::place);
     if (beyond == sides_.end() || beyond->from != side.to || beyond->to != side.from) return true;
     const SolidFaces::Face &here = sources_.faces[side.source],
                            &there = sources_.faces[beyond->source];

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "clip/planarity.h"
 #include "clip/transformation.h"
 #include "displayfile/gouraud.h"
 #include "displayfile/graphics_system.h"

@@ -11,6 +11,11 @@ namespace displayfile {
 /// nothing is kept. Little memory is not worth asking for.
 bool has_memory(std::size_t bytes);
 
+/// How many bytes a process may still take, as far as the system tells: what is free or can be made
+/// so without writing to a disk, and no more than the process's own limit. What nothing limits is
+/// the greatest number.
+std::size_t offered_memory();
+
 /// Throws Error, which states the bytes and what needs them.
 [[noreturn]] void out_of_memory(std::size_t bytes, const std::string& what);
 

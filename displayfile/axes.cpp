@@ -40,33 +40,6 @@ double decimal(std::int64_t digits, int exponent) {
   return value;
 }
 
-/// Multiples of the least of 1, 2 and 5 times a power of ten that makes so many steps at most.
-std::vector<double> ticks(double low, double high, int most_steps) {
-  const double range = high - low;
-  int exponent = static_cast<int>(std::floor(std::log10(range))) - 2;  // too small for sure
-  std::int64_t digit = 1;
-  while (!(range <= (most_steps + 1e-6) * decimal(digit, exponent))) {
-    exponent += digit == 5 ? 1 : 0;
-    digit = digit == 1 ? 2 : digit == 2 ? 5 : 1;
-  }
-  const double step = decimal(digit, exponent);
-  std::vector<double> values;
-  const auto first = static_cast<std::int64_t>(std::floor(low / step)) - 1;
-  const auto last = static_cast<std::int64_t>(std::ceil(high / step)) + 1;
-  for (std::int64_t i = first; i <= last; ++i) {
-    const double value = decimal(digit * i, exponent);
-    const bool is_new = values.empty() || value > values.back();
-    if (value >= low && value <= high && is_new) values.push_back(value);
-  }
-  return values;
-}
-
-/// With a minus sign in place of the hyphen.
-std::string number_text(double value) {
-  const std::string text = fmt::format("{}", value == 0.0 ? 0.0 : value);
-  return text.starts_with('-') ? "\u2212" + text.substr(1) : text;
-}
-
 // ---- Where axes stand ----------------------------------------------------------------------
 
 struct Label {
@@ -135,11 +108,11 @@ class AxesOfBox {
         (std::abs(all.x) * kBeside + std::abs(all.y) * kAbove) * size_ / length(all);
     const int most_steps =
         static_cast<int>(std::clamp(std::floor(length(all) / apart), 1.0, 1.0 * kMostSteps));
-    for (const double value : ticks(edge.from[along], edge.to[along], most_steps)) {
+    for (const double value : axis_ticks(edge.from[along], edge.to[along], most_steps)) {
       Point3 at = edge.from;
       at[along] = value;
       axes.lines.push_back({at, moved(at, edge.ticks * (kTick * size_))});
-      append(label(at, edge.ticks, kTick + kGap, number_text(value)), axes);
+      append(label(at, edge.ticks, kTick + kGap, axis_number(value)), axes);
     }
   }
 
@@ -339,6 +312,31 @@ void require_in_range(const GraphicsSystem& system, const Axes& axes) {
 }
 
 }  // namespace
+
+std::vector<double> axis_ticks(double low, double high, int most_steps) {
+  const double range = high - low;
+  int exponent = static_cast<int>(std::floor(std::log10(range))) - 2;  // too small for sure
+  std::int64_t digit = 1;
+  while (!(range <= (most_steps + 1e-6) * decimal(digit, exponent))) {
+    exponent += digit == 5 ? 1 : 0;
+    digit = digit == 1 ? 2 : digit == 2 ? 5 : 1;
+  }
+  const double step = decimal(digit, exponent);
+  std::vector<double> values;
+  const auto first = static_cast<std::int64_t>(std::floor(low / step)) - 1;
+  const auto last = static_cast<std::int64_t>(std::ceil(high / step)) + 1;
+  for (std::int64_t i = first; i <= last; ++i) {
+    const double value = decimal(digit * i, exponent);
+    const bool is_new = values.empty() || value > values.back();
+    if (value >= low && value <= high && is_new) values.push_back(value);
+  }
+  return values;
+}
+
+std::string axis_number(double value) {
+  const std::string text = fmt::format("{}", value == 0.0 ? 0.0 : value);
+  return text.starts_with('-') ? "\u2212" + text.substr(1) : text;
+}
 
 void axes_3(GraphicsSystem& system, const Point3& low, const Point3& high,
             const std::array<std::string_view, 3>& names) {

@@ -1,12 +1,20 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "clip/point.h"
 #include "displayfile/graphics_system.h"
 
 namespace displayfile {
+
+/// The numbers from low to high (low < high) at which an axis has ticks: multiples of the least of
+/// 1, 2 and 5 times a power of ten that makes so many steps at most.
+std::vector<double> axis_ticks(double low, double high, int most_steps);
+/// Such a number as it stands at an axis, with a minus sign in place of the hyphen.
+std::string axis_number(double value);
 
 /// Draws the axes of a box of the model into the open segment: of each axis the line from its low
 /// end to its high one, ticks and numbers at about five multiples of 1, 2 or 5 times a power of

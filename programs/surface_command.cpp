@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "clip/error.h"
+#include "clip/memory.h"
 #include "displayfile/output_file.h"
 #include "interp/draw.h"
 #include "programs/progress.h"
@@ -36,6 +37,25 @@ std::array<std::string, 3> names_of_axes(const std::string& text) {
 
 bool has_holes(const SurfaceData& surface) {
   return std::ranges::any_of(surface.heights, [](double height) { return std::isnan(height); });
+}
+
+/// Bytes that drawing takes for a cell, at the most at a time, measured: of curves by the perimeter
+/// method, and of what any other method draws.
+constexpr double kBytesOfCurves = 500.0, kBytesOfOthers = 1300.0;
+
+/// Throws Error if the system has not the memory that so many points need, before any time is spent
+/// on them.
+void require_memory(double points, const std::string& surface, double bytes_of_cell) {
+  constexpr double kGigabyte = 1e9, kWorthAsking = 1e8;
+  const double needed = points * bytes_of_cell;
+  if (needed < kWorthAsking) return;
+  const auto offered = static_cast<double>(offered_memory());
+  if (needed <= offered) return;
+  const double most = std::floor(std::sqrt(offered / bytes_of_cell));
+  throw Error(
+      fmt::format("out of memory: {}: drawing {:.0f} points needs {:.3g} GB, and the system offers "
+                  "{:.3g} GB: expected {:.0f} x {:.0f} points or fewer",
+                  surface, points, needed / kGigabyte, offered / kGigabyte, most, most));
 }
 
 /// One surface in lines is drawn nearest first; what has colours, or passes through another, as
@@ -143,12 +163,28 @@ int SurfaceCommand::run() const {
   const SurfaceLook shown = look();
   DrawOptions options = drawing();
   require_drawable(output, options);
+  const bool in_curves =
+      surfaces.size() == 1 && !shown.coloured &&
+      options.hidden.value_or(HiddenMethod::perimeter) == HiddenMethod::perimeter;
+  const double bytes_of_cell = in_curves ? kBytesOfCurves : kBytesOfOthers;
   std::vector<SurfaceData> data;
-  for (const std::string& surface : surfaces) data.push_back(read_surface(surface, points));
+  double entered = 0.0;
+  for (const std::string& surface : surfaces) {
+    if (!is_grid_file(surface)) {
+      require_memory(entered + static_cast<double>(points.points()), surface, bytes_of_cell);
+    }
+    data.push_back(read_surface(surface, points));
+    entered += static_cast<double>(data.back().range.points());
+    require_memory(entered, surface, has_holes(data.back()) ? kBytesOfOthers : bytes_of_cell);
+  }
   if (!options.hidden) options.hidden = usual_method(data, shown.coloured);
   GraphicsSystem system;
   system.set_aspect_ratio(static_cast<double>(options.width) / options.height);
-  if (const auto lines = hidden_surfaces.line_selection()) system.replace_lines(*lines);
+  if (const auto lines = hidden_surfaces.line_selection()) {
+    system.replace_lines(*lines);
+  } else if (data.size() > 1 && !needs_surface(*options.hidden)) {
+    system.set_lines(line_selection("all,intersection"));
+  }
   std::optional<OutputFile> recorded;
   std::optional<Recorder> recorder;
   if (!program.empty()) {

@@ -84,6 +84,39 @@ TEST_F(Bench, PageHoldsEveryFigure) {
   EXPECT_EQ(page.find("http"), page.npos);
 }
 
+/// The method that draws surfaces alone is measured on the surface, beside the others, and told
+/// there.
+TEST_F(Bench, ReportsLinesOfSurfaces) {
+  write("R.md", block("lines", "old\n") + block("surfaces", "old\n"));
+  ASSERT_EQ(run("bench surface soup --polygons 50,200 --sizes 16 --rounds 1 --threads 1 "
+                "--roundoff 1e-9 --methods franklin,perimeter --json s.json -o s.html "
+                "--readme R.md"),
+            0)
+      << err_;
+  std::set<std::string> by_perimeter;
+  for (const Json& cell : json("s.json")["line_cells"]) {
+    if (cell["method"] != "perimeter") continue;
+    EXPECT_TRUE(cell["scene"].get<std::string>().starts_with("surface n=")) << cell;
+    by_perimeter.insert(cell["scene"].get<std::string>() + (cell["exact"] ? "" : " rounded"));
+    if (cell["exact"]) {
+      EXPECT_EQ(cell["missing_length"], 0.0) << cell;
+      EXPECT_EQ(cell["extra_length"], 0.0) << cell;
+    } else {
+      EXPECT_GT(cell["missing_length"].get<double>() + cell["extra_length"].get<double>(), 0.0);
+    }
+  }
+  EXPECT_EQ(by_perimeter.size(), 3u);  // of the larger one the rounded too
+  const std::string readme = read(folder_ / "R.md");
+  const std::size_t surfaces = readme.find("bench: surfaces");
+  EXPECT_EQ(readme.substr(0, surfaces).find("perimeter"), std::string::npos) << readme;
+  for (const char* name :
+       {"| franklin, exact |", "| perimeter, exact |", "| perimeter, roundoff=1e-9 |"}) {
+    EXPECT_NE(readme.find(name, surfaces), readme.npos) << readme;
+  }
+  const std::string page = read(folder_ / "s.html");
+  EXPECT_NE(page.find("Lines of surfaces: below and left is better"), page.npos);
+}
+
 /// Methods of lines beside those of surfaces: tables, the page and the README's block have the
 /// figures of the JSON; and by themselves, without a picture.
 TEST_F(Bench, ReportsMethodsOfLines) {
@@ -357,8 +390,7 @@ TEST_F(Bench, ThePageBeginsWithSpeedAgainstErrorOfAll) {
       return errors.at(of).first / errors.at(of).second;
     };
     const auto as_good = [&](const auto& other) {
-      return other.first != name && other.second <= time &&
-             error_of(other.first) <= error_of(name);
+      return other.first != name && other.second <= time && error_of(other.first) <= error_of(name);
     };
     const auto equal = [&](const auto& other) {
       return as_good(other) && other.second == time && error_of(other.first) == error_of(name);

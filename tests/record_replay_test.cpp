@@ -107,8 +107,30 @@ class RandomApplication {
     return chance(4) ? text + "\t" : text;
   }
 
+  void surface() {
+    const int nx = static_cast<int>(below(5)), ny = 2 + static_cast<int>(below(3));
+    std::vector<double> heights(static_cast<std::size_t>(nx * ny));
+    for (double& z : heights) {
+      z = chance(90) ? uniform(-1, 1) : std::numeric_limits<double>::quiet_NaN();
+    }
+    const double x = uniform(-1, 1), y = uniform(-1, 1);
+    system_.surface_3({x, x + uniform(-0.1, 1), nx, y, y + uniform(0, 1), ny, heights});
+  }
+  void lower_line_style() {
+    if (chance(40)) return system_.set_lower_line_style(std::nullopt);
+    system_.set_lower_line_style(line_style());
+  }
+  void cutting_plane() {
+    const int n = static_cast<int>(below(8));  // 1 to 6 are right
+    if (chance(70)) return system_.set_cutting_plane_off(n);
+    system_.set_cutting_plane(n, coordinate(), coordinate(), coordinate(), uniform(-0.2, 4));
+  }
+
   void call_primitive() {
-    switch (below(25)) {
+    using enum SurfaceCurves;
+    constexpr std::array kCurves{x, y, both};
+    constexpr std::array kSides{SurfaceSides::upper, SurfaceSides::lower, SurfaceSides::both};
+    switch (below(30)) {
       case 0: return system_.move_abs_3(coordinate(), coordinate(), coordinate());
       case 1: return system_.line_abs_3(coordinate(), coordinate(), coordinate());
       case 2: return system_.move_rel_3(coordinate(), coordinate(), coordinate());
@@ -137,6 +159,11 @@ class RandomApplication {
       case 18: return system_.set_shadows(chance(70));
       case 19: return system_.text(characters());
       case 20: return system_.set_text_style(text_style());
+      case 21: return surface();
+      case 22: return system_.set_surface_curves(kCurves[below(kCurves.size())]);
+      case 23: return system_.set_surface_sides(kSides[below(kSides.size())]);
+      case 24: return lower_line_style();
+      case 25: return cutting_plane();
       default: return system_.polygon_abs_3(points<Point3>());
     }
   }
@@ -189,6 +216,7 @@ class RandomApplication {
       case 30: return system_.restore_transformation_3();
       case 31: return system_.set_image_centre(name(), coordinate(), coordinate());
       case 32: return system_.set_lines(lines());
+      case 33: return cutting_plane();
       case 38: return system_.set_window_fit(chance(50) ? WindowFit::widen : WindowFit::stretch);
       case 39:
         return system_.set_background(
@@ -252,7 +280,7 @@ TEST(RecordReplay, RandomApplications) {
   }
   // The applications did something: every routine, and pictures of some size.
   if (test::kSlower == 1) {
-    EXPECT_EQ(routines.size(), 58u);
+    EXPECT_EQ(routines.size(), 63u);
   }
   EXPECT_GT(instructions, 100000u / test::kSlower);
   EXPECT_GT(refused, 1000 / test::kSlower);

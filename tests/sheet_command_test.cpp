@@ -55,6 +55,18 @@ TEST_F(SheetCommandTest, SectionsAreHatched) {
   EXPECT_NE(read(folder_ / "box.svg").find(">B-B<"), std::string::npos);
 }
 
+/// Each end of a cutting line has an arrow along the direction of looking: here to the left, as the
+/// side view is seen from the right.
+TEST_F(SheetCommandTest, ArrowsOfACuttingLineSayFromWhereItIsSeen) {
+  ASSERT_EQ(run("sheet box.obj -o box.svg --section side=20 --scale 1:1"), 0) << err_;
+  const std::vector<double> ends = numbers("box.svg", "CUTTING_ENDS");
+  const std::vector<double> line = numbers("box.svg", "CUTTING");
+  ASSERT_EQ(ends.size(), 2U * 2U * 6U);  // two lines of three points at each of two ends
+  ASSERT_EQ(line.size(), 4U);
+  for (std::size_t i = 0; i < ends.size(); i += 2) EXPECT_GE(ends[i], line[0] - 1e-9);
+  EXPECT_NEAR(ends[4], line[0] + 6.0, 1e-9);  // the arrow's tail
+}
+
 TEST_F(SheetCommandTest, AnOpenMeshIsToldAndNotHatched) {
   write("open.obj", "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 9\nf 1 2 3\nf 1 3 4\n");
   ASSERT_EQ(run("sheet open.obj -o open.svg --section front=4"), 0) << err_;
@@ -64,8 +76,13 @@ TEST_F(SheetCommandTest, AnOpenMeshIsToldAndNotHatched) {
 
 TEST_F(SheetCommandTest, APartOfNoThicknessIsDrawn) {
   write("flat.draw", kTriangle);
-  ASSERT_EQ(run("sheet flat.draw -o flat.svg"), 0) << err_;
-  EXPECT_FALSE(numbers("flat.svg", "VISIBLE").empty());
+  write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");  // and of no width
+  for (const char* part : {"flat.draw", "line.obj"}) {
+    ASSERT_EQ(run(std::string("sheet -o flat.svg ") + part), 0) << err_;
+    EXPECT_FALSE(numbers("flat.svg", "VISIBLE").empty());
+    EXPECT_EQ(run(std::string("sheet -o cut.svg --section front=0 --section side=0.5 ") + part), 0);
+    EXPECT_TRUE(numbers("cut.svg", "HATCH").empty());
+  }
 }
 
 TEST_F(SheetCommandTest, WritesPdfAndDxf) {
@@ -76,9 +93,32 @@ TEST_F(SheetCommandTest, WritesPdfAndDxf) {
     return;
   }
   const std::string dxf = read(folder_ / "box.dxf");
-  for (const char* word : {"VISIBLE", "HIDDEN", "HATCH", "FRAME", "DASHED", "$INSUNITS"}) {
+  for (const char* word : {"VISIBLE", "HIDDEN", "HATCH", "FRAME", "DASHEDTINY", "$INSUNITS"}) {
     EXPECT_NE(dxf.find(word), std::string::npos) << word;
   }
+}
+
+/// Programs that read DXF begin dashes anew at each side of a polyline: a curve's hidden ones are
+/// its dashes themselves.
+TEST_F(SheetCommandTest, HiddenCurvesAreDashedInDxf) {
+  write("ring.draw",
+        "open-segment 1\nturn-3 90  9 -10  20 -10  20 10  9 10  9 4  15 4  15 -4  9 -4\n"
+        "close-segment\n");
+  if (run("sheet ring.draw -o ring.dxf") == 2) GTEST_SKIP() << err_;
+  std::istringstream dxf(read(folder_ / "ring.dxf"));
+  std::size_t dashes = 0, curves = 0;
+  std::string entity, layer;
+  for (std::string code, value; std::getline(dxf, code) && std::getline(dxf, value);) {
+    const int number = std::stoi(code);
+    if (!value.empty() && value.back() == '\r') value.pop_back();
+    if (number == 0) entity = value;
+    if (number == 8) layer = value;
+    if (number != 6 || layer != "HIDDEN") continue;
+    dashes += value == "CONTINUOUS";
+    curves += entity == "POLYLINE" && value == "BYLAYER";
+  }
+  EXPECT_GT(dashes, 40U);
+  EXPECT_EQ(curves, 0U);
 }
 
 TEST_F(SheetCommandTest, EveryOptionHasItsMessage) {
@@ -94,6 +134,13 @@ TEST_F(SheetCommandTest, EveryOptionHasItsMessage) {
   expect_error("sheet box.obj -o s.svg --section front=nan", "--section front=nan: expected");
   expect_error("sheet box.obj -o s.svg --section top=1 --section top=2", "has a section already");
   expect_error("sheet box.obj -o s.svg --hatch 0", "--hatch 0: expected");
+  expect_error("sheet box.obj -o s.svg --hatch fine", "--hatch = fine");
+  expect_error("sheet box.obj -o s.svg --margin -1", "margins of -1 mm");
+  expect_error("sheet box.obj -o s.svg --paper 30x30", "no room for four views");
+  expect_error("sheet box.obj -o s.svg --threads 0", "--threads");
+  expect_error("sheet box.obj -o s.svg --title", "--title");
+  expect_error("sheet box.obj -o s.svg --date", "--date");
+  expect_error("sheet box.obj -o no/s.svg", "no/s.svg: cannot be written");
   expect_error("sheet box.obj -o s.svg --lines edge", "edge");
   expect_error("sheet box.obj -o s.svg --up w", "up is");
   expect_error("sheet none.obj -o s.svg", "none.obj: no such file");

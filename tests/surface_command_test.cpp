@@ -83,6 +83,50 @@ TEST_F(SurfaceCommandTest, AHoleIsDrawnByAnotherMethod) {
   EXPECT_EQ(run("surface g.txt -o s.svg"), 0) << err_;
 }
 
+TEST_F(SurfaceCommandTest, OneCellAndAFlatSurfaceAreDrawn) {
+  write("cell.txt", "0 1\n1 0\n");
+  write("flat.txt", "3 3\n3 3\n");
+  for (const char* options : {"", "--colour height", "--contours 5", "--eye 0,90", "--eye 0,0"}) {
+    for (const char* grid : {"cell.txt ", "flat.txt "}) {
+      EXPECT_EQ(run(std::string("surface -o s.svg ") + grid + options), 0) << options << err_;
+    }
+  }
+}
+
+/// Before anything is evaluated, with what is needed, what there is, and what fits.
+TEST_F(SurfaceCommandTest, AGridThatMemoryDoesNotHoldIsRefused) {
+  if (!reads_expressions()) GTEST_SKIP() << "no muParser";
+  before_ = "ulimit -v 2000000 && ";
+  const std::string s = " -o s.svg --program s.draw";
+  refuses("x --grid 10000x10000" + s,
+          "out of memory: x: drawing 100000000 points needs 50 GB, and the system offers");
+  refuses("x y --grid 1000x1000" + s, "y: drawing 2000000 points needs 2.6 GB");
+  EXPECT_NE(err_.find("points or fewer"), std::string::npos) << err_;
+}
+
+/// Their line of intersection is drawn, unless other lines are asked for.
+TEST_F(SurfaceCommandTest, SurfacesThatPassThroughEachOtherShowWhere) {
+  write("a.txt", "0 0\n1 1\n");
+  write("b.txt", "1 1\n0 0\n");
+  const std::string both = "surface a.txt b.txt --no-axes --no-box --size 400x400 -o ";
+  ASSERT_EQ(run(both + "with.svg"), 0) << err_;
+  ASSERT_EQ(run(both + "without.svg --lines all"), 0) << err_;
+  EXPECT_NE(read(folder_ / "with.svg"), read(folder_ / "without.svg"));
+  ASSERT_EQ(run(both + "asked.svg --lines all,intersection"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "with.svg"), read(folder_ / "asked.svg"));
+}
+
+/// Numbers of the legend are as round as those of the axes.
+TEST_F(SurfaceCommandTest, TheLegendHasRoundNumbers) {
+  write("g.txt", "0 0.37\n0.1 0.99\n");
+  ASSERT_EQ(run("surface g.txt --colour height --no-axes -o s.svg --program s.draw"), 0) << err_;
+  const std::string program = read(folder_ / "s.draw");
+  for (const char* text : {"text \"0\"", "text \"0.2\"", "text \"0.8\""}) {
+    EXPECT_NE(program.find(text), std::string::npos) << text;
+  }
+  EXPECT_EQ(program.find("text \"0.99\""), std::string::npos);
+}
+
 TEST_F(SurfaceCommandTest, OptionsSayWhatIsDrawn) {
   write("g.txt", "0 1 0\n1 2 1\n0 1 0\n");
   EXPECT_GT(count("g.txt", "text"), 8u);
@@ -112,6 +156,14 @@ TEST_F(SurfaceCommandTest, WhatIsWrongIsToldAndNothingIsWritten) {
   refuses("g.txt --contours 101" + s, "--contours 101: expected 0 to 100");
   refuses("g.txt --labels a,b" + s, "--labels a,b: expected three names");
   refuses("g.txt --eye here" + s, "--eye");
+  refuses("g.txt --threads 0" + s, "0 threads: expected 1 or more");
+  refuses("g.txt --samples 17" + s, "17 samples along a pixel's side: expected 1 to 16");
+  refuses("g.txt --size 9" + s, "--size 9: expected WIDTHxHEIGHT");
+  refuses("g.txt --background pink" + s, "--background pink: expected R,G,B");
+  refuses("g.txt --paper a99" + s, "unknown paper 'a99'");
+  refuses("g.txt --hidden curves" + s, "unknown hidden-surface method 'curves'");
+  refuses("g.txt --lines edges" + s, "--lines: expected outline");
+  refuses("g.txt -o s.svg --program no/s.draw", "no/s.draw: cannot be written");
   refuses("g.txt -o s.txt", "unknown picture format '.txt'");
   refuses("none.txt" + s, "none.txt: cannot be read");
   refuses("none.npy" + s, "none.npy: no such file");
@@ -124,6 +176,10 @@ TEST_F(SurfaceCommandTest, WhatIsWrongIsToldAndNothingIsWritten) {
   refuses("g.txt" + s, "g.txt:2:3: 'five': expected");
   write("g.txt", "1 2 3\n");
   refuses("g.txt" + s, "g.txt: surface of 3 x 1 points: expected 2 or more each way");
+  write("g.txt", "1\n2\n");
+  refuses("g.txt" + s, "g.txt: surface of 1 x 2 points: expected 2 or more each way");
+  write("g.txt", "5\n");
+  refuses("g.txt" + s, "g.txt: surface of 1 x 1 points: expected 2 or more each way");
   write("g.txt", "");
   refuses("g.txt" + s, "g.txt: surface of 0 x 0 points");
   write("g.txt", "nan nan\nnan nan\n");

@@ -175,7 +175,8 @@ std::vector<std::string> names(const Report& report, BenchScene::Kind kind) {
 
 std::vector<std::string> names_but_hard_cases(const Report& report) {
   std::vector<std::string> found = names(report, BenchScene::Kind::generated);
-  for (const auto kind : {BenchScene::Kind::walk, BenchScene::Kind::input}) {
+  for (const auto kind :
+       {BenchScene::Kind::surface, BenchScene::Kind::walk, BenchScene::Kind::input}) {
     for (const std::string& name : names(report, kind)) found.push_back(name);
   }
   return found;
@@ -297,9 +298,8 @@ std::optional<FrontOfAll> front_of_all(const Report& report) {
     found.all.push_back({mean.column, mean.time, figure(percent)});
   }
   if (found.all.empty()) return std::nullopt;
-  std::ranges::stable_sort(found.all, {}, [](const SpeedAndError& one) {
-    return std::pair(one.time, one.percent);
-  });
+  std::ranges::stable_sort(
+      found.all, {}, [](const SpeedAndError& one) { return std::pair(one.time, one.percent); });
   for (const SpeedAndError& one : found.all) {
     if (found.front.empty() || one.percent < found.front.back().percent) {
       found.front.push_back(one);

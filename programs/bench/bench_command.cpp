@@ -219,11 +219,14 @@ class Run {
         line_measurer_.take(row.scene, effort_of(command_, row.scene), truth_threads);
       }
     };
-    if (row.scene.kind == BenchScene::Kind::generated) {
+    const bool grows = row.scene.kind == BenchScene::Kind::generated ||
+                       row.scene.kind == BenchScene::Kind::surface;
+    if (grows) {
       take();
       row.line_growth = line_measurer_.growth();
     }
     for (const LineContender& contender : line_contenders_) {
+      if (!draws(contender, row.scene)) continue;
       for (const int threads : threads_) {
         const bool exact = contender.precision.exact;
         if (threads > 1 && (hard_case || !most_polygons || !exact)) continue;

@@ -8,6 +8,7 @@
 #include "clip/error.h"
 #include "displayfile/sorted_display_file.h"
 #include "programs/bench/walk.h"
+#include "programs/bench/waves.h"
 #include "programs/inputs.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/hard_cases.h"
@@ -17,6 +18,7 @@ namespace displayfile::bench {
 namespace {
 
 constexpr int kHardCaseSize = 32;
+constexpr std::string_view kSurface = "surface";
 constexpr std::string_view kWalk = "walk";
 constexpr std::string_view kDefault = "default";
 
@@ -52,12 +54,11 @@ SharedScene shared_scene(std::string_view name, const SceneChoice& choice) {
           sizes[std::min<std::size_t>(1, sizes.size() - 1)]};
 }
 
-void add_generated(std::string_view name, const SceneChoice& choice,
+void add_generated(BenchScene::Kind kind, std::string_view name, const SceneChoice& choice,
                    std::vector<BenchScene>& scenes) {
   const SharedScene shared = shared_scene(name, choice);
   const auto add = [&](std::size_t n, int size) {
-    scenes.push_back(
-        {BenchScene::Kind::generated, std::string(name), n, 0.0, false, size, choice.seed});
+    scenes.push_back({kind, std::string(name), n, 0.0, false, size, choice.seed});
   };
   for (const std::size_t n : polygon_counts(name, choice)) add(n, shared.size);
   for (const int size : picture_sizes(name, choice)) {
@@ -111,7 +112,10 @@ auto find(const Entries& entries, std::string_view name) {
 
 void add_named(const std::string& name, const SceneChoice& choice,
                std::vector<BenchScene>& scenes) {
-  if (find(generated_scenes(), name) != nullptr) return add_generated(name, choice, scenes);
+  if (find(generated_scenes(), name) != nullptr) {
+    return add_generated(BenchScene::Kind::generated, name, choice, scenes);
+  }
+  if (name == kSurface) return add_generated(BenchScene::Kind::surface, name, choice, scenes);
   if (name == kWalk) return add_walk(choice, scenes);
   if (const HardCase* family = find(hard_cases(), name)) {
     return add_hard_case(*family, choice, scenes);
@@ -122,13 +126,14 @@ void add_named(const std::string& name, const SceneChoice& choice,
   throw Error(
       fmt::format("{}: no such scene or file: expected one of {}, a family of hard cases "
                   "such as cycle_of_3 or parallel_sheets, a drawing program or a mesh",
-                  name, generated + std::string(kWalk)));
+                  name, fmt::format("{}{} {}", generated, kSurface, kWalk)));
 }
 
-/// All generated scenes, the walk and all hard cases.
+/// All generated scenes, the surface, the walk and all hard cases.
 std::vector<std::string> default_names() {
   std::vector<std::string> names;
   for (const GeneratedScene& scene : generated_scenes()) names.emplace_back(scene.name);
+  names.emplace_back(kSurface);
   names.emplace_back(kWalk);
   for (const HardCase& family : hard_cases()) names.emplace_back(family.name);
   return names;
@@ -152,7 +157,7 @@ std::string BenchScene::id() const { return fmt::format("{0} {1}x{1}", id_but_si
 std::string BenchScene::id_but_size() const {
   std::string text = name;
   if (kind == Kind::walk) text += fmt::format(" n={}, {} views", n, kViewsOfWalk);
-  if (kind == Kind::generated) text += fmt::format(" n={}", n);
+  if (kind == Kind::generated || kind == Kind::surface) text += fmt::format(" n={}", n);
   if (kind == Kind::hard_case && gap) text += fmt::format(" gap=1e-{:g}", severity);
   if (kind == Kind::hard_case && !gap) text += fmt::format(" severity={:g}", severity);
   if (seed != kUsualSeed) text += fmt::format(" seed={}", seed);
@@ -163,6 +168,7 @@ void BenchScene::enter(GraphicsSystem& system) const {
   switch (kind) {
     case Kind::walk: return displayfile::enter(walk(n).front(), system);
     case Kind::generated: return displayfile::enter(generated_scene(name).make(n, seed), system);
+    case Kind::surface: return enter_waves(n, seed, system);
     case Kind::hard_case:
       return displayfile::enter(hard_case(name).make(n, severity, seed), system);
     case Kind::input: enter_inputs(std::span(&name, 1), system);
@@ -201,6 +207,7 @@ std::vector<BenchScene> chosen_scenes(const SceneChoice& choice) {
 std::string_view name_of(BenchScene::Kind kind) {
   switch (kind) {
     case BenchScene::Kind::generated: return "generated";
+    case BenchScene::Kind::surface: return "surface";
     case BenchScene::Kind::walk: return "walk";
     case BenchScene::Kind::hard_case: return "hard case";
     case BenchScene::Kind::input: break;

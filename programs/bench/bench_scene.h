@@ -13,14 +13,14 @@ namespace displayfile::bench {
 
 /// A scene to measure on, at one number of polygons and one size of picture.
 struct BenchScene {
-  enum class Kind { generated, walk, hard_case, input };
+  enum class Kind { generated, surface, walk, hard_case, input };
   Kind kind;
   std::string name;       ///< of the generator; of an input, its path
   std::size_t n = 0;      ///< polygons asked of a generator, or of the city that is walked through
   double severity = 0.0;  ///< of a hard case
   bool gap = false;       ///< the severity s is a gap of 10^-s
   int size = 0;           ///< pixels a side
-  std::uint64_t seed = kUsualSeed;  ///< of a generated scene and a hard case
+  std::uint64_t seed = kUsualSeed;  ///< of what is generated and of a hard case
 
   static constexpr std::uint64_t kUsualSeed = 1;
 
@@ -38,7 +38,7 @@ struct BenchScene {
 /// Which scenes are measured.
 struct SceneChoice {
   std::vector<std::string>
-      names;  ///< none: "default", all generated scenes, the walk and all hard cases
+      names;  ///< none: "default", all generated scenes, the surface, the walk and all hard cases
   std::vector<std::size_t> polygons;            ///< of generated scenes; none: the usual ones
   std::vector<int> sizes;                       ///< none: the usual ones
   std::uint64_t seed = BenchScene::kUsualSeed;  ///< of all that are generated

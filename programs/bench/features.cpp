@@ -56,6 +56,12 @@ std::vector<Feature> table() {
        [](FeatureUse& u) { u.clipped_by_depth = true; },
        {"ClipPipeline::clip_stage", "ClipPipeline::cut", "ViewVolume::inside_distance",
         "ViewVolume::snap"}},
+      {"cutting planes",
+       "set-cutting-plane",
+       "",
+       [](FeatureUse& u) { u.cutting_planes = true; },
+       {"CuttingPlanes::set", "CuttingPlanes::cut", "CuttingPlanes::outcode",
+        "GraphicsSystem::enter_cut"}},
       {"perspective", "set-perspective", "", [](FeatureUse& u) { u.perspective = true; }, {}},
       {"modelling transformation",
        "rotate-z-3",
@@ -245,6 +251,10 @@ void set_view(const FeatureUse& use, GraphicsSystem& system) {
 void set_attributes(const FeatureUse& use, GraphicsSystem& system) {
   system.set_line_style({use.lines});
   if (use.modelling) system.rotate_z_3(1.0);
+  if (use.cutting_planes) {
+    system.set_cutting_plane(1, 1.0, 0.0, 0.0, -0.5);
+    system.set_cutting_plane(2, 0.0, 1.0, 1.0, -1.0);
+  }
   if (use.back_face_removal) system.set_back_face_removal(true);
   if (use.light) system.set_light({1.0, 2.0, 3.0});
   if (use.vertex_normals) system.set_shading(use.shading);

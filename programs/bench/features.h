@@ -20,6 +20,7 @@ namespace displayfile::bench {
 /// What a drawing of the feature scene uses. As it stands: nothing that can be left out.
 struct FeatureUse {
   bool clipped_by_window = false, clipped_by_depth = false, perspective = false;
+  bool cutting_planes = false;  ///< two, through the middle
   bool modelling = false, image_transformation = false, bent_polygons = false;
   LineStyle::Kind lines = LineStyle::Kind::none;
   bool colours = false;           ///< another fill style for each polygon

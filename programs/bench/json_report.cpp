@@ -190,7 +190,11 @@ Json to_json(const Report& report) {
     for (const Cell& cell : row.line_cells) json["line_cells"].push_back(to_json(cell));
   }
   if (json.contains("line_cells")) json["line_reference"] = kLineReference;
-  for (const LineFit& fit : line_fits(report)) json["line_fits"].push_back(to_json(fit));
+  for (const LineScenes scenes : {LineScenes::any, LineScenes::surfaces}) {
+    for (const LineFit& fit : line_fits(report, scenes)) {
+      json["line_fits"].push_back(to_json(fit));
+    }
+  }
   json["beside"] = Json::array();
   for (const Beside& beside : report.beside) json["beside"].push_back(to_json(beside));
   for (const GrowthOfNewViews& growth : growth_of_new_views(report)) {

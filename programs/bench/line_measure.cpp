@@ -19,11 +19,15 @@ std::string LineContender::precision_name() const { return name_of_precision(pre
 std::vector<LineContender> line_contenders(std::span<const double> roundoffs) {
   std::vector<LineContender> all;
   for (const HiddenMethodEntry& entry : hidden_methods()) {
-    if (!entry.available || !finds_lines(entry.method) || needs_surface(entry.method)) continue;
+    if (!entry.available || !finds_lines(entry.method)) continue;
     all.push_back({entry.method, {}});
     for (const double roundoff : roundoffs) all.push_back({entry.method, {false, roundoff}});
   }
   return all;
+}
+
+bool draws(const LineContender& contender, const BenchScene& scene) {
+  return !needs_surface(contender.method) || scene.kind == BenchScene::Kind::surface;
 }
 
 struct LineMeasurer::Scene {

@@ -25,6 +25,8 @@ struct LineContender {
 
 /// Every such method of this build, exact and with each ROUNDOFF.
 std::vector<LineContender> line_contenders(std::span<const double> roundoffs);
+/// False if the method draws surfaces alone, and the scene is none.
+bool draws(const LineContender& contender, const BenchScene& scene);
 
 /// What all times of lines are given in: Franklin's method, exact, on one thread.
 inline constexpr const char* kLineReference = "franklin, exact, 1 thread";

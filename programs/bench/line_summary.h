@@ -28,14 +28,18 @@ struct LineMethod {
   }
 };
 
-/// All methods of lines that were measured.
+/// Scenes that methods of lines are told apart of: those that all of them draw, and surfaces, which
+/// methods that draw nothing else draw too.
+enum class LineScenes { any, surfaces };
+
+/// All methods of lines that were measured on such scenes.
 struct LineMethods {
   std::vector<LineMethod> all;
   /// Times are geometric means over these: the most polygons of each name on which no method was
   /// left out; if there is none, hard cases.
   std::vector<const SceneRow*> timed;
 };
-LineMethods line_methods(const Report& report);
+LineMethods line_methods(const Report& report, LineScenes scenes);
 
 /// How the time of an exact method grows with the polygons of a generated scene.
 struct LineFit {
@@ -43,9 +47,11 @@ struct LineFit {
   std::size_t points;
   double exponent;
 };
-std::vector<LineFit> line_fits(const Report& report);
+std::vector<LineFit> line_fits(const Report& report, LineScenes scenes);
 
-/// The table of methods of lines. Nothing if none was measured.
+/// The table of methods of lines, and that of their lines of surfaces. Nothing if none was
+/// measured.
 std::optional<Summary> hidden_lines(const Report& report);
+std::optional<Summary> hidden_lines_of_surfaces(const Report& report);
 
 }  // namespace displayfile::bench

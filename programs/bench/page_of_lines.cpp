@@ -24,14 +24,10 @@ std::string line_figures(const Cell& cell) {
                                        *cell.bytes, cell.exact_calls, spread_cells(cell.time));
 }
 
-}  // namespace
-
-std::string lines_plot(const Report& report) {
-  const LineMethods methods = line_methods(report);
+std::string lines_plot(const LineMethods& methods, const char* title) {
   std::vector<Column> all;
   for (const LineMethod& method : methods.all) all.push_back(method.column);
-  Plot plot{"Hidden lines: below and left is better",
-            fmt::format("time / time of {}", kLineReference),
+  Plot plot{title, fmt::format("time / time of {}", kLineReference),
             "missing and extra length, % of all lines", true};
   plot.width = 980.0;
   std::vector<Curve> curves;
@@ -48,6 +44,15 @@ std::string lines_plot(const Report& report) {
   }
   if (curves.empty()) return "";
   return "<div class='wide'>" + svg(plot, curves) + "</div>\n" + names + "</div>\n";
+}
+
+}  // namespace
+
+std::string lines_plot(const Report& report) {
+  return lines_plot(line_methods(report, LineScenes::any),
+                    "Hidden lines: below and left is better") +
+         lines_plot(line_methods(report, LineScenes::surfaces),
+                    "Lines of surfaces: below and left is better");
 }
 
 std::string figures_of_lines(const Report& report) {

@@ -6,8 +6,9 @@
 
 namespace displayfile::bench {
 
-/// What the page (page.h) says of hidden lines: their speed against their error as a plot, nothing
-/// if none were measured; their table is among those that a README's blocks hold (summary.h).
+/// What the page (page.h) says of hidden lines: their speed against their error as plots, of all
+/// scenes but surfaces and of these, nothing if none were measured; their tables are among those
+/// that a README's blocks hold (summary.h).
 std::string lines_plot(const Report& report);
 
 /// Every figure of lines, a table a scene.

@@ -96,14 +96,14 @@ Row row_of_lines(const Cell& cell) {
 }
 
 /// A table a scene that is no hard case, at its most polygons; and of all together.
-std::string line_tables(const Report& report) {
-  const auto summary = hidden_lines(report);
+std::string line_tables(const Report& report, LineScenes scenes) {
+  const auto summary =
+      scenes == LineScenes::any ? hidden_lines(report) : hidden_lines_of_surfaces(report);
   if (!summary) return "";
   std::string text = fmt::format(
-      "Hidden lines: times are ratios to {}. Lengths are in units of the picture, bytes for each "
-      "line.\n\n",
-      kLineReference);
-  for (const SceneRow* scene : line_methods(report).timed) {
+      "{}: times are ratios to {}. Lengths are in units of the picture, bytes for each line.\n\n",
+      scenes == LineScenes::any ? "Hidden lines" : "Lines of surfaces", kLineReference);
+  for (const SceneRow* scene : line_methods(report, scenes).timed) {
     if (scene->scene.kind == BenchScene::Kind::hard_case) continue;
     std::vector<Row> rows{{"method", "time", "least .. greatest", "pieces", "missing", "extra",
                            "bytes", "exact calls"}};
@@ -183,7 +183,7 @@ std::string text_report(const Report& report) {
     text += scene_tables(report);
     if (!names(report, BenchScene::Kind::hard_case).empty()) text += hard_cases_table(report);
   }
-  text += line_tables(report);
+  text += line_tables(report, LineScenes::any) + line_tables(report, LineScenes::surfaces);
   text += beside_table(report);
   if (const auto summary = moving_camera(report)) {
     text += fmt::format("{}\n{}\n", summary->title, aligned(summary->rows));

@@ -46,6 +46,7 @@ std::optional<ViewingRow> rounding_of_viewing(const BenchScene& scene) {
     case BenchScene::Kind::generated:
       enter_turned(generated_scene(scene.name).make(scene.n, scene.seed), system);
       break;
+    case BenchScene::Kind::surface: scene.enter(system); break;
     case BenchScene::Kind::hard_case:
       enter_turned(hard_case(scene.name).make(scene.n, scene.severity, scene.seed), system);
       break;

@@ -57,25 +57,40 @@ void add_view(const PartView& view, const Point2& at, double mm, double hatch,
   }
 }
 
-/// Where a section is cut, in another view: a line across it, with a letter at both ends.
+/// An end of a cutting line: thick for a little, and an arrow that points along the direction in
+/// which the section is seen, with the section's letter behind it (ISO 128-3).
+void add_cutting_end(const Point2& end, const Point2& along, const Point2& seen,
+                     const std::string& letter, DrawingSheet& sheet) {
+  constexpr double kThick = 3.5, kArrow = 6.0, kHead = 2.2, kHalfHead = 0.7, kLetter = 3.5;
+  const Point2 tail = end - kArrow * seen;
+  const Point2 barb = end - kHead * seen;
+  const auto add = [&](std::vector<Point2> points, bool closed = false) {
+    sheet.lines.push_back({SheetLayer::cutting_ends, std::move(points), closed});
+  };
+  add({end - kThick * along, end, tail});
+  add({end, barb + kHalfHead * along, barb - kHalfHead * along}, true);
+  const Point2 middle = tail - (0.9 * kLetter) * seen;
+  sheet.texts.push_back({middle - Point2(0.0, kLetter / 2.0), kLetter, letter, true});
+}
+
+/// Where a section is cut, in another view: a line across it.
 void add_cutting_line(const PartView& other, const Point2& at, double mm, const PartView& cut,
                       const std::string& letter, DrawingSheet& sheet) {
-  constexpr double kBeyond = 5.0, kLetter = 3.5;
+  constexpr double kBeyond = 5.0;
   const Point3 p = in_view(other.kind, *cut.position * toward_viewer(cut.kind));
+  const Point2 seen(in_view(other.kind, -toward_viewer(cut.kind)));
   const bool upright = toward_viewer(cut.kind).x != 0.0;
   const Point2 size = mm * (other.high - other.low);
   const Point2 place = at + mm * (Point2(p) - other.low);
-  Point2 from(at.x - kBeyond, place.y), to(at.x + size.x + kBeyond, place.y);
-  Point2 step(kLetter, 0.0);
+  Point2 from(at.x - kBeyond, place.y), to(at.x + size.x + kBeyond, place.y), along(1.0, 0.0);
   if (upright) {
     from = {place.x, at.y - kBeyond};
     to = {place.x, at.y + size.y + kBeyond};
-    step = {0.0, kLetter};
+    along = {0.0, 1.0};
   }
   sheet.lines.push_back({SheetLayer::cutting, {from, to}});
-  const Point2 down(0.0, kLetter / 2.0);
-  sheet.texts.push_back({from - step - down, kLetter, letter, true});
-  sheet.texts.push_back({to + step - down, kLetter, letter, true});
+  add_cutting_end(from, -along, seen, letter, sheet);
+  add_cutting_end(to, along, seen, letter, sheet);
 }
 
 }  // namespace

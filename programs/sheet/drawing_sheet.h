@@ -10,17 +10,18 @@
 namespace displayfile {
 
 /// What lines of a sheet are for: a layer each. Widths and dashes are millimetres.
-enum class SheetLayer { visible, hidden, hatch, cutting, frame, text };
+enum class SheetLayer { visible, hidden, hatch, cutting, cutting_ends, frame, text };
 struct SheetPen {
   std::string_view name;
   double width;
   std::vector<double> dashes;  ///< drawn, left out, and so on; empty: solid
 };
-inline const std::array<SheetPen, 6>& sheet_pens() {
-  static const std::array<SheetPen, 6> pens{{{"VISIBLE", 0.5, {}},
+inline const std::array<SheetPen, 7>& sheet_pens() {
+  static const std::array<SheetPen, 7> pens{{{"VISIBLE", 0.5, {}},
                                              {"HIDDEN", 0.25, {3.0, 1.0}},
                                              {"HATCH", 0.13, {}},
                                              {"CUTTING", 0.25, {8.0, 1.5, 1.0, 1.5}},
+                                             {"CUTTING_ENDS", 0.5, {}},
                                              {"FRAME", 0.5, {}},
                                              {"TEXT", 0.25, {}}}};
   return pens;

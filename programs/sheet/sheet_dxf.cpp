@@ -6,6 +6,7 @@
 
 #include "clip/error.h"
 #include "displayfile/output_file.h"
+#include "programs/sheet/dash_pieces.h"
 #include "programs/sheet/drawing_sheet.h"
 
 namespace displayfile {
@@ -33,8 +34,9 @@ std::string in_ascii(const std::string& utf8) {
   return out;
 }
 
+/// LibreCAD has patterns of its own, and takes these by their names: those nearest to the pens'.
 std::string line_type_of(const SheetPen& pen) {
-  return pen.dashes.empty() ? "CONTINUOUS" : pen.dashes.size() == 2 ? "DASHED" : "DASHDOT";
+  return pen.dashes.empty() ? "CONTINUOUS" : pen.dashes.size() == 2 ? "DASHEDTINY" : "DASHDOT2";
 }
 
 /// Hundredths of a millimetre.
@@ -106,20 +108,31 @@ void write_tables(DL_Dxf& dxf, DL_WriterA& out, const DrawingSheet& sheet) {
 
 void write_entities(DL_Dxf& dxf, DL_WriterA& out, const DrawingSheet& sheet) {
   constexpr int kByLayer = 256, kWidthByLayer = -1;
-  const auto on = [](SheetLayer layer) {
-    return DL_Attributes(std::string(pen_of(layer).name), kByLayer, kWidthByLayer, "BYLAYER", 1.0);
+  const auto on = [](SheetLayer layer, const char* line_type = "BYLAYER") {
+    return DL_Attributes(std::string(pen_of(layer).name), kByLayer, kWidthByLayer, line_type, 1.0);
+  };
+  const auto write = [&](const std::vector<Point2>& points, bool closed,
+                         const DL_Attributes& attributes) {
+    if (points.size() == 2) {
+      const Point2 &a = points[0], &b = points[1];
+      return dxf.writeLine(out, DL_LineData(a.x, a.y, 0.0, b.x, b.y, 0.0), attributes);
+    }
+    dxf.writePolyline(out, DL_PolylineData(static_cast<int>(points.size()), 0, 0, closed ? 1 : 0),
+                      attributes);
+    for (const Point2& p : points) dxf.writeVertex(out, DL_VertexData(p.x, p.y, 0.0, 0.0));
+    dxf.writePolylineEnd(out);
   };
   for (const auto& line : sheet.lines) {
-    if (line.points.size() == 2) {
-      const Point2 &a = line.points[0], &b = line.points[1];
-      dxf.writeLine(out, DL_LineData(a.x, a.y, 0.0, b.x, b.y, 0.0), on(line.layer));
+    const std::vector<double>& dashes = pen_of(line.layer).dashes;
+    if (line.points.size() == 2 || dashes.empty()) {
+      write(line.points, line.closed, on(line.layer));
       continue;
     }
-    dxf.writePolyline(
-        out, DL_PolylineData(static_cast<int>(line.points.size()), 0, 0, line.closed ? 1 : 0),
-        on(line.layer));
-    for (const Point2& p : line.points) dxf.writeVertex(out, DL_VertexData(p.x, p.y, 0.0, 0.0));
-    dxf.writePolylineEnd(out);
+    // Programs begin the dashes of a line type anew at each vertex, and of a curve's short sides
+    // nothing would be left out.
+    for (const auto& piece : dash_pieces(line.points, line.closed, dashes)) {
+      write(piece, false, on(line.layer, "CONTINUOUS"));
+    }
   }
   for (const auto& text : sheet.texts) {
     dxf.writeText(

@@ -59,8 +59,9 @@ void write_sheet_svg(const DrawingSheet& sheet, const std::string& file) {
              "<g fill=\"none\" stroke=\"#000\" stroke-linecap=\"round\" "
              "stroke-linejoin=\"round\">\n",
              sheet.width, sheet.height, escaped_text(sheet.title));
-  for (const SheetLayer layer : {SheetLayer::hatch, SheetLayer::hidden, SheetLayer::cutting,
-                                 SheetLayer::visible, SheetLayer::frame, SheetLayer::text}) {
+  for (const SheetLayer layer :
+       {SheetLayer::hatch, SheetLayer::hidden, SheetLayer::cutting, SheetLayer::cutting_ends,
+        SheetLayer::visible, SheetLayer::frame, SheetLayer::text}) {
     write_layer(sheet, layer, out);
   }
   out << "</g>\n<g font-family=\"sans-serif\">\n";

@@ -38,7 +38,7 @@ void add_projection_symbol(const Point2& middle, SheetProjection projection, Dra
 }  // namespace
 
 void add_title_block(const SheetWords& words, const DrawingScale& scale, DrawingSheet& sheet) {
-  constexpr double kText = 3.5, kLabel = 1.8, kInset = 2.0;
+  constexpr double kText = 3.5, kLabel = 1.8, kInset = 1.6, kApart = 1.3;
   const double margin = words.margin;
   const Point2 high(words.width - margin, words.height - margin);
   add_rectangle(Point2(margin), high, sheet);
@@ -52,7 +52,7 @@ void add_title_block(const SheetWords& words, const DrawingScale& scale, Drawing
   }
   const auto add_field = [&](double x, double y, const char* label, const std::string& text) {
     sheet.texts.push_back({{x + kInset, y - kInset - kLabel}, kLabel, label});
-    sheet.texts.push_back({{x + kInset, y - kInset - kLabel - 1.0 - kText}, kText, text});
+    sheet.texts.push_back({{x + kInset, y - kInset - kLabel - kApart - kText}, kText, text});
   };
   if (words.date.empty()) {
     add_field(left, top, "TITLE", words.title);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "hidden/work_progress.h"
 #include "programs/surface/surface_data.h"
 
 namespace displayfile {
@@ -12,6 +13,7 @@ bool reads_expressions();
 
 /// The heights of an expression in x and y over a grid; NaN where it has no value. Throws Error for
 /// one that cannot be read, with the place in it and what was expected.
-std::vector<double> heights_of(const std::string& expression, const GridRange& grid);
+std::vector<double> heights_of(const std::string& expression, const GridRange& grid,
+                               const WorkProgress& progress);
 
 }  // namespace displayfile

@@ -109,6 +109,10 @@ void read_grid_size(const std::string& text, GridRange& range) {
   range.y_points = along;
 }
 
+bool is_grid_file(const std::string& expression_or_file) {
+  return expression_or_file.ends_with(".npy") || expression_or_file.ends_with(".txt");
+}
+
 SurfaceData read_surface(const std::string& expression_or_file, const GridRange& range) {
   SurfaceData surface{expression_or_file, range, {}};
   if (expression_or_file.ends_with(".npy")) {
@@ -116,13 +120,11 @@ SurfaceData read_surface(const std::string& expression_or_file, const GridRange&
   } else if (expression_or_file.ends_with(".txt")) {
     read_text_grid(expression_or_file, surface);
   } else {
-    const Progress progress("evaluating " + expression_or_file);
-    const std::size_t points =
-        static_cast<std::size_t>(range.x_points) * static_cast<std::size_t>(range.y_points);
+    Progress progress("evaluating " + expression_or_file);
     surface.heights = with_memory(
-        points * sizeof(double),
+        range.points() * sizeof(double),
         [&] { return fmt::format("a grid of {} x {} points", range.x_points, range.y_points); },
-        [&] { return heights_of(expression_or_file, range); });
+        [&] { return heights_of(expression_or_file, range, progress.told()); });
   }
   try {
     require_surface(surface.grid());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@ struct GridRange {
   double y_min = -1.0, y_max = 1.0;
   int y_points = 50;
 
+  std::size_t points() const {
+    return static_cast<std::size_t>(x_points) * static_cast<std::size_t>(y_points);
+  }
   double x(int i) const { return grid().x(i); }
   double y(int j) const { return grid().y(j); }
   SurfaceGrid grid(std::span<const double> heights = {}) const {
@@ -35,6 +39,9 @@ struct SurfaceData {
 void read_range(const char* option, const std::string& text, double& low, double& high);
 /// Reads `NXxNY`, 2 or more each way. Throws Error likewise.
 void read_grid_size(const std::string& text, GridRange& range);
+
+/// True if that is a file of heights, and no expression: it ends in .npy or .txt.
+bool is_grid_file(const std::string& expression_or_file);
 
 /// The surface of an expression, or of a file that ends in .npy or .txt: an array of heights whose
 /// first row is that of y-min, which stands for the size of the grid; blanks or commas between the

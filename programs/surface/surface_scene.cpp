@@ -1,11 +1,10 @@
 #include "programs/surface/surface_scene.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "clip/error.h"
 #include "displayfile/axes.h"
@@ -72,23 +71,49 @@ Point3 corner_of_box(const SurfaceBox& box, unsigned number) {
           (number & 4u) != 0 ? box.high.z : box.low.z};
 }
 
-/// The whole box in the picture, with room for numbers around it, and for the legend.
+/// Margins around the box, in parts of the picture's height: for numbers and names where there are
+/// axes, and at the right for the legend.
+struct Margins {
+  double left, right, bottom, top;
+};
+Margins margins_of(const SurfaceLook& look) {
+  constexpr double kBare = 0.03, kLegend = 0.24;
+  Margins margins{kBare, kBare, kBare, kBare};
+  if (look.axes) margins = {0.14, 0.12, 0.09, kBare};
+  if (look.coloured) margins.right += kLegend;
+  return margins;
+}
+
+/// The box as large as the picture has room for it between its margins, in their middle.
 void set_view_of_box(GraphicsSystem& system, const SurfaceBox& box, const SurfaceLook& look) {
   std::array<Point3, 8> corners;
   for (unsigned k = 0; k < 8; ++k) {
     corners[k] = system.modelling_transformation().apply(corner_of_box(box, k));
   }
   fit_view(corners, system, look.camera);
+  system.set_window_fit(WindowFit::stretch);
   const Rectangle window = system.view().window;
-  const double room_x = look.axes ? 0.10 : 0.0, room_y = look.axes ? 0.09 : 0.0;
-  const double for_legend = look.coloured ? 0.16 : 0.0;
-  const double width = window.x_max - window.x_min, height = window.y_max - window.y_min;
-  const double scale = 1.0 / std::min(1.0 - 2.0 * room_x - for_legend, 1.0 - 2.0 * room_y);
-  const double middle_x = 0.5 * (window.x_min + window.x_max) + 0.5 * for_legend * width * scale;
-  const double middle_y = 0.5 * (window.y_min + window.y_max);
-  system.set_window(middle_x - 0.5 * width * scale, middle_x + 0.5 * width * scale,
-                    middle_y - 0.5 * height * scale, middle_y + 0.5 * height * scale);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Point2 low(kInfinity), high(-kInfinity);  // of the box, in the view plane
+  for (unsigned k = 0; k < 8; ++k) {
+    const auto at = system.to_device(corner_of_box(box, k));
+    if (!at) continue;
+    const Point2 p(window.x_min + at->x * (window.x_max - window.x_min),
+                   window.y_min + at->y * (window.y_max - window.y_min));
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
   system.set_window_fit(WindowFit::widen);
+  if (!(low.x < high.x && low.y < high.y)) return;  // the eye is within it
+  const Margins margins = margins_of(look);
+  const double aspect = system.aspect_ratio();
+  const double high_part = 1.0 - margins.bottom - margins.top;
+  const double wide_part = std::max(aspect - margins.left - margins.right, 0.25 * aspect);
+  const double height = std::max((high.y - low.y) / high_part, (high.x - low.x) / wide_part);
+  const double left = low.x - margins.left * height - 0.5 * (wide_part * height - (high.x - low.x));
+  const double bottom =
+      low.y - margins.bottom * height - 0.5 * (high_part * height - (high.y - low.y));
+  system.set_window(left, left + aspect * height, bottom, bottom + height);
 }
 
 /// The edges that end at the corner farthest from the viewer.
@@ -187,15 +212,14 @@ void draw_legend(GraphicsSystem& system, double low, double high, const std::str
   }
   system.set_text_style(
       {.size = kLetterHeight, .alignment = TextStyle::Alignment::left, .always = true});
-  constexpr int kMarks = 4;
-  for (int k = 0; k <= kMarks; ++k) {
-    const double part = static_cast<double>(k) / kMarks;
+  constexpr int kMostSteps = 8;
+  const bool is_flat = !(low < high);
+  for (const double height : is_flat ? std::vector{low} : axis_ticks(low, high, kMostSteps)) {
+    const double part = is_flat ? 0.5 : (height - low) / (high - low);
     system.move_abs_3(right, at(part), 0);
     system.line_abs_3(right + 0.008, at(part), 0);
     system.move_abs_3(right + 0.014, at(part) - 0.35 * kLetterHeight, 0);
-    std::string text = fmt::format("{:.3g}", low + part * (high - low));
-    if (text.starts_with('-')) text = "\u2212" + text.substr(1);
-    system.text(text);
+    system.text(axis_number(height));
   }
   system.move_abs_3(left, top + kLetterHeight, 0);
   system.text(name);

@@ -11,5 +11,6 @@ inline constexpr const char* kCameraOptions = "Camera";
 inline constexpr const char* kHiddenSurfaceOptions = "Hidden surfaces";
 inline constexpr const char* kGoldenOptions = "Golden files";
 inline constexpr const char* kReportOptions = "Reports";
+inline constexpr const char* kLimitOptions = "Limits";
 
 }  // namespace displayfile

@@ -32,6 +32,7 @@ void GraphicsSystem::open_segment(int name) {
 /// if hidden surfaces are to be sorted they are added back to front.
 void GraphicsSystem::close_segment() {
   if (!open_) throw Error("no segment open");
+  const BudgetInForce in_force(budget_);
   Segment& segment = display_file_.segment(*open_);
   if (retaining() != nullptr) select_lines(segment);
   const bool each_on_its_own = scope_.value_or(HiddenScope::segment) == HiddenScope::segment;
@@ -43,6 +44,15 @@ void GraphicsSystem::close_segment() {
   segment.close();
   open_.reset();
   record("close-segment", {});
+}
+
+void GraphicsSystem::drop_open_segment() {
+  if (!open_) return;
+  const int name = *open_;
+  display_file_.segment(name).close();
+  open_.reset();
+  record("close-segment", {});
+  delete_segment(name);
 }
 
 void GraphicsSystem::delete_segment(int name) {

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <fstream>
 #include <limits>
 #include <string>
@@ -28,19 +30,37 @@ std::size_t available_to_all() {
   return std::numeric_limits<std::size_t>::max();
 }
 
+std::atomic<std::size_t> limit_of_process{0};  // 0: none
+
+/// A word of the file as a number of bytes; 0 if it is none.
+std::size_t number_in(const char* file, int words_before) {
+  std::ifstream in(file);
+  std::string word;
+  for (int k = 0; k < words_before; ++k) in >> word;
+  std::size_t number = 0;
+  return in >> number ? number : 0;
+}
+
+std::size_t page() { return static_cast<std::size_t>(std::max(1L, ::sysconf(_SC_PAGESIZE))); }
+
 }  // namespace
 
 std::size_t offered_memory() {
   std::size_t offered = available_to_all();
-  rlimit limit{};
-  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
-    offered = std::min<std::size_t>(offered, limit.rlim_cur);
+  for (const auto kind : {RLIMIT_AS, RLIMIT_DATA}) {
+    rlimit limit{};
+    if (::getrlimit(kind, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
+      offered = std::min<std::size_t>(offered, limit.rlim_cur);
+    }
   }
   return offered;
 }
 
 void out_of_memory(std::size_t bytes, const std::string& what) {
-  throw Error(fmt::format("out of memory: {} needs at least {} bytes", what, bytes));
+  const std::size_t allowed = bytes_allowed();
+  throw LimitReached(fmt::format(
+      "out of memory: {} needs at least {} bytes{}", what, bytes,
+      allowed == WorkLimits::kNone ? "" : fmt::format(", and the limit is {}", allowed)));
 }
 
 /// The system's pages are asked for, not the library's allocator: a compiler may leave out what is
@@ -52,6 +72,50 @@ bool has_memory(std::size_t bytes) {
   if (pages == MAP_FAILED) return false;
   munmap(pages, bytes);
   return true;
+}
+
+// ---- The process --------------------------------------------------------------------------------
+
+/// Data: what it may write to, but for shared memory; the sixth of the kernel's numbers.
+std::size_t memory_of_process() { return page() * number_in("/proc/self/statm", 5); }
+
+std::size_t memory_of_machine() {
+  const std::size_t all =
+      page() * static_cast<std::size_t>(std::max(0L, ::sysconf(_SC_PHYS_PAGES)));
+  const std::size_t of_group = number_in("/sys/fs/cgroup/memory.max", 0);
+  return of_group == 0 ? all : std::min(all, of_group);
+}
+
+/// RLIMIT_DATA counts what the process may write to and nobody shares, as it is mapped: unlike the
+/// address space, it has no room that is only kept free, and unlike what is resident, it cannot be
+/// passed.
+void limit_memory_of_process(std::size_t bytes) {
+  if (const std::size_t now = memory_of_process(); now >= bytes) {
+    throw Error(fmt::format("{} bytes of memory are not enough: {} are in use", bytes, now));
+  }
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_DATA, &limit) != 0) return;
+  limit.rlim_cur = std::min({static_cast<rlim_t>(bytes), limit.rlim_cur, limit.rlim_max});
+  if (::setrlimit(RLIMIT_DATA, &limit) == 0) limit_of_process = limit.rlim_cur;
+}
+
+std::size_t bytes_allowed() {
+  const WorkBudget* const budget = work_in_force().budget;
+  const std::uint64_t in_budget = budget == nullptr ? WorkLimits::kNone : budget->limits().bytes;
+  const std::size_t of_process = limit_of_process;
+  return of_process == 0 ? in_budget : std::min<std::uint64_t>(in_budget, of_process);
+}
+
+std::string out_of_memory_message() {
+  const auto [what, instead] = NamedWork::left_by_exception();
+  std::string message = "out of memory";
+  if (const std::size_t allowed = bytes_allowed(); allowed != WorkLimits::kNone) {
+    message += fmt::format(" (the limit is {} bytes)", allowed);
+  }
+  if (what != nullptr) message.append(": ").append(what);
+  message += ": expected more memory, or a higher limit of it";
+  if (instead != nullptr) message.append(", or ").append(instead);
+  return message;
 }
 
 }  // namespace displayfile

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "clip/work_budget.h"
+
 namespace displayfile {
 
 /// True if the system gives so much memory now. It is only asked for: nothing is written, and
@@ -15,8 +17,19 @@ bool has_memory(std::size_t bytes);
 /// so without writing to a disk, and no more than the process's own limit. What nothing limits is
 /// the greatest number.
 std::size_t offered_memory();
+/// This process is given no memory for data beyond so many bytes, by the system: what needs more is
+/// out of memory. A limit that is lower already stays. Throws Error if it has more than that.
+void limit_memory_of_process(std::size_t bytes);
+/// What it has of that kind now; 0 if the system does not tell.
+std::size_t memory_of_process();
+/// What the machine has, or what this process may have of it at most; 0 if nothing tells.
+std::size_t memory_of_machine();
+/// How many bytes the budget in force allows, or the process was limited to.
+std::size_t bytes_allowed();
+/// What is said of std::bad_alloc: the limit, what was being done, and what would serve instead.
+std::string out_of_memory_message();
 
-/// Throws Error, which states the bytes and what needs them.
+/// Throws LimitReached, which states the bytes and what needs them, and the limit if there is one.
 [[noreturn]] void out_of_memory(std::size_t bytes, const std::string& what);
 
 /// What `work` returns, which needs that many bytes at least: they are asked for first, so that
@@ -25,6 +38,7 @@ std::size_t offered_memory();
 /// asked for.
 template <class What, class Work>
 auto with_memory(std::size_t bytes, What&& what, Work&& work, std::size_t held = 0) {
+  if (bytes > bytes_allowed()) out_of_memory(bytes, what());
   if (bytes > held && !has_memory(bytes)) out_of_memory(bytes, what());
   try {
     return work();

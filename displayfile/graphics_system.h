@@ -13,6 +13,7 @@
 #include "clip/transformation.h"
 #include "clip/view.h"
 #include "clip/window_fit.h"
+#include "clip/work_budget.h"
 #include "displayfile/attributes.h"
 #include "displayfile/background.h"
 #include "displayfile/display_file.h"
@@ -91,6 +92,9 @@ class GraphicsSystem {
   /// Sorts the segment's hidden surfaces if hidden-line removal is on, by a method that sorts
   /// and with a scope that is not `all`. Error: no segment open.
   void close_segment();
+  /// Takes the open segment back, with all that is in it, and sorts nothing; nothing if none is
+  /// open.
+  void drop_open_segment();
   /// Errors: no such segment, segment still open.
   void delete_segment(int name);
   /// Error: segment still open.
@@ -355,6 +359,11 @@ class GraphicsSystem {
   /// it throws comes out of close_segment; the segment is then open still, with all that is in it.
   void set_progress(WorkProgress progress) { sort_options_.progress = std::move(progress); }
 
+  /// What close_segment may use at most, and a way to stop it: it then throws LimitReached, and the
+  /// segment is open still, with all that is in it. The budget must live on; null takes it back.
+  /// For all that a thread does: BudgetInForce (clip/work_budget.h).
+  void set_budget(WorkBudget* budget) { budget_ = budget; }
+
   /// Records every routine that succeeds from now on; null stops. The recorder must live on.
   void set_recorder(Recorder* recorder) { recorder_ = recorder; }
   /// A remark in what is recorded, on a line of its own; it does nothing else.
@@ -458,6 +467,7 @@ class GraphicsSystem {
   SortOptions sort_options_;
   LineSelection lines_;
   bool lines_replaced_ = false;
+  WorkBudget* budget_ = nullptr;
   Recorder* recorder_ = nullptr;
   RetainedScene* retained_ = nullptr;          // the application's
   std::optional<RetainedScene> own_retained_;  // in its place, for world_ray_cast and set_lines

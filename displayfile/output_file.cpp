@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -10,8 +11,10 @@
 #include <filesystem>
 #include <iostream>
 #include <system_error>
+#include <utility>
 
 #include "clip/error.h"
+#include "displayfile/on_disk.h"
 
 namespace displayfile {
 
@@ -46,12 +49,34 @@ std::string temporary_name(const fs::path& target, int attempt) {
       .string();
 }
 
+/// By what name a file may be opened that has none.
+std::string path_of(int descriptor) { return fmt::format("/proc/self/fd/{}", descriptor); }
+
+/// Gives the nameless file a name; false, with the reason in errno, if it cannot have that one.
+bool link_nameless(int descriptor, const std::string& name) {
+  return ::linkat(AT_FDCWD, path_of(descriptor).c_str(), AT_FDCWD, name.c_str(),
+                  AT_SYMLINK_FOLLOW) == 0;
+}
+
 }  // namespace
 
 void OutputFile::fail(const std::string& what) const { throw Error(path_ + ": " + what); }
 
 void OutputFile::fail_to_write() const {
-  fail(fmt::format("cannot be written: {}", std::strerror(errno)));
+  const int reason = errno;
+  const fs::path folder = fs::path(target_).parent_path();
+  std::error_code error;
+  if (reason == ENOENT && !folder.empty() && !fs::exists(folder, error)) {
+    fail(fmt::format("cannot be written: there is no folder {}", folder.string()));
+  }
+  fail(fmt::format("cannot be written: {}", std::strerror(reason)));
+}
+
+/// With no temporary file left; 0 is no reason.
+void OutputFile::fail_at_the_end(const std::string& what, int reason) {
+  remove_temporary();
+  fail(fmt::format("{}{}{}", what, reason != 0 ? ": " : "",
+                   reason != 0 ? std::strerror(reason) : ""));
 }
 
 OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_) {
@@ -77,33 +102,69 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_
     if (const fs::path real = fs::weakly_canonical(path_, error); !error) target_ = real.string();
   }
   create_temporary();
-  if (fs::exists(status)) fs::permissions(temporary_, status.permissions(), error);
+  if (fs::exists(status)) ::fchmod(descriptor_, static_cast<mode_t>(status.permissions()));
 }
 
+// ---- The temporary file -------------------------------------------------------------------------
+
 void OutputFile::create_temporary() {
+  if (create_nameless()) return;
+  create_named([&] {
+    descriptor_ =
+        ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);  // less umask
+    return descriptor_ >= 0;
+  });
+}
+
+/// False where the system or the file system has no such files, or no way to open them anew.
+bool OutputFile::create_nameless() {
+#if defined(O_TMPFILE)
+  const fs::path folder = fs::path(target_).parent_path();
+  descriptor_ = ::open(folder.empty() ? "." : folder.c_str(), O_RDWR | O_TMPFILE | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) return false;
+  if (::access(path_of(descriptor_).c_str(), F_OK) == 0) {
+    temporary_ = path_of(descriptor_);
+    return true;
+  }
+  ::close(std::exchange(descriptor_, -1));
+#endif
+  return false;
+}
+
+/// Tries one name after the other; `create` says whether it is taken, with the reason in errno.
+template <class Create>
+void OutputFile::create_named(const Create& create) {
+  const UnfinishedPath::Naming naming;
   for (int attempt = 0; attempt < kNamesToTry; ++attempt) {
     temporary_ = temporary_name(target_, attempt);
     unfinished_ = UnfinishedPath(temporary_);
-    const int descriptor =
-        ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);  // less umask
-    if (descriptor >= 0) {
-      ::close(descriptor);
+    if (create()) {
       pending_ = true;
       return;
     }
-    const fs::path folder = fs::path(target_).parent_path();
-    if (errno == ENOENT && !folder.empty()) {
-      fail(fmt::format("cannot be written: there is no folder {}", folder.string()));
-    }
-    if (errno != EEXIST) fail_to_write();
+    const int reason = errno;
+    unfinished_ = {};
+    errno = reason;
+    if (reason != EEXIST) fail_to_write();
   }
   fail("cannot be written: every temporary name beside it is taken");
+}
+
+void OutputFile::name_temporary() {
+  create_named([&] { return link_nameless(descriptor_, temporary_); });
+}
+
+const std::string& OutputFile::temporary_path() {
+  if (!direct_ && !pending_) name_temporary();
+  return temporary_;
 }
 
 OutputFile::~OutputFile() { remove_temporary(); }
 
 void OutputFile::remove_temporary() {
+  if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
   if (!pending_) return;
+  const UnfinishedPath::Naming naming;
   std::error_code ignored;
   fs::remove(temporary_, ignored);
   unfinished_ = {};
@@ -118,36 +179,58 @@ std::ostream& OutputFile::stream() {
   return stream_;
 }
 
-void OutputFile::commit() {
+// ---- The end ------------------------------------------------------------------------------------
+
+void OutputFile::finish() {
+  if (finished_) return;
   if (stream_.is_open()) {
     errno = 0;
     stream_.close();  // sets failbit if a buffered write fails, and keeps an earlier one
-    if (!stream_) {
-      const int reason = errno;
-      remove_temporary();
-      fail(fmt::format("not all could be written{}{}", reason != 0 ? ": " : "",
-                       reason != 0 ? std::strerror(reason) : ""));
-    }
+    if (!stream_) fail_at_the_end("not all could be written", errno);
   }
+  finished_ = true;
+  if (direct_ || standard_output_) return;
+  if (!put_on_disk(descriptor_)) fail_at_the_end("not all could be put on the disk", errno);
+}
+
+void OutputFile::commit() {
+  finish();
   if (direct_) return;
   if (standard_output_) return copy_to_standard_output();
-  std::error_code error;
-  fs::rename(temporary_, target_, error);
-  if (error) {
-    remove_temporary();
-    fail("cannot be replaced: " + error.message());
+  replace_target();
+  ::close(std::exchange(descriptor_, -1));
+  if (!put_names_on_disk(fs::path(target_).parent_path())) {
+    fail(fmt::format("is written, but its name may not be on the disk: {}", std::strerror(errno)));
+  }
+}
+
+void OutputFile::replace_target() {
+  const UnfinishedPath::Naming naming;
+  if (!pending_ && link_to_target()) return;
+  if (!pending_) name_temporary();
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) {
+    const int reason = errno;
+    std::error_code error;
+    const fs::path folder = fs::path(target_).parent_path();
+    if (reason == ENOENT && !folder.empty() && !fs::exists(folder, error)) {
+      fail_at_the_end("cannot be written: there is no folder " + folder.string(), 0);
+    }
+    fail_at_the_end("cannot be replaced", reason);
   }
   unfinished_ = {};
   pending_ = false;
 }
 
-/// The temporary file is removed before the first byte is written: a reader that goes away may end
-/// this process.
+/// True if there was no target, and the nameless file is it now.
+bool OutputFile::link_to_target() const { return link_nameless(descriptor_, target_); }
+
+/// The temporary file has no name any more when the first byte is written: a reader that goes away
+/// may end this process.
 void OutputFile::copy_to_standard_output() {
   std::cout.flush();
-  const int from = ::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC);
-  if (from < 0) fail_to_write();
+  const int from = std::exchange(descriptor_, -1);
   remove_temporary();
+  ::lseek(from, 0, SEEK_SET);
   std::array<char, 1 << 16> block;
   ssize_t count = 0;
   bool written = true;

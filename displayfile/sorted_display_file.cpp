@@ -83,6 +83,7 @@ void require_hidden_lines_found(HiddenLines hidden_lines, HiddenMethod method) {
 
 const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, HiddenMethod by,
                                              const HiddenSurfaceOptions& options) {
+  const BudgetInForce in_force(options.budget);
   const HiddenMethod method = surfaces_of(by);
   const bool applications =
       !options.method && surfaces_of(method_in_force(system, options)) == method;
@@ -109,6 +110,7 @@ const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, Hidde
 
 const DisplayFile& SortedDisplayFile::update(const DisplayFile& entered, HiddenMethod method,
                                              const HiddenSurfaceOptions& options) {
+  const BudgetInForce in_force(options.budget);
   SortOptions sort = sort_options(options, options.precision.value_or(Precision{}));
   sort.hidden_lines = options.hidden_lines.value_or(HiddenLines::none);
   sort.intersections = options.intersections;

@@ -22,6 +22,8 @@ struct HiddenSurfaceOptions {
   /// Told by a method that finds lines of those looked at, anew for each segment, or group of
   /// segments, that is looked at by itself.
   WorkProgress progress = {};
+  /// What bringing up to date may use at most, if not null: LimitReached for more.
+  WorkBudget* budget = nullptr;
   std::optional<HiddenLines> hidden_lines = std::nullopt;
   /// Lines along which polygons pass through each other are wanted too, where no application says.
   bool intersections = false;

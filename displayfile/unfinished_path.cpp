@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <ctime>
 #include <utility>
 
 namespace displayfile {
@@ -17,6 +18,11 @@ namespace {
 constexpr std::size_t kPlaces = 4096;
 std::array<std::atomic<char*>, kPlaces> unfinished{};
 static_assert(std::atomic<char*>::is_always_lock_free, "a signal handler reads the table");
+
+std::atomic<int> naming{0};  // threads that are about it
+std::atomic<bool> ending{false};
+thread_local int names_of_thread = 0;  // how many Naming objects it has
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
 }  // namespace
 
@@ -53,6 +59,35 @@ void UnfinishedPath::remove_all() noexcept {
     if (::unlink(path) != 0) ::rmdir(path);
     char* none = nullptr;
     unfinished[i].compare_exchange_strong(none, path);  // whose it is frees it, if time is left
+  }
+}
+
+// ---- Names while the process is told to stop -----------------------------------------------------
+
+UnfinishedPath::Naming::Naming() : before_() {
+  if (names_of_thread++ > 0) return;
+  sigset_t all;
+  ::sigfillset(&all);
+  ::pthread_sigmask(SIG_SETMASK, &all, &before_);
+  naming.fetch_add(1);
+  if (!ending.load()) return;
+  naming.fetch_sub(1);
+  while (true) ::pause();  // another thread is ending the process
+}
+
+UnfinishedPath::Naming::~Naming() {
+  if (--names_of_thread > 0) return;
+  naming.fetch_sub(1);
+  ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+}
+
+/// A file system that hangs must not keep the process from ending: the wait has an end.
+void UnfinishedPath::end_naming() noexcept {
+  constexpr int kTurns = 2000;
+  constexpr timespec kMillisecond{0, 1'000'000};
+  ending.store(true);
+  for (int turn = 0; turn < kTurns && naming.load() > 0; ++turn) {
+    ::nanosleep(&kMillisecond, nullptr);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <csignal>
 #include <cstddef>
 #include <string>
 
@@ -19,6 +20,24 @@ class UnfinishedPath {
   /// Removes every unfinished file, and folder with nothing in it, the ones entered last first.
   /// Calls nothing that a signal handler may not.
   static void remove_all() noexcept;
+
+  /// A thread gives something a name, or takes one away, while it has one of these: from where it
+  /// stands in the table to where it is there, or from where it is whole to where it does not stand
+  /// in the table any more. No signal interrupts the thread there.
+  class Naming {
+   public:
+    Naming();
+    ~Naming();
+    Naming(const Naming&) = delete;
+    Naming& operator=(const Naming&) = delete;
+
+   private:
+    sigset_t before_;
+  };
+  /// For the handler of a signal that ends the process: no thread begins to name anything from now
+  /// on, but waits for the end; returns when none is about it, so that remove_all then leaves
+  /// nothing, whatever the threads do.
+  static void end_naming() noexcept;
 
  private:
   std::size_t place_ = 0;  // in the table, from 1; 0 if in none

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "clip/work_budget.h"
+
 // ThreadSanitizer does not see into the library, so that it must be told what the library promises:
 // each call comes after all that was done before, and all calls before what is done after. This
 // file is compiled without it.
@@ -36,7 +38,9 @@ int useful_threads(int threads) {
   return std::clamp(threads, 1, std::max(1, tbb::this_task_arena::max_concurrency()));
 }
 
-void in_parallel(int threads, std::size_t count, const std::function<void(std::size_t)>& work) {
+namespace {
+
+void share_out(int threads, std::size_t count, const std::function<void(std::size_t)>& work) {
   threads = useful_threads(threads);
   if (threads == 1 || count <= 1) {
     for (std::size_t k = 0; k < count; ++k) work(k);
@@ -52,6 +56,19 @@ void in_parallel(int threads, std::size_t count, const std::function<void(std::s
     });
   });
   happens_after(&ended);
+}
+
+}  // namespace
+
+/// Whoever helps this thread has its budget, which is asked before each call.
+void in_parallel(int threads, std::size_t count, const std::function<void(std::size_t)>& work) {
+  const WorkInForce ours = work_in_force();
+  if (ours.budget == nullptr) return share_out(threads, count, work);
+  share_out(threads, count, [&](std::size_t k) {
+    const BudgetInForce in_force(ours);
+    ours.budget->ask();
+    work(k);
+  });
 }
 
 }  // namespace displayfile

@@ -5,6 +5,7 @@
 
 #include "clip/error.h"
 #include "clip/memory.h"
+#include "clip/work_budget.h"
 #include "interp/drawing_choice.h"
 #include "interp/picture_checks.h"
 #include "interp/picture_source.h"
@@ -17,6 +18,10 @@
 namespace displayfile {
 
 namespace {
+
+constexpr WorkDone kDrawing{
+    "the drawing",
+    "for pixels a smaller picture or hidden-surface method z-buffer, scan-line-z in little memory"};
 
 /// The request for what is drawn in the order that the display file has.
 RasterRequest raster_request(const DisplayFile& file, const DrawOptions& options) {
@@ -88,6 +93,7 @@ HiddenSurfaceOptions hidden_surface_options(const DrawOptions& options) {
           .threads = options.threads,
           .most_pieces = options.most_pieces,
           .progress = options.progress,
+          .budget = options.budget,
           .hidden_lines = options.hidden_lines};
 }
 
@@ -148,6 +154,8 @@ auto draw_up_to_date(const GraphicsSystem& system, const DrawOptions& options, H
 Picture draw_in_memory(const GraphicsSystem& system, const DrawOptions& as_asked,
                        const KeptForPictures& kept) {
   const DrawOptions options = with_background(system, as_asked);
+  const BudgetInForce in_force(options.budget);
+  const NamedWork named(kDrawing);
   return with_memory_of_picture(options, kept.software, [&] {
     return draw_up_to_date(
         system, options, method_in_force(system, hidden_surface_options(options)),
@@ -163,6 +171,8 @@ Picture draw_in_memory(const GraphicsSystem& system, const DrawOptions& as_asked
 void draw_into_file(const GraphicsSystem& system, const std::filesystem::path& file,
                     const DrawOptions& as_asked, const KeptForPictures& kept) {
   const DrawOptions options = with_background(system, as_asked);
+  const BudgetInForce in_force(options.budget);
+  const NamedWork named(kDrawing);
   require_drawable(file, options);
   const PictureKind kind = picture_kind(file, options);
   // For a picture of pixels it is the renderer that picks a method.
@@ -201,6 +211,8 @@ void draw(const GraphicsSystem& system, const std::filesystem::path& file,
 
 void draw(const DisplayFile& display_file, const std::filesystem::path& file,
           const DrawOptions& options) {
+  const BudgetInForce in_force(options.budget);
+  const NamedWork named(kDrawing);
   require_drawable(file, options);
   SoftwareRenderer software;
   write_picture(DisplayFileSource(display_file, false, options, software),
@@ -208,6 +220,8 @@ void draw(const DisplayFile& display_file, const std::filesystem::path& file,
 }
 
 void draw(const ViewedWorld& world, const std::filesystem::path& file, const DrawOptions& options) {
+  const BudgetInForce in_force(options.budget);
+  const NamedWork named(kDrawing);
   require_drawable(file, options);
   SoftwareRenderer software;
   write_picture(DisplayFileSource(world.display_file, true, options, software),
@@ -215,6 +229,8 @@ void draw(const ViewedWorld& world, const std::filesystem::path& file, const Dra
 }
 
 Picture draw(const ViewedWorld& world, const DrawOptions& options) {
+  const BudgetInForce in_force(options.budget);
+  const NamedWork named(kDrawing);
   SoftwareRenderer software;
   return with_memory_of_picture(options, software, [&] {
     return draw_pixels(DisplayFileSource(world.display_file, true, options, software),

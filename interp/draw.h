@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "clip/work_budget.h"
 #include "displayfile/background.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/sorted_display_file.h"
@@ -46,6 +47,9 @@ struct DrawOptions {
   bool with_ids = false, with_depth = false;  ///< a picture in memory has them: Picture's members
   VectorOptions vectors = {};                 ///< of vectors
   WorkProgress progress = {};                 ///< as HiddenSurfaceOptions's
+  /// What drawing may use at most, and a way to stop it, if not null: LimitReached for more, and no
+  /// file is written (clip/work_budget.md).
+  WorkBudget* budget = nullptr;
 };
 
 /// The part of the options that says how hidden surfaces are found.

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "clip/work_budget.h"
 #include "displayfile/vertex_shading.h"
 
 namespace displayfile {
@@ -29,6 +30,7 @@ struct Interpretation {
   LineKinds of_lines = kDrawn;                         // that follow
   bool in_segment = false, in_segment_before = false;  // before disjoint polygons
   std::vector<double> of_normals{};                    // intensities, of one polygon
+  WorkSteps steps{};
 
   void segment(int name) {
     end_segment();
@@ -58,12 +60,14 @@ struct Interpretation {
   }
   void move(const Point3& p) { pen = p; }
   void line(const Point3& p) {
+    steps.step();
     if (pass != Pass::fills && style.kind != LineStyle::Kind::none) {
       device.line({pen, p, style, of_lines});
     }
     pen = p;
   }
   void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
+    steps.step();
     const DrawnPolygon polygon{vertices,         sides,
                                fill_style,       style,
                                pick_id,          vertex_intensities(of_vertices, of_normals),

@@ -117,6 +117,9 @@ void write_picture(const PictureSource& source, const RasterRequest& request,
   of_files.texts = format.is_of_pixels();
   if (!files.empty()) source.draw(of_files, write_rows(files));
   if (!colours.empty()) draw_colours(source, request, options, write_rows(colours));
+  for (const auto* written : {&files, &colours}) {
+    for (const auto& pixel_file : *written) pixel_file->finish();
+  }
   if (format.write_vectors != nullptr) source.write_vectors(format, file, request);
   for (const auto* written : {&files, &colours}) {
     for (const auto& pixel_file : *written) pixel_file->commit();

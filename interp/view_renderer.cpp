@@ -85,6 +85,7 @@ const Picture& ViewRenderer::draw(const View& view, const DrawOptions& options,
                                   const glm::dmat3& lights_turned) {
   const RasterRequest request = raster_request_of_view(options);
   device_of(options.device);
+  const BudgetInForce in_force(options.budget);
   Kept& kept = *kept_;
   kept.software.give_back(std::exchange(kept.picture, Picture()));
   kept.picture = with_memory_of_picture(options, kept.software, [&] {
@@ -100,6 +101,7 @@ void ViewRenderer::draw(const View& view, const std::filesystem::path& file,
                         const DrawOptions& options, const glm::dmat3& lights_turned) {
   const RasterRequest request = raster_request_of_view(options);
   require_drawable(file, options);
+  const BudgetInForce in_force(options.budget);
   Kept& kept = *kept_;
   with_memory_of_drawing(kept.viewer.bytes(), file, options, [&] {
     kept.in_view(view, lights_turned, options, request,

@@ -1,5 +1,6 @@
 // The command `displayfile`: draws, dumps, checks and compares drawing programs and meshes.
-// Exit status: 0 done, 1 a difference was found, 2 the input or the command line was wrong.
+// Exit status: 0 done, 1 a difference was found, 2 the input or the command line was wrong, or a
+// limit was reached.
 
 #include <fmt/format.h>
 
@@ -27,6 +28,7 @@
 #include "programs/surface_command.h"
 #include "programs/truth_command.h"
 #include "programs/version.h"
+#include "programs/work_limits.h"
 
 namespace displayfile {
 namespace {
@@ -68,8 +70,16 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", version, "Print the version and the libraries that were found");
   app.require_subcommand(1);
   std::function<int()> chosen;
+  WorkLimitWords limits;
   const auto add = [&](auto& command) {
-    command.add_to(app).callback([&] { chosen = [&] { return command.run(); }; });
+    CLI::App& subcommand = command.add_to(app);
+    limits.add_to(subcommand);
+    subcommand.callback([&] {
+      chosen = [&] {
+        const WorkLimitsInForce in_force(limits);
+        return command.run();
+      };
+    });
   };
   DrawCommand draw;
   DumpCommand dump;

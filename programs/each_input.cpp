@@ -6,6 +6,7 @@
 #include <optional>
 #include <sstream>
 
+#include "clip/memory.h"
 #include "displayfile/input_file.h"
 #include "hidden/parallel.h"
 #include "programs/progress.h"
@@ -25,7 +26,7 @@ InputResult result_of(const std::string& input, std::size_t k,
   try {
     return {work(k), "", ""};
   } catch (const std::bad_alloc&) {
-    return {"", naming(input, "out of memory"), ""};
+    return {"", naming(input, out_of_memory_message()), ""};
   } catch (const std::exception& e) {
     return {"", naming(input, e.what()), ""};
   }

@@ -35,20 +35,11 @@ void HiddenSurfaceWords::add_to(CLI::App& command) {
                   "lines where they are hidden: none dashed; by the methods that find lines, and "
                   "over fills")
       ->group(kHiddenSurfaceOptions);
-  command
-      .add_option(
-          "--limit-pieces", limit_pieces,
-          "into how many pieces bsp and depth-sort may cut polygons; map has pieces of what "
-          "is seen alone")
-      ->check(CLI::Range(1.0, 4e9))
-      ->capture_default_str()
-      ->group(kHiddenSurfaceOptions);
 }
 
 HiddenSurfaceOptions HiddenSurfaceWords::options(int threads) const {
   HiddenSurfaceOptions read;
   read.threads = threads;
-  read.most_pieces = limit_pieces;
   if (!hidden.empty()) read.method = hidden_method(hidden);
   if (!scope.empty()) read.scope = hidden_scope(scope);
   if (!precision.empty()) read.precision = displayfile::precision(precision);

@@ -13,7 +13,6 @@ namespace displayfile {
 struct HiddenSurfaceWords {
   std::string hidden, scope, precision, hidden_lines;
   std::optional<std::string> lines;
-  std::size_t limit_pieces = kMostPieces;
 
   void add_to(CLI::App& command);
   /// Throws Error for an unknown word.

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <system_error>
 
 #include "clip/error.h"
+#include "displayfile/on_disk.h"
 
 namespace displayfile {
 
@@ -22,12 +25,18 @@ void MadeFolders::make_for(const fs::path& file) {
   }
   if (missing.empty()) return;
   std::ranges::reverse(missing);
+  const UnfinishedPath::Naming naming;
   for (const fs::path& made : missing) {
     made_.push_back(made);
     unfinished_.emplace_back(made.string());
   }
   fs::create_directories(folder, error);
   if (error) throw Error(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
+  for (const fs::path& made : missing) {
+    if (put_names_on_disk(made.parent_path())) continue;
+    throw Error(fmt::format("{}: is made, but may not be on the disk: {}", made.string(),
+                            std::strerror(errno)));
+  }
 }
 
 MadeFolders::~MadeFolders() {

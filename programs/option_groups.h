@@ -12,5 +12,6 @@ inline constexpr const char* kImportOptions = "Limits of foreign formats";
 inline constexpr const char* kHiddenSurfaceOptions = "Hidden surfaces";
 inline constexpr const char* kGoldenOptions = "Golden files";
 inline constexpr const char* kReportOptions = "Reports";
+inline constexpr const char* kLimitOptions = "Limits";
 
 }  // namespace displayfile

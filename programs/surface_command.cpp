@@ -196,6 +196,7 @@ int SurfaceCommand::run() const {
     const Progress progress("entering surfaces");
     enter_surfaces(system, data, shown);
   }
+  if (recorded) recorded->finish();
   Progress progress("drawing " + output);
   options.progress = progress.told();
   draw(system, output, options);

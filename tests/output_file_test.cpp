@@ -1,8 +1,11 @@
 #include "displayfile/output_file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -73,6 +76,63 @@ TEST_F(OutputFileTest, TemporaryPathIsForWritersThatTakeAPath) {
   file.commit();
   EXPECT_EQ(content(target_), "written elsewhere");
   EXPECT_EQ(files(), 1);
+}
+
+/// What is to be killed leaves nothing, where the file system has files without names.
+TEST_F(OutputFileTest, HasNoNameUntilItIsWhole) {
+  const int nameless = ::open(folder_.c_str(), O_RDWR | O_TMPFILE, 0600);
+  if (nameless < 0) GTEST_SKIP() << "no files without names here";
+  ::close(nameless);
+  write(target_, "old");
+  OutputFile file(target_), other((folder_ / "other.png").string());
+  file.stream() << "new" << std::flush;
+  other.stream() << "other" << std::flush;
+  EXPECT_EQ(files(), 1);
+  file.finish();
+  other.finish();
+  EXPECT_EQ(files(), 1);
+  EXPECT_EQ(content(target_), "old");
+  file.commit();
+  other.commit();
+  EXPECT_EQ(content(target_), "new");
+  EXPECT_EQ(content(folder_ / "other.png"), "other");
+  EXPECT_EQ(files(), 2);
+}
+
+TEST_F(OutputFileTest, FolderThatWentAwayIsAnErrorAtCommit) {
+  const fs::path gone = folder_ / "gone";
+  for (const bool named : {false, true}) {
+    fs::create_directories(gone);
+    OutputFile file((gone / "p.png").string());
+    if (named) file.temporary_path();
+    file.stream() << "text";
+    fs::rename(gone, folder_ / "elsewhere");
+    EXPECT_EQ(test::error_of([&] { file.commit(); }),
+              (gone / "p.png").string() + ": cannot be written: there is no folder " +
+                  gone.string());
+    fs::remove_all(folder_ / "elsewhere");
+  }
+}
+
+/// A process may be told how long a file may be: what is longer is an error, and the old file stays.
+TEST_F(OutputFileTest, FileThatMayNotBeSoLongIsAnError) {
+  write(target_, "old");
+  rlimit before{};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  ::signal(SIGXFSZ, SIG_IGN);
+  for (const bool named : {false, true}) {
+    OutputFile file(target_);
+    if (named) file.temporary_path();
+    const rlimit short_files{50000, before.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &short_files);
+    file.stream() << std::string(100000, 'x');
+    const std::string error = test::error_of([&] { file.commit(); });
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    EXPECT_TRUE(error.starts_with(target_ + ": not all could be written")) << error;
+    EXPECT_EQ(files(), 1);
+  }
+  ::signal(SIGXFSZ, SIG_DFL);
+  EXPECT_EQ(content(target_), "old");
 }
 
 TEST_F(OutputFileTest, TwoFilesOfOneNameDoNotMix) {
@@ -154,7 +214,8 @@ TEST_F(OutputFileTest, FullDiskIsNoticed) {
 TEST_F(OutputFileTest, IsGoneIfAllThatIsUnfinishedIsRemoved) {
   write(target_, "old");
   OutputFile file(target_), other((folder_ / "other.png").string());
-  file.stream() << "text";
+  write(file.temporary_path(), "text");
+  write(other.temporary_path(), "text");
   OutputFile whole((folder_ / "whole.png").string());
   whole.stream() << "text";
   whole.commit();

@@ -149,7 +149,7 @@ void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name
       system.close_segment();
     }
   } catch (...) {
-    if (system.open_segment_name()) system.close_segment();
+    system.drop_open_segment();
     for (int name = first_segment_name; name < next; ++name) {
       if (system.display_file().contains(name)) system.delete_segment(name);
     }

@@ -96,6 +96,7 @@ std::optional<TextCursor::Digits> TextCursor::next_digits() {
 }
 
 bool TextCursor::next_line() {
+  lines_.step();
   const bool is_here = at_ < text_.size() && text_[at_] == '\n';
   const std::size_t end = is_here ? at_ : text_.find('\n', at_);
   at_ = end == std::string_view::npos ? text_.size() : end + 1;

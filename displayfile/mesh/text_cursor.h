@@ -13,6 +13,7 @@
 #include <type_traits>
 
 #include "clip/point.h"
+#include "clip/work_budget.h"
 #include "displayfile/mesh/mesh_colour.h"
 
 namespace displayfile {
@@ -132,6 +133,7 @@ class TextCursor {
  private:
   std::string_view path_, text_;
   std::size_t at_ = 0;
+  WorkSteps lines_;
 };
 
 /// A cursor over data that must be text: throws Error at the first zero byte.

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "clip/error.h"
+#include "clip/work_budget.h"
 #include "displayfile/characters.h"
 #include "displayfile/input_file.h"
 #include "displayfile/text/program_line.h"
@@ -87,15 +88,20 @@ void replay(std::string_view text, std::string_view file_name, GraphicsSystem& s
   const std::size_t saved_before = system.transformations_saved();
   const std::size_t solids_before = system.solids_open();
   ProgramLine line;
+  WorkSteps lines;
   for (std::string_view rest = text; !rest.empty();) {
     const std::size_t length = std::min(rest.find('\n'), rest.size());
     line.split(rest.substr(0, length));
     rest.remove_prefix(std::min(length + 1, rest.size()));
     if (line.empty()) continue;
     try {
+      lines.step();
       call_routine(line, system);
     } catch (const ErrorAt& error) {
       throw error_at(file_name, text, error.at, error.what());
+    } catch (const LimitReached& reached) {
+      const Error there = error_at(file_name, text, line.name().data(), reached.what());
+      throw LimitReached(there.what());
     } catch (const Error& error) {
       throw error_at(file_name, text, line.name().data(), error.what());
     }

@@ -33,6 +33,7 @@ void GraphicsSystem::open_segment(int name) {
 void GraphicsSystem::close_segment() {
   if (!open_) throw Error("no segment open");
   if (!solids_.empty()) throw Error("a solid is still open: end it first, by end-solid");
+  const BudgetInForce in_force(budget_);
   Segment& segment = display_file_.segment(*open_);
   if (retaining() != nullptr) select_lines(segment);
   const bool each_on_its_own = scope_.value_or(HiddenScope::segment) == HiddenScope::segment;
@@ -44,6 +45,15 @@ void GraphicsSystem::close_segment() {
   segment.close();
   open_.reset();
   record("close-segment", {});
+}
+
+void GraphicsSystem::drop_open_segment() {
+  if (!open_) return;
+  const int name = *open_;
+  display_file_.segment(name).close();
+  open_.reset();
+  record("close-segment", {});
+  delete_segment(name);
 }
 
 void GraphicsSystem::delete_segment(int name) {

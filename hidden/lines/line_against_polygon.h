@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "clip/work_budget.h"
 #include "hidden/lines/hidden_parts.h"
 #include "hidden/lines/line_precision.h"
 #include "hidden/lines/line_scene.h"
@@ -41,6 +42,7 @@ class LineAgainstPolygon {
   template <class Parts>
   bool hide(std::uint32_t polygon, Parts& parts) {
     if (polygon == own_ || polygon == other_ || !reaches_over(polygon)) return false;
+    steps_.step();
     const Plane plane = scene_.plane(polygon);
     const int nearer_at_a = a_is_corner_ ? 0 : policy_.nearer(line_, line_.a, plane);
     const int nearer_at_b = b_is_corner_ ? 0 : policy_.nearer(line_, line_.b, plane);
@@ -140,6 +142,7 @@ class LineAgainstPolygon {
   bool a_is_corner_ = false, b_is_corner_ = false;  // of the polygon, and in its plane
   std::vector<std::int8_t> side_;                   // of the line, each vertex of the polygon
   std::vector<double> left_, right_;
+  WorkSteps steps_;
 };
 
 }  // namespace displayfile

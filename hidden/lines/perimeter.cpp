@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "clip/error.h"
+#include "clip/work_budget.h"
 #include "hidden/lines/cells_in_order.h"
 #include "hidden/lines/franklin.h"
 #include "hidden/lines/grid_surface.h"
@@ -92,6 +93,7 @@ class PerimeterMethod {
 
   std::vector<VisiblePiece> pieces(const WorkProgress& progress) {
     CountedWork work(progress, std::size_t{surface_.columns()} * surface_.rows());
+    WorkSteps steps;
     CellsInOrder(surface_).for_each_cell([&](std::uint32_t i, std::uint32_t j, bool second_first) {
       const std::uint32_t a = surface_.number(i, j), b = surface_.number(i + 1, j),
                           c = surface_.number(i + 1, j + 1), d = surface_.number(i, j + 1);
@@ -102,6 +104,7 @@ class PerimeterMethod {
                               Side{c, d, surface_.side_along_x(i, j + 1)}, diagonal};
       draw_triangle(second_first ? second : first);
       draw_triangle(second_first ? first : second);
+      steps.step();
       work.add(1);
     });
     return in_order_of_names();

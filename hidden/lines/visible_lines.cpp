@@ -6,6 +6,7 @@
 
 #include "clip/corners.h"
 #include "clip/error.h"
+#include "clip/work_budget.h"
 #include "hidden/lines/appel.h"
 #include "hidden/lines/franklin.h"
 #include "hidden/lines/grid_surface.h"
@@ -95,6 +96,19 @@ class SideLooks {
   std::vector<SideLook> looks_;
 };
 
+/// Of a method that finds lines, for messages.
+WorkDone work_of(HiddenMethod method) {
+  constexpr const char* kFranklin = "hidden-line method franklin";
+  switch (method) {
+    case HiddenMethod::roberts: return {"the lines that are seen, by roberts", kFranklin};
+    case HiddenMethod::appel: return {"the lines that are seen, by appel", kFranklin};
+    case HiddenMethod::perimeter: return {"the lines that are seen, by perimeter", kFranklin};
+    default:
+      return {"the lines that are seen, by franklin",
+              "for pixels hidden-surface method colour-rule=z-buffer"};
+  }
+}
+
 }  // namespace
 
 std::vector<LineToDraw> lines_to_draw(const Primitives& items,
@@ -130,6 +144,7 @@ SeenLines visible_lines(const Primitives& items, std::span<const LineName> lines
     throw Error("the hidden-line method " + std::string(name_of(method)) +
                 " does not find visible lines: expected roberts, appel, franklin or perimeter");
   }
+  const NamedWork named(work_of(method));
   std::vector<LineName> names(lines.begin(), lines.end());
   if (!std::ranges::is_sorted(names)) std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "clip/work_budget.h"
 #include "hidden/lines/hidden_parts.h"
 #include "hidden/lines/line_scene.h"
 #include "hidden/lines/visible_lines.h"
@@ -96,6 +97,7 @@ SeenLines visible_pieces(const LineScene& scene, std::span<const std::uint32_t> 
   std::vector<std::vector<SeenPart>> seen((order.size() + kPart - 1) / kPart);
   Finders finders(make_finder);
   CountedWork work(options.progress, order.size());
+  PieceCount pieces(order.size(), sizeof(SeenPart));
   in_parallel(options.threads, seen.size(), [&](std::size_t part) {
     const std::size_t begin = part * kPart, end = std::min(order.size(), begin + kPart);
     finders.use([&](auto& finder) {
@@ -103,6 +105,7 @@ SeenLines visible_pieces(const LineScene& scene, std::span<const std::uint32_t> 
         find_seen(scene.lines(), order[k], finder, seen[part]);
       }
     });
+    pieces.add(seen[part].size());
     work.add(end - begin);
   });
   const std::size_t names = scene.names(), intersections = scene.intersections().size();

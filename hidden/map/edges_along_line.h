@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "clip/work_budget.h"
 #include "hidden/lines/cell_grid.h"
 #include "hidden/lines/cell_walk.h"
 #include "hidden/lines/side_table.h"
@@ -58,6 +59,7 @@ class EdgesAlongLine {
     }
   }
   void add(std::uint32_t item) {
+    steps_.step();
     looked_at_[item] = number_;
     if (look_at(item)) update();
   }
@@ -251,6 +253,7 @@ class EdgesAlongLine {
   std::vector<Place> breaks_;
   std::vector<std::uint32_t> looked_at_;  // of each polygon, the last line it was added for
   std::uint32_t number_ = 0;              // of the line
+  WorkSteps steps_;
 };
 
 }  // namespace displayfile

@@ -1,6 +1,7 @@
 #include <array>
 #include <span>
 
+#include "clip/work_budget.h"
 #include "hidden/lines/intersection_lines.h"
 #include "hidden/lines/visible_pieces.h"
 #include "hidden/map/edges_along_line.h"
@@ -59,12 +60,14 @@ std::vector<MapEdge> edges_of_meetings(const MapScene& map, const Policy& policy
   std::vector<std::vector<MapEdge>> found((lines.size() + kMeetingsOfAPart - 1) / kMeetingsOfAPart);
   const auto make_finder = [&] { return MeetingFinder<Policy>(map, policy); };
   Finders finders(make_finder);
+  PieceCount pieces(lines.size(), sizeof(MapEdge));
   in_parallel(threads, found.size(), [&](std::size_t part) {
     const std::size_t end = std::min(lines.size(), (part + 1) * kMeetingsOfAPart);
     finders.use([&](auto& finder) {
       for (std::size_t k = part * kMeetingsOfAPart; k < end; ++k)
         finder.find(lines[k], found[part]);
     });
+    pieces.add(found[part].size());
   });
   std::vector<MapEdge> edges;
   for (const auto& of_part : found) edges.insert(edges.end(), of_part.begin(), of_part.end());

@@ -2,6 +2,7 @@
 #include <span>
 
 #include "clip/corners.h"
+#include "clip/work_budget.h"
 #include "hidden/lines/visible_pieces.h"
 #include "hidden/map/edges_along_line.h"
 #include "hidden/map/map_edges.h"
@@ -127,6 +128,7 @@ std::vector<MapEdge> edges_on_sides(const MapScene& map, const ContourEdges& way
   std::vector<OfSide> of_sides(sides.size());
   const auto make_finder = [&] { return SideFinder<Policy>(map, ways, policy); };
   Finders finders(make_finder);
+  PieceCount pieces(sides.size(), sizeof(MapEdge));
   in_parallel(threads, found.size(), [&](std::size_t part) {
     const std::size_t end = std::min(sides.size(), (part + 1) * kSidesOfAPart);
     finders.use([&](auto& finder) {
@@ -138,6 +140,7 @@ std::vector<MapEdge> edges_on_sides(const MapScene& map, const ContourEdges& way
         of_side.end = static_cast<std::uint32_t>(found[part].size());
       }
     });
+    pieces.add(found[part].size());
   });
   for (const auto& [part, first, end] : of_sides) {
     edges.insert(edges.end(), found[part].begin() + first, found[part].begin() + end);

@@ -1,5 +1,6 @@
 #include "hidden/map/visible_map.h"
 
+#include "clip/work_budget.h"
 #include "hidden/map/map_edges.h"
 #include "hidden/map/map_precision.h"
 #include "hidden/map/map_vertices.h"
@@ -55,6 +56,7 @@ void find_map(const MapScene& scene, const ContourEdges& ways, const Policy& pol
 }  // namespace
 
 VisibleMap visible_map(const Primitives& items, const MapOptions& options) {
+  const NamedWork named({"the map of what is seen", "for pixels hidden-surface method z-buffer"});
   VisibleMap map;
   const LineScene scene(items, {}, options.threads);
   const SideTable sides(items);

@@ -1,7 +1,5 @@
 #include "hidden/sort/bsp_sort.h"
 
-#include <algorithm>
-
 #include "hidden/sort/sort_polygons.h"
 
 namespace displayfile {
@@ -9,7 +7,7 @@ namespace displayfile {
 SortedPieces sort_by_bsp(const Primitives& items, const SortOptions& options) {
   const auto sort = [&](const auto& policy) {
     SortScene scene(items, policy);
-    scene.table.most_entries = std::max(options.most_pieces, items.items.size());
+    scene.table.most_entries = most_pieces_of_sort(options, items.items.size());
     SortPolygons sorting(scene, options);
     sorting.sort_all();
     SortedPieces pieces = sorted_pieces(scene, sorting.order());

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/work_budget.h"
 #include "hidden/sort/polygon_table.h"
 #include "hidden/sort/vertex_table.h"
 
@@ -46,12 +46,19 @@ class ComparePolys {
   /// its first side, a new entry the other. Throws Error if the table may not grow.
   Halves split(Index test, std::uint32_t plane) {
     if (table_.entries.size() >= table_.most_entries) {
-      throw Error("the sort of hidden surfaces cuts polygons into more than " +
+      throw LimitReached("the sort of hidden surfaces cuts polygons into more than " +
                   std::to_string(table_.most_entries) +
                   " pieces: expected hidden-surface method map, which has pieces of what is seen "
                   "alone, or a higher limit of pieces");
     }
     ++cuts_;
+    steps_.step();
+    if (cuts_ % kCutsBetweenCounts == 0) {
+      require_bytes([this] {
+        return table_.entries.capacity() * sizeof(PolygonTable::Entry) + table_.d.bytes() +
+               vertices_.bytes();
+      });
+    }
     const Index split_v = table_.d.free();
     table_.e.clear();
     const int first_side =
@@ -163,7 +170,9 @@ class ComparePolys {
   PolygonTable& table_;
   VertexTable<Policy>& vertices_;
   std::vector<std::int8_t> signs_;
+  static constexpr std::uint64_t kCutsBetweenCounts = 4096;  // of bytes
   std::uint64_t comparisons_ = 0, cuts_ = 0;
+  WorkSteps steps_;
 };
 
 }  // namespace displayfile

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "clip/work_budget.h"
 #include "hidden/sort/depth_tests.h"
 #include "hidden/sort/drawing_graph.h"
 #include "hidden/sort/overlaps.h"
@@ -265,6 +266,7 @@ class DepthSort {
   }
 
   void compare_pieces(Group& group, std::uint32_t k, std::uint32_t m) {
+    steps_.step();
     const Index a = group.pieces[k], b = group.pieces[m];
     if (!(table_[a].whole && table_[b].whole)) {
       if (!extents_[a].meets_in_projection(extents_[b])) return;
@@ -344,6 +346,7 @@ class DepthSort {
   bool find_short_cycle(const DrawingGraph& graph, Node start) {
     constexpr Node kUnvisited = std::numeric_limits<Node>::max();
     came_from_.assign(graph.size(), kUnvisited);
+    steps_.step(graph.size() / 16 + 1);
     queue_.assign(1, start);
     for (std::size_t at = 0; at < queue_.size(); ++at) {
       const Node node = queue_[at];
@@ -385,6 +388,7 @@ class DepthSort {
   /// True if neither half of the member comes after the one before it in the cycle and before the
   /// one after it. Tried on a copy.
   bool breaks(const Group& group, std::size_t k, std::uint32_t plane) {
+    steps_.step();
     const std::size_t n = cycle_.size();
     const Index piece = group.pieces[cycle_[k]];
     const Index earlier = group.pieces[cycle_[(k + n - 1) % n]];
@@ -432,6 +436,7 @@ class DepthSort {
   std::vector<std::uint8_t> touched_;
   std::vector<std::uint32_t> place_in_part_;
   std::vector<Node> came_from_, queue_, cycle_;
+  WorkSteps steps_;
 };
 
 }  // namespace
@@ -439,7 +444,7 @@ class DepthSort {
 SortedPieces sort_by_depth(const Primitives& items, const SortOptions& options) {
   const auto sort = [&](const auto& policy) {
     SortScene scene(items, policy);
-    scene.table.most_entries = std::max(options.most_pieces, items.items.size());
+    scene.table.most_entries = most_pieces_of_sort(options, items.items.size());
     return DepthSort(scene, options).sorted();
   };
   const Definitions points{items.points, {}};

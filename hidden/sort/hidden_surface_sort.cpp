@@ -1,8 +1,10 @@
 #include "hidden/sort/hidden_surface_sort.h"
 
+#include <algorithm>
 #include <string>
 
 #include "clip/error.h"
+#include "clip/work_budget.h"
 #include "hidden/sort/bsp_sort.h"
 #include "hidden/sort/depth_sort.h"
 
@@ -10,13 +12,31 @@ namespace displayfile {
 
 SortedPieces sort_hidden_surfaces(const Primitives& items, HiddenMethod method,
                                   const SortOptions& options) {
+  constexpr const char* kInstead =
+      "hidden-surface method map, which has pieces of what is seen alone, or for pixels z-buffer";
   switch (method) {
-    case HiddenMethod::bsp: return sort_by_bsp(items, options);
-    case HiddenMethod::depth_sort: return sort_by_depth(items, options);
+    case HiddenMethod::bsp: {
+      const NamedWork named({"the sort by bsp", kInstead});
+      return sort_by_bsp(items, options);
+    }
+    case HiddenMethod::depth_sort: {
+      const NamedWork named({"the sort by depth-sort", kInstead});
+      return sort_by_depth(items, options);
+    }
     default:
       throw Error("the hidden-surface method " + std::string(name_of(method)) +
                   " does not sort: expected bsp or depth-sort");
   }
+}
+
+std::size_t most_pieces_of_sort(const SortOptions& options, std::size_t items) {
+  std::uint64_t most = options.most_pieces;
+  const WorkBudget* const budget = work_in_force().budget;
+  if (budget != nullptr && budget->limits().pieces != WorkLimits::kNone) {
+    const bool is_said = options.most_pieces != kMostPieces;
+    most = is_said ? std::min(most, budget->limits().pieces) : budget->limits().pieces;
+  }
+  return std::max<std::size_t>(most, items);
 }
 
 }  // namespace displayfile

@@ -112,4 +112,8 @@ struct SortedPieces {
 SortedPieces sort_hidden_surfaces(const Primitives& items, HiddenMethod method,
                                   const SortOptions& options);
 
+/// How many pieces the sort of so many items may have: what the options and the budget in force
+/// allow, the budget alone where the options say nothing else; but always what is not cut.
+std::size_t most_pieces_of_sort(const SortOptions& options, std::size_t items);
+
 }  // namespace displayfile

@@ -38,6 +38,9 @@ class SideBuffer {
 
   /// DFREE, EFREE: the next free place.
   std::uint32_t free() const { return static_cast<std::uint32_t>(vertex_.size()); }
+  std::size_t bytes() const {
+    return vertex_.capacity() * (sizeof(vertex_[0]) + sizeof(line_[0]) + sizeof(visible_[0]));
+  }
   void clear() { shrink(0); }
   void shrink(std::uint32_t free) {
     vertex_.resize(free);

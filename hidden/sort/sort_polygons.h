@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "clip/work_budget.h"
 #include "hidden/sort/choose_root.h"
 #include "hidden/sort/islands.h"
 #include "hidden/sort/sort_scene.h"
@@ -78,6 +79,7 @@ class SortPolygons {
       const Root chosen = roots_.choose(members_);
       const Index root = chosen.entry != kNone ? chosen.entry : add_node(chosen.plane);
       attach(task, root);
+      steps_.step(members_.size());
       for (const Index test : members_) {
         if (test != root) compare_polys(root, test);
       }
@@ -197,6 +199,7 @@ class SortPolygons {
 
   std::optional<Islands<Policy>> islands_;
   RootChooser<Policy> roots_;
+  WorkSteps steps_;
 };
 
 }  // namespace displayfile

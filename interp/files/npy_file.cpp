@@ -80,6 +80,7 @@ class NpyWriter {
       file_.stream().write(row_.data(), static_cast<std::streamsize>(row_.size()));
     }
   }
+  void finish() { file_.finish(); }
   void commit() { file_.commit(); }
 
  private:
@@ -106,6 +107,7 @@ class ArrayRowFile : public RowFile {
   ArrayRowFile(const std::filesystem::path& path, int width, int height)
       : writer_(path, width, height) {}
   void write(const Picture& rows) override { writer_.write(rows.*array); }
+  void finish() override { writer_.finish(); }
   void commit() override { writer_.commit(); }
 
  private:

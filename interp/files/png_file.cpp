@@ -117,7 +117,8 @@ class PngRowFile : public RowFile {
  public:
   PngRowFile(const std::filesystem::path& path, int width, int height, Alpha alpha);
   void write(const Picture& rows) override;
-  void commit() override;
+  void finish() override;
+  void commit() override { file_.commit(); }
 
  private:
   template <class Steps>
@@ -165,9 +166,9 @@ void PngRowFile::write(const Picture& rows) {
   });
 }
 
-void PngRowFile::commit() {
+void PngRowFile::finish() {
   write_by([&] { png_write_end(writer_.png, nullptr); });
-  file_.commit();
+  file_.finish();
 }
 
 }  // namespace
@@ -185,6 +186,7 @@ void write_png(const Picture& picture, const std::filesystem::path& path) {
   const bool opaque = std::ranges::all_of(picture.pixels, [](auto p) { return p >> 24 == 0xFF; });
   PngRowFile file(path, picture.width, picture.height, opaque ? Alpha::none : Alpha::stored);
   file.write(picture);
+  file.finish();
   file.commit();
 }
 

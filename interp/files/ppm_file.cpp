@@ -55,6 +55,7 @@ class PpmRowFile : public RowFile {
       file_.stream().write(row_.data(), static_cast<std::streamsize>(row_.size()));
     }
   }
+  void finish() override { file_.finish(); }
   void commit() override { file_.commit(); }
 
  private:

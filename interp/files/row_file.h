@@ -21,9 +21,12 @@ class RowFile {
 
   /// Appends rows, of what the file is of: the picture's pixels, ids or depth.
   virtual void write(const Picture& rows) = 0;
-  /// To be called once, when all rows are written.
+  /// To be called once, when all rows are written: all but the name is on the disk. Whoever writes
+  /// several files finishes all of them before the first is committed.
+  virtual void finish() = 0;
+  /// To be called once, after finish().
   virtual void commit() = 0;
-  // Both throw Error, naming the file, if it cannot be written.
+  // All throw Error, naming the file, if it cannot be written.
 };
 
 }  // namespace displayfile

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "clip/work_budget.h"
 #include "hidden/parallel.h"
 #include "interp/interpreter.h"
 #include "interp/raster/line_painter.h"
@@ -351,7 +352,12 @@ void SoftwareRenderer::show_fills_seen(const Drawn& drawn, const RasterRequest& 
       for (int row = band.begin; row < band.end; ++row) shown.show(row, 0, surfaces_.row(row));
       return;
     }
+    int asked_at = -1;
     const auto show = [&](int row, int first, std::span<const Fill> seen) {
+      if (row != asked_at) {
+        asked_at = row;
+        ask_budget();
+      }
       if (keeps) surfaces_.keep(row, first, seen);
       shown.show(row, first, seen);
     };
@@ -399,6 +405,7 @@ void SoftwareRenderer::draw(const Drawn& drawn, const RasterRequest& request,
       std::max(useful_threads(request.threads), kPixelsAtATime / request.width / band);
   const int rows = std::min(band * bands, request.height);
   for (int end = request.height; end > 0;) {
+    ask_budget();
     const int begin = (end - 1) / rows * rows;
     draw_rows(drawn, request, {begin, end});
     take(picture_);

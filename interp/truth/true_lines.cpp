@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "clip/error.h"
+#include "clip/work_budget.h"
 #include "hidden/parallel.h"
 #include "interp/truth/line_hiders.h"
 
@@ -76,6 +77,7 @@ std::vector<TrueIntersection> true_intersections(const LineItems& items, int thr
 
 std::vector<TrueLine> true_lines(const LineItems& items, std::span<const LineId> lines, int threads,
                                  const WorkProgress& progress) {
+  const NamedWork named({"the truth of lines", "a random part of them (samples)"});
   const LineHiders hiders(items, threads);
   std::vector<LineItems::Sharers> shared = lines_with_length(items, lines);
   std::vector<TrueLine> found(shared.size());
@@ -288,6 +290,7 @@ LineJudgement judge_line(const LineHiders& scene, const LineItems::Sharers& shar
 LineJudgement judge_lines(const LineItems& items, std::span<const LineId> lines,
                           std::span<const LinePiece> claimed, std::size_t samples_of_line,
                           std::uint64_t seed, int threads, const WorkProgress& progress) {
+  const NamedWork named({"the truth of lines", "a random part of them (samples)"});
   const std::vector<LineItems::Sharers> shared = lines_with_length(items, lines);
   const Claims claims = displayfile::claims(
       items, shared.size(), [&](std::size_t k) { return std::span(shared[k]); }, claimed);

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "clip/work_budget.h"
+
 namespace displayfile {
 
 namespace {
@@ -143,6 +145,7 @@ void TruePicture::enter(std::span<const TruePoint> polygon, const Support& suppo
   std::optional<Entered> entered;  // not worked out for a polygon between the centres
   coverage_.for_each_run(polygon, [&](int row, int first, int end) {
     if (!entered) entered.emplace(Entered{{*support[0], *support[1], *support[2]}, pick});
+    ask_budget();
     if (!entered->depth.edge_on()) enter_run(*entered, row, first, end);
   });
 }

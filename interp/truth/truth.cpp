@@ -11,6 +11,7 @@
 
 #include "clip/error.h"
 #include "clip/memory.h"
+#include "clip/work_budget.h"
 #include "interp/truth/true_picture.h"
 
 namespace displayfile {
@@ -34,6 +35,7 @@ struct SegmentWalk {
   void move(const Point3&) {}
   void line(const Point3&) {}
   void polygon(std::span<const Point3> vertices, std::span<const std::int32_t>) {
+    ask_budget();
     if (solid) {
       require_finite(vertices);
       enter(vertices);
@@ -67,6 +69,7 @@ struct SegmentWalk {
 Picture truth(const DisplayFile& display_file, int width, int height, bool depth,
               const WorkProgress& progress) {
   require_picture_size(width, height);
+  const NamedWork named({"the truth", "a smaller picture, or a method that decides exactly"});
   const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   return with_memory(
       TruePicture::kBytesOfPixel * pixels,

@@ -10,6 +10,7 @@
 
 #include "clip/clip_pipeline.h"
 #include "clip/memory.h"
+#include "clip/work_budget.h"
 #include "clip/transformation.h"
 #include "interp/truth/exact_view.h"
 #include "interp/truth/true_picture.h"
@@ -126,6 +127,7 @@ bool is_solid_polygon(const RetainedScene& scene, std::uint32_t i) {
 Picture world_truth(const RetainedScene& retained, const DisplayFile& display_file, int width,
                     int height, bool depth, const WorkProgress& progress) {
   require_picture_size(width, height);
+  const NamedWork named({"the truth from world coordinates", "a smaller picture"});
   const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const auto each_segment = [&](auto&& visit) {
     for (const RetainedScene::Segment& part : retained.segments()) {
@@ -145,6 +147,7 @@ Picture world_truth(const RetainedScene& retained, const DisplayFile& display_fi
         each_segment([&](const RetainedScene::Segment& part, const Segment& segment) {
           SegmentView view(retained, part.view, segment.image, width, height, picture);
           for (std::uint32_t i = part.first; i < part.end; ++i) {
+            ask_budget();
             if (is_solid_polygon(retained, i)) view.enter(i);
             ++done;
             if (progress) progress(done, all);

@@ -6,6 +6,8 @@
 #include "programs/bench/bench_command.h"
 #include "programs/bench_program.h"
 #include "programs/exit_status.h"
+#include "programs/stop_signals.h"
+#include "programs/work_limits.h"
 
 namespace displayfile {
 namespace {
@@ -64,6 +66,8 @@ int run(int argc, char** argv) {
                  "says otherwise")
       ->excludes(methods)
       ->excludes(plot);
+  WorkLimitWords limits;
+  limits.add_to(*command);
   command->add_flag("--features-under-callgrind", bench.features_under_callgrind)->group("");
   command->add_option("--beside", bench.beside)->group("");
   try {
@@ -71,10 +75,14 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : 2;
   }
+  const WorkLimitsInForce in_force(limits);
   return bench.run();
 }
 
 }  // namespace
 }  // namespace displayfile
 
-int main(int argc, char** argv) { return displayfile::exit_status(displayfile::run, argc, argv); }
+int main(int argc, char** argv) {
+  displayfile::leave_nothing_when_stopped();
+  return displayfile::exit_status(displayfile::run, argc, argv);
+}

@@ -2,7 +2,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <fstream>
+#include <ios>
 #include <memory>
+#include <string>
+#include <string_view>
 
 #include "clip/error.h"
 #include "displayfile/output_file.h"
@@ -143,6 +147,16 @@ void write_entities(DL_Dxf& dxf, DL_WriterA& out, const DrawingSheet& sheet) {
   }
 }
 
+/// dxflib does not say whether all could be written: whether its last word was tells it.
+void require_whole(OutputFile& output) {
+  constexpr std::string_view kLast = "EOF\n";
+  std::ifstream written(output.temporary_path(), std::ios::binary);
+  written.seekg(-static_cast<std::streamoff>(kLast.size()), std::ios::end);
+  std::string end(kLast.size(), '\0');
+  written.read(end.data(), static_cast<std::streamsize>(end.size()));
+  if (!written || end != kLast) throw Error(output.path() + ": not all could be written");
+}
+
 }  // namespace
 
 void write_sheet_dxf(const DrawingSheet& sheet, const std::string& file) {
@@ -162,6 +176,7 @@ void write_sheet_dxf(const DrawingSheet& sheet, const std::string& file) {
     out->close();
     if (out->openFailed()) throw Error(fmt::format("{}: dxflib cannot write the DXF", file));
   }
+  require_whole(output);
   output.commit();
 }
 

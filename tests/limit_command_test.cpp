@@ -1,0 +1,91 @@
+// The command at its limits of pieces, seconds and memory: one message, exit status 2, and outputs
+// as they were.
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "tests/command_fixture.h"
+
+namespace {
+
+class Limits : public Command {
+ protected:
+  void SetUp() override {
+    std::string triangles = "set-view-depth -2 2\nopen-segment 1\n";
+    for (int k = 0; k < 300; ++k) {
+      const double u = 0.6 * k / 300, v = (k * 7 % 300) / 300.0;
+      triangles += fmt::format("polygon-abs-3 -0.9 {:.4f} {:.4f}  0.9 {:.4f} {:.4f}  {:.4f} 0.9 {:.4f}\n",
+                               u - 0.5, v - 0.5, 0.4 - u, 0.5 - 0.4 * v, u - 0.2, 0.5 - v);
+    }
+    write("t.draw", triangles + "close-segment\n");
+    write("old.svg", "old");
+  }
+};
+
+TEST_F(Limits, PiecesOfEveryMethodThatHasThem) {
+  expect_error("draw t.draw -o old.svg --hidden bsp --limit-pieces 1000",
+               "into more than 1000 pieces: expected hidden-surface method map");
+  expect_error("draw t.draw -o old.svg --hidden depth-sort --limit-pieces 1000",
+               "expected hidden-surface method map");
+  for (const char* method : {"map", "roberts", "appel", "franklin"}) {
+    expect_error(fmt::format("draw t.draw -o old.svg --hidden {} --limit-pieces 10 --lines all", method),
+                 "pieces are not enough: expected a higher limit of pieces, or ");
+  }
+  EXPECT_EQ(read(folder_ / "old.svg"), "old");
+  expect_error("dump t.draw -o d.txt --hidden map --limit-pieces 10", "10 pieces are not enough");
+  EXPECT_EQ(run("draw t.draw -o old.svg --hidden franklin --limit-pieces 20000000"), 0) << err_;
+}
+
+TEST_F(Limits, SecondsOfEveryCommand) {
+  for (const char* line : {
+           "draw t.draw -o old.svg --hidden bsp",
+           "draw t.draw -o old.svg --hidden roberts",
+           "draw t.draw -o p.png --size 9000x9000 --samples 3 --hidden warnock",
+           "draw t.draw -o p.png --turntable 500 --size 900x900 --hidden z-buffer",
+           "dump t.draw --hidden bsp -o d.txt",
+           "truth t.draw --size 2000x2000 --ids i.npy",
+       }) {
+    expect_error(fmt::format("{} --limit-seconds 0.1", line), "0.1 seconds are not enough");
+  }
+  EXPECT_EQ(read(folder_ / "old.svg"), "old");
+  EXPECT_EQ(run("draw t.draw -o p.png --limit-seconds 1000"), 0) << err_;
+}
+
+TEST_F(Limits, MemoryIsKnownBeforeOrRunsOut) {
+  expect_error("truth t.draw --size 20000x20000 --ids i.npy --limit-memory 2G",
+               "out of memory: the truth of 20000 x 20000 pixels needs at least 6800000000 bytes, "
+               "and the limit is 2147483648");
+  // Of a library, or of tables that nobody counts: the system's limit.
+  expect_error("draw t.draw -o old.svg --hidden bsp --limit-memory 70M --limit-pieces 4e9",
+               "memory");
+  EXPECT_NE(err_.find("hidden-surface method map"), err_.npos) << err_;
+  EXPECT_EQ(read(folder_ / "old.svg"), "old");
+  expect_error("draw t.draw -o p.png --limit-memory 1k", "1024 bytes of memory are not enough");
+  EXPECT_EQ(run("draw t.draw -o p.png --limit-memory 0.5G"), 0) << err_;
+}
+
+TEST_F(Limits, WordsThatAreNone) {
+  for (const char* word : {"x", "-1", "0", "1T", "1MM", "nan", "inf", "1e300", "''"}) {
+    if (std::string(word) == "''") continue;  // the usual one
+    expect_error(fmt::format("draw t.draw -o p.png --limit-memory={}", word), "--limit-memory");
+  }
+  for (const char* word : {"x", "0", "-1", "1e9"}) {
+    expect_error(fmt::format("draw t.draw -o p.png --limit-seconds={}", word), "--limit-seconds");
+    expect_error(fmt::format("draw t.draw -o p.png --limit-pieces={}", word == std::string("1e9")
+                                                                           ? "5e9"
+                                                                           : word),
+                 "--limit-pieces");
+  }
+}
+
+/// Of several inputs each that is not drawn in time is named.
+TEST_F(Limits, OfManyInputs) {
+  write("u.draw", kTriangle);
+  EXPECT_EQ(run("draw u.draw t.draw -o '{name}.svg' --hidden bsp --limit-pieces 1000"), 2);
+  EXPECT_TRUE(fs::exists(folder_ / "u.svg"));
+  EXPECT_FALSE(fs::exists(folder_ / "t.svg"));
+  EXPECT_NE(err_.find("1 of 2 inputs not drawn"), err_.npos) << err_;
+}
+
+}  // namespace

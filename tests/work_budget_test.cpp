@@ -1,0 +1,300 @@
+// Budgets: every long operation at every limit, stopped from another thread, and the state after it.
+
+#include "clip/work_budget.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "displayfile/mesh/mesh.h"
+#include "displayfile/text/drawing_program.h"
+#include "displayfile/text/dump.h"
+#include "hidden/parallel.h"
+#include "interp/renderer.h"
+#include "interp/truth/truth.h"
+#include "tests/temporary_folder.h"
+
+namespace displayfile {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Budgets : public test::TemporaryFolder {};
+
+/// What the call says when it reaches a limit; "done" if it does not.
+std::string reached(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const LimitReached& limit) {
+    return limit.what();
+  }
+  return "done";
+}
+
+/// Triangles that pass through each other, in an open segment.
+void enter_crossing(GraphicsSystem& g, int count) {
+  g.open_segment(1);
+  for (int k = 0; k < count; ++k) {
+    const double u = 0.6 * k / count, v = (k * 7 % count) / (1.0 * count), w = 0.5 - 0.4 * v;
+    g.polygon_abs_3({{-0.9, u - 0.5, v - 0.5}, {0.9, 0.4 - u, w}, {u - 0.2, 0.9, 0.5 - v}});
+  }
+}
+
+GraphicsSystem crossing(int count) {
+  GraphicsSystem g;
+  enter_crossing(g, count);
+  g.close_segment();
+  return g;
+}
+
+/// What takes long, under a budget: a name, and the call.
+struct Operation {
+  std::string name;
+  std::function<void(WorkBudget&)> run;
+};
+
+std::vector<Operation> operations(const GraphicsSystem& g, const fs::path& folder, int threads) {
+  std::vector<Operation> all;
+  const auto draws = [&](const std::string& name, HiddenMethod method, const std::string& file) {
+    all.push_back({name, [&g, method, threads, file = folder / file](WorkBudget& budget) {
+                     DrawOptions options;
+                     options.hidden = method;
+                     options.threads = threads;
+                     options.budget = &budget;
+                     draw(g, file, options);
+                   }});
+  };
+  draws("bsp", HiddenMethod::bsp, "bsp.svg");
+  draws("depth-sort", HiddenMethod::depth_sort, "depth-sort.svg");
+  draws("map", HiddenMethod::map, "map.svg");
+  draws("roberts", HiddenMethod::roberts, "roberts.svg");
+  draws("appel", HiddenMethod::appel, "appel.svg");
+  draws("franklin", HiddenMethod::franklin, "franklin.svg");
+  draws("z-buffer", HiddenMethod::z_buffer, "z-buffer.png");
+  draws("scan-line", HiddenMethod::scan_line, "scan-line.png");
+  draws("scan-line-z", HiddenMethod::scan_line_z, "scan-line-z.png");
+  draws("ray-cast", HiddenMethod::ray_cast, "ray-cast.png");
+  draws("warnock", HiddenMethod::warnock, "warnock.png");
+  all.push_back({"truth", [&g](WorkBudget& budget) {
+                   const BudgetInForce in_force(budget);
+                   truth(g.display_file(), 60, 60, false);
+                 }});
+  return all;
+}
+
+constexpr int kSorts = 3, kThatCompare = 6;  // the first of them
+
+TEST_F(Budgets, NoTimeStopsEveryOperationAndWritesNothing) {
+  const GraphicsSystem g = crossing(60);
+  const std::string before = dump(g.display_file());
+  for (const int threads : {1, 3}) {
+    for (const Operation& operation : operations(g, folder_, threads)) {
+      WorkBudget budget({.seconds = 1e-9});
+      const std::string said = reached([&] { operation.run(budget); });
+      EXPECT_NE(said.find("1e-09 seconds are not enough"), said.npos) << operation.name << said;
+      EXPECT_NE(said.find("expected a higher limit of seconds"), said.npos) << operation.name;
+      EXPECT_TRUE(empty_folder()) << operation.name;
+    }
+  }
+  EXPECT_EQ(dump(g.display_file()), before);
+}
+
+TEST_F(Budgets, WhatIsStoppedBeforeItBeginsDoesNothing) {
+  const GraphicsSystem g = crossing(60);
+  for (const Operation& operation : operations(g, folder_, 2)) {
+    WorkBudget budget;
+    budget.stop();
+    const std::string said = reached([&] { operation.run(budget); });
+    EXPECT_NE(said.find("stopped, as was asked for"), said.npos) << operation.name << said;
+    EXPECT_TRUE(empty_folder()) << operation.name;
+    budget.start();
+    EXPECT_EQ(reached([&] { operation.run(budget); }), "done") << operation.name;
+    EXPECT_FALSE(empty_folder() && operation.name != "truth") << operation.name;
+    for (const auto& made : fs::directory_iterator(folder_)) fs::remove(made);
+  }
+}
+
+TEST_F(Budgets, ABudgetThatIsEnoughChangesNothing) {
+  const GraphicsSystem g = crossing(30);
+  for (const Operation& operation : operations(g, folder_, 2)) {
+    WorkBudget unlimited, enough({.pieces = 1000000, .comparisons = 1u << 30, .seconds = 1e6});
+    EXPECT_EQ(reached([&] { operation.run(unlimited); }), "done") << operation.name;
+    std::vector<std::string> made;
+    for (const auto& file : fs::directory_iterator(folder_)) made.push_back(test::content(file));
+    EXPECT_EQ(reached([&] { operation.run(enough); }), "done") << operation.name;
+    std::size_t k = 0;
+    for (const auto& file : fs::directory_iterator(folder_)) {
+      EXPECT_EQ(test::content(file), made[k++]) << operation.name;
+      fs::remove(file);
+    }
+  }
+}
+
+TEST_F(Budgets, ComparisonsAreCountedWhereThingsAreCompared) {
+  const GraphicsSystem g = crossing(120);
+  const std::vector<Operation> all = operations(g, folder_, 2);
+  for (int k = 0; k < kThatCompare; ++k) {
+    WorkBudget counting;
+    EXPECT_EQ(reached([&] { all[k].run(counting); }), "done");
+    EXPECT_GT(counting.comparisons(), 2000u) << all[k].name;
+    fs::remove_all(folder_ / (all[k].name + ".svg"));
+    WorkBudget budget({.comparisons = counting.comparisons() / 2});
+    const std::string said = reached([&] { all[k].run(budget); });
+    EXPECT_NE(said.find(" comparisons are not enough"), said.npos) << all[k].name << said;
+    EXPECT_NE(said.find(all[k].name), said.npos) << said;
+    EXPECT_NE(said.find(", or "), said.npos) << said;
+    EXPECT_TRUE(empty_folder());
+  }
+}
+
+TEST_F(Budgets, PiecesAndBytesOfTheirTables) {
+  const GraphicsSystem g = crossing(120);
+  const std::vector<Operation> all = operations(g, folder_, 1);
+  for (int k = 0; k < kThatCompare; ++k) {
+    WorkBudget pieces({.pieces = 500}), bytes({.bytes = 15000});
+    const std::string of_pieces = reached([&] { all[k].run(pieces); });
+    EXPECT_NE(of_pieces.find(k < kSorts - 1 ? "more than 500 pieces: expected hidden-surface method "
+                                              "map"
+                                            : "500 pieces are not enough"),
+              of_pieces.npos)
+        << all[k].name << of_pieces;
+    const std::string of_bytes = reached([&] { all[k].run(bytes); });
+    EXPECT_NE(of_bytes.find("15000"), of_bytes.npos) << all[k].name << of_bytes;
+    EXPECT_TRUE(empty_folder());
+  }
+  WorkBudget budget({.bytes = 30000});
+  EXPECT_NE(reached([&] { draw(g, {.width = 100, .height = 100, .budget = &budget}); })
+                .find("a picture of 100 x 100 pixels needs at least 40000 bytes, and the limit is "
+                      "30000"),
+            std::string::npos);
+}
+
+/// The textbook's routine: the segment is open still, and closes when there is a method that serves.
+TEST_F(Budgets, CloseSegmentAtItsLimitLeavesTheSegmentOpen) {
+  GraphicsSystem g, same;
+  for (GraphicsSystem* system : {&g, &same}) {
+    system->set_hidden_line_removal(true);
+    system->set_hidden_method(HiddenMethod::bsp);
+    enter_crossing(*system, 60);
+  }
+  WorkBudget budget({.pieces = 100});
+  g.set_budget(&budget);
+  EXPECT_NE(reached([&] { g.close_segment(); }).find("more than 100 pieces"), std::string::npos);
+  EXPECT_EQ(g.open_segment_name(), 1);
+  EXPECT_EQ(g.display_file().polygons(), 60u);
+  g.set_budget(nullptr);
+  for (GraphicsSystem* system : {&g, &same}) {
+    system->set_hidden_method(HiddenMethod::depth_sort);
+    system->polygon_abs_3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    system->close_segment();
+  }
+  EXPECT_EQ(dump(g.display_file()), dump(same.display_file()));
+}
+
+/// A renderer that was stopped draws what a new one does.
+TEST_F(Budgets, StoppedFromAnotherThreadAndDrawnAgain) {
+  const GraphicsSystem g = crossing(700);
+  for (const HiddenMethod method :
+       {HiddenMethod::bsp, HiddenMethod::map, HiddenMethod::franklin, HiddenMethod::z_buffer}) {
+    Renderer renderer;
+    WorkBudget budget;
+    DrawOptions options{.width = 4000, .height = 4000, .hidden = method, .threads = 2};
+    options.budget = &budget;
+    std::atomic<bool> begun = false;
+    std::thread stopper([&] {
+      while (!begun) std::this_thread::yield();
+      while (budget.comparisons() == 0 && method != HiddenMethod::z_buffer) {
+        std::this_thread::yield();
+      }
+      budget.stop();
+    });
+    const std::string said = reached([&] {
+      begun = true;
+      renderer.draw(g, options);
+    });
+    stopper.join();
+    EXPECT_NE(said.find("stopped"), said.npos) << name_of(method) << said;
+  }
+  const GraphicsSystem few = crossing(20);
+  Renderer renderer;
+  WorkBudget none({.seconds = 1e-9});
+  DrawOptions options{.width = 300, .height = 200, .hidden = HiddenMethod::bsp, .budget = &none};
+  EXPECT_NE(reached([&] { renderer.draw(few, options); }), "done");
+  options.budget = nullptr;
+  EXPECT_EQ(renderer.draw(few, options).pixels, draw(few, options).pixels);
+}
+
+TEST_F(Budgets, ReadingAndEnteringStopWithTheirPlace) {
+  std::string program = "open-segment 1\n", obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (int k = 0; k < 5000; ++k) {
+    program += "polygon-abs-3 0 0 0  1 0 0  0 1 0\n";
+    obj += "f 1 2 3\n";
+  }
+  WorkBudget budget({.seconds = 1e-9});
+  const BudgetInForce in_force(budget);
+  GraphicsSystem g;
+  EXPECT_NE(reached([&] { replay(program + "close-segment\n", "p.draw", g); })
+                .find("p.draw:1024:1: 1e-09 seconds are not enough"),
+            std::string::npos);
+  GraphicsSystem other;
+  const fs::path mesh = file("m.obj", obj);
+  EXPECT_NE(reached([&] { import_mesh(mesh.string(), other); }), "done");
+  EXPECT_TRUE(other.display_file().segments().empty());
+}
+
+/// A mesh whose segment cannot be sorted is not entered, and nothing is open.
+TEST_F(Budgets, AMeshAtTheLimitLeavesNoSegment) {
+  std::string obj;
+  for (int k = 0; k < 60; ++k) {
+    const double u = 0.6 * k / 60, v = (k * 7 % 60) / 60.0;
+    obj += fmt::format("v -0.9 {} {}\nv 0.9 {} {}\nv {} 0.9 {}\nf -3 -2 -1\n", u - 0.5, v - 0.5,
+                       0.4 - u, 0.5 - 0.4 * v, u - 0.2, 0.5 - v);
+  }
+  const fs::path mesh = file("m.obj", obj);
+  GraphicsSystem g;
+  g.set_hidden_line_removal(true);
+  g.set_hidden_method(HiddenMethod::bsp);
+  WorkBudget budget({.pieces = 70});
+  g.set_budget(&budget);
+  EXPECT_NE(reached([&] { import_mesh(mesh.string(), g); }).find("more than 70 pieces"),
+            std::string::npos);
+  EXPECT_FALSE(g.open_segment_name());
+  EXPECT_TRUE(g.display_file().segments().empty());
+}
+
+TEST_F(Budgets, BudgetsAreInForceInTurnAndOnEveryThread) {
+  EXPECT_EQ(work_in_force().budget, nullptr);
+  WorkBudget outer, inner;
+  {
+    const BudgetInForce in_force(outer);
+    {
+      const BudgetInForce nothing_said(nullptr);
+      EXPECT_EQ(work_in_force().budget, &outer);
+      const BudgetInForce within(inner);
+      std::atomic<int> other = 0;
+      in_parallel(4, 100, [&](std::size_t) { other += work_in_force().budget != &inner ? 1 : 0; });
+      EXPECT_EQ(other, 0);
+    }
+    EXPECT_EQ(work_in_force().budget, &outer);
+  }
+  EXPECT_EQ(work_in_force().budget, nullptr);
+  in_parallel(4, 100, [&](std::size_t) { EXPECT_EQ(work_in_force().budget, nullptr); });
+  std::atomic<int> calls = 0;
+  const BudgetInForce in_force(outer);
+  EXPECT_NE(reached([&] {
+              in_parallel(2, 100000, [&](std::size_t) {
+                if (++calls == 5) outer.stop();
+              });
+            }),
+            "done");
+  EXPECT_LT(calls, 1000);
+}
+
+}  // namespace
+}  // namespace displayfile

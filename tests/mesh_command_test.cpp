@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tests/command_fixture.h"
+#include "tests/foreign_models.h"
 
 namespace {
 
@@ -180,6 +181,43 @@ TEST_F(MeshCommand, WhatAReaderSaysItselfIsToldWithTheFilesName) {
   EXPECT_NE(err_.find("m.ogex: not a mesh that can be read: there is nothing in it\n"),
             std::string::npos)
       << err_;
+}
+
+TEST_F(MeshCommand, LimitsOfTheImportLibraryAreOptions) {
+  write("hangs.smd", displayfile::test::smd_that_hangs());
+  write("hungers.ac", displayfile::test::ac3d_that_hungers());
+  write("good.ac", displayfile::test::ac3d("0 0 0\n1 0 0\n1 1 0\n"));
+  if (run("draw good.ac -o a.png"); err_.find("import library") != std::string::npos) {
+    GTEST_SKIP() << "no import library";
+  }
+  for (const std::string command :
+       {"draw IN -o x.png", "dump IN", "import IN -o x.draw", "check IN --golden g --update",
+        "truth IN --size 9x9 --ids x.npy", "sheet IN -o x.svg"}) {
+    const auto with = [&](const std::string& input, const std::string& options) {
+      std::string line = command;
+      return line.replace(line.find("IN"), 2, input) + " " + options;
+    };
+    expect_error(with("hangs.smd", "--import-seconds 0.2"),
+                 "hangs.smd: the import library (Assimp) did not read it in 0.2 seconds, which is "
+                 "the limit: --import-seconds");
+    expect_error(with("hungers.ac", "--import-memory 64M"),
+                 "hungers.ac: the import library (Assimp) asked for more than 64 MiB of memory to "
+                 "read it, which is the limit: --import-memory");
+    for (const char* bad : {"0", "-1", "x", "nan", "1,2"}) {
+      expect_error(with("good.ac", std::string("--import-seconds=") + bad),
+                   std::string("--import-seconds ") + bad + ": expected seconds, more than 0");
+    }
+    for (const char* bad : {"0M", "512", "-1G", "M", "1T", "nanM", "1e30G", "x"}) {
+      expect_error(with("good.ac", std::string("--import-memory=") + bad),
+                   std::string("--import-memory ") + bad +
+                       ": expected bytes with K, M or G, such as 512M");
+    }
+    EXPECT_EQ(run(with("good.ac", "--import-memory 1.5G --import-seconds 100 --any-format")), 0)
+        << command << err_;
+    for (const char* written : {"x.png", "x.draw", "x.npy", "x.svg", "g"}) {
+      fs::remove_all(folder_ / written);
+    }
+  }
 }
 
 TEST_F(MeshCommand, ExtensionsMayBeInEitherCase) {

@@ -77,12 +77,16 @@ std::string name_of_signal(int number) {
   }
 }
 
+/// Where something else in this process waits for all of its children.
+constexpr int kUnknownStatus = -1;
+
 /// What to say of a process that did not answer.
 Error without_answer(const std::string& path, const ImportLimits& limits, int status) {
   const auto failed = [&](const std::string& how) {
     return Error(fmt::format(
         "{}: not a mesh that can be read: the import library (Assimp) {}", path, how));
   };
+  if (status == kUnknownStatus) return failed("did not answer");
   if (WIFSIGNALED(status)) {
     const int number = WTERMSIG(status);
     if (number == SIGXCPU) return too_slow(path, limits);
@@ -178,8 +182,8 @@ std::string import_program(const std::string& path) {
       path, looked_at, std::strerror(why)));
 }
 
-/// What the program inherits: three descriptors, no blocked signal, and none ignored that would let
-/// it go on when nobody listens.
+/// What the program inherits: three descriptors, no blocked signal, and none ignored that tells of a
+/// crash or a limit, or that nobody listens. One that ends both if somebody sends it stays ignored.
 class Inheritance {
  public:
   Inheritance(int reply, int messages) {
@@ -188,12 +192,16 @@ class Inheritance {
     posix_spawn_file_actions_adddup2(&files_, messages, STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&files_, messages, STDERR_FILENO);
     posix_spawn_file_actions_adddup2(&files_, reply, kReplyDescriptor);
-    sigset_t none, all;
+    sigset_t none, its_own;
     sigemptyset(&none);
-    sigfillset(&all);
+    sigemptyset(&its_own);
+    for (const int number : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGPIPE, SIGSEGV, SIGSYS, SIGXCPU,
+                             SIGXFSZ}) {
+      sigaddset(&its_own, number);
+    }
     posix_spawnattr_init(&attributes_);
     posix_spawnattr_setsigmask(&attributes_, &none);
-    posix_spawnattr_setsigdefault(&attributes_, &all);
+    posix_spawnattr_setsigdefault(&attributes_, &its_own);
     posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   }
   Inheritance(const Inheritance&) = delete;
@@ -262,14 +270,13 @@ class ImportProcess {
     }
   }
 
-  /// Ends it, if it has not ended, and tells what it said. Returns its status, or 0 if something
-  /// else in this process waits for all children, and has it.
+  /// Ends it, if it has not ended, and tells what it said. Returns its status.
   int end() {
     if (child_ <= 0) return status_;
     kill(child_, SIGKILL);  // what has ended already keeps its status
     while (waitpid(child_, &status_, 0) < 0) {
       if (errno == EINTR) continue;
-      status_ = 0;
+      status_ = kUnknownStatus;
       break;
     }
     child_ = 0;

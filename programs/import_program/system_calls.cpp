@@ -72,7 +72,11 @@ std::vector<Allowed> allowed_calls() {
       {SYS_statx},
       {SYS_readlinkat},
       {SYS_faccessat},
+#ifdef SYS_faccessat2
+      {SYS_faccessat2},
+#endif
       {SYS_getcwd},
+      {SYS_statfs},  // how long paths may be
       {SYS_fcntl, 1, kAll, F_GETFL},
       {SYS_fcntl, 1, kAll, F_GETFD},
       {SYS_fcntl, 1, kAll, F_SETFD},
@@ -106,6 +110,7 @@ std::vector<Allowed> allowed_calls() {
       {SYS_getpid},
       {SYS_gettid},
       {SYS_sysinfo},
+      {SYS_prlimit64, 0, kAll, 0},  // its own, which cannot be raised
       {SYS_sched_yield},
       {SYS_futex},
       {SYS_rt_sigaction},

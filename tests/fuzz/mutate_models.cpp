@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -176,17 +177,23 @@ class Mutants {
   explicit Mutants(const Options& options) : options_(options), limits_(options.import.limits()) {
     for (auto& [extension, models] : models_in(options.folder, options.most_bytes)) {
       names_.push_back(extension.empty() ? "(none)" : extension);
+      if (models.front().bytes.size() <= kLarge) small_.push_back(formats_.size());
       formats_.push_back(std::move(models));
     }
-    if (formats_.empty() || formats_.size() > kMostFormats) {
+    if (small_.empty() || formats_.size() > kMostFormats) {
       throw Error(fmt::format("{}: {} formats: expected 1 to {}", options.folder, formats_.size(),
                               kMostFormats));
     }
   }
 
   const std::vector<std::string>& names() const { return names_; }
+  /// In turn; most turns of those that have large models alone go to others.
   std::size_t format_of(std::uint64_t mutant) const {
-    return static_cast<std::size_t>(mutant % formats_.size());
+    constexpr std::uint64_t kTurns = 16;
+    const auto format = static_cast<std::size_t>(mutant % formats_.size());
+    const std::uint64_t turn = mutant / formats_.size();
+    const bool is_small = formats_[format].front().bytes.size() <= kLarge;
+    return is_small || turn % kTurns == 0 ? format : small_[turn % small_.size()];
   }
   const ImportLimits& limits() const { return limits_; }
   bool starts_programs() const { return options_.exec; }
@@ -223,9 +230,12 @@ class Mutants {
                   fs::copy_options::overwrite_existing);
   }
 
+  static constexpr std::size_t kLarge = std::size_t{1} << 17;
+
   const Options& options_;
   ImportLimits limits_;
   std::vector<std::string> names_;
+  std::vector<std::size_t> small_;  // formats that have a small model
   std::vector<Format> formats_;
 };
 
@@ -245,6 +255,7 @@ int start_by_fork(std::vector<std::string>& words, int reply, int messages) {
 
 /// The process that reads.
 int read_all(const Mutants& mutants, std::uint64_t end, Shared& shared) {
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
   std::cerr.rdbuf(nullptr);  // what readers say of mutants
   if (!mutants.starts_programs()) {
     load_import_library("mutants");
@@ -317,8 +328,8 @@ int run(int argc, char** argv) {
                "start the program anew for each, as the command does, in place of a fork of one "
                "that has loaded the library");
   app.add_flag("--verbose", options.verbose, "tell of each");
-  options.import.memory = "512M";
-  options.import.seconds = "5";
+  options.import.memory = "256M";
+  options.import.seconds = "1";
   options.import.add_to(app);
   CLI11_PARSE(app, argc, argv);
 

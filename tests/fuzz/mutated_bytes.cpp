@@ -72,7 +72,7 @@ void change(std::string& bytes, const std::string& other, std::mt19937_64& rando
 }  // namespace
 
 std::string mutated(std::string bytes, const std::string& other, std::mt19937_64& random) {
-  const std::size_t changes = 1 + below(6, random);
+  const std::size_t changes = 1 + below(3, random);
   for (std::size_t i = 0; i < changes; ++i) change(bytes, other, random);
   return bytes;
 }

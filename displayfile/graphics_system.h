@@ -159,12 +159,12 @@ class GraphicsSystem {
   /// (displayfile/solids/README.md). A part is a shape, closed polygons that one call enters, a
   /// solid within it, or else the polygons between two of these, together. Solids may stand
   /// one within another, OpenSolids::kDeepest deep. Until the outermost ends, nothing is in the
-  /// display file. The modelling transformation and the styles are those in force at each polygon, the
-  /// cutting planes those in force at the end. Errors: no segment open, too deep.
+  /// display file. The modelling transformation and the styles are those in force at each polygon,
+  /// the cutting planes those in force at the end. Errors: no segment open, too deep.
   void begin_solid(SolidOperation operation = SolidOperation::unite);
   /// Combines the parts; one part alone is the solid as it is. What is left is entered as polygons,
-  /// in the styles and with the pick identifiers of those that they are parts of; if that is nothing,
-  /// empty_solids counts it. Errors, after which the solid is still open: none is, it has
+  /// in the styles and with the pick identifiers of those that they are parts of; if that is
+  /// nothing, empty_solids counts it. Errors, after which the solid is still open: none is, it has
   /// no part, a part is not closed; and with several parts, one that passes through itself, a
   /// result that is no solid, no library that combines (ExactSolid); cut faces with more than
   /// kMostHatchingLines.
@@ -298,8 +298,8 @@ class GraphicsSystem {
   bool takes_whole_solids() const {
     return !solids_.empty() || (cut_faces_.kind != CutFaces::Kind::open && cutting_planes_.any());
   }
-  /// Calls enter(), which enters the polygons of a closed solid: if takes_whole_solids(), as a solid
-  /// of one part. If enter() throws, or end_solid(), the solid is discarded.
+  /// Calls enter(), which enters the polygons of a closed solid: if takes_whole_solids(), as a
+  /// solid of one part. If enter() throws, or end_solid(), the solid is discarded.
   template <class Enter>
   void as_solid(Enter&& enter) {
     if (!takes_whole_solids()) return enter();

@@ -84,6 +84,7 @@ void replay_ahead(const std::string& program, const std::string& name, GraphicsS
   try {
     replay(program, name, ahead);
   } catch (const Error&) {
+    while (ahead.solids_open() > 0) ahead.discard_solid();
     if (ahead.open_segment_name()) ahead.close_segment();
   }
 }
@@ -184,8 +185,10 @@ void naming(const std::string& mesh, Enter&& enter) {
 
 }  // namespace
 
-std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
-                                    const MeshOptions& options) {
+namespace {
+
+std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsSystem& system,
+                                  const MeshOptions& options) {
   if (std::ranges::all_of(inputs, is_drawing_program)) {
     for (const std::string& input : inputs) {
       Progress progress("replaying " + input);
@@ -220,6 +223,19 @@ std::optional<Upright> enter_inputs(std::span<const std::string> inputs, Graphic
   }
   if (read.bare.empty() || read.said.settings.contains(Setting::camera)) return std::nullopt;
   return read.upright.upright();
+}
+
+}  // namespace
+
+std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
+                                    const MeshOptions& options) {
+  const std::int64_t empty_before = system.empty_solids();
+  const std::optional<Upright> upright = enter_each(inputs, system, options);
+  if (const std::int64_t empty = system.empty_solids() - empty_before; empty > 0) {
+    warnings() << fmt::format("{}: nothing is left of {} combined solid{}\n", inputs.front(), empty,
+                              empty == 1 ? "" : "s");
+  }
+  return upright;
 }
 
 std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,

@@ -20,8 +20,8 @@
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
 #include "tests/error_of.h"
-#include "tests/solid_scenes.h"
 #include "tests/random_views.h"
+#include "tests/solid_scenes.h"
 
 namespace displayfile {
 namespace {
@@ -39,9 +39,15 @@ const std::vector<Point2> kAngle{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}
 
 std::vector<EnterSolid> shapes() {
   return {
-      [](GraphicsSystem& g) { box_3(g, {-1, -1, -1}, {1, 1, 1}); },
-      [](GraphicsSystem& g) { torus_3(g, {0, 0, 0}, 1, 0.4, 13); },
-      [](GraphicsSystem& g) { sphere_3(g, {0.1, 0, 0}, 1, 12); },
+      [](GraphicsSystem& g) {
+        box_3(g, {-1, -1, -1}, {1, 1, 1});
+      },
+      [](GraphicsSystem& g) {
+        torus_3(g, {0, 0, 0}, 1, 0.4, 13);
+      },
+      [](GraphicsSystem& g) {
+        sphere_3(g, {0.1, 0, 0}, 1, 12);
+      },
       [](GraphicsSystem& g) { extrude_3(g, -1, 1, kAngle); },
       [](GraphicsSystem& g) {
         g.set_light({1, 2, 3});
@@ -141,8 +147,8 @@ TEST(CutFaces, ABoxCutInTwoHasARectangleInTheStylesInForce) {
     g.set_fill_style({.colour = {1, 0, 0}});
     box_3(g, {-1, -1, -1}, {1, 1, 1});
     g.set_fill_style({.colour = {0, 1, 0}});
-    box_3(g, {2, 0, 0}, {3, 1, 1});      // gone
-    box_3(g, {-1, 3, 0}, {0, 4, 1});     // whole
+    box_3(g, {2, 0, 0}, {3, 1, 1});   // gone
+    box_3(g, {-1, 3, 0}, {0, 4, 1});  // whole
   });
   const auto polygons = left.polygons();
   ASSERT_EQ(polygons.size(), 5u + 1u + 6u);
@@ -211,8 +217,11 @@ TEST(CutFaces, PointsAreThoseOfPolygonsThatAreCutByThemselves) {
 
 TEST(CutFaces, HatchingLinesAreSoFarApartAndFillTheCutFaceEvenOdd) {
   constexpr double kSpacing = 0.01;
-  const Entered left(cut([](GraphicsSystem& g) { torus_3(g, {0, 0, 0}, 1, 0.4, 40); },
-                         {{{0, 0, -1}, 0.1}}, {Kind::hatched, kSpacing}));
+  const Entered left(cut(
+      [](GraphicsSystem& g) {
+        torus_3(g, {0, 0, 0}, 1, 0.4, 40);
+      },
+      {{{0, 0, -1}, 0.1}}, {Kind::hatched, kSpacing}));
   const Mesh mesh = left.mesh();
   EXPECT_TRUE(is_closed(mesh));
   double length = 0.0;
@@ -230,16 +239,20 @@ TEST(CutFaces, HatchingLinesAreSoFarApartAndFillTheCutFaceEvenOdd) {
     EXPECT_NEAR(across, std::round(across), 1e-9);
     EXPECT_NEAR(b.y - a.y, b.x - a.x, 1e-12);
   }
-  const Section of = section(
-      Entered([](GraphicsSystem& g) { torus_3(g, {0, 0, 0}, 1, 0.4, 40); }).mesh(),
-      {{0, 0, 1}, 0.1});
+  const Section of = section(Entered([](GraphicsSystem& g) {
+                               torus_3(g, {0, 0, 0}, 1, 0.4, 40);
+                             }).mesh(),
+                             {{0, 0, 1}, 0.1});
   EXPECT_NEAR(length * kSpacing, of.area, 0.01 * of.area);
 }
 
 TEST(CutFaces, HatchingTurnsAndIsAPartOfTheSolidWhereNoSpacingIsSet) {
   const auto lines_of = [](const CutFaces& faces) {
-    const Entered left(cut([](GraphicsSystem& g) { box_3(g, {0, 0, 0}, {24, 12, 12}); },
-                           {{{0, 1, 0}, -6}}, faces));
+    const Entered left(cut(
+        [](GraphicsSystem& g) {
+          box_3(g, {0, 0, 0}, {24, 12, 12});
+        },
+        {{{0, 1, 0}, -6}}, faces));
     std::vector<Point3> steps;
     for (const std::uint32_t line : left.lines()) {
       steps.push_back(left.scene.points(line)[1] - left.scene.points(line)[0]);
@@ -259,7 +272,8 @@ TEST(CutFaces, HatchingTurnsAndIsAPartOfTheSolidWhereNoSpacingIsSet) {
 
 TEST(CutFaces, WhatIsEnteredPolygonByPolygonOrNotClosedStaysOpen) {
   const std::vector<Point3> vertices{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}};
-  const std::vector<std::uint32_t> open{0, 2, 1, 0, 1, 3, 1, 2, 3}, closed{0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+  const std::vector<std::uint32_t> open{0, 2, 1, 0, 1, 3, 1, 2, 3},
+      closed{0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
   const auto faces_of = [&](const EnterSolid& enter) {
     return Entered(cut(enter, {{{-1, 0, 0}, 1}}, {Kind::closed})).mesh().faces();
   };
@@ -322,7 +336,8 @@ TEST(CutFaces, RecordedAndReplayedTheyAreTheSame) {
     torus_3(g, {0, 0, 0}, 0.7, 0.2, 11);
     g.set_pick_id(5);
     g.polygons_abs_3(std::vector<Point3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
-                     std::vector<std::uint32_t>{0, 1, 2}, {}, std::vector<FillStyle>{{.colour = {1, 0, 0}}});
+                     std::vector<std::uint32_t>{0, 1, 2}, {},
+                     std::vector<FillStyle>{{.colour = {1, 0, 0}}});
     box_3(g, {0, 0, 0}, {0.3, 0.4, 0.5});
     g.set_cut_faces({Kind::closed});
     box_3(g, {0, 0, 0}, {0.3, 0.4, 0.5});
@@ -356,8 +371,9 @@ TEST(CutFaces, WordsThatAreNoneAreRefusedAndTheOldOnesStay) {
   EXPECT_NE(error_of_program("set-cut-faces shut\n")
                 .find("p:1:15: cut faces are open, closed or hatched, not 'shut'"),
             std::string::npos);
-  EXPECT_NE(error_of_program("set-cut-faces closed 1\n").find("2 arguments, expected open | closed"),
-            std::string::npos);
+  EXPECT_NE(
+      error_of_program("set-cut-faces closed 1\n").find("2 arguments, expected open | closed"),
+      std::string::npos);
   EXPECT_NE(error_of_program("set-cut-faces hatched x\n").find("p:1:23"), std::string::npos);
 }
 

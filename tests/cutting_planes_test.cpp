@@ -150,7 +150,10 @@ void enter_cut_shapes(Source& s, GraphicsSystem& g) {
   g.set_back_face_removal(false);
   for (int n = 1; n <= s.between(1, 4); ++n) set_any_plane(s, n, g);
   g.open_segment(1);
+  g.set_cut_faces({CutFaces::Kind::hatched, 0.1});
   sphere_3(g, any_point(s), 0.4, 10);
+  torus_3(g, any_point(s), 0.3, 0.1, 9);
+  g.set_cut_faces({CutFaces::Kind::open});
   box_3(g, {0.1, 0.2, 0.3}, {0.7, 0.8, 0.9});
   g.set_cutting_plane_off(1);
   torus_3(g, any_point(s), 0.3, 0.1, 9);

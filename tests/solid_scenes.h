@@ -88,9 +88,9 @@ inline double volume(const Mesh& mesh) {
     const auto face = mesh.face(i);
     const Point3 origin = mesh.vertices[0];
     for (std::size_t k = 2; k < face.size(); ++k) {
-      sum += glm::dot(mesh.vertices[face[0]] - origin,
-                      glm::cross(mesh.vertices[face[k - 1]] - origin,
-                                 mesh.vertices[face[k]] - origin));
+      sum += glm::dot(
+          mesh.vertices[face[0]] - origin,
+          glm::cross(mesh.vertices[face[k - 1]] - origin, mesh.vertices[face[k]] - origin));
     }
   }
   return sum / 6.0;

@@ -45,12 +45,13 @@ EnterSolid box(const Point3& low, const Point3& high) {
 
 /// The faces of a box, one by one, but for the last `missing`.
 void box_by_polygons(GraphicsSystem& g, int missing) {
-  const std::array<std::array<Point3, 4>, 6> faces{{{{{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}}},
-                                                    {{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}},
-                                                    {{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}},
-                                                    {{{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1}}},
-                                                    {{{1, 1, 0}, {0, 1, 0}, {0, 1, 1}, {1, 1, 1}}},
-                                                    {{{0, 1, 0}, {0, 0, 0}, {0, 0, 1}, {0, 1, 1}}}}};
+  const std::array<std::array<Point3, 4>, 6> faces{
+      {{{{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}}},
+       {{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}},
+       {{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}},
+       {{{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1}}},
+       {{{1, 1, 0}, {0, 1, 0}, {0, 1, 1}, {1, 1, 1}}},
+       {{{0, 1, 0}, {0, 0, 0}, {0, 0, 1}, {0, 1, 1}}}}};
   for (int k = 0; k < 6 - missing; ++k) g.polygon_abs_3(faces[static_cast<std::size_t>(k)]);
 }
 
@@ -242,8 +243,7 @@ TEST(CombinedSolids, FacesKeepTheColoursAndPickIdentifiersOfTheirParts) {
   EXPECT_EQ(painted.at(1.0).polygons, 6);
   EXPECT_EQ(painted.at(0.5).polygons, 12);
   for (const std::uint32_t i : drilled.polygons()) {
-    EXPECT_EQ(drilled.scene[i].pick,
-              drilled.scene.attributes(i).fill.colour.r == 1.0 ? 7 : 9);
+    EXPECT_EQ(drilled.scene[i].pick, drilled.scene.attributes(i).fill.colour.r == 1.0 ? 7 : 9);
   }
   EXPECT_TRUE(is_closed(drilled.mesh()));
   // A face with a hole shows its own sides and those of the hole, and nothing between them.
@@ -276,8 +276,7 @@ TEST(CombinedSolids, EachPartHasItsOwnTransformation) {
   const Mesh mesh = Entered([&](GraphicsSystem& g) {
                       g.translate_3(5, 0, 0);
                       solid_of(kIntersection, {box({-1, -1, -1}, {1, 1, 1}), turned})(g);
-                    })
-                        .mesh();
+                    }).mesh();
   EXPECT_TRUE(is_closed(mesh));
   EXPECT_NEAR(volume(mesh), 2 * 8 * (std::sqrt(2.0) - 1), 1e-12);  // an octagon
   for (const Point3& p : mesh.vertices) EXPECT_GE(p.x, 4.0);
@@ -285,12 +284,10 @@ TEST(CombinedSolids, EachPartHasItsOwnTransformation) {
 
 TEST(CombinedSolids, PolygonsBetweenShapesAreOnePart) {
   const auto loose = [](GraphicsSystem& g) { box_by_polygons(g, 0); };
-  const Mesh mesh =
-      Entered(solid_of(kDifference, {box({-1, -1, -1}, {2, 2, 2}), loose})).mesh();
+  const Mesh mesh = Entered(solid_of(kDifference, {box({-1, -1, -1}, {2, 2, 2}), loose})).mesh();
   EXPECT_EQ(volume(mesh), 26.0);  // with a hollow
   EXPECT_TRUE(is_closed(mesh));
-  const Mesh first =
-      Entered(solid_of(kIntersection, {loose, box({0.5, 0, 0}, {2, 2, 2})})).mesh();
+  const Mesh first = Entered(solid_of(kIntersection, {loose, box({0.5, 0, 0}, {2, 2, 2})})).mesh();
   EXPECT_EQ(volume(first), 0.5);
 }
 
@@ -298,8 +295,9 @@ TEST(CombinedSolids, RoundFacesKeepTheirNormals) {
   const Entered half([](GraphicsSystem& g) {
     g.set_light({1, 2, 3});
     g.set_shading(Shading::phong);
-    solid_of(kDifference, {box({-2, -2, -2}, {2, 2, 0.3}),
-                           [](GraphicsSystem& s) { sphere_3(s, {0, 0, 0}, 1, 24); }})(g);
+    solid_of(kDifference, {box({-2, -2, -2}, {2, 2, 0.3}), [](GraphicsSystem& s) {
+                             sphere_3(s, {0, 0, 0}, 1, 24);
+                           }})(g);
   });
   EXPECT_TRUE(is_closed(half.mesh()));
   int smooth = 0;
@@ -344,7 +342,8 @@ TEST(CombinedSolids, WhatIsNoSolidIsRefusedAndNothingIsLost) {
   g.begin_solid(kUnion);  // which touch along an edge
   box_3(g, {0, 0, 0}, {1, 1, 1});
   box_3(g, {1, 1, 0}, {2, 2, 1});
-  expect_error([&] { g.end_solid(); }, "the union touches itself along an edge");
+  expect_error([&] { g.end_solid(); },
+               "the union with part 2 of 2 of the solid touches itself along an edge");
   box_3(g, {0.5, 0.5, 0}, {1.5, 1.5, 1});
   EXPECT_EQ(g.solids_open(), 1u);
   g.discard_solid();
@@ -353,10 +352,13 @@ TEST(CombinedSolids, WhatIsNoSolidIsRefusedAndNothingIsLost) {
 }
 
 EnterSolid bush() {
-  return solid_of(kDifference,
-                  {[](GraphicsSystem& g) { cylinder_3(g, {0, 0, 0}, 1, 1, 16); },
-                   [](GraphicsSystem& g) { cylinder_3(g, {0, 0, -1}, 0.5, 3, 12); },
-                   box({0.3, -0.1, 0.2}, {2, 0.1, 0.8})});
+  return solid_of(kDifference, {[](GraphicsSystem& g) {
+                                  cylinder_3(g, {0, 0, 0}, 1, 1, 16);
+                                },
+                                [](GraphicsSystem& g) {
+                                  cylinder_3(g, {0, 0, -1}, 0.5, 3, 12);
+                                },
+                                box({0.3, -0.1, 0.2}, {2, 0.1, 0.8})});
 }
 
 TEST(CombinedSolids, CutAndHatchedTheyAreClosed) {
@@ -407,9 +409,9 @@ TEST(CombinedSolids, ProgramsHaveThem) {
       "box-3 1 3 1 3 1 3\nbox-3 1 3 1 3 -1 0.5\nend-solid\nend-solid\nclose-segment\n",
       "p", by_program);
   by_call.open_segment(1);
-  solid_of(kDifference, {box({0, 0, 0}, {2, 2, 2}),
-                         solid_of(kUnion, {box({1, 1, 1}, {3, 3, 3}), box({1, 1, -1}, {3, 3, 0.5})})})(
-      by_call);
+  solid_of(kDifference,
+           {box({0, 0, 0}, {2, 2, 2}),
+            solid_of(kUnion, {box({1, 1, 1}, {3, 3, 3}), box({1, 1, -1}, {3, 3, 0.5})})})(by_call);
   by_call.close_segment();
   EXPECT_EQ(dump(by_program.display_file()), dump(by_call.display_file()));
 }

@@ -135,8 +135,9 @@ class Faces {
 
  private:
   std::size_t count(std::uint32_t from, std::uint32_t to, std::uint32_t source) const {
-    return static_cast<std::size_t>(
-        std::ranges::equal_range(sides_, std::tuple(from, to, source), {}, &Side::place).size());
+    const auto key = std::tuple(from, to, source);
+    return static_cast<std::size_t>(std::ranges::upper_bound(sides_, key, {}, &Side::place) -
+                                    std::ranges::lower_bound(sides_, key, {}, &Side::place));
   }
 
   /// Of a side of the boundary of its source's face.

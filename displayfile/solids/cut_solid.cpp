@@ -94,7 +94,9 @@ class OnePlane {
   /// A loop that the plane does not meet stays or goes; of another there are chains.
   void cut_loop(std::span<const Corner> loop) {
     const std::size_t n = loop.size();
-    const auto is_inside = [&](std::size_t k) { return static_cast<bool>(is_inside_[loop[k % n].vertex]); };
+    const auto is_inside = [&](std::size_t k) {
+      return static_cast<bool>(is_inside_[loop[k % n].vertex]);
+    };
     std::size_t start = 0;
     while (start < n && !(is_inside(start + 1) && !is_inside(start))) ++start;
     if (start == n) {
@@ -158,7 +160,9 @@ class OnePlane {
       }
     }
     const Point3 extent = high - low;
-    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0
+                     : extent.y >= extent.z                       ? 1
+                                                                  : 2;
     ends_.clear();
     for (std::size_t k = 0; k < chains_.size(); ++k) {
       ends_.push_back({position(chains_[k].corners.front())[axis], k, true});
@@ -190,12 +194,11 @@ class OnePlane {
     for (std::size_t i = 0; i < links_.size();) {
       const Link link = links_[i];
       const auto same = [&](const Link& l) {
-        const auto range = std::ranges::equal_range(links_, l);
-        return static_cast<std::size_t>(range.size());
+        return std::ranges::upper_bound(links_, l) - std::ranges::lower_bound(links_, l);
       };
-      const std::size_t there = same(link), back = same({link.to, link.from});
-      for (std::size_t k = back; k < there; ++k) left.push_back(link);
-      i += there;
+      const std::ptrdiff_t there = same(link), back = same({link.to, link.from});
+      for (std::ptrdiff_t k = back; k < there; ++k) left.push_back(link);
+      i += static_cast<std::size_t>(there);
     }
     std::vector<bool> is_used(left.size(), false);
     std::vector<Point3> positions;

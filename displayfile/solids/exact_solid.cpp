@@ -12,6 +12,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
+#include <iterator>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -73,7 +76,7 @@ void require_simple(const ExactMesh& mesh, std::string_view name) {
       in_words(mesh.point(mesh.target(mesh.halfedge(std::ranges::min(crossing).first))))));
 }
 
-/// Their nearest doubles, or next to it.
+/// The nearest double, or the one next to it.
 double nearest(const Kernel::FT& exact) { return CGAL::to_double(CGAL::exact(exact)); }
 
 /// Whether the triangle beyond the half-edge lies in the plane of the one before it, and on its
@@ -104,7 +107,8 @@ ExactSolid::ExactSolid(const BoundingTriangles& triangles, std::string_view name
   PMP::orient_polygon_soup(points, soup);
   auto body = std::make_shared<Body>();
   ExactMesh& mesh = body->mesh;
-  if (PMP::is_polygon_soup_a_polygon_mesh(soup)) PMP::polygon_soup_to_polygon_mesh(points, soup, mesh);
+  if (PMP::is_polygon_soup_a_polygon_mesh(soup))
+    PMP::polygon_soup_to_polygon_mesh(points, soup, mesh);
   if (mesh.is_empty() || !CGAL::is_closed(mesh)) {
     throw Error(fmt::format("{} is not closed: expected a surface that bounds a solid", name));
   }
@@ -115,8 +119,8 @@ ExactSolid::ExactSolid(const BoundingTriangles& triangles, std::string_view name
   body_ = std::move(body);
 }
 
-ExactSolid ExactSolid::combined(SolidOperation operation, const ExactSolid& a,
-                                const ExactSolid& b) {
+ExactSolid ExactSolid::combined(SolidOperation operation, const ExactSolid& a, const ExactSolid& b,
+                                std::string_view name) {
   if (a.is_empty() || b.is_empty()) {
     const bool gone = operation == SolidOperation::intersect ||
                       (operation == SolidOperation::difference && a.is_empty());
@@ -132,22 +136,30 @@ ExactSolid ExactSolid::combined(SolidOperation operation, const ExactSolid& a,
   follow.of = &of;
   const auto parameters = CGAL::parameters::visitor(follow);
   bool done = false;
-  switch (operation) {
-    case SolidOperation::unite:
-      done = PMP::corefine_and_compute_union(first, second, body->mesh, parameters);
-      break;
-    case SolidOperation::intersect:
-      done = PMP::corefine_and_compute_intersection(first, second, body->mesh, parameters);
-      break;
-    case SolidOperation::difference:
-      done = PMP::corefine_and_compute_difference(first, second, body->mesh, parameters);
-      break;
+  try {
+    switch (operation) {
+      case SolidOperation::unite:
+        done = PMP::corefine_and_compute_union(first, second, body->mesh, parameters);
+        break;
+      case SolidOperation::intersect:
+        done = PMP::corefine_and_compute_intersection(first, second, body->mesh, parameters);
+        break;
+      case SolidOperation::difference:
+        done = PMP::corefine_and_compute_difference(first, second, body->mesh, parameters);
+        break;
+    }
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw Error(
+        fmt::format("the {} with {} was not found: {}", name_of(operation), name, error.what()));
   }
   if (!done) {
-    throw Error(fmt::format(
-        "the {} touches itself along an edge, with inside and outside on both sides: expected a "
-        "solid; move or size a part a little",
-        name_of(operation)));
+    throw Error(
+        fmt::format("the {} with {} touches itself along an edge, or in a point: expected a solid; "
+                    "move or size "
+                    "a part a little",
+                    name_of(operation), name));
   }
   return ExactSolid(std::move(body));
 }

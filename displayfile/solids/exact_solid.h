@@ -23,7 +23,8 @@ struct BoundingTriangles {
 };
 
 /// A solid whose vertices are where they are, not rounded. Made by the library that combines solids
-/// (exact_solid.cpp), or, where there was none when this was built, by none (exact_solid_absent.cpp).
+/// (exact_solid.cpp), or, where there was none when this was built, by none
+/// (exact_solid_absent.cpp).
 class ExactSolid {
  public:
   struct Body;  ///< the library's
@@ -34,8 +35,9 @@ class ExactSolid {
   ExactSolid(const BoundingTriangles& triangles, std::string_view name);
 
   /// Throws Error if the result is no solid whose surface parts inside from outside everywhere:
-  /// two that touch along an edge alone.
-  static ExactSolid combined(SolidOperation operation, const ExactSolid& a, const ExactSolid& b);
+  /// two that touch along an edge alone; `name` says which one b is.
+  static ExactSolid combined(SolidOperation operation, const ExactSolid& a, const ExactSolid& b,
+                             std::string_view name);
 
   bool is_empty() const;
   /// Its triangles, counterclockwise from outside; each vertex rounded, coordinate by coordinate.

@@ -20,7 +20,7 @@ ExactSolid::ExactSolid(const BoundingTriangles& /*triangles*/, std::string_view 
 }
 
 ExactSolid ExactSolid::combined(SolidOperation /*operation*/, const ExactSolid& /*a*/,
-                                const ExactSolid& /*b*/) {
+                                const ExactSolid& /*b*/, std::string_view /*name*/) {
   say_so();
 }
 

@@ -11,8 +11,8 @@ namespace displayfile {
 
 void OpenSolids::begin(SolidOperation operation) {
   if (levels_.size() == kDeepest) {
-    throw Error(fmt::format("solids within solids: expected at most {}, a shape being one, too",
-                            kDeepest));
+    throw Error(
+        fmt::format("solids within solids: expected at most {}, a shape being one, too", kDeepest));
   }
   const std::size_t faces = collected_.faces.size();
   std::size_t loose_around = faces;
@@ -86,8 +86,8 @@ std::optional<SolidFaces> OpenSolids::end() {
   if (parts.size() > 1) {
     ExactSolid solid = exactly(whole, name_of_part(0, parts.size()));
     for (std::size_t k = 1; k < parts.size(); ++k) {
-      const ExactSolid other = exactly(parts[k], name_of_part(k, parts.size()));
-      solid = ExactSolid::combined(levels_.back().operation, solid, other);
+      const std::string name = name_of_part(k, parts.size());
+      solid = ExactSolid::combined(levels_.back().operation, solid, exactly(parts[k], name), name);
     }
     whole.made = std::move(solid);
   }

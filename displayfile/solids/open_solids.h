@@ -29,8 +29,9 @@ class OpenSolids {
   /// A polygon of the innermost solid; `polygon` numbers the call that entered it.
   void add(const WorldPolygon& polygon, const Attributes& attributes, std::uint32_t polygon_number);
   /// Combines the parts of the innermost solid, which becomes a part of the one around it; of the
-  /// outermost it is the faces that are returned, none if nothing is left. Throws Error if it has no
-  /// parts, or one of them is no closed solid, and those of ExactSolid; nothing has changed then.
+  /// outermost it is the faces that are returned, none if nothing is left. Throws Error if it has
+  /// no parts, or one of them is no closed solid, and those of ExactSolid; nothing has changed
+  /// then.
   std::optional<SolidFaces> end();
   /// The innermost is as if it had not begun.
   void discard();

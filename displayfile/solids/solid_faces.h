@@ -12,8 +12,8 @@
 
 namespace displayfile {
 
-/// The surface of a solid in world coordinates: faces that share vertices, each a polygon or several
-/// loops, filled even-odd, with what they are drawn with.
+/// The surface of a solid in world coordinates: faces that share vertices, each a polygon or
+/// several loops, filled even-odd, with what they are drawn with.
 struct SolidFaces {
   struct Corner {
     std::uint32_t vertex;
@@ -21,7 +21,7 @@ struct SolidFaces {
     Point3 normal{0.0};         ///< if the face is smooth
   };
   struct Face {
-    Point3 normal{0.0};         ///< Newell's of the whole polygon that it is of, where there is light
+    Point3 normal{0.0};  ///< Newell's of the whole polygon that it is of, where there is light
     std::int32_t pick = 0;
     std::uint32_t attributes = 0;
     std::uint32_t polygon = 0;  ///< the call that entered it
@@ -36,7 +36,9 @@ struct SolidFaces {
   std::vector<Face> faces;
   std::vector<Attributes> attributes;
 
-  std::size_t first_loop(std::size_t face) const { return face == 0 ? 0 : faces[face - 1].end_loop; }
+  std::size_t first_loop(std::size_t face) const {
+    return face == 0 ? 0 : faces[face - 1].end_loop;
+  }
   std::span<const Corner> loop(std::size_t i) const {
     const std::size_t first = i == 0 ? 0 : end_corner[i - 1];
     return std::span(corners).subspan(first, end_corner[i] - first);
@@ -61,7 +63,8 @@ void set_to_face(FacePolygon& polygon, const SolidFaces& solid, std::size_t face
 using OpenSide = std::pair<Point3, Point3>;
 
 /// Nothing if each side of these polygons is used as often in one direction as in the other;
-/// vertices of equal position are one. As in polygons_abs_3, three corners each if `sides` is empty.
+/// vertices of equal position are one. As in polygons_abs_3, three corners each if `sides` is
+/// empty.
 std::optional<OpenSide> open_side(std::span<const Point3> vertices,
                                   std::span<const std::uint32_t> corners,
                                   std::span<const std::uint32_t> sides);

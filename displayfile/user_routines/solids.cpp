@@ -55,8 +55,8 @@ void GraphicsSystem::discard_solid() {
 void GraphicsSystem::set_cut_faces(const CutFaces& faces) {
   require_finite({faces.angle}, "angle");
   if (faces.spacing && !(*faces.spacing > 0.0 && *faces.spacing <= kCoordinateLimit)) {
-    throw Error(fmt::format("hatching {} apart: expected a number above 0, at most 1e100",
-                            *faces.spacing));
+    throw Error(
+        fmt::format("hatching {} apart: expected a number above 0, at most 1e100", *faces.spacing));
   }
   cut_faces_ = {faces.kind};
   if (faces.kind == CutFaces::Kind::hatched) cut_faces_ = faces;  // or they have no meaning
@@ -87,8 +87,8 @@ double GraphicsSystem::hatching_spacing(std::span<const Point3> solid) const {
       spacing, kMostHatchingLines, longest));
 }
 
-/// Cut, if its cut faces are to be closed, and its polygons entered, each with what it is drawn with;
-/// what was in force is in force again.
+/// Cut, if its cut faces are to be closed, and its polygons entered, each with what it is drawn
+/// with; what was in force is in force again.
 void GraphicsSystem::enter_solid(const SolidFaces& whole, double spacing) {
   if (whole.faces.empty()) {
     ++empty_solids_;
@@ -136,8 +136,7 @@ void GraphicsSystem::enter_face(const SolidFaces& solid, std::size_t i, bool is_
     is_to_be_cut ? enter(one) : enter_whole(one);
   };
   if (polygon.vertices.size() == 3 || !differ(polygon.normals)) {
-    return enter_one(
-        {polygon.vertices, polygon.edge_visible, normal, polygon.normals, pick});
+    return enter_one({polygon.vertices, polygon.edge_visible, normal, polygon.normals, pick});
   }
   for (const auto& [vertex, edge_visible] : triangulation_.triangulate(polygon.vertices)) {
     std::array<Point3, 3> corners, normals;
@@ -168,7 +167,8 @@ struct DirectionsInPlane {
 }  // namespace
 
 /// Lines within the loops of a cut face, filled even-odd, in the line style in force. They are
-/// entered a millionth of the solid's size before it, so that rounding does not hide them behind it.
+/// entered a millionth of the solid's size before it, so that rounding does not hide them behind
+/// it.
 void GraphicsSystem::enter_hatching(const SolidFaces& solid, std::size_t face, double spacing) {
   if (attributes_.line.kind == LineStyle::Kind::none) return;
   constexpr double kBefore = 1e-6;
@@ -186,8 +186,7 @@ void GraphicsSystem::enter_hatching(const SolidFaces& solid, std::size_t face, d
     }
   }
   const Point3 extent = high - low;
-  const Point3 origin =
-      -(offset + kBefore * std::max({extent.x, extent.y, extent.z})) * inward;
+  const Point3 origin = -(offset + kBefore * std::max({extent.x, extent.y, extent.z})) * inward;
   const auto [sine, cosine] = sine_cosine_of_degrees(cut_faces_.angle);
   for (const auto& [from, to] : hatched_loops(loops, spacing, {cosine, sine})) {
     enter_world_line(origin + from.x * in_plane.right + from.y * in_plane.up,

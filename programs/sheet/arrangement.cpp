@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "clip/error.h"
-#include "programs/sheet/chained_lines.h"
 #include "displayfile/solids/hatched_loops.h"
+#include "programs/sheet/chained_lines.h"
 #include "programs/sheet/unique_lines.h"
 
 namespace displayfile {

@@ -23,6 +23,7 @@ inline std::optional<std::string> difference_after_record_and_replay(std::string
   try {
     replay(program, "program", first);
   } catch (const Error&) {  // what it drew before stands
+    while (first.solids_open() > 0) first.discard_solid();
     if (first.open_segment_name()) first.close_segment();
     while (first.transformations_saved() > 0) first.restore_transformation_3();
   }

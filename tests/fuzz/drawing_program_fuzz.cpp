@@ -3,16 +3,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 
+#include "tests/fuzz/failed.h"
 #include "tests/fuzz/record_and_replay.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view program(reinterpret_cast<const char*>(data), size);
   if (const auto difference = displayfile::difference_after_record_and_replay(program)) {
-    std::fprintf(stderr, "the recording's dump differs: %s\n", difference->c_str());
-    std::abort();
+    displayfile::fuzz::failed("the recording's dump differs: " + *difference);
   }
   return 0;
 }

@@ -1,12 +1,11 @@
 // libFuzzer target: whatever a material library holds, reading it throws nothing but Error, and
 // every colour that it tells is one.
 
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 
 #include "clip/error.h"
 #include "displayfile/mesh/material_library.h"
+#include "tests/fuzz/failed.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace displayfile;
@@ -16,8 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       for (int part = 0; part < 3; ++part) {
         if (!material.colour) continue;
         if ((*material.colour)[part] >= 0.0 && (*material.colour)[part] <= 1.0) continue;
-        std::fprintf(stderr, "'%s' has a colour out of range\n", name.c_str());
-        std::abort();
+        fuzz::failed("'" + name + "' has a colour out of range");
       }
     }
   } catch (const Error&) {

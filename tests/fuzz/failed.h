@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+namespace displayfile::fuzz {
+
+/// Something does not hold: says what, and ends the target, which keeps the input.
+[[noreturn]] inline void failed(const std::string& what) {
+  std::fprintf(stderr, "%s\n", what.c_str());
+  std::abort();
+}
+
+}  // namespace displayfile::fuzz

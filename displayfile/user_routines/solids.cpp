@@ -67,7 +67,8 @@ void GraphicsSystem::set_cut_faces(const CutFaces& faces) {
 
 /// Between hatching lines on a solid that has these vertices. Error: there would be too many.
 double GraphicsSystem::hatching_spacing(std::span<const Point3> solid) const {
-  if (cut_faces_.kind != CutFaces::Kind::hatched || solid.empty()) return 1.0;
+  const bool is_hatched = cut_faces_.kind == CutFaces::Kind::hatched && cutting_planes_.any();
+  if (!is_hatched || solid.empty()) return 1.0;
   Point3 low = solid.front(), high = low, farthest(0.0);
   for (const Point3& p : solid) {
     low = glm::min(low, p);

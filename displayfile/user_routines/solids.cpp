@@ -11,7 +11,9 @@
 
 #include "clip/error.h"
 #include "clip/planarity.h"
+#include "clip/point.h"
 #include "clip/transformation.h"
+#include "clip/view.h"
 #include "displayfile/gouraud.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/solids/cut_solid.h"
@@ -155,13 +157,13 @@ void GraphicsSystem::enter_face(const SolidFaces& solid, std::size_t i, bool is_
 namespace {
 
 /// Two directions in a plane, seen from where its normal points: to the right along the level, and
-/// up. z is up; in a level plane, y.
+/// up, as the view has it; in a level plane up is away from the viewer.
 struct DirectionsInPlane {
   Point3 right, up;
 
-  explicit DirectionsInPlane(const Point3& normal) {
-    const bool is_level = normal.x == 0.0 && normal.y == 0.0;
-    right = unit(glm::cross(is_level ? Point3(0.0, 1.0, 0.0) : Point3(0.0, 0.0, 1.0), normal));
+  DirectionsInPlane(const Point3& normal, const View& view) {
+    const Point3 level = glm::cross(unit(view.up), normal);
+    right = unit(level != Point3(0.0) ? level : glm::cross(unit(view.plane_normal), normal));
     up = glm::cross(normal, right);
   }
 };
@@ -175,7 +177,7 @@ void GraphicsSystem::enter_hatching(const SolidFaces& solid, std::size_t face, d
   if (attributes_.line.kind == LineStyle::Kind::none) return;
   constexpr double kBefore = 1e-6;
   const auto [inward, offset] = cutting_planes_.unit_plane(solid.faces[face].cut_by);
-  const DirectionsInPlane in_plane(-inward);
+  const DirectionsInPlane in_plane(-inward, view_);
   std::vector<std::vector<Point2>> loops;
   Point3 low = solid.vertices[solid.loop(solid.first_loop(face))[0].vertex], high = low;
   for (std::size_t i = solid.first_loop(face); i < solid.faces[face].end_loop; ++i) {

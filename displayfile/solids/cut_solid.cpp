@@ -94,6 +94,7 @@ class OnePlane {
   /// A loop that the plane does not meet stays or goes; of another there are chains.
   void cut_loop(std::span<const Corner> loop) {
     const std::size_t n = loop.size();
+    if (n == 0) return;
     const auto is_inside = [&](std::size_t k) {
       return static_cast<bool>(is_inside_[loop[k % n].vertex]);
     };

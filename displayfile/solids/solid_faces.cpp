@@ -31,7 +31,7 @@ void set_to_face(FacePolygon& polygon, const SolidFaces& solid, std::size_t face
   const std::size_t first = solid.first_loop(face), end = solid.faces[face].end_loop;
   for (std::size_t i = first; i < end; ++i) {
     const auto loop = solid.loop(i);
-    for (const SolidFaces::Corner& corner : loop) add(corner, i == first || &corner != &loop[0]);
+    for (std::size_t k = 0; k < loop.size(); ++k) add(loop[k], i == first || k > 0);
     if (end - first == 1) return;
     add(loop.front(), true);  // its last side
     if (i > first && i + 1 < end) add(solid.loop(first).front(), false);

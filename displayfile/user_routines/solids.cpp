@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "clip/point.h"
 #include "clip/transformation.h"
+#include "clip/view.h"
 #include "displayfile/gouraud.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/solids/cut_solid.h"
@@ -66,7 +68,8 @@ void GraphicsSystem::set_cut_faces(const CutFaces& faces) {
 
 /// Between hatching lines on a solid that has these vertices. Error: there would be too many.
 double GraphicsSystem::hatching_spacing(std::span<const Point3> solid) const {
-  if (cut_faces_.kind != CutFaces::Kind::hatched || solid.empty()) return 1.0;
+  const bool is_hatched = cut_faces_.kind == CutFaces::Kind::hatched && cutting_planes_.any();
+  if (!is_hatched || solid.empty()) return 1.0;
   Point3 low = solid.front(), high = low, farthest(0.0);
   for (const Point3& p : solid) {
     low = glm::min(low, p);
@@ -153,13 +156,13 @@ void GraphicsSystem::enter_face(const SolidFaces& solid, std::size_t i, bool is_
 namespace {
 
 /// Two directions in a plane, seen from where its normal points: to the right along the level, and
-/// up. z is up; in a level plane, y.
+/// up, as the view has it; in a level plane up is away from the viewer.
 struct DirectionsInPlane {
   Point3 right, up;
 
-  explicit DirectionsInPlane(const Point3& normal) {
-    const bool is_level = normal.x == 0.0 && normal.y == 0.0;
-    right = unit(glm::cross(is_level ? Point3(0.0, 1.0, 0.0) : Point3(0.0, 0.0, 1.0), normal));
+  DirectionsInPlane(const Point3& normal, const View& view) {
+    const Point3 level = glm::cross(unit(view.up), normal);
+    right = unit(level != Point3(0.0) ? level : glm::cross(unit(view.plane_normal), normal));
     up = glm::cross(normal, right);
   }
 };
@@ -173,7 +176,7 @@ void GraphicsSystem::enter_hatching(const SolidFaces& solid, std::size_t face, d
   if (attributes_.line.kind == LineStyle::Kind::none) return;
   constexpr double kBefore = 1e-6;
   const auto [inward, offset] = cutting_planes_.unit_plane(solid.faces[face].cut_by);
-  const DirectionsInPlane in_plane(-inward);
+  const DirectionsInPlane in_plane(-inward, view_);
   std::vector<std::vector<Point2>> loops;
   Point3 low = solid.vertices[solid.loop(solid.first_loop(face))[0].vertex], high = low;
   for (std::size_t i = solid.first_loop(face); i < solid.faces[face].end_loop; ++i) {

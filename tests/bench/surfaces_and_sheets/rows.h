@@ -13,10 +13,10 @@ namespace displayfile::bench {
 struct TableOptions {
   std::vector<std::string> meshes;
   int rounds = 3;
-  int grids = 200;    ///< random surfaces
-  int size = 500;     ///< points each way beside gnuplot
-  int most = 2000;    ///< points each way of growth
-  double limit = 60;  ///< seconds that OpenCASCADE may take for a view
+  int grids = 200;     ///< random surfaces
+  int size = 500;      ///< points each way beside gnuplot
+  int most = 2000;     ///< points each way of growth
+  double limit = 300;  ///< seconds that OpenCASCADE may take to be ready, and for a view
 };
 
 /// The least costs of some rounds of a whole process. Throws Error if it fails.

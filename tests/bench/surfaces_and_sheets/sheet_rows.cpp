@@ -28,7 +28,8 @@ std::array<EyeDirection, 4> eyes_of_sheet() {
           EyeDirection{45.0, isometric}};
 }
 
-/// Seconds that the peer takes for all views, each view's least; throws PeerStopped.
+/// Seconds of the processor, of which the peer has one, for all views, each view's least; throws
+/// PeerStopped.
 double seconds_of_peer(const std::vector<PeerScene>& views, const TemporaryFolder& folder,
                        const TableOptions& options) {
   const std::string mesh = folder.file("mesh.obj"), view = folder.file("view");
@@ -36,7 +37,7 @@ double seconds_of_peer(const std::vector<PeerScene>& views, const TemporaryFolde
   for (const PeerScene& scene : views) {
     write_view(scene, view);
     PeerProcess peer({DISPLAYFILE_OCCT_LINES, mesh, view, "polygonal"}, options.limit);
-    const auto round = [&] { return std::stod(peer.ask("round wall hidden", "seconds")); };
+    const auto round = [&] { return std::stod(peer.ask("round processor hidden", "seconds")); };
     round();  // the first warms up
     double least = round();
     for (int k = 1; k < options.rounds; ++k) least = std::min(least, round());
@@ -68,7 +69,7 @@ void add_rows_of(const std::string& path, const TableOptions& options,
     return least_cost({DISPLAYFILE_COMMAND, "sheet", folder.file("mesh.obj"), "--lines", lines,
                        "-o", folder.file("sheet.svg")},
                       options.rounds)
-        .wall;
+        .processor;
   };
   try {
     const double theirs = seconds_of_peer(views, folder, options);

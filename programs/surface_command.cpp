@@ -12,6 +12,7 @@
 #include "clip/memory.h"
 #include "displayfile/output_file.h"
 #include "interp/draw.h"
+#include "programs/keep_freed_memory.h"
 #include "programs/progress.h"
 
 namespace displayfile {
@@ -177,6 +178,7 @@ int SurfaceCommand::run() const {
     entered += static_cast<double>(data.back().range.points());
     require_memory(entered, surface, has_holes(data.back()) ? kBytesOfOthers : bytes_of_cell);
   }
+  if (in_curves) ask_for_huge_pages(static_cast<std::size_t>(entered * kBytesOfCurves));
   if (!options.hidden) options.hidden = usual_method(data, shown.coloured);
   GraphicsSystem system;
   system.set_aspect_ratio(static_cast<double>(options.width) / options.height);

@@ -93,8 +93,9 @@ TEST_F(Bench, ReportsLinesOfSurfaces) {
                 "--readme R.md"),
             0)
       << err_;
+  const Json report = json("s.json");
   std::set<std::string> by_perimeter;
-  for (const Json& cell : json("s.json")["line_cells"]) {
+  for (const Json& cell : report["line_cells"]) {
     if (cell["method"] != "perimeter") continue;
     EXPECT_TRUE(cell["scene"].get<std::string>().starts_with("surface n=")) << cell;
     by_perimeter.insert(cell["scene"].get<std::string>() + (cell["exact"] ? "" : " rounded"));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <map>
@@ -15,6 +16,7 @@
 #include "displayfile/graphics_system.h"
 #include "displayfile/scene_lines.h"
 #include "hidden/lines/line_ends.h"
+#include "hidden/lines/visible_lines.h"
 #include "interp/truth/judged_lines.h"
 #include "tests/error_of.h"
 #include "tests/slower.h"
@@ -195,6 +197,34 @@ TEST(Perimeter, OfRandomGridsAndViews) {
     const auto curves = static_cast<SurfaceCurves>(dice.from(0, 2));
     const Compared result = compared(surface_seen(camera, nx, ny, heights, curves));
     EXPECT_LE(result.differs, kRounding);
+  }
+}
+
+/// They are drawn by nobody but who names them, as lines of either triangle, along which they run
+/// in opposite directions.
+TEST(Perimeter, DiagonalsThatAreAskedFor) {
+  constexpr int kPoints = 12;
+  const auto heights = heights_of(kPoints, kPoints, [](double x, double y) {
+    return 0.6 * std::sin(4.0 * x) * std::cos(3.0 * y);
+  });
+  const ViewedScene scene(surface_seen({35, 25, 5}, kPoints, kPoints, heights));
+  for (const std::uint32_t triangle : {0u, 1u}) {
+    std::vector<LineName> names;
+    for (std::uint32_t cell = 0; cell < (kPoints - 1) * (kPoints - 1); ++cell) {
+      names.push_back({2 * cell + triangle, triangle});
+    }
+    Pieces of_both[2];
+    for (const HiddenMethod method : {HiddenMethod::franklin, HiddenMethod::perimeter}) {
+      const SeenLines seen = visible_lines(scene.primitives(), names, method, {});
+      Pieces& pieces = of_both[method == HiddenMethod::perimeter];
+      for (const auto& [item, corner, from, to] : seen.pieces) {
+        pieces[{item, corner}].emplace_back(from, to);
+      }
+    }
+    double differs = 0.0;
+    for (const LineName& name : names) differs += difference(of_both[0][name], of_both[1][name]);
+    EXPECT_LT(differs, 1e-9) << triangle;
+    EXPECT_FALSE(of_both[0].empty());
   }
 }
 

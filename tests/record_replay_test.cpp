@@ -42,7 +42,7 @@ void expect_same_state(const GraphicsSystem& a, const GraphicsSystem& b) {
 /// Whatever the application called, its recording makes the same display file, bit for bit
 /// (numbers in dumps read back to the same doubles), and records to the same text again.
 TEST(RecordReplay, RandomApplications) {
-  constexpr int kApplications = 300 / test::kSlower, kCalls = 300;
+  constexpr int kApplications = 300 / test::kSlower, kCalls = 350;
   std::set<std::string> routines;
   std::size_t instructions = 0;
   int refused = 0;

@@ -195,7 +195,8 @@ TEST_F(SurfaceCommandTest, AnExpressionThatIsNoneIsToldWithItsPlace) {
   refuses("'x+q' -o s.svg", "expression 'x+q': at character 3");
   refuses("'' -o s.svg", "expected an expression in x and y");
   refuses("'1/x' --x 0:1 -o s.svg", "1/x: height inf of point 1 1 of the surface");
-  refuses("x --grid 2000000000x2000000000 -o s.svg", "out of memory: a grid of 2000000000 x");
+  refuses("x --grid 2000000000x2000000000 -o s.svg",
+          "out of memory: x: drawing 4000000000000000000 points needs");
 }
 
 }  // namespace

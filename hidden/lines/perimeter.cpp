@@ -133,9 +133,11 @@ class PerimeterMethod {
   bool draw(const Side& side) {
     const std::uint32_t name = named_.name(side.number);
     if (name == NamedSides::kNone) return true;
-    // A cell's first triangle runs along its sides to greater x and y, the second back.
+    // A cell's first triangle runs along its sides to greater x and y, but back along the diagonal;
+    // the second the other way.
     const auto [low, high] = std::minmax(side.from, side.to);
-    if (surface_.is_first(names_[name].item)) {
+    const bool is_diagonal = side.number >= surface_.diagonal(0, 0);
+    if (surface_.is_first(names_[name].item) != is_diagonal) {
       perimeters_.find_hidden(low, high, hidden_);
     } else {
       perimeters_.find_hidden(high, low, hidden_);

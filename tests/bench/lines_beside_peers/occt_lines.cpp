@@ -196,15 +196,24 @@ class ShapeMaker {
 /// What a round gives: shapes of visible edges, some of them null.
 using Seen = std::vector<TopoDS_Shape>;
 
-Seen seen_polygonally(const std::vector<TopoDS_Shape>& shapes, const HLRAlgo_Projector& projector) {
+/// With what is hidden, if that is asked for, after what is visible.
+Seen seen_polygonally(const std::vector<TopoDS_Shape>& shapes, const HLRAlgo_Projector& projector,
+                      bool with_hidden) {
   const Handle(HLRBRep_PolyAlgo) algorithm = new HLRBRep_PolyAlgo;
   for (const TopoDS_Shape& shape : shapes) algorithm->Load(shape);
   algorithm->Projector(projector);
   algorithm->Update();
   HLRBRep_PolyHLRToShape to_shape;
   to_shape.Update(algorithm);
-  return {to_shape.VCompound(), to_shape.Rg1LineVCompound(), to_shape.RgNLineVCompound(),
-          to_shape.OutLineVCompound()};
+  Seen seen{to_shape.VCompound(), to_shape.Rg1LineVCompound(), to_shape.RgNLineVCompound(),
+            to_shape.OutLineVCompound()};
+  if (with_hidden) {
+    for (const TopoDS_Shape& hidden : {to_shape.HCompound(), to_shape.Rg1LineHCompound(),
+                                       to_shape.RgNLineHCompound(), to_shape.OutLineHCompound()}) {
+      seen.push_back(hidden);
+    }
+  }
+  return seen;
 }
 
 Seen seen_exactly(const std::vector<TopoDS_Shape>& shapes, const HLRAlgo_Projector& projector) {
@@ -254,19 +263,20 @@ void serve(const std::string& mesh_path, const std::string& view_path, bool exac
     if (!exact) BRepMesh_IncrementalMesh(shape, 1.0);  // of planar faces: any deflection
   }
   std::cout << "peer: ready " << maker.left_out() << std::endl;
-  const auto find = [&] {
-    return exact ? seen_exactly(shapes, projector) : seen_polygonally(shapes, projector);
+  const auto find = [&](bool with_hidden) {
+    return exact ? seen_exactly(shapes, projector)
+                 : seen_polygonally(shapes, projector, with_hidden);
   };
   for (std::string line; std::getline(std::cin, line);) {
     std::istringstream words(line);
-    std::string word, argument;
-    words >> word >> argument;
+    std::string word, argument, more;
+    words >> word >> argument >> more;
     if (word == "round") {
       const double start = now(argument == "processor");
-      find();
+      find(more == "hidden");
       std::cout << "peer: seconds " << now(argument == "processor") - start << std::endl;
     } else if (word == "segments") {
-      const std::vector<double> ends = segments_of(find(), view);
+      const std::vector<double> ends = segments_of(find(false), view);
       std::ofstream(argument, std::ios::binary)
           .write(reinterpret_cast<const char*>(ends.data()),
                  static_cast<std::streamsize>(ends.size() * sizeof(double)));

@@ -1,7 +1,5 @@
-// The areas of sections against rational arithmetic: 50 planes through every closed mesh that is
-// given, of them 20 through vertices and 10 along faces, on both sides.
-//
-//   section_area MESH...
+// The areas of sections against rational arithmetic: 50 planes through every closed mesh, of them
+// 20 through vertices and 10 along faces, on both sides.
 
 #include <fmt/format.h>
 #include <gmpxx.h>
@@ -9,15 +7,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+#include <filesystem>
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "clip/error.h"
 #include "displayfile/mesh/section.h"
 #include "hidden/triangulation.h"
+#include "tests/bench/surfaces_and_sheets/rows.h"
 
-namespace displayfile {
+namespace displayfile::bench {
 namespace {
 
 using RationalPoint = std::array<mpq_class, 3>;
@@ -118,13 +116,14 @@ std::vector<SectionPlane> planes_through(const Mesh& mesh) {
   return planes;
 }
 
-/// False if an area is off by more than the limit.
-bool measure(const std::string& path) {
+Result row_of(const std::string& path) {
   constexpr double kLimit = 1e-12;
+  const std::string name = std::filesystem::path(path).stem().string();
   const Mesh mesh = read_mesh(path);
+  Result row{fmt::format("section areas of {}, 50 planes", name), "<= 1e-12", "", "", "", ""};
   if (!closed_and_consistently_oriented(mesh)) {
-    fmt::print("{:40} not closed\n", path);
-    return true;
+    row.measured = "not closed";
+    return row;
   }
   const auto triangles = triangles_of(mesh);
   double worst = 0.0;
@@ -135,21 +134,17 @@ bool measure(const std::string& path) {
     const double error = exact == found ? 0.0 : std::abs(found - exact) / std::abs(exact);
     worst = std::max(worst, error);
   }
-  fmt::print("{:40} {:8} faces  50 planes, {:2} cut  largest relative error {:.2e}\n", path,
-             mesh.faces(), cut, worst);
-  return worst <= kLimit;
+  row.measured = fmt::format("{:.2e}", worst);
+  row.spread = fmt::format("{} cut it", cut);
+  row.beside = "rational arithmetic, relative";
+  row.verdict = holds_if(worst <= kLimit);
+  return row;
 }
 
 }  // namespace
-}  // namespace displayfile
 
-int main(int argc, char** argv) {
-  bool good = true;
-  try {
-    for (int i = 1; i < argc; ++i) good &= displayfile::measure(argv[i]);
-  } catch (const displayfile::Error& error) {
-    fmt::print(stderr, "section_area: {}\n", error.what());
-    return 2;
-  }
-  return good ? 0 : 1;
+void add_section_rows(const TableOptions& options, std::vector<Result>& results) {
+  for (const std::string& path : options.meshes) results.push_back(row_of(path));
 }
+
+}  // namespace displayfile::bench

@@ -1,11 +1,8 @@
 // Surfaces: the whole command beside gnuplot's hidden3d, growth, the bytes of the pictures; and the
 // perimeter method, exact and as an array of columns, beside the truth and beside Franklin's.
-//   surface_table [--rounds 3] [--grids 200] [--size 500] [--most 2000]
-// Prints ratios, an exponent and lengths.
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -18,11 +15,10 @@
 #include "displayfile/scene_lines.h"
 #include "interp/truth/judged_lines.h"
 #include "programs/bench/growth.h"
-#include "programs/bench/process.h"
+#include "programs/bench/temporary_folder.h"
 #include "programs/bench/timing.h"
 #include "programs/scenes/random.h"
-#include "tests/bench/command_line.h"
-#include "tests/bench/result_table.h"
+#include "tests/bench/surfaces_and_sheets/rows.h"
 
 namespace displayfile::bench {
 namespace {
@@ -30,39 +26,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kFunction = "0.5*sin(x*2)*cos(y*2)";
-
-struct Options {
-  int rounds = 3;
-  int grids = 200;
-  int size = 500;
-  int most = 2000;
-};
-
-/// A folder that is there as long as the object is.
-class Folder {
- public:
-  Folder() : path_(fs::temp_directory_path() / "displayfile-surface-table") {
-    fs::create_directories(path_);
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  fs::path path_;
-};
-
-/// The least costs of some rounds.
-Cost least_cost(const std::vector<std::string>& command, int rounds) {
-  Cost least = cost_of(command);
-  for (int k = 1; k < rounds; ++k) {
-    const Cost cost = cost_of(command);
-    least.wall = std::min(least.wall, cost.wall);
-    least.processor = std::min(least.processor, cost.processor);
-  }
-  return least;
-}
 
 std::vector<std::string> our_command(int points, const std::string& output) {
   return {DISPLAYFILE_COMMAND,
@@ -77,19 +40,21 @@ std::vector<std::string> our_command(int points, const std::string& output) {
           output};
 }
 
-/// The same function and view, as its manual has it.
+/// The same function, as many points, the same parallel view, axes with numbers on both sides. The
+/// surface is a wire that hides itself, both sides in one style (offset 0), as ours has them: of
+/// the options of hidden3d the documented ones change its time by less than it varies.
 std::vector<std::string> command_of_gnuplot(int points, const std::string& output,
-                                            const Folder& folder) {
+                                            const TemporaryFolder& folder) {
   const std::string script = folder.file("surface.gp");
   std::ofstream(script) << fmt::format(
-      "set terminal svg size 640,480\nset output '{0}'\nset hidden3d\nset view 60,30\n"
+      "set terminal svg size 640,480\nset output '{0}'\nset hidden3d offset 0\nset view 60,30\n"
       "set samples {1},{1}\nset isosamples {1},{1}\nset xrange [-3:3]\nset yrange [-3:3]\n"
       "unset key\nsplot {2} with lines\n",
       output, points, kFunction);
   return {"gnuplot", script};
 }
 
-void compare_with_gnuplot(const Options& options, const Folder& folder,
+void compare_with_gnuplot(const TableOptions& options, const TemporaryFolder& folder,
                           std::vector<Result>& results) {
   const std::string ours = folder.file("ours.svg"), others = folder.file("gnuplot.svg");
   if (!run({"gnuplot", "--version"}).succeeded) {
@@ -98,7 +63,8 @@ void compare_with_gnuplot(const Options& options, const Folder& folder,
   }
   const std::string work = fmt::format("surface {0} x {0} to SVG", options.size);
   const Cost of_ours = least_cost(our_command(options.size, ours), options.rounds);
-  const Cost of_gnuplot = least_cost(command_of_gnuplot(options.size, others, folder), 1);
+  const Cost of_gnuplot =
+      least_cost(command_of_gnuplot(options.size, others, folder), options.rounds);
   const double faster = of_gnuplot.wall / of_ours.wall;
   results.push_back(
       {work, ">= 100 (goal 200)", fmt::format("{:.0f}", faster),
@@ -110,7 +76,8 @@ void compare_with_gnuplot(const Options& options, const Folder& folder,
                      holds_if(bytes <= 0.25)});
 }
 
-void measure_growth(const Options& options, const Folder& folder, std::vector<Result>& results) {
+void measure_growth(const TableOptions& options, const TemporaryFolder& folder,
+                    std::vector<Result>& results) {
   std::vector<double> cells, times;
   std::string each;
   for (const int points : {100, 200, 500, 1000, 2000}) {
@@ -157,7 +124,7 @@ DisplayFile random_surface(std::uint64_t seed) {
   return g.display_file();
 }
 
-void judge(const Options& options, std::vector<Result>& results) {
+void judge(const TableOptions& options, std::vector<Result>& results) {
   LineErrors exact, rounded;
   for (int seed = 0; seed < options.grids; ++seed) {
     const DisplayFile file = random_surface(static_cast<std::uint64_t>(seed));
@@ -180,7 +147,7 @@ void judge(const Options& options, std::vector<Result>& results) {
 }
 
 /// The perimeter method alone, on a surface of `points` each way.
-void compare_methods(const Options& options, std::vector<Result>& results) {
+void compare_methods(const TableOptions& options, std::vector<Result>& results) {
   const int points = std::min(options.size, 300);
   std::vector<double> heights;
   for (int j = 0; j < points; ++j) {
@@ -214,28 +181,14 @@ void compare_methods(const Options& options, std::vector<Result>& results) {
       {work + "exact over ROUNDOFF", "", fmt::format("{:.2f}", exact / rounded), "", "", ""});
 }
 
-void run_table(const Options& options) {
-  const Folder folder;
-  std::vector<Result> results;
+}  // namespace
+
+void add_surface_rows(const TableOptions& options, std::vector<Result>& results) {
+  const TemporaryFolder folder;
   compare_with_gnuplot(options, folder, results);
   measure_growth(options, folder, results);
   judge(options, results);
   compare_methods(options, results);
-  fmt::print("{}", text_table(results));
 }
 
-}  // namespace
 }  // namespace displayfile::bench
-
-int main(int argc, char** argv) {
-  displayfile::bench::Options options;
-  CLI::App app("Surfaces beside gnuplot and the truth", "surface_table");
-  app.add_option("--rounds", options.rounds)->check(CLI::Range(1, 100));
-  app.add_option("--grids", options.grids, "random grids")->check(CLI::Range(1, 100'000));
-  app.add_option("--size", options.size, "points each way beside gnuplot")
-      ->check(CLI::Range(10, 5'000));
-  app.add_option("--most", options.most, "points each way of growth")
-      ->check(CLI::Range(100, 10'000));
-  return displayfile::bench::parsed_and_run(app, argc, argv,
-                                            [&] { displayfile::bench::run_table(options); });
-}

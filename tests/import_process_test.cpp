@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "displayfile/mesh/allowed_formats.h"
 #include "displayfile/mesh/import_library.h"
 #include "displayfile/mesh/import_protocol.h"
 #include "displayfile/mesh/mesh.h"
@@ -92,6 +93,22 @@ void expect_same(const Mesh& a, const Mesh& b, const std::string& what) {
   EXPECT_EQ(a.skipped.degenerate_faces, b.skipped.degenerate_faces) << what;
   EXPECT_EQ(a.skipped.textured_faces, b.skipped.textured_faces) << what;
   EXPECT_EQ(a.skipped.transparent_faces, b.skipped.transparent_faces) << what;
+}
+
+/// Of systems on which the library runs in our own process.
+TEST(AllowedFormats, AreThoseWhoseReadersStoodTheMutations) {
+  for (const char* path : {"a.gltf", "b/A.GLB", "x.fbx"}) {
+    EXPECT_NO_THROW(require_allowed_format(path)) << path;
+  }
+  for (const char* path : {"a.mdl", "a.ASE", "a", "gltf", "a.gltf.lws"}) {
+    try {
+      require_allowed_format(path);
+      ADD_FAILURE() << path;
+    } catch (const Error& e) {
+      EXPECT_TRUE(std::string(e.what()).starts_with(std::string(path) + ": ")) << e.what();
+      EXPECT_NE(std::string(e.what()).find("--any-format"), std::string::npos) << e.what();
+    }
+  }
 }
 
 // ---- What is read ----------------------------------------------------------------------

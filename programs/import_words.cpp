@@ -61,8 +61,7 @@ ImportLimits ImportWords::limits() const {
   ImportLimits limits{.any_format = any_format};
   if (!memory.empty()) limits.memory = memory_of(memory);
   if (!seconds.empty()) {
-    limits.seconds =
-        positive_number("--import-seconds", seconds, seconds, "seconds, more than 0");
+    limits.seconds = positive_number("--import-seconds", seconds, seconds, "seconds, more than 0");
   }
   return limits;
 }

@@ -55,9 +55,8 @@ class Confinement : public test::TemporaryFolder {
 
 TEST_F(Confinement, HasNoNetworkNoProcessesNoProgramsAndNoSignalsToOthers) {
   const auto calls = [&](auto&& call) {
-    const int status = tried([&](const Enforced& enforced) {
-      return enforced.calls ? refused(call()) : kNotEnforced;
-    });
+    const int status = tried(
+        [&](const Enforced& enforced) { return enforced.calls ? refused(call()) : kNotEnforced; });
     EXPECT_TRUE(status == 0 || status == kNotEnforced) << status;
     return status;
   };
@@ -80,8 +79,8 @@ TEST_F(Confinement, HasNoNetworkNoProcessesNoProgramsAndNoSignalsToOthers) {
   calls([&] { return syscall(SYS_prlimit64, test, RLIMIT_CPU, nullptr, nullptr); });
   calls([] { return syscall(SYS_fcntl, 0, F_SETOWN, 1); });
   calls([] {
-    void* const memory = mmap(nullptr, 4096, PROT_READ | PROT_EXEC, MAP_PRIVATE | MAP_ANONYMOUS,
-                              -1, 0);
+    void* const memory =
+        mmap(nullptr, 4096, PROT_READ | PROT_EXEC, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     return memory == MAP_FAILED ? -1L : 0L;
   });
   calls([&] { return static_cast<long>(unlink((folder_ / "m.x").c_str())); });

@@ -1,5 +1,5 @@
-// Meshes of other formats are read in a process of their own: what becomes of it is one message, and
-// what it gives is what the library gives in this process.
+// Meshes of other formats are read in a process of their own: what becomes of it is one message,
+// and what it gives is what the library gives in this process.
 
 #include "displayfile/mesh/import_process.h"
 
@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "displayfile/mesh/allowed_formats.h"
 #include "displayfile/mesh/import_library.h"
 #include "displayfile/mesh/import_protocol.h"
 #include "displayfile/mesh/mesh.h"
@@ -70,9 +71,7 @@ std::ptrdiff_t open_descriptors() {
   return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {});
 }
 
-bool has_children() {
-  return waitpid(-1, nullptr, WNOHANG) >= 0 || errno != ECHILD;
-}
+bool has_children() { return waitpid(-1, nullptr, WNOHANG) >= 0 || errno != ECHILD; }
 
 void expect_same(const Mesh& a, const Mesh& b, const std::string& what) {
   EXPECT_EQ(a.vertices, b.vertices) << what;
@@ -96,6 +95,22 @@ void expect_same(const Mesh& a, const Mesh& b, const std::string& what) {
   EXPECT_EQ(a.skipped.transparent_faces, b.skipped.transparent_faces) << what;
 }
 
+/// Of systems on which the library runs in our own process.
+TEST(AllowedFormats, AreThoseWhoseReadersStoodTheMutations) {
+  for (const char* path : {"a.gltf", "b/A.GLB", "x.fbx"}) {
+    EXPECT_NO_THROW(require_allowed_format(path)) << path;
+  }
+  for (const char* path : {"a.mdl", "a.ASE", "a", "gltf", "a.gltf.lws"}) {
+    try {
+      require_allowed_format(path);
+      ADD_FAILURE() << path;
+    } catch (const Error& e) {
+      EXPECT_TRUE(std::string(e.what()).starts_with(std::string(path) + ": ")) << e.what();
+      EXPECT_NE(std::string(e.what()).find("--any-format"), std::string::npos) << e.what();
+    }
+  }
+}
+
 // ---- What is read ----------------------------------------------------------------------
 
 TEST_F(ImportProcess, GivesWhatTheLibraryGivesInThisProcess) {
@@ -117,9 +132,10 @@ TEST_F(ImportProcess, GivesWhatTheLibraryGivesInThisProcess) {
 TEST_F(ImportProcess, GivesWhatTheLibraryGivesOfModels) {
   const std::filesystem::path models = "/usr/share/assimp/models";
   int read = 0;
-  for (const char* name : {"FBX/box.fbx", "3DS/cube_with_diffuse_texture.3DS", "X/test.x",
-                           "Collada/cube_triangulate.dae", "BLEND/box.blend", "OpenGEX/Example.ogex",
-                           "AMF/test1.amf", "glTF/TwoBoxes/TwoBoxes.gltf"}) {
+  for (const char* name :
+       {"FBX/box.fbx", "3DS/cube_with_diffuse_texture.3DS", "X/test.x",
+        "Collada/cube_triangulate.dae", "BLEND/box.blend", "OpenGEX/Example.ogex", "AMF/test1.amf",
+        "glTF/TwoBoxes/TwoBoxes.gltf"}) {
     const std::string path = (models / name).string();
     if (!std::filesystem::exists(path)) continue;
     ++read;
@@ -253,8 +269,9 @@ TEST_F(ImportProcess, AHungerOfTheLibraryIsAMessage) {
   if (kWatchesResidentMemory) {
     expect_in("import library (Assimp)", message);
   } else {
-    expect_in("asked for more than 64 MiB of memory to read it, which is the limit: --import-memory",
-              message);
+    expect_in(
+        "asked for more than 64 MiB of memory to read it, which is the limit: --import-memory",
+        message);
   }
   put_in_its_place(fmt::format("exit {}", kOutOfMemoryStatus));
   expect_in("asked for more than 1000 bytes", refusal(path, {.memory = 1000}));
@@ -283,7 +300,7 @@ TEST_F(ImportProcess, AProgramThatIsNotThereIsNamed) {
   setenv("DISPLAYFILE_IMPORT_PROGRAM", path.c_str(), 1);
   expect_in("Permission denied", refusal(path));
   put_in_its_place("exit 4");
-  expect_in("another build", refusal(path));
+  expect_in("a program of another build", refusal(path));
 }
 
 TEST_F(ImportProcess, WhatTheProgramGivesIsNotBelieved) {

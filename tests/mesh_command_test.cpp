@@ -208,9 +208,9 @@ TEST_F(MeshCommand, LimitsOfTheImportLibraryAreOptions) {
                    std::string("--import-seconds ") + bad + ": expected seconds, more than 0");
     }
     for (const char* bad : {"0M", "512", "-1G", "M", "1T", "nanM", "1e30G", "x"}) {
-      expect_error(with("good.ac", std::string("--import-memory=") + bad),
-                   std::string("--import-memory ") + bad +
-                       ": expected bytes with K, M or G, such as 512M");
+      expect_error(
+          with("good.ac", std::string("--import-memory=") + bad),
+          std::string("--import-memory ") + bad + ": expected bytes with K, M or G, such as 512M");
     }
     EXPECT_EQ(run(with("good.ac", "--import-memory 1.5G --import-seconds 100 --any-format")), 0)
         << command << err_;

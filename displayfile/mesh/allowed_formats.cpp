@@ -13,7 +13,8 @@ namespace displayfile {
 
 namespace {
 
-constexpr std::array<std::string_view, 0> kAllowed{};
+constexpr std::array<std::string_view, 8> kAllowed{".amf",  ".dxf", ".fbx", ".glb",
+                                                   ".gltf", ".lwo", ".raw", ".xgl"};
 
 }  // namespace
 

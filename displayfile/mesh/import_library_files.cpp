@@ -37,7 +37,7 @@ static size_t size_of_neighbour(aiFile* file) {
 static aiReturn seek_in_neighbour(aiFile* file, size_t offset, aiOrigin origin) {
   const int from = origin == aiOrigin_SET ? SEEK_SET : origin == aiOrigin_CUR ? SEEK_CUR : SEEK_END;
   return std::fseek(file_of(file), static_cast<long>(offset), from) == 0 ? aiReturn_SUCCESS
-                                                                        : aiReturn_FAILURE;
+                                                                         : aiReturn_FAILURE;
 }
 
 static void flush_nothing(aiFile*) {}
@@ -48,8 +48,12 @@ static aiFile* open_neighbour(aiFileIO* io, const char* path, const char* mode) 
     if (mode == nullptr || mode[0] != 'r' || !neighbours.allows(path)) return nullptr;
     std::FILE* const opened = std::fopen(path, "rb");
     if (opened == nullptr) return nullptr;
-    return new aiFile{read_neighbour,    write_nothing,     place_in_neighbour,
-                      size_of_neighbour, seek_in_neighbour, flush_nothing,
+    return new aiFile{read_neighbour,
+                      write_nothing,
+                      place_in_neighbour,
+                      size_of_neighbour,
+                      seek_in_neighbour,
+                      flush_nothing,
                       reinterpret_cast<aiUserData>(opened)};
   } catch (...) {
     return nullptr;

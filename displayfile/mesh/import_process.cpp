@@ -83,8 +83,8 @@ constexpr int kUnknownStatus = -1;
 /// What to say of a process that did not answer.
 Error without_answer(const std::string& path, const ImportLimits& limits, int status) {
   const auto failed = [&](const std::string& how) {
-    return Error(fmt::format(
-        "{}: not a mesh that can be read: the import library (Assimp) {}", path, how));
+    return Error(
+        fmt::format("{}: not a mesh that can be read: the import library (Assimp) {}", path, how));
   };
   if (status == kUnknownStatus) return failed("did not answer");
   if (WIFSIGNALED(status)) {
@@ -97,7 +97,7 @@ Error without_answer(const std::string& path, const ImportLimits& limits, int st
   }
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
   if (code == kOutOfMemoryStatus) return too_hungry(path, limits);
-  if (code == kOtherProtocolStatus) return failed("is called by an import program of another build");
+  if (code == kOtherProtocolStatus) return failed("is called by a program of another build");
   return failed(fmt::format("ended the process in which it read it, with status {}", code));
 }
 
@@ -176,14 +176,15 @@ std::string import_program(const std::string& path) {
     if (errno != ENOENT && errno != ENOTDIR) why = errno;
     looked_at += (looked_at.empty() ? "" : ", ") + place.string();
   }
-  throw Error(fmt::format(
-      "{}: the program that reads it cannot be started: {}: {}; the environment's "
-      "DISPLAYFILE_IMPORT_PROGRAM names it where it stands elsewhere",
-      path, looked_at, std::strerror(why)));
+  throw Error(
+      fmt::format("{}: the program that reads it cannot be started: {}: {}; the environment's "
+                  "DISPLAYFILE_IMPORT_PROGRAM names it where it stands elsewhere",
+                  path, looked_at, std::strerror(why)));
 }
 
-/// What the program inherits: three descriptors, no blocked signal, and none ignored that tells of a
-/// crash or a limit, or that nobody listens. One that ends both if somebody sends it stays ignored.
+/// What the program inherits: three descriptors, no blocked signal, and none ignored that tells of
+/// a crash or a limit, or that nobody listens. One that ends both if somebody sends it stays
+/// ignored.
 class Inheritance {
  public:
   Inheritance(int reply, int messages) {
@@ -195,8 +196,8 @@ class Inheritance {
     sigset_t none, its_own;
     sigemptyset(&none);
     sigemptyset(&its_own);
-    for (const int number : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGPIPE, SIGSEGV, SIGSYS, SIGXCPU,
-                             SIGXFSZ}) {
+    for (const int number :
+         {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGPIPE, SIGSEGV, SIGSYS, SIGXCPU, SIGXFSZ}) {
       sigaddset(&its_own, number);
     }
     posix_spawnattr_init(&attributes_);
@@ -241,9 +242,9 @@ class ImportProcess {
   ImportProcess(const std::string& path, bool with_normals, const ImportLimits& limits)
       : path_(path), limits_(limits) {
     constexpr double kMostSeconds = 1e9;
-    deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                   std::chrono::duration<double>(
-                                       std::min(limits.seconds, kMostSeconds)));
+    deadline_ =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                           std::chrono::duration<double>(std::min(limits.seconds, kMostSeconds)));
     Pipe reply = make_pipe(path), messages = make_pipe(path);
     constexpr int kPipeBytes = 1 << 20;  // fewer turns; the system may have its own opinion
     fcntl(reply.write_end.number(), F_SETPIPE_SZ, kPipeBytes);
@@ -302,8 +303,7 @@ class ImportProcess {
   }
 
   void wait_for_more() {
-    std::array<pollfd, 2> ends{
-        {{reply_.number(), POLLIN, 0}, {messages_.number(), POLLIN, 0}}};
+    std::array<pollfd, 2> ends{{{reply_.number(), POLLIN, 0}, {messages_.number(), POLLIN, 0}}};
     using std::chrono::milliseconds;
     const auto left = std::chrono::ceil<milliseconds>(deadline_ - Clock::now());
     constexpr milliseconds kWatch(20), kLong(60'000);
@@ -359,8 +359,8 @@ Mesh read_by_import_process(const std::string& path, bool with_normals,
   require_limits(path, limits);
   ImportProcess process(path, with_normals, limits);
   try {
-    auto reply = receive_reply([&](std::span<std::byte> bytes) { process.fill(bytes); },
-                               limits.memory);
+    auto reply =
+        receive_reply([&](std::span<std::byte> bytes) { process.fill(bytes); }, limits.memory);
     process.end();
     if (auto* const mesh = std::get_if<Mesh>(&reply)) return std::move(*mesh);
     const std::string& message = std::get<std::string>(reply);
@@ -368,9 +368,9 @@ Mesh read_by_import_process(const std::string& path, bool with_normals,
   } catch (const NoAnswer&) {
     throw without_answer(path, limits, process.end());
   } catch (const BadReply& e) {
-    throw Error(fmt::format(
-        "{}: not a mesh that can be read: what the import program gave is none: {}", path,
-        e.what()));
+    throw Error(
+        fmt::format("{}: not a mesh that can be read: what the import program gave is none: {}",
+                    path, e.what()));
   }
 }
 

@@ -72,12 +72,12 @@ struct Mesh {
 };
 
 /// Reads a mesh: OBJ, OFF, PLY and STL in the precision of the file, any other format through the
-/// import library in a process of its own (import_process.h); README.md tells what is read of each. An object is an object
-/// or a group of OBJ, a solid of an STL text, a node of the library's scene, or else the whole
-/// file. Throws Error, naming the file and, where known, line and column: unreadable, unknown
-/// format, truncated, an index out of range, a coordinate that is not finite or larger than
-/// single precision holds, more announced than the file can hold, no faces; and, of what the import
-/// library reads, that it crashed, or took more time or memory than the limits say.
+/// import library in a process of its own (import_process.h); README.md tells what is read of each.
+/// An object is an object or a group of OBJ, a solid of an STL text, a node of the library's scene,
+/// or else the whole file. Throws Error, naming the file and, where known, line and column:
+/// unreadable, unknown format, truncated, an index out of range, a coordinate that is not finite or
+/// larger than single precision holds, more announced than the file can hold, no faces; and, of
+/// what the import library reads, that it crashed, or took more time or memory than the limits say.
 ///
 /// Normals of vertices are read only if they are wanted, and not from STL files, which have those
 /// of facets.

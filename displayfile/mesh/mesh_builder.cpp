@@ -11,8 +11,7 @@
 
 namespace displayfile {
 
-bool has_three_positions(std::span<const Point3> vertices,
-                         std::span<const std::uint32_t> corners) {
+bool has_three_positions(std::span<const Point3> vertices, std::span<const std::uint32_t> corners) {
   const Point3& first = vertices[corners[0]];
   const Point3* second = nullptr;
   for (const std::uint32_t corner : corners) {

@@ -233,8 +233,8 @@ void send_mesh(const Mesh& mesh, const ByteSink& sink) {
   std::vector<MaterialOnTheWay> materials;
   for (const Mesh::Material& m : mesh.materials) {
     const Colour c = m.colour.value_or(Colour(0.0));
-    materials.push_back({c.r, c.g, c.b, m.colour ? 1u : 0u, m.textured ? 1u : 0u,
-                         m.transparent ? 1u : 0u});
+    materials.push_back(
+        {c.r, c.g, c.b, m.colour ? 1u : 0u, m.textured ? 1u : 0u, m.transparent ? 1u : 0u});
   }
   std::vector<ObjectOnTheWay> objects;
   std::vector<std::uint64_t> warnings;

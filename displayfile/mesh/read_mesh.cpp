@@ -97,8 +97,8 @@ Mesh read_any(const std::string& path, bool with_normals, const ImportLimits& li
   const std::string extension =
       format != nullptr ? std::string(format->extension) : extension_of(path);
   if (format != nullptr || text_says_upright(extension)) in.read_to(file.data, in.size());
-  Mesh mesh = format != nullptr ? format->read(file)
-                                : read_by_import_process(path, with_normals, limits);
+  Mesh mesh =
+      format != nullptr ? format->read(file) : read_by_import_process(path, with_normals, limits);
   set_upright_of_format(mesh, extension, file.data);
   const bool is_known = mesh.upright || mesh.usual_upright;
   if (format == nullptr && !is_known) mesh.upright = upright("y");  // as the library gives them

@@ -87,8 +87,8 @@ bool allow_beneath(long rules, const std::filesystem::path& path, std::uint64_t 
   const int opened = open(path.c_str(), O_PATH | O_CLOEXEC);
   if (opened < 0) return false;
   const landlock_path_beneath_attr beneath{rights, opened};
-  const bool added = syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH, &beneath,
-                             0u) == 0;
+  const bool added =
+      syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH, &beneath, 0u) == 0;
   close(opened);
   return added;
 }
@@ -99,20 +99,19 @@ bool allow_neighbours_only(const NeighbourFiles& neighbours, const std::string& 
   if (version < 1) return false;
   landlock_ruleset_attr attributes{};
   attributes.handled_access_fs = file_rights(version);
-  const long rules = syscall(SYS_landlock_create_ruleset, &attributes,
-                             sizeof attributes.handled_access_fs, 0u);
+  const long rules =
+      syscall(SYS_landlock_create_ruleset, &attributes, sizeof attributes.handled_access_fs, 0u);
   if (rules < 0) return false;
-  const bool enforced =
-      allow_beneath(rules, neighbours.folder(),
-                    LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR) &&
-      allow_beneath(rules, mesh, LANDLOCK_ACCESS_FS_READ_FILE) &&
-      prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
-      syscall(SYS_landlock_restrict_self, rules, 0u) == 0;
+  const bool enforced = allow_beneath(rules, neighbours.folder(),
+                                      LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR) &&
+                        allow_beneath(rules, mesh, LANDLOCK_ACCESS_FS_READ_FILE) &&
+                        prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+                        syscall(SYS_landlock_restrict_self, rules, 0u) == 0;
   const int failure = errno;
   close(static_cast<int>(rules));
   if (!enforced) {
-    throw Error(fmt::format("{}: the import program cannot be confined to its neighbours: {}",
-                            mesh, std::strerror(failure)));
+    throw Error(fmt::format("{}: the import program cannot be confined to its neighbours: {}", mesh,
+                            std::strerror(failure)));
   }
   return true;
 }

@@ -1,4 +1,5 @@
-// The program `displayfile-import`. Only displayfile starts it (displayfile/mesh/import_process.md).
+// The program `displayfile-import`. Only displayfile starts it
+// (displayfile/mesh/import_process.md).
 
 #include "programs/exit_status.h"
 #include "programs/import_program/import_program.h"

@@ -38,8 +38,8 @@ void set_integer(std::string& bytes, std::mt19937_64& random) {
 
 void set_number_of_text(std::string& bytes, std::mt19937_64& random) {
   constexpr std::array<std::string_view, 12> kTelling{
-      "0", "-1", "1e38", "-1e39", "nan", "inf", "65536", "4294967295", "2147483647", "999999999",
-      "0.0000000001", ""};
+      "0",     "-1",         "1e38",       "-1e39",     "nan",          "inf",
+      "65536", "4294967295", "2147483647", "999999999", "0.0000000001", ""};
   const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
   const auto from = bytes.begin() + static_cast<std::ptrdiff_t>(below(bytes.size(), random));
   const auto first = std::find_if(from, bytes.end(), is_digit);

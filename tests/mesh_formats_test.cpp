@@ -176,6 +176,18 @@ TEST_F(MeshTest, OffHeadersAndVertices) {
   for (int k = 0; k < 3; ++k) EXPECT_EQ(mesh.normal(static_cast<std::size_t>(k))[2 - k], 1.0);
 }
 
+// As many as there may be, each of as many as may be, and nothing to read of any.
+TEST_F(MeshTest, PlyMayAnnounceManyElementsWithoutProperties) {
+  std::string ply = "ply\nformat ascii 1.0\n";
+  for (int k = 0; k < 50000; ++k) ply += fmt::format("element e{} 500000\n", k);
+  ply +=
+      "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const Mesh mesh = read_mesh(file("many.ply", ply + std::string(500000, '\n')));
+  EXPECT_EQ(mesh.vertices.size(), 3u);
+  EXPECT_EQ(mesh.faces(), 1u);
+}
+
 /// Every type, lists among them, elements that are not known, and faces before their vertices.
 TEST_F(MeshTest, PlyMayHoldMoreThanAMesh) {
   const std::string header =

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <set>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -100,6 +101,7 @@ PlyProperty ply_property(TextCursor& text) {
 
 PlyHeader ply_header(TextCursor& text) {
   PlyHeader header;
+  std::set<std::string_view> names;  // of elements
   while (text.next_line()) {
     const std::string_view keyword = text.field();
     if (keyword == "end_header") {
@@ -111,7 +113,7 @@ PlyHeader ply_header(TextCursor& text) {
     } else if (keyword == "element") {
       const std::string_view name = text.field();
       const std::string_view count = text.field();
-      if (std::ranges::find(header.elements, name, &PlyElement::name) != header.elements.end()) {
+      if (!names.insert(name).second) {
         text.fail(name, fmt::format("{}: expected each element once", TextCursor::quoted(name)));
       }
       header.elements.push_back({name, text.announced(count, name, 1), text.offset(count), {}});
@@ -290,6 +292,7 @@ class PlyReader {
 
  private:
   void skip(const PlyElement& element) {
+    if (element.properties.empty()) return;  // however many are announced
     for (PlyPlace place{element}; place.number < element.count; ++place.number) {
       for (const PlyProperty& property : element.properties) skip(property, place);
     }

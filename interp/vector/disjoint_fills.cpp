@@ -78,9 +78,9 @@ void DisjointFills::add(std::span<const Point2> loop, const FillPaint& paint, in
   pieces_.push_back({first, points_.size()});
   // It covers nothing, but neighbours on either side of it may have other vertices.
   if (in_line(Loop(points_).subspan(first))) return;
-  const auto known = std::ranges::find(segments_, segment);
-  const Key key{known - segments_.begin(), options_.pick_ids ? pick : -1, paint};
-  if (known == segments_.end()) segments_.push_back(segment);
+  const auto [known, is_new] = places_.try_emplace(segment, segments_.size());
+  if (is_new) segments_.push_back(segment);
+  const Key key{known->second, options_.pick_ids ? pick : -1, paint};
   pieces_of_[key].push_back(pieces_.size() - 1);
 }
 

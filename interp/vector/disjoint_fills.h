@@ -5,6 +5,7 @@
 #include <map>
 #include <span>
 #include <tuple>
+#include <unordered_map>
 #include <vector>
 
 #include "clip/point.h"
@@ -77,7 +78,8 @@ class DisjointFills {
   VectorOptions options_;
   std::vector<LatticePoint> points_;
   std::vector<Piece> pieces_;
-  std::vector<int> segments_;  // in the order in which they came
+  std::vector<int> segments_;                    // in the order in which they came
+  std::unordered_map<int, std::size_t> places_;  // of segments in it
   std::map<Key, std::vector<std::size_t>> pieces_of_;
 };
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 #include "clip/error.h"
@@ -126,11 +126,12 @@ std::string with_marks_of_layers(std::string_view content, std::span<const std::
 std::string with_layers(const std::string& document,
                         std::span<const std::string_view> layer_of_parts) {
   std::vector<std::string_view> names;
+  std::unordered_map<std::string_view, std::size_t> places;  // in the names
   std::vector<std::size_t> layers;
   for (const std::string_view name : layer_of_parts) {
-    const auto known = std::ranges::find(names, name);
-    layers.push_back(static_cast<std::size_t>(known - names.begin()));
-    if (known == names.end()) names.push_back(name);
+    const auto [known, is_new] = places.try_emplace(name, names.size());
+    if (is_new) names.push_back(name);
+    layers.push_back(known->second);
   }
   Document changed(document);
   changed.replace_content(with_marks_of_layers(changed.content(), layers));

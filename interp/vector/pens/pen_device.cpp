@@ -57,9 +57,9 @@ std::vector<Stroke>& PenDevice::strokes_of(const LineStyle& style) {
     return c.pen == pen && c.dash == dash && c.gap == gap;
   };
   if (last_ < collected_.size() && is_it(collected_[last_])) return collected_[last_].strokes;
-  const auto found = std::ranges::find_if(collected_, is_it);
-  last_ = static_cast<std::size_t>(found - collected_.begin());
-  if (found == collected_.end()) collected_.push_back({pen, dash, gap, {}});
+  const auto [place, is_new] = places_.try_emplace({pen, dash, gap}, collected_.size());
+  if (is_new) collected_.push_back({pen, dash, gap, {}});
+  last_ = place->second;
   return collected_[last_].strokes;
 }
 
@@ -103,17 +103,17 @@ void PenDevice::fill(const DrawnPolygon& polygon) {
   hatched_->add(points_, dark_, fills_are_disjoint_);
 }
 
-std::vector<Stroke>& PenDevice::strokes_of(const Pen& pen, std::vector<PenStrokes>& all) {
-  const auto found = std::ranges::find(all, pen, &PenStrokes::pen);
-  if (found != all.end()) return found->strokes;
-  return all.emplace_back(PenStrokes{pen, {}}).strokes;
-}
-
 std::vector<PenStrokes> PenDevice::strokes() {
   std::vector<PenStrokes> all;
+  std::map<Pen, std::size_t> places;
+  const auto strokes_of_pen = [&](const Pen& pen) -> std::vector<Stroke>& {
+    const auto [place, is_new] = places.try_emplace(pen, all.size());
+    if (is_new) all.push_back({pen, {}});
+    return all[place->second].strokes;
+  };
   for (Collected& c : collected_) {
     if (c.strokes.empty()) continue;
-    std::vector<Stroke>& of_pen = strokes_of(c.pen, all);
+    std::vector<Stroke>& of_pen = strokes_of_pen(c.pen);
     if (c.gap > 0.0) {
       c.strokes = dashes(stroke_chains(unique_strokes(std::move(c.strokes))), c.dash, c.gap);
     }
@@ -121,7 +121,7 @@ std::vector<PenStrokes> PenDevice::strokes() {
   }
   if (!hatched_) return all;
   if (const std::vector<Stroke> lines = hatched_->strokes(); !lines.empty()) {
-    std::vector<Stroke>& of_pen = strokes_of(hatching_pen_, all);
+    std::vector<Stroke>& of_pen = strokes_of_pen(hatching_pen_);
     of_pen.insert(of_pen.end(), lines.begin(), lines.end());
   }
   return all;

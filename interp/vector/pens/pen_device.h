@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "interp/output_device.h"
@@ -48,7 +51,6 @@ class PenDevice : public OutputDevice {
   };
   Point2 on_sheet(const Point3& device) const;
   std::vector<Stroke>& strokes_of(const LineStyle& style);
-  static std::vector<Stroke>& strokes_of(const Pen& pen, std::vector<PenStrokes>& all);
   void add(const Point3& from, const Point3& to, std::vector<Stroke>& strokes) const;
 
   Picture picture_;
@@ -58,7 +60,8 @@ class PenDevice : public OutputDevice {
   std::optional<HatchedFills> hatched_;
   bool fills_are_disjoint_ = false;
   std::vector<Collected> collected_;
-  std::size_t last_ = 0;  // that was asked for
+  std::map<std::tuple<Pen, double, double>, std::size_t> places_;  // in it, of pen, dash and gap
+  std::size_t last_ = 0;                                           // that was asked for
   std::vector<Point2> points_;
   std::vector<double> dark_;
 };

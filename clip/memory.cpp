@@ -56,11 +56,25 @@ std::size_t offered_memory() {
   return offered;
 }
 
+/// Where more was allowed than what is known to be needed, it ran out in the middle of the work: by
+/// the limit of the process, unless the system has set another.
 void out_of_memory(std::size_t bytes, const std::string& what) {
   const std::size_t allowed = bytes_allowed();
-  throw LimitReached(fmt::format(
-      "out of memory: {} needs at least {} bytes{}", what, bytes,
-      allowed == WorkLimits::kNone ? "" : fmt::format(", and the limit is {}", allowed)));
+  const WorkDone left = NamedWork::left_by_exception();
+  rlimit of_addresses{};
+  const bool is_limited =
+      ::getrlimit(RLIMIT_AS, &of_addresses) != 0 || of_addresses.rlim_cur != RLIM_INFINITY;
+  const std::string instead =
+      left.instead == nullptr ? "" : std::string(", or ").append(left.instead);
+  if (limit_of_process != 0 && bytes <= allowed && !is_limited) {
+    throw LimitReached(
+        fmt::format("out of memory: {}: {} bytes are not enough: expected a higher limit of "
+                    "memory{}",
+                    what, allowed, instead));
+  }
+  throw LimitReached(
+      fmt::format("out of memory: {} needs at least {} bytes{}", what, bytes,
+                  bytes <= allowed ? "" : fmt::format(", and the limit is {}", allowed)));
 }
 
 /// The system's pages are asked for, not the library's allocator: a compiler may leave out what is

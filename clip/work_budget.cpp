@@ -16,10 +16,9 @@ thread_local WorkDone left;
 /// With what is being done before it, and what would serve after it.
 [[noreturn]] void fail(const std::string& reached, const char* limit) {
   const auto& [what, instead] = in_force.done;
-  throw LimitReached(fmt::format("{}{}: expected a higher limit of {}{}{}",
-                                 what == nullptr ? "" : std::string(what) + ": ", reached, limit,
-                                 instead == nullptr ? "" : ", or ",
-                                 instead == nullptr ? "" : instead));
+  throw LimitReached(fmt::format(
+      "{}{}: expected a higher limit of {}{}{}", what == nullptr ? "" : std::string(what) + ": ",
+      reached, limit, instead == nullptr ? "" : ", or ", instead == nullptr ? "" : instead));
 }
 
 }  // namespace
@@ -78,8 +77,7 @@ BudgetInForce::BudgetInForce(const WorkInForce& as_on_another_thread) noexcept
     : before_(std::exchange(in_force, as_on_another_thread)) {}
 BudgetInForce::~BudgetInForce() { in_force = before_; }
 
-NamedWork::NamedWork(const WorkDone& done) noexcept
-    : before_(std::exchange(in_force.done, done)) {}
+NamedWork::NamedWork(const WorkDone& done) noexcept : before_(std::exchange(in_force.done, done)) {}
 NamedWork::~NamedWork() {
   if (std::uncaught_exceptions() > 0 && left.what == nullptr) left = in_force.done;
   in_force.done = before_;

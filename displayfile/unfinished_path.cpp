@@ -62,7 +62,8 @@ void UnfinishedPath::remove_all() noexcept {
   }
 }
 
-// ---- Names while the process is told to stop -----------------------------------------------------
+// ---- Names while the process is told to stop
+// -----------------------------------------------------
 
 UnfinishedPath::Naming::Naming() : before_() {
   if (names_of_thread++ > 0) return;

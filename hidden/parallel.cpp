@@ -4,6 +4,9 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <new>
+#include <stdexcept>
+#include <string_view>
 
 #include "clip/work_budget.h"
 
@@ -48,13 +51,19 @@ void share_out(int threads, std::size_t count, const std::function<void(std::siz
   }
   char begun, ended;
   happens_before(&begun);
-  tbb::task_arena(threads).execute([&] {
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
-      happens_after(&begun);
-      work(k);
-      happens_before(&ended);
+  try {
+    tbb::task_arena(threads).execute([&] {
+      tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+        happens_after(&begun);
+        work(k);
+        happens_before(&ended);
+      });
     });
-  });
+  } catch (const std::runtime_error& failure) {
+    // The library's word for a thread that there is no memory for.
+    if (std::string_view(failure.what()).starts_with("pthread_create")) throw std::bad_alloc();
+    throw;
+  }
   happens_after(&ended);
 }
 

@@ -57,7 +57,9 @@ void end_when_time_is_over(double seconds) {
 }
 
 std::size_t usual_memory() {
-  return static_cast<std::size_t>(kShareOfMachine * static_cast<double>(memory_of_machine()));
+  static const auto usual =
+      static_cast<std::size_t>(kShareOfMachine * static_cast<double>(memory_of_machine()));
+  return usual;
 }
 
 WorkLimits limits_of(const WorkLimitWords& words) {
@@ -115,9 +117,10 @@ void WorkLimitWords::add_to(CLI::App& command) {
                               static_cast<double>(usual_memory()) * 0x1p-30))
       ->group(kLimitOptions);
   command
-      .add_option("--limit-pieces", pieces,
-                  "into how many pieces polygons may be cut, in how many lines may be seen, and how "
-                  "many edges the map may have; what is not cut is always allowed")
+      .add_option(
+          "--limit-pieces", pieces,
+          "into how many pieces polygons may be cut, in how many lines may be seen, and how "
+          "many edges the map may have; what is not cut is always allowed")
       ->check(CLI::Range(1.0, 4e9))
       ->capture_default_str()
       ->group(kLimitOptions);

@@ -107,14 +107,15 @@ TEST_F(OutputFileTest, FolderThatWentAwayIsAnErrorAtCommit) {
     if (named) file.temporary_path();
     file.stream() << "text";
     fs::rename(gone, folder_ / "elsewhere");
-    EXPECT_EQ(test::error_of([&] { file.commit(); }),
-              (gone / "p.png").string() + ": cannot be written: there is no folder " +
-                  gone.string());
+    EXPECT_EQ(
+        test::error_of([&] { file.commit(); }),
+        (gone / "p.png").string() + ": cannot be written: there is no folder " + gone.string());
     fs::remove_all(folder_ / "elsewhere");
   }
 }
 
-/// A process may be told how long a file may be: what is longer is an error, and the old file stays.
+/// A process may be told how long a file may be: what is longer is an error, and the old file
+/// stays.
 TEST_F(OutputFileTest, FileThatMayNotBeSoLongIsAnError) {
   write(target_, "old");
   rlimit before{};

@@ -10,8 +10,8 @@
 
 #include "clip/clip_pipeline.h"
 #include "clip/memory.h"
-#include "clip/work_budget.h"
 #include "clip/transformation.h"
+#include "clip/work_budget.h"
 #include "interp/truth/exact_view.h"
 #include "interp/truth/true_picture.h"
 

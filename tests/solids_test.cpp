@@ -16,6 +16,7 @@
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
 #include "tests/error_of.h"
+#include "tests/random_views.h"
 #include "tests/solid_scenes.h"
 
 namespace displayfile {
@@ -25,6 +26,7 @@ using test::Entered;
 using test::EnterSolid;
 using test::expect_error;
 using test::is_closed;
+using test::Source;
 using test::volume;
 
 constexpr auto kUnion = SolidOperation::unite;
@@ -198,6 +200,38 @@ TEST(CombinedSolids, OfTwoBoxes) {
     EXPECT_TRUE(is_closed(mesh));
     EXPECT_EQ(volume(mesh), expected[k]);
     EXPECT_EQ(mesh.faces(), faces[k]);
+  }
+}
+
+TEST(CombinedSolids, VolumesOfPartsThatLieAnyhowAddUp) {
+  Source s(6);
+  for (int round = 0; round < 24; ++round) {
+    const auto any_solid = [&]() -> EnterSolid {
+      const Point3 by{s.unit(), s.unit(), s.unit()};
+      const double turn = 360 * s.unit();
+      const int kind = s.below(3);
+      return [=](GraphicsSystem& g) {
+        g.save_transformation_3();
+        g.translate_3(by.x, by.y, by.z);
+        g.rotate_x_3(turn);
+        g.rotate_y_3(turn);
+        if (kind == 0) box_3(g, {0, 0, 0}, {1, 0.8, 1.2});
+        if (kind == 1) torus_3(g, {0, 0, 0}, 0.8, 0.3, 11);
+        if (kind == 2) cone_3(g, {0, 0, 0}, 0.8, 1, 13, 0.3);
+        g.restore_transformation_3();
+      };
+    };
+    const EnterSolid a = any_solid(), b = any_solid();
+    const auto volume_of = [&](SolidOperation operation, const std::vector<EnterSolid>& parts) {
+      const Mesh mesh = Entered(solid_of(operation, parts)).mesh();
+      EXPECT_TRUE(is_closed(mesh)) << round;
+      return mesh.faces() == 0 ? 0.0 : volume(mesh);
+    };
+    const double both = volume_of(kIntersection, {a, b});
+    const double of_a = volume_of(kUnion, {a}), of_b = volume_of(kUnion, {b});
+    EXPECT_NEAR(volume_of(kUnion, {a, b}), of_a + of_b - both, 1e-12) << round;
+    EXPECT_NEAR(volume_of(kDifference, {a, b}), of_a - both, 1e-12) << round;
+    EXPECT_NEAR(volume_of(kDifference, {a, solid_of(kDifference, {a, b})}), both, 1e-12) << round;
   }
 }
 

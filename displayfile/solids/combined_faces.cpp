@@ -111,7 +111,11 @@ class Faces {
         from = to;
       }
     }
-    std::ranges::sort(sides_, {}, &Side::place);
+    // Where rounding has made vertices one, sides may be several; their order is not left to
+    // chance.
+    std::ranges::sort(sides_, {}, [](const Side& side) {
+      return std::tuple(side.from, side.to, side.source, side.is_flat);
+    });
   }
 
   SolidFaces put_together() {

@@ -8,6 +8,8 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/shape_predicates.h>
+#include <CGAL/Random.h>
 #include <CGAL/Surface_mesh.h>
 #include <fmt/format.h>
 
@@ -56,6 +58,10 @@ struct SourcesFollow : PMP::Corefinement::Default_visitor<ExactMesh> {
   }
 };
 
+/// The library draws lots, from a seed that is the time unless this is called: how a face is cut
+/// into triangles would not be the same each time.
+void draw_the_same_lots() { CGAL::get_default_random() = CGAL::Random(1); }
+
 /// A point of a mesh, for a message.
 std::string in_words(const ExactPoint& p) {
   return fmt::format("{:.6g} {:.6g} {:.6g}", CGAL::to_double(p.x()), CGAL::to_double(p.y()),
@@ -103,6 +109,7 @@ ExactSolid::ExactSolid(const BoundingTriangles& triangles, std::string_view name
   std::vector<std::array<std::size_t, 3>> soup;
   soup.reserve(triangles.triangles.size());
   for (const auto& [a, b, c] : triangles.triangles) soup.push_back({a, b, c});
+  draw_the_same_lots();
   // Where surfaces touch at a vertex or an edge it is made several.
   PMP::orient_polygon_soup(points, soup);
   auto body = std::make_shared<Body>();
@@ -127,6 +134,7 @@ ExactSolid ExactSolid::combined(SolidOperation operation, const ExactSolid& a, c
     if (gone) return ExactSolid(std::make_shared<Body>());
     return a.is_empty() ? b : a;
   }
+  draw_the_same_lots();
   ExactMesh first = a.body_->mesh, second = b.body_->mesh;  // both are cut
   auto body = std::make_shared<Body>();
   std::array<SourcesFollow::Of, 3> of{{{&first, sources_of(first)},

@@ -73,7 +73,8 @@ int run(int argc, char** argv) {
   WorkLimitWords limits;
   const auto add = [&](auto& command) {
     CLI::App& subcommand = command.add_to(app);
-    limits.add_to(subcommand);
+    // Those of the others would only take time at every start.
+    if (argc > 1 && subcommand.get_name() == argv[1]) limits.add_to(subcommand);
     subcommand.callback([&] {
       chosen = [&] {
         const WorkLimitsInForce in_force(limits);

@@ -17,9 +17,9 @@ VectorKind vectors_of_processor();
 /// The kind of that name: baseline, sse4, avx2 or avx512. Throws Error for any other.
 VectorKind vector_kind(std::string_view name);
 
-/// The widest vectors that are used: the processor's, or no wider ones than the environment variable
-/// DISPLAYFILE_VECTORS names, with which tests run the narrower forms too. All give the same results.
-/// Found at the first call. Throws Error if the variable names no kind.
+/// The widest vectors that are used: the processor's, or no wider ones than the environment
+/// variable DISPLAYFILE_VECTORS names, with which tests run the narrower forms too. All give the
+/// same results. Found at the first call. Throws Error if the variable names no kind.
 VectorKind widest_vectors();
 
 /// The form of a function for the widest vectors that can be run. The forms are given in the order

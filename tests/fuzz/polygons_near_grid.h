@@ -12,10 +12,10 @@ namespace displayfile::fuzz {
 /// What a target makes of its bytes: polygons, concave and crossing as they come, with vertices on
 /// a grid and an ulp or two beside it.
 struct PolygonsNearGrid {
-  int most;             ///< polygons
-  int every_second;     ///< half the steps of a grid whose every second line is one of centres
+  int most;              ///< polygons
+  int every_second;      ///< half the steps of a grid whose every second line is one of centres
   LineStyle::Kind line;  ///< of their sides
-  bool lines = false;   ///< now and then a line in place of a polygon
+  bool lines = false;    ///< now and then a line in place of a polygon
 };
 
 inline DisplayFile display_file_of(FuzzInput input, const PolygonsNearGrid& what) {

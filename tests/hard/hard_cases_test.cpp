@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "brute_force_truth.h"
@@ -80,8 +82,12 @@ TEST(HardCases, NamesAreDifferent) {
   EXPECT_GE(names.size(), 40u);
 }
 
+/// Families that every method of today draws right: equal polygons round alike, and what is edge-on
+/// covers nothing, unless a method makes something of it.
+constexpr std::array<std::string_view, 2> kDrawnRightByAll{"coplanar_copies", "edge_on"};
+
 // A suite whose pictures are empty, or that any method draws right, would judge nothing: of each
-// family some method that is not exact draws a pixel wrong.
+// other family some method that is not exact draws a pixel wrong.
 TEST(HardCases, AreHard) {
   const auto all = methods();
   std::size_t painter_wrong = 0, float_wrong = 0;
@@ -101,7 +107,8 @@ TEST(HardCases, AreHard) {
       }
     }
     EXPECT_FALSE(empty) << family.name << ": no pixel of any severity shows a polygon";
-    EXPECT_TRUE(any) << family.name << " has become easy: every method draws it right";
+    const bool known = std::ranges::find(kDrawnRightByAll, family.name) != kDrawnRightByAll.end();
+    EXPECT_EQ(any, !known) << family.name << (known ? " is hard" : " has become easy");
     painter_wrong += painter;
     float_wrong += single;
   }

@@ -17,7 +17,7 @@ namespace {
 using namespace displayfile;
 
 bool are_equal(const Picture& a, const Picture& b) {
-  return a.width == b.width && a.height == b.height && a.rgba == b.rgba;
+  return a.width == b.width && a.height == b.height && a.pixels == b.pixels;
 }
 
 void read_array(const std::string& path) {

@@ -54,14 +54,14 @@ Mesh torus(int around, int across) {
 
 /// The area in the projection along an axis, a sum over triangles with no loops at all. A vertex
 /// in the plane counts as before it.
-mpq_class exact_projected_area(const Mesh& mesh, const SectionPlane& plane, int axis) {
+mpq_class exact_projected_area(const Mesh& mesh, const SectionPlane& plane, std::size_t axis) {
   using Exact = std::array<mpq_class, 3>;
   const auto exact = [](const Point3& p) { return Exact{p.x, p.y, p.z}; };
   const auto value = [&](const Exact& p) {
     return mpq_class(plane.normal.x * p[0] + plane.normal.y * p[1] + plane.normal.z * p[2] -
                      plane.distance);
   };
-  const int x = (axis + 1) % 3, y = (axis + 2) % 3;
+  const std::size_t x = (axis + 1) % 3, y = (axis + 2) % 3;
   mpq_class sum = 0;
   for (std::size_t f = 0; f < mesh.faces(); ++f) {
     const auto face = mesh.face(f);
@@ -70,13 +70,13 @@ mpq_class exact_projected_area(const Mesh& mesh, const SectionPlane& plane, int 
                          exact(mesh.vertices[face[k]])};
       Exact up, down;
       bool is_cut = false;
-      for (int i = 0; i < 3; ++i) {
+      for (std::size_t i = 0; i < 3; ++i) {
         const Exact &a = t[i], &b = t[(i + 1) % 3];
         const mpq_class va = value(a), vb = value(b);
         if ((va >= 0) == (vb >= 0)) continue;
         is_cut = true;
         Exact& p = vb >= 0 ? up : down;
-        for (int c = 0; c < 3; ++c) p[c] = (a[c] * vb - b[c] * va) / (vb - va);
+        for (std::size_t c = 0; c < 3; ++c) p[c] = (a[c] * vb - b[c] * va) / (vb - va);
       }
       if (is_cut) sum += (down[x] * up[y] - up[x] * down[y]) * (-1);
     }
@@ -89,7 +89,7 @@ void expect_exact_area(const Mesh& mesh, const SectionPlane& plane) {
   for (int k = 1; k < 3; ++k) {
     if (std::abs(plane.normal[k]) > std::abs(plane.normal[axis])) axis = k;
   }
-  const mpq_class exact = exact_projected_area(mesh, plane, axis);
+  const mpq_class exact = exact_projected_area(mesh, plane, static_cast<std::size_t>(axis));
   const double expected = exact.get_d() * (glm::length(plane.normal) / plane.normal[axis]);
   const Section cut = section(mesh, plane);
   EXPECT_TRUE(cut.closed);

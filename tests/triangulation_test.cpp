@@ -26,15 +26,17 @@ using Triangles = std::span<const CornerTriple>;
 
 double area_from_above(std::span<const Point3> p) { return newell_c(p) / 2; }
 
-/// Exactly, of integer coordinates below 2^30.
+/// Exactly, of integer coordinates below 2^30: sums on the way may be too large, and wrap.
 std::int64_t twice_area(std::span<const Point2> p) {
-  std::int64_t sum = 0;
+  std::uint64_t sum = 0;
+  const auto product = [](double a, double b) {
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(a) * static_cast<std::int64_t>(b));
+  };
   for (std::size_t k = 1; k + 1 < p.size(); ++k) {
     const auto u = p[k] - p[0], v = p[k + 1] - p[0];
-    sum += static_cast<std::int64_t>(u.x) * static_cast<std::int64_t>(v.y) -
-           static_cast<std::int64_t>(u.y) * static_cast<std::int64_t>(v.x);
+    sum += product(u.x, v.y) - product(u.y, v.x);
   }
-  return sum;
+  return static_cast<std::int64_t>(sum);
 }
 
 /// Two fewer than it has corners, each side of the polygon in one of them, all else in two that run

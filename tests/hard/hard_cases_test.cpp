@@ -15,6 +15,7 @@
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
 #include "interp/visibility/plain_z_buffer.h"
+#include "mesa_leaks.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/random_scenes.h"
 #include "tests/slower.h"

@@ -14,6 +14,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "displayfile/mesh/import_protocol.h"
+
 namespace displayfile {
 
 #if defined(__x86_64__)
@@ -122,6 +124,12 @@ std::vector<Allowed> allowed_calls() {
       {SYS_exit},
       {SYS_exit_group},
   };
+  if (kWatchesResidentMemory) {  // a sanitizer asks by a pipe whether memory can be read
+    calls.push_back({SYS_pipe2});
+#ifdef SYS_pipe
+    calls.push_back({SYS_pipe});
+#endif
+  }
   return calls;
 }
 

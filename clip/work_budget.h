@@ -16,13 +16,13 @@ struct WorkLimits {
   /// Into which polygons are cut, that lines are seen in, or edges of a map. What is not cut is
   /// always allowed.
   std::uint64_t pieces = kNone;
-  /// Of a polygon or a line with a polygon or a plane, in sorts, lines and maps. They are counted
-  /// in lumps: so many more may be done by each thread as WorkSteps says.
+  /// Comparisons of a polygon or a line with a polygon or a plane, in sorts, lines and maps. They
+  /// are counted in lumps: so many more may be done by each thread as WorkSteps says.
   std::uint64_t comparisons = kNone;
   /// That one operation's tables take, as it knows before it begins or counts while they grow. What
   /// the allocator adds is not counted, nor what other threads of the process have.
   std::uint64_t bytes = kNone;
-  /// Of a clock, from start() on.
+  /// Time by a clock, from start() on.
   double seconds = std::numeric_limits<double>::infinity();
 };
 

@@ -221,8 +221,8 @@ class GraphicsSystem {
   static constexpr double kMostHatchingLines = 100000.0;
   /// Which curves of the surfaces that follow are drawn [both].
   void set_surface_curves(SurfaceCurves curves);
-  /// Of which side their curves are drawn: where the other one is seen, they hide all the same
-  /// [both]. A curve between a cell seen from above and one seen from below is drawn if one of its
+  /// The side whose curves are drawn: where the other one is seen, they hide all the same [both].
+  /// A curve between a cell seen from above and one seen from below is drawn if one of its
   /// sides is.
   void set_surface_sides(SurfaceSides sides);
   /// The line style of their lower side; none given: that of set_line_style, which is the upper

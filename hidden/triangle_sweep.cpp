@@ -44,7 +44,7 @@ class Sweep {
   }
 
  private:
-  /// Of a chain: a corner that the sweep has met and above which not all is triangulated.
+  /// A corner in a chain, which the sweep has met and above which not all is triangulated.
   struct Link {
     Index corner, left, right;
   };
@@ -189,8 +189,8 @@ void Sweep::put_in_order() {
   for (Index k = 0; k < size(); ++k) rank_[sequence_[k]] = k;
 }
 
-/// Of a corner with both neighbours above it: whether it is right of a side that the sweep line
-/// crosses. On the side, its neighbours tell; `if_on_it` where these are on it too.
+/// Whether a corner with both neighbours above it is right of a side that the sweep line crosses.
+/// On the side, its neighbours tell; `if_on_it` where these are on it too.
 bool Sweep::is_right_of(const Corner& corner, Index side, bool if_on_it) const {
   const Index next = next_corner(side, size());
   const bool rises = rank_[side] < rank_[next];

@@ -95,7 +95,7 @@ void expect_same(const Mesh& a, const Mesh& b, const std::string& what) {
   EXPECT_EQ(a.skipped.transparent_faces, b.skipped.transparent_faces) << what;
 }
 
-/// Of systems on which the library runs in our own process.
+/// They count on systems where the library runs in our own process.
 TEST(AllowedFormats, AreThoseWhoseReadersStoodTheMutations) {
   for (const char* path : {"a.gltf", "b/A.GLB", "x.fbx"}) {
     EXPECT_NO_THROW(require_allowed_format(path)) << path;

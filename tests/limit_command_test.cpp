@@ -58,7 +58,7 @@ TEST_F(Limits, MemoryIsKnownBeforeOrRunsOut) {
   expect_error("truth t.draw --size 20000x20000 --ids i.npy --limit-memory 2G",
                "out of memory: the truth of 20000 x 20000 pixels needs at least 6800000000 bytes, "
                "and the limit is 2147483648");
-  // Of a library, or of tables that nobody counts: the system's limit.
+  // What a library takes, or tables that nobody counts, meets the system's limit.
   expect_error("draw t.draw -o old.svg --hidden bsp --limit-memory 34M --limit-pieces 4000000000",
                "bytes are not enough: expected a higher limit of memory, or ");
   EXPECT_NE(err_.find("hidden-surface method map"), err_.npos) << err_;
@@ -80,7 +80,7 @@ TEST_F(Limits, WordsThatAreNone) {
   }
 }
 
-/// Of several inputs each that is not drawn in time is named.
+/// Each of several inputs that is not drawn in time is named.
 TEST_F(Limits, OfManyInputs) {
   write("u.draw", kTriangle);
   EXPECT_EQ(run("draw u.draw t.draw -o '{name}.svg' --hidden bsp --limit-pieces 1000"), 2);

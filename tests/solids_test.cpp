@@ -292,7 +292,7 @@ TEST(CombinedSolids, FacesInOnePlaneShowNoSideBetweenThem) {
   for (const std::uint32_t i : beam.polygons()) drawn += beam.drawn_length(i);
   EXPECT_DOUBLE_EQ(drawn, 2 * (4 * 3 + 8 * 1));  // of a box, each side from both faces
   EXPECT_EQ(volume(beam.mesh()), 3.0);
-  // Of two colours, the side between them is one of the part.
+  // Where two colours meet, the side between them is one of the part.
   const Entered two(solid_of(kUnion, {in_red(1.0, 1, a), in_red(0.5, 2, b)}));
   drawn = 0.0;
   for (const std::uint32_t i : two.polygons()) drawn += two.drawn_length(i);

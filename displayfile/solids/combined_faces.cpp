@@ -144,7 +144,7 @@ class Faces {
                                     std::ranges::lower_bound(sides_, key, {}, &Side::place));
   }
 
-  /// Of a side of the boundary of its source's face.
+  /// The side is one of the boundary of its source's face.
   bool is_drawn(const Side& side) const {
     const auto beyond =
         std::ranges::lower_bound(sides_, std::tuple(side.to, side.from, 0u), {}, &Side::place);

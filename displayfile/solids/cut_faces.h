@@ -17,8 +17,8 @@ struct CutFaces {
   /// Between hatching lines, in world units; none: a twenty-fourth of the longest side of the box
   /// around the solid.
   std::optional<double> spacing{};
-  /// Of hatching lines, in degrees, counterclockwise from where the plane is level, seen from the
-  /// side that is cut away.
+  /// The angle of hatching lines, in degrees, counterclockwise from where the plane is level, seen
+  /// from the side that is cut away.
   double angle = 45.0;
 };
 

@@ -17,7 +17,7 @@ struct BoundingTriangles {
   std::vector<Point3> vertices;                         ///< no two of one position
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices into vertices
   std::vector<std::uint32_t> source;                    ///< of each: what it is a part of
-  /// Of the side that ends at each vertex: whether the triangle beyond lies in the same plane,
+  /// Whether the triangle beyond the side that ends at each vertex lies in the same plane,
   /// exactly, and on the other side of it. Only told of results.
   std::vector<std::array<std::uint8_t, 3>> is_flat;
 };

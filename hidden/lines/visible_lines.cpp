@@ -96,7 +96,7 @@ class SideLooks {
   std::vector<SideLook> looks_;
 };
 
-/// Of a method that finds lines, for messages.
+/// What messages say of a method that finds lines.
 WorkDone work_of(HiddenMethod method) {
   constexpr const char* kFranklin = "hidden-line method franklin";
   switch (method) {

@@ -50,7 +50,7 @@ void close_from(int first) {
   for (int descriptor = first; descriptor < end; ++descriptor) close(descriptor);
 }
 
-/// Of the address space, in bytes.
+/// The size of the address space, in bytes.
 std::size_t size_now() {
   std::ifstream pages("/proc/self/statm");
   std::size_t size = 0;

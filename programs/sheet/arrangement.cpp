@@ -33,7 +33,7 @@ Cells cells_of(const std::array<PartView, 4>& views) {
   return cells;
 }
 
-/// Of the paper, within the frame and above the title block.
+/// The paper's room, within the frame and above the title block.
 Point2 room_for_views(const SheetWords& words) {
   return {words.width - 2.0 * words.margin, words.height - 2.0 * words.margin - kTitleHeight};
 }

@@ -132,7 +132,7 @@ void draw_box(GraphicsSystem& system, const SurfaceBox& box) {
     system.move_abs_3(a.x, a.y, a.z);
     system.line_abs_3(b.x, b.y, b.z);
   };
-  // Of each of the three faces behind, the frame; an edge of two of them is drawn once.
+  // The frame of each of the three faces behind; an edge of two of them is drawn once.
   for (unsigned axis = 1; axis <= 4; axis *= 2) draw(farthest, farthest ^ axis);
   for (unsigned axis = 1; axis <= 4; axis *= 2) {
     for (unsigned other = 1; other <= 4; other *= 2) {

@@ -92,7 +92,7 @@ inline std::vector<Polygon> planes_through(std::size_t n, double apart) {
   return all;
 }
 inline std::vector<Polygon> planes(std::size_t n) { return planes_through(n, 0.2); }
-/// But for what rounding makes of it all of them meet in a point.
+/// All of them meet in a point, or would without rounding.
 inline std::vector<Polygon> bundle(std::size_t n) { return planes_through(n, 0.0); }
 
 /// n/2 bars from side to side, and before them n/2 from bottom to top.

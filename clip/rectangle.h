@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <span>
 
 #include "clip/point.h"
@@ -12,18 +13,26 @@ namespace displayfile {
 struct Rectangle {
   double x_min, x_max, y_min, y_max;
   bool operator==(const Rectangle&) const = default;
+
+  /// Of no point: turned inside out.
+  static constexpr Rectangle nothing() {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return {kInfinity, -kInfinity, kInfinity, -kInfinity};
+  }
+  bool is_nothing() const { return x_min > x_max; }
+  void include(const Point2& p) {
+    x_min = std::min(x_min, p.x);
+    x_max = std::max(x_max, p.x);
+    y_min = std::min(y_min, p.y);
+    y_max = std::max(y_max, p.y);
+  }
 };
 
 /// The rectangle around one point or more in the projection, for the minimax test; exact.
 /// (hidden/extents.h has boxes in space, rounded outward.)
 inline Rectangle bounding_rectangle(std::span<const Point3> vertices) {
-  Rectangle r{vertices[0].x, vertices[0].x, vertices[0].y, vertices[0].y};
-  for (const Point3& v : vertices) {
-    r.x_min = std::min(r.x_min, v.x);
-    r.x_max = std::max(r.x_max, v.x);
-    r.y_min = std::min(r.y_min, v.y);
-    r.y_max = std::max(r.y_max, v.y);
-  }
+  Rectangle r = Rectangle::nothing();
+  for (const Point3& v : vertices) r.include(Point2(v));
   return r;
 }
 

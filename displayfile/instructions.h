@@ -77,20 +77,28 @@ class Instructions {
   /// is.
   void enter_text(const Point3& anchor, std::string_view characters);
 
-  /// Enters a flat polygon of n sides, all visible, where point(i) is its vertex i. Quick where
-  /// polygons with z, whose pick identifiers count on, are entered in a row.
-  template <class PointAt>
-  void enter_next_polygon(std::uint32_t n, const PointAt& point) {
-    if (!stores_z_ || !stored_picks_.in_run || pick_ != stored_picks_.next) {
+  /// Enters a flat polygon of n sides, where point(i) is its vertex i and the side that ends there
+  /// is drawn if is_drawn(i). Quick where polygons with z are entered in a row.
+  template <class PointAt, class IsDrawn>
+  void enter_next_polygon(std::uint32_t n, const PointAt& point, const IsDrawn& is_drawn) {
+    if (!stores_z_) {
       std::vector<Point3> vertices(n);
-      for (std::uint32_t i = 0; i < n; ++i) vertices[i] = point(i);
-      return enter_polygon(vertices, std::vector<std::uint8_t>(n, 1));
+      std::vector<std::uint8_t> drawn(n);
+      for (std::uint32_t i = 0; i < n; ++i) {
+        vertices[i] = point(i);
+        drawn[i] = is_drawn(i) ? 1 : 0;
+      }
+      return enter_polygon(vertices, drawn);
     }
-    last_pick_ = stored_picks_.take();
-    last_pick_repeats_ = false;
+    if (stored_picks_.in_run && pick_ == stored_picks_.next) {
+      last_pick_ = stored_picks_.take();
+      last_pick_repeats_ = false;
+    } else {
+      enter_pick();
+    }
     op_.push_back(static_cast<std::int32_t>(n));
     for (std::uint32_t i = 0; i < n; ++i) {
-      op_.push_back(op::line);
+      op_.push_back(is_drawn(i) ? op::line : op::move);
       points_.push_back(point(i));
     }
     pen_ = points_.back();

@@ -51,9 +51,9 @@ class Segment {
     writable().enter_text(anchor, characters);
   }
   void mark_surface(const SurfaceMark& mark) { writable().mark_surface(mark); }
-  template <class PointAt>
-  void enter_next_polygon(std::uint32_t n, const PointAt& point) {
-    writable().enter_next_polygon(n, point);
+  template <class PointAt, class IsDrawn>
+  void enter_next_polygon(std::uint32_t n, const PointAt& point, const IsDrawn& is_drawn) {
+    writable().enter_next_polygon(n, point, is_drawn);
   }
   /// Makes room for polygons of so many corners and fill styles in all.
   void reserve_polygons(std::size_t polygons, std::size_t corners, std::size_t fills) {

@@ -47,9 +47,9 @@ ViewStage::Outcodes ViewStage::outcodes(std::span<const std::uint32_t> corners) 
 }
 
 std::optional<bool> ViewStage::enter_triangle(std::span<const Point3> world,
-                                              std::span<const std::uint32_t> corners,
-                                              std::int32_t pick, const Attributes& attributes,
-                                              Segment& segment) {
+                                              const SharedTriangle& triangle,
+                                              const Attributes& attributes, Segment& segment) {
+  const auto& corners = triangle.corners;
   const Outcodes codes = outcodes(corners);
   if (codes.all != 0) return false;  // wholly outside of one plane
   const bool needs_more = (attributes.light && attributes.shadows) || attributes.dark_line;
@@ -66,8 +66,10 @@ std::optional<bool> ViewStage::enter_triangle(std::span<const Point3> world,
   } else {
     enter_styles(attributes.fill, attributes.line, attributes, segment);
   }
-  segment.set_pick(pick);
-  segment.enter_next_polygon(3, [&](std::uint32_t i) { return device[i]; });
+  segment.set_pick(triangle.pick);
+  segment.enter_next_polygon(
+      3, [&](std::uint32_t i) { return device[i]; },
+      [&](std::uint32_t i) { return triangle.edge_visible[i] != 0; });
   return true;
 }
 

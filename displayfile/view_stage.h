@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -57,12 +58,16 @@ class ViewStage {
   /// Views vertices that several polygons share, once each, for enter_shared; they are numbered
   /// from `first` on.
   void view_vertices(std::span<const Point3> world, std::uint32_t first = 0);
-  /// A triangle, all sides visible, of such vertices, in little time if it needs no clipping and
-  /// has neither smooth shading nor shadows; `world` are all of them. True if it was entered, false
-  /// if nothing of it is inside or it is a back face that is removed, nothing if it needs more:
-  /// enter_shared.
-  std::optional<bool> enter_triangle(std::span<const Point3> world,
-                                     std::span<const std::uint32_t> corners, std::int32_t pick,
+  /// A triangle of such vertices.
+  struct SharedTriangle {
+    std::array<std::uint32_t, 3> corners;      ///< their numbers
+    std::array<std::uint8_t, 3> edge_visible;  ///< 0 or 1, of the side that ends at the vertex
+    std::int32_t pick;
+  };
+  /// Enters it in little time if it needs no clipping and has neither smooth shading nor shadows;
+  /// `world` are all vertices. True if it was entered, false if nothing of it is inside or it is a
+  /// back face that is removed, nothing if it needs more: enter_shared.
+  std::optional<bool> enter_triangle(std::span<const Point3> world, const SharedTriangle& triangle,
                                      const Attributes& attributes, Segment& segment);
   /// A polygon whose vertices are those of these numbers among the ones viewed last. True if
   /// something of it was entered.

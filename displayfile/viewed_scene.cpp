@@ -42,10 +42,17 @@ struct ViewedScene::Collector {
   std::int32_t pick_id = -1, line_pick_id = -1;
   VertexShading of_vertices{};         // of the polygon that follows
   std::span<const LineKinds> kinds{};  // of its sides
-  std::vector<std::uint8_t> drawn{};   // its sides
+  // Items of these styles were added, and none of others since.
+  bool fill_added = false, line_added = false;
 
-  void fill(const FillStyle& s) { fill_style = s; }
-  void line_style(const LineStyle& s) { style = s; }
+  void fill(const FillStyle& s) {
+    fill_style = s;
+    fill_added = false;
+  }
+  void line_style(const LineStyle& s) {
+    style = s;
+    line_added = false;
+  }
   void pick(std::int32_t id) { pick_id = id; }
   void line_pick(std::int32_t id) { line_pick_id = id; }
   void intensities(std::span<const double> values) { of_vertices = {.intensities = values}; }
@@ -61,9 +68,10 @@ struct ViewedScene::Collector {
   void move(const Point3& p) { take({&p, 1}); }
   void line(const Point3& p) {
     take({&p, 1});
-    const Look look{fill_style, style, line_pick_id};
+    const Look look{fill_style, style, line_pick_id, kNone, fill_added, line_added};
     if (!look.is_outlined()) return;
     scene.add_item({static_cast<std::uint32_t>(points - 2), 2, Primitives::Kind::line}, look);
+    line_added = true;
   }
   /// SAVE-POLY-FOR-HSC (algorithm 9.7): collects one polygon.
   void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
@@ -71,16 +79,16 @@ struct ViewedScene::Collector {
     take(vertices);
     const auto shading = std::exchange(of_vertices, {});
     const auto of_sides = std::exchange(kinds, {});
-    const Look look{fill_style, style, pick_id};
+    const Look look{fill_style, style, pick_id, kNone, fill_added, line_added};
     if (!look.shows()) return;
     if (!of_sides.empty()) {
       scene.note_edges(first, of_sides);
     } else if (!std::ranges::all_of(sides, [](std::int32_t s) { return s == op::line; })) {
-      drawn.clear();
-      for (const std::int32_t side : sides) drawn.push_back(side == op::line ? 1 : 0);
-      scene.note_edges(first, drawn);
+      scene.note_sides(first, sides);
     }
     scene.add_polygon(static_cast<std::uint32_t>(first), vertices, look, shading);
+    fill_added = fill_style.kind == FillStyle::Kind::solid;
+    line_added = true;
   }
 
  private:
@@ -94,6 +102,13 @@ struct ViewedScene::Collector {
 void ViewedScene::note_edges(std::size_t first, std::span<const std::uint8_t> visible) {
   edge_visible_.resize(first, 1);
   edge_visible_.insert(edge_visible_.end(), visible.begin(), visible.end());
+}
+
+void ViewedScene::note_sides(std::size_t first, std::span<const std::int32_t> codes) {
+  edge_visible_.resize(first + codes.size(), 1);
+  for (std::size_t k = 0; k < codes.size(); ++k) {
+    edge_visible_[first + k] = codes[k] == op::line ? 1 : 0;
+  }
 }
 
 void ViewedScene::add_polygon(std::uint32_t first, std::span<const Point3> vertices,
@@ -225,10 +240,11 @@ void ViewedScene::append_colours(const ViewedScene& part, Item first_item) {
 }
 
 void ViewedScene::add_item(const Primitives::Item& item, const Look& look) {
-  if (item.kind == Primitives::Kind::solid) {
+  if (item.kind == Primitives::Kind::solid && !look.same_fill) {
     begin_colour(look.colour != kNone ? look.colour : number_of(look.fill.colour));
   }
-  if (lines_.empty() || lines_.back().style != look.line) lines_.push_back({items(), look.line});
+  const bool same_line = look.same_line || (!lines_.empty() && lines_.back().style == look.line);
+  if (!same_line) lines_.push_back({items(), look.line});
   items_.push_back(item);
   pick_.push_back(look.pick);
   has_lines_ |= look.is_outlined();

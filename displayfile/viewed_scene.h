@@ -192,6 +192,8 @@ class ViewedScene {
     const LineStyle& line;
     std::int32_t pick;
     std::uint32_t colour = kNone;  ///< the number of the fill's, if it is in the palette
+    bool same_fill = false;        ///< as that of the fill that was added last
+    bool same_line = false;        ///< as that of the item that was added last
     bool is_outlined() const { return line.kind != LineStyle::Kind::none; }
     bool shows() const { return fill.kind == FillStyle::Kind::solid || is_outlined(); }
   };
@@ -285,6 +287,8 @@ class ViewedScene {
   /// The sides of the polygon that is added next, whose first corner that is; all are drawn of
   /// those that this was not called for.
   void note_edges(std::size_t first, std::span<const std::uint8_t> visible);
+  /// The same by the codes of the sides: op::line of those that are drawn.
+  void note_sides(std::size_t first, std::span<const std::int32_t> codes);
 
   std::vector<Source> sources_;
   std::span<const Point3> points_;  // the source's own, or else own_points_

@@ -40,15 +40,19 @@ void ask_for_memory([[maybe_unused]] std::size_t bytes) {
 
 void ask_for_huge_pages([[maybe_unused]] std::size_t bytes) {
 #if defined(__GLIBC__) && defined(MADV_HUGEPAGE)
-  constexpr std::size_t kLeast = std::size_t{16} << 20, kPage = 4096;
+  constexpr std::size_t kLeast = std::size_t{16} << 20, kPage = std::size_t{2} << 20;
   if (bytes < kLeast) return;
   mallopt(M_MMAP_MAX, 0);         // large blocks, too, are taken from the one heap,
   mallopt(M_TRIM_THRESHOLD, -1);  // which keeps all that it has got
-  void* const room = std::malloc(bytes);
+  void* const room = std::malloc(bytes + 2 * kPage);
   if (room == nullptr) return;
   const std::size_t to_page = kPage - reinterpret_cast<std::uintptr_t>(room) % kPage;
-  madvise(static_cast<char*>(room) + to_page, bytes - 2 * kPage, MADV_HUGEPAGE);  // or not
+  madvise(static_cast<char*>(room) + to_page, bytes, MADV_HUGEPAGE);  // or not
   std::free(room);
+  // What comes before the first huge page stays unused.
+  constexpr std::size_t kOfAllocator = 64;
+  static void* before = nullptr;
+  if (before == nullptr && to_page > kOfAllocator) before = std::malloc(to_page - kOfAllocator);
 #endif
 }
 

@@ -43,6 +43,8 @@ bool has_holes(const SurfaceData& surface) {
 /// Bytes that drawing takes for a cell, at the most at a time, measured: of curves by the perimeter
 /// method, and of what any other method draws.
 constexpr double kBytesOfCurves = 500.0, kBytesOfOthers = 1300.0;
+/// Address space that is asked for at once, over that: not all of it is used without gaps.
+constexpr double kRoom = 1.25;
 
 /// Throws Error if the system has not the memory that so many points need, before any time is spent
 /// on them.
@@ -172,13 +174,14 @@ int SurfaceCommand::run() const {
   double entered = 0.0;
   for (const std::string& surface : surfaces) {
     if (!is_grid_file(surface)) {
-      require_memory(entered + static_cast<double>(points.points()), surface, bytes_of_cell);
+      const auto cells = static_cast<double>(points.points());
+      require_memory(entered + cells, surface, bytes_of_cell);
+      if (in_curves) ask_for_huge_pages(static_cast<std::size_t>(kRoom * cells * kBytesOfCurves));
     }
     data.push_back(read_surface(surface, points));
     entered += static_cast<double>(data.back().range.points());
     require_memory(entered, surface, has_holes(data.back()) ? kBytesOfOthers : bytes_of_cell);
   }
-  if (in_curves) ask_for_huge_pages(static_cast<std::size_t>(entered * kBytesOfCurves));
   if (!options.hidden) options.hidden = usual_method(data, shown.coloured);
   GraphicsSystem system;
   system.set_aspect_ratio(static_cast<double>(options.width) / options.height);

@@ -242,7 +242,11 @@ void GraphicsSystem::enter_shared(std::span<const Point3> world,
   const bool cutting = cutting_planes_.any();
   const bool whole = !cutting && solids_.empty();
   const bool plain = corners.size() == 3 && retaining() == nullptr && whole;
-  if (plain && view_stage_->enter_triangle(world, corners, pick, attributes_, segment)) return;
+  if (plain &&
+      view_stage_->enter_triangle(world, {{corners[0], corners[1], corners[2]}, {1, 1, 1}, pick},
+                                  attributes_, segment)) {
+    return;
+  }
   const PointRow vertices(world, corners);
   const Point3 normal = attributes_.light ? newell_normal(vertices) : Point3(0.0);
   if (corners.size() != 3 && !is_flat(vertices)) {

@@ -133,8 +133,13 @@ void GraphicsSystem::enter_cell(const SurfaceGrid& grid, std::span<const Point3>
   const std::uint8_t of_y = surface_curves_ != SurfaceCurves::x;
   const int pick = pick_ >= 0 ? pick_ : static_cast<int>(ordinal_);
   ++ordinal_;
+  const bool plain = retaining() == nullptr && !retains_alone_ && !cutting_planes_.any();
   const auto enter_triangle = [&](const std::array<std::uint32_t, 3>& of_triangle,
                                   const std::array<std::uint8_t, 3>& edge_visible) {
+    if (plain && view_stage_->enter_triangle(world, {of_triangle, edge_visible, pick}, attributes_,
+                                             segment)) {
+      return;
+    }
     const Point3 normal =
         attributes_.light ? newell_normal(PointRow(world, of_triangle)) : Point3(0.0);
     const WorldPolygon triangle{PointRow(world, of_triangle), edge_visible, normal, {}, pick};

@@ -1,5 +1,6 @@
 #include "hidden/lines/cells_in_order.h"
 
+#include <algorithm>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
@@ -46,9 +47,16 @@ std::uint32_t CellsInOrder::foot_row() const {
   return beyond == 0 ? 0 : beyond - 1;
 }
 
-bool CellsInOrder::is_second_first(std::uint32_t i, std::uint32_t j) const {
-  return eye_is_beyond(surface_.number(i, j), surface_.number(i + 1, j + 1),
-                       surface_.number(i, j + 1));
+void CellsInOrder::find_second_first() {
+  const std::uint32_t columns = surface_.columns(), rows = surface_.rows();
+  second_first_.resize(std::size_t{columns} + rows);
+  const auto find_from = [&](std::uint32_t i, std::uint32_t j) {
+    const std::uint32_t length = std::min(columns - i, rows - j);
+    second_first_[diagonal_of(i, j)] = eye_is_beyond(
+        surface_.number(i, j), surface_.number(i + length, j + length), surface_.number(i, j + 1));
+  };
+  for (std::uint32_t i = 0; i < columns; ++i) find_from(i, 0);
+  for (std::uint32_t j = 1; j < rows; ++j) find_from(0, j);
 }
 
 }  // namespace displayfile

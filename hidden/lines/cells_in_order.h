@@ -1,7 +1,8 @@
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "hidden/lines/grid_surface.h"
 
@@ -12,7 +13,9 @@ namespace displayfile {
 class CellsInOrder {
  public:
   explicit CellsInOrder(const GridSurface& surface)
-      : surface_(surface), column_(foot_column()), row_(foot_row()) {}
+      : surface_(surface), column_(foot_column()), row_(foot_row()) {
+    find_second_first();
+  }
 
   /// Calls visit(i, j, second_first) for each cell; second_first: its triangle at (i, j + 1) is
   /// nearer than the one at (i + 1, j).
@@ -20,7 +23,7 @@ class CellsInOrder {
   void for_each_cell(const Visit& visit) const {
     outward(row_, surface_.rows(), [&](std::uint32_t j) {
       outward(column_, surface_.columns(),
-              [&](std::uint32_t i) { visit(i, j, is_second_first(i, j)); });
+              [&](std::uint32_t i) { visit(i, j, second_first_[diagonal_of(i, j)] != 0); });
     });
   }
 
@@ -33,11 +36,16 @@ class CellsInOrder {
   }
   std::uint32_t foot_column() const;
   std::uint32_t foot_row() const;
-  bool is_second_first(std::uint32_t i, std::uint32_t j) const;
+  /// Cells whose diagonals are in one vertical plane have one number.
+  std::size_t diagonal_of(std::uint32_t i, std::uint32_t j) const {
+    return std::size_t{i} + surface_.rows() - j;
+  }
+  void find_second_first();
   bool eye_is_beyond(std::uint32_t a, std::uint32_t b, std::uint32_t beside) const;
 
   const GridSurface& surface_;
-  std::uint32_t column_, row_;  // where cells begin that lie behind those before them
+  std::vector<std::uint8_t> second_first_;  // of each diagonal_of
+  std::uint32_t column_, row_;              // where cells begin that lie behind those before them
 };
 
 }  // namespace displayfile

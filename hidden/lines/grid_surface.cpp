@@ -35,7 +35,6 @@ std::string GridSurface::take(const Primitives& items) {
   const auto polygons = static_cast<std::size_t>(std::ranges::count_if(items.items, is_polygon));
   if (polygons > std::size_t{2} * columns() * rows()) return "there are polygons beside it";
   points_.resize(points());
-  known_.assign(points(), 0);
   for (std::uint32_t j = 0; j < rows(); ++j) {
     for (std::uint32_t i = 0; i < columns(); ++i) {
       if (take_cell(items, i, j)) continue;
@@ -43,38 +42,36 @@ std::string GridSurface::take(const Primitives& items) {
                          i + 1, j + 1);
     }
   }
-  known_ = {};
   return {};
 }
 
-bool GridSurface::take_cell(const Primitives& items, std::uint32_t i, std::uint32_t j) {
-  const std::uint32_t item = first_item_ + 2 * (j * columns() + i);
-  const std::uint32_t a = number(i, j), b = number(i + 1, j), c = number(i + 1, j + 1),
-                      d = number(i, j + 1);
-  return take_triangle(items, item, {a, b, c}) && take_triangle(items, item + 1, {a, c, d});
-}
-
-/// Cells share points bit for bit: one that was clipped has others.
-bool GridSurface::take_triangle(const Primitives& items, std::uint32_t number,
-                                const std::uint32_t (&numbers)[3]) {
+bool GridSurface::is_solid_triangle(const Primitives& items, std::uint32_t number) {
   if (number >= items.items.size()) return false;
   const Primitives::Item& item = items.items[number];
-  if (item.kind != Primitives::Kind::solid || item.sides != 3) return false;
-  const PointRow corners = items.points_of(item);
-  for (std::size_t k = 0; k < 3; ++k) {
-    Point3& point = points_[numbers[k]];
-    if (known_[numbers[k]] == 0) {
-      known_[numbers[k]] = 1;
-      point = corners[k];
-    } else if (point != corners[k]) {
-      return false;
-    }
-  }
-  return corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0];
+  return item.kind == Primitives::Kind::solid && item.sides == 3;
+}
+
+/// Takes the points that no cell before it has, and holds it against all of them: cells share
+/// points bit for bit, and one that was clipped has others.
+bool GridSurface::take_cell(const Primitives& items, std::uint32_t i, std::uint32_t j) {
+  const std::uint32_t item = first_triangle(i, j);
+  if (!is_solid_triangle(items, item) || !is_solid_triangle(items, item + 1)) return false;
+  Point3 &a = points_[number(i, j)], &b = points_[number(i + 1, j)],
+         &c = points_[number(i + 1, j + 1)], &d = points_[number(i, j + 1)];
+  const auto corner = [&](std::uint32_t triangle, std::uint32_t k) -> const Point3& {
+    return items.points[items.point(items.items[triangle].first + k)];
+  };
+  if (i == 0 && j == 0) a = corner(item, 0);
+  if (j == 0) b = corner(item, 1);
+  if (i == 0) d = corner(item + 1, 2);
+  c = corner(item, 2);
+  return corner(item, 0) == a && corner(item, 1) == b && corner(item + 1, 0) == a &&
+         corner(item + 1, 1) == c && corner(item + 1, 2) == d && a != b && b != c && c != a &&
+         c != d && d != a;
 }
 
 std::uint32_t GridSurface::side(std::uint32_t item, std::uint32_t corner) const {
-  if (item < first_item_ || item - first_item_ >= 2 * columns() * rows()) return kNone;
+  if (!has(item)) return kNone;
   const std::uint32_t triangle = item - first_item_, cell = triangle / 2;
   const std::uint32_t i = cell % columns(), j = cell / columns();
   if (triangle % 2 == 0) {  // from its third corner to the first, and so on

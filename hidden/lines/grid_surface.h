@@ -41,6 +41,14 @@ class GridSurface {
   static constexpr std::uint32_t kNone = 0xffffffffu;
   /// The side that ends at that corner of a polygon of the items; kNone if it is not the surface's.
   std::uint32_t side(std::uint32_t item, std::uint32_t corner) const;
+  /// The item that is the triangle of that cell with the corner (i + 1, j); the next is the other.
+  std::uint32_t first_triangle(std::uint32_t i, std::uint32_t j) const {
+    return first_item_ + 2 * (j * columns() + i);
+  }
+  /// True if the item is a triangle of the surface.
+  bool has(std::uint32_t item) const {
+    return item >= first_item_ && item - first_item_ < 2 * columns() * rows();
+  }
   /// True if the item is the triangle of its cell that has the corner (i + 1, j).
   bool is_first(std::uint32_t item) const { return (item - first_item_) % 2 == 0; }
 
@@ -49,13 +57,11 @@ class GridSurface {
   /// Nothing, or what is wrong with it.
   std::string take(const Primitives& items);
   bool take_cell(const Primitives& items, std::uint32_t i, std::uint32_t j);
-  bool take_triangle(const Primitives& items, std::uint32_t item,
-                     const std::uint32_t (&numbers)[3]);
+  static bool is_solid_triangle(const Primitives& items, std::uint32_t number);
 
   SurfaceMark mark_{};
   std::uint32_t first_item_ = 0;
   std::vector<Point3> points_;
-  std::vector<std::uint8_t> known_;
 };
 
 }  // namespace displayfile

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "clip/error.h"
-#include "clip/rectangle.h"
 #include "hidden/exact/ball.h"
 #include "hidden/exact/depth_order.h"
 #include "hidden/exact/support_plane.h"
@@ -55,13 +54,8 @@ LineScene::LineScene(const Primitives& items, std::span<const LineName> names, i
       intersections_(intersections),
       support_(items.items.size()),
       extents_(items.items.size()) {
-  for (const LineName& name : names) check_name(items, name);
-  const CellsOfLines cells(items, names, intersections);
+  require_names(items, names);
   in_even_parts(items.items.size(), threads, [&](std::uint32_t i) {
-    if (!comes_near_lines(items.items[i], cells)) {
-      extents_[i] = Extent::nothing();
-      return;
-    }
     support_[i] = support_of(i);
     extents_[i] = hides(i) ? extent_of(i) : Extent::nothing();
   });
@@ -70,11 +64,8 @@ LineScene::LineScene(const Primitives& items, std::span<const LineName> names, i
   add_intersections();
 }
 
-bool LineScene::comes_near_lines(const Primitives::Item& item, const CellsOfLines& cells) const {
-  if (cells.are_everywhere()) return true;
-  if (item.sides == 0) return false;
-  const PointRow points = items_.points_of(item);
-  return cells.come_near(bounding_rectangle({points.data(), points.size()}));
+void LineScene::require_names(const Primitives& items, std::span<const LineName> names) {
+  for (const LineName& name : names) check_name(items, name);
 }
 
 LineScene::Support LineScene::support_of(std::uint32_t number) const {

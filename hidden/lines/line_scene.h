@@ -8,7 +8,6 @@
 #include "clip/corners.h"
 #include "hidden/exact/plane.h"
 #include "hidden/extents.h"
-#include "hidden/lines/cells_of_lines.h"
 #include "hidden/lines/intersection_lines.h"
 #include "hidden/lines/visible_lines.h"
 #include "hidden/primitives.h"
@@ -26,6 +25,9 @@ class LineScene {
   /// looked at beside them; what is given must outlive the scene.
   LineScene(const Primitives& items, std::span<const LineName> names, int threads,
             std::span<const IntersectionLine> intersections = {});
+
+  /// Throws Error for a name of no line.
+  static void require_names(const Primitives& items, std::span<const LineName> names);
 
   /// A line with one depth. A side that polygons share is there once for each depth that it has.
   struct Line {
@@ -58,7 +60,7 @@ class LineScene {
   // ---- Polygons, by the number of the item -----------------------------------------------
 
   std::uint32_t items() const { return static_cast<std::uint32_t>(items_.items.size()); }
-  /// True for solid polygons that cover something; where lines are few, if they come near one.
+  /// True for solid polygons that cover something.
   bool hides(std::uint32_t item) const {
     return support_[item].p != kNone && items_.items[item].kind == Primitives::Kind::solid;
   }
@@ -94,7 +96,6 @@ class LineScene {
   struct Support {
     std::uint32_t p = kNone, q = kNone, r = kNone;
   };
-  bool comes_near_lines(const Primitives::Item& item, const CellsOfLines& cells) const;
   Support support_of(std::uint32_t item) const;
   Extent extent_of(std::uint32_t item) const;
   /// Includes a point of the projection at its depth on the plane.

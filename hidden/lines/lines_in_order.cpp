@@ -1,9 +1,12 @@
 #include "hidden/lines/lines_in_order.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <optional>
 
 #include "hidden/line_kinds.h"
 #include "hidden/lines/chains.h"
+#include "hidden/lines/grid_surface.h"
 #include "hidden/lines/hidden_pieces.h"
 #include "hidden/lines/intersection_lines.h"
 #include "hidden/lines/line_ends.h"
@@ -65,7 +68,9 @@ class ChainWriter {
   /// Pieces in order of names, but for those whose rounded ends are one point in the projection.
   void add(std::span<const VisiblePiece> pieces) {
     links_.clear();
+    links_.reserve(pieces.size());
     drawn_.clear();
+    drawn_.reserve(pieces.size());
     auto line = lines_.begin();
     for (const VisiblePiece& piece : pieces) {
       const LineName name{piece.item, piece.corner};
@@ -82,6 +87,13 @@ class ChainWriter {
       links_.push_back({from, to, (group << 8) | drawn.kinds});
       drawn_.push_back(drawn);
     }
+    const auto make_room = [&](auto& array, std::size_t more) {
+      array.reserve(std::max(array.size() + more * links_.size(), array.capacity()));
+    };
+    make_room(all_.pieces, 1);
+    make_room(all_.points, 2);
+    make_room(all_.visible, 2);
+    make_room(all_.pick_items, 1);
     for (const auto& [piece, reversed] : chains_of(links_).places) {
       const auto first = static_cast<std::uint32_t>(all_.points.size());
       all_.pieces.push_back({drawn_[piece].item, first, 2});
@@ -163,12 +175,16 @@ SortedPieces pieces_in_order(const Primitives& items, std::span<const std::uint3
 FoundLines find_lines(const Primitives& items, std::span<const std::int32_t> picks,
                       HiddenMethod method, const SortOptions& options) {
   FoundLines found;
-  found.lines = lines_to_draw(items, picks);
+  const std::optional<GridSurface> surface = GridSurface::of(items);
+  const GridSurface* const known = surface ? &*surface : nullptr;
+  found.lines = lines_to_draw(items, picks, known);
   if (options.intersections) found.intersections = intersection_lines(items, options.threads);
-  found.seen = visible_lines(
-      items, names_of(found.lines), method,
-      {.precision = options.precision, .threads = options.threads, .progress = options.progress},
-      found.intersections);
+  found.seen = visible_lines(items, names_of(found.lines), method,
+                             {.precision = options.precision,
+                              .threads = options.threads,
+                              .progress = options.progress,
+                              .surface = known},
+                             found.intersections);
   return found;
 }
 

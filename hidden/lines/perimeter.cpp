@@ -3,48 +3,89 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <limits>
+#include <mutex>
+#include <optional>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 
 #include "clip/error.h"
 #include "clip/work_budget.h"
 #include "hidden/lines/cells_in_order.h"
 #include "hidden/lines/franklin.h"
 #include "hidden/lines/grid_surface.h"
+#include "hidden/lines/items_near_lines.h"
 #include "hidden/lines/perimeter_array.h"
 #include "hidden/lines/perimeter_polyline.h"
+#include "hidden/lines/surface_columns.h"
 #include "hidden/lines/verticals.h"
 #include "hidden/lines/visible_pieces.h"
+#include "hidden/parallel.h"
 
 namespace displayfile {
 
 namespace {
 
-/// Both perimeters, exact.
+/// Which part of a line some perimeters know of.
+enum class Known { nothing, part, all };
+
+/// Both perimeters, exact, in some of the columns.
 class PerimeterPolylines {
  public:
-  PerimeterPolylines(const GridSurface& surface, const Verticals& verticals)
-      : verticals_(verticals),
-        upper_(PerimeterPolyline::Bound::upper, surface, verticals),
-        lower_(PerimeterPolyline::Bound::lower, surface, verticals) {}
+  using Line = LineInColumns;
 
-  void find_hidden(std::uint32_t a, std::uint32_t b, std::vector<PartOfLine>& parts) {
+  PerimeterPolylines(const GridSurface& surface, const Verticals& verticals,
+                     const SurfaceColumns& columns, const SurfaceColumns::Range& range)
+      : columns_(columns),
+        range_(range),
+        upper_(PerimeterPolyline::Bound::upper, surface, verticals, columns, range),
+        lower_(PerimeterPolyline::Bound::lower, surface, verticals, columns, range) {}
+
+  Line line(std::uint32_t a, std::uint32_t b) const { return columns_.line_between(a, b); }
+  Known known(const Line& line) const {
+    if (line.last < range_.first || line.first >= range_.end) return Known::nothing;
+    return line.first >= range_.first && line.last < range_.end ? Known::all : Known::part;
+  }
+  /// The parameters of the parts run from that point of the line's.
+  void find_hidden(const Line& line, std::uint32_t from, std::vector<PartOfLine>& parts) {
     parts.clear();
-    const auto line = PerimeterPolyline::line_between(verticals_, a, b);
-    upper_.find_within(line, line.p != a, below_);
+    upper_.find_within(line, line.p != from, below_);
     if (below_.empty()) return;
-    lower_.find_within(line, line.p != a, above_);
+    lower_.find_within(line, line.p != from, above_);
     intersect(below_, above_, parts);
   }
-  void extend(std::uint32_t a, std::uint32_t b) {
-    const auto side = PerimeterPolyline::line_between(verticals_, a, b);
+  void extend(const Line& side) {
     upper_.extend(side);
     lower_.extend(side);
   }
 
  private:
-  const Verticals& verticals_;
+  const SurfaceColumns& columns_;
+  SurfaceColumns::Range range_;
   PerimeterPolyline upper_, lower_;
   std::vector<PartOfLine> below_, above_;
+};
+
+/// The array of columns, which knows of all lines.
+class WholeArray {
+ public:
+  struct Line {
+    std::uint32_t a, b;
+  };
+
+  WholeArray(const GridSurface& surface, const Verticals& verticals, double roundoff)
+      : array_(surface, verticals, roundoff) {}
+
+  static Line line(std::uint32_t a, std::uint32_t b) { return {a, b}; }
+  static Known known(const Line&) { return Known::all; }
+  void find_hidden(const Line& line, std::uint32_t from, std::vector<PartOfLine>& parts) const {
+    array_.find_hidden(from, from == line.a ? line.b : line.a, parts);
+  }
+  void extend(const Line& line) { array_.extend(line.a, line.b); }
+
+ private:
+  PerimeterArray array_;
 };
 
 /// Which of the names the sides of a surface are; the others are left for the general method.
@@ -78,23 +119,70 @@ class NamedSides {
   std::vector<LineName> others_;
 };
 
+/// What is seen of the named lines.
+class SeenParts {
+ public:
+  explicit SeenParts(std::size_t names) : first_(names, PartOfLine{0.0, 0.0}) {}
+
+  /// Adds what is not hidden; to one name by one thread at a time, what is more than one part to
+  /// `others`.
+  void add(std::uint32_t name, const std::vector<PartOfLine>& hidden,
+           std::vector<SeenPart>& others) {
+    double from = 0.0;
+    for (const PartOfLine& part : hidden) {
+      if (from < part.from) add(name, PartOfLine{from, part.from}, others);
+      from = part.to;
+    }
+    if (from < 1.0) add(name, PartOfLine{from, 1.0}, others);
+  }
+
+  std::vector<VisiblePiece> pieces(std::span<const LineName> names,
+                                   std::vector<SeenPart> others) const {
+    std::ranges::stable_sort(others, {}, &SeenPart::name);
+    std::vector<VisiblePiece> pieces;
+    pieces.reserve(names.size() + others.size());
+    auto other = others.begin();
+    for (std::uint32_t n = 0; n < names.size(); ++n) {
+      const auto [item, corner] = names[n];
+      const auto add = [&, item = item, corner = corner](const PartOfLine& part) {
+        pieces.push_back({item, corner, part.from, part.to});
+      };
+      if (first_[n].from < first_[n].to) add(first_[n]);
+      for (; other != others.end() && other->name == n; ++other) add(other->part);
+    }
+    return pieces;
+  }
+
+ private:
+  void add(std::uint32_t name, const PartOfLine& part, std::vector<SeenPart>& others) {
+    PartOfLine& first = first_[name];
+    if (first.from < first.to) {
+      others.push_back({name, part});
+    } else {
+      first = part;
+    }
+  }
+
+  std::vector<PartOfLine> first_;  // what is seen of each name; empty: nothing
+};
+
 /// Draws the sides of a surface's cells, nearest first (algorithm of T. J. Wright).
 template <class Perimeters>
 class PerimeterMethod {
  public:
   PerimeterMethod(const GridSurface& surface, const NamedSides& named,
-                  std::span<const LineName> names, Perimeters& perimeters)
+                  std::span<const LineName> names, Perimeters perimeters, SeenParts& seen)
       : surface_(surface),
         named_(named),
         names_(names),
-        perimeters_(perimeters),
-        passed_(surface.sides(), 0),
-        first_(names.size(), PartOfLine{0.0, 0.0}) {}
+        perimeters_(std::move(perimeters)),
+        seen_(seen),
+        passed_(surface.sides(), 0) {}
 
-  std::vector<VisiblePiece> pieces(const WorkProgress& progress) {
-    CountedWork work(progress, std::size_t{surface_.columns()} * surface_.rows());
+  void draw(const CellsInOrder& order, CountedWork& work) {
     WorkSteps steps;
-    CellsInOrder(surface_).for_each_cell([&](std::uint32_t i, std::uint32_t j, bool second_first) {
+    std::size_t drawn = 0;
+    order.for_each_cell([&](std::uint32_t i, std::uint32_t j, bool second_first) {
       const std::uint32_t a = surface_.number(i, j), b = surface_.number(i + 1, j),
                           c = surface_.number(i + 1, j + 1), d = surface_.number(i, j + 1);
       const Side diagonal{a, c, surface_.diagonal(i, j)};
@@ -105,12 +193,19 @@ class PerimeterMethod {
       draw_triangle(second_first ? second : first);
       draw_triangle(second_first ? first : second);
       steps.step();
-      work.add(1);
+      if (++drawn % kCellsAtATime == 0) work.add(kCellsAtATime);
     });
-    return in_order_of_names();
+    work.add(drawn % kCellsAtATime);
   }
 
+  const std::vector<SeenPart>& others() const { return others_; }
+  /// What is hidden of lines that reach beyond what the perimeters know, of each maybe in several
+  /// parts and at least an empty one.
+  const std::vector<SeenPart>& hidden_in_part() const { return hidden_in_part_; }
+
  private:
+  using Line = typename Perimeters::Line;
+  static constexpr std::size_t kCellsAtATime = 1024;
   struct Side {
     std::uint32_t from, to, number;
   };
@@ -118,89 +213,94 @@ class PerimeterMethod {
   /// What is nearer than a side was passed before the nearer of its triangles, which moves the
   /// perimeters only after all its sides were drawn.
   void draw_triangle(const std::array<Side, 3>& sides) {
-    std::array<bool, 3> may_extend{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (passed_[sides[k].number] != 0) continue;
-      passed_[sides[k].number] = 1;
-      may_extend[k] = draw(sides[k]);
+    std::array<Line, 3> extending;
+    std::size_t count = 0;
+    for (const Side& side : sides) {
+      if (passed_[side.number] != 0) continue;
+      passed_[side.number] = 1;
+      const Line line = perimeters_.line(side.from, side.to);
+      if (draw(side, line)) extending[count++] = line;
     }
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (may_extend[k]) perimeters_.extend(sides[k].from, sides[k].to);
-    }
+    for (std::size_t k = 0; k < count; ++k) perimeters_.extend(extending[k]);
   }
 
   /// False if nothing of it is seen, and so nothing is outside of the perimeters.
-  bool draw(const Side& side) {
+  bool draw(const Side& side, const Line& line) {
+    const Known known = perimeters_.known(line);
+    if (known == Known::nothing) return false;
     const std::uint32_t name = named_.name(side.number);
     if (name == NamedSides::kNone) return true;
     // A cell's first triangle runs along its sides to greater x and y, but back along the diagonal;
     // the second the other way.
     const auto [low, high] = std::minmax(side.from, side.to);
     const bool is_diagonal = side.number >= surface_.diagonal(0, 0);
-    if (surface_.is_first(names_[name].item) != is_diagonal) {
-      perimeters_.find_hidden(low, high, hidden_);
-    } else {
-      perimeters_.find_hidden(high, low, hidden_);
+    const bool from_low = surface_.is_first(names_[name].item) != is_diagonal;
+    perimeters_.find_hidden(line, from_low ? low : high, hidden_);
+    if (known == Known::part) {
+      hidden_in_part_.push_back({name, {0.0, 0.0}});
+      for (const PartOfLine& part : hidden_) hidden_in_part_.push_back({name, part});
+      return true;
     }
-    double from = 0.0;
-    for (const PartOfLine& part : hidden_) {
-      if (from < part.from) add_seen(name, {from, part.from});
-      from = part.to;
-    }
-    if (from < 1.0) add_seen(name, {from, 1.0});
+    seen_.add(name, hidden_, others_);
     return hidden_.size() != 1 || hidden_[0].from > 0.0 || hidden_[0].to < 1.0;
-  }
-
-  void add_seen(std::uint32_t name, const PartOfLine& part) {
-    PartOfLine& first = first_[name];
-    if (first.from < first.to) {
-      others_.push_back({name, part});
-    } else {
-      first = part;
-    }
-  }
-
-  std::vector<VisiblePiece> in_order_of_names() {
-    std::ranges::stable_sort(others_, {}, &SeenPart::name);
-    std::vector<VisiblePiece> pieces;
-    pieces.reserve(names_.size() + others_.size());
-    auto other = others_.begin();
-    for (std::uint32_t n = 0; n < names_.size(); ++n) {
-      const auto [item, corner] = names_[n];
-      const auto add = [&, item = item, corner = corner](const PartOfLine& part) {
-        pieces.push_back({item, corner, part.from, part.to});
-      };
-      if (first_[n].from < first_[n].to) add(first_[n]);
-      for (; other != others_.end() && other->name == n; ++other) add(other->part);
-    }
-    return pieces;
   }
 
   const GridSurface& surface_;
   const NamedSides& named_;
   std::span<const LineName> names_;
-  Perimeters& perimeters_;
+  Perimeters perimeters_;
+  SeenParts& seen_;
   std::vector<std::uint8_t> passed_;
   std::vector<PartOfLine> hidden_;
-  std::vector<PartOfLine> first_;  // what is seen of each name; empty: nothing
-  std::vector<SeenPart> others_;   // what more is seen of some
+  std::vector<SeenPart> others_, hidden_in_part_;
 };
+
+/// Several parts of the columns, each with its perimeters, which know nothing of each other: a
+/// line's hidden parts are those that any of them finds. Meanwhile `beside` is done, too.
+template <class MakePerimeters, class Beside>
+std::vector<VisiblePiece> pieces_of(const GridSurface& surface, const NamedSides& named,
+                                    std::span<const LineName> names, std::size_t parts,
+                                    const MakePerimeters& make, const LineOptions& options,
+                                    const Beside& beside) {
+  using Method = PerimeterMethod<std::invoke_result_t<const MakePerimeters&, std::size_t>>;
+  const CellsInOrder order(surface);
+  SeenParts seen(names.size());
+  std::vector<SeenPart> others, hidden_in_part;
+  std::mutex mutex;
+  CountedWork work(options.progress, std::size_t{surface.columns()} * surface.rows() * parts);
+  in_parallel(options.threads, parts + 1, [&](std::size_t part) {
+    if (part == parts) return beside();
+    Method method(surface, named, names, make(part), seen);
+    method.draw(order, work);
+    const std::lock_guard lock(mutex);
+    others.insert(others.end(), method.others().begin(), method.others().end());
+    hidden_in_part.insert(hidden_in_part.end(), method.hidden_in_part().begin(),
+                          method.hidden_in_part().end());
+  });
+  std::ranges::sort(hidden_in_part, {}, &SeenPart::name);
+  std::vector<PartOfLine> hidden;
+  for (std::size_t k = 0; k < hidden_in_part.size();) {
+    const std::uint32_t name = hidden_in_part[k].name;
+    hidden.clear();
+    for (; k < hidden_in_part.size() && hidden_in_part[k].name == name; ++k) {
+      const PartOfLine& part = hidden_in_part[k].part;
+      if (part.from < part.to) hidden.push_back(part);
+    }
+    unite(hidden);
+    seen.add(name, hidden, others);
+  }
+  return seen.pieces(names, std::move(others));
+}
 
 SeenLines by_franklin(const Primitives& items, std::span<const LineName> names,
                       const LineOptions& options) {
-  const LineScene scene(items, names, options.threads);
-  return visible_lines_by_franklin(items, scene, options);
+  const ItemsNearLines near(items, names, {}, options.threads);
+  const LineScene scene(near.items(), near.names(), options.threads);
+  return near.by_all_items(visible_lines_by_franklin(near.items(), scene, options));
 }
 
 bool is_before(const VisiblePiece& a, const VisiblePiece& b) {
   return std::tie(a.item, a.corner, a.from) < std::tie(b.item, b.corner, b.from);
-}
-
-template <class Perimeters>
-std::vector<VisiblePiece> pieces_of(const GridSurface& surface, const NamedSides& named,
-                                    std::span<const LineName> names, Perimeters perimeters,
-                                    const WorkProgress& progress) {
-  return PerimeterMethod(surface, named, names, perimeters).pieces(progress);
 }
 
 }  // namespace
@@ -217,21 +317,33 @@ SeenLines visible_lines_by_perimeter(const Primitives& items, std::span<const Li
     return item.kind == Primitives::Kind::line;
   });
   if (only_lines) return by_franklin(items, names, options);
-  const GridSurface surface(items);
+  std::optional<GridSurface> found;
+  if (options.surface == nullptr) found.emplace(items);
+  const GridSurface& surface = found ? *found : *options.surface;
   const Verticals verticals(surface);
   if (verticals.are_points() || !verticals.make_columns()) {
     return by_franklin(items, names, options);
   }
   const NamedSides named(surface, verticals, names, items);
-  SeenLines seen;
-  seen.pieces = options.precision.exact
-                    ? pieces_of(surface, named, names, PerimeterPolylines(surface, verticals),
-                                options.progress)
-                    : pieces_of(surface, named, names,
-                                PerimeterArray(surface, verticals, options.precision.roundoff),
-                                options.progress);
-  if (named.others().empty()) return seen;
-  const SeenLines others = by_franklin(items, named.others(), options);
+  SeenLines seen, others;
+  const auto find_others = [&] {
+    if (named.others().empty()) return;
+    others = by_franklin(items, named.others(), {options.precision, options.threads, {}, nullptr});
+  };
+  if (options.precision.exact) {
+    const SurfaceColumns columns(surface, verticals);
+    const auto parts = columns.parts(static_cast<std::size_t>(useful_threads(options.threads)));
+    const auto make = [&](std::size_t part) {
+      return PerimeterPolylines(surface, verticals, columns, parts[part]);
+    };
+    seen.pieces = pieces_of(surface, named, names, parts.size(), make, options, find_others);
+  } else {
+    const auto make = [&](std::size_t) {
+      return WholeArray(surface, verticals, options.precision.roundoff);
+    };
+    seen.pieces = pieces_of(surface, named, names, 1, make, options, find_others);
+  }
+  if (others.pieces.empty()) return seen;
   std::vector<VisiblePiece> all;
   all.reserve(seen.pieces.size() + others.pieces.size());
   std::ranges::merge(seen.pieces, others.pieces, std::back_inserter(all), is_before);

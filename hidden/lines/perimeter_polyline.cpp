@@ -1,6 +1,8 @@
 #include "hidden/lines/perimeter_polyline.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "hidden/exact/line_parameter.h"
 #include "hidden/exact/orientation.h"
@@ -9,62 +11,36 @@ namespace displayfile {
 
 namespace {
 
-constexpr std::uint32_t kFewSupports = 8;
+// So many are looked at together: at first, so that it is soon known how low a perimeter is.
+constexpr std::uint32_t kFirstSupports = 4, kFewSupports = 8;
+
+/// True if its height at some column may be wrong by more than any margin.
+bool is_steep(const PerimeterPolyline::Line& line) {
+  constexpr double kSteep = 1e5;
+  return std::abs(line.slope) > kSteep || line.from.x == line.to.x;
+}
 
 }  // namespace
 
 PerimeterPolyline::PerimeterPolyline(Bound bound, const GridSurface& surface,
-                                     const Verticals& verticals)
-    : surface_(surface), verticals_(verticals), sign_(bound == Bound::upper ? 1.0 : -1.0) {
-  Point2 low = verticals.in_columns(0), high = low;
-  for (std::uint32_t k = 0; k < surface.points(); ++k) {
-    const Point2& at = verticals.in_columns(k);
-    low = {std::min(low.x, at.x), std::min(low.y, at.y)};
-    high = {std::max(high.x, at.x), std::max(high.y, at.y)};
-  }
-  // A column is as wide as a side, on the average.
-  double widths = 0.0;
-  std::uint32_t sides = 0;
-  const auto add = [&](std::uint32_t a, std::uint32_t b) {
-    widths += std::abs(verticals.in_columns(a).x - verticals.in_columns(b).x);
-    ++sides;
-  };
-  for (std::uint32_t j = 0; j <= surface.rows(); ++j) {
-    for (std::uint32_t i = 0; i <= surface.columns(); ++i) {
-      if (i > 0) add(surface.number(i - 1, j), surface.number(i, j));
-      if (j > 0) add(surface.number(i, j - 1), surface.number(i, j));
-    }
-  }
-  const double most = 4.0 * (surface.columns() + surface.rows()) + 16.0;
-  const double count = std::clamp((high.x - low.x) * sides / widths, 1.0, most);
-  left_ = low.x;
-  width_ = (high.x - low.x) / std::floor(count);
-  margin_ = 1e-9 * (std::abs(low.y) + std::abs(high.y) + high.x - low.x);
-  columns_.resize(static_cast<std::size_t>(count));
-  drop_at_.assign(columns_.size(), kFewSupports);
-}
-
-std::uint32_t PerimeterPolyline::column_of(double x) const {
-  const double column = (x - left_) / width_;
-  return static_cast<std::uint32_t>(
-      std::clamp(column, 0.0, static_cast<double>(columns_.size() - 1)));
-}
-
-PerimeterPolyline::Line PerimeterPolyline::line_between(const Verticals& verticals, std::uint32_t a,
-                                                        std::uint32_t b) {
-  Point2 from = verticals.in_columns(a), to = verticals.in_columns(b);
-  if (from.x > to.x) {
-    std::swap(a, b);
-    std::swap(from, to);
-  }
-  const double width = to.x - from.x;
-  return {a, b, from, to, width > 0.0 ? (to.y - from.y) / width : 0.0};
+                                     const Verticals& verticals, const SurfaceColumns& columns,
+                                     const SurfaceColumns::Range& range)
+    : surface_(surface),
+      verticals_(verticals),
+      layout_(columns),
+      range_(range),
+      sign_(bound == Bound::upper ? 1.0 : -1.0),
+      margin_(columns.margin()) {
+  constexpr double kNoFloor = -std::numeric_limits<double>::infinity();
+  columns_.assign(range.end - range.first, {{}, kFirstSupports, kNoFloor});
 }
 
 /// Upside down for the lower perimeter, which so is an upper one.
 PerimeterPolyline::Line PerimeterPolyline::upright(const Line& line) const {
   return {line.p,
           line.q,
+          line.first,
+          line.last,
           {line.from.x, sign_ * line.from.y},
           {line.to.x, sign_ * line.to.y},
           sign_ * line.slope};
@@ -72,36 +48,81 @@ PerimeterPolyline::Line PerimeterPolyline::upright(const Line& line) const {
 
 PerimeterPolyline::Support PerimeterPolyline::in_column(std::uint32_t column,
                                                         const Line& line) const {
-  const double low = std::max(line.from.x, left_ + column * width_);
-  const double high = std::max(low, std::min(line.to.x, left_ + (column + 1) * width_));
-  const double at_low = line.height_at(low), at_high = line.height_at(high);
+  const double low = std::max(line.from.x, layout_.left(column));
+  const double high = std::max(low, std::min(line.to.x, layout_.left(column + 1)));
+  const bool steep = is_steep(line);
+  const double at_low = steep ? line.from.y : line.height_at(low);
+  const double at_high = steep ? line.to.y : line.height_at(high);
   return {line, low, high, std::min(at_low, at_high), std::max(at_low, at_high)};
+}
+
+/// True if all of one part lies below the other by more than any error.
+inline bool PerimeterPolyline::is_within(const Support& one, const Support& other) const {
+  return one.lowest < other.highest && other.low_x <= one.low_x && one.high_x <= other.high_x &&
+         other.side.height_at(one.low_x) > one.side.height_at(one.low_x) + margin_ &&
+         other.side.height_at(one.high_x) > one.side.height_at(one.high_x) + margin_;
+}
+
+/// True if all of the line that is in range is below the lowest that the perimeter is there.
+bool PerimeterPolyline::is_below_floors(const Line& line) const {
+  const double highest =
+      (sign_ > 0.0 ? std::max(line.from.y, line.to.y) : -std::min(line.from.y, line.to.y)) +
+      margin_;
+  const auto [first, last] = in_range(line);
+  for (std::uint32_t k = first; k <= last; ++k) {
+    if (highest >= column(k).floor) return false;
+  }
+  return true;
+}
+
+/// True if in each of the line's columns a side that is part of the perimeter lies above it.
+bool PerimeterPolyline::is_covered(const Line& line) const {
+  for (std::uint32_t k = line.first; k <= line.last; ++k) {
+    const Support part = in_column(k, line);
+    const auto covers = [&](const Support& support) { return is_within(part, support); };
+    if (!std::ranges::any_of(column(k).supports, covers)) return false;
+  }
+  return true;
 }
 
 void PerimeterPolyline::find_within(const Line& along, bool runs_left,
                                     std::vector<PartOfLine>& parts) const {
   parts.clear();
+  const bool all_known = along.first >= range_.first && along.last < range_.end;
+  if (all_known && is_below_floors(along)) return parts.push_back({0.0, 1.0});
   const Line line = upright(along);
-  const std::uint32_t end = column_of(line.to.x + margin_);
-  for (std::uint32_t k = column_of(line.from.x - margin_); k <= end; ++k) {
-    const double lowest = in_column(k, line).lowest - margin_;
-    for (const Support& support : columns_[k]) {
-      if (support.highest < lowest) continue;
+  if (all_known && is_covered(line)) return parts.push_back({0.0, 1.0});
+  const double lowest = std::min(line.from.y, line.to.y) - margin_;
+  const auto [first, last] = in_range(line);
+  for (std::uint32_t k = first; k <= last; ++k) {
+    for (const Support& support : column(k).supports) {
+      if (support.highest < lowest || is_clear_of(line, support.side)) continue;
       find_within_one(line, runs_left, support.side, parts);
       if (!parts.empty() && parts.back().from == 0.0 && parts.back().to == 1.0) {
-        parts = {{0.0, 1.0}};
-        return;
+        parts.clear();
+        return parts.push_back({0.0, 1.0});
       }
     }
   }
   unite(parts);
 }
 
+/// True if no part of the line is below the side, by more than any error but at ends that they
+/// share.
+bool PerimeterPolyline::is_clear_of(const Line& line, const Line& side) const {
+  const double from = std::max(line.from.x, side.from.x);
+  const double to = std::min(line.to.x, side.to.x);
+  const bool touch = line.p == side.q || line.q == side.p;
+  if (to < from || touch) return true;
+  if (is_steep(line) || is_steep(side)) return false;
+  return (line.p == side.p || line.height_at(from) > side.height_at(from) + margin_) &&
+         (line.q == side.q || line.height_at(to) > side.height_at(to) + margin_);
+}
+
 /// What of the line is beyond the side, where both have columns. The line's parameters are those
 /// from its first point, which is the right one if it runs left.
 void PerimeterPolyline::find_within_one(const Line& line, bool runs_left, const Line& side,
                                         std::vector<PartOfLine>& parts) const {
-  if (std::max(line.from.x, side.from.x) > std::min(line.to.x, side.to.x)) return;
   const Point2 l(surface_.point(line.p)), r(surface_.point(line.q));
   const Point2 p(surface_.point(side.p)), q(surface_.point(side.q));
   // -1: the line is within the perimeter there.
@@ -126,11 +147,14 @@ void PerimeterPolyline::find_within_one(const Line& line, bool runs_left, const 
 }
 
 void PerimeterPolyline::extend(const Line& side) {
+  if (is_below_floors(side)) return;
   const Line line = upright(side);
-  const std::uint32_t end = column_of(line.to.x);
-  for (std::uint32_t k = column_of(line.from.x); k <= end; ++k) {
-    std::vector<Support>& supports = columns_[k];
+  const auto [first, last] = in_range(line);
+  for (std::uint32_t k = first; k <= last; ++k) {
+    Column& here = column(k);
     const Support support = in_column(k, line);
+    if (support.highest + margin_ < here.floor) continue;
+    std::vector<Support>& supports = here.supports;
     bool is_needed = true;
     for (std::size_t s = 0; s < supports.size();) {
       if (is_within(support, supports[s])) {
@@ -146,17 +170,11 @@ void PerimeterPolyline::extend(const Line& side) {
     }
     if (!is_needed) continue;
     supports.push_back(support);
-    if (supports.size() < drop_at_[k]) continue;
+    if (supports.size() < here.drop_at) continue;
     drop_what_is_within(supports);
-    drop_at_[k] = std::max(kFewSupports, 2 * static_cast<std::uint32_t>(supports.size()));
+    here.drop_at = std::max(kFewSupports, 2 * static_cast<std::uint32_t>(supports.size()));
+    here.floor = floor_of(k);
   }
-}
-
-/// True if all of one part lies below the other by more than any error.
-bool PerimeterPolyline::is_within(const Support& one, const Support& other) const {
-  return one.lowest < other.highest && other.low_x <= one.low_x && one.high_x <= other.high_x &&
-         other.side.height_at(one.low_x) > one.side.height_at(one.low_x) + margin_ &&
-         other.side.height_at(one.high_x) > one.side.height_at(one.high_x) + margin_;
 }
 
 /// Drops those that lie below others together. Two that are equally high do not drop each other.
@@ -186,6 +204,21 @@ void PerimeterPolyline::drop_what_is_within(std::vector<Support>& supports) {
       ++k;
     }
   }
+}
+
+/// The lowest of its supports, if they leave nothing of the column out; or what is known.
+double PerimeterPolyline::floor_of(std::uint32_t number) {
+  const auto& [supports, drop_at, known] = column(number);
+  within_.clear();
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Support& support : supports) {
+    within_.push_back({support.low_x, support.high_x});
+    lowest = std::min(lowest, support.lowest);
+  }
+  unite(within_);
+  const bool all = within_.size() == 1 && within_[0].from <= layout_.left(number) &&
+                   within_[0].to >= layout_.left(number + 1);
+  return all ? std::max(known, lowest - margin_) : known;
 }
 
 }  // namespace displayfile

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "hidden/lines/hidden_parts.h"
-#include "hidden/lines/verticals.h"
+#include "hidden/lines/surface_columns.h"
 
 namespace displayfile {
 
@@ -16,16 +16,11 @@ class PerimeterPolyline {
  public:
   enum class Bound { upper, lower };
 
-  /// A line from p to the right to q, and where it is among the columns.
-  struct Line {
-    std::uint32_t p, q;
-    Point2 from, to;
-    double slope;
-    double height_at(double x) const { return from.y + slope * (x - from.x); }
-  };
-  static Line line_between(const Verticals& verticals, std::uint32_t a, std::uint32_t b);
+  using Line = LineInColumns;
 
-  PerimeterPolyline(Bound bound, const GridSurface& surface, const Verticals& verticals);
+  /// In some of the columns. What is given must outlive this.
+  PerimeterPolyline(Bound bound, const GridSurface& surface, const Verticals& verticals,
+                    const SurfaceColumns& columns, const SurfaceColumns::Range& range);
 
   /// The parts of the line where the perimeter lies strictly beyond it, above it or below. United,
   /// with parameters that run to the left if it does.
@@ -40,20 +35,38 @@ class PerimeterPolyline {
     double low_x, high_x;  ///< of the part
     double lowest, highest;
   };
-  std::uint32_t column_of(double x) const;
+  /// The sides that are part of the perimeter in a column.
+  struct Column {
+    std::vector<Support> supports;
+    std::uint32_t drop_at;  ///< the size at which to look for what to drop
+    double floor;           ///< the perimeter is nowhere lower in all of the column
+  };
+  /// Columns from the first to the last; first > last: none.
+  struct InRange {
+    std::uint32_t first, last;
+  };
+  InRange in_range(const Line& line) const {
+    return {std::max(range_.first, line.first), std::min(range_.end - 1, line.last)};
+  }
+  Column& column(std::uint32_t number) { return columns_[number - range_.first]; }
+  const Column& column(std::uint32_t number) const { return columns_[number - range_.first]; }
   Line upright(const Line& line) const;
   Support in_column(std::uint32_t column, const Line& line) const;
+  bool is_below_floors(const Line& line) const;
+  bool is_covered(const Line& line) const;
   void find_within_one(const Line& line, bool runs_left, const Line& side,
                        std::vector<PartOfLine>& parts) const;
+  bool is_clear_of(const Line& line, const Line& side) const;
   bool is_within(const Support& one, const Support& other) const;
   void drop_what_is_within(std::vector<Support>& supports);
+  double floor_of(std::uint32_t number);
 
   const GridSurface& surface_;
   const Verticals& verticals_;
-  double sign_, left_, width_, margin_;  // of a column; sign 1: upper
-  std::vector<std::vector<Support>> columns_;
-  std::vector<std::uint32_t>
-      drop_at_;  // of each column, the size at which to look for what to drop
+  const SurfaceColumns& layout_;
+  SurfaceColumns::Range range_;
+  double sign_, margin_;  // sign 1: upper
+  std::vector<Column> columns_;
   std::vector<PartOfLine> within_;
 };
 

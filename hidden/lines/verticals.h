@@ -29,8 +29,9 @@ class Verticals {
   bool are_along(const Point2& a, const Point2& b) const {
     constexpr double kSlope = 1e-6;
     const Point2 up = direction_at(a), way = b - a;
-    return std::abs(way.x * up.y - way.y * up.x) <=
-           kSlope * std::hypot(way.x, way.y) * std::hypot(up.x, up.y);
+    const double area = way.x * up.y - way.y * up.x;
+    return area * area <=
+           kSlope * kSlope * (way.x * way.x + way.y * way.y) * (up.x * up.x + up.y * up.y);
   }
   /// Where on the line from a to b the vertical of p is, in [0,1]; the line does not run along it.
   double part_at(const Point2& a, const Point2& b, const Point2& p) const {

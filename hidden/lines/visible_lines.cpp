@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 
 #include "clip/corners.h"
@@ -10,7 +11,9 @@
 #include "hidden/lines/appel.h"
 #include "hidden/lines/franklin.h"
 #include "hidden/lines/grid_surface.h"
+#include "hidden/lines/items_near_lines.h"
 #include "hidden/lines/line_scene.h"
+#include "hidden/lines/lines_of_surface.h"
 #include "hidden/lines/perimeter.h"
 #include "hidden/lines/roberts.h"
 #include "hidden/lines/side_table.h"
@@ -48,12 +51,8 @@ class SideLooks {
       sides += item.sides;
     }
     looks_.resize(sides);
-    if (const auto surface = GridSurface::of(items)) {
-      look_at(*surface);
-    } else {
-      SideTable(items, SideTable::Sides::near_drawn)
-          .for_each_set([&](std::span<const SideTable::Side> same) { look_at(same); });
-    }
+    SideTable(items, SideTable::Sides::near_drawn)
+        .for_each_set([&](std::span<const SideTable::Side> same) { look_at(same); });
   }
 
   const SideLook& operator[](const LineName& name) const {
@@ -62,32 +61,13 @@ class SideLooks {
 
  private:
   void look_at(std::span<const SideTable::Side> same) {
-    const auto drawn = std::ranges::find_if(same, [&](const SideTable::Side& side) {
-      return items_.is_visible(items_.items[side.name.item].first + side.name.corner);
-    });
+    const auto drawn = std::ranges::find_if(
+        same, [&](const SideTable::Side& side) { return is_visible(side.name); });
     if (drawn == same.end()) return;
     looks_[first_[drawn->name.item] + drawn->name.corner] = shared_look(items_, same, picks_);
   }
-  /// A surface's sides are known, and no two of them have the same ends.
-  void look_at(const GridSurface& surface) {
-    std::vector<SideTable::Side> one(surface.sides(), {0, {LineScene::kNone, 0}});
-    for (std::uint32_t item = 0; item < items_.items.size(); ++item) {
-      for (std::uint32_t corner = 0; corner < items_.items[item].sides; ++corner) {
-        const std::uint32_t side = surface.side(item, corner);
-        if (side == GridSurface::kNone) continue;
-        SideTable::Side& other = one[side];
-        if (other.name.item == LineScene::kNone) {
-          other = {side, {item, corner}};
-        } else {
-          const std::array same{other, SideTable::Side{side, {item, corner}}};
-          look_at(same);
-          other.high = GridSurface::kNone;
-        }
-      }
-    }
-    for (const SideTable::Side& side : one) {
-      if (side.high != GridSurface::kNone) look_at(std::span(&side, 1));
-    }
+  bool is_visible(const LineName& name) const {
+    return items_.is_visible(items_.items[name.item].first + name.corner);
   }
 
   const Primitives& items_;
@@ -111,24 +91,42 @@ WorkDone work_of(HiddenMethod method) {
 
 }  // namespace
 
-std::vector<LineToDraw> lines_to_draw(const Primitives& items,
-                                      std::span<const std::int32_t> picks) {
-  const SideLooks looks(items, picks);
+std::vector<LineToDraw> lines_to_draw(const Primitives& items, std::span<const std::int32_t> picks,
+                                      const GridSurface* surface) {
   std::vector<LineToDraw> lines;
+  lines.reserve(items.items.size());
+  const auto ends = [&](const LineName& name) {
+    const auto& [first, sides, kind] = items.items[name.item];
+    return std::array{
+        Point2(items.points[items.point(first + previous_corner(name.corner, sides))]),
+        Point2(items.points[items.point(first + name.corner)])};
+  };
+  const auto add = [&](const LineName& name, const SideLook& look) {
+    if (look.kinds == 0) return;
+    const auto [from, to] = ends(name);
+    if (from != to) lines.push_back({name, look.kinds, look.pick_item});
+  };
+  std::optional<SideLooks> looks;
+  if (surface == nullptr) looks.emplace(items, picks);
   for (std::uint32_t i = 0; i < items.items.size(); ++i) {
-    const Primitives::Item& item = items.items[i];
-    const bool is_line = item.kind == Primitives::Kind::line;
-    for (std::uint32_t corner = is_line ? 1 : 0; corner < item.sides; ++corner) {
-      const Point3& to = items.points[items.point(item.first + corner)];
-      const std::uint32_t before = previous_corner(corner, item.sides);
-      const Point3& from = items.points[items.point(item.first + before)];
-      const SideLook look = is_line ? SideLook{kDrawn, i} : looks[{i, corner}];
-      if (look.kinds != 0 && Point2(from) != Point2(to)) {
-        lines.push_back({{i, corner}, look.kinds, look.pick_item});
+    if (items.items[i].kind == Primitives::Kind::line) {
+      add({i, 1}, {kDrawn, i});
+    } else if (looks) {
+      for (std::uint32_t corner = 0; corner < items.items[i].sides; ++corner) {
+        add({i, corner}, (*looks)[{i, corner}]);
       }
+    } else {  // all the others are lines
+      add_lines_of(*surface, items, picks, lines);
+      i += 2 * surface->columns() * surface->rows() - 1;
     }
   }
   return lines;
+}
+
+std::vector<LineToDraw> lines_to_draw(const Primitives& items,
+                                      std::span<const std::int32_t> picks) {
+  const std::optional<GridSurface> surface = GridSurface::of(items);
+  return lines_to_draw(items, picks, surface ? &*surface : nullptr);
 }
 
 std::vector<LineName> drawn_lines(const Primitives& items) {
@@ -151,10 +149,16 @@ SeenLines visible_lines(const Primitives& items, std::span<const LineName> lines
   if (method == HiddenMethod::perimeter) {
     return visible_lines_by_perimeter(items, names, options, intersections);
   }
-  const LineScene scene(items, names, options.threads, intersections);
-  if (method == HiddenMethod::roberts) return visible_lines_by_roberts(items, scene, options);
-  if (method == HiddenMethod::appel) return visible_lines_by_appel(items, scene, options);
-  return visible_lines_by_franklin(items, scene, options);
+  const ItemsNearLines near(items, names, intersections, options.threads);
+  const LineScene scene(near.items(), near.names(), options.threads, near.intersections());
+  const auto by_method =
+      method == HiddenMethod::roberts ? visible_lines_by_roberts
+      : method == HiddenMethod::franklin
+          ? visible_lines_by_franklin
+          : [](const Primitives& of_lines, const LineScene& of_method, const LineOptions& asked) {
+              return visible_lines_by_appel(of_lines, of_method, asked);
+            };
+  return near.by_all_items(by_method(near.items(), scene, options));
 }
 
 }  // namespace displayfile

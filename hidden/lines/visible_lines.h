@@ -43,10 +43,13 @@ struct SeenLines {
   std::vector<VisibleIntersection> intersections;  ///< by line, from; likewise
 };
 
+class GridSurface;
+
 struct LineOptions {
   Precision precision;
-  int threads = 1;             ///< the result is the same for any number
-  WorkProgress progress = {};  ///< told of lines that were looked at, if not empty
+  int threads = 1;                       ///< the result is the same for any number
+  WorkProgress progress = {};            ///< told of lines that were looked at, if not empty
+  const GridSurface* surface = nullptr;  ///< that the items are, if that is known
 };
 
 /// The lines that are drawn: all lines, and the sides of polygons that are visible, in order of
@@ -60,7 +63,10 @@ struct LineToDraw {
   LineKinds kinds;          ///< those that the side is drawn as in one of the polygons or more
   std::uint32_t pick_item;  ///< the item of the lowest pick identifier
 };
-/// The same list; `picks` are the pick identifiers of the items.
+/// The same list; `picks` are the pick identifiers of the items, and `surface` what they are if
+/// they are one (GridSurface::of).
+std::vector<LineToDraw> lines_to_draw(const Primitives& items, std::span<const std::int32_t> picks,
+                                      const GridSurface* surface);
 std::vector<LineToDraw> lines_to_draw(const Primitives& items, std::span<const std::int32_t> picks);
 
 /// Finds what is seen of the lines named, in device coordinates (hidden/lines/README.md has the

@@ -98,6 +98,15 @@ bool is_nearer(const Plane& plane, const Point3& point) {
   return side_of_plane({point.x, point.y, point.z + allowed}, plane) * facing(plane) < 0;
 }
 
+/// Around some fills, in the projection.
+Rectangle rectangle_around(const ViewedScene& scene, Fill first, Fill end) {
+  Rectangle all = Rectangle::nothing();
+  for (Fill fill = first; fill < end; ++fill) {
+    for (const Point3& p : scene.vertices(fill)) all.include(Point2(p));
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> points_seen(const ViewedScene& scene, std::span<const Point3> points) {
@@ -106,16 +115,27 @@ std::vector<std::uint8_t> points_seen(const ViewedScene& scene, std::span<const 
   const auto y_of = [&](std::uint32_t i) { return points[i].y; };
   std::ranges::stable_sort(by_y, {}, y_of);
   std::vector<Surroundings> around(points.size());
-  for (Fill fill = 1; fill < scene.end(); ++fill) {
-    const auto polygon = scene.vertices(fill);
-    const Rectangle box = bounding_rectangle(polygon);
+  const auto for_each_within = [&](const Rectangle& box, const auto& visit) {
     auto i = std::ranges::lower_bound(by_y, box.y_min, {}, y_of);
     for (; i != by_y.end() && y_of(*i) <= box.y_max; ++i) {
-      const Point3& point = points[*i];
-      if (around[*i].hidden || point.x < box.x_min || point.x > box.x_max) continue;
-      if (std::ranges::find(polygon, point) != polygon.end()) continue;
-      if (is_nearer(scene.plane(fill), point)) add_polygon(polygon, Point2(point), around[*i]);
+      if (points[*i].x >= box.x_min && points[*i].x <= box.x_max) visit(*i);
     }
+  };
+  const auto look_at = [&](Fill fill) {
+    const auto polygon = scene.vertices(fill);
+    for_each_within(bounding_rectangle(polygon), [&](std::uint32_t i) {
+      const Point3& point = points[i];
+      if (around[i].hidden || std::ranges::find(polygon, point) != polygon.end()) return;
+      if (is_nearer(scene.plane(fill), point)) add_polygon(polygon, Point2(point), around[i]);
+    });
+  };
+  // Fills that follow each other are often beside each other, and away from all points together.
+  constexpr Fill kTogether = 32;
+  for (Fill first = 1; first < scene.end(); first += kTogether) {
+    const Fill end = std::min(scene.end(), first + kTogether);
+    bool is_near = false;
+    for_each_within(rectangle_around(scene, first, end), [&](std::uint32_t) { is_near = true; });
+    for (Fill fill = first; is_near && fill < end; ++fill) look_at(fill);
   }
   std::vector<std::uint8_t> seen(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -24,7 +24,14 @@ std::vector<ViewedText> seen_texts(const ViewedScene& scene) {
 
 std::vector<ViewedText> seen_texts(const DisplayFile& display_file, bool by_depth) {
   if (!display_file.has_texts()) return {};
-  if (by_depth || display_file.sorted() != nullptr) return seen_texts(ViewedScene(display_file));
+  if (by_depth || display_file.sorted() != nullptr) {
+    const SortedScene* sorted = display_file.sorted().get();
+    if (sorted != nullptr && sorted->parts.size() == 1) {
+      const ViewedScene& scene = *sorted->parts[0]->scene;
+      if (scene.is_of(display_file)) return seen_texts(scene);
+    }
+    return seen_texts(ViewedScene(display_file));
+  }
   std::vector<ViewedText> texts;
   for (const Segment* segment : display_file.visible_segments()) {
     if (!segment->has_texts()) continue;

@@ -1,0 +1,55 @@
+#include "hidden/lines/surface_columns.h"
+
+#include <cmath>
+
+namespace displayfile {
+
+SurfaceColumns::SurfaceColumns(const GridSurface& surface, const Verticals& verticals)
+    : surface_(surface), verticals_(verticals) {
+  Point2 low = verticals.in_columns(0), high = low;
+  for (std::uint32_t k = 0; k < surface.points(); ++k) {
+    const Point2& at = verticals.in_columns(k);
+    low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+    high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+  }
+  // A column is as wide as a side, on the average.
+  double widths = 0.0;
+  std::uint32_t sides = 0;
+  const auto add = [&](std::uint32_t a, std::uint32_t b) {
+    widths += std::abs(verticals.in_columns(a).x - verticals.in_columns(b).x);
+    ++sides;
+  };
+  for (std::uint32_t j = 0; j <= surface.rows(); ++j) {
+    for (std::uint32_t i = 0; i <= surface.columns(); ++i) {
+      if (i > 0) add(surface.number(i - 1, j), surface.number(i, j));
+      if (j > 0) add(surface.number(i, j - 1), surface.number(i, j));
+    }
+  }
+  const double most = 4.0 * (surface.columns() + surface.rows()) + 16.0;
+  const double count = std::floor(std::clamp((high.x - low.x) * sides / widths, 1.0, most));
+  left_ = low.x;
+  width_ = (high.x - low.x) / count;
+  per_width_ = count / (high.x - low.x);
+  margin_ = 1e-9 * (std::abs(low.y) + std::abs(high.y) + high.x - low.x);
+  size_ = static_cast<std::uint32_t>(count);
+}
+
+std::vector<SurfaceColumns::Range> SurfaceColumns::parts(std::size_t count) const {
+  if (count <= 1) return {{0, size_}};
+  std::vector<std::size_t> points(size_, 0);
+  for (std::uint32_t k = 0; k < surface_.points(); ++k) {
+    ++points[of(verticals_.in_columns(k).x)];
+  }
+  std::vector<Range> all;
+  std::size_t before = 0;
+  for (std::uint32_t column = 0, first = 0; column < size_; ++column) {
+    before += points[column];
+    const bool is_full = before * count >= surface_.points() * (all.size() + 1);
+    if (!is_full && column + 1 < size_) continue;
+    all.push_back({first, column + 1});
+    first = column + 1;
+  }
+  return all;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "hidden/lines/verticals.h"
+
+namespace displayfile {
+
+/// A line from point p of a surface to the right to q, and where it is among the columns.
+struct LineInColumns {
+  std::uint32_t p, q;
+  std::uint32_t first, last;  ///< columns that it is in, but for rounding
+  Point2 from, to;
+  double slope;
+  double height_at(double x) const { return from.y + slope * (x - from.x); }
+};
+
+/// The columns of a surface's picture (Verticals), each about as wide as the side of a cell.
+/// Rounded coordinates say which column something is in.
+class SurfaceColumns {
+ public:
+  SurfaceColumns(const GridSurface& surface, const Verticals& verticals);
+
+  std::uint32_t size() const { return size_; }
+  std::uint32_t of(double x) const {
+    const double column = (x - left_) * per_width_;
+    return static_cast<std::uint32_t>(std::clamp(column, 0.0, static_cast<double>(size_ - 1)));
+  }
+  /// Between two points of the surface.
+  LineInColumns line_between(std::uint32_t a, std::uint32_t b) const {
+    Point2 from = verticals_.in_columns(a), to = verticals_.in_columns(b);
+    if (from.x > to.x) {
+      std::swap(a, b);
+      std::swap(from, to);
+    }
+    const double width = to.x - from.x;
+    return {a,
+            b,
+            of(from.x - margin_),
+            of(to.x + margin_),
+            from,
+            to,
+            width > 0.0 ? (to.y - from.y) / width : 0.0};
+  }
+  double left(std::uint32_t column) const { return left_ + column * width_; }
+  /// More than any rounded coordinate is wrong by.
+  double margin() const { return margin_; }
+
+  /// Some columns in a row: from first to before end.
+  struct Range {
+    std::uint32_t first, end;
+  };
+  /// So many parts of all columns, or fewer, of about as many points each.
+  std::vector<Range> parts(std::size_t count) const;
+
+ private:
+  const GridSurface& surface_;
+  const Verticals& verticals_;
+  double left_ = 0.0, width_ = 1.0, per_width_ = 1.0, margin_ = 0.0;
+  std::uint32_t size_ = 1;
+};
+
+}  // namespace displayfile

@@ -11,8 +11,8 @@ namespace displayfile {
 
 namespace {
 
-using Index = std::uint32_t;
-constexpr Index kNone = 0xFFFFFFFFu;
+using VertexIndex = std::uint32_t;
+constexpr VertexIndex kNone = 0xFFFFFFFFu;
 
 /// From bottom to top, of equally high points from left to right.
 bool is_below(const Point2& p, const Point2& q) { return p.y != q.y ? p.y < q.y : p.x < q.x; }
@@ -22,7 +22,7 @@ enum class Kind { both_below, one_below, both_above };
 
 struct Corner {
   Point2 at;
-  Index of_polygon;
+  VertexIndex of_polygon;
   Kind kind = Kind::one_below;
   int turn = 0;                  ///< 1 where the polygon is convex
   Point2 left{0.0}, right{0.0};  ///< its neighbours, if they are on the same side of it
@@ -40,85 +40,86 @@ class Sweep {
     find_kinds();
     put_in_order();
     slab_of_side_.assign(corners_.size(), kNone);
-    return std::ranges::all_of(sequence_, [this](Index v) { return meet(v); }) && order_.empty();
+    return std::ranges::all_of(sequence_, [this](VertexIndex v) { return meet(v); }) &&
+           order_.empty();
   }
 
  private:
   /// A corner in a chain, which the sweep has met and above which not all is triangulated.
   struct Link {
-    Index corner, left, right;
+    VertexIndex corner, left, right;
   };
   /// What is inside the polygon between two sides that the sweep line crosses. Below it is a chain
   /// of corners, from the lower end of the left side to that of the right side; it rises to the
   /// peak, the corner that was met last, and falls from there.
   struct Slab {
-    Index left_side, right_side;
-    Index first, last, peak;
+    VertexIndex left_side, right_side;
+    VertexIndex first, last, peak;
   };
   /// Slabs are found by where a corner is among them; a new one is put beside one that is known.
   struct RightSideIsLeftOf {
     using is_transparent = void;
     const Sweep* sweep;
-    bool operator()(Index, Index) const { return false; }
-    bool operator()(Index slab, const Corner& corner) const {
+    bool operator()(VertexIndex, VertexIndex) const { return false; }
+    bool operator()(VertexIndex slab, const Corner& corner) const {
       return sweep->is_right_of(corner, sweep->slabs_[slab].right_side, corner.turn > 0);
     }
   };
 
-  using Order = std::multiset<Index, RightSideIsLeftOf>;
+  using Order = std::multiset<VertexIndex, RightSideIsLeftOf>;
 
-  Index size() const { return static_cast<Index>(corners_.size()); }
+  VertexIndex size() const { return static_cast<VertexIndex>(corners_.size()); }
   void drop_repeated_points();
   void turn_counterclockwise();
   void find_kinds();
   void put_in_order();
-  bool is_right_of(const Corner& corner, Index side, bool if_on_it) const;
+  bool is_right_of(const Corner& corner, VertexIndex side, bool if_on_it) const;
 
-  bool meet(Index v);
-  void bend(Index v, bool on_the_left);
-  bool start_or_split(Index v);
-  bool end_or_merge(Index v);
+  bool meet(VertexIndex v);
+  void bend(VertexIndex v, bool on_the_left);
+  bool start_or_split(VertexIndex v);
+  bool end_or_merge(VertexIndex v);
 
-  Index add_link(Index corner) {
+  VertexIndex add_link(VertexIndex corner) {
     links_.push_back({corner, kNone, kNone});
-    return static_cast<Index>(links_.size() - 1);
+    return static_cast<VertexIndex>(links_.size() - 1);
   }
-  void join(Index left, Index right) {
+  void join(VertexIndex left, VertexIndex right) {
     links_[left].right = right;
     links_[right].left = left;
   }
   void add_slab(const Slab& slab, Order::iterator next) {
-    const auto added = static_cast<Index>(slabs_.size());
+    const auto added = static_cast<VertexIndex>(slabs_.size());
     slabs_.push_back(slab);
     slab_of_side_[slab.left_side] = slab_of_side_[slab.right_side] = added;
     places_.push_back(order_.emplace_hint(next, added));
   }
-  void put_first(Slab& slab, Index v) {
-    const Index link = slab.peak = add_link(v);
+  void put_first(Slab& slab, VertexIndex v) {
+    const VertexIndex link = slab.peak = add_link(v);
     join(link, slab.first);
     slab.first = link;
   }
-  void put_last(Slab& slab, Index v) {
-    const Index link = slab.peak = add_link(v);
+  void put_last(Slab& slab, VertexIndex v) {
+    const VertexIndex link = slab.peak = add_link(v);
     join(slab.last, link);
     slab.last = link;
   }
-  bool cut_off(Index middle);
-  void cut_to_the_right(Index link) {
+  bool cut_off(VertexIndex middle);
+  void cut_to_the_right(VertexIndex link) {
     while (links_[link].right != kNone && cut_off(links_[link].right)) {
     }
   }
-  void cut_to_the_left(Index link) {
+  void cut_to_the_left(VertexIndex link) {
     while (links_[link].left != kNone && cut_off(links_[link].left)) {
     }
   }
 
   std::span<const Point2> polygon_;
   std::vector<CornerTriple>& triangles_;
-  std::vector<Corner> corners_;      // none at the point of the one before
-  std::vector<Index> sequence_;      // of corners, as they are met
-  std::vector<Index> rank_;          // of each corner in it
-  std::vector<Index> slab_of_side_;  // side i runs from corner i to the next
+  std::vector<Corner> corners_;            // none at the point of the one before
+  std::vector<VertexIndex> sequence_;      // of corners, as they are met
+  std::vector<VertexIndex> rank_;          // of each corner in it
+  std::vector<VertexIndex> slab_of_side_;  // side i runs from corner i to the next
   std::vector<Link> links_;
   std::vector<Slab> slabs_;
   Order order_;                          // of slabs, from left to right
@@ -127,12 +128,12 @@ class Sweep {
 
 /// A corner at the point of the one before is cut off at once: its triangle has no area.
 void Sweep::drop_repeated_points() {
-  const auto n = static_cast<Index>(polygon_.size());
-  Index first = 0;  // so that a run of equal points does not begin at the polygon's end
+  const auto n = static_cast<VertexIndex>(polygon_.size());
+  VertexIndex first = 0;  // so that a run of equal points does not begin at the polygon's end
   while (first < n && polygon_[first] == polygon_[previous_corner(first, n)]) ++first;
   if (first == n) return;
-  for (Index k = 0; k < n; ++k) {
-    const Index v = first + k < n ? first + k : first + k - n;
+  for (VertexIndex k = 0; k < n; ++k) {
+    const VertexIndex v = first + k < n ? first + k : first + k - n;
     if (corners_.empty() || polygon_[v] != corners_.back().at) {
       corners_.push_back({polygon_[v], v});
     } else {
@@ -143,11 +144,11 @@ void Sweep::drop_repeated_points() {
 
 /// Newell's sums are rounded: where they err about which way it runs, x and y are exchanged.
 void Sweep::turn_counterclockwise() {
-  Index lowest = 0;
-  for (Index v = 1; v < size(); ++v) {
+  VertexIndex lowest = 0;
+  for (VertexIndex v = 1; v < size(); ++v) {
     if (is_below(corners_[v].at, corners_[lowest].at)) lowest = v;
   }
-  const auto at = [&](Index v) { return corners_[v].at; };
+  const auto at = [&](VertexIndex v) { return corners_[v].at; };
   if (orientation(at(previous_corner(lowest, size())), at(lowest),
                   at(next_corner(lowest, size()))) >= 0)
     return;
@@ -155,7 +156,7 @@ void Sweep::turn_counterclockwise() {
 }
 
 void Sweep::find_kinds() {
-  for (Index v = 0; v < size(); ++v) {
+  for (VertexIndex v = 0; v < size(); ++v) {
     Corner& corner = corners_[v];
     const Point2& p = corners_[previous_corner(v, size())].at;
     const Point2& q = corners_[next_corner(v, size())].at;
@@ -172,7 +173,7 @@ void Sweep::find_kinds() {
 /// Corners at one point: what ends there before what goes on, and that before what starts; of two
 /// that end the inner first, of two that start the outer.
 void Sweep::put_in_order() {
-  const auto comes_first = [this](Index u, Index v) {
+  const auto comes_first = [this](VertexIndex u, VertexIndex v) {
     const Corner &a = corners_[u], &b = corners_[v];
     if (a.at != b.at) return is_below(a.at, b.at);
     if (a.kind != b.kind) return a.kind < b.kind;
@@ -183,16 +184,16 @@ void Sweep::put_in_order() {
     return u < v;
   };
   sequence_.resize(corners_.size());
-  for (Index v = 0; v < size(); ++v) sequence_[v] = v;
+  for (VertexIndex v = 0; v < size(); ++v) sequence_[v] = v;
   std::ranges::sort(sequence_, comes_first);
   rank_.resize(corners_.size());
-  for (Index k = 0; k < size(); ++k) rank_[sequence_[k]] = k;
+  for (VertexIndex k = 0; k < size(); ++k) rank_[sequence_[k]] = k;
 }
 
 /// Whether a corner with both neighbours above it is right of a side that the sweep line crosses.
 /// On the side, its neighbours tell; `if_on_it` where these are on it too.
-bool Sweep::is_right_of(const Corner& corner, Index side, bool if_on_it) const {
-  const Index next = next_corner(side, size());
+bool Sweep::is_right_of(const Corner& corner, VertexIndex side, bool if_on_it) const {
+  const VertexIndex next = next_corner(side, size());
   const bool rises = rank_[side] < rank_[next];
   const Point2 &low = corners_[rises ? side : next].at, &high = corners_[rises ? next : side].at;
   if (const int of_corner = orientation(low, high, corner.at)) return of_corner < 0;
@@ -204,10 +205,10 @@ bool Sweep::is_right_of(const Corner& corner, Index side, bool if_on_it) const {
 
 /// Cuts the triangle of a link and its neighbours off the chain, if it is inside, or has no area
 /// and holds up others.
-bool Sweep::cut_off(Index middle) {
+bool Sweep::cut_off(VertexIndex middle) {
   const auto [b, left, right] = links_[middle];
   if (left == kNone || right == kNone) return false;
-  const Index a = links_[left].corner, c = links_[right].corner;
+  const VertexIndex a = links_[left].corner, c = links_[right].corner;
   if (a == c) return false;  // the end of a slab
   const Point2 &p = corners_[a].at, &q = corners_[b].at, &r = corners_[c].at;
   const int turn = orientation(p, q, r);
@@ -219,7 +220,7 @@ bool Sweep::cut_off(Index middle) {
 }
 
 /// False if the polygon crosses itself.
-bool Sweep::meet(Index v) {
+bool Sweep::meet(VertexIndex v) {
   switch (corners_[v].kind) {
     case Kind::both_above: return start_or_split(v);
     case Kind::both_below: return end_or_merge(v);
@@ -231,10 +232,10 @@ bool Sweep::meet(Index v) {
 }
 
 /// A side ends, and the next one goes on.
-void Sweep::bend(Index v, bool on_the_left) {
-  const Index ended = on_the_left ? v : previous_corner(v, size());
-  const Index begun = on_the_left ? previous_corner(v, size()) : v;
-  const Index s = slab_of_side_[begun] = slab_of_side_[ended];
+void Sweep::bend(VertexIndex v, bool on_the_left) {
+  const VertexIndex ended = on_the_left ? v : previous_corner(v, size());
+  const VertexIndex begun = on_the_left ? previous_corner(v, size()) : v;
+  const VertexIndex s = slab_of_side_[begun] = slab_of_side_[ended];
   Slab& slab = slabs_[s];
   if (on_the_left) {
     slab.left_side = begun;
@@ -248,23 +249,23 @@ void Sweep::bend(Index v, bool on_the_left) {
 }
 
 /// Outside a slab starts; inside the slab there is split, and its peak is seen from the corner.
-bool Sweep::start_or_split(Index v) {
+bool Sweep::start_or_split(VertexIndex v) {
   const Corner& corner = corners_[v];
-  const Index falling = previous_corner(v, size()), rising = v;
+  const VertexIndex falling = previous_corner(v, size()), rising = v;
   const auto at = order_.lower_bound(corner);
   const bool inside =
       at != order_.end() && is_right_of(corner, slabs_[*at].left_side, corner.turn <= 0);
   if (inside ? corner.turn > 0 : corner.turn < 0) return false;
   if (!inside) {
-    const Index link = add_link(v);
+    const VertexIndex link = add_link(v);
     add_slab({falling, rising, link, link, link}, at);
     return true;
   }
   const Slab whole = slabs_[*at];
-  const Index peak = add_link(links_[whole.peak].corner), link = add_link(v);
+  const VertexIndex peak = add_link(links_[whole.peak].corner), link = add_link(v);
   join(link, peak);
   if (whole.peak != whole.last) join(peak, links_[whole.peak].right);
-  const Index last = whole.peak != whole.last ? whole.last : peak;
+  const VertexIndex last = whole.peak != whole.last ? whole.last : peak;
   Slab& left = slabs_[*at];
   left.right_side = rising;
   slab_of_side_[rising] = *at;
@@ -278,8 +279,8 @@ bool Sweep::start_or_split(Index v) {
 }
 
 /// The end of the slab between both sides; or of the gap between two slabs, which are merged.
-bool Sweep::end_or_merge(Index v) {
-  const Index s = slab_of_side_[previous_corner(v, size())], t = slab_of_side_[v];
+bool Sweep::end_or_merge(VertexIndex v) {
+  const VertexIndex s = slab_of_side_[previous_corner(v, size())], t = slab_of_side_[v];
   Slab &left = slabs_[s], &right = slabs_[t];
   const int turn = corners_[v].turn;
   if (s == t ? turn < 0 : turn > 0 || std::next(places_[s]) != places_[t]) return false;

@@ -14,7 +14,7 @@ class Mutation:
     """A line of a file, and what it is changed to."""
 
     path: str
-    tests: list  # executables that may notice, the quickest first
+    tests: list  # that may notice, EXECUTABLE or EXECUTABLE=FILTER, the quickest first
     line: str
     changed: str
     same: str = ""  # why it changes nothing that a user sees; otherwise a test must notice

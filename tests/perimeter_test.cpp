@@ -257,6 +257,40 @@ TEST(Perimeter, ThroughModellingAndImageTransformations) {
   EXPECT_LE(compared(g.display_file()).differs, kRounding);
 }
 
+TEST(Perimeter, InAPartOfThePicture) {
+  const std::vector<double> heights = heights_of(15, 12, wave);
+  for (const Camera& camera : {Camera{20.0, 30.0, 4.0}, Camera{70.0, -40.0}}) {
+    GraphicsSystem g;
+    look(g, camera);
+    g.set_viewport(0.3, 0.9, 0.1, 0.6);
+    g.open_segment(1);
+    g.surface_3({-1, 1, 15, -1, 1, 12, heights});
+    g.close_segment();
+    EXPECT_LE(compared(g.display_file()).differs, kRounding);
+  }
+}
+
+TEST(Perimeter, IsTheSameOnAnyNumberOfThreads) {
+  constexpr std::uint32_t kGrids = 100 / test::kSlower;
+  for (std::uint32_t seed = 0; seed < kGrids; ++seed) {
+    SCOPED_TRACE(seed);
+    test::Dice dice(seed + 7000);
+    const int nx = dice.from(2, 30), ny = dice.from(2, 30);
+    std::vector<double> heights = stepped(dice, nx, ny);
+    if (dice.one_in(2)) heights = heights_of(nx, ny, wave);
+    const Camera camera{dice.from(0, 3599) / 10.0, dice.from(-600, 600) / 10.0,
+                        dice.one_in(2) ? 0.0 : dice.from(25, 80) / 10.0};
+    const ViewedScene scene(surface_seen(camera, nx, ny, heights));
+    const FoundLines alone = find_lines(scene, HiddenMethod::perimeter, {});
+    for (const int threads : {2, 3, 16}) {
+      SortOptions options;
+      options.threads = threads;
+      const FoundLines found = find_lines(scene, HiddenMethod::perimeter, options);
+      EXPECT_EQ(found.seen.pieces, alone.seen.pieces) << threads;
+    }
+  }
+}
+
 TEST(Perimeter, OtherLinesAreHiddenByTheSurface) {
   const std::vector<double> heights = heights_of(15, 12, wave);
   GraphicsSystem g;

@@ -169,12 +169,20 @@ TEST(ViewVolume, ParametersThatDoNotFitTogether) {
   expect_error(view, "centre of projection on the wrong side");
   view.set_perspective({0, 0, 0.5});  // the default front plane is at z = 1
   expect_error(view, "centre of projection on the wrong side of the front plane");
+  view.set_perspective({0, 0, 1});  // in that plane
+  expect_error(view, "centre of projection on the wrong side of the front plane");
   view = {};
   view.set_parallel({1, 0, 0});
   expect_error(view, "direction of projection parallel to the view plane");
   view = {};
   view.set_window({0, 1e-110, 0, 1});
   expect_error(view, "view out of range");
+}
+
+TEST(ViewVolume, DirectionsThatAreNearlyParallelStillFit) {
+  View view;
+  view.set_up({1e-7, 0, 2});
+  EXPECT_NO_THROW(ViewVolume volume(view));
 }
 
 TEST(View, RefusesWhatItCanTellAloneAndStaysAsItWas) {

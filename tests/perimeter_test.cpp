@@ -9,12 +9,14 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "displayfile/graphics_system.h"
 #include "displayfile/scene_lines.h"
+#include "hidden/lines/grid_surface.h"
 #include "hidden/lines/line_ends.h"
 #include "hidden/lines/visible_lines.h"
 #include "interp/truth/judged_lines.h"
@@ -255,6 +257,38 @@ TEST(Perimeter, ThroughModellingAndImageTransformations) {
   g.set_image_rotation(1, 30);
   g.set_image_scale(1, 0.8, 0.5);
   EXPECT_LE(compared(g.display_file()).differs, kRounding);
+}
+
+/// Cells share sides where the grid says so: no table is made of them.
+TEST(Perimeter, ItsLinesAreThoseOfATableOfSides) {
+  constexpr std::uint32_t kGrids = 100 / test::kSlower;
+  for (std::uint32_t seed = 0; seed < kGrids; ++seed) {
+    SCOPED_TRACE(seed);
+    test::Dice dice(seed + 9000);
+    const int nx = dice.from(2, 9), ny = dice.from(2, 9);
+    const Camera camera{dice.from(0, 3599) / 10.0, dice.from(-600, 600) / 10.0};
+    const auto curves = static_cast<SurfaceCurves>(dice.from(0, 2));
+    const ViewedScene scene(surface_seen(camera, nx, ny, stepped(dice, nx, ny), curves));
+    Primitives items = scene.primitives();
+    // Some sides are drawn by one triangle alone.
+    std::vector<std::uint8_t> drawn = scene.drawn_sides();
+    for (std::uint8_t& side : drawn) side = dice.one_in(4) ? std::uint8_t{0} : side;
+    items.visible = drawn;
+    std::vector<std::int32_t> picks(items.items.size());
+    for (std::int32_t& pick : picks) pick = dice.from(1, 5);
+    const GridSurface surface(items);
+    for (const std::span<const std::int32_t> of_items :
+         {std::span<const std::int32_t>(), std::span<const std::int32_t>(picks)}) {
+      const auto expected = lines_to_draw(items, of_items, nullptr);
+      const auto lines = lines_to_draw(items, of_items, &surface);
+      ASSERT_EQ(lines.size(), expected.size());
+      for (std::size_t k = 0; k < lines.size(); ++k) {
+        EXPECT_EQ(lines[k].name, expected[k].name);
+        EXPECT_EQ(lines[k].kinds, expected[k].kinds);
+        EXPECT_EQ(lines[k].pick_item, expected[k].pick_item);
+      }
+    }
+  }
 }
 
 TEST(Perimeter, InAPartOfThePicture) {

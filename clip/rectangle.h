@@ -14,7 +14,7 @@ struct Rectangle {
   double x_min, x_max, y_min, y_max;
   bool operator==(const Rectangle&) const = default;
 
-  /// Of no point: turned inside out.
+  /// The rectangle around no point: turned inside out.
   static constexpr Rectangle nothing() {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     return {kInfinity, -kInfinity, kInfinity, -kInfinity};

@@ -128,6 +128,14 @@ Compared compared(const DisplayFile& file, const SortOptions& options = {}) {
 
 double wave(double x, double y) { return 0.5 * std::sin(5.0 * x) * std::cos(4.0 * y + x); }
 
+/// A segment with 15 x 12 points of it.
+void enter_wave(GraphicsSystem& g) {
+  const std::vector<double> heights = heights_of(15, 12, wave);
+  g.open_segment(1);
+  g.surface_3({-1, 1, 15, -1, 1, 12, heights});
+  g.close_segment();
+}
+
 constexpr double kRounding = 1e-9;
 
 TEST(Perimeter, FromAllSidesIsWhatTheGeneralMethodsSee) {
@@ -245,15 +253,12 @@ TEST(Perimeter, AgainstTheTruth) {
 }
 
 TEST(Perimeter, ThroughModellingAndImageTransformations) {
-  const std::vector<double> heights = heights_of(15, 12, wave);
   GraphicsSystem g;
   look(g, {20.0, 30.0, 6.0});
   g.scale_3(0.7, 1.2, -0.8);
   g.rotate_x_3(25);
   g.rotate_z_3(40);
-  g.open_segment(1);
-  g.surface_3({-1, 1, 15, -1, 1, 12, heights});
-  g.close_segment();
+  enter_wave(g);
   g.set_image_rotation(1, 30);
   g.set_image_scale(1, 0.8, 0.5);
   EXPECT_LE(compared(g.display_file()).differs, kRounding);
@@ -292,14 +297,11 @@ TEST(Perimeter, ItsLinesAreThoseOfATableOfSides) {
 }
 
 TEST(Perimeter, InAPartOfThePicture) {
-  const std::vector<double> heights = heights_of(15, 12, wave);
   for (const Camera& camera : {Camera{20.0, 30.0, 4.0}, Camera{70.0, -40.0}}) {
     GraphicsSystem g;
     look(g, camera);
     g.set_viewport(0.3, 0.9, 0.1, 0.6);
-    g.open_segment(1);
-    g.surface_3({-1, 1, 15, -1, 1, 12, heights});
-    g.close_segment();
+    enter_wave(g);
     EXPECT_LE(compared(g.display_file()).differs, kRounding);
   }
 }

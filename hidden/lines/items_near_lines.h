@@ -9,7 +9,7 @@
 
 namespace displayfile {
 
-/// Of some items those that come near lines, in the projection: where lines are few, most items
+/// The items that come near some lines, in the projection: where lines are few, most items
 /// hide nothing of any, and no tables are made for them. Otherwise all.
 class ItemsNearLines {
  public:

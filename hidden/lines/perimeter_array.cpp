@@ -8,15 +8,10 @@ namespace displayfile {
 PerimeterArray::PerimeterArray(const GridSurface& surface, const Verticals& verticals,
                                double roundoff)
     : surface_(surface), verticals_(verticals) {
-  Point2 low = verticals.in_columns(0), high = low;
-  for (std::uint32_t k = 0; k < surface.points(); ++k) {
-    const Point2& at = verticals.in_columns(k);
-    low = {std::min(low.x, at.x), std::min(low.y, at.y)};
-    high = {std::max(high.x, at.x), std::max(high.y, at.y)};
-  }
-  left_ = low.x;
-  width_ = std::max((high.x - low.x) / kColumns, std::numeric_limits<double>::min());
-  equal_ = roundoff * (high.y - low.y);
+  const Rectangle box = verticals.box();
+  left_ = box.x_min;
+  width_ = std::max((box.x_max - box.x_min) / kColumns, std::numeric_limits<double>::min());
+  equal_ = roundoff * (box.y_max - box.y_min);
   constexpr double kNothing = std::numeric_limits<double>::infinity();
   columns_.assign(kColumns, {kNothing, -kNothing});
 }

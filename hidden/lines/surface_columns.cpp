@@ -6,12 +6,8 @@ namespace displayfile {
 
 SurfaceColumns::SurfaceColumns(const GridSurface& surface, const Verticals& verticals)
     : surface_(surface), verticals_(verticals) {
-  Point2 low = verticals.in_columns(0), high = low;
-  for (std::uint32_t k = 0; k < surface.points(); ++k) {
-    const Point2& at = verticals.in_columns(k);
-    low = {std::min(low.x, at.x), std::min(low.y, at.y)};
-    high = {std::max(high.x, at.x), std::max(high.y, at.y)};
-  }
+  const Rectangle box = verticals.box();
+  const double width = box.x_max - box.x_min;
   // A column is as wide as a side, on the average.
   double widths = 0.0;
   std::uint32_t sides = 0;
@@ -26,11 +22,11 @@ SurfaceColumns::SurfaceColumns(const GridSurface& surface, const Verticals& vert
     }
   }
   const double most = 4.0 * (surface.columns() + surface.rows()) + 16.0;
-  const double count = std::floor(std::clamp((high.x - low.x) * sides / widths, 1.0, most));
-  left_ = low.x;
-  width_ = (high.x - low.x) / count;
-  per_width_ = count / (high.x - low.x);
-  margin_ = 1e-9 * (std::abs(low.y) + std::abs(high.y) + high.x - low.x);
+  const double count = std::floor(std::clamp(width * sides / widths, 1.0, most));
+  left_ = box.x_min;
+  width_ = width / count;
+  per_width_ = count / width;
+  margin_ = 1e-9 * (std::abs(box.y_min) + std::abs(box.y_max) + width);
   size_ = static_cast<std::uint32_t>(count);
 }
 

@@ -23,6 +23,7 @@ Verticals::Verticals(const GridSurface& surface) : upward_(surface.upward()) {
     const Place at = place(Point2(surface.point(k)));
     if (!(at.over > kTogether * length)) return;
     in_columns_.emplace_back(at.across / at.over * length, at.along / at.over * length);
+    box_.include(in_columns_.back());
   }
   make_columns_ = true;
 }

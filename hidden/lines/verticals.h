@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "clip/rectangle.h"
 #include "hidden/lines/grid_surface.h"
 
 namespace displayfile {
@@ -23,6 +24,8 @@ class Verticals {
 
   /// Where point (i, j) of that number is among the columns.
   const Point2& in_columns(std::uint32_t number) const { return in_columns_[number]; }
+  /// The rectangle around all of them.
+  const Rectangle& box() const { return box_; }
   /// Along the picture of the vertical at a point, upward.
   Point2 direction_at(const Point2& p) const { return Point2(upward_) - upward_.w * p; }
   /// True if a line runs along the verticals, all but.
@@ -54,6 +57,7 @@ class Verticals {
   HomogeneousPoint upward_;
   Point2 middle_{0.0}, up_{0.0}, across_{0.0};
   std::vector<Point2> in_columns_;
+  Rectangle box_ = Rectangle::nothing();
   bool are_points_ = false, make_columns_ = false;
 };
 

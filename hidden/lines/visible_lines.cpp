@@ -151,14 +151,14 @@ SeenLines visible_lines(const Primitives& items, std::span<const LineName> lines
   }
   const ItemsNearLines near(items, names, intersections, options.threads);
   const LineScene scene(near.items(), near.names(), options.threads, near.intersections());
-  const auto by_method =
-      method == HiddenMethod::roberts ? visible_lines_by_roberts
-      : method == HiddenMethod::franklin
-          ? visible_lines_by_franklin
-          : [](const Primitives& of_lines, const LineScene& of_method, const LineOptions& asked) {
-              return visible_lines_by_appel(of_lines, of_method, asked);
-            };
-  return near.by_all_items(by_method(near.items(), scene, options));
+  const auto by_method = [&] {
+    if (method == HiddenMethod::roberts) {
+      return visible_lines_by_roberts(near.items(), scene, options);
+    }
+    if (method == HiddenMethod::appel) return visible_lines_by_appel(near.items(), scene, options);
+    return visible_lines_by_franklin(near.items(), scene, options);
+  };
+  return near.by_all_items(by_method());
 }
 
 }  // namespace displayfile

@@ -139,12 +139,12 @@ TEST_F(Budgets, ABudgetThatIsEnoughChangesNothing) {
 }
 
 TEST_F(Budgets, ComparisonsAreCountedWhereThingsAreCompared) {
-  const GraphicsSystem g = crossing(60);
+  const GraphicsSystem g = crossing(120);
   const std::vector<Operation> all = operations(g, folder_, 2);
   for (std::size_t k = 0; k < kThatCompare; ++k) {
     WorkBudget counting;
     EXPECT_EQ(reached([&] { all[k].run(counting); }), "done");
-    EXPECT_GT(counting.comparisons(), 500u) << all[k].name;
+    EXPECT_GT(counting.comparisons(), 2000u) << all[k].name;
     fs::remove_all(folder_ / (all[k].name + ".svg"));
     WorkBudget budget({.comparisons = counting.comparisons() / 2});
     const std::string said = reached([&] { all[k].run(budget); });

@@ -346,6 +346,9 @@ TEST(LinesInPixels, AreTheSameByEveryExactMethodOverTheGallery) {
           HiddenMethod::warnock}) {
       // Its fills may differ elsewhere, where only the rounding of viewing decides.
       if (method == HiddenMethod::world_ray_cast && program != "gears") continue;
+      // Minutes under sanitizers: signs of the faces that a section cuts, in long exact numbers.
+      const bool long_signs = method == HiddenMethod::depth_sort && program == "section-view";
+      if (long_signs && test::kSlower > 1) continue;
       options.hidden = method;
       EXPECT_EQ(draw(retained.system, options).pixels, right.pixels) << name_of(method);
     }

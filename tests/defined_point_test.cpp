@@ -157,7 +157,22 @@ struct Built {
 
 struct SceneCase {
   Scene scene;
-  std::string text() const { return scene.text(); }
+  unsigned refined_points = 0;  // a bit each
+  std::string text() const {
+    return scene.text() + "refined: " + std::to_string(refined_points) + "\n";
+  }
+  /// The scene with these refined; a point so far away that no double holds it stays.
+  Built built() const {
+    Built built(scene);
+    for (std::size_t k = 0; k < built.points.size(); ++k) {
+      if ((refined_points >> k & 1) == 0) continue;
+      try {
+        built.points[k] = refined(built.all, built.points[k]);
+      } catch (const Error&) {
+      }
+    }
+    return built;
+  }
 };
 
 /// The styles whose spread keeps the rationals of a cut short enough to judge by the million,
@@ -209,6 +224,7 @@ struct DefinedTurnCase : SceneCase {
         scene.define_at(s, grid, g + factor(s) * d + off_line);
       }
     }
+    refined_points = static_cast<unsigned>(s.below(8));
     return true;
   }
   std::optional<Q> truth() const {
@@ -219,7 +235,7 @@ struct DefinedTurnCase : SceneCase {
     return turn(*a, *b, *c);
   }
   int predicate() const {
-    const Built built(scene);
+    const Built built = this->built();
     return orientation(built.all, built.points[0], built.points[1], built.points[2]);
   }
 };
@@ -242,6 +258,7 @@ struct CompareCase : SceneCase {
       scene.define_at(s, grid, g);
       scene.define_at(s, grid, h);
     }
+    refined_points = static_cast<unsigned>(s.below(4));
     return true;
   }
   std::optional<Q> truth() const {
@@ -258,7 +275,7 @@ struct CompareCase : SceneCase {
     }
   }
   int predicate() const {
-    const Built built(scene);
+    const Built built = this->built();
     const DefinedPoint &a = built.points[0], &b = built.points[1];
     switch (axis) {
       case 0: return compare_x(built.all, a, b);
@@ -270,6 +287,39 @@ struct CompareCase : SceneCase {
   }
 };
 TEST(DefinedPoints, ComparisonsOfDefinedPoints) { agrees<CompareCase>(Predicate::compare, 0.5); }
+
+/// Where planes nearly agree, points that they cut lie within an ulp of each other.
+TEST(DefinedPoints, RefinedPointsTakeExactArithmeticSeldom) {
+  Source s(5);
+  const auto near = [&](double value) { return value * (1.0 + s.between(-4, 4) * 0x1p-52); };
+  const auto near_plane = [&] {
+    return std::array{Point3(near(0.1), near(0.2), near(0.3)),
+                      Point3(near(0.9), near(0.3), near(0.4)),
+                      Point3(near(0.2), near(0.8), near(0.6))};
+  };
+  const DefinedPoint far_off = stored_point({0.9, 0.1, 0.5});
+  long undecided = 0, undecided_refined = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    SceneCase c;
+    const std::uint32_t from = c.scene.add_point({0.15, near(0.3), 0.2}),
+                        to = c.scene.add_point({0.65, near(0.4), 0.7});
+    for (int k = 0; k < 3; ++k) {
+      c.scene.definitions.push_back(
+          {DefinedPoint::Kind::lifted_edge_cut, from, to, c.scene.add_plane(near_plane()),
+           c.scene.add_plane({Point3(0.3, 0.1, near(0.1)), Point3(near(0.4), 0.9, near(0.5)),
+                              Point3(near(0.3), 0.2, 0.9)})});
+    }
+    for (const unsigned refined : {0U, 3U}) {
+      c.refined_points = refined;
+      const Built built = c.built();
+      const auto& p = built.points;
+      const bool at_hand = orientation_at_hand(built.all, p[0], p[1], far_off).has_value();
+      (refined == 0 ? undecided : undecided_refined) += at_hand ? 0 : 1;
+    }
+  }
+  EXPECT_GT(undecided, 1000);
+  EXPECT_LT(undecided_refined, undecided / 20);
+}
 
 /// Zero where every coordinate is the double nearest to the truth.
 struct RoundedCase : SceneCase {

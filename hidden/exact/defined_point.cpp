@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "hidden/exact/ball.h"
+#include "hidden/exact/double_double.h"
 #include "hidden/exact/exact_point.h"
 #include "hidden/exact/predicate_counts.h"
 
@@ -190,6 +191,54 @@ bool in_line_by_definition(const Definitions& all, const DefinedPoint& a, const 
          DefiningLines(all, b).hold(a, c) || DefiningLines(all, c).hold(a, b);
 }
 
+// ---- The middle stage: what near lacks of refined points
+// -----------------------------------------
+
+/// How far off near and the rest together may be.
+double error_with_rest(const DefinedPoint& v) {
+  constexpr double kRest = 0x1p-22;  // of a radius: the rest is rounded to a float
+  return v.is_refined ? v.radius * kRest + kTiny : v.radius;
+}
+double rest_of(const DefinedPoint& v, int axis) {
+  return v.radius * double{v.rest[static_cast<std::size_t>(axis)]};
+}
+
+/// orientation by near and the rest; 0: undecided.
+int orientation_with_rest(const DefinedPoint& a, const DefinedPoint& b, const DefinedPoint& c) {
+  constexpr double kDifference = 0x1p-102, kProducts = 0x1p-101;
+  if (!is_double_double_sound()) return 0;
+  double error = 0.0, largest = 0.0;
+  const auto closer = [&](const DefinedPoint& v) {
+    if (!is_known_in_projection(v)) error = std::max(error, error_with_rest(v));
+    largest = std::max({largest, std::abs(v.near.x), std::abs(v.near.y)});
+    const auto sum = [&](int axis) {
+      return v.is_refined ? sum_of_ordered(v.near[axis], rest_of(v, axis))
+                          : DoubleDouble{v.near[axis], 0.0};
+    };
+    return std::array{sum(0), sum(1)};
+  };
+  const auto p = closer(a), q = closer(b), r = closer(c);
+  const DoubleDouble px = p[0] - r[0], py = p[1] - r[1], qx = q[0] - r[0], qy = q[1] - r[1];
+  const DoubleDouble left = px * qy, right = py * qx, determinant = left - right;
+  const double off = 2.0 * error + kDifference * largest;
+  const double reach =
+      std::abs(px.high) + std::abs(py.high) + std::abs(qx.high) + std::abs(qy.high);
+  const double bound =
+      off * (reach + 2.0 * off) + kProducts * (std::abs(left.high) + std::abs(right.high));
+  const bool is_decided = std::abs(determinant.high) > bound * kInflate + kTiny;
+  return is_decided ? decided_sign(determinant.high) : 0;
+}
+
+/// The sign of a's coordinate less b's by near and the rest; 0: undecided.
+int compare_with_rest(const DefinedPoint& a, const DefinedPoint& b, int axis) {
+  const double difference = a.near[axis] - b.near[axis];
+  const double rest = rest_of(a, axis) - rest_of(b, axis);
+  const double bound = error_with_rest(a) + error_with_rest(b) +
+                       4.0 * kUnit * (std::abs(difference) + std::abs(rest));
+  const double value = difference + rest;
+  return std::abs(value) > bound * kInflate + kTiny ? decided_sign(value) : 0;
+}
+
 /// A coordinate of a point on a line of which all points have it: polygons clipped by a window have
 /// such sides. Null if it is not known so.
 const double* common_coordinate(const Definitions& all, const DefinedPoint& v, int axis) {
@@ -200,12 +249,11 @@ const double* common_coordinate(const Definitions& all, const DefinedPoint& v, i
   return &all.points[v.a][axis];
 }
 
-/// The sign of a - b by one coordinate: rounding keeps order, so a rounded difference beyond
-/// both radii is one in truth.
-template <class Coordinate>
-int compare(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b, int axis,
-            Coordinate coordinate) {
-  const double at_a = coordinate(a.near), at_b = coordinate(b.near);
+/// The sign of a - b by one coordinate, if that takes no exact arithmetic. Rounding keeps order, so
+/// a rounded difference beyond both radii is one in truth.
+std::optional<int> compare_at_hand(const Definitions& all, const DefinedPoint& a,
+                                   const DefinedPoint& b, int axis) {
+  const double at_a = a.near[axis], at_b = b.near[axis];
   if (is_known(a, axis) && is_known(b, axis)) {
     return (at_a > at_b) - (at_a < at_b);
   }
@@ -213,18 +261,29 @@ int compare(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b
   if (std::abs(difference) > (a.radius + b.radius) * kInflate + kTiny) {
     return decided_sign(difference);
   }
-  if (same_by_definition(all, a, b)) {
+  if (same_by_definition(all, a, b) || have_one_coordinate(all, a, b, axis)) {
     count_by_definition(Predicate::compare);
     return 0;
   }
-  if (have_one_coordinate(all, a, b, axis)) {
-    count_by_definition(Predicate::compare);
-    return 0;
-  }
+  if (!a.is_refined && !b.is_refined) return std::nullopt;
+  const int by_rest = compare_with_rest(a, b, axis);
+  return by_rest != 0 ? std::optional(by_rest) : std::nullopt;
+}
+
+int compare(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b, int axis) {
+  if (const auto at_hand = compare_at_hand(all, a, b, axis)) return *at_hand;
   count_exact(Predicate::compare);
   const ExactPoint p = exact_point(all, a), q = exact_point(all, b);
+  const auto coordinate = [axis](const ExactVector& v) {
+    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+  };
   const ExactNumber across = coordinate(p.xyz) * q.w - coordinate(q.xyz) * p.w;
   return across.sign() * p.w.sign() * q.w.sign();
+}
+
+Point3 rounded(const ExactPoint& p) {
+  return {rounded_quotient(p.xyz.x, p.w), rounded_quotient(p.xyz.y, p.w),
+          rounded_quotient(p.xyz.z, p.w)};
 }
 
 int exact_orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
@@ -302,8 +361,8 @@ int exact_side_of_plane(const Definitions& all, const DefinedPoint& v, const Pla
   return value_at(ExactPlane(plane), point).sign() * point.w.sign();
 }
 
-int orientation(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b,
-                const DefinedPoint& c) {
+std::optional<int> orientation_at_hand(const Definitions& all, const DefinedPoint& a,
+                                       const DefinedPoint& b, const DefinedPoint& c) {
   if (is_known_in_projection(a) && is_known_in_projection(b) && is_known_in_projection(c)) {
     return orientation(a.near, b.near, c.near);
   }
@@ -314,6 +373,14 @@ int orientation(const Definitions& all, const DefinedPoint& a, const DefinedPoin
     count_by_definition(Predicate::side_of_line);
     return 0;
   }
+  if (!a.is_refined && !b.is_refined && !c.is_refined) return std::nullopt;
+  const int by_rest = orientation_with_rest(a, b, c);
+  return by_rest != 0 ? std::optional(by_rest) : std::nullopt;
+}
+
+int orientation(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b,
+                const DefinedPoint& c) {
+  if (const auto at_hand = orientation_at_hand(all, a, b, c)) return *at_hand;
   count_exact(Predicate::side_of_line);
   return exact_orientation(exact_point(all, a), exact_point(all, b), exact_point(all, c));
 }
@@ -327,20 +394,26 @@ bool have_one_coordinate(const Definitions& all, const DefinedPoint& a, const De
 }
 
 int compare_x(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b) {
-  return compare(all, a, b, 0, [](const auto& p) { return p.x; });
+  return compare(all, a, b, 0);
 }
 
 int compare_y(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b) {
-  return compare(all, a, b, 1, [](const auto& p) { return p.y; });
+  return compare(all, a, b, 1);
 }
 
 int compare_z(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b) {
-  return compare(all, a, b, 2, [](const auto& p) { return p.z; });
+  return compare(all, a, b, 2);
 }
 
 int compare_xy(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b) {
   const int by_x = compare_x(all, a, b);
   return by_x != 0 ? by_x : compare_y(all, a, b);
+}
+
+std::optional<int> compare_xy_at_hand(const Definitions& all, const DefinedPoint& a,
+                                      const DefinedPoint& b) {
+  const auto by_x = compare_at_hand(all, a, b, 0);
+  return by_x == 0 ? compare_at_hand(all, a, b, 1) : by_x;
 }
 
 int compare_xyz(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b) {
@@ -349,18 +422,23 @@ int compare_xyz(const Definitions& all, const DefinedPoint& a, const DefinedPoin
 }
 
 DefinedPoint refined(const Definitions& all, DefinedPoint v) {
-  const Point3 p = rounded(all, v);
+  if (v.kind == DefinedPoint::Kind::stored) return v;
+  const ExactPoint point = exact_point(all, v);
+  const Point3 p = rounded(point);
   if (!within(p, kCoordinateLimit)) return v;
   v.near = p;
   v.radius = kUnit * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) * kInflate + kTiny;
+  v.is_refined = true;
+  const auto rest = [&](const ExactNumber& coordinate, double near) {
+    return static_cast<float>(rounded_quotient(coordinate - ExactNumber(near) * point.w, point.w) /
+                              v.radius);
+  };
+  v.rest = {rest(point.xyz.x, p.x), rest(point.xyz.y, p.y), rest(point.xyz.z, p.z)};
   return v;
 }
 
 Point3 rounded(const Definitions& all, const DefinedPoint& v) {
-  if (v.kind == DefinedPoint::Kind::stored) return v.near;
-  const ExactPoint p = exact_point(all, v);
-  return {rounded_quotient(p.xyz.x, p.w), rounded_quotient(p.xyz.y, p.w),
-          rounded_quotient(p.xyz.z, p.w)};
+  return v.kind == DefinedPoint::Kind::stored ? v.near : rounded(exact_point(all, v));
 }
 
 }  // namespace displayfile

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "hidden/exact/plane.h"
@@ -37,9 +39,12 @@ struct DefinedPoint {
   double radius = 0.0;  ///< no coordinate is farther than this from near's; may be infinite
   Kind kind = Kind::stored;
   std::uint8_t axis = 2;           ///< of the lifted kinds: 0, 1, 2 for x, y, z
+  bool is_refined = false;         ///< near is the closest there is, and the rest is known
   std::uint32_t a = 0, b = 0;      ///< points; a is a plane in a plane_cut
   std::uint32_t own = 0, cut = 0;  ///< planes
+  std::array<float, 3> rest{};     ///< of a refined point: what near lacks, in radii
 };
+static_assert(sizeof(DefinedPoint) == 64, "one line of the processor's cache");
 
 /// True if near's coordinate along that axis is the point's own: lifting changes only one.
 inline bool is_known(const DefinedPoint& v, int axis) {
@@ -80,6 +85,9 @@ inline int side_of_plane(const Definitions& all, const DefinedPoint& v, const Pl
 /// from a to b.
 int orientation(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b,
                 const DefinedPoint& c);
+/// The same if it takes no exact arithmetic; if it does, that may be because a cut is not refined.
+std::optional<int> orientation_at_hand(const Definitions& all, const DefinedPoint& a,
+                                       const DefinedPoint& b, const DefinedPoint& c);
 
 /// The sign of a's coordinate less b's.
 int compare_x(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b);
@@ -93,12 +101,15 @@ bool have_one_coordinate(const Definitions& all, const DefinedPoint& a, const De
 
 /// The order by x, then y: 0 if they are the same point of the projection.
 int compare_xy(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b);
+/// The same if it takes no exact arithmetic.
+std::optional<int> compare_xy_at_hand(const Definitions& all, const DefinedPoint& a,
+                                      const DefinedPoint& b);
 /// The order by x, then y, then z: 0 if they are the same point.
 int compare_xyz(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b);
 
-/// The point with the closest doubles there are beside its definition, so that the filters decide
-/// all they can: worth its price once for a point that is badly defined, such as a cut by nearly
-/// parallel planes, since it is asked about many times.
+/// The point with the closest doubles there are beside its definition, and the first digits of what
+/// these lack, so that the filters decide all they can: worth its price once for a point that is
+/// badly defined, such as a cut by nearly parallel planes, since it is asked about many times.
 DefinedPoint refined(const Definitions& all, DefinedPoint v);
 
 /// True if the doubles beside the definition are so far off that filters would fail.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cfenv>
+#include <cfloat>
 #include <cmath>
 
 namespace displayfile {
@@ -12,6 +14,11 @@ namespace displayfile {
 struct DoubleDouble {
   double high = 0.0, low = 0.0;
 };
+
+/// True if the operations err by no more than is said: in rounding to nearest, to doubles.
+inline bool is_double_double_sound() {
+  return FLT_EVAL_METHOD == 0 && std::fegetround() == FE_TONEAREST;
+}
 
 /// a + b, exactly, if |a| >= |b| or a is 0.
 inline DoubleDouble sum_of_ordered(double a, double b) {

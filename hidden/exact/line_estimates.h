@@ -1,8 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cfenv>
-#include <cfloat>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -26,11 +24,6 @@ struct Estimate {
 };
 
 inline constexpr double kNothingKnown = std::numeric_limits<double>::infinity();
-
-/// Double-double arithmetic errs by as much as is said only in rounding to nearest, to doubles.
-inline bool is_double_double_sound() {
-  return FLT_EVAL_METHOD == 0 && std::fegetround() == FE_TONEAREST;
-}
 
 /// d x (v - p).
 inline Estimate estimated_turn(const Point2& p, const DoubleDouble& dx, const DoubleDouble& dy,

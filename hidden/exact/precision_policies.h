@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -39,6 +40,8 @@ struct SideLine {
 //   none_turns(a, b, c, way)              whether none of three points c turns that way
 //   tolerance()                           how far from a plane a vertex may be and count as on it
 //   compare_xy(a, b)                      order in the projection by x, then y; 0 if the same
+//   turn_at_hand, compare_xy_at_hand      the same if it takes no exact arithmetic
+//   refine(v)                             that it takes less of it from now on
 //   depth_order(p, q, at)                 1 if plane p is nearer than q at the vertex, -1, 0
 //   coordinates(v)                        doubles, for the display file
 //   stored(point), near(v)                a stored point as a vertex; doubles close to a vertex,
@@ -80,6 +83,15 @@ class Exact {
   }
   int turn(const Vertex& a, const Vertex& b, const Vertex& c) const {
     return orientation(all_, a, b, c);
+  }
+  std::optional<int> turn_at_hand(const Vertex& a, const Vertex& b, const Vertex& c) const {
+    return orientation_at_hand(all_, a, b, c);
+  }
+  std::optional<int> compare_xy_at_hand(const Vertex& a, const Vertex& b) const {
+    return displayfile::compare_xy_at_hand(all_, a, b);
+  }
+  void refine(Vertex& v) const {
+    if (!v.is_refined && !is_known_in_projection(v)) v = refined(all_, v);
   }
   int turn(const Point2& a, const Point2& b, const Point2& c) const {
     const int filtered = filtered_orientation(a, b, c);
@@ -173,6 +185,13 @@ class Roundoff {
     const double size = std::abs(dx) + std::abs(dy);
     return size == 0.0 ? 0 : signof((dx * (c.y - a.y) - dy * (c.x - a.x)) / size);
   }
+  std::optional<int> turn_at_hand(const Vertex& a, const Vertex& b, const Vertex& c) const {
+    return turn(a, b, c);
+  }
+  std::optional<int> compare_xy_at_hand(const Vertex& a, const Vertex& b) const {
+    return compare_xy(a, b);
+  }
+  static void refine(Vertex&) {}
   bool none_turns(const Point2& a, const Point2& b, const std::array<Point2, 3>& c, int way) const {
     return turn(a, b, c[0]) != way && turn(a, b, c[1]) != way && turn(a, b, c[2]) != way;
   }

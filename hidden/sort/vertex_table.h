@@ -12,6 +12,10 @@ namespace displayfile {
 /// The vertices of polygons and of their pieces by number, and the planes: first the points as
 /// entered, then those that the precision policy makes of them. Polygons that share a number
 /// share a vertex.
+///
+/// A vertex that a cut made is refined when it first takes exact arithmetic to tell which way it
+/// turns or which way another lies, for it will be asked again. So one thread alone may ask that of
+/// such vertices at a time; all else that is const, and all of others, several may.
 template <class Policy>
 class VertexTable {
  public:
@@ -52,6 +56,8 @@ class VertexTable {
     const Point3 *p = in_projection(a), *q = in_projection(b), *r = in_projection(c);
     if (p != nullptr && q != nullptr && r != nullptr) [[likely]]
       return policy_.turn(Point2(*p), Point2(*q), Point2(*r));
+    if (const auto at_hand = policy_.turn_at_hand(at(a), at(b), at(c))) return *at_hand;
+    for (const std::uint32_t v : {a, b, c}) refine(v);
     return policy_.turn(at(a), at(b), at(c));
   }
   /// Which way points as entered turn in the projection.
@@ -75,7 +81,10 @@ class VertexTable {
   /// The direction from a to b in the projection: 1 to the right or straight up, -1 the other way;
   /// 0 if they are the same point there.
   int direction(std::uint32_t a, std::uint32_t b) const {
-    return a == b ? 0 : policy_.compare_xy(at(b), at(a));
+    if (a == b) return 0;
+    if (const auto at_hand = policy_.compare_xy_at_hand(at(b), at(a))) return *at_hand;
+    for (const std::uint32_t v : {a, b}) refine(v);
+    return policy_.compare_xy(at(b), at(a));
   }
 
   /// Doubles close to the vertex, and how close: no coordinate is farther than `radius`.
@@ -102,8 +111,12 @@ class VertexTable {
     return v < points_.size() ? policy_.stored(points_[v]) : made_[v - points_.size()];
   }
 
+  void refine(std::uint32_t v) const {
+    if (v >= points_.size()) policy_.refine(made_[v - points_.size()]);
+  }
+
   std::span<const Point3> points_;
-  std::vector<Vertex> made_;
+  mutable std::vector<Vertex> made_;
   std::vector<Plane> planes_;
   Policy policy_;
 };

@@ -17,29 +17,31 @@ Segment& DisplayFile::create(int name) {
   require_new_name(name);
   sorted_.reset();
   segments_.emplace_back(name);
-  place_[name] = segments_.size() - 1;
+  numbers_.push_back(next_number_);
+  number_of_[name] = next_number_++;
   return segments_.back();
 }
 
 void DisplayFile::remove(int name) {
-  const Segment& segment = this->segment(name);
-  const auto gap = static_cast<std::size_t>(&segment - segments_.data());
-  segments_.erase(segments_.begin() + static_cast<std::ptrdiff_t>(gap));
-  place_.erase(name);
-  for (std::size_t i = gap; i < segments_.size(); ++i) place_[segments_[i].name()] = i;
+  const auto gap = static_cast<std::ptrdiff_t>(place(name));
+  sorted_.reset();
+  segments_.erase(segments_.begin() + gap);
+  numbers_.erase(numbers_.begin() + gap);
+  number_of_.erase(name);
 }
 
 void DisplayFile::remove_all() {
   sorted_.reset();
   segments_.clear();
-  place_.clear();
+  numbers_.clear();
+  number_of_.clear();
 }
 
 void DisplayFile::rename(int from, int to) {
   Segment& segment = this->segment(from);
   require_new_name(to);
-  place_[to] = place_[from];
-  place_.erase(from);
+  number_of_[to] = number_of_[from];
+  number_of_.erase(from);
   segment.rename(to);
 }
 
@@ -54,9 +56,10 @@ Segment& DisplayFile::segment(int name) {
 const Segment& DisplayFile::segment(int name) const { return segments_[place(name)]; }
 
 std::size_t DisplayFile::place(int name) const {
-  const auto found = place_.find(name);
-  if (found == place_.end()) throw Error(fmt::format("no segment named {}", name));
-  return found->second;
+  const auto found = number_of_.find(name);
+  if (found == number_of_.end()) throw Error(fmt::format("no segment named {}", name));
+  return static_cast<std::size_t>(std::ranges::lower_bound(numbers_, found->second) -
+                                  numbers_.begin());
 }
 
 std::vector<const Segment*> DisplayFile::visible_segments() const {

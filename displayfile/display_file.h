@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <deque>
 #include <memory>
 #include <unordered_map>
 #include <utility>
@@ -25,9 +27,9 @@ class DisplayFile {
   /// Throws Error if there is no such segment.
   Segment& segment(int name);
   const Segment& segment(int name) const;
-  bool contains(int name) const { return place_.contains(name); }
+  bool contains(int name) const { return number_of_.contains(name); }
 
-  const std::vector<Segment>& segments() const { return segments_; }
+  const std::deque<Segment>& segments() const { return segments_; }
   /// The visible segments in order of creation; valid until a segment is created or removed.
   std::vector<const Segment*> visible_segments() const;
   std::size_t polygons() const;  ///< as entered
@@ -45,8 +47,12 @@ class DisplayFile {
   void require_new_name(int name) const;
   std::size_t place(int name) const;
 
-  std::vector<Segment> segments_;
-  std::unordered_map<int, std::size_t> place_;
+  // A segment keeps its number in order of creation when others go, and is found by it: to remove
+  // the oldest or the newest takes no longer than there are many.
+  std::deque<Segment> segments_;
+  std::deque<std::uint64_t> numbers_;
+  std::uint64_t next_number_ = 0;
+  std::unordered_map<int, std::uint64_t> number_of_;  // by name
   std::size_t last_found_ = 0;  // primitives are entered into one segment after another
   std::shared_ptr<const SortedScene> sorted_;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -23,9 +24,9 @@ enum class PictureKind { raster, vector };
 /// A raster picture, top row first. ids and depth are empty unless they were asked for.
 struct Picture {
   int width = 0, height = 0;
-  /// 0xAABBGGRR: bytes R, G, B, A in memory, colours not multiplied by A. Opaque, unless there is
-  /// no background: then 0 where nothing is drawn, and A the part that is covered where samples
-  /// were averaged.
+  /// 0xAABBGGRR, colours not multiplied by A (in_bytes gives R, G, B, A in memory). Opaque, unless
+  /// there is no background: then 0 where nothing is drawn, and A the part that is covered where
+  /// samples were averaged.
   std::vector<std::uint32_t> pixels;
   std::vector<std::int32_t> ids;  ///< item buffer: pick identifier of the fill seen, -1 for none
   std::vector<double> depth;      ///< of the fill seen; minus infinity for none
@@ -58,6 +59,12 @@ struct RasterRequest {
   /// Whose display file it is, for world_ray_cast. A renderer that is used again needs it alive.
   const ViewedWorld* world = nullptr;
 };
+
+/// The pixel as a number whose bytes in this machine's memory are R, G, B, A, as files and OpenGL
+/// have them; and from such a number the pixel.
+inline std::uint32_t in_bytes(std::uint32_t pixel) {
+  return std::endian::native == std::endian::little ? pixel : __builtin_bswap32(pixel);
+}
 
 /// A colour as a pixel: each component rounded to the nearest of 0 to 255.
 inline std::uint32_t pixel_of(const Colour& colour) {

@@ -36,6 +36,39 @@ struct Scene {
     return static_cast<std::uint32_t>(plane_points.size() - 1);
   }
 
+  /// So many points defined by a few stored points, of which some lie in line in the projection,
+  /// and a few planes, of which some go through stored points and two are one: as pieces of
+  /// polygons are, whose vertices share what defines them. Points of a line are cut where no double
+  /// is.
+  void define_by_few(Source& s, Input input, int count) {
+    const Grid grid(s);
+    const Style style(s, false);
+    const Step g = step(s, 100), d = step(s, 9);
+    const auto any = [&] {
+      return input == Input::random ? style.point(s) : grid.place(s, g + step(s, 20));
+    };
+    for (std::int64_t k = 0; k < 4; ++k) {
+      const Step off_line = {0, 0, s.below(2) == 0 ? 0 : s.between(-9, 9)};
+      add_point(input == Input::random ? style.point(s)
+                                       : grid.place(s, g + (3 * k) * d + off_line));
+    }
+    for (int k = 0; k < 2; ++k) add_point(any());
+    const auto stored = [&] { return points[static_cast<std::size_t>(s.below(6))]; };
+    add_plane({stored(), stored(), any()});
+    add_plane({stored(), any(), any()});
+    add_plane({any(), any(), any()});
+    const auto& one = plane_points[static_cast<std::size_t>(s.below(3))];
+    add_plane({one[1], one[2], one[0]});
+    for (int k = 0; k < count; ++k) {
+      Definition of{static_cast<DefinedPoint::Kind>(s.below(5))};
+      of.a = static_cast<std::uint32_t>(s.below(4));
+      of.b = static_cast<std::uint32_t>((static_cast<int>(of.a) + 1 + s.below(3)) % 4);
+      of.own = static_cast<std::uint32_t>(s.below(4));
+      of.cut = static_cast<std::uint32_t>(s.below(4));
+      definitions.push_back(of);
+    }
+  }
+
   void define_random(Source& s, const Style& style) {
     const auto plane = [&] { return add_plane({style.point(s), style.point(s), style.point(s)}); };
     Definition d{static_cast<DefinedPoint::Kind>(s.below(5))};
@@ -203,7 +236,7 @@ struct DefinedSideCase : SceneCase {
     return scene.exact_plane(plane, k).at(*p);
   }
   int predicate() const {
-    const Built built(scene);
+    const Built built = this->built();
     return side_of_plane(built.all, built.points[0], built.planes[plane]);
   }
 };
@@ -236,11 +269,24 @@ struct DefinedTurnCase : SceneCase {
   }
   int predicate() const {
     const Built built = this->built();
-    return orientation(built.all, built.points[0], built.points[1], built.points[2]);
+    const auto& p = built.points;
+    const int turn = orientation(built.all, p[0], p[1], p[2]);
+    return orientation_at_hand(built.all, p[0], p[1], p[2]).value_or(turn) == turn ? turn : 2;
   }
 };
 TEST(DefinedPoints, SideOfADefinedPointToALine) {
   agrees<DefinedTurnCase>(Predicate::side_of_line, 0.5);
+}
+
+struct SharedTurnCase : DefinedTurnCase {
+  bool make(Source& s, Input input) {
+    scene.define_by_few(s, input, 3);
+    refined_points = static_cast<unsigned>(s.below(8));
+    return true;
+  }
+};
+TEST(DefinedPoints, SideOfAPointToALineOfPointsThatShareDefinitions) {
+  agrees<SharedTurnCase>(Predicate::side_of_line, 0.5);
 }
 
 struct CompareCase : SceneCase {
@@ -281,12 +327,39 @@ struct CompareCase : SceneCase {
       case 0: return compare_x(built.all, a, b);
       case 1: return compare_y(built.all, a, b);
       case 2: return compare_z(built.all, a, b);
-      case 3: return compare_xy(built.all, a, b);
+      case 3: {
+        const int order = compare_xy(built.all, a, b);
+        return compare_xy_at_hand(built.all, a, b).value_or(order) == order ? order : 2;
+      }
       default: return compare_xyz(built.all, a, b);
     }
   }
 };
 TEST(DefinedPoints, ComparisonsOfDefinedPoints) { agrees<CompareCase>(Predicate::compare, 0.5); }
+
+struct SharedCompareCase : CompareCase {
+  bool make(Source& s, Input input) {
+    axis = s.below(5);
+    scene.define_by_few(s, input, 2);
+    refined_points = static_cast<unsigned>(s.below(4));
+    return true;
+  }
+};
+TEST(DefinedPoints, ComparisonsOfPointsThatShareDefinitions) {
+  agrees<SharedCompareCase>(Predicate::compare, 0.5);
+}
+
+struct SharedSideCase : DefinedSideCase {
+  bool make(Source& s, Input input) {
+    scene.define_by_few(s, input, 1);
+    plane = static_cast<std::uint32_t>(s.below(4));
+    refined_points = static_cast<unsigned>(s.below(2));
+    return true;
+  }
+};
+TEST(DefinedPoints, SideOfAPointToAPlaneThatSharesItsDefinition) {
+  agrees<SharedSideCase>(Predicate::side_of_plane, 0.5);
+}
 
 /// Where planes nearly agree, points that they cut lie within an ulp of each other.
 TEST(DefinedPoints, RefinedPointsTakeExactArithmeticSeldom) {

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <string>
+#include <vector>
 
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
@@ -80,6 +82,28 @@ TEST_P(EveryMethod, NoWrongPixelsFarFromWhereASpanBegins) {
       ASSERT_EQ(wrong(file, 3001, 2, 1), "") << family.name << ", seed " << seed;
       ASSERT_EQ(wrong(file, 2, 3001, 1), "") << family.name << ", seed " << seed;
     }
+  }
+}
+
+/// Depths of all sizes in one scene, some beyond the largest float.
+TEST_P(EveryMethod, NoWrongPixelsWhereDepthsExceedFloats) {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    std::mt19937 random(seed);
+    const auto unit = [&] { return static_cast<double>(random() >> 8) * 0x1p-24; };
+    const int powers = seed % 2 == 0 ? 101 : 9, middle = seed % 2 == 0 ? 0 : 39;
+    DisplayFile file;
+    Segment& segment = file.create(1);
+    for (int i = 0; i < 20; ++i) {
+      segment.set_pick(i);
+      std::vector<Point3> triangle;
+      for (int k = 0; k < 3; ++k) {
+        const int power = middle - powers / 2 + static_cast<int>(random() % 1000) % powers;
+        const double x = unit(), y = unit();
+        triangle.emplace_back(x, y, (2.0 * unit() - 1.0) * std::pow(10.0, power));
+      }
+      test::enter(segment, triangle);
+    }
+    ASSERT_EQ(wrong(file, 32, 32, 1), "") << "seed " << seed;
   }
 }
 

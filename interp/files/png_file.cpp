@@ -155,11 +155,12 @@ PngRowFile::PngRowFile(const std::filesystem::path& path, int width, int height,
 }
 
 void PngRowFile::write(const Picture& rows) {
-  const auto* rgba = reinterpret_cast<const std::uint8_t*>(rows.pixels.data());
+  const std::uint32_t* pixel = rows.pixels.data();
   write_by([&] {
     for (int y = 0; y < rows.height; ++y) {
-      for (std::size_t x = 0; x < row_.size(); x += channels_, rgba += 4) {
-        std::memcpy(&row_[x], rgba, channels_);
+      for (std::size_t x = 0; x < row_.size(); x += channels_) {
+        const std::uint32_t rgba = in_bytes(*pixel++);
+        std::memcpy(&row_[x], &rgba, channels_);
       }
       png_write_row(writer_.png, row_.data());
     }
@@ -237,11 +238,9 @@ Picture read_png(const std::filesystem::path& path, Alpha alpha) {
     png_read_end(reader.png, nullptr);
   });
   if (!pixels_read) fail();
-  if (alpha == Alpha::stored) {
-    clear_transparent(picture.pixels);
-  } else {
-    lay_over_white({bytes, 4 * picture.pixels.size()});
-  }
+  if (alpha == Alpha::none) lay_over_white({bytes, 4 * picture.pixels.size()});
+  for (std::uint32_t& pixel : picture.pixels) pixel = in_bytes(pixel);
+  if (alpha == Alpha::stored) clear_transparent(picture.pixels);
   return picture;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <cstring>
 #include <istream>
 #include <ostream>
@@ -49,9 +50,12 @@ class PpmRowFile : public RowFile {
     file_.stream() << fmt::format("P6\n{} {}\n255\n", width, height);
   }
   void write(const Picture& rows) override {
-    const auto* rgba = reinterpret_cast<const char*>(rows.pixels.data());
+    const std::uint32_t* pixel = rows.pixels.data();
     for (int y = 0; y < rows.height; ++y) {
-      for (std::size_t x = 0; x < row_.size(); x += 3, rgba += 4) std::memcpy(&row_[x], rgba, 3);
+      for (std::size_t x = 0; x < row_.size(); x += 3) {
+        const std::uint32_t rgba = in_bytes(*pixel++);
+        std::memcpy(&row_[x], &rgba, 3);
+      }
       file_.stream().write(row_.data(), static_cast<std::streamsize>(row_.size()));
     }
   }
@@ -102,12 +106,13 @@ Picture read_ppm(const std::filesystem::path& path) {
   }
   picture.pixels.resize(width * height);
   std::vector<char> row(3 * width);
-  auto* rgba = reinterpret_cast<char*>(picture.pixels.data());
+  std::uint32_t* pixel = picture.pixels.data();
   for (std::size_t y = 0; y < height; ++y) {
     input.read(row.data(), row.size());
-    for (std::size_t x = 0; x < width; ++x, rgba += 4) {
-      std::memcpy(rgba, &row[3 * x], 3);
-      rgba[3] = '\xff';
+    for (std::size_t x = 0; x < width; ++x) {
+      std::uint32_t rgba = 0;
+      std::memcpy(&rgba, &row[3 * x], 3);
+      *pixel++ = in_bytes(rgba) | 0xFF000000u;
     }
   }
   return picture;

@@ -1,7 +1,5 @@
 #include "interp/visibility/row_fills.h"
 
-#include <hwy/cache_control.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -136,7 +134,9 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, const Bat
   Triangles triangles(*this, scene, size);
   for (Fill fill = batch.begin; fill < batch.end; ++fill) {
     if (fill + kAhead < batch.end && scene.sides(fill + kAhead) == 3) {
-      for (const Point3* corner : scene.corners_of_triangle(fill + kAhead)) hwy::Prefetch(corner);
+      for (const Point3* corner : scene.corners_of_triangle(fill + kAhead)) {
+        __builtin_prefetch(corner);
+      }
     }
     scene.sides(fill) == 3 ? triangles.add(fill) : make(scene, size, fill);
   }
@@ -172,7 +172,7 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, Fill fill
   const double largest =
       std::abs(z) + columns * std::abs(depth.dz_dx) + (row_end - row_begin) * std::abs(depth.dz_dy);
   const double error = depth_bound(vertices, plane, depth, size).error + kDepthUnit * largest;
-  made.certain = error <= static_cast<double>(depth_error_);
+  made.certain = error <= static_cast<double>(depth_error_) && largest <= kLargestDepth;
   if (made.certain) {
     made.z = static_cast<float>(z);
     made.dz_dx = static_cast<float>(depth.dz_dx);
@@ -231,7 +231,7 @@ bool RowFills::make_triangle(const ViewedScene& scene, const PictureSize& size, 
   made.column = first;
   made.column_end = end;
   made.turned_away = area < 0.0;
-  made.certain = error <= static_cast<double>(depth_error_);
+  made.certain = error <= static_cast<double>(depth_error_) && largest <= kLargestDepth;
   if (made.certain) {
     made.z = static_cast<float>(z);
     made.dz_dx = static_cast<float>(dz_dx);

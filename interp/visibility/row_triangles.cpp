@@ -121,7 +121,8 @@ class Made {
         sum(sum(sum(times(times(two, reach), slope_error), times(slopes, coordinates)),
                 times(all(row_bounds::kOfCoordinates), sum(hn::Abs(z_[0]), times(reach, slopes)))),
             times(all(row_bounds::kDepthUnit), largest));
-    put(hn::Le(error, all(depth_error)), made.is_certain);
+    put(hn::And(hn::Le(error, all(depth_error)), hn::Le(largest, all(row_bounds::kLargestDepth))),
+        made.is_certain);
     put(hn::Lt(area, hn::Zero(kDoubles)), made.turned_away);
     put(z, made.z);
     put(dz_dx, made.dz_dx);

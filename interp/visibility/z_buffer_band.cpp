@@ -1,7 +1,5 @@
 #include "interp/visibility/z_buffer_band.h"
 
-#include <hwy/cache_control.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -539,8 +537,7 @@ void draw_each(const RowFills& fills, std::span<const Fill> to_draw, RowDrawer<k
   constexpr std::size_t kAhead = 8;  // fills lie far apart
   for (std::size_t k = 0; k < to_draw.size(); ++k) {
     if (k + kAhead < to_draw.size()) {
-      const RowFill& ahead = fills[to_draw[k + kAhead]];
-      hwy::Prefetch(&ahead);
+      __builtin_prefetch(&fills[to_draw[k + kAhead]]);
     }
     drawer.draw(to_draw[k]);
   }

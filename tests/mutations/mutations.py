@@ -65,6 +65,16 @@ def closing(text, opening):
     return None
 
 
+def names_more(expression):
+    """True if a comma stands outside of all brackets."""
+    depth = 0
+    for c in expression:
+        depth += {"(": 1, "[": 1, "{": 1, ")": -1, "]": -1, "}": -1}.get(c, 0)
+        if c == "," and depth == 0:
+            return True
+    return False
+
+
 def parts(line):
     """The line as (before, what is chosen between, after), or None. What is chosen between is an
     expression, or a whole statement, which begins with nothing before it."""
@@ -83,10 +93,18 @@ def parts(line):
     for pattern in (r"(return )(?=[^{;])", r"((?:const )?(?:auto|double|int|bool|float|std::\w+|Point[23]) \w+ = )"):
         found = re.match(pattern, line)
         if found:
-            return found.group(1), line[found.end() : -1], ";"
+            expression = line[found.end() : -1]
+            # Another variable after a comma cannot be within an expression.
+            return None if names_more(expression) else (found.group(1), expression, ";")
     if re.match(r"[\w\[\]\.\->\*\(\)]+ [-+|&*/]?= ", line) or re.match(r"[\w\.\->\[\]:]+\(.*\);$", line):
         return "", line, ""
     return None
+
+
+def begins_statement(lines, k):
+    """True if line k does not go on with the one before it."""
+    before = lines[k - 1].strip() if k > 0 else ""
+    return before == "" or before.startswith(("//", "#")) or before.split("  // ")[0].endswith((";", "{", "}", ":"))
 
 
 def common_form(mutation):
@@ -126,6 +144,8 @@ def put_in(mutations, folder):
             k = places[mutation.line][0]
             taken.setdefault(k, []).append((number, mutation))
         for k, here in taken.items():
+            if not begins_statement(lines, k):
+                raise ListError(f"{path}: '{here[0][1].line}': expected a whole statement")
             indent = lines[k][: len(lines[k]) - len(lines[k].lstrip())]
             lines[k] = indent + nested(here)
         (folder / path).write_text("\n".join(lines) + "\n")

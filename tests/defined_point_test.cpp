@@ -37,9 +37,9 @@ struct Scene {
   }
 
   /// So many points defined by a few stored points, of which some lie in line in the projection,
-  /// and a few planes, of which some go through stored points and two are one: as pieces of
-  /// polygons are, whose vertices share what defines them. Points of a line are cut where no double
-  /// is.
+  /// and a few planes, of which some go through stored points and two are (all but) one: as pieces
+  /// of polygons are, whose vertices share what defines them. Points of a line are cut where no
+  /// double is.
   void define_by_few(Source& s, Input input, int count) {
     const Grid grid(s);
     const Style style(s, false);
@@ -57,8 +57,12 @@ struct Scene {
     add_plane({stored(), stored(), any()});
     add_plane({stored(), any(), any()});
     add_plane({any(), any(), any()});
-    const auto& one = plane_points[static_cast<std::size_t>(s.below(3))];
-    add_plane({one[1], one[2], one[0]});
+    const auto one = plane_points[static_cast<std::size_t>(s.below(3))];
+    std::array copy{one[1], one[2], one[0]};
+    if (s.below(2) == 0) {  // not quite
+      for (Point3& p : copy) p = {grid.nudge(s, p.x), grid.nudge(s, p.y), grid.nudge(s, p.z)};
+    }
+    add_plane(copy);
     for (int k = 0; k < count; ++k) {
       Definition of{static_cast<DefinedPoint::Kind>(s.below(5))};
       of.a = static_cast<std::uint32_t>(s.below(4));

@@ -197,6 +197,12 @@ Cost open_many(std::size_t n) {
 Cost delete_oldest(std::size_t n) {
   return with_segments(n, [](GraphicsSystem& g, int k) { g.delete_segment(k); });
 }
+/// From the middle outwards: as many are before each as after it.
+Cost delete_middle(std::size_t n) {
+  return with_segments(n, [middle = static_cast<int>(n / 2)](GraphicsSystem& g, int k) {
+    g.delete_segment(k % 2 == 0 ? middle + k / 2 : middle - k / 2);
+  });
+}
 Cost rename_many(std::size_t n) {
   return with_segments(
       n, [n](GraphicsSystem& g, int k) { g.rename_segment(k, k + static_cast<int>(n)); });
@@ -321,10 +327,11 @@ constexpr auto kCases = std::to_array<WorstCase>({
     {"clip", "a comb whose n/2 teeth cross the window", 4000, "bytes", "n for each plane",
      clip_comb},
     {"open segments", "n, each of one line", 4000, "segments", "n", open_many},
-    {"delete segments", "n, the oldest first", 1000, "segments",
-     "those that are later move up in the list, n^2 / 2 moves", delete_oldest},
-    {"replace segments", "n, the oldest deleted and a new one opened", 1000, "segments",
-     "those that are later move up in the list, n^2 moves", replace_many},
+    {"delete segments", "n, the oldest first", 1000, "segments", "n", delete_oldest},
+    {"delete segments", "n, from the middle", 1000, "segments",
+     "those on one side of it move up in the list, n^2 / 4 moves", delete_middle},
+    {"replace segments", "n, the oldest deleted and a new one opened", 1000, "segments", "n",
+     replace_many},
     {"rename segments", "n", 4000, "segments", "n", rename_many},
     {"move and hide segments", "n", 4000, "segments", "n", move_many},
     {"record", "n segments of one line", 4000, "bytes", "its length", record_many},

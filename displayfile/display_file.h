@@ -47,8 +47,8 @@ class DisplayFile {
   void require_new_name(int name) const;
   std::size_t place(int name) const;
 
-  // A segment keeps its number in order of creation when others go, and is found by it: to remove
-  // the oldest or the newest takes no longer than there are many.
+  // A segment keeps its number in order of creation when others go, and is found by it. To remove
+  // the oldest or the newest takes no longer where there are many.
   std::deque<Segment> segments_;
   std::deque<std::uint64_t> numbers_;
   std::uint64_t next_number_ = 0;

@@ -191,8 +191,7 @@ bool in_line_by_definition(const Definitions& all, const DefinedPoint& a, const 
          DefiningLines(all, b).hold(a, c) || DefiningLines(all, c).hold(a, b);
 }
 
-// ---- The middle stage: what near lacks of refined points
-// -----------------------------------------
+// ---- The middle stage: what near lacks of refined points ----------------------------------------
 
 /// How far off near and the rest together may be.
 double error_with_rest(const DefinedPoint& v) {

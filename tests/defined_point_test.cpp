@@ -212,12 +212,25 @@ struct SceneCase {
   }
 };
 
+/// A case whose points share what defines them.
+template <class Case>
+struct Sharing : Case {
+  bool make(Source& s, Input input) {
+    this->scene.define_by_few(s, input, Case::kPoints);
+    this->refined_points = static_cast<unsigned>(s.below(1 << Case::kPoints));
+    this->choose(s);
+    return true;
+  }
+};
+
 /// The styles whose spread keeps the rationals of a cut short enough to judge by the million,
 /// and now and then one that does not.
 Style style_of_cuts(Source& s) { return Style(s, s.below(20) == 0); }
 
 struct DefinedSideCase : SceneCase {
+  static constexpr int kPoints = 1;
   std::uint32_t plane = 0;
+  void choose(Source& s) { plane = static_cast<std::uint32_t>(s.below(4)); }
   bool make(Source& s, Input input) {
     if (input == Input::random) {
       const Style style = style_of_cuts(s);
@@ -249,6 +262,8 @@ TEST(DefinedPoints, SideOfADefinedPointToAPlane) {
 }
 
 struct DefinedTurnCase : SceneCase {
+  static constexpr int kPoints = 3;
+  static void choose(Source&) {}
   bool make(Source& s, Input input) {
     if (input == Input::random) {
       const Style style = style_of_cuts(s);
@@ -282,21 +297,16 @@ TEST(DefinedPoints, SideOfADefinedPointToALine) {
   agrees<DefinedTurnCase>(Predicate::side_of_line, 0.5);
 }
 
-struct SharedTurnCase : DefinedTurnCase {
-  bool make(Source& s, Input input) {
-    scene.define_by_few(s, input, 3);
-    refined_points = static_cast<unsigned>(s.below(8));
-    return true;
-  }
-};
 TEST(DefinedPoints, SideOfAPointToALineOfPointsThatShareDefinitions) {
-  agrees<SharedTurnCase>(Predicate::side_of_line, 0.5);
+  agrees<Sharing<DefinedTurnCase>>(Predicate::side_of_line, 0.5);
 }
 
 struct CompareCase : SceneCase {
+  static constexpr int kPoints = 2;
   int axis = 0;  // 3: by x then y, 4: by x then y then z
+  void choose(Source& s) { axis = s.below(5); }
   bool make(Source& s, Input input) {
-    axis = s.below(5);
+    choose(s);
     if (input == Input::random) {
       const Style style = style_of_cuts(s);
       for (int k = 0; k < 2; ++k) scene.define_random(s, style);
@@ -341,28 +351,12 @@ struct CompareCase : SceneCase {
 };
 TEST(DefinedPoints, ComparisonsOfDefinedPoints) { agrees<CompareCase>(Predicate::compare, 0.5); }
 
-struct SharedCompareCase : CompareCase {
-  bool make(Source& s, Input input) {
-    axis = s.below(5);
-    scene.define_by_few(s, input, 2);
-    refined_points = static_cast<unsigned>(s.below(4));
-    return true;
-  }
-};
 TEST(DefinedPoints, ComparisonsOfPointsThatShareDefinitions) {
-  agrees<SharedCompareCase>(Predicate::compare, 0.5);
+  agrees<Sharing<CompareCase>>(Predicate::compare, 0.5);
 }
 
-struct SharedSideCase : DefinedSideCase {
-  bool make(Source& s, Input input) {
-    scene.define_by_few(s, input, 1);
-    plane = static_cast<std::uint32_t>(s.below(4));
-    refined_points = static_cast<unsigned>(s.below(2));
-    return true;
-  }
-};
 TEST(DefinedPoints, SideOfAPointToAPlaneThatSharesItsDefinition) {
-  agrees<SharedSideCase>(Predicate::side_of_plane, 0.5);
+  agrees<Sharing<DefinedSideCase>>(Predicate::side_of_plane, 0.5);
 }
 
 /// Where planes nearly agree, points that they cut lie within an ulp of each other.
@@ -380,7 +374,7 @@ TEST(DefinedPoints, RefinedPointsTakeExactArithmeticSeldom) {
     SceneCase c;
     const std::uint32_t from = c.scene.add_point({0.15, near(0.3), 0.2}),
                         to = c.scene.add_point({0.65, near(0.4), 0.7});
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 2; ++k) {
       c.scene.definitions.push_back(
           {DefinedPoint::Kind::lifted_edge_cut, from, to, c.scene.add_plane(near_plane()),
            c.scene.add_plane({Point3(0.3, 0.1, near(0.1)), Point3(near(0.4), 0.9, near(0.5)),

@@ -273,7 +273,7 @@ int compare(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b
   if (const auto at_hand = compare_at_hand(all, a, b, axis)) return *at_hand;
   count_exact(Predicate::compare);
   const ExactPoint p = exact_point(all, a), q = exact_point(all, b);
-  const auto coordinate = [axis](const ExactVector& v) {
+  const auto coordinate = [axis](const ExactVector& v) -> const ExactNumber& {
     return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
   };
   const ExactNumber across = coordinate(p.xyz) * q.w - coordinate(q.xyz) * p.w;

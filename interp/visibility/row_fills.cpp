@@ -172,17 +172,22 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, Fill fill
   const double largest =
       std::abs(z) + columns * std::abs(depth.dz_dx) + (row_end - row_begin) * std::abs(depth.dz_dy);
   const double error = depth_bound(vertices, plane, depth, size).error + kDepthUnit * largest;
-  made.certain = error <= static_cast<double>(depth_error_) && largest <= kLargestDepth;
-  if (made.certain) {
-    made.z = static_cast<float>(z);
-    made.dz_dx = static_cast<float>(depth.dz_dx);
-    made.dz_dy = static_cast<float>(depth.dz_dy);
-  }
+  set_depth(z, depth.dz_dx, depth.dz_dy, {largest, error}, made);
 
   if (vertices.size() > kMostSides) return;
   if (vertices.size() > 3) made.edges = scene.many_sided_corners_before(fill);
   const int turn = turn_if_convex(vertices);
   if (turn != 0) make_edges(vertices, size, turn, made);
+}
+
+/// Its depths, if they are known well enough and there are floats for them.
+void RowFills::set_depth(double z, double dz_dx, double dz_dy, const DepthRange& range,
+                         RowFill& made) const {
+  made.certain = range.error <= static_cast<double>(depth_error_) && range.largest <= kLargestDepth;
+  if (!made.certain) return;
+  made.z = static_cast<float>(z);
+  made.dz_dx = static_cast<float>(dz_dx);
+  made.dz_dy = static_cast<float>(dz_dy);
 }
 
 /// What make would make of it, in less: a triangle needs no test whether it is convex, and its
@@ -231,12 +236,7 @@ bool RowFills::make_triangle(const ViewedScene& scene, const PictureSize& size, 
   made.column = first;
   made.column_end = end;
   made.turned_away = area < 0.0;
-  made.certain = error <= static_cast<double>(depth_error_) && largest <= kLargestDepth;
-  if (made.certain) {
-    made.z = static_cast<float>(z);
-    made.dz_dx = static_cast<float>(dz_dx);
-    made.dz_dy = static_cast<float>(dz_dy);
-  }
+  set_depth(z, dz_dx, dz_dy, {largest, error}, made);
   make_edges_of_triangle(x, y, rows, area > 0.0, made);
   return true;
 }

@@ -78,6 +78,12 @@ class RowFills {
   class Triangles;
   void make(const ViewedScene& scene, const PictureSize& size, const Batch& batch);
   void make(const ViewedScene& scene, const PictureSize& size, Fill fill);
+  /// Of depths in the rows and columns: their largest magnitude, and what bounds their errors.
+  struct DepthRange {
+    double largest, error;
+  };
+  void set_depth(double z, double dz_dx, double dz_dy, const DepthRange& range,
+                 RowFill& made) const;
   bool make_triangle(const ViewedScene& scene, const PictureSize& size, Fill fill);
   static void make_edges_of_triangle(const double (&x)[3], const double (&y)[3],
                                      const int (&rows)[3], bool counterclockwise, RowFill& made);

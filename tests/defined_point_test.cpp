@@ -194,17 +194,17 @@ struct Built {
 
 struct SceneCase {
   Scene scene;
-  unsigned refined_points = 0;  // a bit each
+  unsigned with_rests = 0;  // a bit each
   std::string text() const {
-    return scene.text() + "refined: " + std::to_string(refined_points) + "\n";
+    return scene.text() + "with rests: " + std::to_string(with_rests) + "\n";
   }
-  /// The scene with these refined; a point so far away that no double holds it stays.
+  /// The scene with the rests of these; a point so far away that no double holds it stays.
   Built built() const {
     Built built(scene);
     for (std::size_t k = 0; k < built.points.size(); ++k) {
-      if ((refined_points >> k & 1) == 0) continue;
+      if ((with_rests >> k & 1) == 0) continue;
       try {
-        built.points[k] = refined(built.all, built.points[k]);
+        built.points[k] = with_rest(built.all, built.points[k]);
       } catch (const Error&) {
       }
     }
@@ -217,7 +217,7 @@ template <class Case>
 struct Sharing : Case {
   bool make(Source& s, Input input) {
     this->scene.define_by_few(s, input, Case::kPoints);
-    this->refined_points = static_cast<unsigned>(s.below(1 << Case::kPoints));
+    this->with_rests = static_cast<unsigned>(s.below(1 << Case::kPoints));
     this->choose(s);
     return true;
   }
@@ -276,7 +276,7 @@ struct DefinedTurnCase : SceneCase {
         scene.define_at(s, grid, g + factor(s) * d + off_line);
       }
     }
-    refined_points = static_cast<unsigned>(s.below(8));
+    with_rests = static_cast<unsigned>(s.below(8));
     return true;
   }
   std::optional<Q> truth() const {
@@ -318,7 +318,7 @@ struct CompareCase : SceneCase {
       scene.define_at(s, grid, g);
       scene.define_at(s, grid, h);
     }
-    refined_points = static_cast<unsigned>(s.below(4));
+    with_rests = static_cast<unsigned>(s.below(4));
     return true;
   }
   std::optional<Q> truth() const {
@@ -360,7 +360,7 @@ TEST(DefinedPoints, SideOfAPointToAPlaneThatSharesItsDefinition) {
 }
 
 /// Where planes nearly agree, points that they cut lie within an ulp of each other.
-TEST(DefinedPoints, RefinedPointsTakeExactArithmeticSeldom) {
+TEST(DefinedPoints, PointsWithRestsTakeExactArithmeticSeldom) {
   Source s(5);
   const auto near = [&](double value) { return value * (1.0 + s.between(-4, 4) * 0x1p-52); };
   const auto near_plane = [&] {
@@ -369,7 +369,7 @@ TEST(DefinedPoints, RefinedPointsTakeExactArithmeticSeldom) {
                       Point3(near(0.2), near(0.8), near(0.6))};
   };
   const DefinedPoint far_off = stored_point({0.9, 0.1, 0.5});
-  long undecided = 0, undecided_refined = 0;
+  long undecided = 0, undecided_with_rests = 0;
   for (int trial = 0; trial < 2000; ++trial) {
     SceneCase c;
     const std::uint32_t from = c.scene.add_point({0.15, near(0.3), 0.2}),
@@ -380,16 +380,16 @@ TEST(DefinedPoints, RefinedPointsTakeExactArithmeticSeldom) {
            c.scene.add_plane({Point3(0.3, 0.1, near(0.1)), Point3(near(0.4), 0.9, near(0.5)),
                               Point3(near(0.3), 0.2, 0.9)})});
     }
-    for (const unsigned refined : {0U, 3U}) {
-      c.refined_points = refined;
+    for (const unsigned rests : {0U, 3U}) {
+      c.with_rests = rests;
       const Built built = c.built();
       const auto& p = built.points;
       const bool at_hand = orientation_at_hand(built.all, p[0], p[1], far_off).has_value();
-      (refined == 0 ? undecided : undecided_refined) += at_hand ? 0 : 1;
+      (rests == 0 ? undecided : undecided_with_rests) += at_hand ? 0 : 1;
     }
   }
   EXPECT_GT(undecided, 1000);
-  EXPECT_LT(undecided_refined, undecided / 20);
+  EXPECT_LT(undecided_with_rests, undecided / 20);
 }
 
 /// Zero where every coordinate is the double nearest to the truth.

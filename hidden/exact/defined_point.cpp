@@ -4,7 +4,6 @@
 #include <array>
 #include <limits>
 
-#include "hidden/exact/ball.h"
 #include "hidden/exact/double_double.h"
 #include "hidden/exact/exact_point.h"
 #include "hidden/exact/predicate_counts.h"
@@ -20,9 +19,6 @@ struct BallPoint {
 
 Ball exactly(double value) { return {value, 0.0}; }
 BallPoint exactly(const Point3& p) { return {exactly(p.x), exactly(p.y), exactly(p.z)}; }
-BallPoint near_balls(const DefinedPoint& v) {
-  return {{v.near.x, v.radius}, {v.near.y, v.radius}, {v.near.z, v.radius}};
-}
 
 BallPoint normal_of(const Plane& plane) {
   return {{plane.normal.x, plane.bound.x},
@@ -191,12 +187,12 @@ bool in_line_by_definition(const Definitions& all, const DefinedPoint& a, const 
          DefiningLines(all, b).hold(a, c) || DefiningLines(all, c).hold(a, b);
 }
 
-// ---- The middle stage: what near lacks of refined points ----------------------------------------
+// ---- The middle stage: what near lacks of some points -------------------------------------------
 
 /// How far off near and the rest together may be.
 double error_with_rest(const DefinedPoint& v) {
   constexpr double kRest = 0x1p-22;  // of a radius: the rest is rounded to a float
-  return v.is_refined ? v.radius * kRest + kTiny : v.radius;
+  return v.has_rest ? v.radius * kRest + kTiny : v.radius;
 }
 double rest_of(const DefinedPoint& v, int axis) {
   return v.radius * double{v.rest[static_cast<std::size_t>(axis)]};
@@ -211,8 +207,8 @@ int orientation_with_rest(const DefinedPoint& a, const DefinedPoint& b, const De
     if (!is_known_in_projection(v)) error = std::max(error, error_with_rest(v));
     largest = std::max({largest, std::abs(v.near.x), std::abs(v.near.y)});
     const auto sum = [&](int axis) {
-      return v.is_refined ? sum_of_ordered(v.near[axis], rest_of(v, axis))
-                          : DoubleDouble{v.near[axis], 0.0};
+      return v.has_rest ? sum_of_ordered(v.near[axis], rest_of(v, axis))
+                        : DoubleDouble{v.near[axis], 0.0};
     };
     return std::array{sum(0), sum(1)};
   };
@@ -264,7 +260,7 @@ std::optional<int> compare_at_hand(const Definitions& all, const DefinedPoint& a
     count_by_definition(Predicate::compare);
     return 0;
   }
-  if (!a.is_refined && !b.is_refined) return std::nullopt;
+  if (!a.has_rest && !b.has_rest) return std::nullopt;
   const int by_rest = compare_with_rest(a, b, axis);
   return by_rest != 0 ? std::optional(by_rest) : std::nullopt;
 }
@@ -283,6 +279,14 @@ int compare(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b
 Point3 rounded(const ExactPoint& p) {
   return {rounded_quotient(p.xyz.x, p.w), rounded_quotient(p.xyz.y, p.w),
           rounded_quotient(p.xyz.z, p.w)};
+}
+
+/// v, with the closest doubles there are beside it, unless they are too large.
+DefinedPoint closest_to(DefinedPoint v, const Point3& p) {
+  if (!within(p, kCoordinateLimit)) return v;
+  v.near = p;
+  v.radius = kUnit * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) * kInflate + kTiny;
+  return v;
 }
 
 int exact_orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
@@ -365,14 +369,13 @@ std::optional<int> orientation_at_hand(const Definitions& all, const DefinedPoin
   if (is_known_in_projection(a) && is_known_in_projection(b) && is_known_in_projection(c)) {
     return orientation(a.near, b.near, c.near);
   }
-  const BallPoint p = near_balls(a), q = near_balls(b), r = near_balls(c);
-  const Ball determinant = (p.x - r.x) * (q.y - r.y) - (p.y - r.y) * (q.x - r.x);
-  if (decided(determinant)) return decided_sign(determinant.middle);
+  const int filtered = filtered_turn({a.near, a.radius}, {b.near, b.radius}, {c.near, c.radius});
+  if (filtered != 0) return filtered;
   if (in_line_by_definition(all, a, b, c)) {
     count_by_definition(Predicate::side_of_line);
     return 0;
   }
-  if (!a.is_refined && !b.is_refined && !c.is_refined) return std::nullopt;
+  if (!a.has_rest && !b.has_rest && !c.has_rest) return std::nullopt;
   const int by_rest = orientation_with_rest(a, b, c);
   return by_rest != 0 ? std::optional(by_rest) : std::nullopt;
 }
@@ -420,20 +423,23 @@ int compare_xyz(const Definitions& all, const DefinedPoint& a, const DefinedPoin
   return by_xy != 0 ? by_xy : compare_z(all, a, b);
 }
 
-DefinedPoint refined(const Definitions& all, DefinedPoint v) {
+DefinedPoint refined(const Definitions& all, const DefinedPoint& v) {
+  return closest_to(v, rounded(all, v));
+}
+
+DefinedPoint with_rest(const Definitions& all, const DefinedPoint& v) {
   if (v.kind == DefinedPoint::Kind::stored) return v;
   const ExactPoint point = exact_point(all, v);
   const Point3 p = rounded(point);
-  if (!within(p, kCoordinateLimit)) return v;
-  v.near = p;
-  v.radius = kUnit * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) * kInflate + kTiny;
-  v.is_refined = true;
+  DefinedPoint closer = closest_to(v, p);
+  if (closer.near != p) return v;
   const auto rest = [&](const ExactNumber& coordinate, double near) {
     return static_cast<float>(rounded_quotient(coordinate - ExactNumber(near) * point.w, point.w) /
-                              v.radius);
+                              closer.radius);
   };
-  v.rest = {rest(point.xyz.x, p.x), rest(point.xyz.y, p.y), rest(point.xyz.z, p.z)};
-  return v;
+  closer.rest = {rest(point.xyz.x, p.x), rest(point.xyz.y, p.y), rest(point.xyz.z, p.z)};
+  closer.has_rest = true;
+  return closer;
 }
 
 Point3 rounded(const Definitions& all, const DefinedPoint& v) {

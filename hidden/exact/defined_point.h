@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "hidden/exact/ball.h"
 #include "hidden/exact/plane.h"
 
 namespace displayfile {
@@ -39,10 +40,10 @@ struct DefinedPoint {
   double radius = 0.0;  ///< no coordinate is farther than this from near's; may be infinite
   Kind kind = Kind::stored;
   std::uint8_t axis = 2;           ///< of the lifted kinds: 0, 1, 2 for x, y, z
-  bool is_refined = false;         ///< near is the closest there is, and the rest is known
+  bool has_rest = false;           ///< near is the closest there is, and the rest is known
   std::uint32_t a = 0, b = 0;      ///< points; a is a plane in a plane_cut
   std::uint32_t own = 0, cut = 0;  ///< planes
-  std::array<float, 3> rest{};     ///< of a refined point: what near lacks, in radii
+  std::array<float, 3> rest{};     ///< what near lacks, in radii, where it is known
 };
 static_assert(sizeof(DefinedPoint) == 64, "one line of the processor's cache");
 
@@ -81,11 +82,27 @@ inline int side_of_plane(const Definitions& all, const DefinedPoint& v, const Pl
   return exact_side_of_plane(all, v, plane);
 }
 
+/// What filters see of a point: doubles close to it, and how far it is from each at most.
+struct NearPoint {
+  Point3 p;
+  double radius;
+};
+
+/// Which way points turn in the projection of which that is known; 0: undecided.
+inline int filtered_turn(const NearPoint& a, const NearPoint& b, const NearPoint& c) {
+  const auto difference = [](double p, const NearPoint& of_p, double q, const NearPoint& of_q) {
+    return Ball{p, of_p.radius} - Ball{q, of_q.radius};
+  };
+  const Ball determinant = difference(a.p.x, a, c.p.x, c) * difference(b.p.y, b, c.p.y, c) -
+                           difference(a.p.y, a, c.p.y, c) * difference(b.p.x, b, c.p.x, c);
+  return decided(determinant) ? decided_sign(determinant.middle) : 0;
+}
+
 /// Which way a, b, c turn in the projection (hidden/exact/orientation.h): the side of c to the line
 /// from a to b.
 int orientation(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b,
                 const DefinedPoint& c);
-/// The same if it takes no exact arithmetic; if it does, that may be because a cut is not refined.
+/// The same if it takes no exact arithmetic; if it does, that may be because a cut has no rest.
 std::optional<int> orientation_at_hand(const Definitions& all, const DefinedPoint& a,
                                        const DefinedPoint& b, const DefinedPoint& c);
 
@@ -107,10 +124,14 @@ std::optional<int> compare_xy_at_hand(const Definitions& all, const DefinedPoint
 /// The order by x, then y, then z: 0 if they are the same point.
 int compare_xyz(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b);
 
-/// The point with the closest doubles there are beside its definition, and the first digits of what
-/// these lack, so that the filters decide all they can: worth its price once for a point that is
-/// badly defined, such as a cut by nearly parallel planes, since it is asked about many times.
-DefinedPoint refined(const Definitions& all, DefinedPoint v);
+/// The point with the closest doubles there are beside its definition, so that the filters decide
+/// all they can: worth its price once for a point that is badly defined, such as a cut by nearly
+/// parallel planes, since it is asked about many times.
+DefinedPoint refined(const Definitions& all, const DefinedPoint& v);
+
+/// The same, and with the first digits of what these doubles lack: for points that lie closer
+/// together than doubles do. A stored point lacks nothing.
+DefinedPoint with_rest(const Definitions& all, const DefinedPoint& v);
 
 /// True if the doubles beside the definition are so far off that filters would fail.
 inline bool is_badly_known(const DefinedPoint& v) {

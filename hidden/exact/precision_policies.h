@@ -40,6 +40,7 @@ struct SideLine {
 //   none_turns(a, b, c, way)              whether none of three points c turns that way
 //   tolerance()                           how far from a plane a vertex may be and count as on it
 //   compare_xy(a, b)                      order in the projection by x, then y; 0 if the same
+//   filtered_turn(a, b, c)                turn, of what near(v) tells; 0: undecided
 //   turn_at_hand, compare_xy_at_hand      the same if it takes no exact arithmetic
 //   refine(v)                             that it takes less of it from now on
 //   depth_order(p, q, at)                 1 if plane p is nearer than q at the vertex, -1, 0
@@ -84,6 +85,9 @@ class Exact {
   int turn(const Vertex& a, const Vertex& b, const Vertex& c) const {
     return orientation(all_, a, b, c);
   }
+  static int filtered_turn(const NearPoint& a, const NearPoint& b, const NearPoint& c) {
+    return displayfile::filtered_turn(a, b, c);
+  }
   std::optional<int> turn_at_hand(const Vertex& a, const Vertex& b, const Vertex& c) const {
     return orientation_at_hand(all_, a, b, c);
   }
@@ -91,7 +95,7 @@ class Exact {
     return displayfile::compare_xy_at_hand(all_, a, b);
   }
   void refine(Vertex& v) const {
-    if (!v.is_refined && !is_known_in_projection(v)) v = refined(all_, v);
+    if (!v.has_rest && !is_known_in_projection(v)) v = with_rest(all_, v);
   }
   int turn(const Point2& a, const Point2& b, const Point2& c) const {
     const int filtered = filtered_orientation(a, b, c);
@@ -125,7 +129,7 @@ class Exact {
   static const Point3* in_projection(const Vertex& v) {
     return is_known_in_projection(v) ? &v.near : nullptr;
   }
-  static std::pair<Point3, double> near(const Vertex& v) { return {v.near, v.radius}; }
+  static NearPoint near(const Vertex& v) { return {v.near, v.radius}; }
 
  private:
   Vertex defined_cut(const SideLine& line, std::uint32_t own, std::uint32_t plane) const {
@@ -185,6 +189,9 @@ class Roundoff {
     const double size = std::abs(dx) + std::abs(dy);
     return size == 0.0 ? 0 : signof((dx * (c.y - a.y) - dy * (c.x - a.x)) / size);
   }
+  int filtered_turn(const NearPoint& a, const NearPoint& b, const NearPoint& c) const {
+    return turn(a.p, b.p, c.p);
+  }
   std::optional<int> turn_at_hand(const Vertex& a, const Vertex& b, const Vertex& c) const {
     return turn(a, b, c);
   }
@@ -205,7 +212,7 @@ class Roundoff {
   Point3 coordinates(const Vertex& v) const { return v; }
   static Vertex stored(const Point3& p) { return p; }
   static const Point3* in_projection(const Vertex& v) { return &v; }
-  static std::pair<Point3, double> near(const Vertex& v) { return {v, 0.0}; }
+  static NearPoint near(const Vertex& v) { return {v, 0.0}; }
   /// The plane's z above a vertex.
   static double depth(const Plane& plane, const Vertex& at) {
     return plane.p.z - (plane.normal.x * (at.x - plane.p.x) + plane.normal.y * (at.y - plane.p.y)) /

@@ -100,7 +100,7 @@ class RootChooser {
     for (int axis = 0; axis < 3; ++axis) {
       middles_.clear();
       for (const Index i : tested_) {
-        middles_.push_back(scene_.vertices.near(table_.vertices(i).front()).first[axis]);
+        middles_.push_back(scene_.vertices.near(table_.vertices(i).front()).p[axis]);
       }
       const auto middle = middles_.begin() + static_cast<std::ptrdiff_t>(middles_.size() / 2);
       std::nth_element(middles_.begin(), middle, middles_.end());

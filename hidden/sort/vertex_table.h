@@ -56,9 +56,8 @@ class VertexTable {
     const Point3 *p = in_projection(a), *q = in_projection(b), *r = in_projection(c);
     if (p != nullptr && q != nullptr && r != nullptr) [[likely]]
       return policy_.turn(Point2(*p), Point2(*q), Point2(*r));
-    if (const auto at_hand = policy_.turn_at_hand(at(a), at(b), at(c))) return *at_hand;
-    for (const std::uint32_t v : {a, b, c}) refine(v);
-    return policy_.turn(at(a), at(b), at(c));
+    const int filtered = policy_.filtered_turn(near(a), near(b), near(c));
+    return filtered != 0 ? filtered : turn_closely(a, b, c);
   }
   /// Which way points as entered turn in the projection.
   int turn(const Point2& a, const Point2& b, const Point2& c) const {
@@ -88,7 +87,7 @@ class VertexTable {
   }
 
   /// Doubles close to the vertex, and how close: no coordinate is farther than `radius`.
-  std::pair<Point3, double> near(std::uint32_t v) const {
+  NearPoint near(std::uint32_t v) const {
     if (v < points_.size()) return {points_[v], 0.0};
     return policy_.near(made_[v - points_.size()]);
   }
@@ -111,6 +110,11 @@ class VertexTable {
     return v < points_.size() ? policy_.stored(points_[v]) : made_[v - points_.size()];
   }
 
+  [[gnu::noinline]] int turn_closely(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    if (const auto at_hand = policy_.turn_at_hand(at(a), at(b), at(c))) return *at_hand;
+    for (const std::uint32_t v : {a, b, c}) refine(v);
+    return policy_.turn(at(a), at(b), at(c));
+  }
   void refine(std::uint32_t v) const {
     if (v >= points_.size()) policy_.refine(made_[v - points_.size()]);
   }

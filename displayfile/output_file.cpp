@@ -29,18 +29,6 @@ bool may_write(const std::string& path) {
   return ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0;
 }
 
-/// False, with the reason in errno, if not all could be written.
-bool write_all(int descriptor, const char* bytes, std::size_t count) {
-  while (count > 0) {
-    const ssize_t written = ::write(descriptor, bytes, count);
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    bytes += written;
-    count -= static_cast<std::size_t>(written);
-  }
-  return true;
-}
-
 /// A name beside the target, of this process.
 std::string temporary_name(const fs::path& target, int attempt) {
   return (target.parent_path() / fmt::format(".{}.{}-{}{}",
@@ -172,9 +160,11 @@ void OutputFile::remove_temporary() {
 }
 
 std::ostream& OutputFile::stream() {
-  if (!stream_.is_open()) {
-    stream_.open(temporary_, std::ios::binary | std::ios::trunc);
-    if (!stream_) fail_to_write();
+  if (blocks_ == nullptr) {
+    if (direct_) descriptor_ = ::open(path_.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
+    if (descriptor_ < 0) fail_to_write();
+    blocks_ = std::make_unique<BlockBuffer>(descriptor_);
+    stream_.rdbuf(blocks_.get());
   }
   return stream_;
 }
@@ -183,10 +173,9 @@ std::ostream& OutputFile::stream() {
 
 void OutputFile::finish() {
   if (finished_) return;
-  if (stream_.is_open()) {
-    errno = 0;
-    stream_.close();  // sets failbit if a buffered write fails, and keeps an earlier one
-    if (!stream_) fail_at_the_end("not all could be written", errno);
+  if (blocks_ != nullptr) {
+    stream_.flush();
+    if (!stream_) fail_at_the_end("not all could be written", blocks_->reason());
   }
   finished_ = true;
   if (direct_ || standard_output_) return;
@@ -195,7 +184,7 @@ void OutputFile::finish() {
 
 void OutputFile::commit() {
   finish();
-  if (direct_) return;
+  if (direct_) return remove_temporary();  // nothing but the descriptor
   if (standard_output_) return copy_to_standard_output();
   replace_target();
   ::close(std::exchange(descriptor_, -1));

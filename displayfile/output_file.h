@@ -1,8 +1,10 @@
 #pragma once
 
-#include <fstream>
+#include <memory>
+#include <ostream>
 #include <string>
 
+#include "displayfile/block_buffer.h"
 #include "displayfile/unfinished_path.h"
 
 namespace displayfile {
@@ -67,9 +69,10 @@ class OutputFile {
   bool direct_ = false;    // the target is written to in place
   bool pending_ = false;   // the temporary file has a name that is ours to remove
   bool finished_ = false;  // and on the disk
-  int descriptor_ = -1;    // of the temporary file
+  int descriptor_ = -1;    // of the temporary file, or of the target that is written to in place
   UnfinishedPath unfinished_;
-  std::ofstream stream_;
+  std::unique_ptr<BlockBuffer> blocks_;
+  std::ostream stream_{nullptr};
 };
 
 }  // namespace displayfile

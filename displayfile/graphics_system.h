@@ -145,6 +145,19 @@ class GraphicsSystem {
                       std::span<const std::uint32_t> sides = {},
                       std::span<const FillStyle> fills = {});
 
+  /// The same with more of each polygon: what is not empty is of one for each polygon, or for each
+  /// vertex.
+  struct ManyPolygons {
+    std::span<const Point3> vertices;
+    std::span<const std::uint32_t> corners, sides;  ///< as above, and the fills
+    std::span<const FillStyle> fills;
+    std::span<const std::int32_t> picks;  ///< one each; 0 or more
+    std::span<const Point3> normals;      ///< one each vertex, as set_vertex_normals has them
+  };
+  /// Errors too: a pick identifier below 0, picks or normals that are not so many, those of
+  /// set_vertex_normals. The pick identifier in force stays what it was.
+  void polygons_abs_3(const ManyPolygons& polygons);
+
   /// A surface over a grid, as cells of two triangles each, with an invisible diagonal from the
   /// least corner to the greatest. Its curves are the triangles' other sides, in the line style;
   /// those of the other family are as invisible as diagonals, and hide what is behind all the same.
@@ -423,6 +436,8 @@ class GraphicsSystem {
                             std::size_t corners, std::size_t fills);
   void enter_shared(std::span<const Point3> world, std::span<const std::uint32_t> corners,
                     Segment& segment);
+  void enter_with_normals(std::span<const Point3> vertices, std::span<const Point3> normals,
+                          std::span<const std::uint32_t> corners);
   RetainedScene* retaining() { return own_retained_ ? &*own_retained_ : retained_; }
   void retain_for(std::string_view what);
   void select_lines(Segment& segment);

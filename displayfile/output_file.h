@@ -2,9 +2,11 @@
 
 #include <memory>
 #include <ostream>
+#include <sstream>
 #include <string>
 
 #include "displayfile/block_buffer.h"
+#include "displayfile/destination.h"
 #include "displayfile/unfinished_path.h"
 
 namespace displayfile {
@@ -21,13 +23,13 @@ namespace displayfile {
 ///   out.commit();
 ///
 /// The path "-" is standard output: what is written goes to a temporary file too, and commit()
-/// copies it there.
+/// copies it there. What goes to a stream is kept in memory until commit().
 class OutputFile {
  public:
   /// Creates the temporary file. Throws Error, naming the path, if the folder does not exist
   /// or cannot be written to, or the path is a folder. A target that is not a regular file
   /// (/dev/null, a pipe) is written to directly.
-  explicit OutputFile(std::string path);
+  explicit OutputFile(const Destination& to);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -35,7 +37,7 @@ class OutputFile {
   const std::string& path() const { return path_; }  ///< of the target, as messages name it
   /// What to open for a writer that takes a path; the file exists and is empty. It is in the
   /// target's folder, or for standard output in that for temporary files, and ends in the target's
-  /// extension. Do not use stream() then.
+  /// extension. Do not use stream() then. A stream has none.
   const std::string& temporary_path();
   /// Binary; the first call opens it.
   std::ostream& stream();
@@ -62,6 +64,7 @@ class OutputFile {
   void replace_target();
   bool link_to_target() const;
   void remove_temporary();
+  void copy_to_stream();
   void copy_to_standard_output();
 
   std::string path_, target_, temporary_;  // target_: path_ with a symbolic link followed
@@ -71,6 +74,8 @@ class OutputFile {
   bool finished_ = false;  // and on the disk
   int descriptor_ = -1;    // of the temporary file, or of the target that is written to in place
   UnfinishedPath unfinished_;
+  std::ostream* to_;         // the caller's stream; null: a file
+  std::ostringstream text_;  // for it
   std::unique_ptr<BlockBuffer> blocks_;
   std::ostream stream_{nullptr};
 };

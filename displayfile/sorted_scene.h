@@ -59,7 +59,8 @@ struct SortedScene {
 
   /// SAVE-POLYGONS-IN-ORDER (algorithm 9.16): calls the visitor for each instruction, back to
   /// front, as Instructions::walk does; a style, a pick identifier and a segment where they change,
-  /// and, if the visitor has it, line_kinds(LineKinds) of the lines that follow, kDrawn at first.
+  /// and, if the visitor has them, line_kinds(LineKinds) and line_pick(int) of the lines that
+  /// follow, kDrawn and -1 at first.
   /// disjoint_polygons(true), if the visitor has it, comes before the polygons of a map, which do
   /// not overlap, and disjoint_polygons(false) after them: a segment that was named between them is
   /// over then. Texts follow all else. A fill whose shadows were found has the colour that it has
@@ -160,6 +161,7 @@ class PieceWriter {
       } else {
         check_line_kinds(kDrawn);
       }
+      check_line_pick(is_line ? piece.item : ordered_->pieces.pick_item(piece));
       if (!pen_known_ || pen_ != points[0]) visit_.move(points[0]);
       visit_.line(points[1]);
     } else {
@@ -198,6 +200,14 @@ class PieceWriter {
     pick_known_ = true;
     pick_ = pick;
     visit_.pick(pick);
+  }
+
+  void check_line_pick(std::uint32_t item) {
+    if constexpr (requires { visit_.line_pick(std::int32_t{}); }) {
+      const std::int32_t pick = scene().pick_of_item(item);
+      if (pick != line_pick_) visit_.line_pick(pick);
+      line_pick_ = pick;
+    }
   }
 
   PointRow points_of(const SortedPiece& piece) const {
@@ -271,7 +281,7 @@ class PieceWriter {
   LineStyle line_;
   bool text_style_known_ = false;
   TextStyle text_style_;
-  std::int32_t pick_ = 0;
+  std::int32_t pick_ = 0, line_pick_ = -1;
   Point3 pen_{0.0};
   int segment_ = 0;  // names are 1 or more
   std::vector<std::int32_t> sides_;

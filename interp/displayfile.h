@@ -8,6 +8,7 @@
 
 #include "clip/error.h"
 #include "displayfile/axes.h"
+#include "displayfile/drawn_pieces.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/recorder.h"
@@ -16,6 +17,7 @@
 #include "displayfile/shapes/shapes.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
+#include "displayfile/text/user_routine.h"
 #include "displayfile/turntable.h"
 #include "interp/draw.h"
 #include "interp/renderer.h"

@@ -1,6 +1,7 @@
 #include "interp/draw.h"
 
 #include <memory>
+#include <sstream>
 #include <utility>
 
 #include "clip/error.h"
@@ -97,9 +98,9 @@ HiddenSurfaceOptions hidden_surface_options(const DrawOptions& options) {
           .hidden_lines = options.hidden_lines};
 }
 
-PictureKind picture_kind(const std::filesystem::path& file, const DrawOptions& options) {
-  return format_of(file, options).write_vectors != nullptr ? PictureKind::vector
-                                                           : PictureKind::raster;
+PictureKind picture_kind(const Destination& to, const DrawOptions& options) {
+  return format_of(to, options).write_vectors != nullptr ? PictureKind::vector
+                                                         : PictureKind::raster;
 }
 
 HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& options,
@@ -168,26 +169,26 @@ Picture draw_in_memory(const GraphicsSystem& system, const DrawOptions& as_asked
   });
 }
 
-void draw_into_file(const GraphicsSystem& system, const std::filesystem::path& file,
-                    const DrawOptions& as_asked, const KeptForPictures& kept) {
+void draw_to(const GraphicsSystem& system, const Destination& to, const DrawOptions& as_asked,
+             const KeptForPictures& kept) {
   const DrawOptions options = with_background(system, as_asked);
   const BudgetInForce in_force(options.budget);
   const NamedWork named(kDrawing);
-  require_drawable(file, options);
-  const PictureKind kind = picture_kind(file, options);
+  require_drawable(to, options);
+  const PictureKind kind = picture_kind(to, options);
   // For a picture of pixels it is the renderer that picks a method.
   const HiddenMethod method = kind == PictureKind::raster
                                   ? method_in_force(system, hidden_surface_options(options))
                                   : drawing_method(system, options, PictureKind::vector);
   if (options.pens) require_drawn_by_pens(method, *options.pens);
-  with_memory_of_drawing(system.display_file().bytes(), file, options, [&] {
+  with_memory_of_drawing(system.display_file().bytes(), to, options, [&] {
     draw_up_to_date(
         system, options, method, kind, kept.sorted,
         [&](const DisplayFile& sorted, const RasterRequest& request) {
           const DisplayFileSource source(sorted, is_image_space(method), options, kept.software);
-          write_picture(source, request, file, options);
+          write_picture(source, request, to, options);
         },
-        [&](const ViewedWorld& world, const DrawOptions& exact) { draw(world, file, exact); });
+        [&](const ViewedWorld& world, const DrawOptions& exact) { draw(world, to, exact); });
   });
 }
 
@@ -203,29 +204,38 @@ Picture draw(const GraphicsSystem& system, const DrawOptions& options) {
   return draw(system, options, kept);
 }
 
-void draw(const GraphicsSystem& system, const std::filesystem::path& file,
-          const DrawOptions& options, SortedDisplayFile& kept) {
+void draw(const GraphicsSystem& system, const Destination& to, const DrawOptions& options,
+          SortedDisplayFile& kept) {
   SoftwareRenderer software;
-  draw_into_file(system, file, options, {kept, software});
+  draw_to(system, to, options, {kept, software});
 }
 
-void draw(const DisplayFile& display_file, const std::filesystem::path& file,
-          const DrawOptions& options) {
+std::string draw_as(const GraphicsSystem& system, std::string_view format,
+                    const DrawOptions& options) {
+  DrawOptions in_format = options;
+  in_format.format = format;
+  if (format.empty()) format_named("");  // refuses
+  std::ostringstream bytes;
+  draw(system, bytes, in_format);
+  return std::move(bytes).str();
+}
+
+void draw(const DisplayFile& display_file, const Destination& to, const DrawOptions& options) {
   const BudgetInForce in_force(options.budget);
   const NamedWork named(kDrawing);
-  require_drawable(file, options);
+  require_drawable(to, options);
   SoftwareRenderer software;
   write_picture(DisplayFileSource(display_file, false, options, software),
-                raster_request(display_file, options), file, options);
+                raster_request(display_file, options), to, options);
 }
 
-void draw(const ViewedWorld& world, const std::filesystem::path& file, const DrawOptions& options) {
+void draw(const ViewedWorld& world, const Destination& to, const DrawOptions& options) {
   const BudgetInForce in_force(options.budget);
   const NamedWork named(kDrawing);
-  require_drawable(file, options);
+  require_drawable(to, options);
   SoftwareRenderer software;
   write_picture(DisplayFileSource(world.display_file, true, options, software),
-                raster_request(world, options), file, options);
+                raster_request(world, options), to, options);
 }
 
 Picture draw(const ViewedWorld& world, const DrawOptions& options) {
@@ -238,10 +248,9 @@ Picture draw(const ViewedWorld& world, const DrawOptions& options) {
   });
 }
 
-void draw(const GraphicsSystem& system, const std::filesystem::path& file,
-          const DrawOptions& options) {
+void draw(const GraphicsSystem& system, const Destination& to, const DrawOptions& options) {
   SortedDisplayFile kept;
-  draw(system, file, options, kept);
+  draw(system, to, options, kept);
 }
 
 // ---- What is kept ------------------------------------------------------------------------
@@ -266,9 +275,9 @@ const Picture& Renderer::draw(const GraphicsSystem& system, const DrawOptions& o
   return kept.picture;
 }
 
-void Renderer::draw(const GraphicsSystem& system, const std::filesystem::path& file,
+void Renderer::draw(const GraphicsSystem& system, const Destination& to,
                     const DrawOptions& options) {
-  draw_into_file(system, file, options, {kept_->sorted, kept_->software});
+  draw_to(system, to, options, {kept_->sorted, kept_->software});
 }
 
 std::optional<Pick> Renderer::pick(const GraphicsSystem& system, double x, double y,

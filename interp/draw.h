@@ -8,6 +8,7 @@
 
 #include "clip/work_budget.h"
 #include "displayfile/background.h"
+#include "displayfile/destination.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/sorted_display_file.h"
 #include "hidden/exact/precision.h"
@@ -29,7 +30,7 @@ struct DrawOptions {
   std::optional<Precision> precision = std::nullopt;
   std::optional<HiddenLines> hidden_lines = std::nullopt;
   /// The extension of one of picture_formats(), with its dot or without, in place of the file's
-  /// own; if there is neither, it is .png for "-", standard output.
+  /// own; if there is neither, it is .png for "-", standard output, and an error for a stream.
   std::string format = {};
   std::string device = "software";        ///< of raster pictures: one of raster_devices()
   int threads = 1;                        ///< at most, 1 or more
@@ -56,7 +57,7 @@ struct DrawOptions {
 HiddenSurfaceOptions hidden_surface_options(const DrawOptions& options);
 
 /// The kind of picture that is drawn into that file. Error: an unknown extension.
-PictureKind picture_kind(const std::filesystem::path& file, const DrawOptions& options = {});
+PictureKind picture_kind(const Destination& to, const DrawOptions& options = {});
 
 /// The method that draws the picture: that of the options, or else what the application set
 /// with set_hidden_line_removal, set_hidden_method and set_z_buffer; never `automatic`, for
@@ -64,35 +65,37 @@ PictureKind picture_kind(const std::filesystem::path& file, const DrawOptions& o
 HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& options,
                             PictureKind kind = PictureKind::raster);
 
-/// Throws the Errors that draw into that file would throw before it draws anything: an option out
-/// of its range, an unknown extension, a size that a device cannot draw, a file that cannot be
-/// written.
-void require_drawable(const std::filesystem::path& file, const DrawOptions& options);
+/// Throws the Errors that draw would throw before it draws anything: an option out of its range, an
+/// unknown extension, a size that a device cannot draw, a file that cannot be written.
+void require_drawable(const Destination& to, const DrawOptions& options);
 
 /// Draws the visible segments into a picture in memory. `kept` is what earlier calls sorted, used
 /// again and brought up to date (displayfile/sorted_display_file.h).
 Picture draw(const GraphicsSystem& system, const DrawOptions& options, SortedDisplayFile& kept);
 Picture draw(const GraphicsSystem& system, const DrawOptions& options = {});
 
-/// Draws the visible segments into a file, or "-", standard output. Its extension says its format,
-/// if the options do not. It appears whole or not at all. Throws Error for an unknown extension, a
-/// size that a device cannot draw, or a file that cannot be written; and as in memory for hidden
-/// lines by the colour rule or on the OSMesa device, unless fills are put in order.
-void draw(const GraphicsSystem& system, const std::filesystem::path& file,
-          const DrawOptions& options, SortedDisplayFile& kept);
-void draw(const GraphicsSystem& system, const std::filesystem::path& file,
-          const DrawOptions& options = {});
+/// Draws the visible segments into a file, or "-", standard output, or a stream. The file's
+/// extension says the format if the options do not, which they must for a stream. It appears whole
+/// or not at all. Throws Error for an unknown extension, a size that a device cannot draw, or a
+/// file or stream that cannot be written; and as in memory for hidden lines by the colour rule or
+/// on the OSMesa device, unless fills are put in order.
+void draw(const GraphicsSystem& system, const Destination& to, const DrawOptions& options,
+          SortedDisplayFile& kept);
+void draw(const GraphicsSystem& system, const Destination& to, const DrawOptions& options = {});
+
+/// The bytes of the file that draw would write with that extension, with its dot or without.
+std::string draw_as(const GraphicsSystem& system, std::string_view format,
+                    const DrawOptions& options = {});
 
 /// Draws a display file that is ready: the visible segments in the order that it has. Of the
 /// options that say how hidden surfaces are found, the colour rule has a meaning alone; otherwise
 /// it does what drawing a system into a file does.
-void draw(const DisplayFile& display_file, const std::filesystem::path& file,
-          const DrawOptions& options);
+void draw(const DisplayFile& display_file, const Destination& to, const DrawOptions& options);
 
 /// Draws a retained scene in a view (interp/world_views.h): pixels by rays cast in world
 /// coordinates, world_ray_cast, vectors and what the OSMesa device draws as by any image-space
 /// method. Otherwise the same. Throws Error too for a precision with a ROUNDOFF.
-void draw(const ViewedWorld& world, const std::filesystem::path& file, const DrawOptions& options);
+void draw(const ViewedWorld& world, const Destination& to, const DrawOptions& options);
 Picture draw(const ViewedWorld& world, const DrawOptions& options = {});
 
 /// What a picture can be drawn as, or what can draw it: a name, and a few words about it.

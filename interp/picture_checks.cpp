@@ -32,21 +32,21 @@ void require_numbers(const DrawOptions& options) {
 }
 
 /// Paper and pens are of vectors.
-void require_paper_and_pens(const std::filesystem::path& file, const PictureFormat& format,
+void require_paper_and_pens(const Destination& to, const PictureFormat& format,
                             const DrawOptions& options) {
   if (!options.vectors.paper && !options.pens) return;
   if (!format.is_for_paper()) {
     throw Error(fmt::format(
-        "{}: {} files have no size on paper, and are not for pens: expected one of {}",
-        file.string(), format.choice.name, names_of_formats(&PictureFormat::is_for_paper, " ")));
+        "{}: {} files have no size on paper, and are not for pens: expected one of {}", to.name(),
+        format.choice.name, names_of_formats(&PictureFormat::is_for_paper, " ")));
   }
   fit_on_paper(options.vectors.paper.value_or(Paper{}), options.width, options.height);
   if (options.pens) require_pens(*options.pens);
 }
 
 /// Every output must be writable before any is written.
-void require_writable(const std::filesystem::path& file, const DrawOptions& options) {
-  OutputFile{file.string()};
+void require_writable(const Destination& to, const DrawOptions& options) {
+  OutputFile{to};
   if (!options.ids.empty()) OutputFile{options.ids.string()};
   if (!options.depth.empty()) OutputFile{options.depth.string()};
 }
@@ -111,22 +111,22 @@ void require_drawable_in_memory(const DrawOptions& options) {
   if (!options.format.empty()) format_named(options.format);
 }
 
-void require_drawable(const std::filesystem::path& file, const DrawOptions& options) {
-  const PictureFormat& format = format_of(file, options);
+void require_drawable(const Destination& to, const DrawOptions& options) {
+  const PictureFormat& format = format_of(to, options);
   require_numbers(options);
   const RasterDevice& device = device_of(options.device);  // the first unless one was asked for
   if (format.write_vectors != nullptr && &device != &first_device()) {
-    throw Error(fmt::format("{}: the {} device draws pixels: expected {}", file.string(),
+    throw Error(fmt::format("{}: the {} device draws pixels: expected {}", to.name(),
                             device.choice.name,
                             names_of_formats(&PictureFormat::is_of_pixels, " or ")));
   }
   if (!has_background(options) && !format.can_be_transparent()) {
     throw Error(fmt::format("{}: {} files have no alpha: expected a background, or one of {}",
-                            file.string(), format.choice.name,
+                            to.name(), format.choice.name,
                             names_of_formats(&PictureFormat::can_be_transparent, " ")));
   }
-  require_paper_and_pens(file, format, options);
-  require_writable(file, options);
+  require_paper_and_pens(to, format, options);
+  require_writable(to, options);
 }
 
 }  // namespace displayfile

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <cstddef>
-#include <filesystem>
 
 #include "clip/memory.h"
+#include "displayfile/destination.h"
 #include "interp/draw.h"
 #include "interp/picture.h"
 #include "interp/picture_formats.h"
@@ -49,11 +49,11 @@ Picture with_memory_of_picture(const DrawOptions& options, const SoftwareRendere
       draw, kept.bytes_of_picture());
 }
 
-/// Draws into a file: by rows, but for a device that has the whole picture in memory, with a depth
-/// for each of its pixels. What a method makes of a scene of so many bytes is no smaller than it
-/// is.
+/// Draws into a file or a stream: by rows, but for a device that has the whole picture in memory,
+/// with a depth for each of its pixels. What a method makes of a scene of so many bytes is no
+/// smaller than it is.
 template <class Draw>
-void with_memory_of_drawing(std::size_t bytes_of_scene, const std::filesystem::path& file,
+void with_memory_of_drawing(std::size_t bytes_of_scene, const Destination& to,
                             const DrawOptions& options, Draw&& draw) {
   constexpr std::size_t kBytesOfPixel = 8;
   const bool by_rows = device_of(options.device).draw_rows != nullptr;
@@ -62,8 +62,7 @@ void with_memory_of_drawing(std::size_t bytes_of_scene, const std::filesystem::p
   const auto samples = static_cast<std::size_t>(options.samples * options.samples);
   with_memory(
       bytes_of_scene + (by_rows ? 0 : kBytesOfPixel * pixels * samples),
-      [&] { return fmt::format("{} of {} x {}", file.string(), options.width, options.height); },
-      draw);
+      [&] { return fmt::format("{} of {} x {}", to.name(), options.width, options.height); }, draw);
 }
 
 }  // namespace displayfile

@@ -83,10 +83,10 @@ const PictureFormat& format_named(const std::string& extension, const std::strin
                           meant_by(kFormats, name), names(kFormats, " ", kAny)));
 }
 
-const PictureFormat& format_of(const std::filesystem::path& file, const DrawOptions& options) {
+const PictureFormat& format_of(const Destination& to, const DrawOptions& options) {
   if (!options.format.empty()) return format_named(options.format);
-  if (file == "-") return kFormats.front();
-  return format_named(file.extension().string(), file.string() + ": ");
+  if (to.name() == "-") return kFormats.front();
+  return format_named(to.extension(), to.name() + ": ");
 }
 
 const RasterDevice& device_of(std::string_view name) {

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "displayfile/background.h"
+#include "displayfile/destination.h"
 #include "displayfile/display_file.h"
 #include "interp/draw.h"
 #include "interp/files/row_file.h"
@@ -23,11 +23,11 @@ namespace displayfile {
 /// from the display file itself.
 struct PictureFormat {
   Choice choice;
-  std::unique_ptr<RowFile> (*pixel_file)(const std::filesystem::path&, int width, int height);
-  std::unique_ptr<RowFile> (*alpha_file)(const std::filesystem::path&, int width, int height);
-  void (*write_vectors)(const DisplayFile&, int width, int height, const std::filesystem::path&,
+  std::unique_ptr<RowFile> (*pixel_file)(const Destination&, int width, int height);
+  std::unique_ptr<RowFile> (*alpha_file)(const Destination&, int width, int height);
+  void (*write_vectors)(const DisplayFile&, int width, int height, const Destination&,
                         const Background&, bool colour_rule, const VectorOptions&);
-  void (*write_pens)(const PenDrawing&, const std::filesystem::path&) = nullptr;
+  void (*write_pens)(const PenDrawing&, const Destination&) = nullptr;
 
   bool is_of_pixels() const { return pixel_file != nullptr; }
   bool is_for_paper() const { return write_pens != nullptr; }  ///< with pens and without
@@ -38,7 +38,7 @@ struct PictureFormat {
 /// Throws Error if there is none, with `whose` before the message.
 const PictureFormat& format_named(const std::string& extension, const std::string& whose = "");
 /// That of the options, or else of the file's name. Throws Error if there is none.
-const PictureFormat& format_of(const std::filesystem::path& file, const DrawOptions& options);
+const PictureFormat& format_of(const Destination& to, const DrawOptions& options);
 /// The names of those formats that are so, with something between.
 std::string names_of_formats(bool (PictureFormat::*which)() const, const char* between);
 

@@ -27,8 +27,7 @@ RasterRequest raster_request(const DrawOptions& options) {
   return request;
 }
 
-void DisplayFileSource::write_vectors(const PictureFormat& format,
-                                      const std::filesystem::path& file,
+void DisplayFileSource::write_vectors(const PictureFormat& format, const Destination& to,
                                       const RasterRequest& request) const {
   SortedDisplayFile map;
   if (by_depth_) {
@@ -45,9 +44,9 @@ void DisplayFileSource::write_vectors(const PictureFormat& format,
     return format.write_pens(
         pen_drawing(drawn, request.width, request.height, vectors_.paper.value_or(Paper{}), *pens_,
                     request.background),
-        file);
+        to);
   }
-  format.write_vectors(drawn, request.width, request.height, file, request.background,
+  format.write_vectors(drawn, request.width, request.height, to, request.background,
                        is_colour_rule(request.method), vectors_);
 }
 
@@ -98,12 +97,12 @@ TakeRows write_rows(const RowFiles& files) {
 
 }  // namespace
 
-void write_picture(const PictureSource& source, const RasterRequest& request,
-                   const std::filesystem::path& file, const DrawOptions& options) {
-  const auto open = [&](auto* row_file, const std::filesystem::path& path) {
+void write_picture(const PictureSource& source, const RasterRequest& request, const Destination& to,
+                   const DrawOptions& options) {
+  const auto open = [&](auto* row_file, const Destination& path) {
     return row_file(path, options.width, options.height);
   };
-  const PictureFormat& format = format_of(file, options);
+  const PictureFormat& format = format_of(to, options);
   require_drawable_by(request.method, options);
   if (!format.is_of_pixels()) require_colour_of_fills(request.method, request.background);
   RowFiles files, colours;
@@ -111,7 +110,7 @@ void write_picture(const PictureSource& source, const RasterRequest& request,
   if (!options.depth.empty()) files.push_back(open(depth_row_file, options.depth));
   if (format.is_of_pixels()) {
     (options.samples == 1 ? files : colours)
-        .push_back(open(has_background(options) ? format.pixel_file : format.alpha_file, file));
+        .push_back(open(has_background(options) ? format.pixel_file : format.alpha_file, to));
   }
   RasterRequest of_files = request;
   of_files.texts = format.is_of_pixels();
@@ -120,7 +119,7 @@ void write_picture(const PictureSource& source, const RasterRequest& request,
   for (const auto* written : {&files, &colours}) {
     for (const auto& pixel_file : *written) pixel_file->finish();
   }
-  if (format.write_vectors != nullptr) source.write_vectors(format, file, request);
+  if (format.write_vectors != nullptr) source.write_vectors(format, to, request);
   for (const auto* written : {&files, &colours}) {
     for (const auto& pixel_file : *written) pixel_file->commit();
   }

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <filesystem>
 #include <glm/mat3x3.hpp>
 
 #include "clip/view.h"
+#include "displayfile/destination.h"
 #include "displayfile/display_file.h"
 #include "displayfile/scene_viewer.h"
 #include "interp/draw.h"
@@ -22,7 +22,7 @@ class PictureSource {
   virtual Picture draw(const RasterRequest& request) const = 0;
   /// Rows are passed on as they are drawn, if the device can.
   virtual void draw(const RasterRequest& request, const TakeRows& take) const = 0;
-  virtual void write_vectors(const PictureFormat& format, const std::filesystem::path& file,
+  virtual void write_vectors(const PictureFormat& format, const Destination& to,
                              const RasterRequest& request) const = 0;
 };
 
@@ -45,7 +45,7 @@ class DisplayFileSource : public PictureSource {
     if (device_.draw_rows == nullptr) return take(device_.draw(file_, request, kept_));
     device_.draw_rows(file_, request, kept_, take);
   }
-  void write_vectors(const PictureFormat& format, const std::filesystem::path& file,
+  void write_vectors(const PictureFormat& format, const Destination& to,
                      const RasterRequest& request) const override;
 
  private:
@@ -89,9 +89,9 @@ class ViewSource : public PictureSource {
     const ViewedScene& seen = scene(request);
     kept_.draw(seen, request, kept_of_views(seen, request), take);
   }
-  void write_vectors(const PictureFormat& format, const std::filesystem::path& file,
+  void write_vectors(const PictureFormat& format, const Destination& to,
                      const RasterRequest& request) const override {
-    of_display_file([&](const PictureSource& s) { s.write_vectors(format, file, request); });
+    of_display_file([&](const PictureSource& s) { s.write_vectors(format, to, request); });
   }
 
  private:
@@ -123,7 +123,7 @@ bool has_background(const DrawOptions& options);
 Picture draw_pixels(const PictureSource& source, const RasterRequest& request,
                     const DrawOptions& options);
 /// Draws into a file, and what else is asked for into others: all of them or, if it fails, none.
-void write_picture(const PictureSource& source, const RasterRequest& request,
-                   const std::filesystem::path& file, const DrawOptions& options);
+void write_picture(const PictureSource& source, const RasterRequest& request, const Destination& to,
+                   const DrawOptions& options);
 
 }  // namespace displayfile

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 
+#include "displayfile/destination.h"
 #include "interp/draw.h"
 #include "interp/pick.h"
 
@@ -24,8 +24,7 @@ class Renderer {
   /// The visible segments in memory. The picture stays until the next call, which uses its memory
   /// again. Throws Error as draw does, here as below.
   const Picture& draw(const GraphicsSystem& system, const DrawOptions& options = {});
-  void draw(const GraphicsSystem& system, const std::filesystem::path& file,
-            const DrawOptions& options = {});
+  void draw(const GraphicsSystem& system, const Destination& to, const DrawOptions& options = {});
 
   /// What is seen, in a picture of the options' size, at the pixel that holds the point (x, y):
   /// in pixels from the picture's upper left corner, y down, as the rows of Picture::pixels; so the

@@ -97,16 +97,16 @@ const Picture& ViewRenderer::draw(const View& view, const DrawOptions& options,
   return kept.picture;
 }
 
-void ViewRenderer::draw(const View& view, const std::filesystem::path& file,
-                        const DrawOptions& options, const glm::dmat3& lights_turned) {
+void ViewRenderer::draw(const View& view, const Destination& to, const DrawOptions& options,
+                        const glm::dmat3& lights_turned) {
   const RasterRequest request = raster_request_of_view(options);
-  require_drawable(file, options);
+  require_drawable(to, options);
   const BudgetInForce in_force(options.budget);
   Kept& kept = *kept_;
-  with_memory_of_drawing(kept.viewer.bytes(), file, options, [&] {
+  with_memory_of_drawing(kept.viewer.bytes(), to, options, [&] {
     kept.in_view(view, lights_turned, options, request,
                  [&](const PictureSource& source, const RasterRequest& asked) {
-                   write_picture(source, asked, file, options);
+                   write_picture(source, asked, to, options);
                  });
   });
 }

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <glm/mat3x3.hpp>
 #include <memory>
 
 #include "clip/view.h"
+#include "displayfile/destination.h"
 #include "displayfile/display_file.h"
 #include "displayfile/retained_scene.h"
 #include "interp/draw.h"
@@ -35,7 +35,7 @@ class ViewRenderer {
   /// for a method that neither works in image space nor finds lines.
   const Picture& draw(const View& view, const DrawOptions& options = {},
                       const glm::dmat3& lights_turned = glm::dmat3(1.0));
-  void draw(const View& view, const std::filesystem::path& file, const DrawOptions& options = {},
+  void draw(const View& view, const Destination& to, const DrawOptions& options = {},
             const glm::dmat3& lights_turned = glm::dmat3(1.0));
 
   /// How often what is kept was made, since the beginning: while only lights change, no surfaces

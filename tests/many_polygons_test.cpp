@@ -96,6 +96,63 @@ TEST(ManyPolygons, AreEnteredAsOneByOne) {
   }
 }
 
+/// With pick identifiers and normals of their own they are what single calls make of them.
+TEST(ManyPolygons, HavePicksAndNormalsOfTheirOwn) {
+  for (std::uint32_t seed = 0; seed < 32; ++seed) {
+    const SharedPolygons polygons(seed);
+    std::vector<std::int32_t> picks;
+    std::vector<Point3> normals;
+    for (std::size_t k = 0; k < polygons.sides.size(); ++k) {
+      picks.push_back(static_cast<std::int32_t>(k * k % 17));
+    }
+    for (const Point3& p : polygons.vertices) normals.push_back(p + Point3(0, 0, 0.5));
+    if (seed % 3 == 1) picks.clear();
+    if (seed % 3 == 2) normals.clear();
+    std::string dumps[2], programs[2];
+    for (const bool at_once : {false, true}) {
+      std::ostringstream program;
+      Recorder recorder(program);
+      RetainedScene retained;
+      GraphicsSystem g;
+      if (seed % 4 < 2) g.retain(&retained);
+      if (seed % 8 == 7) g.set_recorder(&recorder);
+      g.set_light({1, 2, 3});
+      g.set_shading(seed % 2 == 0 ? Shading::gouraud : Shading::phong);
+      if (seed % 5 == 3) g.set_cutting_plane(1, 1, 0, 0, 0.1);
+      g.set_pick_id(5);
+      g.open_segment(1);
+      if (at_once) {
+        g.polygons_abs_3({polygons.vertices, polygons.corners, polygons.sides, {}, picks, normals});
+      } else {
+        std::size_t first = 0;
+        for (std::size_t k = 0; k < polygons.sides.size(); ++k) {
+          std::vector<Point3> polygon, of_corners;
+          for (std::size_t i = 0; i < polygons.sides[k]; ++i, ++first) {
+            polygon.push_back(polygons.vertices[polygons.corners[first]]);
+            if (!normals.empty()) of_corners.push_back(normals[polygons.corners[first]]);
+          }
+          if (!picks.empty()) g.set_pick_id(picks[k]);
+          if (!normals.empty()) g.set_vertex_normals(of_corners);
+          g.polygon_abs_3(polygon);
+        }
+        g.set_pick_id(5);
+      }
+      g.polygon_abs_3({{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}});
+      g.close_segment();
+      g.set_recorder(nullptr);
+      dumps[at_once] = dump(g.display_file());
+      if (seed % 4 < 2) {
+        dumps[at_once] += dump(RetainedViews(retained, g.display_file(), {}).view(g.view()));
+      }
+      if (seed % 8 != 7) continue;
+      GraphicsSystem replayed;
+      replay(program.view(), "record", replayed);
+      EXPECT_EQ(dump(replayed.display_file()), dump(g.display_file()));
+    }
+    EXPECT_EQ(dumps[0], dumps[1]) << "seed " << seed;
+  }
+}
+
 /// What a view of a scene that is retained alone, or beside a display file, is written as.
 std::string retained_view(std::uint32_t seed, bool alone, bool triangles) {
   SharedPolygons polygons(seed);
@@ -242,6 +299,19 @@ TEST(ManyPolygons, ErrorsEnterNothing) {
   std::vector<Point3> far = vertices;
   far.back().x = std::numeric_limits<double>::infinity();
   expect_error([&] { g.polygons_abs_3(far, corners); }, "coordinates inf");
+  g.set_pick_id(8);
+  const auto many = [&](std::vector<std::int32_t> picks, std::vector<Point3> normals,
+                        const std::vector<Point3>& points) {
+    g.polygons_abs_3({points, corners, {}, {}, picks, normals});
+  };
+  const std::vector<Point3> up(4, Point3(0, 0, 1));
+  expect_error([&] { many({1}, {}, vertices); }, "1 pick identifiers of 2 polygons");
+  expect_error([&] { many({1, -1}, {}, vertices); }, "pick identifier -1");
+  expect_error([&] { many({}, {{0, 0, 1}}, vertices); }, "1 normals of 4 vertices");
+  expect_error([&] { many({}, far, vertices); }, "vertex normal");
+  expect_error([&] { many({1, 2}, up, far); }, "coordinates inf");
+  expect_error([&] { many({1, 2}, {}, far); }, "coordinates inf");
+  g.set_pick_id(-1);
   EXPECT_EQ(g.display_file().polygons(), 0u);
   EXPECT_EQ(g.polygons_entered(), 0);
   g.polygons_abs_3(vertices, corners);

@@ -16,8 +16,10 @@
 #include "clip/nearest_word.h"
 #include "clip/words.h"
 #include "displayfile/axes.h"
+#include "displayfile/characters.h"
 #include "displayfile/shapes/shapes.h"
 #include "displayfile/text/program_line.h"
+#include "displayfile/text/user_routine.h"
 
 namespace displayfile {
 
@@ -108,12 +110,9 @@ TextStyle::Alignment ProgramLine::take<TextStyle::Alignment>() {
 
 namespace {
 
-constexpr int kVaries = -1;
+constexpr int kVaries = UserRoutine::kVaries;  // `call` looks to the number of arguments
 
-struct Routine {
-  std::string_view name;
-  std::string_view expected;  ///< the arguments, in words
-  int arguments;              ///< how many; kVaries if `call` looks to it
+struct Routine : UserRoutine {
   void (*call)(GraphicsSystem&, ProgramLine&, const Routine&);
 };
 
@@ -165,7 +164,7 @@ consteval int words_in(std::string_view text) {
 template <auto routine>
 consteval Routine fixed(std::string_view name, std::string_view expected) {
   if (words_in(expected) != Api<routine>::words) throw "the words do not match the routine";
-  return {name, expected, Api<routine>::words, Api<routine>::call};
+  return {{name, expected, Api<routine>::words}, Api<routine>::call};
 }
 
 template <class Point, void (GraphicsSystem::*routine)(std::span<const Point>)>
@@ -380,47 +379,49 @@ using G = GraphicsSystem;
 
 /// Every user routine. They are looked up in this order: those that fill programs come first.
 constexpr auto kRoutines = std::to_array<Routine>({
-    {"polygon-abs-3", "a multiple of 3: x y z ...", kVaries, points<Point3, &G::polygon_abs_3>},
+    {{"polygon-abs-3", "a multiple of 3: x y z ...", kVaries}, points<Point3, &G::polygon_abs_3>},
     fixed<&G::line_abs_3>("line-abs-3", "x y z"),
     fixed<&G::move_abs_3>("move-abs-3", "x y z"),
-    {"polygon-abs-2", "a multiple of 2: x y ...", kVaries, points<Point2, &G::polygon_abs_2>},
+    {{"polygon-abs-2", "a multiple of 2: x y ...", kVaries}, points<Point2, &G::polygon_abs_2>},
     fixed<&G::line_abs_2>("line-abs-2", "x y"),
     fixed<&G::move_abs_2>("move-abs-2", "x y"),
-    {"polygon-rel-3", "a multiple of 3: dx dy dz ...", kVaries, points<Point3, &G::polygon_rel_3>},
+    {{"polygon-rel-3", "a multiple of 3: dx dy dz ...", kVaries},
+     points<Point3, &G::polygon_rel_3>},
     fixed<&G::line_rel_3>("line-rel-3", "dx dy dz"),
     fixed<&G::move_rel_3>("move-rel-3", "dx dy dz"),
-    {"polygon-rel-2", "a multiple of 2: dx dy ...", kVaries, points<Point2, &G::polygon_rel_2>},
+    {{"polygon-rel-2", "a multiple of 2: dx dy ...", kVaries}, points<Point2, &G::polygon_rel_2>},
     fixed<&G::line_rel_2>("line-rel-2", "dx dy"),
     fixed<&G::move_rel_2>("move-rel-2", "dx dy"),
     fixed<&G::set_pick_id>("set-pick-id", "n"),
     fixed<&G::text>("text", "\"characters\""),
-    {"surface-3", "6 and heights: x-min x-max x-points y-min y-max y-points z ...", kVaries,
+    {{"surface-3", "6 and heights: x-min x-max x-points y-min y-max y-points z ...", kVaries},
      surface},
     fixed<&G::set_surface_curves>("set-surface-curves", "x|y|both"),
     fixed<&G::set_surface_sides>("set-surface-sides", "upper|lower|both"),
-    {"set-lower-line-style", "solid r g b [width] | dashed r g b [width [dash gap]] | none | same",
-     kVaries, lower_line_style},
-    {"box-3", "x-min x-max y-min y-max z-min z-max", 6, of_corners<box_3>},
-    {"wedge-3", "x-min x-max y-min y-max z-min z-max", 6, of_corners<wedge_3>},
-    {"prism-3", "x y z radius height sides", 6, of_lengths<prism_3>},
-    {"cylinder-3", "x y z radius height facets", 6, of_lengths<cylinder_3>},
-    {"cone-3", "6 or 7: x y z radius height facets [top-radius]", kVaries, cone},
-    {"sphere-3", "x y z radius facets", 5, sphere},
-    {"torus-3", "x y z radius tube-radius facets", 6, of_lengths<torus_3>},
-    {"extrude-3", "2 and a multiple of 2: z-min z-max  x y ...", kVaries, extrude},
-    {"turn-3", "1 and a multiple of 2: facets  x z ...", kVaries, turn},
+    {{"set-lower-line-style", "solid r g b [width] | dashed r g b [width [dash gap]] | none | same",
+      kVaries},
+     lower_line_style},
+    {{"box-3", "x-min x-max y-min y-max z-min z-max", 6}, of_corners<box_3>},
+    {{"wedge-3", "x-min x-max y-min y-max z-min z-max", 6}, of_corners<wedge_3>},
+    {{"prism-3", "x y z radius height sides", 6}, of_lengths<prism_3>},
+    {{"cylinder-3", "x y z radius height facets", 6}, of_lengths<cylinder_3>},
+    {{"cone-3", "6 or 7: x y z radius height facets [top-radius]", kVaries}, cone},
+    {{"sphere-3", "x y z radius facets", 5}, sphere},
+    {{"torus-3", "x y z radius tube-radius facets", 6}, of_lengths<torus_3>},
+    {{"extrude-3", "2 and a multiple of 2: z-min z-max  x y ...", kVaries}, extrude},
+    {{"turn-3", "1 and a multiple of 2: facets  x z ...", kVaries}, turn},
     fixed<&G::begin_solid>("begin-solid", "union|intersection|difference"),
     fixed<&G::end_solid>("end-solid", ""),
     fixed<&G::discard_solid>("discard-solid", ""),
-    {"axes-3", "6 or 9: x-min x-max y-min y-max z-min z-max [\"x\" \"y\" \"z\"]", kVaries, axes},
-    {"set-cutting-plane", "5: n a b c d, or 2: n off", kVaries, cutting_plane},
-    {"set-cut-faces", "open | closed | hatched [spacing [angle]]", kVaries, cut_faces},
-    {"set-fill-style", "solid r g b | hollow", kVaries, fill_style},
-    {"set-line-style", "solid r g b [width] | dashed r g b [width [dash gap]] | none", kVaries,
+    {{"axes-3", "6 or 9: x-min x-max y-min y-max z-min z-max [\"x\" \"y\" \"z\"]", kVaries}, axes},
+    {{"set-cutting-plane", "5: n a b c d, or 2: n off", kVaries}, cutting_plane},
+    {{"set-cut-faces", "open | closed | hatched [spacing [angle]]", kVaries}, cut_faces},
+    {{"set-fill-style", "solid r g b | hollow", kVaries}, fill_style},
+    {{"set-line-style", "solid r g b [width] | dashed r g b [width [dash gap]] | none", kVaries},
      line_style},
-    {"set-text-style", "size [left|centre|right] [always]", kVaries, text_style},
-    {"set-light", "3 or 4: x y z [ambient]", kVaries, light},
-    {"set-vertex-normals", "a multiple of 3: x y z ...", kVaries,
+    {{"set-text-style", "size [left|centre|right] [always]", kVaries}, text_style},
+    {{"set-light", "3 or 4: x y z [ambient]", kVaries}, light},
+    {{"set-vertex-normals", "a multiple of 3: x y z ...", kVaries},
      points<Point3, &G::set_vertex_normals>},
     fixed<&G::set_shading>("set-shading", "flat|gouraud|phong"),
     fixed<&G::set_shadows>("set-shadows", "on|off"),
@@ -457,18 +458,25 @@ constexpr auto kRoutines = std::to_array<Routine>({
     fixed<&G::set_window>("set-window", "x-min x-max y-min y-max"),
     fixed<&G::set_viewport>("set-viewport", "x-min x-max y-min y-max"),
     fixed<&G::set_window_fit>("set-window-fit", "widen|stretch"),
-    {"set-background", "r g b | none", kVaries, background},
+    {{"set-background", "r g b | none", kVaries}, background},
 
     fixed<&G::set_hidden_line_removal>("set-hidden-line-removal", "on|off"),
     fixed<&G::set_back_face_removal>("set-back-face-removal", "on|off"),
     fixed<&G::set_hidden_method>("set-hidden-method", "method"),
     fixed<&G::set_hidden_scope>("set-hidden-scope", "segment|all"),
-    {"set-lines", "one or more of all outline boundary crease[=DEGREES] material intersection",
-     kVaries, lines},
+    {{"set-lines", "one or more of all outline boundary crease[=DEGREES] material intersection",
+      kVaries},
+     lines},
     fixed<&G::set_precision>("set-precision", "exact|roundoff[=EPS]"),
     fixed<&G::set_hidden_lines>("set-hidden-lines", "none|dashed"),
     fixed<&G::set_z_buffer>("set-z-buffer", "on|off"),
 });
+
+constexpr auto kUserRoutines = [] {
+  std::array<UserRoutine, kRoutines.size()> all{};
+  std::ranges::copy(kRoutines, all.begin());
+  return all;
+}();
 
 [[noreturn]] void unknown_routine(std::string_view name) {
   std::array<std::string_view, kRoutines.size()> names;
@@ -491,6 +499,27 @@ void call_routine(ProgramLine& line, GraphicsSystem& system) {
     wrong_count(line, *routine);
   }
   routine->call(system, line, *routine);
+}
+
+std::span<const UserRoutine> user_routines() { return kUserRoutines; }
+
+void call_user_routine(GraphicsSystem& system, std::string_view name, std::string_view arguments) {
+  const std::string text = fmt::format("{} {}", name, arguments);
+  const auto named = [&](std::string_view what) {
+    const bool names_it = what.starts_with(name) || what.starts_with("unknown routine");
+    return Error(names_it ? std::string(what) : fmt::format("{}: {}", name, what));
+  };
+  if (const std::size_t known = drawable_length(text); known < text.size()) {
+    throw named(not_drawable(std::string_view(text).substr(known)));
+  }
+  ProgramLine line;
+  line.split(text);
+  try {
+    if (line.empty() || line.name() != name) unknown_routine(name);
+    call_routine(line, system);
+  } catch (const ErrorAt& error) {  // whose place is in this text
+    throw named(error.what());
+  }
 }
 
 }  // namespace displayfile

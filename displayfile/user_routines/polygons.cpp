@@ -133,28 +133,48 @@ void GraphicsSystem::enter_whole(const WorldPolygon& polygon) {
 
 namespace {
 
-/// Checks what polygons_abs_3 is given, but for coordinates.
-void require_polygons(std::size_t vertices, std::span<const std::uint32_t> corners,
-                      std::span<const std::uint32_t> sides, std::size_t fills) {
+/// Checks what polygons_abs_3 is given, but for coordinates, and says how many polygons they are.
+std::size_t require_polygons(const GraphicsSystem::ManyPolygons& many) {
   std::size_t of_all = 0;
-  for (const std::uint32_t n : sides) {
+  for (const std::uint32_t n : many.sides) {
     if (n < 3) throw Error(fmt::format("polygon of {} sides: expected at least 3", n));
     of_all += n;
   }
-  if (sides.empty() ? corners.size() % 3 != 0 : of_all != corners.size()) {
-    throw Error(fmt::format("{} corners: expected {}", corners.size(),
-                            sides.empty() ? "three of each polygon" : std::to_string(of_all)));
+  const std::size_t corners = many.corners.size();
+  if (many.sides.empty() ? corners % 3 != 0 : of_all != corners) {
+    throw Error(fmt::format("{} corners: expected {}", corners,
+                            many.sides.empty() ? "three of each polygon" : std::to_string(of_all)));
   }
-  const std::size_t polygons = sides.empty() ? corners.size() / 3 : sides.size();
-  if (fills > 1 && fills != polygons) {
-    throw Error(fmt::format("{} fill styles of {} polygons: expected one, or one for each", fills,
-                            polygons));
-  }
-  for (const std::uint32_t corner : corners) {
-    if (corner >= vertices) {
-      throw Error(fmt::format("vertex {} of {}: expected an index from 0", corner, vertices));
+  for (const std::uint32_t corner : many.corners) {
+    if (corner >= many.vertices.size()) {
+      throw Error(
+          fmt::format("vertex {} of {}: expected an index from 0", corner, many.vertices.size()));
     }
   }
+  return many.sides.empty() ? corners / 3 : many.sides.size();
+}
+
+/// Checks what they look like.
+void require_looks(const GraphicsSystem::ManyPolygons& many, std::size_t polygons) {
+  if (many.fills.size() > 1 && many.fills.size() != polygons) {
+    throw Error(fmt::format("{} fill styles of {} polygons: expected one, or one for each",
+                            many.fills.size(), polygons));
+  }
+  if (!many.picks.empty() && many.picks.size() != polygons) {
+    throw Error(fmt::format("{} pick identifiers of {} polygons: expected one for each, or none",
+                            many.picks.size(), polygons));
+  }
+  if (!many.normals.empty() && many.normals.size() != many.vertices.size()) {
+    throw Error(fmt::format("{} normals of {} vertices: expected one for each, or none",
+                            many.normals.size(), many.vertices.size()));
+  }
+  for (const FillStyle& fill : many.fills) {
+    if (fill.kind == FillStyle::Kind::solid) require_colour(fill.colour);
+  }
+  for (const std::int32_t pick : many.picks) {
+    if (pick < 0) throw Error(fmt::format("pick identifier {}: expected 0 or more", pick));
+  }
+  for (const Point3& n : many.normals) require_finite({n.x, n.y, n.z}, "vertex normal");
 }
 
 }  // namespace
@@ -163,16 +183,18 @@ void GraphicsSystem::polygons_abs_3(std::span<const Point3> vertices,
                                     std::span<const std::uint32_t> corners,
                                     std::span<const std::uint32_t> sides,
                                     std::span<const FillStyle> fills) {
+  polygons_abs_3({vertices, corners, sides, fills, {}, {}});
+}
+
+void GraphicsSystem::polygons_abs_3(const ManyPolygons& many) {
+  const auto& [vertices, corners, sides, fills, picks, normals] = many;
   require_open();
-  require_polygons(vertices.size(), corners, sides, fills.size());
+  const std::size_t polygons = require_polygons(many);
   if (!vertex_normals_.empty()) {
     throw Error("normals of one polygon's vertices are set: expected none before many polygons");
   }
-  for (const FillStyle& fill : fills) {
-    if (fill.kind == FillStyle::Kind::solid) require_colour(fill.colour);
-  }
+  require_looks(many, polygons);
   Segment& segment = display_file_.segment(*open_);
-  const std::size_t polygons = sides.empty() ? corners.size() / 3 : sides.size();
   const std::size_t styles = attributes_.light ? polygons : fills.size();
   bool is_solid = takes_whole_solids();
   const std::span<const Point3> world = with_memory(
@@ -182,14 +204,15 @@ void GraphicsSystem::polygons_abs_3(std::span<const Point3> vertices,
       [&] {
         const std::span<const Point3> of_all = shared_world(vertices);
         is_solid = is_solid && !open_side(of_all, corners, sides);
-        if (!is_solid && solids_.empty()) {
+        if (!is_solid && solids_.empty() && normals.empty()) {
           make_room_for_shared(of_all, polygons, corners.size(), styles);
         }
         return of_all;
       });
+  const std::int32_t pick_in_force = pick_;
   const auto enter_all = [&] {
-    const bool at_once =
-        sides.empty() && fills.size() <= 1 && !cutting_planes_.any() && solids_.empty();
+    const bool of_one_kind = sides.empty() && fills.size() <= 1 && picks.empty() && normals.empty();
+    const bool at_once = of_one_kind && !cutting_planes_.any() && solids_.empty();
     if (retains_alone_ && at_once && recorder_ == nullptr) {
       if (!fills.empty() && fills[0] != attributes_.fill) set_fill_style(fills[0]);
       const bool all_of_one = pick_ >= 0;
@@ -201,21 +224,45 @@ void GraphicsSystem::polygons_abs_3(std::span<const Point3> vertices,
     std::size_t first = 0;
     for (std::size_t k = 0; k < polygons; ++k) {
       if (k < fills.size() && fills[k] != attributes_.fill) set_fill_style(fills[k]);
+      if (!picks.empty() && picks[k] != pick_) set_pick_id(picks[k]);
       const auto polygon = corners.subspan(first, sides.empty() ? 3 : sides[k]);
       first += polygon.size();
+      if (!normals.empty()) {
+        enter_with_normals(vertices, normals, polygon);
+        continue;
+      }
       enter_shared(world, polygon, segment);
       if (recorder_ == nullptr) continue;
       object_points_.clear();
       for (const std::uint32_t corner : polygon) object_points_.push_back(vertices[corner]);
       recorder_->write("polygon-abs-3", object_points_, 3);
     }
+    if (pick_ != pick_in_force) set_pick_id(pick_in_force);
   };
-  if (is_solid) {
-    as_solid([&] { keep_fill_style(enter_all); });
-  } else {
-    keep_fill_style(enter_all);
+  try {
+    if (is_solid) {
+      as_solid([&] { keep_fill_style(enter_all); });
+    } else {
+      keep_fill_style(enter_all);
+    }
+  } catch (...) {
+    if (pick_ != pick_in_force) set_pick_id(pick_in_force);
+    throw;
   }
   if (!corners.empty()) pen_ = {vertices[corners.back()], world[corners.back()]};
+}
+
+/// As set_vertex_normals and polygon_abs_3 enter it.
+void GraphicsSystem::enter_with_normals(std::span<const Point3> vertices,
+                                        std::span<const Point3> normals,
+                                        std::span<const std::uint32_t> corners) {
+  std::vector<Point3>& of_corners = object_points_;
+  of_corners.clear();
+  for (const std::uint32_t corner : corners) of_corners.push_back(normals[corner]);
+  set_vertex_normals(of_corners);
+  of_corners.clear();
+  for (const std::uint32_t corner : corners) of_corners.push_back(vertices[corner]);
+  polygon_abs_3(of_corners);
 }
 
 /// Valid until the next call, and as long as the vertices themselves.

@@ -64,7 +64,7 @@ constexpr std::string_view kType<double> = "<f8";
 template <class T>
 class NpyWriter {
  public:
-  NpyWriter(const std::filesystem::path& path, int width, int height) : file_(path.string()) {
+  NpyWriter(const Destination& to, int width, int height) : file_(to) {
     require_picture_size(width, height);
     row_.resize(static_cast<std::size_t>(width) * sizeof(T));
     file_.stream() << header(kType<T>, width, height);
@@ -89,13 +89,13 @@ class NpyWriter {
 };
 
 template <class T>
-void write(std::span<const T> values, int width, int height, const std::filesystem::path& path) {
+void write(std::span<const T> values, int width, int height, const Destination& to) {
   require_picture_size(width, height);
   if (values.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
-    throw Error(fmt::format("{}: {} values, expected {} x {}", path.string(), values.size(), width,
-                            height));
+    throw Error(
+        fmt::format("{}: {} values, expected {} x {}", to.name(), values.size(), width, height));
   }
-  NpyWriter<T> writer(path, width, height);
+  NpyWriter<T> writer(to, width, height);
   writer.write(values);
   writer.commit();
 }
@@ -104,8 +104,7 @@ void write(std::span<const T> values, int width, int height, const std::filesyst
 template <class T, std::vector<T> Picture::*array>
 class ArrayRowFile : public RowFile {
  public:
-  ArrayRowFile(const std::filesystem::path& path, int width, int height)
-      : writer_(path, width, height) {}
+  ArrayRowFile(const Destination& to, int width, int height) : writer_(to, width, height) {}
   void write(const Picture& rows) override { writer_.write(rows.*array); }
   void finish() override { writer_.finish(); }
   void commit() override { writer_.commit(); }
@@ -262,22 +261,20 @@ std::vector<Value> read_values(BinaryInput& input, std::size_t width, std::size_
 
 }  // namespace
 
-void write_npy(std::span<const std::int32_t> values, int width, int height,
-               const std::filesystem::path& path) {
-  write(values, width, height, path);
+void write_npy(std::span<const std::int32_t> values, int width, int height, const Destination& to) {
+  write(values, width, height, to);
 }
 
-void write_npy(std::span<const double> values, int width, int height,
-               const std::filesystem::path& path) {
-  write(values, width, height, path);
+void write_npy(std::span<const double> values, int width, int height, const Destination& to) {
+  write(values, width, height, to);
 }
 
-std::unique_ptr<RowFile> ids_row_file(const std::filesystem::path& path, int width, int height) {
-  return std::make_unique<ArrayRowFile<std::int32_t, &Picture::ids>>(path, width, height);
+std::unique_ptr<RowFile> ids_row_file(const Destination& to, int width, int height) {
+  return std::make_unique<ArrayRowFile<std::int32_t, &Picture::ids>>(to, width, height);
 }
 
-std::unique_ptr<RowFile> depth_row_file(const std::filesystem::path& path, int width, int height) {
-  return std::make_unique<ArrayRowFile<double, &Picture::depth>>(path, width, height);
+std::unique_ptr<RowFile> depth_row_file(const Destination& to, int width, int height) {
+  return std::make_unique<ArrayRowFile<double, &Picture::depth>>(to, width, height);
 }
 
 NpyArray read_npy(const std::filesystem::path& path) {

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "displayfile/destination.h"
 #include "interp/files/row_file.h"
 
 namespace displayfile {
@@ -21,14 +22,12 @@ struct NpyArray {
 /// little endian, header padded to 64 bytes), of type int32 or float64. The file appears whole or
 /// not at all. Throws Error if there are not width x height values, the size is not 1 to
 /// kLargestSide, or the file, which it names, cannot be written.
-void write_npy(std::span<const std::int32_t> values, int width, int height,
-               const std::filesystem::path& path);
-void write_npy(std::span<const double> values, int width, int height,
-               const std::filesystem::path& path);
+void write_npy(std::span<const std::int32_t> values, int width, int height, const Destination& to);
+void write_npy(std::span<const double> values, int width, int height, const Destination& to);
 
 /// The file that write_npy writes, of a picture's ids or of its depth, that come row by row.
-std::unique_ptr<RowFile> ids_row_file(const std::filesystem::path& path, int width, int height);
-std::unique_ptr<RowFile> depth_row_file(const std::filesystem::path& path, int width, int height);
+std::unique_ptr<RowFile> ids_row_file(const Destination& to, int width, int height);
+std::unique_ptr<RowFile> depth_row_file(const Destination& to, int width, int height);
 
 /// Reads what write_npy writes, and arrays of type uint8 and int64 (as int32) and float32 (as
 /// float64), in versions 1 to 3 of the format. Throws Error, naming the file and what was

@@ -115,7 +115,7 @@ void clear_transparent(std::span<std::uint32_t> pixels) {
 
 class PngRowFile : public RowFile {
  public:
-  PngRowFile(const std::filesystem::path& path, int width, int height, Alpha alpha);
+  PngRowFile(const Destination& to, int width, int height, Alpha alpha);
   void write(const Picture& rows) override;
   void finish() override;
   void commit() override { file_.commit(); }
@@ -134,8 +134,8 @@ class PngRowFile : public RowFile {
   std::vector<std::uint8_t> row_;
 };
 
-PngRowFile::PngRowFile(const std::filesystem::path& path, int width, int height, Alpha alpha)
-    : file_(path.string()), channels_(alpha == Alpha::stored ? 4 : 3) {
+PngRowFile::PngRowFile(const Destination& to, int width, int height, Alpha alpha)
+    : file_(to), channels_(alpha == Alpha::stored ? 4 : 3) {
   require_picture_size(width, height);
   row_.resize(channels_ * static_cast<std::size_t>(width));
   if (writer_.info == nullptr) throw Error("not enough memory for a PNG file");
@@ -174,18 +174,17 @@ void PngRowFile::finish() {
 
 }  // namespace
 
-std::unique_ptr<RowFile> png_row_file(const std::filesystem::path& path, int width, int height) {
-  return std::make_unique<PngRowFile>(path, width, height, Alpha::none);
+std::unique_ptr<RowFile> png_row_file(const Destination& to, int width, int height) {
+  return std::make_unique<PngRowFile>(to, width, height, Alpha::none);
 }
 
-std::unique_ptr<RowFile> png_alpha_row_file(const std::filesystem::path& path, int width,
-                                            int height) {
-  return std::make_unique<PngRowFile>(path, width, height, Alpha::stored);
+std::unique_ptr<RowFile> png_alpha_row_file(const Destination& to, int width, int height) {
+  return std::make_unique<PngRowFile>(to, width, height, Alpha::stored);
 }
 
-void write_png(const Picture& picture, const std::filesystem::path& path) {
+void write_png(const Picture& picture, const Destination& to) {
   const bool opaque = std::ranges::all_of(picture.pixels, [](auto p) { return p >> 24 == 0xFF; });
-  PngRowFile file(path, picture.width, picture.height, opaque ? Alpha::none : Alpha::stored);
+  PngRowFile file(to, picture.width, picture.height, opaque ? Alpha::none : Alpha::stored);
   file.write(picture);
   file.finish();
   file.commit();

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "displayfile/destination.h"
 #include "interp/files/row_file.h"
 #include "interp/picture.h"
 
@@ -14,13 +15,12 @@ enum class Alpha { none, stored };
 /// Writes the pixels as a PNG file, 8-bit RGB, or RGBA if one is not opaque. The bytes depend on
 /// the pixels alone (no time or text is stored); the file appears whole or not at all. Throws
 /// Error, naming the file, if it cannot be written or the picture's size is not 1 to kLargestSide.
-void write_png(const Picture& picture, const std::filesystem::path& path);
+void write_png(const Picture& picture, const Destination& to);
 
 /// The file that write_png writes, byte for byte, of a picture of width x height that comes row by
 /// row: with RGB, or with RGBA.
-std::unique_ptr<RowFile> png_row_file(const std::filesystem::path& path, int width, int height);
-std::unique_ptr<RowFile> png_alpha_row_file(const std::filesystem::path& path, int width,
-                                            int height);
+std::unique_ptr<RowFile> png_row_file(const Destination& to, int width, int height);
+std::unique_ptr<RowFile> png_alpha_row_file(const Destination& to, int width, int height);
 
 /// Reads a PNG file of any colour type; 16-bit samples are cut to 8. What is transparent is laid
 /// over white, or stays so if alpha is to be kept; then what is wholly transparent is 0. Throws

@@ -44,7 +44,7 @@ int read_header_number(BinaryInput& input, const char* what) {
 
 class PpmRowFile : public RowFile {
  public:
-  PpmRowFile(const std::filesystem::path& path, int width, int height) : file_(path.string()) {
+  PpmRowFile(const Destination& to, int width, int height) : file_(to) {
     require_picture_size(width, height);
     row_.resize(3 * static_cast<std::size_t>(width));
     file_.stream() << fmt::format("P6\n{} {}\n255\n", width, height);
@@ -69,12 +69,12 @@ class PpmRowFile : public RowFile {
 
 }  // namespace
 
-std::unique_ptr<RowFile> ppm_row_file(const std::filesystem::path& path, int width, int height) {
-  return std::make_unique<PpmRowFile>(path, width, height);
+std::unique_ptr<RowFile> ppm_row_file(const Destination& to, int width, int height) {
+  return std::make_unique<PpmRowFile>(to, width, height);
 }
 
-void write_ppm(const Picture& picture, const std::filesystem::path& path) {
-  PpmRowFile file(path, picture.width, picture.height);
+void write_ppm(const Picture& picture, const Destination& to) {
+  PpmRowFile file(to, picture.width, picture.height);
   file.write(picture);
   file.commit();
 }

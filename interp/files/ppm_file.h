@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "displayfile/destination.h"
 #include "interp/files/row_file.h"
 #include "interp/picture.h"
 
@@ -10,10 +11,10 @@ namespace displayfile {
 
 /// Writes the pixels as a PPM file (P6, 8 bits); it appears whole or not at all. Throws Error,
 /// naming the file, if it cannot be written or the picture's size is not 1 to kLargestSide.
-void write_ppm(const Picture& picture, const std::filesystem::path& path);
+void write_ppm(const Picture& picture, const Destination& to);
 
 /// The file that write_ppm writes, of a picture of width x height that comes row by row.
-std::unique_ptr<RowFile> ppm_row_file(const std::filesystem::path& path, int width, int height);
+std::unique_ptr<RowFile> ppm_row_file(const Destination& to, int width, int height);
 
 /// Reads a PPM file (P6, largest value 255; the first picture of several). Throws Error, naming
 /// the file and what was expected: not a PPM, truncated, a size of 0 or beyond kLargestSide.

@@ -177,10 +177,10 @@ void PdfDevice::finish() {
 namespace {
 
 void write_page(PageFormat format, const DisplayFile& display_file, int width, int height,
-                const std::filesystem::path& path, const Background& background, bool colour_rule,
+                const Destination& to, const Background& background, bool colour_rule,
                 const VectorOptions& options) {
   require_picture_size(width, height);
-  OutputFile file(path.string());
+  OutputFile file(to);
   try {
     PdfDevice device(file.stream(), width, height, background, options, format);
     if (colour_rule) device.fill_with_background();
@@ -188,23 +188,21 @@ void write_page(PageFormat format, const DisplayFile& display_file, int width, i
     device.draw_texts(display_file);
     device.finish();
   } catch (const Error& e) {
-    throw Error(fmt::format("{}: {}", path.string(), e.what()));
+    throw Error(fmt::format("{}: {}", to.name(), e.what()));
   }
   file.commit();
 }
 
 }  // namespace
 
-void write_pdf(const DisplayFile& display_file, int width, int height,
-               const std::filesystem::path& path, const Background& background, bool colour_rule,
-               const VectorOptions& options) {
-  write_page(PageFormat::pdf, display_file, width, height, path, background, colour_rule, options);
+void write_pdf(const DisplayFile& display_file, int width, int height, const Destination& to,
+               const Background& background, bool colour_rule, const VectorOptions& options) {
+  write_page(PageFormat::pdf, display_file, width, height, to, background, colour_rule, options);
 }
 
-void write_eps(const DisplayFile& display_file, int width, int height,
-               const std::filesystem::path& path, const Background& background, bool colour_rule,
-               const VectorOptions& options) {
-  write_page(PageFormat::eps, display_file, width, height, path, background, colour_rule, options);
+void write_eps(const DisplayFile& display_file, int width, int height, const Destination& to,
+               const Background& background, bool colour_rule, const VectorOptions& options) {
+  write_page(PageFormat::eps, display_file, width, height, to, background, colour_rule, options);
 }
 
 }  // namespace displayfile

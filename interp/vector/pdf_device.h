@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <iosfwd>
 #include <memory>
 #include <optional>
@@ -8,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "displayfile/destination.h"
 #include "displayfile/display_file.h"
 #include "interp/paper.h"
 #include "interp/vector/vector_device.h"
@@ -68,13 +68,13 @@ class PdfDevice : public VectorDevice {
 /// order. The file appears whole or not at all. Throws Error, naming the file, if it cannot be
 /// written, or for a size outside of 1 to kLargestSide. On paper, if one is given: as large as
 /// fits, on a page of its size.
-void write_pdf(const DisplayFile& display_file, int width, int height,
-               const std::filesystem::path& path, const Background& background = {},
-               bool colour_rule = false, const VectorOptions& options = {});
+void write_pdf(const DisplayFile& display_file, int width, int height, const Destination& to,
+               const Background& background = {}, bool colour_rule = false,
+               const VectorOptions& options = {});
 
 /// The same into an EPS file, a picture of that size (PostScript, level 3).
-void write_eps(const DisplayFile& display_file, int width, int height,
-               const std::filesystem::path& path, const Background& background = {},
-               bool colour_rule = false, const VectorOptions& options = {});
+void write_eps(const DisplayFile& display_file, int width, int height, const Destination& to,
+               const Background& background = {}, bool colour_rule = false,
+               const VectorOptions& options = {});
 
 }  // namespace displayfile

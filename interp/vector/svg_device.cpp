@@ -236,12 +236,11 @@ void SvgDevice::finish(std::ostream& out) {
   out << body_ << "</svg>\n";
 }
 
-void write_svg(const DisplayFile& display_file, int width, int height,
-               const std::filesystem::path& path, const Background& background, bool colour_rule,
-               const VectorOptions& options) {
+void write_svg(const DisplayFile& display_file, int width, int height, const Destination& to,
+               const Background& background, bool colour_rule, const VectorOptions& options) {
   SvgDevice device(width, height, background, options);
   if (colour_rule) device.fill_with_background();
-  OutputFile file(path.string());
+  OutputFile file(to);
   interpret(display_file, device);
   device.draw_texts(display_file);
   if (options.paper) {

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <iosfwd>
 #include <map>
 #include <optional>
@@ -12,6 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "displayfile/destination.h"
 #include "displayfile/display_file.h"
 #include "interp/paper.h"
 #include "interp/vector/svg_ramps.h"
@@ -76,8 +76,8 @@ class SvgDevice : public VectorDevice {
 /// Draws the visible segments into an SVG file, in their order. The file appears whole or not at
 /// all. Throws Error, naming the file, if it cannot be written, or for a size outside of 1 to
 /// kLargestSide. On paper, if one is given: as large as fits, in millimetres.
-void write_svg(const DisplayFile& display_file, int width, int height,
-               const std::filesystem::path& path, const Background& background = {},
-               bool colour_rule = false, const VectorOptions& options = {});
+void write_svg(const DisplayFile& display_file, int width, int height, const Destination& to,
+               const Background& background = {}, bool colour_rule = false,
+               const VectorOptions& options = {});
 
 }  // namespace displayfile

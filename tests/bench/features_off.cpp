@@ -1,4 +1,4 @@
-// Counts the instructions of three drawings in which every feature is off, by callgrind
+// Counts the instructions of five drawings in which every feature is off, by callgrind
 // (tests/bench/left_out.md):
 //   features_off
 // prints a line a scene: its name and the count.
@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "programs/bench/callgrind.h"
@@ -21,11 +22,13 @@ constexpr std::size_t kTimesDrawn = 2;  // the last time what is made once for a
 
 struct Drawing {
   std::string_view name, scene;
-  bool z_buffer;
+  std::optional<HiddenMethod> method;
 };
-constexpr std::array kDrawings{Drawing{"soup, painted in order", "soup", false},
-                               Drawing{"terrain, z-buffer", "terrain", true},
-                               Drawing{"city, z-buffer", "city", true}};
+constexpr std::array kDrawings{Drawing{"soup, painted in order", "soup", std::nullopt},
+                               Drawing{"terrain, z-buffer", "terrain", HiddenMethod::z_buffer},
+                               Drawing{"city, z-buffer", "city", HiddenMethod::z_buffer},
+                               Drawing{"terrain, bsp", "terrain", HiddenMethod::bsp},
+                               Drawing{"city, map", "city", HiddenMethod::map}};
 
 /// What callgrind looks for: it stays a function, of a plain name.
 extern "C" [[gnu::noinline]] void displayfile_features_off(const FeatureUse* use,
@@ -36,7 +39,7 @@ extern "C" [[gnu::noinline]] void displayfile_features_off(const FeatureUse* use
 void draw_to_be_counted() {
   for (const Drawing& drawing : kDrawings) {
     FeatureUse use;
-    if (drawing.z_buffer) use.method = HiddenMethod::z_buffer;
+    use.method = drawing.method;
     const Scene scene = generated_scene(drawing.scene).make(kPolygons, 1);
     for (std::size_t k = 0; k < kTimesDrawn; ++k) displayfile_features_off(&use, &scene);
   }

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <filesystem>
-
+#include "displayfile/destination.h"
 #include "interp/vector/pens/pen_drawing.h"
 
 namespace displayfile {
@@ -10,8 +9,8 @@ namespace displayfile {
 /// group with inkscape:groupmode="layer" whose label begins with the pen's number, 1, 2, ... Each
 /// path is an element, in the order in which they are to be drawn. The file appears whole or not at
 /// all. Throws Error, naming the file, if it cannot be written.
-void write_pens_svg(const PenDrawing& drawing, const std::filesystem::path& file);
+void write_pens_svg(const PenDrawing& drawing, const Destination& to);
 /// The same as PDF, whose page is the sheet, pen after pen. Throws Error too if there is no Cairo.
-void write_pens_pdf(const PenDrawing& drawing, const std::filesystem::path& file);
+void write_pens_pdf(const PenDrawing& drawing, const Destination& to);
 
 }  // namespace displayfile

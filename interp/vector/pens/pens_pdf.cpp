@@ -32,11 +32,11 @@ void draw_layer(cairo_t* context, const PenLayer& layer) {
 
 }  // namespace
 
-void write_pens_pdf(const PenDrawing& drawing, const std::filesystem::path& file) {
-  OutputFile output(file.string());
+void write_pens_pdf(const PenDrawing& drawing, const Destination& to) {
+  OutputFile output(to);
   const auto require = [&](cairo_status_t status) {
     if (status == CAIRO_STATUS_SUCCESS) return;
-    throw Error(fmt::format("{}: Cairo cannot write the PDF: {}", file.string(),
+    throw Error(fmt::format("{}: Cairo cannot write the PDF: {}", to.name(),
                             cairo().status_to_string(status)));
   };
   const auto destroy_surface = [](cairo_surface_t* s) { cairo().surface_destroy(s); };

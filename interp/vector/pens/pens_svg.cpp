@@ -46,8 +46,8 @@ void append_path_data(std::string& out, const PenPath& path) {
 
 }  // namespace
 
-void write_pens_svg(const PenDrawing& drawing, const std::filesystem::path& file) {
-  OutputFile output(file.string());
+void write_pens_svg(const PenDrawing& drawing, const Destination& to) {
+  OutputFile output(to);
   std::ostream& out = output.stream();
   out << fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"

@@ -33,6 +33,13 @@ switch(clip/transformation.h "return identity_;"
        "return is_left_out(PartLeftOut::modelling) || identity_;")
 switch(clip/transformation.h "return scale == Point2(1.0, 1.0)"
        "if (is_left_out(PartLeftOut::image_transformation)) return true;\n    return scale == Point2(1.0, 1.0)")
+switch(clip/work_budget.h "if (--left_ == 0) ask();"
+       "if (!is_left_out(PartLeftOut::budgets) && --left_ == 0) ask();")
+switch(clip/work_budget.h "if (steps >= left_)"
+       "if (is_left_out(PartLeftOut::budgets)) return;\n    if (steps >= left_)")
+switch(clip/work_budget.h "if (const WorkBudget* const budget = work_in_force().budget) {"
+       "if (is_left_out(PartLeftOut::budgets)) return;
+        if (const WorkBudget* const budget = work_in_force().budget) {")
 switch(displayfile/attributes.h "std::optional<Light> light;"
        "Switch<PartLeftOut::light, std::optional<Light>> light;")
 switch(displayfile/attributes.h "bool back_face_removal ="

@@ -1,0 +1,102 @@
+#include "displayfile/drawn_pieces.h"
+
+#include <span>
+
+#include "clip/work_budget.h"
+#include "displayfile/intensity_plane.h"
+#include "displayfile/lighting.h"
+#include "displayfile/segment.h"
+#include "displayfile/vertex_shading.h"
+
+namespace displayfile {
+
+namespace {
+
+using Kind = DrawnPieces::Kind;
+
+/// Instructions in order, with what is in force.
+class PieceGatherer {
+ public:
+  explicit PieceGatherer(DrawnPieces& pieces) : pieces_(pieces) {}
+
+  void segment(int name) { segment_ = name; }
+  void fill(const FillStyle& style) { fill_ = style; }
+  void line_style(const LineStyle& style) { line_ = style; }
+  void pick(int id) { pick_ = id; }
+  void line_pick(int id) { line_pick_ = id; }
+  void line_kinds(LineKinds kinds) { of_lines_ = kinds; }
+  void side_kinds(std::span<const LineKinds> kinds) { of_sides_ = kinds; }
+  void intensities(std::span<const double> values) { of_vertices_ = {.intensities = values}; }
+  void normals(std::span<const Point3> values, const Light& light) {
+    of_vertices_ = {.normals = values, .light = &light};
+  }
+  void move(const Point3& p) { pen_ = p; }
+  void line(const Point3& p) {
+    if (line_.kind != LineStyle::Kind::none) {
+      pieces_.points.insert(pieces_.points.end(), {pen_, p});
+      pieces_.sides.insert(pieces_.sides.end(), {std::uint8_t{0}, of_lines_});
+      end_piece(Kind::line, line_.colour, line_pick_);
+    }
+    pen_ = p;
+  }
+  void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
+    const bool solid = fill_.kind == FillStyle::Kind::solid;
+    if (solid || line_.kind != LineStyle::Kind::none) {
+      pieces_.points.insert(pieces_.points.end(), vertices.begin(), vertices.end());
+      for (std::size_t i = 0; i < sides.size(); ++i) {
+        const LineKinds kinds = of_sides_.empty() ? kDrawn : of_sides_[i];
+        pieces_.sides.push_back(sides[i] == op::line ? kinds : LineKinds{0});
+      }
+      end_piece(solid ? Kind::solid : Kind::hollow, even_colour(), pick_);
+    }
+    of_sides_ = {};
+    of_vertices_ = {};
+    pen_ = vertices.back();
+  }
+
+ private:
+  Colour even_colour() {
+    const auto shades = vertex_intensities(of_vertices_, intensities_);
+    return (shades.empty() ? fill_ : lit(fill_, mean_intensity(shades))).colour;
+  }
+  void end_piece(Kind kind, const Colour& fill, std::int32_t pick) {
+    steps_.step();
+    pieces_.kinds.push_back(kind);
+    pieces_.first.push_back(static_cast<std::uint32_t>(pieces_.points.size()));
+    pieces_.fills.push_back(fill);
+    pieces_.lines.push_back(line_);
+    pieces_.picks.push_back(pick);
+    pieces_.segments.push_back(segment_);
+  }
+
+  DrawnPieces& pieces_;
+  FillStyle fill_;
+  LineStyle line_;
+  int segment_ = 0;
+  std::int32_t pick_ = -1, line_pick_ = -1;
+  LineKinds of_lines_ = kDrawn;
+  std::span<const LineKinds> of_sides_{};  // of the polygon that follows
+  VertexShading of_vertices_{};            // likewise
+  std::vector<double> intensities_;
+  Point3 pen_{0.0};
+  WorkSteps steps_;
+};
+
+}  // namespace
+
+DrawnPieces drawn_pieces(const DisplayFile& display_file) {
+  DrawnPieces pieces;
+  if (display_file.sorted() != nullptr) {
+    display_file.sorted()->walk(PieceGatherer(pieces));
+    return pieces;
+  }
+  for (const Segment& segment : display_file.segments()) {
+    if (!segment.visible) continue;
+    PieceGatherer gatherer(pieces);
+    gatherer.segment(segment.name());
+    segment.walk_drawn(gatherer);
+  }
+  return pieces;
+}
+
+}  // namespace displayfile

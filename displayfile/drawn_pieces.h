@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "clip/point.h"
+#include "displayfile/display_file.h"
+#include "displayfile/style.h"
+
+namespace displayfile {
+
+/// What the visible segments of a display file draw, in the order in which it is drawn, as arrays:
+/// for who draws it by other means. Of a display file whose hidden surfaces were sorted
+/// (sorted_display_file.h) they are the sort's pieces, those of the map, or the lines that are
+/// seen.
+struct DrawnPieces {
+  enum class Kind : std::uint8_t {
+    solid,   ///< a polygon that is filled
+    hollow,  ///< a polygon's sides alone
+    line,    ///< from the first of its two points to the second
+  };
+
+  std::vector<Kind> kinds;
+  /// Of piece k from first[k] to first[k + 1]; one more at the end.
+  std::vector<std::uint32_t> first{0};
+  /// Device coordinates: x and y in [0,1] over the picture, y up, larger z nearer to the viewer.
+  std::vector<Point3> points;
+  /// For each point 1 if the side that ends at it is drawn, or the kinds of line that it is
+  /// (hidden/line_kinds.h), and 0 if it is not: sides that cuts made are not.
+  std::vector<std::uint8_t> sides;
+  /// Of each piece: of solid polygons the colour that they are filled with, a shaded one with the
+  /// mean of its shades; and how its sides, or the line, are drawn.
+  std::vector<Colour> fills;
+  std::vector<LineStyle> lines;
+  std::vector<std::int32_t> picks;     ///< pick identifiers; -1: a line without one
+  std::vector<std::int32_t> segments;  ///< names
+
+  std::size_t size() const { return kinds.size(); }
+};
+
+DrawnPieces drawn_pieces(const DisplayFile& display_file);
+
+}  // namespace displayfile

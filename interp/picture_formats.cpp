@@ -85,7 +85,7 @@ const PictureFormat& format_named(const std::string& extension, const std::strin
 
 const PictureFormat& format_of(const std::filesystem::path& file, const DrawOptions& options) {
   if (!options.format.empty()) return format_named(options.format);
-  if (file == "-") return kFormats.front();
+  if (file == "-") return format_named(kHasPng ? ".png" : ".ppm");
   return format_named(file.extension().string(), file.string() + ": ");
 }
 

@@ -7,8 +7,8 @@ namespace {
 
 [[noreturn]] void refuse() {
   throw Error(
-      "this build has no OSMesa: GL/osmesa.h was not found when it was configured (Mesa 25.1 and "
-      "later have none); draw with the software device");
+      "this build has no OSMesa: it was left out, or GL/osmesa.h was not found, when it was "
+      "configured (Mesa 25.1 and later have none); draw with the software device");
 }
 
 }  // namespace

@@ -1,0 +1,13 @@
+// A build without Cairo.
+
+#include "clip/error.h"
+#include "interp/vector/pens/pen_files.h"
+
+namespace displayfile {
+
+void write_pens_pdf(const PenDrawing&, const std::filesystem::path& file) {
+  throw Error(file.string() +
+              ": PDF needs Cairo, which this build was made without: expected .svg");
+}
+
+}  // namespace displayfile

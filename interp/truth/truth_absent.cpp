@@ -9,7 +9,7 @@ namespace displayfile {
 
 namespace {
 
-[[noreturn]] void refuse() {
+[[noreturn]] void refuse_truth() {
   throw Error(
       "the truth needs GMP or LibTomMath, and this build was made without both: install one "
       "(Debian: libgmp-dev, libtommath-dev) and build again");
@@ -17,18 +17,18 @@ namespace {
 
 }  // namespace
 
-Picture truth(const DisplayFile&, int, int, bool, const WorkProgress&) { refuse(); }
+Picture truth(const DisplayFile&, int, int, bool, const WorkProgress&) { refuse_truth(); }
 
 Picture world_truth(const RetainedScene&, const DisplayFile&, int, int, bool, const WorkProgress&) {
-  refuse();
+  refuse_truth();
 }
 
-std::size_t different_pixels(const Picture&, const Picture&) { refuse(); }
+std::size_t different_pixels(const Picture&, const Picture&) { refuse_truth(); }
 
-JudgedLines judged_lines(const DisplayFile&, const LineJudging&) { refuse(); }
+JudgedLines judged_lines(const DisplayFile&, const LineJudging&) { refuse_truth(); }
 
-std::vector<LinePiece> claimed_pieces(const SeenLines&) { refuse(); }
+std::vector<LinePiece> claimed_pieces(const SeenLines&) { refuse_truth(); }
 
-DisplayFile true_line_drawing(const DisplayFile&, int, const WorkProgress&) { refuse(); }
+DisplayFile true_line_drawing(const DisplayFile&, int, const WorkProgress&) { refuse_truth(); }
 
 }  // namespace displayfile

@@ -7,7 +7,7 @@ namespace displayfile {
 
 namespace {
 
-[[noreturn]] void refuse(const std::filesystem::path& path) {
+[[noreturn]] void refuse_page(const std::filesystem::path& path) {
   throw Error(path.string() +
               ": PDF and EPS need Cairo, which this build was made without: expected .svg");
 }
@@ -16,12 +16,12 @@ namespace {
 
 void write_pdf(const DisplayFile&, int, int, const std::filesystem::path& path, const Background&,
                bool, const VectorOptions&) {
-  refuse(path);
+  refuse_page(path);
 }
 
 void write_eps(const DisplayFile&, int, int, const std::filesystem::path& path, const Background&,
                bool, const VectorOptions&) {
-  refuse(path);
+  refuse_page(path);
 }
 
 }  // namespace displayfile

@@ -33,7 +33,8 @@ struct DrawOptions {
   std::optional<Precision> precision = std::nullopt;
   std::optional<HiddenLines> hidden_lines = std::nullopt;
   /// The extension of one of picture_formats(), with its dot or without, in place of the file's
-  /// own; if there is neither, it is .png for "-", standard output, and an error for a stream.
+  /// own; if there is neither, it is .png for "-", standard output, or .ppm in a build without
+  /// libpng, and an error for a stream.
   std::string format = {};
   std::string device = "software";        ///< of raster pictures: one of raster_devices()
   int threads = 1;                        ///< at most, 1 or more

@@ -104,7 +104,7 @@ const PictureFormat& format_named(const std::string& extension, const std::strin
 
 const PictureFormat& format_of(const Destination& to, const DrawOptions& options) {
   if (!options.format.empty()) return format_named(options.format);
-  if (to.name() == "-") return kFormats.front();
+  if (to.name() == "-") return format_named(kHasPng ? ".png" : ".ppm");
   return format_named(to.extension(), to.name() + ": ");
 }
 

@@ -89,9 +89,10 @@ void DrawCommand::add_output_options(CLI::App& command) {
       ->required()
       ->group(kOutputOptions);
   command
-      .add_option("--format", options.format,
-                  "of the picture, if it is not what its name ends in: " +
-                      names_of(picture_formats()) + "; png on standard output")
+      .add_option(
+          "--format", options.format,
+          "of the picture, if it is not what its name ends in: " + names_of(picture_formats()) +
+              "; png on standard output, or ppm without libpng")
       ->group(kOutputOptions);
   command
       .add_option("--ids", options.ids,

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
-#include <functional>
+#include <bit>
+#include <cstdint>
 #include <map>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -131,18 +132,39 @@ DrawOptions draw_options_in(py::handle size, const py::kwargs& said) {
 
 namespace {
 
+/// The pixels as an array over the picture's own memory, which is the system's again when the array
+/// is gone.
+py::array pixels_of(Picture&& picture, std::shared_ptr<SparePictures> spare) {
+  struct Kept {
+    std::vector<std::uint32_t> pixels;
+    std::shared_ptr<SparePictures> spare;
+  };
+  auto kept = std::make_unique<Kept>(Kept{std::move(picture.pixels), std::move(spare)});
+  const auto* const bytes = reinterpret_cast<const std::uint8_t*>(kept->pixels.data());
+  const py::capsule owner(kept.get(), [](void* p) {
+    const std::unique_ptr<Kept> gone(static_cast<Kept*>(p));
+    gone->spare->put(std::move(gone->pixels));
+  });
+  kept.release();
+  return py::array_t<std::uint8_t>(
+      {py::ssize_t{picture.height}, py::ssize_t{picture.width}, py::ssize_t{4}}, bytes, owner);
+}
+
 py::tuple draw(System& self, py::handle size, const py::kwargs& said) {
   const DrawOptions options = draw_options_in(size, said);
-  Picture picture = self.work(
-      [&](GraphicsSystem& system, Renderer& renderer) { return renderer.draw(system, options); });
-  const py::ssize_t width = picture.width, height = picture.height;
-  for (std::uint32_t& pixel : picture.pixels) pixel = in_bytes(pixel);
-  return py::make_tuple(
-      owned<std::uint8_t>(std::move(picture.pixels), {height, width, 4}),
-      options.with_ids ? py::object(owned<std::int32_t>(std::move(picture.ids), {height, width}))
-                       : py::none(),
-      options.with_depth ? py::object(owned<double>(std::move(picture.depth), {height, width}))
-                         : py::none());
+  Picture picture = self.work([&](GraphicsSystem& system, Renderer& renderer) {
+    renderer.give_back(self.spare()->take());
+    renderer.draw(system, options);
+    return renderer.take_picture();
+  });
+  if constexpr (std::endian::native != std::endian::little) {
+    for (std::uint32_t& pixel : picture.pixels) pixel = in_bytes(pixel);
+  }
+  const std::vector<py::ssize_t> shape{picture.height, picture.width};
+  py::object ids = py::none(), depth = py::none();
+  if (options.with_ids) ids = owned<std::int32_t>(std::move(picture.ids), shape);
+  if (options.with_depth) depth = owned<double>(std::move(picture.depth), shape);
+  return py::make_tuple(pixels_of(std::move(picture), self.spare()), ids, depth);
 }
 
 py::object draw_as(System& self, py::handle format, py::handle size, const py::kwargs& said) {

@@ -2,16 +2,36 @@
 
 #include <pybind11/pybind11.h>
 
+#include <cstdint>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "displayfile/graphics_system.h"
 #include "interp/renderer.h"
 #include "python/interrupts.h"
 
 namespace displayfile::python {
+
+/// Memory of pictures whose arrays are gone, for the next ones: of one at most.
+class SparePictures {
+ public:
+  Picture take() {
+    const std::lock_guard in_turn(mutex_);
+    return std::exchange(spare_, Picture());
+  }
+  void put(std::vector<std::uint32_t> pixels) {
+    const std::lock_guard in_turn(mutex_);
+    spare_.pixels = std::move(pixels);
+  }
+
+ private:
+  std::mutex mutex_;
+  Picture spare_;
+};
 
 /// The application's system and what is kept between its pictures, for several threads: their calls
 /// come one after another. Who waits, and who works for long, has not the interpreter's lock.
@@ -35,9 +55,12 @@ class System {
     return work([&](GraphicsSystem& system, Renderer&) { return call(system); });
   }
 
+  const std::shared_ptr<SparePictures>& spare() const { return spare_; }
+
  private:
   GraphicsSystem system_;
   Renderer renderer_;
+  std::shared_ptr<SparePictures> spare_ = std::make_shared<SparePictures>();
   std::mutex mutex_;
 };
 

@@ -167,4 +167,37 @@ std::string words_of(const py::args& arguments, const UserRoutine& routine) {
   return words.take();
 }
 
+namespace {
+
+bool add_numbers_of(py::handle value, std::vector<double>& numbers, int depth) {
+  PyObject* const object = value.ptr();
+  if (PyFloat_Check(object) != 0) {
+    numbers.push_back(PyFloat_AS_DOUBLE(object));
+    return true;
+  }
+  if (PyLong_CheckExact(object) != 0) {
+    numbers.push_back(PyLong_AsDouble(object));
+    if (numbers.back() != -1.0 || PyErr_Occurred() == nullptr) return true;
+    PyErr_Clear();
+    return false;
+  }
+  if (PyList_CheckExact(object) != 0 || PyTuple_CheckExact(object) != 0) {
+    if (depth == 2) return false;
+    for (Py_ssize_t i = 0; i < PySequence_Fast_GET_SIZE(object); ++i) {
+      if (!add_numbers_of(PySequence_Fast_GET_ITEM(object, i), numbers, depth + 1)) return false;
+    }
+    return true;
+  }
+  return add_array(value, numbers);
+}
+
+}  // namespace
+
+bool add_numbers(const py::args& arguments, std::vector<double>& numbers) {
+  for (const py::handle argument : arguments) {
+    if (!add_numbers_of(argument, numbers, 0)) return false;
+  }
+  return true;
+}
+
 }  // namespace displayfile::python

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "displayfile/text/user_routine.h"
 
@@ -31,5 +32,8 @@ auto if_said(pybind11::handle value, std::string_view what, const Read& read)
 /// they hold, one after another. Where the routine expects text in quotation marks, strings get
 /// them.
 std::string words_of(const pybind11::args& arguments, const UserRoutine& routine);
+
+/// The same of numbers alone: adds them, or returns false for anything else.
+bool add_numbers(const pybind11::args& arguments, std::vector<double>& numbers);
 
 }  // namespace displayfile::python

@@ -109,6 +109,14 @@ std::vector<double> numbers_in(py::handle value, std::string_view what) {
   return copied<double>(span_of(block));
 }
 
+bool add_array(py::handle value, std::vector<double>& numbers) {
+  if (!Block<double>::check_(value)) return false;
+  const auto block = py::reinterpret_borrow<Block<double>>(value);
+  const std::span<const double> all = span_of(block);
+  numbers.insert(numbers.end(), all.begin(), all.end());
+  return true;
+}
+
 std::vector<Point3> points_in(py::handle value, std::string_view what) {
   const py::array array = array_of(value, what, Numbers::any);
   require_points(array, what);

@@ -23,6 +23,8 @@ namespace displayfile::python {
 std::string type_name(pybind11::handle value);
 
 std::vector<double> numbers_in(pybind11::handle value, std::string_view what);
+/// Adds the numbers of an array of doubles that stand one after another; false if it is none.
+bool add_array(pybind11::handle value, std::vector<double>& numbers);
 /// (N, 3).
 std::vector<Point3> points_in(pybind11::handle value, std::string_view what);
 /// (N, 3), each in [0,1] as the routine that takes them asks.

@@ -247,8 +247,15 @@ void add_pictures(SystemClass& system) {
     const LineSelection selection = line_selection(word_in(words, "lines"));
     self.call([&](GraphicsSystem& s) { s.replace_lines(selection); });
   });
-  system.def("_lines", [](System& self) {
-    return self.call([](GraphicsSystem& s) { return words_of(s.lines()); });
+  system.def("_require_lines", [](System& self, py::handle words) {
+    if (words.is_none()) return;
+    const LineSelection asked = line_selection(word_in(words, "lines"));
+    const LineSelection selected = self.call([](GraphicsSystem& s) { return s.lines(); });
+    if (asked == selected) return;
+    throw Error(fmt::format(
+        "lines '{}': the system selects '{}' as segments are closed: expected System(lines=...), "
+        "or set_lines before the first segment",
+        displayfile::words_of(asked), displayfile::words_of(selected)));
   });
   system.def("_aspect_ratio", [](System& self) {
     return self.call([](GraphicsSystem& s) { return s.aspect_ratio(); });

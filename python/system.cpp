@@ -40,7 +40,41 @@ bool is_over_soon(std::string_view name) {
                              [&](std::string_view begin) { return name.starts_with(begin); });
 }
 
+using EnterPoints = void (*)(GraphicsSystem& system, std::span<const Point3> points);
+
+/// What programs in Python call very often, with numbers alone: without words between. Null for
+/// what is not, or not so many numbers.
+EnterPoints entered_at_once(std::string_view name, std::size_t numbers) {
+  if (name == "polygon-abs-3" && numbers % 3 == 0) {
+    return [](GraphicsSystem& system, std::span<const Point3> p) { system.polygon_abs_3(p); };
+  }
+  if (name == "line-abs-3" && numbers == 3) {
+    return
+        [](GraphicsSystem& s, std::span<const Point3> p) { s.line_abs_3(p[0].x, p[0].y, p[0].z); };
+  }
+  if (name == "move-abs-3" && numbers == 3) {
+    return
+        [](GraphicsSystem& s, std::span<const Point3> p) { s.move_abs_3(p[0].x, p[0].y, p[0].z); };
+  }
+  return nullptr;
+}
+
+bool enter_at_once(System& self, const UserRoutine& routine, const py::args& arguments) {
+  if (!routine.name.ends_with("-abs-3")) return false;
+  std::vector<double> numbers;
+  if (!add_numbers(arguments, numbers)) return false;
+  const EnterPoints enter = entered_at_once(routine.name, numbers.size());
+  if (enter == nullptr) return false;
+  std::vector<Point3> points(numbers.size() / 3);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    points[k] = {numbers[3 * k], numbers[3 * k + 1], numbers[3 * k + 2]};
+  }
+  self.call([&](GraphicsSystem& system) { enter(system, points); });
+  return true;
+}
+
 void call_routine(System& self, const UserRoutine& routine, const py::args& arguments) {
+  if (enter_at_once(self, routine, arguments)) return;
   const std::string words = words_of(arguments, routine);
   const auto call = [&](GraphicsSystem& system) { call_user_routine(system, routine.name, words); };
   if (is_over_soon(routine.name)) return self.call(call);

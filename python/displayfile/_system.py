@@ -150,6 +150,7 @@ class System(_displayfile.System):
         depth: Literal[False] = ...,
         hidden: str | None = ...,
         lines: str | None = ...,
+        hidden_lines: str | None = ...,
         scope: str | None = ...,
         precision: str | None = ...,
         background: Colour | Literal["none"] | None = ...,
@@ -167,6 +168,7 @@ class System(_displayfile.System):
         depth: bool = ...,
         hidden: str | None = ...,
         lines: str | None = ...,
+        hidden_lines: str | None = ...,
         scope: str | None = ...,
         precision: str | None = ...,
         background: Colour | Literal["none"] | None = ...,
@@ -183,6 +185,7 @@ class System(_displayfile.System):
         depth: bool = False,
         hidden: str | None = None,
         lines: str | None = None,
+        hidden_lines: str | None = None,
         scope: str | None = None,
         precision: str | None = None,
         background: Colour | Literal["none"] | None = None,
@@ -193,15 +196,18 @@ class System(_displayfile.System):
         """Draw into memory: an array (H, W, 4) of uint8, the top row first.
 
         size is (width, height), or one number for both. With ids or depth it is a Picture.
-        hidden is a method, one of methods(); lines is "dashed" to draw hidden lines too, or
-        "none". Anything that is None is as the system's routines say.
+        hidden is a method, one of methods(). hidden_lines is "dashed" to draw lines where they
+        are hidden, too. lines says which kinds of sides are lines, such as "outline,crease":
+        since they are selected as segments are closed, an Error if the system selects others.
+        Anything that is None is as the system's routines say.
         """
+        self._require_lines(lines)
         pixels, of_ids, of_depth = self._draw(
             size,
             ids=ids,
             depth=depth,
             hidden=hidden,
-            hidden_lines=lines,
+            hidden_lines=hidden_lines,
             scope=scope,
             precision=precision,
             background=background,
@@ -213,23 +219,23 @@ class System(_displayfile.System):
 
     def svg(self, size: Size = 512, **options: Any) -> str:
         """The picture as SVG. Options are those of save."""
-        return self._draw_as("svg", size, **_named(options)).decode()
+        return self._draw_as("svg", size, **self._checked(options)).decode()
 
     def pdf(self, size: Size = 512, **options: Any) -> bytes:
         """The picture as PDF. Options are those of save."""
-        return self._draw_as("pdf", size, **_named(options))
+        return self._draw_as("pdf", size, **self._checked(options))
 
     def eps(self, size: Size = 512, **options: Any) -> bytes:
         """The picture as EPS. Options are those of save."""
-        return self._draw_as("eps", size, **_named(options))
+        return self._draw_as("eps", size, **self._checked(options))
 
     def png(self, size: Size = 512, **options: Any) -> bytes:
         """The picture as PNG. Options are those of save."""
-        return self._draw_as("png", size, **_named(options))
+        return self._draw_as("png", size, **self._checked(options))
 
     def ppm(self, size: Size = 512, **options: Any) -> bytes:
         """The picture as PPM. Options are those of save."""
-        return self._draw_as("ppm", size, **_named(options))
+        return self._draw_as("ppm", size, **self._checked(options))
 
     def save(
         self,
@@ -244,15 +250,15 @@ class System(_displayfile.System):
         It appears whole or not at all. Options are those of draw but for ids and depth, and for
         vectors paper, seams, vector_precision and pick_ids.
         """
-        self._save(os.fspath(path), format, size, **_named(options))
+        self._save(os.fspath(path), format, size, **self._checked(options))
 
     def dump(self, **options: Any) -> str:
         """The instructions of all segments; sorted, if hidden is given."""
-        return self._dump(**_named(options))
+        return self._dump(**self._checked(options))
 
     def pieces(self, **options: Any) -> Pieces:
         """What is drawn, as arrays; by a method that sorts or finds lines, if hidden is given."""
-        return Pieces(*self._pieces(**_named(options)))
+        return Pieces(*self._pieces(**self._checked(options)))
 
     def pick(
         self, x: float, y: float, size: Size = 512, *, reach: float = 0.0, threads: int = 1
@@ -269,12 +275,18 @@ class System(_displayfile.System):
     def _repr_svg_(self) -> str | None:
         if self._is_empty() or self._polygons() > _MOST_POLYGONS_AS_SVG:
             return None
-        return _or_none(self.svg, self._size_in_notebooks())
+        try:
+            return self.svg(self._size_in_notebooks())
+        except _displayfile.Error:
+            return None
 
     def _repr_png_(self) -> bytes | None:
         if self._is_empty() or self._polygons() <= _MOST_POLYGONS_AS_SVG:
             return None
-        return _or_none(self.png, self._size_in_notebooks())
+        try:
+            return self.png(self._size_in_notebooks())
+        except _displayfile.Error:
+            return None
 
     def _size_in_notebooks(self) -> tuple[int, int]:
         aspect = self._aspect_ratio()
@@ -319,16 +331,8 @@ class System(_displayfile.System):
         """
         return self._to_device(point)
 
+    # ---- Options -------------------------------------------------------------------------
 
-def _named(options: dict[str, Any]) -> dict[str, Any]:
-    """The options under the names that C++ has for them."""
-    if "lines" in options:
-        options["hidden_lines"] = options.pop("lines")
-    return options
-
-
-def _or_none(draw: Any, size: tuple[int, int]) -> Any:
-    try:
-        return draw(size)
-    except _displayfile.Error:
-        return None
+    def _checked(self, options: dict[str, Any]) -> dict[str, Any]:
+        self._require_lines(options.pop("lines", None))
+        return options

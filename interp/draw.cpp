@@ -275,6 +275,10 @@ const Picture& Renderer::draw(const GraphicsSystem& system, const DrawOptions& o
   return kept.picture;
 }
 
+Picture Renderer::take_picture() { return std::exchange(kept_->picture, Picture()); }
+
+void Renderer::give_back(Picture picture) { kept_->picture = std::move(picture); }
+
 void Renderer::draw(const GraphicsSystem& system, const Destination& to,
                     const DrawOptions& options) {
   draw_to(system, to, options, {kept_->sorted, kept_->software});

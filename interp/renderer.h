@@ -26,6 +26,11 @@ class Renderer {
   const Picture& draw(const GraphicsSystem& system, const DrawOptions& options = {});
   void draw(const GraphicsSystem& system, const Destination& to, const DrawOptions& options = {});
 
+  /// The picture that draw made last, for who keeps it: the next one gets memory of its own, or
+  /// that of a picture that was given back. Empty if there is none.
+  Picture take_picture();
+  void give_back(Picture picture);
+
   /// What is seen, in a picture of the options' size, at the pixel that holds the point (x, y):
   /// in pixels from the picture's upper left corner, y down, as the rows of Picture::pixels; so the
   /// pixel in column i of row j from the top holds i <= x < i + 1, j <= y < j + 1. Nothing beyond

@@ -1,5 +1,6 @@
 #include "displayfile/mesh/import_process.h"
 
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -148,8 +149,17 @@ Pipe make_pipe(const std::string& path) {
 
 // ---- The program -----------------------------------------------------------------------
 
-/// Where the import program may stand: beside this program, where an installation has it, and where
-/// it was built. DISPLAYFILE_IMPORT_PROGRAM names another one in place of all.
+/// The folder of the program or shared library that this code is in; empty if it is not known.
+std::filesystem::path folder_of_this_code() {
+  Dl_info found{};
+  static const char here = 0;
+  if (dladdr(&here, &found) == 0 || found.dli_fname == nullptr) return {};
+  return std::filesystem::path(found.dli_fname).parent_path();
+}
+
+/// Where the import program may stand: beside this program, where an installation has it, beside
+/// the shared library that has this code, and where it was built. DISPLAYFILE_IMPORT_PROGRAM names
+/// another one in place of all.
 std::vector<std::filesystem::path> places_of_program() {
   constexpr const char* kName = "displayfile-import";
   if (const char* named = std::getenv("DISPLAYFILE_IMPORT_PROGRAM")) return {named};
@@ -160,6 +170,10 @@ std::vector<std::filesystem::path> places_of_program() {
     const auto folder = own.parent_path();
     places.push_back(folder / kName);
     places.push_back((folder / DISPLAYFILE_IMPORT_FOLDER / kName).lexically_normal());
+  }
+  const auto beside = folder_of_this_code() / kName;
+  if (beside.is_absolute() && std::ranges::find(places, beside) == places.end()) {
+    places.push_back(beside);
   }
 #ifdef DISPLAYFILE_IMPORT_BUILT
   places.emplace_back(DISPLAYFILE_IMPORT_BUILT);

@@ -1,0 +1,203 @@
+#include "python/arguments.h"
+
+#include <fmt/format.h>
+#include <pybind11/numpy.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "clip/error.h"
+#include "clip/words.h"
+#include "python/arrays.h"
+
+namespace displayfile::python {
+
+namespace py = pybind11;
+
+namespace {
+
+[[noreturn]] void refuse(py::handle value, std::string_view what, std::string_view expected) {
+  throw Error(fmt::format("{}: expected {}, not {}", what, expected, type_name(value)));
+}
+
+/// A number of NumPy's is turned into Python's.
+py::object plain(py::handle value) {
+  if (PyFloat_Check(value.ptr()) || PyLong_Check(value.ptr()) || PyUnicode_Check(value.ptr()) ||
+      !py::hasattr(value, "dtype") || !py::hasattr(value, "item")) {
+    return py::reinterpret_borrow<py::object>(value);
+  }
+  const py::object dimensions = py::getattr(value, "ndim", py::int_(0));
+  if (!dimensions.equal(py::int_(0))) return py::reinterpret_borrow<py::object>(value);
+  return value.attr("item")();
+}
+
+/// Decimal, Fraction and other numbers are what float() makes of them.
+bool is_real(py::handle value) {
+  return PyFloat_Check(value.ptr()) || PyLong_Check(value.ptr()) ||
+         (py::hasattr(value, "__float__") && !py::hasattr(value, "__len__"));
+}
+
+double real(py::handle value, std::string_view what) {
+  const double number = PyFloat_AsDouble(value.ptr());
+  if (number == -1.0 && PyErr_Occurred() != nullptr) {
+    if (PyErr_ExceptionMatches(PyExc_OverflowError) == 0) throw py::error_already_set();
+    PyErr_Clear();
+    throw Error(fmt::format("{}: number out of range of a double", what));
+  }
+  return number;
+}
+
+}  // namespace
+
+double number_in(py::handle value, std::string_view what) {
+  const py::object number = plain(value);
+  if (PyBool_Check(number.ptr()) || !is_real(number)) refuse(number, what, "a number");
+  const double read = real(number, what);
+  if (std::isfinite(read)) return read;
+  throw Error(fmt::format("{}: expected a finite number, not {}", what, read));
+}
+
+int whole_number_in(py::handle value, std::string_view what) {
+  const py::object number = plain(value);
+  if (PyBool_Check(number.ptr()) || PyLong_Check(number.ptr()) == 0) {
+    refuse(number, what, "a whole number");
+  }
+  int overflow = 0;
+  const long long read = PyLong_AsLongLongAndOverflow(number.ptr(), &overflow);
+  using Limits = std::numeric_limits<int>;
+  if (overflow != 0 || read < Limits::min() || read > Limits::max()) {
+    throw Error(fmt::format("{}: whole number out of range", what));
+  }
+  return static_cast<int>(read);
+}
+
+std::string word_in(py::handle value, std::string_view what) {
+  if (PyUnicode_Check(value.ptr()) == 0) refuse(value, what, "a string");
+  Py_ssize_t length = 0;
+  const char* const characters = PyUnicode_AsUTF8AndSize(value.ptr(), &length);
+  if (characters == nullptr) {
+    PyErr_Clear();
+    throw Error(fmt::format("{}: a string that is not Unicode: it has lone surrogates", what));
+  }
+  return {characters, static_cast<std::size_t>(length)};
+}
+
+bool switch_in(py::handle value, std::string_view what) {
+  const py::object plainly = plain(value);
+  if (PyBool_Check(plainly.ptr()) != 0) return plainly.is(py::handle(Py_True));
+  if (PyUnicode_Check(plainly.ptr()) == 0) refuse(plainly, what, "True or False");
+  constexpr Word<bool> kSwitches[] = {{true, "on"}, {false, "off"}};
+  return value_of(kSwitches, word_in(plainly, what), std::string(what) + ": expected");
+}
+
+// ---- Words -------------------------------------------------------------------------------
+
+namespace {
+
+class Words {
+ public:
+  explicit Words(const UserRoutine& routine)
+      : routine_(routine), quotes_(routine.expected.find('"') != std::string_view::npos) {}
+
+  void add(py::handle value, int depth = 0) {
+    const py::object plainly = plain(value);
+    PyObject* const object = plainly.ptr();
+    if (PyFloat_Check(object) != 0) return add_number(PyFloat_AS_DOUBLE(object));
+    if (PyBool_Check(object) != 0) return add_word(object == Py_True ? "on" : "off");
+    if (PyLong_Check(object) != 0) return add_whole_number(plainly);
+    if (PyUnicode_Check(object) != 0) return add_text(word_in(plainly, name()));
+    if (PyList_Check(object) != 0 || PyTuple_Check(object) != 0) {
+      if (depth == kDeepest) throw Error(name() + ": sequences stand too deep in each other");
+      // It may change while its parts are read.
+      for (Py_ssize_t i = 0; i < PySequence_Fast_GET_SIZE(object); ++i) {
+        const auto part = py::reinterpret_borrow<py::object>(PySequence_Fast_GET_ITEM(object, i));
+        add(part, depth + 1);
+      }
+      return;
+    }
+    if (is_real(plainly)) return add_number(real(plainly, name()));
+    for (const double number : numbers_in(plainly, name())) add_number(number);
+  }
+  std::string take() { return std::move(text_); }
+
+ private:
+  static constexpr int kDeepest = 16;
+
+  std::string name() const { return std::string(routine_.name); }
+  void add_word(std::string_view word) {
+    if (!text_.empty()) text_ += ' ';
+    text_ += word;
+  }
+  template <class Number>
+  void add_characters(Number number) {
+    std::array<char, 32> characters;
+    const auto written =
+        std::to_chars(characters.data(), characters.data() + characters.size(), number);
+    add_word({characters.data(), static_cast<std::size_t>(written.ptr - characters.data())});
+  }
+  void add_number(double number) { add_characters(number); }
+  void add_whole_number(const py::object& value) {
+    int overflow = 0;
+    const long long number = PyLong_AsLongLongAndOverflow(value.ptr(), &overflow);
+    if (overflow != 0) return add_number(real(value, name()));
+    add_characters(number);
+  }
+  void add_text(const std::string& text) {
+    if (!quotes_) return add_word(text);
+    std::string quoted = "\"";
+    for (const char c : text) {
+      if (c == '"' || c == '\\') quoted += '\\';
+      quoted += c;
+    }
+    add_word(quoted + '"');
+  }
+
+  const UserRoutine& routine_;
+  bool quotes_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string words_of(const py::args& arguments, const UserRoutine& routine) {
+  Words words(routine);
+  for (const py::handle argument : arguments) words.add(argument);
+  return words.take();
+}
+
+namespace {
+
+bool add_numbers_of(py::handle value, std::vector<double>& numbers, int depth) {
+  PyObject* const object = value.ptr();
+  if (PyFloat_Check(object) != 0) {
+    numbers.push_back(PyFloat_AS_DOUBLE(object));
+    return true;
+  }
+  if (PyLong_CheckExact(object) != 0) {
+    numbers.push_back(PyLong_AsDouble(object));
+    if (numbers.back() != -1.0 || PyErr_Occurred() == nullptr) return true;
+    PyErr_Clear();
+    return false;
+  }
+  if (PyList_CheckExact(object) != 0 || PyTuple_CheckExact(object) != 0) {
+    if (depth == 2) return false;
+    for (Py_ssize_t i = 0; i < PySequence_Fast_GET_SIZE(object); ++i) {
+      if (!add_numbers_of(PySequence_Fast_GET_ITEM(object, i), numbers, depth + 1)) return false;
+    }
+    return true;
+  }
+  return add_array(value, numbers);
+}
+
+}  // namespace
+
+bool add_numbers(const py::args& arguments, std::vector<double>& numbers) {
+  for (const py::handle argument : arguments) {
+    if (!add_numbers_of(argument, numbers, 0)) return false;
+  }
+  return true;
+}
+
+}  // namespace displayfile::python

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "displayfile/text/user_routine.h"
+
+namespace displayfile::python {
+
+// What Python programs hand over, read with an Error for what is of another type. `what` names it
+// in messages.
+
+double number_in(pybind11::handle value, std::string_view what);  ///< finite
+int whole_number_in(pybind11::handle value, std::string_view what);
+std::string word_in(pybind11::handle value, std::string_view what);
+bool switch_in(pybind11::handle value, std::string_view what);  ///< True, False, "on" or "off"
+
+/// The same where None stands for what is not said.
+template <class Read>
+auto if_said(pybind11::handle value, std::string_view what, const Read& read)
+    -> std::optional<decltype(read(value, what))> {
+  if (value.is_none()) return std::nullopt;
+  return read(value, what);
+}
+
+/// The arguments of a user routine as the words of a drawing program: numbers in the shortest form
+/// that reads back to the same double, True and False as on and off, sequences and arrays as what
+/// they hold, one after another. Where the routine expects text in quotation marks, strings get
+/// them.
+std::string words_of(const pybind11::args& arguments, const UserRoutine& routine);
+
+/// The same of numbers alone: adds them, or returns false for anything else.
+bool add_numbers(const pybind11::args& arguments, std::vector<double>& numbers);
+
+}  // namespace displayfile::python

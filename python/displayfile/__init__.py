@@ -1,0 +1,27 @@
+"""A display-file 3D graphics system with exact hidden surfaces, in pixels and vectors.
+
+System has every user routine of drawing programs under its name, and draws. sort,
+visible_pieces and visible_lines take polygons as arrays and return arrays, for programs that
+draw by themselves.
+"""
+
+from ._displayfile import Error, __version__, methods, user_routines
+from ._polygons import PolygonPieces, VisibleLines, VisiblePieces, sort, visible_lines, visible_pieces
+from ._system import Pick, Picture, Pieces, System
+
+__all__ = [
+    "Error",
+    "Pick",
+    "Picture",
+    "Pieces",
+    "PolygonPieces",
+    "System",
+    "VisibleLines",
+    "VisiblePieces",
+    "__version__",
+    "methods",
+    "sort",
+    "user_routines",
+    "visible_lines",
+    "visible_pieces",
+]

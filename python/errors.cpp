@@ -1,0 +1,78 @@
+#include "python/errors.h"
+
+#include <charconv>
+#include <exception>
+#include <string_view>
+#include <system_error>
+
+#include "clip/work_budget.h"
+
+namespace displayfile::python {
+
+namespace py = pybind11;
+
+namespace {
+
+/// The number between two colons, the first of which is at `colon`.
+std::optional<int> number_after(std::string_view message, std::size_t colon) {
+  const std::size_t end = message.find(':', colon + 1);
+  if (end == message.npos) return std::nullopt;
+  int value = 0;
+  const char* const last = message.data() + end;
+  const auto [read, error] = std::from_chars(message.data() + colon + 1, last, value);
+  if (error != std::errc{} || read != last) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+std::optional<ErrorInFile> with_place(const Error& error) {
+  const std::string_view message = error.what();
+  for (std::size_t colon = message.find(':'); colon != message.npos;
+       colon = message.find(':', colon + 1)) {
+    const auto line = number_after(message, colon);
+    if (!line) continue;
+    const auto column = number_after(message, message.find(':', colon + 1));
+    return ErrorInFile(error.what(), std::string(message.substr(0, colon)), *line, column);
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+PyObject* error_type = nullptr;  // lives as long as the process
+
+void raise(const Error& error) {
+  const py::object raised =
+      py::reinterpret_steal<py::object>(PyObject_CallFunction(error_type, "s", error.what()));
+  if (!raised) return;  // what Python raised in its place
+  if (const auto* const placed = dynamic_cast<const ErrorInFile*>(&error)) {
+    raised.attr("file") = placed->file;
+    raised.attr("line") = placed->line;
+    raised.attr("column") = placed->column ? py::object(py::int_(*placed->column)) : py::none();
+  }
+  PyErr_SetObject(error_type, raised.ptr());
+}
+
+}  // namespace
+
+void add_errors(py::module_& module) {
+  py::dict members;
+  for (const char* name : {"file", "line", "column"}) members[name] = py::none();
+  error_type = PyErr_NewExceptionWithDoc(
+      "displayfile.Error",
+      "A call that cannot be carried out. The state is what it was before the call; file, line and "
+      "column tell the place in what was read, or are None.",
+      PyExc_Exception, members.ptr());
+  if (error_type == nullptr) throw py::error_already_set();
+  module.attr("Error") = py::handle(error_type);
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const Error& error) {
+      raise(error);
+    }
+  });
+}
+
+}  // namespace displayfile::python

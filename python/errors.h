@@ -1,0 +1,40 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <optional>
+#include <string>
+
+#include "clip/error.h"
+
+namespace displayfile::python {
+
+/// An error whose place in a file is known.
+struct ErrorInFile : Error {
+  ErrorInFile(const std::string& message, std::string of_file, int of_line,
+              std::optional<int> of_column)
+      : Error(message), file(std::move(of_file)), line(of_line), column(of_column) {}
+  std::string file;
+  int line;
+  std::optional<int> column;
+};
+
+/// The error with the place with which the readers of files begin their messages,
+/// "FILE:LINE:COLUMN: " or "FILE:LINE: "; nothing if it has none.
+std::optional<ErrorInFile> with_place(const Error& error);
+
+/// Calls read(), which reads files, and gives its Error the place that it names.
+template <class Read>
+auto placing_errors(Read&& read) {
+  try {
+    return read();
+  } catch (const Error& error) {
+    if (const auto placed = with_place(error)) throw *placed;
+    throw;
+  }
+}
+
+/// Adds displayfile.Error to the module, which Error becomes from then on.
+void add_errors(pybind11::module_& module);
+
+}  // namespace displayfile::python

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <csignal>
+
+#include "clip/work_budget.h"
+
+namespace displayfile::python {
+
+/// To be called when the module is imported, by the thread on which Python handles signals.
+void remember_main_thread();
+
+/// While it lives, an interrupt from the keyboard (SIGINT) stops the work of this thread by
+/// LimitReached, beside what Python does with it. On the main thread alone, where Python raises
+/// KeyboardInterrupt.
+class StoppedByInterrupt {
+ public:
+  StoppedByInterrupt();
+  ~StoppedByInterrupt();
+  StoppedByInterrupt(const StoppedByInterrupt&) = delete;
+  StoppedByInterrupt& operator=(const StoppedByInterrupt&) = delete;
+
+  bool interrupted() const { return listens_ && budget_.is_stopped(); }
+
+ private:
+  WorkBudget budget_;
+  bool listens_;
+  BudgetInForce in_force_;
+};
+
+/// Calls work() without the interpreter's lock. When an interrupt from the keyboard has stopped it,
+/// Python's handler is called; if that raises nothing, the work begins again: what was stopped has
+/// left the state as it was.
+template <class Work>
+auto without_interpreter(Work&& work) {
+  for (;;) {
+    bool interrupted = false;
+    try {
+      const pybind11::gil_scoped_release released;
+      const StoppedByInterrupt stopped;
+      try {
+        return work();
+      } catch (const LimitReached&) {
+        interrupted = stopped.interrupted();
+        throw;
+      }
+    } catch (const LimitReached&) {
+      if (!interrupted) throw;
+      if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
+    }
+  }
+}
+
+}  // namespace displayfile::python

@@ -1,0 +1,293 @@
+#include "python/pictures.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "clip/error.h"
+#include "displayfile/drawn_pieces.h"
+#include "displayfile/sorted_display_file.h"
+#include "displayfile/text/dump.h"
+#include "hidden/line_kinds.h"
+#include "interp/drawing_choice.h"
+#include "python/arguments.h"
+#include "python/arrays.h"
+#include "python/pieces.h"
+#include "python/system.h"
+
+namespace displayfile::python {
+
+namespace py = pybind11;
+
+// ---- Options -----------------------------------------------------------------------------
+
+namespace {
+
+Background background_in(py::handle value) {
+  if (PyUnicode_Check(value.ptr()) != 0) {
+    if (word_in(value, "background") == "none") return {Background::Kind::none};
+    throw Error("background: expected red, green and blue, or 'none'");
+  }
+  const std::vector<double> colour = numbers_in(value, "background");
+  if (colour.size() != 3) {
+    throw Error(
+        fmt::format("background: expected red, green and blue, not {} numbers", colour.size()));
+  }
+  for (const double part : colour) {
+    if (!(part >= 0.0 && part <= 1.0)) {
+      throw Error(fmt::format("background: colour component {}: expected 0 to 1", part));
+    }
+  }
+  return {Background::Kind::solid, {colour[0], colour[1], colour[2]}};
+}
+
+Seams seams_in(std::string_view word) {
+  if (word == "trapped") return Seams::trapped;
+  if (word == "butted") return Seams::butted;
+  throw Error(fmt::format("seams '{}': expected trapped or butted", word));
+}
+
+using Read = void (*)(py::handle value, DrawOptions& options);
+
+/// By their names.
+const std::map<std::string_view, Read>& readers() {
+  static const std::map<std::string_view, Read> all{
+      {"hidden",
+       [](py::handle v, DrawOptions& o) { o.hidden = hidden_method(word_in(v, "hidden")); }},
+      {"hidden_lines",
+       [](py::handle v, DrawOptions& o) {
+         o.hidden_lines = hidden_lines(word_in(v, "hidden_lines"));
+       }},
+      {"scope", [](py::handle v, DrawOptions& o) { o.scope = hidden_scope(word_in(v, "scope")); }},
+      {"precision",
+       [](py::handle v, DrawOptions& o) { o.precision = precision(word_in(v, "precision")); }},
+      {"background", [](py::handle v, DrawOptions& o) { o.background = background_in(v); }},
+      {"samples", [](py::handle v, DrawOptions& o) { o.samples = whole_number_in(v, "samples"); }},
+      {"threads",
+       [](py::handle v, DrawOptions& o) {
+         o.threads = whole_number_in(v, "threads");
+         if (o.threads < 1 || o.threads > 1024) {
+           throw Error(fmt::format("threads: {}: expected 1 to 1024", o.threads));
+         }
+       }},
+      {"device",
+       [](py::handle v, DrawOptions& o) {
+         o.device = word_in(v, "device");
+         require_raster_device(o.device);
+       }},
+      {"ids", [](py::handle v, DrawOptions& o) { o.with_ids = switch_in(v, "ids"); }},
+      {"depth", [](py::handle v, DrawOptions& o) { o.with_depth = switch_in(v, "depth"); }},
+      {"paper",
+       [](py::handle v, DrawOptions& o) { o.vectors.paper = paper_of(word_in(v, "paper")); }},
+      {"vector_precision",
+       [](py::handle v, DrawOptions& o) {
+         o.vectors.precision = number_in(v, "vector_precision");
+         require_vector_options(o.vectors);
+       }},
+      {"seams",
+       [](py::handle v, DrawOptions& o) { o.vectors.seams = seams_in(word_in(v, "seams")); }},
+      {"pick_ids",
+       [](py::handle v, DrawOptions& o) { o.vectors.pick_ids = switch_in(v, "pick_ids"); }}};
+  return all;
+}
+
+void read_size(py::handle size, DrawOptions& options) {
+  const bool is_pair = PySequence_Check(size.ptr()) != 0 && PyUnicode_Check(size.ptr()) == 0;
+  if (!is_pair) {
+    options.width = options.height = whole_number_in(size, "size");
+    return;
+  }
+  const auto pair = py::reinterpret_borrow<py::sequence>(size);
+  if (py::len(pair) != 2) {
+    throw Error(
+        fmt::format("size: expected a number, or width and height, not {} numbers", py::len(pair)));
+  }
+  options.width = whole_number_in(py::object(pair[0]), "width");
+  options.height = whole_number_in(py::object(pair[1]), "height");
+}
+
+}  // namespace
+
+DrawOptions draw_options_in(py::handle size, const py::kwargs& said) {
+  DrawOptions options;
+  read_size(size, options);
+  for (const auto& [key, value] : said) {
+    if (value.is_none()) continue;
+    const auto name = py::cast<std::string>(key);
+    const auto reader = readers().find(name);
+    if (reader == readers().end()) throw Error(fmt::format("unknown option {}", name));
+    reader->second(value, options);
+  }
+  return options;
+}
+
+// ---- Pictures ----------------------------------------------------------------------------
+
+namespace {
+
+/// The pixels as an array over the picture's own memory, which is the system's again when the array
+/// is gone.
+py::array pixels_of(Picture&& picture, std::shared_ptr<SparePictures> spare) {
+  struct Kept {
+    std::vector<std::uint32_t> pixels;
+    std::shared_ptr<SparePictures> spare;
+  };
+  auto kept = std::make_unique<Kept>(Kept{std::move(picture.pixels), std::move(spare)});
+  const auto* const bytes = reinterpret_cast<const std::uint8_t*>(kept->pixels.data());
+  const py::capsule owner(kept.get(), [](void* p) {
+    const std::unique_ptr<Kept> gone(static_cast<Kept*>(p));
+    gone->spare->put(std::move(gone->pixels));
+  });
+  kept.release();
+  return py::array_t<std::uint8_t>(
+      {py::ssize_t{picture.height}, py::ssize_t{picture.width}, py::ssize_t{4}}, bytes, owner);
+}
+
+py::tuple draw(System& self, py::handle size, const py::kwargs& said) {
+  const DrawOptions options = draw_options_in(size, said);
+  Picture picture = self.work([&](GraphicsSystem& system, Renderer& renderer) {
+    renderer.give_back(self.spare()->take());
+    renderer.draw(system, options);
+    return renderer.take_picture();
+  });
+  if constexpr (std::endian::native != std::endian::little) {
+    for (std::uint32_t& pixel : picture.pixels) pixel = in_bytes(pixel);
+  }
+  const std::vector<py::ssize_t> shape{picture.height, picture.width};
+  py::object ids = py::none(), depth = py::none();
+  if (options.with_ids) ids = owned<std::int32_t>(std::move(picture.ids), shape);
+  if (options.with_depth) depth = owned<double>(std::move(picture.depth), shape);
+  return py::make_tuple(pixels_of(std::move(picture), self.spare()), ids, depth);
+}
+
+py::object draw_as(System& self, py::handle format, py::handle size, const py::kwargs& said) {
+  const DrawOptions options = draw_options_in(size, said);
+  const std::string name = word_in(format, "format");
+  const std::string bytes = self.work([&](GraphicsSystem& system, Renderer& renderer) {
+    DrawOptions in_format = options;
+    in_format.format = name;
+    std::ostringstream written;
+    renderer.draw(system, written, in_format);
+    return std::move(written).str();
+  });
+  return py::bytes(bytes);
+}
+
+void save(System& self, const std::string& path, py::handle format, py::handle size,
+          const py::kwargs& said) {
+  DrawOptions options = draw_options_in(size, said);
+  if (!format.is_none()) options.format = word_in(format, "format");
+  self.work(
+      [&](GraphicsSystem& system, Renderer& renderer) { renderer.draw(system, path, options); });
+}
+
+py::object pick(System& self, py::handle x, py::handle y, py::handle reach, py::handle size,
+                const py::kwargs& said) {
+  const DrawOptions options = draw_options_in(size, said);
+  const double at_x = number_in(x, "x"), at_y = number_in(y, "y");
+  const double within = number_in(reach, "reach");
+  const auto picked = self.work([&](GraphicsSystem& system, Renderer& renderer) {
+    return renderer.pick(system, at_x, at_y, options, within);
+  });
+  if (!picked) return py::none();
+  constexpr const char* kKinds[] = {"polygon", "edge", "line"};
+  return py::make_tuple(kKinds[static_cast<int>(picked->kind)], picked->id, picked->segment,
+                        picked->depth);
+}
+
+/// The display file as the method leaves it; as it was entered if none is said.
+template <class Use>
+auto sorted_file(System& self, const DrawOptions& options, const Use& use) {
+  return self.work([&](GraphicsSystem& system, Renderer&) {
+    if (!options.hidden) return use(system.display_file());
+    SortedDisplayFile sorted;
+    const HiddenMethod method = drawing_method(system, options, PictureKind::vector);
+    return use(sorted.update(system, method, hidden_surface_options(options)));
+  });
+}
+
+py::tuple pieces(System& self, const py::kwargs& said) {
+  const DrawOptions options = draw_options_in(py::int_(1), said);
+  return arrays_of(sorted_file(self, options, drawn_pieces));
+}
+
+std::string dump_of(System& self, const py::kwargs& said) {
+  const DrawOptions options = draw_options_in(py::int_(1), said);
+  return sorted_file(self, options, [](const DisplayFile& file) { return dump(file); });
+}
+
+}  // namespace
+
+void add_pictures(SystemClass& system) {
+  system.def("_draw", draw);
+  system.def("_draw_as", draw_as);
+  system.def("_save", save);
+  system.def("_pick", pick);
+  system.def("_pieces", pieces);
+  system.def("_dump", dump_of);
+  system.def("_set_aspect_ratio", [](System& self, py::handle aspect) {
+    const double ratio = number_in(aspect, "aspect");
+    self.call([&](GraphicsSystem& s) { s.set_aspect_ratio(ratio); });
+  });
+  system.def("_set_threads", [](System& self, py::handle threads) {
+    const int count = whole_number_in(threads, "threads");
+    if (count < 1 || count > 1024) {
+      throw Error(fmt::format("threads: {}: expected 1 to 1024", count));
+    }
+    self.call([&](GraphicsSystem& s) { s.set_threads(count); });
+  });
+  system.def("_replace_lines", [](System& self, py::handle words) {
+    const LineSelection selection = line_selection(word_in(words, "lines"));
+    self.call([&](GraphicsSystem& s) { s.replace_lines(selection); });
+  });
+  system.def("_require_lines", [](System& self, py::handle words) {
+    if (words.is_none()) return;
+    const LineSelection asked = line_selection(word_in(words, "lines"));
+    const LineSelection selected = self.call([](GraphicsSystem& s) { return s.lines(); });
+    if (asked == selected) return;
+    throw Error(fmt::format(
+        "lines '{}': the system selects '{}' as segments are closed: expected System(lines=...), "
+        "or set_lines before the first segment",
+        displayfile::words_of(asked), displayfile::words_of(selected)));
+  });
+  system.def("_aspect_ratio", [](System& self) {
+    return self.call([](GraphicsSystem& s) { return s.aspect_ratio(); });
+  });
+  system.def("_polygons", [](System& self) {
+    return self.call([](GraphicsSystem& s) { return s.display_file().polygons(); });
+  });
+  system.def("_is_empty", [](System& self) {
+    return self.call([](GraphicsSystem& s) { return s.display_file().visible_segments().empty(); });
+  });
+  system.def("_open_segment_name", [](System& self) {
+    return self.call([](GraphicsSystem& s) { return s.open_segment_name().value_or(0); });
+  });
+  system.def("_segments", [](System& self) {
+    const auto names = self.call([](GraphicsSystem& s) {
+      std::vector<int> of_all;
+      for (const Segment& segment : s.display_file().segments()) of_all.push_back(segment.name());
+      return of_all;
+    });
+    py::list list;
+    for (const int name : names) list.append(name);
+    return list;
+  });
+  system.def("_to_device", [](System& self, py::handle point) -> py::object {
+    const std::vector<double> p = numbers_in(point, "point");
+    if (p.size() != 3) throw Error(fmt::format("point: expected 3 numbers, not {}", p.size()));
+    const auto device = self.call([&](GraphicsSystem& s) {
+      return s.to_device({p[0], p[1], p[2]});
+    });
+    if (!device) return py::none();
+    return py::make_tuple(device->x, device->y, device->z);
+  });
+}
+
+}  // namespace displayfile::python

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include "displayfile/drawn_pieces.h"
+
+namespace displayfile::python {
+
+/// The members of Pieces, in their order, as arrays.
+pybind11::tuple arrays_of(DrawnPieces&& pieces);
+
+/// sort, visible_pieces and visible_lines.
+void add_polygons(pybind11::module_& module);
+
+}  // namespace displayfile::python

@@ -1,0 +1,182 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "clip/error.h"
+#include "displayfile/drawn_pieces.h"
+#include "displayfile/graphics_system.h"
+#include "displayfile/sorted_display_file.h"
+#include "python/arguments.h"
+#include "python/arrays.h"
+#include "python/interrupts.h"
+#include "python/pieces.h"
+
+namespace displayfile::python {
+
+namespace py = pybind11;
+
+py::tuple arrays_of(DrawnPieces&& pieces) {
+  const std::size_t count = pieces.size();
+  std::vector<Colour> line_colours(count);
+  std::vector<double> line_widths(count);
+  std::vector<std::uint8_t> line_kinds(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    line_colours[k] = pieces.lines[k].colour;
+    line_widths[k] = pieces.lines[k].width;
+    line_kinds[k] = static_cast<std::uint8_t>(pieces.lines[k].kind);
+  }
+  const auto n = static_cast<py::ssize_t>(count);
+  return py::make_tuple(owned<std::uint8_t>(std::move(pieces.kinds), {n}),
+                        owned(std::move(pieces.first)), owned(std::move(pieces.points)),
+                        owned(std::move(pieces.sides)), owned(std::move(pieces.fills)),
+                        owned(std::move(line_kinds)), owned(std::move(line_colours)),
+                        owned(std::move(line_widths)), owned(std::move(pieces.picks)),
+                        owned(std::move(pieces.segments)));
+}
+
+namespace {
+
+/// One axis of the polygons' box: moved and scaled by a power of two, so that it lies in [0,1].
+struct Axis {
+  double low = 0.0, scale = 1.0;
+  double to_unit(double value) const { return (value - low) * scale; }
+  double from_unit(double value) const { return value / scale + low; }
+};
+
+Axis axis_of(std::span<const Point3> points, int a) {
+  const auto [low, high] = std::ranges::minmax(points, {}, [a](const Point3& p) { return p[a]; });
+  const double range = high[a] - low[a];
+  if (range == 0.0) return {low[a], 1.0};
+  int exponent = 0;
+  std::frexp(range, &exponent);  // range < 2^exponent
+  // Ranges below 2^-1000 are not scaled whole: they would have no power of two to be scaled by.
+  return {low[a], std::ldexp(1.0, -std::max(exponent, -1000))};
+}
+
+/// Polygons in a view in which world coordinates are device coordinates.
+struct DevicePolygons {
+  std::array<Axis, 3> axes;
+  std::vector<Point3> points;      // in [0,1]
+  std::vector<std::size_t> first;  // of each polygon; one more at the end
+  GraphicsSystem system;
+};
+
+void require_coordinates(std::span<const Point3> points) {
+  if (std::ranges::all_of(points, in_range)) return;
+  throw Error("polygons: expected finite coordinates up to 1e100 in magnitude");
+}
+
+void enter(const Polygons& polygons, bool sides_drawn, const std::optional<LineSelection>& lines,
+           DevicePolygons& device) {
+  if (polygons.sides.size() > std::numeric_limits<std::int32_t>::max()) {
+    throw Error("polygons: too many");
+  }
+  require_coordinates(polygons.points);
+  for (int a = 0; a < 3; ++a)
+    device.axes[static_cast<std::size_t>(a)] = axis_of(polygons.points, a);
+  device.points = polygons.points;
+  for (Point3& p : device.points) {
+    p = {device.axes[0].to_unit(p.x), device.axes[1].to_unit(p.y), device.axes[2].to_unit(p.z)};
+  }
+  device.first = {0};
+  std::vector<std::uint32_t> corners(device.points.size());
+  std::vector<std::int32_t> picks(polygons.sides.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = static_cast<std::uint32_t>(i);
+  for (std::size_t k = 0; k < picks.size(); ++k) {
+    picks[k] = static_cast<std::int32_t>(k);
+    device.first.push_back(device.first.back() + polygons.sides[k]);
+  }
+  GraphicsSystem& system = device.system;
+  if (lines) system.replace_lines(*lines);
+  system.set_window(0, 1, 0, 1);
+  system.set_view_depth(-1, 0);
+  system.set_line_style({sides_drawn ? LineStyle::Kind::solid : LineStyle::Kind::none});
+  system.open_segment(1);
+  GraphicsSystem::ManyPolygons all;
+  all.vertices = device.points;
+  all.corners = corners;
+  all.sides = polygons.sides;
+  all.picks = picks;
+  system.polygons_abs_3(all);
+  system.close_segment();
+}
+
+/// Back from device coordinates. A corner of the polygon that a piece is of has the very
+/// coordinates that it was given.
+void place_back(const Polygons& given, const DevicePolygons& device, DrawnPieces& pieces) {
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const auto item = static_cast<std::size_t>(std::max(pieces.picks[k], 0));
+    const bool of_polygon = pieces.picks[k] >= 0;
+    const std::size_t begin = of_polygon ? device.first[item] : 0;
+    const std::size_t end = of_polygon ? device.first[item + 1] : 0;
+    for (std::size_t i = pieces.first[k]; i < pieces.first[k + 1]; ++i) {
+      Point3& p = pieces.points[i];
+      const auto corner = std::find(device.points.begin() + static_cast<std::ptrdiff_t>(begin),
+                                    device.points.begin() + static_cast<std::ptrdiff_t>(end), p);
+      const auto at = static_cast<std::size_t>(corner - device.points.begin());
+      p = at < end ? given.points[at]
+                   : Point3(device.axes[0].from_unit(p.x), device.axes[1].from_unit(p.y),
+                            device.axes[2].from_unit(p.z));
+    }
+  }
+}
+
+/// Points, the first of each piece, the polygon that it is of, and its sides.
+py::tuple pieces_of(py::handle polygons, py::handle method, py::handle lines, py::handle threads,
+                    py::handle hidden, bool lines_alone) {
+  const Polygons given = polygons_in(polygons, "polygons");
+  const HiddenMethod by = hidden_method(word_in(method, "method"));
+  const bool finds_pieces =
+      by == HiddenMethod::bsp || by == HiddenMethod::depth_sort || by == HiddenMethod::map;
+  if (lines_alone ? !finds_lines(by) || needs_surface(by) : !finds_pieces) {
+    throw Error(fmt::format("method '{}': expected {}", name_of(by),
+                            lines_alone ? "franklin, appel or roberts" : "depth-sort, bsp or map"));
+  }
+  HiddenSurfaceOptions options;
+  options.method = by;
+  options.threads = whole_number_in(threads, "threads");
+  if (options.threads < 1 || options.threads > 1024) {
+    throw Error(fmt::format("threads: {}: expected 1 to 1024", options.threads));
+  }
+  if (!hidden.is_none() && switch_in(hidden, "hidden")) options.hidden_lines = HiddenLines::dashed;
+  const auto selection = if_said(lines, "lines", [](py::handle value, std::string_view what) {
+    return line_selection(word_in(value, what));
+  });
+  DrawnPieces pieces;
+  if (!given.sides.empty()) {
+    pieces = without_interpreter([&] {
+      DevicePolygons device;
+      enter(given, lines_alone, selection, device);
+      SortedDisplayFile sorted;
+      DrawnPieces drawn = drawn_pieces(sorted.update(device.system, by, options));
+      place_back(given, device, drawn);
+      return drawn;
+    });
+  }
+  std::vector<std::uint8_t> is_hidden(pieces.size());
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    is_hidden[k] = pieces.lines[k].kind == LineStyle::Kind::dashed;
+  }
+  return py::make_tuple(owned(std::move(pieces.points)), owned(std::move(pieces.first)),
+                        owned(std::move(pieces.picks)), owned(std::move(pieces.sides)),
+                        owned(std::move(is_hidden)));
+}
+
+}  // namespace
+
+void add_polygons(py::module_& module) {
+  module.def("_pieces_of", [](py::handle polygons, py::handle method, py::handle threads) {
+    return pieces_of(polygons, method, py::none(), threads, py::none(), false);
+  });
+  module.def("_lines_of", [](py::handle polygons, py::handle method, py::handle lines,
+                             py::handle hidden, py::handle threads) {
+    return pieces_of(polygons, method, lines, threads, hidden, true);
+  });
+}
+
+}  // namespace displayfile::python

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "displayfile/graphics_system.h"
+#include "interp/renderer.h"
+#include "python/interrupts.h"
+
+namespace displayfile::python {
+
+/// Memory of pictures whose arrays are gone, for the next ones: of one at most.
+class SparePictures {
+ public:
+  Picture take() {
+    const std::lock_guard in_turn(mutex_);
+    return std::exchange(spare_, Picture());
+  }
+  void put(std::vector<std::uint32_t> pixels) {
+    const std::lock_guard in_turn(mutex_);
+    spare_.pixels = std::move(pixels);
+  }
+
+ private:
+  std::mutex mutex_;
+  Picture spare_;
+};
+
+/// The application's system and what is kept between its pictures, for several threads: their calls
+/// come one after another. Who waits, and who works for long, has not the interpreter's lock.
+class System {
+ public:
+  /// A call that takes long, or may. It may be called again after an interrupt.
+  template <class Work>
+  auto work(Work&& work) {
+    return without_interpreter([&] {
+      const std::lock_guard in_turn(mutex_);
+      return work(system_, renderer_);
+    });
+  }
+
+  /// A call that is over soon, and calls nothing of Python's: to give the interpreter's lock away
+  /// would take longer, if nobody else is at work.
+  template <class Call>
+  auto call(Call&& call) {
+    const std::unique_lock in_turn(mutex_, std::try_to_lock);
+    if (in_turn.owns_lock()) return call(system_);
+    return work([&](GraphicsSystem& system, Renderer&) { return call(system); });
+  }
+
+  const std::shared_ptr<SparePictures>& spare() const { return spare_; }
+
+ private:
+  GraphicsSystem system_;
+  Renderer renderer_;
+  std::shared_ptr<SparePictures> spare_ = std::make_shared<SparePictures>();
+  std::mutex mutex_;
+};
+
+using SystemClass = pybind11::class_<System>;
+
+/// The class, with every user routine under its name, and what enters meshes, surfaces and files.
+SystemClass add_system(pybind11::module_& module);
+/// What draws, and tells what is drawn.
+void add_pictures(SystemClass& system);
+
+/// The words of a user routine's name as Python writes them.
+std::string python_name(std::string_view routine);
+
+}  // namespace displayfile::python

@@ -1,0 +1,50 @@
+"""Builds the extension module by CMake; what else there is to say is in pyproject.toml."""
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
+
+ROOT = Path(__file__).resolve().parent
+
+
+def version() -> str:
+    project = (ROOT / "CMakeLists.txt").read_text()
+    return re.search(r"project\(displayfile VERSION ([0-9.]+)", project)[1]
+
+
+class CMakeBuild(build_ext):
+    """Builds the extension and what it starts, and puts them where setuptools wants them."""
+
+    def build_extension(self, ext: Extension) -> None:
+        folder = Path(self.get_ext_fullpath(ext.name)).resolve().parent
+        build = Path(self.build_temp).resolve()
+        build.mkdir(parents=True, exist_ok=True)
+        options = {
+            "CMAKE_BUILD_TYPE": "Release",
+            "CMAKE_UNITY_BUILD": "ON",
+            "CMAKE_UNITY_BUILD_BATCH_SIZE": "12",
+            "DISPLAYFILE_PRECOMPILED_HEADERS": "ON",
+            "DISPLAYFILE_PYTHON": "ON",
+            "DISPLAYFILE_PYTHON_FOLDER": str(folder),
+            "DISPLAYFILE_TESTS": "OFF",
+            "Python_EXECUTABLE": sys.executable,
+        }
+        definitions = [f"-D{name}={value}" for name, value in options.items()]
+        subprocess.check_call(["cmake", "-G", "Ninja", *definitions, str(ROOT)], cwd=build)
+        jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count() or 1))
+        subprocess.check_call(
+            ["cmake", "--build", ".", "--target", "displayfile_python", "--parallel", jobs],
+            cwd=build,
+        )
+
+
+setup(
+    version=version(),
+    ext_modules=[Extension("displayfile._displayfile", sources=[])],
+    cmdclass={"build_ext": CMakeBuild},
+)

@@ -48,6 +48,14 @@ Background background_in(py::handle value) {
   return {Background::Kind::solid, {colour[0], colour[1], colour[2]}};
 }
 
+PictureRows rows_in(py::handle value) {
+  const std::vector<std::int32_t> rows = whole_numbers_in(value, "rows");
+  if (rows.size() != 2) {
+    throw Error(fmt::format("rows: expected the first and the end, not {} numbers", rows.size()));
+  }
+  return {rows[0], rows[1]};
+}
+
 Seams seams_in(std::string_view word) {
   if (word == "trapped") return Seams::trapped;
   if (word == "butted") return Seams::butted;
@@ -69,6 +77,7 @@ const std::map<std::string_view, Read>& readers() {
       {"precision",
        [](py::handle v, DrawOptions& o) { o.precision = precision(word_in(v, "precision")); }},
       {"background", [](py::handle v, DrawOptions& o) { o.background = background_in(v); }},
+      {"rows", [](py::handle v, DrawOptions& o) { o.rows = rows_in(v); }},
       {"samples", [](py::handle v, DrawOptions& o) { o.samples = whole_number_in(v, "samples"); }},
       {"threads",
        [](py::handle v, DrawOptions& o) {

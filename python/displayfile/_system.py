@@ -154,6 +154,7 @@ class System(_displayfile.System):
         scope: str | None = ...,
         precision: str | None = ...,
         background: Colour | Literal["none"] | None = ...,
+        rows: tuple[int, int] | None = ...,
         samples: int = ...,
         threads: int = ...,
         device: str | None = ...,
@@ -172,6 +173,7 @@ class System(_displayfile.System):
         scope: str | None = ...,
         precision: str | None = ...,
         background: Colour | Literal["none"] | None = ...,
+        rows: tuple[int, int] | None = ...,
         samples: int = ...,
         threads: int = ...,
         device: str | None = ...,
@@ -189,6 +191,7 @@ class System(_displayfile.System):
         scope: str | None = None,
         precision: str | None = None,
         background: Colour | Literal["none"] | None = None,
+        rows: tuple[int, int] | None = None,
         samples: int = 1,
         threads: int = 1,
         device: str | None = None,
@@ -197,7 +200,8 @@ class System(_displayfile.System):
 
         size is (width, height), or one number for both. With ids or depth it is a Picture.
         hidden is a method, one of methods(). hidden_lines is "dashed" to draw lines where they
-        are hidden, too. lines says which kinds of sides are lines, such as "outline,crease":
+        are hidden, too. rows, (first, end) from the top, draws only those of the picture, as they
+        are in the whole of it. lines says which kinds of sides are lines, such as "outline,crease":
         since they are selected as segments are closed, an Error if the system selects others.
         Anything that is None is as the system's routines say.
         """
@@ -211,6 +215,7 @@ class System(_displayfile.System):
             scope=scope,
             precision=precision,
             background=background,
+            rows=rows,
             samples=samples,
             threads=threads,
             device=device,

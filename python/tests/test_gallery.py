@@ -104,3 +104,14 @@ def test_lines_of_a_mesh(command, tmp_path):
     assert system.import_mesh(mesh) == []
     svg = system.svg(200, hidden="auto")
     assert svg.encode() == (tmp_path / "a.svg").read_bytes()
+
+
+@pytest.mark.parametrize("program", PROGRAMS[::4], ids=lambda program: program.stem)
+def test_rows_are_those_of_the_picture(program):
+    system = replayed(program)
+    whole = system.draw((WIDTH, HEIGHT))
+    parts = [system.draw((WIDTH, HEIGHT), rows=rows) for rows in ((0, 50), (50, 51), (51, HEIGHT))]
+    assert np.array_equal(np.concatenate(parts), whole)
+    for rows in ((3, 3), (-1, 5), (0, HEIGHT + 1), (1,), "all"):
+        with pytest.raises(displayfile.Error):
+            system.draw((WIDTH, HEIGHT), rows=rows)

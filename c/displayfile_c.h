@@ -2,9 +2,9 @@
  *
  * A df_system is one application's system: its view, styles, segments, and what is kept from one
  * picture to the next. Functions that return int return DF_OK, or DF_ERROR after an error, whose
- * message df_error() tells; the state is then what it was before the call. Strings are UTF-8 and end
- * with a zero byte unless a length goes with them. Memory that a function hands out is the system's,
- * and stays until the next call on it.
+ * message df_error() tells; the state is then what it was before the call. Strings are UTF-8 and
+ * end with a zero byte unless a length goes with them. Memory that a function hands out is the
+ * system's, and stays until the next call on it.
  *
  * A system is for one call at a time. One that comes from another thread meanwhile returns DF_BUSY
  * and does nothing. Systems are independent of each other.
@@ -68,7 +68,7 @@ DF_API int df_set_aspect_ratio(df_system* system, double aspect);
 
 /* Many polygons, into the open segment, several times as fast as one by one. */
 typedef struct {
-  size_t size; /* sizeof(df_mesh) */
+  size_t size;            /* sizeof(df_mesh) */
   const double* vertices; /* x y z of each */
   size_t vertex_count;
   const uint32_t* corners; /* indices of vertices, polygon after polygon */
@@ -77,7 +77,7 @@ typedef struct {
   size_t polygon_count;  /* with sides */
   const double* colours; /* red green blue in [0,1], of one for all or one each; null: as set */
   size_t colour_count;
-  const int32_t* picks;  /* pick identifiers, one each; null: as set */
+  const int32_t* picks; /* pick identifiers, one each; null: as set */
   size_t pick_count;
   const double* normals; /* x y z, one of each vertex; null: none */
   size_t normal_count;
@@ -91,7 +91,7 @@ DF_API int df_polygons(df_system* system, const df_mesh* mesh);
 
 /* Members that are 0 or null stand for what the application set, or what is usual. */
 typedef struct {
-  size_t size; /* sizeof(df_options) */
+  size_t size;              /* sizeof(df_options) */
   int width, height;        /* pixels; of a PDF, points; 512 */
   const char* method;       /* hidden-surface method: "map", "z-buffer", "franklin", ... */
   const char* scope;        /* "segment" or "all" */
@@ -100,10 +100,10 @@ typedef struct {
   const char* device;       /* of pixels: "software" or "osmesa" */
   int background;           /* DF_BACKGROUND_... */
   double background_colour[3];
-  int samples;              /* along a pixel's side: 1 */
-  int threads;              /* at most: 1 */
-  uint64_t most_pieces;     /* that a sort may cut polygons into */
-  double most_seconds;      /* that one call may take */
+  int samples;          /* along a pixel's side: 1 */
+  int threads;          /* at most: 1 */
+  uint64_t most_pieces; /* that a sort may cut polygons into */
+  double most_seconds;  /* that one call may take */
 } df_options;
 enum { DF_BACKGROUND_AS_SET = 0, DF_BACKGROUND_SOLID = 1, DF_BACKGROUND_NONE = 2 };
 #define DF_OPTIONS_INIT \
@@ -158,8 +158,8 @@ enum { DF_SEEN_POLYGON = 0, DF_SEEN_EDGE = 1, DF_SEEN_LINE = 2 };
 DF_API int df_pick(df_system* system, const df_options* options, double x, double y, double reach,
                    df_seen* seen);
 
-/* Ends the call on the system that goes on, soon, with DF_ERROR. Any thread may call it, and a signal
- * handler. Between calls it does nothing. */
+/* Ends the call on the system that goes on, soon, with DF_ERROR. Any thread may call it, and a
+ * signal handler. Between calls it does nothing. */
 DF_API void df_stop(df_system* system);
 
 #ifdef __cplusplus

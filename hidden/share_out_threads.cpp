@@ -49,7 +49,9 @@ class SharedWork {
 
 }  // namespace
 
-int most_threads() { return shares ? 1 : static_cast<int>(std::thread::hardware_concurrency()); }
+int most_threads() {
+  return shares ? 1 : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 void share_out(int threads, std::size_t count, const std::function<void(std::size_t)>& work) {
   SharedWork shared(count, work);

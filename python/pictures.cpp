@@ -211,14 +211,16 @@ py::object pick(System& self, py::handle x, py::handle y, py::handle reach, py::
                         picked->depth);
 }
 
-/// The display file as the method leaves it; as it was entered if none is said.
+/// The display file as the method leaves it, or, if none is said, what the application set.
 template <class Use>
 auto sorted_file(System& self, const DrawOptions& options, const Use& use) {
   return self.work([&](GraphicsSystem& system, Renderer&) {
-    if (!options.hidden) return use(system.display_file());
     SortedDisplayFile sorted;
-    const HiddenMethod method = drawing_method(system, options, PictureKind::vector);
-    return use(sorted.update(system, method, hidden_surface_options(options)));
+    const HiddenSurfaceOptions asked = hidden_surface_options(options);
+    const HiddenMethod method = options.hidden
+                                    ? drawing_method(system, options, PictureKind::vector)
+                                    : method_in_force(system, asked);
+    return use(sorted.update(system, method, asked));
   });
 }
 

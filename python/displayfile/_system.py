@@ -258,11 +258,11 @@ class System(_displayfile.System):
         self._save(os.fspath(path), format, size, **self._checked(options))
 
     def dump(self, **options: Any) -> str:
-        """The instructions of all segments; sorted, if hidden is given."""
+        """The instructions of all segments, as they are drawn."""
         return self._dump(**self._checked(options))
 
     def pieces(self, **options: Any) -> Pieces:
-        """What is drawn, as arrays; by a method that sorts or finds lines, if hidden is given."""
+        """What is drawn, as arrays: as entered, sorted, or the lines seen, as the method is."""
         return Pieces(*self._pieces(**self._checked(options)))
 
     def pick(

@@ -187,7 +187,10 @@ void GraphicsSystem::polygons_abs_3(std::span<const Point3> vertices,
 }
 
 void GraphicsSystem::polygons_abs_3(const ManyPolygons& many) {
-  const auto& [vertices, corners, sides, fills, picks, normals] = many;
+  const std::span vertices = many.vertices, normals = many.normals;
+  const std::span corners = many.corners, sides = many.sides;
+  const std::span fills = many.fills;
+  const std::span picks = many.picks;
   require_open();
   const std::size_t polygons = require_polygons(many);
   if (!vertex_normals_.empty()) {

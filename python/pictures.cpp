@@ -211,25 +211,26 @@ py::object pick(System& self, py::handle x, py::handle y, py::handle reach, py::
                         picked->depth);
 }
 
-/// The display file as the method leaves it; as it was entered if none is said.
-template <class Use>
-auto sorted_file(System& self, const DrawOptions& options, const Use& use) {
-  return self.work([&](GraphicsSystem& system, Renderer&) {
-    if (!options.hidden) return use(system.display_file());
-    SortedDisplayFile sorted;
-    const HiddenMethod method = drawing_method(system, options, PictureKind::vector);
-    return use(sorted.update(system, method, hidden_surface_options(options)));
-  });
-}
-
 py::tuple pieces(System& self, const py::kwargs& said) {
   const DrawOptions options = draw_options_in(py::int_(1), said);
-  return arrays_of(sorted_file(self, options, drawn_pieces));
+  return arrays_of(self.work([&](GraphicsSystem& system, Renderer&) {
+    SortedDisplayFile sorted;
+    const HiddenMethod method = drawing_method(system, options, PictureKind::vector);
+    return drawn_pieces(sorted.update(system, method, hidden_surface_options(options)));
+  }));
 }
 
 std::string dump_of(System& self, const py::kwargs& said) {
-  const DrawOptions options = draw_options_in(py::int_(1), said);
-  return sorted_file(self, options, [](const DisplayFile& file) { return dump(file); });
+  const HiddenSurfaceOptions options = hidden_surface_options(draw_options_in(py::int_(1), said));
+  return self.work([&](GraphicsSystem& system, Renderer&) {
+    const HiddenMethod method = method_in_force(system, options);
+    require_hidden_lines_found(hidden_lines_in_force(system, options), method);
+    SortedDisplayFile sorted;
+    const DisplayFile& file = sorted.update(system, method, options);
+    if (!is_colour_rule(method)) return dump(file);
+    require_colour_of_fills(method, system.background());
+    return dump(file, system.background().colour);
+  });
 }
 
 }  // namespace

@@ -108,12 +108,13 @@ const std::map<std::string_view, Read>& readers() {
 }
 
 void read_size(py::handle size, DrawOptions& options) {
-  const bool is_pair = PySequence_Check(size.ptr()) != 0 && PyUnicode_Check(size.ptr()) == 0;
+  const py::object given = plain(size);
+  const bool is_pair = PySequence_Check(given.ptr()) != 0 && PyUnicode_Check(given.ptr()) == 0;
   if (!is_pair) {
-    options.width = options.height = whole_number_in(size, "size");
+    options.width = options.height = whole_number_in(given, "size");
     return;
   }
-  const auto pair = py::reinterpret_borrow<py::sequence>(size);
+  const auto pair = py::reinterpret_borrow<py::sequence>(given);
   if (py::len(pair) != 2) {
     throw Error(
         fmt::format("size: expected a number, or width and height, not {} numbers", py::len(pair)));
@@ -189,9 +190,9 @@ py::object draw_as(System& self, py::handle format, py::handle size, const py::k
   return py::bytes(bytes);
 }
 
-void save(System& self, const std::string& path, py::handle format, py::handle size,
-          const py::kwargs& said) {
+void save(System& self, py::handle to, py::handle format, py::handle size, const py::kwargs& said) {
   DrawOptions options = draw_options_in(size, said);
+  const std::string path = path_in(to, "path");
   if (!format.is_none()) options.format = word_in(format, "format");
   self.work(
       [&](GraphicsSystem& system, Renderer& renderer) { renderer.draw(system, path, options); });

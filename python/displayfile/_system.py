@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import os
 import typing
 
 from . import _displayfile
 
 if typing.TYPE_CHECKING:
+    import os
     import numpy as np
     import numpy.typing as npt
     from ._displayfile import _Colour, _Faces, _Numbers, _Size
@@ -126,7 +126,7 @@ class System(_displayfile.System):
 
     def replay_file(self, path: str | os.PathLike[str]) -> None:
         """Carry out the drawing program in a file."""
-        self._replay_file(os.fspath(path))
+        self._replay_file(path)
 
     def import_mesh(
         self, path: str | os.PathLike[str], *, colour: _Colour | None = None
@@ -135,7 +135,7 @@ class System(_displayfile.System):
 
         Returns what is not drawn of it, a sentence each.
         """
-        return self._import_mesh(os.fspath(path), colour)
+        return self._import_mesh(path, colour)
 
     # ---- Pictures ------------------------------------------------------------------------
 
@@ -255,7 +255,7 @@ class System(_displayfile.System):
         It appears whole or not at all. Options are those of draw but for ids and depth, and for
         vectors paper, seams, vector_precision and pick_ids.
         """
-        self._save(os.fspath(path), format, size, **self._checked(options))
+        self._save(path, format, size, **self._checked(options))
 
     def dump(self, **options: typing.Any) -> str:
         """The instructions of all segments, as the command's dump has them. Options are save's."""

@@ -97,7 +97,24 @@ def test_formats(g, tmp_path):
 
 
 @pytest.mark.parametrize(
-    "size", [0, -1, 65536, 2**40, 1.5, "8", None, (8,), (8, 8, 8), (8, 0), ("8", 8), True, []]
+    "size",
+    [
+        0,
+        -1,
+        65536,
+        2**40,
+        1.5,
+        "8",
+        None,
+        (8,),
+        (8, 8, 8),
+        (8, 0),
+        ("8", 8),
+        True,
+        [],
+        np.zeros(0),
+        {},
+    ],
 )
 def test_sizes_that_are_refused(g, size):
     for draw in (g.draw, g.svg, g.png):
@@ -179,6 +196,13 @@ def test_aspects():
     assert g.to_device((0, 0, 0))[:2] == (0.5, 0.5)
     with pytest.raises(Error):
         g.to_device((0, 0))
+
+
+@pytest.mark.parametrize("path", [None, 5, "a\0.svg", ["a.svg"], object(), "a\ud800.svg"])
+def test_paths_that_are_refused(g, path):
+    for call in (g.save, g.replay_file, g.import_mesh):
+        with pytest.raises(Error):
+            call(path)
 
 
 # ---- Notebooks and importing -------------------------------------------------------------

@@ -151,7 +151,7 @@ py::tuple pieces_of(py::handle polygons, py::handle method, py::handle lines, py
   if (!given.sides.empty()) {
     pieces = without_interpreter([&] {
       DevicePolygons device;
-      enter(given, lines_alone, selection, device);
+      enter(given, by != HiddenMethod::map, selection, device);
       SortedDisplayFile sorted;
       DrawnPieces drawn = drawn_pieces(sorted.update(device.system, by, options));
       place_back(given, device, drawn);

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+import typing
 
 from . import _displayfile
 
-if TYPE_CHECKING:
+if typing.TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
-    from ._displayfile import Polygons
+    from ._displayfile import _Polygons
 
 
-class PolygonPieces(NamedTuple):
+class PolygonPieces(typing.NamedTuple):
     """Pieces of polygons. Piece k has the points from first[k] to first[k + 1]."""
 
     points: npt.NDArray[np.float64]
@@ -25,7 +25,7 @@ class PolygonPieces(NamedTuple):
     """(N,): not 0 if the side that ends at the point is one of the polygon's own."""
 
 
-class VisiblePieces(NamedTuple):
+class VisiblePieces(typing.NamedTuple):
     """Pieces of polygons that are seen. Piece k has the points from first[k] to first[k + 1]."""
 
     points: npt.NDArray[np.float64]
@@ -33,7 +33,7 @@ class VisiblePieces(NamedTuple):
     item: npt.NDArray[np.int32]
 
 
-class VisibleLines(NamedTuple):
+class VisibleLines(typing.NamedTuple):
     """Line segments that are seen, two points each."""
 
     points: npt.NDArray[np.float64]
@@ -47,7 +47,7 @@ class VisibleLines(NamedTuple):
     """(K,): True where the line is hidden, if hidden lines were asked for."""
 
 
-def sort(polygons: Polygons, *, method: str = "depth-sort", threads: int = 1) -> PolygonPieces:
+def sort(polygons: _Polygons, *, method: str = "depth-sort", threads: int = 1) -> PolygonPieces:
     """Put polygons in order from back to front, cut where there is no order otherwise.
 
     polygons is an array (M, k, 3) or a sequence of arrays (k, 3): x to the right, y up, a larger
@@ -59,7 +59,7 @@ def sort(polygons: Polygons, *, method: str = "depth-sort", threads: int = 1) ->
     return PolygonPieces(points, first, item, sides)
 
 
-def visible_pieces(polygons: Polygons, *, threads: int = 1) -> VisiblePieces:
+def visible_pieces(polygons: _Polygons, *, threads: int = 1) -> VisiblePieces:
     """Find the pieces of polygons that are seen. They do not overlap in the picture.
 
     polygons is as for sort.
@@ -69,7 +69,7 @@ def visible_pieces(polygons: Polygons, *, threads: int = 1) -> VisiblePieces:
 
 
 def visible_lines(
-    polygons: Polygons,
+    polygons: _Polygons,
     *,
     lines: str | None = None,
     hidden: bool = False,

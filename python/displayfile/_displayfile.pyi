@@ -165,8 +165,21 @@ _Pieces: TypeAlias = tuple[
 ]
 
 def _lines_of(
-    polygons: Polygons, method: str, lines: str | None, hidden: bool, threads: int
+    polygons: Polygons,
+    sides: Numbers | None,
+    method: str,
+    lines: str | None,
+    hidden: bool,
+    threads: int,
+    segments: Numbers | None,
 ) -> _Pieces: ...
-def _pieces_of(polygons: Polygons, method: str, threads: int) -> _Pieces: ...
+def _pieces_of(
+    polygons: Polygons,
+    sides: Numbers | None,
+    method: str,
+    threads: int,
+    segments: Numbers | None,
+    whole: bool,
+) -> _Pieces: ...
 def methods() -> list[str]: ...
 def user_routines() -> list[str]: ...

@@ -14,7 +14,7 @@
 #include "python/arguments.h"
 #include "python/arrays.h"
 #include "python/interrupts.h"
-#include "python/join_triangles.h"
+#include "python/join_pieces.h"
 #include "python/pieces.h"
 
 namespace displayfile::python {
@@ -175,7 +175,7 @@ py::tuple pieces_of(py::handle polygons, py::handle sides, py::handle method, py
       enter(given, points, lines_alone && !has_segments, selection, device);
       SortedDisplayFile sorted;
       DrawnPieces drawn = drawn_pieces(sorted.update(device.system, by, options));
-      if (whole) join_triangles(given.sides, device.points, drawn);
+      if (whole) join_pieces(given.sides, device.points, drawn);
       place_back(points, device, drawn);
       return drawn;
     });

@@ -64,8 +64,9 @@ def sort(
     order is exact.
 
     segments is an array (L, 2, 3) of lines that are sorted too: their pieces have two points, and
-    item is M for the first of them. With whole a polygon that is not flat, which is sorted as
-    triangles, is one piece again if nothing that overlaps it comes between its triangles.
+    item is M for the first of them. With whole the pieces of a polygon follow one another, or are
+    one piece again, where nothing that overlaps them comes between: cuts that the order of others
+    asked for, and those of polygons that are not flat, which are sorted as triangles.
     """
     if method == "map":
         raise _displayfile.Error("method 'map': expected depth-sort or bsp, or visible_pieces")

@@ -138,7 +138,7 @@ def _is_taken(artist: Any) -> bool:
 
 
 class _Style(NamedTuple):
-    """What a collection has once for all of its paths. Compared by what it holds."""
+    """What a collection has once for all of its paths."""
 
     clip_on: bool
     clip_box: Any
@@ -201,14 +201,18 @@ class _Styles:
 
     def __init__(self) -> None:
         self.styles: list[_Style] = []
+        self._keys: list[Any] = []
         self.dashes: list[Any] = [(0, None)]
 
     def style(self, style: _Style) -> int:
-        for k, known in enumerate(self.styles):
-            if all(a is b or a == b for a, b in zip(style, known)):
-                return k
-        self.styles.append(style)
-        return len(self.styles) - 1
+        box = style.clip_box and tuple(style.clip_box.get_points().ravel())
+        path = style.clip_path and style.clip_path.get_fully_transformed_path()
+        outline = path and (path.vertices.tolist(), path.codes is not None and path.codes.tolist())
+        key = (box, outline, style._replace(clip_box=None, clip_path=None))
+        if key not in self._keys:
+            self._keys.append(key)
+            self.styles.append(style)
+        return self._keys.index(key)
 
     def dash(self, pattern: Any) -> int:
         if pattern not in self.dashes:
@@ -731,28 +735,31 @@ def _add_pieces(
     like_face = (edge == face).all(axis=1)
     is_opaque = face[:, 3] >= 1.0
     cut = ~is_whole & ~line_run
-    # Strokes in the face's own colour close the seams between pieces.
-    one_path = cut & is_opaque & (like_face | ~has_edge)
-    apart = cut & has_edge & ~one_path
+    # Strokes in the face's own colour close the seams between pieces of opaque polygons.
+    one_path = cut & is_opaque & like_face & has_edge
+    edged = cut & has_edge & ~one_path
+    seamed = cut & is_opaque & ~one_path & a.antialiased
     dash = np.where(cut, 0, a.dash)
-    seamed = cut & is_opaque
-    edge[cut] = np.where(seamed[cut, None], face[cut], 0.0)
-    own_width = np.where(like_face & has_edge, width, 0.0)
-    width[cut] = np.where(seamed & a.antialiased, np.maximum(own_width, _SEAM), own_width)[cut]
+    edge[cut & ~one_path] = 0.0
+    width[one_path] = np.maximum(width[one_path], _SEAM)
 
     begin = closed_first[run]
     end = (closed_first + lengths + 1)[run_end - 1]
     slices = zip(begin.tolist(), end.tolist())
     made = [Path(xy[b:e], codes[b:e]) for b, e in slices]
     extra_of: list[int] = []
+    is_seam: list[bool] = []
     for r in np.flatnonzero(line_run).tolist():
         made[r] = Path(pieces.points[first[run[r]] : first[run[r]] + 2, :2])
     edges: list[Path] = []
-    for r in np.flatnonzero(apart).tolist():
-        path = _own_sides(pieces, first, run[r], run_end[r], polygons.bridges.get(int(of_run[r])))
-        if path is not None:
-            extra_of.append(r)
-            edges.append(path)
+    for wanted, seam in ((seamed, True), (edged, False)):
+        for r in np.flatnonzero(wanted).tolist():
+            bridges = polygons.bridges.get(int(of_run[r]))
+            path = _sides_of(pieces, first, run[r], run_end[r], bridges, seam)
+            if path is not None:
+                extra_of.append(r)
+                is_seam.append(seam)
+                edges.append(path)
 
     columns = [face, edge, width, a.antialiased, dash, a.style]
     if line_run.any():
@@ -764,9 +771,12 @@ def _add_pieces(
             column[line_run] = values
         columns[1][np.flatnonzero(line_run)[is_marker]] = 0.0
     if edges:
-        extra = np.array(extra_of)
+        extra, seam_too = np.array(extra_of), np.array(is_seam)
         own = a.of(extra)
-        added = [np.zeros((len(extra), 4)), own.edge, own.width, own.antialiased, own.dash]
+        own_edge = np.where(seam_too[:, None], own.face, own.edge)
+        own_width = np.where(seam_too, _SEAM, own.width)
+        own_dash = np.where(seam_too, 0, own.dash)
+        added = [np.zeros((len(extra), 4)), own_edge, own_width, own.antialiased, own_dash]
         order = np.argsort(np.concatenate([np.arange(len(made)), extra + 0.5]), kind="stable")
         columns = [
             np.concatenate([c, new])[order] for c, new in zip(columns, [*added, own.style])
@@ -776,10 +786,10 @@ def _add_pieces(
     paths.add(made, *columns)
 
 
-def _own_sides(
-    pieces: Any, first: Indices, begin: int, end: int, bridges: Floats | None
+def _sides_of(
+    pieces: Any, first: Indices, begin: int, end: int, bridges: Floats | None, seam: bool
 ) -> Path | None:
-    """The polygon's own sides of some of its pieces, in one path."""
+    """The polygon's own sides of some of its pieces, in one path, or those that cuts made."""
     points: list[Floats] = []
     codes: list[npt.NDArray[Any]] = []
     for k in range(begin, end):
@@ -787,6 +797,8 @@ def _own_sides(
         own = pieces.sides[first[k] : first[k + 1]] > 0
         if bridges is not None:
             own &= ~_lies_on(np.stack([np.roll(p, 1, axis=0), p], axis=1), bridges)
+        if seam:
+            own = ~own
         if not own.any():
             continue
         if own.all():

@@ -1,7 +1,8 @@
-#include "python/join_triangles.h"
+#include "python/join_pieces.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace displayfile::python {
@@ -10,8 +11,8 @@ namespace {
 
 /// What overlaps by less, in a picture from 0 to 1, is not seen.
 constexpr double kTolerance = 1e-9;
-/// Polygons of more sides stay triangles.
-constexpr std::uint32_t kMostSides = 32;
+/// Polygons of more pieces stay in pieces.
+constexpr std::size_t kMostPieces = 256;
 
 using Corners = std::span<const Point3>;
 
@@ -53,15 +54,15 @@ class Cells {
     return Corners(pieces.points).subspan(pieces.first[k], pieces.first[k + 1] - pieces.first[k]);
   }
 
-  /// Whether a piece after `from` and before `to` overlaps piece `from`, but for those that have
-  /// its pick.
-  bool covered(const DrawnPieces& pieces, std::uint32_t from, std::uint32_t to) {
+  /// Whether a piece after `from` and before `to` overlaps piece `from`, but for those of the same
+  /// polygon that are drawn at `to` too.
+  bool covered(const DrawnPieces& pieces, std::span<const std::uint32_t> places,
+               std::uint32_t from, std::uint32_t to) {
     const Corners corners = corners_of(pieces, from);
     return visit(corners, [&](const std::vector<std::uint32_t>& cell) {
       for (auto k = std::ranges::upper_bound(cell, from); k != cell.end() && *k < to; ++k) {
-        if (pieces.picks[*k] != pieces.picks[from] && overlap(corners, corners_of(pieces, *k))) {
-          return true;
-        }
+        const bool moves_too = pieces.picks[*k] == pieces.picks[from] && places[*k] == to;
+        if (!moves_too && overlap(corners, corners_of(pieces, *k))) return true;
       }
       return false;
     });
@@ -90,59 +91,70 @@ class Cells {
   std::vector<std::vector<std::uint32_t>> cells_;
 };
 
-/// Whether the pieces are the polygon's triangles, and do not overlap each other.
-bool are_its_triangles(Corners polygon, const DrawnPieces& pieces,
-                       std::span<const std::uint32_t> own) {
-  if (own.size() != polygon.size() - 2) return false;
+bool overlap_each_other(const DrawnPieces& pieces, std::span<const std::uint32_t> own) {
   for (std::size_t i = 0; i < own.size(); ++i) {
-    const Corners triangle = Cells::corners_of(pieces, own[i]);
-    const auto is_corner = [&](const Point3& p) { return std::ranges::count(polygon, p) > 0; };
-    if (triangle.size() != 3 || !std::ranges::all_of(triangle, is_corner)) return false;
     for (std::size_t j = 0; j < i; ++j) {
-      if (overlap(triangle, Cells::corners_of(pieces, own[j]))) return false;
+      if (overlap(Cells::corners_of(pieces, own[i]), Cells::corners_of(pieces, own[j]))) {
+        return true;
+      }
     }
   }
-  return true;
+  return false;
+}
+
+/// The piece after which each is drawn, or itself: the next of its polygon if nothing between
+/// covers it.
+std::vector<std::uint32_t> places_of(const DrawnPieces& pieces,
+                                     const std::vector<std::vector<std::uint32_t>>& own) {
+  std::vector<std::uint32_t> places(pieces.size());
+  std::iota(places.begin(), places.end(), 0u);
+  Cells cells(pieces);
+  for (const std::vector<std::uint32_t>& of_one : own) {
+    for (std::size_t i = of_one.size(); i-- > 1;) {
+      const std::uint32_t k = of_one[i - 1], to = places[of_one[i]];
+      if (!cells.covered(pieces, places, k, to)) places[k] = to;
+    }
+  }
+  return places;
 }
 
 }  // namespace
 
-void join_triangles(std::span<const std::uint32_t> sides, std::span<const Point3> points,
-                    DrawnPieces& pieces) {
+void join_pieces(std::span<const std::uint32_t> sides, std::span<const Point3> points,
+                 DrawnPieces& pieces) {
   const std::size_t count = pieces.size();
   std::vector<std::vector<std::uint32_t>> own(sides.size());
   for (std::size_t k = 0; k < count; ++k) {
     const auto item = static_cast<std::size_t>(pieces.picks[k]);
     if (item < sides.size()) own[item].push_back(static_cast<std::uint32_t>(k));
   }
-  enum class Fate : std::uint8_t { as_it_is, left_out, whole };
-  std::vector<Fate> fates(count, Fate::as_it_is);
-  std::vector<Corners> polygons(sides.size());
-  Cells cells(pieces);
+  const std::vector<std::uint32_t> places = places_of(pieces, own);
+
+  std::vector<Corners> whole(count);  // the polygon, for the last of its pieces
+  std::vector<bool> left_out(count);
   std::size_t begin = 0;
   for (std::size_t item = 0; item < sides.size(); begin += sides[item++]) {
-    polygons[item] = points.subspan(begin, sides[item]);
-    if (own[item].size() < 2 || sides[item] > kMostSides) continue;
-    if (!are_its_triangles(polygons[item], pieces, own[item])) continue;
+    if (own[item].size() < 2 || own[item].size() > kMostPieces) continue;
     const std::uint32_t last = own[item].back();
-    const auto is_covered = [&](std::uint32_t k) { return cells.covered(pieces, k, last); };
-    if (std::ranges::any_of(own[item], is_covered)) continue;
-    for (const std::uint32_t k : own[item]) fates[k] = Fate::left_out;
-    fates[last] = Fate::whole;
+    const auto stays = [&](std::uint32_t k) { return places[k] != last; };
+    if (std::ranges::any_of(own[item], stays) || overlap_each_other(pieces, own[item])) continue;
+    for (const std::uint32_t k : own[item]) left_out[k] = k != last;
+    whole[last] = points.subspan(begin, sides[item]);
   }
 
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::stable_sort(order, {}, [&](std::uint32_t k) { return places[k]; });
   DrawnPieces joined;
-  for (std::size_t k = 0; k < count; ++k) {
-    if (fates[k] == Fate::left_out) continue;
-    const Corners corners = fates[k] == Fate::whole
-                                ? polygons[static_cast<std::size_t>(pieces.picks[k])]
-                                : Cells::corners_of(pieces, k);
+  for (const std::uint32_t k : order) {
+    if (left_out[k]) continue;
+    const Corners corners = whole[k].empty() ? Cells::corners_of(pieces, k) : whole[k];
     joined.points.insert(joined.points.end(), corners.begin(), corners.end());
-    if (fates[k] == Fate::whole) {
-      joined.sides.resize(joined.points.size(), 1);
-    } else {
+    if (whole[k].empty()) {
       const auto sides_of = std::span(pieces.sides).subspan(pieces.first[k], corners.size());
       joined.sides.insert(joined.sides.end(), sides_of.begin(), sides_of.end());
+    } else {
+      joined.sides.resize(joined.points.size(), 1);
     }
     joined.first.push_back(static_cast<std::uint32_t>(joined.points.size()));
     joined.kinds.push_back(pieces.kinds[k]);

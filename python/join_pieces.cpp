@@ -12,7 +12,7 @@ namespace {
 /// What overlaps by less, in a picture from 0 to 1, is not seen.
 constexpr double kTolerance = 1e-9;
 /// Polygons of more pieces stay in pieces.
-constexpr std::size_t kMostPieces = 256;
+constexpr std::size_t kMostPieces = 512;
 
 using Corners = std::span<const Point3>;
 

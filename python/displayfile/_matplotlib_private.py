@@ -124,9 +124,10 @@ def line_points(artist: Any) -> npt.NDArray[np.float64]:
     return np.column_stack(np.broadcast_arrays(*arrays)).reshape(-1, 3)
 
 
-def patch_points(artist: Any) -> npt.NDArray[np.float64]:
-    """The corners of a Patch3D, (n, 3)."""
-    return np.array([[float(v) for v in p] for p in artist._segment3d]).reshape(-1, 3)
+def patch_points(artist: Any) -> tuple[npt.NDArray[np.float64], Any]:
+    """The points of a Patch3D, (n, 3), and their path codes; None for a closed polygon's corners."""
+    points = np.array([[float(v) for v in p] for p in artist._segment3d]).reshape(-1, 3)
+    return points, getattr(artist, "_code3d", None)
 
 
 def dashes(artist: Any) -> tuple[float, Any]:

@@ -33,6 +33,7 @@ __all__ = ["Exact", "exact"]
 _SEAM = 0.4
 """Points: the width of strokes that close the seams between pieces of an opaque polygon."""
 _LIFT = 1e-6
+_CURVE_PARTS = 16
 _MARKER = 1e-9
 """Half the length of the line that stands for a marker, in widths of the scene."""
 _CLEAR = np.zeros(4)
@@ -127,7 +128,6 @@ def _is_scatter(artist: Any) -> bool:
 def _is_taken(artist: Any) -> bool:
     return (
         isinstance(artist, _TAKEN)
-        and not isinstance(artist, art3d.PathPatch3D)
         and artist.get_visible()
         and not artist.get_animated()
         and not private.is_clipped_to_limits(artist)
@@ -304,7 +304,7 @@ class _Polygons:
         self.points: Floats = np.zeros((0, 3))
         self.sides: Indices = np.zeros(0, np.int64)
         self.bridges: dict[int, Floats] = {}
-        """Of polygons with holes: the sides that join their rings, (n, 2, 2)."""
+        """The sides that are not drawn, (n, 2, 2): those that join rings, or close open ones."""
         self.attributes: _Attributes | None = None
         self._points: list[Floats] = []
         self._sides: list[Indices] = []
@@ -323,25 +323,21 @@ class _Polygons:
         self._sides.append(sides)
         self._attributes.append(attributes)
 
-    def add_with_codes(self, points: Floats, sides: Indices, codes: Any, a: _Attributes) -> None:
-        """Polygons whose corners have path codes: those of several rings have holes."""
-        for k, corners in enumerate(np.split(points, np.cumsum(sides)[:-1])):
-            ring_codes = np.asarray(codes[k])
-            starts = np.flatnonzero(ring_codes == Path.MOVETO)
-            keep = ring_codes != Path.CLOSEPOLY
-            parts = np.split(np.arange(len(corners)), starts[1:])
-            rings = [corners[part[keep[part]]] for part in parts]
-            rings = [ring for ring in rings if len(ring) >= 3]
-            if not rings or not all(np.isfinite(ring).all() for ring in rings):
-                continue
-            outline = rings[0]
-            if len(rings) > 1:
-                anchor = rings[0][:1]
-                loops = [np.concatenate([ring, ring[:1], anchor]) for ring in rings[1:]]
-                outline = np.concatenate([rings[0], anchor, *loops])[:-1]
-                number = sum(len(sides) for sides in self._sides)
-                self.bridges[number] = np.array([[anchor[0, :2], r[0, :2]] for r in rings[1:]])
-            self.add(outline, np.array([len(outline)]), a.of([k]))
+    def add_rings(self, rings: list[tuple[Floats, bool]], attributes: _Attributes) -> None:
+        """One polygon of several rings, of which the others are holes; closed or not each."""
+        rings = [(ring, closed) for ring, closed in rings if len(ring) >= 3]
+        if not rings or not all(np.isfinite(ring).all() for ring, _ in rings):
+            return
+        outline = rings[0][0]
+        bridges = [[ring[-1, :2], ring[0, :2]] for ring, closed in rings if not closed]
+        if len(rings) > 1:
+            anchor = outline[:1]
+            loops = [np.concatenate([ring, ring[:1], anchor]) for ring, _ in rings[1:]]
+            outline = np.concatenate([outline, anchor, *loops])[:-1]
+            bridges += [[anchor[0, :2], ring[0, :2]] for ring, _ in rings[1:]]
+        if bridges:
+            self.bridges[sum(len(sides) for sides in self._sides)] = np.array(bridges)
+        self.add(outline, np.array([len(outline)]), attributes)
 
     def finish(self) -> None:
         if not self._sides:
@@ -405,16 +401,58 @@ def _add_polygons(artist: Any, matrix: Floats, polygons: _Polygons, styles: _Sty
     )
     points = _projected(corners, matrix)
     codes = private.codes(artist)
-    if codes is None:
+    if codes is None and private.is_closed(artist):
         polygons.add(points, sides, attributes)
-    else:
-        polygons.add_with_codes(points, sides, codes, attributes)
+        return
+    for k, own in enumerate(np.split(points, np.cumsum(sides)[:-1]) if n else []):
+        rings = _rings(own, None if codes is None else codes[k])
+        polygons.add_rings(rings, attributes.of([k]))
+
+
+def _rings(points: Floats, codes: Any) -> list[tuple[Floats, bool]]:
+    """The rings of a path, (n, 3) each, and whether it closes them. Curves become polygons."""
+    if codes is None:
+        return [(points, False)]
+    rings: list[tuple[Floats, bool]] = []
+    ring: list[Floats] = []
+    k = 0
+    while k < len(codes):
+        code = int(codes[k])
+        degree = {Path.CURVE3: 2, Path.CURVE4: 3}.get(code, 1)
+        if code in (Path.MOVETO, Path.CLOSEPOLY, Path.STOP):
+            if ring:
+                rings.append((np.concatenate(ring), code == Path.CLOSEPOLY))
+            ring = [points[k : k + 1]] if code == Path.MOVETO else []
+        elif degree == 1 or not ring:
+            ring.append(points[k : k + 1])
+        else:
+            ring.append(_curve(np.concatenate([ring[-1][-1:], points[k : k + degree]])))
+        k += degree
+    if ring:
+        rings.append((np.concatenate(ring), False))
+    return [_without_repeats(ring, closed) for ring, closed in rings]
+
+
+def _without_repeats(ring: Floats, closed: bool) -> tuple[Floats, bool]:
+    """Without points like the one before; a ring that ends where it begins is closed."""
+    ring = ring[np.concatenate([[True], (ring[1:] != ring[:-1]).any(axis=1)])]
+    if len(ring) > 1 and (ring[0] == ring[-1]).all():
+        return ring[:-1], True
+    return ring, closed
+
+
+def _curve(controls: Floats) -> Floats:
+    """Points of a Bezier curve, without its first."""
+    t = np.arange(1, _CURVE_PARTS + 1)[:, None] / _CURVE_PARTS
+    while len(controls) > 1 and controls.ndim == 2:
+        controls = np.repeat(controls[:, None], _CURVE_PARTS, axis=1)
+    while len(controls) > 1:
+        controls = controls[:-1] * (1 - t) + controls[1:] * t
+    return controls[0]
 
 
 def _add_patch(artist: Any, matrix: Floats, polygons: _Polygons, styles: _Styles) -> None:
-    corners = private.patch_points(artist)
-    if len(corners) > 1 and (corners[0] == corners[-1]).all():
-        corners = corners[:-1]
+    corners, codes = private.patch_points(artist)
     attributes = _attributes(
         styles,
         1,
@@ -425,7 +463,7 @@ def _add_patch(artist: Any, matrix: Floats, polygons: _Polygons, styles: _Styles
         [private.dashes(artist)],
         _style_of(artist, artist.get_capstyle(), artist.get_joinstyle()),
     )
-    polygons.add(_projected(corners, matrix), np.array([len(corners)]), attributes)
+    polygons.add_rings(_rings(_projected(corners, matrix), codes), attributes)
 
 
 def _add_lines(artist: Any, matrix: Floats, lines: _Lines, styles: _Styles) -> None:

@@ -412,7 +412,7 @@ def _add_polygons(artist: Any, matrix: Floats, polygons: _Polygons, styles: _Sty
 def _rings(points: Floats, codes: Any) -> list[tuple[Floats, bool]]:
     """The rings of a path, (n, 3) each, and whether it closes them. Curves become polygons."""
     if codes is None:
-        return [(points, False)]
+        return [_without_repeats(points, False)]
     rings: list[tuple[Floats, bool]] = []
     ring: list[Floats] = []
     k = 0
@@ -832,21 +832,19 @@ def _sides_of(
     codes: list[npt.NDArray[Any]] = []
     for k in range(begin, end):
         p = pieces.points[first[k] : first[k + 1], :2]
-        own = pieces.sides[first[k] : first[k + 1]] > 0
+        drawn = (pieces.sides[first[k] : first[k + 1]] > 0) != seam
         if bridges is not None:
-            own &= ~_lies_on(np.stack([np.roll(p, 1, axis=0), p], axis=1), bridges)
-        if seam:
-            own = ~own
-        if not own.any():
+            drawn &= ~_lies_on(np.stack([np.roll(p, 1, axis=0), p], axis=1), bridges)
+        if not drawn.any():
             continue
-        if own.all():
+        if drawn.all():
             points += [p, p[:1]]
             codes.append(np.full(len(p) + 1, Path.LINETO, Path.code_type))
             codes[-1][-1] = Path.CLOSEPOLY
         else:
-            turn = -int(np.flatnonzero(~own)[0])
+            turn = -int(np.flatnonzero(~drawn)[0])
             points.append(np.roll(p, turn, axis=0))
-            codes.append(np.where(np.roll(own, turn), Path.LINETO, Path.MOVETO))
+            codes.append(np.where(np.roll(drawn, turn), Path.LINETO, Path.MOVETO))
         codes[-1][0] = Path.MOVETO
     return Path(np.concatenate(points), np.concatenate(codes)) if points else None
 
@@ -857,7 +855,7 @@ def _lies_on(segments: Floats, lines: Floats) -> npt.NDArray[np.bool_]:
     to = segments[:, :, None] - lines[None, None, :, 0]
     length = np.maximum(np.abs(along).sum(axis=3), 1e-300)
     off = np.abs(to[..., 0] * along[..., 1] - to[..., 1] * along[..., 0]) / length
-    t = (to * along).sum(axis=3) / (along * along).sum(axis=3)
+    t = (to * along).sum(axis=3) / np.maximum((along * along).sum(axis=3), 1e-300)
     return ((off < 1e-9) & (t > -1e-9) & (t < 1 + 1e-9)).all(axis=1).any(axis=1)  # type: ignore
 
 

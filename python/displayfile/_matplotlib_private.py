@@ -71,6 +71,12 @@ def is_clipped_to_limits(artist: Any) -> bool:
     return bool(getattr(artist, "_axlim_clip", False))
 
 
+def _filled(values: Any) -> npt.NDArray[np.float64]:
+    """nan where they are masked."""
+    masked: Any = np.ma
+    return np.asarray(masked.filled(masked.asarray(values, float), np.nan))
+
+
 def antialiased(collection: Any) -> Any:
     return collection._antialiaseds
 
@@ -120,7 +126,7 @@ def polylines(artist: Any) -> list[npt.NDArray[np.float64]]:
 
 def line_points(artist: Any) -> npt.NDArray[np.float64]:
     """The points of a Line3D, (n, 3); nan where they are masked."""
-    arrays = [np.ma.filled(np.ma.asarray(v, float), np.nan) for v in artist._verts3d]
+    arrays = [_filled(v) for v in artist._verts3d]
     return np.column_stack(np.broadcast_arrays(*arrays)).reshape(-1, 3)
 
 
@@ -138,14 +144,14 @@ def dashes(artist: Any) -> tuple[float, Any]:
 def marker_points(artist: Any) -> npt.NDArray[np.float64]:
     """The places of the markers of a Path3DCollection or Patch3DCollection, (n, 3)."""
     _require(artist, "_offsets3d")
-    arrays = [np.ma.filled(np.ma.asarray(v, float), np.nan) for v in artist._offsets3d]
+    arrays = [_filled(v) for v in artist._offsets3d]
     return np.column_stack(np.broadcast_arrays(*arrays)).reshape(-1, 3)
 
 
 def hide_markers(artist: Any, hidden: npt.NDArray[np.bool_]) -> None:
     """Takes hidden markers away until the next projection, which was just made."""
     _require(artist, "_z_markers_idx")
-    offsets = np.array(np.ma.filled(np.ma.asarray(artist.get_offsets(), float), np.nan))
+    offsets = _filled(artist.get_offsets()).copy()
     order = artist._z_markers_idx
     if not isinstance(order, slice):
         hidden = hidden[order]
@@ -156,4 +162,5 @@ def hide_markers(artist: Any, hidden: npt.NDArray[np.bool_]) -> None:
 def in_order(artist: Any, values: npt.NDArray[Any]) -> npt.NDArray[Any]:
     """Values of the markers in the order in which they are drawn, since the last projection."""
     order = artist._z_markers_idx
-    return values if isinstance(order, slice) else values[order]
+    ordered: npt.NDArray[Any] = values if isinstance(order, slice) else values[order]
+    return ordered

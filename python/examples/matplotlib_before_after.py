@@ -53,7 +53,9 @@ def surfaces_that_cross(ax: Any) -> None:
     t = np.linspace(0, 6 * np.pi, 300)
     ax.plot(0.6 * np.cos(t), 0.6 * np.sin(t), t / (3 * np.pi) - 1, color="black", linewidth=2)
     t = t[::20]
-    ax.scatter(0.8 * np.cos(t), 0.8 * np.sin(t), t / (3 * np.pi) - 1, color="red", s=25, depthshade=False)
+    ax.scatter(
+        0.8 * np.cos(t), 0.8 * np.sin(t), t / (3 * np.pi) - 1, color="red", s=25, depthshade=False
+    )
 
 
 SCENES: dict[int, Callable[[Any], None]] = {

@@ -437,5 +437,7 @@ def test_errors_say_what_is_wrong() -> None:
         exact(ax, method="map")
     with pytest.raises(displayfile.Error, match="lift: -1"):
         exact(ax, lift=-1)
-    with pytest.raises(displayfile.Error, match=r"matplotlib \d.*: Rectangle has no attribute '_no'"):
+    with pytest.raises(
+        displayfile.Error, match=r"matplotlib \d.*: Rectangle has no attribute '_no'"
+    ):
         private._require(Rectangle((0, 0), 1, 1), "_no")

@@ -243,8 +243,8 @@ Polygons polygons_in(py::handle value, py::handle sides, std::string_view what) 
       corners += static_cast<std::size_t>(count);
     }
     if (corners == polygons.points.size()) return polygons;
-    throw Error(fmt::format("sides: {} corners in all, but there are {} {}", corners,
-                            polygons.points.size(), what));
+    throw Error(fmt::format("sides: {} corners in all, but there are {} points", corners,
+                            polygons.points.size()));
   }
   if (py::isinstance<py::array>(value)) {
     const py::array array = array_of(value, what, Numbers::any);

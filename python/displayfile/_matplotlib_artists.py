@@ -32,6 +32,7 @@ class Style(NamedTuple):
     cap: Any
     join: Any
     hatch: Any
+    hatch_colour: Any
     sketch: Any
     effects: Any
     snap: Any
@@ -48,7 +49,9 @@ class Style(NamedTuple):
             c.set_capstyle(self.cap)
         if self.join is not None:
             c.set_joinstyle(self.join)
-        c.set_hatch(self.hatch)
+        if self.hatch:
+            c.set_hatch(self.hatch)
+            private.set_hatch_colour(c, self.hatch_colour)
         c.set_sketch_params(*(self.sketch or (None,)))
         c.set_path_effects(self.effects)
         c.set_snap(self.snap)
@@ -59,7 +62,7 @@ class Style(NamedTuple):
 
 
 def style_of(artist: Any, cap: Any, join: Any) -> Style:
-    clip_path = artist.get_clip_path()
+    hatch = artist.get_hatch() if hasattr(artist, "get_hatch") else None
     if isinstance(artist, Collection):
         urls = artist.get_urls()
         url = urls[0] if len(urls) else None
@@ -68,10 +71,11 @@ def style_of(artist: Any, cap: Any, join: Any) -> Style:
     return Style(
         artist.get_clip_on(),
         artist.get_clip_box(),
-        clip_path,
+        artist.get_clip_path(),
         cap,
         join,
-        artist.get_hatch() if hasattr(artist, "get_hatch") else None,
+        hatch,
+        private.hatch_colour(artist) if hatch else None,
         artist.get_sketch_params(),
         tuple(artist.get_path_effects() or ()),
         artist.get_snap(),
@@ -99,6 +103,11 @@ class Styles:
             self._keys.append(key)
             self.styles.append(style)
         return self._keys.index(key)
+
+    def unhatched(self, which: Indices) -> Indices:
+        """The same styles without hatching: of strokes."""
+        same = [self.style(s._replace(hatch=None, hatch_colour=None)) for s in self.styles[:]]
+        return np.array(same, np.int64)[which]
 
     def dash(self, pattern: Any) -> int:
         if pattern not in self.dashes:

@@ -39,7 +39,7 @@ class Paths:
 
 
 def add_pieces(
-    polygons: Polygons, pieces: Any, lines: Lines, of_item: Indices, paths: Paths
+    polygons: Polygons, pieces: Any, lines: Lines, of_item: Indices, styles: Styles, paths: Paths
 ) -> None:
     """Pieces in their order: those of one polygon that follow one another are one path."""
     assert polygons.attributes is not None
@@ -116,7 +116,10 @@ def add_pieces(
         own_dash = np.where(seam_too, 0, own.dash)
         added = [np.zeros((len(extra), 4)), own_edge, own_width, own.antialiased, own_dash]
         order = np.argsort(np.concatenate([np.arange(len(made)), extra + 0.5]), kind="stable")
-        columns = [np.concatenate([c, new])[order] for c, new in zip(columns, [*added, own.style])]
+        columns = [
+            np.concatenate([c, new])[order]
+            for c, new in zip(columns, [*added, styles.unhatched(own.style)])
+        ]
         made += edges
         made = [made[k] for k in order.tolist()]
     paths.add(made, *columns)

@@ -31,7 +31,7 @@ def _check() -> None:
     corners = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
     polygons = art3d.Poly3DCollection([corners], facecolors="r", edgecolors="k")
     _require(polygons, "_facecolor3d", "_edgecolor3d", "_codes3d", "_closed")
-    _require(polygons, "_antialiaseds", "_capstyle", "_joinstyle")
+    _require(polygons, "_antialiaseds", "_capstyle", "_joinstyle", "_hatch_color")
     _require(polygons, "_face_is_mapped", "_edge_is_mapped", "_facecolors", "_edgecolors")
     if not hasattr(polygons, "_vec"):  # since 3.10
         _require(polygons, "_faces", "_invalid_vertices")
@@ -41,7 +41,7 @@ def _check() -> None:
     _require(art3d.Line3D([0], [0], [0]), "_verts3d", "_dash_pattern")
     patch = Rectangle((0, 0), 1, 1)
     art3d.patch_2d_to_3d(patch)
-    _require(patch, "_segment3d", "_dash_pattern")
+    _require(patch, "_segment3d", "_dash_pattern", "_hatch_color")
 
 
 _check()
@@ -79,6 +79,14 @@ def _filled(values: Any) -> npt.NDArray[np.float64]:
 
 def antialiased(collection: Any) -> Any:
     return collection._antialiaseds
+
+
+def hatch_colour(artist: Any) -> Any:
+    return artist._hatch_color
+
+
+def set_hatch_colour(collection: Any, colour: Any) -> None:
+    collection._hatch_color = colour
 
 
 def cap_and_join(collection: Any) -> tuple[Any, Any]:
@@ -151,12 +159,18 @@ def marker_points(artist: Any) -> npt.NDArray[np.float64]:
 def hide_markers(artist: Any, hidden: npt.NDArray[np.bool_]) -> None:
     """Takes hidden markers away until the next projection, which was just made."""
     _require(artist, "_z_markers_idx")
-    offsets = _filled(artist.get_offsets()).copy()
-    order = artist._z_markers_idx
-    if not isinstance(order, slice):
-        hidden = hidden[order]
-    offsets[hidden] = np.nan
-    artist.set_offsets(offsets)
+    offsets = _filled(drawn_offsets(artist)).copy()
+    offsets[in_order(artist, hidden)] = np.nan
+    if getattr(artist, "_offset_zordered", None) is not None:  # since 3.8
+        artist._offset_zordered = offsets
+    else:
+        artist.set_offsets(offsets)
+
+
+def drawn_offsets(artist: Any) -> Any:
+    """The places of the markers in the picture, in the order in which they are drawn."""
+    ordered = getattr(artist, "_offset_zordered", None)
+    return artist.get_offsets() if ordered is None else ordered
 
 
 def in_order(artist: Any, values: npt.NDArray[Any]) -> npt.NDArray[Any]:

@@ -151,7 +151,7 @@ class Scene(Collection):  # type: ignore[misc]
         )
         of_item = np.full(len(polygons.sides) + len(sorted_too), -1)
         of_item[len(polygons.sides) :] = item[sorted_too]
-        add_pieces(polygons, pieces, lines, of_item, paths)
+        add_pieces(polygons, pieces, lines, of_item, styles, paths)
         is_marker = of_item[pieces.item] >= count
         if is_marker.any():
             self._tint_markers(polygons, pieces, of_item - count, is_marker, markers, shown)
@@ -313,7 +313,7 @@ class Markers(Collection):  # type: ignore[misc]
             linewidths=artist.get_linewidth(),
             linestyles=artist.get_linestyle(),
             antialiaseds=private.antialiased(artist),
-            offsets=artist.get_offsets(),
+            offsets=private.drawn_offsets(artist),
             offset_transform=artist.get_offset_transform(),
         )
         copy.axes = self.axes

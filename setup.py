@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -18,10 +19,21 @@ def version() -> str:
 
 
 class CMakeBuild(build_ext):
-    """Builds the extension and what it starts, and puts them where setuptools wants them."""
+    """Builds the extension and what it starts, and puts them where setuptools wants them.
+
+    Where CMake has built them already (the target displayfile_python), the environment variable
+    DISPLAYFILE_PYTHON_BUILT may name the folder: they are taken from there.
+    """
 
     def build_extension(self, ext: Extension) -> None:
         folder = Path(self.get_ext_fullpath(ext.name)).resolve().parent
+        built = os.environ.get("DISPLAYFILE_PYTHON_BUILT")
+        if built:
+            folder.mkdir(parents=True, exist_ok=True)
+            for file in Path(built).iterdir():
+                if file.name.startswith(("_displayfile.", "displayfile-import")):
+                    shutil.copy2(file, folder)
+            return
         build = Path(self.build_temp).resolve()
         build.mkdir(parents=True, exist_ok=True)
         options = {

@@ -31,6 +31,11 @@ void WorkBudget::start() {
   stopped_.store(false);
 }
 
+void WorkBudget::start(const WorkLimits& limits) {
+  limits_ = limits;
+  start();
+}
+
 double WorkBudget::seconds() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
 }

@@ -44,6 +44,7 @@ class WorkBudget {
   /// Seconds and comparisons are counted from now on, and nothing is told to stop. Not while work
   /// goes on.
   void start();
+  void start(const WorkLimits& limits);  ///< that are in force from now on
   const WorkLimits& limits() const { return limits_; }
 
   /// Tells all work under this budget to stop, soon, with LimitReached; also what begins later.
@@ -63,7 +64,7 @@ class WorkBudget {
   void require_bytes(std::uint64_t bytes) const;
 
  private:
-  const WorkLimits limits_;
+  WorkLimits limits_;
   std::atomic<bool> stopped_{false};
   std::atomic<std::uint64_t> comparisons_{0};
   std::chrono::steady_clock::time_point started_;

@@ -41,11 +41,12 @@ class PieceGatherer {
   }
   void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
     const bool solid = fill_.kind == FillStyle::Kind::solid;
-    if (solid || line_.kind != LineStyle::Kind::none) {
+    const bool has_lines = line_.kind != LineStyle::Kind::none;
+    if (solid || has_lines) {
       pieces_.points.insert(pieces_.points.end(), vertices.begin(), vertices.end());
       for (std::size_t i = 0; i < sides.size(); ++i) {
         const LineKinds kinds = of_sides_.empty() ? kDrawn : of_sides_[i];
-        pieces_.sides.push_back(sides[i] == op::line ? kinds : LineKinds{0});
+        pieces_.sides.push_back(has_lines && sides[i] == op::line ? kinds : LineKinds{0});
       }
       end_piece(solid ? Kind::solid : Kind::hollow, even_colour(), pick_);
     }

@@ -6,8 +6,8 @@ namespace displayfile {
 /// without costs them no time to start and no memory.
 class SharedLibrary {
  public:
-  /// Loads the library as the system's loader finds it. Throws Error, in the loader's words, if
-  /// there is none.
+  /// Loads the library as the system's loader finds it; a null pointer is what the program is
+  /// linked with. Throws Error, in the loader's words, if there is none.
   explicit SharedLibrary(const char* name);
 
   /// A function of C linkage. Throws Error if the library has none of that name.

@@ -1,70 +1,24 @@
 #include "hidden/parallel.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
-#include <new>
-#include <stdexcept>
-#include <string_view>
 
 #include "clip/work_budget.h"
-
-// ThreadSanitizer does not see into the library, so that it must be told what the library promises:
-// each call comes after all that was done before, and all calls before what is done after. This
-// file is compiled without it.
-#if defined(DISPLAYFILE_SANITIZE_THREADS)
-#include <sanitizer/tsan_interface.h>
-#endif
+#include "hidden/share_out.h"
 
 namespace displayfile {
 
-namespace {
-
-/// One end of the promise: what was done before happens_before(at) is seen after happens_after(at).
-void happens_before([[maybe_unused]] void* at) {
-#if defined(DISPLAYFILE_SANITIZE_THREADS)
-  __tsan_release(at);
-#endif
-}
-
-void happens_after([[maybe_unused]] void* at) {
-#if defined(DISPLAYFILE_SANITIZE_THREADS)
-  __tsan_acquire(at);
-#endif
-}
-
-}  // namespace
-
 int useful_threads(int threads) {
   if (threads <= 1) return 1;  // the thread library is not asked
-  return std::clamp(threads, 1, std::max(1, tbb::this_task_arena::max_concurrency()));
+  return std::clamp(threads, 1, std::max(1, most_threads()));
 }
 
 namespace {
 
-void share_out(int threads, std::size_t count, const std::function<void(std::size_t)>& work) {
+void share_out_if_useful(int threads, std::size_t count,
+                         const std::function<void(std::size_t)>& work) {
   threads = useful_threads(threads);
-  if (threads == 1 || count <= 1) {
-    for (std::size_t k = 0; k < count; ++k) work(k);
-    return;
-  }
-  char begun, ended;
-  happens_before(&begun);
-  try {
-    tbb::task_arena(threads).execute([&] {
-      tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
-        happens_after(&begun);
-        work(k);
-        happens_before(&ended);
-      });
-    });
-  } catch (const std::runtime_error& failure) {
-    // The library's word for a thread that there is no memory for.
-    if (std::string_view(failure.what()).starts_with("pthread_create")) throw std::bad_alloc();
-    throw;
-  }
-  happens_after(&ended);
+  if (threads > 1 && count > 1) return share_out(threads, count, work);
+  for (std::size_t k = 0; k < count; ++k) work(k);
 }
 
 }  // namespace
@@ -72,8 +26,8 @@ void share_out(int threads, std::size_t count, const std::function<void(std::siz
 /// Whoever helps this thread has its budget, which is asked before each call.
 void in_parallel(int threads, std::size_t count, const std::function<void(std::size_t)>& work) {
   const WorkInForce ours = work_in_force();
-  if (ours.budget == nullptr) return share_out(threads, count, work);
-  share_out(threads, count, [&](std::size_t k) {
+  if (ours.budget == nullptr) return share_out_if_useful(threads, count, work);
+  share_out_if_useful(threads, count, [&](std::size_t k) {
     const BudgetInForce in_force(ours);
     ours.budget->ask();
     work(k);

@@ -24,13 +24,17 @@ struct DrawOptions {
   /// Pixels; of a PDF, points. For a picture that is not square, set_aspect_ratio before the first
   /// segment keeps windows from being stretched.
   int width = 512, height = 512;
+  /// Of pixels: only these rows of the picture, the same as they are in the whole of it, as a
+  /// picture of so many. Machines may share a picture so.
+  std::optional<PictureRows> rows = std::nullopt;
   std::optional<HiddenMethod> hidden =
       std::nullopt;  ///< these four in place of what the application set
   std::optional<HiddenScope> scope = std::nullopt;
   std::optional<Precision> precision = std::nullopt;
   std::optional<HiddenLines> hidden_lines = std::nullopt;
   /// The extension of one of picture_formats(), with its dot or without, in place of the file's
-  /// own; if there is neither, it is .png for "-", standard output, and an error for a stream.
+  /// own; if there is neither, it is .png for "-", standard output, or .ppm in a build without
+  /// libpng, and an error for a stream.
   std::string format = {};
   std::string device = "software";        ///< of raster pictures: one of raster_devices()
   int threads = 1;                        ///< at most, 1 or more

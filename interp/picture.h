@@ -35,9 +35,16 @@ struct Picture {
   std::size_t undecided_centres = 0;
 };
 
+/// Rows of a picture from its top, from one up to, but not including, another.
+struct PictureRows {
+  int first, end;
+};
+
 /// What to draw of a display file, and how large.
 struct RasterRequest {
   int width = 512, height = 512;
+  /// Only these rows of it, as a picture of so many; none given: all.
+  std::optional<PictureRows> rows = std::nullopt;
   /// An image-space method (interp/visibility/image_space.h), or `automatic` for the one that is
   /// the cheapest (interp/visibility/auto_method.h): the nearest fill is seen, wherever it stands
   /// in the order; any other: what is drawn last.

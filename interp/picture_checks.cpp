@@ -24,6 +24,11 @@ void require_numbers(const DrawOptions& options) {
   }
   require_vector_options(options.vectors);
   require_picture_size(options.width, options.height);
+  if (const auto& rows = options.rows;
+      rows && (rows->first < 0 || rows->end <= rows->first || rows->end > options.height)) {
+    throw Error(fmt::format("rows {} up to {}: expected some of the picture's {}", rows->first,
+                            rows->end, options.height));
+  }
   const int most = kLargestSide / options.samples;
   if (options.width <= most && options.height <= most) return;
   throw Error(
@@ -118,6 +123,10 @@ void require_drawable(const Destination& to, const DrawOptions& options) {
   if (format.write_vectors != nullptr && &device != &first_device()) {
     throw Error(fmt::format("{}: the {} device draws pixels: expected {}", to.name(),
                             device.choice.name,
+                            names_of_formats(&PictureFormat::is_of_pixels, " or ")));
+  }
+  if (options.rows && format.write_vectors != nullptr) {
+    throw Error(fmt::format("{}: vectors have no rows: expected {}", to.name(),
                             names_of_formats(&PictureFormat::is_of_pixels, " or ")));
   }
   if (!has_background(options) && !format.can_be_transparent()) {

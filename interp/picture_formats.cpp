@@ -30,6 +30,25 @@ constexpr std::array kFormats{
     PictureFormat{{".eps", "vectors, to be placed in print"}, nullptr, nullptr, write_eps, nullptr},
 };
 
+/// Those that are asked for, of a device that draws the whole picture.
+Picture rows_of(Picture picture, const RasterRequest& request) {
+  if (!request.rows) return picture;
+  const auto width = static_cast<std::size_t>(picture.width);
+  const auto keep = [&](auto& values) {
+    if (values.empty()) return;
+    const auto row = [&](int n) {
+      return values.begin() + static_cast<std::ptrdiff_t>(width * static_cast<std::size_t>(n));
+    };
+    values.erase(row(request.rows->end), values.end());
+    values.erase(values.begin(), row(request.rows->first));
+  };
+  keep(picture.pixels);
+  keep(picture.ids);
+  keep(picture.depth);
+  picture.height = request.rows->end - request.rows->first;
+  return picture;
+}
+
 constexpr std::array kDevices{
     RasterDevice{{"software", "by our own scan conversion"},
                  [](const DisplayFile& d, const RasterRequest& r, SoftwareRenderer& kept) {
@@ -40,7 +59,7 @@ constexpr std::array kDevices{
                     const TakeRows& take) { kept.draw(d, r, take); }},
     RasterDevice{{"osmesa", "by OpenGL, to compare with"},
                  [](const DisplayFile& d, const RasterRequest& r, SoftwareRenderer&) {
-                   return draw_with_osmesa(d, r);
+                   return rows_of(draw_with_osmesa(d, r), r);
                  },
                  nullptr},
 };
@@ -85,7 +104,7 @@ const PictureFormat& format_named(const std::string& extension, const std::strin
 
 const PictureFormat& format_of(const Destination& to, const DrawOptions& options) {
   if (!options.format.empty()) return format_named(options.format);
-  if (to.name() == "-") return kFormats.front();
+  if (to.name() == "-") return format_named(kHasPng ? ".png" : ".ppm");
   return format_named(to.extension(), to.name() + ": ");
 }
 

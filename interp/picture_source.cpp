@@ -20,6 +20,7 @@ RasterRequest raster_request(const DrawOptions& options) {
   RasterRequest request;
   request.width = options.width;
   request.height = options.height;
+  request.rows = options.rows;
   request.ids = options.with_ids || !options.ids.empty();
   request.depth = options.with_depth || !options.depth.empty();
   request.background = options.background.value_or(Background{});
@@ -52,10 +53,16 @@ void DisplayFileSource::write_vectors(const PictureFormat& format, const Destina
 
 namespace {
 
+int rows_of(const DrawOptions& options) {
+  return options.rows ? options.rows->end - options.rows->first : options.height;
+}
+
 /// A pixel's samples in place of the pixel: colours only.
 RasterRequest request_of_samples(RasterRequest request, int samples) {
   request.width *= samples;
   request.height *= samples;
+  if (request.rows)
+    request.rows = PictureRows{request.rows->first * samples, request.rows->end * samples};
   request.line_scale *= samples;
   request.ids = request.depth = false;
   return request;
@@ -77,7 +84,7 @@ Picture draw_pixels(const PictureSource& source, const RasterRequest& request,
   Picture picture;
   if (request.ids || request.depth) picture = source.draw(request);
   picture.width = request.width;
-  picture.height = request.height;
+  picture.height = rows_of(options);
   picture.pixels.clear();
   draw_colours(source, request, options, [&](const Picture& rows) {
     picture.pixels.insert(picture.pixels.end(), rows.pixels.begin(), rows.pixels.end());
@@ -100,7 +107,7 @@ TakeRows write_rows(const RowFiles& files) {
 void write_picture(const PictureSource& source, const RasterRequest& request, const Destination& to,
                    const DrawOptions& options) {
   const auto open = [&](auto* row_file, const Destination& path) {
-    return row_file(path, options.width, options.height);
+    return row_file(path, options.width, rows_of(options));
   };
   const PictureFormat& format = format_of(to, options);
   require_drawable_by(request.method, options);

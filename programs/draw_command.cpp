@@ -23,6 +23,7 @@
 #include "programs/input_names.h"
 #include "programs/inputs.h"
 #include "programs/made_folders.h"
+#include "programs/number_range.h"
 #include "programs/option_groups.h"
 #include "programs/output_name.h"
 #include "programs/pick_option.h"
@@ -88,9 +89,10 @@ void DrawCommand::add_output_options(CLI::App& command) {
       ->required()
       ->group(kOutputOptions);
   command
-      .add_option("--format", options.format,
-                  "of the picture, if it is not what its name ends in: " +
-                      names_of(picture_formats()) + "; png on standard output")
+      .add_option(
+          "--format", options.format,
+          "of the picture, if it is not what its name ends in: " + names_of(picture_formats()) +
+              "; png on standard output, or ppm without libpng")
       ->group(kOutputOptions);
   command
       .add_option("--ids", options.ids,
@@ -119,6 +121,16 @@ void DrawCommand::add_picture_options(CLI::App& command) {
                   "of boxes: "
                   "OUT.png becomes OUT-000.png, OUT-001.png, ..., --ids and --depth likewise")
       ->group(kPictureOptions);
+  command
+      .add_option("--views", views,
+                  "FIRST:END: of a turntable's N views only those from FIRST up to END, as all of "
+                  "them are; several machines may share them")
+      ->group(kPictureOptions);
+  command
+      .add_option("--rows", rows,
+                  "FIRST:END: only the picture's rows from FIRST up to END, from the top, as they "
+                  "are in the whole picture; of pixels")
+      ->group(kPictureOptions);
   command.add_option("--device", options.device, listed(raster_devices()))
       ->capture_default_str()
       ->group(kPictureOptions);
@@ -131,6 +143,10 @@ void DrawCommand::add_picture_options(CLI::App& command) {
 DrawOptions DrawCommand::all_options() const {
   DrawOptions all = options;
   size.read(all.width, all.height);
+  if (rows) {
+    const NumberRange range = number_range("--rows", *rows, all.height, "rows");
+    all.rows = PictureRows{range.first, range.end};
+  }
   const HiddenSurfaceOptions sorting = hidden_surfaces.options(options.threads);
   all.hidden = sorting.method;
   all.scope = sorting.scope;
@@ -145,6 +161,17 @@ DrawOptions DrawCommand::all_options() const {
   }
   require_raster_device(options.device);
   return all;
+}
+
+ViewsDrawn DrawCommand::views_drawn() const {
+  if (!turntable) {
+    if (views) throw Error("--views: expected --turntable, of whose views they are");
+    return {};
+  }
+  const int all = turntable_views(*turntable);
+  if (!views) return {all, 0, all};
+  const NumberRange range = number_range("--views", *views, all, "views");
+  return {all, range.first, range.end};
 }
 
 MeshWords DrawCommand::entering() const {
@@ -166,8 +193,8 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
   };
   if (turntable) {
     make_folders();
-    return draw_turntable(drawn, file, drawing, entering(), shading.shading(),
-                          turntable_views(*turntable), stats, left_out);
+    return draw_turntable(drawn, file, drawing, entering(), shading.shading(), views_drawn(), stats,
+                          left_out);
   }
   if (stats) reset_predicate_counts();
   const PictureKind kind = picture_kind(file, drawing);
@@ -272,7 +299,7 @@ int DrawCommand::run() const {
   const DrawOptions drawing = all_options();
   shading.shading();
   hidden_surfaces.line_selection();
-  if (turntable) turntable_views(*turntable);
+  views_drawn();
   if (pick) pick_option(*pick);
   const std::array<std::filesystem::path, 3> files{output, drawing.ids, drawing.depth};
   if (std::ranges::count(files, "-") > 1) {

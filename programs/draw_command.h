@@ -17,6 +17,7 @@
 #include "programs/pick_option.h"
 #include "programs/picture_size.h"
 #include "programs/shading_word.h"
+#include "programs/turntable_command.h"
 #include "programs/vector_words.h"
 
 namespace displayfile {
@@ -40,6 +41,8 @@ struct DrawCommand {
   bool explain = false;                  ///< what `auto` picked, and why
   std::optional<std::string> pick;       ///< where (programs/pick_option.h)
   std::optional<std::string> turntable;  ///< so many views of it (programs/turntable_command.h)
+  std::optional<std::string> views;      ///< which of them
+  std::optional<std::string> rows;       ///< which of the picture
 
   CLI::App& add_to(CLI::App& app);
   int run() const;
@@ -53,6 +56,7 @@ struct DrawCommand {
   void add_picture_options(CLI::App& command);
   DrawOptions all_options() const;
   MeshWords entering() const;
+  ViewsDrawn views_drawn() const;
   /// Draws inputs, and makes the folders of outputs, if any are to be made, when all is read.
   /// Returns what the printed options have to say of it.
   std::string draw_into(std::span<const std::string> drawn, const std::filesystem::path& file,

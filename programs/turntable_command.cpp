@@ -47,10 +47,10 @@ DrawOptions options_of_view(const DrawOptions& options, int number, int views) {
 
 /// Before the long work, and before any file is written.
 void require_all_drawable(const std::filesystem::path& output, const DrawOptions& options,
-                          int views) {
+                          const ViewsDrawn& views) {
   picture_kind(output, options);  // an unknown extension is told with the name as given
-  for (int k = 0; k < views; ++k) {
-    require_drawable(numbered(output, k, views), options_of_view(options, k, views));
+  for (int k = views.first; k < views.end; ++k) {
+    require_drawable(numbered(output, k, views.all), options_of_view(options, k, views.all));
   }
 }
 
@@ -135,7 +135,7 @@ std::filesystem::path numbered(const std::filesystem::path& file, int number, in
 
 std::string draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
                            const DrawOptions& options, const MeshWords& meshes, Shading shading,
-                           int views, bool stats, NotInVectors& left_out) {
+                           const ViewsDrawn& views, bool stats, NotInVectors& left_out) {
   require_views(options);
   for (const auto& file : {output, options.ids, options.depth}) {
     if (file == "-") throw Error("--turntable draws many views: expected a file name, not -");
@@ -157,20 +157,22 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
   Turntable turntable(scene, system.display_file(), system.view());
   const Camera looking = meshes.camera();
   if (fitted) turntable.set_axis(fitted->up);
-  if (fitted && looking.fit && !looking.angle_of_view) turntable.fit_window(views);
+  if (fitted && looking.fit && !looking.angle_of_view) turntable.fit_window(views.all);
   const DrawOptions drawing = with_settings(system, options);
   if (draws_each_anew(drawing) || casts_into_world(drawing)) {
     require_hidden_lines_drawn(*drawing.hidden_lines, *drawing.hidden, drawing);
   }
   const auto draw_all = [&](auto trees, const auto& draw_view) -> std::string {
-    Progress progress(fmt::format("drawing {} views", views));
-    for (int k = 0; k < views; ++k) {
-      const auto [view, lights] = turntable.at(360.0 * k / views);
-      draw_view(trees, view, lights, numbered(output, k, views),
-                options_of_view(drawing, k, views));
-      progress.update(static_cast<std::size_t>(k) + 1, static_cast<std::size_t>(views));
+    const int count = views.end - views.first;
+    Progress progress(fmt::format("drawing {} views", count));
+    for (int k = views.first; k < views.end; ++k) {
+      const auto [view, lights] = turntable.at(360.0 * k / views.all);
+      draw_view(trees, view, lights, numbered(output, k, views.all),
+                options_of_view(drawing, k, views.all));
+      progress.update(static_cast<std::size_t>(k - views.first) + 1,
+                      static_cast<std::size_t>(count));
     }
-    return stats ? statistics(system, trees, views) : "";
+    return stats ? statistics(system, trees, count) : "";
   };
   if (draws_each_anew(drawing)) {
     return draw_all(ViewRenderer(scene, system.display_file()),

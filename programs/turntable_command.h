@@ -14,21 +14,27 @@ namespace displayfile {
 /// The number of views of a turntable. Throws Error for anything but an integer from 1 to 10000.
 int turntable_views(const std::string& text);
 
+/// Which views of a turntable are drawn: of so many, from one up to, but not including, another.
+struct ViewsDrawn {
+  int all = 0, first = 0, end = 0;
+};
+
 /// Draws the inputs turned about the view-up axis through their middle, before a camera and lights
-/// that stay, in `views` views evenly around, all from one BSP tree in world coordinates
+/// that stay, in views evenly around, all from one BSP tree in world coordinates
 /// (hidden/sort/world_tree.md), by rays from one tree of boxes (interp/visibility/ray_cast.md), or
 /// each anew by a method that works in image space or finds lines (interp/view_renderer.h).
 /// What was fitted to a mesh is fitted to all views: the window, or the eye's distance.
 ///
 /// The files are numbered: OUT-000.png, OUT-001.png and so on for OUT.png, and likewise the item
-/// buffers and depths of the options. Each appears whole or not at all, and none if one of them
+/// buffers and depths of the options; a view has the same number, and is the same, if it is drawn
+/// without others. Each appears whole or not at all, and none if one of them
 /// could not be written at the start. Throws Error for a hidden-surface method other than those,
 /// and if the segments were drawn in several views.
 ///
 /// Notes what vectors leave out. Returns the statistics, if they are asked for.
 std::string draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
                            const DrawOptions& options, const MeshWords& meshes, Shading shading,
-                           int views, bool stats, NotInVectors& left_out);
+                           const ViewsDrawn& views, bool stats, NotInVectors& left_out);
 
 /// The name of one of `views` files: with a number of three digits or more before the extension.
 std::filesystem::path numbered(const std::filesystem::path& file, int number, int views);

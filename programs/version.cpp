@@ -7,15 +7,19 @@
 
 namespace displayfile {
 
+/// Names of libraries, empty if all are there.
+constexpr std::string_view kLeftOut = DISPLAYFILE_LEFT_OUT;
+
 std::string version() {
   const std::string assimp =
       import_library_version().value_or("not found: OBJ, OFF, PLY, STL only");
   return fmt::format(
       "displayfile {}\n"
       "import library (Assimp)  {}\n"
-      "OSMesa                   {}",
+      "OSMesa                   {}{}",
       DISPLAYFILE_VERSION, assimp,
-      osmesa_available() ? osmesa_description() : "not found: no --device osmesa");
+      osmesa_available() ? osmesa_description() : "not found: no --device osmesa",
+      kLeftOut.empty() ? "" : fmt::format("\nbuilt without            {}", kLeftOut));
 }
 
 }  // namespace displayfile

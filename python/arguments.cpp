@@ -22,17 +22,6 @@ namespace {
   throw Error(fmt::format("{}: expected {}, not {}", what, expected, type_name(value)));
 }
 
-/// A number of NumPy's is turned into Python's.
-py::object plain(py::handle value) {
-  if (PyFloat_Check(value.ptr()) || PyLong_Check(value.ptr()) || PyUnicode_Check(value.ptr()) ||
-      !py::hasattr(value, "dtype") || !py::hasattr(value, "item")) {
-    return py::reinterpret_borrow<py::object>(value);
-  }
-  const py::object dimensions = py::getattr(value, "ndim", py::int_(0));
-  if (!dimensions.equal(py::int_(0))) return py::reinterpret_borrow<py::object>(value);
-  return value.attr("item")();
-}
-
 /// Decimal, Fraction and other numbers are what float() makes of them.
 bool is_real(py::handle value) {
   return PyFloat_Check(value.ptr()) || PyLong_Check(value.ptr()) ||
@@ -50,6 +39,16 @@ double real(py::handle value, std::string_view what) {
 }
 
 }  // namespace
+
+py::object plain(py::handle value) {
+  if (PyFloat_Check(value.ptr()) || PyLong_Check(value.ptr()) || PyUnicode_Check(value.ptr()) ||
+      !py::hasattr(value, "dtype") || !py::hasattr(value, "item")) {
+    return py::reinterpret_borrow<py::object>(value);
+  }
+  const py::object dimensions = py::getattr(value, "ndim", py::int_(0));
+  if (!dimensions.equal(py::int_(0))) return py::reinterpret_borrow<py::object>(value);
+  return value.attr("item")();
+}
 
 double number_in(py::handle value, std::string_view what) {
   const py::object number = plain(value);
@@ -82,6 +81,21 @@ std::string word_in(py::handle value, std::string_view what) {
     throw Error(fmt::format("{}: a string that is not Unicode: it has lone surrogates", what));
   }
   return {characters, static_cast<std::size_t>(length)};
+}
+
+std::string path_in(py::handle value, std::string_view what) {
+  PyObject* bytes = nullptr;
+  if (PyUnicode_FSConverter(value.ptr(), &bytes) != 0) {
+    return py::reinterpret_steal<py::bytes>(bytes);
+  }
+  const bool is_type = PyErr_ExceptionMatches(PyExc_TypeError) != 0;
+  if (!is_type && PyErr_ExceptionMatches(PyExc_ValueError) == 0) throw py::error_already_set();
+  PyErr_Clear();
+  if (is_type) refuse(value, what, "a path");
+  throw Error(
+      fmt::format("{}: expected a path without null characters, in the file system's "
+                  "encoding",
+                  what));
 }
 
 bool switch_in(py::handle value, std::string_view what) {

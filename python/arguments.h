@@ -11,12 +11,17 @@
 
 namespace displayfile::python {
 
+/// NumPy's numbers as Python's; anything else as it is.
+pybind11::object plain(pybind11::handle value);
+
 // What Python programs hand over, read with an Error for what is of another type. `what` names it
 // in messages.
 
 double number_in(pybind11::handle value, std::string_view what);  ///< finite
 int whole_number_in(pybind11::handle value, std::string_view what);
 std::string word_in(pybind11::handle value, std::string_view what);
+/// A string, bytes or what has __fspath__, as the file system has it.
+std::string path_in(pybind11::handle value, std::string_view what);
 bool switch_in(pybind11::handle value, std::string_view what);  ///< True, False, "on" or "off"
 
 /// The same where None stands for what is not said.

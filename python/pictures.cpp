@@ -48,6 +48,14 @@ Background background_in(py::handle value) {
   return {Background::Kind::solid, {colour[0], colour[1], colour[2]}};
 }
 
+PictureRows rows_in(py::handle value) {
+  const std::vector<std::int32_t> rows = whole_numbers_in(value, "rows");
+  if (rows.size() != 2) {
+    throw Error(fmt::format("rows: expected the first and the end, not {} numbers", rows.size()));
+  }
+  return {rows[0], rows[1]};
+}
+
 Seams seams_in(std::string_view word) {
   if (word == "trapped") return Seams::trapped;
   if (word == "butted") return Seams::butted;
@@ -69,6 +77,7 @@ const std::map<std::string_view, Read>& readers() {
       {"precision",
        [](py::handle v, DrawOptions& o) { o.precision = precision(word_in(v, "precision")); }},
       {"background", [](py::handle v, DrawOptions& o) { o.background = background_in(v); }},
+      {"rows", [](py::handle v, DrawOptions& o) { o.rows = rows_in(v); }},
       {"samples", [](py::handle v, DrawOptions& o) { o.samples = whole_number_in(v, "samples"); }},
       {"threads",
        [](py::handle v, DrawOptions& o) {
@@ -99,12 +108,13 @@ const std::map<std::string_view, Read>& readers() {
 }
 
 void read_size(py::handle size, DrawOptions& options) {
-  const bool is_pair = PySequence_Check(size.ptr()) != 0 && PyUnicode_Check(size.ptr()) == 0;
+  const py::object given = plain(size);
+  const bool is_pair = PySequence_Check(given.ptr()) != 0 && PyUnicode_Check(given.ptr()) == 0;
   if (!is_pair) {
-    options.width = options.height = whole_number_in(size, "size");
+    options.width = options.height = whole_number_in(given, "size");
     return;
   }
-  const auto pair = py::reinterpret_borrow<py::sequence>(size);
+  const auto pair = py::reinterpret_borrow<py::sequence>(given);
   if (py::len(pair) != 2) {
     throw Error(
         fmt::format("size: expected a number, or width and height, not {} numbers", py::len(pair)));
@@ -180,9 +190,9 @@ py::object draw_as(System& self, py::handle format, py::handle size, const py::k
   return py::bytes(bytes);
 }
 
-void save(System& self, const std::string& path, py::handle format, py::handle size,
-          const py::kwargs& said) {
+void save(System& self, py::handle to, py::handle format, py::handle size, const py::kwargs& said) {
   DrawOptions options = draw_options_in(size, said);
+  const std::string path = path_in(to, "path");
   if (!format.is_none()) options.format = word_in(format, "format");
   self.work(
       [&](GraphicsSystem& system, Renderer& renderer) { renderer.draw(system, path, options); });
@@ -202,25 +212,26 @@ py::object pick(System& self, py::handle x, py::handle y, py::handle reach, py::
                         picked->depth);
 }
 
-/// The display file as the method leaves it; as it was entered if none is said.
-template <class Use>
-auto sorted_file(System& self, const DrawOptions& options, const Use& use) {
-  return self.work([&](GraphicsSystem& system, Renderer&) {
-    if (!options.hidden) return use(system.display_file());
-    SortedDisplayFile sorted;
-    const HiddenMethod method = drawing_method(system, options, PictureKind::vector);
-    return use(sorted.update(system, method, hidden_surface_options(options)));
-  });
-}
-
 py::tuple pieces(System& self, const py::kwargs& said) {
   const DrawOptions options = draw_options_in(py::int_(1), said);
-  return arrays_of(sorted_file(self, options, drawn_pieces));
+  return arrays_of(self.work([&](GraphicsSystem& system, Renderer&) {
+    SortedDisplayFile sorted;
+    const HiddenMethod method = drawing_method(system, options, PictureKind::vector);
+    return drawn_pieces(sorted.update(system, method, hidden_surface_options(options)));
+  }));
 }
 
 std::string dump_of(System& self, const py::kwargs& said) {
-  const DrawOptions options = draw_options_in(py::int_(1), said);
-  return sorted_file(self, options, [](const DisplayFile& file) { return dump(file); });
+  const HiddenSurfaceOptions options = hidden_surface_options(draw_options_in(py::int_(1), said));
+  return self.work([&](GraphicsSystem& system, Renderer&) {
+    const HiddenMethod method = method_in_force(system, options);
+    require_hidden_lines_found(hidden_lines_in_force(system, options), method);
+    SortedDisplayFile sorted;
+    const DisplayFile& file = sorted.update(system, method, options);
+    if (!is_colour_rule(method)) return dump(file);
+    require_colour_of_fills(method, system.background());
+    return dump(file, system.background().colour);
+  });
 }
 
 }  // namespace

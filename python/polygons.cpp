@@ -172,7 +172,8 @@ py::tuple pieces_of(py::handle polygons, py::handle sides, py::handle method, py
   if (!points.empty()) {
     pieces = without_interpreter([&] {
       DevicePolygons device;
-      enter(given, points, lines_alone && !has_segments, selection, device);
+      const bool sides_drawn = by != HiddenMethod::map && !(lines_alone && has_segments);
+      enter(given, points, sides_drawn, selection, device);
       SortedDisplayFile sorted;
       DrawnPieces drawn = drawn_pieces(sorted.update(device.system, by, options));
       if (whole) join_pieces(given.sides, device.points, drawn);

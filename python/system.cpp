@@ -333,14 +333,16 @@ void replay_text(System& self, py::handle text, py::handle name) {
   });
 }
 
-void replay_path(System& self, const std::string& path) {
+void replay_path(System& self, py::handle file) {
+  const std::string path = path_in(file, "path");
   self.work([&](GraphicsSystem& system, Renderer&) {
     placing_errors([&] { replay_file(path, system); });
   });
 }
 
 /// What of the mesh is not drawn, a sentence each.
-std::vector<std::string> import_path(System& self, const std::string& path, py::handle colour) {
+std::vector<std::string> import_path(System& self, py::handle file, py::handle colour) {
+  const std::string path = path_in(file, "path");
   MeshOptions options;
   if (!colour.is_none()) options.colour = one_fill_in(colour).front().colour;
   const Mesh::Skipped skipped = self.work([&](GraphicsSystem& system, Renderer&) {
@@ -367,7 +369,7 @@ SystemClass add_system(py::module_& module) {
   system.def("_surface", surface);
   system.def("_replay", replay_text);
   system.def("_replay_file", replay_path);
-  system.def("_import_mesh", [](System& self, const std::string& path, py::handle colour) {
+  system.def("_import_mesh", [](System& self, py::handle path, py::handle colour) {
     py::list left_out;
     for (const std::string& sentence : import_path(self, path, colour)) left_out.append(sentence);
     return left_out;

@@ -330,6 +330,37 @@ TEST_F(Command, CastsRaysBeforeViewing) {
   expect_error("draw image.draw -o i.png --hidden world-ray-cast", "image transformation");
 }
 
+/// Machines that draw some views, or some rows, each draw what one draws.
+TEST_F(Command, SomeViewsAndSomeRowsAreThoseOfAll) {
+  write("a.draw",
+        "set-perspective 0 0 5\nopen-segment 1\n"
+        "polygon-abs-3 -0.5 -0.5 0  0.5 -0.5 0.3  0 0.5 0\n"
+        "polygon-abs-3 -0.5 0.5 0.2  0.5 0.5 0  0 -0.5 0.1\nclose-segment\n");
+  ASSERT_EQ(run("draw a.draw -o all.png --turntable 7 --size 30x30"), 0) << err_;
+  ASSERT_EQ(run("draw a.draw -o some.png --turntable 7 --views 0:3 --size 30x30"), 0) << err_;
+  ASSERT_EQ(run("draw a.draw -o some.png --turntable 7 --views 3:7 --size 30x30"), 0) << err_;
+  for (int k = 0; k < 7; ++k) {
+    const std::string number = "-00" + std::to_string(k) + ".png";
+    EXPECT_TRUE(read(folder_ / ("all" + number)) == read(folder_ / ("some" + number))) << k;
+  }
+  ASSERT_EQ(run("draw a.draw -o whole.ppm --size 30x30"), 0) << err_;
+  std::string parts = "P6\n30 30\n255\n";
+  for (const std::string rows : {"0:11", "11:30"}) {
+    ASSERT_EQ(run("draw a.draw -o part.ppm --size 30x30 --rows " + rows), 0) << err_;
+    const std::string part = read(folder_ / "part.ppm");
+    parts += part.substr(part.find("255\n") + 4);
+  }
+  EXPECT_TRUE(read(folder_ / "whole.ppm") == parts);
+  for (const std::string rows :
+       {"", "3", "3:", ":3", "3:3", "5:2", "0:31", "-1:3", "0:3x", "a:b"}) {
+    expect_error("draw a.draw -o b.png --size 30x30 --rows '" + rows + "'", "expected FIRST:END");
+    expect_error("draw a.draw -o b.png --turntable 30 --views '" + rows + "'",
+                 "expected FIRST:END");
+  }
+  expect_error("draw a.draw -o b.svg --rows 0:3", "vectors have no rows");
+  expect_error("draw a.draw -o b.png --views 0:3", "expected --turntable");
+}
+
 TEST_F(Command, TurntableRefuses) {
   write("t.draw", kTriangle);
   for (const char* views :

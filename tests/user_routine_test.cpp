@@ -73,7 +73,8 @@ TEST(UserRoutines, WrongCallsAreErrorsThatNameThem) {
   expect_error(call("move-abs-3", "0 0 x"), "move-abs-3: expected a number, not 'x'");
   expect_error(call("move-abs-3", "0 0 nan"), "move-abs-3: expected a finite number");
   expect_error(call("move-abs-3", "0 0 1e999"), "out of range of a double");
-  expect_error(call("polygon-abs3", "0 0 0"), "unknown routine 'polygon-abs3': did you mean 'polygon-abs-3'?");
+  expect_error(call("polygon-abs3", "0 0 0"),
+               "unknown routine 'polygon-abs3': did you mean 'polygon-abs-3'?");
   expect_error(call("", ""), "unknown routine ''");
   expect_error(call("#", ""), "unknown routine '#'");
   expect_error(call("move-abs-3 0 0 0", ""), "unknown routine 'move-abs-3 0 0 0'");

@@ -1,4 +1,4 @@
-// Where CGAL was not there when this was built: solids are not combined.
+// A build without CGAL: solids are not combined.
 
 #include "clip/error.h"
 #include "displayfile/solids/exact_solid.h"
@@ -9,8 +9,8 @@ namespace {
 
 [[noreturn]] void say_so() {
   throw Error(
-      "combining solids needs CGAL, which was not there when this was built: install it (Debian: "
-      "libcgal-dev) and build again");
+      "combining solids needs CGAL, which this build was made without: install it (Debian: "
+      "libcgal-dev) and GMP, and build again");
 }
 
 }  // namespace

@@ -1,15 +1,17 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 
 namespace displayfile {
 
 /// An integer times a power of two, of any size: every finite double is one, and sums,
-/// differences and products of them are exact. The exact stage of the predicates; the digits
-/// are handled by GMP's low-level functions, in place while they are few, so that no memory
-/// is allocated for coordinates of ordinary size.
+/// differences and products of them are exact. The exact stage of the predicates. The digits
+/// are kept in place while they are few, so that no memory is allocated for coordinates of
+/// ordinary size, and are handled by GMP's low-level functions (exact_digits_gmp.cpp) or, in a
+/// build without GMP, by Boost.Multiprecision's integers (exact_digits_boost.cpp).
 class ExactNumber {
  public:
   ExactNumber() = default;
@@ -49,7 +51,16 @@ class ExactNumber {
  private:
   static constexpr int kInPlace = 20;  ///< limbs: 1280 bits
 
+  /// A whole quotient, times 2^exponent, of 62 digits or more; the last digit is 1 too if the
+  /// division leaves a rest.
+  struct Quotient {
+    std::uint64_t digits;
+    std::int64_t exponent;
+  };
+
   static ExactNumber sum(const ExactNumber& a, const ExactNumber& b, int sign_of_b);
+  /// That of the magnitudes; neither is zero.
+  static Quotient quotient(const ExactNumber& a, const ExactNumber& b);
   std::uint64_t* reserve(int limbs);
   const std::uint64_t* limbs() const { return large_ ? large_.get() : in_place_.data(); }
   std::uint64_t* limbs() { return large_ ? large_.get() : in_place_.data(); }
@@ -63,5 +74,20 @@ class ExactNumber {
   std::array<std::uint64_t, kInPlace> in_place_;  ///< least significant first
   std::unique_ptr<std::uint64_t[]> large_;        ///< instead, where more are needed
 };
+
+inline std::uint64_t* ExactNumber::reserve(int limbs_needed) {
+  large_.reset();
+  if (limbs_needed > kInPlace) {
+    large_ =
+        std::make_unique_for_overwrite<std::uint64_t[]>(static_cast<std::size_t>(limbs_needed));
+  }
+  return limbs();
+}
+
+inline void ExactNumber::drop_leading_zeros() {
+  const std::uint64_t* p = limbs();
+  while (count_ > 0 && p[count_ - 1] == 0) --count_;
+  if (count_ == 0) sign_ = 0;
+}
 
 }  // namespace displayfile

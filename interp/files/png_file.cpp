@@ -174,6 +174,8 @@ void PngRowFile::finish() {
 
 }  // namespace
 
+const bool kHasPng = true;
+
 std::unique_ptr<RowFile> png_row_file(const Destination& to, int width, int height) {
   return std::make_unique<PngRowFile>(to, width, height, Alpha::none);
 }

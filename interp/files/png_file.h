@@ -9,6 +9,9 @@
 
 namespace displayfile {
 
+/// False in a build without libpng: what follows throws Error then, and says so.
+extern const bool kHasPng;
+
 /// Whether a file of pixels has alpha.
 enum class Alpha { none, stored };
 

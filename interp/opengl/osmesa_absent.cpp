@@ -5,10 +5,10 @@ namespace displayfile {
 
 namespace {
 
-[[noreturn]] void refuse() {
+[[noreturn]] void refuse_osmesa() {
   throw Error(
-      "this build has no OSMesa: GL/osmesa.h was not found when it was configured (Mesa 25.1 and "
-      "later have none); draw with the software device");
+      "this build has no OSMesa: it was left out, or GL/osmesa.h was not found, when it was "
+      "configured (Mesa 25.1 and later have none); draw with the software device");
 }
 
 }  // namespace
@@ -19,13 +19,13 @@ bool osmesa_available() { return false; }
 
 std::string osmesa_description(int) { return "none: this build has no OSMesa"; }
 
-Picture draw_with_osmesa(const DisplayFile&, const RasterRequest&, int) { refuse(); }
+Picture draw_with_osmesa(const DisplayFile&, const RasterRequest&, int) { refuse_osmesa(); }
 
-OsmesaScene::OsmesaScene(const DisplayFile&, const RasterRequest&, int) { refuse(); }
+OsmesaScene::OsmesaScene(const DisplayFile&, const RasterRequest&, int) { refuse_osmesa(); }
 OsmesaScene::~OsmesaScene() = default;
-void OsmesaScene::draw() { refuse(); }
-Picture OsmesaScene::picture() { refuse(); }
-std::size_t OsmesaScene::triangles() const { refuse(); }
-int OsmesaScene::depth_bits() const { refuse(); }
+void OsmesaScene::draw() { refuse_osmesa(); }
+Picture OsmesaScene::picture() { refuse_osmesa(); }
+std::size_t OsmesaScene::triangles() const { refuse_osmesa(); }
+int OsmesaScene::depth_bits() const { refuse_osmesa(); }
 
 }  // namespace displayfile

@@ -60,7 +60,7 @@ bool is_convex(std::span<const Point3> vertices, std::vector<Point2>& distinct) 
 
 /// A line of some width, in pixels. Its major axis is the one along which it is longer; u (x of
 /// a and b) is the coordinate along that axis and v (their y) the other one.
-struct Stroke {
+struct WideLine {
   Point2 a, b;
   bool steep;
   double width, height, limit;  ///< of the picture; limit along the major axis
@@ -70,8 +70,8 @@ struct Stroke {
 
   /// Depth follows the plane, or the line where that is null, but leaves the line's own depth
   /// by no more than z_slack: beyond a polygon seen nearly edge-on its plane is anywhere.
-  Stroke(const Point3& from, const Point3& to, double line_width, const DepthPlane* its_plane,
-         double slack, double picture_width, double picture_height)
+  WideLine(const Point3& from, const Point3& to, double line_width, const DepthPlane* its_plane,
+           double slack, double picture_width, double picture_height)
       : a(from.x * picture_width, from.y * picture_height),
         b(to.x * picture_width, to.y * picture_height),
         steep(std::abs(b.y - a.y) > std::abs(b.x - a.x)),
@@ -184,7 +184,7 @@ class TriangleCollector final : public OutputDevice {
   /// dash, so a long line costs no more than one across it.
   void stroke(const Point3& from, const Point3& to, const LineStyle& style, const DepthPlane* plane,
               double z_slack, DashPhase& phase) {
-    const Stroke line(from, to, style.width, plane, z_slack, width_, height_);
+    const WideLine line(from, to, style.width, plane, z_slack, width_, height_);
     const double before = phase.length;
     phase.length += line.length;
     const double first = std::max(std::floor(std::min(line.low(), line.limit - 0.5)), -1.0);

@@ -150,6 +150,12 @@ bool has_lines(const SortedScene& sorted) {
                              [](const auto& part) { return part->scene->has_lines(); });
 }
 
+/// The renderer counts rows from the bottom.
+RowRange rows_asked_for(const RasterRequest& request) {
+  const PictureRows rows = request.rows.value_or(PictureRows{0, request.height});
+  return {request.height - rows.end, request.height - rows.first};
+}
+
 Precision precision_of(const RasterRequest& request) {
   return request.roundoff ? Precision{false, *request.roundoff} : Precision{};
 }
@@ -393,7 +399,7 @@ void SoftwareRenderer::draw_lines_by_depth(const RasterRequest& request, const R
 }
 
 const Picture& SoftwareRenderer::draw(const Drawn& drawn, const RasterRequest& request) {
-  draw_rows(drawn, request, {0, request.height});
+  draw_rows(drawn, request, rows_asked_for(request));
   return picture_;
 }
 
@@ -404,9 +410,10 @@ void SoftwareRenderer::draw(const Drawn& drawn, const RasterRequest& request,
   const int bands =
       std::max(useful_threads(request.threads), kPixelsAtATime / request.width / band);
   const int rows = std::min(band * bands, request.height);
-  for (int end = request.height; end > 0;) {
+  const RowRange all = rows_asked_for(request);
+  for (int end = all.end; end > all.begin;) {
     ask_budget();
-    const int begin = (end - 1) / rows * rows;
+    const int begin = std::max((end - 1) / rows * rows, all.begin);
     draw_rows(drawn, request, {begin, end});
     take(picture_);
     end = begin;

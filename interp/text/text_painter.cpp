@@ -22,8 +22,8 @@ struct Tile {
   int height() const { return bottom - top; }
 };
 
-constexpr int kLargestTile = 4096;  // along a side: Cairo's pictures have a limit
-constexpr double kMargin = 2.0;     // that antialiasing may reach beyond the letters
+constexpr int kLargestTile = 4096;        // along a side: Cairo's pictures have a limit
+constexpr double kMarginOfLetters = 2.0;  // that antialiasing may reach beyond the letters
 
 /// How much of each pixel of a tile letters cover, 0 to 255.
 class LetterCoverage {
@@ -77,10 +77,10 @@ class TextPainter {
       return static_cast<int>(std::clamp(v, static_cast<double>(low), static_cast<double>(high)));
     };
     if (!(ink.x_min < ink.x_max && ink.y_min < ink.y_max)) return;  // blanks, or far off
-    const int left = bounded(std::floor(ink.x_min - kMargin), held_.left, held_.right);
-    const int right = bounded(std::ceil(ink.x_max + kMargin), held_.left, held_.right);
-    const int top = bounded(std::floor(ink.y_min - kMargin), held_.top, held_.bottom);
-    const int bottom = bounded(std::ceil(ink.y_max + kMargin), held_.top, held_.bottom);
+    const int left = bounded(std::floor(ink.x_min - kMarginOfLetters), held_.left, held_.right);
+    const int right = bounded(std::ceil(ink.x_max + kMarginOfLetters), held_.left, held_.right);
+    const int top = bounded(std::floor(ink.y_min - kMarginOfLetters), held_.top, held_.bottom);
+    const int bottom = bounded(std::ceil(ink.y_max + kMarginOfLetters), held_.top, held_.bottom);
     for (int y = top; y < bottom; y += kLargestTile) {
       for (int x = left; x < right; x += kLargestTile) {
         paint(text, {x, y, std::min(x + kLargestTile, right), std::min(y + kLargestTile, bottom)});

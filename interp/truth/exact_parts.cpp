@@ -7,8 +7,8 @@ namespace displayfile {
 
 Fraction quotient(Integer dividend, Integer divisor) {
   if (divisor < 0) {
-    mpz_neg(dividend.get_mpz_t(), dividend.get_mpz_t());
-    mpz_neg(divisor.get_mpz_t(), divisor.get_mpz_t());
+    dividend = -dividend;
+    divisor = -divisor;
   }
   return {std::move(dividend), std::move(divisor)};
 }

@@ -10,7 +10,7 @@ namespace displayfile {
 
 namespace {
 
-mp_bitcnt_t bits(int places) { return static_cast<mp_bitcnt_t>(places); }
+std::size_t bits(int places) { return static_cast<std::size_t>(places); }
 
 /// The binary places that all of the doubles need.
 int common_places(std::span<const double> values) {
@@ -21,7 +21,7 @@ int common_places(std::span<const double> values) {
 
 /// Takes away what the numbers have in common of powers of two: they stay short.
 void shorten(std::initializer_list<Integer*> numbers) {
-  mp_bitcnt_t common = trailing_zeros(Integer(0));
+  std::size_t common = trailing_zeros(Integer(0));
   for (const Integer* n : numbers) common = std::min(common, trailing_zeros(*n));
   if (common == 0 || common == trailing_zeros(Integer(0))) return;
   for (Integer* n : numbers) *n >>= common;
@@ -178,12 +178,10 @@ bool ExactView::faces_viewer(std::span<const Vertex> polygon) {
     any_right |= turn < 0;
   }
   if (!any_left || !any_right) return any_left;
-  mpq_class sum;
+  Rational sum;
   for (std::size_t i = 2; i < polygon.size(); ++i) {
-    mpq_class area(doubled_area(polygon[0], polygon[i - 1], polygon[i]),
-                   polygon[i - 1].w * polygon[i].w);
-    area.canonicalize();
-    sum += area;
+    sum += ratio(doubled_area(polygon[0], polygon[i - 1], polygon[i]),
+                 polygon[i - 1].w * polygon[i].w);
   }
   return sum > 0;
 }

@@ -120,7 +120,7 @@ std::optional<LineHiders::DepthPlane> LineHiders::plane(std::uint32_t item) cons
 
 /// The nearest double.
 double LineHiders::depth(const Integer& over, const Integer& under) const {
-  return Division().nearest_double(over, Integer(under << static_cast<mp_bitcnt_t>(depth_places_)));
+  return Division().nearest_double(over, Integer(under << static_cast<std::size_t>(depth_places_)));
 }
 
 /// A triangle's plane is nearest at a vertex. A polygon of more sides counts as moved on to it.
@@ -302,7 +302,7 @@ ExactLine LineHiders::between(const FlatLine& line, const ExactPart& part,
   found.y1 = along(line.b, line.ahead_y, to) * from.under;
   const EndDepths depth = depths(found, plane);
   const auto place = [&](const Integer& at) {
-    const Integer unit = found.scale << static_cast<mp_bitcnt_t>(places_);
+    const Integer unit = found.scale << static_cast<std::size_t>(places_);
     return Division().nearest_double(at, unit);
   };
   found.start = {place(found.x0), place(found.y0), this->depth(depth.from, depth.under)};

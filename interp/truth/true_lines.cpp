@@ -229,7 +229,7 @@ class RandomPlaces {
 
 Fraction fraction(double value) {
   const int places = binary_places(value);
-  return {scaled(value, places), Integer(1) << static_cast<mp_bitcnt_t>(places)};
+  return {scaled(value, places), Integer(1) << static_cast<std::size_t>(places)};
 }
 
 bool contains(const std::vector<Part>& parts, double t) {

@@ -62,7 +62,7 @@ ExactDepth::ExactDepth(const TruePoint& p, const TruePoint& q, const TruePoint& 
   right_ = 2 * minus_a;
   up_ = 2 * minus_b;
   divisor_ *= 2;
-  const mp_bitcnt_t common = std::min({trailing_zeros(origin_), trailing_zeros(right_),
+  const std::size_t common = std::min({trailing_zeros(origin_), trailing_zeros(right_),
                                        trailing_zeros(up_), trailing_zeros(divisor_)});
   const bool turned = divisor_ < 0;
   for (Integer* n : {&origin_, &right_, &up_, &divisor_}) {
@@ -137,7 +137,7 @@ TruePicture::TruePicture(int width, int height)
 TruePoint TruePicture::point(const Point3& p) const {
   const int places = std::max({binary_places(p.x), binary_places(p.y), binary_places(p.z)});
   return {scaled(p.x, places) * width_, scaled(p.y, places) * height_, scaled(p.z, places),
-          Integer(1) << static_cast<mp_bitcnt_t>(places)};
+          Integer(1) << static_cast<std::size_t>(places)};
 }
 
 void TruePicture::enter(std::span<const TruePoint> polygon, const Support& support,

@@ -39,8 +39,8 @@ class ExactDepth {
   const Integer& right() const { return right_; }
   void numerator(int column, int row, Integer& to) const {
     to = origin_;
-    mpz_addmul_ui(to.get_mpz_t(), right_.get_mpz_t(), static_cast<unsigned long>(column));
-    mpz_addmul_ui(to.get_mpz_t(), up_.get_mpz_t(), static_cast<unsigned long>(row));
+    add_product(to, right_, static_cast<unsigned>(column));
+    add_product(to, up_, static_cast<unsigned>(row));
   }
 
  private:

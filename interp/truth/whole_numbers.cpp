@@ -29,42 +29,38 @@ Integer scaled(double value, int places) {
   Integer digits(std::ldexp(fraction, kMantissaBits));
   const int shift = exponent - kMantissaBits + places;
   if (shift >= 0) {
-    digits <<= static_cast<mp_bitcnt_t>(shift);
+    digits <<= static_cast<std::size_t>(shift);
   } else {
-    digits >>= static_cast<mp_bitcnt_t>(-shift);  // zeros
+    digits >>= static_cast<std::size_t>(-shift);  // zeros
   }
   return digits;
 }
 
-mp_bitcnt_t trailing_zeros(const Integer& n) {
-  return n == 0 ? std::numeric_limits<mp_bitcnt_t>::max() : mpz_scan1(n.get_mpz_t(), 0);
+std::size_t trailing_zeros(const Integer& n) {
+  return n == 0 ? std::numeric_limits<std::size_t>::max() : zeros_at_end(n);
 }
 
 int Division::ceiling(const Integer& a, const Integer& b, int most) {
-  mpz_cdiv_q(quotient_.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
+  divide_up(a, b, quotient_);
   if (quotient_ <= 0) return 0;
-  return quotient_ >= most ? most : static_cast<int>(quotient_.get_si());
+  return quotient_ >= most ? most : static_cast<int>(magnitude(quotient_));
 }
 
 double Division::nearest_double(const Integer& a, const Integer& b) {
   constexpr int kLeastPlaces = 1074;  // of the smallest double's digit
-  const auto bits = [](const Integer& n) {
-    return static_cast<int>(mpz_sizeinbase(n.get_mpz_t(), 2));
-  };
   if (a == 0) return 0.0;
   // |a / b| 2^places has 62 or 63 binary digits before the point, or, if a double does not
   // reach as far, two digits more than it does.
-  const int places = std::min(62 - bits(a) + bits(b), kLeastPlaces + 2);
+  const int places = std::min(62 - digits_of(a) + digits_of(b), kLeastPlaces + 2);
   if (places >= 0) {
-    mpz_mul_2exp(shifted_.get_mpz_t(), a.get_mpz_t(), static_cast<mp_bitcnt_t>(places));
-    mpz_tdiv_qr(quotient_.get_mpz_t(), rest_.get_mpz_t(), shifted_.get_mpz_t(), b.get_mpz_t());
+    set_shifted_left(shifted_, a, static_cast<std::size_t>(places));
+    divide(shifted_, b, quotient_, rest_);
   } else {
-    mpz_mul_2exp(shifted_.get_mpz_t(), b.get_mpz_t(), static_cast<mp_bitcnt_t>(-places));
-    mpz_tdiv_qr(quotient_.get_mpz_t(), rest_.get_mpz_t(), a.get_mpz_t(), shifted_.get_mpz_t());
+    set_shifted_left(shifted_, b, static_cast<std::size_t>(-places));
+    divide(a, shifted_, quotient_, rest_);
   }
   // The last digit says whether anything follows it.
-  std::uint64_t digits = 0;
-  mpz_export(&digits, nullptr, -1, sizeof digits, 0, 0, quotient_.get_mpz_t());
+  std::uint64_t digits = magnitude(quotient_);
   if (rest_ != 0) digits |= 1;
   const int dropped =
       std::max(static_cast<int>(std::bit_width(digits)) - kMantissaBits, places - kLeastPlaces);
@@ -72,8 +68,8 @@ double Division::nearest_double(const Integer& a, const Integer& b) {
   const std::uint64_t half = std::uint64_t{1} << (dropped - 1);
   std::uint64_t kept = digits >> dropped;
   if (cut > half || (cut == half && kept % 2 == 1)) ++kept;
-  const double magnitude = std::ldexp(static_cast<double>(kept), dropped - places);
-  return a < 0 ? -magnitude : magnitude;
+  const double size = std::ldexp(static_cast<double>(kept), dropped - places);
+  return a < 0 ? -size : size;
 }
 
 }  // namespace displayfile

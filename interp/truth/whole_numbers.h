@@ -1,13 +1,13 @@
 #pragma once
 
-#include <gmpxx.h>
+#include <cstddef>
+
+#include "interp/truth/integer.h"  // one of integer_*.h, which the build chooses
 
 namespace displayfile {
 
 // Doubles as whole numbers of any length, and quotients of these, for the truth alone: no method
 // uses them.
-
-using Integer = mpz_class;
 
 /// How many binary digits the double, which is finite, has after its point.
 int binary_places(double value);
@@ -16,7 +16,7 @@ int binary_places(double value);
 Integer scaled(double value, int places);
 
 /// How many binary zeros the number ends with; the largest there is for 0.
-mp_bitcnt_t trailing_zeros(const Integer& n);
+std::size_t trailing_zeros(const Integer& n);
 
 /// Quotients of whole numbers, with memory of their own.
 class Division {

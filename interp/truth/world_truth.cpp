@@ -24,31 +24,26 @@ using Indices = std::array<std::size_t, 3>;
 /// The definition's choice with distances that are not rounded. The first vertex is at p.
 Indices exact_support_of(std::span<const TruePoint> polygon) {
   struct Place {
-    mpq_class x, y;
+    Rational x, y;
   };
   std::vector<Place> from_p;
-  for (const TruePoint& v : polygon) {
-    mpq_class x(v.x, v.w), y(v.y, v.w);
-    x.canonicalize();
-    y.canonicalize();
-    from_p.push_back({x, y});
-  }
+  for (const TruePoint& v : polygon) from_p.push_back({ratio(v.x, v.w), ratio(v.y, v.w)});
   const Place p = from_p[0];
   for (Place& v : from_p) v = {v.x - p.x, v.y - p.y};
   const auto farthest = [&](auto&& value) {
     std::size_t best = 0;
-    mpq_class largest = 0;
+    Rational largest = 0;
     for (std::size_t i = 1; i < from_p.size(); ++i) {
-      const mpq_class here = value(from_p[i]);
+      const Rational here = value(from_p[i]);
       if (here <= largest) continue;
       largest = here;
       best = i;
     }
     return best;
   };
-  const std::size_t q = farthest([](const Place& v) -> mpq_class { return v.x * v.x + v.y * v.y; });
+  const std::size_t q = farthest([](const Place& v) -> Rational { return v.x * v.x + v.y * v.y; });
   const std::size_t r = farthest(
-      [&](const Place& v) -> mpq_class { return abs(from_p[q].x * v.y - from_p[q].y * v.x); });
+      [&](const Place& v) -> Rational { return abs(from_p[q].x * v.y - from_p[q].y * v.x); });
   return {0, q, r};
 }
 

@@ -1,17 +1,15 @@
 #include "programs/bench/environment.h"
 
-#include <cairo.h>
 #include <fmt/format.h>
-#include <gmp.h>
-#include <oneapi/tbb/version.h>
-#include <png.h>
 #include <sys/utsname.h>
 
 #include <fstream>
+#include <functional>
 #include <thread>
 
 #include "clip/error.h"
 #include "displayfile/mesh/import_library.h"
+#include "displayfile/shared_library.h"
 #include "interp/opengl/osmesa.h"
 #include "programs/bench/build_information.h"
 #include "programs/bench/embree_rays.h"
@@ -37,10 +35,27 @@ std::string operating_system() {
   return fmt::format("{} {} {}", system.sysname, system.release, system.machine);
 }
 
-/// A library that is linked at run time.
-std::pair<std::string, std::string> library(std::string name, const char* configured,
-                                            const std::string& now) {
-  return {std::move(name), fmt::format("{} when configured, {} now", configured, now)};
+/// A library that is linked or loaded at run time, if this build has it.
+std::pair<std::string, std::string> library(std::string name, std::string_view configured,
+                                            const std::function<std::string()>& now) {
+  if (configured.empty()) return {std::move(name), "not in this build"};
+  return {std::move(name), fmt::format("{} when configured, {} now", configured, now())};
+}
+
+// What libraries say of themselves, asked without their headers, which need not be there.
+using Version = const char*();
+using VersionOfPng = const char*(const void*);
+const SharedLibrary& linked() {
+  static const SharedLibrary library(nullptr);
+  return library;
+}
+std::string tbb_version() { return linked().function<Version*>("TBB_runtime_version")(); }
+std::string gmp_version() { return *linked().function<const char* const*>("__gmp_version"); }
+std::string png_version() {
+  return linked().function<VersionOfPng*>("png_get_libpng_ver")(nullptr);
+}
+std::string cairo_version() {
+  return SharedLibrary("libcairo.so.2").function<Version*>("cairo_version_string")();
 }
 
 }  // namespace
@@ -57,11 +72,11 @@ std::vector<std::pair<std::string, std::string>> environment() {
       {"OSMesa", osmesa_description()},
       {"Embree", EmbreeRays::version().value_or("not in this build")},
       {"gl2ps", Gl2psSort::version().value_or("not in this build")},
-      library("oneTBB", build::kTbb, TBB_runtime_version()),
+      library("oneTBB", build::kTbb, tbb_version),
       library("GMP", build::kGmp, gmp_version),
-      library("libpng", build::kPng, png_get_libpng_ver(nullptr)),
-      library("Cairo", build::kCairo, cairo_version_string()),
-      library("Assimp", build::kAssimp, import_library_version().value_or("none")),
+      library("libpng", build::kPng, png_version),
+      library("Cairo", build::kCairo, cairo_version),
+      library("Assimp", build::kAssimp, [] { return import_library_version().value_or("none"); }),
       {"{fmt}", build::kFmt},
       {"GLM", build::kGlm},
       {"CLI11", build::kCli11},

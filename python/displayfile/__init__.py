@@ -6,7 +6,14 @@ draw by themselves.
 """
 
 from ._displayfile import Error, __version__, methods, user_routines
-from ._polygons import PolygonPieces, VisibleLines, VisiblePieces, sort, visible_lines, visible_pieces
+from ._polygons import (
+    PolygonPieces,
+    VisibleLines,
+    VisiblePieces,
+    sort,
+    visible_lines,
+    visible_pieces,
+)
 from ._system import Pick, Picture, Pieces, System
 
 __all__ = [

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+import typing
 
 from . import _displayfile
 
-if TYPE_CHECKING:
+if typing.TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
-    from ._displayfile import Numbers, Polygons
+    from ._displayfile import _Numbers, _Polygons
 
 
-class PolygonPieces(NamedTuple):
+class PolygonPieces(typing.NamedTuple):
     """Pieces of polygons. Piece k has the points from first[k] to first[k + 1]."""
 
     points: npt.NDArray[np.float64]
@@ -25,7 +25,7 @@ class PolygonPieces(NamedTuple):
     """(N,): not 0 if the side that ends at the point is one of the polygon's own."""
 
 
-class VisiblePieces(NamedTuple):
+class VisiblePieces(typing.NamedTuple):
     """Pieces of polygons that are seen. Piece k has the points from first[k] to first[k + 1]."""
 
     points: npt.NDArray[np.float64]
@@ -33,7 +33,7 @@ class VisiblePieces(NamedTuple):
     item: npt.NDArray[np.int32]
 
 
-class VisibleLines(NamedTuple):
+class VisibleLines(typing.NamedTuple):
     """Line segments that are seen, two points each."""
 
     points: npt.NDArray[np.float64]
@@ -48,10 +48,10 @@ class VisibleLines(NamedTuple):
 
 
 def sort(
-    polygons: Polygons,
+    polygons: _Polygons,
     *,
-    sides: Numbers | None = None,
-    segments: Numbers | None = None,
+    sides: _Numbers | None = None,
+    segments: _Numbers | None = None,
     whole: bool = False,
     method: str = "depth-sort",
     threads: int = 1,
@@ -77,7 +77,7 @@ def sort(
 
 
 def visible_pieces(
-    polygons: Polygons, *, sides: Numbers | None = None, threads: int = 1
+    polygons: _Polygons, *, sides: _Numbers | None = None, threads: int = 1
 ) -> VisiblePieces:
     """Find the pieces of polygons that are seen. They do not overlap in the picture.
 
@@ -90,10 +90,10 @@ def visible_pieces(
 
 
 def visible_lines(
-    polygons: Polygons,
+    polygons: _Polygons,
     *,
-    sides: Numbers | None = None,
-    segments: Numbers | None = None,
+    sides: _Numbers | None = None,
+    segments: _Numbers | None = None,
     lines: str | None = None,
     hidden: bool = False,
     method: str = "franklin",

@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-import os
-from typing import TYPE_CHECKING, Any, NamedTuple, overload
+import typing
 
 from . import _displayfile
 
-if TYPE_CHECKING:
-    from typing import Literal
-
+if typing.TYPE_CHECKING:
+    import os
     import numpy as np
     import numpy.typing as npt
-    from ._displayfile import Colour, Faces, Numbers, Size
+    from ._displayfile import _Colour, _Faces, _Numbers, _Size
 
 _MOST_POLYGONS_AS_SVG = 2000
 _SIZE_IN_NOTEBOOKS = 512
 
 
-class Picture(NamedTuple):
+class Picture(typing.NamedTuple):
     """What draw returns where ids or depth are asked for."""
 
     pixels: npt.NDArray[np.uint8]
@@ -29,7 +27,7 @@ class Picture(NamedTuple):
     """(H, W): of the fill that is seen, larger is nearer; minus infinity for none."""
 
 
-class Pick(NamedTuple):
+class Pick(typing.NamedTuple):
     """What is seen at a pixel."""
 
     kind: str
@@ -39,7 +37,7 @@ class Pick(NamedTuple):
     depth: float
 
 
-class Pieces(NamedTuple):
+class Pieces(typing.NamedTuple):
     """What is drawn, in order. Piece k has the points from first[k] to first[k + 1]."""
 
     kinds: npt.NDArray[np.uint8]
@@ -91,15 +89,15 @@ class System(_displayfile.System):
 
     def mesh(
         self,
-        vertices: Numbers,
-        faces: Faces,
+        vertices: _Numbers,
+        faces: _Faces,
         *,
-        sides: Numbers | None = None,
+        sides: _Numbers | None = None,
         segment: int | None = None,
-        fill: Colour | Literal["hollow"] | None = None,
-        fills: Numbers | None = None,
-        picks: Numbers | None = None,
-        normals: Numbers | None = None,
+        fill: _Colour | typing.Literal["hollow"] | None = None,
+        fills: _Numbers | None = None,
+        picks: _Numbers | None = None,
+        normals: _Numbers | None = None,
     ) -> int:
         """Enter many polygons at once, and return the name of their segment.
 
@@ -113,7 +111,7 @@ class System(_displayfile.System):
         """
         return self._mesh(vertices, faces, sides, segment, fill, fills, picks, normals)
 
-    def surface(self, x: Numbers, y: Numbers, z: Numbers, *, segment: int | None = None) -> int:
+    def surface(self, x: _Numbers, y: _Numbers, z: _Numbers, *, segment: int | None = None) -> int:
         """Enter the surface of heights z, (m, n), and return the name of its segment.
 
         x (n,) and y (m,) are those of columns and rows; or all three are (m, n), as meshgrid
@@ -128,41 +126,43 @@ class System(_displayfile.System):
 
     def replay_file(self, path: str | os.PathLike[str]) -> None:
         """Carry out the drawing program in a file."""
-        self._replay_file(os.fspath(path))
+        self._replay_file(path)
 
     def import_mesh(
-        self, path: str | os.PathLike[str], *, colour: Colour | None = None
+        self, path: str | os.PathLike[str], *, colour: _Colour | None = None
     ) -> list[str]:
         """Read a mesh and enter it, seen whole unless a window was set before.
 
         Returns what is not drawn of it, a sentence each.
         """
-        return self._import_mesh(os.fspath(path), colour)
+        return self._import_mesh(path, colour)
 
     # ---- Pictures ------------------------------------------------------------------------
 
-    @overload
+    @typing.overload
     def draw(
         self,
-        size: Size = ...,
+        size: _Size = ...,
         *,
-        ids: Literal[False] = ...,
-        depth: Literal[False] = ...,
+        ids: typing.Literal[False] = ...,
+        depth: typing.Literal[False] = ...,
         hidden: str | None = ...,
         lines: str | None = ...,
         hidden_lines: str | None = ...,
         scope: str | None = ...,
         precision: str | None = ...,
-        background: Colour | Literal["none"] | None = ...,
+        background: _Colour | typing.Literal["none"] | None = ...,
+        rows: tuple[int, int] | None = ...,
         samples: int = ...,
         threads: int = ...,
         device: str | None = ...,
-    ) -> npt.NDArray[np.uint8]: ...
+    ) -> npt.NDArray[np.uint8]:
+        ...
 
-    @overload
+    @typing.overload
     def draw(
         self,
-        size: Size = ...,
+        size: _Size = ...,
         *,
         ids: bool = ...,
         depth: bool = ...,
@@ -171,15 +171,17 @@ class System(_displayfile.System):
         hidden_lines: str | None = ...,
         scope: str | None = ...,
         precision: str | None = ...,
-        background: Colour | Literal["none"] | None = ...,
+        background: _Colour | typing.Literal["none"] | None = ...,
+        rows: tuple[int, int] | None = ...,
         samples: int = ...,
         threads: int = ...,
         device: str | None = ...,
-    ) -> Any: ...
+    ) -> typing.Any:
+        ...
 
     def draw(
         self,
-        size: Size = 512,
+        size: _Size = 512,
         *,
         ids: bool = False,
         depth: bool = False,
@@ -188,16 +190,18 @@ class System(_displayfile.System):
         hidden_lines: str | None = None,
         scope: str | None = None,
         precision: str | None = None,
-        background: Colour | Literal["none"] | None = None,
+        background: _Colour | typing.Literal["none"] | None = None,
+        rows: tuple[int, int] | None = None,
         samples: int = 1,
         threads: int = 1,
         device: str | None = None,
-    ) -> Any:
+    ) -> typing.Any:
         """Draw into memory: an array (H, W, 4) of uint8, the top row first.
 
         size is (width, height), or one number for both. With ids or depth it is a Picture.
         hidden is a method, one of methods(). hidden_lines is "dashed" to draw lines where they
-        are hidden, too. lines says which kinds of sides are lines, such as "outline,crease":
+        are hidden, too. rows, (first, end) from the top, draws only those of the picture, as they
+        are in the whole of it. lines says which kinds of sides are lines, such as "outline,crease":
         since they are selected as segments are closed, an Error if the system selects others.
         Anything that is None is as the system's routines say.
         """
@@ -211,57 +215,58 @@ class System(_displayfile.System):
             scope=scope,
             precision=precision,
             background=background,
+            rows=rows,
             samples=samples,
             threads=threads,
             device=device,
         )
         return Picture(pixels, of_ids, of_depth) if ids or depth else pixels
 
-    def svg(self, size: Size = 512, **options: Any) -> str:
+    def svg(self, size: _Size = 512, **options: typing.Any) -> str:
         """The picture as SVG. Options are those of save."""
         return self._draw_as("svg", size, **self._checked(options)).decode()
 
-    def pdf(self, size: Size = 512, **options: Any) -> bytes:
+    def pdf(self, size: _Size = 512, **options: typing.Any) -> bytes:
         """The picture as PDF. Options are those of save."""
         return self._draw_as("pdf", size, **self._checked(options))
 
-    def eps(self, size: Size = 512, **options: Any) -> bytes:
+    def eps(self, size: _Size = 512, **options: typing.Any) -> bytes:
         """The picture as EPS. Options are those of save."""
         return self._draw_as("eps", size, **self._checked(options))
 
-    def png(self, size: Size = 512, **options: Any) -> bytes:
+    def png(self, size: _Size = 512, **options: typing.Any) -> bytes:
         """The picture as PNG. Options are those of save."""
         return self._draw_as("png", size, **self._checked(options))
 
-    def ppm(self, size: Size = 512, **options: Any) -> bytes:
+    def ppm(self, size: _Size = 512, **options: typing.Any) -> bytes:
         """The picture as PPM. Options are those of save."""
         return self._draw_as("ppm", size, **self._checked(options))
 
     def save(
         self,
         path: str | os.PathLike[str],
-        size: Size = 512,
+        size: _Size = 512,
         *,
         format: str | None = None,
-        **options: Any,
+        **options: typing.Any,
     ) -> None:
         """Draw into a file, in the format that its name ends in.
 
         It appears whole or not at all. Options are those of draw but for ids and depth, and for
         vectors paper, seams, vector_precision and pick_ids.
         """
-        self._save(os.fspath(path), format, size, **self._checked(options))
+        self._save(path, format, size, **self._checked(options))
 
-    def dump(self, **options: Any) -> str:
-        """The instructions of all segments; sorted, if hidden is given."""
+    def dump(self, **options: typing.Any) -> str:
+        """The instructions of all segments, as the command's dump has them. Options are save's."""
         return self._dump(**self._checked(options))
 
-    def pieces(self, **options: Any) -> Pieces:
-        """What is drawn, as arrays; by a method that sorts or finds lines, if hidden is given."""
+    def pieces(self, **options: typing.Any) -> Pieces:
+        """What is drawn in vectors, in order, as arrays. Options are those of save."""
         return Pieces(*self._pieces(**self._checked(options)))
 
     def pick(
-        self, x: float, y: float, size: Size = 512, *, reach: float = 0.0, threads: int = 1
+        self, x: float, y: float, size: _Size = 512, *, reach: float = 0.0, threads: int = 1
     ) -> Pick | None:
         """Tell what is seen at a pixel, x and y from the upper left corner of the picture.
 
@@ -324,7 +329,7 @@ class System(_displayfile.System):
         """Set the number of threads of close_segment's sort, whose result is the same for any."""
         self._set_threads(threads)
 
-    def to_device(self, point: Numbers) -> tuple[float, float, float] | None:
+    def to_device(self, point: _Numbers) -> tuple[float, float, float] | None:
         """Where a point of the model is in the view in force: x and y from 0 to 1, y up.
 
         None if it is not before the eye.
@@ -333,6 +338,6 @@ class System(_displayfile.System):
 
     # ---- Options -------------------------------------------------------------------------
 
-    def _checked(self, options: dict[str, Any]) -> dict[str, Any]:
+    def _checked(self, options: dict[str, typing.Any]) -> dict[str, typing.Any]:
         self._require_lines(options.pop("lines", None))
         return options

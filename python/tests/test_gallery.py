@@ -104,3 +104,49 @@ def test_lines_of_a_mesh(command, tmp_path):
     assert system.import_mesh(mesh) == []
     svg = system.svg(200, hidden="auto")
     assert svg.encode() == (tmp_path / "a.svg").read_bytes()
+
+
+@pytest.mark.parametrize("program", PROGRAMS[::4], ids=lambda program: program.stem)
+def test_rows_are_those_of_the_picture(program):
+    system = replayed(program)
+    whole = system.draw((WIDTH, HEIGHT))
+    parts = [system.draw((WIDTH, HEIGHT), rows=rows) for rows in ((0, 50), (50, 51), (51, HEIGHT))]
+    assert np.array_equal(np.concatenate(parts), whole)
+    for rows in ((3, 3), (-1, 5), (0, HEIGHT + 1), (1,), "all"):
+        with pytest.raises(displayfile.Error):
+            system.draw((WIDTH, HEIGHT), rows=rows)
+
+
+AC3D = """AC3Db
+MATERIAL "" rgb 1 1 1 amb 0 0 0 emis 0 0 0 spec 0 0 0 shi 0 trans 0
+OBJECT world
+kids 1
+OBJECT poly
+numvert 3
+0 0 0
+1 0 0
+0 1 0
+numsurf 1
+SURF 0x20
+mat 0
+refs 3
+0 0 0
+1 0 0
+2 0 0
+kids 0
+"""
+
+
+def test_formats_that_a_library_reads(command, tmp_path):
+    """The program that reads them is part of the package."""
+    mesh = tmp_path / "m.ac"
+    mesh.write_text(AC3D)
+    done = command("draw", mesh, "-o", "a.ppm", "--size", "64x64")
+    system = displayfile.System()
+    if done.returncode != 0:  # there is no such library
+        with pytest.raises(displayfile.Error) as refused:
+            system.import_mesh(mesh)
+        assert str(refused.value) in done.stderr
+        return
+    system.import_mesh(mesh)
+    assert system.ppm(64, hidden="auto") == (tmp_path / "a.ppm").read_bytes()

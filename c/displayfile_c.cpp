@@ -1,0 +1,391 @@
+#include "c/displayfile_c.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <new>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "clip/work_budget.h"
+#include "displayfile/drawn_pieces.h"
+#include "displayfile/graphics_system.h"
+#include "displayfile/mesh/mesh.h"
+#include "displayfile/sorted_display_file.h"
+#include "displayfile/text/drawing_program.h"
+#include "displayfile/text/dump.h"
+#include "displayfile/text/user_routine.h"
+#include "interp/draw.h"
+#include "interp/renderer.h"
+
+using namespace displayfile;
+
+struct df_system {
+  GraphicsSystem system;
+  Renderer renderer;
+  SortedDisplayFile sorted;
+  WorkBudget budget;
+  std::atomic_flag is_busy;
+  std::string error;
+
+  // What was handed out last.
+  std::string bytes;
+  DrawnPieces pieces;
+  std::vector<double> line_colours, line_widths;
+  std::vector<std::uint8_t> line_kinds;
+};
+
+namespace {
+
+static_assert(sizeof(Point3) == 3 * sizeof(double) && sizeof(Colour) == 3 * sizeof(double),
+              "rows of them are rows of doubles");
+
+/// Carries a call out, by the budget's limits, while no other thread is in one.
+template <class Call>
+int carried_out(df_system* system, const WorkLimits& limits, Call&& call) noexcept {
+  if (system == nullptr) return DF_ERROR;
+  if (system->is_busy.test_and_set(std::memory_order_acquire)) return DF_BUSY;
+  int result = DF_ERROR;
+  const auto fail = [&](const char* what) noexcept {
+    try {
+      system->error = what;
+    } catch (...) {
+      system->error.clear();
+    }
+  };
+  try {
+    system->error.clear();
+    system->budget.start(limits);
+    const BudgetInForce in_force(system->budget);
+    call();
+    result = DF_OK;
+  } catch (const std::bad_alloc&) {
+    fail("out of memory");
+  } catch (const std::exception& error) {
+    fail(error.what());
+  } catch (...) {
+    fail("unknown error");
+  }
+  system->is_busy.clear(std::memory_order_release);
+  return result;
+}
+template <class Call>
+int carried_out(df_system* system, Call&& call) noexcept {
+  return carried_out(system, {}, call);
+}
+
+template <class Pointer>
+void require_given(const Pointer* pointer, const char* what) {
+  if (pointer == nullptr) throw Error(fmt::format("{}: expected it, not null", what));
+}
+
+/// The structure as this version knows it: members that an earlier caller does not know are 0, and
+/// those that a later one knows must be.
+template <class Structure>
+Structure known(const Structure* given, const char* name) {
+  static_assert(std::is_trivially_copyable_v<Structure>);
+  Structure result{};
+  if (given == nullptr) return result;
+  std::size_t size = 0;
+  std::memcpy(&size, given, sizeof size);
+  if (size < sizeof size) {
+    throw Error(fmt::format("{}: size {}: expected sizeof({})", name, size, name));
+  }
+  const auto* const bytes = reinterpret_cast<const unsigned char*>(given);
+  const std::size_t both = std::min(size, sizeof result);
+  if (std::any_of(bytes + both, bytes + size, [](unsigned char byte) { return byte != 0; })) {
+    throw Error(fmt::format("{}: size {}: it says more than version {} of the library knows", name,
+                            size, df_version()));
+  }
+  std::memcpy(static_cast<void*>(&result), bytes, both);
+  return result;
+}
+
+/// Hands out as much of a structure as the caller has room for.
+template <class Structure>
+void hand_out(Structure result, Structure* to, const char* name) {
+  require_given(to, name);
+  std::size_t size = 0;
+  std::memcpy(&size, to, sizeof size);
+  if (size < sizeof size) {
+    throw Error(fmt::format("{}: size {}: expected sizeof({})", name, size, name));
+  }
+  result.size = size;
+  std::memcpy(static_cast<void*>(to), &result, std::min(size, sizeof result));
+}
+
+std::optional<Background> background_of(const df_options& options) {
+  const double* const c = options.background_colour;
+  switch (options.background) {
+    case DF_BACKGROUND_AS_SET: return std::nullopt;
+    case DF_BACKGROUND_SOLID: {
+      const Background background{Background::Kind::solid, Colour(c[0], c[1], c[2])};
+      GraphicsSystem{}.set_background(background);  // or refuses
+      return background;
+    }
+    case DF_BACKGROUND_NONE: return Background{Background::Kind::none};
+    default: break;
+  }
+  throw Error(fmt::format("background {}: expected DF_BACKGROUND_AS_SET, _SOLID or _NONE",
+                          options.background));
+}
+
+/// The options in the words of the application API. Of a structure that is known.
+DrawOptions draw_options(const df_options& options) {
+  DrawOptions result;
+  if (options.width != 0) result.width = options.width;
+  if (options.height != 0) result.height = options.height;
+  if (options.method != nullptr) result.hidden = hidden_method(options.method);
+  if (options.scope != nullptr) result.scope = hidden_scope(options.scope);
+  if (options.precision != nullptr) result.precision = precision(options.precision);
+  if (options.hidden_lines != nullptr) result.hidden_lines = hidden_lines(options.hidden_lines);
+  if (options.device != nullptr) result.device = options.device;
+  result.background = background_of(options);
+  if (options.samples != 0) result.samples = options.samples;
+  if (options.threads != 0) result.threads = options.threads;
+  if (options.most_pieces != 0) result.most_pieces = options.most_pieces;
+  return result;
+}
+
+/// Calls draw(options) under the limits that they state.
+template <class Draw>
+int drawn(df_system* system, const df_options* given, Draw&& draw) noexcept {
+  WorkLimits limits;
+  df_options options{};
+  std::string wrong;
+  try {
+    options = known(given, "df_options");
+    if (options.most_seconds < 0.0) throw Error("most_seconds: expected 0 or more");
+    if (options.most_seconds > 0.0) limits.seconds = options.most_seconds;
+  } catch (const std::exception& error) {
+    return carried_out(system, [&] { throw Error(error.what()); });
+  }
+  return carried_out(system, limits, [&] { draw(draw_options(options)); });
+}
+
+void hand_out_text(const std::string& from, const char** text, std::size_t* length) {
+  *text = from.c_str();
+  *length = from.size();
+}
+
+template <class Value>
+std::span<const Value> array(const void* values, std::size_t count, const char* what) {
+  if (count > 0) require_given(values, what);
+  return {static_cast<const Value*>(values), values == nullptr ? 0 : count};
+}
+
+/// Lines' styles, each thing by itself.
+void part_lines(df_system& system) {
+  system.line_colours.clear();
+  system.line_widths.clear();
+  system.line_kinds.clear();
+  for (const LineStyle& line : system.pieces.lines) {
+    const Colour& c = line.colour;
+    system.line_colours.insert(system.line_colours.end(), {c.r, c.g, c.b});
+    system.line_widths.push_back(line.width);
+    system.line_kinds.push_back(line.kind == LineStyle::Kind::solid    ? DF_LINE_SOLID
+                                : line.kind == LineStyle::Kind::dashed ? DF_LINE_DASHED
+                                                                       : DF_LINE_NONE);
+  }
+}
+
+df_pieces arrays_of(const df_system& system) {
+  const DrawnPieces& p = system.pieces;
+  static_assert(static_cast<int>(DrawnPieces::Kind::solid) == DF_SOLID &&
+                static_cast<int>(DrawnPieces::Kind::hollow) == DF_HOLLOW &&
+                static_cast<int>(DrawnPieces::Kind::line) == DF_LINE);
+  return {sizeof(df_pieces),
+          p.size(),
+          reinterpret_cast<const std::uint8_t*>(p.kinds.data()),
+          p.first.data(),
+          reinterpret_cast<const double*>(p.points.data()),
+          p.sides.data(),
+          reinterpret_cast<const double*>(p.fills.data()),
+          system.line_colours.data(),
+          system.line_widths.data(),
+          system.line_kinds.data(),
+          p.picks.data(),
+          p.segments.data()};
+}
+
+}  // namespace
+
+extern "C" {
+
+const char* df_version(void) { return DISPLAYFILE_VERSION; }
+
+df_system* df_create(void) {
+  try {
+    return new df_system;
+  } catch (...) {
+    return nullptr;
+  }
+}
+
+void df_destroy(df_system* system) { delete system; }
+
+const char* df_error(const df_system* system) {
+  return system == nullptr ? "the system: expected it, not null" : system->error.c_str();
+}
+
+size_t df_routines(void) { return user_routines().size(); }
+
+// They are string literals, which end with a zero byte.
+const char* df_routine_name(size_t routine) {
+  return routine < df_routines() ? user_routines()[routine].name.data() : nullptr;
+}
+const char* df_routine_arguments(size_t routine) {
+  return routine < df_routines() ? user_routines()[routine].expected.data() : nullptr;
+}
+
+int df_call(df_system* system, const char* routine, const char* arguments) {
+  return carried_out(system, [&] {
+    require_given(routine, "the routine's name");
+    call_user_routine(system->system, routine, arguments == nullptr ? "" : arguments);
+  });
+}
+
+int df_call_numbers(df_system* system, const char* routine, const double* numbers, size_t count) {
+  return carried_out(system, [&] {
+    require_given(routine, "the routine's name");
+    const auto all = array<double>(numbers, count, "the numbers");
+    call_user_routine(system->system, routine, fmt::format("{}", fmt::join(all, " ")));
+  });
+}
+
+int df_replay(df_system* system, const char* text, size_t length, const char* name) {
+  return carried_out(system, [&] {
+    const auto all = array<char>(text, length, "the drawing program");
+    replay({all.data(), all.size()}, name == nullptr ? "drawing program" : name, system->system);
+  });
+}
+
+int df_replay_file(df_system* system, const char* path) {
+  return carried_out(system, [&] {
+    require_given(path, "the path");
+    replay_file(path, system->system);
+  });
+}
+
+int df_import_mesh(df_system* system, const char* path) {
+  return carried_out(system, [&] {
+    require_given(path, "the path");
+    import_mesh(path, system->system);
+  });
+}
+
+int df_set_aspect_ratio(df_system* system, double aspect) {
+  return carried_out(system, [&] { system->system.set_aspect_ratio(aspect); });
+}
+
+int df_polygons(df_system* system, const df_mesh* mesh) {
+  return carried_out(system, [&] {
+    require_given(mesh, "df_mesh");
+    const df_mesh m = known(mesh, "df_mesh");
+    std::vector<FillStyle> fills;
+    for (const Colour& c : array<Colour>(m.colours, m.colour_count, "the colours")) {
+      fills.push_back({FillStyle::Kind::solid, c});
+    }
+    const bool has_sides = m.sides != nullptr;
+    system->system.polygons_abs_3(
+        {array<Point3>(m.vertices, m.vertex_count, "the vertices"),
+         array<std::uint32_t>(m.corners, m.corner_count, "the corners"),
+         array<std::uint32_t>(m.sides, has_sides ? m.polygon_count : 0, "the sides"), fills,
+         array<std::int32_t>(m.picks, m.pick_count, "the pick identifiers"),
+         array<Point3>(m.normals, m.normal_count, "the normals")});
+  });
+}
+
+int df_draw(df_system* system, const df_options* options, size_t pixels, uint8_t* rgba,
+            int32_t* ids, double* depth) {
+  return drawn(system, options, [&](DrawOptions asked) {
+    require_given(rgba, "the pixels' memory");
+    const std::size_t expected =
+        static_cast<std::size_t>(asked.width) * static_cast<std::size_t>(asked.height);
+    if (pixels != expected) {
+      throw Error(fmt::format("room for {} pixels: expected {}, {} x {}", pixels, expected,
+                              asked.width, asked.height));
+    }
+    asked.with_ids = ids != nullptr;
+    asked.with_depth = depth != nullptr;
+    const Picture& picture = system->renderer.draw(system->system, asked);
+    for (const std::uint32_t pixel : picture.pixels) {
+      const std::uint32_t bytes = in_bytes(pixel);
+      std::memcpy(rgba, &bytes, sizeof bytes);
+      rgba += sizeof bytes;
+    }
+    if (ids != nullptr) std::ranges::copy(picture.ids, ids);
+    if (depth != nullptr) std::ranges::copy(picture.depth, depth);
+  });
+}
+
+int df_draw_as(df_system* system, const df_options* options, const char* format, const char** bytes,
+               size_t* length) {
+  return drawn(system, options, [&](const DrawOptions& asked) {
+    require_given(format, "the format");
+    require_given(bytes, "where the bytes go");
+    require_given(length, "where the length goes");
+    system->bytes = draw_as(system->system, format, asked);
+    hand_out_text(system->bytes, bytes, length);
+  });
+}
+
+int df_draw_file(df_system* system, const df_options* options, const char* path) {
+  return drawn(system, options, [&](const DrawOptions& asked) {
+    require_given(path, "the path");
+    system->renderer.draw(system->system, path, asked);
+  });
+}
+
+int df_dump(df_system* system, const char** text, size_t* length) {
+  return carried_out(system, [&] {
+    require_given(text, "where the text goes");
+    require_given(length, "where the length goes");
+    system->bytes = dump(system->system.display_file());
+    hand_out_text(system->bytes, text, length);
+  });
+}
+
+int df_drawn_pieces(df_system* system, const df_options* options, df_pieces* pieces) {
+  return drawn(system, options, [&](const DrawOptions& asked) {
+    require_given(pieces, "df_pieces");
+    const HiddenMethod method = drawing_method(system->system, asked, PictureKind::vector);
+    system->pieces =
+        drawn_pieces(system->sorted.update(system->system, method, hidden_surface_options(asked)));
+    part_lines(*system);
+    hand_out(arrays_of(*system), pieces, "df_pieces");
+  });
+}
+
+int df_pick(df_system* system, const df_options* options, double x, double y, double reach,
+            df_seen* seen) {
+  return drawn(system, options, [&](const DrawOptions& asked) {
+    require_given(seen, "df_seen");
+    const auto pick = system->renderer.pick(system->system, x, y, asked, reach);
+    df_seen result{};
+    if (pick) {
+      result.is_seen = 1;
+      result.kind = pick->kind == Pick::Kind::polygon ? DF_SEEN_POLYGON
+                    : pick->kind == Pick::Kind::edge  ? DF_SEEN_EDGE
+                                                      : DF_SEEN_LINE;
+      result.pick = pick->id;
+      result.segment = pick->segment;
+      result.depth = pick->depth;
+    }
+    hand_out(result, seen, "df_seen");
+  });
+}
+
+void df_stop(df_system* system) {
+  if (system != nullptr) system->budget.stop();
+}
+
+}  // extern "C"

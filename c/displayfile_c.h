@@ -1,0 +1,169 @@
+/* Display File for C99: a display-file, retained-mode 3D graphics system (c/README.md).
+ *
+ * A df_system is one application's system: its view, styles, segments, and what is kept from one
+ * picture to the next. Functions that return int return DF_OK, or DF_ERROR after an error, whose
+ * message df_error() tells; the state is then what it was before the call. Strings are UTF-8 and
+ * end with a zero byte unless a length goes with them. Memory that a function hands out is the
+ * system's, and stays until the next call on it.
+ *
+ * A system is for one call at a time. One that comes from another thread meanwhile returns DF_BUSY
+ * and does nothing. Systems are independent of each other.
+ *
+ * Structures begin with their own size in bytes, which the caller sets, as the DF_..._INIT macros
+ * do: later versions of the library add members at the end, and take a shorter structure for one
+ * whose other members are 0.
+ */
+#ifndef DISPLAYFILE_C_H
+#define DISPLAYFILE_C_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(__GNUC__)
+#define DF_API __attribute__((visibility("default")))
+#else
+#define DF_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { DF_OK = 0, DF_ERROR = 1, DF_BUSY = 2 };
+
+typedef struct df_system df_system;
+
+DF_API const char* df_version(void); /* "0.1.0" */
+
+/* Null if there is no memory. */
+DF_API df_system* df_create(void);
+/* Not while a call on it goes on. Null is nothing. */
+DF_API void df_destroy(df_system* system);
+/* Why the last call on the system returned DF_ERROR; empty if it did not. */
+DF_API const char* df_error(const df_system* system);
+
+/* ---- User routines ------------------------------------------------------------------------------
+ * By their names in drawing programs, such as "polygon-abs-3".
+ */
+
+DF_API size_t df_routines(void);
+/* Null beyond the last. The arguments in words, such as "x y z"; empty if there are none. */
+DF_API const char* df_routine_name(size_t routine);
+DF_API const char* df_routine_arguments(size_t routine);
+
+/* With arguments as words: df_call(system, "set-fill-style", "solid 1 0 0"). Null is none. */
+DF_API int df_call(df_system* system, const char* routine, const char* arguments);
+/* With arguments that are numbers; they are taken exactly. Null if there are none. */
+DF_API int df_call_numbers(df_system* system, const char* routine, const double* numbers,
+                           size_t count);
+
+/* A drawing program; the name is for messages, which begin name:line:column. What its lines did
+ * before one that is wrong stays. */
+DF_API int df_replay(df_system* system, const char* text, size_t length, const char* name);
+DF_API int df_replay_file(df_system* system, const char* path);
+/* A mesh's file, in a view that is fitted to it if no window was set. */
+DF_API int df_import_mesh(df_system* system, const char* path);
+/* The width over the height of the pictures that segments opened from now on are drawn as. */
+DF_API int df_set_aspect_ratio(df_system* system, double aspect);
+
+/* Many polygons, into the open segment, several times as fast as one by one. */
+typedef struct {
+  size_t size;            /* sizeof(df_mesh) */
+  const double* vertices; /* x y z of each */
+  size_t vertex_count;
+  const uint32_t* corners; /* indices of vertices, polygon after polygon */
+  size_t corner_count;
+  const uint32_t* sides; /* of each polygon; null: three of each */
+  size_t polygon_count;  /* with sides */
+  const double* colours; /* red green blue in [0,1], of one for all or one each; null: as set */
+  size_t colour_count;
+  const int32_t* picks; /* pick identifiers, one each; null: as set */
+  size_t pick_count;
+  const double* normals; /* x y z, one of each vertex; null: none */
+  size_t normal_count;
+} df_mesh;
+#define DF_MESH_INIT \
+  { sizeof(df_mesh), NULL, 0, NULL, 0, NULL, 0, NULL, 0, NULL, 0, NULL, 0 }
+DF_API int df_polygons(df_system* system, const df_mesh* mesh);
+
+/* ---- Drawing ------------------------------------------------------------------------------------
+ */
+
+/* Members that are 0 or null stand for what the application set, or what is usual. */
+typedef struct {
+  size_t size;              /* sizeof(df_options) */
+  int width, height;        /* pixels; of a PDF, points; 512 */
+  const char* method;       /* hidden-surface method: "map", "z-buffer", "franklin", ... */
+  const char* scope;        /* "segment" or "all" */
+  const char* precision;    /* "exact", or "roundoff=1e-9" */
+  const char* hidden_lines; /* "none" or "dashed" */
+  const char* device;       /* of pixels: "software" or "osmesa" */
+  int background;           /* DF_BACKGROUND_... */
+  double background_colour[3];
+  int samples;          /* along a pixel's side: 1 */
+  int threads;          /* at most: 1 */
+  uint64_t most_pieces; /* that a sort may cut polygons into */
+  double most_seconds;  /* that one call may take */
+} df_options;
+enum { DF_BACKGROUND_AS_SET = 0, DF_BACKGROUND_SOLID = 1, DF_BACKGROUND_NONE = 2 };
+#define DF_OPTIONS_INIT \
+  { sizeof(df_options), 0, 0, NULL, NULL, NULL, NULL, NULL, 0, {0.0, 0.0, 0.0}, 0, 0, 0, 0.0 }
+
+/* Options may be null here as below. Into the caller's memory, top row first: rgba has room for
+ * 4 * pixels bytes; ids (pick identifier of the fill seen, -1 for none) and depth (minus infinity
+ * for none), if not null, for as many numbers. `pixels` is how many there is room for: it must be
+ * width times height. */
+DF_API int df_draw(df_system* system, const df_options* options, size_t pixels, uint8_t* rgba,
+                   int32_t* ids, double* depth);
+/* The bytes of a file: "svg", "pdf", "eps", "png" or "ppm". */
+DF_API int df_draw_as(df_system* system, const df_options* options, const char* format,
+                      const char** bytes, size_t* length);
+/* Into a file, whose extension says its format. It appears whole or not at all. */
+DF_API int df_draw_file(df_system* system, const df_options* options, const char* path);
+
+/* Every instruction of the display file, as text. */
+DF_API int df_dump(df_system* system, const char** text, size_t* length);
+
+/* What is drawn, in order, as arrays: a sort's pieces, those of the map, or the lines that are
+ * seen, as the method is. */
+typedef struct {
+  size_t size; /* sizeof(df_pieces), set by the caller */
+  size_t pieces;
+  const uint8_t* kinds;       /* DF_SOLID, ... */
+  const uint32_t* first;      /* of the points of each; one more at the end */
+  const double* points;       /* x y z of each: x and y in [0,1], y up, larger z nearer */
+  const uint8_t* sides;       /* of each point: 0 if the side that ends there is not drawn */
+  const double* fills;        /* red green blue of each piece */
+  const double* line_colours; /* likewise */
+  const double* line_widths;  /* in pixels */
+  const uint8_t* line_kinds;  /* DF_LINE_SOLID, ... */
+  const int32_t* picks;       /* pick identifiers; -1: none */
+  const int32_t* segments;    /* names */
+} df_pieces;
+enum { DF_SOLID = 0, DF_HOLLOW = 1, DF_LINE = 2 };
+enum { DF_LINE_SOLID = 0, DF_LINE_DASHED = 1, DF_LINE_NONE = 2 };
+DF_API int df_drawn_pieces(df_system* system, const df_options* options, df_pieces* pieces);
+
+/* What is seen in the pixel that holds (x, y), in pixels from the upper left corner; lines within
+ * `reach` pixels come before fills. */
+typedef struct {
+  size_t size;  /* sizeof(df_seen), set by the caller */
+  int is_seen;  /* 0: nothing, and the rest means nothing */
+  int kind;     /* DF_POLYGON, ... */
+  int32_t pick; /* pick identifier; -1: none */
+  int segment;
+  double depth; /* 0 on the back plane, 1 on the front plane */
+} df_seen;
+enum { DF_SEEN_POLYGON = 0, DF_SEEN_EDGE = 1, DF_SEEN_LINE = 2 };
+DF_API int df_pick(df_system* system, const df_options* options, double x, double y, double reach,
+                   df_seen* seen);
+
+/* Ends the call on the system that goes on, soon, with DF_ERROR. Any thread may call it, and a
+ * signal handler. Between calls it does nothing. */
+DF_API void df_stop(df_system* system);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,15 @@
+// A build without Cairo: there are no texts in pixels.
+
+#include "clip/error.h"
+#include "interp/text/text_painter.h"
+
+namespace displayfile {
+
+void paint_texts(std::span<const ViewedText> texts, const PictureSize&, int, int, Picture&) {
+  if (texts.empty()) return;
+  throw Error(
+      "texts in pixels are drawn by Cairo, which this build was made without: expected a drawing "
+      "without texts, or an .svg file");
+}
+
+}  // namespace displayfile

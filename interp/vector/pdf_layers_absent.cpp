@@ -1,0 +1,14 @@
+// A build without QPDF: no layers in PDF.
+
+#include "clip/error.h"
+#include "interp/vector/pdf_layers.h"
+
+namespace displayfile {
+
+std::string with_layers(const std::string&, std::span<const std::string_view>) {
+  throw Error(
+      "the layers of a PDF need QPDF, which this build was made without: expected .svg, or lines "
+      "of no kinds");
+}
+
+}  // namespace displayfile

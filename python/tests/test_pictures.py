@@ -1,0 +1,240 @@
+"""Pictures: their arrays, options, what is refused; notebooks; what importing loads."""
+
+from __future__ import annotations
+
+import gc
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import displayfile
+from displayfile import Error, System
+
+
+@pytest.fixture
+def g() -> System:
+    system = System()
+    system.set_fill_style("solid", 1, 0, 0)
+    system.set_line_style("none")
+    system.open_segment(4)
+    system.set_pick_id(9)
+    system.polygon_abs_2([(-1, -1), (0, -1), (0, 1), (-1, 1)])
+    system.close_segment()
+    return system
+
+
+def test_pixels_are_red_green_blue_alpha(g):
+    pixels = g.draw((8, 4))
+    assert pixels.shape == (4, 8, 4) and pixels.dtype == np.uint8
+    assert (pixels[:, :4] == (255, 0, 0, 255)).all()
+    assert (pixels[:, 4:] == (255, 255, 255, 255)).all()
+    assert (g.draw(4, background="none")[:, 2:] == 0).all()
+    assert (g.draw(4, background=(0, 0, 1))[:, 2:] == (0, 0, 255, 255)).all()
+
+
+def test_ids_and_depth(g):
+    pixels, ids, depth = g.draw(4, ids=True, depth=True)
+    assert ids.dtype == np.int32 and depth.dtype == np.float64
+    assert (ids == [[9, 9, -1, -1]] * 4).all()
+    assert np.isneginf(depth[:, 2:]).all() and np.isfinite(depth[:, :2]).all()
+    picture = g.draw(4, depth=True)
+    assert picture.ids is None and picture.depth.shape == (4, 4)
+
+
+def test_pictures_live_by_themselves(g):
+    first = g.draw(64)
+    kept = first.copy()
+    g.set_visibility(4, False)
+    second = g.draw(64)
+    assert np.array_equal(first, kept)
+    assert not np.array_equal(first, second)
+    first[:] = 7
+    assert (g.draw(64) == 255).all()
+    view = g.draw(64)[3:5]
+    del g
+    gc.collect()
+    assert (view == 255).all() and (second == 255).all()
+
+
+def test_memory_that_is_used_again_shows_nothing_old(g):
+    for size in (64, 16, 128):
+        g.set_visibility(4, True)
+        del_me = g.draw(size)
+        del del_me
+        g.set_visibility(4, False)
+        assert (g.draw(size) == 255).all()
+
+
+def test_pick(g):
+    assert g.pick(1, 1, 8) == displayfile.Pick("polygon", 9, 4, g.pick(1, 1, 8).depth)
+    assert g.pick(6, 1, 8) is None
+    for x, y in ((float("nan"), 0), ("left", 0), (None, 0)):
+        with pytest.raises(Error):
+            g.pick(x, y)
+    with pytest.raises(Error):
+        g.pick(1, 1, reach=-1)
+
+
+def test_pieces(g):
+    pieces = g.pieces()
+    assert pieces.kinds.tolist() == [0] and pieces.first.tolist() == [0, 4]
+    assert pieces.picks.tolist() == [9] and pieces.segments.tolist() == [4]
+    assert pieces.fills.tolist() == [[1, 0, 0]]
+    assert pieces.points[:, :2].max(axis=0).tolist() == [0.5, 1]
+    assert len(g.pieces(hidden="franklin").kinds) == 0  # there are no lines
+
+
+def test_formats(g, tmp_path):
+    assert g.png(8).startswith(b"\x89PNG")
+    assert g.eps(8).startswith(b"%!PS")
+    assert g.svg(8).endswith("</svg>\n")
+    g.save(tmp_path / "a.png", 8)
+    assert (tmp_path / "a.png").read_bytes() == g.png(8)
+    g.save(tmp_path / "picture", 8, format="ppm")
+    assert (tmp_path / "picture").read_bytes() == g.ppm(8)
+
+
+@pytest.mark.parametrize(
+    "size",
+    [
+        0,
+        -1,
+        65536,
+        2**40,
+        1.5,
+        "8",
+        None,
+        (8,),
+        (8, 8, 8),
+        (8, 0),
+        ("8", 8),
+        True,
+        [],
+        np.zeros(0),
+        {},
+    ],
+)
+def test_sizes_that_are_refused(g, size):
+    for draw in (g.draw, g.svg, g.png):
+        with pytest.raises(Error):
+            draw(size)
+
+
+@pytest.mark.parametrize(
+    "option, value",
+    [
+        ("hidden", "magic"),
+        ("hidden", 5),
+        ("hidden_lines", "dotted"),
+        ("lines", "outline"),
+        ("lines", "wavy"),
+        ("scope", "world"),
+        ("precision", "roundoff=2"),
+        ("background", (1, 2, 3)),
+        ("background", "red"),
+        ("background", (1, 0)),
+        ("background", (float("nan"), 0, 0)),
+        ("samples", 0),
+        ("samples", "many"),
+        ("threads", 0),
+        ("device", "plotter"),
+        ("ids", "yes"),
+    ],
+)
+def test_options_that_are_refused(g, option, value):
+    before = g.draw(16)
+    with pytest.raises(Error):
+        g.draw(16, **{option: value})
+    assert np.array_equal(g.draw(16), before)
+
+
+def test_vector_options(g):
+    assert "mm" in g.svg(8, paper="A4")
+    for option, value in (
+        ("paper", "A99"),
+        ("seams", "glued"),
+        ("vector_precision", 5.0),
+        ("colour", 1),
+    ):
+        with pytest.raises(Error):
+            g.svg(8, **{option: value})
+    with pytest.raises(Error):
+        g.save("picture.bmp")
+
+
+def test_lines_are_selected_when_the_system_is_made():
+    def cube(system: System) -> System:
+        system.box_3(*[-0.5, 0.5] * 3) if system.open_segment_name else None
+        return system
+
+    g = System(lines="outline")
+    g.set_perspective(3, 2, 6)
+    g.open_segment(1)
+    cube(g).close_segment()
+    all_lines = System()
+    all_lines.set_perspective(3, 2, 6)
+    all_lines.open_segment(1)
+    cube(all_lines).close_segment()
+    assert g.svg(64, hidden="franklin", lines="outline") != all_lines.svg(64, hidden="franklin")
+    with pytest.raises(Error):
+        all_lines.svg(64, lines="outline")
+    with pytest.raises(Error):
+        System(lines="outlines")
+
+
+def test_aspects():
+    g = System(aspect=2)
+    assert g.aspect_ratio == 2
+    for aspect in (0, -1, float("inf"), "wide", None):
+        with pytest.raises(Error):
+            g.set_aspect_ratio(aspect)
+    g.open_segment(1)
+    with pytest.raises(Error):
+        g.set_aspect_ratio(1)
+    assert g.to_device((0, 0, 0))[:2] == (0.5, 0.5)
+    with pytest.raises(Error):
+        g.to_device((0, 0))
+
+
+@pytest.mark.parametrize("path", [None, 5, "a\0.svg", ["a.svg"], object(), "a\ud800.svg"])
+def test_paths_that_are_refused(g, path):
+    for call in (g.save, g.replay_file, g.import_mesh):
+        with pytest.raises(Error):
+            call(path)
+
+
+# ---- Notebooks and importing -------------------------------------------------------------
+
+
+def test_notebooks(g):
+    assert System()._repr_svg_() is None and System()._repr_png_() is None
+    assert g._repr_svg_().startswith("<?xml") and g._repr_png_() is None
+    many = System()
+    many.surface(np.linspace(-1, 1, 60), np.linspace(-1, 1, 60), np.zeros((60, 60)))
+    assert many._repr_svg_() is None and many._repr_png_().startswith(b"\x89PNG")
+
+
+def maps_after(program: str) -> str:
+    code = f"{program}\nprint(open('/proc/self/maps').read())"
+    return subprocess.run(
+        [sys.executable, "-c", code], check=True, capture_output=True, text=True
+    ).stdout
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="there is no /proc")
+def test_importing_loads_little():
+    maps = maps_after("import displayfile")
+    for library in ("OSMesa", "LLVM", "assimp", "qpdf", "cairo", "numpy"):
+        assert library not in maps
+    drawn = maps_after(
+        "import displayfile\ng = displayfile.System()\ng.open_segment(1)\n"
+        "g.polygon_abs_3([(0,0,0),(1,0,0),(0,1,0)])\ng.close_segment()\ng.draw(16)\ng.svg(16)"
+    )
+    for library in ("OSMesa", "LLVM", "assimp", "qpdf"):
+        assert library not in drawn
+
+
+def test_the_version_is_the_commands(command):
+    assert displayfile.__version__ in command("--version").stdout

@@ -232,8 +232,20 @@ void require_sides(py::ssize_t sides, std::size_t polygon) {
 
 }  // namespace
 
-Polygons polygons_in(py::handle value, std::string_view what) {
+Polygons polygons_in(py::handle value, py::handle sides, std::string_view what) {
   Polygons polygons;
+  if (!sides.is_none()) {
+    polygons.points = points_in(value, what);
+    std::size_t corners = 0;
+    for (const std::int32_t count : whole_numbers_in(sides, "sides")) {
+      require_sides(count, polygons.sides.size());
+      polygons.sides.push_back(static_cast<std::uint32_t>(count));
+      corners += static_cast<std::size_t>(count);
+    }
+    if (corners == polygons.points.size()) return polygons;
+    throw Error(fmt::format("sides: {} corners in all, but there are {} points", corners,
+                            polygons.points.size()));
+  }
   if (py::isinstance<py::array>(value)) {
     const py::array array = array_of(value, what, Numbers::any);
     if (array.ndim() != 3 || array.shape(2) != 3) {
@@ -259,6 +271,16 @@ Polygons polygons_in(py::handle value, std::string_view what) {
     polygons.sides.push_back(static_cast<std::uint32_t>(points.size()));
   }
   return polygons;
+}
+
+std::vector<Point3> segments_in(py::handle value, std::string_view what) {
+  const py::array array = array_of(value, what, Numbers::any);
+  if (array.ndim() != 3 || array.shape(1) != 2 || array.shape(2) != 3) {
+    throw Error(
+        fmt::format("{}: expected an array of shape (L, 2, 3), not {}", what, shape_of(array)));
+  }
+  const auto block = block_of<double>(array, what);
+  return copied<Point3>(span_of(block));
 }
 
 Grid grid_in(py::handle value, std::string_view what) {

@@ -39,12 +39,15 @@ struct Faces {
 /// An array (M, k), a sequence of sequences of indices, or with `sides` an array of all corners.
 Faces faces_in(pybind11::handle faces, pybind11::handle sides, std::size_t vertices);
 
-/// Polygons with vertices of their own: an array (M, k, 3), or a sequence of arrays (k, 3).
+/// Polygons with vertices of their own: an array (M, k, 3), or a sequence of arrays (k, 3);
+/// or if `sides` is not None, an array (N, 3) of all corners, of which polygon k has sides[k].
 struct Polygons {
   std::vector<Point3> points;
   std::vector<std::uint32_t> sides;
 };
-Polygons polygons_in(pybind11::handle value, std::string_view what);
+Polygons polygons_in(pybind11::handle value, pybind11::handle sides, std::string_view what);
+/// An array (L, 2, 3), as 2 L points.
+std::vector<Point3> segments_in(pybind11::handle value, std::string_view what);
 
 /// A grid of heights as an array (rows, columns).
 struct Grid {

@@ -14,6 +14,7 @@
 #include "python/arguments.h"
 #include "python/arrays.h"
 #include "python/interrupts.h"
+#include "python/join_pieces.h"
 #include "python/pieces.h"
 
 namespace displayfile::python {
@@ -71,20 +72,22 @@ void require_coordinates(std::span<const Point3> points) {
   throw Error("polygons: expected finite coordinates up to 1e100 in magnitude");
 }
 
-void enter(const Polygons& polygons, bool sides_drawn, const std::optional<LineSelection>& lines,
-           DevicePolygons& device) {
-  if (polygons.sides.size() > std::numeric_limits<std::int32_t>::max()) {
+/// `given` has the polygons' points, and after them those of the segments, two each, whose pick
+/// identifiers follow those of the polygons.
+void enter(const Polygons& polygons, const std::vector<Point3>& given, bool sides_drawn,
+           const std::optional<LineSelection>& lines, DevicePolygons& device) {
+  const std::size_t corner_count = polygons.points.size();
+  const std::size_t segment_count = (given.size() - corner_count) / 2;
+  if (polygons.sides.size() + segment_count > std::numeric_limits<std::int32_t>::max()) {
     throw Error("polygons: too many");
   }
-  require_coordinates(polygons.points);
-  for (int a = 0; a < 3; ++a)
-    device.axes[static_cast<std::size_t>(a)] = axis_of(polygons.points, a);
-  device.points = polygons.points;
+  for (int a = 0; a < 3; ++a) device.axes[static_cast<std::size_t>(a)] = axis_of(given, a);
+  device.points = given;
   for (Point3& p : device.points) {
     p = {device.axes[0].to_unit(p.x), device.axes[1].to_unit(p.y), device.axes[2].to_unit(p.z)};
   }
   device.first = {0};
-  std::vector<std::uint32_t> corners(device.points.size());
+  std::vector<std::uint32_t> corners(corner_count);
   std::vector<std::int32_t> picks(polygons.sides.size());
   for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = static_cast<std::uint32_t>(i);
   for (std::size_t k = 0; k < picks.size(); ++k) {
@@ -98,17 +101,27 @@ void enter(const Polygons& polygons, bool sides_drawn, const std::optional<LineS
   system.set_line_style({sides_drawn ? LineStyle::Kind::solid : LineStyle::Kind::none});
   system.open_segment(1);
   GraphicsSystem::ManyPolygons all;
-  all.vertices = device.points;
+  all.vertices = std::span(device.points).first(corner_count);
   all.corners = corners;
   all.sides = polygons.sides;
   all.picks = picks;
   system.polygons_abs_3(all);
+  system.set_line_style({LineStyle::Kind::solid});
+  for (std::size_t k = 0; k < segment_count; ++k) {
+    const Point3& from = device.points[corner_count + 2 * k];
+    const Point3& to = device.points[corner_count + 2 * k + 1];
+    system.set_pick_id(static_cast<std::int32_t>(polygons.sides.size() + k));
+    system.move_abs_3(from.x, from.y, from.z);
+    system.line_abs_3(to.x, to.y, to.z);
+    device.first.push_back(device.first.back() + 2);
+  }
   system.close_segment();
 }
 
 /// Back from device coordinates. A corner of the polygon that a piece is of has the very
 /// coordinates that it was given.
-void place_back(const Polygons& given, const DevicePolygons& device, DrawnPieces& pieces) {
+void place_back(const std::vector<Point3>& given, const DevicePolygons& device,
+                DrawnPieces& pieces) {
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     const auto item = static_cast<std::size_t>(std::max(pieces.picks[k], 0));
     const bool of_polygon = pieces.picks[k] >= 0;
@@ -119,7 +132,7 @@ void place_back(const Polygons& given, const DevicePolygons& device, DrawnPieces
       const auto corner = std::find(device.points.begin() + static_cast<std::ptrdiff_t>(begin),
                                     device.points.begin() + static_cast<std::ptrdiff_t>(end), p);
       const auto at = static_cast<std::size_t>(corner - device.points.begin());
-      p = at < end ? given.points[at]
+      p = at < end ? given[at]
                    : Point3(device.axes[0].from_unit(p.x), device.axes[1].from_unit(p.y),
                             device.axes[2].from_unit(p.z));
     }
@@ -127,9 +140,17 @@ void place_back(const Polygons& given, const DevicePolygons& device, DrawnPieces
 }
 
 /// Points, the first of each piece, the polygon that it is of, and its sides.
-py::tuple pieces_of(py::handle polygons, py::handle method, py::handle lines, py::handle threads,
-                    py::handle hidden, bool lines_alone) {
-  const Polygons given = polygons_in(polygons, "polygons");
+py::tuple pieces_of(py::handle polygons, py::handle sides, py::handle method, py::handle lines,
+                    py::handle threads, py::handle hidden, py::handle segments, bool whole,
+                    bool lines_alone) {
+  const Polygons given = polygons_in(polygons, sides, "polygons");
+  std::vector<Point3> points = given.points;
+  const bool has_segments = !segments.is_none();
+  if (has_segments) {
+    const std::vector<Point3> ends = segments_in(segments, "segments");
+    points.insert(points.end(), ends.begin(), ends.end());
+  }
+  require_coordinates(points);
   const HiddenMethod by = hidden_method(word_in(method, "method"));
   const bool finds_pieces =
       by == HiddenMethod::bsp || by == HiddenMethod::depth_sort || by == HiddenMethod::map;
@@ -148,13 +169,15 @@ py::tuple pieces_of(py::handle polygons, py::handle method, py::handle lines, py
     return line_selection(word_in(value, what));
   });
   DrawnPieces pieces;
-  if (!given.sides.empty()) {
+  if (!points.empty()) {
     pieces = without_interpreter([&] {
       DevicePolygons device;
-      enter(given, by != HiddenMethod::map, selection, device);
+      const bool sides_drawn = by != HiddenMethod::map && !(lines_alone && has_segments);
+      enter(given, points, sides_drawn, selection, device);
       SortedDisplayFile sorted;
       DrawnPieces drawn = drawn_pieces(sorted.update(device.system, by, options));
-      place_back(given, device, drawn);
+      if (whole) join_pieces(given.sides, device.points, drawn);
+      place_back(points, device, drawn);
       return drawn;
     });
   }
@@ -170,13 +193,17 @@ py::tuple pieces_of(py::handle polygons, py::handle method, py::handle lines, py
 }  // namespace
 
 void add_polygons(py::module_& module) {
-  module.def("_pieces_of", [](py::handle polygons, py::handle method, py::handle threads) {
-    return pieces_of(polygons, method, py::none(), threads, py::none(), false);
+  module.def("_pieces_of", [](py::handle polygons, py::handle sides, py::handle method,
+                              py::handle threads, py::handle segments, py::handle whole) {
+    return pieces_of(polygons, sides, method, py::none(), threads, py::none(), segments,
+                     switch_in(whole, "whole"), false);
   });
-  module.def("_lines_of", [](py::handle polygons, py::handle method, py::handle lines,
-                             py::handle hidden, py::handle threads) {
-    return pieces_of(polygons, method, lines, threads, hidden, true);
-  });
+  module.def("_lines_of",
+             [](py::handle polygons, py::handle sides, py::handle method, py::handle lines,
+                py::handle hidden, py::handle threads, py::handle segments) {
+               return pieces_of(polygons, sides, method, lines, threads, hidden, segments, false,
+                                true);
+             });
 }
 
 }  // namespace displayfile::python

@@ -168,8 +168,21 @@ _Pieces: TypeAlias = tuple[
 ]
 
 def _lines_of(
-    polygons: _Polygons, method: str, lines: str | None, hidden: bool, threads: int
+    polygons: _Polygons,
+    sides: _Numbers | None,
+    method: str,
+    lines: str | None,
+    hidden: bool,
+    threads: int,
+    segments: _Numbers | None,
 ) -> _Pieces: ...
-def _pieces_of(polygons: _Polygons, method: str, threads: int) -> _Pieces: ...
+def _pieces_of(
+    polygons: _Polygons,
+    sides: _Numbers | None,
+    method: str,
+    threads: int,
+    segments: _Numbers | None,
+    whole: bool,
+) -> _Pieces: ...
 def methods() -> list[str]: ...
 def user_routines() -> list[str]: ...

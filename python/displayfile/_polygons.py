@@ -9,7 +9,7 @@ from . import _displayfile
 if typing.TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
-    from ._displayfile import _Polygons
+    from ._displayfile import _Numbers, _Polygons
 
 
 class PolygonPieces(typing.NamedTuple):
@@ -47,42 +47,68 @@ class VisibleLines(typing.NamedTuple):
     """(K,): True where the line is hidden, if hidden lines were asked for."""
 
 
-def sort(polygons: _Polygons, *, method: str = "depth-sort", threads: int = 1) -> PolygonPieces:
+def sort(
+    polygons: _Polygons,
+    *,
+    sides: _Numbers | None = None,
+    segments: _Numbers | None = None,
+    whole: bool = False,
+    method: str = "depth-sort",
+    threads: int = 1,
+) -> PolygonPieces:
     """Put polygons in order from back to front, cut where there is no order otherwise.
 
     polygons is an array (M, k, 3) or a sequence of arrays (k, 3): x to the right, y up, a larger
-    z nearer to the viewer, in any range. method is "depth-sort" or "bsp". The order is exact.
+    z nearer to the viewer, in any range. With sides, an array (M,) of numbers of corners, it is
+    the array (N, 3) of all corners, one polygon after another. method is "depth-sort" or "bsp". The
+    order is exact.
+
+    segments is an array (L, 2, 3) of lines that are sorted too: their pieces have two points, and
+    item is M for the first of them. With whole the pieces of a polygon follow one another, or are
+    one piece again, where nothing that overlaps them comes between: cuts that the order of others
+    asked for, and those of polygons that are not flat, which are sorted as triangles.
     """
     if method == "map":
         raise _displayfile.Error("method 'map': expected depth-sort or bsp, or visible_pieces")
-    points, first, item, sides, _ = _displayfile._pieces_of(polygons, method, threads)
-    return PolygonPieces(points, first, item, sides)
+    points, first, item, own, _ = _displayfile._pieces_of(
+        polygons, sides, method, threads, segments, whole
+    )
+    return PolygonPieces(points, first, item, own)
 
 
-def visible_pieces(polygons: _Polygons, *, threads: int = 1) -> VisiblePieces:
+def visible_pieces(
+    polygons: _Polygons, *, sides: _Numbers | None = None, threads: int = 1
+) -> VisiblePieces:
     """Find the pieces of polygons that are seen. They do not overlap in the picture.
 
     polygons is as for sort.
     """
-    points, first, item, _, _ = _displayfile._pieces_of(polygons, "map", threads)
+    points, first, item, _, _ = _displayfile._pieces_of(
+        polygons, sides, "map", threads, None, False
+    )
     return VisiblePieces(points, first, item)
 
 
 def visible_lines(
     polygons: _Polygons,
     *,
+    sides: _Numbers | None = None,
+    segments: _Numbers | None = None,
     lines: str | None = None,
     hidden: bool = False,
     method: str = "franklin",
     threads: int = 1,
 ) -> VisibleLines:
-    """Find where the sides of polygons are seen.
+    """Find where the sides of polygons are seen, or segments.
 
-    polygons is as for sort. lines selects kinds of sides, such as "outline,crease": those of the
-    option --lines. With hidden the parts that are hidden are returned too. method is "franklin",
-    "appel" or "roberts", which find the same.
+    polygons is as for sort. segments is an array (L, 2, 3) of lines, which are looked at in place
+    of sides; item is then the segment. lines selects kinds of sides, such as "outline,crease":
+    those of the option --lines. With hidden the parts that are hidden are returned too. method is
+    "franklin", "appel" or "roberts", which find the same.
     """
     points, _, item, kinds, is_hidden = _displayfile._lines_of(
-        polygons, method, lines, hidden, threads
+        polygons, sides, method, lines, hidden, threads, segments
     )
+    if segments is not None:
+        item -= len(polygons if sides is None else sides)  # type: ignore[arg-type]
     return VisibleLines(points.reshape(-1, 2, 3), item, kinds[1::2], is_hidden.view(bool))

@@ -1,0 +1,384 @@
+"""From matplotlib's artists to the polygons and lines of a scene, in the axes' projection."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from matplotlib.collections import Collection
+from matplotlib.colors import to_rgba
+from matplotlib.path import Path
+
+from . import _matplotlib_private as private
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    import numpy.typing as npt
+
+    Floats = npt.NDArray[np.float64]
+    Indices = npt.NDArray[np.int64]
+
+_CURVE_PARTS = 16
+_CLEAR = np.zeros(4)
+
+
+class Style(NamedTuple):
+    """What a collection has once for all of its paths."""
+
+    clip_on: bool
+    clip_box: Any
+    clip_path: Any
+    cap: Any
+    join: Any
+    hatch: Any
+    hatch_colour: Any
+    sketch: Any
+    effects: Any
+    snap: Any
+    gid: Any
+    url: Any
+    rasterized: Any
+    agg_filter: Any
+
+    def give(self, c: Collection) -> None:
+        c.set_clip_on(self.clip_on)
+        c.set_clip_box(self.clip_box)
+        c.set_clip_path(self.clip_path)
+        if self.cap is not None:
+            c.set_capstyle(self.cap)
+        if self.join is not None:
+            c.set_joinstyle(self.join)
+        if self.hatch:
+            c.set_hatch(self.hatch)
+            private.set_hatch_colour(c, self.hatch_colour)
+        c.set_sketch_params(*(self.sketch or (None,)))
+        c.set_path_effects(self.effects)
+        c.set_snap(self.snap)
+        c.set_gid(self.gid)
+        c.set_url(self.url)
+        c.set_rasterized(self.rasterized)
+        c.set_agg_filter(self.agg_filter)
+
+
+def style_of(artist: Any, cap: Any, join: Any) -> Style:
+    hatch = artist.get_hatch() if hasattr(artist, "get_hatch") else None
+    if isinstance(artist, Collection):
+        urls = artist.get_urls()
+        url = urls[0] if len(urls) else None
+    else:
+        url = artist.get_url()
+    return Style(
+        artist.get_clip_on(),
+        artist.get_clip_box(),
+        artist.get_clip_path(),
+        cap,
+        join,
+        hatch,
+        private.hatch_colour(artist) if hatch else None,
+        artist.get_sketch_params(),
+        tuple(artist.get_path_effects() or ()),
+        artist.get_snap(),
+        artist.get_gid(),
+        url,
+        artist.get_rasterized(),
+        artist.get_agg_filter(),
+    )
+
+
+class Styles:
+    """The styles and dashes of a scene, each once."""
+
+    def __init__(self) -> None:
+        self.styles: list[Style] = []
+        self._keys: list[Any] = []
+        self.dashes: list[Any] = [(0, None)]
+
+    def style(self, style: Style) -> int:
+        box = style.clip_box and tuple(style.clip_box.get_points().ravel())
+        path = style.clip_path and style.clip_path.get_fully_transformed_path()
+        outline = path and (path.vertices.tolist(), path.codes is not None and path.codes.tolist())
+        key = (box, outline, style._replace(clip_box=None, clip_path=None))
+        if key not in self._keys:
+            self._keys.append(key)
+            self.styles.append(style)
+        return self._keys.index(key)
+
+    def unhatched(self, which: Indices) -> Indices:
+        """The same styles without hatching: of strokes."""
+        same = [self.style(s._replace(hatch=None, hatch_colour=None)) for s in self.styles[:]]
+        return np.array(same, np.int64)[which]
+
+    def dash(self, pattern: Any) -> int:
+        if pattern not in self.dashes:
+            self.dashes.append(pattern)
+        return self.dashes.index(pattern)
+
+
+class Attributes(NamedTuple):
+    """Of each polygon, or of each polyline."""
+
+    face: Floats
+    edge: Floats
+    width: Floats
+    antialiased: npt.NDArray[np.bool_]
+    dash: Indices
+    style: Indices
+
+    def of(self, which: Any) -> Attributes:
+        return Attributes(*(column[which] for column in self))
+
+
+def cycled(values: Any, n: int, *shape: int) -> Any:
+    """What a collection of n has of values that may be fewer, or none."""
+    array = np.asarray(values)
+    if len(array) == n:
+        return array
+    return np.resize(array, (n, *shape)) if len(array) else np.zeros((n, *shape))
+
+
+def _attributes(
+    styles: Styles,
+    n: int,
+    face: Any,
+    edge: Any,
+    width: Any,
+    antialiased: Any,
+    patterns: Sequence[Any],
+    style: Style,
+) -> Attributes:
+    dashes = [styles.dash((p[0], None if p[1] is None else tuple(p[1]))) for p in patterns]
+    return Attributes(
+        cycled(face, n, 4),
+        cycled(edge, n, 4),
+        cycled(np.atleast_1d(width), n).astype(float),
+        cycled(np.atleast_1d(antialiased), n).astype(bool),
+        cycled(dashes or [0], n).astype(np.int64),
+        np.full(n, styles.style(style)),
+    )
+
+
+def _joined(columns: list[Attributes]) -> Attributes:
+    return Attributes(*(np.concatenate(column) for column in zip(*columns)))
+
+
+def projected(points: Floats, matrix: Floats) -> Floats:
+    """In the axes' projection, with a larger z nearer; nan for what is not before the eye.
+
+    Each coordinate is a sum in one order, so that equal points are equal afterwards.
+    """
+    x, y, z = points.T
+    rows = [m[0] * x + m[1] * y + m[2] * z + m[3] for m in matrix]
+    w = np.where(rows[3] > 0.0, rows[3], np.nan)
+    return np.column_stack([rows[0] / w, rows[1] / w, -rows[2] / w])
+
+
+class Polygons:
+    """The polygons of a scene. Polygon k has the corners from first[k] to first[k + 1]."""
+
+    def __init__(self) -> None:
+        self.points: Floats = np.zeros((0, 3))
+        self.sides: Indices = np.zeros(0, np.int64)
+        self.bridges: dict[int, Floats] = {}
+        """The sides that are not drawn, (n, 2, 2): those that join rings, or close open ones."""
+        self.attributes: Attributes | None = None
+        self._points: list[Floats] = []
+        self._sides: list[Indices] = []
+        self._attributes: list[Attributes] = []
+
+    def add(self, points: Floats, sides: Indices, attributes: Attributes) -> None:
+        """Leaves out polygons of fewer than 3 corners, or with one that is not finite."""
+        first = np.concatenate([[0], np.cumsum(sides)])
+        bad = np.concatenate([[0], np.cumsum(~np.isfinite(points).all(axis=1))])
+        good = (sides >= 3) & (bad[first[1:]] == bad[first[:-1]])
+        if not good.all():
+            points = points[np.repeat(good, sides)]
+            attributes = attributes.of(good)
+            sides = sides[good]
+        self._points.append(points)
+        self._sides.append(sides)
+        self._attributes.append(attributes)
+
+    def add_rings(self, rings: list[tuple[Floats, bool]], attributes: Attributes) -> None:
+        """One polygon of several rings, of which the others are holes; closed or not each."""
+        rings = [(ring, closed) for ring, closed in rings if len(ring) >= 3]
+        if not rings or not all(np.isfinite(ring).all() for ring, _ in rings):
+            return
+        outline = rings[0][0]
+        bridges = [[ring[-1, :2], ring[0, :2]] for ring, closed in rings if not closed]
+        if len(rings) > 1:
+            anchor = outline[:1]
+            loops = [np.concatenate([ring, ring[:1], anchor]) for ring, _ in rings[1:]]
+            outline = np.concatenate([outline, anchor, *loops])[:-1]
+            bridges += [[anchor[0, :2], ring[0, :2]] for ring, _ in rings[1:]]
+        if bridges:
+            self.bridges[sum(len(sides) for sides in self._sides)] = np.array(bridges)
+        self.add(outline, np.array([len(outline)]), attributes)
+
+    def finish(self) -> None:
+        if not self._sides:
+            return
+        self.points = np.concatenate(self._points)
+        self.sides = np.concatenate(self._sides)
+        self.attributes = _joined(self._attributes)
+
+    def some(self, which: npt.NDArray[np.bool_]) -> tuple[Floats, Indices]:
+        return self.points[np.repeat(which, self.sides)], self.sides[which]
+
+    def is_opaque(self) -> npt.NDArray[np.bool_]:
+        return np.zeros(0, bool) if self.attributes is None else self.attributes.face[:, 3] >= 1.0
+
+
+class Lines:
+    """The polylines of a scene, as segments."""
+
+    def __init__(self) -> None:
+        self.segments: Floats = np.zeros((0, 2, 3))
+        self.line: Indices = np.zeros(0, np.int64)
+        """The polyline of each segment."""
+        self.attributes: Attributes | None = None
+        self._segments: list[Floats] = []
+        self._line: list[Indices] = []
+        self._attributes: list[Attributes] = []
+        self._count = 0
+
+    def add(self, points: Floats, lengths: Indices, attributes: Attributes) -> None:
+        line = np.repeat(np.arange(len(lengths)), lengths)
+        segments = np.stack([points[:-1], points[1:]], axis=1)
+        good = (line[1:] == line[:-1]) & np.isfinite(segments).all(axis=(1, 2))
+        self._segments.append(segments[good])
+        self._line.append(line[1:][good] + self._count)
+        self._attributes.append(attributes)
+        self._count += len(lengths)
+
+    def finish(self) -> None:
+        if not self._line:
+            return
+        self.segments = np.concatenate(self._segments)
+        self.line = np.concatenate(self._line)
+        self.attributes = _joined(self._attributes)
+
+
+def add_polygons(artist: Any, matrix: Floats, polygons: Polygons, styles: Styles) -> None:
+    corners, sides = private.polygons(artist)
+    face, edge = private.colours(artist)
+    n = len(sides)
+    face = cycled(face, n, 4)
+    style = style_of(artist, *private.cap_and_join(artist))
+    attributes = _attributes(
+        styles,
+        n,
+        face,
+        edge,
+        artist.get_linewidth(),
+        private.antialiased(artist),
+        artist.get_linestyle(),
+        style,
+    )
+    points = projected(corners, matrix)
+    codes = private.codes(artist)
+    if codes is None and private.is_closed(artist):
+        polygons.add(points, sides, attributes)
+        return
+    for k, own in enumerate(np.split(points, np.cumsum(sides)[:-1]) if n else []):
+        rings = _rings(own, None if codes is None else codes[k])
+        polygons.add_rings(rings, attributes.of([k]))
+
+
+def _rings(points: Floats, codes: Any) -> list[tuple[Floats, bool]]:
+    """The rings of a path, (n, 3) each, and whether it closes them. Curves become polygons."""
+    if codes is None:
+        return [_without_repeats(points, False)]
+    rings: list[tuple[Floats, bool]] = []
+    ring: list[Floats] = []
+    k = 0
+    while k < len(codes):
+        code = int(codes[k])
+        degree = {Path.CURVE3: 2, Path.CURVE4: 3}.get(code, 1)
+        if code in (Path.MOVETO, Path.CLOSEPOLY, Path.STOP):
+            if ring:
+                rings.append((np.concatenate(ring), code == Path.CLOSEPOLY))
+            ring = [points[k : k + 1]] if code == Path.MOVETO else []
+        elif degree == 1 or not ring:
+            ring.append(points[k : k + 1])
+        else:
+            ring.append(_curve(np.concatenate([ring[-1][-1:], points[k : k + degree]])))
+        k += degree
+    if ring:
+        rings.append((np.concatenate(ring), False))
+    return [_without_repeats(ring, closed) for ring, closed in rings]
+
+
+def _without_repeats(ring: Floats, closed: bool) -> tuple[Floats, bool]:
+    """Without points like the one before; a ring that ends where it begins is closed."""
+    ring = ring[np.concatenate([[True], (ring[1:] != ring[:-1]).any(axis=1)])]
+    if len(ring) > 1 and (ring[0] == ring[-1]).all():
+        return ring[:-1], True
+    return ring, closed
+
+
+def _curve(controls: Floats) -> Floats:
+    """Points of a Bezier curve, without its first."""
+    t: Any = np.arange(1, _CURVE_PARTS + 1)[:, None] / _CURVE_PARTS
+    points: Floats = np.repeat(controls[:, None], _CURVE_PARTS, axis=1)
+    while len(points) > 1:
+        points = points[:-1] * (1.0 - t) + points[1:] * t
+    return np.asarray(points[0])
+
+
+def add_patch(artist: Any, matrix: Floats, polygons: Polygons, styles: Styles) -> None:
+    corners, codes = private.patch_points(artist)
+    attributes = _attributes(
+        styles,
+        1,
+        [artist.get_facecolor()],
+        [artist.get_edgecolor()],
+        artist.get_linewidth(),
+        artist.get_antialiased(),
+        [private.dashes(artist)],
+        style_of(artist, artist.get_capstyle(), artist.get_joinstyle()),
+    )
+    polygons.add_rings(_rings(projected(corners, matrix), codes), attributes)
+
+
+def add_lines(artist: Any, matrix: Floats, lines: Lines, styles: Styles) -> None:
+    if artist.get_array() is not None:
+        artist.update_scalarmappable()
+    polylines = private.polylines(artist)
+    if not polylines:
+        return
+    attributes = _attributes(
+        styles,
+        len(polylines),
+        [_CLEAR],
+        artist.get_edgecolor(),
+        artist.get_linewidth(),
+        private.antialiased(artist),
+        artist.get_linestyle(),
+        style_of(artist, *private.cap_and_join(artist)),
+    )
+    lengths = np.array([len(p) for p in polylines])
+    lines.add(projected(np.concatenate(polylines), matrix), lengths, attributes)
+
+
+def add_line(artist: Any, matrix: Floats, lines: Lines, styles: Styles) -> None:
+    if artist.get_linestyle() in ("None", "none", " ", ""):
+        return
+    points = private.line_points(artist)
+    pattern = private.dashes(artist)
+    kind = "dash" if pattern[1] is not None else "solid"
+    attributes = _attributes(
+        styles,
+        1,
+        [_CLEAR],
+        [to_rgba(artist.get_color(), artist.get_alpha())],
+        artist.get_linewidth(),
+        artist.get_antialiased(),
+        [pattern],
+        style_of(
+            artist,
+            getattr(artist, f"get_{kind}_capstyle")(),
+            getattr(artist, f"get_{kind}_joinstyle")(),
+        ),
+    )
+    lines.add(projected(points, matrix), np.array([len(points)]), attributes)

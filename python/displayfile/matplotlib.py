@@ -1,0 +1,91 @@
+"""Exact visibility for matplotlib's three-dimensional axes.
+
+exact(ax) makes an Axes3D draw its surfaces, polygons, lines and markers with hidden surfaces
+removed exactly, across artists.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from mpl_toolkits.mplot3d import Axes3D
+
+from . import _matplotlib_private as private
+from ._displayfile import Error
+from ._matplotlib_scene import Markers, Scene, is_scatter, is_taken
+
+__all__ = ["Exact", "exact"]
+
+_LIFT = 1e-6
+_METHODS = ("depth-sort", "bsp")
+
+
+def exact(
+    ax: Axes3D, *, method: str = "depth-sort", lift: float = _LIFT, off: bool = False
+) -> Exact:
+    """Make the axes draw with exact visibility, from now on.
+
+    Polygons, lines and markers are hidden where opaque polygons are before them, whichever artist
+    they are of. Those that are added later are drawn so too. method is "depth-sort" or "bsp".
+    Lines and markers are taken as nearer to the viewer by lift times the depth of the scene.
+
+    With off, and by the remove method of what is returned, the axes draw as before.
+    """
+    if not isinstance(ax, Axes3D):
+        raise Error(f"exact: expected an Axes3D, not {type(ax).__name__}")
+    if method not in _METHODS:
+        raise Error(f"method '{method}': expected depth-sort or bsp")
+    if not 0.0 <= lift < 1.0:
+        raise Error(f"lift: {lift}: expected 0 or more, and less than 1")
+    private.require_axes(ax)
+    handle = getattr(vars(ax).get("draw"), "__self__", None)
+    if not isinstance(handle, Exact):
+        handle = Exact(ax)
+    handle.method = method
+    handle.lift = lift
+    ax.stale = True
+    if off:
+        handle.remove()
+    else:
+        ax.draw = handle._draw
+    return handle
+
+
+class Exact:
+    """Draws the axes that it was made for."""
+
+    method: str
+    lift: float
+
+    def __init__(self, ax: Axes3D) -> None:
+        self.ax = ax
+
+    def remove(self) -> None:
+        """Make the axes draw as before."""
+        if getattr(vars(self.ax).get("draw"), "__self__", None) is self:
+            del self.ax.draw
+            self.ax.stale = True
+
+    def _draw(self, renderer: Any) -> None:
+        ax = self.ax
+        groups: dict[float, list[Any]] = {}
+        drawn: list[Any] = []
+        for artist in private.children(ax):
+            if not is_taken(artist):
+                drawn.append(artist)
+                continue
+            # Without a computed order the artists' own order is kept: each is a scene by itself.
+            group = groups.setdefault(0.0 if ax.computed_zorder else artist.get_zorder(), [])
+            if not group:
+                drawn.append(group)
+            group.append(artist)
+        shown: list[Any] = []
+        for entry in drawn:
+            if isinstance(entry, list):
+                scene = Scene(ax, entry, self.method, self.lift)
+                shown.append(scene)
+                shown += [Markers(scene, artist) for artist in entry if is_scatter(artist)]
+            else:
+                shown.append(entry)
+        with private.children_replaced(ax, shown):
+            type(ax).draw(ax, renderer)

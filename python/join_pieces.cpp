@@ -1,0 +1,169 @@
+#include "python/join_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace displayfile::python {
+
+namespace {
+
+/// What overlaps by less, in a picture from 0 to 1, is not seen.
+constexpr double kTolerance = 1e-9;
+/// Polygons of more pieces stay in pieces.
+constexpr std::size_t kMostPieces = 512;
+
+using Corners = std::span<const Point3>;
+
+/// Whether the normal of one of the sides of `a` shows that they do not overlap.
+bool a_side_separates(Corners a, Corners b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Point3& p = a[i];
+    const Point3& q = a[(i + 1) % a.size()];
+    const double nx = p.y - q.y, ny = q.x - p.x;
+    const double tolerance = kTolerance * std::hypot(nx, ny);
+    const auto along = [&](const Point3& r) { return (r.x - p.x) * nx + (r.y - p.y) * ny; };
+    const auto [a_low, a_high] = std::ranges::minmax(a, {}, along);
+    const auto [b_low, b_high] = std::ranges::minmax(b, {}, along);
+    if (along(a_high) <= along(b_low) + tolerance || along(b_high) <= along(a_low) + tolerance) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool overlap(Corners a, Corners b) { return !a_side_separates(a, b) && !a_side_separates(b, a); }
+
+/// The pieces that lie in each cell of a grid over the picture, in their order.
+class Cells {
+ public:
+  explicit Cells(const DrawnPieces& pieces)
+      : side_(static_cast<std::size_t>(
+            std::clamp(std::sqrt(static_cast<double>(pieces.size())), 1.0, 1024.0))),
+        cells_(side_ * side_) {
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      visit(corners_of(pieces, k), [&](std::vector<std::uint32_t>& cell) {
+        cell.push_back(static_cast<std::uint32_t>(k));
+        return false;
+      });
+    }
+  }
+
+  static Corners corners_of(const DrawnPieces& pieces, std::size_t k) {
+    return Corners(pieces.points).subspan(pieces.first[k], pieces.first[k + 1] - pieces.first[k]);
+  }
+
+  /// Whether a piece after `from` and before `to` overlaps piece `from`, but for those of the same
+  /// polygon that are drawn at `to` too.
+  bool covered(const DrawnPieces& pieces, std::span<const std::uint32_t> places,
+               std::uint32_t from, std::uint32_t to) {
+    const Corners corners = corners_of(pieces, from);
+    return visit(corners, [&](const std::vector<std::uint32_t>& cell) {
+      for (auto k = std::ranges::upper_bound(cell, from); k != cell.end() && *k < to; ++k) {
+        const bool moves_too = pieces.picks[*k] == pieces.picks[from] && places[*k] == to;
+        if (!moves_too && overlap(corners, corners_of(pieces, *k))) return true;
+      }
+      return false;
+    });
+  }
+
+ private:
+  std::size_t cell_of(double value) const {
+    const double cells = static_cast<double>(side_);
+    return static_cast<std::size_t>(std::clamp(value * cells, 0.0, cells - 1.0));
+  }
+
+  /// Until `enter` returns true, which is then returned.
+  template <class Enter>
+  bool visit(Corners corners, Enter&& enter) {
+    const auto [x_low, x_high] = std::ranges::minmax(corners, {}, &Point3::x);
+    const auto [y_low, y_high] = std::ranges::minmax(corners, {}, &Point3::y);
+    for (std::size_t y = cell_of(y_low.y); y <= cell_of(y_high.y); ++y) {
+      for (std::size_t x = cell_of(x_low.x); x <= cell_of(x_high.x); ++x) {
+        if (enter(cells_[y * side_ + x])) return true;
+      }
+    }
+    return false;
+  }
+
+  std::size_t side_;
+  std::vector<std::vector<std::uint32_t>> cells_;
+};
+
+bool overlap_each_other(const DrawnPieces& pieces, std::span<const std::uint32_t> own) {
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (overlap(Cells::corners_of(pieces, own[i]), Cells::corners_of(pieces, own[j]))) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// The piece after which each is drawn, or itself: the next of its polygon if nothing between
+/// covers it.
+std::vector<std::uint32_t> places_of(const DrawnPieces& pieces,
+                                     const std::vector<std::vector<std::uint32_t>>& own) {
+  std::vector<std::uint32_t> places(pieces.size());
+  std::iota(places.begin(), places.end(), 0u);
+  Cells cells(pieces);
+  for (const std::vector<std::uint32_t>& of_one : own) {
+    for (std::size_t i = of_one.size(); i-- > 1;) {
+      const std::uint32_t k = of_one[i - 1], to = places[of_one[i]];
+      if (!cells.covered(pieces, places, k, to)) places[k] = to;
+    }
+  }
+  return places;
+}
+
+}  // namespace
+
+void join_pieces(std::span<const std::uint32_t> sides, std::span<const Point3> points,
+                 DrawnPieces& pieces) {
+  const std::size_t count = pieces.size();
+  std::vector<std::vector<std::uint32_t>> own(sides.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto item = static_cast<std::size_t>(pieces.picks[k]);
+    if (item < sides.size()) own[item].push_back(static_cast<std::uint32_t>(k));
+  }
+  const std::vector<std::uint32_t> places = places_of(pieces, own);
+
+  std::vector<Corners> whole(count);  // the polygon, for the last of its pieces
+  std::vector<bool> left_out(count);
+  std::size_t begin = 0;
+  for (std::size_t item = 0; item < sides.size(); begin += sides[item++]) {
+    if (own[item].size() < 2 || own[item].size() > kMostPieces) continue;
+    const std::uint32_t last = own[item].back();
+    const auto stays = [&](std::uint32_t k) { return places[k] != last; };
+    if (std::ranges::any_of(own[item], stays) || overlap_each_other(pieces, own[item])) continue;
+    for (const std::uint32_t k : own[item]) left_out[k] = k != last;
+    whole[last] = points.subspan(begin, sides[item]);
+  }
+
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::stable_sort(order, {}, [&](std::uint32_t k) { return places[k]; });
+  DrawnPieces joined;
+  for (const std::uint32_t k : order) {
+    if (left_out[k]) continue;
+    const Corners corners = whole[k].empty() ? Cells::corners_of(pieces, k) : whole[k];
+    joined.points.insert(joined.points.end(), corners.begin(), corners.end());
+    if (whole[k].empty()) {
+      const auto sides_of = std::span(pieces.sides).subspan(pieces.first[k], corners.size());
+      joined.sides.insert(joined.sides.end(), sides_of.begin(), sides_of.end());
+    } else {
+      joined.sides.resize(joined.points.size(), 1);
+    }
+    joined.first.push_back(static_cast<std::uint32_t>(joined.points.size()));
+    joined.kinds.push_back(pieces.kinds[k]);
+    joined.fills.push_back(pieces.fills[k]);
+    joined.lines.push_back(pieces.lines[k]);
+    joined.picks.push_back(pieces.picks[k]);
+    joined.segments.push_back(pieces.segments[k]);
+  }
+  pieces = std::move(joined);
+}
+
+}  // namespace displayfile::python

@@ -1,0 +1,443 @@
+from __future__ import annotations
+
+import copy
+import io
+import pickle
+from typing import Any, Callable
+
+import numpy as np
+import pytest
+
+import displayfile
+
+matplotlib = pytest.importorskip("matplotlib", reason="matplotlib is not installed")
+matplotlib.use("agg")
+from matplotlib import colors, pyplot  # noqa: E402
+from matplotlib.patches import Circle, PathPatch, Rectangle  # noqa: E402
+from matplotlib.path import Path  # noqa: E402
+from mpl_toolkits.mplot3d import art3d, proj3d  # noqa: E402
+
+from displayfile import _matplotlib_private as private  # noqa: E402
+from displayfile.matplotlib import exact  # noqa: E402
+
+SQUARE = np.meshgrid([-1.0, 1.0], [-1.0, 1.0])
+
+
+@pytest.fixture(autouse=True)
+def closed_figures() -> Any:
+    yield
+    pyplot.close("all")
+
+
+def axes(**options: Any) -> Any:
+    made = pyplot.figure(figsize=(4, 4), dpi=100).add_subplot(projection="3d", **options)
+    made.set(xlim=(-1, 1), ylim=(-1, 1), zlim=(-1, 1))
+    made.set_axis_off()
+    return made
+
+
+def pixels(ax: Any) -> np.ndarray[Any, Any]:
+    ax.figure.canvas.draw()
+    return np.asarray(ax.figure.canvas.buffer_rgba())[:, :, :3].astype(int)
+
+
+def place(ax: Any, point: Any) -> tuple[int, int]:
+    """The row and column of a point's pixel."""
+    x, y, _ = proj3d.proj_transform(*point, ax.get_proj())
+    column, row = ax.transData.transform((x, y))
+    return int(ax.figure.bbox.height - row), int(column)
+
+
+def at(picture: Any, ax: Any, point: Any) -> tuple[int, ...]:
+    return tuple(picture[place(ax, point)])
+
+
+def rgb(colour: Any) -> tuple[int, ...]:
+    return tuple(round(255 * v) for v in colors.to_rgb(colour))
+
+
+def shows(picture: Any, ax: Any, point: Any, colour: str) -> bool:
+    """Whether the pixel has the colour, or nearly: a seam of the surface may run through it."""
+    return bool(np.abs(np.subtract(at(picture, ax, point), rgb(colour))).max() < 50)
+
+
+def toward_eye(ax: Any) -> Any:
+    """In an orthographic projection: the direction in which nothing moves in the picture."""
+    matrix = ax.get_proj()
+    direction = np.linalg.svd(matrix[:2, :3])[2][2]
+    return direction if matrix[2, :3] @ direction < 0 else -direction
+
+
+def differ(a: Any, b: Any) -> tuple[float, float]:
+    """The mean difference, and the part of pixels that differ by more than a quarter."""
+    off = np.abs(a - b).max(axis=2)
+    return float(off.mean()), float((off > 64).mean())
+
+
+def surface(ax: Any, x: Any, y: Any, z: Any, colour: str, **options: Any) -> Any:
+    return ax.plot_surface(
+        *np.broadcast_arrays(x, y, z), color=colour, shade=False, rstride=1, cstride=1, **options
+    )
+
+
+@pytest.mark.parametrize("method", ["depth-sort", "bsp"])
+def test_planes_that_cross_hide_each_other_where_calculation_says(method: str) -> None:
+    ax = axes(proj_type="ortho")
+    u, v = SQUARE
+    planes = {0: "red", 1: "blue", 2: "lime"}
+    surface(ax, 0.0, u, v, planes[0])
+    surface(ax, u, 0.0, v, planes[1])
+    surface(ax, u, v, 0.0, planes[2])
+    exact(ax, method=method)
+    for elev, azim in ((30, -60), (12, 50), (-35, 160)):
+        ax.view_init(elev, azim)
+        picture = pixels(ax)
+        eye = toward_eye(ax)
+        checked = 0
+        for axis, colour in planes.items():
+            for a, b in np.random.default_rng(axis).uniform(-0.95, 0.95, (40, 2)):
+                point = np.insert([a, b], axis, 0.0)
+                hidden, near_a_side = False, False
+                for other in set(planes) - {axis}:
+                    t = -point[other] / eye[other]
+                    hit = np.abs(np.delete(point + t * eye, other)).max()
+                    near_a_side |= abs(hit - 1.0) < 0.1 or abs(point[other]) < 0.1
+                    hidden |= t > 0.0 and hit < 1.0
+                if near_a_side:
+                    continue
+                assert shows(picture, ax, point, colour) is not hidden
+                checked += 1
+        assert checked > 40
+
+
+def torus(ax: Any, colour: str, upright: bool) -> None:
+    u, v = np.meshgrid(np.linspace(0, 2 * np.pi, 49), np.linspace(0, 2 * np.pi, 25))
+    x, y = (0.5 + 0.12 * np.cos(v)) * (np.cos(u), np.sin(u))
+    z = 0.12 * np.sin(v)
+    surface(ax, *((x + 0.5, z, y) if upright else (x, y, z)), colour)
+
+
+def test_linked_tori_pass_through_each_other_s_holes() -> None:
+    ax = axes(proj_type="ortho")
+    torus(ax, "red", False)
+    torus(ax, "blue", True)
+    exact(ax)
+    ax.view_init(35, -50)
+    picture = pixels(ax)
+    # Points on the tori that are nearest to the eye there: of each torus one before the other.
+    eye = toward_eye(ax)
+    eye /= np.linalg.norm(eye)
+    seen = set()
+    for turn in np.linspace(0, 2 * np.pi, 24, endpoint=False):
+        for upright, colour in ((False, "red"), (True, "blue")):
+            c, s = 0.5 * np.cos(turn), 0.5 * np.sin(turn)
+            centre = np.array([c + 0.5, 0.0, s] if upright else [c, s, 0.0])
+            if not ray_meets_torus(centre, eye, not upright):
+                continue
+            own = ray_meets_torus(centre + 0.3 * eye, eye, upright)
+            if not own:
+                assert shows(picture, ax, centre, "blue" if colour == "red" else "red")
+                seen.add(colour)
+    assert seen == {"red", "blue"}
+
+
+def ray_meets_torus(origin: Any, direction: Any, upright: bool) -> bool:
+    """Whether the ray passes well within the tube."""
+    p = origin + np.linspace(0.0, 3.0, 3001)[:, None] * direction
+    x, y, z = (p[:, 0] - 0.5, p[:, 2], p[:, 1]) if upright else p.T
+    return bool((np.hypot(np.hypot(x, y) - 0.5, z) < 0.06).any())
+
+
+def test_a_wave_with_a_plane_and_a_line() -> None:
+    ax = axes(proj_type="ortho")
+    x, y = np.meshgrid(np.linspace(-1, 1, 41), np.linspace(-1, 1, 41))
+    surface(ax, x, y, 0.5 * np.sin(np.pi * x), "red")
+    surface(ax, *SQUARE, 0.0, "blue")
+    ax.plot([0.5, 0.5], [0.0, 0.0], [-1.0, 1.0], color="lime", lw=4)
+    exact(ax)
+    ax.view_init(40, -90)
+    picture = pixels(ax)
+    assert at(picture, ax, (0.325, 0.625, 0.5 * np.sin(0.325 * np.pi))) == rgb("red")
+    assert at(picture, ax, (-0.5, 0.6, 0.0)) == rgb("blue")
+    assert at(picture, ax, (0.5, 0.0, 0.8)) == rgb("lime")
+    assert at(picture, ax, (0.5, 0.0, 0.4)) != rgb("lime")
+    assert at(picture, ax, (0.5, 0.0, -0.2)) != rgb("lime")
+
+
+def test_markers_are_hidden_where_they_are_behind() -> None:
+    ax = axes()
+    surface(ax, *SQUARE, 0.0, "red")
+    points = np.array([[-0.5, 0, -0.4], [0.5, 0, 0.4], [0, 0.5, 0.0], [0.2, -0.5, -0.2]])
+    ax.scatter(*points.T, c="blue", s=80, depthshade=False)
+    ax.plot(*(points + [0.1, 0.2, 0.0]).T, "s", color="lime")
+    exact(ax)
+    for elev, shown in ((60, [False, True, True, False]), (-60, [True, False, True, True])):
+        ax.view_init(elev, -70)
+        picture = pixels(ax)
+        for point, is_shown in zip(points, shown):
+            assert (at(picture, ax, point) == rgb("blue")) is is_shown
+            assert (at(picture, ax, point + [0.1, 0.2, 0.0]) == rgb("lime")) is is_shown
+
+
+def test_markers_keep_their_own_colours_and_sizes() -> None:
+    ax = axes()
+    surface(ax, *SQUARE, -0.9, "white")
+    points = np.random.default_rng(5).uniform(-0.8, 0.8, (3, 30))
+    ax.scatter(*points, c=points[0], s=np.linspace(5, 90, 30), cmap="jet", edgecolors="k")
+    plain = pixels(ax)
+    exact(ax)
+    mean, far = differ(pixels(ax), plain)
+    assert mean == 0.0 and far == 0.0
+
+
+def blended(front: Any, alpha: float, back: Any) -> Any:
+    return [alpha * f + (1 - alpha) * b for f, b in zip(rgb(front), rgb(back))]
+
+
+def test_translucent_polygons_hide_nothing_and_are_drawn_in_order() -> None:
+    ax = axes()
+    surface(ax, *SQUARE, 0.5, "red", alpha=0.5)
+    surface(ax, *SQUARE, 0.0, "lime", alpha=0.5)
+    surface(ax, *SQUARE, -0.5, "blue")
+    ax.plot([-0.5, 0.5], [0, 0], [0.25, 0.25], "k", lw=5)
+    ax.scatter([0.0], [0.5], [0.25], c="yellow", s=100, depthshade=False)
+    exact(ax)
+    ax.view_init(90, -90)
+    picture = pixels(ax)
+    both = np.array(blended("lime", 0.5, "blue")) * 0.5 + np.array(rgb("red")) * 0.5
+    assert np.abs(at(picture, ax, (0.5, -0.5, 0.5)) - both).max() <= 2
+    below_red = blended("red", 0.5, "black")
+    assert np.abs(np.subtract(at(picture, ax, (0.25, 0.0, 0.25)), below_red)).max() <= 2
+    tinted = blended("red", 0.5, "yellow")
+    assert np.abs(np.subtract(at(picture, ax, (0.0, 0.5, 0.25)), tinted)).max() <= 2
+    ax.view_init(-90, -90)  # From below the opaque plane hides all else.
+    assert at(pixels(ax), ax, (0.5, -0.5, -0.5)) == rgb("blue")
+    assert at(pixels(ax), ax, (0.25, 0.0, -0.5)) == rgb("blue")
+
+
+def test_a_line_in_a_surface_stays_whole() -> None:
+    ax = axes()
+    x, y = np.meshgrid(np.linspace(-1, 1, 21), np.linspace(-1, 1, 21))
+    z = 0.3 * np.sin(3 * x) * np.cos(3 * y)
+    surface(ax, x, y, z, "white")
+    ax.plot(x[10], y[10], z[10], color="blue", lw=3)
+    exact(ax)
+    ax.view_init(60, -70)
+    picture = pixels(ax)
+    for k in range(20):
+        a, b = ([v[10, j] for v in (x, y, z)] for j in (k, k + 1))
+        assert at(picture, ax, np.add(a, b) / 2) == rgb("blue")
+
+
+def test_dashes_go_on_behind_what_hides_a_part() -> None:
+    ax = axes()
+    ax.view_init(90, -90)
+    ax.plot([-1, 1], [0.3, 0.3], [0, 0], "k--", lw=3)
+    plain = pixels(ax)
+    surface(ax, *np.array(SQUARE) * 0.2 + 0.3, 0.5, "red")
+    exact(ax)
+    picture = pixels(ax)
+    is_red = (picture == rgb("red")).all(axis=2)
+    near = np.pad(is_red, 3)
+    away = ~np.any([np.roll(near, (i, j), (0, 1)) for i in (-3, 0, 3) for j in (-3, 0, 3)], axis=0)
+    away = away[3:-3, 3:-3]
+    assert is_red.any() and differ(picture * away[..., None], plain * away[..., None])[1] < 2e-4
+
+
+def sphere(ax: Any) -> None:
+    u, v = np.meshgrid(np.linspace(0, 2 * np.pi, 41), np.linspace(0, np.pi, 21))
+    ax.plot_surface(np.cos(u) * np.sin(v), np.sin(u) * np.sin(v), np.cos(v), color="tab:red")
+
+
+def bars(ax: Any) -> None:
+    x, y = np.meshgrid([-0.9, -0.2, 0.5], [-0.9, -0.2, 0.5])
+    height = np.linspace(0.1, 0.5, 9)
+    ax.bar3d(x.ravel(), y.ravel(), -1.0, 0.2, 0.2, height, color="tab:blue", edgecolor="k")
+
+
+def bowl(ax: Any) -> None:
+    turn, radius = np.meshgrid(np.linspace(0, 2 * np.pi, 24, endpoint=False), [0.3, 0.6, 0.9])
+    x, y = (radius * np.cos(turn)).ravel(), (radius * np.sin(turn)).ravel()
+    ax.plot_trisurf(x, y, x * x + y * y - 0.5, cmap="viridis", linewidth=0.2)
+    ax.view_init(70, -60)
+
+
+def wave(ax: Any) -> None:
+    x, y = np.meshgrid(np.linspace(-1, 1, 31), np.linspace(-1, 1, 31))
+    ax.plot_surface(x, y, 0.3 * np.sin(4 * x) * np.cos(3 * y), cmap="coolwarm", linewidth=0)
+
+
+def wires(ax: Any) -> None:
+    x, y = np.meshgrid(np.linspace(-1, 1, 21), np.linspace(-1, 1, 21))
+    ax.plot_wireframe(x, y, 0.3 * np.sin(4 * x) * np.cos(3 * y))
+    ax.plot(np.linspace(-1, 1, 50), np.sin(np.linspace(0, 9, 50)), 0.8, "r-.")
+
+
+def filled_contours(ax: Any) -> None:
+    x, y = np.meshgrid(np.linspace(-1, 1, 31), np.linspace(-1, 1, 31))
+    ax.contourf(x, y, np.sin(5 * x) * np.cos(5 * y), zdir="z", offset=-0.5)
+
+
+def flat_bars(ax: Any) -> None:
+    for k in range(3):
+        ax.bar([-0.8, -0.3, 0.2, 0.7], [0.3, 0.8, 0.6, 0.4], zs=k / 3, zdir="y", width=0.2)
+
+
+def patches(ax: Any) -> None:
+    hole = Path([[0, 0.4], [0.4, 0], [0, -0.4], [-0.4, 0], [0, 0.4]], closed=True)
+    outline = Path([[-0.8, -0.8], [0.8, -0.8], [0.8, 0.8], [-0.8, 0.8], [0, 0]], closed=True)
+    ring = Path.make_compound_path(outline, hole)
+    for patch, z in ((PathPatch(ring, fc="orange"), 0.0), (Circle((0, 0), 0.2), 0.5)):
+        ax.add_patch(patch)
+        art3d.pathpatch_2d_to_3d(patch, z=z, zdir="x")
+
+
+@pytest.mark.parametrize(
+    ("fill", "most", "most_far"),
+    [
+        (sphere, 0.5, 0.002),
+        (bars, 0.5, 0.002),
+        (bowl, 0.5, 0.002),
+        (wave, 0.5, 0.002),
+        (wires, 0.5, 0.002),
+        (filled_contours, 1.0, 0.005),  # They are drawn without antialiasing.
+        (flat_bars, 0.5, 0.002),
+        (patches, 0.5, 0.002),
+    ],
+)
+def test_scenes_without_faults_are_drawn_as_before(
+    fill: Callable[[Any], None], most: float, most_far: float
+) -> None:
+    ax = axes()
+    ax.set_axis_on()
+    fill(ax)
+    plain = pixels(ax)
+    exact(ax)
+    mean, far = differ(pixels(ax), plain)
+    assert mean <= most
+    assert far <= most_far
+
+
+def test_what_is_drawn_beside_the_axes_artists_stays() -> None:
+    ax = axes()
+    drawn = surface(ax, *SQUARE, 0.0, "red", label="plane")
+    mapped = ax.plot_surface(*SQUARE, np.full((2, 2), 0.5), cmap="viridis")
+    scatter = ax.scatter([0], [0], [0.8], c="blue", label="point")
+    line = ax.plot([0, 1], [0, 1], [0, 1], "lime", label="line")[0]
+    ax.text(0, 0, 0, "text")
+    exact(ax)
+    bar = ax.figure.colorbar(mapped)
+    limits = ax.get_xlim(), ax.get_ylim(), ax.get_zlim()
+    ax.figure.canvas.draw()
+    legend = ax.legend(handles=[scatter, line])
+    ax.figure.canvas.draw()
+    handles = getattr(legend, "legend_handles", None) or legend.legendHandles
+    assert tuple(handles[0].get_facecolor()[0][:3]) == colors.to_rgb("blue")
+    assert colors.to_rgb(handles[1].get_color()) == colors.to_rgb("lime")
+    assert all(h.get_visible() for h in handles)
+    assert bar.mappable is mapped
+    assert limits == (ax.get_xlim(), ax.get_ylim(), ax.get_zlim())
+    assert all(a.get_visible() for a in (drawn, mapped, scatter, line))
+    assert drawn in ax.collections and line in ax.lines
+    assert ax.get_tightbbox(ax.figure.canvas.get_renderer()) is not None
+
+
+def test_artists_that_come_and_go_are_followed() -> None:
+    ax = axes()
+    ax.view_init(90, -90)
+    exact(ax)
+    pixels(ax)
+    surface(ax, *SQUARE, 0.0, "red")
+    above = surface(ax, *SQUARE, 0.5, "blue")
+    assert at(pixels(ax), ax, (0, 0, 0)) == rgb("blue")
+    above.set_visible(False)
+    assert at(pixels(ax), ax, (0, 0, 0)) == rgb("red")
+    above.set_visible(True)
+    above.remove()
+    assert at(pixels(ax), ax, (0, 0, 0)) == rgb("red")
+
+
+def test_it_can_be_called_again_and_taken_back() -> None:
+    ax = axes()
+    ax.view_init(40, -60)
+    surface(ax, *SQUARE, 0.0, "red")
+    surface(ax, SQUARE[0], 0.0, SQUARE[1], "blue")
+    plain = pixels(ax)
+    handle = exact(ax)
+    drawn = pixels(ax)
+    assert (drawn != plain).any()
+    assert exact(ax) is handle
+    assert (pixels(ax) == drawn).all()
+    handle.remove()
+    handle.remove()
+    assert (pixels(ax) == plain).all()
+    exact(ax)
+    assert (pixels(ax) == drawn).all()
+    exact(ax, off=True)
+    assert (pixels(ax) == plain).all()
+
+
+def test_a_given_order_is_kept() -> None:
+    ax = axes(computed_zorder=False)
+    ax.view_init(90, -90)
+    surface(ax, *SQUARE, 0.5, "blue", zorder=1)
+    surface(ax, *SQUARE, 0.0, "red", zorder=2)
+    exact(ax)
+    assert at(pixels(ax), ax, (0, 0, 0)) == rgb("red")
+
+
+@pytest.mark.parametrize("format", ["svg", "pdf", "png"])
+def test_all_formats_are_written(format: str) -> None:
+    ax = axes()
+    ax.set_axis_on()
+    for fill in (sphere, bars, wires, wave, filled_contours, patches):
+        fill(ax)
+    ax.scatter([0], [0], [0])
+    exact(ax)
+    file = io.BytesIO()
+    ax.figure.savefig(file, format=format, bbox_inches="tight")
+    assert len(file.getvalue()) > 10_000
+
+
+def test_what_cannot_be_drawn_is_left_out() -> None:
+    ax = axes()
+    x, y = np.meshgrid(np.linspace(-1, 1, 5), np.linspace(-1, 1, 5))
+    z = 0.0 * x
+    z[0, 0] = np.nan
+    surface(ax, x, y, z, "red")
+    surface(ax, 0.0 * x, 0.0 * y, z + 1.0, "blue")  # All corners in one point.
+    ax.plot([0, np.nan, 1, 1], [0, 1, 1, 0], [0.5, 0.5, 0.5, 0.5], "k", lw=4)
+    ax.plot([], [], [])
+    ax.scatter([0, np.nan], [0, 0], [0, 0])
+    ax.add_collection3d(art3d.Line3DCollection([]))
+    exact(ax)
+    ax.view_init(90, -90)
+    picture = pixels(ax)
+    assert at(picture, ax, (0.5, 0.25, 0)) == rgb("red")
+    assert at(picture, ax, (-0.9, -0.9, 0)) == rgb("white")
+    assert at(picture, ax, (1, 0.4, 0.5)) == rgb("black")
+
+
+def test_copies_and_pickles_do_no_harm() -> None:
+    ax = axes()
+    surface(ax, *SQUARE, 0.0, "red")
+    exact(ax)
+    pixels(ax)
+    for copied in (pickle.loads(pickle.dumps(ax.figure)), copy.copy(ax.figure)):
+        copied.savefig(io.BytesIO())
+    pixels(ax)
+
+
+def test_errors_say_what_is_wrong() -> None:
+    flat = pyplot.figure().add_subplot()
+    with pytest.raises(displayfile.Error, match="exact: expected an Axes3D, not "):
+        exact(flat)
+    ax = axes()
+    with pytest.raises(displayfile.Error, match="method 'map': expected depth-sort or bsp"):
+        exact(ax, method="map")
+    with pytest.raises(displayfile.Error, match="lift: -1"):
+        exact(ax, lift=-1)
+    with pytest.raises(
+        displayfile.Error, match=r"matplotlib \d.*: Rectangle has no attribute '_no'"
+    ):
+        private._require(Rectangle((0, 0), 1, 1), "_no")

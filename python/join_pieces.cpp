@@ -56,8 +56,8 @@ class Cells {
 
   /// Whether a piece after `from` and before `to` overlaps piece `from`, but for those of the same
   /// polygon that are drawn at `to` too.
-  bool covered(const DrawnPieces& pieces, std::span<const std::uint32_t> places,
-               std::uint32_t from, std::uint32_t to) {
+  bool covered(const DrawnPieces& pieces, std::span<const std::uint32_t> places, std::uint32_t from,
+               std::uint32_t to) {
     const Corners corners = corners_of(pieces, from);
     return visit(corners, [&](const std::vector<std::uint32_t>& cell) {
       for (auto k = std::ranges::upper_bound(cell, from); k != cell.end() && *k < to; ++k) {

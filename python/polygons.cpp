@@ -198,12 +198,11 @@ void add_polygons(py::module_& module) {
     return pieces_of(polygons, sides, method, py::none(), threads, py::none(), segments,
                      switch_in(whole, "whole"), false);
   });
-  module.def("_lines_of",
-             [](py::handle polygons, py::handle sides, py::handle method, py::handle lines,
-                py::handle hidden, py::handle threads, py::handle segments) {
-               return pieces_of(polygons, sides, method, lines, threads, hidden, segments, false,
-                                true);
-             });
+  module.def(
+      "_lines_of", [](py::handle polygons, py::handle sides, py::handle method, py::handle lines,
+                      py::handle hidden, py::handle threads, py::handle segments) {
+        return pieces_of(polygons, sides, method, lines, threads, hidden, segments, false, true);
+      });
 }
 
 }  // namespace displayfile::python

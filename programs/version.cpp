@@ -8,7 +8,7 @@
 namespace displayfile {
 
 /// Names of libraries, empty if all are there.
-constexpr std::string_view kLeftOut = DISPLAYFILE_LEFT_OUT;
+constexpr const char* kLeftOut = DISPLAYFILE_LEFT_OUT;
 
 std::string version() {
   const std::string assimp =
@@ -19,7 +19,7 @@ std::string version() {
       "OSMesa                   {}{}",
       DISPLAYFILE_VERSION, assimp,
       osmesa_available() ? osmesa_description() : "not found: no --device osmesa",
-      kLeftOut.empty() ? "" : fmt::format("\nbuilt without            {}", kLeftOut));
+      std::string_view(kLeftOut).empty() ? "" : fmt::format("\nbuilt without            {}", kLeftOut));
 }
 
 }  // namespace displayfile

@@ -19,7 +19,8 @@ std::string version() {
       "OSMesa                   {}{}",
       DISPLAYFILE_VERSION, assimp,
       osmesa_available() ? osmesa_description() : "not found: no --device osmesa",
-      std::string_view(kLeftOut).empty() ? "" : fmt::format("\nbuilt without            {}", kLeftOut));
+      std::string_view(kLeftOut).empty() ? ""
+                                         : fmt::format("\nbuilt without            {}", kLeftOut));
 }
 
 }  // namespace displayfile

@@ -22,14 +22,14 @@ struct DrawnPieces {
   };
 
   std::vector<Kind> kinds;
-  /// Of piece k from first[k] to first[k + 1]; one more at the end.
+  /// Where each piece begins in points: piece k goes on to first[k + 1]. One more at the end.
   std::vector<std::uint32_t> first{0};
   /// Device coordinates: x and y in [0,1] over the picture, y up, larger z nearer to the viewer.
   std::vector<Point3> points;
   /// For each point 1 if the side that ends at it is drawn, or the kinds of line that it is
   /// (hidden/line_kinds.h), and 0 if it is not: sides that cuts made are not.
   std::vector<std::uint8_t> sides;
-  /// Of each piece: of solid polygons the colour that they are filled with, a shaded one with the
+  /// One each piece: of solid polygons the colour that they are filled with, a shaded one with the
   /// mean of its shades; and how its sides, or the line, are drawn.
   std::vector<Colour> fills;
   std::vector<LineStyle> lines;

@@ -24,8 +24,8 @@ struct DrawOptions {
   /// Pixels; of a PDF, points. For a picture that is not square, set_aspect_ratio before the first
   /// segment keeps windows from being stretched.
   int width = 512, height = 512;
-  /// Of pixels: only these rows of the picture, the same as they are in the whole of it, as a
-  /// picture of so many. Machines may share a picture so.
+  /// Only these rows of a picture of pixels, the same as they are in the whole of it, as a picture
+  /// of so many. Machines may share a picture so.
   std::optional<PictureRows> rows = std::nullopt;
   std::optional<HiddenMethod> hidden =
       std::nullopt;  ///< these four in place of what the application set

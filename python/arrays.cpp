@@ -14,7 +14,7 @@ namespace py = pybind11;
 
 namespace {
 
-/// Of NumPy's: in C's order, aligned, in this machine's order of bytes.
+/// What NumPy is asked for: in C's order, aligned, in this machine's order of bytes.
 template <class T>
 using Block = py::array_t<T, py::array::c_style | py::array::forcecast |
                                  py::detail::npy_api::NPY_ARRAY_ALIGNED_>;

@@ -116,7 +116,7 @@ class Styles:
 
 
 class Attributes(NamedTuple):
-    """Of each polygon, or of each polyline."""
+    """What each polygon, or each polyline, looks like."""
 
     face: Floats
     edge: Floats

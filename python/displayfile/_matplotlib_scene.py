@@ -70,7 +70,7 @@ class Scene(Collection):  # type: ignore[misc]
         self.set_zorder(min(a.get_zorder() for a in artists))
         self.hidden: dict[Any, npt.NDArray[np.bool_]] = {}
         self.tints: dict[Any, Floats] = {}
-        """Of each marker what covers it: a colour, and how much of the marker's is left."""
+        """What covers each marker: a colour, and how much of the marker's is left."""
         self._artists, self._method, self._lift = artists, method, lift
         self._runs: list[PathCollection] = []
 

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "c/displayfile_c.h"
+#include "interp/c/displayfile_c.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "python/system.h"
+#include "interp/python/system.h"
 
 #include <fmt/format.h>
 
@@ -14,9 +14,9 @@
 #include "displayfile/surface_grid.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/user_routine.h"
-#include "python/arguments.h"
-#include "python/arrays.h"
-#include "python/errors.h"
+#include "interp/python/arguments.h"
+#include "interp/python/arrays.h"
+#include "interp/python/errors.h"
 
 namespace displayfile::python {
 

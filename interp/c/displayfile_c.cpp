@@ -1,4 +1,4 @@
-#include "c/displayfile_c.h"
+#include "interp/c/displayfile_c.h"
 
 #include <fmt/format.h>
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "displayfile/graphics_system.h"
+#include "interp/python/interrupts.h"
 #include "interp/renderer.h"
-#include "python/interrupts.h"
 
 namespace displayfile::python {
 

@@ -1,4 +1,4 @@
-#include "python/arrays.h"
+#include "interp/python/arrays.h"
 
 #include <fmt/format.h>
 

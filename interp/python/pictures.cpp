@@ -1,4 +1,4 @@
-#include "python/pictures.h"
+#include "interp/python/pictures.h"
 
 #include <fmt/format.h>
 
@@ -17,10 +17,10 @@
 #include "displayfile/text/dump.h"
 #include "hidden/line_kinds.h"
 #include "interp/drawing_choice.h"
-#include "python/arguments.h"
-#include "python/arrays.h"
-#include "python/pieces.h"
-#include "python/system.h"
+#include "interp/python/arguments.h"
+#include "interp/python/arrays.h"
+#include "interp/python/pieces.h"
+#include "interp/python/system.h"
 
 namespace displayfile::python {
 

@@ -1,4 +1,4 @@
-#include "python/interrupts.h"
+#include "interp/python/interrupts.h"
 
 #include <atomic>
 #include <thread>

@@ -1,4 +1,4 @@
-#include "python/arguments.h"
+#include "interp/python/arguments.h"
 
 #include <fmt/format.h>
 #include <pybind11/numpy.h>
@@ -10,7 +10,7 @@
 
 #include "clip/error.h"
 #include "clip/words.h"
-#include "python/arrays.h"
+#include "interp/python/arrays.h"
 
 namespace displayfile::python {
 

@@ -2,10 +2,10 @@
 
 #include "displayfile/text/user_routine.h"
 #include "hidden/hidden_method.h"
-#include "python/errors.h"
-#include "python/interrupts.h"
-#include "python/pieces.h"
-#include "python/system.h"
+#include "interp/python/errors.h"
+#include "interp/python/interrupts.h"
+#include "interp/python/pieces.h"
+#include "interp/python/system.h"
 
 namespace py = pybind11;
 

@@ -1,4 +1,4 @@
-#include "python/join_pieces.h"
+#include "interp/python/join_pieces.h"
 
 #include <algorithm>
 #include <cmath>

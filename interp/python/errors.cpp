@@ -1,4 +1,4 @@
-#include "python/errors.h"
+#include "interp/python/errors.h"
 
 #include <charconv>
 #include <exception>

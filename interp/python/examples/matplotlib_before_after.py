@@ -1,6 +1,6 @@
-"""Draws the pictures of python/matplotlib.md: as matplotlib draws them, and exactly.
+"""Draws the pictures of matplotlib.md: as matplotlib draws them, and exactly.
 
-    python3 python/examples/matplotlib_before_after.py [FOLDER]
+    python3 interp/python/examples/matplotlib_before_after.py [FOLDER]
 """
 
 from __future__ import annotations

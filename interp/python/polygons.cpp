@@ -11,11 +11,11 @@
 #include "displayfile/drawn_pieces.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/sorted_display_file.h"
-#include "python/arguments.h"
-#include "python/arrays.h"
-#include "python/interrupts.h"
-#include "python/join_pieces.h"
-#include "python/pieces.h"
+#include "interp/python/arguments.h"
+#include "interp/python/arrays.h"
+#include "interp/python/interrupts.h"
+#include "interp/python/join_pieces.h"
+#include "interp/python/pieces.h"
 
 namespace displayfile::python {
 

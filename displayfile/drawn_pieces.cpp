@@ -62,12 +62,7 @@ class PieceGatherer {
   }
   void end_piece(Kind kind, const Colour& fill, std::int32_t pick) {
     steps_.step();
-    pieces_.kinds.push_back(kind);
-    pieces_.first.push_back(static_cast<std::uint32_t>(pieces_.points.size()));
-    pieces_.fills.push_back(fill);
-    pieces_.lines.push_back(line_);
-    pieces_.picks.push_back(pick);
-    pieces_.segments.push_back(segment_);
+    pieces_.end_piece({kind, fill, line_, pick, segment_});
   }
 
   DrawnPieces& pieces_;
@@ -84,6 +79,28 @@ class PieceGatherer {
 };
 
 }  // namespace
+
+DrawnPieces::Looks DrawnPieces::looks(std::size_t k) const {
+  const LineStyle line{static_cast<LineStyle::Kind>(line_kinds[k]), line_colours[k], line_widths[k],
+                       line_dashes[k], line_gaps[k]};
+  return {kinds[k], fills[k], line, picks[k], segments[k]};
+}
+
+void DrawnPieces::end_piece(const Looks& looks) {
+  static_assert(static_cast<int>(Line::solid) == static_cast<int>(LineStyle::Kind::solid) &&
+                static_cast<int>(Line::dashed) == static_cast<int>(LineStyle::Kind::dashed) &&
+                static_cast<int>(Line::none) == static_cast<int>(LineStyle::Kind::none));
+  kinds.push_back(looks.kind);
+  first.push_back(static_cast<std::uint32_t>(points.size()));
+  fills.push_back(looks.fill);
+  line_kinds.push_back(static_cast<Line>(looks.line.kind));
+  line_colours.push_back(looks.line.colour);
+  line_widths.push_back(looks.line.width);
+  line_dashes.push_back(looks.line.dash);
+  line_gaps.push_back(looks.line.gap);
+  picks.push_back(looks.pick);
+  segments.push_back(looks.segment);
+}
 
 DrawnPieces drawn_pieces(const DisplayFile& display_file) {
   DrawnPieces pieces;

@@ -32,11 +32,24 @@ struct DrawnPieces {
   /// One each piece: of solid polygons the colour that they are filled with, a shaded one with the
   /// mean of its shades; and how its sides, or the line, are drawn.
   std::vector<Colour> fills;
-  std::vector<LineStyle> lines;
+  enum class Line : std::uint8_t { solid, dashed, none };
+  std::vector<Line> line_kinds;
+  std::vector<Colour> line_colours;
+  std::vector<double> line_widths, line_dashes, line_gaps;  ///< in pixels
   std::vector<std::int32_t> picks;     ///< pick identifiers; -1: a line without one
   std::vector<std::int32_t> segments;  ///< names
 
   std::size_t size() const { return kinds.size(); }
+  /// What piece k is, but for its points.
+  struct Looks {
+    Kind kind;
+    Colour fill;
+    LineStyle line;
+    std::int32_t pick, segment;
+  };
+  Looks looks(std::size_t k) const;
+  /// The points since the last piece are one more.
+  void end_piece(const Looks& looks);
 };
 
 DrawnPieces drawn_pieces(const DisplayFile& display_file);

@@ -26,26 +26,10 @@ bool is_drawing_program(const std::string& input) {
   return input == "-" || extension_of(input) == ".draw";
 }
 
-namespace {
-
-std::string left_out(const Mesh::Skipped& skipped) {
-  std::string text;
-  const auto add = [&](std::size_t n, std::string_view what) {
-    if (n > 0) text += (text.empty() ? "" : ", ") + fmt::format(fmt::runtime(what), n);
-  };
-  add(skipped.points_and_lines, "{} points and lines");
-  add(skipped.degenerate_faces, "{} faces of fewer than 3 positions");
-  add(skipped.textured_faces, "the textures of {} faces");
-  add(skipped.transparent_faces, "the transparency of {} faces");
-  return text;
-}
-
-}  // namespace
-
 void report_skipped(std::span<const std::string> meshes, std::span<const Mesh::Skipped> skipped) {
   for (std::size_t i = 0; i < skipped.size(); ++i) {
-    if (const std::string text = left_out(skipped[i]); !text.empty()) {
-      warnings() << fmt::format("{}: left out: {}\n", meshes[i], text);
+    if (const auto kinds = left_out(skipped[i]); !kinds.empty()) {
+      warnings() << fmt::format("{}: left out: {}\n", meshes[i], fmt::join(kinds, ", "));
     }
     for (const std::string& warning : skipped[i].warnings) {
       warnings() << fmt::format("{}: {}\n", meshes[i], warning);

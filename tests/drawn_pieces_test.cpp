@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <span>
 #include <string>
@@ -15,6 +14,7 @@
 #include "displayfile/sorted_display_file.h"
 #include "interp/draw.h"
 #include "tests/gallery.h"
+#include "tests/polygon_area.h"
 
 namespace displayfile {
 namespace {
@@ -30,14 +30,7 @@ std::span<const Point3> points_of(const DrawnPieces& pieces, std::size_t k) {
   return std::span(pieces.points).subspan(pieces.first[k], pieces.first[k + 1] - pieces.first[k]);
 }
 
-double area(std::span<const Point3> p) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const Point3 &a = p[i], &b = p[(i + 1) % p.size()];
-    sum += a.x * b.y - b.x * a.y;
-  }
-  return std::abs(sum) / 2.0;
-}
+using test::area;
 
 /// A view in which world coordinates are device coordinates.
 void set_device_view(GraphicsSystem& system) {
@@ -118,7 +111,7 @@ TEST(DrawnPieces, OfLinesKeepTheirPicks) {
   EXPECT_EQ(seen.picks, (std::vector<std::int32_t>{5, 5, 9, 9}));
   for (std::size_t k = 0; k < 4; ++k) {
     EXPECT_EQ(seen.kinds[k], DrawnPieces::Kind::line);
-    EXPECT_EQ(seen.lines[k].width, 2.0);
+    EXPECT_EQ(seen.line_widths[k], 2.0);
     const auto line = points_of(seen, k);
     EXPECT_EQ(line[0].x, k % 2 == 0 ? 0.0 : 0.75);
     EXPECT_EQ(line[1].x, k % 2 == 0 ? 0.25 : 1.0);
@@ -137,7 +130,7 @@ GraphicsSystem drawn_anew(const DrawnPieces& pieces) {
       system.set_line_style({LineStyle::Kind::none});
       system.polygon_abs_3(points);
     }
-    system.set_line_style(pieces.lines[k]);
+    system.set_line_style(pieces.looks(k).line);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Point3& from = points[i == 0 ? points.size() - 1 : i - 1];
       if (pieces.sides[pieces.first[k] + i] == 0) continue;

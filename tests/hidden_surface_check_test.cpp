@@ -19,6 +19,7 @@
 #include "interp/draw.h"
 #include "interp/interpreter.h"
 #include "interp/truth/truth.h"
+#include "tests/polygon_area.h"
 #include "tests/unit_square.h"
 
 namespace displayfile {
@@ -168,14 +169,7 @@ TEST_P(HiddenSurfaceCheck, CutSidesAreInvisible) {
   EXPECT_NEAR(drawn, outline, 1e-12);
 }
 
-double area(std::span<const Point3> polygon) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    sum += a.x * b.y - b.x * a.y;
-  }
-  return std::abs(sum) / 2.0;
-}
+using test::area;
 
 TEST_P(HiddenSurfaceCheck, StylesAndPickIdentifiersFollowEveryPiece) {
   GraphicsSystem g = sorting_system(GetParam());

@@ -43,12 +43,19 @@ struct SharedPolygons {
         corners.push_back(static_cast<std::uint32_t>(random() % 40));
     }
   }
-  void enter_one_by_one(GraphicsSystem& g, std::span<const FillStyle> fills) const {
+  void enter_one_by_one(GraphicsSystem& g, std::span<const FillStyle> fills,
+                        std::span<const std::int32_t> picks = {},
+                        std::span<const Point3> normals = {}) const {
     std::size_t first = 0;
     for (std::size_t k = 0; k < sides.size(); ++k) {
       if (!fills.empty()) g.set_fill_style(fills[fills.size() == 1 ? 0 : k]);
-      std::vector<Point3> polygon;
-      for (std::size_t i = 0; i < sides[k]; ++i) polygon.push_back(vertices[corners[first++]]);
+      if (!picks.empty()) g.set_pick_id(picks[k]);
+      std::vector<Point3> polygon, of_corners;
+      for (std::size_t i = 0; i < sides[k]; ++i, ++first) {
+        polygon.push_back(vertices[corners[first]]);
+        if (!normals.empty()) of_corners.push_back(normals[corners[first]]);
+      }
+      g.set_vertex_normals(of_corners);
       g.polygon_abs_3(polygon);
     }
   }
@@ -124,17 +131,7 @@ TEST(ManyPolygons, HavePicksAndNormalsOfTheirOwn) {
       if (at_once) {
         g.polygons_abs_3({polygons.vertices, polygons.corners, polygons.sides, {}, picks, normals});
       } else {
-        std::size_t first = 0;
-        for (std::size_t k = 0; k < polygons.sides.size(); ++k) {
-          std::vector<Point3> polygon, of_corners;
-          for (std::size_t i = 0; i < polygons.sides[k]; ++i, ++first) {
-            polygon.push_back(polygons.vertices[polygons.corners[first]]);
-            if (!normals.empty()) of_corners.push_back(normals[polygons.corners[first]]);
-          }
-          if (!picks.empty()) g.set_pick_id(picks[k]);
-          if (!normals.empty()) g.set_vertex_normals(of_corners);
-          g.polygon_abs_3(polygon);
-        }
+        polygons.enter_one_by_one(g, {}, picks, normals);
         g.set_pick_id(5);
       }
       g.polygon_abs_3({{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}});

@@ -136,6 +136,18 @@ void enter_object(const Mesh& mesh, const Mesh::Object& object, std::span<const 
 
 }  // namespace
 
+std::vector<std::string> left_out(const Mesh::Skipped& skipped) {
+  std::vector<std::string> all;
+  const auto add = [&](std::size_t n, std::string_view what) {
+    if (n > 0) all.push_back(fmt::format(fmt::runtime(what), n));
+  };
+  add(skipped.points_and_lines, "{} points and lines");
+  add(skipped.degenerate_faces, "{} faces of fewer than 3 positions");
+  add(skipped.textured_faces, "the textures of {} faces");
+  add(skipped.transparent_faces, "the transparency of {} faces");
+  return all;
+}
+
 void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name,
                 const MeshOptions& options) {
   require_no_open_segment(system);

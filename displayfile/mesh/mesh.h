@@ -71,6 +71,9 @@ struct Mesh {
   }
 };
 
+/// What was left out, in words: "3 points and lines", each kind that there was some of.
+std::vector<std::string> left_out(const Mesh::Skipped& skipped);
+
 /// Reads a mesh: OBJ, OFF, PLY and STL in the precision of the file, any other format through the
 /// import library in a process of its own (import_process.h); README.md tells what is read of each.
 /// An object is an object or a group of OBJ, a solid of an STL text, a node of the library's scene,

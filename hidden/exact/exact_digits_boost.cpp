@@ -43,37 +43,23 @@ std::int64_t digits_of(const Whole& n) { return static_cast<std::int64_t>(mp::ms
 
 }  // namespace
 
-ExactNumber operator*(const ExactNumber& a, const ExactNumber& b) {
-  ExactNumber product;
-  if (a.sign_ == 0 || b.sign_ == 0) return product;
+void ExactNumber::multiply(const ExactNumber& a, const ExactNumber& b, ExactNumber& product) {
   const Whole n = whole(a.limbs(), a.count_) * whole(b.limbs(), b.count_);
   product.count_ = count_of(n);
   write_limbs(n, product.reserve(product.count_));
-  product.sign_ = a.sign_ * b.sign_;
-  product.exponent_ = a.exponent_ + b.exponent_;
-  return product;
 }
 
-ExactNumber ExactNumber::sum(const ExactNumber& a, const ExactNumber& b, int sign_of_b) {
-  if (sign_of_b == 0) return a;
-  if (a.sign_ == 0) {
-    ExactNumber only(b);
-    only.sign_ = sign_of_b;
-    return only;
-  }
-  // To a common exponent, the lower of the two: the other one's digits move up.
-  const bool a_is_higher = a.exponent_ > b.exponent_;
-  const ExactNumber& higher = a_is_higher ? a : b;
-  const ExactNumber& lower = a_is_higher ? b : a;
+ExactNumber ExactNumber::sum_of(const ExactNumber& higher, int sign_of_higher,
+                                const ExactNumber& lower, int sign_of_lower) {
   Whole n = whole(higher.limbs(), higher.count_, higher.exponent_ - lower.exponent_);
-  if (a.sign_ == sign_of_b) {
+  if (sign_of_higher == sign_of_lower) {
     n += whole(lower.limbs(), lower.count_);
   } else {
     n -= whole(lower.limbs(), lower.count_);
   }
   ExactNumber result;
   result.exponent_ = lower.exponent_;
-  result.sign_ = (a_is_higher ? a.sign_ : sign_of_b) * n.sign();
+  result.sign_ = sign_of_higher * n.sign();
   result.count_ = count_of(n);
   write_limbs(n, result.reserve(result.count_));
   result.drop_leading_zeros();

@@ -32,31 +32,17 @@ class Integer {
 
 }  // namespace
 
-ExactNumber operator*(const ExactNumber& a, const ExactNumber& b) {
-  ExactNumber product;
-  if (a.sign_ == 0 || b.sign_ == 0) return product;
+void ExactNumber::multiply(const ExactNumber& a, const ExactNumber& b, ExactNumber& product) {
   const ExactNumber& longer = a.count_ >= b.count_ ? a : b;
   const ExactNumber& shorter = a.count_ >= b.count_ ? b : a;
   std::uint64_t* p = product.reserve(a.count_ + b.count_);
   mpn_mul(p, longer.limbs(), longer.count_, shorter.limbs(), shorter.count_);
   product.count_ = a.count_ + b.count_;
-  product.sign_ = a.sign_ * b.sign_;
-  product.exponent_ = a.exponent_ + b.exponent_;
   product.drop_leading_zeros();
-  return product;
 }
 
-ExactNumber ExactNumber::sum(const ExactNumber& a, const ExactNumber& b, int sign_of_b) {
-  if (sign_of_b == 0) return a;
-  if (a.sign_ == 0) {
-    ExactNumber only(b);
-    only.sign_ = sign_of_b;
-    return only;
-  }
-  // To a common exponent, the lower of the two: the other one's digits move up.
-  const bool a_is_higher = a.exponent_ > b.exponent_;
-  const ExactNumber& higher = a_is_higher ? a : b;
-  const ExactNumber& lower = a_is_higher ? b : a;
+ExactNumber ExactNumber::sum_of(const ExactNumber& higher, int sign_of_higher,
+                                const ExactNumber& lower, int sign_of_lower) {
   const std::int64_t shift = higher.exponent_ - lower.exponent_;
   const auto whole = static_cast<int>(shift / kBitsOfLimb);
   const auto bits = static_cast<unsigned>(shift % kBitsOfLimb);
@@ -75,8 +61,6 @@ ExactNumber ExactNumber::sum(const ExactNumber& a, const ExactNumber& b, int sig
     m = to;
   }
   const std::uint64_t* l = lower.limbs();
-  const int m_sign = a_is_higher ? a.sign_ : sign_of_b;
-  const int l_sign = a_is_higher ? sign_of_b : a.sign_;
 
   int m_against_l = moved_count - lower.count_;
   if (m_against_l == 0) m_against_l = mpn_cmp(m, l, moved_count);
@@ -88,9 +72,9 @@ ExactNumber ExactNumber::sum(const ExactNumber& a, const ExactNumber& b, int sig
 
   ExactNumber result;
   result.exponent_ = lower.exponent_;
-  result.sign_ = m_is_larger ? m_sign : l_sign;
+  result.sign_ = m_is_larger ? sign_of_higher : sign_of_lower;
   std::uint64_t* to = result.reserve(large_count + 1);
-  if (m_sign == l_sign) {
+  if (sign_of_higher == sign_of_lower) {
     to[large_count] = mpn_add(to, large, large_count, small, small_count);
     result.count_ = large_count + 1;
   } else {

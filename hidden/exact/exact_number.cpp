@@ -116,6 +116,27 @@ ExactNumber ExactNumber::operator-() const {
   return negated;
 }
 
+ExactNumber operator*(const ExactNumber& a, const ExactNumber& b) {
+  ExactNumber product;
+  if (a.sign_ == 0 || b.sign_ == 0) return product;
+  ExactNumber::multiply(a, b, product);
+  product.sign_ = a.sign_ * b.sign_;
+  product.exponent_ = a.exponent_ + b.exponent_;
+  return product;
+}
+
+/// To a common exponent, the lower of the two: the other one's digits move up.
+ExactNumber ExactNumber::sum(const ExactNumber& a, const ExactNumber& b, int sign_of_b) {
+  if (sign_of_b == 0) return a;
+  if (a.sign_ == 0) {
+    ExactNumber only(b);
+    only.sign_ = sign_of_b;
+    return only;
+  }
+  return a.exponent_ > b.exponent_ ? sum_of(a, a.sign_, b, sign_of_b)
+                                   : sum_of(b, sign_of_b, a, a.sign_);
+}
+
 double rounded_quotient(const ExactNumber& a, const ExactNumber& b) {
   if (b.sign_ == 0) throw Error("a point made by a cut does not exist: the planes are parallel");
   if (a.sign_ == 0) return 0.0;

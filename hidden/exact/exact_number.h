@@ -59,6 +59,14 @@ class ExactNumber {
   };
 
   static ExactNumber sum(const ExactNumber& a, const ExactNumber& b, int sign_of_b);
+
+  // The digits, by one library or the other.
+  /// The magnitudes' product, with its sign and exponent still to be set; neither is zero.
+  static void multiply(const ExactNumber& a, const ExactNumber& b, ExactNumber& product);
+  /// The sum of the magnitudes with these signs; neither is zero, and the first one has the
+  /// exponent that is not lower.
+  static ExactNumber sum_of(const ExactNumber& higher, int sign_of_higher, const ExactNumber& lower,
+                            int sign_of_lower);
   /// That of the magnitudes; neither is zero.
   static Quotient quotient(const ExactNumber& a, const ExactNumber& b);
   std::uint64_t* reserve(int limbs);

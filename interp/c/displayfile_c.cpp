@@ -39,8 +39,6 @@ struct df_system {
   // What was handed out last.
   std::string bytes;
   DrawnPieces pieces;
-  std::vector<double> line_colours, line_widths;
-  std::vector<std::uint8_t> line_kinds;
 };
 
 namespace {
@@ -182,26 +180,13 @@ std::span<const Value> array(const void* values, std::size_t count, const char* 
   return {static_cast<const Value*>(values), values == nullptr ? 0 : count};
 }
 
-/// Lines' styles, each thing by itself.
-void part_lines(df_system& system) {
-  system.line_colours.clear();
-  system.line_widths.clear();
-  system.line_kinds.clear();
-  for (const LineStyle& line : system.pieces.lines) {
-    const Colour& c = line.colour;
-    system.line_colours.insert(system.line_colours.end(), {c.r, c.g, c.b});
-    system.line_widths.push_back(line.width);
-    system.line_kinds.push_back(line.kind == LineStyle::Kind::solid    ? DF_LINE_SOLID
-                                : line.kind == LineStyle::Kind::dashed ? DF_LINE_DASHED
-                                                                       : DF_LINE_NONE);
-  }
-}
-
-df_pieces arrays_of(const df_system& system) {
-  const DrawnPieces& p = system.pieces;
+df_pieces arrays_of(const DrawnPieces& p) {
   static_assert(static_cast<int>(DrawnPieces::Kind::solid) == DF_SOLID &&
                 static_cast<int>(DrawnPieces::Kind::hollow) == DF_HOLLOW &&
-                static_cast<int>(DrawnPieces::Kind::line) == DF_LINE);
+                static_cast<int>(DrawnPieces::Kind::line) == DF_LINE &&
+                static_cast<int>(DrawnPieces::Line::solid) == DF_LINE_SOLID &&
+                static_cast<int>(DrawnPieces::Line::dashed) == DF_LINE_DASHED &&
+                static_cast<int>(DrawnPieces::Line::none) == DF_LINE_NONE);
   return {sizeof(df_pieces),
           p.size(),
           reinterpret_cast<const std::uint8_t*>(p.kinds.data()),
@@ -209,9 +194,9 @@ df_pieces arrays_of(const df_system& system) {
           reinterpret_cast<const double*>(p.points.data()),
           p.sides.data(),
           reinterpret_cast<const double*>(p.fills.data()),
-          system.line_colours.data(),
-          system.line_widths.data(),
-          system.line_kinds.data(),
+          reinterpret_cast<const double*>(p.line_colours.data()),
+          p.line_widths.data(),
+          reinterpret_cast<const std::uint8_t*>(p.line_kinds.data()),
           p.picks.data(),
           p.segments.data()};
 }
@@ -360,8 +345,7 @@ int df_drawn_pieces(df_system* system, const df_options* options, df_pieces* pie
     const HiddenMethod method = drawing_method(system->system, asked, PictureKind::vector);
     system->pieces =
         drawn_pieces(system->sorted.update(system->system, method, hidden_surface_options(asked)));
-    part_lines(*system);
-    hand_out(arrays_of(*system), pieces, "df_pieces");
+    hand_out(arrays_of(system->pieces), pieces, "df_pieces");
   });
 }
 

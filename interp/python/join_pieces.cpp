@@ -13,6 +13,11 @@ namespace {
 constexpr double kTolerance = 1e-9;
 /// Polygons of more pieces stay in pieces.
 constexpr std::size_t kMostPieces = 512;
+/// A piece that so many others lie beside stays where it is: large polygons upon each other would
+/// all be held against all.
+constexpr std::size_t kMostLooks = 4096;
+/// The cells of all pieces together, for each of them, at most: cells grow until they are.
+constexpr std::size_t kMostCells = 16;
 
 using Corners = std::span<const Point3>;
 
@@ -40,8 +45,9 @@ class Cells {
  public:
   explicit Cells(const DrawnPieces& pieces)
       : side_(static_cast<std::size_t>(
-            std::clamp(std::sqrt(static_cast<double>(pieces.size())), 1.0, 1024.0))),
-        cells_(side_ * side_) {
+            std::clamp(std::sqrt(static_cast<double>(pieces.size())), 1.0, 1024.0))) {
+    while (side_ > 1 && cells_of_all(pieces) > kMostCells * pieces.size()) side_ /= 2;
+    cells_.resize(side_ * side_);
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       visit(corners_of(pieces, k), [&](std::vector<std::uint32_t>& cell) {
         cell.push_back(static_cast<std::uint32_t>(k));
@@ -55,12 +61,14 @@ class Cells {
   }
 
   /// Whether a piece after `from` and before `to` overlaps piece `from`, but for those of the same
-  /// polygon that are drawn at `to` too.
+  /// polygon that are drawn at `to` too; or too many would have to be looked at.
   bool covered(const DrawnPieces& pieces, std::span<const std::uint32_t> places, std::uint32_t from,
                std::uint32_t to) {
     const Corners corners = corners_of(pieces, from);
+    std::size_t looks = 0;
     return visit(corners, [&](const std::vector<std::uint32_t>& cell) {
       for (auto k = std::ranges::upper_bound(cell, from); k != cell.end() && *k < to; ++k) {
+        if (++looks > kMostLooks) return true;
         const bool moves_too = pieces.picks[*k] == pieces.picks[from] && places[*k] == to;
         if (!moves_too && overlap(corners, corners_of(pieces, *k))) return true;
       }
@@ -74,13 +82,31 @@ class Cells {
     return static_cast<std::size_t>(std::clamp(value * cells, 0.0, cells - 1.0));
   }
 
+  /// Columns and rows, from the first to the last.
+  struct Block {
+    std::size_t left, right, bottom, top;
+  };
+  Block block_of(Corners corners) const {
+    const auto [x_low, x_high] = std::ranges::minmax(corners, {}, &Point3::x);
+    const auto [y_low, y_high] = std::ranges::minmax(corners, {}, &Point3::y);
+    return {cell_of(x_low.x), cell_of(x_high.x), cell_of(y_low.y), cell_of(y_high.y)};
+  }
+
+  std::size_t cells_of_all(const DrawnPieces& pieces) const {
+    std::size_t all = 0;
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      const Block block = block_of(corners_of(pieces, k));
+      all += (block.right - block.left + 1) * (block.top - block.bottom + 1);
+    }
+    return all;
+  }
+
   /// Until `enter` returns true, which is then returned.
   template <class Enter>
   bool visit(Corners corners, Enter&& enter) {
-    const auto [x_low, x_high] = std::ranges::minmax(corners, {}, &Point3::x);
-    const auto [y_low, y_high] = std::ranges::minmax(corners, {}, &Point3::y);
-    for (std::size_t y = cell_of(y_low.y); y <= cell_of(y_high.y); ++y) {
-      for (std::size_t x = cell_of(x_low.x); x <= cell_of(x_high.x); ++x) {
+    const Block block = block_of(corners);
+    for (std::size_t y = block.bottom; y <= block.top; ++y) {
+      for (std::size_t x = block.left; x <= block.right; ++x) {
         if (enter(cells_[y * side_ + x])) return true;
       }
     }
@@ -156,12 +182,7 @@ void join_pieces(std::span<const std::uint32_t> sides, std::span<const Point3> p
     } else {
       joined.sides.resize(joined.points.size(), 1);
     }
-    joined.first.push_back(static_cast<std::uint32_t>(joined.points.size()));
-    joined.kinds.push_back(pieces.kinds[k]);
-    joined.fills.push_back(pieces.fills[k]);
-    joined.lines.push_back(pieces.lines[k]);
-    joined.picks.push_back(pieces.picks[k]);
-    joined.segments.push_back(pieces.segments[k]);
+    joined.end_piece(pieces.looks(k));
   }
   pieces = std::move(joined);
 }

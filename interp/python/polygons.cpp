@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,22 +25,13 @@ namespace displayfile::python {
 namespace py = pybind11;
 
 py::tuple arrays_of(DrawnPieces&& pieces) {
-  const std::size_t count = pieces.size();
-  std::vector<Colour> line_colours(count);
-  std::vector<double> line_widths(count);
-  std::vector<std::uint8_t> line_kinds(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    line_colours[k] = pieces.lines[k].colour;
-    line_widths[k] = pieces.lines[k].width;
-    line_kinds[k] = static_cast<std::uint8_t>(pieces.lines[k].kind);
-  }
-  const auto n = static_cast<py::ssize_t>(count);
+  const auto n = static_cast<py::ssize_t>(pieces.size());
   return py::make_tuple(owned<std::uint8_t>(std::move(pieces.kinds), {n}),
                         owned(std::move(pieces.first)), owned(std::move(pieces.points)),
                         owned(std::move(pieces.sides)), owned(std::move(pieces.fills)),
-                        owned(std::move(line_kinds)), owned(std::move(line_colours)),
-                        owned(std::move(line_widths)), owned(std::move(pieces.picks)),
-                        owned(std::move(pieces.segments)));
+                        owned<std::uint8_t>(std::move(pieces.line_kinds), {n}),
+                        owned(std::move(pieces.line_colours)), owned(std::move(pieces.line_widths)),
+                        owned(std::move(pieces.picks)), owned(std::move(pieces.segments)));
 }
 
 namespace {
@@ -118,23 +112,50 @@ void enter(const Polygons& polygons, const std::vector<Point3>& given, bool side
   system.close_segment();
 }
 
+bool precedes(const Point3& p, const Point3& q) {
+  return std::array{p.x, p.y, p.z} < std::array{q.x, q.y, q.z};
+}
+
+/// Finds the corners of polygons by where they are.
+class Corners {
+ public:
+  explicit Corners(const DevicePolygons& device) : device_(device), sorted_(device.first.back()) {
+    std::iota(sorted_.begin(), sorted_.end(), std::size_t{0});
+    for (std::size_t k = 0; k + 1 < device.first.size(); ++k) {
+      std::ranges::sort(of(k), precedes, [&](std::size_t i) { return device.points[i]; });
+    }
+  }
+  /// Which of all points is the polygon's corner there; none if it has no such corner.
+  std::optional<std::size_t> find(std::size_t polygon, const Point3& p) {
+    const auto own = of(polygon);
+    const auto at = std::ranges::lower_bound(own, p, precedes,
+                                             [&](std::size_t i) { return device_.points[i]; });
+    if (at == own.end() || device_.points[*at] != p) return std::nullopt;
+    return *at;
+  }
+
+ private:
+  std::span<std::size_t> of(std::size_t polygon) {
+    const std::size_t begin = device_.first[polygon];
+    return std::span(sorted_).subspan(begin, device_.first[polygon + 1] - begin);
+  }
+  const DevicePolygons& device_;
+  std::vector<std::size_t> sorted_;
+};
+
 /// Back from device coordinates. A corner of the polygon that a piece is of has the very
 /// coordinates that it was given.
 void place_back(const std::vector<Point3>& given, const DevicePolygons& device,
                 DrawnPieces& pieces) {
+  Corners corners(device);
   for (std::size_t k = 0; k < pieces.size(); ++k) {
-    const auto item = static_cast<std::size_t>(std::max(pieces.picks[k], 0));
-    const bool of_polygon = pieces.picks[k] >= 0;
-    const std::size_t begin = of_polygon ? device.first[item] : 0;
-    const std::size_t end = of_polygon ? device.first[item + 1] : 0;
     for (std::size_t i = pieces.first[k]; i < pieces.first[k + 1]; ++i) {
       Point3& p = pieces.points[i];
-      const auto corner = std::find(device.points.begin() + static_cast<std::ptrdiff_t>(begin),
-                                    device.points.begin() + static_cast<std::ptrdiff_t>(end), p);
-      const auto at = static_cast<std::size_t>(corner - device.points.begin());
-      p = at < end ? given[at]
-                   : Point3(device.axes[0].from_unit(p.x), device.axes[1].from_unit(p.y),
-                            device.axes[2].from_unit(p.z));
+      std::optional<std::size_t> corner;
+      if (pieces.picks[k] >= 0) corner = corners.find(static_cast<std::size_t>(pieces.picks[k]), p);
+      p = corner ? given[*corner]
+                 : Point3(device.axes[0].from_unit(p.x), device.axes[1].from_unit(p.y),
+                          device.axes[2].from_unit(p.z));
     }
   }
 }
@@ -178,12 +199,16 @@ py::tuple pieces_of(py::handle polygons, py::handle sides, py::handle method, py
       DrawnPieces drawn = drawn_pieces(sorted.update(device.system, by, options));
       if (whole) join_pieces(given.sides, device.points, drawn);
       place_back(points, device, drawn);
+      if (lines_alone && has_segments) {  // they are counted by themselves
+        for (std::int32_t& pick : drawn.picks)
+          pick -= static_cast<std::int32_t>(given.sides.size());
+      }
       return drawn;
     });
   }
   std::vector<std::uint8_t> is_hidden(pieces.size());
   for (std::size_t k = 0; k < pieces.size(); ++k) {
-    is_hidden[k] = pieces.lines[k].kind == LineStyle::Kind::dashed;
+    is_hidden[k] = pieces.line_kinds[k] == DrawnPieces::Line::dashed;
   }
   return py::make_tuple(owned(std::move(pieces.points)), owned(std::move(pieces.first)),
                         owned(std::move(pieces.picks)), owned(std::move(pieces.sides)),

@@ -348,15 +348,9 @@ std::vector<std::string> import_path(System& self, py::handle file, py::handle c
   const Mesh::Skipped skipped = self.work([&](GraphicsSystem& system, Renderer&) {
     return placing_errors([&] { return import_mesh(path, system, options); });
   });
-  std::vector<std::string> left_out = skipped.warnings;
-  const auto add = [&](std::size_t n, std::string_view what) {
-    if (n > 0) left_out.push_back(fmt::format("left out: {} {}", n, what));
-  };
-  add(skipped.points_and_lines, "points and lines");
-  add(skipped.degenerate_faces, "faces of fewer than 3 positions");
-  add(skipped.textured_faces, "faces' textures");
-  add(skipped.transparent_faces, "faces' transparency");
-  return left_out;
+  std::vector<std::string> sentences = skipped.warnings;
+  for (const std::string& what : left_out(skipped)) sentences.push_back("left out: " + what);
+  return sentences;
 }
 
 }  // namespace

@@ -109,6 +109,4 @@ def visible_lines(
     points, _, item, kinds, is_hidden = _displayfile._lines_of(
         polygons, sides, method, lines, hidden, threads, segments
     )
-    if segments is not None:
-        item -= len(polygons if sides is None else sides)  # type: ignore[arg-type]
     return VisibleLines(points.reshape(-1, 2, 3), item, kinds[1::2], is_hidden.view(bool))

@@ -98,6 +98,12 @@ std::string path_in(py::handle value, std::string_view what) {
                   what));
 }
 
+int threads_in(py::handle value) {
+  const int threads = whole_number_in(value, "threads");
+  if (threads >= 1 && threads <= 1024) return threads;
+  throw Error(fmt::format("threads: {}: expected 1 to 1024", threads));
+}
+
 bool switch_in(py::handle value, std::string_view what) {
   const py::object plainly = plain(value);
   if (PyBool_Check(plainly.ptr()) != 0) return plainly.is(py::handle(Py_True));

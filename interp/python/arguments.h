@@ -22,6 +22,7 @@ int whole_number_in(pybind11::handle value, std::string_view what);
 std::string word_in(pybind11::handle value, std::string_view what);
 /// A string, bytes or what has __fspath__, as the file system has it.
 std::string path_in(pybind11::handle value, std::string_view what);
+int threads_in(pybind11::handle value);                         ///< 1 to 1024
 bool switch_in(pybind11::handle value, std::string_view what);  ///< True, False, "on" or "off"
 
 /// The same where None stands for what is not said.

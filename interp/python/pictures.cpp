@@ -79,13 +79,7 @@ const std::map<std::string_view, Read>& readers() {
       {"background", [](py::handle v, DrawOptions& o) { o.background = background_in(v); }},
       {"rows", [](py::handle v, DrawOptions& o) { o.rows = rows_in(v); }},
       {"samples", [](py::handle v, DrawOptions& o) { o.samples = whole_number_in(v, "samples"); }},
-      {"threads",
-       [](py::handle v, DrawOptions& o) {
-         o.threads = whole_number_in(v, "threads");
-         if (o.threads < 1 || o.threads > 1024) {
-           throw Error(fmt::format("threads: {}: expected 1 to 1024", o.threads));
-         }
-       }},
+      {"threads", [](py::handle v, DrawOptions& o) { o.threads = threads_in(v); }},
       {"device",
        [](py::handle v, DrawOptions& o) {
          o.device = word_in(v, "device");

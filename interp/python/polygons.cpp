@@ -160,52 +160,65 @@ void place_back(const std::vector<Point3>& given, const DevicePolygons& device,
   }
 }
 
-/// Points, the first of each piece, the polygon that it is of, and its sides.
-py::tuple pieces_of(py::handle polygons, py::handle sides, py::handle method, py::handle lines,
-                    py::handle threads, py::handle hidden, py::handle segments, bool whole,
-                    bool lines_alone) {
-  const Polygons given = polygons_in(polygons, sides, "polygons");
+/// What is asked of polygons, and of segments, whose ends stand after the polygons' points.
+struct Asked {
+  Polygons polygons;
+  std::vector<Point3> points;
+  HiddenMethod method;
+  bool lines_alone;  ///< no fills: the lines that are seen
+  int threads;
+  bool whole = false, hidden = false;
+  std::optional<LineSelection> lines{};
+
+  bool has_segments() const { return points.size() > polygons.points.size(); }
+};
+
+HiddenMethod method_in(py::handle value, bool lines_alone) {
+  const HiddenMethod method = hidden_method(word_in(value, "method"));
+  const bool finds_pieces = method == HiddenMethod::bsp || method == HiddenMethod::depth_sort ||
+                            method == HiddenMethod::map;
+  if (lines_alone ? finds_lines(method) && !needs_surface(method) : finds_pieces) return method;
+  throw Error(fmt::format("method '{}': expected {}", name_of(method),
+                          lines_alone ? "franklin, appel or roberts" : "depth-sort, bsp or map"));
+}
+
+Asked asked_of(py::handle polygons, py::handle sides, py::handle segments, py::handle method,
+               py::handle threads, bool lines_alone) {
+  Polygons given = polygons_in(polygons, sides, "polygons");
   std::vector<Point3> points = given.points;
-  const bool has_segments = !segments.is_none();
-  if (has_segments) {
+  if (!segments.is_none()) {
     const std::vector<Point3> ends = segments_in(segments, "segments");
     points.insert(points.end(), ends.begin(), ends.end());
   }
   require_coordinates(points);
-  const HiddenMethod by = hidden_method(word_in(method, "method"));
-  const bool finds_pieces =
-      by == HiddenMethod::bsp || by == HiddenMethod::depth_sort || by == HiddenMethod::map;
-  if (lines_alone ? !finds_lines(by) || needs_surface(by) : !finds_pieces) {
-    throw Error(fmt::format("method '{}': expected {}", name_of(by),
-                            lines_alone ? "franklin, appel or roberts" : "depth-sort, bsp or map"));
-  }
+  return {std::move(given), std::move(points), method_in(method, lines_alone), lines_alone,
+          threads_in(threads)};
+}
+
+DrawnPieces found(const Asked& asked) {
+  if (asked.points.empty()) return {};
+  const bool segments_alone = asked.lines_alone && asked.has_segments();
+  DevicePolygons device;
+  enter(asked.polygons, asked.points, asked.method != HiddenMethod::map && !segments_alone,
+        asked.lines, device);
   HiddenSurfaceOptions options;
-  options.method = by;
-  options.threads = whole_number_in(threads, "threads");
-  if (options.threads < 1 || options.threads > 1024) {
-    throw Error(fmt::format("threads: {}: expected 1 to 1024", options.threads));
+  options.method = asked.method;
+  options.threads = asked.threads;
+  if (asked.hidden) options.hidden_lines = HiddenLines::dashed;
+  SortedDisplayFile sorted;
+  DrawnPieces pieces = drawn_pieces(sorted.update(device.system, asked.method, options));
+  if (asked.whole) join_pieces(asked.polygons.sides, device.points, pieces);
+  place_back(asked.points, device, pieces);
+  if (segments_alone) {  // they are counted by themselves
+    const auto before = static_cast<std::int32_t>(asked.polygons.sides.size());
+    for (std::int32_t& pick : pieces.picks) pick -= before;
   }
-  if (!hidden.is_none() && switch_in(hidden, "hidden")) options.hidden_lines = HiddenLines::dashed;
-  const auto selection = if_said(lines, "lines", [](py::handle value, std::string_view what) {
-    return line_selection(word_in(value, what));
-  });
-  DrawnPieces pieces;
-  if (!points.empty()) {
-    pieces = without_interpreter([&] {
-      DevicePolygons device;
-      const bool sides_drawn = by != HiddenMethod::map && !(lines_alone && has_segments);
-      enter(given, points, sides_drawn, selection, device);
-      SortedDisplayFile sorted;
-      DrawnPieces drawn = drawn_pieces(sorted.update(device.system, by, options));
-      if (whole) join_pieces(given.sides, device.points, drawn);
-      place_back(points, device, drawn);
-      if (lines_alone && has_segments) {  // they are counted by themselves
-        for (std::int32_t& pick : drawn.picks)
-          pick -= static_cast<std::int32_t>(given.sides.size());
-      }
-      return drawn;
-    });
-  }
+  return pieces;
+}
+
+/// Points, the first of each piece, what it is of, its sides, and which lines are hidden.
+py::tuple arrays_found(const Asked& asked) {
+  DrawnPieces pieces = without_interpreter([&] { return found(asked); });
   std::vector<std::uint8_t> is_hidden(pieces.size());
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     is_hidden[k] = pieces.line_kinds[k] == DrawnPieces::Line::dashed;
@@ -220,14 +233,20 @@ py::tuple pieces_of(py::handle polygons, py::handle sides, py::handle method, py
 void add_polygons(py::module_& module) {
   module.def("_pieces_of", [](py::handle polygons, py::handle sides, py::handle method,
                               py::handle threads, py::handle segments, py::handle whole) {
-    return pieces_of(polygons, sides, method, py::none(), threads, py::none(), segments,
-                     switch_in(whole, "whole"), false);
+    Asked asked = asked_of(polygons, sides, segments, method, threads, false);
+    asked.whole = switch_in(whole, "whole");
+    return arrays_found(asked);
   });
-  module.def(
-      "_lines_of", [](py::handle polygons, py::handle sides, py::handle method, py::handle lines,
-                      py::handle hidden, py::handle threads, py::handle segments) {
-        return pieces_of(polygons, sides, method, lines, threads, hidden, segments, false, true);
-      });
+  module.def("_lines_of",
+             [](py::handle polygons, py::handle sides, py::handle method, py::handle lines,
+                py::handle hidden, py::handle threads, py::handle segments) {
+               Asked asked = asked_of(polygons, sides, segments, method, threads, true);
+               asked.hidden = switch_in(hidden, "hidden");
+               asked.lines = if_said(lines, "lines", [](py::handle value, std::string_view what) {
+                 return line_selection(word_in(value, what));
+               });
+               return arrays_found(asked);
+             });
 }
 
 }  // namespace displayfile::python

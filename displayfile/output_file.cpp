@@ -10,7 +10,6 @@
 #include <cstring>
 #include <filesystem>
 #include <iostream>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -68,8 +67,7 @@ void OutputFile::fail_at_the_end(const std::string& what, int reason) {
                    reason != 0 ? std::strerror(reason) : ""));
 }
 
-OutputFile::OutputFile(const Destination& to) : path_(to.name()), target_(path_), to_(to.stream()) {
-  if (to_ != nullptr) return;
+OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_) {
   if (path_.empty()) throw Error("the output file has no name");
   std::error_code error;
   if (path_ == "-") {
@@ -145,7 +143,6 @@ void OutputFile::name_temporary() {
 }
 
 const std::string& OutputFile::temporary_path() {
-  if (to_ != nullptr) fail("has no path: expected a file");
   if (!direct_ && !pending_) name_temporary();
   return temporary_;
 }
@@ -163,7 +160,6 @@ void OutputFile::remove_temporary() {
 }
 
 std::ostream& OutputFile::stream() {
-  if (to_ != nullptr) return text_;
   if (blocks_ == nullptr) {
     if (direct_) descriptor_ = ::open(path_.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
     if (descriptor_ < 0) fail_to_write();
@@ -182,14 +178,13 @@ void OutputFile::finish() {
     if (!stream_) fail_at_the_end("not all could be written", blocks_->reason());
   }
   finished_ = true;
-  if (direct_ || standard_output_ || to_ != nullptr) return;
+  if (direct_ || standard_output_) return;
   if (!put_on_disk(descriptor_)) fail_at_the_end("not all could be put on the disk", errno);
 }
 
 void OutputFile::commit() {
   finish();
   if (direct_) return remove_temporary();  // nothing but the descriptor
-  if (to_ != nullptr) return copy_to_stream();
   if (standard_output_) return copy_to_standard_output();
   replace_target();
   ::close(std::exchange(descriptor_, -1));
@@ -217,12 +212,6 @@ void OutputFile::replace_target() {
 
 /// True if there was no target, and the nameless file is it now.
 bool OutputFile::link_to_target() const { return link_nameless(descriptor_, target_); }
-
-void OutputFile::copy_to_stream() {
-  const std::string_view all = text_.view();
-  to_->write(all.data(), static_cast<std::streamsize>(all.size()));
-  if (!to_->flush()) fail("not all could be written");
-}
 
 /// The temporary file has no name any more when the first byte is written: a reader that goes away
 /// may end this process.

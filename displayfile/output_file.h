@@ -2,11 +2,10 @@
 
 #include <memory>
 #include <ostream>
-#include <sstream>
 #include <string>
 
 #include "displayfile/block_buffer.h"
-#include "displayfile/destination.h"
+#include "displayfile/output.h"
 #include "displayfile/unfinished_path.h"
 
 namespace displayfile {
@@ -23,34 +22,32 @@ namespace displayfile {
 ///   out.commit();
 ///
 /// The path "-" is standard output: what is written goes to a temporary file too, and commit()
-/// copies it there. What goes to a stream is kept in memory until commit().
-class OutputFile {
+/// copies it there.
+class OutputFile : public Output {
  public:
   /// Creates the temporary file. Throws Error, naming the path, if the folder does not exist
   /// or cannot be written to, or the path is a folder. A target that is not a regular file
   /// (/dev/null, a pipe) is written to directly.
-  explicit OutputFile(const Destination& to);
-  ~OutputFile();
-  OutputFile(const OutputFile&) = delete;
-  OutputFile& operator=(const OutputFile&) = delete;
+  explicit OutputFile(std::string path);
+  ~OutputFile() override;
 
-  const std::string& path() const { return path_; }  ///< of the target, as messages name it
+  const std::string& name() const override { return path_; }  ///< the target's path
   /// What to open for a writer that takes a path; the file exists and is empty. It is in the
   /// target's folder, or for standard output in that for temporary files, and ends in the target's
-  /// extension. Do not use stream() then. A stream has none.
+  /// extension. Do not use stream() then.
   const std::string& temporary_path();
   /// Binary; the first call opens it.
-  std::ostream& stream();
+  std::ostream& stream() override;
 
   /// What several files need before the first of them is committed: all is written and on the disk,
   /// with every other writer of temporary_path() closed. Throws Error, naming the path, if anything
   /// could not be written (a full disk); the temporary file is then gone.
-  void finish();
+  void finish() override;
 
   /// finish(), if that has not been called, and the file has its name. Throws Error too if the
   /// rename fails, and the temporary file is then gone; or if it has its name, but that may not be
   /// on the disk. To be called once.
-  void commit();
+  void commit() override;
 
  private:
   [[noreturn]] void fail(const std::string& what) const;
@@ -64,7 +61,6 @@ class OutputFile {
   void replace_target();
   bool link_to_target() const;
   void remove_temporary();
-  void copy_to_stream();
   void copy_to_standard_output();
 
   std::string path_, target_, temporary_;  // target_: path_ with a symbolic link followed
@@ -74,8 +70,6 @@ class OutputFile {
   bool finished_ = false;  // and on the disk
   int descriptor_ = -1;    // of the temporary file, or of the target that is written to in place
   UnfinishedPath unfinished_;
-  std::ostream* to_;         // the caller's stream; null: a file
-  std::ostringstream text_;  // for it
   std::unique_ptr<BlockBuffer> blocks_;
   std::ostream stream_{nullptr};
 };

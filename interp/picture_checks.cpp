@@ -4,7 +4,7 @@
 
 #include "clip/error.h"
 #include "displayfile/hidden_surface_check.h"
-#include "displayfile/output_file.h"
+#include "displayfile/output.h"
 #include "interp/picture_source.h"
 #include "interp/raster/antialias.h"
 #include "interp/visibility/image_space.h"
@@ -51,9 +51,9 @@ void require_paper_and_pens(const Destination& to, const PictureFormat& format,
 
 /// Every output must be writable before any is written.
 void require_writable(const Destination& to, const DrawOptions& options) {
-  OutputFile{to};
-  if (!options.ids.empty()) OutputFile{options.ids.string()};
-  if (!options.depth.empty()) OutputFile{options.depth.string()};
+  output_to(to);
+  if (!options.ids.empty()) output_to(options.ids);
+  if (!options.depth.empty()) output_to(options.depth);
 }
 
 }  // namespace

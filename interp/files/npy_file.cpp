@@ -13,7 +13,7 @@
 #include <string_view>
 
 #include "clip/error.h"
-#include "displayfile/output_file.h"
+#include "displayfile/output.h"
 #include "interp/files/binary_input.h"
 #include "interp/picture.h"
 
@@ -64,10 +64,10 @@ constexpr std::string_view kType<double> = "<f8";
 template <class T>
 class NpyWriter {
  public:
-  NpyWriter(const Destination& to, int width, int height) : file_(to) {
+  NpyWriter(const Destination& to, int width, int height) : file_(output_to(to)) {
     require_picture_size(width, height);
     row_.resize(static_cast<std::size_t>(width) * sizeof(T));
-    file_.stream() << header(kType<T>, width, height);
+    file_->stream() << header(kType<T>, width, height);
   }
   /// Whole rows.
   void write(std::span<const T> values) {
@@ -77,14 +77,14 @@ class NpyWriter {
         const Bytes<T> bytes = little_endian(values[first + i]);
         std::memcpy(&row_[i * sizeof(T)], bytes.data(), bytes.size());
       }
-      file_.stream().write(row_.data(), static_cast<std::streamsize>(row_.size()));
+      file_->stream().write(row_.data(), static_cast<std::streamsize>(row_.size()));
     }
   }
-  void finish() { file_.finish(); }
-  void commit() { file_.commit(); }
+  void finish() { file_->finish(); }
+  void commit() { file_->commit(); }
 
  private:
-  OutputFile file_;
+  std::unique_ptr<Output> file_;
   std::vector<char> row_;
 };
 

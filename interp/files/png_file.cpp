@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "displayfile/output_file.h"
+#include "displayfile/output.h"
 #include "interp/files/binary_input.h"
 #include "interp/picture.h"
 
@@ -118,28 +118,28 @@ class PngRowFile : public RowFile {
   PngRowFile(const Destination& to, int width, int height, Alpha alpha);
   void write(const Picture& rows) override;
   void finish() override;
-  void commit() override { file_.commit(); }
+  void commit() override { file_->commit(); }
 
  private:
   template <class Steps>
   void write_by(Steps&& steps) {
     if (!carry_out(writer_.png, steps)) {
-      throw Error(fmt::format("{}: {}", file_.path(), writer_.message.text.data()));
+      throw Error(fmt::format("{}: {}", file_->name(), writer_.message.text.data()));
     }
   }
 
-  OutputFile file_;
+  std::unique_ptr<Output> file_;
   PngWriter writer_;
   std::size_t channels_;
   std::vector<std::uint8_t> row_;
 };
 
 PngRowFile::PngRowFile(const Destination& to, int width, int height, Alpha alpha)
-    : file_(to), channels_(alpha == Alpha::stored ? 4 : 3) {
+    : file_(output_to(to)), channels_(alpha == Alpha::stored ? 4 : 3) {
   require_picture_size(width, height);
   row_.resize(channels_ * static_cast<std::size_t>(width));
   if (writer_.info == nullptr) throw Error("not enough memory for a PNG file");
-  std::ostream* out = &file_.stream();
+  std::ostream* out = &file_->stream();
   const int colour_type = alpha == Alpha::stored ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB;
   write_by([&] {
     png_set_write_fn(writer_.png, out, write_bytes, flush_nothing);
@@ -169,7 +169,7 @@ void PngRowFile::write(const Picture& rows) {
 
 void PngRowFile::finish() {
   write_by([&] { png_write_end(writer_.png, nullptr); });
-  file_.finish();
+  file_->finish();
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <ostream>
 #include <vector>
 
-#include "displayfile/output_file.h"
+#include "displayfile/output.h"
 #include "interp/files/binary_input.h"
 #include "interp/picture.h"
 
@@ -44,10 +44,10 @@ int read_header_number(BinaryInput& input, const char* what) {
 
 class PpmRowFile : public RowFile {
  public:
-  PpmRowFile(const Destination& to, int width, int height) : file_(to) {
+  PpmRowFile(const Destination& to, int width, int height) : file_(output_to(to)) {
     require_picture_size(width, height);
     row_.resize(3 * static_cast<std::size_t>(width));
-    file_.stream() << fmt::format("P6\n{} {}\n255\n", width, height);
+    file_->stream() << fmt::format("P6\n{} {}\n255\n", width, height);
   }
   void write(const Picture& rows) override {
     const std::uint32_t* pixel = rows.pixels.data();
@@ -56,14 +56,14 @@ class PpmRowFile : public RowFile {
         const std::uint32_t rgba = in_bytes(*pixel++);
         std::memcpy(&row_[x], &rgba, 3);
       }
-      file_.stream().write(row_.data(), static_cast<std::streamsize>(row_.size()));
+      file_->stream().write(row_.data(), static_cast<std::streamsize>(row_.size()));
     }
   }
-  void finish() override { file_.finish(); }
-  void commit() override { file_.commit(); }
+  void finish() override { file_->finish(); }
+  void commit() override { file_->commit(); }
 
  private:
-  OutputFile file_;
+  std::unique_ptr<Output> file_;
   std::vector<char> row_;
 };
 

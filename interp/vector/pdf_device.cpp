@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "clip/error.h"
-#include "displayfile/output_file.h"
+#include "displayfile/output.h"
 #include "interp/cairo.h"
 #include "interp/interpreter.h"
 #include "interp/picture.h"
@@ -180,9 +180,9 @@ void write_page(PageFormat format, const DisplayFile& display_file, int width, i
                 const Destination& to, const Background& background, bool colour_rule,
                 const VectorOptions& options) {
   require_picture_size(width, height);
-  OutputFile file(to);
+  const std::unique_ptr<Output> file = output_to(to);
   try {
-    PdfDevice device(file.stream(), width, height, background, options, format);
+    PdfDevice device(file->stream(), width, height, background, options, format);
     if (colour_rule) device.fill_with_background();
     interpret(display_file, device);
     device.draw_texts(display_file);
@@ -190,7 +190,7 @@ void write_page(PageFormat format, const DisplayFile& display_file, int width, i
   } catch (const Error& e) {
     throw Error(fmt::format("{}: {}", to.name(), e.what()));
   }
-  file.commit();
+  file->commit();
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "displayfile/output_file.h"
+#include "displayfile/output.h"
 #include "interp/interpreter.h"
 #include "interp/picture.h"
 #include "interp/vector/seams.h"
@@ -240,17 +240,17 @@ void write_svg(const DisplayFile& display_file, int width, int height, const Des
                const Background& background, bool colour_rule, const VectorOptions& options) {
   SvgDevice device(width, height, background, options);
   if (colour_rule) device.fill_with_background();
-  OutputFile file(to);
+  const std::unique_ptr<Output> file = output_to(to);
   interpret(display_file, device);
   device.draw_texts(display_file);
   if (options.paper) {
     std::ostringstream document;
     device.finish(document);
-    write_on_sheet(document.view(), fit_on_paper(*options.paper, width, height), file.stream());
+    write_on_sheet(document.view(), fit_on_paper(*options.paper, width, height), file->stream());
   } else {
-    device.finish(file.stream());
+    device.finish(file->stream());
   }
-  file.commit();
+  file->commit();
 }
 
 }  // namespace displayfile

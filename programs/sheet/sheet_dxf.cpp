@@ -154,7 +154,7 @@ void require_whole(OutputFile& output) {
   written.seekg(-static_cast<std::streamoff>(kLast.size()), std::ios::end);
   std::string end(kLast.size(), '\0');
   written.read(end.data(), static_cast<std::streamsize>(end.size()));
-  if (!written || end != kLast) throw Error(output.path() + ": not all could be written");
+  if (!written || end != kLast) throw Error(output.name() + ": not all could be written");
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <ostream>
 
 #include "clip/error.h"
-#include "displayfile/output_file.h"
+#include "displayfile/output.h"
 #include "interp/cairo.h"
 #include "interp/vector/cairo_figure.h"
 #include "interp/vector/cairo_stream.h"
@@ -33,7 +33,7 @@ void draw_layer(cairo_t* context, const PenLayer& layer) {
 }  // namespace
 
 void write_pens_pdf(const PenDrawing& drawing, const Destination& to) {
-  OutputFile output(to);
+  const std::unique_ptr<Output> output = output_to(to);
   const auto require = [&](cairo_status_t status) {
     if (status == CAIRO_STATUS_SUCCESS) return;
     throw Error(fmt::format("{}: Cairo cannot write the PDF: {}", to.name(),
@@ -42,7 +42,7 @@ void write_pens_pdf(const PenDrawing& drawing, const Destination& to) {
   const auto destroy_surface = [](cairo_surface_t* s) { cairo().surface_destroy(s); };
   const auto destroy = [](cairo_t* c) { cairo().destroy(c); };
   const std::unique_ptr<cairo_surface_t, decltype(destroy_surface)> surface(
-      cairo().pdf_surface_create_for_stream(write_to_stream, &output.stream(),
+      cairo().pdf_surface_create_for_stream(write_to_stream, &output->stream(),
                                             drawing.fit.width * kPointsOfMillimetre,
                                             drawing.fit.height * kPointsOfMillimetre));
   require(cairo().surface_status(surface.get()));
@@ -58,7 +58,7 @@ void write_pens_pdf(const PenDrawing& drawing, const Destination& to) {
   require(cairo().status(context.get()));
   cairo().surface_finish(surface.get());
   require(cairo().surface_status(surface.get()));
-  output.commit();
+  output->commit();
 }
 
 }  // namespace displayfile

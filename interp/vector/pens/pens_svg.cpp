@@ -5,7 +5,7 @@
 #include <ostream>
 #include <string>
 
-#include "displayfile/output_file.h"
+#include "displayfile/output.h"
 #include "interp/vector/pens/pen_files.h"
 
 namespace displayfile {
@@ -47,8 +47,8 @@ void append_path_data(std::string& out, const PenPath& path) {
 }  // namespace
 
 void write_pens_svg(const PenDrawing& drawing, const Destination& to) {
-  OutputFile output(to);
-  std::ostream& out = output.stream();
+  const std::unique_ptr<Output> output = output_to(to);
+  std::ostream& out = output->stream();
   out << fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" "
@@ -77,7 +77,7 @@ void write_pens_svg(const PenDrawing& drawing, const Destination& to) {
     out << text << "</g>\n";
   }
   out << "</svg>\n";
-  output.commit();
+  output->commit();
 }
 
 }  // namespace displayfile

@@ -1,0 +1,40 @@
+#include "displayfile/output.h"
+
+#include <sstream>
+#include <string_view>
+
+#include "clip/error.h"
+#include "displayfile/output_file.h"
+
+namespace displayfile {
+
+namespace {
+
+/// Kept in memory until commit().
+class StreamOutput : public Output {
+ public:
+  explicit StreamOutput(const Destination& to) : name_(to.name()), to_(*to.stream()) {}
+
+  const std::string& name() const override { return name_; }
+  std::ostream& stream() override { return text_; }
+  void finish() override {}
+  void commit() override {
+    const std::string_view all = text_.view();
+    to_.write(all.data(), static_cast<std::streamsize>(all.size()));
+    if (!to_.flush()) throw Error(name_ + ": not all could be written");
+  }
+
+ private:
+  std::string name_;
+  std::ostream& to_;
+  std::ostringstream text_;
+};
+
+}  // namespace
+
+std::unique_ptr<Output> output_to(const Destination& to) {
+  if (to.is_file()) return std::make_unique<OutputFile>(to.name());
+  return std::make_unique<StreamOutput>(to);
+}
+
+}  // namespace displayfile

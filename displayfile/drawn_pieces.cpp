@@ -93,7 +93,8 @@ void DrawnPieces::end_piece(const Looks& looks) {
   kinds.push_back(looks.kind);
   first.push_back(static_cast<std::uint32_t>(points.size()));
   fills.push_back(looks.fill);
-  line_kinds.push_back(static_cast<Line>(looks.line.kind));
+  const LineStyle::Kind kind = looks.line.kind;  // a constant where lines are left out
+  line_kinds.push_back(static_cast<Line>(kind));
   line_colours.push_back(looks.line.colour);
   line_widths.push_back(looks.line.width);
   line_dashes.push_back(looks.line.dash);

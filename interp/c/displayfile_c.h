@@ -1,4 +1,4 @@
-/* Display File for C99: a display-file, retained-mode 3D graphics system (c/README.md).
+/* Display File for C99: a display-file, retained-mode 3D graphics system (interp/c/README.md).
  *
  * A df_system is one application's system: its view, styles, segments, and what is kept from one
  * picture to the next. Functions that return int return DF_OK, or DF_ERROR after an error, whose
@@ -28,6 +28,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+/* NOLINTBEGIN(modernize-use-using): C has typedef alone. */
 
 enum { DF_OK = 0, DF_ERROR = 1, DF_BUSY = 2 };
 
@@ -162,6 +163,7 @@ DF_API int df_pick(df_system* system, const df_options* options, double x, doubl
  * signal handler. Between calls it does nothing. */
 DF_API void df_stop(df_system* system);
 
+/* NOLINTEND(modernize-use-using) */
 #ifdef __cplusplus
 }
 #endif

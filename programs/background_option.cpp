@@ -11,8 +11,9 @@ namespace displayfile {
 void BackgroundWord::add_to(CLI::App& command) {
   command
       .add_option("--background", word,
-                  "R,G,B, each 0 to 1, #rrggbb, white, black, or none: transparent in .png, "
-                  "nothing in vectors; in place of the programs' [white]")
+                  "in place of the programs' [white]: R,G,B, each 0 to 1, #rrggbb, white, black, "
+                  "or none, which is transparent in .png and nothing in vectors")
+      ->type_name("R,G,B|#rrggbb|white|black|none")
       ->group(kPictureOptions);
 }
 

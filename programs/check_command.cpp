@@ -137,6 +137,7 @@ CLI::App& CheckCommand::add_to(CLI::App& app) {
           "folder of golden files, NAME.txt for NAME.draw, or FOLDER/NAME.txt where inputs "
           "of several folders have one name; or one file that all inputs are compared with: "
           "a golden file or a drawing program")
+      ->type_name("FOLDER|FILE")
       ->required()
       ->group(kGoldenOptions);
   command.add_flag("--update", update, "write the golden files")->group(kGoldenOptions);
@@ -153,8 +154,9 @@ CLI::App& CheckCommand::add_to(CLI::App& app) {
   hidden_surfaces.add_to(command);
   command
       .add_option("--size", size.size,
-                  "WIDTHxHEIGHT in pixels; if not given, for pictures that of the golden picture, "
+                  "in pixels; if not given, for pictures that of the golden picture, "
                   "and 512x512 for --update; for instructions a square")
+      ->type_name("WIDTHxHEIGHT")
       ->group(kPictureOptions);
   meshes.add_to(command);
   return command;

@@ -27,6 +27,7 @@
 #include "programs/option_groups.h"
 #include "programs/output_name.h"
 #include "programs/pick_option.h"
+#include "programs/picture_words.h"
 #include "programs/progress.h"
 #include "programs/turntable_command.h"
 #include "programs/warnings.h"
@@ -40,14 +41,6 @@ std::string listed(std::span<const Choice> choices) {
   std::string text;
   for (const Choice& choice : choices) {
     text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", choice.name, choice.what);
-  }
-  return text;
-}
-
-std::string names_of(std::span<const Choice> formats) {
-  std::string text;
-  for (const Choice& format : formats) {
-    text += fmt::format("{}{}", text.empty() ? "" : " ", format.name.substr(1));
   }
   return text;
 }
@@ -66,8 +59,9 @@ CLI::App& DrawCommand::add_to(CLI::App& app) {
   command.add_flag("--stats", stats, "print what was drawn")->group(kReportOptions);
   command
       .add_option("--pick", pick,
-                  "X,Y[,REACH] in pixels from the upper left corner: print what is seen there, "
-                  "a polygon, or a line or edge within REACH of it")
+                  "print what is seen at a pixel, counted from the upper left corner: a polygon, "
+                  "or a line or edge within REACH of it")
+      ->type_name("X,Y[,REACH]")
       ->group(kReportOptions);
   command
       .add_flag("--quiet", quiet,
@@ -86,19 +80,23 @@ void DrawCommand::add_output_options(CLI::App& command) {
                       "; or - for standard output. With {name} or other fields in it, such as "
                       "'thumbnails/{name}.png', a picture of each input: {name} is its file name, "
                       "{ext} its extension, {folder} its folder, {number} its place on the line")
+      ->type_name(picture_file())
       ->required()
       ->group(kOutputOptions);
   command
       .add_option(
           "--format", options.format,
-          "of the picture, if it is not what its name ends in: " + names_of(picture_formats()) +
-              "; png on standard output, or ppm without libpng")
+          "of the picture, if it is not what its name ends in; png on standard output, or ppm "
+          "without libpng")
+      ->type_name(picture_format_words())
       ->group(kOutputOptions);
   command
       .add_option("--ids", options.ids,
                   "item buffer as .npy: the pick identifier seen, -1 for none")
+      ->type_name("IDS.npy")
       ->group(kOutputOptions);
   command.add_option("--depth", options.depth, "depth as .npy: of the fill seen, -inf for none")
+      ->type_name("DEPTH.npy")
       ->group(kOutputOptions);
 }
 
@@ -107,6 +105,7 @@ void DrawCommand::add_picture_options(CLI::App& command) {
   command
       .add_option("--samples", options.samples,
                   "antialiasing: the mean of N x N samples for each pixel")
+      ->type_name("N")
       ->check(CLI::Range(1, kMostSamples))
       ->capture_default_str()
       ->group(kPictureOptions);
@@ -120,21 +119,26 @@ void DrawCommand::add_picture_options(CLI::App& command) {
                   "method of lines each by itself, and with --hidden world-ray-cast from one tree "
                   "of boxes: "
                   "OUT.png becomes OUT-000.png, OUT-001.png, ..., --ids and --depth likewise")
+      ->type_name("N")
       ->group(kPictureOptions);
   command
       .add_option("--views", views,
-                  "FIRST:END: of a turntable's N views only those from FIRST up to END, as all of "
+                  "of a turntable's N views only those from FIRST up to END, as all of "
                   "them are; several machines may share them")
+      ->type_name("FIRST:END")
       ->group(kPictureOptions);
   command
       .add_option("--rows", rows,
-                  "FIRST:END: only the picture's rows from FIRST up to END, from the top, as they "
+                  "only the picture's rows from FIRST up to END, from the top, as they "
                   "are in the whole picture; of pixels")
+      ->type_name("FIRST:END")
       ->group(kPictureOptions);
-  command.add_option("--device", options.device, listed(raster_devices()))
+  command.add_option("--device", options.device, "what draws pixels: " + listed(raster_devices()))
+      ->type_name(raster_device_words())
       ->capture_default_str()
       ->group(kPictureOptions);
   command.add_option("--threads", options.threads, "the picture is the same for any number")
+      ->type_name("N")
       ->check(CLI::Range(1, 1024))
       ->group(kPictureOptions);
 }

@@ -15,7 +15,8 @@ CLI::App& DumpCommand::add_to(CLI::App& app) {
   CLI::App& command =
       *app.add_subcommand("dump", "Every segment's instructions, as canonical text");
   add_inputs(command, "INPUT", inputs, "drawing programs and meshes");
-  command.add_option("-o,--output", output, "file to write; standard output if not given");
+  command.add_option("-o,--output", output, "file to write; standard output if not given")
+      ->type_name("OUT.txt");
   hidden_surfaces.add_to(command);
   size.add_to(command);
   meshes.add_to(command);

@@ -14,13 +14,15 @@ void HiddenSurfaceWords::add_to(CLI::App& command) {
   methods.append(" colour-rule=METHOD");
   command
       .add_option("--hidden", hidden, "hidden-surface method in place of the program's:" + methods)
+      ->type_name("METHOD")
       ->group(kHiddenSurfaceOptions);
-  command
-      .add_option("--scope", scope, "sort each segment, or all visible ones together: segment all")
+  command.add_option("--scope", scope, "sort each segment, or all visible ones together")
+      ->type_name("segment|all")
       ->group(kHiddenSurfaceOptions);
   command
       .add_option("--precision", precision,
-                  "exact, roundoff or roundoff=EPS; exact unless a program sets another")
+                  "of what the methods decide; exact unless a program sets another")
+      ->type_name("exact|roundoff[=EPS]")
       ->group(kHiddenSurfaceOptions);
   command
       .add_option("--lines", lines,
@@ -29,11 +31,13 @@ void HiddenSurfaceWords::add_to(CLI::App& command) {
                   "outline, boundary (sides of one polygon), crease or crease=DEGREES (sides at "
                   "which two turn by more; 30), intersection, material (sides at which fills "
                   "differ)")
+      ->type_name("KIND,...")
       ->group(kHiddenSurfaceOptions);
   command
       .add_option("--hidden-lines", hidden_lines,
-                  "lines where they are hidden: none dashed; by the methods that find lines, and "
+                  "lines where they are hidden; by the methods that find lines, and "
                   "over fills")
+      ->type_name("none|dashed")
       ->group(kHiddenSurfaceOptions);
 }
 

@@ -16,8 +16,10 @@ namespace displayfile {
 
 CLI::App& ImportCommand::add_to(CLI::App& app) {
   CLI::App& command = *app.add_subcommand("import", "Write a drawing program from meshes");
-  add_inputs(command, "MESH", meshes, "meshes");
-  command.add_option("-o,--output", output, "the drawing program, .draw")->required();
+  add_inputs(command, "MESH", meshes, "meshes").type_name("MESH");
+  command.add_option("-o,--output", output, "the drawing program, .draw")
+      ->type_name("OUT.draw")
+      ->required();
   shading.add_to(command);
   size.add_to(command);
   options.add_to(command);

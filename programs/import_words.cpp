@@ -46,9 +46,11 @@ void ImportWords::add_to(CLI::App& command) {
       .add_option("--import-memory", memory,
                   "the most memory that reading a mesh may take which is not OBJ, OFF, PLY or STL, "
                   "bytes with K, M or G (2G)")
+      ->type_name("BYTES")
       ->group(kImportOptions);
   command
       .add_option("--import-seconds", seconds, "the most time that it may take, by the clock (60)")
+      ->type_name("SECONDS")
       ->group(kImportOptions);
   command
       .add_flag("--any-format", any_format,

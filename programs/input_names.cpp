@@ -65,6 +65,7 @@ CLI::Option& add_inputs(CLI::App& command, const char* name, std::vector<std::st
       what +
           "; @FILE stands for the names in that file, one a line, and @- for those on standard "
           "input");
+  option.type_name("FILE.draw|MESH");
   command.parse_complete_callback([&inputs] { inputs = input_names(inputs); });
   return *option.required();
 }

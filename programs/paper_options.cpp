@@ -71,8 +71,10 @@ void PaperWords::add_to(CLI::App& command) {
           "a sheet on which an SVG or a PDF is drawn as large as fits: A0 to A6, letter, "
           "legal, tabloid, or WIDTHxHEIGHT in mm; -portrait or -landscape after it, or else "
           "as the picture is wider or higher")
+      ->type_name("PAPER")
       ->group(kPaperOptions);
   command.add_option("--margin", margin, "mm around the picture on the paper [10]")
+      ->type_name("MM")
       ->group(kPaperOptions);
   command
       .add_flag(
@@ -85,13 +87,13 @@ void PaperWords::add_to(CLI::App& command) {
   command
       .add_option(
           "--hatch", hatch,
-          "SPACING[,ANGLE][,cross][,width=MM][,COLOUR]: --pens, with fills as parallel "
-          "lines, SPACING mm apart where a fill is as dark as the pen and farther the "
-          "brighter it is, at ANGLE degrees [45]; cross: darker than the middle tone, lines "
-          "at right angles too; by a pen of a width [0.3] and colour [black; white on dark "
-          "paper]. Fills must come as they are seen, and not be painted over: as by --hidden none "
-          "or "
-          "back-face where that is so")
+          "--pens, with fills as parallel lines: SPACING[,ANGLE][,cross][,width=MM][,COLOUR]. They "
+          "are SPACING mm apart where a fill is as dark as the pen and farther the brighter it is, "
+          "at ANGLE degrees [45]; cross: darker than the middle tone, lines at right angles too; "
+          "by a pen of a width [0.3] and colour [black; white on dark paper]. Fills must come as "
+          "they are seen, and not be painted over: as by --hidden none or back-face where that is "
+          "so")
+      ->type_name("SPACING,...")
       ->group(kPaperOptions);
 }
 

@@ -11,7 +11,8 @@
 namespace displayfile {
 
 void PictureSizeWord::add_to(CLI::App& command) {
-  command.add_option("--size", size, "WIDTHxHEIGHT in pixels; of a PDF, in points")
+  command.add_option("--size", size, "in pixels; of a PDF, in points")
+      ->type_name("WIDTHxHEIGHT")
       ->capture_default_str()
       ->group(kPictureOptions);
 }

@@ -81,47 +81,59 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
       "sheet", "Draw a part on a sheet of paper: front, top, side and isometric view");
   add_inputs(command, "PART", inputs, "meshes and drawing programs of polygons");
   command.add_option("-o,--output", output, "the sheet: .svg, .pdf or .dxf")
+      ->type_name("OUT.{svg,pdf,dxf}")
       ->required()
       ->group(kOutputOptions);
   command.add_option("--paper", paper, "as draw has it: a4, a3-portrait, 300x200")
+      ->type_name("PAPER")
       ->capture_default_str()
       ->group(kPaperOptions);
   command.add_option("--margin", margin, "mm from the paper's edge to the frame")
+      ->type_name("MM")
       ->capture_default_str()
       ->group(kPaperOptions);
   command
       .add_option("--scale", scale,
-                  "PAPER:PART, such as 1:2; else the largest standard one (ISO 5455) that fits")
+                  "such as 1:2; if not given, the largest standard one (ISO 5455) that fits")
+      ->type_name("PAPER:PART")
       ->group(kPictureOptions);
   command
       .add_option("--projection", projection,
                   "third: the top view above and the right side on the right; first: the top view "
                   "below and the left side on the right")
+      ->type_name("third|first")
       ->capture_default_str()
       ->group(kPictureOptions);
-  command.add_option("--unit", unit, "of the part's coordinates: mm, cm, m or inch")
+  command.add_option("--unit", unit, "of the part's coordinates")
+      ->type_name("mm|cm|m|inch")
       ->capture_default_str()
       ->group(kPictureOptions);
-  command
-      .add_option("--up", up, "the axis that is up: x, y, z, -x, -y or -z; else as the file says")
+  command.add_option("--up", up, "the axis that is up; if not given, as the file says")
+      ->type_name("x|y|z|-x|-y|-z")
       ->group(kPictureOptions);
   command
-      .add_option("--section", sections,
-                  "front=POSITION, top= or side=: that view shows the part cut, the cut face "
-                  "hatched; POSITION along the direction toward who looks at the view, in the "
-                  "part's unit; may be given for each of them")
+      .add_option(
+          "--section", sections,
+          "that view shows the part cut, the cut face hatched; POSITION along the direction toward "
+          "who looks at the view, in the part's unit; may be given for each of them")
+      ->type_name("front=POSITION|top=POSITION|side=POSITION")
       ->group(kPictureOptions);
   command.add_option("--hatch", hatch, "mm between the lines of hatching")
+      ->type_name("MM")
       ->capture_default_str()
       ->group(kPictureOptions);
   command.add_option("--lines", lines, "which edges are lines, as draw has it")
+      ->type_name("KIND,...")
       ->capture_default_str()
       ->group(kHiddenSurfaceOptions);
-  command.add_option("--title", title, "in the title block; else the part's file name")
+  command.add_option("--title", title, "in the title block; if not given, the part's file name")
+      ->type_name("TITLE")
       ->group(kPictureOptions);
-  command.add_option("--date", date, "in the title block; else there is none")
+  command.add_option("--date", date, "in the title block; if not given, there is none")
+      ->type_name("DATE")
       ->group(kPictureOptions);
   command.add_option("--threads", threads, "the sheet is the same for any number")
+      ->type_name("N")
       ->check(CLI::Range(1, 1024))
       ->group(kPictureOptions);
   import.add_to(command);

@@ -13,6 +13,7 @@
 #include "displayfile/output_file.h"
 #include "interp/draw.h"
 #include "programs/keep_freed_memory.h"
+#include "programs/picture_words.h"
 #include "programs/progress.h"
 
 namespace displayfile {
@@ -77,30 +78,39 @@ CLI::App& SurfaceCommand::add_to(CLI::App& app) {
       .add_option("SURFACE", surfaces,
                   "expressions in x and y, or files of heights, .npy or .txt, the row of y-min "
                   "first; several are drawn together, and pass through each other")
+      ->type_name("EXPRESSION|HEIGHTS.{npy,txt}")
       ->required();
-  command.add_option("-o,--output", output, "the picture: .svg .pdf .eps .png .ppm")->required();
-  command.add_option("--x", x, "A:B, the range of x [-1:1]");
-  command.add_option("--y", y, "A:B, the range of y [-1:1]");
-  command.add_option("--z", z, "A:B, heights that the box has at least");
-  command.add_option("--grid", grid, "NXxNY, points of expressions [50x50]");
-  command.add_option("--curves", curves, "x, y or both: which curves are drawn")
+  command.add_option("-o,--output", output, "the picture")->type_name(picture_file())->required();
+  command.add_option("--x", x, "the range of x [-1:1]")->type_name("A:B");
+  command.add_option("--y", y, "the range of y [-1:1]")->type_name("A:B");
+  command.add_option("--z", z, "heights that the box has at least")->type_name("A:B");
+  command.add_option("--grid", grid, "points of expressions [50x50]")->type_name("NXxNY");
+  command.add_option("--curves", curves, "which curves are drawn")
+      ->type_name("x|y|both")
       ->default_str("both");
-  command.add_option("--sides", sides, "upper, lower or both: of which sides of the surface")
+  command.add_option("--sides", sides, "which sides of the surface are drawn")
+      ->type_name("upper|lower|both")
       ->default_str("both");
-  command.add_option("--colour", colour, "height: cells in colours by their height, and a legend");
+  command.add_option("--colour", colour, "cells in colours by their height, and a legend")
+      ->type_name("height");
   command
       .add_option("--contours", contours, "so many lines of equal height, at the base of the box")
+      ->type_name("N")
       ->default_str("0");
   command.add_flag("--axes,!--no-axes", axes, "axes with numbers and names")->default_str("true");
   command.add_flag("--box,!--no-box", box, "the faces of the box behind the surface")
       ->default_str("true");
-  command.add_option("--labels", labels, "X,Y,Z, the names of the axes [x,y,z]");
+  command.add_option("--labels", labels, "the names of the axes [x,y,z]")->type_name("X,Y,Z");
   command.add_flag("--true-scale", true_scale,
                    "a unit is as long along each axis; otherwise the box has a pleasant shape");
-  command.add_option("--program", program, "write the drawing program, too");
-  command.add_option("--threads", threads,
-                     "threads at most; the picture is the same for any number");
-  command.add_option("--samples", samples, "antialiasing of pixels: samples x samples each");
+  command.add_option("--program", program, "write the drawing program, too")
+      ->type_name("PROGRAM.draw");
+  command
+      .add_option("--threads", threads, "threads at most; the picture is the same for any number")
+      ->type_name("N");
+  command
+      .add_option("--samples", samples, "antialiasing: the mean of N x N samples for each pixel")
+      ->type_name("N");
   size.add_to(command);
   camera.add_to(command);
   hidden_surfaces.add_to(command);

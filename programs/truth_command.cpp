@@ -33,24 +33,34 @@ CLI::App& TruthCommand::add_to(CLI::App& app) {
   add_inputs(command, "INPUT", inputs, "drawing programs and meshes");
   size.add_to(command);
   meshes.add_to(command);
-  command.add_option("--ids", ids, "item buffer as .npy: the pick identifier seen, -1 for none");
-  command.add_option("--depth", depth,
-                     "depth as .npy: of the fill seen, rounded once, -inf for none");
-  command.add_option("--from", from,
-                     "display-file, whose coordinates viewing has rounded; or world: viewing in "
-                     "exact arithmetic too, and how many pixels of the former differ from it");
-  command.add_option(
-      "--seen-lines", seen_lines,
-      "what is seen of the lines that are drawn, as a dump: that of a right method of "
-      "lines (dump --hidden franklin) is the same");
-  command.add_option("--hidden", hidden,
-                     "print missing and extra length of what that method of lines finds");
-  command.add_option("--precision", precision, "of that method: exact, roundoff or roundoff=EPS")
+  command.add_option("--ids", ids, "item buffer as .npy: the pick identifier seen, -1 for none")
+      ->type_name("IDS.npy");
+  command
+      .add_option("--depth", depth, "depth as .npy: of the fill seen, rounded once, -inf for none")
+      ->type_name("DEPTH.npy");
+  command
+      .add_option("--from", from,
+                  "display-file, whose coordinates viewing has rounded; or world: viewing in "
+                  "exact arithmetic too, and how many pixels of the former differ from it")
+      ->type_name("display-file|world");
+  command
+      .add_option("--seen-lines", seen_lines,
+                  "what is seen of the lines that are drawn, as a dump: that of a right method of "
+                  "lines (dump --hidden franklin) is the same")
+      ->type_name("LINES.txt");
+  command
+      .add_option("--hidden", hidden,
+                  "print missing and extra length of what that method of lines finds")
+      ->type_name("LINE-METHOD");
+  command.add_option("--precision", precision, "of that method")
+      ->type_name("exact|roundoff[=EPS]")
       ->capture_default_str();
-  command.add_option(
-      "--line-samples", line_samples,
-      "judge so many random points of the lines at least, not whole lines: for many");
+  command
+      .add_option("--line-samples", line_samples,
+                  "judge so many random points of the lines at least, not whole lines: for many")
+      ->type_name("N");
   command.add_option("--threads", threads, "for lines; the answer is the same for any number")
+      ->type_name("N")
       ->check(CLI::Range(1, 1024));
   return command;
 }

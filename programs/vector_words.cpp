@@ -13,12 +13,14 @@ void VectorWords::add_to(CLI::App& command) {
       .add_option("--vector-precision", precision,
                   "visible surfaces in vectors: vertices are rounded to so many pixels, 0.001 to 1 "
                   "[0.01]")
+      ->type_name("PIXELS")
       ->group(kVectorOptions);
   command
       .add_option(
           "--seams", seams,
           "visible surfaces in vectors: trapped, so that no seam is seen between neighbours, "
           "or butted, in a smaller file [trapped]")
+      ->type_name("trapped|butted")
       ->group(kVectorOptions);
   command
       .add_flag("--pick-ids", pick_ids,

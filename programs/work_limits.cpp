@@ -108,6 +108,7 @@ void WorkLimitWords::add_to(CLI::App& command) {
   command
       .add_option("--limit-seconds", seconds,
                   "how long the command may take; at the limit nothing is written [none]")
+      ->type_name("SECONDS")
       ->check(CLI::Range(1e-3, kMostSeconds))
       ->group(kLimitOptions);
   command
@@ -115,12 +116,14 @@ void WorkLimitWords::add_to(CLI::App& command) {
                   fmt::format("how much memory it may have: bytes, or with k, M or G after it "
                               "[3/4 of the machine's, here {:.3g}G]",
                               static_cast<double>(usual_memory()) * 0x1p-30))
+      ->type_name("BYTES")
       ->group(kLimitOptions);
   command
       .add_option(
           "--limit-pieces", pieces,
           "into how many pieces polygons may be cut, in how many lines may be seen, and how "
           "many edges the map may have; what is not cut is always allowed")
+      ->type_name("N")
       ->check(CLI::Range(1.0, 4e9))
       ->capture_default_str()
       ->group(kLimitOptions);

@@ -18,43 +18,60 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   BenchCommand bench;
   auto* command = app.add_subcommand("bench", kBenchDescription);
-  command->add_option("SCENE", bench.scenes.names,
-                      "generated scenes, families of hard cases, drawing programs and meshes; "
-                      "default, as without any: all generated scenes and hard cases");
+  command
+      ->add_option("SCENE", bench.scenes.names,
+                   "generated scenes, families of hard cases, drawing programs and meshes; "
+                   "default, as without any: all generated scenes and hard cases")
+      ->type_name("SCENE|FILE.draw|MESH");
   command
       ->add_option("-o,--output", bench.page,
                    "the page, .html; what is finished is kept in "
                    "PAGE.partial until then, and an interrupted run "
                    "goes on from there")
+      ->type_name("PAGE.html")
       ->capture_default_str();
-  command->add_option("--json", bench.json, "the figures for programs");
-  auto* plot = command->add_option(
-      "--plot", bench.plot, "the plot that the page begins with, .svg: speed against error of all");
-  command->add_option("--readme", bench.readme,
-                      "rewrite the blocks of this file that are marked <!-- bench: NAME -->");
+  command->add_option("--json", bench.json, "the figures for programs")->type_name("FIGURES.json");
+  auto* plot =
+      command
+          ->add_option("--plot", bench.plot,
+                       "the plot that the page begins with, .svg: speed against error of all")
+          ->type_name("PLOT.svg");
+  command
+      ->add_option("--readme", bench.readme,
+                   "rewrite the blocks of this file that are marked <!-- bench: NAME -->")
+      ->type_name("FILE");
   command->add_flag("--full", bench.scenes.full,
                     "more sizes, precisions and rounds: hours instead of minutes");
   auto* methods = command->add_option("--methods", bench.methods, "only these, with commas between")
+                      ->type_name("METHOD,...")
                       ->delimiter(',');
   command
       ->add_option("--roundoff", bench.roundoffs,
                    "EPS of the precisions roundoff=EPS beside exact, with commas between, or none")
+      ->type_name("EPS,...")
       ->delimiter(',');
   command->add_option("--threads", bench.threads, "numbers of threads, with commas between")
+      ->type_name("N,...")
       ->delimiter(',')
       ->check(CLI::Range(1, 1024));
   command
       ->add_option("--polygons", bench.scenes.polygons, "of generated scenes, with commas between")
+      ->type_name("N,...")
       ->delimiter(',')
       ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}));
   command->add_option("--sizes", bench.scenes.sizes, "pixels a side, with commas between")
+      ->type_name("N,...")
       ->delimiter(',')
       ->check(CLI::Range(1, 16384));
-  command->add_option("--seed", bench.scenes.seed, "of all scenes that are generated");
-  command->add_option("--rounds", bench.rounds, "of each ratio")->check(CLI::Range(1, 1000));
+  command->add_option("--seed", bench.scenes.seed, "of all scenes that are generated")
+      ->type_name("N");
+  command->add_option("--rounds", bench.rounds, "of each ratio")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000));
   command
       ->add_option("--seconds", bench.most_seconds,
                    "at most for the rounds of one ratio; hard cases take less")
+      ->type_name("SECONDS")
       ->check(CLI::Range(0.001, 1e6));
   command->add_flag(
       "--features,!--no-features", bench.features,

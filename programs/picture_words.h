@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+namespace displayfile {
+
+// What can be drawn, as options' values have it.
+
+std::string picture_file();          ///< OUT.{png,svg}, of all formats
+std::string picture_format_words();  ///< png|svg
+std::string raster_device_words();   ///< software|osmesa
+
+}  // namespace displayfile

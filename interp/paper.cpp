@@ -59,6 +59,12 @@ std::optional<std::pair<double, double>> sides_of(std::string_view word) {
 
 }  // namespace
 
+std::vector<std::string> sheet_names() {
+  std::vector<std::string> names;
+  for (const SheetSize& sheet : kSheetSizes) names.emplace_back(sheet.name);
+  return names;
+}
+
 Paper paper_of(std::string_view word) {
   const std::string lower = in_lower_case(word);
   std::string_view size = lower;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "displayfile/style.h"
 
@@ -23,6 +25,7 @@ struct Paper {
 /// stays as it is; after each of them -portrait or -landscape if it is to lie so. Throws Error for
 /// any other word, and for sides that are not 1 to kLargestSheet.
 Paper paper_of(std::string_view word);
+std::vector<std::string> sheet_names();  ///< a4 and so on, without those of WxH
 inline constexpr double kLargestSheet = 10'000.0;
 
 inline constexpr double kPointsOfMillimetre = 72.0 / 25.4;  ///< of PDF

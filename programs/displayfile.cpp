@@ -22,6 +22,8 @@
 #include "programs/exit_status.h"
 #include "programs/import_command.h"
 #include "programs/keep_freed_memory.h"
+#include "programs/manual/asked_of_itself.h"
+#include "programs/named_values.h"
 #include "programs/picture_check.h"
 #include "programs/sheet_command.h"
 #include "programs/stop_signals.h"
@@ -71,10 +73,13 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   std::function<int()> chosen;
   WorkLimitWords limits;
+  const AskedOfItself asked(argc, argv);
   const auto add = [&](auto& command) {
     CLI::App& subcommand = command.add_to(app);
     // Those of the others would only take time at every start.
-    if (argc > 1 && subcommand.get_name() == argv[1]) limits.add_to(subcommand);
+    if (asked.subcommand() == subcommand.get_name()) {
+      limits.add_to(subcommand, !asked.for_any_machine());
+    }
     subcommand.callback([&] {
       chosen = [&] {
         const WorkLimitsInForce in_force(limits);
@@ -104,6 +109,11 @@ int run(int argc, char** argv) {
   add(sheet);
   const CLI::App& bench = add_bench(app);
 
+  if (asked.anything()) {
+    if (asked.of_subcommand(bench)) start_bench(argv);
+    asked.tell(app, named_values());
+    return 0;
+  }
   require_known_command(app, argc, argv);
   try {
     app.parse(argc, argv);

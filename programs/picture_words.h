@@ -4,7 +4,7 @@
 
 namespace displayfile {
 
-// What can be drawn, as options' values have it.
+// What can be drawn, as options' values have it (programs/manual/value_name.h).
 
 std::string picture_file();          ///< OUT.{png,svg}, of all formats
 std::string picture_format_words();  ///< png|svg

@@ -104,7 +104,11 @@ std::size_t bytes_of_word(const std::string& option, const std::string& word) {
   return static_cast<std::size_t>(bytes);
 }
 
-void WorkLimitWords::add_to(CLI::App& command) {
+void WorkLimitWords::add_to(CLI::App& command, bool for_this_machine) {
+  const std::string here =
+      for_this_machine
+          ? fmt::format(", here {:.3g}G", static_cast<double>(usual_memory()) * 0x1p-30)
+          : "";
   command
       .add_option("--limit-seconds", seconds,
                   "how long the command may take; at the limit nothing is written [none]")
@@ -112,10 +116,10 @@ void WorkLimitWords::add_to(CLI::App& command) {
       ->check(CLI::Range(1e-3, kMostSeconds))
       ->group(kLimitOptions);
   command
-      .add_option("--limit-memory", memory,
-                  fmt::format("how much memory it may have: bytes, or with k, M or G after it "
-                              "[3/4 of the machine's, here {:.3g}G]",
-                              static_cast<double>(usual_memory()) * 0x1p-30))
+      .add_option(
+          "--limit-memory", memory,
+          "how much memory it may have: bytes, or with k, M or G after it [3/4 of the machine's" +
+              here + "]")
       ->type_name("BYTES")
       ->group(kLimitOptions);
   command

@@ -16,8 +16,9 @@ struct WorkLimitWords {
   std::optional<double> seconds;
   std::size_t pieces = kMostPieces;
 
-  /// Adds --limit-seconds, --limit-memory and --limit-pieces.
-  void add_to(CLI::App& command);
+  /// Adds --limit-seconds, --limit-memory and --limit-pieces; what is said of them names figures of
+  /// this machine, or holds for any.
+  void add_to(CLI::App& command, bool for_this_machine = true);
 };
 
 /// What a word says of bytes: a number, and k, M or G after it (1024, 1024^2 and 1024^3 bytes).

@@ -49,6 +49,8 @@ struct ImportLibrary {
       library.function<decltype(&aiGetErrorString)>("aiGetErrorString");
   decltype(&aiIsExtensionSupported) supports =
       library.function<decltype(&aiIsExtensionSupported)>("aiIsExtensionSupported");
+  decltype(&aiGetExtensionList) extensions =
+      library.function<decltype(&aiGetExtensionList)>("aiGetExtensionList");
   decltype(&aiGetMaterialColor) colour =
       library.function<decltype(&aiGetMaterialColor)>("aiGetMaterialColor");
   decltype(&aiGetMaterialFloatArray) numbers =
@@ -380,6 +382,22 @@ std::optional<std::string> import_library_version() {
   } catch (const Error&) {
     return std::nullopt;
   }
+}
+
+std::vector<std::string> import_library_extensions() {
+  std::vector<std::string> extensions;
+  try {
+    aiString list;  // "*.3ds;*.dae"
+    ImportLibrary::get().extensions(&list);
+    std::string_view rest(list.C_Str(), list.length);
+    while (!rest.empty()) {
+      const std::string_view pattern = rest.substr(0, rest.find(';'));
+      rest.remove_prefix(std::min(pattern.size() + 1, rest.size()));
+      if (pattern.starts_with("*.")) extensions.emplace_back(pattern.substr(1));
+    }
+  } catch (const Error&) {
+  }
+  return extensions;
 }
 
 }  // namespace displayfile

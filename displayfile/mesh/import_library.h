@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "displayfile/mesh/mesh.h"
 
@@ -24,5 +25,9 @@ void load_import_library(const std::string& path);
 
 /// The version of the library, which is loaded for that; nothing if there is none.
 std::optional<std::string> import_library_version();
+
+/// The extensions, with their dots and in no order, of the files that the library reads; it is
+/// loaded for that. None if there is none.
+std::vector<std::string> import_library_extensions();
 
 }  // namespace displayfile

@@ -13,5 +13,6 @@ Mesh read_by_import_process(const std::string& path, bool with_normals, const Im
 }
 
 std::optional<std::string> import_library_version() { return std::nullopt; }
+std::vector<std::string> import_library_extensions() { return {}; }
 
 }  // namespace displayfile

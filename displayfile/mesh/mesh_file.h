@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "displayfile/mesh/mesh.h"
 
@@ -20,5 +21,8 @@ Mesh read_obj(const MeshFile& file);
 Mesh read_off(const MeshFile& file);
 Mesh read_ply(const MeshFile& file);
 Mesh read_stl(const MeshFile& file);
+
+/// The extensions of their files, with the dots.
+std::vector<std::string> extensions_read_here();
 
 }  // namespace displayfile

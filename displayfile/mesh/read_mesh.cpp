@@ -5,6 +5,7 @@
 #include <fstream>
 #include <new>
 #include <string_view>
+#include <vector>
 
 #include "clip/error.h"
 #include "displayfile/characters.h"
@@ -106,6 +107,12 @@ Mesh read_any(const std::string& path, bool with_normals, const ImportLimits& li
 }
 
 }  // namespace
+
+std::vector<std::string> extensions_read_here() {
+  std::vector<std::string> extensions;
+  for (const Format& format : kFormats) extensions.emplace_back(format.extension);
+  return extensions;
+}
 
 Mesh read_mesh(const std::string& path, bool with_normals, const ImportLimits& limits) {
   try {

@@ -69,12 +69,7 @@ std::vector<LineContender> chosen_line_contenders(const BenchCommand& command) {
 }
 
 void require_methods(const BenchCommand& command) {
-  std::vector<std::string> known;
-  const auto add = [&](const std::string& name) {
-    if (std::ranges::find(known, name) == known.end()) known.push_back(name);
-  };
-  for (const Contender& contender : contenders({})) add(contender.method);
-  for (const LineContender& contender : line_contenders({})) add(contender.method_name());
+  const std::vector<std::string> known = method_names();
   for (const std::string& name : command.methods) {
     if (std::ranges::find(known, name) != known.end()) continue;
     throw Error(fmt::format("--methods {}: not in this build: expected some of {}", name,
@@ -485,6 +480,16 @@ int BenchCommand::run() const {
              "{} figures and comparisons measured, {} taken over from an interrupted run\n{}\n",
              measuring.measured_now(), measuring.from_before(), page);
   return exact_methods_are_right(report) ? 0 : 1;
+}
+
+std::vector<std::string> bench::method_names() {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  };
+  for (const Contender& contender : contenders({})) add(contender.method);
+  for (const LineContender& contender : line_contenders({})) add(contender.method_name());
+  return names;
 }
 
 }  // namespace displayfile

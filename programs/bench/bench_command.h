@@ -32,4 +32,9 @@ struct BenchCommand {
   int run() const;
 };
 
+namespace bench {
+/// Those that --methods takes, of pixels and of lines.
+std::vector<std::string> method_names();
+}  // namespace bench
+
 }  // namespace displayfile

@@ -204,6 +204,12 @@ std::vector<BenchScene> chosen_scenes(const SceneChoice& choice) {
   return scenes;
 }
 
+std::vector<std::string> scene_names() {
+  std::vector<std::string> names = default_names();
+  names.emplace_back(kDefault);
+  return names;
+}
+
 std::string_view name_of(BenchScene::Kind kind) {
   switch (kind) {
     case BenchScene::Kind::generated: return "generated";

@@ -52,6 +52,8 @@ bool has_default(const SceneChoice& choice);
 /// name that is neither a scene's nor a file's.
 std::vector<BenchScene> chosen_scenes(const SceneChoice& choice);
 
+std::vector<std::string> scene_names();  ///< that chosen_scenes knows
+
 std::string_view name_of(BenchScene::Kind kind);
 
 }  // namespace displayfile::bench

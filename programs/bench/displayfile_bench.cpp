@@ -2,15 +2,22 @@
 // line is that of the command (programs/bench/bench.md).
 
 #include <CLI/CLI.hpp>
+#include <array>
 
+#include "displayfile/mesh/mesh_extensions.h"
 #include "programs/bench/bench_command.h"
 #include "programs/bench_program.h"
 #include "programs/exit_status.h"
+#include "programs/manual/asked_of_itself.h"
 #include "programs/stop_signals.h"
 #include "programs/work_limits.h"
 
 namespace displayfile {
 namespace {
+
+constexpr std::array kNamedValues{NamedValues{"METHOD", bench::method_names, nullptr},
+                                  NamedValues{"SCENE", bench::scene_names, nullptr},
+                                  NamedValues{"MESH", nullptr, mesh_extensions}};
 
 int run(int argc, char** argv) {
   CLI::App app("A display-file, retained-mode 3D graphics system in the textbook style.",
@@ -83,10 +90,15 @@ int run(int argc, char** argv) {
                  "says otherwise")
       ->excludes(methods)
       ->excludes(plot);
+  const AskedOfItself asked(argc, argv);
   WorkLimitWords limits;
-  limits.add_to(*command);
+  limits.add_to(*command, !asked.for_any_machine());
   command->add_flag("--features-under-callgrind", bench.features_under_callgrind)->group("");
   command->add_option("--beside", bench.beside)->group("");
+  if (asked.anything()) {
+    asked.tell(app, kNamedValues);
+    return 0;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -1,0 +1,20 @@
+#include "displayfile/mesh/mesh_extensions.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "displayfile/mesh/import_library.h"
+#include "displayfile/mesh/mesh_file.h"
+
+namespace displayfile {
+
+std::vector<std::string> mesh_extensions() {
+  std::vector<std::string> extensions = extensions_read_here();
+  std::ranges::move(import_library_extensions(), std::back_inserter(extensions));
+  std::ranges::sort(extensions);
+  const auto twice = std::ranges::unique(extensions);
+  extensions.erase(twice.begin(), twice.end());
+  return extensions;
+}
+
+}  // namespace displayfile

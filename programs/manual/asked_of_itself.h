@@ -1,0 +1,34 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <span>
+#include <string_view>
+
+#include "programs/manual/value_name.h"
+
+namespace displayfile {
+
+/// What a command line asks of the command itself, in place of work: a shell what may come next
+/// (completion.h), the build for a manual page (manual_page.h).
+class AskedOfItself {
+ public:
+  AskedOfItself(int argc, char** argv);
+
+  bool anything() const { return completion_ || manual_; }
+  /// A page of the manual holds for any machine.
+  bool for_any_machine() const { return manual_; }
+  /// The subcommand of the command line, whatever it asks for; empty if there is none.
+  std::string_view subcommand() const;
+  /// True if it is about what that subcommand takes.
+  bool of_subcommand(const CLI::App& subcommand) const;
+
+  /// Prints it on standard output; nothing for a subcommand that is none. Only if it asks for
+  /// anything.
+  void tell(const CLI::App& app, std::span<const NamedValues> named) const;
+
+ private:
+  std::span<char* const> words_;  ///< after the command's name, and what it asks with
+  bool completion_ = false, manual_ = false;
+};
+
+}  // namespace displayfile

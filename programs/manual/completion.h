@@ -1,0 +1,24 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <ostream>
+#include <span>
+#include <string>
+
+#include "programs/manual/value_name.h"
+
+namespace displayfile {
+
+/// The first word of a command line that a shell's completion asks with; those typed so far follow,
+/// the last of which is being typed and may be empty.
+inline constexpr const char* kComplete = "--complete";
+
+/// What may stand for the last word, one a line, with what it is after a tab; and in lines that
+/// begin with a colon what the shell finds by itself or must know:
+///   :files [EXT...]  files, of these extensions, or any
+///   :folders         folders
+///   :more            a candidate is not the end of its word
+void print_completions(const CLI::App& app, std::span<const std::string> words,
+                       std::span<const NamedValues> named, std::ostream& out);
+
+}  // namespace displayfile

@@ -1,0 +1,94 @@
+#include "programs/manual/value_name.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace displayfile {
+
+namespace {
+
+bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
+bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
+
+/// Takes what stands before a separator outside of braces off a text.
+std::string_view take_until(std::string_view& text, char separator) {
+  int braces = 0;
+  std::size_t end = 0;
+  for (; end < text.size() && (braces > 0 || text[end] != separator); ++end) {
+    if (text[end] == '{') ++braces;
+    if (text[end] == '}') --braces;
+  }
+  const std::string_view taken = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return taken;
+}
+
+/// The extensions of NAME.ext or NAME.{ext,ext}; none of anything else.
+std::vector<std::string> extensions_in(std::string_view name) {
+  std::vector<std::string> extensions;
+  const std::size_t dot = name.find('.');
+  if (dot == name.npos) return extensions;
+  std::string_view list = name.substr(dot + 1);
+  if (list.starts_with('{') && list.ends_with('}')) list = list.substr(1, list.size() - 2);
+  while (!list.empty()) extensions.emplace_back(take_until(list, ','));
+  return extensions;
+}
+
+/// A word as it is to be typed: without what may follow, and with the = after which something must.
+std::string word_to_type(std::string_view word) {
+  word = word.substr(0, word.find('['));
+  const std::size_t equals = word.find('=');
+  if (equals != word.npos && equals + 1 < word.size() && is_upper(word[equals + 1])) {
+    word = word.substr(0, equals + 1);
+  }
+  return std::string(word);
+}
+
+void append_files(OfferedValues& offered, std::vector<std::string> extensions) {
+  for (std::string& extension : extensions) {
+    offered.extensions.push_back(extension.starts_with('.') ? extension.substr(1) : extension);
+  }
+  offered.files = true;
+}
+
+}  // namespace
+
+ValueName value_name(const CLI::Option& option) {
+  const std::string name = option.get_type_name();
+  // A colon of the name's own has no blank after it, what is checked has: "A:B:INT in [1 - 9]".
+  const std::size_t blank = name.find(' ');
+  const std::size_t colon = blank == name.npos ? name.npos : name.rfind(':', blank);
+  if (colon == name.npos) return {name, ""};
+  return {name.substr(0, colon), name.substr(colon + 1)};
+}
+
+OfferedValues offered_values(std::string_view value_name, std::span<const NamedValues> named) {
+  constexpr std::string_view kSeveral = ",...";
+  OfferedValues offered;
+  offered.several = value_name.ends_with(kSeveral);
+  if (offered.several) value_name.remove_suffix(kSeveral.size());
+  bool any_file = false;
+  while (!value_name.empty()) {
+    const std::string_view one = take_until(value_name, '|');
+    const auto known = std::ranges::find(named, one, &NamedValues::name);
+    if (one == "FILE") any_file = true;
+    if (one == "FOLDER") offered.folders = true;
+    if (known != named.end()) {
+      if (known->words != nullptr)
+        std::ranges::move(known->words(), std::back_inserter(offered.words));
+      if (known->extensions != nullptr) append_files(offered, known->extensions());
+    } else if (auto extensions = extensions_in(one); !extensions.empty()) {
+      append_files(offered, std::move(extensions));
+    } else if (const auto first = one.find_first_not_of('-');
+               first != one.npos && is_lower(one[first])) {
+      offered.words.push_back(word_to_type(one));
+    }
+  }
+  if (any_file) {
+    offered.files = true;
+    offered.extensions.clear();
+  }
+  return offered;
+}
+
+}  // namespace displayfile

@@ -17,6 +17,7 @@
 #include "displayfile/text/dump.h"
 #include "tests/error_of.h"
 #include "tests/gallery.h"
+#include "tests/temporary_folder.h"
 
 namespace displayfile {
 namespace {
@@ -59,6 +60,25 @@ TEST(UserRoutines, TheTableNamesEachOnce) {
   }
   EXPECT_TRUE(names.contains("polygon-abs-3"));
   EXPECT_GT(names.size(), 70u);
+}
+
+/// What programs in other languages show of a routine; and the document has each.
+TEST(UserRoutines, TheTableSaysWhatEachMeans) {
+  const std::string document =
+      test::content(DISPLAYFILE_SOURCE_DIR "/displayfile/text/drawing_programs.md");
+  std::set<std::string_view> sections;
+  std::string_view before;
+  for (const UserRoutine& routine : user_routines()) {
+    EXPECT_TRUE(routine.meaning.size() > 5 && routine.meaning.ends_with('.')) << routine.name;
+    std::string name(routine.name);
+    if (name.ends_with("-2")) name.back() = '3';  // they stand together
+    EXPECT_NE(document.find(name), document.npos) << routine.name;
+    if (routine.section != before) {
+      EXPECT_TRUE(sections.insert(routine.section).second) << routine.section;
+    }
+    before = routine.section;
+  }
+  EXPECT_GT(sections.size(), 5u);
 }
 
 TEST(UserRoutines, WrongCallsAreErrorsThatNameThem) {

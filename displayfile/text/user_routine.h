@@ -7,14 +7,16 @@
 
 namespace displayfile {
 
-/// A user routine as drawing programs call it: its name, and its arguments in words, such as
-/// "x y z".
+/// A user routine as drawing programs call it: its name, its arguments in words, such as "x y z",
+/// and what it does.
 struct UserRoutine {
   static constexpr int kVaries = -1;
 
   std::string_view name;
-  std::string_view expected;  ///< the arguments; empty: none
-  int arguments;              ///< how many words they are; kVaries: as `expected` says
+  std::string_view expected;      ///< the arguments; empty: none
+  int arguments;                  ///< how many words they are; kVaries: as `expected` says
+  std::string_view meaning;       ///< in sentences, with defaults in brackets
+  std::string_view section = {};  ///< what it is about, such as "View"; they follow each other
 };
 
 /// All of them, in the order of the table: bindings to other languages are made from it, or checked

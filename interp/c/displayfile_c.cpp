@@ -230,6 +230,12 @@ const char* df_routine_name(size_t routine) {
 const char* df_routine_arguments(size_t routine) {
   return routine < df_routines() ? user_routines()[routine].expected.data() : nullptr;
 }
+const char* df_routine_meaning(size_t routine) {
+  return routine < df_routines() ? user_routines()[routine].meaning.data() : nullptr;
+}
+const char* df_routine_section(size_t routine) {
+  return routine < df_routines() ? user_routines()[routine].section.data() : nullptr;
+}
 
 int df_call(df_system* system, const char* routine, const char* arguments) {
   return carried_out(system, [&] {

@@ -51,6 +51,8 @@ DF_API size_t df_routines(void);
 /* Null beyond the last. The arguments in words, such as "x y z"; empty if there are none. */
 DF_API const char* df_routine_name(size_t routine);
 DF_API const char* df_routine_arguments(size_t routine);
+DF_API const char* df_routine_meaning(size_t routine); /* in sentences, with defaults in brackets */
+DF_API const char* df_routine_section(size_t routine); /* what it is about, such as "View" */
 
 /* With arguments as words: df_call(system, "set-fill-style", "solid 1 0 0"). Null is none. */
 DF_API int df_call(df_system* system, const char* routine, const char* arguments);

@@ -60,11 +60,13 @@ static void test_routines(void) {
   size_t i, found = 0;
   for (i = 0; i < df_routines(); ++i) {
     EXPECT(df_routine_name(i) != NULL && df_routine_arguments(i) != NULL);
+    EXPECT(strlen(df_routine_meaning(i)) > 0 && strlen(df_routine_section(i)) > 0);
     if (strcmp(df_routine_name(i), "polygon-abs-3") == 0) ++found;
   }
   EXPECT(found == 1);
   EXPECT(df_routine_name(df_routines()) == NULL);
   EXPECT(df_routine_arguments((size_t)-1) == NULL);
+  EXPECT(df_routine_meaning(df_routines()) == NULL && df_routine_section(df_routines()) == NULL);
   EXPECT(strchr(df_version(), '.') != NULL);
 }
 

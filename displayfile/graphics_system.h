@@ -92,9 +92,21 @@ class GraphicsSystem {
   /// Sorts the segment's hidden surfaces if hidden-line removal is on, by a method that sorts
   /// and with a scope that is not `all`. Error: no segment open.
   void close_segment();
-  /// Takes the open segment back, with all that is in it, and sorts nothing; nothing if none is
-  /// open.
-  void drop_open_segment();
+  /// Calls enter(), which opens segments, enters primitives into them and closes them, while none
+  /// is open. If it throws, nothing of that is left: no segment, and the current position, the
+  /// ordinals and what is recorded are those of before. Attributes that it sets stay.
+  template <class Enter>
+  void enter_segments(Enter&& enter) {
+    const Entered before = entered();
+    Recorder::Hold recorded(recorder_);
+    try {
+      enter();
+    } catch (...) {
+      take_back(before);
+      recorded.drop();
+      throw;
+    }
+  }
   /// Errors: no such segment, segment still open.
   void delete_segment(int name);
   /// Error: segment still open.
@@ -366,6 +378,21 @@ class GraphicsSystem {
     restore();
   }
 
+  /// Calls change(), which may call any routines. If it throws, all is as before, and nothing of it
+  /// is recorded. What the application retains in a scene of its own stays there.
+  template <class Change>
+  auto all_or_nothing(Change&& change) {
+    GraphicsSystem before(*this);
+    Recorder::Hold recorded(recorder_);
+    try {
+      return change();
+    } catch (...) {
+      *this = std::move(before);
+      recorded.drop();
+      throw;
+    }
+  }
+
   /// Sets the threads of close_segment's sort, whose result is the same for any number of them.
   void set_threads(int threads) { sort_options_.threads = threads; }
   /// Is told, if not empty, of lines that close_segment looks at by a method that finds lines. What
@@ -401,6 +428,17 @@ class GraphicsSystem {
     Point3 object{0.0};  ///< the current position as the application gave it
     Point3 world{0.0};   ///< the same after the modelling transformation of that time
   };
+
+  /// What entering primitives changes beside the segments.
+  struct Entered {
+    std::size_t segments;
+    Pen pen;
+    std::int64_t ordinal, triangulated;
+  };
+  Entered entered() const {
+    return {display_file_.segments().size(), pen_, ordinal_, triangulated_};
+  }
+  void take_back(const Entered& before);
 
   template <class T>
   static std::span<const T> span(std::initializer_list<T> list) {

@@ -26,7 +26,7 @@ void Recorder::write(std::string_view routine, std::initializer_list<Argument> a
   line_ = routine;
   for (const Argument& a : arguments) std::visit(Append{line_}, a);
   for (const double number : numbers) Append{line_}(number);
-  out_ << (line_ += '\n');
+  write_line();
 }
 
 void Recorder::write(std::string_view routine, std::span<const Point3> points, int coordinates) {
@@ -35,7 +35,7 @@ void Recorder::write(std::string_view routine, std::span<const Point3> points, i
     if (points.size() > 1) line_ += ' ';  // two blanks between points
     for (int i = 0; i < coordinates; ++i) Append{line_}(p[i]);
   }
-  out_ << (line_ += '\n');
+  write_line();
 }
 
 void Recorder::comment(std::string_view text) {
@@ -48,7 +48,32 @@ void Recorder::comment(std::string_view text) {
     line_ += '?';
     text.remove_prefix(1);
   }
-  out_ << (line_ += '\n');
+  write_line();
+}
+
+void Recorder::write_line() {
+  line_ += '\n';
+  if (holds_ == 0) {
+    out_ << line_;
+  } else {
+    held_ += line_;
+  }
+}
+
+Recorder::Hold::Hold(Recorder* recorder) : recorder_(recorder) {
+  if (recorder_ == nullptr) return;
+  begin_ = recorder_->held_.size();
+  ++recorder_->holds_;
+}
+
+Recorder::Hold::~Hold() {
+  if (recorder_ == nullptr || --recorder_->holds_ > 0) return;
+  recorder_->out_ << recorder_->held_;
+  recorder_->held_ = {};
+}
+
+void Recorder::Hold::drop() {
+  if (recorder_ != nullptr) recorder_->held_.resize(begin_);
 }
 
 }  // namespace displayfile

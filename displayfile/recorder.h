@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <initializer_list>
 #include <iosfwd>
 #include <span>
@@ -29,9 +30,28 @@ class Recorder {
   /// One line that replaying passes over. What a drawing program may not hold becomes '?'.
   void comment(std::string_view text);
 
+  /// While it lives, lines are held back: they are written as it ends, or not at all if they were
+  /// dropped. Holds may stand within each other.
+  class Hold {
+   public:
+    explicit Hold(Recorder* recorder);  ///< null: nothing is recorded
+    ~Hold();
+    Hold(const Hold&) = delete;
+    Hold& operator=(const Hold&) = delete;
+
+    void drop();  ///< those since it began
+
+   private:
+    Recorder* recorder_;
+    std::size_t begin_ = 0;
+  };
+
  private:
+  void write_line();  ///< line_, with its end
+
   std::ostream& out_;
-  std::string line_;
+  std::string line_, held_;
+  int holds_ = 0;
 };
 
 }  // namespace displayfile

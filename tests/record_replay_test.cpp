@@ -148,6 +148,84 @@ TEST(RecordReplay, OnlyCallsThatSucceedAreRecorded) {
   EXPECT_EQ(recording.str(), "set-z-buffer on\n");
 }
 
+void enter_triangle(GraphicsSystem& system) {
+  system.polygon_abs_3({{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}});
+}
+
+/// Segments that are taken back leave nothing: not in the display file, not in the current
+/// position, not in the ordinals and not in the recording.
+TEST(RecordReplay, SegmentsThatAreTakenBackAreNotRecorded) {
+  std::ostringstream recording;
+  Recorder recorder(recording);
+  GraphicsSystem system, other, replayed;
+  system.set_recorder(&recorder);
+  const auto enter = [](GraphicsSystem& g, int name) {
+    g.enter_segments([&] {
+      g.open_segment(name);
+      enter_triangle(g);
+      g.close_segment();
+    });
+  };
+  enter(system, 1);
+  EXPECT_THROW(system.enter_segments([&] {
+    system.open_segment(2);
+    enter_triangle(system);
+    system.close_segment();
+    system.open_segment(3);
+    system.line_abs_3(1, 1, 1);
+    throw Error("no more");
+  }),
+               Error);
+  EXPECT_FALSE(system.open_segment_name());
+  enter(system, 2);
+  enter(other, 1);
+  enter(other, 2);
+  for (GraphicsSystem* g : {&system, &other}) {
+    g->open_segment(3);
+    g->line_rel_3(0.25, 0, 0);
+    g->close_segment();
+  }
+  EXPECT_EQ(dump(system.display_file()), dump(other.display_file()));
+  replay(recording.str(), "recording", replayed);
+  EXPECT_EQ(dump(replayed.display_file()), dump(system.display_file()));
+}
+
+/// What any routines did is as if it had not been, an open segment as it was; and then it goes on.
+TEST(RecordReplay, AllOrNothing) {
+  std::ostringstream recording;
+  Recorder recorder(recording);
+  GraphicsSystem system, other;
+  system.set_recorder(&recorder);
+  for (GraphicsSystem* g : {&system, &other}) {
+    g->open_segment(1);
+    enter_triangle(*g);
+    g->close_segment();
+    g->open_segment(2);
+    enter_triangle(*g);
+  }
+  EXPECT_THROW(system.all_or_nothing([&] {
+    enter_triangle(system);
+    system.set_fill_style({FillStyle::Kind::hollow});
+    system.all_or_nothing([&] { system.close_segment(); });
+    system.delete_segment(1);
+    system.set_window(0, 2, 0, 2);
+    throw Error("no more");
+  }),
+               Error);
+  EXPECT_EQ(system.all_or_nothing([] { return 7; }), 7);
+  for (GraphicsSystem* g : {&system, &other}) {
+    enter_triangle(*g);
+    g->close_segment();
+    g->open_segment(3);
+    g->line_rel_3(0.25, 0, 0);
+    g->close_segment();
+  }
+  EXPECT_EQ(dump(system.display_file()), dump(other.display_file()));
+  GraphicsSystem replayed;
+  replay(recording.str(), "recording", replayed);
+  EXPECT_EQ(dump(replayed.display_file()), dump(system.display_file()));
+}
+
 /// The fuzzer's corpus: programs right and wrong, as far as they go.
 TEST(RecordReplay, FuzzCorpus) {
   int programs = 0;

@@ -15,6 +15,7 @@
 #include "clip/error.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/text/drawing_program.h"
+#include "displayfile/text/dump.h"
 #include "tests/mesh_files.h"
 
 namespace displayfile {
@@ -168,6 +169,27 @@ TEST_F(MeshTest, NothingIsEnteredWhenAnotherFileIsBad) {
   EXPECT_THROW(import_meshes(paths, system), Error);
   EXPECT_TRUE(system.display_file().segments().empty());
   EXPECT_FALSE(system.view_was_set());
+}
+
+/// What is refused only as a segment is closed has set the view and the styles by then.
+TEST_F(MeshTest, AStoppedImportChangesNothing) {
+  const std::string path = file("cube.obj", cube());
+  GraphicsSystem system, other;
+  for (GraphicsSystem* g : {&system, &other}) {
+    g->set_hidden_line_removal(true);
+    g->set_hidden_method(HiddenMethod::bsp);
+  }
+  WorkBudget budget;
+  budget.stop();
+  system.set_budget(&budget);
+  EXPECT_THROW(import_mesh(path, system), LimitReached);
+  EXPECT_TRUE(system.display_file().segments().empty());
+  EXPECT_FALSE(system.view_was_set());
+  EXPECT_FALSE(system.attributes().light);
+  system.set_budget(nullptr);
+  import_mesh(path, system);
+  import_mesh(path, other);
+  EXPECT_EQ(dump(system.display_file()), dump(other.display_file()));
 }
 
 }  // namespace

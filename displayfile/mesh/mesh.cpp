@@ -152,21 +152,15 @@ void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name
                 const MeshOptions& options) {
   require_no_open_segment(system);
   require_free_names(mesh, system, first_segment_name);
-  int next = first_segment_name;
-  try {
+  system.enter_segments([&] {
+    int next = first_segment_name;
     for (const Mesh::Object& object : mesh.objects) {
       if (!object.name.empty()) system.comment(object.name);
       system.open_segment(next++);
       enter_object(mesh, object, fills_of(mesh, object, system.attributes().fill, options), system);
       system.close_segment();
     }
-  } catch (...) {
-    system.drop_open_segment();
-    for (int name = first_segment_name; name < next; ++name) {
-      if (system.display_file().contains(name)) system.delete_segment(name);
-    }
-    throw;
-  }
+  });
 }
 
 namespace {
@@ -237,11 +231,13 @@ std::vector<Mesh::Skipped> import_meshes(std::span<const std::string> paths, Gra
     name += static_cast<std::int64_t>(meshes.back().objects.size());
   }
   if (meshes.empty()) return {};
-  if (!system.said().contains(Setting::window) &&
-      fit_view(meshes, system, options.camera).differ()) {
-    meshes.front().skipped.warnings.emplace_back(kStandDifferently);
-  }
-  enter_meshes(meshes, system, options);
+  system.all_or_nothing([&] {
+    if (!system.said().contains(Setting::window) &&
+        fit_view(meshes, system, options.camera).differ()) {
+      meshes.front().skipped.warnings.emplace_back(kStandDifferently);
+    }
+    enter_meshes(meshes, system, options);
+  });
   std::vector<Mesh::Skipped> skipped;
   skipped.reserve(meshes.size());
   for (Mesh& mesh : meshes) skipped.push_back(std::move(mesh.skipped));

@@ -47,13 +47,16 @@ void GraphicsSystem::close_segment() {
   record("close-segment", {});
 }
 
-void GraphicsSystem::drop_open_segment() {
-  if (!open_) return;
-  const int name = *open_;
-  display_file_.segment(name).close();
+void GraphicsSystem::take_back(const Entered& before) {
   open_.reset();
-  record("close-segment", {});
-  delete_segment(name);
+  while (display_file_.segments().size() > before.segments) {
+    const int name = display_file_.segments().back().name();
+    display_file_.remove(name);
+    if (RetainedScene* scene = retaining()) scene->remove(name);
+  }
+  pen_ = before.pen;
+  ordinal_ = before.ordinal;
+  triangulated_ = before.triangulated;
 }
 
 void GraphicsSystem::delete_segment(int name) {

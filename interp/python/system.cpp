@@ -105,8 +105,7 @@ int next_name(const GraphicsSystem& system) {
   return static_cast<int>(name + 1);
 }
 
-/// Calls enter() within the open segment, or else in one of its own, of which nothing is left if it
-/// fails. Returns the segment's name.
+/// Calls enter() within the open segment, or else in one of its own. Returns the segment's name.
 template <class Enter>
 int in_segment(GraphicsSystem& system, const std::optional<int>& name, const Enter& enter) {
   if (const auto open = system.open_segment_name(); open && !name) {
@@ -114,14 +113,12 @@ int in_segment(GraphicsSystem& system, const std::optional<int>& name, const Ent
     return *open;
   }
   const int own = name ? *name : next_name(system);
-  system.open_segment(own);
-  try {
+  if (system.open_segment_name()) system.open_segment(own);  // which is refused
+  system.enter_segments([&] {
+    system.open_segment(own);
     enter();
     system.close_segment();
-  } catch (...) {
-    system.drop_open_segment();
-    throw;
-  }
+  });
   return own;
 }
 

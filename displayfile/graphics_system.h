@@ -478,7 +478,8 @@ class GraphicsSystem {
                           std::span<const std::uint32_t> corners);
   RetainedScene* retaining() { return own_retained_ ? &*own_retained_ : retained_; }
   void retain_for(std::string_view what);
-  void select_lines(Segment& segment);
+  std::optional<Segment> with_lines_selected(const Segment& segment);
+  void close(Segment& segment);
   void attributes_changed() {
     if (view_stage_) view_stage_->attributes_changed();
   }

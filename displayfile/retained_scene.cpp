@@ -193,6 +193,11 @@ void RetainedScene::close_segment(const LineSelection& lines) {
       lines.is_all_alone() ? nullptr : std::make_shared<const SideKinds>(*this, segment, lines);
 }
 
+void RetainedScene::reopen_segment() {
+  segments_.back().intersections = false;
+  segments_.back().sides = nullptr;
+}
+
 bool RetainedScene::has_intersections() const {
   return std::ranges::any_of(segments_, &Segment::intersections);
 }

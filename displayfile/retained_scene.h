@@ -139,6 +139,8 @@ class RetainedScene {
   void open_segment(int name, const View& view);
   /// The segment opened last is complete: its lines are those that are selected.
   void close_segment(const LineSelection& lines);
+  /// It is not: more is to come.
+  void reopen_segment();
   void remove(int name);
   void remove_all();
   void rename(int from, int to);

@@ -277,6 +277,32 @@ TEST(LineKinds, EachSegmentHasItsOwn) {
   EXPECT_EQ(count(sides_in_view(*g.retained(), Eye::at({3, 2, 5})), kCrease), 12u);
 }
 
+/// A segment whose closing is refused is as it was, and what is entered then looks as it should.
+TEST(LineKinds, ARefusedClosingSelectsNothing) {
+  GraphicsSystem system, other;
+  for (GraphicsSystem* g : {&system, &other}) {
+    g->set_lines({kinds_of(LineKind::boundary)});
+    g->set_hidden_line_removal(true);
+    g->open_segment(1);
+    g->set_line_style({.colour = {1, 0, 0}});
+    g->polygon_abs_3({{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0, 0.5, 0}});
+    g->set_line_style({.colour = {0, 0, 1}});
+    g->polygon_abs_3({{-0.5, -0.5, 0}, {0, 0.5, 0}, {-0.5, 0.5, 0.25}});
+    g->polygon_abs_3({{-0.5, -0.5, 0}, {-0.5, 0.5, 0.25}, {0, 0.5, 0}});
+  }
+  const std::string before = dump(system.display_file());
+  system.set_hidden_method(HiddenMethod::perimeter);  // which is for a surface
+  EXPECT_THROW(system.close_segment(), Error);
+  EXPECT_EQ(dump(system.display_file()), before);
+  for (GraphicsSystem* g : {&system, &other}) {
+    g->set_hidden_method(HiddenMethod::bsp);
+    g->polygon_abs_3({{0.5, -0.5, 0}, {0.5, 0.5, 0}, {0, 0.5, 0}});
+  }
+  EXPECT_EQ(dump(system.display_file()), dump(other.display_file()));
+  for (GraphicsSystem* g : {&system, &other}) g->close_segment();
+  EXPECT_EQ(dump(system.display_file()), dump(other.display_file()));
+}
+
 /// Kinds go with the sides of polygons that a sort cuts.
 TEST(LineKinds, CutSidesKeepThem) {
   const auto crossing = [](GraphicsSystem& g) {

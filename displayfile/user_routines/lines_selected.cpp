@@ -43,22 +43,23 @@ void GraphicsSystem::replace_lines(const LineSelection& selection) {
 }
 
 /// The segment is complete, so that it is known which polygons share a side: what was entered is
-/// entered again from what was retained, with the sides that are selected.
-void GraphicsSystem::select_lines(Segment& segment) {
+/// entered again from what was retained, with the sides that are selected. Nothing if these are
+/// all.
+std::optional<Segment> GraphicsSystem::with_lines_selected(const Segment& segment) {
   RetainedScene* const scene = retaining();
-  const auto select = [&] {
+  const auto select = [&]() -> std::optional<Segment> {
     scene->close_segment(lines_);
-    if (lines_.is_all_alone() || retains_alone_) return;
+    if (lines_.is_all_alone() || retains_alone_) return std::nullopt;
     const RetainedScene::Segment& part = scene->segments().back();
     ViewStage stage(view_stage_->pipeline().volume());
     Segment again(segment.name());
     for (const SurfaceMark& mark : segment.entered()->surfaces()) again.mark_surface(mark);
     scene->enter_viewed(part, Eye::of(part.view), stage, glm::dmat3(1.0), again,
                         [](std::uint32_t) {});
-    segment.take_instructions(std::move(again));
+    return again;
   };
   const std::size_t points = segment.entered()->points();
-  with_memory(
+  return with_memory(
       points * sizeof(Point3),
       [&] { return fmt::format("selecting lines among those of {} points", points); }, select);
 }

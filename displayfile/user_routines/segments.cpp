@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+#include <optional>
+#include <utility>
+
 #include "clip/error.h"
 #include "displayfile/hidden_surface_check.h"
 #include "displayfile/user_routines/ranges.h"
@@ -34,17 +38,30 @@ void GraphicsSystem::close_segment() {
   if (!open_) throw Error("no segment open");
   if (!solids_.empty()) throw Error("a solid is still open: end it first, by end-solid");
   const BudgetInForce in_force(budget_);
-  Segment& segment = display_file_.segment(*open_);
-  if (retaining() != nullptr) select_lines(segment);
+  try {
+    close(display_file_.segment(*open_));
+  } catch (...) {
+    if (RetainedScene* scene = retaining()) scene->reopen_segment();
+    throw;
+  }
+  open_.reset();
+  record("close-segment", {});
+}
+
+void GraphicsSystem::close(Segment& segment) {
+  std::optional<Segment> selected;
+  if (retaining() != nullptr) selected = with_lines_selected(segment);
+  std::shared_ptr<const SortedScene> sorted;
   const bool each_on_its_own = scope_.value_or(HiddenScope::segment) == HiddenScope::segment;
   if (hidden_ && is_object_space(method_) && each_on_its_own) {
     SortOptions options = sort_options_;
     options.intersections = contains(lines_.kinds, LineKind::intersection);
-    segment.set_sorted(hidden_surface_check(segment.entered(), {}, method_, options));
+    const Segment& whole = selected ? *selected : segment;
+    sorted = hidden_surface_check(whole.entered(), {}, method_, options);
   }
+  if (selected) segment.take_instructions(std::move(*selected));
+  if (sorted) segment.set_sorted(std::move(sorted));
   segment.close();
-  open_.reset();
-  record("close-segment", {});
 }
 
 void GraphicsSystem::take_back(const Entered& before) {

@@ -11,6 +11,7 @@
 #include "clip/error.h"
 #include "clip/words.h"
 #include "interp/python/arrays.h"
+#include "interp/python/errors.h"
 
 namespace displayfile::python {
 
@@ -30,28 +31,31 @@ bool is_real(py::handle value) {
 
 double real(py::handle value, std::string_view what) {
   const double number = PyFloat_AsDouble(value.ptr());
-  if (number == -1.0 && PyErr_Occurred() != nullptr) {
-    if (PyErr_ExceptionMatches(PyExc_OverflowError) == 0) throw py::error_already_set();
+  if (number != -1.0 || PyErr_Occurred() == nullptr) return number;
+  if (PyErr_ExceptionMatches(PyExc_OverflowError) != 0) {
     PyErr_Clear();
     throw Error(fmt::format("{}: number out of range of a double", what));
   }
-  return number;
+  return reading(fmt::format("{}: expected a number, not {}", what, type_name(value)),
+                 []() -> double { throw py::error_already_set(); });
 }
 
 }  // namespace
 
-py::object plain(py::handle value) {
+py::object plain(py::handle value, std::string_view what) {
   if (PyFloat_Check(value.ptr()) || PyLong_Check(value.ptr()) || PyUnicode_Check(value.ptr()) ||
       !py::hasattr(value, "dtype") || !py::hasattr(value, "item")) {
     return py::reinterpret_borrow<py::object>(value);
   }
-  const py::object dimensions = py::getattr(value, "ndim", py::int_(0));
-  if (!dimensions.equal(py::int_(0))) return py::reinterpret_borrow<py::object>(value);
-  return value.attr("item")();
+  return reading(fmt::format("{}: {} that cannot be read", what, type_name(value)), [&] {
+    const py::object dimensions = py::getattr(value, "ndim", py::int_(0));
+    if (!dimensions.equal(py::int_(0))) return py::reinterpret_borrow<py::object>(value);
+    return py::object(value.attr("item")());
+  });
 }
 
 double number_in(py::handle value, std::string_view what) {
-  const py::object number = plain(value);
+  const py::object number = plain(value, what);
   if (PyBool_Check(number.ptr()) || !is_real(number)) refuse(number, what, "a number");
   const double read = real(number, what);
   if (std::isfinite(read)) return read;
@@ -59,7 +63,7 @@ double number_in(py::handle value, std::string_view what) {
 }
 
 int whole_number_in(py::handle value, std::string_view what) {
-  const py::object number = plain(value);
+  const py::object number = plain(value, what);
   if (PyBool_Check(number.ptr()) || PyLong_Check(number.ptr()) == 0) {
     refuse(number, what, "a whole number");
   }
@@ -105,7 +109,7 @@ int threads_in(py::handle value) {
 }
 
 bool switch_in(py::handle value, std::string_view what) {
-  const py::object plainly = plain(value);
+  const py::object plainly = plain(value, what);
   if (PyBool_Check(plainly.ptr()) != 0) return plainly.is(py::handle(Py_True));
   if (PyUnicode_Check(plainly.ptr()) == 0) refuse(plainly, what, "True or False");
   constexpr Word<bool> kSwitches[] = {{true, "on"}, {false, "off"}};
@@ -122,7 +126,7 @@ class Words {
       : routine_(routine), quotes_(routine.expected.find('"') != std::string_view::npos) {}
 
   void add(py::handle value, int depth = 0) {
-    const py::object plainly = plain(value);
+    const py::object plainly = plain(value, routine_.name);
     PyObject* const object = plainly.ptr();
     if (PyFloat_Check(object) != 0) return add_number(PyFloat_AS_DOUBLE(object));
     if (PyBool_Check(object) != 0) return add_word(object == Py_True ? "on" : "off");

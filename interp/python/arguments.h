@@ -11,8 +11,8 @@
 
 namespace displayfile::python {
 
-/// NumPy's numbers as Python's; anything else as it is.
-pybind11::object plain(pybind11::handle value);
+/// NumPy's numbers as Python's; anything else as it is. `what` names it in messages.
+pybind11::object plain(pybind11::handle value, std::string_view what);
 
 // What Python programs hand over, read with an Error for what is of another type. `what` names it
 // in messages.

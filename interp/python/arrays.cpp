@@ -7,6 +7,7 @@
 #include <span>
 
 #include "clip/error.h"
+#include "interp/python/errors.h"
 
 namespace displayfile::python {
 
@@ -39,8 +40,9 @@ py::array array_of(py::handle value, std::string_view what, Numbers numbers) {
   if (PyUnicode_Check(value.ptr()) != 0 || value.is_none() || py::isinstance<py::dict>(value)) {
     throw refuse(type_name(value));
   }
-  py::array array = py::array::ensure(value);
-  if (!array) throw refuse(type_name(value) + " of unequal parts or other things");
+  const py::array array =
+      reading(refuse(type_name(value) + " of unequal parts or other things").what(),
+              [&] { return py::array(py::reinterpret_borrow<py::object>(value)); });
   const char kind = array.dtype().kind();
   const bool is_whole = kind == 'i' || kind == 'u';
   const bool is_empty_list = array.size() == 0 && !py::isinstance<py::array>(value);
@@ -56,9 +58,8 @@ std::span<const T> span_of(const Block<T>& block) {
 /// Its numbers in C's order.
 template <class T>
 Block<T> block_of(const py::array& array, std::string_view what) {
-  auto block = Block<T>::ensure(array);
-  if (!block) throw Error(fmt::format("{}: numbers that cannot be read", what));
-  return block;
+  return reading(fmt::format("{}: numbers that cannot be read", what),
+                 [&] { return Block<T>(array); });
 }
 
 template <class To, class From>
@@ -152,25 +153,40 @@ std::int64_t last_index(std::size_t vertices) {
   return static_cast<std::int64_t>(vertices) - 1;
 }
 
+/// A list, or what is like one; but not what becomes an array by itself.
+bool is_sequence(py::handle value) {
+  return PySequence_Check(value.ptr()) != 0 && PyUnicode_Check(value.ptr()) == 0 &&
+         PyObject_CheckBuffer(value.ptr()) == 0 && !py::hasattr(value, "__array__");
+}
+
+/// Calls visit(part) for each part of a sequence, until it returns false. A part is held meanwhile:
+/// it may be nobody else's.
+template <class Visit>
+void for_each_part(py::handle sequence, std::string_view what, const Visit& visit) {
+  reading(fmt::format("{}: a sequence that cannot be read", what), [&] {
+    for (py::iterator part = py::iter(sequence); part != py::iterator::sentinel(); ++part) {
+      if (!visit(*part)) break;
+    }
+  });
+}
+
 /// True for a list of lists or arrays that are not all of one length.
 bool is_ragged(py::handle value) {
-  if (py::isinstance<py::array>(value) || PySequence_Check(value.ptr()) == 0 ||
-      PyUnicode_Check(value.ptr()) != 0) {
-    return false;
-  }
-  const py::sequence parts = py::reinterpret_borrow<py::sequence>(value);
+  if (!is_sequence(value)) return false;
   std::optional<std::size_t> length;
-  for (const py::handle part : parts) {
+  bool differ = false;
+  for_each_part(value, "faces", [&](py::handle part) {
     if (PySequence_Check(part.ptr()) == 0 || PyUnicode_Check(part.ptr()) != 0) return false;
     const std::size_t of_part = py::len(part);
-    if (length && *length != of_part) return true;
+    differ = length && *length != of_part;
     length = of_part;
-  }
-  return false;
+    return !differ;
+  });
+  return differ;
 }
 
 void add_ragged_faces(py::handle value, std::int64_t last, Faces& faces) {
-  for (const py::handle part : py::reinterpret_borrow<py::sequence>(value)) {
+  for_each_part(value, "faces", [&](py::handle part) {
     const std::string what = fmt::format("face {}", faces.sides.size());
     const py::array array = array_of(part, what, Numbers::whole);
     if (array.ndim() != 1) {
@@ -180,7 +196,8 @@ void add_ragged_faces(py::handle value, std::int64_t last, Faces& faces) {
     const auto corners = whole<std::uint32_t>(array, what + ": index", 0, last);
     faces.corners.insert(faces.corners.end(), corners.begin(), corners.end());
     faces.sides.push_back(static_cast<std::uint32_t>(corners.size()));
-  }
+    return true;
+  });
 }
 
 }  // namespace
@@ -246,30 +263,27 @@ Polygons polygons_in(py::handle value, py::handle sides, std::string_view what) 
     throw Error(fmt::format("sides: {} corners in all, but there are {} points", corners,
                             polygons.points.size()));
   }
-  if (py::isinstance<py::array>(value)) {
-    const py::array array = array_of(value, what, Numbers::any);
-    if (array.ndim() != 3 || array.shape(2) != 3) {
-      throw Error(
-          fmt::format("{}: expected an array of shape (M, k, 3), not {}", what, shape_of(array)));
-    }
-    if (array.shape(0) > 0) require_sides(array.shape(1), 0);
-    const auto block = block_of<double>(array, what);
-    polygons.points = copied<Point3>(span_of(block));
-    polygons.sides.assign(static_cast<std::size_t>(array.shape(0)),
-                          static_cast<std::uint32_t>(array.shape(1)));
+  if (is_sequence(value)) {
+    for_each_part(value, what, [&](py::handle part) {
+      const std::size_t number = polygons.sides.size();
+      const auto points = points_in(part, fmt::format("polygon {}", number));
+      require_sides(static_cast<py::ssize_t>(points.size()), number);
+      polygons.points.insert(polygons.points.end(), points.begin(), points.end());
+      polygons.sides.push_back(static_cast<std::uint32_t>(points.size()));
+      return true;
+    });
     return polygons;
   }
-  if (PySequence_Check(value.ptr()) == 0 || PyUnicode_Check(value.ptr()) != 0) {
-    throw Error(fmt::format("{}: expected an array or a sequence of arrays, not {}", what,
-                            type_name(value)));
+  const py::array array = array_of(value, what, Numbers::any);
+  if (array.ndim() != 3 || array.shape(2) != 3) {
+    throw Error(
+        fmt::format("{}: expected an array of shape (M, k, 3), not {}", what, shape_of(array)));
   }
-  for (const py::handle part : py::reinterpret_borrow<py::sequence>(value)) {
-    const std::size_t number = polygons.sides.size();
-    const auto points = points_in(part, fmt::format("polygon {}", number));
-    require_sides(static_cast<py::ssize_t>(points.size()), number);
-    polygons.points.insert(polygons.points.end(), points.begin(), points.end());
-    polygons.sides.push_back(static_cast<std::uint32_t>(points.size()));
-  }
+  if (array.shape(0) > 0) require_sides(array.shape(1), 0);
+  const auto block = block_of<double>(array, what);
+  polygons.points = copied<Point3>(span_of(block));
+  polygons.sides.assign(static_cast<std::size_t>(array.shape(0)),
+                        static_cast<std::uint32_t>(array.shape(1)));
   return polygons;
 }
 

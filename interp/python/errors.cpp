@@ -1,5 +1,6 @@
 #include "interp/python/errors.h"
 
+#include <algorithm>
 #include <charconv>
 #include <exception>
 #include <string_view>
@@ -55,6 +56,18 @@ void raise(const Error& error) {
 }
 
 }  // namespace
+
+bool says_that_it_is_another(const py::error_already_set& raised) {
+  PyObject* const kinds[] = {PyExc_TypeError,   PyExc_ValueError,         PyExc_OverflowError,
+                             PyExc_IndexError,  PyExc_BufferError,        PyExc_ReferenceError,
+                             PyExc_MemoryError, PyExc_NotImplementedError};
+  return std::ranges::any_of(kinds, [&](PyObject* kind) { return raised.matches(kind); });
+}
+
+void raise_from(py::error_already_set& raised, const std::string& message) {
+  py::raise_from(raised, error_type, message.c_str());
+  throw py::error_already_set();
+}
 
 void add_errors(py::module_& module) {
   py::dict members;

@@ -34,6 +34,22 @@ auto placing_errors(Read&& read) {
   }
 }
 
+bool says_that_it_is_another(const pybind11::error_already_set& raised);
+[[noreturn]] void raise_from(pybind11::error_already_set& raised, const std::string& message);
+
+/// Calls read(), which asks an argument for what it holds. Where it does not hold that, and Python
+/// says so in its own words (a TypeError, a ValueError and the like), an Error says `message` in
+/// their place, with them as its cause. Whatever else an argument raises comes through.
+template <class Read>
+auto reading(const std::string& message, Read&& read) {
+  try {
+    return read();
+  } catch (pybind11::error_already_set& raised) {
+    if (says_that_it_is_another(raised)) raise_from(raised, message);
+    throw;
+  }
+}
+
 /// Adds displayfile.Error to the module, which Error becomes from then on.
 void add_errors(pybind11::module_& module);
 

@@ -19,6 +19,16 @@ py::list names_of_routines() {
   return names;
 }
 
+/// Of each its name, arguments, meaning and section, as Python has them.
+py::list table_of_routines() {
+  py::list table;
+  for (const UserRoutine& routine : user_routines()) {
+    table.append(py::make_tuple(python_name(routine.name), std::string(routine.expected),
+                                in_python(routine.meaning), std::string(routine.section)));
+  }
+  return table;
+}
+
 py::list names_of_methods() {
   py::list names;
   for (const HiddenMethodEntry& entry : hidden_methods()) {
@@ -32,13 +42,24 @@ py::list names_of_methods() {
 PYBIND11_MODULE(_displayfile, module) {
   module.doc() = "The C++ part of displayfile.";
   module.attr("__version__") = DISPLAYFILE_VERSION;
+  // Docstrings begin with "name(arguments)\n--\n\n", from which Python knows the arguments, and not
+  // with types of C++.
+  py::options options;
+  options.disable_function_signatures();
   remember_main_thread();
   add_errors(module);
   SystemClass system = add_system(module);
   add_pictures(system);
   add_polygons(module);
-  module.def("user_routines", names_of_routines);
-  module.def("methods", names_of_methods);
+  module.def("user_routines", names_of_routines,
+             "user_routines()\n--\n\n"
+             "The names of all user routines, as methods of System are called.");
+  module.def(
+      "methods", names_of_methods,
+      "methods()\n--\n\n"
+      "The names of the methods that find hidden surfaces or lines, as set_hidden_method and "
+      "the option hidden take them.");
+  module.def("_table_of_routines", table_of_routines);
 }
 
 }  // namespace displayfile::python

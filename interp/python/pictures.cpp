@@ -19,6 +19,7 @@
 #include "interp/drawing_choice.h"
 #include "interp/python/arguments.h"
 #include "interp/python/arrays.h"
+#include "interp/python/errors.h"
 #include "interp/python/pieces.h"
 #include "interp/python/system.h"
 
@@ -102,19 +103,23 @@ const std::map<std::string_view, Read>& readers() {
 }
 
 void read_size(py::handle size, DrawOptions& options) {
-  const py::object given = plain(size);
+  const py::object given = plain(size, "size");
   const bool is_pair = PySequence_Check(given.ptr()) != 0 && PyUnicode_Check(given.ptr()) == 0;
   if (!is_pair) {
     options.width = options.height = whole_number_in(given, "size");
     return;
   }
-  const auto pair = py::reinterpret_borrow<py::sequence>(given);
-  if (py::len(pair) != 2) {
-    throw Error(
-        fmt::format("size: expected a number, or width and height, not {} numbers", py::len(pair)));
-  }
-  options.width = whole_number_in(py::object(pair[0]), "width");
-  options.height = whole_number_in(py::object(pair[1]), "height");
+  const std::vector<py::object> pair = reading("size: expected a number, or width and height", [&] {
+    const auto all = py::reinterpret_borrow<py::sequence>(given);
+    const std::size_t count = py::len(all);
+    if (count != 2) {
+      throw Error(
+          fmt::format("size: expected a number, or width and height, not {} numbers", count));
+    }
+    return std::vector<py::object>{all[0], all[1]};
+  });
+  options.width = whole_number_in(pair[0], "width");
+  options.height = whole_number_in(pair[1], "height");
 }
 
 }  // namespace
@@ -124,7 +129,7 @@ DrawOptions draw_options_in(py::handle size, const py::kwargs& said) {
   read_size(size, options);
   for (const auto& [key, value] : said) {
     if (value.is_none()) continue;
-    const auto name = py::cast<std::string>(key);
+    const std::string name = word_in(key, "option");
     const auto reader = readers().find(name);
     if (reader == readers().end()) throw Error(fmt::format("unknown option {}", name));
     reader->second(value, options);

@@ -30,6 +30,17 @@ std::string python_name(std::string_view routine) {
   return name;
 }
 
+std::string in_python(std::string_view sentence) {
+  std::string result(sentence);
+  for (const UserRoutine& routine : user_routines()) {
+    if (routine.name.find('-') == routine.name.npos) continue;
+    for (std::size_t at = 0; (at = result.find(routine.name, at)) != result.npos; ++at) {
+      result.replace(at, routine.name.size(), python_name(routine.name));
+    }
+  }
+  return result;
+}
+
 namespace {
 
 /// Routines that do little more than to note what they are told.
@@ -83,8 +94,9 @@ void call_routine(System& self, const UserRoutine& routine, const py::args& argu
 
 void add_routine(SystemClass& system, const UserRoutine& routine) {
   const std::string name = python_name(routine.name);
-  const std::string what =
-      routine.expected.empty() ? "No arguments." : fmt::format("Arguments: {}.", routine.expected);
+  const std::string what = fmt::format(
+      "{}($self, /, *arguments)\n--\n\n{}\n\n{}", name, in_python(routine.meaning),
+      routine.expected.empty() ? "No arguments." : fmt::format("Arguments: {}.", routine.expected));
   system.def(
       name.c_str(),
       [&routine](System& self, const py::args& arguments) {
@@ -326,14 +338,14 @@ int surface(System& self, py::handle x, py::handle y, py::handle z, py::handle s
 void replay_text(System& self, py::handle text, py::handle name) {
   const std::string program = word_in(text, "replay"), file = word_in(name, "name");
   self.work([&](GraphicsSystem& system, Renderer&) {
-    placing_errors([&] { replay(program, file, system); });
+    placing_errors([&] { system.all_or_nothing([&] { replay(program, file, system); }); });
   });
 }
 
 void replay_path(System& self, py::handle file) {
   const std::string path = path_in(file, "path");
   self.work([&](GraphicsSystem& system, Renderer&) {
-    placing_errors([&] { replay_file(path, system); });
+    placing_errors([&] { system.all_or_nothing([&] { replay_file(path, system); }); });
   });
 }
 
@@ -356,6 +368,8 @@ SystemClass add_system(py::module_& module) {
   SystemClass system(module, "System", "An application's display file.");
   system.def(py::init<>());
   for (const UserRoutine& routine : user_routines()) add_routine(system, routine);
+  system.def("_record", [](System& self, py::handle on) { self.record(switch_in(on, "on")); });
+  system.def("_recording", [](System& self) { return self.recording(); });
   system.def("_mesh", mesh);
   system.def("_surface", surface);
   system.def("_replay", replay_text);

@@ -6,11 +6,14 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "clip/error.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/recorder.h"
 #include "interp/python/interrupts.h"
 #include "interp/renderer.h"
 
@@ -57,7 +60,17 @@ class System {
 
   const std::shared_ptr<SparePictures>& spare() const { return spare_; }
 
+  /// Records from now on, or stops. What was recorded stays.
+  void record(bool on) {
+    call([&](GraphicsSystem& system) { system.set_recorder(on ? &recorder_ : nullptr); });
+  }
+  std::string recording() {
+    return call([&](GraphicsSystem&) { return recording_.str(); });
+  }
+
  private:
+  std::ostringstream recording_;
+  Recorder recorder_{recording_};
   GraphicsSystem system_;
   Renderer renderer_;
   std::shared_ptr<SparePictures> spare_ = std::make_shared<SparePictures>();
@@ -73,5 +86,24 @@ void add_pictures(SystemClass& system);
 
 /// The words of a user routine's name as Python writes them.
 std::string python_name(std::string_view routine);
+/// The same for every routine's name in a sentence.
+std::string in_python(std::string_view sentence);
 
 }  // namespace displayfile::python
+
+/// Refuses a System whose __init__ was not called: it has memory, and nothing in it.
+template <>
+class pybind11::detail::type_caster<displayfile::python::System>
+    : public type_caster_base<displayfile::python::System> {
+ public:
+  bool load(handle given, bool convert) {
+    const type_info* const known = get_type_info(typeid(displayfile::python::System));
+    if (known != nullptr && PyObject_TypeCheck(given.ptr(), known->type) != 0) {
+      auto* const object = reinterpret_cast<instance*>(given.ptr());
+      if (!object->get_value_and_holder().holder_constructed()) {
+        throw displayfile::Error("System: expected its __init__ to have been called");
+      }
+    }
+    return type_caster_base::load(given, convert);
+  }
+};

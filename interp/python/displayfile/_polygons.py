@@ -13,33 +13,37 @@ if typing.TYPE_CHECKING:
 
 
 class PolygonPieces(typing.NamedTuple):
-    """Pieces of polygons. Piece k has the points from first[k] to first[k + 1]."""
+    """Polygons or pieces of them from back to front, as sort returns them: K of N points in all."""
 
     points: npt.NDArray[np.float64]
     """(N, 3): corners of the polygons are the very numbers that were given."""
     first: npt.NDArray[np.uint32]
-    """(K + 1,): where each piece begins in points."""
+    """(K + 1,): piece k has the points from first[k] to first[k + 1]."""
     item: npt.NDArray[np.int32]
-    """(K,): the polygon that each piece is of."""
+    """(K,): which of the polygons each piece is of; segments are counted after them."""
     sides: npt.NDArray[np.uint8]
     """(N,): not 0 if the side that ends at the point is one of the polygon's own."""
 
 
 class VisiblePieces(typing.NamedTuple):
-    """Pieces of polygons that are seen. Piece k has the points from first[k] to first[k + 1]."""
+    """What is seen of polygons, as visible_pieces returns it: K pieces of N points in all."""
 
     points: npt.NDArray[np.float64]
+    """(N, 3): corners of the polygons are the very numbers that were given."""
     first: npt.NDArray[np.uint32]
+    """(K + 1,): piece k has the points from first[k] to first[k + 1]."""
     item: npt.NDArray[np.int32]
+    """(K,): which of the polygons each piece is of."""
 
 
 class VisibleLines(typing.NamedTuple):
-    """Line segments that are seen, two points each."""
+    """Where lines are seen, as visible_lines returns it."""
 
     points: npt.NDArray[np.float64]
-    """(K, 2, 3)."""
+    """(K, 2, 3): the two ends of each."""
     item: npt.NDArray[np.int32]
-    """(K,): the polygon that each line is a side of, or one of two that intersect there."""
+    """(K,): which of the polygons each is a side of, or one of two that intersect there; or which of
+    the segments."""
     kinds: npt.NDArray[np.uint8]
     """(K,): sums of 2 outline, 4 boundary, 8 crease, 16 material, 32 intersection and 64 all,
     if kinds of lines were asked for; else 1."""
@@ -58,15 +62,26 @@ def sort(
 ) -> PolygonPieces:
     """Put polygons in order from back to front, cut where there is no order otherwise.
 
-    polygons is an array (M, k, 3) or a sequence of arrays (k, 3): x to the right, y up, a larger
-    z nearer to the viewer, in any range. With sides, an array (M,) of numbers of corners, it is
-    the array (N, 3) of all corners, one polygon after another. method is "depth-sort" or "bsp". The
+    They are seen along z: x to the right, y up, a larger z nearer to the viewer, in any range. The
     order is exact.
 
-    segments is an array (L, 2, 3) of lines that are sorted too: their pieces have two points, and
-    item is M for the first of them. With whole the pieces of a polygon follow one another, or are
-    one piece again, where nothing that overlaps them comes between: cuts that the order of others
-    asked for, and those of polygons that are not flat, which are sorted as triangles.
+    Args:
+        polygons: An array (M, k, 3), or a sequence of arrays (k, 3), of 3 or more corners each. With
+            sides, all corners, (N, 3), one polygon after another.
+        sides: An array (M,): how many corners each polygon has.
+        segments: An array (L, 2, 3) of lines that are sorted too. Their pieces have two points, and
+            item is M for the first of them.
+        whole: Let the pieces of a polygon follow one another, or be one piece again, where nothing
+            that overlaps them comes between: where the order of others asked for a cut, and where a
+            polygon that is not flat was sorted as triangles.
+        method: "depth-sort", or "bsp", which cuts more.
+        threads: How many may work, 1 to 1024.
+
+    Returns:
+        The pieces, in order.
+
+    Raises:
+        Error: Another shape or type, a polygon of fewer than 3 corners, a number that is not finite.
     """
     if method == "map":
         raise _displayfile.Error("method 'map': expected depth-sort or bsp, or visible_pieces")
@@ -81,7 +96,16 @@ def visible_pieces(
 ) -> VisiblePieces:
     """Find the pieces of polygons that are seen. They do not overlap in the picture.
 
-    polygons is as for sort.
+    Args:
+        polygons: As in sort.
+        sides: As in sort.
+        threads: As in sort.
+
+    Returns:
+        The pieces, each without holes.
+
+    Raises:
+        Error: As in sort.
     """
     points, first, item, _, _ = _displayfile._pieces_of(
         polygons, sides, "map", threads, None, False
@@ -99,12 +123,22 @@ def visible_lines(
     method: str = "franklin",
     threads: int = 1,
 ) -> VisibleLines:
-    """Find where the sides of polygons are seen, or segments.
+    """Find where the sides of polygons are seen, or where lines among polygons are.
 
-    polygons is as for sort. segments is an array (L, 2, 3) of lines, which are looked at in place
-    of sides; item is then the segment. lines selects kinds of sides, such as "outline,crease":
-    those of the option --lines. With hidden the parts that are hidden are returned too. method is
-    "franklin", "appel" or "roberts", which find the same.
+    Args:
+        polygons: As in sort.
+        sides: As in sort.
+        segments: An array (L, 2, 3) of lines, which are looked at in place of the polygons' sides.
+        lines: Kinds of sides, as System has them, such as "outline,crease"; all if none is said.
+        hidden: Return the parts that are hidden, too.
+        method: "franklin", "appel" or "roberts", which find the same.
+        threads: As in sort.
+
+    Returns:
+        The parts that are seen.
+
+    Raises:
+        Error: As in sort; or kinds that are unknown.
     """
     points, _, item, kinds, is_hidden = _displayfile._lines_of(
         polygons, sides, method, lines, hidden, threads, segments

@@ -17,14 +17,15 @@ _SIZE_IN_NOTEBOOKS = 512
 
 
 class Picture(typing.NamedTuple):
-    """What draw returns where ids or depth are asked for."""
+    """What System.draw returns where ids or depth are asked for."""
 
     pixels: npt.NDArray[np.uint8]
     """(H, W, 4): red, green, blue and alpha, the top row first."""
     ids: npt.NDArray[np.int32] | None
-    """(H, W): the pick identifier of the fill that is seen, -1 for none."""
+    """(H, W): the pick identifier of the fill that is seen, -1 for none; None if not asked for."""
     depth: npt.NDArray[np.float64] | None
-    """(H, W): of the fill that is seen, larger is nearer; minus infinity for none."""
+    """(H, W): that of the fill that is seen, 1 on the front plane and 0 on the back plane; minus
+    infinity where none is seen; None if not asked for."""
 
 
 class Pick(typing.NamedTuple):
@@ -33,51 +34,63 @@ class Pick(typing.NamedTuple):
     kind: str
     """"polygon", "edge" or "line"."""
     id: int
+    """Its pick identifier; -1 for a line without one."""
     segment: int
+    """The name of its segment."""
     depth: float
+    """In normalised device coordinates: 1 on the front plane, 0 on the back plane."""
 
 
 class Pieces(typing.NamedTuple):
-    """What is drawn, in order. Piece k has the points from first[k] to first[k + 1]."""
+    """What is drawn, in order, as System.pieces returns it: K pieces of N points in all."""
 
     kinds: npt.NDArray[np.uint8]
     """(K,): 0 for a solid polygon, 1 for a polygon's sides alone, 2 for a line."""
     first: npt.NDArray[np.uint32]
-    """(K + 1,)."""
+    """(K + 1,): piece k has the points from first[k] to first[k + 1]."""
     points: npt.NDArray[np.float64]
     """(N, 3): x and y from 0 to 1 over the picture, y up, a larger z nearer."""
     sides: npt.NDArray[np.uint8]
     """(N,): not 0 if the side that ends at the point is drawn."""
     fills: npt.NDArray[np.float64]
-    """(K, 3): colours."""
+    """(K, 3): red, green and blue from 0 to 1."""
     line_kinds: npt.NDArray[np.uint8]
     """(K,): 0 for solid lines, 1 for dashed ones, 2 for none."""
     line_colours: npt.NDArray[np.float64]
-    """(K, 3)."""
+    """(K, 3): red, green and blue from 0 to 1, of lines and of sides that are drawn."""
     line_widths: npt.NDArray[np.float64]
     """(K,): in pixels."""
     picks: npt.NDArray[np.int32]
     """(K,): pick identifiers; -1 for a line without one."""
     segments: npt.NDArray[np.int32]
-    """(K,): names."""
+    """(K,): names of segments."""
 
 
 class System(_displayfile.System):
     """A graphics system: segments of lines and polygons, and how they are viewed and drawn.
 
-    Every user routine of drawing programs is a method, with underscores for hyphens. Arguments
-    are numbers, words, True and False for on and off, and sequences or arrays of them.
+    Every user routine of drawing programs is a method, with underscores for hyphens. Its arguments
+    are numbers, words, True and False for on and off, and sequences or arrays of them: a point may
+    be three numbers, and a polygon an array (n, 3).
 
     Every method raises Error for a call that cannot be carried out; the state is then what it
     was before the call. Several threads may call one system: their calls come one after another.
+
+    World coordinates are those that primitives are entered in, before the modelling
+    transformation, up to 1e100 in magnitude. Normalised device coordinates are those of the picture:
+    x and y from 0 to 1 over the viewport's square, y up, and z from 0 on the back plane to 1 on the
+    front plane. Colours are red, green and blue from 0 to 1; angles are in degrees.
     """
 
     def __init__(self, *, aspect: float | None = None, lines: str | None = None) -> None:
         """Make an empty system.
 
-        aspect is the width over the height of its pictures, if they are not square. lines
-        selects which sides of polygons are drawn as lines, in place of what set_lines says:
-        kinds such as "outline,crease", as the command's option --lines has them.
+        Args:
+            aspect: The width over the height of its pictures; 1 if it is not said. A window that
+                the program does not set is widened to it.
+            lines: Which sides of polygons are lines, in place of what set_lines says: all, or
+                several of outline, boundary, crease, crease=DEGREES, material and intersection,
+                with commas between them.
         """
         super().__init__()
         if aspect is not None:
@@ -99,43 +112,108 @@ class System(_displayfile.System):
         picks: _Numbers | None = None,
         normals: _Numbers | None = None,
     ) -> int:
-        """Enter many polygons at once, and return the name of their segment.
+        """Enter many polygons at once, several times as fast as one by one.
 
-        vertices is (N, 3); faces an array (M, k) of indices into it, or a sequence of sequences
-        of any lengths. With sides, an array (M,) of numbers of corners, faces is the array of
-        all corners, one face after another.
+        They go into the open segment; if none is open, or segment is given, into one of their own,
+        which is closed again. Styles in force stay what they were.
 
-        They go into the open segment; if none is open, or segment is given, into one of their
-        own, which is closed again. fill is the colour of all faces; fills (M, 3) and picks (M,)
-        are those of each; normals (N, 3) those of vertices, for smooth shading.
+        Args:
+            vertices: An array (N, 3), in world coordinates.
+            faces: An array (M, k) of indices of vertices, or a sequence of sequences of them, of
+                any lengths. With sides, all corners, one face after another.
+            sides: An array (M,): how many corners each face has.
+            segment: The name of their segment; one above all others if none is said.
+            fill: The colour of all faces, or "hollow"; the fill style in force if none is said.
+            fills: An array (M, 3): the colour of each face.
+            picks: An array (M,): the pick identifier of each face, 0 or more. If none is said, that
+                in force, or the ordinal of each.
+            normals: An array (N, 3): the normals of vertices, for smooth shading.
+
+        Returns:
+            The name of the segment.
+
+        Raises:
+            Error: Another shape or type, a number that is not finite, an index that is of no
+                vertex, a name that is in use. Nothing is entered then.
         """
         return self._mesh(vertices, faces, sides, segment, fill, fills, picks, normals)
 
     def surface(self, x: _Numbers, y: _Numbers, z: _Numbers, *, segment: int | None = None) -> int:
-        """Enter the surface of heights z, (m, n), and return the name of its segment.
+        """Enter the surface of heights over a grid.
 
-        x (n,) and y (m,) are those of columns and rows; or all three are (m, n), as meshgrid
-        makes them. Where x and y stand at even steps it is surface_3's, otherwise polygons of
-        four sides. A height that is nan leaves a hole. Segments are as for mesh.
+        Where x and y stand at even steps it is surface_3's, otherwise polygons of four sides.
+
+        Args:
+            x: The places of the columns, (n,), in world coordinates; or those of all points, (m, n),
+                as numpy.meshgrid makes them.
+            y: The places of the rows, (m,); or those of all points, (m, n).
+            z: The heights, (m, n). Where one is nan there is a hole.
+            segment: As in mesh.
+
+        Returns:
+            The name of the segment, as mesh does.
+
+        Raises:
+            Error: Fewer than 2 points either way, shapes that do not fit, a number that is infinite.
         """
         return self._surface(x, y, z, segment)
 
     def replay(self, text: str, name: str = "program") -> None:
-        """Carry out a drawing program. Errors have the name, the line and the column."""
+        """Carry out a drawing program, whole or not at all.
+
+        Args:
+            text: One user routine a line (displayfile/text/drawing_programs.md).
+            name: What messages call it.
+
+        Raises:
+            Error: A line that is not understood or that is refused; its file, line and column tell
+                which. Nothing of the program is then carried out.
+        """
         self._replay(text, name)
 
     def replay_file(self, path: str | os.PathLike[str]) -> None:
-        """Carry out the drawing program in a file."""
+        """Carry out the drawing program in a file, as replay does.
+
+        Args:
+            path: The file, of UTF-8.
+
+        Raises:
+            Error: The same; or a file that cannot be read.
+        """
         self._replay_file(path)
 
     def import_mesh(
         self, path: str | os.PathLike[str], *, colour: _Colour | None = None
     ) -> list[str]:
-        """Read a mesh and enter it, seen whole unless a window was set before.
+        """Read a mesh from a file and enter it, each of its objects as a segment.
 
-        Returns what is not drawn of it, a sentence each.
+        Where no window was set the view is fitted to it. What was not said before - light, fill and
+        line style, hidden-line removal - is as the command has it for a mesh.
+
+        Args:
+            path: An OBJ, OFF, PLY or STL file, or another one that Assimp reads.
+            colour: Of all faces, in place of those in the file.
+
+        Returns:
+            What of it is not drawn, a sentence each.
+
+        Raises:
+            Error: A file that cannot be read, or is no such mesh; with its place if there is one.
         """
         return self._import_mesh(path, colour)
+
+    def record(self, on: bool = True) -> None:
+        """Record every user routine that is carried out from now on.
+
+        Args:
+            on: False to stop; what was recorded stays.
+        """
+        self._record(on)
+
+    @property
+    def recording(self) -> str:
+        """What was recorded, as a drawing program that makes the same display file."""
+        return self._recording()
 
     # ---- Pictures ------------------------------------------------------------------------
 
@@ -196,14 +274,33 @@ class System(_displayfile.System):
         threads: int = 1,
         device: str | None = None,
     ) -> typing.Any:
-        """Draw into memory: an array (H, W, 4) of uint8, the top row first.
+        """Draw the visible segments into memory.
 
-        size is (width, height), or one number for both. With ids or depth it is a Picture.
-        hidden is a method, one of methods(). hidden_lines is "dashed" to draw lines where they
-        are hidden, too. rows, (first, end) from the top, draws only those of the picture, as they
-        are in the whole of it. lines says which kinds of sides are lines, such as "outline,crease":
-        since they are selected as segments are closed, an Error if the system selects others.
-        Anything that is None is as the system's routines say.
+        What is None is as the system's routines say. Drawing again is quick where little changed.
+
+        Args:
+            size: (width, height) in pixels, or one number for both: 1 to 65535.
+            ids: Return the item buffer too.
+            depth: Return the depths too.
+            hidden: The method that finds hidden surfaces or lines, one of methods(), such as "map",
+                "z-buffer" or "franklin".
+            lines: Which sides of polygons are lines, as System has it. They are selected as segments
+                are closed, so that it must be what the system selects.
+            hidden_lines: "none", or "dashed" to draw lines where they are hidden, too.
+            scope: "segment" or "all": what is put in order together.
+            precision: "exact", or "roundoff=EPS" for the textbook's ROUNDOFF.
+            background: A colour, or "none" for a transparent one.
+            rows: (first, end), counted from the top: only these rows, as they are in the whole.
+            samples: Antialiasing: samples along a pixel's side, 1 to 16.
+            threads: How many may work, 1 to 1024; the picture is the same for any.
+            device: "software", or "osmesa" to compare with.
+
+        Returns:
+            An array (H, W, 4) of red, green, blue and alpha, uint8, the top row first; or with ids or
+            depth a Picture, which has it and them.
+
+        Raises:
+            Error: An option out of its range, or a picture for which there is not enough memory.
         """
         self._require_lines(lines)
         pixels, of_ids, of_depth = self._draw(
@@ -223,23 +320,63 @@ class System(_displayfile.System):
         return Picture(pixels, of_ids, of_depth) if ids or depth else pixels
 
     def svg(self, size: _Size = 512, **options: typing.Any) -> str:
-        """The picture as SVG. Options are those of save."""
+        """Draw as SVG.
+
+        Args:
+            size: (width, height) in pixels, or one number for both.
+            options: Those of save.
+
+        Returns:
+            The text of the file.
+        """
         return self._draw_as("svg", size, **self._checked(options)).decode()
 
     def pdf(self, size: _Size = 512, **options: typing.Any) -> bytes:
-        """The picture as PDF. Options are those of save."""
+        """Draw as PDF.
+
+        Args:
+            size: (width, height) in points, or one number for both.
+            options: Those of save.
+
+        Returns:
+            The bytes of the file.
+        """
         return self._draw_as("pdf", size, **self._checked(options))
 
     def eps(self, size: _Size = 512, **options: typing.Any) -> bytes:
-        """The picture as EPS. Options are those of save."""
+        """Draw as EPS.
+
+        Args:
+            size: (width, height) in points, or one number for both.
+            options: Those of save.
+
+        Returns:
+            The bytes of the file.
+        """
         return self._draw_as("eps", size, **self._checked(options))
 
     def png(self, size: _Size = 512, **options: typing.Any) -> bytes:
-        """The picture as PNG. Options are those of save."""
+        """Draw as PNG.
+
+        Args:
+            size: (width, height) in pixels, or one number for both.
+            options: Those of save.
+
+        Returns:
+            The bytes of the file.
+        """
         return self._draw_as("png", size, **self._checked(options))
 
     def ppm(self, size: _Size = 512, **options: typing.Any) -> bytes:
-        """The picture as PPM. Options are those of save."""
+        """Draw as PPM.
+
+        Args:
+            size: (width, height) in pixels, or one number for both.
+            options: Those of save.
+
+        Returns:
+            The bytes of the file.
+        """
         return self._draw_as("ppm", size, **self._checked(options))
 
     def save(
@@ -250,27 +387,59 @@ class System(_displayfile.System):
         format: str | None = None,
         **options: typing.Any,
     ) -> None:
-        """Draw into a file, in the format that its name ends in.
+        """Draw into a file, which appears whole or not at all.
 
-        It appears whole or not at all. Options are those of draw but for ids and depth, and for
-        vectors paper, seams, vector_precision and pick_ids.
+        Args:
+            path: Where to; its name ends in .svg, .pdf, .eps, .png or .ppm.
+            size: (width, height) in pixels, of PDF and EPS in points; or one number for both.
+            format: One of these, such as "svg", in place of the name's.
+            options: Those of draw but ids and depth; and for vectors paper ("A4", "letter" and
+                others), vector_precision (to what part of a pixel vertices are rounded, 0.01), seams
+                ("trapped", or "butted" for smaller files) and pick_ids (True: each pick identifier is
+                an element with a title).
+
+        Raises:
+            Error: An option out of its range, an unknown format, or a file that cannot be written.
         """
         self._save(path, format, size, **self._checked(options))
 
     def dump(self, **options: typing.Any) -> str:
-        """The instructions of all segments, as the command's dump has them. Options are save's."""
+        """Write the instructions of all segments.
+
+        Args:
+            options: hidden, hidden_lines, scope, precision and threads, as draw has them.
+
+        Returns:
+            The text of the command's dump (displayfile/text/drawing_programs.md). It pins what is
+            drawn to the bit.
+        """
         return self._dump(**self._checked(options))
 
     def pieces(self, **options: typing.Any) -> Pieces:
-        """What is drawn in vectors, in order, as arrays. Options are those of save."""
+        """Find what is drawn in vectors, for programs that draw by themselves.
+
+        Args:
+            options: hidden, hidden_lines, scope, precision and threads, as draw has them.
+
+        Returns:
+            Arrays: pieces of polygons and lines, in the order in which they are drawn.
+        """
         return Pieces(*self._pieces(**self._checked(options)))
 
     def pick(
         self, x: float, y: float, size: _Size = 512, *, reach: float = 0.0, threads: int = 1
     ) -> Pick | None:
-        """Tell what is seen at a pixel, x and y from the upper left corner of the picture.
+        """Tell what is seen at a pixel, exactly.
 
-        Lines and edges are picked within reach pixels.
+        Args:
+            x: Pixels from the left of the picture.
+            y: Pixels from its top.
+            size: The picture's, as draw has it.
+            reach: Within so many pixels lines and edges are picked, before polygons.
+            threads: How many may work.
+
+        Returns:
+            What is seen there; None if nothing is.
         """
         picked = self._pick(x, y, reach, size, threads=threads)
         return None if picked is None else Pick(*picked)
@@ -322,17 +491,33 @@ class System(_displayfile.System):
         return self._aspect_ratio()
 
     def set_aspect_ratio(self, aspect: float) -> None:
-        """Set it for the segments that are opened from now on."""
+        """Set the width over the height of pictures, for the segments that are opened from now on.
+
+        Args:
+            aspect: Above 0. Nothing records it.
+
+        Raises:
+            Error: A segment is open, or no such number.
+        """
         self._set_aspect_ratio(aspect)
 
     def set_threads(self, threads: int) -> None:
-        """Set the number of threads of close_segment's sort, whose result is the same for any."""
+        """Set how many threads may work as a segment is closed and put in order.
+
+        Args:
+            threads: 1 to 1024; the order is the same for any.
+        """
         self._set_threads(threads)
 
     def to_device(self, point: _Numbers) -> tuple[float, float, float] | None:
-        """Where a point of the model is in the view in force: x and y from 0 to 1, y up.
+        """Find where a point is in the view in force.
 
-        None if it is not before the eye.
+        Args:
+            point: Three numbers, in world coordinates; the modelling transformation acts on them.
+
+        Returns:
+            Normalised device coordinates x, y and z, as set_image_centre takes them; None if the
+            point is not before the eye.
         """
         return self._to_device(point)
 

@@ -26,10 +26,21 @@ def exact(
     """Make the axes draw with exact visibility, from now on.
 
     Polygons, lines and markers are hidden where opaque polygons are before them, whichever artist
-    they are of. Those that are added later are drawn so too. method is "depth-sort" or "bsp".
-    Lines and markers are taken as nearer to the viewer by lift times the depth of the scene.
+    they are of. Those that are added later are drawn so too.
 
-    With off, and by the remove method of what is returned, the axes draw as before.
+    Args:
+        ax: Three-dimensional axes.
+        method: "depth-sort", or "bsp", which cuts more.
+        lift: Lines and markers are taken as nearer to the viewer by so much of the depth of the
+            scene: those in a surface are then seen.
+        off: Let the axes draw as before.
+
+    Returns:
+        What draws them; its remove method lets the axes draw as before, too.
+
+    Raises:
+        Error: Other axes, another method or lift, or a version of matplotlib without an attribute
+            that is needed.
     """
     if not isinstance(ax, Axes3D):
         raise Error(f"exact: expected an Axes3D, not {type(ax).__name__}")
@@ -52,16 +63,18 @@ def exact(
 
 
 class Exact:
-    """Draws the axes that it was made for."""
+    """Draws axes with exact visibility. The function exact makes it."""
 
     method: str
+    """As in exact; it may be set."""
     lift: float
+    """As in exact; it may be set."""
 
     def __init__(self, ax: Axes3D) -> None:
         self.ax = ax
 
     def remove(self) -> None:
-        """Make the axes draw as before."""
+        """Let the axes draw as before."""
         if getattr(vars(self.ax).get("draw"), "__self__", None) is self:
             del self.ax.draw
             self.ax.stale = True

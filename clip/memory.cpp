@@ -50,7 +50,7 @@ std::size_t offered_memory() {
   for (const auto kind : {RLIMIT_AS, RLIMIT_DATA}) {
     rlimit limit{};
     if (::getrlimit(kind, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
-      offered = std::min<std::size_t>(offered, limit.rlim_cur);
+      offered = static_cast<std::size_t>(std::min<rlim_t>(offered, limit.rlim_cur));
     }
   }
   return offered;
@@ -59,7 +59,7 @@ std::size_t offered_memory() {
 /// Where more was allowed than what is known to be needed, it ran out in the middle of the work: by
 /// the limit of the process, unless the system has set another.
 void out_of_memory(std::size_t bytes, const std::string& what) {
-  const std::size_t allowed = bytes_allowed();
+  const std::uint64_t allowed = bytes_allowed();
   const WorkDone left = NamedWork::left_by_exception();
   rlimit of_addresses{};
   const bool is_limited =
@@ -103,17 +103,19 @@ std::size_t memory_of_machine() {
 /// RLIMIT_DATA counts what the process may write to and nobody shares, as it is mapped: unlike the
 /// address space, it has no room that is only kept free, and unlike what is resident, it cannot be
 /// passed.
-void limit_memory_of_process(std::size_t bytes) {
+void limit_memory_of_process(std::uint64_t bytes) {
   if (const std::size_t now = memory_of_process(); now >= bytes) {
     throw Error(fmt::format("{} bytes of memory are not enough: {} are in use", bytes, now));
   }
   rlimit limit{};
   if (::getrlimit(RLIMIT_DATA, &limit) != 0) return;
   limit.rlim_cur = std::min({static_cast<rlim_t>(bytes), limit.rlim_cur, limit.rlim_max});
-  if (::setrlimit(RLIMIT_DATA, &limit) == 0) limit_of_process = limit.rlim_cur;
+  if (::setrlimit(RLIMIT_DATA, &limit) == 0) {
+    limit_of_process = static_cast<std::size_t>(limit.rlim_cur);
+  }
 }
 
-std::size_t bytes_allowed() {
+std::uint64_t bytes_allowed() {
   const WorkBudget* const budget = work_in_force().budget;
   const std::uint64_t in_budget = budget == nullptr ? WorkLimits::kNone : budget->limits().bytes;
   const std::size_t of_process = limit_of_process;
@@ -123,7 +125,7 @@ std::size_t bytes_allowed() {
 std::string out_of_memory_message() {
   const auto [what, instead] = NamedWork::left_by_exception();
   std::string message = "out of memory";
-  if (const std::size_t allowed = bytes_allowed(); allowed != WorkLimits::kNone) {
+  if (const std::uint64_t allowed = bytes_allowed(); allowed != WorkLimits::kNone) {
     message += fmt::format(" (the limit is {} bytes)", allowed);
   }
   if (what != nullptr) message.append(": ").append(what);

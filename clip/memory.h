@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -19,13 +20,13 @@ bool has_memory(std::size_t bytes);
 std::size_t offered_memory();
 /// This process is given no memory for data beyond so many bytes, by the system: what needs more is
 /// out of memory. A limit that is lower already stays. Throws Error if it has more than that.
-void limit_memory_of_process(std::size_t bytes);
+void limit_memory_of_process(std::uint64_t bytes);
 /// What it has of that kind now; 0 if the system does not tell.
 std::size_t memory_of_process();
 /// What the machine has, or what this process may have of it at most; 0 if nothing tells.
 std::size_t memory_of_machine();
 /// How many bytes the budget in force allows, or the process was limited to.
-std::size_t bytes_allowed();
+std::uint64_t bytes_allowed();
 /// What is said of std::bad_alloc: the limit, what was being done, and what would serve instead.
 std::string out_of_memory_message();
 

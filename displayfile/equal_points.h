@@ -41,7 +41,7 @@ class EqualPoints {
       h = (h ^ bits) * 0x9E3779B97F4A7C15u;
       h ^= h >> 32;
     }
-    return h;
+    return static_cast<std::size_t>(h);
   }
   bool is(std::uint32_t number, const Point3& p) const {
     return number >= first_ && std::bit_cast<Bits>(points_[number]) == std::bit_cast<Bits>(p);

@@ -46,7 +46,9 @@ std::string read_text_file(const std::string& path) {
   if (!file) fail(path);
   std::string text;
   const std::uintmax_t size = path == "-" ? 0 : std::filesystem::file_size(path, unknown);
-  if (!unknown) text.reserve(std::min<std::uintmax_t>(size, kMostAtOnce) + kBytesPerRead);
+  if (!unknown) {
+    text.reserve(static_cast<std::size_t>(std::min<std::uintmax_t>(size, kMostAtOnce)) + kBytesPerRead);
+  }
   for (std::size_t used = 0;;) {
     text.resize(used + kBytesPerRead);
     const std::size_t count = std::fread(text.data() + used, 1, kBytesPerRead, file.get());

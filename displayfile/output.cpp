@@ -1,7 +1,7 @@
 #include "displayfile/output.h"
 
 #include <sstream>
-#include <string_view>
+#include <string>
 
 #include "clip/error.h"
 #include "displayfile/output_file.h"
@@ -19,15 +19,14 @@ class StreamOutput : public Output {
   std::ostream& stream() override { return text_; }
   void finish() override {}
   void commit() override {
-    const std::string_view all = text_.view();
-    to_.write(all.data(), static_cast<std::streamsize>(all.size()));
+    if (text_.tellp() > 0) to_ << text_.rdbuf();
     if (!to_.flush()) throw Error(name_ + ": not all could be written");
   }
 
  private:
   std::string name_;
   std::ostream& to_;
-  std::ostringstream text_;
+  std::stringstream text_;
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace displayfile {
 
 // How in_parallel uses threads: by oneTBB (share_out_tbb.cpp) or, in a build without it, by threads
-// of the C++ library (share_out_threads.cpp).
+// of the C++ library (share_out_threads.cpp); in a browser there is one (share_out_alone.cpp).
 
 /// How many threads this machine runs at a time; at least 1.
 int most_threads();

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <new>
 #include <string_view>
 #include <vector>
@@ -54,7 +56,8 @@ class InputFile {
     if (!std::filesystem::is_regular_file(status)) {
       throw Error(fmt::format("{}: not a regular file: expected a mesh", path));
     }
-    size_ = std::filesystem::file_size(path, error);
+    constexpr std::uintmax_t kMost = std::numeric_limits<std::size_t>::max();
+    size_ = static_cast<std::size_t>(std::min(std::filesystem::file_size(path, error), kMost));
     in_.open(path, std::ios::binary);
     if (error || !in_) fail();
     if (size_ == 0) throw Error(fmt::format("{}: empty file: expected a mesh", path));

@@ -38,14 +38,15 @@ void add_facet(MeshBuilder& mesh) {
 
 Mesh read_binary(const MeshFile& file) {
   const std::string_view data = file.data;
-  const std::uint64_t facets = announced_facets(data);
-  if (data.size() < kHeader + kCount || facets > (data.size() - kHeader - kCount) / kFacet) {
+  const std::uint64_t announced = announced_facets(data);
+  if (data.size() < kHeader + kCount || announced > (data.size() - kHeader - kCount) / kFacet) {
     throw Error(fmt::format("{}: binary STL of {} bytes announces {} facets: expected {} bytes",
-                            file.path, data.size(), facets, kHeader + kCount + kFacet * facets));
+                            file.path, data.size(), announced, kHeader + kCount + kFacet * announced));
   }
+  const auto facets = static_cast<std::size_t>(announced);
   MeshBuilder mesh(file.path);
   mesh.reserve(3 * facets, facets);
-  for (std::uint64_t i = 0; i < facets; ++i) {
+  for (std::size_t i = 0; i < facets; ++i) {
     std::string_view rest = data.substr(kHeader + kCount + kFacet * i + kNormal);
     for (int k = 0; k < 3; ++k) {
       Point3 p(0.0);

@@ -304,7 +304,7 @@ void GraphicsSystem::enter_shared(std::span<const Point3> world,
     world_points_.assign(vertices.begin(), vertices.end());
     return enter_triangles(normal, {}, pick);
   }
-  const WorldPolygon polygon{std::span(vertices), {}, normal, {}, pick};
+  const WorldPolygon polygon{std::span<const Point3>(vertices), {}, normal, {}, pick};
   if (!solids_.empty()) return enter(polygon);
   if (cutting && cutting_planes_.cut_some(vertices)) return enter_cut(polygon);
   if (RetainedScene* scene = retaining()) scene->enter_shared(corners, polygon, attributes_);

@@ -1,6 +1,8 @@
 #include "hidden/sort/hidden_surface_sort.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <string>
 
 #include "clip/error.h"
@@ -36,7 +38,9 @@ std::size_t most_pieces_of_sort(const SortOptions& options, std::size_t items) {
     const bool is_said = options.most_pieces != kMostPieces;
     most = is_said ? std::min(most, budget->limits().pieces) : budget->limits().pieces;
   }
-  return std::max<std::size_t>(most, items);
+  return std::max(static_cast<std::size_t>(
+                      std::min<std::uint64_t>(most, std::numeric_limits<std::size_t>::max())),
+                  items);
 }
 
 }  // namespace displayfile

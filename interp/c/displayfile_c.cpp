@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <exception>
+#include <limits>
 #include <memory>
 #include <new>
 #include <optional>
@@ -149,7 +152,10 @@ DrawOptions draw_options(const df_options& options) {
   result.background = background_of(options);
   if (options.samples != 0) result.samples = options.samples;
   if (options.threads != 0) result.threads = options.threads;
-  if (options.most_pieces != 0) result.most_pieces = options.most_pieces;
+  if (options.most_pieces != 0) {
+    constexpr std::uint64_t kMost = std::numeric_limits<std::size_t>::max();
+    result.most_pieces = static_cast<std::size_t>(std::min(options.most_pieces, kMost));
+  }
   return result;
 }
 

@@ -246,7 +246,7 @@ void write_svg(const DisplayFile& display_file, int width, int height, const Des
   if (options.paper) {
     std::ostringstream document;
     device.finish(document);
-    write_on_sheet(document.view(), fit_on_paper(*options.paper, width, height), file->stream());
+    write_on_sheet(document.str(), fit_on_paper(*options.paper, width, height), file->stream());
   } else {
     device.finish(file->stream());
   }

@@ -3,17 +3,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <glm/geometric.hpp>
+#include <span>
 
 #include "clip/bounds.h"
 #include "clip/error.h"
 #include "clip/transformation.h"
 #include "clip/view_volume.h"
 #include "displayfile/mesh/fitted_window.h"
+#include "displayfile/outermost_points.h"
 
 namespace displayfile {
 
 namespace {
+
+constexpr int kViewsOfAllPoints = 64;
 
 /// Rodrigues' formula; counterclockwise, seen from where the axis (a unit vector) points to.
 glm::dmat3 rotation_about(const Point3& axis, double degrees) {
@@ -81,13 +86,22 @@ void Turntable::fit_window(int views) {
   const Rectangle window = view_.window;
   const double width = window.x_max - window.x_min, height = window.y_max - window.y_min;
   Bounds seen;
-  for (int k = 0; k < views; ++k) {
+  const auto see = [&](std::span<const Point3> points, int k) {
     const ViewVolume volume(at(360.0 * k / views).view);
-    for (const Point3& point : points_) {
+    for (const Point3& point : points) {
       const HomogeneousPoint p = volume.transform(point);
       if (!(p.w > 0.0)) continue;
       seen.include({window.x_min + width * (p.x / p.w), window.y_min + height * (p.y / p.w), 0.0});
     }
+  };
+  // A few views leave few points that may be seen farther out in another.
+  const int some = std::min(views, kViewsOfAllPoints);
+  for (int k = 0; k < some; ++k) {
+    see(points_, static_cast<int>(std::int64_t{k} * views / some));
+  }
+  if (some < views) {
+    const std::vector<Point3> beyond = points_beyond({points_, axis_, middle_}, view_, seen);
+    for (int k = 0; k < views; ++k) see(beyond, k);
   }
   if (!(seen.low.x <= seen.high.x)) return;
   const Rectangle fitted = fitted_window(seen, width / height);

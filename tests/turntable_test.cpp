@@ -4,12 +4,21 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <numbers>
+#include <vector>
 
+#include "clip/bounds.h"
 #include "clip/error.h"
+#include "clip/view_volume.h"
+#include "displayfile/mesh/fitted_window.h"
+#include "displayfile/outermost_points.h"
 #include "displayfile/retained_views.h"
 #include "interp/draw.h"
+#include "tests/predicate_inputs.h"
+#include "tests/random_views.h"
 #include "tests/retained_truth.h"
 #include "tests/truth_scenes.h"
 
@@ -83,6 +92,86 @@ TEST(Turntable, FitsItsWindowToAllViews) {
       }
     }
   }
+}
+
+/// The window that all points ask for, in all views.
+Rectangle fitted_by_all_points(const Turntable& turntable, const RetainedScene& scene, int views) {
+  const Rectangle window = turntable.at(0.0).view.window;
+  const double width = window.x_max - window.x_min, height = window.y_max - window.y_min;
+  Bounds seen;
+  for (int k = 0; k < views; ++k) {
+    const ViewVolume volume(turntable.at(360.0 * k / views).view);
+    for (const RetainedScene::Segment& segment : scene.segments()) {
+      for (const Point3& point : scene.points(segment)) {
+        const HomogeneousPoint p = volume.transform(point);
+        if (!(p.w > 0.0)) continue;
+        seen.include(
+            {window.x_min + width * (p.x / p.w), window.y_min + height * (p.y / p.w), 0.0});
+      }
+    }
+  }
+  return fitted_window(seen, width / height);
+}
+
+void enter_triangles(Source& s, const Point3& middle, GraphicsSystem& g) {
+  g.open_segment(1);
+  for (int k = 0; k < 300; ++k) {
+    const double reach = s.unit();
+    g.polygon_abs_3({middle + reach * any_direction(s), middle + reach * any_direction(s),
+                     middle + reach * any_direction(s)});
+  }
+  g.close_segment();
+}
+
+/// Of many views not all points are looked at; the window is the same to the last bit, wherever
+/// the eye is, about whichever axis the scene turns, and far from the origin.
+TEST(Turntable, FitsItsWindowToManyViewsAsIfAllPointsWereLookedAt) {
+  Source s(7);
+  for (int round = 0; round < 40; ++round) {
+    Retained retained;
+    GraphicsSystem& g = retained.system;
+    const Point3 middle = (round % 4 == 3 ? 1e7 : 3.0) * any_direction(s);
+    const Point3 into = any_direction(s);
+    g.set_view_reference_point(middle);
+    g.set_view_plane_normal(into);
+    g.set_view_up(any_direction(s));
+    g.set_view_depth(-0.5, 9.0);
+    if (round % 2 == 0) {
+      g.set_perspective(middle - (round % 8 == 0 ? 0.7 : 3.0) * into);  // among the points, too
+    } else {
+      g.set_parallel(into + 0.5 * any_direction(s));
+    }
+    enter_triangles(s, middle, g);
+    for (const int views : {3, 500}) {
+      Turntable turntable(retained.scene, g.display_file(), {});
+      if (round % 3 != 0) turntable.set_axis(any_direction(s));
+      const Rectangle expected = fitted_by_all_points(turntable, retained.scene, views);
+      turntable.fit_window(views);
+      EXPECT_EQ(turntable.at(0.0).view.window, expected) << round << " " << views;
+    }
+  }
+}
+
+TEST(OutermostPoints, AreFew) {
+  Source s(3);
+  std::vector<Point3> points(3000);
+  for (Point3& p : points) p = s.unit() * any_direction(s);
+  View view;
+  view.set_perspective({0.3, 0.4, 6.0});
+  Bounds seen;
+  for (int k = 0; k < 64; ++k) {
+    const double turn = 2.0 * std::numbers::pi * k / 64;
+    for (const Point3& p : points) {
+      const double x = p.x * std::cos(turn) + p.z * std::sin(turn);
+      const double z = p.z * std::cos(turn) - p.x * std::sin(turn);
+      const HomogeneousPoint h = ViewVolume(view).transform({x, p.y, z});
+      seen.include({2.0 * h.x / h.w - 1.0, 2.0 * h.y / h.w - 1.0, 0.0});
+    }
+  }
+  const std::vector<Point3> beyond =
+      points_beyond({points, Point3(0, 1, 0), Point3(0.0)}, view, seen);
+  EXPECT_GT(beyond.size(), 0u);
+  EXPECT_LT(beyond.size(), 30u);
 }
 
 TEST(Turntable, RefusesSegmentsOfSeveralViews) {

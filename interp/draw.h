@@ -55,6 +55,9 @@ struct DrawOptions {
   /// What drawing may use at most, and a way to stop it, if not null: LimitReached for more, and no
   /// file is written (clip/work_budget.md).
   WorkBudget* budget = nullptr;
+
+  /// Of the picture that is drawn: all, or those that are asked for.
+  int drawn_rows() const { return rows ? rows->end - rows->first : height; }
 };
 
 /// The part of the options that says how hidden surfaces are found.

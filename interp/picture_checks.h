@@ -38,15 +38,15 @@ template <class Draw>
 Picture with_memory_of_picture(const DrawOptions& options, const SoftwareRenderer& kept,
                                Draw&& draw) {
   require_drawable_in_memory(options);
-  const auto pixels =
-      static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
+  const int rows = options.drawn_rows();
+  const auto pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(rows);
   const std::size_t of_pixel = sizeof(Picture::pixels[0]) +
                                (options.with_ids ? sizeof(Picture::ids[0]) : 0) +
                                (options.with_depth ? sizeof(Picture::depth[0]) : 0);
   return with_memory(
       pixels * of_pixel,
-      [&] { return fmt::format("a picture of {} x {} pixels", options.width, options.height); },
-      draw, kept.bytes_of_picture());
+      [&] { return fmt::format("a picture of {} x {} pixels", options.width, rows); }, draw,
+      kept.bytes_of_picture());
 }
 
 /// Draws into a file or a stream: by rows, but for a device that has the whole picture in memory,

@@ -53,10 +53,6 @@ void DisplayFileSource::write_vectors(const PictureFormat& format, const Destina
 
 namespace {
 
-int rows_of(const DrawOptions& options) {
-  return options.rows ? options.rows->end - options.rows->first : options.height;
-}
-
 /// A pixel's samples in place of the pixel: colours only.
 RasterRequest request_of_samples(RasterRequest request, int samples) {
   request.width *= samples;
@@ -84,7 +80,7 @@ Picture draw_pixels(const PictureSource& source, const RasterRequest& request,
   Picture picture;
   if (request.ids || request.depth) picture = source.draw(request);
   picture.width = request.width;
-  picture.height = rows_of(options);
+  picture.height = options.drawn_rows();
   picture.pixels.clear();
   draw_colours(source, request, options, [&](const Picture& rows) {
     picture.pixels.insert(picture.pixels.end(), rows.pixels.begin(), rows.pixels.end());
@@ -107,7 +103,7 @@ TakeRows write_rows(const RowFiles& files) {
 void write_picture(const PictureSource& source, const RasterRequest& request, const Destination& to,
                    const DrawOptions& options) {
   const auto open = [&](auto* row_file, const Destination& path) {
-    return row_file(path, options.width, rows_of(options));
+    return row_file(path, options.width, options.drawn_rows());
   };
   const PictureFormat& format = format_of(to, options);
   require_drawable_by(request.method, options);

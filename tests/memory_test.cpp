@@ -94,6 +94,20 @@ TEST(OutOfMemory, OfAPictureIsSaidBeforeAnyWork) {
             "out of memory: the truth of 65535 x 65535 pixels needs at least 73012215825 bytes");
 }
 
+TEST(OutOfMemory, RowsOfAPictureNeedTheirOwnMemory) {
+  const GraphicsSystem g = triangle();
+  const auto error_of_rows = [&](int end) {
+    return within(500 * kMegabyte, [&] {
+      return error_of([&] {
+        draw(g, {.width = 60000, .height = 60000, .rows = PictureRows{0, end}});
+      });
+    });
+  };
+  EXPECT_EQ(error_of_rows(100), "");
+  EXPECT_EQ(error_of_rows(20000),
+            "out of memory: a picture of 60000 x 20000 pixels needs at least 4800000000 bytes");
+}
+
 /// The memory of the picture before is used again: it is not asked for a second time.
 TEST(OutOfMemory, ARendererNeedsOnePictureOnly) {
   const GraphicsSystem g = triangle();

@@ -44,7 +44,7 @@ int ImportCommand::run() const {
   std::vector<Mesh::Skipped> skipped;
   {
     const NamedWarnings named(fmt::format("{}", fmt::join(meshes, ", ")));
-    skipped = import_meshes(meshes, system, entering);
+    skipped = import_meshes(meshes, system, entering).skipped;
   }
   file.commit();
   report_skipped(meshes, skipped);

@@ -257,6 +257,22 @@ TEST_F(MeshTest, AViewThatWasSetHolds) {
   EXPECT_NE(dump(system.display_file()).find("fill solid 1 0 0"), std::string::npos);
 }
 
+/// Whoever turns the meshes turns them about what is up in the camera that was fitted.
+TEST_F(MeshTest, ImportTellsWhatIsUpInTheFittedCamera) {
+  const std::vector<std::string> paths{file("a.obj", cube())};
+  const auto fitted = [&](GraphicsSystem& system, const Camera& camera) {
+    return import_meshes(paths, system, {.camera = camera}).fitted;
+  };
+  GraphicsSystem plain, z_up, said_camera, said_window;
+  EXPECT_EQ(fitted(plain, {}), Upright{});
+  EXPECT_EQ(fitted(plain, {}), std::nullopt) << "the window is that of the first";
+  EXPECT_EQ(fitted(z_up, {.upright = upright("z")}), upright("z"));
+  said_camera.set_perspective({0, 0, 20});
+  EXPECT_EQ(fitted(said_camera, {}), std::nullopt);
+  said_window.set_window(-1, 1, -1, 1);
+  EXPECT_EQ(fitted(said_window, {}), std::nullopt);
+}
+
 TEST_F(MeshTest, RecordedImportReplaysToTheSameDisplayFile) {
   const std::string both = two_cubes(2.7) + "f 1 3 16\n";  // not closed
   for (const std::string& obj : {cube(), both}) {

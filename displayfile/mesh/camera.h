@@ -31,6 +31,7 @@ enum class UprightBy {
 /// right, elevation 90 from above.
 struct EyeDirection {
   double azimuth = 30.0, elevation = 20.0;
+  bool operator==(const EyeDirection&) const = default;
 };
 
 /// How a mesh is looked at, in the coordinates of the world. Lengths and directions that are not
@@ -51,6 +52,7 @@ struct Camera {
   /// Finds the eye's distance for the mesh as it turns about the axis that is up, through its
   /// middle.
   bool turning = false;
+  bool operator==(const Camera&) const = default;
 };
 
 }  // namespace displayfile

@@ -217,8 +217,8 @@ void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
   system.by_default(Setting::line_style, [&] { system.set_line_style(before.line); });
 }
 
-std::vector<Mesh::Skipped> import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
-                                         const MeshOptions& options) {
+ImportedMeshes import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
+                             const MeshOptions& options) {
   require_no_open_segment(system);
   if (options.colour) GraphicsSystem{}.set_fill_style(solid(*options.colour));  // or refuses
   std::vector<Mesh> meshes;
@@ -231,21 +231,23 @@ std::vector<Mesh::Skipped> import_meshes(std::span<const std::string> paths, Gra
     name += static_cast<std::int64_t>(meshes.back().objects.size());
   }
   if (meshes.empty()) return {};
+  ImportedMeshes imported;
   system.all_or_nothing([&] {
-    if (!system.said().contains(Setting::window) &&
-        fit_view(meshes, system, options.camera).differ()) {
-      meshes.front().skipped.warnings.emplace_back(kStandDifferently);
+    if (!system.said().contains(Setting::window)) {
+      const bool has_camera = system.said().contains(Setting::camera);
+      const CommonUpright upright = fit_view(meshes, system, options.camera);
+      if (upright.differ()) meshes.front().skipped.warnings.emplace_back(kStandDifferently);
+      if (!has_camera) imported.fitted = upright.upright();
     }
     enter_meshes(meshes, system, options);
   });
-  std::vector<Mesh::Skipped> skipped;
-  skipped.reserve(meshes.size());
-  for (Mesh& mesh : meshes) skipped.push_back(std::move(mesh.skipped));
-  return skipped;
+  imported.skipped.reserve(meshes.size());
+  for (Mesh& mesh : meshes) imported.skipped.push_back(std::move(mesh.skipped));
+  return imported;
 }
 
-std::vector<Mesh::Skipped> import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
-                                         double aspect) {
+ImportedMeshes import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
+                             double aspect) {
   const double before = system.aspect_ratio();
   system.set_aspect_ratio(aspect);
   try {
@@ -258,11 +260,11 @@ std::vector<Mesh::Skipped> import_meshes(std::span<const std::string> paths, Gra
 
 Mesh::Skipped import_mesh(const std::string& path, GraphicsSystem& system,
                           const MeshOptions& options) {
-  return import_meshes(std::span(&path, 1), system, options).front();
+  return import_meshes(std::span(&path, 1), system, options).skipped.front();
 }
 
 Mesh::Skipped import_mesh(const std::string& path, GraphicsSystem& system, double aspect) {
-  return import_meshes(std::span(&path, 1), system, aspect).front();
+  return import_meshes(std::span(&path, 1), system, aspect).skipped.front();
 }
 
 }  // namespace displayfile

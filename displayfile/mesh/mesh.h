@@ -113,6 +113,13 @@ void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name
 void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
                   const MeshOptions& options = {});
 
+/// What came of meshes that were imported.
+struct ImportedMeshes {
+  std::vector<Mesh::Skipped> skipped;  ///< of each mesh: what was left out
+  /// What is up in the camera of the view that was fitted to them; nothing if no camera was fitted.
+  std::optional<Upright> fitted;
+};
+
 /// Reads meshes and enters them so; where smooth shading is in force, with normals of the
 /// vertices, from the file or else completed. If no window was set before, a view is fitted to them
 /// (fitted_view.h), which stays set: in the modelling transformation in force, for the system's
@@ -121,13 +128,14 @@ void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
 /// A face is filled in the first of these that there is: the colour of the options; the fill style
 /// that the application set; the colour that its file gives it; the neutral one.
 ///
-/// Returns what was left out of each. Throws Error as read_mesh and fit_view do, or if a segment is
+/// Throws Error as read_mesh and fit_view do, or if a segment is
 /// open, the aspect ratio is not positive or the colour is outside of [0,1]; then nothing was
 /// changed.
-std::vector<Mesh::Skipped> import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
-                                         const MeshOptions& options = {});
-std::vector<Mesh::Skipped> import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
-                                         double aspect);
+ImportedMeshes import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
+                             const MeshOptions& options = {});
+ImportedMeshes import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
+                             double aspect);
+/// The same of one mesh. Returns what was left out.
 Mesh::Skipped import_mesh(const std::string& path, GraphicsSystem& system,
                           const MeshOptions& options = {});
 Mesh::Skipped import_mesh(const std::string& path, GraphicsSystem& system, double aspect);

@@ -21,5 +21,6 @@
 #include "displayfile/turntable.h"
 #include "interp/draw.h"
 #include "interp/renderer.h"
+#include "interp/turntable_renderer.h"
 #include "interp/view_renderer.h"
 #include "interp/world_views.h"

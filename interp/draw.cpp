@@ -128,6 +128,22 @@ MethodChoice drawing_choice(const GraphicsSystem& system, const DrawOptions& opt
 
 namespace {
 
+void require_drawable_by(HiddenMethod method, const GraphicsSystem& system,
+                         const DrawOptions& options) {
+  require_drawable_by(method, options);
+  require_hidden_lines_drawn(hidden_lines_in_force(system, hidden_surface_options(options)), method,
+                             options);
+}
+
+}  // namespace
+
+void require_drawable(const GraphicsSystem& system, const DrawOptions& options) {
+  require_drawable_in_memory(options);
+  require_drawable_by(method_in_force(system, hidden_surface_options(options)), system, options);
+}
+
+namespace {
+
 /// What is kept from one picture to the next.
 struct KeptForPictures {
   SortedDisplayFile& sorted;
@@ -140,9 +156,7 @@ template <class DrawFile, class DrawWorld>
 auto draw_up_to_date(const GraphicsSystem& system, const DrawOptions& options, HiddenMethod method,
                      PictureKind kind, SortedDisplayFile& kept, DrawFile&& draw_file,
                      DrawWorld&& draw_world) {
-  require_drawable_by(method, options);
-  require_hidden_lines_drawn(hidden_lines_in_force(system, hidden_surface_options(options)), method,
-                             options);
+  require_drawable_by(method, system, options);
   HiddenSurfaceOptions asked = hidden_surface_options(options);
   asked.shadows = kind == PictureKind::vector;
   const DisplayFile& sorted = kept.update(system, method, asked);
@@ -227,6 +241,16 @@ void draw(const DisplayFile& display_file, const Destination& to, const DrawOpti
   SoftwareRenderer software;
   write_picture(DisplayFileSource(display_file, false, options, software),
                 raster_request(display_file, options), to, options);
+}
+
+Picture draw(const DisplayFile& display_file, const DrawOptions& options) {
+  const BudgetInForce in_force(options.budget);
+  const NamedWork named(kDrawing);
+  SoftwareRenderer software;
+  return with_memory_of_picture(options, software, [&] {
+    return draw_pixels(DisplayFileSource(display_file, false, options, software),
+                       raster_request(display_file, options), options);
+  });
 }
 
 void draw(const ViewedWorld& world, const Destination& to, const DrawOptions& options) {

@@ -75,6 +75,10 @@ HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& opt
 /// Throws the Errors that draw would throw before it draws anything: an option out of its range, an
 /// unknown extension, a size that a device cannot draw, a file that cannot be written.
 void require_drawable(const Destination& to, const DrawOptions& options);
+/// The same but for whether the file can be written: for who has another machine write it.
+void require_format(const Destination& to, const DrawOptions& options);
+/// The same of a system's picture in memory.
+void require_drawable(const GraphicsSystem& system, const DrawOptions& options);
 
 /// Draws the visible segments into a picture in memory. `kept` is what earlier calls sorted, used
 /// again and brought up to date (displayfile/sorted_display_file.h).
@@ -98,6 +102,7 @@ std::string draw_as(const GraphicsSystem& system, std::string_view format,
 /// options that say how hidden surfaces are found, the colour rule has a meaning alone; otherwise
 /// it does what drawing a system into a file does.
 void draw(const DisplayFile& display_file, const Destination& to, const DrawOptions& options);
+Picture draw(const DisplayFile& display_file, const DrawOptions& options = {});
 
 /// Draws a retained scene in a view (interp/world_views.h): pixels by rays cast in world
 /// coordinates, world_ray_cast, vectors and what the OSMesa device draws as by any image-space

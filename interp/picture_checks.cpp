@@ -117,6 +117,11 @@ void require_drawable_in_memory(const DrawOptions& options) {
 }
 
 void require_drawable(const Destination& to, const DrawOptions& options) {
+  require_format(to, options);
+  require_writable(to, options);
+}
+
+void require_format(const Destination& to, const DrawOptions& options) {
   const PictureFormat& format = format_of(to, options);
   require_numbers(options);
   const RasterDevice& device = device_of(options.device);  // the first unless one was asked for
@@ -135,7 +140,6 @@ void require_drawable(const Destination& to, const DrawOptions& options) {
                             names_of_formats(&PictureFormat::can_be_transparent, " ")));
   }
   require_paper_and_pens(to, format, options);
-  require_writable(to, options);
 }
 
 }  // namespace displayfile

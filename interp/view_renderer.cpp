@@ -111,6 +111,10 @@ void ViewRenderer::draw(const View& view, const Destination& to, const DrawOptio
   });
 }
 
+Picture ViewRenderer::take_picture() { return std::exchange(kept_->picture, Picture()); }
+
+void ViewRenderer::give_back(Picture picture) { kept_->picture = std::move(picture); }
+
 ViewRenderer::Made ViewRenderer::made() const {
   const RetainedCasters* const casters = kept_->casters.get();
   return {kept_->software.surfaces_found(), casters != nullptr ? 1u : 0u,

@@ -38,6 +38,10 @@ class ViewRenderer {
   void draw(const View& view, const Destination& to, const DrawOptions& options = {},
             const glm::dmat3& lights_turned = glm::dmat3(1.0));
 
+  /// The picture that draw made last, for who keeps it, as of a Renderer (interp/renderer.h).
+  Picture take_picture();
+  void give_back(Picture picture);
+
   /// How often what is kept was made, since the beginning: while only lights change, no surfaces
   /// are found; for all views one tree of what casts shadows is made; and while the lights stay,
   /// for each polygon that is seen one list of what can hide its light.

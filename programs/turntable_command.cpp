@@ -2,83 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
+#include <variant>
 
 #include "clip/error.h"
-#include "displayfile/retained_views.h"
-#include "displayfile/turntable.h"
-#include "interp/picture_checks.h"
-#include "interp/view_renderer.h"
-#include "interp/visibility/image_space.h"
 #include "programs/inputs.h"
 #include "programs/progress.h"
 
 namespace displayfile {
 
 namespace {
-
-/// Views without a tree: by a method that works in image space, named as such, or finds lines.
-bool draws_each_anew(const DrawOptions& options) {
-  const HiddenMethod method = surfaces_of(options.hidden.value_or(HiddenMethod::automatic));
-  return finds_lines(method) || (method != HiddenMethod::automatic &&
-                                 method != HiddenMethod::world_ray_cast && is_image_space(method));
-}
-
-void require_views(const DrawOptions& options) {
-  const HiddenMethod method = surfaces_of(options.hidden.value_or(HiddenMethod::automatic));
-  if (options.pens) require_drawn_by_pens(method, *options.pens);
-  if (method == HiddenMethod::bsp || is_image_space(method)) return;
-  if (finds_lines(method)) return require_drawable_by(method, options);
-  throw Error(
-      fmt::format("--turntable draws all views from one BSP tree, by rays from one tree of boxes, "
-                  "or by a method that works in image space or finds lines, not by {}: expected "
-                  "--hidden bsp, --hidden z-buffer or another of those, or no --hidden",
-                  name_of(method)));
-}
-
-/// With the outputs of one view.
-DrawOptions options_of_view(const DrawOptions& options, int number, int views) {
-  DrawOptions of_view = options;
-  if (!options.ids.empty()) of_view.ids = numbered(options.ids, number, views);
-  if (!options.depth.empty()) of_view.depth = numbered(options.depth, number, views);
-  return of_view;
-}
-
-/// Before the long work, and before any file is written.
-void require_all_drawable(const std::filesystem::path& output, const DrawOptions& options,
-                          const ViewsDrawn& views) {
-  picture_kind(output, options);  // an unknown extension is told with the name as given
-  for (int k = views.first; k < views.end; ++k) {
-    require_drawable(numbered(output, k, views.all), options_of_view(options, k, views.all));
-  }
-}
-
-/// By rays that are cast before viewing.
-bool casts_into_world(const DrawOptions& options) {
-  return options.hidden && surfaces_of(*options.hidden) == HiddenMethod::world_ray_cast;
-}
-
-/// With what the inputs set in place of what was not asked for, so far as views follow it.
-DrawOptions with_settings(const GraphicsSystem& system, DrawOptions options) {
-  const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
-  if (finds_lines(method)) {
-    const auto usual = options.hidden ? HiddenScope::all : HiddenScope::segment;
-    if (!options.scope) options.scope = system.hidden_scope().value_or(usual);
-    options.hidden = method;
-    if (!options.precision) options.precision = system.precision();
-    require_views(options);
-  }
-  options.hidden_lines = hidden_lines_in_force(system, hidden_surface_options(options));
-  if (!options.background) options.background = system.background();
-  return options;
-}
-
-RetainedViews::Options tree_options(const GraphicsSystem& system, const DrawOptions& options) {
-  return {options.scope.value_or(system.hidden_scope().value_or(HiddenScope::all)),
-          options.precision.value_or(system.precision()),
-          options.hidden_lines.value_or(HiddenLines::none), options.threads};
-}
 
 /// What of the statistics does not depend on the kind of tree.
 std::string polygons_entered(const GraphicsSystem& system) {
@@ -116,7 +49,7 @@ std::string statistics(const GraphicsSystem& system, const ViewRenderer&, int vi
 }  // namespace
 
 int turntable_views(const std::string& text) {
-  constexpr int kMost = 10000;
+  constexpr int kMost = TurntableViews::kMost;
   int views = 0;
   const char* end = text.data() + text.size();
   const auto [stop, failure] = std::from_chars(text.data(), end, views);
@@ -126,21 +59,14 @@ int turntable_views(const std::string& text) {
   return views;
 }
 
-std::filesystem::path numbered(const std::filesystem::path& file, int number, int views) {
-  const std::size_t digits = std::max<std::size_t>(3, std::to_string(views - 1).size());
-  const std::string name =
-      fmt::format("{}-{:0{}}{}", file.stem().string(), number, digits, file.extension().string());
-  return file.parent_path() / name;
-}
-
 std::string draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
                            const DrawOptions& options, const MeshWords& meshes, Shading shading,
                            const ViewsDrawn& views, bool stats, NotInVectors& left_out) {
-  require_views(options);
+  require_turntable_method(options);
   for (const auto& file : {output, options.ids, options.depth}) {
     if (file == "-") throw Error("--turntable draws many views: expected a file name, not -");
   }
-  require_all_drawable(output, options, views);
+  require_views_drawable(views, output, options);
   GraphicsSystem system;
   RetainedScene scene;
   system.set_threads(options.threads);
@@ -154,41 +80,20 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
                    {.method = options.hidden, .hidden_lines = options.hidden_lines});
   warn_of_stretched_window(system, output.string(), options.width, options.height);
   left_out.note(system, options, picture_kind(output, options));
-  Turntable turntable(scene, system.display_file(), system.view());
   const Camera looking = meshes.camera();
-  if (fitted) turntable.set_axis(fitted->up);
-  if (fitted && looking.fit && !looking.angle_of_view) turntable.fit_window(views.all);
-  const DrawOptions drawing = with_settings(system, options);
-  if (draws_each_anew(drawing) || casts_into_world(drawing)) {
-    require_hidden_lines_drawn(*drawing.hidden_lines, *drawing.hidden, drawing);
+  TurntableViews turned{views.all};
+  if (fitted) turned.axis = fitted->up;
+  turned.fit_window = fitted && looking.fit && !looking.angle_of_view;
+  TurntableRenderer turntable(system, scene, system.display_file(), turned, options);
+  const int count = views.end - views.first;
+  Progress progress(fmt::format("drawing {} views", count));
+  for (int k = views.first; k < views.end; ++k) {
+    turntable.draw_numbered(k, output);
+    progress.update(static_cast<std::size_t>(k - views.first) + 1, static_cast<std::size_t>(count));
   }
-  const auto draw_all = [&](auto trees, const auto& draw_view) -> std::string {
-    const int count = views.end - views.first;
-    Progress progress(fmt::format("drawing {} views", count));
-    for (int k = views.first; k < views.end; ++k) {
-      const auto [view, lights] = turntable.at(360.0 * k / views.all);
-      draw_view(trees, view, lights, numbered(output, k, views.all),
-                options_of_view(drawing, k, views.all));
-      progress.update(static_cast<std::size_t>(k - views.first) + 1,
-                      static_cast<std::size_t>(count));
-    }
-    return stats ? statistics(system, trees, count) : "";
-  };
-  if (draws_each_anew(drawing)) {
-    return draw_all(ViewRenderer(scene, system.display_file()),
-                    [](ViewRenderer& renderer, const View& view, const glm::dmat3& lights,
-                       const std::filesystem::path& file,
-                       const DrawOptions& of_view) { renderer.draw(view, file, of_view, lights); });
-  }
-  const auto draw_from_tree = [](auto& trees, const View& view, const glm::dmat3& lights,
-                                 const std::filesystem::path& file, const DrawOptions& of_view) {
-    draw(trees.view(view, lights), file, of_view);
-  };
-  if (casts_into_world(drawing)) {
-    return draw_all(WorldViews(scene, system.display_file()), draw_from_tree);
-  }
-  return draw_all(RetainedViews(scene, system.display_file(), tree_options(system, drawing)),
-                  draw_from_tree);
+  if (!stats) return "";
+  return std::visit([&](const auto& source) { return statistics(system, source, count); },
+                    turntable.source());
 }
 
 }  // namespace displayfile

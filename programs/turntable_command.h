@@ -6,6 +6,7 @@
 
 #include "displayfile/mesh/mesh_options.h"
 #include "interp/draw.h"
+#include "interp/turntable_renderer.h"
 #include "programs/mesh_words.h"
 #include "programs/not_in_vectors.h"
 
@@ -13,11 +14,6 @@ namespace displayfile {
 
 /// The number of views of a turntable. Throws Error for anything but an integer from 1 to 10000.
 int turntable_views(const std::string& text);
-
-/// Which views of a turntable are drawn: of so many, from one up to, but not including, another.
-struct ViewsDrawn {
-  int all = 0, first = 0, end = 0;
-};
 
 /// Draws the inputs turned about the view-up axis through their middle, before a camera and lights
 /// that stay, in views evenly around, all from one BSP tree in world coordinates
@@ -35,8 +31,5 @@ struct ViewsDrawn {
 std::string draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
                            const DrawOptions& options, const MeshWords& meshes, Shading shading,
                            const ViewsDrawn& views, bool stats, NotInVectors& left_out);
-
-/// The name of one of `views` files: with a number of three digits or more before the extension.
-std::filesystem::path numbered(const std::filesystem::path& file, int number, int views);
 
 }  // namespace displayfile

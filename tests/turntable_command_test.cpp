@@ -60,7 +60,7 @@ TEST_F(Command, TurntableDrawsViewsWithoutASort) {
   }
   EXPECT_EQ(run(turned + "-o v.png --hidden z-buffer --samples 2"), 0) << err_;
   EXPECT_EQ(run(turned + "-o v.svg --hidden z-buffer"), 0) << err_;
-  expect_error(turned + "-o w.png --hidden depth-sort", "not by depth-sort: expected --hidden bsp");
+  expect_error(turned + "-o w.png --hidden depth-sort", "not by depth-sort: expected bsp");
   EXPECT_FALSE(fs::exists(folder_ / "w-000.png"));
 }
 

@@ -1,0 +1,200 @@
+#include "interp/turntable_renderer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "clip/error.h"
+#include "interp/picture_checks.h"
+#include "interp/visibility/image_space.h"
+
+namespace displayfile {
+
+namespace {
+
+HiddenMethod surfaces_asked_for(const DrawOptions& options) {
+  return surfaces_of(options.hidden.value_or(HiddenMethod::automatic));
+}
+
+/// By rays that are cast before viewing.
+bool casts_into_world(const DrawOptions& options) {
+  return surfaces_asked_for(options) == HiddenMethod::world_ray_cast;
+}
+
+/// Views without a tree: by a method that works in image space, named as such, or finds lines.
+bool draws_each_anew(const DrawOptions& options) {
+  const HiddenMethod method = surfaces_asked_for(options);
+  return finds_lines(method) || (method != HiddenMethod::automatic && is_image_space(method) &&
+                                 method != HiddenMethod::world_ray_cast);
+}
+
+/// With what the system set in place of what was not asked for, so far as views follow it.
+DrawOptions with_settings(const GraphicsSystem& system, DrawOptions options) {
+  const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
+  if (finds_lines(method)) {
+    const auto usual = options.hidden ? HiddenScope::all : HiddenScope::segment;
+    if (!options.scope) options.scope = system.hidden_scope().value_or(usual);
+    options.hidden = method;
+    if (!options.precision) options.precision = system.precision();
+    require_turntable_method(options);
+  }
+  options.hidden_lines = hidden_lines_in_force(system, hidden_surface_options(options));
+  if (!options.background) options.background = system.background();
+  if (draws_each_anew(options) || casts_into_world(options)) {
+    require_hidden_lines_drawn(*options.hidden_lines, *options.hidden, options);
+  }
+  return options;
+}
+
+RetainedViews::Options tree_options(const GraphicsSystem& system, const DrawOptions& options) {
+  return {options.scope.value_or(system.hidden_scope().value_or(HiddenScope::all)),
+          options.precision.value_or(system.precision()),
+          options.hidden_lines.value_or(HiddenLines::none), options.threads};
+}
+
+Turntable turntable_of(const GraphicsSystem& system, const RetainedScene& scene,
+                       const DisplayFile& display_file, const TurntableViews& views) {
+  Turntable turntable(scene, display_file, system.view());
+  if (views.axis) turntable.set_axis(*views.axis);
+  if (views.fit_window) turntable.fit_window(views.number);
+  return turntable;
+}
+
+TurntableRenderer::Source source_of(const GraphicsSystem& system, const RetainedScene& scene,
+                                    const DisplayFile& display_file, const DrawOptions& options) {
+  if (draws_each_anew(options)) return ViewRenderer(scene, display_file);
+  if (casts_into_world(options)) return WorldViews(scene, display_file);
+  return RetainedViews(scene, display_file, tree_options(system, options));
+}
+
+}  // namespace
+
+void require_turntable_views(int number) {
+  if (number >= 1 && number <= TurntableViews::kMost) return;
+  throw Error(
+      fmt::format("a turntable of {} views: expected 1 to {}", number, TurntableViews::kMost));
+}
+
+void require_turntable_method(const DrawOptions& options) {
+  const HiddenMethod method = surfaces_asked_for(options);
+  if (options.pens) require_drawn_by_pens(method, *options.pens);
+  if (method == HiddenMethod::bsp || is_image_space(method)) return;
+  if (finds_lines(method)) return require_drawable_by(method, options);
+  throw Error(fmt::format(
+      "a turntable's views are drawn from one BSP tree, by rays from one tree of boxes, "
+      "or by a method that works in image space or finds lines, not by {}: expected "
+      "bsp, z-buffer or another of those, or no method",
+      name_of(method)));
+}
+
+std::filesystem::path numbered(const std::filesystem::path& file, int number, int views) {
+  const std::size_t digits = std::max<std::size_t>(3, std::to_string(views - 1).size());
+  const std::string name =
+      fmt::format("{}-{:0{}}{}", file.stem().string(), number, digits, file.extension().string());
+  return file.parent_path() / name;
+}
+
+namespace {
+
+/// With the outputs of one view.
+DrawOptions of_view(DrawOptions options, int number, int views) {
+  if (!options.ids.empty()) options.ids = numbered(options.ids, number, views);
+  if (!options.depth.empty()) options.depth = numbered(options.depth, number, views);
+  return options;
+}
+
+}  // namespace
+
+void require_views_drawable(const ViewsDrawn& views, const std::filesystem::path& file,
+                            const DrawOptions& options) {
+  picture_kind(file, options);  // an unknown extension is told with the name as given
+  for (int k = views.first; k < views.end; ++k) {
+    require_drawable(numbered(file, k, views.all), of_view(options, k, views.all));
+  }
+}
+
+struct TurntableRenderer::Kept {
+  int views;
+  Turntable turntable;
+  DrawOptions options;
+  Source source;
+
+  void require_view(int view) const {
+    if (view >= 0 && view < views) return;
+    throw Error(fmt::format("view {}: expected 0 to {}", view, views - 1));
+  }
+
+  /// What by_renderer(renderer, view, lights) returns, or of_scene(scene): the scene in that view.
+  template <class ByRenderer, class OfScene>
+  auto in_view(int view, const ByRenderer& by_renderer, const OfScene& of_scene) {
+    require_view(view);
+    const auto [seen, lights] = turntable.at(360.0 * view / views);
+    if (auto* const renderer = std::get_if<ViewRenderer>(&source)) {
+      return by_renderer(*renderer, seen, lights);
+    }
+    if (const auto* const world = std::get_if<WorldViews>(&source)) {
+      return of_scene(world->view(seen, lights));
+    }
+    return of_scene(std::get<RetainedViews>(source).view(seen, lights));
+  }
+
+  void draw(int view, const Destination& to, const DrawOptions& asked) {
+    in_view(
+        view,
+        [&](ViewRenderer& renderer, const View& seen, const glm::dmat3& lights) {
+          renderer.draw(seen, to, asked, lights);
+        },
+        [&](const auto& scene) { displayfile::draw(scene, to, asked); });
+  }
+};
+
+TurntableRenderer::TurntableRenderer(const GraphicsSystem& system, const RetainedScene& scene,
+                                     const DisplayFile& display_file, const TurntableViews& views,
+                                     const DrawOptions& options) {
+  require_turntable_views(views.number);
+  require_turntable_method(options);
+  require_drawable_in_memory(options);
+  Turntable turntable = turntable_of(system, scene, display_file, views);
+  const DrawOptions settled = with_settings(system, options);
+  kept_ = std::make_unique<Kept>(Kept{views.number, std::move(turntable), settled,
+                                      source_of(system, scene, display_file, settled)});
+}
+TurntableRenderer::TurntableRenderer(TurntableRenderer&& other) noexcept = default;
+TurntableRenderer& TurntableRenderer::operator=(TurntableRenderer&& other) noexcept = default;
+TurntableRenderer::~TurntableRenderer() = default;
+
+int TurntableRenderer::views() const { return kept_->views; }
+const DrawOptions& TurntableRenderer::options() const { return kept_->options; }
+const TurntableRenderer::Source& TurntableRenderer::source() const { return kept_->source; }
+
+Picture TurntableRenderer::draw(int view) {
+  const DrawOptions& options = kept_->options;
+  return kept_->in_view(
+      view,
+      [&](ViewRenderer& renderer, const View& seen, const glm::dmat3& lights) {
+        renderer.draw(seen, options, lights);
+        return renderer.take_picture();
+      },
+      [&](const auto& scene) { return displayfile::draw(scene, options); });
+}
+
+void TurntableRenderer::draw(int view, const Destination& to) {
+  kept_->draw(view, to, kept_->options);
+}
+
+std::filesystem::path TurntableRenderer::draw_numbered(int view,
+                                                       const std::filesystem::path& file) {
+  std::filesystem::path name = numbered(file, view, kept_->views);
+  kept_->draw(view, name, of_view(kept_->options, view, kept_->views));
+  return name;
+}
+
+void TurntableRenderer::give_back(Picture picture) {
+  if (auto* const renderer = std::get_if<ViewRenderer>(&kept_->source)) {
+    renderer->give_back(std::move(picture));
+  }
+}
+
+}  // namespace displayfile

@@ -41,13 +41,16 @@ auto without_interpreter(Work&& work) {
       const StoppedByInterrupt stopped;
       try {
         return work();
-      } catch (const LimitReached&) {
+      } catch (const Error&) {
         interrupted = stopped.interrupted();
         throw;
       }
     } catch (const LimitReached&) {
       if (!interrupted) throw;
       if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
+    } catch (const Error&) {  // with its place in a file, what was before it stands
+      if (interrupted && PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
+      throw;
     }
   }
 }

@@ -200,6 +200,22 @@ except KeyboardInterrupt:
     )
 
 
+def test_an_interrupt_of_a_program_that_is_replayed_is_no_error():
+    out = interrupted(
+        """
+system = displayfile.System()
+program = "open-segment 1\\n" + "polygon-abs-2 0 0 1 0 0 1\\n" * 3000000 + "close-segment\\n"
+print("begun", flush=True)
+try:
+    system.replay(program)
+except KeyboardInterrupt as interrupt:
+    print("stopped", system.segments, interrupt.__context__)
+""",
+        0,
+    )
+    assert out == "stopped [1] None\n"
+
+
 def test_a_handler_that_goes_on():
     """Python's own way: where a handler raises nothing, the call is carried out all the same."""
     assert (

@@ -136,6 +136,28 @@ TEST_F(TurntableRendererTest, TurnsAboutAnotherAxisAndFitsItsWindow) {
   EXPECT_NE(renderer(options, {kViews, std::nullopt, true}).draw(1).pixels, plain.pixels);
 }
 
+/// A scene of the system's own goes back with it.
+TEST(RetainedByTheSystem, WhatIsRefusedIsNotRetained) {
+  GraphicsSystem system;
+  system.retain();
+  enter_two_segments(system);
+  const std::size_t segments = system.retained()->segments().size();
+  const std::uint32_t primitives = system.retained()->size();
+  EXPECT_GT(primitives, 0u);
+  EXPECT_THROW(system.all_or_nothing([&] {
+    system.open_segment(9);
+    system.polygon_abs_3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    system.close_segment();
+    system.open_segment(9);
+  }),
+               Error);
+  EXPECT_EQ(system.retained()->segments().size(), segments);
+  EXPECT_EQ(system.retained()->size(), primitives);
+  GraphicsSystem late;
+  enter_two_segments(late);
+  expect_error([&] { late.retain(); }, "from the first one on");
+}
+
 TEST_F(TurntableRendererTest, Refuses) {
   for (const int views : {0, -3, 10001}) {
     expect_error([&] { renderer({}, {views}); }, "expected 1 to 10000");

@@ -18,6 +18,11 @@ namespace {
 /// products of a scale and a centre.
 constexpr Limit kOfImageParts{1e90, "1e90"}, kOfImageCentres{1e9, "1e9"};
 
+void require_no_segments(const DisplayFile& display_file) {
+  if (display_file.segments().empty()) return;
+  throw Error("there are segments already: expected to retain from the first one on");
+}
+
 }  // namespace
 
 void GraphicsSystem::open_segment(int name) {
@@ -127,15 +132,19 @@ void GraphicsSystem::set_image_centre(int name, double x, double y) {
 }
 
 void GraphicsSystem::retain(RetainedScene* scene) {
-  if (scene != nullptr && !display_file_.segments().empty()) {
-    throw Error("there are segments already: expected to retain from the first one on");
-  }
+  if (scene != nullptr) require_no_segments(display_file_);
   if (scene == nullptr && !lines_.is_all_alone()) {
     throw Error("lines are selected among what is retained: expected set-lines all before");
   }
   retained_ = scene;
   own_retained_.reset();
   retains_alone_ = false;
+}
+
+void GraphicsSystem::retain() {
+  if (retained() != nullptr) return;
+  require_no_segments(display_file_);
+  own_retained_.emplace();
 }
 
 void GraphicsSystem::retain_alone(RetainedScene& scene) {

@@ -50,6 +50,7 @@ PYBIND11_MODULE(_displayfile, module) {
   add_errors(module);
   SystemClass system = add_system(module);
   add_pictures(system);
+  add_turntable(module, system);
   add_polygons(module);
   module.def("user_routines", names_of_routines,
              "user_routines()\n--\n\n"

@@ -159,13 +159,10 @@ py::array pixels_of(Picture&& picture, std::shared_ptr<SparePictures> spare) {
       {py::ssize_t{picture.height}, py::ssize_t{picture.width}, py::ssize_t{4}}, bytes, owner);
 }
 
-py::tuple draw(System& self, py::handle size, const py::kwargs& said) {
-  const DrawOptions options = draw_options_in(size, said);
-  Picture picture = self.work([&](GraphicsSystem& system, Renderer& renderer) {
-    renderer.give_back(self.spare()->take());
-    renderer.draw(system, options);
-    return renderer.take_picture();
-  });
+}  // namespace
+
+py::tuple arrays_of(Picture&& picture, const DrawOptions& options,
+                    std::shared_ptr<SparePictures> spare) {
   if constexpr (std::endian::native != std::endian::little) {
     for (std::uint32_t& pixel : picture.pixels) pixel = in_bytes(pixel);
   }
@@ -173,7 +170,28 @@ py::tuple draw(System& self, py::handle size, const py::kwargs& said) {
   py::object ids = py::none(), depth = py::none();
   if (options.with_ids) ids = owned<std::int32_t>(std::move(picture.ids), shape);
   if (options.with_depth) depth = owned<double>(std::move(picture.depth), shape);
-  return py::make_tuple(pixels_of(std::move(picture), self.spare()), ids, depth);
+  return py::make_tuple(pixels_of(std::move(picture), std::move(spare)), ids, depth);
+}
+
+namespace {
+
+py::tuple draw(System& self, py::handle size, const py::kwargs& said) {
+  const DrawOptions options = draw_options_in(size, said);
+  Picture picture = self.work([&](GraphicsSystem& system, Renderer& renderer) {
+    renderer.give_back(self.spare()->take());
+    renderer.draw(system, options);
+    return renderer.take_picture();
+  });
+  return arrays_of(std::move(picture), options, self.spare());
+}
+
+/// Refuses what drawing would refuse before it draws anything, here or in another process, into
+/// memory or a file. Returns width and height.
+py::tuple require_drawn(System& self, py::handle to, py::handle size, const py::kwargs& said) {
+  const DrawOptions options = draw_options_in(size, said);
+  if (!to.is_none()) require_format(path_in(to, "path"), options);
+  self.call([&](GraphicsSystem& system) { require_drawable(system, options); });
+  return py::make_tuple(options.width, options.height);
 }
 
 py::object draw_as(System& self, py::handle format, py::handle size, const py::kwargs& said) {
@@ -237,6 +255,7 @@ std::string dump_of(System& self, const py::kwargs& said) {
 
 void add_pictures(SystemClass& system) {
   system.def("_draw", draw);
+  system.def("_require_drawn", require_drawn);
   system.def("_draw_as", draw_as);
   system.def("_save", save);
   system.def("_pick", pick);

@@ -16,6 +16,7 @@
 #include "displayfile/text/user_routine.h"
 #include "interp/python/arguments.h"
 #include "interp/python/arrays.h"
+#include "interp/python/camera.h"
 #include "interp/python/errors.h"
 
 namespace displayfile::python {
@@ -350,12 +351,24 @@ void replay_path(System& self, py::handle file) {
 }
 
 /// What of the mesh is not drawn, a sentence each.
-std::vector<std::string> import_path(System& self, py::handle file, py::handle colour) {
+std::vector<std::string> import_path(System& self, py::handle file, py::handle colour,
+                                     const py::kwargs& camera) {
   const std::string path = path_in(file, "path");
-  MeshOptions options;
+  MeshOptions options{.camera = camera_in(camera)};
   if (!colour.is_none()) options.colour = one_fill_in(colour).front().colour;
+  const bool changes_view = options.camera != Camera{.turning = options.camera.turning};
   const Mesh::Skipped skipped = self.work([&](GraphicsSystem& system, Renderer&) {
-    return placing_errors([&] { return import_mesh(path, system, options); });
+    const SaidSettings said = system.said();
+    if (changes_view && (said.contains(Setting::window) || said.contains(Setting::camera))) {
+      throw Error("a camera for the mesh: expected a system whose view was not set before");
+    }
+    ImportedMeshes imported =
+        placing_errors([&] { return import_meshes(std::span(&path, 1), system, options); });
+    if (imported.fitted) {
+      const Camera& looking = options.camera;
+      self.set_fitted({imported.fitted->up, looking.fit && !looking.angle_of_view});
+    }
+    return std::move(imported.skipped.front());
   });
   std::vector<std::string> sentences = skipped.warnings;
   for (const std::string& what : left_out(skipped)) sentences.push_back("left out: " + what);
@@ -374,11 +387,15 @@ SystemClass add_system(py::module_& module) {
   system.def("_surface", surface);
   system.def("_replay", replay_text);
   system.def("_replay_file", replay_path);
-  system.def("_import_mesh", [](System& self, py::handle path, py::handle colour) {
-    py::list left_out;
-    for (const std::string& sentence : import_path(self, path, colour)) left_out.append(sentence);
-    return left_out;
-  });
+  system.def("_import_mesh",
+             [](System& self, py::handle path, py::handle colour, const py::kwargs& camera) {
+               py::list left_out;
+               for (const std::string& sentence : import_path(self, path, colour, camera)) {
+                 left_out.append(sentence);
+               }
+               return left_out;
+             });
+  system.def("_retain", [](System& self) { self.call([](GraphicsSystem& s) { s.retain(); }); });
   return system;
 }
 

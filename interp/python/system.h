@@ -68,11 +68,21 @@ class System {
     return call([&](GraphicsSystem&) { return recording_.str(); });
   }
 
+  /// Of the view that was fitted to imported meshes, for a turntable.
+  struct Fitted {
+    Point3 axis;     ///< that is up
+    bool to_window;  ///< the window was fitted, not an angle of view
+  };
+  /// To be called within work() or call(), as set_fitted.
+  const std::optional<Fitted>& fitted() const { return fitted_; }
+  void set_fitted(const Fitted& fitted) { fitted_ = fitted; }
+
  private:
   std::ostringstream recording_;
   Recorder recorder_{recording_};
   GraphicsSystem system_;
   Renderer renderer_;
+  std::optional<Fitted> fitted_;
   std::shared_ptr<SparePictures> spare_ = std::make_shared<SparePictures>();
   std::mutex mutex_;
 };
@@ -83,6 +93,8 @@ using SystemClass = pybind11::class_<System>;
 SystemClass add_system(pybind11::module_& module);
 /// What draws, and tells what is drawn.
 void add_pictures(SystemClass& system);
+/// The views of a turntable.
+void add_turntable(pybind11::module_& module, SystemClass& system);
 
 /// The words of a user routine's name as Python writes them.
 std::string python_name(std::string_view routine);

@@ -14,7 +14,9 @@ from ._polygons import (
     visible_lines,
     visible_pieces,
 )
-from ._system import Pick, Picture, Pieces, System
+from ._picture import Picture
+from ._system import Pick, Pieces, System
+from ._turntable import Turntable
 
 __all__ = [
     "Error",
@@ -23,6 +25,7 @@ __all__ = [
     "Pieces",
     "PolygonPieces",
     "System",
+    "Turntable",
     "VisibleLines",
     "VisiblePieces",
     "__version__",

@@ -5,6 +5,8 @@ from __future__ import annotations
 import typing
 
 from . import _displayfile
+from ._picture import Picture
+from ._turntable import Turntable
 
 if typing.TYPE_CHECKING:
     import os
@@ -14,18 +16,6 @@ if typing.TYPE_CHECKING:
 
 _MOST_POLYGONS_AS_SVG = 2000
 _SIZE_IN_NOTEBOOKS = 512
-
-
-class Picture(typing.NamedTuple):
-    """What System.draw returns where ids or depth are asked for."""
-
-    pixels: npt.NDArray[np.uint8]
-    """(H, W, 4): red, green, blue and alpha, the top row first."""
-    ids: npt.NDArray[np.int32] | None
-    """(H, W): the pick identifier of the fill that is seen, -1 for none; None if not asked for."""
-    depth: npt.NDArray[np.float64] | None
-    """(H, W): that of the fill that is seen, 1 on the front plane and 0 on the back plane; minus
-    infinity where none is seen; None if not asked for."""
 
 
 class Pick(typing.NamedTuple):
@@ -82,7 +72,13 @@ class System(_displayfile.System):
     front plane. Colours are red, green and blue from 0 to 1; angles are in degrees.
     """
 
-    def __init__(self, *, aspect: float | None = None, lines: str | None = None) -> None:
+    def __init__(
+        self,
+        *,
+        aspect: float | None = None,
+        lines: str | None = None,
+        retain: bool = False,
+    ) -> None:
         """Make an empty system.
 
         Args:
@@ -91,8 +87,11 @@ class System(_displayfile.System):
             lines: Which sides of polygons are lines, in place of what set_lines says: all, or
                 several of outline, boundary, crease, crease=DEGREES, material and intersection,
                 with commas between them.
+            retain: Keep what is entered in world coordinates, too, for turntable.
         """
         super().__init__()
+        if retain:
+            self._retain()
         if aspect is not None:
             self._set_aspect_ratio(aspect)
         if lines is not None:
@@ -183,7 +182,17 @@ class System(_displayfile.System):
         self._replay_file(path)
 
     def import_mesh(
-        self, path: str | os.PathLike[str], *, colour: _Colour | None = None
+        self,
+        path: str | os.PathLike[str],
+        *,
+        colour: _Colour | None = None,
+        eye: _Numbers | None = None,
+        look_at: _Numbers | None = None,
+        up: str | None = None,
+        fov: float | None = None,
+        parallel: bool = False,
+        fit: bool = True,
+        turning: bool = False,
     ) -> list[str]:
         """Read a mesh from a file and enter it, each of its objects as a segment.
 
@@ -193,14 +202,35 @@ class System(_displayfile.System):
         Args:
             path: An OBJ, OFF, PLY or STL file, or another one that Assimp reads.
             colour: Of all faces, in place of those in the file.
+            eye: From where the fitted view looks: (azimuth, elevation) in degrees, (0, 0) from the
+                front, (90, 0) from the right; or (x, y, z) in world coordinates.
+            look_at: What is in the middle of the picture, (x, y, z); the mesh's middle if it is not
+                said.
+            up: The axis that is upright: "x", "y", "z", "-x", "-y" or "-z"; or "auto", by the custom
+                of the format where the file does not say it.
+            fov: Degrees from the bottom of the picture to its top.
+            parallel: A parallel projection in place of a perspective one, without fov.
+            fit: Find the window, or the eye's distance for fov, in which the mesh is seen whole.
+            turning: With fov, for a turntable: the eye is as far away as the mesh needs as it turns.
 
         Returns:
             What of it is not drawn, a sentence each.
 
         Raises:
-            Error: A file that cannot be read, or is no such mesh; with its place if there is one.
+            Error: A file that cannot be read, or is no such mesh; with its place if there is one. A
+                camera where the view was set before.
         """
-        return self._import_mesh(path, colour)
+        return self._import_mesh(
+            path,
+            colour,
+            eye=eye,
+            look_at=look_at,
+            up=up,
+            fov=fov,
+            parallel=parallel,
+            fit=fit,
+            turning=turning,
+        )
 
     def record(self, on: bool = True) -> None:
         """Record every user routine that is carried out from now on.
@@ -318,6 +348,39 @@ class System(_displayfile.System):
             device=device,
         )
         return Picture(pixels, of_ids, of_depth) if ids or depth else pixels
+
+    def turntable(
+        self,
+        views: int,
+        size: _Size = 512,
+        *,
+        axis: _Numbers | None = None,
+        fit: bool | None = None,
+        **options: typing.Any,
+    ) -> Turntable:
+        """Make a turntable of what is entered, whose views are those of the command's --turntable.
+
+        Without hidden they are drawn from one BSP tree; by "z-buffer" and other methods that work in
+        image space or find lines, each by itself. What is entered later does not change it.
+
+        Args:
+            views: How many, turned evenly all around: 1 to 10000.
+            size: (width, height) in pixels, or one number for both.
+            axis: What is turned about, (x, y, z), through the middle of what is entered; what is up
+                in the view if it is not said.
+            fit: Fit the window to all views. If it is not said, it is where import_mesh fitted it.
+            options: Those of draw; and for files of vectors those of save.
+
+        Returns:
+            The turntable. Nothing is drawn yet.
+
+        Raises:
+            Error: A system that is not System(retain=True), segments of several views, a method that
+                does not draw views, an option out of its range.
+        """
+        options = self._checked(options)
+        turned = self._turntable(views, size, axis, fit, **options)
+        return Turntable(turned, bool(options.get("ids") or options.get("depth")))
 
     def svg(self, size: _Size = 512, **options: typing.Any) -> str:
         """Draw as SVG.

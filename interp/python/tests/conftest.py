@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import math
 import os
 import subprocess
 from pathlib import Path
@@ -8,6 +9,22 @@ from typing import Callable
 import pytest
 
 ROOT = Path(__file__).resolve().parents[3]
+
+
+def ring(around: int, across: int) -> str:
+    """A closed ring of so many quads around and across, as an OBJ file has it."""
+    lines = []
+    for k in range(around):
+        for j in range(across):
+            a, b = 2 * math.pi * k / around, 2 * math.pi * j / across
+            r = 1 + 0.4 * math.cos(b)
+            lines.append(f"v {r * math.cos(a)!r} {0.4 * math.sin(b)!r} {r * math.sin(a)!r}")
+    for k in range(around):
+        for j in range(across):
+            next_k, next_j = (k + 1) % around, (j + 1) % across
+            corners = (k, j), (k, next_j), (next_k, next_j), (next_k, j)
+            lines.append("f " + " ".join(str(of * across + at + 1) for of, at in corners))
+    return "\n".join(lines) + "\n"
 
 
 @pytest.fixture

@@ -414,8 +414,8 @@ class GraphicsSystem {
   /// Keeps what is drawn in world coordinates too, from now on; null stops. The scene must live
   /// on. Errors: there are segments already; to stop where set_lines needs what is retained.
   void retain(RetainedScene* scene);
-  /// The same in a scene of the system's own, retained(), which all_or_nothing puts back too. Error:
-  /// there are segments already that were not retained.
+  /// The same in a scene of the system's own, retained(), which all_or_nothing puts back too.
+  /// Error: there are segments already that were not retained.
   void retain();
   /// The same, but what is drawn is kept there alone: the display file has its segments, with
   /// nothing in them. For who draws views of the scene (displayfile/scene_viewer.h), which writes a

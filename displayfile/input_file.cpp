@@ -47,7 +47,8 @@ std::string read_text_file(const std::string& path) {
   std::string text;
   const std::uintmax_t size = path == "-" ? 0 : std::filesystem::file_size(path, unknown);
   if (!unknown) {
-    text.reserve(static_cast<std::size_t>(std::min<std::uintmax_t>(size, kMostAtOnce)) + kBytesPerRead);
+    text.reserve(static_cast<std::size_t>(std::min<std::uintmax_t>(size, kMostAtOnce)) +
+                 kBytesPerRead);
   }
   for (std::size_t used = 0;;) {
     text.resize(used + kBytesPerRead);

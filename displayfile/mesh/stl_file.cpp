@@ -41,7 +41,8 @@ Mesh read_binary(const MeshFile& file) {
   const std::uint64_t announced = announced_facets(data);
   if (data.size() < kHeader + kCount || announced > (data.size() - kHeader - kCount) / kFacet) {
     throw Error(fmt::format("{}: binary STL of {} bytes announces {} facets: expected {} bytes",
-                            file.path, data.size(), announced, kHeader + kCount + kFacet * announced));
+                            file.path, data.size(), announced,
+                            kHeader + kCount + kFacet * announced));
   }
   const auto facets = static_cast<std::size_t>(announced);
   MeshBuilder mesh(file.path);

@@ -38,8 +38,8 @@ class Row {
   Row(const glm::dmat4& matrix, int row)
       : linear_(matrix[0][row], matrix[1][row], matrix[2][row]), constant_(matrix[3][row]) {}
 
-  /// Of a point that goes round `centre` by way of two directions; `reach` is how far from the
-  /// origin anything is that its place is calculated from.
+  /// The swing of a point that goes round `centre` by way of two directions; `reach` is how far
+  /// from the origin anything is that its place is calculated from.
   Swing swing(const Point3& centre, const Point3& out, const Point3& along, double reach) const {
     return {glm::dot(linear_, centre) + constant_, glm::dot(linear_, out), glm::dot(linear_, along),
             kRounding * (std::abs(constant_) + glm::length(linear_) * reach)};

@@ -56,7 +56,7 @@ struct DrawOptions {
   /// file is written (clip/work_budget.md).
   WorkBudget* budget = nullptr;
 
-  /// Of the picture that is drawn: all, or those that are asked for.
+  /// How many rows of the picture are drawn: all, or those that are asked for.
   int drawn_rows() const { return rows ? rows->end - rows->first : height; }
 };
 

@@ -5,7 +5,7 @@
 
 namespace displayfile {
 
-/// Of the files that read_mesh takes by their names, with their dots, in alphabetical order. The
+/// The extensions of the files that read_mesh takes, with their dots, in alphabetical order. The
 /// import library is loaded to say what it reads.
 std::vector<std::string> mesh_extensions();
 

@@ -1,5 +1,6 @@
 #include "displayfile/output.h"
 
+#include <array>
 #include <sstream>
 #include <string>
 
@@ -19,7 +20,10 @@ class StreamOutput : public Output {
   std::ostream& stream() override { return text_; }
   void finish() override {}
   void commit() override {
-    if (text_.tellp() > 0) to_ << text_.rdbuf();
+    std::array<char, 65536> block;
+    while (text_.read(block.data(), block.size()), text_.gcount() > 0) {
+      to_.write(block.data(), text_.gcount());
+    }
     if (!to_.flush()) throw Error(name_ + ": not all could be written");
   }
 

@@ -213,7 +213,7 @@ except KeyboardInterrupt as interrupt:
 """,
         0,
     )
-    assert out == "stopped [1] None\n"
+    assert out == "stopped [] None\n"  # programs are carried out whole or not at all
 
 
 def test_a_handler_that_goes_on():

@@ -61,6 +61,7 @@ std::optional<std::pair<double, double>> sides_of(std::string_view word) {
 
 std::vector<std::string> sheet_names() {
   std::vector<std::string> names;
+  names.reserve(std::size(kSheetSizes));
   for (const SheetSize& sheet : kSheetSizes) names.emplace_back(sheet.name);
   return names;
 }

@@ -12,8 +12,7 @@ std::vector<std::string> mesh_extensions() {
   std::vector<std::string> extensions = extensions_read_here();
   std::ranges::move(import_library_extensions(), std::back_inserter(extensions));
   std::ranges::sort(extensions);
-  const auto twice = std::ranges::unique(extensions);
-  extensions.erase(twice.begin(), twice.end());
+  extensions.erase(std::unique(extensions.begin(), extensions.end()), extensions.end());
   return extensions;
 }
 

@@ -82,6 +82,18 @@ LatticeLoops random_loops(std::mt19937& random, int loops, int vertices, std::in
   return boundary_of(spans);
 }
 
+/// Sides that leave a vertex in one direction, one upon another, are paired in the order of their
+/// lengths, however a library sorts equals: triangles that share two vertices are joined in twos.
+TEST(LatticeLoops, SidesUponEachOtherArePairedByLength) {
+  constexpr std::int32_t kTriangles = 20;
+  std::vector<std::vector<LatticePoint>> triangles;
+  for (std::int32_t k = 1; k <= kTriangles; ++k) triangles.push_back({{0, 0}, {k, 0}, {0, 1}});
+  const std::vector<std::span<const LatticePoint>> spans(triangles.begin(), triangles.end());
+  const LatticeLoops boundary = boundary_of(spans);
+  ASSERT_EQ(boundary.size(), std::size_t{kTriangles / 2});
+  for (std::size_t i = 0; i < boundary.size(); ++i) EXPECT_EQ(boundary.loop(i).size(), 4u);
+}
+
 /// Loops that cross each other and themselves, and the least lattices: all the worse than what is
 /// to be expected.
 TEST(CutLoops, PartsAreDisjointAndTogetherWhatThereWas) {

@@ -44,13 +44,14 @@ struct LeavingSide {
   std::size_t side;
 };
 
-/// By the angle from the direction of -x.
+/// By the angle from the direction of -x, and in one direction by the other end.
 bool before_in_angle(const LeavingSide& p, const LeavingSide& q) {
   const auto upper = [](const LeavingSide& s) {
     return s.to.y > s.from.y || (s.to.y == s.from.y && s.to.x > s.from.x);
   };
   if (upper(p) != upper(q)) return upper(q);
-  return turn(p.from, p.to, q.to) > 0;
+  const Wide turned = turn(p.from, p.to, q.to);
+  return turned != 0 ? turned > 0 : p.to < q.to;
 }
 
 /// At each vertex the sides that leave it are paired: neighbours in angle, so that no two pairs

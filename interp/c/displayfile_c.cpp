@@ -156,6 +156,9 @@ DrawOptions draw_options(const df_options& options) {
     constexpr std::uint64_t kMost = std::numeric_limits<std::size_t>::max();
     result.most_pieces = static_cast<std::size_t>(std::min(options.most_pieces, kMost));
   }
+  if (options.first_row != 0 || options.end_row != 0) {
+    result.rows = PictureRows{options.first_row, options.end_row};
+  }
   return result;
 }
 
@@ -167,8 +170,10 @@ int drawn(df_system* system, const df_options* given, Draw&& draw) noexcept {
   std::string wrong;
   try {
     options = known(given, "df_options");
-    if (options.most_seconds < 0.0) throw Error("most_seconds: expected 0 or more");
+    if (!(options.most_seconds >= 0.0)) throw Error("most_seconds: expected 0 or more");
     if (options.most_seconds > 0.0) limits.seconds = options.most_seconds;
+    if (options.most_comparisons != 0) limits.comparisons = options.most_comparisons;
+    if (options.most_bytes != 0) limits.bytes = options.most_bytes;
   } catch (const std::exception& error) {
     return carried_out(system, [&] { throw Error(error.what()); });
   }
@@ -305,11 +310,13 @@ int df_draw(df_system* system, const df_options* options, size_t pixels, uint8_t
             int32_t* ids, double* depth) {
   return drawn(system, options, [&](DrawOptions asked) {
     require_given(rgba, "the pixels' memory");
+    const std::int64_t rows =
+        asked.rows ? std::int64_t{asked.rows->end} - asked.rows->first : asked.height;
     const std::size_t expected =
-        static_cast<std::size_t>(asked.width) * static_cast<std::size_t>(asked.height);
+        static_cast<std::size_t>(asked.width) * static_cast<std::size_t>(rows);
     if (pixels != expected) {
       throw Error(fmt::format("room for {} pixels: expected {}, {} x {}", pixels, expected,
-                              asked.width, asked.height));
+                              asked.width, rows));
     }
     asked.with_ids = ids != nullptr;
     asked.with_depth = depth != nullptr;

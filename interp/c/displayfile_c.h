@@ -103,19 +103,26 @@ typedef struct {
   const char* device;       /* of pixels: "software" or "osmesa" */
   int background;           /* DF_BACKGROUND_... */
   double background_colour[3];
-  int samples;          /* along a pixel's side: 1 */
-  int threads;          /* at most: 1 */
-  uint64_t most_pieces; /* that a sort may cut polygons into */
-  double most_seconds;  /* that one call may take */
+  int samples;               /* along a pixel's side: 1 */
+  int threads;               /* at most: 1 */
+  uint64_t most_pieces;      /* that a sort may cut polygons into */
+  double most_seconds;       /* that one call may take */
+  int first_row, end_row;    /* of pixels: these rows alone, from the top, as they are in the whole;
+                                both 0: all */
+  uint64_t most_comparisons; /* of polygons and lines with each other, that one call may make */
+  uint64_t most_bytes;       /* of memory, that the tables of one operation may take */
 } df_options;
 enum { DF_BACKGROUND_AS_SET = 0, DF_BACKGROUND_SOLID = 1, DF_BACKGROUND_NONE = 2 };
-#define DF_OPTIONS_INIT \
-  { sizeof(df_options), 0, 0, NULL, NULL, NULL, NULL, NULL, 0, {0.0, 0.0, 0.0}, 0, 0, 0, 0.0 }
+#define DF_OPTIONS_INIT                                                                          \
+  {                                                                                              \
+    sizeof(df_options), 0, 0, NULL, NULL, NULL, NULL, NULL, 0, {0.0, 0.0, 0.0}, 0, 0, 0, 0.0, 0, \
+        0, 0, 0                                                                                  \
+  }
 
 /* Options may be null here as below. Into the caller's memory, top row first: rgba has room for
  * 4 * pixels bytes; ids (pick identifier of the fill seen, -1 for none) and depth (minus infinity
  * for none), if not null, for as many numbers. `pixels` is how many there is room for: it must be
- * width times height. */
+ * width times height, or with rows that are said, width times so many. */
 DF_API int df_draw(df_system* system, const df_options* options, size_t pixels, uint8_t* rgba,
                    int32_t* ids, double* depth);
 /* The bytes of a file: "svg", "pdf", "eps", "png" or "ppm". */

@@ -6,7 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include "clip/error.h"
 #include "clip/words.h"
@@ -62,18 +62,28 @@ double number_in(py::handle value, std::string_view what) {
   throw Error(fmt::format("{}: expected a finite number, not {}", what, read));
 }
 
-int whole_number_in(py::handle value, std::string_view what) {
+namespace {
+
+template <class Whole>
+Whole whole_in(py::handle value, std::string_view what) {
   const py::object number = plain(value, what);
   if (PyBool_Check(number.ptr()) || PyLong_Check(number.ptr()) == 0) {
     refuse(number, what, "a whole number");
   }
   int overflow = 0;
   const long long read = PyLong_AsLongLongAndOverflow(number.ptr(), &overflow);
-  using Limits = std::numeric_limits<int>;
-  if (overflow != 0 || read < Limits::min() || read > Limits::max()) {
+  if (overflow != 0 || !std::in_range<Whole>(read)) {
     throw Error(fmt::format("{}: whole number out of range", what));
   }
-  return static_cast<int>(read);
+  return static_cast<Whole>(read);
+}
+
+}  // namespace
+
+int whole_number_in(py::handle value, std::string_view what) { return whole_in<int>(value, what); }
+
+std::uint64_t count_in(py::handle value, std::string_view what) {
+  return whole_in<std::uint64_t>(value, what);
 }
 
 std::string word_in(py::handle value, std::string_view what) {

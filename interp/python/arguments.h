@@ -2,6 +2,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,7 @@ pybind11::object plain(pybind11::handle value, std::string_view what);
 
 double number_in(pybind11::handle value, std::string_view what);  ///< finite
 int whole_number_in(pybind11::handle value, std::string_view what);
+std::uint64_t count_in(pybind11::handle value, std::string_view what);  ///< 0 or more
 std::string word_in(pybind11::handle value, std::string_view what);
 /// A string, bytes or what has __fspath__, as the file system has it.
 std::string path_in(pybind11::handle value, std::string_view what);

@@ -34,25 +34,30 @@ std::optional<ErrorInFile> with_place(const Error& error) {
     const auto line = number_after(message, colon);
     if (!line) continue;
     const auto column = number_after(message, message.find(':', colon + 1));
-    return ErrorInFile(error.what(), std::string(message.substr(0, colon)), *line, column);
+    return ErrorInFile(error, std::string(message.substr(0, colon)), *line, column);
   }
   return std::nullopt;
 }
 
 namespace {
 
-PyObject* error_type = nullptr;  // lives as long as the process
+PyObject* error_type = nullptr;  // they live as long as the process
+PyObject* limit_type = nullptr;
 
 void raise(const Error& error) {
+  const auto* const placed = dynamic_cast<const ErrorInFile*>(&error);
+  const bool is_limit =
+      placed != nullptr ? placed->is_limit : dynamic_cast<const LimitReached*>(&error) != nullptr;
+  PyObject* const type = is_limit ? limit_type : error_type;
   const py::object raised =
-      py::reinterpret_steal<py::object>(PyObject_CallFunction(error_type, "s", error.what()));
+      py::reinterpret_steal<py::object>(PyObject_CallFunction(type, "s", error.what()));
   if (!raised) return;  // what Python raised in its place
-  if (const auto* const placed = dynamic_cast<const ErrorInFile*>(&error)) {
+  if (placed != nullptr) {
     raised.attr("file") = placed->file;
     raised.attr("line") = placed->line;
     raised.attr("column") = placed->column ? py::object(py::int_(*placed->column)) : py::none();
   }
-  PyErr_SetObject(error_type, raised.ptr());
+  PyErr_SetObject(type, raised.ptr());
 }
 
 }  // namespace
@@ -79,6 +84,13 @@ void add_errors(py::module_& module) {
       PyExc_Exception, members.ptr());
   if (error_type == nullptr) throw py::error_already_set();
   module.attr("Error") = py::handle(error_type);
+  limit_type = PyErr_NewExceptionWithDoc("displayfile.LimitReached",
+                                         "An Error: work that would use more than limits allow. "
+                                         "The message says what was reached, and "
+                                         "which method would serve.",
+                                         error_type, nullptr);
+  if (limit_type == nullptr) throw py::error_already_set();
+  module.attr("LimitReached") = py::handle(limit_type);
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);

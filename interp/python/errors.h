@@ -4,19 +4,25 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "clip/error.h"
+#include "clip/work_budget.h"
 
 namespace displayfile::python {
 
 /// An error whose place in a file is known.
 struct ErrorInFile : Error {
-  ErrorInFile(const std::string& message, std::string of_file, int of_line,
-              std::optional<int> of_column)
-      : Error(message), file(std::move(of_file)), line(of_line), column(of_column) {}
+  ErrorInFile(const Error& error, std::string of_file, int of_line, std::optional<int> of_column)
+      : Error(error.what()),
+        file(std::move(of_file)),
+        line(of_line),
+        column(of_column),
+        is_limit(dynamic_cast<const LimitReached*>(&error) != nullptr) {}
   std::string file;
   int line;
   std::optional<int> column;
+  bool is_limit;  ///< it is a LimitReached
 };
 
 /// The error with the place with which the readers of files begin their messages,
@@ -50,7 +56,7 @@ auto reading(const std::string& message, Read&& read) {
   }
 }
 
-/// Adds displayfile.Error to the module, which Error becomes from then on.
+/// Adds displayfile.Error and LimitReached to the module, which those of C++ become from then on.
 void add_errors(pybind11::module_& module);
 
 }  // namespace displayfile::python

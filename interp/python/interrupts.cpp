@@ -3,6 +3,8 @@
 #include <atomic>
 #include <thread>
 
+#include "interp/python/limits.h"
+
 namespace displayfile::python {
 
 namespace {
@@ -35,14 +37,17 @@ bool listen() {
 void remember_main_thread() { main_thread = std::this_thread::get_id(); }
 
 StoppedByInterrupt::StoppedByInterrupt()
-    : listens_(listen()), in_force_(listens_ ? &budget_ : nullptr) {
-  if (listens_) stopped_by_interrupt.store(&budget_);
+    : budget_(budget_of_block() != nullptr ? budget_of_block() : &own_),
+      listens_(listen()),
+      in_force_(budget_) {
+  if (listens_) stopped_by_interrupt.store(budget_);
 }
 
 StoppedByInterrupt::~StoppedByInterrupt() {
   if (!listens_) return;
   sigaction(SIGINT, &of_python, nullptr);
   stopped_by_interrupt.store(nullptr);
+  if (budget_ != &own_ && budget_->is_stopped()) renew_budget_of_block();
 }
 
 }  // namespace displayfile::python

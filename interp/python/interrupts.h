@@ -11,8 +11,9 @@ namespace displayfile::python {
 /// To be called when the module is imported, by the thread on which Python handles signals.
 void remember_main_thread();
 
-/// While it lives, an interrupt from the keyboard (SIGINT) stops the work of this thread by
-/// LimitReached, beside what Python does with it. On the main thread alone, where Python raises
+/// While it lives, the work of this thread has the limits of the block in which it is called
+/// (interp/python/limits.h), and an interrupt from the keyboard (SIGINT) stops it by LimitReached,
+/// beside what Python does with it. The latter on the main thread alone, where Python raises
 /// KeyboardInterrupt.
 class StoppedByInterrupt {
  public:
@@ -21,10 +22,11 @@ class StoppedByInterrupt {
   StoppedByInterrupt(const StoppedByInterrupt&) = delete;
   StoppedByInterrupt& operator=(const StoppedByInterrupt&) = delete;
 
-  bool interrupted() const { return listens_ && budget_.is_stopped(); }
+  bool interrupted() const { return listens_ && budget_->is_stopped(); }
 
  private:
-  WorkBudget budget_;
+  WorkBudget own_;
+  WorkBudget* budget_;  ///< its own, or the block's
   bool listens_;
   BudgetInForce in_force_;
 };

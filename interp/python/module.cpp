@@ -4,6 +4,7 @@
 #include "hidden/hidden_method.h"
 #include "interp/python/errors.h"
 #include "interp/python/interrupts.h"
+#include "interp/python/limits.h"
 #include "interp/python/pieces.h"
 #include "interp/python/system.h"
 
@@ -52,6 +53,7 @@ PYBIND11_MODULE(_displayfile, module) {
   add_pictures(system);
   add_turntable(module, system);
   add_polygons(module);
+  add_limits(module);
   module.def("user_routines", names_of_routines,
              "user_routines()\n--\n\n"
              "The names of all user routines, as methods of System are called.");

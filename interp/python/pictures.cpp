@@ -31,22 +31,26 @@ namespace py = pybind11;
 
 namespace {
 
+Colour colour_in(py::handle value, std::string_view what) {
+  const std::vector<double> colour = numbers_in(value, what);
+  if (colour.size() != 3) {
+    throw Error(
+        fmt::format("{}: expected red, green and blue, not {} numbers", what, colour.size()));
+  }
+  for (const double part : colour) {
+    if (!(part >= 0.0 && part <= 1.0)) {
+      throw Error(fmt::format("{}: colour component {}: expected 0 to 1", what, part));
+    }
+  }
+  return {colour[0], colour[1], colour[2]};
+}
+
 Background background_in(py::handle value) {
   if (PyUnicode_Check(value.ptr()) != 0) {
     if (word_in(value, "background") == "none") return {Background::Kind::none};
     throw Error("background: expected red, green and blue, or 'none'");
   }
-  const std::vector<double> colour = numbers_in(value, "background");
-  if (colour.size() != 3) {
-    throw Error(
-        fmt::format("background: expected red, green and blue, not {} numbers", colour.size()));
-  }
-  for (const double part : colour) {
-    if (!(part >= 0.0 && part <= 1.0)) {
-      throw Error(fmt::format("background: colour component {}: expected 0 to 1", part));
-    }
-  }
-  return {Background::Kind::solid, {colour[0], colour[1], colour[2]}};
+  return {Background::Kind::solid, colour_in(value, "background")};
 }
 
 PictureRows rows_in(py::handle value) {
@@ -55,6 +59,32 @@ PictureRows rows_in(py::handle value) {
     throw Error(fmt::format("rows: expected the first and the end, not {} numbers", rows.size()));
   }
   return {rows[0], rows[1]};
+}
+
+/// A spacing, or a dictionary of spacing, angle, cross, colour and width.
+Hatching hatching_in(py::handle value) {
+  Hatching hatching;
+  if (!PyDict_Check(value.ptr())) {
+    hatching.spacing = number_in(value, "hatch");
+    return hatching;
+  }
+  for (const auto& [key, part] : py::reinterpret_borrow<py::dict>(value)) {
+    const std::string name = word_in(key, "hatch");
+    if (name == "spacing") {
+      hatching.spacing = number_in(part, "spacing");
+    } else if (name == "angle") {
+      hatching.angle = number_in(part, "angle");
+    } else if (name == "cross") {
+      hatching.cross = switch_in(part, "cross");
+    } else if (name == "colour") {
+      hatching.colour = colour_in(part, "colour");
+    } else if (name == "width") {
+      hatching.width = number_in(part, "width");
+    } else {
+      throw Error(fmt::format("hatch: {}: expected spacing, angle, cross, colour and width", name));
+    }
+  }
+  return hatching;
 }
 
 Seams seams_in(std::string_view word) {
@@ -90,6 +120,23 @@ const std::map<std::string_view, Read>& readers() {
       {"depth", [](py::handle v, DrawOptions& o) { o.with_depth = switch_in(v, "depth"); }},
       {"paper",
        [](py::handle v, DrawOptions& o) { o.vectors.paper = paper_of(word_in(v, "paper")); }},
+      {"pens",
+       [](py::handle v, DrawOptions& o) {
+         if (switch_in(v, "pens") && !o.pens) o.pens.emplace();
+       }},
+      {"hatch",
+       [](py::handle v, DrawOptions& o) {
+         o.pens = Pens{.hatching = hatching_in(v)};
+         require_pens(*o.pens);
+       }},
+      {"margin",
+       [](py::handle v, DrawOptions& o) {
+         if (!o.vectors.paper && !o.pens) {
+           throw Error("margin: expected it with paper, pens or hatch");
+         }
+         if (!o.vectors.paper) o.vectors.paper.emplace();
+         o.vectors.paper->margin = number_in(v, "margin");
+       }},
       {"vector_precision",
        [](py::handle v, DrawOptions& o) {
          o.vectors.precision = number_in(v, "vector_precision");
@@ -127,13 +174,17 @@ void read_size(py::handle size, DrawOptions& options) {
 DrawOptions draw_options_in(py::handle size, const py::kwargs& said) {
   DrawOptions options;
   read_size(size, options);
-  for (const auto& [key, value] : said) {
-    if (value.is_none()) continue;
-    const std::string name = word_in(key, "option");
-    const auto reader = readers().find(name);
-    if (reader == readers().end()) throw Error(fmt::format("unknown option {}", name));
-    reader->second(value, options);
-  }
+  const auto read = [&](bool margins) {
+    for (const auto& [key, value] : said) {
+      if (value.is_none()) continue;
+      const std::string name = word_in(key, "option");
+      const auto reader = readers().find(name);
+      if (reader == readers().end()) throw Error(fmt::format("unknown option {}", name));
+      if ((name == "margin") == margins) reader->second(value, options);
+    }
+  };
+  read(false);
+  read(true);  // the paper is known by then
   return options;
 }
 

@@ -93,10 +93,25 @@ void call_routine(System& self, const UserRoutine& routine, const py::args& argu
   self.work([&](GraphicsSystem& system, Renderer&) { call(system); });
 }
 
+/// In lines that fit on a terminal.
+std::string wrapped(const std::string& text) {
+  constexpr std::size_t kWidth = 88;
+  std::string lines = text;
+  std::size_t begin = 0, blank = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (i - begin > kWidth && blank > begin) {
+      lines[blank] = '\n';
+      begin = blank + 1;
+    }
+    if (lines[i] == ' ') blank = i;
+  }
+  return lines;
+}
+
 void add_routine(SystemClass& system, const UserRoutine& routine) {
   const std::string name = python_name(routine.name);
   const std::string what = fmt::format(
-      "{}($self, /, *arguments)\n--\n\n{}\n\n{}", name, in_python(routine.meaning),
+      "{}($self, /, *arguments)\n--\n\n{}\n\n{}", name, wrapped(in_python(routine.meaning)),
       routine.expected.empty() ? "No arguments." : fmt::format("Arguments: {}.", routine.expected));
   system.def(
       name.c_str(),

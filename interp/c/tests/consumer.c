@@ -113,6 +113,43 @@ static void test_pictures(void) {
   df_destroy(system);
 }
 
+/* Rows of a picture, and what a call may use at most. */
+static void test_rows_and_limits(void) {
+  enum { kSide = 12, kRows = 3 };
+  static uint8_t whole[4 * kSide * kSide], part[4 * kSide * kRows];
+  df_options options = DF_OPTIONS_INIT;
+  df_system* system = df_create();
+  DO(system, df_replay(system, kProgram, sizeof kProgram - 1, "squares.draw"));
+  options.width = options.height = kSide;
+  options.method = "z-buffer";
+  DO(system, df_draw(system, &options, kSide * kSide, whole, NULL, NULL));
+  options.first_row = 5;
+  options.end_row = 5 + kRows;
+  DO(system, df_draw(system, &options, kSide * kRows, part, NULL, NULL));
+  EXPECT(memcmp(part, whole + 4 * 5 * kSide, sizeof part) == 0);
+  REFUSED(system, df_draw(system, &options, kSide * kSide, whole, NULL, NULL), "expected 36");
+  options.first_row = -1;
+  options.end_row = 2147483647;
+  REFUSED(system, df_draw(system, &options, kSide, part, NULL, NULL), "room for");
+  options.first_row = 8;
+  options.end_row = kSide + 1;
+  REFUSED(system, df_draw(system, &options, 5 * kSide, whole, NULL, NULL), "rows 8 up to 13");
+  options.first_row = options.end_row = 0;
+  options.method = "bsp";
+  DO(system, df_call(system, "open-segment", "9"));
+  DO(system, df_call(system, "sphere-3", "0 0 0 1 64"));
+  DO(system, df_call(system, "close-segment", NULL));
+  options.most_comparisons = 1;
+  REFUSED(system, df_draw(system, &options, kSide * kSide, whole, NULL, NULL), "1 comparisons");
+  options.most_comparisons = 0;
+  options.most_bytes = 1;
+  REFUSED(system, df_draw(system, &options, kSide * kSide, whole, NULL, NULL), "limit is 1");
+  options.most_bytes = 0;
+  options.most_seconds = NAN;
+  REFUSED(system, df_draw(system, &options, kSide * kSide, whole, NULL, NULL), "most_seconds");
+  df_destroy(system);
+}
+
 static void test_pieces(void) {
   df_options options = DF_OPTIONS_INIT;
   df_pieces pieces;
@@ -336,6 +373,7 @@ int main(int argc, char** argv) {
   }
   test_routines();
   test_pictures();
+  test_rows_and_limits();
   test_pieces();
   test_meshes();
   test_errors();

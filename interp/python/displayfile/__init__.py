@@ -5,7 +5,8 @@ visible_pieces and visible_lines take polygons as arrays and return arrays, for 
 draw by themselves.
 """
 
-from ._displayfile import Error, __version__, methods, user_routines
+from ._displayfile import Error, LimitReached, __version__, methods, user_routines
+from ._limits import limits
 from ._polygons import (
     PolygonPieces,
     VisibleLines,
@@ -20,6 +21,7 @@ from ._turntable import Turntable
 
 __all__ = [
     "Error",
+    "LimitReached",
     "Pick",
     "Picture",
     "Pieces",
@@ -29,6 +31,7 @@ __all__ = [
     "VisibleLines",
     "VisiblePieces",
     "__version__",
+    "limits",
     "methods",
     "sort",
     "user_routines",

@@ -456,10 +456,19 @@ class System(_displayfile.System):
             path: Where to; its name ends in .svg, .pdf, .eps, .png or .ppm.
             size: (width, height) in pixels, of PDF and EPS in points; or one number for both.
             format: One of these, such as "svg", in place of the name's.
-            options: Those of draw but ids and depth; and for vectors paper ("A4", "letter" and
-                others), vector_precision (to what part of a pixel vertices are rounded, 0.01), seams
-                ("trapped", or "butted" for smaller files) and pick_ids (True: each pick identifier is
-                an element with a title).
+            options: Those of draw but ids and depth; and for vectors these:
+            paper: A sheet on which the picture lies, as large as fits: "A4", "letter" and others, or
+                "WIDTHxHEIGHT" in mm.
+            margin: Around it, in mm: 10.
+            vector_precision: To what part of a pixel vertices are rounded, 0.001 to 1: 0.01.
+            seams: "trapped", or "butted" for smaller files, in which what is behind may show between
+                neighbours.
+            pick_ids: True: each pick identifier is an element of its own with a title, in SVG.
+            pens: True: strokes alone, none twice, in layers by pen and in an order with little
+                travel, for plotters and lasers; on A4 unless another paper is said.
+            hatch: pens, with fills as parallel lines: so many mm apart where a fill is darkest; or a
+                dictionary of spacing, angle (45 degrees), cross (True: dark fills get lines at right
+                angles too), colour and width (0.3 mm).
 
         Raises:
             Error: An option out of its range, an unknown format, or a file that cannot be written.

@@ -50,7 +50,12 @@ FILES = {  # that random_calls.py names
 # What random_calls.py has of calls that do not fit a method: Python itself refuses them.
 OF_PYTHON = (TypeError, AttributeError)
 NOT_CALLED_SO = ("g.mesh()", "(x=1)", "no_routine", "8, 8, 8", "polygons()", "draw(5)", "sort()")
-NOT_CALLED_SO += ("pick('x')", "unexpected keyword argument", "required positional argument")
+NOT_CALLED_SO += (
+    "pick('x')",
+    "unexpected keyword argument",
+    "required positional argument",
+    "required keyword-only",
+)
 
 
 class Failed(Exception):
@@ -69,9 +74,9 @@ def arguments_of(*arguments: Any, **named: Any) -> Any:
     return arguments, named
 
 
-def called(text: str, system: System) -> Any:
+def called(text: str, system: System, **others: Any) -> Any:
     """What a call returns. An argument that Python cannot even make is handed over as its error."""
-    names = {**vars(hostile), "displayfile": displayfile, "g": system, "of": arguments_of}
+    names = {**vars(hostile), "displayfile": displayfile, "g": system, "of": arguments_of, **others}
     tree = ast.parse(text, mode="eval")
     if not isinstance(tree.body, ast.Call):
         return eval(text, names)
@@ -84,10 +89,10 @@ def called(text: str, system: System) -> Any:
     return function(*arguments, **named)
 
 
-def outcome(text: str, system: System) -> tuple[Any, BaseException | None]:
+def outcome(text: str, system: System, **others: Any) -> tuple[Any, BaseException | None]:
     """What a call returns, or else what it raises; if it may."""
     try:
-        return called(text, system), None
+        return called(text, system, **others), None
     except (Error, hostile.Hostile) as error:
         if not str(error):
             raise Failed("an error without a message") from error
@@ -151,7 +156,7 @@ def run_with_a_twin(calls: list[str], options: dict[str, Any]) -> None:
         value, error = outcome(text, system)
         # What an argument called meanwhile was done, even if the call was refused.
         if error is None or "asked(" in text:
-            of_twin, error_of_twin = outcome(text, twin)
+            of_twin, error_of_twin = outcome(text, twin, limited=hostile.unlimited)
             if str(error) != str(error_of_twin):
                 raise Failed(f"{error!r}, and of the twin: {error_of_twin!r}")
             if not same(value, of_twin):

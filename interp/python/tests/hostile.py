@@ -17,13 +17,13 @@ from typing import Any, Callable
 
 import numpy as np
 
-from displayfile import Error
+from displayfile import Error, limits
 
 nan, inf = float("nan"), float("inf")
 
 __all__ = [
     "Fresh", "Hostile", "Wrong", "array", "as_array", "asked", "clearing", "collections", "ctypes",
-    "dead", "decimal", "fortran", "fractions", "generator", "inf", "liar", "nan", "np", "odd_float",
+    "dead", "decimal", "fortran", "fractions", "generator", "inf", "liar", "limited", "nan", "np", "odd_float",
     "odd_int", "odd_list", "odd_str", "os", "pathlib", "raising", "read_only", "released",
     "shrinking", "strided", "swapped", "unaligned",
 ]  # fmt: skip
@@ -160,6 +160,15 @@ def liar(value: Any) -> Any:
             return self if value is None else value
 
     return Liar()
+
+
+def limited(call: Callable[..., Any], *arguments: Any, most: Any, **named: Any) -> Any:
+    with limits(**most):
+        return call(*arguments, **named)
+
+
+def unlimited(call: Callable[..., Any], *arguments: Any, most: Any, **named: Any) -> Any:
+    return call(*arguments, **named)
 
 
 def dead() -> Any:

@@ -84,8 +84,9 @@ class RandomCalls:
             self.entered_as_text,
             self.of_polygons,
             self.wrong_call,
+            self.limited,
         ]
-        return self.random.choices(kinds, (10, 4, 3, 6, 4, 1, 2, 0.5))[0]()
+        return self.random.choices(kinds, (10, 4, 3, 6, 4, 1, 2, 0.5, 2))[0]()
 
     # ---- User routines -------------------------------------------------------------------
 
@@ -445,6 +446,16 @@ class RandomCalls:
             + [f"displayfile.visible_pieces({polygons}{self.any_of(options)})"]
             + [f"displayfile.visible_lines({polygons}{self.any_of(lines)})"]
         )
+
+    def limited(self) -> str:
+        call = self.random.choice([self.mesh, self.surface, self.drawn, self.of_polygons])()
+        if self.chance(50) or "_repr_" in call:  # which tells no Error
+            call = self.any_of(["g.close_segment()", "g.import_mesh('some.obj')"])
+        function, arguments = call[:-1].split("(", 1)
+        wrong = ["-1", "nan", "1.5", "None", "True", "'1'", "2**70", "Wrong()", "odd_int(3)"]
+        number = self.any_of(wrong if self.chance(20) else ["0", "0", "3", "10**6"])
+        limit = self.any_of(["pieces", "comparisons", "bytes", "seconds"])
+        return f"limited({function}, {arguments + ', ' if arguments else ''}most={{'{limit}': {number}}})"
 
     def wrong_call(self) -> str:
         """What Python itself refuses."""

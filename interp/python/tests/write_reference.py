@@ -1,0 +1,183 @@
+"""Writes reference.md from the docstrings of the package.
+
+    python3 interp/python/tests/write_reference.py [FILE]
+"""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import re
+import sys
+import textwrap
+from pathlib import Path
+from typing import Any, Iterator
+
+import displayfile
+from displayfile import _displayfile, matplotlib
+
+PAGE = Path(__file__).resolve().parents[1] / "reference.md"
+WIDTH = 120
+BEGIN = """# Reference
+
+`tests/write_reference.py` writes this page from the docstrings of the package, which `help()` shows too.
+[README.md](README.md) says how to begin.
+"""
+
+
+# ---- Docstrings --------------------------------------------------------------------------
+
+
+def docstring_of(thing: Any) -> str:
+    docstring = inspect.getdoc(thing)
+    if not docstring:
+        raise ValueError(f"{thing!r} has no docstring")
+    return docstring
+
+
+def sections_of(docstring: str) -> dict[str, str]:
+    """What stands before all sections, under "", and what stands in each."""
+    sections = {"": ""}
+    name = ""
+    for line in docstring.splitlines():
+        heading = re.fullmatch(r"(Args|Returns|Raises):", line)
+        if heading is not None:
+            name = heading[1]
+        else:
+            sections[name] = sections.get(name, "") + line + "\n"
+    return {name: textwrap.dedent(text).strip() for name, text in sections.items()}
+
+
+def entries_of(section: str) -> Iterator[tuple[str, str]]:
+    """The names in a section, and what is said of each: lines that are indented go on."""
+    for entry in re.split(r"\n(?! )", section):
+        name, _, text = entry.partition(":")
+        yield name, " ".join(text.split())
+
+
+def fields_of(kind: type) -> Iterator[tuple[str, str, str]]:
+    """Names, types and docstrings of members: those that stand below them."""
+    body = ast.parse(textwrap.dedent(inspect.getsource(kind))).body[0]
+    assert isinstance(body, ast.ClassDef)
+    for member, below in zip(body.body, body.body[1:]):
+        if isinstance(member, ast.AnnAssign):
+            assert isinstance(below, ast.Expr) and isinstance(below.value, ast.Constant), member
+            of = ast.unparse(member.annotation)
+            array = re.match(r"npt\.NDArray\[np\.(\w+)\]", of)
+            yield ast.unparse(member.target), array[1].rstrip(
+                "_"
+            ) if array else of, below.value.value
+
+
+# ---- Markdown ----------------------------------------------------------------------------
+
+
+def wrapped(text: str, first: str = "", others: str = "") -> str:
+    return textwrap.fill(
+        " ".join(text.split()),
+        WIDTH,
+        initial_indent=first,
+        subsequent_indent=others,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+
+
+def paragraphs(text: str) -> str:
+    return "\n\n".join(wrapped(paragraph) for paragraph in text.split("\n\n"))
+
+
+def listed(entries: Iterator[tuple[str, str]]) -> str:
+    return "\n".join(wrapped(f"**{name}**: {text}", "- ", "  ") for name, text in entries)
+
+
+def signature_of(function: Any, name: str) -> str:
+    """As it is called: without self and without types."""
+    signature = inspect.signature(function)
+    shown = [
+        parameter.replace(annotation=parameter.empty)
+        for parameter in signature.parameters.values()
+        if parameter.name != "self"
+    ]
+    text = str(signature.replace(parameters=shown, return_annotation=signature.empty))
+    return textwrap.fill(
+        name + text, WIDTH - 4, initial_indent="    ", subsequent_indent=" " * (5 + len(name))
+    )
+
+
+def function(thing: Any, name: str) -> str:
+    sections = sections_of(docstring_of(thing))
+    said = [parameter for parameter in inspect.signature(thing).parameters if parameter != "self"]
+    described = [name for name, _ in entries_of(sections["Args"])] if "Args" in sections else []
+    if described[: len(said)] != said or (described != said and said[-1] != "options"):
+        raise ValueError(f"{name}: parameters {said}, but described are {described}")
+    parts = [signature_of(thing, name), paragraphs(sections[""])]
+    if "Args" in sections:
+        parts.append(listed(entries_of(sections["Args"])))
+    if "Returns" in sections:
+        parts.append(wrapped(f"Returns: {sections['Returns']}"))
+    if "Raises" in sections:
+        parts += [
+            wrapped(f"Raises {name}: {text}") for name, text in entries_of(sections["Raises"])
+        ]
+    return "\n\n".join(parts)
+
+
+def with_fields(kind: type) -> str:
+    entries = ((f"{name}** ({of})", text) for name, of, text in fields_of(kind))
+    fields = "\n".join(wrapped(f"**{entry}: {text}", "- ", "  ") for entry, text in entries)
+    return f"### {kind.__name__}\n\n{paragraphs(docstring_of(kind))}\n\n{fields}"
+
+
+def members_of(kind: type) -> Iterator[str]:
+    """Methods and properties, in the order of the source."""
+    for name, member in vars(kind).items():
+        if isinstance(member, property):
+            yield f"### {name}\n\n{paragraphs(docstring_of(member))}"
+        elif not name.startswith("_") and callable(member):
+            yield f"### {name}\n\n{function(member, name)}"
+
+
+def user_routines() -> Iterator[str]:
+    before = None
+    for name, arguments, meaning, section in _displayfile._table_of_routines():
+        if section != before:
+            yield f"\n### {section}\n\n| routine | arguments | meaning |\n|---|---|---|"
+        before = section
+        words = f"`{arguments}`".replace("|", "\\|") if arguments else ""
+        yield f"| `{name}` | {words} | {meaning} |"
+
+
+def page() -> str:
+    tuples = [displayfile.Picture, displayfile.Pick, displayfile.Pieces]
+    tuples += [displayfile.PolygonPieces, displayfile.VisiblePieces, displayfile.VisibleLines]
+    functions = [displayfile.sort, displayfile.visible_pieces, displayfile.visible_lines]
+    functions += [displayfile.methods, displayfile.user_routines]
+    system = docstring_of(displayfile.System)
+    parts = [BEGIN.strip(), "## System", paragraphs(system), "### System"]
+    parts.append(function(displayfile.System.__init__, "System"))
+    parts += members_of(displayfile.System)
+    parts += ["## User routines", paragraphs(ROUTINES), "\n".join(user_routines()).strip()]
+    parts.append("## Functions")
+    parts += [f"### {f.__name__}\n\n{function(f, f.__name__)}" for f in functions]
+    parts.append("## What they return")
+    parts += [with_fields(kind) for kind in tuples]
+    parts += ["## Limits", "### limits", paragraphs(docstring_of(displayfile.limits))]
+    parts.append(function(displayfile.limits.__init__, "limits"))
+    parts += ["## Errors", "### Error", paragraphs(docstring_of(displayfile.Error))]
+    parts += ["### LimitReached", paragraphs(docstring_of(displayfile.LimitReached))]
+    parts += ["## displayfile.matplotlib", paragraphs(docstring_of(matplotlib))]
+    parts.append(f"### exact\n\n{function(matplotlib.exact, 'exact')}")
+    parts.append(with_fields(matplotlib.Exact))
+    parts += members_of(matplotlib.Exact)
+    return "\n\n".join(parts) + "\n"
+
+
+ROUTINES = """Each is a method of System. Arguments stand in the order of the table; what stands in brackets
+may be left out, and words are strings: set_line_style("dashed", 1, 0, 0, 2). Where a row says x y z ...,
+any number of points may be given, as numbers, sequences or arrays. Values in brackets in a meaning are in
+force if nothing is said."""
+
+
+if __name__ == "__main__":
+    (Path(sys.argv[1]) if len(sys.argv) > 1 else PAGE).write_text(page())

@@ -158,6 +158,8 @@ def page() -> str:
     parts.append(function(displayfile.System.__init__, "System"))
     parts += members_of(displayfile.System)
     parts += ["## User routines", paragraphs(ROUTINES), "\n".join(user_routines()).strip()]
+    parts += ["## Turntable", paragraphs(docstring_of(displayfile.Turntable))]
+    parts += members_of(displayfile.Turntable)
     parts.append("## Functions")
     parts += [f"### {f.__name__}\n\n{function(f, f.__name__)}" for f in functions]
     parts.append("## What they return")

@@ -47,12 +47,9 @@ auto without_interpreter(Work&& work) {
         interrupted = stopped.interrupted();
         throw;
       }
-    } catch (const LimitReached&) {
+    } catch (const Error&) {
       if (!interrupted) throw;
       if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
-    } catch (const Error&) {  // with its place in a file, what was before it stands
-      if (interrupted && PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
-      throw;
     }
   }
 }

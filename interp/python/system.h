@@ -68,7 +68,7 @@ class System {
     return call([&](GraphicsSystem&) { return recording_.str(); });
   }
 
-  /// Of the view that was fitted to imported meshes, for a turntable.
+  /// What a turntable asks of the view that was fitted to imported meshes.
   struct Fitted {
     Point3 axis;     ///< that is up
     bool to_window;  ///< the window was fitted, not an angle of view

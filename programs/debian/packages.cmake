@@ -62,7 +62,7 @@ set(CPACK_DEBIAN_BENCH_PACKAGE_DEPENDS "displayfile ${same}")
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SUGGESTS "displayfile-bench ${same}")
 # The program that reads foreign formats is in the command's package.
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS displayfile)
-set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "displayfile, python3-matplotlib")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "displayfile, python3-matplotlib, python3-dask, python3-distributed")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} ${same}")
 if(DISPLAYFILE_PYTHON)

@@ -1,10 +1,11 @@
 """A display-file 3D graphics system with exact hidden surfaces, in pixels and vectors.
 
-System has every user routine of drawing programs under its name, and draws. sort,
-visible_pieces and visible_lines take polygons as arrays and return arrays, for programs that
-draw by themselves.
+System has every user routine of drawing programs under its name, and draws; a PicklableSystem can
+be sent to other processes. sort, visible_pieces and visible_lines take polygons as arrays and return
+arrays, for programs that draw by themselves.
 """
 
+from ._calls import Calls, PicklableSystem
 from ._displayfile import Error, LimitReached, __version__, methods, user_routines
 from ._limits import limits
 from ._polygons import (
@@ -20,10 +21,12 @@ from ._system import Pick, Pieces, System
 from ._turntable import Turntable
 
 __all__ = [
+    "Calls",
     "Error",
     "LimitReached",
     "Pick",
     "Picture",
+    "PicklableSystem",
     "Pieces",
     "PolygonPieces",
     "System",

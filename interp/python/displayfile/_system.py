@@ -97,6 +97,11 @@ class System(_displayfile.System):
         if lines is not None:
             self._replace_lines(lines)
 
+    def __reduce__(self) -> typing.Any:
+        raise _displayfile.Error(
+            "a System is not pickled or copied: expected a PicklableSystem, which keeps its calls"
+        )
+
     # ---- What is entered -----------------------------------------------------------------
 
     def mesh(

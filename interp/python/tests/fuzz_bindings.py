@@ -132,6 +132,8 @@ def options_of(seed: int) -> dict[str, Any]:
         options["aspect"] = choose.choice([0.5, 4 / 3, 2])
     if choose.random() < 0.2:
         options["lines"] = choose.choice(["outline", "outline,crease", "all", "intersection"])
+    if choose.random() < 0.5:
+        options["retain"] = True
     return options
 
 

@@ -25,7 +25,7 @@ __all__ = [
     "Fresh", "Hostile", "Wrong", "array", "as_array", "asked", "clearing", "collections", "ctypes",
     "dead", "decimal", "fortran", "fractions", "generator", "inf", "liar", "limited", "nan", "np", "odd_float",
     "odd_int", "odd_list", "odd_str", "os", "pathlib", "raising", "read_only", "released",
-    "shrinking", "strided", "swapped", "unaligned",
+    "shrinking", "strided", "swapped", "unaligned", "view_drawn", "views_saved",
 ]  # fmt: skip
 
 
@@ -240,3 +240,14 @@ def released(values: Any) -> Any:
     view = memoryview(np.array(values))
     view.release()
     return view
+
+
+# ---- Two calls in one ------------------------------------------------------------------------
+
+
+def view_drawn(system: Any, view: Any, *turned: Any, **named: Any) -> Any:
+    return system.turntable(*turned, **named).draw(view)
+
+
+def views_saved(system: Any, path: Any, views: Any, *turned: Any, **named: Any) -> Any:
+    return system.turntable(*turned, **named).save(path, views)

@@ -330,7 +330,17 @@ class RandomCalls:
             [f"g.replay('{program}')", f"g.replay('{program}', 'a:1:2: b')", "g.replay(b'x')"]
             + [f"g.replay_file({self.path()})", f"g.import_mesh({self.path()})"]
             + [f"g.import_mesh({self.path()}, colour={self.colour_or_word()})"]
+            + [f"g.import_mesh({self.path()}, {self.camera()})"]
         )
+
+    def camera(self) -> str:
+        """What must not be said together is said together now and then."""
+        some = [f"eye={self.point(2)}", f"eye={self.point(3)}", f"eye={self.hostile('[0, 0, 0]')}"]
+        some += [f"look_at={self.point(3)}", f"fov={self.number()}", "fov=30", "parallel=True"]
+        some += ["up='z'", "up='-x'", "up='auto'", "up='w'", "up=5", "fit=False", "fit=nan"]
+        some += ["turning=True", "turning='x'"]
+        by_name = {option.split("=", 1)[0]: option for option in self.random.choices(some, k=2)}
+        return ", ".join(by_name.values())
 
     def path(self) -> str:
         return self.any_of(
@@ -404,7 +414,19 @@ class RandomCalls:
         by_name = {option.split("=", 1)[0]: option for option in some}
         return "".join(f", {option}" for option in by_name.values())
 
+    def turned(self) -> str:
+        said = ["", ", hidden='z-buffer'", ", hidden='franklin'", ", hidden='world-ray-cast'"]
+        said += [", fit=True", f", axis={self.array(self.point(3))}", f", fit={self.number()}"]
+        views = self.number() if self.chance(10) else self.any_of(["1", "3", "np.int8(4)"])
+        view = self.number() if self.chance(10) else self.any_of(["0", "0", "1", "2"])
+        turned = f"{views}, {self.size()}{self.any_of(said)}{self.options(False)}"
+        if self.chance(10):
+            return f"views_saved(g, {self.path()}, {self.point(2)}, {turned})"
+        return f"view_drawn(g, {view}, {turned})"
+
     def drawn(self) -> str:
+        if self.chance(15):
+            return self.turned()
         size = self.size()
         if self.chance(50):
             return f"g.draw({size}{self.options(False)})"

@@ -7,6 +7,7 @@ import inspect
 import pytest
 
 pytest.importorskip("matplotlib", reason="matplotlib is not installed")
+pytest.importorskip("distributed", reason="distributed is not installed")
 
 import displayfile  # noqa: E402
 import write_reference  # noqa: E402

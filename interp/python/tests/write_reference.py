@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any, Iterator
 
 import displayfile
-from displayfile import _displayfile, matplotlib
+from displayfile import _displayfile, dask, matplotlib
 
 PAGE = Path(__file__).resolve().parents[1] / "reference.md"
 WIDTH = 120
@@ -160,6 +160,11 @@ def page() -> str:
     parts += ["## User routines", paragraphs(ROUTINES), "\n".join(user_routines()).strip()]
     parts += ["## Turntable", paragraphs(docstring_of(displayfile.Turntable))]
     parts += members_of(displayfile.Turntable)
+    parts += ["## PicklableSystem", paragraphs(docstring_of(displayfile.PicklableSystem))]
+    calls = displayfile.PicklableSystem.calls  # else it has the members of System
+    parts.append(f"### calls\n\n{paragraphs(docstring_of(calls))}")
+    parts += ["## Calls", paragraphs(docstring_of(displayfile.Calls))]
+    parts += members_of(displayfile.Calls)
     parts.append("## Functions")
     parts += [f"### {f.__name__}\n\n{function(f, f.__name__)}" for f in functions]
     parts.append("## What they return")
@@ -168,6 +173,9 @@ def page() -> str:
     parts.append(function(displayfile.limits.__init__, "limits"))
     parts += ["## Errors", "### Error", paragraphs(docstring_of(displayfile.Error))]
     parts += ["### LimitReached", paragraphs(docstring_of(displayfile.LimitReached))]
+    parts += ["## displayfile.dask", paragraphs(docstring_of(dask))]
+    for name in dask.__all__:
+        parts.append(f"### dask.{name}\n\n{function(getattr(dask, name), name)}")
     parts += ["## displayfile.matplotlib", paragraphs(docstring_of(matplotlib))]
     parts.append(f"### exact\n\n{function(matplotlib.exact, 'exact')}")
     parts.append(with_fields(matplotlib.Exact))

@@ -1,0 +1,175 @@
+"""A system that can be sent to another process: by the calls that entered what is in it.
+
+System.recording is a drawing program. It has a mesh polygon by polygon, and neither the shape of
+pictures nor which axis was up in a view that was fitted. Calls have arrays and paths, as they were
+given.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import os
+import threading
+import typing
+
+from . import _displayfile
+from ._displayfile import Error
+from ._system import System
+
+_ENTERING = (
+    *_displayfile.user_routines(),
+    *("mesh", "surface", "replay", "replay_file", "import_mesh", "set_aspect_ratio", "record"),
+)
+_OF_FILES = ("import_mesh", "replay_file")
+_DEEPEST = 32  # that sequences stand in each other
+
+
+class _Call(typing.NamedTuple):
+    routine: str
+    arguments: tuple[typing.Any, ...]
+    said: dict[str, typing.Any]
+
+
+class Calls:
+    """What was entered into a system, call by call. It can be pickled.
+
+    What was read from files is not in it, but their paths: they are read again.
+    """
+
+    def __init__(self, said: dict[str, typing.Any], calls: tuple[_Call, ...]) -> None:
+        """For PicklableSystem.calls, which makes it."""
+        self._said = said
+        self._calls = calls
+
+    def system(self, *, retain: bool | None = None) -> System:
+        """Make a system, and call all that was called.
+
+        Args:
+            retain: As in System; as the system had it if it is not said.
+
+        Returns:
+            The system.
+
+        Raises:
+            Error: A file that is no longer what it was.
+        """
+        said = self._said if retain is None else {**self._said, "retain": retain}
+        return self._entered_into(System(**said))
+
+    def _entered_into(self, system: System) -> System:
+        # A subclass may have routines of its own under these names, which call them.
+        kind = PicklableSystem if isinstance(system, PicklableSystem) else System
+        for routine, arguments, said in self._calls:
+            getattr(kind, routine)(system, *arguments, **said)
+        return system
+
+    @property
+    def nbytes(self) -> int:
+        """The bytes of the arrays and texts in it."""
+        return sum(
+            _bytes_of(call.arguments) + _bytes_of(tuple(call.said.values())) for call in self._calls
+        )
+
+
+class PicklableSystem(System):
+    """A System that can be pickled and copied: it keeps the calls that entered what is in it.
+
+    Arrays that are entered are copied. Meshes and programs in files are read again, by their
+    paths, where it is unpickled.
+    """
+
+    def __init__(
+        self,
+        *,
+        aspect: float | None = None,
+        lines: str | None = None,
+        retain: bool = False,
+    ) -> None:
+        """Make an empty system.
+
+        Args:
+            aspect: As in System.
+            lines: As in System.
+            retain: As in System.
+        """
+        super().__init__(aspect=aspect, lines=lines, retain=retain)
+        self._said = {"aspect": aspect, "lines": lines, "retain": retain}
+        self._noted: list[_Call] = []
+        self._calls: Calls | None = None
+        self._in_turn = threading.RLock()
+        self._is_known = True
+
+    @property
+    def calls(self) -> Calls:
+        """What was called up to now: the same Calls until more is entered."""
+        with self._in_turn:
+            if not self._is_known:
+                raise Error("a call was interrupted: it is not known whether it entered anything")
+            if self._calls is None or len(self._calls._calls) != len(self._noted):
+                self._calls = Calls(self._said, tuple(self._noted))
+            return self._calls
+
+    def __reduce__(self) -> tuple[typing.Any, ...]:
+        return _again, (type(self), self._said, self.calls)
+
+    def _note(self, routine: str, arguments: typing.Any, said: typing.Any) -> typing.Any:
+        """Call the routine of System, with copies of what may be changed later, and note it."""
+        if routine in _OF_FILES:
+            arguments = (*map(_absolute, arguments[:1]), *arguments[1:])
+            said = {name: _absolute(v) if name == "path" else v for name, v in said.items()}
+        call = _Call(routine, _kept(arguments), {name: _kept(v) for name, v in said.items()})
+        with self._in_turn:
+            was_known, self._is_known = self._is_known, False
+            try:
+                returned = getattr(System, routine)(self, *call.arguments, **call.said)
+            except Exception:  # nothing was entered
+                self._is_known = was_known
+                raise
+            self._noted.append(call)
+            self._is_known = was_known
+            return returned
+
+
+def _again(kind: type[PicklableSystem], said: dict[str, typing.Any], calls: Calls) -> System:
+    return calls._entered_into(kind(**said))
+
+
+def _noting(routine: str) -> typing.Any:
+    @functools.wraps(getattr(System, routine))
+    def note(self: PicklableSystem, *arguments: typing.Any, **said: typing.Any) -> typing.Any:
+        return self._note(routine, arguments, said)
+
+    return note
+
+
+for _routine in _ENTERING:
+    setattr(PicklableSystem, _routine, _noting(_routine))
+
+
+def _kept(value: typing.Any, depth: int = 0) -> typing.Any:
+    """What is handed over, without what others may change later. What is too deep is refused."""
+    if isinstance(value, (list, tuple)) and depth < _DEEPEST:
+        return tuple(_kept(part, depth + 1) for part in value)
+    if hasattr(value, "__array__"):
+        import numpy as np
+
+        with contextlib.suppress(TypeError, ValueError):  # then it is refused as what it is
+            return np.array(value)
+    return value
+
+
+def _absolute(path: typing.Any) -> typing.Any:
+    """The whole of a path. What is none is refused as such later."""
+    try:
+        return os.path.abspath(path)
+    except (TypeError, ValueError):
+        return path
+
+
+def _bytes_of(value: typing.Any) -> int:
+    if isinstance(value, tuple):
+        return sum(map(_bytes_of, value))
+    if isinstance(value, str):
+        return len(value)
+    return int(getattr(value, "nbytes", 8))

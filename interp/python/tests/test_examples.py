@@ -6,6 +6,7 @@ Pictures are the same byte for byte; those that matplotlib writes, to antialiasi
 from __future__ import annotations
 
 import importlib.util
+import os
 import re
 import subprocess
 import sys
@@ -20,6 +21,9 @@ FOLDER = ROOT / "interp" / "python" / "examples"
 PAGE = (FOLDER / "README.md").read_text()
 PROGRAMS = sorted(FOLDER.glob("*.py"))
 PICTURES = {path.name for path in FOLDER.iterdir() if path.suffix in (".png", ".svg", ".pdf")}
+
+# Dask tells of a worker that is slow to end, as it is on a busy machine.
+QUIET = {"DASK_LOGGING__DISTRIBUTED": "critical"}
 
 Run = Callable[[Path], Path]
 
@@ -41,7 +45,11 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Run:
         if program not in folders:
             folder = tmp_path_factory.mktemp(program.stem)
             done = subprocess.run(
-                [sys.executable, program, folder], cwd=folder, capture_output=True, text=True
+                [sys.executable, program, folder],
+                cwd=folder,
+                env={**os.environ, **QUIET},
+                capture_output=True,
+                text=True,
             )
             assert done.returncode == 0, done.stderr
             assert done.stderr == ""

@@ -34,7 +34,6 @@ SIZE = (120, 90)
 def client() -> Iterator[Any]:
     """Two workers, each a process with one thread."""
     settings = {
-        "distributed.worker.daemon": False,
         "distributed.comm.timeouts.connect": "60s",
         "distributed.scheduler.allowed-failures": 5,
     }

@@ -30,8 +30,14 @@ std::string shape_of(const py::array& array) {
   return text + (array.ndim() == 1 ? ",)" : ")");
 }
 
-/// What NumPy makes of it, if that holds numbers. An empty list, which it takes for doubles, is as
-/// good as an empty array of whole numbers.
+/// Whether it is an array of which some numbers are masked.
+bool has_masked(py::handle value) {
+  return py::isinstance<py::array>(value) && py::hasattr(value, "mask") &&
+         py::hasattr(value, "filled") && py::bool_(value.attr("mask").attr("any")());
+}
+
+/// What NumPy makes of it, if that holds numbers. Masked ones are not known: NaN. An empty list,
+/// which it takes for doubles, is as good as an empty array of whole numbers.
 py::array array_of(py::handle value, std::string_view what, Numbers numbers) {
   const auto refuse = [&](const std::string& is) -> Error {
     return Error(fmt::format("{}: expected an array of {}numbers, not {}", what,
@@ -41,8 +47,15 @@ py::array array_of(py::handle value, std::string_view what, Numbers numbers) {
     throw refuse(type_name(value));
   }
   const py::array array =
-      reading(refuse(type_name(value) + " of unequal parts or other things").what(),
-              [&] { return py::array(py::reinterpret_borrow<py::object>(value)); });
+      reading(refuse(type_name(value) + " of unequal parts or other things").what(), [&] {
+        py::object given = py::reinterpret_borrow<py::object>(value);
+        if (has_masked(given)) {
+          if (numbers == Numbers::whole) throw refuse("one of which some are masked");
+          given = given.attr("astype")("float64").attr("filled")(
+              std::numeric_limits<double>::quiet_NaN());
+        }
+        return py::array(given);
+      });
   const char kind = array.dtype().kind();
   const bool is_whole = kind == 'i' || kind == 'u';
   const bool is_empty_list = array.size() == 0 && !py::isinstance<py::array>(value);

@@ -151,7 +151,7 @@ class System(_displayfile.System):
             x: The places of the columns, (n,), in world coordinates; or those of all points, (m, n),
                 as numpy.meshgrid makes them.
             y: The places of the rows, (m,); or those of all points, (m, n).
-            z: The heights, (m, n). Where one is nan there is a hole.
+            z: The heights, (m, n). Where one is nan, or masked, there is a hole.
             segment: As in mesh.
 
         Returns:

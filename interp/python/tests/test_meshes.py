@@ -77,6 +77,23 @@ def test_fills_and_picks():
     assert "fill solid 1 0.5 0" in dump_of(VERTICES, TRIANGLES, fill=(1, 0.5, 0))
 
 
+def test_masked_numbers_are_not_known():
+    heights = np.ma.array(np.arange(9.0).reshape(3, 3) / 9, mask=np.eye(3)[::-1] * [[1, 0, 0]])
+    known = [np.linspace(-1, 1, 3)] * 2
+    masked, hole = System(), System()
+    masked.surface(*known, heights)
+    hole.surface(*known, heights.filled(np.nan))
+    assert masked.dump() == hole.dump()
+    assert masked.polygons < 8
+    assert dump_of(np.ma.array(VERTICES), TRIANGLES) == entered_one_by_one(TRIANGLES)
+    for vertices, faces in (
+        (np.ma.array(VERTICES, mask=VERTICES > 0.9), TRIANGLES),
+        (VERTICES, np.ma.array(TRIANGLES, mask=np.array(TRIANGLES) == 4)),
+    ):
+        with pytest.raises(Error):
+            dump_of(vertices, faces)
+
+
 def test_normals():
     g = System()
     g.set_light(1, 1, 1)

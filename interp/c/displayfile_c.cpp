@@ -88,6 +88,16 @@ void require_given(const Pointer* pointer, const char* what) {
   if (pointer == nullptr) throw Error(fmt::format("{}: expected it, not null", what));
 }
 
+/// The size that a structure says. That of any version is a multiple of its alignment: no member is
+/// cut in two.
+template <class Structure>
+std::size_t size_said(const Structure* given, const char* name) {
+  std::size_t size = 0;
+  std::memcpy(&size, given, sizeof size);
+  if (size >= sizeof size && size % alignof(Structure) == 0) return size;
+  throw Error(fmt::format("{}: size {}: expected sizeof({})", name, size, name));
+}
+
 /// The structure as this version knows it: members that an earlier caller does not know are 0, and
 /// those that a later one knows must be.
 template <class Structure>
@@ -95,11 +105,7 @@ Structure known(const Structure* given, const char* name) {
   static_assert(std::is_trivially_copyable_v<Structure>);
   Structure result{};
   if (given == nullptr) return result;
-  std::size_t size = 0;
-  std::memcpy(&size, given, sizeof size);
-  if (size < sizeof size) {
-    throw Error(fmt::format("{}: size {}: expected sizeof({})", name, size, name));
-  }
+  const std::size_t size = size_said(given, name);
   const auto* const bytes = reinterpret_cast<const unsigned char*>(given);
   const std::size_t both = std::min(size, sizeof result);
   if (std::any_of(bytes + both, bytes + size, [](unsigned char byte) { return byte != 0; })) {
@@ -114,11 +120,7 @@ Structure known(const Structure* given, const char* name) {
 template <class Structure>
 void hand_out(Structure result, Structure* to, const char* name) {
   require_given(to, name);
-  std::size_t size = 0;
-  std::memcpy(&size, to, sizeof size);
-  if (size < sizeof size) {
-    throw Error(fmt::format("{}: size {}: expected sizeof({})", name, size, name));
-  }
+  const std::size_t size = size_said(to, name);
   result.size = size;
   std::memcpy(static_cast<void*>(to), &result, std::min(size, sizeof result));
 }

@@ -324,6 +324,8 @@ static void test_errors(void) {
   options.most_seconds = 0.0;
   options.size = 1;
   REFUSED(system, df_draw(system, &options, 1, rgba, NULL, NULL), "df_options: size 1");
+  options.size = offsetof(df_options, method) + 3; /* half a pointer */
+  REFUSED(system, df_draw(system, &options, 1, rgba, NULL, NULL), "df_options: size");
   options.size = sizeof options;
   DO(system, df_draw(system, &options, 1, rgba, NULL, NULL));
 

@@ -54,7 +54,7 @@ NOT_CALLED_SO += (
     "pick('x')",
     "unexpected keyword argument",
     "required positional argument",
-    "required keyword-only",
+    "object is not callable",
 )
 
 
@@ -158,7 +158,8 @@ def run_with_a_twin(calls: list[str], options: dict[str, Any]) -> None:
         value, error = outcome(text, system)
         # What an argument called meanwhile was done, even if the call was refused.
         if error is None or "asked(" in text:
-            of_twin, error_of_twin = outcome(text, twin, limited=hostile.unlimited)
+            others = {"limited": hostile.unlimited} if error is None else {}
+            of_twin, error_of_twin = outcome(text, twin, **others)
             if str(error) != str(error_of_twin):
                 raise Failed(f"{error!r}, and of the twin: {error_of_twin!r}")
             if not same(value, of_twin):

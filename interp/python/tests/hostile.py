@@ -162,12 +162,12 @@ def liar(value: Any) -> Any:
     return Liar()
 
 
-def limited(call: Callable[..., Any], *arguments: Any, most: Any, **named: Any) -> Any:
+def limited(call: Callable[..., Any], *arguments: Any, most: Any = {}, **named: Any) -> Any:
     with limits(**most):
         return call(*arguments, **named)
 
 
-def unlimited(call: Callable[..., Any], *arguments: Any, most: Any, **named: Any) -> Any:
+def unlimited(call: Callable[..., Any], *arguments: Any, most: Any = {}, **named: Any) -> Any:
     return call(*arguments, **named)
 
 

@@ -123,8 +123,8 @@ void enter_triangles(Source& s, const Point3& middle, GraphicsSystem& g) {
   g.close_segment();
 }
 
-/// Of many views not all points are looked at; the window is the same to the last bit, wherever
-/// the eye is, about whichever axis the scene turns, and far from the origin.
+/// Not all points are looked at where there are many views; the window is the same to the last bit,
+/// wherever the eye is, about whichever axis the scene turns, and far from the origin.
 TEST(Turntable, FitsItsWindowToManyViewsAsIfAllPointsWereLookedAt) {
   Source s(7);
   for (int round = 0; round < 40; ++round) {

@@ -44,7 +44,7 @@ class ProgramLine {
   std::string_view argument(std::size_t i) const { return words_[i + 1]; }
   /// Takes one argument, or as many as T has coordinates: a number, a point, or a text in
   /// quotation marks, without them, valid until the next is taken; what else T may be is for the
-  /// routines to say (routines.cpp). Throws ErrorAt for a word that is not one; there must be
+  /// routines to say (argument_words.h). Throws ErrorAt for a word that is not one; there must be
   /// enough words.
   template <class T>
   T take();

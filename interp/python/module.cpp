@@ -20,7 +20,7 @@ py::list names_of_routines() {
   return names;
 }
 
-/// Of each its name, arguments, meaning and section, as Python has them.
+/// The name, arguments, meaning and section of each, as Python has them.
 py::list table_of_routines() {
   py::list table;
   for (const UserRoutine& routine : user_routines()) {

@@ -12,8 +12,8 @@ A program is some calls by random_calls.py, with arguments by hostile.py. What m
 - Where several threads call one system, each call is whole: what was recorded, in the order in
   which they came, replays to the same display file.
 
-Of a program that fails, few calls are printed that fail alike, as a program that can be pasted. A
-seed is always the same program, but for the order in which threads come.
+What fails is cut down to few calls that fail alike, and printed as a program that can be pasted. A
+seed is always the same program, apart from the order in which threads come.
 """
 
 from __future__ import annotations

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "displayfile/graphics_system.h"
+#include "displayfile/text/program_line.h"
+
+namespace displayfile {
+
+// What arguments that are one word may be, beside the numbers, points and texts of program_line.h.
+
+template <>
+bool ProgramLine::take<bool>();
+template <>
+FillStyle::Kind ProgramLine::take<FillStyle::Kind>();
+template <>
+LineStyle::Kind ProgramLine::take<LineStyle::Kind>();
+template <>
+HiddenMethod ProgramLine::take<HiddenMethod>();
+template <>
+HiddenScope ProgramLine::take<HiddenScope>();
+template <>
+HiddenLines ProgramLine::take<HiddenLines>();
+template <>
+Shading ProgramLine::take<Shading>();
+template <>
+SurfaceCurves ProgramLine::take<SurfaceCurves>();
+template <>
+SurfaceSides ProgramLine::take<SurfaceSides>();
+template <>
+SolidOperation ProgramLine::take<SolidOperation>();
+template <>
+WindowFit ProgramLine::take<WindowFit>();
+template <>
+Precision ProgramLine::take<Precision>();
+template <>
+TextStyle::Alignment ProgramLine::take<TextStyle::Alignment>();
+
+}  // namespace displayfile

@@ -1,0 +1,206 @@
+#include "displayfile/text/routine_calls.h"
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "clip/words.h"
+#include "displayfile/axes.h"
+#include "displayfile/shapes/shapes.h"
+
+namespace displayfile::routine_calls {
+
+void fill_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  if (line.arguments() == 0) wrong_count(line, routine);
+  const auto kind = line.take<FillStyle::Kind>();
+  const bool solid = kind == FillStyle::Kind::solid;
+  if (line.arguments() != (solid ? 4 : 1)) wrong_count(line, routine);
+  system.set_fill_style(solid ? FillStyle{kind, line.take<Point3>()} : FillStyle{kind});
+}
+
+namespace {
+
+LineStyle take_line_style(ProgramLine& line, const Routine& routine) {
+  if (line.arguments() == 0) wrong_count(line, routine);
+  const std::size_t count = line.arguments();
+  const auto kind = line.take<LineStyle::Kind>();
+  if (kind == LineStyle::Kind::none) {
+    if (count != 1) wrong_count(line, routine);
+    return {kind};
+  }
+  const bool dashed = kind == LineStyle::Kind::dashed;
+  if (count != 4 && count != 5 && !(dashed && count == 7)) wrong_count(line, routine);
+  LineStyle style{kind, line.take<Point3>()};
+  if (count >= 5) style.width = line.take<double>();
+  if (count == 7) {
+    style.dash = line.take<double>();
+    style.gap = line.take<double>();
+  }
+  return style;
+}
+
+}  // namespace
+
+void line_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  system.set_line_style(take_line_style(line, routine));
+}
+
+void lower_line_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  if (line.arguments() == 1 && line.argument(0) == "same") {
+    line.take_word();
+    return system.set_lower_line_style(std::nullopt);
+  }
+  system.set_lower_line_style(take_line_style(line, routine));
+}
+
+void background(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  if (line.arguments() != 1 && line.arguments() != 3) wrong_count(line, routine);
+  if (line.arguments() == 3) {
+    return system.set_background({Background::Kind::solid, line.take<Point3>()});
+  }
+  if (line.argument(0) != "none") {
+    throw ErrorAt(line.argument(0).data(),
+                  "expected none, or three numbers: r g b, not " + quoted(line.argument(0)));
+  }
+  system.set_background({Background::Kind::none});
+}
+
+void light(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  if (line.arguments() != 3 && line.arguments() != 4) wrong_count(line, routine);
+  const auto toward = line.take<Point3>();
+  if (line.arguments() == 3) return system.set_light(toward);
+  system.set_light(toward, line.take<double>());
+}
+
+void text_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  const std::size_t count = line.arguments();
+  if (count < 1 || count > 3) wrong_count(line, routine);
+  TextStyle style;
+  style.size = line.take<double>();
+  style.always = count > 1 && line.argument(count - 1) == "always";
+  const std::size_t others = count - (style.always ? 2 : 1);
+  if (others > 0) style.alignment = line.take<TextStyle::Alignment>();
+  if (others > 1) {
+    const std::string_view word = line.argument(2);
+    throw ErrorAt(word.data(), "expected always, or nothing, not " + quoted(word));
+  }
+  system.set_text_style(style);
+}
+
+void lines(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  if (line.arguments() == 0) wrong_count(line, routine);
+  LineSelection selection{.kinds = 0};
+  for (std::size_t i = 0; i < line.arguments(); ++i) {
+    understood(line.argument(i), [&](std::string_view word) { add_line_kind(word, selection); });
+  }
+  system.set_lines(selection);
+}
+
+void axes(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  const std::size_t count = line.arguments();
+  if (count != 6 && count != 9) wrong_count(line, routine);
+  Point3 low, high;
+  for (int a = 0; a < 3; ++a) {
+    low[a] = line.take<double>();
+    high[a] = line.take<double>();
+  }
+  std::array<std::string, 3> names{"x", "y", "z"};
+  if (count == 9) {
+    for (std::string& name : names) name = line.take<std::string_view>();
+  }
+  axes_3(system, low, high, {names[0], names[1], names[2]});
+}
+
+/// A height that is unknown is written nan.
+void surface(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  constexpr std::size_t kBefore = 6;  // what stands before the heights
+  if (line.arguments() < kBefore) wrong_count(line, routine);
+  SurfaceGrid grid{};
+  const auto take_range = [&](double& low, double& high, int& points) {
+    low = line.take<double>();
+    high = line.take<double>();
+    points = line.take<int>();
+  };
+  take_range(grid.x_min, grid.x_max, grid.x_points);
+  take_range(grid.y_min, grid.y_max, grid.y_points);
+  std::vector<double> heights(line.arguments() - kBefore);
+  for (std::size_t k = 0; k < heights.size(); ++k) {
+    if (line.argument(kBefore + k) == "nan") {
+      line.take_word();
+      heights[k] = std::numeric_limits<double>::quiet_NaN();
+    } else {
+      heights[k] = line.take<double>();
+    }
+  }
+  grid.heights = heights;
+  system.surface_3(grid);
+}
+
+void cone(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  if (line.arguments() != 6 && line.arguments() != 7) wrong_count(line, routine);
+  const auto base = line.take<Point3>();
+  const auto radius = line.take<double>(), height = line.take<double>();
+  const int facets = line.take<int>();
+  const double top_radius = line.arguments() == 7 ? line.take<double>() : 0.0;
+  cone_3(system, base, radius, height, facets, top_radius);
+}
+
+void sphere(GraphicsSystem& system, ProgramLine& line, const Routine&) {
+  const auto centre = line.take<Point3>();
+  const auto radius = line.take<double>();
+  sphere_3(system, centre, radius, line.take<int>());
+}
+
+namespace {
+
+std::vector<Point2> take_profile(ProgramLine& line, std::size_t before) {
+  std::vector<Point2> profile;
+  for (std::size_t k = before; k < line.arguments(); k += 2) {
+    const auto x = line.take<double>();
+    profile.emplace_back(x, line.take<double>());
+  }
+  return profile;
+}
+
+}  // namespace
+
+void extrude(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  if (line.arguments() < 2 || line.arguments() % 2 != 0) wrong_count(line, routine);
+  const auto z_min = line.take<double>(), z_max = line.take<double>();
+  extrude_3(system, z_min, z_max, take_profile(line, 2));
+}
+
+void turn(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  if (line.arguments() % 2 != 1) wrong_count(line, routine);
+  const int facets = line.take<int>();
+  turn_3(system, facets, take_profile(line, 1));
+}
+
+void cutting_plane(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  if (line.arguments() != 2 && line.arguments() != 5) wrong_count(line, routine);
+  const int n = line.take<int>();
+  if (line.arguments() == 2) {
+    if (const std::string_view word = line.take_word(); word != "off") {
+      throw ErrorAt(word.data(), "expected off, or four numbers: a b c d, not " + quoted(word));
+    }
+    return system.set_cutting_plane_off(n);
+  }
+  const auto normal = line.take<Point3>();
+  system.set_cutting_plane(n, normal.x, normal.y, normal.z, line.take<double>());
+}
+
+void cut_faces(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  if (line.arguments() == 0) wrong_count(line, routine);
+  CutFaces faces;
+  faces.kind = understood(line.take_word(), cut_faces_kind);
+  const std::size_t most = faces.kind == CutFaces::Kind::hatched ? 3 : 1;
+  if (line.arguments() > most) wrong_count(line, routine);
+  if (line.arguments() > 1) faces.spacing = line.take<double>();
+  if (line.arguments() > 2) faces.angle = line.take<double>();
+  system.set_cut_faces(faces);
+}
+
+}  // namespace displayfile::routine_calls

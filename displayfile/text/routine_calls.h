@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "displayfile/graphics_system.h"
+#include "displayfile/text/routine.h"
+
+/// The calls of user routines that are not a call of the application API with its arguments one
+/// after another. Each throws ErrorAt for arguments that are wrong, and what the API throws.
+namespace displayfile::routine_calls {
+
+void fill_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+void line_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+void lower_line_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+void background(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+void light(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+void text_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+void lines(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+void axes(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+void surface(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+void cone(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+void sphere(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+void extrude(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+void turn(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+void cutting_plane(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+void cut_faces(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+
+/// Any number of points.
+template <class Point, void (GraphicsSystem::*routine)(std::span<const Point>)>
+void points(GraphicsSystem& system, ProgramLine& line, const Routine& entry) {
+  if (line.arguments() % static_cast<std::size_t>(Point::length()) != 0) wrong_count(line, entry);
+  (system.*routine)(line.take_points<Point>());
+}
+
+// The two below, and sphere, take what the table has counted, in its order.
+
+/// The least and the greatest coordinate of each axis.
+template <auto shape>
+void of_corners(GraphicsSystem& system, ProgramLine& line, const Routine&) {
+  Point3 low, high;
+  for (int a = 0; a < 3; ++a) {
+    low[a] = line.take<double>();
+    high[a] = line.take<double>();
+  }
+  shape(system, low, high);
+}
+
+/// A place, two lengths and a number of facets.
+template <auto shape>
+void of_lengths(GraphicsSystem& system, ProgramLine& line, const Routine&) {
+  const auto place = line.take<Point3>();
+  const auto first = line.take<double>(), second = line.take<double>();
+  shape(system, place, first, second, line.take<int>());
+}
+
+}  // namespace displayfile::routine_calls

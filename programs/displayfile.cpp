@@ -24,6 +24,7 @@
 #include "programs/keep_freed_memory.h"
 #include "programs/manual/asked_of_itself.h"
 #include "programs/named_values.h"
+#include "programs/page_command.h"
 #include "programs/picture_check.h"
 #include "programs/sheet_command.h"
 #include "programs/stop_signals.h"
@@ -96,9 +97,10 @@ int run(int argc, char** argv) {
   SurfaceCommand surface;
   PictureCheck pictures;
   SheetCommand sheet;
+  PageCommand page;
   check.other = &pictures;
   draw.options.threads = dump.threads = check.threads = truth.threads = surface.threads =
-      sheet.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+      sheet.threads = page.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   add(draw);
   add(dump);
   add(check);
@@ -107,6 +109,7 @@ int run(int argc, char** argv) {
   add(import);
   add(surface);
   add(sheet);
+  add(page);
   const CLI::App& bench = add_bench(app);
 
   if (asked.anything()) {

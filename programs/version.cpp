@@ -10,6 +10,8 @@ namespace displayfile {
 /// Names of libraries, empty if all are there.
 constexpr const char* kLeftOut = DISPLAYFILE_LEFT_OUT;
 
+const char* version_number() { return DISPLAYFILE_VERSION; }
+
 std::string version() {
   const std::string assimp =
       import_library_version().value_or("not found: OBJ, OFF, PLY, STL only");
@@ -17,7 +19,7 @@ std::string version() {
       "displayfile {}\n"
       "import library (Assimp)  {}\n"
       "OSMesa                   {}{}",
-      DISPLAYFILE_VERSION, assimp,
+      version_number(), assimp,
       osmesa_available() ? osmesa_description() : "not found: no --device osmesa",
       std::string_view(kLeftOut).empty() ? ""
                                          : fmt::format("\nbuilt without            {}", kLeftOut));

@@ -8,4 +8,6 @@ namespace displayfile {
 /// are there.
 std::string version();
 
+const char* version_number();  ///< the project's alone, such as "0.1.0"
+
 }  // namespace displayfile

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "programs/page/page_files.h"
+
+namespace displayfile {
+
+/// What a page shows.
+struct PageContents {
+  std::string title;       ///< plain text; empty: the template's
+  std::string data;        ///< JSON
+  std::string still = {};  ///< SVG, for who has no WebAssembly or no JavaScript
+};
+
+/// A page that is one file and asks nothing of the network: a template of programs/page, in which
+///
+///  1. the content of `<title>` is the title,
+///  2. each line `<link rel="stylesheet" href="NAME">` is the style sheet,
+///  3. each line `<script src="NAME"></script>` is the script,
+///  4. the line `<!-- still -->` is the SVG, without its XML declaration,
+///  5. the content of `<script type="application/json" id="data">` is the data.
+///
+/// Throws Error if a file is not there, or the template has no place for what is given.
+std::string one_file_page(const PageFiles& files, const std::string& page,
+                          const PageContents& contents);
+
+}  // namespace displayfile

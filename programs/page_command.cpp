@@ -1,0 +1,124 @@
+#include "programs/page_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "clip/error.h"
+#include "displayfile/graphics_system.h"
+#include "displayfile/input_file.h"
+#include "displayfile/output_file.h"
+#include "interp/draw.h"
+#include "programs/input_names.h"
+#include "programs/inputs.h"
+#include "programs/option_groups.h"
+#include "programs/progress.h"
+#include "programs/version.h"
+
+namespace displayfile {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+std::string text_of(const ordered_json& data) {
+  return data.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+ordered_json scene_data(const std::string& name, const std::string& program) {
+  return {{"name", name}, {"program", program}};
+}
+
+}  // namespace
+
+CLI::App& PageCommand::add_to(CLI::App& app) {
+  CLI::App& command =
+      *app.add_subcommand("page", "A scene as a page to turn, pick and save from, in one file");
+  add_inputs(command, "INPUT", inputs,
+             "drawing programs and meshes of the scene; none: the product's page, with the gallery")
+      .required(false);
+  command.add_option("-o,--output", output, "the page")
+      ->type_name("OUT.html")
+      ->required()
+      ->group(kOutputOptions);
+  command.add_option("--title", title, "of the page, if it is not the first input's name")
+      ->type_name("TEXT")
+      ->group(kOutputOptions);
+  command
+      .add_option("--package", package, "where the WebAssembly package is, if it is not installed")
+      ->type_name("FOLDER")
+      ->group(kOutputOptions);
+  size.add_to(command);
+  shading.add_to(command);
+  hidden_surfaces.add_to(command);
+  meshes.add_to(command);
+  return command;
+}
+
+PageContents PageCommand::product(ordered_json data, const PageFiles& files) const {
+  for (const auto& program : files.gallery()) {
+    data["scenes"].push_back(
+        scene_data(program.filename().string(), read_text_file(program.string())));
+  }
+  return {title, text_of(data)};
+}
+
+PageContents PageCommand::scene(ordered_json data, DrawOptions options) const {
+  GraphicsSystem system;
+  std::ostringstream program;
+  Recorder recorder(program);
+  system.set_recorder(&recorder);
+  if (const Shading start_with = shading.shading(); start_with != Shading::flat) {
+    system.set_shading(start_with);
+  }
+  if (const auto lines = hidden_surfaces.line_selection()) system.set_lines(*lines);
+  enter_inputs(inputs, system, meshes, size.aspect(), hidden_surface_options(options));
+  const std::string name = std::filesystem::path(input_name(inputs.front())).filename().string();
+  data["scenes"].push_back(scene_data(name, program.str()));
+  if (options.hidden) data["method"] = name_of(*options.hidden);
+  for (const auto& [key, word] : {std::pair{"precision", hidden_surfaces.precision},
+                                  {"scope", hidden_surfaces.scope},
+                                  {"hiddenLines", hidden_surfaces.hidden_lines}}) {
+    if (!word.empty()) data[key] = word;
+  }
+  Progress progress("drawing " + output);
+  options.progress = progress.told();
+  return {title.empty() ? name : title, text_of(data), draw_as(system, "svg", options)};
+}
+
+DrawOptions PageCommand::drawing() const {
+  DrawOptions drawing;
+  size.read(drawing.width, drawing.height);
+  const HiddenSurfaceOptions hiding = hidden_surfaces.options(threads);
+  drawing.hidden = hiding.method;
+  drawing.scope = hiding.scope;
+  drawing.precision = hiding.precision;
+  drawing.hidden_lines = hiding.hidden_lines;
+  drawing.most_pieces = hiding.most_pieces;
+  drawing.threads = threads;
+  if (!drawing.hidden && std::ranges::none_of(inputs, is_drawing_program)) {
+    drawing.hidden = HiddenMethod::automatic;  // as `draw` draws bare meshes
+  }
+  return drawing;
+}
+
+int PageCommand::run() const {
+  const PageFiles files(package);
+  const DrawOptions options = drawing();
+  const ordered_json data{{"version", version_number()},
+                          {"width", options.width},
+                          {"height", options.height},
+                          {"wasm", files.text("displayfile-module.wasm.gz.base64")}};
+  OutputFile file(output);
+  const bool is_product = inputs.empty();
+  const PageContents page = is_product ? product(data, files) : scene(data, options);
+  file.stream() << one_file_page(files, is_product ? "index.html" : "viewer.html", page);
+  file.commit();
+  return 0;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "interp/draw.h"
+#include "programs/hidden_surface_words.h"
+#include "programs/mesh_words.h"
+#include "programs/page/one_file_page.h"
+#include "programs/picture_size.h"
+#include "programs/shading_word.h"
+
+namespace displayfile {
+
+/// `displayfile page`: a scene, or the product's page with the gallery, in one file that a browser
+/// opens, from disk too, with what draws it (programs/page/README.md). As DrawCommand is.
+struct PageCommand {
+  std::vector<std::string> inputs;  ///< none: the product's page
+  std::string output, title, package;
+  int threads = 1;
+  PictureSizeWord size;
+  HiddenSurfaceWords hidden_surfaces;
+  ShadingWord shading;
+  MeshWords meshes;
+
+  CLI::App& add_to(CLI::App& app);
+  int run() const;
+
+ private:
+  DrawOptions drawing() const;
+  /// With what every page that draws has in `data`.
+  PageContents product(nlohmann::ordered_json data, const PageFiles& files) const;
+  PageContents scene(nlohmann::ordered_json data, DrawOptions options) const;
+};
+
+}  // namespace displayfile

@@ -536,6 +536,7 @@ int df_look_from(df_system* system, const df_view* view) {
       system->eye.reset();
       return;
     }
+    retained(*system);
     const auto before = std::exchange(system->eye, view_of(known(view, "df_view")));
     try {
       other_eye(*system);

@@ -1,18 +1,17 @@
 #include "displayfile/turntable.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <span>
+#include <utility>
 
 #include "clip/bounds.h"
-#include "clip/error.h"
 #include "clip/transformation.h"
 #include "clip/view_volume.h"
 #include "displayfile/mesh/fitted_window.h"
 #include "displayfile/outermost_points.h"
+#include "displayfile/scene_in_one_view.h"
 
 namespace displayfile {
 
@@ -35,32 +34,12 @@ glm::dmat3 rotation_about(const Point3& axis, double degrees) {
 }  // namespace
 
 Turntable::Turntable(const RetainedScene& scene, const DisplayFile& attributes,
-                     const View& otherwise)
-    : view_(otherwise) {
-  const RetainedScene::Segment* first = nullptr;
-  Bounds bounds;
-  for (const RetainedScene::Segment& segment : scene.segments()) {
-    if (!attributes.segment(segment.name).visible) continue;
-    const auto texts = scene.texts(segment);
-    if (segment.first == segment.end && texts.empty()) continue;
-    if (first == nullptr) {
-      first = &segment;
-      view_ = segment.view;
-    } else if (segment.view != first->view) {
-      throw Error(fmt::format(
-          "segments {} and {} are drawn in different views: expected one view to turn before",
-          first->name, segment.name));
-    }
-    const auto points = scene.points(segment);
-    for (const Point3& p : points) bounds.include(p);
-    points_.insert(points_.end(), points.begin(), points.end());
-    for (const RetainedScene::Text& text : texts) {
-      bounds.include(text.anchor);
-      points_.push_back(text.anchor);
-    }
-  }
+                     const View& otherwise) {
+  SceneInOneView seen = scene_in_one_view(scene, attributes, otherwise);
+  view_ = seen.view;
+  points_ = std::move(seen.points);
   axis_ = unit(view_.up);
-  middle_ = points_.empty() ? view_.reference_point : bounds.middle();
+  middle_ = points_.empty() ? view_.reference_point : seen.bounds.middle();
 }
 
 void Turntable::set_axis(const Point3& world) { axis_ = unit(world); }

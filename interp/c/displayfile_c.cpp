@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -13,26 +14,37 @@
 #include <new>
 #include <optional>
 #include <span>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "clip/work_budget.h"
 #include "displayfile/drawn_pieces.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
+#include "displayfile/recorder.h"
+#include "displayfile/scene_in_one_view.h"
 #include "displayfile/sorted_display_file.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
 #include "displayfile/text/user_routine.h"
 #include "interp/draw.h"
+#include "interp/other_eye.h"
 #include "interp/renderer.h"
+#include "interp/truth/truth.h"
 
 using namespace displayfile;
 
 struct df_system {
   GraphicsSystem system;
+  bool is_new = true;  // no routine was called
+  std::ostringstream recorded;
+  std::optional<Recorder> recorder;  // if it retains
+  std::optional<View> eye;           // that is looked from
+  std::optional<OtherEye> other;     // made when it is needed
   Renderer renderer;
   SortedDisplayFile sorted;
   WorkBudget budget;
@@ -81,6 +93,16 @@ int carried_out(df_system* system, const WorkLimits& limits, Call&& call) noexce
 template <class Call>
 int carried_out(df_system* system, Call&& call) noexcept {
   return carried_out(system, {}, call);
+}
+
+/// Carries a call out that tells the system something.
+template <class Call>
+int told(df_system* system, Call&& call) noexcept {
+  return carried_out(system, [&] {
+    system->other.reset();
+    system->is_new = false;
+    call();
+  });
 }
 
 template <class Pointer>
@@ -162,6 +184,87 @@ DrawOptions draw_options(const df_options& options) {
     result.rows = PictureRows{options.first_row, options.end_row};
   }
   return result;
+}
+
+const RetainedScene& retained(const df_system& system) {
+  if (system.recorder) return *system.system.retained();
+  throw Error("another eye: expected df_retain to be called first");
+}
+
+SceneInOneView scene_drawn(const df_system& system) {
+  return scene_in_one_view(retained(system), system.system.display_file(),
+                                        system.system.view());
+}
+
+/// A system that retains, seen from where it is looked from.
+OtherEye& other_eye(df_system& system) {
+  if (!system.other) {
+    system.other.emplace(system.system, retained(system), system.recorded.str());
+  }
+  system.other->set_view(system.eye.value_or(system.other->as_drawn()));
+  return *system.other;
+}
+
+/// The system as it is looked at.
+const GraphicsSystem& looked_at(df_system& system) {
+  return system.eye ? other_eye(system).system() : system.system;
+}
+
+const Picture& drawn_picture(df_system& system, const DrawOptions& options) {
+  if (system.eye && other_eye(system).draws(options)) return other_eye(system).draw(options);
+  return system.renderer.draw(looked_at(system), options);
+}
+
+Point3 point_of(const double* c) { return {c[0], c[1], c[2]}; }
+void hand_out_point(const Point3& from, double* to) { std::copy_n(&from.x, 3, to); }
+Rectangle rectangle_of(const double* c) { return {c[0], c[1], c[2], c[3]}; }
+void hand_out_rectangle(const Rectangle& r, double* to) {
+  std::ranges::copy(std::array{r.x_min, r.x_max, r.y_min, r.y_max}, to);
+}
+
+View view_of(const df_view& v) {
+  View view;
+  view.set_reference_point(point_of(v.reference_point));
+  view.set_plane_normal(point_of(v.plane_normal));
+  view.set_up(point_of(v.up));
+  view.set_distance(v.distance);
+  if (v.is_perspective != 0) {
+    view.set_perspective(point_of(v.projection));
+  } else {
+    view.set_parallel(point_of(v.projection));
+  }
+  view.set_depth(v.depth[0], v.depth[1]);
+  view.front_clipping = v.clips_front != 0;
+  view.back_clipping = v.clips_back != 0;
+  view.set_window(rectangle_of(v.window));
+  view.set_viewport(rectangle_of(v.viewport));
+  return view;
+}
+
+df_view parameters_of(const View& view) {
+  df_view v{};
+  hand_out_point(view.reference_point, v.reference_point);
+  hand_out_point(view.plane_normal, v.plane_normal);
+  hand_out_point(view.up, v.up);
+  v.distance = view.distance;
+  v.is_perspective = view.projection == View::Projection::perspective ? 1 : 0;
+  hand_out_point(v.is_perspective ? view.centre_of_projection : view.direction_of_projection,
+                 v.projection);
+  v.depth[0] = view.front;
+  v.depth[1] = view.back;
+  v.clips_front = view.front_clipping ? 1 : 0;
+  v.clips_back = view.back_clipping ? 1 : 0;
+  hand_out_rectangle(view.window, v.window);
+  hand_out_rectangle(view.viewport, v.viewport);
+  return v;
+}
+
+void require_room(std::size_t pixels, const DrawOptions& asked, std::int64_t rows) {
+  const std::size_t expected =
+      static_cast<std::size_t>(asked.width) * static_cast<std::size_t>(rows);
+  if (pixels == expected) return;
+  throw Error(
+      fmt::format("room for {} pixels: expected {}, {} x {}", pixels, expected, asked.width, rows));
 }
 
 /// Calls draw(options) under the limits that they state.
@@ -251,14 +354,14 @@ const char* df_routine_section(size_t routine) {
 }
 
 int df_call(df_system* system, const char* routine, const char* arguments) {
-  return carried_out(system, [&] {
+  return told(system, [&] {
     require_given(routine, "the routine's name");
     call_user_routine(system->system, routine, arguments == nullptr ? "" : arguments);
   });
 }
 
 int df_call_numbers(df_system* system, const char* routine, const double* numbers, size_t count) {
-  return carried_out(system, [&] {
+  return told(system, [&] {
     require_given(routine, "the routine's name");
     const auto all = array<double>(numbers, count, "the numbers");
     call_user_routine(system->system, routine, fmt::format("{}", fmt::join(all, " ")));
@@ -266,32 +369,35 @@ int df_call_numbers(df_system* system, const char* routine, const double* number
 }
 
 int df_replay(df_system* system, const char* text, size_t length, const char* name) {
-  return carried_out(system, [&] {
+  return told(system, [&] {
     const auto all = array<char>(text, length, "the drawing program");
     replay({all.data(), all.size()}, name == nullptr ? "drawing program" : name, system->system);
   });
 }
 
 int df_replay_file(df_system* system, const char* path) {
-  return carried_out(system, [&] {
+  return told(system, [&] {
     require_given(path, "the path");
     replay_file(path, system->system);
   });
 }
 
 int df_import_mesh(df_system* system, const char* path) {
-  return carried_out(system, [&] {
+  return told(system, [&] {
     require_given(path, "the path");
     import_mesh(path, system->system);
   });
 }
 
 int df_set_aspect_ratio(df_system* system, double aspect) {
-  return carried_out(system, [&] { system->system.set_aspect_ratio(aspect); });
+  return carried_out(system, [&] {
+    system->other.reset();
+    system->system.set_aspect_ratio(aspect);
+  });
 }
 
 int df_polygons(df_system* system, const df_mesh* mesh) {
-  return carried_out(system, [&] {
+  return told(system, [&] {
     require_given(mesh, "df_mesh");
     const df_mesh m = known(mesh, "df_mesh");
     std::vector<FillStyle> fills;
@@ -314,15 +420,10 @@ int df_draw(df_system* system, const df_options* options, size_t pixels, uint8_t
     require_given(rgba, "the pixels' memory");
     const std::int64_t rows =
         asked.rows ? std::int64_t{asked.rows->end} - asked.rows->first : asked.height;
-    const std::size_t expected =
-        static_cast<std::size_t>(asked.width) * static_cast<std::size_t>(rows);
-    if (pixels != expected) {
-      throw Error(fmt::format("room for {} pixels: expected {}, {} x {}", pixels, expected,
-                              asked.width, rows));
-    }
+    require_room(pixels, asked, rows);
     asked.with_ids = ids != nullptr;
     asked.with_depth = depth != nullptr;
-    const Picture& picture = system->renderer.draw(system->system, asked);
+    const Picture& picture = drawn_picture(*system, asked);
     for (const std::uint32_t pixel : picture.pixels) {
       const std::uint32_t bytes = in_bytes(pixel);
       std::memcpy(rgba, &bytes, sizeof bytes);
@@ -339,7 +440,7 @@ int df_draw_as(df_system* system, const df_options* options, const char* format,
     require_given(format, "the format");
     require_given(bytes, "where the bytes go");
     require_given(length, "where the length goes");
-    system->bytes = draw_as(system->system, format, asked);
+    system->bytes = draw_as(looked_at(*system), format, asked);
     hand_out_text(system->bytes, bytes, length);
   });
 }
@@ -347,7 +448,7 @@ int df_draw_as(df_system* system, const df_options* options, const char* format,
 int df_draw_file(df_system* system, const df_options* options, const char* path) {
   return drawn(system, options, [&](const DrawOptions& asked) {
     require_given(path, "the path");
-    system->renderer.draw(system->system, path, asked);
+    system->renderer.draw(looked_at(*system), path, asked);
   });
 }
 
@@ -355,7 +456,7 @@ int df_dump(df_system* system, const char** text, size_t* length) {
   return carried_out(system, [&] {
     require_given(text, "where the text goes");
     require_given(length, "where the length goes");
-    system->bytes = dump(system->system.display_file());
+    system->bytes = dump(looked_at(*system).display_file());
     hand_out_text(system->bytes, text, length);
   });
 }
@@ -363,9 +464,10 @@ int df_dump(df_system* system, const char** text, size_t* length) {
 int df_drawn_pieces(df_system* system, const df_options* options, df_pieces* pieces) {
   return drawn(system, options, [&](const DrawOptions& asked) {
     require_given(pieces, "df_pieces");
-    const HiddenMethod method = drawing_method(system->system, asked, PictureKind::vector);
+    const GraphicsSystem& from = looked_at(*system);
+    const HiddenMethod method = drawing_method(from, asked, PictureKind::vector);
     system->pieces =
-        drawn_pieces(system->sorted.update(system->system, method, hidden_surface_options(asked)));
+        drawn_pieces(system->sorted.update(from, method, hidden_surface_options(asked)));
     hand_out(arrays_of(system->pieces), pieces, "df_pieces");
   });
 }
@@ -374,7 +476,7 @@ int df_pick(df_system* system, const df_options* options, double x, double y, do
             df_seen* seen) {
   return drawn(system, options, [&](const DrawOptions& asked) {
     require_given(seen, "df_seen");
-    const auto pick = system->renderer.pick(system->system, x, y, asked, reach);
+    const auto pick = system->renderer.pick(looked_at(*system), x, y, asked, reach);
     df_seen result{};
     if (pick) {
       result.is_seen = 1;
@@ -386,6 +488,71 @@ int df_pick(df_system* system, const df_options* options, double x, double y, do
       result.depth = pick->depth;
     }
     hand_out(result, seen, "df_seen");
+  });
+}
+
+int df_truth(df_system* system, const df_options* options, size_t pixels, int32_t* ids,
+             double* depth) {
+  return drawn(system, options, [&](const DrawOptions& asked) {
+    require_given(ids, "the item buffer's memory");
+    require_room(pixels, asked, asked.height);
+    const Picture picture =
+        truth(looked_at(*system).display_file(), asked.width, asked.height, depth != nullptr);
+    std::ranges::copy(picture.ids, ids);
+    if (depth != nullptr) std::ranges::copy(picture.depth, depth);
+  });
+}
+
+int df_retain(df_system* system) {
+  return carried_out(system, [&] {
+    if (system->recorder) return;
+    if (!system->is_new) {
+      throw Error("a routine was called already: expected df_retain before all of them");
+    }
+    system->system.retain();
+    system->recorder.emplace(system->recorded);
+    system->system.set_recorder(&*system->recorder);
+  });
+}
+
+int df_drawn_view(df_system* system, df_view* view) {
+  return carried_out(
+      system, [&] { hand_out(parameters_of(scene_drawn(*system).view), view, "df_view"); });
+}
+
+int df_box(df_system* system, double box[6]) {
+  return carried_out(system, [&] {
+    require_given(box, "the box");
+    const Bounds bounds = scene_drawn(*system).bounds;
+    if (bounds.empty()) throw Error("nothing is visible: expected a box around something");
+    hand_out_point(bounds.low, box);
+    hand_out_point(bounds.high, box + 3);
+  });
+}
+
+int df_look_from(df_system* system, const df_view* view) {
+  return carried_out(system, [&] {
+    if (view == nullptr) {
+      system->eye.reset();
+      return;
+    }
+    const auto before = std::exchange(system->eye, view_of(known(view, "df_view")));
+    try {
+      other_eye(*system);
+    } catch (...) {
+      system->eye = before;
+      throw;
+    }
+  });
+}
+
+int df_program(df_system* system, const char** text, size_t* length) {
+  return carried_out(system, [&] {
+    require_given(text, "where the text goes");
+    require_given(length, "where the length goes");
+    retained(*system);
+    system->bytes = system->eye ? other_eye(*system).program() : system->recorded.str();
+    hand_out_text(system->bytes, text, length);
   });
 }
 

@@ -168,6 +168,41 @@ enum { DF_SEEN_POLYGON = 0, DF_SEEN_EDGE = 1, DF_SEEN_LINE = 2 };
 DF_API int df_pick(df_system* system, const df_options* options, double x, double y, double reach,
                    df_seen* seen);
 
+/* The exact item buffer, and depth if not null, by the definition of truth alone: whole numbers of
+ * any length, nothing shared with the methods. Slow. Of the options width and height count. */
+DF_API int df_truth(df_system* system, const df_options* options, size_t pixels, int32_t* ids,
+                    double* depth);
+
+/* ---- Another eye --------------------------------------------------------------------------------
+ */
+
+/* Keeps what is drawn before viewing, and all calls as a drawing program: the first call on a
+ * system, except for its aspect ratio. */
+DF_API int df_retain(df_system* system);
+
+/* The view parameters, as their user routines take them. */
+typedef struct {
+  size_t size; /* sizeof(df_view), set by the caller */
+  double reference_point[3], plane_normal[3], up[3];
+  double distance;
+  int is_perspective;
+  double projection[3]; /* the centre of projection, or else its direction */
+  double depth[2];      /* of the front and the back plane */
+  int clips_front, clips_back;
+  double window[4], viewport[4]; /* x_min x_max y_min y_max */
+} df_view;
+
+/* The one view in which the visible segments were drawn; DF_ERROR if there were several. */
+DF_API int df_drawn_view(df_system* system, df_view* view);
+/* The least x y z of what is visible and the greatest, in world coordinates; DF_ERROR if nothing
+ * is. */
+DF_API int df_box(df_system* system, double box[6]);
+/* From now on drawing, picking, pieces, the dump and the program are what they would be if the
+ * application had set that view, to the last bit; null: as it did set it. */
+DF_API int df_look_from(df_system* system, const df_view* view);
+/* All that was called, as a drawing program, in the view that is looked from. */
+DF_API int df_program(df_system* system, const char** text, size_t* length);
+
 /* Ends the call on the system that goes on, soon, with DF_ERROR. Any thread may call it, and a
  * signal handler. Between calls it does nothing. */
 DF_API void df_stop(df_system* system);

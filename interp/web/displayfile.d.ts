@@ -76,6 +76,25 @@ export interface Pieces {
   segments: Int32Array;
 }
 
+/** The view parameters, as their user routines take them. */
+export interface View {
+  referencePoint: number[];
+  planeNormal: number[];
+  up: number[];
+  distance: number;
+  perspective: boolean;
+  /** The centre of projection, or else its direction. */
+  projection: number[];
+  /** The front and the back plane. */
+  front: number;
+  back: number;
+  frontClipping: boolean;
+  backClipping: boolean;
+  /** x_min, x_max, y_min, y_max. */
+  window: number[];
+  viewport: number[];
+}
+
 export interface Seen {
   kind: 'polygon' | 'edge' | 'line';
   /** Pick identifier; -1: none. */
@@ -116,6 +135,20 @@ export interface System extends UserRoutines {
   /** What is seen at a place in pixels from the upper left corner; lines within `reach` pixels come
    *  before fills. */
   pick(x: number, y: number, options?: Options & { reach?: number }): Seen | null;
+  /** The exact item buffer, by the definition of truth alone. Slow. */
+  truth(options?: { width?: number; height?: number }): { width: number; height: number; ids: Int32Array };
+  /** Keeps what is drawn before viewing, and all calls as a drawing program: the first call on a
+   *  system, except for its aspect ratio. */
+  retain(): void;
+  /** The one view in which the visible segments were drawn; an error if there were several. */
+  view(): View;
+  /** Around what is visible, in world coordinates. */
+  box(): { least: number[]; greatest: number[] };
+  /** From now on drawing, picking, pieces, the dump and the program are what they would be if the
+   *  application had set that view, to the last bit; null: as it did set it. */
+  lookFrom(view: View | null): void;
+  /** All that was called, as a drawing program, in the view that is looked from. */
+  program(): string;
 }
 
 export interface DisplayFile {

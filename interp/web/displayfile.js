@@ -74,6 +74,9 @@
       const { size, members } = layout[name];
       const [kind, at] = members[which];
       const view = new DataView(module.HEAPU8.buffer, place, size);
+      if (kind.startsWith('numbers')) {
+        return Array.from({ length: Number(kind.slice(7)) }, (_, k) => view.getFloat64(at + 8 * k, true));
+      }
       if (kind === 'i32') return view.getInt32(at, true);
       return kind === 'f64' ? view.getFloat64(at, true) : view.getUint32(at, true);
     }
@@ -243,14 +246,19 @@
         return new TextDecoder().decode(this.drawAs('svg', options));
       }
 
-      dump() {
+      /** What a function hands out as bytes and their number. */
+      #text(call) {
         return this.#do((system, lent) => {
           const bytes = lent.bytes(8);
-          return [module._df_dump(system, bytes, bytes + 4), () => {
+          return [call(system, bytes), () => {
             const first = size_at(bytes);
             return new TextDecoder().decode(module.HEAPU8.slice(first, first + size_at(bytes + 4)));
           }];
         });
+      }
+
+      dump() {
+        return this.#text((system, bytes) => module._df_dump(system, bytes, bytes + 4));
       }
 
       pieces(options = {}) {
@@ -278,6 +286,75 @@
             };
           }];
         });
+      }
+
+      truth(options = {}) {
+        const { width = 512, height = 512 } = options;
+        return this.#do((system, lent) => {
+          const pixels = width * height;
+          const ids = lent.bytes(4 * pixels);
+          return [module._df_truth(system, options_in(lent, options), pixels, ids, 0), () =>
+            ({ width, height, ids: new Int32Array(module.HEAPU8.buffer, ids, pixels).slice() })];
+        });
+      }
+
+      retain() {
+        return this.#do((system) => [module._df_retain(system)]);
+      }
+
+      view() {
+        return this.#do((system, lent) => {
+          const view = structure(lent, 'df_view');
+          return [module._df_drawn_view(system, view), () => {
+            const of = (which) => member(view, 'df_view', which);
+            const [front, back] = of('depth');
+            return {
+              referencePoint: of('reference_point'),
+              planeNormal: of('plane_normal'),
+              up: of('up'),
+              distance: of('distance'),
+              perspective: of('is_perspective') !== 0,
+              projection: of('projection'),
+              front,
+              back,
+              frontClipping: of('clips_front') !== 0,
+              backClipping: of('clips_back') !== 0,
+              window: of('window'),
+              viewport: of('viewport'),
+            };
+          }];
+        });
+      }
+
+      box() {
+        return this.#do((system, lent) => {
+          const box = lent.bytes(48);
+          return [module._df_box(system, box), () => {
+            const all = Array.from(new Float64Array(module.HEAPU8.buffer, box, 6));
+            return { least: all.slice(0, 3), greatest: all.slice(3) };
+          }];
+        });
+      }
+
+      lookFrom(view) {
+        return this.#do((system, lent) => [module._df_look_from(system, view === null ? 0 :
+          structure(lent, 'df_view', {
+            reference_point: view.referencePoint,
+            plane_normal: view.planeNormal,
+            up: view.up,
+            distance: view.distance,
+            is_perspective: view.perspective ? 1 : 0,
+            projection: view.projection,
+            depth: [view.front, view.back],
+            clips_front: view.frontClipping ? 1 : 0,
+            clips_back: view.backClipping ? 1 : 0,
+            window: view.window,
+            viewport: view.viewport,
+          }))]);
+      }
+
+      program() {
+        return this.#text((system, bytes) => module._df_program(system, bytes, bytes + 4));
       }
 
       pick(x, y, options = {}) {

@@ -12,7 +12,10 @@ namespace {
 template <typename Member>
 const char* kind() {
   if constexpr (std::is_pointer_v<Member>) return "pointer";
-  if constexpr (std::is_array_v<Member>) return "numbers";  // doubles
+  if constexpr (std::is_array_v<Member>) {  // of doubles
+    static const std::string numbers = "numbers" + std::to_string(std::extent_v<Member>);
+    return numbers.c_str();
+  }
   if constexpr (std::is_same_v<Member, double>) return "f64";
   if constexpr (std::is_same_v<Member, std::uint64_t>) return "u64";
   return std::is_signed_v<Member> ? "i32" : "u32";
@@ -66,6 +69,11 @@ extern "C" const char* df_layout() {
                           MEMBER(df_pieces, picks) MEMBER(df_pieces, segments)
           .structure("df_seen", sizeof(df_seen)) MEMBER(df_seen, is_seen) MEMBER(df_seen, kind)
               MEMBER(df_seen, pick) MEMBER(df_seen, segment) MEMBER(df_seen, depth)
+          .structure("df_view", sizeof(df_view)) MEMBER(df_view, reference_point)
+              MEMBER(df_view, plane_normal) MEMBER(df_view, up) MEMBER(df_view, distance)
+                  MEMBER(df_view, is_perspective) MEMBER(df_view, projection) MEMBER(df_view, depth)
+                      MEMBER(df_view, clips_front) MEMBER(df_view, clips_back)
+                          MEMBER(df_view, window) MEMBER(df_view, viewport)
           .text();
   return text.c_str();
 }

@@ -1,13 +1,19 @@
-// Writes the package's types: displayfile.d.ts, and after it a method for each user routine of the
+// Writes what of the package is made from the compiled program: the program as a page in one file has
+// it with it, compressed by gzip, in base64; and the types, displayfile.d.ts, and after it a method for each user routine of the
 // compiled program beside it.
-//   node make_types.js PACKAGE TYPES
+//   node make_package.js PACKAGE TYPES
 'use strict';
 
 const fs = require('fs');
 const path = require('path');
+const zlib = require('zlib');
 
 const [folder, types] = process.argv.slice(2);
 const { load } = require(path.resolve(folder, 'displayfile.js'));
+
+const program = path.join(folder, 'displayfile-module.wasm');
+fs.writeFileSync(`${program}.gz.base64`,
+  zlib.gzipSync(fs.readFileSync(program), { level: 9 }).toString('base64'));
 
 load().then(({ routines }) => {
   const methods = routines.map(({ name, arguments: words }) => {

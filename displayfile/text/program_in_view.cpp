@@ -1,0 +1,64 @@
+#include "displayfile/text/program_in_view.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "displayfile/graphics_system.h"
+#include "displayfile/recorder.h"
+#include "displayfile/text/user_routine.h"
+
+namespace displayfile {
+
+namespace {
+
+bool sets_view(std::string_view line) {
+  constexpr std::string_view kSpaces = " \t\r";
+  line.remove_prefix(std::min(line.find_first_not_of(kSpaces), line.size()));
+  const std::string_view name = line.substr(0, line.find_first_of(kSpaces));
+  const auto all = user_routines();
+  const auto routine = std::ranges::find(all, name, &UserRoutine::name);
+  return routine != all.end() && routine->section == "View";
+}
+
+/// The user routines that set it.
+std::string lines_of(const View& view) {
+  std::ostringstream lines;
+  Recorder recorder(lines);
+  GraphicsSystem system;
+  system.set_recorder(&recorder);
+  system.set_window_fit(WindowFit::stretch);
+  system.set_view_reference_point(view.reference_point);
+  system.set_view_plane_normal(view.plane_normal);
+  system.set_view_distance(view.distance);
+  system.set_view_up(view.up);
+  if (view.projection == View::Projection::perspective) {
+    system.set_perspective(view.centre_of_projection);
+  } else {
+    system.set_parallel(view.direction_of_projection);
+  }
+  system.set_view_depth(view.front, view.back);
+  system.set_front_plane_clipping(view.front_clipping);
+  system.set_back_plane_clipping(view.back_clipping);
+  const auto& [x_min, x_max, y_min, y_max] = view.window;
+  system.set_window(x_min, x_max, y_min, y_max);
+  system.set_viewport(view.viewport.x_min, view.viewport.x_max, view.viewport.y_min,
+                      view.viewport.y_max);
+  return lines.str();
+}
+
+}  // namespace
+
+std::string program_in_view(std::string_view program, const View& view) {
+  std::string result = lines_of(view);
+  result.reserve(result.size() + program.size() + 1);
+  while (!program.empty()) {
+    const std::size_t end = std::min(program.find('\n'), program.size());
+    if (const std::string_view line = program.substr(0, end); !sets_view(line)) {
+      result.append(line).append("\n");
+    }
+    program.remove_prefix(std::min(end + 1, program.size()));
+  }
+  return result;
+}
+
+}  // namespace displayfile

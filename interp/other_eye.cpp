@@ -1,0 +1,74 @@
+#include "interp/other_eye.h"
+
+#include <optional>
+#include <utility>
+
+#include "clip/view_volume.h"
+#include "displayfile/scene_in_one_view.h"
+#include "displayfile/sorted_display_file.h"
+#include "displayfile/text/drawing_program.h"
+#include "displayfile/text/program_in_view.h"
+#include "interp/picture_formats.h"
+#include "interp/view_renderer.h"
+#include "interp/visibility/image_space.h"
+
+namespace displayfile {
+
+struct OtherEye::Kept {
+  const GraphicsSystem& told;
+  std::string program;
+  View drawn_in, view;
+  ViewRenderer renderer;
+  std::optional<GraphicsSystem> replayed = std::nullopt;
+};
+
+OtherEye::OtherEye(const GraphicsSystem& system, const RetainedScene& scene, std::string program) {
+  const DisplayFile& file = system.display_file();
+  const View view = scene_in_one_view(scene, file, system.view()).view;
+  kept_ = std::make_unique<Kept>(
+      Kept{system, std::move(program), view, view, ViewRenderer(scene, file)});
+}
+OtherEye::OtherEye(OtherEye&& other) noexcept = default;
+OtherEye& OtherEye::operator=(OtherEye&& other) noexcept = default;
+OtherEye::~OtherEye() = default;
+
+const View& OtherEye::as_drawn() const { return kept_->drawn_in; }
+
+void OtherEye::set_view(const View& view) {
+  if (view == kept_->view) return;
+  const ViewVolume fits(view);
+  kept_->view = view;
+  kept_->replayed.reset();
+}
+
+const GraphicsSystem& OtherEye::system() {
+  Kept& kept = *kept_;
+  if (!kept.replayed) {
+    GraphicsSystem replayed;
+    replayed.set_aspect_ratio(kept.told.aspect_ratio());
+    replay(program(), "the drawing program", replayed);
+    kept.replayed = std::move(replayed);
+  }
+  return *kept.replayed;
+}
+
+std::string OtherEye::program() const { return program_in_view(kept_->program, kept_->view); }
+
+bool OtherEye::draws(const DrawOptions& options) const {
+  const HiddenMethod method = drawing_method(kept_->told, options);
+  return is_image_space(method) && surfaces_of(method) != HiddenMethod::world_ray_cast &&
+         &device_of(options.device) == &first_device();
+}
+
+const Picture& OtherEye::draw(const DrawOptions& options) {
+  Kept& kept = *kept_;
+  const HiddenSurfaceOptions asked = hidden_surface_options(options);
+  DrawOptions said = options;
+  said.hidden = drawing_method(kept.told, options);
+  said.precision = precision_in_force(kept.told, asked);
+  said.hidden_lines = hidden_lines_in_force(kept.told, asked);
+  if (!said.background) said.background = kept.told.background();
+  return kept.renderer.draw(kept.view, said);
+}
+
+}  // namespace displayfile

@@ -7,6 +7,10 @@ const next_frame = () => new Promise((resolve) => requestAnimationFrame(resolve)
 const kSlow = 120;
 const kMostPixels = 2048;
 
+function greatest_common_divisor(a, b) {
+  return b === 0 ? a : greatest_common_divisor(b, a % b);
+}
+
 class Viewer {
   /** What is shown: {name, program, mesh}. */
   given;
@@ -93,7 +97,7 @@ class Viewer {
   /** Shading is of lit scenes whose polygons have normals. */
   #offer_shading() {
     const { program, mesh } = this.given;
-    const has_normals = mesh || /^\s*(set-vertex-normals|(cylinder|cone|sphere|torus|turn)-3|set-shading)\b/m.test(program);
+    const has_normals = mesh || /^\s*(set-vertex-normals|(cylinder|cone|sphere|torus|turn)-3)\b/m.test(program);
     this.#selects.get('shading').hidden = !(has_normals && calls(program, 'set-light'));
   }
 
@@ -134,12 +138,14 @@ class Viewer {
     }
   }
 
-  /** The size in the screen's pixels. */
+  /** Near to the screen's pixels, and of the very shape: it decides what of a scene is in the picture. */
   get size() {
     const [width, height] = this.#shape;
-    const shown = this.canvas.parentElement.clientWidth || width;
-    const columns = Math.min(kMostPixels, Math.max(16, Math.round(shown * devicePixelRatio)));
-    return { width: columns, height: Math.max(1, Math.round((columns * height) / width)) };
+    const both = greatest_common_divisor(width, height);
+    const [columns, rows] = [width / both, height / both];
+    const shown = (this.canvas.parentElement.clientWidth || width) * devicePixelRatio;
+    const times = Math.max(1, Math.round(Math.min(kMostPixels, shown) / columns));
+    return { width: times * columns, height: times * rows };
   }
 
   /** As options of the JavaScript API. */

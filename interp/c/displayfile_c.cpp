@@ -100,8 +100,8 @@ template <class Call>
 int told(df_system* system, Call&& call) noexcept {
   return carried_out(system, [&] {
     system->other.reset();
-    system->is_new = false;
     call();
+    system->is_new = false;
   });
 }
 
@@ -192,8 +192,7 @@ const RetainedScene& retained(const df_system& system) {
 }
 
 SceneInOneView scene_drawn(const df_system& system) {
-  return scene_in_one_view(retained(system), system.system.display_file(),
-                                        system.system.view());
+  return scene_in_one_view(retained(system), system.system.display_file(), system.system.view());
 }
 
 /// A system that retains, seen from where it is looked from.
@@ -371,6 +370,7 @@ int df_call_numbers(df_system* system, const char* routine, const double* number
 int df_replay(df_system* system, const char* text, size_t length, const char* name) {
   return told(system, [&] {
     const auto all = array<char>(text, length, "the drawing program");
+    system->is_new = false;  // what lines did before one that is wrong stays
     replay({all.data(), all.size()}, name == nullptr ? "drawing program" : name, system->system);
   });
 }
@@ -378,6 +378,7 @@ int df_replay(df_system* system, const char* text, size_t length, const char* na
 int df_replay_file(df_system* system, const char* path) {
   return told(system, [&] {
     require_given(path, "the path");
+    system->is_new = false;
     replay_file(path, system->system);
   });
 }
@@ -516,8 +517,8 @@ int df_retain(df_system* system) {
 }
 
 int df_drawn_view(df_system* system, df_view* view) {
-  return carried_out(
-      system, [&] { hand_out(parameters_of(scene_drawn(*system).view), view, "df_view"); });
+  return carried_out(system,
+                     [&] { hand_out(parameters_of(scene_drawn(*system).view), view, "df_view"); });
 }
 
 int df_box(df_system* system, double box[6]) {
@@ -536,6 +537,7 @@ int df_look_from(df_system* system, const df_view* view) {
       system->eye.reset();
       return;
     }
+    retained(*system);
     const auto before = std::exchange(system->eye, view_of(known(view, "df_view")));
     try {
       other_eye(*system);

@@ -1,6 +1,6 @@
-// Writes what of the package is made from the compiled program: the program as a page in one file has
-// it with it, compressed by gzip, in base64; and the types, displayfile.d.ts, and after it a method for each user routine of the
-// compiled program beside it.
+// Writes what of the package is made from the compiled program: its bytes, compressed by gzip and in
+// base64, as a page in one file has them with it; and the types, which are displayfile.d.ts and a
+// method for each user routine.
 //   node make_package.js PACKAGE TYPES
 'use strict';
 

@@ -81,6 +81,7 @@ class CProgram {
       case 5: return replay();
       case 6: return call_numbers();
       case 7: return aspect();
+      case 8: return another_eye();
       default: return call_words();
     }
   }
@@ -290,6 +291,53 @@ class CProgram {
       const df_seen value = seen.value();
       if (code != DF_OK) return Returned{code};
       return Returned{code, std::to_string(value.is_seen) + ' ' + std::to_string(value.pick)};
+    });
+  }
+
+  void another_eye() {
+    switch (input_.below(5)) {
+      case 0: return make([](df_system* s) { return Returned{df_retain(s)}; });
+      case 1: return look_from();
+      case 2:
+        return make([](df_system* s) {
+          std::vector<double> box(6);
+          const int code = df_box(s, box.data());
+          return code == DF_OK ? Returned{code, bytes_of(box.data(), 6)} : Returned{code};
+        });
+      case 3:
+        return make([](df_system* s) {
+          const char* text = nullptr;
+          std::size_t length = 0;
+          const int code = df_program(s, &text, &length);
+          return code == DF_OK ? Returned{code, {text, length}} : Returned{code};
+        });
+      default: return truth();
+    }
+  }
+  /// From near where it was drawn, or from anywhere.
+  void look_from() {
+    const std::size_t size = size_of(sizeof(df_view));
+    const bool is_near = chance(80), is_null = chance(20);
+    const std::vector<double> moved = numbers(3);
+    const int changed = input_.byte();
+    make([&](df_system* s) {
+      df_view view{};
+      view.size = sizeof view;
+      if (is_near && df_drawn_view(s, &view) != DF_OK) return Returned{DF_ERROR};
+      std::ranges::copy(moved, (changed & 1) != 0 ? view.projection : view.reference_point);
+      if ((changed & 2) != 0) view.window[0] -= moved[0];
+      if ((changed & 4) != 0) view.is_perspective = 1 - view.is_perspective;
+      if ((changed & 8) != 0) view.clips_back = 1;
+      Sized<df_view> said(view, size);
+      return Returned{df_look_from(s, is_null ? nullptr : said.get())};
+    });
+  }
+  void truth() {
+    Sized<df_options> said(options(), size_of(sizeof(df_options)));
+    make([&](df_system* s) {
+      std::vector<std::int32_t> ids(48);
+      const int code = df_truth(s, said.get(), ids.size(), ids.data(), nullptr);
+      return code == DF_OK ? Returned{code, bytes_of(ids.data(), ids.size())} : Returned{code};
     });
   }
 

@@ -362,6 +362,115 @@ static void test_errors(void) {
   df_destroy(system);
 }
 
+/* Draws the same with both, and expects the same pixels, and the same SVG. */
+static void expect_same_pictures(df_system* a, df_system* b) {
+  enum { PIXELS = 40 * 30 };
+  static uint8_t rgba[2][4 * PIXELS];
+  static int32_t ids[2][PIXELS];
+  static const char* const methods[] = {"z-buffer", "bsp", "map", "franklin"};
+  size_t k;
+  for (k = 0; k < sizeof methods / sizeof methods[0]; ++k) {
+    df_options options = DF_OPTIONS_INIT;
+    const int is_of_lines = strcmp(methods[k], "franklin") == 0;
+    const char *svg, *other_svg;
+    size_t length, other_length;
+    options.width = 40;
+    options.height = 30;
+    options.method = methods[k];
+    DO(a, df_draw(a, &options, PIXELS, rgba[0], is_of_lines ? NULL : ids[0], NULL));
+    DO(b, df_draw(b, &options, PIXELS, rgba[1], is_of_lines ? NULL : ids[1], NULL));
+    EXPECT(memcmp(rgba[0], rgba[1], sizeof rgba[0]) == 0);
+    EXPECT(memcmp(ids[0], ids[1], sizeof ids[0]) == 0);
+    DO(a, df_draw_as(a, &options, "svg", &svg, &length));
+    DO(b, df_draw_as(b, &options, "svg", &other_svg, &other_length));
+    EXPECT(length == other_length && memcmp(svg, other_svg, length) == 0);
+  }
+}
+
+static void test_another_eye(void) {
+  static const char program[] =
+      "set-perspective 3 2 6\nset-fill-style solid 1 0 0\nopen-segment 1\n"
+      "polygon-abs-3 -0.5 -0.5 0  0.5 -0.5 0  0 0.5 0\nset-fill-style solid 0 0 1\n"
+      "polygon-abs-3 0 -0.5 -0.5  0 -0.5 0.5  0 0.5 0\nclose-segment\n";
+  df_system* system = df_create();
+  df_system* other = df_create();
+  df_view view, turned;
+  double box[6];
+  int32_t truth[12], ids[12];
+  uint8_t rgba[48];
+  df_options options = DF_OPTIONS_INIT;
+  const char* text;
+  size_t length;
+
+  memset(&view, 0, sizeof view);
+  view.size = sizeof view;
+  REFUSED(system, df_drawn_view(system, &view), "df_retain");
+  REFUSED(system, df_look_from(system, &view), "df_retain");
+  REFUSED(system, df_box(system, box), "df_retain");
+  REFUSED(system, df_program(system, &text, &length), "df_retain");
+  DO(other, df_call(other, "set-pick-id", "7"));
+  REFUSED(other, df_retain(other), "before all of them");
+  df_destroy(other);
+  other = df_create();
+
+  DO(system, df_set_aspect_ratio(system, 1.5));
+  DO(system, df_retain(system));
+  DO(system, df_retain(system));
+  REFUSED(system, df_box(system, box), "nothing is visible");
+  DO(system, df_replay(system, program, strlen(program), "test"));
+  DO(system, df_box(system, box));
+  EXPECT(box[0] == -0.5 && box[1] == -0.5 && box[2] == -0.5);
+  EXPECT(box[3] == 0.5 && box[4] == 0.5 && box[5] == 0.5);
+  DO(system, df_drawn_view(system, &view));
+  EXPECT(view.is_perspective && view.projection[0] == 3.0 && view.projection[2] == 6.0);
+
+  /* From there, what a program in that view draws. */
+  turned = view;
+  turned.projection[0] = -2.0;
+  turned.window[0] = -1.5;
+  DO(system, df_look_from(system, &turned));
+  DO(system, df_program(system, &text, &length));
+  DO(other, df_replay(other, text, length, "turned"));
+  expect_same_pictures(system, other);
+  DO(system, df_call(system, "set-visibility", "1 off"));
+  DO(other, df_call(other, "set-visibility", "1 off"));
+  expect_same_pictures(system, other);
+  DO(system, df_call(system, "set-visibility", "1 on"));
+  DO(system, df_look_from(system, NULL));
+
+  /* A view that does not fit together changes nothing. */
+  turned.up[0] = turned.up[1] = 0.0;
+  turned.up[2] = 1.0;
+  REFUSED(system, df_look_from(system, &turned), "");
+  turned.up[2] = 0.0;
+  REFUSED(system, df_look_from(system, &turned), "");
+  turned.size = 3;
+  REFUSED(system, df_look_from(system, &turned), "df_view: size 3");
+  REFUSED(system, df_drawn_view(system, NULL), "df_view");
+  REFUSED(system, df_box(system, NULL), "the box");
+
+  options.width = 4;
+  options.height = 3;
+  DO(system, df_draw(system, &options, 12, rgba, ids, NULL));
+  if (df_truth(system, &options, 12, truth, NULL) == DF_OK) {
+    EXPECT(memcmp(truth, ids, sizeof ids) == 0);
+    REFUSED(system, df_truth(system, &options, 11, truth, NULL), "room for 11 pixels");
+    REFUSED(system, df_truth(system, &options, 12, NULL, NULL), "the item buffer's memory");
+  } else {
+    EXPECT(strstr(df_error(system), "GMP") != NULL);
+  }
+
+  /* Several views are not one. */
+  DO(system, df_call(system, "set-window", "-2 2 -2 2"));
+  DO(system, df_call(system, "open-segment", "2"));
+  DO(system, df_call(system, "polygon-abs-3", "0 0 0  1 0 0  0 1 0"));
+  DO(system, df_call(system, "close-segment", NULL));
+  REFUSED(system, df_drawn_view(system, &view), "different views");
+  REFUSED(system, df_look_from(system, &view), "different views");
+  df_destroy(other);
+  df_destroy(system);
+}
+
 int main(int argc, char** argv) {
   if (argc == 4) { /* PROGRAM METHOD OUTPUT: draws it */
     df_options options = DF_OPTIONS_INIT;
@@ -378,6 +487,7 @@ int main(int argc, char** argv) {
   test_rows_and_limits();
   test_pieces();
   test_meshes();
+  test_another_eye();
   test_errors();
   return failures == 0 ? 0 : 1;
 }

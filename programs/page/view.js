@@ -1,4 +1,4 @@
-// A view that is turned about a point, zoomed and shifted; view.md says how.
+// A view that is turned about a point, zoomed and shifted: view.md.
 'use strict';
 
 /** How the figure stands: turned by a quaternion [w, x, y, z] as the world sees it, its window made

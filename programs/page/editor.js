@@ -37,9 +37,10 @@ class Editor {
     new ResizeObserver(() => this.#scrolled()).observe(this.#text);
   }
 
-  /** The user routines, {name, arguments}, for the hint. */
+  /** The user routines, {name, arguments}, for the hint: without how many arguments there are. */
   set routines(routines) {
-    this.#routines = new Map(routines.map((routine) => [routine.name, routine.arguments]));
+    const without_numbers = (words) => words.replace(/(^|, or )(\d|a multiple)[^:,]*: /g, '$1');
+    this.#routines = new Map(routines.map((routine) => [routine.name, without_numbers(routine.arguments)]));
   }
 
   get text() {
@@ -100,9 +101,8 @@ class Editor {
     }
     const lines = this.text.split('\n');
     const wrong = lines[line - 1] ?? '';
-    // Columns are counted in bytes, from 1.
-    const bytes = new TextEncoder().encode(wrong).slice(0, Math.max(0, (column ?? 1) - 1));
-    const before = column ? new TextDecoder().decode(bytes) : wrong;
+    // Columns are counted in characters of Unicode, from 1.
+    const before = column ? [...wrong].slice(0, column - 1).join('') : wrong;
     const [word] = /^\S*/.exec(wrong.slice(before.length));
     const marked = element('span', { class: 'line' }, before,
       element('span', { class: 'place' }, word || (column ? ' ' : '')), wrong.slice(before.length + word.length));

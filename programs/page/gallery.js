@@ -15,11 +15,13 @@ class Gallery {
   #scenes = new Map();
   #select;
   #pick;
+  #refuse;
 
   /** Fills `place` with a choice and a button for files; pick(scene) is called with a copy of
-   *  {name, program, mesh} when one is chosen. */
-  constructor(place, scenes, pick) {
+   *  {name, program, mesh} when one is chosen, refuse(error) with what is wrong with a file. */
+  constructor(place, scenes, pick, refuse) {
     this.#pick = pick;
+    this.#refuse = refuse;
     const file = element('input', { type: 'file', id: 'file', accept: '.draw,.obj,.off,.ply,.stl',
       class: 'visually-hidden', change: () => { this.take(file.files[0]); file.value = ''; } });
     const label = labelled_select('Scene', 'scene', [], (name) => this.choose(name));
@@ -49,8 +51,11 @@ class Gallery {
   }
 
   /** A file of a drawing program or a mesh; a mesh comes with an empty program before it. */
-  async take(file) {
-    if (!file) return;
+  take(file) {
+    if (file) this.#read(file).catch(this.#refuse);
+  }
+
+  async #read(file) {
     const { name } = file;
     if (kProgramFiles.test(name)) {
       this.add({ name, program: await file.text() });
@@ -64,7 +69,7 @@ class Gallery {
 }
 
 /** Files that are dropped anywhere on the page. */
-function take_dropped_files(gallery, refused) {
+function take_dropped_files(gallery) {
   const is_file = (event) => [...event.dataTransfer.types].includes('Files');
   const over = (is_over) => document.body.classList.toggle('dropping', is_over);
   addEventListener('dragover', (event) => {
@@ -77,6 +82,6 @@ function take_dropped_files(gallery, refused) {
     over(false);
     if (!is_file(event)) return;
     event.preventDefault();
-    gallery.take(event.dataTransfer.files[0]).catch(refused);
+    gallery.take(event.dataTransfer.files[0]);
   });
 }

@@ -42,8 +42,8 @@ async function show_parts({ drawer, routines, scenes, place, width, height }) {
     editor.text = scene.program;
     history.replaceState(null, '', `#${encodeURIComponent(scene.name)}`);
     return draw(scene.program, false);
-  });
-  take_dropped_files(gallery, (refused) => editor.show_error(refused));
+  }, (error) => editor.show_error(error));
+  take_dropped_files(gallery);
   const asked = decodeURIComponent(location.hash.slice(1));
   const first = [asked, kFirstScene, scenes[0].name].find((name) => gallery.has(name));
   await gallery.choose(first);

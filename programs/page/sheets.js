@@ -3,7 +3,8 @@
 'use strict';
 
 const kSquares = 11;
-const kSheetsSide = 330;
+/** No side of a square passes through a pixel's centre then: what is wrong is a matter of depth alone. */
+const kSheetsSide = 320;
 const kSheetColours = ['0.95 0.55 0.15', '0.15 0.35 0.75'];
 
 /** A chequerboard of both sheets. The view is such that device coordinates are those of the world:

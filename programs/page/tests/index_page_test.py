@@ -5,6 +5,7 @@ import re
 import unittest
 
 from browser import PROGRAMS, SCREENSHOTS, PageTest, make_page, served, set_window, wait_for
+from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.select import Select
@@ -73,8 +74,8 @@ class EditorTest(IndexTest):
         self.assertEqual(self.find(".editor .place").get_attribute("textContent"), "x")
         self.assertEqual(self.find("#program").get_attribute("aria-invalid"), "true")
         self.assertEqual(self.pixels(), shown)
-        self.enter_and_wait(wrong.replace(" x\n", " 0\n"))
-        self.assertEqual(self.error(), "")
+        self.enter(wrong.replace(" x\n", " 0\n"))
+        wait_for(lambda: self.error() == "", "that the error goes")
         self.assertEqual(self.find("#program").get_attribute("aria-invalid"), "false")
         self.assertEqual(self.browser.find_elements(By.CSS_SELECTOR, ".editor .numbers b, .editor .place"), [])
 
@@ -106,7 +107,7 @@ class EditorTest(IndexTest):
 
     def test_the_routine_at_the_caret_is_told(self):
         self.enter("set-light 1 2 3")
-        self.assertRegex(wait_for(lambda: self.find("#program-hint").text, "a hint"), "^set-light x y z")
+        self.assertRegex(wait_for(lambda: self.find("#program-hint").text, "a hint"), "^set-light x y z .ambient.$")
 
 
 class GalleryTest(IndexTest):
@@ -288,7 +289,7 @@ class LooksTest(IndexTest):
         self.browser.execute_script("document.activeElement.blur()")
         reached = set()
         for _ in range(everything + 4):
-            self.browser.switch_to.active_element.send_keys(Keys.TAB)
+            ActionChains(self.browser).send_keys(Keys.TAB).perform()
             reached.add(self.browser.switch_to.active_element.id)
             outline = self.browser.execute_script("""
                 const active = document.activeElement;

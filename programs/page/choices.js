@@ -1,7 +1,7 @@
 // What may be chosen of a picture: [value, words], '' being what the drawing program says.
 'use strict';
 
-const kAsProgram = ['', 'as the program says'];
+const kAsProgram = ['', 'the program’s'];
 
 const kMethods = [
   [undefined, [kAsProgram, ['auto', 'auto']]],

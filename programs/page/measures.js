@@ -1,16 +1,30 @@
 // Speed and wrong pixels of one method on a scene, in the worker.
 'use strict';
 
-/** How long the call takes, in milliseconds: the median of some calls, more of them if it is fast. */
-function median_time(call) {
-  const kLeast = 3, kMost = 25, kEnough = 400;
-  const times = [];
-  for (let all = 0; times.length < kLeast || (times.length < kMost && all < kEnough);) {
-    const begin = performance.now();
-    call(times.length);
-    times.push(performance.now() - begin);
-    all += times.at(-1);
+/** A browser's clock may go in tenths of a millisecond: what is timed goes on longer than that. */
+const kLeastTimed = 5;
+
+/** And first it compiles anew what is called often. */
+const kWarming = 80;
+
+/** How long a call takes, in milliseconds: the mean of as many calls as the clock needs to tell. */
+function mean_time(call, least) {
+  const begin = performance.now();
+  for (let made = 1;; ++made) {
+    call();
+    const passed = performance.now() - begin;
+    if (passed >= least) return passed / made;
   }
+}
+
+/** The median of such times, of fewer if they are long. */
+function median_time(call) {
+  const kSamples = 9, kLongest = 1500;
+  const begin = performance.now();
+  mean_time(call, kWarming);
+  const times = [];
+  do times.push(mean_time(call, kLeastTimed));
+  while (times.length < kSamples && performance.now() - begin < kLongest);
   times.sort((a, b) => a - b);
   return times[times.length >> 1];
 }
@@ -26,7 +40,9 @@ function wrong_pixels(ids, truth) {
  *  are any; times again; and wrong pixels of `truth` in the view that is shown. */
 function measured(scene, view, options, views, truth) {
   const again = median_time(() => scene.picture(view, options));
-  const anew = views.length > 0 ? median_time((k) => scene.picture(views[k % views.length], options)) : undefined;
+  let next = 0;
+  const draw_next = () => scene.picture(views[next++ % views.length], options);
+  const anew = views.length > 0 ? median_time(draw_next) : undefined;
   const { ids } = scene.picture(view, { ...options, ids: true });
   return { again, anew, wrong: ids && wrong_pixels(ids, truth) };
 }

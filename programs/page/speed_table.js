@@ -6,8 +6,8 @@ const kMeasured = [['z-buffer', 'exact'], ['scan-line', 'exact'], ['scan-line-z'
   ['bsp', 'roundoff=1e-9'], ['plain-z-buffer=double'], ['plain-z-buffer=float'], ['plain-z-buffer=24'],
   ['plain-z-buffer=16'], ['none']];
 
-/** Pixels along a side: the truth is found in whole numbers of any length, and takes its time. */
-const kSide = 256;
+/** Pixels in a row. */
+const kSide = 512;
 const kViews = 12;
 
 const ratio = (time, fastest) => (time / fastest).toPrecision(3).replace(/\.0+$/, '');

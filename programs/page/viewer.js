@@ -5,6 +5,8 @@ const next_frame = () => new Promise((resolve) => requestAnimationFrame(resolve)
 
 /** A picture that takes longer, in milliseconds, is drawn by another method while the figure turns. */
 const kSlow = 120;
+/** Of a screen that shows 60 pictures a second. */
+const kFrame = 1000 / 60;
 const kMostPixels = 2048;
 
 function greatest_common_divisor(a, b) {
@@ -18,6 +20,7 @@ class Viewer {
   picture;
   #shape;
   #settings = { samples: '1' };
+  #first_settings;
   #selects = new Map();
   #view;
   #middle;
@@ -35,6 +38,7 @@ class Viewer {
     this.key = key;
     this.#shape = [width, height];
     Object.assign(this.#settings, settings);
+    this.#first_settings = { ...this.#settings };
     this.canvas = element('canvas', { tabindex: 0, role: 'application', 'aria-roledescription': 'figure' });
     this.marks = new Marks();
     this.status = element('p', { class: 'status', role: 'status' });
@@ -45,11 +49,11 @@ class Viewer {
       'and so does P with the arrow keys.');
     this.canvas.setAttribute('aria-describedby', help.id);
     const picture = element('div', { class: 'picture' }, this.canvas, this.marks.element);
-    picture.style.aspectRatio = `${width} / ${height}`;
-    this.figure = element('figure', { class: 'figure' }, picture, this.caption);
-    this.controls = element('div', { class: 'controls' }, view_controls(this), this.status,
+    picture.style.setProperty('--shape', width / height);
+    this.figure = element('figure', { class: 'figure' }, picture, this.caption, this.status);
+    this.controls = element('div', { class: 'controls' }, view_controls(this),
       choice_controls(this), save_controls(this),
-      element('p', { class: 'same' }, 'The command draws the same: ', this.command), help);
+      element('p', { class: 'same' }, 'From the saved program the command draws the same:', this.command), help);
     place.replaceChildren(this.figure, this.controls);
     listen_to_gestures(this.canvas, this);
     this.#resize = new ResizeObserver(() => this.#ask_for_picture());
@@ -119,8 +123,8 @@ class Viewer {
 
   /** Whether another picture is shown than the program's own. */
   get is_changed() {
-    const { samples, ...others } = this.#settings;
-    return this.view !== null || Object.values(others).some(Boolean);
+    const differs = ([name, value]) => name !== 'samples' && (value || '') !== (this.#first_settings[name] || '');
+    return this.view !== null || Object.entries(this.#settings).some(differs);
   }
 
   async set(name, value) {
@@ -260,17 +264,22 @@ class Viewer {
   async #draw_while_wanted() {
     while (this.#wanted) {
       this.#wanted = false;
-      const options = this.options;
-      const is_quick = this.#turning && this.#is_replaceable(options);
-      if (is_quick) options.method = 'z-buffer';
-      if (this.#turning) delete options.samples;
-      const request = { key: this.key, view: this.view, options };
-      const picture = await this.drawer.ask('draw', request);
-      if (this.#turning && !is_quick) this.#slow = picture.milliseconds > kSlow;
-      await next_frame();
-      await this.#show_picture(picture);
-      this.#tell(picture, is_quick);
+      const begin = performance.now();
+      await this.#draw_once();
+      // There is no use in more pictures than the screen shows.
+      if (this.#wanted && performance.now() - begin < kFrame) await next_frame();
     }
+  }
+
+  async #draw_once() {
+    const { options } = this;
+    const is_quick = this.#turning && this.#is_replaceable(options);
+    if (is_quick) options.method = 'z-buffer';
+    if (this.#turning) delete options.samples;
+    const picture = await this.drawer.ask('draw', { key: this.key, view: this.view, options });
+    if (this.#turning && !is_quick) this.#slow = picture.milliseconds > kSlow;
+    await this.#show_picture(picture);
+    this.#tell(picture, is_quick);
   }
 
   #is_replaceable({ method, precision }) {

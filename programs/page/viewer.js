@@ -1,0 +1,325 @@
+// The figure: a picture of a scene on a canvas, which is turned, picked at and saved.
+'use strict';
+
+const next_frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
+
+/** A picture that takes longer, in milliseconds, is drawn by another method while the figure turns. */
+const kSlow = 120;
+/** Of a screen that shows 60 pictures a second. */
+const kFrame = 1000 / 60;
+const kMostPixels = 2048;
+
+function greatest_common_divisor(a, b) {
+  return b === 0 ? a : greatest_common_divisor(b, a % b);
+}
+
+class Viewer {
+  /** What is shown: {name, program, mesh}. */
+  given;
+  /** The picture that is shown, as Engine.draw gave it. */
+  picture;
+  #shape;
+  #settings = { samples: '1' };
+  #first_settings;
+  #selects = new Map();
+  #view;
+  #middle;
+  #pose = kAsDrawn;
+  #turning = false;
+  #wanted = false;
+  #drawing;
+  #slow = false;
+  #cross;
+  #resize;
+
+  /** Fills `place`, in which the still may stand. Pictures have the shape of width and height. */
+  constructor(place, drawer, { key = 'scene', width = 512, height = 512, settings = {} }) {
+    this.drawer = drawer;
+    this.key = key;
+    this.#shape = [width, height];
+    Object.assign(this.#settings, settings);
+    this.#first_settings = { ...this.#settings };
+    this.canvas = element('canvas', { tabindex: 0, role: 'application', 'aria-roledescription': 'figure' });
+    this.marks = new Marks();
+    this.status = element('p', { class: 'status', role: 'status' });
+    this.caption = element('figcaption', {});
+    this.command = element('code', { class: 'command' });
+    const help = element('p', { class: 'help', id: `${key}-help` },
+      'Drag or arrow keys turn, wheel or + and − zoom, Shift with either pans, 0 resets; a click picks, ' +
+      'and so does P with the arrow keys.');
+    this.canvas.setAttribute('aria-describedby', help.id);
+    const picture = element('div', { class: 'picture' }, this.canvas, this.marks.element);
+    picture.style.setProperty('--shape', width / height);
+    this.figure = element('figure', { class: 'figure' }, picture, this.caption, this.status);
+    this.controls = element('div', { class: 'controls' }, view_controls(this),
+      choice_controls(this), save_controls(this),
+      element('p', { class: 'same' }, 'From the saved program the command draws the same:', this.command), help);
+    place.replaceChildren(this.figure, this.controls);
+    listen_to_gestures(this.canvas, this);
+    this.#resize = new ResizeObserver(() => this.#ask_for_picture());
+    this.#resize.observe(picture);
+  }
+
+  /** Shows a scene, {name, program, mesh}. Rejects with what was Refused, and shows what it did. */
+  async show(given, keeps_view = false) {
+    const before = this.given;
+    this.given = given;
+    try {
+      await this.#enter();
+    } catch (refused) {
+      this.given = before;
+      throw refused;
+    }
+    if (!keeps_view) this.#pose = kAsDrawn;
+    await this.redrawn();
+    this.#label();
+  }
+
+  async #enter() {
+    const [width, height] = this.#shape;
+    const { shading } = this.#settings;
+    const given = { ...this.given, shading, lines: this.#lines(), aspect: width / height };
+    const { view, middle, whyNot } = await this.drawer.ask('enter', { key: this.key, given });
+    this.#view = view;
+    this.#middle = middle;
+    if (!view) this.#pose = kAsDrawn;
+    this.why_not_turned = whyNot;
+    this.#slow = false;
+    this.#cross = undefined;
+    this.marks.clear();
+    this.say(whyNot ? `This scene is not turned: ${whyNot}` : '');
+    this.#offer_shading();
+  }
+
+  /** A method of lines draws the sides of a scene that shows none. */
+  #lines() {
+    const { lines, method } = this.#settings;
+    if (lines || !kLineMethods.has(method)) return lines;
+    return this.given.mesh || draws_no_lines(this.given.program) ? 'all' : lines;
+  }
+
+  /** Shading is of lit scenes whose polygons have normals. */
+  #offer_shading() {
+    const { program, mesh } = this.given;
+    const has_normals = mesh || /^\s*(set-vertex-normals|(cylinder|cone|sphere|torus|turn)-3)\b/m.test(program);
+    this.#selects.get('shading').hidden = !(has_normals && calls(program, 'set-light'));
+  }
+
+  /** A control's select, which shows what is set. */
+  shows(name, label) {
+    this.#selects.set(name, label);
+    const select = label.querySelector('select');
+    const value = this.#settings[name] ?? '';
+    if (value && ![...select.options].some((option) => option.value === value)) {
+      select.append(element('option', { value }, value));
+    }
+    select.value = value;
+  }
+
+  /** What is set, in words: '' or none is what the program says. */
+  get settings() {
+    return this.#settings;
+  }
+
+  /** Whether another picture is shown than the program's own. */
+  get is_changed() {
+    const differs = ([name, value]) => name !== 'samples' && (value || '') !== (this.#first_settings[name] || '');
+    return this.view !== null || Object.entries(this.#settings).some(differs);
+  }
+
+  async set(name, value) {
+    const before = { ...this.#settings };
+    const lines_before = this.#lines();
+    this.#settings[name] = value;
+    try {
+      if (name === 'shading' || this.#lines() !== lines_before) await this.#enter();
+      this.#slow = false;
+      await this.redrawn();
+    } catch (refused) {
+      Object.assign(this.#settings, before);
+      this.#selects.get(name).querySelector('select').value = before[name] ?? '';
+      this.say(refused.message);
+    }
+  }
+
+  /** Near to the screen's pixels, and of the very shape: it decides what of a scene is in the picture. */
+  get size() {
+    const [width, height] = this.#shape;
+    const both = greatest_common_divisor(width, height);
+    const [columns, rows] = [width / both, height / both];
+    const shown = (this.canvas.parentElement.clientWidth || width) * devicePixelRatio;
+    const times = Math.max(1, Math.round(Math.min(kMostPixels, shown) / columns));
+    return { width: times * columns, height: times * rows };
+  }
+
+  /** As options of the JavaScript API. */
+  get options() {
+    const { method, precision, hiddenLines, samples, background, scope } = this.#settings;
+    const given = Object.entries({ method, precision, hiddenLines, scope }).filter(([, value]) => value);
+    const options = { ...this.size, ...Object.fromEntries(given) };
+    if (samples !== '1') options.samples = Number(samples);
+    if (background) options.background = background === 'none' ? 'none' : background.split(' ').map(Number);
+    return options;
+  }
+
+  /** The view that is shown; null: that of the drawing program. */
+  get view() {
+    return !this.#view || is_as_drawn(this.#pose) ? null : view_of(this.#view, this.#middle, this.#pose);
+  }
+
+  /** Views that follow it, as while turning. */
+  views_after(count, degrees = 1) {
+    if (!this.#view) return [];
+    return Array.from({ length: count }, (_, k) =>
+      view_of(this.#view, this.#middle, turned(this.#view, this.#pose, ((k + 1) * degrees * Math.PI) / 180, 0)));
+  }
+
+  // ---- Gestures ----
+
+  #move(pose) {
+    if (!this.#view) {
+      this.say(`This scene is not turned: ${this.why_not_turned}`);
+      return;
+    }
+    this.#pose = pose(this.#view, this.#pose);
+    this.#turning = true;
+    this.marks.clear();
+    this.#ask_for_picture();
+  }
+  turn(right, down) {
+    this.#move((view, pose) => turned(view, pose, right, down));
+  }
+  pan(from, to) {
+    this.#move((view, pose) => panned(view, pose, from, to));
+  }
+  zoom(factor, about) {
+    this.#move((view, pose) => zoomed(view, pose, factor, about));
+  }
+  reset() {
+    this.#move(() => kAsDrawn);
+    this.rest();
+  }
+  /** What was moved has come to rest: it is drawn as it was asked for. */
+  rest() {
+    if (!this.#turning) return;
+    this.#turning = false;
+    this.#ask_for_picture();
+  }
+
+  press(at) {
+    this.#cross = undefined;
+    this.#pick(at);
+  }
+  points() {
+    return this.#cross !== undefined;
+  }
+  /** Moves the place where keys pick, in parts of the picture; undefined: no more. */
+  point(dx, dy) {
+    if (dx === undefined) {
+      this.#cross = undefined;
+      this.marks.clear();
+      this.say('');
+      return;
+    }
+    const within = (x) => Math.min(0.999, Math.max(0, x));
+    const [x, y] = this.#cross ?? [0.5, 0.5];
+    this.#cross = [within(x + dx), within(y + dy)];
+    this.#pick(this.#cross);
+  }
+
+  async #pick(at) {
+    const { width, height } = this.size;
+    const place = [at[0] * width, at[1] * height];
+    try {
+      const request = { key: this.key, view: this.view, options: this.options, at: place };
+      const { seen } = await this.drawer.ask('pick', request);
+      this.marks.clear();
+      if (this.#cross) this.marks.cross(this.#cross);
+      if (!seen) {
+        this.say('Nothing is seen there.');
+        return;
+      }
+      this.marks.outline(seen.outlines);
+      const kind = { polygon: 'Polygon', edge: 'Edge of polygon', line: 'Line' }[seen.kind];
+      const name = seen.pick < 0 ? 'without identifier' : seen.pick;
+      this.say(`${kind} ${name} of segment ${seen.segment}, depth ${Number(seen.depth.toPrecision(6))}`);
+    } catch (refused) {
+      this.say(refused.message);
+    }
+  }
+
+  // ---- Drawing ----
+
+  #ask_for_picture() {
+    if (this.given) this.redrawn().catch((refused) => this.say(refused.message));
+  }
+
+  /** Draws what is wanted now, one picture at a time: the newest view after the one that is drawn. */
+  redrawn() {
+    this.#wanted = true;
+    this.#drawing ??= this.#draw_while_wanted().finally(() => { this.#drawing = undefined; });
+    return this.#drawing;
+  }
+
+  async #draw_while_wanted() {
+    while (this.#wanted) {
+      this.#wanted = false;
+      const begin = performance.now();
+      await this.#draw_once();
+      // There is no use in more pictures than the screen shows.
+      if (this.#wanted && performance.now() - begin < kFrame) await next_frame();
+    }
+  }
+
+  async #draw_once() {
+    const { options } = this;
+    const is_quick = this.#turning && this.#is_replaceable(options);
+    if (is_quick) options.method = 'z-buffer';
+    if (this.#turning) delete options.samples;
+    const picture = await this.drawer.ask('draw', { key: this.key, view: this.view, options });
+    if (this.#turning && !is_quick) this.#slow = picture.milliseconds > kSlow;
+    await this.#show_picture(picture);
+    this.#tell(picture, is_quick);
+  }
+
+  #is_replaceable({ method, precision }) {
+    return this.#slow && kExactMethods.has(method) && (!precision || precision === 'exact');
+  }
+
+  async #show_picture(picture) {
+    const { width, height, rgba, svg } = picture;
+    const is_new_size = this.canvas.width !== width || this.canvas.height !== height;
+    const context = this.canvas.getContext('2d');
+    if (rgba) {
+      if (is_new_size) Object.assign(this.canvas, { width, height });
+      context.putImageData(new ImageData(rgba, width, height), 0, 0);
+    } else {
+      const image = new Image();
+      image.src = `data:image/svg+xml,${encodeURIComponent(svg)}`;
+      await image.decode();
+      Object.assign(this.canvas, { width, height });
+      context.drawImage(image, 0, 0, width, height);
+    }
+    this.picture = picture;
+  }
+
+  #tell({ width, height, milliseconds, svg }, is_quick) {
+    const method = this.#settings.method ? words_of_method(this.#settings.method) : '';
+    const words = [this.given.name, `${width} × ${height}`];
+    if (method) words.push(is_quick ? `${method}, at rest` : method);
+    words.push(svg ? 'drawn as SVG, since it has texts' : `${milliseconds.toPrecision(2)} ms`);
+    this.caption.textContent = words.join(' · ');
+    this.canvas.dataset.pictures = Number(this.canvas.dataset.pictures ?? 0) + 1;
+    this.command.textContent = command_line(this);
+  }
+
+  async #label() {
+    const { pieces, segments } = await this.drawer.ask('counts', { key: this.key });
+    this.canvas.setAttribute('aria-label',
+      `${this.given.name}: ${pieces} polygons and lines in ${segments} segment${segments === 1 ? '' : 's'}`);
+  }
+
+  say(words) {
+    this.status.textContent = words;
+  }
+}

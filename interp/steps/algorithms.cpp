@@ -1,0 +1,12 @@
+#include "interp/steps/algorithms.h"
+
+#include <array>
+
+namespace displayfile {
+
+std::span<const SteppedAlgorithm* const> stepped_algorithms() {
+  static constexpr std::array kAlgorithms{&kBspSteps};
+  return kAlgorithms;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,133 @@
+// Algorithms step by step: what the steps add up to is the item buffer of truth, every sentence
+// and line of a listing is one that there is, and too many steps are an error.
+
+#include "interp/steps/steps.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "interp/truth/truth.h"
+#include "tests/gallery.h"
+#include "tests/truth_scenes.h"
+
+namespace displayfile {
+namespace {
+
+/// The item buffer, top row first, after so many steps.
+std::vector<std::int32_t> ids_after(const Steps& told, std::size_t steps) {
+  std::vector<std::int32_t> ids(
+      static_cast<std::size_t>(told.width) * static_cast<std::size_t>(told.height), -1);
+  for (std::size_t k = 0; k < steps; ++k) {
+    for (const auto& [row, first, end, polygon] : told.steps[k].gained) {
+      for (int i = first; i < end; ++i) {
+        ids[static_cast<std::size_t>(told.height - 1 - row) * static_cast<std::size_t>(told.width) +
+            static_cast<std::size_t>(i)] = told.polygons[polygon].pick;
+      }
+    }
+  }
+  return ids;
+}
+
+/// Line, names and places are ones that there are.
+void expect_valid(const Steps& told) {
+  const auto pieces = static_cast<std::uint32_t>(told.pieces.size());
+  ASSERT_GE(pieces, told.polygons.size());
+  for (const Step& step : told.steps) {
+    EXPECT_TRUE(step.line >= 0 && step.line < static_cast<int>(told.listing.size()));
+    EXPECT_FALSE(told.listing[static_cast<std::size_t>(step.line)].name.empty());
+    EXPECT_TRUE(step.sentence.ends_with('.')) << step.sentence;
+    EXPECT_TRUE(step.sentence[0] >= 'A' && step.sentence[0] <= 'Z') << step.sentence;
+    for (const StepMark& mark : step.marks) {
+      if (mark.kind == StepMark::Kind::piece) {
+        EXPECT_LT(mark.piece, pieces);
+      }
+    }
+    for (const StepRun& run : step.gained) {
+      EXPECT_TRUE(run.row >= 0 && run.row < told.height && run.first >= 0 && run.first < run.end &&
+                  run.end <= told.width);
+      EXPECT_LT(run.polygon, told.polygons.size());
+    }
+    for (const PanelChange& change : step.panels) {
+      ASSERT_TRUE(change.panel >= 0 && change.panel < static_cast<int>(told.panels.size()));
+      const auto& panel = told.panels[static_cast<std::size_t>(change.panel)];
+      if (panel.kind != PanelEntry::Kind::tree) {
+        EXPECT_TRUE(change.nodes.empty());
+      }
+      const auto columns = static_cast<std::size_t>(std::ranges::count(panel.columns, '|')) + 1;
+      for (const StepRow& row : change.rows) {
+        EXPECT_EQ(row.cells.size(), columns) << panel.title;
+        if (row.piece != StepRow::kNoPiece) {
+          EXPECT_LT(row.piece, pieces);
+        }
+      }
+    }
+  }
+}
+
+std::vector<HiddenMethod> surface_methods() {
+  std::vector<HiddenMethod> methods = methods_with_steps();
+  std::erase_if(methods, [](HiddenMethod method) { return finds_lines(method); });
+  return methods;
+}
+
+void expect_truth(const DisplayFile& file, HiddenMethod method, int width, int height) {
+  SCOPED_TRACE(name_of(method));
+  const Steps told = tell_steps(file, {method, width, height, 1'000'000});
+  expect_valid(told);
+  const Picture right = truth(file, width, height, false);
+  const auto ids = ids_after(told, told.steps.size());
+  EXPECT_EQ(test::different(ids, right.ids), 0u);
+}
+
+TEST(Steps, AddUpToTheTruthOfTheGallery) {
+  int drawn = 0;
+  test::for_each_in_gallery([&](const std::string& name, const test::Retained& retained) {
+    const DisplayFile& file = retained.system.display_file();
+    if (file.polygons() > 60) return;
+    ++drawn;
+    SCOPED_TRACE(name);
+    for (const HiddenMethod method : surface_methods()) expect_truth(file, method, 37, 29);
+  });
+  EXPECT_GE(drawn, 8);
+}
+
+TEST(Steps, AddUpToTheTruthOfRandomScenes) {
+  for (const test::SceneFamily& family : test::scene_families()) {
+    SCOPED_TRACE(family.name);
+    for (std::uint32_t seed = 0; seed < 12; ++seed) {
+      SCOPED_TRACE(fmt::format("seed {}", seed));
+      const DisplayFile file = test::scene(family, seed, 2 + static_cast<int>(seed % 6));
+      for (const HiddenMethod method : surface_methods()) expect_truth(file, method, 16, 14);
+      if (HasFailure()) return;
+    }
+  }
+}
+
+TEST(Steps, TooManyAreAnErrorThatNamesTheLimit) {
+  GraphicsSystem system;
+  replay_file(DISPLAYFILE_SOURCE_DIR "/programs/cube.draw", system);
+  for (const HiddenMethod method : surface_methods()) {
+    const Steps told = tell_steps(system, {method, 16, 16});
+    StepsOptions options{method, 16, 16, told.steps.size()};
+    EXPECT_EQ(tell_steps(system, options).steps.size(), told.steps.size());
+    --options.most_steps;
+    try {
+      tell_steps(system, options);
+      FAIL() << name_of(method);
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("--limit-steps"), std::string::npos);
+    }
+  }
+}
+
+TEST(Steps, AMethodThatTellsNoneIsAnError) {
+  EXPECT_THROW(tell_steps(GraphicsSystem(), {HiddenMethod::map}), Error);
+  EXPECT_THROW(tell_steps(GraphicsSystem(), {HiddenMethod::bsp, 0, 10}), Error);
+}
+
+}  // namespace
+}  // namespace displayfile

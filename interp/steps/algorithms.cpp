@@ -5,7 +5,9 @@
 namespace displayfile {
 
 std::span<const SteppedAlgorithm* const> stepped_algorithms() {
-  static constexpr std::array kAlgorithms{&kBspSteps};
+  static constexpr std::array kAlgorithms{&kBspSteps,      &kDepthSortSteps, &kZBufferSteps,
+                                          &kScanLineSteps, &kScanLineZSteps, &kWarnockSteps,
+                                          &kRayCastSteps};
   return kAlgorithms;
 }
 

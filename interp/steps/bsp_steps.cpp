@@ -21,7 +21,7 @@ class BspSteps {
   static constexpr auto kListing = std::to_array<ListingLine>({
       {"sort", 0, "sort a list of polygons into a branch of the tree:"},
       {"root", 1, "the first of the list becomes the root"},
-      {"compare", 1, "for each other polygon of the list, in order:"},
+      {"", 1, "for each other polygon of the list, in order:"},
       {"", 2, "find the side of the root's plane that each vertex is on"},
       {"front", 2, "none behind: link it into the front list"},
       {"back", 2, "none in front: link it into the back list"},
@@ -86,7 +86,7 @@ class BspSteps {
     if (front_.empty() && back_.empty()) return;
     record_.step(
         at("branch"),
-        fmt::format("In front of {} are {}, in back of it {}: these lists are sorted next.",
+        fmt::format("In front of {}: {}; in back of it: {}. The lists are sorted in the same way.",
                     name(root), names(front_), names(back_)));
     record_.mark(StepRole::root, table_.piece(root));
     for (const Index i : front_) record_.mark(StepRole::front, table_.piece(i));
@@ -127,7 +127,7 @@ class BspSteps {
         fmt::format("{} {}", sides.front.size(), sides.front.size() == 1 ? "is" : "are"),
         name(root), sides.on.size(), sides.back.size());
     if (!sides.front.empty() && !sides.back.empty()) {
-      record_.step(at("compare"), capital(found + ": it is cut."));
+      record_.step(at("cut"), capital(found + ": it is cut."));
       mark_comparison(root, test, sides, StepRole::cut);
       return cut(root, test);
     }

@@ -27,7 +27,7 @@ Step& StepRecord::step(int line, std::string sentence) {
 }
 
 std::string StepRecord::names(std::span<const std::uint32_t> pieces) const {
-  if (pieces.empty()) return "none";
+  if (pieces.empty()) return "nothing";
   std::string all;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     if (k > 0) all += k + 1 == pieces.size() ? " and " : ", ";

@@ -28,7 +28,7 @@ class StepRecord {
   // ---- Names and pieces ------------------------------------------------------------------
 
   const std::string& name(std::uint32_t piece) const { return steps_.pieces[piece].name; }
-  /// "A, B and C"; "none" of nothing.
+  /// "A, B and C"; "nothing" of none.
   std::string names(std::span<const std::uint32_t> pieces) const;
   /// A new piece of the polygon that the other is, or is of: the polygon's name and a number.
   std::uint32_t add_piece(std::uint32_t of, std::vector<Point3> points);

@@ -7,9 +7,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
+#include "hidden/lines/visible_lines.h"
 #include "interp/truth/truth.h"
 #include "tests/gallery.h"
 #include "tests/truth_scenes.h"
@@ -39,7 +42,7 @@ void expect_valid(const Steps& told) {
   for (const Step& step : told.steps) {
     EXPECT_TRUE(step.line >= 0 && step.line < static_cast<int>(told.listing.size()));
     EXPECT_FALSE(told.listing[static_cast<std::size_t>(step.line)].name.empty());
-    EXPECT_TRUE(step.sentence.ends_with('.')) << step.sentence;
+    EXPECT_TRUE(step.sentence.ends_with('.') || step.sentence.ends_with('?')) << step.sentence;
     EXPECT_TRUE(step.sentence[0] >= 'A' && step.sentence[0] <= 'Z') << step.sentence;
     for (const StepMark& mark : step.marks) {
       if (mark.kind == StepMark::Kind::piece) {
@@ -81,6 +84,64 @@ void expect_truth(const DisplayFile& file, HiddenMethod method, int width, int h
   const Picture right = truth(file, width, height, false);
   const auto ids = ids_after(told, told.steps.size());
   EXPECT_EQ(test::different(ids, right.ids), 0u);
+}
+
+std::vector<HiddenMethod> line_methods() {
+  std::vector<HiddenMethod> methods = methods_with_steps();
+  std::erase_if(methods, [](HiddenMethod method) { return !finds_lines(method); });
+  return methods;
+}
+
+/// The lines that the steps draw are those that the method finds, to the last bit, and the hidden
+/// ones are what is left of all that are drawn.
+void expect_lines(const DisplayFile& file, HiddenMethod method) {
+  SCOPED_TRACE(name_of(method));
+  const Steps told = tell_steps(file, {method, 16, 16, 1'000'000});
+  expect_valid(told);
+  std::vector<VisiblePiece> drawn;
+  std::map<LineName, double> lengths;
+  for (const Step& step : told.steps) {
+    for (const StepLine& line : step.lines) {
+      lengths[{line.polygon, line.corner}] += line.to - line.from;
+      if (!line.hidden) drawn.push_back({line.polygon, line.corner, line.from, line.to});
+    }
+  }
+  const auto key = [](const VisiblePiece& p) { return std::tuple(p.item, p.corner, p.from); };
+  std::ranges::sort(drawn, {}, key);
+  const ViewedScene scene(file);
+  const std::vector<std::uint8_t> sides = scene.drawn_sides();
+  Primitives items = scene.primitives();
+  items.visible = sides;
+  const std::vector<LineName> names = drawn_lines(items);
+  const SeenLines right = visible_lines(items, names, method, {});
+  EXPECT_EQ(drawn, right.pieces);
+  EXPECT_EQ(lengths.size(), names.size());
+  for (const auto& [name, length] : lengths) EXPECT_NEAR(length, 1.0, 1e-12);
+}
+
+TEST(Steps, DrawTheLinesThatTheMethodFinds) {
+  int drawn = 0;
+  test::for_each_in_gallery([&](const std::string& name, const test::Retained& retained) {
+    const DisplayFile& file = retained.system.display_file();
+    if (file.polygons() > 60) return;
+    ++drawn;
+    SCOPED_TRACE(name);
+    for (const HiddenMethod method : line_methods()) {
+      if (!needs_surface(method)) expect_lines(file, method);
+    }
+  });
+  EXPECT_GE(drawn, 8);
+  for (const test::SceneFamily& family : test::scene_families()) {
+    SCOPED_TRACE(family.name);
+    for (std::uint32_t seed = 0; seed < 12; ++seed) {
+      SCOPED_TRACE(fmt::format("seed {}", seed));
+      const DisplayFile file = test::scene(family, seed, 2 + static_cast<int>(seed % 6), {});
+      for (const HiddenMethod method : line_methods()) {
+        if (!needs_surface(method)) expect_lines(file, method);
+      }
+      if (HasFailure()) return;
+    }
+  }
 }
 
 TEST(Steps, AddUpToTheTruthOfTheGallery) {

@@ -5,9 +5,9 @@
 namespace displayfile {
 
 std::span<const SteppedAlgorithm* const> stepped_algorithms() {
-  static constexpr std::array kAlgorithms{&kBspSteps,      &kDepthSortSteps, &kZBufferSteps,
-                                          &kScanLineSteps, &kScanLineZSteps, &kWarnockSteps,
-                                          &kRayCastSteps};
+  static constexpr std::array kAlgorithms{
+      &kBspSteps,     &kDepthSortSteps, &kZBufferSteps, &kScanLineSteps, &kScanLineZSteps,
+      &kWarnockSteps, &kRayCastSteps,   &kRobertsSteps, &kAppelSteps,    &kFranklinSteps};
   return kAlgorithms;
 }
 

@@ -21,6 +21,7 @@ struct PanelEntry {
     table,    ///< rows of a cell for each column
     tree,     ///< nodes, which stay once they are told
     profile,  ///< segments across the picture: x from 0 to 1, and z, which grows to the viewer
+    graph,    ///< segments: x from 0 to 1, and a number from 0 up in place of z
     depths,   ///< the depth of what is seen at each pixel: it follows from the picture
   };
   std::string_view name;  ///< for panel_named

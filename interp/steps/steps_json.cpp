@@ -127,7 +127,8 @@ void write(Text& to, const Step& step) {
 }
 
 void write(Text& to, const PanelEntry& panel) {
-  static constexpr std::string_view kKinds[] = {"list", "table", "tree", "profile", "depths"};
+  static constexpr std::string_view kKinds[] = {"list",    "table", "tree",
+                                                "profile", "graph", "depths"};
   fmt::format_to(to, "{{\"title\":{},\"kind\":\"{}\",\"columns\":{}}}", json_string(panel.title),
                  kKinds[static_cast<std::size_t>(panel.kind)], json_string(panel.columns));
 }

@@ -12,6 +12,11 @@ class StepsPicture {
     this.background = StepsPicture.rgba(story.data.background);
     this.side = 1000;  // of the unit square in the overlay
     overlay.setAttribute('viewBox', `0 0 ${this.side} ${this.side}`);
+    this.outlineGroup = this.outlines();
+    this.lineGroup = this.group('lines', []);
+    this.stayGroup = this.group('stays', []);
+    this.changing = this.group('changing', []);
+    overlay.replaceChildren(this.outlineGroup, this.stayGroup, this.lineGroup, this.changing);
   }
 
   static rgba(hex) {
@@ -22,11 +27,16 @@ class StepsPicture {
   show(at, {outlines, names}) {
     this.ids = this.story.picture(at);
     this.showPixels();
-    const groups = [];
-    if (outlines) groups.push(this.outlines());
-    groups.push(this.lines(at), this.stays(at), this.marks(at));
-    if (names) groups.push(this.names(at));
-    this.overlay.replaceChildren(...groups);
+    this.outlineGroup.style.display = outlines ? '' : 'none';
+    this.showUntil(this.lineGroup, at < 0 ? 0 : this.story.linesUntil[at], (k) => this.line(this.story.lines[k]));
+    this.showUntil(this.stayGroup, at < 0 ? 0 : this.story.staysUntil[at], (k) => this.mark(this.story.stays[k]));
+    this.changing.replaceChildren(this.marks(at), ...(names ? [this.names(at)] : []));
+  }
+
+  /** Makes a group hold so many elements, of those that never change. */
+  showUntil(group, count, element) {
+    while (group.childElementCount > count) group.lastChild.remove();
+    for (let k = group.childElementCount; k < count; ++k) group.append(element(k));
   }
 
   showPixels() {
@@ -82,17 +92,11 @@ class StepsPicture {
     return this.group('outlines', all);
   }
 
-  lines(at) {
-    const lines = this.story.lines.slice(0, at < 0 ? 0 : this.story.linesUntil[at]);
-    return this.group('lines', lines.map(([, hidden, x0, y0, x1, y1]) => StepsPicture.element('path', {
+  line([, hidden, x0, y0, x1, y1]) {
+    return StepsPicture.element('path', {
       d: this.path([x0, y0, x1, y1], 2, false),
       class: hidden ? 'line-hidden' : 'line-seen',
-    })));
-  }
-
-  stays(at) {
-    const marks = this.story.stays.slice(0, at < 0 ? 0 : this.story.staysUntil[at]);
-    return this.group('stays', marks.map((mark) => this.mark(mark)));
+    });
   }
 
   marks(at) {

@@ -4,6 +4,7 @@
 class StepsTree {
   constructor(story, panel) {
     this.story = story;
+    this.panel = panel;
     this.nodes = story.nodes[panel];
     this.place();
   }
@@ -49,6 +50,7 @@ class StepsTree {
     const x = (node) => (node.x + 0.5) * kWide, y = (node) => (node.y + 0.5) * kHigh;
     const links = [], dots = [], told = [];
     const marked = this.rolesOfStep(at);
+    const lit = this.litNodes(at);
     for (const node of this.nodes.values()) {
       const look = StepsStory.lastUntil(node.looks, at);
       if (!look) continue;
@@ -59,7 +61,7 @@ class StepsTree {
       } else {
         told.push(`root ${look.text}`);
       }
-      const role = marked.get(look.piece) || look.role;
+      const role = lit.get(node.id) || marked.get(look.piece) || look.role;
       const group = StepsPicture.element('g', {class: `node role-${role}`});
       const long = look.text.length > 4;
       group.append(
@@ -77,6 +79,12 @@ class StepsTree {
     link_group.append(...links);
     svg.append(link_group, ...dots);
     return svg;
+  }
+
+  /** The nodes that the step lights by their numbers. */
+  litNodes(at) {
+    const rows = (this.story.panel(this.panel, at) || {}).rows || [];
+    return new Map(rows.map(([, role, number]) => [Number(number), role]));
   }
 
   rolesOfStep(at) {

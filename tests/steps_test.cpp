@@ -144,6 +144,40 @@ TEST(Steps, DrawTheLinesThatTheMethodFinds) {
   }
 }
 
+/// Waves over a grid, with holes in no place.
+DisplayFile surface_seen(std::uint32_t seed, bool perspective) {
+  test::Dice dice(seed);
+  const int nx = dice.from(2, 8), ny = dice.from(2, 8);
+  std::vector<double> heights;
+  for (int k = 0; k < nx * ny; ++k) heights.push_back(dice.from(-4, 4) / 6.0);
+  GraphicsSystem g;
+  const Point3 eye(dice.from(-5, 5), dice.from(-9, -3), dice.from(-4, 6));
+  g.set_view_plane_normal(-eye);
+  g.set_view_up({0, 0, 1});
+  if (perspective) {
+    g.set_perspective(3.0 * eye);
+    g.set_window(-4, 4, -4, 4);
+  } else {
+    g.set_parallel(-eye);
+    g.set_window(-2, 2, -2, 2);
+  }
+  g.set_surface_curves(dice.one_in(2) ? SurfaceCurves::both : SurfaceCurves::x);
+  g.open_segment(1);
+  g.surface_3({-1, 1, nx, -1, 1, ny, heights});
+  g.close_segment();
+  return g.display_file();
+}
+
+TEST(Steps, DrawTheCurvesOfASurface) {
+  for (std::uint32_t seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    for (const HiddenMethod method : line_methods()) {
+      expect_lines(surface_seen(seed, seed % 2 == 0), method);
+    }
+    if (HasFailure()) return;
+  }
+}
+
 TEST(Steps, AddUpToTheTruthOfTheGallery) {
   int drawn = 0;
   test::for_each_in_gallery([&](const std::string& name, const test::Retained& retained) {

@@ -38,7 +38,7 @@ class ActiveEdges {
 
   /// The list as rows of a table: polygon, x of the crossing in pixels, its change a row, last row,
   /// IN or OUT from there on.
-  static constexpr std::string_view kColumns = "polygon|x|change of x|last row|from there on";
+  static constexpr std::string_view kColumns = "polygon|x|change of x|last row|flag";
   std::vector<StepRow> rows(const StepRecord& record, int row) const;
 
   /// The runs of pixels in which the polygons are IN on this row, in order of entry.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,11 @@ class StepLines {
 
   const Primitives& items() const { return items_; }
   const LineScene& lines() const { return lines_; }
+  std::span<const LineName> names() const { return names_; }
+  /// The first line of that name, by its number.
+  const Line& line_of(std::uint32_t name) const {
+    return lines_.lines()[lines_.first_lines()[name]];
+  }
   const ExactLines& policy() const { return policy_; }
 
   /// "side 2 of A", or "line B"; sides are numbered from 1, by the corners at which they end.

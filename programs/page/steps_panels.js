@@ -42,7 +42,11 @@ class StepsPanels {
   }
 
   content(panel, change) {
-    if (panel.kind === 'profile') return this.profile((change || {}).segments || []);
+    const segments = (change || {}).segments || [];
+    if (panel.kind === 'profile') return this.chart(segments, this.depthRange(), 'Depths along the row');
+    if (panel.kind === 'graph') {
+      return this.chart(segments, [0, Math.max(1, ...segments.map((s) => s[1]))], 'Counts along the line');
+    }
     const rows = (change || {}).rows || [];
     if (rows.length === 0) return this.nothing();
     return panel.kind === 'table' ? this.table(panel.columns.split('|'), rows) : this.list(rows);
@@ -97,20 +101,33 @@ class StepsPanels {
     return table;
   }
 
-  /** Segments over the picture's width; what is nearer to the viewer is higher. */
-  profile(segments) {
-    const kWide = 300, kHigh = 110, kRim = 6;
+  /** The depths of all that the scene has, which the charts of all steps share. */
+  depthRange() {
+    if (!this.range) {
+      let low = Infinity, high = -Infinity;
+      for (const piece of this.story.data.pieces) {
+        for (let k = 2; k < piece.points.length; k += 3) {
+          low = Math.min(low, piece.points[k]);
+          high = Math.max(high, piece.points[k]);
+        }
+      }
+      this.range = [low, high];
+    }
+    return this.range;
+  }
+
+  /** Segments, each from x0, y0 to x1, y1: x from 0 to 1, y in the range, upward. */
+  chart(segments, [low, high], what) {
+    const kWide = 300, kHigh = 110, kRim = 8;
     const svg = StepsPicture.element('svg', {
-      viewBox: `0 0 ${kWide} ${kHigh}`, class: 'profile', role: 'img', preserveAspectRatio: 'none',
-      'aria-label': segments.length ? `Depths along the row, of ${segments.length} runs` : 'Nothing is on the row',
+      viewBox: `0 0 ${kWide} ${kHigh}`, class: 'chart', role: 'img', preserveAspectRatio: 'none',
+      'aria-label': segments.length ? `${what}, in ${segments.length} parts` : `${what}: nothing`,
     });
-    const depths = segments.flatMap((s) => [s[1], s[3]]);
-    const low = Math.min(...depths), high = Math.max(...depths);
-    const y = (z) => kHigh - kRim - (high > low ? (z - low) / (high - low) : 0.5) * (kHigh - 2 * kRim);
-    for (const [x0, z0, x1, z1, piece, role] of segments) {
+    const y = (value) => kHigh - kRim - (high > low ? (value - low) / (high - low) : 0.5) * (kHigh - 2 * kRim);
+    for (const [x0, y0, x1, y1, piece, role] of segments) {
       svg.append(StepsPicture.element('path', {
-        d: `M${x0 * kWide} ${y(z0).toFixed(2)}L${x1 * kWide} ${y(z1).toFixed(2)}`,
-        class: `profile-line role-${role}`,
+        d: `M${x0 * kWide} ${y(y0).toFixed(2)}L${x1 * kWide} ${y(y1).toFixed(2)}`,
+        class: `chart-line role-${role}`,
         ...(piece >= 0 ? {style: `stroke:${this.story.colourOf(piece)}`} : {}),
       }));
     }
@@ -120,11 +137,7 @@ class StepsPanels {
   /** The depth of what each pixel shows, the nearest of all that the scene has white. */
   depths(ids) {
     const {width, height, data} = this.story;
-    if (!this.range) {
-      const corners = data.pieces.flatMap((piece) => piece.points.filter((_, k) => k % 3 === 2));
-      this.range = [Math.min(...corners), Math.max(...corners)];
-    }
-    const [low, high] = this.range;
+    const [low, high] = this.depthRange();
     const canvas = document.createElement('canvas');
     canvas.className = 'depths';
     canvas.width = width;

@@ -45,7 +45,7 @@ class StepsTree {
     const kWide = 44, kHigh = 46, kRadius = 15;
     const width = Math.max(1, this.across) * kWide, height = (this.depth + 1) * kHigh;
     const svg = StepsPicture.element('svg', {
-      viewBox: `0 0 ${width} ${height}`, class: 'tree', role: 'img', style: `max-width:${width}px;min-width:${Math.min(width, 14 * this.across)}px`,
+      viewBox: `0 0 ${width} ${height}`, class: 'tree', role: 'img', style: `max-width:${width}px;min-width:${Math.min(width, 20 * this.across)}px`,
     });
     const x = (node) => (node.x + 0.5) * kWide, y = (node) => (node.y + 0.5) * kHigh;
     const links = [], dots = [], told = [];
@@ -62,15 +62,17 @@ class StepsTree {
         told.push(`root ${look.text}`);
       }
       const role = lit.get(node.id) || marked.get(look.piece) || look.role;
-      const group = StepsPicture.element('g', {class: `node role-${role}`});
-      const long = look.text.length > 4;
+      const bare = look.piece < 0;  // a node that holds nothing of the scene: no more than a dot
+      const group = StepsPicture.element('g', {class: `node role-${role}${bare ? ' bare' : ''}`});
+      const long = !bare && look.text.length > 4;
+      const radius = bare ? kRadius / 2 : kRadius;
       group.append(
           StepsPicture.element('rect', {
-            x: x(node) - (long ? kWide / 2 - 2 : kRadius), y: y(node) - kRadius,
-            width: long ? kWide - 4 : 2 * kRadius, height: 2 * kRadius, rx: long ? 4 : kRadius,
+            x: x(node) - (long ? kWide / 2 - 2 : radius), y: y(node) - radius,
+            width: long ? kWide - 4 : 2 * radius, height: 2 * radius, rx: long ? 4 : radius,
             ...(look.piece >= 0 ? {style: `fill:${this.story.colourOf(look.piece)}`} : {}),
           }),
-          StepsPicture.element('text', {x: x(node), y: y(node)}, long ? look.text.slice(0, 7) : look.text),
+          StepsPicture.element('text', {x: x(node), y: y(node)}, bare ? '' : long ? look.text.slice(0, 7) : look.text),
           StepsPicture.element('title', {}, look.text));
       dots.push(group);
     }

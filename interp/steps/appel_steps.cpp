@@ -134,11 +134,11 @@ class AppelSteps {
       const SideCounts around{known, known};
       const bool by_from = *vertex == counted.from;
       start_ = by_from ? around + counted.star_from : around + counted.star_to - counted.change;
-      record_.step(at("carried"),
-                   fmt::format("The count {} is known {} {}: with what the polygons around that "
-                               "point add, it begins with {} on the left and {} on the right.",
-                               known, by_from ? "at the start of" : "at the end of", of,
-                               start_.left, start_.right));
+      record_.step(
+          at("carried"),
+          fmt::format("{} of {} is known, {}: with the polygons around that point the "
+                      "count begins with {} on the left and {} on the right.",
+                      by_from ? "The start" : "The end", of, known, start_.left, start_.right));
     }
     lines_.mark(StepRole::root, line);
     record_.mark(StepRole::active, {lines_.at(line, vertex && *vertex == counted.to ? 1.0 : 0.0)},

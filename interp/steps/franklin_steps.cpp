@@ -36,8 +36,7 @@ class FranklinSteps {
       {"hidden", "Hidden of the line, in shares of it", PanelEntry::Kind::table,
        "by|from|to|where"},
       {"cell", "Polygons in the cells of the stretch, the nearest first", PanelEntry::Kind::list},
-      {"grids", "Grids", PanelEntry::Kind::table,
-       "cells|polygons entered|cells with a blocking face"},
+      {"grids", "Grids", PanelEntry::Kind::table, "cells|polygons in them|blocked"},
   });
   static consteval int at(std::string_view name) { return number_named(kListing, name); }
   static consteval int panel(std::string_view name) { return number_named(kPanels, name); }

@@ -55,8 +55,8 @@ class ShownHorizon {
         upper.push_back(columns_[k].upper);
         lower.push_back(columns_[k].lower);
       } else if (!upper.empty()) {
-        record.mark(StepRole::front, std::exchange(upper, {}), StepMark::Kind::line);
-        record.mark(StepRole::back, std::exchange(lower, {}), StepMark::Kind::line);
+        record.mark(StepRole::upper, std::exchange(upper, {}), StepMark::Kind::line);
+        record.mark(StepRole::lower, std::exchange(lower, {}), StepMark::Kind::line);
       }
     }
   }
@@ -77,7 +77,7 @@ class ShownHorizon {
   }
 
  private:
-  static constexpr std::size_t kColumns = 64;
+  static constexpr std::size_t kColumns = 48;
   struct Column {
     bool any = false;
     double low = 0.0, high = 0.0;

@@ -13,9 +13,9 @@
 namespace displayfile {
 
 std::string_view name_of(StepRole role) {
-  static constexpr std::array<std::string_view, 11> kNames{"none", "root",   "compared", "front",
-                                                           "back", "on",     "cut",      "active",
-                                                           "seen", "hidden", "tagged"};
+  static constexpr std::array<std::string_view, 13> kNames{
+      "none",   "root", "compared", "front",  "back",  "on",   "cut",
+      "active", "seen", "hidden",   "tagged", "upper", "lower"};
   return kNames[static_cast<std::size_t>(role)];
 }
 

@@ -34,6 +34,8 @@ enum class StepRole : std::uint8_t {
   seen,      ///< found to be seen
   hidden,    ///< found to be hidden
   tagged,    ///< has been moved before
+  upper,     ///< the upper perimeter of what is drawn
+  lower,     ///< and the lower one
 };
 /// The word of a role, in lower case.
 std::string_view name_of(StepRole role);

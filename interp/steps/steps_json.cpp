@@ -44,8 +44,9 @@ std::string hex(const Colour& colour) {
   return fmt::format("\"#{:02x}{:02x}{:02x}\"", p & 0xFF, p >> 8 & 0xFF, p >> 16 & 0xFF);
 }
 
-/// A coordinate to look at.
+/// A coordinate of a piece, and one of what is only pointed at.
 std::string coordinate(double value) { return fmt::format("{:.6g}", value); }
+std::string place(double value) { return fmt::format("{:.4g}", value); }
 
 long long piece_of(std::uint32_t piece) {
   return piece == StepRow::kNoPiece ? -1 : static_cast<long long>(piece);
@@ -64,7 +65,7 @@ void write(Text& to, const StepMark& mark) {
     case StepMark::Kind::points:
     case StepMark::Kind::line:
       for (const Point2& p : mark.points) {
-        fmt::format_to(to, ",{},{}", coordinate(p.x), coordinate(p.y));
+        fmt::format_to(to, ",{},{}", place(p.x), place(p.y));
       }
   }
   fmt::format_to(to, "]");
@@ -81,8 +82,8 @@ void write(Text& to, const PanelChange& change) {
   } else if (!change.segments.empty()) {
     fmt::format_to(to, ",\"segments\":");
     write_list(to, change.segments, [&](const StepSegment& s) {
-      fmt::format_to(to, "[{},{},{},{},{},\"{}\"]", coordinate(s.x0), coordinate(s.z0),
-                     coordinate(s.x1), coordinate(s.z1), piece_of(s.piece), name_of(s.role));
+      fmt::format_to(to, "[{},{},{},{},{},\"{}\"]", place(s.x0), place(s.z0), place(s.x1),
+                     place(s.z1), piece_of(s.piece), name_of(s.role));
     });
   } else {
     fmt::format_to(to, ",\"rows\":");

@@ -18,12 +18,30 @@ constexpr long long kSmallArea = 32LL * 32;
 
 }  // namespace
 
+/// Hands on to an observer what it asks for.
+struct Warnock::Told {
+  const Observer& observer;
+  void visit(const Visit& visited) const {
+    if (observer.visit) observer.visit(visited);
+  }
+  void remove(Fill hidden, Fill by) const {
+    if (observer.remove) observer.remove(hidden, by);
+  }
+  void part(const SampleArea& area) const {
+    if (observer.part) observer.part(area);
+  }
+  void paint(Fill fill, int row, int first, int end) const {
+    if (observer.paint && first < end) observer.paint(fill, row, first, end);
+  }
+};
+
 /// One call's work: the stack of areas, the lists, and what is seen in the rows.
+template <class Watch>
 class Warnock::Subdivision {
  public:
-  Subdivision(const Warnock& warnock, int row_begin, int row_end);
+  Subdivision(const Warnock& warnock, int row_begin, int row_end, const Watch& watch);
 
-  void run(const std::function<void(const Visit&)>& watch);
+  void run();
   void tell(const SeenRun& seen) const;
 
  private:
@@ -61,9 +79,12 @@ class Warnock::Subdivision {
   std::vector<Pending> pending_;
   std::vector<Fill> seen_;  // of the screen's pixels, row by row
   ScanConverter converter_;
+  [[no_unique_address]] Watch watch_;
 };
 
-Warnock::Subdivision::Subdivision(const Warnock& warnock, int row_begin, int row_end)
+template <class Watch>
+Warnock::Subdivision<Watch>::Subdivision(const Warnock& warnock, int row_begin, int row_end,
+                                         const Watch& watch)
     : warnock_(warnock),
       scene_(warnock.request_->scene),
       size_(warnock.request_->size),
@@ -72,11 +93,13 @@ Warnock::Subdivision::Subdivision(const Warnock& warnock, int row_begin, int row
       area_(screen_),
       list_begin_(0),
       seen_(static_cast<std::size_t>(screen_.columns()) * static_cast<std::size_t>(screen_.rows()),
-            ViewedScene::kBackground) {}
+            ViewedScene::kBackground),
+      watch_(watch) {}
 
 /// The stack holds the areas still to come; their parents' lists lie in lists_ in the same order,
 /// so what lies behind the parent's of the area on top belongs to areas that are done.
-void Warnock::Subdivision::run(const std::function<void(const Visit&)>& watch) {
+template <class Watch>
+void Warnock::Subdivision<Watch>::run() {
   for (Fill fill = 1; fill < scene_.end(); ++fill) {
     lists_.push_back({fill, AreaCategory::intersecting});
   }
@@ -87,13 +110,16 @@ void Warnock::Subdivision::run(const std::function<void(const Visit&)>& watch) {
     make_list(next);
     if (!is_pixel(area_)) remove_hidden();
     const Decision decision = decide();
-    if (watch) watch({area_, list(), decision});
+    watch_.visit({area_, list(), decision});
     switch (decision) {
       case Decision::background: break;
       case Decision::subdivided: subdivide(); break;
-      case Decision::pixel:
-        row_of(area_.first_row)[area_.first_column] = *nearest_surrounding();
+      case Decision::pixel: {
+        const Fill nearest = *nearest_surrounding();
+        row_of(area_.first_row)[area_.first_column] = nearest;
+        watch_.paint(nearest, area_.first_row, area_.first_column, area_.end_column);
         break;
+      }
       case Decision::surrounded:
       case Decision::one_polygon:
       case Decision::few_polygons: scan_convert(); break;
@@ -103,7 +129,8 @@ void Warnock::Subdivision::run(const std::function<void(const Visit&)>& watch) {
 
 /// Lists the polygons of the parent's list that are not disjoint. A polygon that surrounds the
 /// parent's area surrounds this one too; the others are classified again.
-void Warnock::Subdivision::make_list(const Pending& pending) {
+template <class Watch>
+void Warnock::Subdivision<Watch>::make_list(const Pending& pending) {
   area_ = pending.area;
   lists_.resize(pending.list_end);
   list_begin_ = pending.list_end;
@@ -118,7 +145,8 @@ void Warnock::Subdivision::make_list(const Pending& pending) {
 }
 
 /// The polygon that is seen in the middle of the area, among those that surround it.
-std::optional<Warnock::Fill> Warnock::Subdivision::nearest_surrounding() {
+template <class Watch>
+std::optional<Warnock::Fill> Warnock::Subdivision<Watch>::nearest_surrounding() {
   const int column = area_.first_column + area_.columns() / 2;
   const int row = area_.first_row + area_.rows() / 2;
   std::optional<Fill> nearest;
@@ -130,26 +158,32 @@ std::optional<Warnock::Fill> Warnock::Subdivision::nearest_surrounding() {
 }
 
 /// The difference of two planes' depths is linear: what holds at the corners holds between them.
-bool Warnock::Subdivision::hides_over(Fill a, Fill b, const SampleArea& area) {
+template <class Watch>
+bool Warnock::Subdivision<Watch>::hides_over(Fill a, Fill b, const SampleArea& area) {
   const int left = area.first_column, right = area.end_column - 1;
   const int bottom = area.first_row, top = area.end_row - 1;
   return depths_.hides(a, b, left, bottom) && depths_.hides(a, b, right, top) &&
          depths_.hides(a, b, right, bottom) && depths_.hides(a, b, left, top);
 }
 
-void Warnock::Subdivision::remove_hidden() {
+template <class Watch>
+void Warnock::Subdivision<Watch>::remove_hidden() {
   const std::optional<Fill> nearest = nearest_surrounding();
   if (!nearest) return;
   const auto is_hidden = [&](const Listed& listed) {
-    return listed.fill != *nearest &&
-           hides_over(*nearest, listed.fill, intersection(area_, warnock_.extents_[listed.fill]));
+    const bool hidden =
+        listed.fill != *nearest &&
+        hides_over(*nearest, listed.fill, intersection(area_, warnock_.extents_[listed.fill]));
+    if (hidden) watch_.remove(listed.fill, *nearest);
+    return hidden;
   };
   const auto begin = lists_.begin() + static_cast<std::ptrdiff_t>(list_begin_);
   lists_.erase(std::remove_if(begin, lists_.end(), is_hidden), lists_.end());
 }
 
 /// The problem book's tests (a) to (d).
-Warnock::Decision Warnock::Subdivision::decide() const {
+template <class Watch>
+Warnock::Decision Warnock::Subdivision<Watch>::decide() const {
   if (list().empty()) return Decision::background;
   if (list().size() == 1) {
     return list()[0].category == AreaCategory::surrounding ? Decision::surrounded
@@ -161,7 +195,8 @@ Warnock::Decision Warnock::Subdivision::decide() const {
   return small || list().size() <= kFewPolygons ? Decision::few_polygons : Decision::subdivided;
 }
 
-void Warnock::Subdivision::scan_convert() {
+template <class Watch>
+void Warnock::Subdivision<Watch>::scan_convert() {
   for (const Listed& listed : list()) {
     const Fill fill = listed.fill;
     if (listed.category == AreaCategory::surrounding) {
@@ -179,7 +214,8 @@ void Warnock::Subdivision::scan_convert() {
 
 /// Divides the area into quarters; an area more than twice as long as it is wide into halves, so
 /// that areas come near to squares.
-void Warnock::Subdivision::subdivide() {
+template <class Watch>
+void Warnock::Subdivision<Watch>::subdivide() {
   const auto [left, right, bottom, top] = area_;
   const int columns = area_.columns(), rows = area_.rows();
   const int middle_column =
@@ -190,13 +226,16 @@ void Warnock::Subdivision::subdivide() {
                                  SampleArea{left, middle_column, middle_row, top},
                                  SampleArea{middle_column, right, bottom, middle_row},
                                  SampleArea{left, middle_column, bottom, middle_row}}) {
-    if (!part.empty()) pending_.push_back({part, list_begin_, lists_.size()});
+    if (part.empty()) continue;
+    pending_.push_back({part, list_begin_, lists_.size()});
+    watch_.part(part);
   }
 }
 
 /// Paints the fill where it is seen rather than what is there, in runs of pixels that show the
 /// same.
-void Warnock::Subdivision::paint(Fill fill, int row, int first, int end) {
+template <class Watch>
+void Warnock::Subdivision<Watch>::paint(Fill fill, int row, int first, int end) {
   Fill* seen = row_of(row);
   while (first < end) {
     const Fill before = seen[first];
@@ -208,11 +247,13 @@ void Warnock::Subdivision::paint(Fill fill, int row, int first, int end) {
     }
     const auto shown = run.seen_from(first);
     std::fill(seen + shown.first, seen + shown.end, fill);
+    watch_.paint(fill, row, shown.first, shown.end);
     first = run.end;
   }
 }
 
-void Warnock::Subdivision::tell(const SeenRun& seen) const {
+template <class Watch>
+void Warnock::Subdivision<Watch>::tell(const SeenRun& seen) const {
   const auto width = static_cast<std::size_t>(screen_.columns());
   for (int row = screen_.first_row; row < screen_.end_row; ++row) {
     const auto start = static_cast<std::size_t>(row - screen_.first_row) * width;
@@ -230,11 +271,20 @@ void Warnock::prepare(const Request& request, int /*threads*/) {
   }
 }
 
-void Warnock::draw_rows(int row_begin, int row_end, const SeenRun& seen,
-                        const std::function<void(const Visit&)>& watch) const {
-  Subdivision subdivision(*this, row_begin, row_end);
-  subdivision.run(watch);
+template <class Watch>
+void Warnock::subdivide(int row_begin, int row_end, const SeenRun& seen, const Watch& watch) const {
+  Subdivision<Watch> subdivision(*this, row_begin, row_end, watch);
+  subdivision.run();
   subdivision.tell(seen);
+}
+
+void Warnock::draw_rows(int row_begin, int row_end, const SeenRun& seen) const {
+  subdivide(row_begin, row_end, seen, Unobserved());
+}
+
+void Warnock::draw_rows(int row_begin, int row_end, const SeenRun& seen,
+                        const Observer& observer) const {
+  subdivide(row_begin, row_end, seen, Told{observer});
 }
 
 }  // namespace displayfile

@@ -84,7 +84,7 @@ struct StepNode {
   static constexpr int kNoParent = -1;
   int node;    ///< numbered by the algorithm
   int parent;  ///< kNoParent of the root
-  int branch;  ///< 0: the first below its parent, and so on
+  int branch;  ///< 0: the first below its parent, and so on; -1: the node stays where it is
   std::string text;
   std::uint32_t piece = StepRow::kNoPiece;
   StepRole role = StepRole::none;
@@ -97,7 +97,8 @@ struct StepSegment {
   StepRole role = StepRole::none;
 };
 
-/// What a panel shows from this step on. A tree keeps the nodes that it has.
+/// What a panel shows from this step on. A tree keeps the nodes that it has; rows of it name, in
+/// their cell, nodes that the step lights.
 struct PanelChange {
   int panel;
   std::vector<StepRow> rows = {};

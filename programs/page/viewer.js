@@ -67,7 +67,7 @@ class Viewer {
     try {
       await this.#enter();
     } catch (refused) {
-      this.given = before;
+      if (this.given === given) this.given = before;
       throw refused;
     }
     if (!keeps_view) this.#pose = kAsDrawn;
@@ -84,6 +84,7 @@ class Viewer {
     this.#middle = middle;
     if (!view) this.#pose = kAsDrawn;
     this.why_not_turned = whyNot;
+    this.canvas.classList.toggle('fixed', !view);
     this.#slow = false;
     this.#cross = undefined;
     this.marks.clear();

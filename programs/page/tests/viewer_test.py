@@ -92,7 +92,9 @@ class PicturesTest(PageTest):
         page = self.folder / "wide.html"
         square = self.folder / "square.draw"
         square.write_text("open-segment 1\npolygon-abs-3 -0.5 -0.5 0  0.5 -0.5 0  0 0.5 0\nclose-segment\n")
-        for scene in (GEARS, square):
+        mesh = self.folder / "mesh.obj"
+        mesh.write_text("v -1 0 0\nv 1 0 0\nv 0 1 0.5\nv 0 0 2\nf 1 2 3\nf 1 2 4\n")
+        for scene in (GEARS, square, mesh):
             make_page(page, scene, "--size", "640x400")
             self.open(page.as_uri())
             width, height, _ = self.picture()

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <iterator>
 #include <optional>
 #include <unordered_map>
@@ -32,8 +33,8 @@ std::vector<LineItems::Sharers> lines_with_length(const LineItems& items,
 }
 
 double length(const LineItems& items, LineId line) {
-  const Point2 from(items.from(line)), to(items.to(line));
-  return std::hypot(to.x - from.x, to.y - from.y);
+  // Not std::hypot, whose last digit is another one in another C library.
+  return glm::distance(Point2(items.from(line)), Point2(items.to(line)));
 }
 
 /// Parts in doubles that still have a length, and between them gaps that do.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <glm/geometric.hpp>
 
 #include "clip/point.h"
 
@@ -41,7 +42,7 @@ std::vector<SideOfLoop> sides_of_loops(std::span<const FigureRegion> regions) {
 double room_over(const LatticeSide& side, double left, std::span<const LatticePoint> loop,
                  double most) {
   const Point2 p = point_of(side.a), along = point_of(side.b) - p;
-  const double length = std::hypot(along.x, along.y);
+  const double length = glm::length(along);
   struct Place {
     double t, height;  // along the side, 0 to 1, and over it
   };
@@ -76,7 +77,7 @@ constexpr double kPartOfRoom = 0.8;
 
 void add_tent(LatticeLoops& triangles, const LatticeSide& side, double left, double room) {
   const Point2 p = point_of(side.a), along = point_of(side.b) - p;
-  const Point2 up = left / std::hypot(along.x, along.y) * Point2(-along.y, along.x);
+  const Point2 up = left / glm::length(along) * Point2(-along.y, along.x);
   const Point2 top = p + 0.5 * along + kPartOfRoom * room * up;
   const LatticePoint rounded{static_cast<std::int32_t>(std::lround(top.x)),
                              static_cast<std::int32_t>(std::lround(top.y))};

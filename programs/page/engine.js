@@ -70,9 +70,8 @@ class Engine {
     return this.#truths.get(name);
   }
 
-  measure({ key, view, options, views }) {
-    const truth = this.#truth(key, view, options);
-    return { ...measured(this.#scenes.get(key), view, options, views, truth), pixels: truth.length };
+  time({ key, view, options, views, least }) {
+    return drawing_times(this.#scenes.get(key), view, options, views, least);
   }
 
   wrong({ key, view, options }) {

@@ -84,7 +84,7 @@ function listen_to_gestures(place, figure) {
     else if (event.key === '+' || event.key === '=') figure.zoom(kZoomOfKey, [0.5, 0.5]);
     else if (event.key === '-') figure.zoom(1 / kZoomOfKey, [0.5, 0.5]);
     else if (event.key === '0') figure.reset();
-    else if (event.key === 'p') figure.point(0, 0);
+    else if (event.key.toLowerCase() === 'p') figure.point(0, 0);
     else if (event.key === 'Escape') figure.point(undefined);
     else return;
     event.preventDefault();

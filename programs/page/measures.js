@@ -1,13 +1,8 @@
-// Speed and wrong pixels of one method on a scene, in the worker.
+// How long drawing takes, and at how many pixels it is wrong, in the worker.
 'use strict';
 
-/** A browser's clock may go in tenths of a millisecond: what is timed goes on longer than that. */
-const kLeastTimed = 5;
-
-/** And first it compiles anew what is called often. */
-const kWarming = 80;
-
-/** How long a call takes, in milliseconds: the mean of as many calls as the clock needs to tell. */
+/** How long a call takes, in milliseconds: the mean of as many calls as take `least` together, since a
+ *  browser's clock may go in tenths of a millisecond. */
 function mean_time(call, least) {
   const begin = performance.now();
   for (let made = 1;; ++made) {
@@ -17,16 +12,12 @@ function mean_time(call, least) {
   }
 }
 
-/** The median of such times, of fewer if they are long. */
-function median_time(call) {
-  const kSamples = 9, kLongest = 1500;
-  const begin = performance.now();
-  mean_time(call, kWarming);
-  const times = [];
-  do times.push(mean_time(call, kLeastTimed));
-  while (times.length < kSamples && performance.now() - begin < kLongest);
-  times.sort((a, b) => a - b);
-  return times[times.length >> 1];
+/** The picture again; and anew, in views that follow each other as while turning, where there are any. */
+function drawing_times(scene, view, options, views, least) {
+  const again = mean_time(() => scene.picture(view, options), least);
+  if (views.length === 0) return { again };
+  let next = 0;
+  return { again, anew: mean_time(() => scene.picture(views[next++ % views.length], options), least) };
 }
 
 /** At how many pixels another polygon is seen than in the truth. */
@@ -34,15 +25,4 @@ function wrong_pixels(ids, truth) {
   let wrong = 0;
   for (let k = 0; k < ids.length; ++k) wrong += ids[k] !== truth[k];
   return wrong;
-}
-
-/** Draws with the options: times anew, in views that follow each other as while turning, where there
- *  are any; times again; and wrong pixels of `truth` in the view that is shown. */
-function measured(scene, view, options, views, truth) {
-  const again = median_time(() => scene.picture(view, options));
-  let next = 0;
-  const draw_next = () => scene.picture(views[next++ % views.length], options);
-  const anew = views.length > 0 ? median_time(draw_next) : undefined;
-  const { ids } = scene.picture(view, { ...options, ids: true });
-  return { again, anew, wrong: ids && wrong_pixels(ids, truth) };
 }

@@ -40,12 +40,13 @@ function with_settings(text, { shading, lines }) {
   return result;
 }
 
-/** Whether all lines that the program draws would be invisible. */
+/** Whether all lines that the program draws are invisible: what it says after its last segment, such as
+ *  the usual styles again, draws nothing. */
 function draws_no_lines(text) {
-  const styles = [...text.matchAll(/^[ \t]*set-line-style[ \t]+([a-z]+)/gm)];
-  const first_drawn = text.search(/^[ \t]*open-segment/m);
-  return styles.length > 0 && styles.every(([, kind]) => kind === 'none') &&
-    (first_drawn < 0 || styles[0].index < first_drawn);
+  const drawing = text.slice(0, text.lastIndexOf('\nclose-segment'));
+  const styles = [...drawing.matchAll(/^[ \t]*set-line-style[ \t]+([a-z]+)/gm)];
+  const first_segment = drawing.search(/^[ \t]*open-segment/m);
+  return styles.length > 0 && styles[0].index < first_segment && styles.every(([, kind]) => kind === 'none');
 }
 
 const on_or_off = (is_on) => (is_on ? 'on' : 'off');

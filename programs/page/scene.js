@@ -6,6 +6,7 @@ class Scene {
   #library;
   #given;
   #entered;
+  #looks_from = 'null';
   #in_other_view;
 
   /** `given` is {name, program, mesh: {name, bytes}, shading, lines, aspect}; without a mesh the
@@ -46,10 +47,14 @@ class Scene {
     this.#in_other_view = undefined;
   }
 
-  /** Axes stand where the view has them: with them, another view is another program. */
+  /** The view is null for the program's own. Axes stand where the view has them: with them, another
+   *  view is another program. */
   #system_in(view) {
     if (!view || !calls(this.program, 'axes-3')) {
-      this.#entered.lookFrom(view || null);
+      // What is kept from one picture to the next is of one view.
+      const looks_from = JSON.stringify(view);
+      if (looks_from !== this.#looks_from) this.#entered.lookFrom(view);
+      this.#looks_from = looks_from;
       return this.#entered;
     }
     const program = in_view(this.program, view);

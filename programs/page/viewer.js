@@ -5,6 +5,10 @@ const next_frame = () => new Promise((resolve) => requestAnimationFrame(resolve)
 
 /** A picture that takes longer, in milliseconds, is drawn by another method while the figure turns. */
 const kSlow = 120;
+/** Milliseconds after which it is told that a picture is being drawn. */
+const kPatience = 400;
+/** Seconds that a picture may take: the worker does nothing else meanwhile. */
+const kLongest = 30;
 /** Of a screen that shows 60 pictures a second. */
 const kFrame = 1000 / 60;
 const kMostPixels = 2048;
@@ -67,7 +71,7 @@ class Viewer {
     try {
       await this.#enter();
     } catch (refused) {
-      this.given = before;
+      if (this.given === given) this.given = before;
       throw refused;
     }
     if (!keeps_view) this.#pose = kAsDrawn;
@@ -84,6 +88,7 @@ class Viewer {
     this.#middle = middle;
     if (!view) this.#pose = kAsDrawn;
     this.why_not_turned = whyNot;
+    this.canvas.classList.toggle('fixed', !view);
     this.#slow = false;
     this.#cross = undefined;
     this.marks.clear();
@@ -156,7 +161,7 @@ class Viewer {
   get options() {
     const { method, precision, hiddenLines, samples, background, scope } = this.#settings;
     const given = Object.entries({ method, precision, hiddenLines, scope }).filter(([, value]) => value);
-    const options = { ...this.size, ...Object.fromEntries(given) };
+    const options = { ...this.size, mostSeconds: kLongest, ...Object.fromEntries(given) };
     if (samples !== '1') options.samples = Number(samples);
     if (background) options.background = background === 'none' ? 'none' : background.split(' ').map(Number);
     return options;
@@ -251,7 +256,11 @@ class Viewer {
   // ---- Drawing ----
 
   #ask_for_picture() {
-    if (this.given) this.redrawn().catch((refused) => this.say(refused.message));
+    if (!this.given) return;
+    this.redrawn().catch((refused) => {
+      this.say(refused.message);
+      if (this.picture) this.#tell(this.picture, false);
+    });
   }
 
   /** Draws what is wanted now, one picture at a time: the newest view after the one that is drawn. */
@@ -276,10 +285,25 @@ class Viewer {
     const is_quick = this.#turning && this.#is_replaceable(options);
     if (is_quick) options.method = 'z-buffer';
     if (this.#turning) delete options.samples;
-    const picture = await this.drawer.ask('draw', { key: this.key, view: this.view, options });
-    if (this.#turning && !is_quick) this.#slow = picture.milliseconds > kSlow;
+    const picture = await this.#while_busy(
+      this.drawer.ask('draw', { key: this.key, view: this.view, options }));
+    if (!is_quick && picture.milliseconds > kSlow) this.#slow = true;
     await this.#show_picture(picture);
     this.#tell(picture, is_quick);
+  }
+
+  /** What takes long is told, and so is its end. */
+  async #while_busy(work) {
+    const told = setTimeout(() => {
+      this.caption.textContent = `${this.given.name} · drawing …`;
+      this.canvas.setAttribute('aria-busy', 'true');
+    }, kPatience);
+    try {
+      return await work;
+    } finally {
+      clearTimeout(told);
+      this.canvas.removeAttribute('aria-busy');
+    }
   }
 
   #is_replaceable({ method, precision }) {
@@ -307,7 +331,7 @@ class Viewer {
     const method = this.#settings.method ? words_of_method(this.#settings.method) : '';
     const words = [this.given.name, `${width} × ${height}`];
     if (method) words.push(is_quick ? `${method}, at rest` : method);
-    words.push(svg ? 'drawn as SVG, since it has texts' : `${milliseconds.toPrecision(2)} ms`);
+    words.push(svg ? 'drawn as SVG, since it has texts' : `${milliseconds < 10 ? milliseconds.toFixed(1) : Math.round(milliseconds)} ms`);
     this.caption.textContent = words.join(' · ');
     this.canvas.dataset.pictures = Number(this.canvas.dataset.pictures ?? 0) + 1;
     this.command.textContent = command_line(this);

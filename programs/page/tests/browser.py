@@ -168,5 +168,10 @@ class PageTest(unittest.TestCase):
         for file in self.downloads.iterdir():
             file.unlink()
         self.browser.find_element(By.XPATH, f"//button[.='{words}']").click()
-        whole = lambda: [file for file in self.downloads.iterdir() if not file.name.endswith(".crdownload")]
+
+        def whole():
+            # The browser holds the name with an empty file, and writes beside it.
+            files = list(self.downloads.iterdir())
+            return len(files) == 1 and files[0].suffix != ".crdownload" and files[0].stat().st_size > 0 and files
+
         return wait_for(whole, words)[0]

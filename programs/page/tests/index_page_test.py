@@ -131,6 +131,26 @@ class GalleryTest(IndexTest):
                     self.assertEqual(self.saved("Save SVG").read_bytes(), self.drawn_as("svg", PROGRAMS / name))
                 else:
                     self.assertEqual(self.pixels(), self.drawn(PROGRAMS / name))
+                self.compare_turned()
+                self.find(".picture canvas").send_keys("0")
+                self.choose("method", "")
+
+    def compare_turned(self):
+        """The scene that is shown, from another side, with what the command draws of the saved program."""
+        if "not turned" in self.status():
+            return
+        if "set-hidden-method perimeter" in self.find("#program").get_attribute("value"):
+            self.choose("method", "franklin")  # the perimeter method takes a surface that is whole
+        before = self.pixels()
+        self.find(".picture canvas").send_keys(Keys.ARROW_RIGHT * 3, Keys.ARROW_DOWN * 2, "+")
+        self.at_rest()
+        self.assertNotEqual(self.pixels(), before)
+        program = self.folder / "turned.draw"
+        program.write_bytes(self.saved("Save drawing program").read_bytes())
+        if "as SVG" in self.find("figcaption").text:
+            self.assertEqual(self.saved("Save SVG").read_bytes(), self.drawn_as("svg", program))
+        else:
+            self.assertEqual(self.pixels(), self.drawn(program))
 
     def test_axes_are_placed_anew_when_the_figure_turns(self):
         program = ("set-view-plane-normal -2 -3 -2\nset-view-up 0 0 1\nset-parallel 2 3 2\nset-window -3 3 -3 3\n"

@@ -76,6 +76,11 @@ class WarnockSteps {
     return fmt::format("columns {} to {}, rows {} to {}", area.first_column, area.end_column - 1,
                        area.first_row, area.end_row - 1);
   }
+  static std::string subject(const SampleArea& area) {
+    std::string sentence = words(area);
+    sentence[0] = static_cast<char>(sentence[0] - 'a' + 'A');
+    return sentence;
+  }
   static std::string_view words(AreaCategory category) {
     switch (category) {
       case AreaCategory::surrounding: return "surrounds it";
@@ -95,7 +100,7 @@ class WarnockSteps {
   }
 
   void look_at(const Warnock::Visit& visited) {
-    std::string sentence = fmt::format("Area of {}: ", words(visited.area));
+    std::string sentence = subject(visited.area) + ": ";
     bool first = true;
     for (const auto& [fill, category] : visited.list) {
       sentence += fmt::format("{}{} {}", first ? "" : ", ", name(fill), words(category));
@@ -116,7 +121,7 @@ class WarnockSteps {
     switch (decision) {
       case Warnock::Decision::background:
         record_.step(at("background"),
-                     fmt::format("Area of {}: nothing is in it. It is background.", words(area)));
+                     fmt::format("{}: nothing is in it. It is background.", subject(area)));
         role = StepRole::hidden;
         break;
       case Warnock::Decision::surrounded:

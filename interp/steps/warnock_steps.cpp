@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "interp/steps/algorithms.h"
@@ -102,11 +103,19 @@ class WarnockSteps {
   void look_at(const Warnock::Visit& visited) {
     std::string sentence = subject(visited.area) + ": ";
     bool first = true;
-    for (const auto& [fill, category] : visited.list) {
+    for (const auto& [fill, category] :
+         visited.list.first(std::min(visited.list.size(), StepRecord::kMostNames))) {
       sentence += fmt::format("{}{} {}", first ? "" : ", ", name(fill), words(category));
       first = false;
     }
+    if (visited.list.size() > StepRecord::kMostNames) {
+      sentence += fmt::format(" and {} more", visited.list.size() - StepRecord::kMostNames);
+    }
+    if (removed_.size() > StepRecord::kMostNames) {
+      sentence += fmt::format("; {} are struck off, for others hide them here", removed_.size());
+    }
     for (const auto& [hidden, by] : removed_) {
+      if (removed_.size() > StepRecord::kMostNames) break;
       sentence += fmt::format("; {} is struck off, for {} hides it here", name(hidden), name(by));
     }
     record_.step(at("area"), sentence + ".");
@@ -153,25 +162,26 @@ class WarnockSteps {
   }
 
   void mark_list(const Warnock::Visit& visited) {
-    std::vector<StepRow> rows;
-    for (const auto& [fill, category] : visited.list) {
-      record_.mark(StepRole::compared, polygon(fill));
-      rows.push_back({{name(fill), std::string(words(category))}, polygon(fill)});
-    }
-    for (const auto& [hidden, by] : removed_) {
-      record_.mark(StepRole::hidden, polygon(hidden));
-      rows.push_back({{name(hidden), fmt::format("is behind {}", name(by))},
-                      polygon(hidden),
-                      StepRole::hidden});
-    }
+    auto rows = StepRecord::rows(visited.list, [&](const Warnock::Listed& listed) {
+      record_.mark(StepRole::compared, polygon(listed.fill));
+      return StepRow{{name(listed.fill), std::string(words(listed.category))},
+                     polygon(listed.fill)};
+    });
+    auto removed = StepRecord::rows(removed_, [&](const Removed& r) {
+      record_.mark(StepRole::hidden, polygon(r.hidden));
+      return StepRow{{name(r.hidden), fmt::format("is behind {}", name(r.by))},
+                     polygon(r.hidden),
+                     StepRole::hidden};
+    });
+    rows.insert(rows.end(), removed.begin(), removed.end());
     record_.show(panel("list"), std::move(rows));
   }
 
   void show_stack() {
-    std::vector<StepRow> areas;
-    for (auto area = stack_.rbegin(); area != stack_.rend(); ++area)
-      areas.push_back({{words(*area)}});
-    record_.show(panel("stack"), std::move(areas));
+    const std::vector<SampleArea> next_first(stack_.rbegin(), stack_.rend());
+    record_.show(panel("stack"), StepRecord::rows(next_first, [](const SampleArea& area) {
+                   return StepRow{{words(area)}};
+                 }));
   }
 
   const StepScene& scene_;

@@ -27,6 +27,7 @@
 #include "programs/page_command.h"
 #include "programs/picture_check.h"
 #include "programs/sheet_command.h"
+#include "programs/steps_command.h"
 #include "programs/stop_signals.h"
 #include "programs/surface_command.h"
 #include "programs/truth_command.h"
@@ -97,6 +98,7 @@ int run(int argc, char** argv) {
   SurfaceCommand surface;
   PictureCheck pictures;
   SheetCommand sheet;
+  StepsCommand steps;
   PageCommand page;
   check.other = &pictures;
   draw.options.threads = dump.threads = check.threads = truth.threads = surface.threads =
@@ -109,6 +111,7 @@ int run(int argc, char** argv) {
   add(import);
   add(surface);
   add(sheet);
+  add(steps);
   add(page);
   const CLI::App& bench = add_bench(app);
 

@@ -8,6 +8,7 @@
 #include "hidden/hidden_method.h"
 #include "hidden/line_kinds.h"
 #include "interp/paper.h"
+#include "interp/steps/steps.h"
 
 namespace displayfile {
 
@@ -42,7 +43,14 @@ std::vector<std::string> line_kind_words() {
   return words;
 }
 
+std::vector<std::string> stepped_method_words() {
+  std::vector<std::string> words;
+  for (const HiddenMethod method : methods_with_steps()) words.emplace_back(name_of(method));
+  return words;
+}
+
 constexpr std::array kNamedValues{NamedValues{"METHOD", method_words, nullptr},
+                                  NamedValues{"STEPPED-METHOD", stepped_method_words, nullptr},
                                   NamedValues{"LINE-METHOD", line_method_words, nullptr},
                                   NamedValues{"KIND", line_kind_words, nullptr},
                                   NamedValues{"PAPER", sheet_names, nullptr},

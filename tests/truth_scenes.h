@@ -257,8 +257,9 @@ inline const std::vector<SceneFamily>& scene_families() {
 }
 
 /// A scene of up to three segments and `polygons` polygons; now and then a hollow fill, a segment
-/// that is not visible, and a pick identifier that is used twice.
-inline DisplayFile scene(const SceneFamily& family, std::uint32_t seed, int polygons) {
+/// that is not visible, and a pick identifier that is used twice. Sides are drawn in that style.
+inline DisplayFile scene(const SceneFamily& family, std::uint32_t seed, int polygons,
+                         const LineStyle& lines = {LineStyle::Kind::none}) {
   Dice dice(seed);
   DisplayFile file;
   int name = 0;
@@ -271,7 +272,7 @@ inline DisplayFile scene(const SceneFamily& family, std::uint32_t seed, int poly
     Segment& segment = file.segment(name);
     const bool hollow = dice.one_in(10);
     segment.set_style(FillStyle{hollow ? FillStyle::Kind::hollow : FillStyle::Kind::solid});
-    segment.set_style(LineStyle{LineStyle::Kind::none});
+    segment.set_style(lines);
     segment.set_pick(dice.one_in(10) ? 0 : k);
     enter(segment, family.polygon(dice));
   }

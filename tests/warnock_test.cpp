@@ -84,9 +84,9 @@ std::vector<Visited> visits_of(const Warnock& warnock, int row_begin, int row_en
   std::vector<Visited> visits;
   warnock.draw_rows(
       row_begin, row_end, [](int, int, std::span<const Fill>) {},
-      [&](const Warnock::Visit& visit) {
+      {.visit = [&](const Warnock::Visit& visit) {
         visits.push_back({visit.area, {visit.list.begin(), visit.list.end()}, visit.decision});
-      });
+      }});
   return visits;
 }
 std::vector<Visited> visits_of(const ViewedScene& scene, const PictureSize& size, Finish finish) {

@@ -1,90 +1,10 @@
 #include "hidden/lines/roberts.h"
 
-#include <algorithm>
-
-#include "clip/corners.h"
 #include "hidden/lines/convex_objects.h"
-#include "hidden/lines/line_against_polygon.h"
+#include "hidden/lines/roberts_finder.h"
 #include "hidden/lines/visible_pieces.h"
 
 namespace displayfile {
-
-namespace {
-
-/// Finds what is hidden of one line after the other.
-template <class Policy>
-class Roberts {
- public:
-  /// The tree is of the objects' extents.
-  Roberts(const LineScene& scene, const ConvexObjects& objects, const ExtentTree& tree,
-          const Policy& policy)
-      : scene_(scene), objects_(objects), tree_(tree), policy_(policy), line_(scene, policy) {}
-
-  const std::vector<PartOfLine>& hidden_parts(const LineScene::Line& line) {
-    parts_.clear();
-    line_.look_at(line);
-    has_own_ends_ = scene_.intersection(line) == nullptr;
-    box_ = scene_.extent(line);
-    const auto meets = [flat = FlatBox::of(box_)](const FlatBoxes& b) { return b.meets(flat); };
-    tree_.any(meets, [&](ExtentTree::Position position) {
-      compare(tree_.order()[position]);
-      return parts_.hides(kWhole);
-    });
-    return parts_.hidden();
-  }
-
- private:
-  static constexpr PartOfLine kWhole{0.0, 1.0};
-  /// What the object as a whole hides of the line.
-  enum class Hides { nothing, all, some };
-
-  void compare(std::uint32_t object) {
-    const Extent& around = objects_.extents()[object];
-    if (around.z_max <= box_.z_min) return;  // the minimax test in depth
-    const bool is_one = has_own_ends_ && !objects_.outline(object).empty();
-    switch (is_one ? volume_test(object) : Hides::some) {
-      case Hides::nothing: return;
-      case Hides::all: parts_.add_both(kWhole); return;
-      case Hides::some: break;
-    }
-    for (const std::uint32_t polygon : objects_.polygons(object)) {
-      const Extent& box = scene_.extent(polygon);
-      if (box.z_max > box_.z_min && box.meets_in_projection(box_)) line_.hide(polygon, parts_);
-    }
-  }
-
-  /// The line against what lies behind the object: within its outline, and behind the planes of
-  /// its polygons.
-  Hides volume_test(std::uint32_t object) {
-    const Point2 a(line_.line().a), b(line_.line().b);
-    const auto outline = objects_.outline(object);
-    bool within = true;
-    for (std::size_t k = 0; k < outline.size(); ++k) {
-      const Point2 p(scene_.point(outline[k]));
-      const Point2 q(scene_.point(outline[next_corner(k, outline.size())]));
-      const int of_a = policy_.turn(p, q, a), of_b = policy_.turn(p, q, b);
-      if (of_a <= 0 && of_b <= 0) return of_a < 0 || of_b < 0 ? Hides::nothing : Hides::some;
-      within = within && of_a >= 0 && of_b >= 0;
-    }
-    if (!within) return Hides::some;
-    if (objects_.extents()[object].z_min > box_.z_max) return Hides::all;
-    const auto polygons = objects_.polygons(object);
-    const bool behind = std::ranges::all_of(
-        polygons, [&](std::uint32_t polygon) { return line_.is_behind(scene_.plane(polygon)); });
-    return behind ? Hides::all : Hides::some;
-  }
-
-  const LineScene& scene_;
-  const ConvexObjects& objects_;
-  const ExtentTree& tree_;
-  const Policy& policy_;
-  LineAgainstPolygon<Policy> line_;
-  Extent box_{};
-  bool has_own_ends_ = true;  // of an intersection they are rounded
-  HiddenParts parts_;
-};
-
-}  // namespace
 
 SeenLines visible_lines_by_roberts(const Primitives& items, const LineScene& scene,
                                    const LineOptions& options) {

@@ -13,17 +13,22 @@ namespace displayfile {
 /// Where a polygon lies against a plane.
 enum class PlaneSide : std::uint8_t { on, front, back, both };
 
+/// Is told of nothing: what stands for an observer where there is none, and costs nothing.
+struct Unobserved {
+  static void put(bool /*in_e*/, const SideBuffer::Side& /*side*/) {}
+};
+
 /// COMPARE-POLYS with its cleanup routines (algorithms 9.10 to 9.12, 9.14, 9.15) at either
 /// precision. A polygon is concave or crosses itself as it likes: its part on a side of the plane
 /// is one polygon by the even-odd rule, whose cut sides run along the plane and may lie over each
-/// other.
-template <class Policy>
+/// other. An Observer is told of each side that a cut puts into the E buffer or the D buffer.
+template <class Policy, class Observer = Unobserved>
 class ComparePolys {
  public:
   using Index = PolygonTable::Index;
 
-  ComparePolys(PolygonTable& table, VertexTable<Policy>& vertices)
-      : table_(table), vertices_(vertices) {}
+  ComparePolys(PolygonTable& table, VertexTable<Policy>& vertices, Observer observer = {})
+      : table_(table), vertices_(vertices), observer_(std::move(observer)) {}
 
   /// On which side of the plane the polygon lies. The sign of each vertex is kept for split.
   PlaneSide compare(Index test, std::uint32_t plane) {
@@ -137,6 +142,7 @@ class ComparePolys {
   }
 
   void put(bool in_e, const Side& side) {
+    observer_.put(in_e, side);
     if (in_e) {
       table_.e.put(side);
     } else {
@@ -174,6 +180,7 @@ class ComparePolys {
   static constexpr std::uint64_t kCutsBetweenCounts = 4096;  // of bytes
   std::uint64_t comparisons_ = 0, cuts_ = 0;
   WorkSteps steps_;
+  [[no_unique_address]] Observer observer_;
 };
 
 }  // namespace displayfile

@@ -34,6 +34,7 @@
 #include "interp/draw.h"
 #include "interp/other_eye.h"
 #include "interp/renderer.h"
+#include "interp/steps/steps.h"
 #include "interp/truth/truth.h"
 
 using namespace displayfile;
@@ -501,6 +502,22 @@ int df_truth(df_system* system, const df_options* options, size_t pixels, int32_
         truth(looked_at(*system).display_file(), asked.width, asked.height, depth != nullptr);
     std::ranges::copy(picture.ids, ids);
     if (depth != nullptr) std::ranges::copy(picture.depth, depth);
+  });
+}
+
+int df_steps(df_system* system, const df_options* options, size_t most_steps, const char** text,
+             size_t* length) {
+  return drawn(system, options, [&](const DrawOptions& asked) {
+    require_given(text, "where the text goes");
+    require_given(length, "where the length goes");
+    StepsOptions steps;
+    if (!asked.hidden) throw Error("method: expected one that tells its steps");
+    steps.method = *asked.hidden;
+    steps.width = asked.width;
+    steps.height = asked.height;
+    if (most_steps != 0) steps.most_steps = most_steps;
+    system->bytes = steps_as_json(looked_at(*system), steps);
+    hand_out_text(system->bytes, text, length);
   });
 }
 

@@ -173,6 +173,11 @@ DF_API int df_pick(df_system* system, const df_options* options, double x, doubl
 DF_API int df_truth(df_system* system, const df_options* options, size_t pixels, int32_t* ids,
                     double* depth);
 
+/* How a method finds what is seen, step by step, as JSON (interp/steps/README.md): at most so many
+ * steps, 0 for the usual limit. Of the options width, height and method count. */
+DF_API int df_steps(df_system* system, const df_options* options, size_t most_steps,
+                    const char** text, size_t* length);
+
 /* ---- Another eye --------------------------------------------------------------------------------
  */
 

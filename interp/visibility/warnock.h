@@ -25,9 +25,7 @@ class Warnock : public ImageSpaceMethod {
   explicit Warnock(Finish finish = Finish::early) : finish_(finish) {}
 
   void prepare(const Request& request, int threads) override;
-  void draw_rows(int row_begin, int row_end, const SeenRun& seen) const override {
-    draw_rows(row_begin, row_end, seen, {});
-  }
+  void draw_rows(int row_begin, int row_end, const SeenRun& seen) const override;
   /// Every polygon is looked at for each call.
   int rows_at_a_time() const override { return 128; }
 
@@ -52,12 +50,31 @@ class Warnock : public ImageSpaceMethod {
     std::span<const Listed> list;
     Decision decision;
   };
-  /// Draws the rows, and tells of every area visited: each before its parts.
-  void draw_rows(int row_begin, int row_end, const SeenRun& seen,
-                 const std::function<void(const Visit&)>& watch) const;
+  /// What is told of a subdivision while it goes on; whatever is set. Where nothing is asked for,
+  /// nothing of it is compiled.
+  struct Observer {
+    std::function<void(const Visit&)> visit = {};  ///< an area, before its parts
+    /// Of an area that is visited next: a polygon is hidden all over it by one that surrounds it.
+    std::function<void(Fill hidden, Fill by)> remove = {};
+    std::function<void(const SampleArea&)> part =
+        {};  ///< one that the area visited is divided into
+    /// Pixels first <= i < end of a row that come to show a fill.
+    std::function<void(Fill fill, int row, int first, int end)> paint = {};
+  };
+  void draw_rows(int row_begin, int row_end, const SeenRun& seen, const Observer& observer) const;
 
  private:
+  struct Unobserved {
+    static void visit(const Visit& /*visited*/) {}
+    static void remove(Fill /*hidden*/, Fill /*by*/) {}
+    static void part(const SampleArea& /*area*/) {}
+    static void paint(Fill /*fill*/, int /*row*/, int /*first*/, int /*end*/) {}
+  };
+  struct Told;
+  template <class Watch>
   class Subdivision;
+  template <class Watch>
+  void subdivide(int row_begin, int row_end, const SeenRun& seen, const Watch& watch) const;
 
   Finish finish_;
   std::optional<Request> request_;

@@ -137,6 +137,8 @@ export interface System extends UserRoutines {
   pick(x: number, y: number, options?: Options & { reach?: number }): Seen | null;
   /** The exact item buffer, by the definition of truth alone. Slow. */
   truth(options?: { width?: number; height?: number }): { width: number; height: number; ids: Int32Array };
+  /** How a method finds what is seen, step by step: what `displayfile steps -o steps.json` writes. */
+  steps(options: { method: string; width?: number; height?: number; mostSteps?: number }): object;
   /** Keeps what is drawn before viewing, and all calls as a drawing program: the first call on a
    *  system, except for its aspect ratio. */
   retain(): void;

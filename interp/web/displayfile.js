@@ -250,7 +250,7 @@
       #text(call) {
         return this.#do((system, lent) => {
           const bytes = lent.bytes(8);
-          return [call(system, bytes), () => {
+          return [call(system, bytes, lent), () => {
             const first = size_at(bytes);
             return new TextDecoder().decode(module.HEAPU8.slice(first, first + size_at(bytes + 4)));
           }];
@@ -296,6 +296,12 @@
           return [module._df_truth(system, options_in(lent, options), pixels, ids, 0), () =>
             ({ width, height, ids: new Int32Array(module.HEAPU8.buffer, ids, pixels).slice() })];
         });
+      }
+
+      steps({ mostSteps, ...options }) {
+        return JSON.parse(this.#text((system, bytes, lent) => module._df_steps(system,
+          options_in(lent, options),
+          whole('mostSteps', mostSteps, 1, 2 ** 32 - 1) ?? 0, bytes, bytes + 4)));
       }
 
       retain() {

@@ -460,6 +460,15 @@ static void test_another_eye(void) {
     EXPECT(strstr(df_error(system), "GMP") != NULL);
   }
 
+  options.method = "bsp";
+  DO(system, df_steps(system, &options, 0, &text, &length));
+  EXPECT(length > 0 && text[0] == '{');
+  REFUSED(system, df_steps(system, &options, 1, &text, &length), "steps");
+  REFUSED(system, df_steps(system, &options, 0, NULL, &length), "where the text goes");
+  options.method = "none";
+  REFUSED(system, df_steps(system, &options, 0, &text, &length), "expected");
+  REFUSED(system, df_steps(system, NULL, 0, &text, &length), "expected one that tells its steps");
+
   /* Several views are not one. */
   DO(system, df_call(system, "set-window", "-2 2 -2 2"));
   DO(system, df_call(system, "open-segment", "2"));

@@ -1,0 +1,270 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "hidden/extents.h"
+#include "hidden/lines/carried_counts.h"
+#include "hidden/lines/contour_edges.h"
+#include "hidden/lines/depth_boxes.h"
+#include "hidden/lines/line_against_polygon.h"
+#include "hidden/lines/line_counts.h"
+#include "hidden/lines/line_vertices.h"
+#include "hidden/lines/side_table.h"
+
+namespace displayfile {
+
+/// Nothing is carried over a vertex with more corners around it, which each line there would ask.
+inline constexpr std::size_t kLargestStar = 64;
+
+/// A scene as Appel's method looks at it (hidden/lines/appel.md), on all threads.
+struct AppelScene {
+  const LineScene& lines;
+  SideTable sides;
+  ContourEdges contours;
+  LineVertices vertices;
+  DepthTree counted;    ///< the polygons that are counted, as boxes around all they have
+  ExtentTree compared;  ///< the others that hide
+
+  AppelScene(const Primitives& items, const LineScene& scene, int threads)
+      : lines(scene),
+        sides(items),
+        contours(scene, items, sides, threads),
+        vertices(scene, items, sides, contours) {
+    const auto box = [&](std::uint32_t i) {
+      return DepthBox{contours.way(i) != 0 ? box_of(i) : Extent::nothing()};
+    };
+    counted.build(scene.items(), box, threads);
+    std::vector<Extent> others(scene.items(), Extent::nothing());
+    bool any = false;
+    for (std::uint32_t i = 0; i < scene.items(); ++i) {
+      if (!scene.hides(i) || contours.way(i) != 0) continue;
+      others[i] = scene.extent(i);
+      any = true;
+    }
+    if (any) compared = extent_tree(others, threads);
+  }
+
+  /// The box around a polygon, at the depths of its plane and at those of its corners.
+  Extent box_of(std::uint32_t polygon) const {
+    Extent box = lines.extent(polygon);
+    if (contours.is_even(polygon)) return box;
+    for (std::uint32_t k = 0; k < lines.sides(polygon); ++k) box.include(lines.corner(polygon, k));
+    return box;
+  }
+
+  /// Calls visit(polygon) for those that are counted and whose boxes meet this one, until it
+  /// returns true: then true.
+  template <class Visit>
+  bool any_counted(const Extent& box, const Visit& visit) const {
+    return counted.any([&](const DepthBoxes& boxes) { return boxes.meets(box); },
+                       [&](DepthTree::Position at) {
+                         // A box without bounds meets those that hold nothing, too.
+                         const std::uint32_t polygon = counted.order()[at];
+                         return contours.way(polygon) != 0 && visit(polygon);
+                       });
+  }
+};
+
+/// Where the changes along a line are: among those that were found together; and the number of its
+/// start's counts.
+struct ChangesOfLine {
+  std::uint32_t found, from, to, start;
+};
+
+/// Finds what changes the counts along lines, and what their vertices' stars add to them.
+template <class Policy>
+class LineFollower {
+ public:
+  LineFollower(const AppelScene& scene, const Policy& policy)
+      : scene_(scene),
+        lines_(scene.lines),
+        policy_(policy),
+        counts_(scene.lines, scene.contours, policy),
+        depths_(scene.lines, policy) {}
+
+  /// Whether the counts are carried over a vertex: no contour edge passes before it, and nothing
+  /// touches it but its star.
+  bool carries(std::uint32_t vertex) const {
+    if (scene_.vertices.star(vertex).size() > kLargestStar) return false;
+    const Point3& v = lines_.point(vertex);
+    Extent box = Extent::nothing();
+    box.include(v);
+    const auto passes = [&](const ContourEdges::Edge& edge) {
+      return edge.p != v && edge.q != v && is_between(Point2(v), Point2(edge.p), Point2(edge.q));
+    };
+    if (scene_.contours.any(box, passes)) return false;
+    const DepthLine at{v, v, nullptr};
+    return !scene_.any_counted(box, [&](std::uint32_t polygon) {
+      if (has_corner(polygon, v)) return false;
+      const auto is_as_near = [&] { return policy_.nearer(at, v, lines_.plane(polygon)) == 0; };
+      const bool even = scene_.contours.is_even(polygon);
+      if (even && !is_as_near()) return false;
+      const Place place = place_in(polygon, Point2(v));
+      return place == Place::on_side || (place == Place::inside && (even || is_as_near()));
+    });
+  }
+
+  /// Follows the line of one name, lines()[first] and those after it, one for each of its depths.
+  /// Adds the changes along each. What is carried is the count at the depth of the line's own ends,
+  /// which need not be one that the line has.
+  CountedLine follow(std::size_t first, std::span<const std::uint8_t> carries,
+                     std::vector<CountChange>& changes, std::span<ChangesOfLine> of_depths) {
+    const LineScene::Line& line = lines_.lines()[first];
+    const Point3 &a = lines_.point(line.a), &b = lines_.point(line.b);
+    CountedLine counted{scene_.vertices.vertex(line.a), scene_.vertices.vertex(line.b), {}, {}, {}};
+    counts_.look_at(b, a);
+    if (carries[counted.to] != 0) counted.star_to = star(counted.to).reversed();
+    counts_.look_at(a, b);
+    if (carries[counted.from] != 0) counted.star_from = star(counted.from);
+    Extent box = Extent::nothing();
+    box.include(Point3(std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)));
+    box.include(Point3(std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)));
+    counted.change = pass_contours(box);
+    bool has_other_depths = false;
+    for (std::size_t i = 0; i < of_depths.size(); ++i) {
+      const LineScene::Line& depth = lines_.lines()[first + i];
+      if (!depth.by_plane) continue;
+      has_other_depths = true;
+      box.include(lines_.extent(depth));
+    }
+    find_near(a, b, box, has_other_depths);
+    bool at_own_depth = false;
+    for (std::size_t i = 0; i < of_depths.size(); ++i) {
+      const LineScene::Line& depth = lines_.lines()[first + i];
+      of_depths[i].from = static_cast<std::uint32_t>(changes.size());
+      changes.insert(changes.end(), passed_.begin(), passed_.end());
+      const SideCounts wrong = correct(depth, changes);
+      if (!depth.by_plane) counted.change += wrong;
+      at_own_depth |= !depth.by_plane;
+      of_depths[i].to = static_cast<std::uint32_t>(changes.size());
+      std::sort(changes.begin() + of_depths[i].from, changes.end(),
+                [](const CountChange& p, const CountChange& q) { return p.at < q.at; });
+    }
+    if (!at_own_depth && !doubtful_.empty()) {
+      sharers_.clear();
+      counted.change += correct({line.a, line.b, line.name, LineScene::kNone, false}, passed_);
+    }
+    return counted;
+  }
+
+  /// The counts after the start of a line, by comparison with all polygons that may cover it.
+  SideCounts ray(const LineScene::Line& line) {
+    const Point3& a = lines_.point(line.a);
+    counts_.look_at(a, lines_.point(line.b));
+    Extent before = Extent::nothing();
+    before.include(a);
+    before.z_max = std::numeric_limits<float>::infinity();
+    SideCounts all;
+    scene_.any_counted(before, [&](std::uint32_t polygon) {
+      all += counts_.after_start(polygon);
+      return false;
+    });
+    return all;
+  }
+
+ private:
+  bool has_corner(std::uint32_t polygon, const Point3& v) const {
+    for (std::uint32_t k = 0; k < lines_.sides(polygon); ++k) {
+      if (lines_.corner(polygon, k) == v) return true;
+    }
+    return false;
+  }
+
+  /// Whether the point is on the segment in the projection.
+  bool is_between(const Point2& v, const Point2& p, const Point2& q) const {
+    const bool in_box = std::min(p.x, q.x) <= v.x && v.x <= std::max(p.x, q.x) &&
+                        std::min(p.y, q.y) <= v.y && v.y <= std::max(p.y, q.y);
+    return in_box && policy_.turn(p, q, v) == 0;
+  }
+
+  enum class Place : std::uint8_t { outside, on_side, inside };
+
+  /// Where the point is, in the projection.
+  Place place_in(std::uint32_t polygon, const Point2& v) const {
+    const std::uint32_t sides = lines_.sides(polygon);
+    bool inside = false;
+    Point2 p(lines_.corner(polygon, sides - 1));
+    for (std::uint32_t k = 0; k < sides; ++k) {
+      const Point2 q(lines_.corner(polygon, k));
+      if (is_between(v, p, q)) return Place::on_side;
+      const bool rises = p.y <= v.y && v.y < q.y, falls = q.y <= v.y && v.y < p.y;
+      if (rises || falls) inside ^= policy_.turn(p, q, v) == (rises ? 1 : -1);
+      p = q;
+    }
+    return inside ? Place::inside : Place::outside;
+  }
+
+  /// What the star of the vertex where the line starts adds.
+  SideCounts star(std::uint32_t vertex) const {
+    SideCounts all;
+    for (const auto& [item, corner] : scene_.vertices.star(vertex)) {
+      all += counts_.after_corner(item, corner);
+    }
+    return all;
+  }
+
+  /// Notes the changes where the line passes behind contour edges; returns all of them together.
+  SideCounts pass_contours(const Extent& box) {
+    passed_.clear();
+    SideCounts all;
+    scene_.contours.any(box, [&](const ContourEdges::Edge& edge) {
+      CountChange change{};
+      if (counts_.passes_behind(edge.p, edge.q, edge.more_on_left, change)) {
+        passed_.push_back(change);
+        all += change.by;
+      }
+      return false;
+    });
+    return all;
+  }
+
+  /// Finds the polygons that are near the line from a to b in space, which are in the box, and
+  /// reach over it: those that may not be nearer all along its own ends' depth, or farther; if it
+  /// has other depths, all; and those that have it as a side and may have another depth.
+  void find_near(const Point3& a, const Point3& b, const Extent& box, bool has_other_depths) {
+    near_.clear();
+    doubtful_.clear();
+    sharers_.clear();
+    scene_.any_counted(box, [&](std::uint32_t polygon) {
+      // At a corner they have one depth, if it is on the polygon's plane.
+      const bool even = scene_.contours.is_even(polygon);
+      const bool doubtful = !even || (!has_corner(polygon, a) && !has_corner(polygon, b) &&
+                                      counts_.passes_through_plane(polygon));
+      if (!doubtful && !has_other_depths) return false;
+      if (counts_.is_side_of(polygon)) {
+        sharers_.push_back(polygon);
+      } else if (counts_.reaches_over(polygon)) {
+        if (doubtful) doubtful_.push_back(polygon);
+        if (has_other_depths) near_.push_back(polygon);
+      }
+      return false;
+    });
+  }
+
+  /// Adds what the contour edges that the line passes behind leave out at one of its depths.
+  /// Returns what they leave out of the count at its end.
+  SideCounts correct(const LineScene::Line& line, std::vector<CountChange>& changes) {
+    const std::vector<std::uint32_t>& polygons = line.by_plane ? near_ : doubtful_;
+    SideCounts all;
+    if (polygons.empty() && sharers_.empty()) return all;
+    depths_.look_at(line);
+    for (const std::uint32_t polygon : polygons) all += counts_.correct(polygon, depths_, changes);
+    for (const std::uint32_t polygon : sharers_) counts_.compare(polygon, depths_, changes);
+    return all;
+  }
+
+  const AppelScene& scene_;
+  const LineScene& lines_;
+  const Policy& policy_;
+  LineCounts<Policy> counts_;
+  LineAgainstPolygon<Policy> depths_;
+  std::vector<CountChange> passed_;
+  std::vector<std::uint32_t> near_, doubtful_, sharers_;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "hidden/hidden_method.h"
+#include "interp/steps/listing.h"
+
+namespace displayfile {
+
+class StepScene;
+class StepRecord;
+
+/// An algorithm that tells steps: one file, which ends with its entry, and one line of the table in
+/// algorithms.cpp.
+struct SteppedAlgorithm {
+  HiddenMethod method;
+  std::string_view title;
+  std::string_view source;
+  std::span<const ListingLine> listing;
+  std::span<const PanelEntry> panels;
+  void (*run)(const StepScene& scene, StepRecord& record);
+};
+
+extern const SteppedAlgorithm kBspSteps, kDepthSortSteps, kZBufferSteps, kScanLineSteps,
+    kScanLineZSteps, kWarnockSteps, kRayCastSteps, kRobertsSteps, kAppelSteps, kFranklinSteps,
+    kPerimeterSteps;
+
+std::span<const SteppedAlgorithm* const> stepped_algorithms();
+
+}  // namespace displayfile

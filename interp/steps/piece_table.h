@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "hidden/sort/sort_scene.h"
+#include "interp/steps/step_record.h"
+#include "interp/steps/step_scene.h"
+
+namespace displayfile {
+
+/// The scene's fills as entries of the polygon table, cut by COMPARE-POLYS (algorithm 9.10), each
+/// with the pixels that it covers: what the sorts in object space tell their steps of.
+class PieceTable {
+ public:
+  using Index = PolygonTable::Index;
+
+  PieceTable(const StepScene& scene, StepRecord& record);
+  PieceTable(const PieceTable&) = delete;
+  PieceTable& operator=(const PieceTable&) = delete;
+
+  std::vector<Index> all() const;  ///< before any is cut: in order of entry
+  PolygonTable::Entry& entry(Index i) { return sort_.table[i]; }
+  const PolygonTable::Entry& entry(Index i) const { return sort_.table[i]; }
+  const SortScene<Exact>& sorted() const { return sort_; }
+  std::uint32_t piece(Index i) const { return pieces_[i]; }
+  StepScene::Polygon polygon(Index i) const { return scene_.fills()[entry(i).item]; }
+  /// The pixels whose centres it covers. A centre right on a cut is that of the half in front.
+  const std::vector<StepRun>& runs(Index i) const { return runs_[i]; }
+
+  /// The entry's vertices by their side of a plane, in the projection.
+  struct Sides {
+    std::vector<Point2> front, on, back;
+  };
+  Sides sides_of(Index test, std::uint32_t plane) const;
+
+  /// Links an entry in the root's plane to the root; and all of that plane, the root among them, in
+  /// order of entry.
+  void keep_on(Index root, Index test);
+  std::vector<Index> in_plane_of(Index root) const;
+
+  /// What a cut put where: the point at which each side ends, and whether the cut made it.
+  using Put = std::vector<std::pair<Point3, bool>>;
+  struct Cut {
+    Index front, back;
+    Put in_e, in_d;
+    std::size_t crossings;  ///< points that the cut made
+  };
+  /// Cuts an entry, which lies on both sides of the plane; each half is a new piece.
+  Cut cut(Index test, std::uint32_t plane);
+
+  /// The plane through a side of a polygon and the viewer, its front to the right of the side; the
+  /// same if it is asked for again.
+  std::uint32_t upright_plane(StepScene::Polygon polygon, std::uint32_t corner);
+
+ private:
+  struct Observer {
+    std::vector<std::pair<bool, SideBuffer::Side>>* told;
+    void put(bool in_e, const SideBuffer::Side& side) const { told->emplace_back(in_e, side); }
+  };
+  struct Upright {
+    StepScene::Polygon polygon;
+    std::uint32_t corner, plane;
+    Point2 from, to;
+  };
+
+  static std::vector<Primitives::Item> items_of(const StepScene& scene);
+  static std::vector<Point3> points_of(const StepScene& scene);
+  int side_of_centre(Index of, std::uint32_t plane, int column, int row) const;
+  std::uint32_t add_piece(Index i, std::uint32_t of);
+
+  const StepScene& scene_;
+  StepRecord& record_;
+  std::vector<Point3> points_;
+  std::vector<Primitives::Item> items_;
+  Primitives primitives_;
+  SortScene<Exact> sort_;
+  std::vector<std::pair<bool, SideBuffer::Side>> told_;
+  ComparePolys<Exact, Observer> comparing_;
+  std::vector<std::uint32_t> pieces_;       // by entry
+  std::vector<std::vector<StepRun>> runs_;  // by entry
+  std::vector<Upright> upright_;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,373 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "interp/steps/algorithms.h"
+#include "interp/steps/step_record.h"
+#include "interp/visibility/fill_depths.h"
+#include "interp/visibility/pixel_tree.h"
+#include "interp/visibility/sample_area.h"
+
+namespace displayfile {
+
+namespace {
+
+/// Ray casting in image space, one ray at a time through the tree of boxes that the system casts
+/// its packets through. Rays of a row that go the way of the one before them are told together.
+class RayCastSteps {
+ public:
+  static constexpr auto kListing = std::to_array<ListingLine>({
+      {"tree", 0, "put a box around the pixels of each polygon, and the boxes into a tree"},
+      {"ray", 0, "for each pixel, row by row, send a ray through its centre:"},
+      {"", 1, "begin at the root of the tree; nothing is hit yet"},
+      {"node", 1, "at a node, put the boxes that the ray meets on a stack, the nearest on top"},
+      {"", 1, "take the top box off the stack, until there is none:"},
+      {"skip", 2, "it begins farther away than what is hit: leave it out"},
+      {"down", 2, "it holds other boxes: go on at its node"},
+      {"", 2, "it holds a polygon: does the polygon cover the pixel's centre?"},
+      {"miss", 3, "no: the ray misses it"},
+      {"nearer", 3, "yes, and nearer than what is hit, or the same and later: it is what is hit"},
+      {"farther", 3, "yes, but farther: it stays hidden"},
+      {"seen", 1, "the pixel shows what is hit; if nothing is, the background"},
+      {"same", 1, "rays beside it that go the same way see the same"},
+  });
+  static constexpr auto kPanels = std::to_array<PanelEntry>({
+      {"tree", "Tree of boxes", PanelEntry::Kind::tree},
+      {"stack", "Stack, the nearest first", PanelEntry::Kind::list},
+      {"depths", "The row from above, and the ray", PanelEntry::Kind::profile},
+  });
+  static consteval int at(std::string_view name) { return number_named(kListing, name); }
+  static consteval int panel(std::string_view name) { return number_named(kPanels, name); }
+
+  RayCastSteps(const StepScene& scene, StepRecord& record)
+      : scene_(scene), record_(record), depths_(scene.viewed(), scene.size(), {}) {}
+
+  void run() {
+    build_tree();
+    if (targets_.empty()) return;
+    for (int row = 0; row < scene_.size().height; ++row) cast_row(row);
+  }
+
+ private:
+  using Polygon = StepScene::Polygon;
+  using Fill = ViewedScene::Fill;
+
+  /// Where a branch of the tree begins, which of which node it is.
+  struct Branch {
+    float nearest;
+    const PixelBoxes* node;
+    std::size_t place;
+    bool operator>(const Branch& other) const { return nearest > other.nearest; }
+  };
+  struct Target {
+    Fill fill;
+    Polygon polygon;
+  };
+  /// What a ray met, in order: it is the same way if all of these are the same.
+  struct Met {
+    enum class Kind { node, skip, miss, nearer, farther } kind;
+    int node;  ///< of the tree, as it is numbered here
+    bool operator==(const Met&) const = default;
+  };
+  struct Way {
+    std::vector<Met> met;
+    std::optional<Polygon> hit;
+    bool operator==(const Way&) const = default;
+  };
+
+  // ---- The tree --------------------------------------------------------------------------
+
+  void build_tree() {
+    std::vector<DeepPixelBox> boxes;
+    for (Fill fill = 1; fill < scene_.viewed().end(); ++fill) {
+      const auto vertices = scene_.viewed().vertices(fill);
+      const PixelBox pixels = extents_of(vertices, scene_.size());
+      if (pixels.empty()) continue;
+      targets_.push_back({fill, scene_.viewed().item_of(fill)});
+      boxes.push_back({pixels, nearest_in(fill, pixels)});
+    }
+    tree_.build(boxes, 1);
+    record_.step(at("tree"), fmt::format("The tree holds the boxes of {}.",
+                                         counted(targets_.size(), "polygon")));
+    for (const auto& [fill, polygon] : targets_) {
+      record_.mark(StepRole::compared, extents_of(scene_.viewed().vertices(fill), scene_.size()));
+    }
+    number_nodes();
+  }
+
+  /// No part of the fill over these pixels is nearer.
+  float nearest_in(Fill fill, const PixelBox& pixels) const {
+    double z = -std::numeric_limits<double>::infinity();
+    for (const int row : {pixels.first_row, pixels.end_row - 1}) {
+      for (const int column : {pixels.first_column, pixels.end_column - 1}) {
+        z = std::max(z, depths_.at(fill, column, row));
+      }
+    }
+    z += 4.0 * depths_.error(fill);
+    constexpr double kLargest = std::numeric_limits<float>::max();
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    if (!(z < kLargest)) return kInfinity;
+    return std::nextafter(static_cast<float>(std::max(z, -kLargest)), kInfinity);
+  }
+
+  /// The tree tells its nodes to who asks for all of them; a branch is told before what it leads
+  /// to.
+  void number_nodes() {
+    std::optional<Branch> branch;
+    const auto add = [&](std::string text, std::uint32_t piece) {
+      const int parent = branch ? node_of_[branch->node] : StepNode::kNoParent;
+      const int node = nodes_++;
+      if (branch) branch_of_[{branch->node, branch->place}] = node;
+      if (piece != StepRow::kNoPiece) leaves_[node] = piece;
+      record_.show_node(panel("tree"), {node, parent, branch ? static_cast<int>(branch->place) : 0,
+                                        std::move(text), piece});
+      return node;
+    };
+    const auto meets = [&](const PixelBoxes& boxes,
+                           std::array<Branch, PixelBoxes::kBoxes>& nearest) {
+      node_of_[&boxes] = add(branch ? "box" : "root", StepRow::kNoPiece);
+      PixelTree::Lanes all;
+      all.fill(1);
+      for (std::size_t k = 0; k < all.size(); ++k) nearest[k] = {0.0F, &boxes, k};
+      return all;
+    };
+    tree_.near_to_far<Branch>(
+        meets,
+        [&](const Branch& next) {
+          branch = next;
+          return false;
+        },
+        [&](PixelTree::Position position) {
+          const Polygon polygon = target(position).polygon;
+          add(record_.name(polygon), polygon);
+        });
+  }
+
+  const Target& target(PixelTree::Position position) const {
+    return targets_[tree_.order()[position]];
+  }
+
+  // ---- Rays ------------------------------------------------------------------------------
+
+  void cast_row(int row) {
+    std::optional<Way> before;
+    int first = 0;  // of the rays that go this way
+    for (int column = 0; column < scene_.size().width; ++column) {
+      const Way way = cast(column, row, false);
+      if (before && way == *before) continue;
+      tell_same(first, column, row, before);
+      cast(column, row, true);
+      before = way;
+      first = column;
+    }
+    tell_same(first, scene_.size().width, row, before);
+  }
+
+  /// All of the rays first < column < end go the way of the first.
+  void tell_same(int first, int end, int row, const std::optional<Way>& way) {
+    if (!way || end - first < 2) return;
+    const std::string seen =
+        way->hit ? fmt::format("see {}", record_.name(*way->hit)) : "see the background";
+    record_.step(
+        at("same"),
+        fmt::format("The next {} the same way, and {}.",
+                    end - first == 2 ? "ray goes" : fmt::format("{} rays go", end - first - 1),
+                    end - first == 2 ? "sees" + seen.substr(3) : seen));
+    if (way->hit) record_.paint_nearer({row, first + 1, end, *way->hit});
+    record_.mark(way->hit ? StepRole::seen : StepRole::hidden,
+                 PixelBox{first + 1, end, row, row + 1});
+  }
+
+  Way cast(int column, int row, bool tells) {
+    Way way;
+    const PixelBox ray{column, column + 1, row, row + 1};
+    waiting_.clear();
+    if (tells) {
+      record_.step(at("ray"),
+                   fmt::format("A ray goes through the centre of pixel {},{}.", column, row));
+      mark(ray, {});
+      record_.show(panel("stack"), {});
+      profile(column, row, way.hit);
+    }
+    Branch branch{};
+    const auto meets = [&](const PixelBoxes& boxes,
+                           std::array<Branch, PixelBoxes::kBoxes>& nearest) {
+      const PixelTree::Lanes met = boxes.meets(ray);
+      std::vector<Branch> more;
+      for (std::size_t k = 0; k < met.size(); ++k) {
+        nearest[k] = {boxes.nearest[k], &boxes, k};
+        if (met[k] != 0 && branch_of_.contains({&boxes, k})) more.push_back(nearest[k]);
+      }
+      std::ranges::stable_sort(more, [](const Branch& a, const Branch& b) { return b > a; });
+      waiting_.insert(waiting_.end(), more.begin(), more.end());
+      const int node = node_of_[&boxes];
+      way.met.push_back({Met::Kind::node, node});
+      if (tells) {
+        record_.step(
+            node == 0 ? at("node") : at("down"),
+            fmt::format("At {} the ray meets {}.", node == 0 ? "the root" : "the node of a box",
+                        more.size() == 1 ? "1 box" : fmt::format("{} boxes", more.size())));
+        mark(ray, node);
+        show_stack();
+      }
+      return met;
+    };
+    tree_.near_to_far<Branch>(
+        meets,
+        [&](const Branch& next) {
+          branch = next;
+          if (!waiting_.empty()) waiting_.pop_back();
+          if (!way.hit || !is_behind(next.nearest, *way.hit, column, row)) return false;
+          const int node = branch_of_[{next.node, next.place}];
+          way.met.push_back({Met::Kind::skip, node});
+          if (tells) {
+            record_.step(
+                at("skip"),
+                fmt::format(
+                    "The next box begins farther away than {}, which is hit: it is left out.",
+                    record_.name(*way.hit)));
+            mark(ray, node);
+            show_stack();
+          }
+          return true;
+        },
+        [&](PixelTree::Position position) {
+          hit(target(position), column, row, way, branch_of_[{branch.node, branch.place}], tells);
+        });
+    if (tells) tell_seen(ray, way);
+    return way;
+  }
+
+  void hit(const Target& target, int column, int row, Way& way, int node, bool tells) {
+    const Polygon polygon = target.polygon;
+    const bool covered =
+        covers(scene_.viewed().vertices(target.fill), PixelCentre(column, row, scene_.size()));
+    const bool seen = covered && (!way.hit || scene_.hides(polygon, *way.hit, column, row));
+    const auto kind = !covered ? Met::Kind::miss : seen ? Met::Kind::nearer : Met::Kind::farther;
+    way.met.push_back({kind, node});
+    const auto before = way.hit;
+    if (seen) way.hit = polygon;
+    if (!tells) return;
+    const std::string& name = record_.name(polygon);
+    if (!covered) {
+      record_.step(
+          at("miss"),
+          fmt::format("The box of {} is met, but {} does not cover the centre.", name, name));
+    } else if (seen) {
+      record_.step(at("nearer"),
+                   before ? fmt::format("{} is hit, before {}.", name, record_.name(*before))
+                          : fmt::format("{} is hit: it is the nearest so far.", name));
+    } else {
+      record_.step(at("farther"),
+                   fmt::format("{} is hit, but behind {}.", name, record_.name(*before)));
+    }
+    record_.mark(covered ? (seen ? StepRole::seen : StepRole::hidden) : StepRole::compared,
+                 polygon);
+    mark({column, column + 1, row, row + 1}, node);
+    show_stack();
+    profile(column, row, way.hit);
+  }
+
+  void tell_seen(const PixelBox& ray, const Way& way) {
+    record_.step(
+        at("seen"),
+        way.hit ? fmt::format("The stack is empty: the pixel shows {}.", record_.name(*way.hit))
+                : "The stack is empty, and nothing is hit: the pixel shows the background.");
+    if (way.hit) {
+      record_.paint_nearer({ray.first_row, ray.first_column, ray.end_column, *way.hit});
+      record_.mark(StepRole::seen, *way.hit);
+    }
+    mark(ray, {});
+  }
+
+  /// What begins there is certainly behind what is hit.
+  bool is_behind(float nearest, Polygon hit, int column, int row) const {
+    for (const auto& [fill, polygon] : targets_) {
+      if (polygon == hit)
+        return nearest < depths_.at(fill, column, row) - 4.0 * depths_.error(fill);
+    }
+    return false;
+  }
+
+  // ---- What is shown ---------------------------------------------------------------------
+
+  void mark(const PixelBox& ray, std::optional<int> node) {
+    record_.mark(StepRole::active, ray);
+    std::vector<StepRow> lit;
+    if (node) lit.push_back({{std::to_string(*node)}, StepRow::kNoPiece, StepRole::active});
+    record_.show(panel("tree"), std::move(lit));
+  }
+
+  void show_stack() {
+    std::vector<StepRow> rows;
+    for (auto branch = waiting_.rbegin(); branch != waiting_.rend(); ++branch) {
+      const int node = branch_of_[{branch->node, branch->place}];
+      rows.push_back(
+          {{fmt::format("{} from {:.3f}",
+                        polygon_of_node(node) ? record_.name(*polygon_of_node(node)) : "box",
+                        branch->nearest)},
+           polygon_of_node(node).value_or(StepRow::kNoPiece)});
+    }
+    record_.show(panel("stack"), std::move(rows));
+  }
+  std::optional<Polygon> polygon_of_node(int node) const {
+    const auto found = leaves_.find(node);
+    if (found == leaves_.end()) return std::nullopt;
+    return found->second;
+  }
+
+  void profile(int column, int row, std::optional<Polygon> hit) {
+    const double width = scene_.size().width;
+    if (row != profile_row_) {
+      profile_row_ = row;
+      profile_.clear();
+      for (const auto& [fill, polygon] : targets_) {
+        for (const StepRun& run :
+             scene_.coverage(polygon, {0, scene_.size().width, row, row + 1})) {
+          profile_.push_back({run.first / width, scene_.depth(polygon, run.first, row),
+                              run.end / width, scene_.depth(polygon, run.end - 1, row), polygon});
+        }
+      }
+    }
+    std::vector<StepSegment> segments = profile_;
+    double low = 0.0, high = 1.0;
+    for (const StepSegment& s : profile_) {
+      low = std::min({low, s.z0, s.z1});
+      high = std::max({high, s.z0, s.z1});
+    }
+    const double x = (column + 0.5) / width;
+    segments.push_back({x, high, x, hit ? scene_.depth(*hit, column, row) : low, StepRow::kNoPiece,
+                        StepRole::active});
+    record_.show_segments(panel("depths"), std::move(segments));
+  }
+
+  const StepScene& scene_;
+  StepRecord& record_;
+  FillDepths depths_;
+  std::vector<Target> targets_;
+  PixelTree tree_;
+  int nodes_ = 0;
+  std::map<const PixelBoxes*, int> node_of_;
+  std::map<std::pair<const PixelBoxes*, std::size_t>, int> branch_of_;
+  std::map<int, Polygon> leaves_;
+  std::vector<Branch> waiting_;
+  std::vector<StepSegment> profile_;
+  int profile_row_ = -1;
+};
+
+}  // namespace
+
+const SteppedAlgorithm kRayCastSteps{
+    HiddenMethod::ray_cast,
+    "Ray casting",
+    "The lecture's section 5, in image space, through a tree of boxes",
+    RayCastSteps::kListing,
+    RayCastSteps::kPanels,
+    [](const StepScene& scene, StepRecord& record) { RayCastSteps(scene, record).run(); }};
+
+}  // namespace displayfile

@@ -1,0 +1,88 @@
+#include "interp/steps/step_lines.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "hidden/lines/line_ends.h"
+
+namespace displayfile {
+
+namespace {
+
+Primitives with_drawn(Primitives items, const std::vector<std::uint8_t>& drawn) {
+  items.visible = drawn;
+  return items;
+}
+
+}  // namespace
+
+StepLines::StepLines(const StepScene& scene, StepRecord& record)
+    : scene_(scene),
+      record_(record),
+      drawn_(scene.viewed().drawn_sides()),
+      items_(with_drawn(scene.viewed().primitives(), drawn_)),
+      names_(drawn_lines(items_)),
+      lines_(items_, names_, 1),
+      policy_(Definitions{items_.points, {}}) {}
+
+std::string StepLines::name(const Line& line) const {
+  const auto [item, corner] = lines_.name(line.name);
+  if (items_.items[item].kind == Primitives::Kind::line) {
+    return fmt::format("line {}", record_.name(item));
+  }
+  return fmt::format("side {} of {}", corner + 1, record_.name(item));
+}
+
+Point2 StepLines::at(const Line& line, double share) const {
+  return flat(LineEnds(items_, lines_.name(line.name)).at(share));
+}
+
+void StepLines::mark(StepRole role, const Line& line, const PartOfLine& part) {
+  record_.mark(role, {at(line, part.from), at(line, part.to)}, StepMark::Kind::line);
+}
+
+std::vector<StepLines::Covered> StepLines::covered_by(std::uint32_t polygon, const Line& line) {
+  struct Parts {
+    std::vector<Covered> all;
+    void add_both(const PartOfLine& part) { all.push_back({part, kBoth}); }
+    void add_left(const PartOfLine& part) { all.push_back({part, kLeft}); }
+    void add_right(const PartOfLine& part) { all.push_back({part, kRight}); }
+  } parts;
+  LineAgainstPolygon<ExactLines> against(lines_, policy_);
+  against.look_at(line);
+  against.hide(polygon, parts);
+  return parts.all;
+}
+
+void StepLines::tell_seen(const Line& line, const std::vector<SeenPart>& seen, int listing_line) {
+  const auto [item, corner] = lines_.name(line.name);
+  const std::string of = name(line);
+  const bool whole = seen.size() == 1 && seen[0].part.from == 0.0 && seen[0].part.to == 1.0;
+  std::string parts;
+  for (const SeenPart& s : seen) parts += (parts.empty() ? "" : ", ") + words_of(s.part);
+  Step& step = record_.step(
+      listing_line, seen.empty() ? fmt::format("All of {} is hidden.", of)
+                    : whole
+                        ? fmt::format("Nothing hides any of {}: it is drawn.", of)
+                        : fmt::format("Of {} what is left is drawn: {} of its length.", of, parts));
+  const auto add = [&](const PartOfLine& part, bool hidden) {
+    if (part.from >= part.to) return;
+    step.lines.push_back(
+        {item, corner, part.from, part.to, at(line, part.from), at(line, part.to), hidden});
+  };
+  double from = 0.0;
+  for (const SeenPart& s : seen) {
+    add({from, s.part.from}, true);
+    add(s.part, false);
+    from = s.part.to;
+  }
+  add({from, 1.0}, true);
+  for (const SeenPart& s : seen) mark(StepRole::seen, line, s.part);
+}
+
+std::string words_of(const PartOfLine& part) {
+  return fmt::format("{:.3g} to {:.3g}", part.from, part.to);
+}
+
+}  // namespace displayfile

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hidden/lines/line_against_polygon.h"
+#include "hidden/lines/line_scene.h"
+#include "hidden/lines/visible_pieces.h"
+#include "interp/steps/step_record.h"
+#include "interp/steps/step_scene.h"
+
+namespace displayfile {
+
+/// The lines that a scene draws, as the methods of lines look at them, and what these methods'
+/// steps have in common.
+class StepLines {
+ public:
+  using Line = LineScene::Line;
+
+  StepLines(const StepScene& scene, StepRecord& record);
+  StepLines(const StepLines&) = delete;
+  StepLines& operator=(const StepLines&) = delete;
+
+  const Primitives& items() const { return items_; }
+  const LineScene& lines() const { return lines_; }
+  std::span<const LineName> names() const { return names_; }
+  /// The first line of that name, by its number.
+  const Line& line_of(std::uint32_t name) const {
+    return lines_.lines()[lines_.first_lines()[name]];
+  }
+  const ExactLines& policy() const { return policy_; }
+
+  /// "side 2 of A", or "line B"; sides are numbered from 1, by the corners at which they end.
+  std::string name(const Line& line) const;
+  /// The end, or a place between both by its share, in the projection.
+  Point2 at(const Line& line, double share) const;
+  void mark(StepRole role, const Line& line, const PartOfLine& part = {0.0, 1.0});
+
+  /// What one polygon covers of a line, and of which of its sides.
+  struct Covered {
+    PartOfLine part;
+    std::string_view sides;  ///< kBoth, kLeft or kRight
+  };
+  static constexpr std::string_view kBoth = "both sides", kLeft = "the left", kRight = "the right";
+  std::vector<Covered> covered_by(std::uint32_t polygon, const Line& line);
+
+  /// Looks at the lines one after the other, in that order of the first line of each name: the
+  /// finder tells its steps while it looks, and then it is told, in a step of that line of the
+  /// listing, what is seen, which the picture gains.
+  template <class Finder>
+  void find_all(std::span<const std::uint32_t> order, Finder& finder, int listing_line) {
+    for (const std::uint32_t first : order) {
+      std::vector<SeenPart> seen;
+      find_seen(lines_.lines(), first, finder, seen);
+      tell_seen(lines_.lines()[first], seen, listing_line);
+    }
+  }
+  void tell_seen(const Line& line, const std::vector<SeenPart>& seen, int listing_line);
+
+ private:
+  const StepScene& scene_;
+  StepRecord& record_;
+  std::vector<std::uint8_t> drawn_;  // of the sides
+  Primitives items_;
+  std::vector<LineName> names_;
+  LineScene lines_;
+  ExactLines policy_;
+};
+
+/// "0.25 to 0.5", of shares of a line.
+std::string words_of(const PartOfLine& part);
+
+}  // namespace displayfile

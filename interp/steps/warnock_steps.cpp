@@ -1,0 +1,188 @@
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "interp/steps/algorithms.h"
+#include "interp/steps/step_record.h"
+#include "interp/visibility/warnock.h"
+
+namespace displayfile {
+
+namespace {
+
+/// Warnock's subdivision down to pixels, as the system has it beside the form that finishes early
+/// (interp/visibility/warnock.md): its observer tells the areas, their lists and what is painted.
+class WarnockSteps {
+ public:
+  static constexpr auto kListing = std::to_array<ListingLine>({
+      {"start", 0, "put the whole picture on the stack of areas, all polygons in its list"},
+      {"area", 0, "take the next area off the stack, and make its list:"},
+      {"", 1, "what surrounds the area that it is a part of surrounds it too"},
+      {"", 1, "each other polygon surrounds it, intersects it, is contained, or is disjoint"},
+      {"", 1, "strike off what is disjoint, and what one that surrounds it hides all over it"},
+      {"background", 1, "(a) the list is empty: the area is background"},
+      {"one", 1, "(b) one polygon, which does not surround it: scan-convert it on the background"},
+      {"surrounded", 1, "(c) one polygon, which surrounds it: the area shows it"},
+      {"pixel", 1, "(d) the area is a pixel: it shows the nearest of its list"},
+      {"divide", 1, "otherwise divide it, and put its parts on the stack"},
+      {"end", 0, "the stack is empty: the picture is done"},
+  });
+  static constexpr auto kPanels = std::to_array<PanelEntry>({
+      {"list", "The area's potentially visible polygons", PanelEntry::Kind::table,
+       "polygon|how it lies to the area"},
+      {"stack", "Areas on the stack, the next first", PanelEntry::Kind::list},
+  });
+  static consteval int at(std::string_view name) { return number_named(kListing, name); }
+  static consteval int panel(std::string_view name) { return number_named(kPanels, name); }
+
+  WarnockSteps(const StepScene& scene, StepRecord& record) : scene_(scene), record_(record) {}
+
+  void run() {
+    const auto [width, height] = scene_.size();
+    stack_.push_back({0, width, 0, height});
+    record_.step(at("start"), fmt::format("The first area is the whole picture, its list all {}.",
+                                          counted(scene_.fills().size(), "polygon")));
+    record_.mark(StepRole::active, stack_.back());
+    show_stack();
+    Warnock warnock(Warnock::Finish::at_pixels);
+    warnock.prepare({scene_.viewed(), scene_.size(), {}}, 1);
+    warnock.draw_rows(0, height, [](int, int, std::span<const Fill>) {},
+                      {.visit = [&](const Warnock::Visit& visited) { visit(visited); },
+                       .remove =
+                           [&](Fill hidden, Fill by) {
+                             removed_.push_back({hidden, by});
+                           },
+                       .part = [&](const SampleArea& area) { stack_.push_back(area); },
+                       .paint =
+                           [&](Fill fill, int row, int first, int end) {
+                             record_.paint_over({row, first, end, polygon(fill)});
+                           }});
+    record_.step(at("end"), "No area is left: this is the picture.");
+    record_.show(panel("list"), {});
+    show_stack();
+  }
+
+ private:
+  using Fill = ViewedScene::Fill;
+  struct Removed {
+    Fill hidden, by;
+  };
+
+  StepScene::Polygon polygon(Fill fill) const { return scene_.viewed().item_of(fill); }
+  const std::string& name(Fill fill) const { return record_.name(polygon(fill)); }
+
+  static std::string words(const SampleArea& area) {
+    if (is_pixel(area)) return fmt::format("pixel {},{}", area.first_column, area.first_row);
+    return fmt::format("columns {} to {}, rows {} to {}", area.first_column, area.end_column - 1,
+                       area.first_row, area.end_row - 1);
+  }
+  static std::string_view words(AreaCategory category) {
+    switch (category) {
+      case AreaCategory::surrounding: return "surrounds it";
+      case AreaCategory::intersecting: return "intersects it";
+      case AreaCategory::contained: return "is contained in it";
+      case AreaCategory::disjoint: break;
+    }
+    return "is disjoint";
+  }
+
+  /// Each area is looked at in one step, and decided in another unless there is nothing to look at.
+  void visit(const Warnock::Visit& visited) {
+    stack_.pop_back();
+    if (!visited.list.empty()) look_at(visited);
+    removed_.clear();
+    decide(visited);
+  }
+
+  void look_at(const Warnock::Visit& visited) {
+    std::string sentence = fmt::format("Area of {}: ", words(visited.area));
+    bool first = true;
+    for (const auto& [fill, category] : visited.list) {
+      sentence += fmt::format("{}{} {}", first ? "" : ", ", name(fill), words(category));
+      first = false;
+    }
+    for (const auto& [hidden, by] : removed_) {
+      sentence += fmt::format("; {} is struck off, for {} hides it here", name(hidden), name(by));
+    }
+    record_.step(at("area"), sentence + ".");
+    mark_list(visited);
+    record_.mark(StepRole::active, visited.area);
+    show_stack();
+  }
+
+  void decide(const Warnock::Visit& visited) {
+    const auto& [area, list, decision] = visited;
+    StepRole role = StepRole::seen;
+    switch (decision) {
+      case Warnock::Decision::background:
+        record_.step(at("background"),
+                     fmt::format("Area of {}: nothing is in it. It is background.", words(area)));
+        role = StepRole::hidden;
+        break;
+      case Warnock::Decision::surrounded:
+        record_.step(at("surrounded"),
+                     fmt::format("{} alone is left, and surrounds the area: it shows {}.",
+                                 name(list[0].fill), name(list[0].fill)));
+        break;
+      case Warnock::Decision::one_polygon:
+      case Warnock::Decision::few_polygons:
+        record_.step(at("one"),
+                     fmt::format("{} alone is left: it is scan-converted on the background.",
+                                 name(list[0].fill)));
+        break;
+      case Warnock::Decision::pixel:
+        record_.step(at("pixel"), fmt::format("The area is a pixel: it shows the nearest of {}.",
+                                              counted(list.size(), "polygon")));
+        break;
+      case Warnock::Decision::subdivided:
+        record_.step(at("divide"),
+                     fmt::format("None of the tests holds with {}: the area is divided.",
+                                 counted(list.size(), "polygon")));
+        role = StepRole::active;
+        break;
+    }
+    mark_list(visited);
+    record_.mark(role, area);
+    if (role != StepRole::active && !is_pixel(area)) record_.mark(role, area, true);
+    if (role == StepRole::hidden) show_stack();
+  }
+
+  void mark_list(const Warnock::Visit& visited) {
+    std::vector<StepRow> rows;
+    for (const auto& [fill, category] : visited.list) {
+      record_.mark(StepRole::compared, polygon(fill));
+      rows.push_back({{name(fill), std::string(words(category))}, polygon(fill)});
+    }
+    for (const auto& [hidden, by] : removed_) {
+      record_.mark(StepRole::hidden, polygon(hidden));
+      rows.push_back({{name(hidden), fmt::format("is behind {}", name(by))},
+                      polygon(hidden),
+                      StepRole::hidden});
+    }
+    record_.show(panel("list"), std::move(rows));
+  }
+
+  void show_stack() {
+    std::vector<StepRow> areas;
+    for (auto area = stack_.rbegin(); area != stack_.rend(); ++area)
+      areas.push_back({{words(*area)}});
+    record_.show(panel("stack"), std::move(areas));
+  }
+
+  const StepScene& scene_;
+  StepRecord& record_;
+  std::vector<SampleArea> stack_;
+  std::vector<Removed> removed_;
+};
+
+}  // namespace
+
+const SteppedAlgorithm kWarnockSteps{
+    HiddenMethod::warnock,
+    "Warnock's area subdivision",
+    "Warnock 1969; the chapter's section \"Warnock's algorithm\", the problem book's 10.6",
+    WarnockSteps::kListing,
+    WarnockSteps::kPanels,
+    [](const StepScene& scene, StepRecord& record) { WarnockSteps(scene, record).run(); }};
+
+}  // namespace displayfile

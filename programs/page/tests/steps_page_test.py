@@ -1,0 +1,186 @@
+#!/usr/bin/env python3
+"""The page of an algorithm's steps in headless Chromium, from disk, with no network.
+
+steps_page_test.py COMMAND: the built command `displayfile`. Needs Debian's chromium, chromium-driver
+and python3-selenium.
+"""
+import json
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from selenium import webdriver
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import WebDriverWait
+
+SOURCE = pathlib.Path(__file__).resolve().parents[3]
+GALLERY = SOURCE / "programs"
+SURFACES = ["bsp", "depth-sort", "z-buffer", "scan-line", "scan-line-z", "warnock", "ray-cast"]
+LINES = ["roberts", "appel", "franklin"]
+COMMAND = ""
+
+
+def run(*words):
+    subprocess.run([COMMAND, *map(str, words)], check=True)
+
+
+def int32_npy(path):
+    """The numbers of an array of int32, row by row."""
+    data = path.read_bytes()
+    (length,) = struct.unpack("<H", data[8:10])
+    body = data[10 + length:]
+    return list(struct.unpack(f"<{len(body) // 4}i", body))
+
+
+def ppm_bytes(path):
+    data = path.read_bytes()
+    for _ in range(3):
+        data = data[data.index(b"\n") + 1:]
+    return list(data)
+
+
+class StepsPage(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.path = pathlib.Path(cls.folder.name)
+        options = webdriver.ChromeOptions()
+        for word in ["--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1300,900",
+                     "--host-resolver-rules=MAP * ~NOTFOUND"]:
+            options.add_argument(word)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+        cls.browser = webdriver.Chrome(options=options)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.quit()
+        cls.folder.cleanup()
+
+    def open(self, program, method, size="36x36"):
+        page = self.path / f"{method}.html"
+        run("steps", program, "--hidden", method, "--size", size, "-o", page)
+        self.browser.get(page.as_uri())
+        return page
+
+    def tearDown(self):
+        self.assertEqual(self.browser.get_log("browser"), [])
+
+    def js(self, code, *values):
+        return self.browser.execute_script(code, *values)
+
+    def state(self):
+        """All that a step shows."""
+        return self.js("""return [steps.step(), steps.ids().join(), document.getElementById('sentence').textContent,
+            document.getElementById('overlay').innerHTML, document.getElementById('panels').innerHTML,
+            document.querySelectorAll('#listing .runs').length, document.getElementById('count').textContent]""")
+
+    def key(self, key):
+        self.browser.find_element(By.TAG_NAME, "body").send_keys(key)
+
+    def test_the_last_step_shows_what_the_command_draws(self):
+        plain = self.path / "plain.draw"  # the picture in pixels is of fills alone
+        lines = (GALLERY / "cyclic-overlap.draw").read_text().splitlines()
+        fills = [line for line in lines if not line.startswith("set-line-style")]
+        plain.write_text("\n".join(["set-line-style none", *fills, ""]))
+        ids, picture = self.path / "ids.npy", self.path / "picture.ppm"
+        run("truth", plain, "--size", "36x36", "--ids", ids)
+        run("draw", plain, "--size", "36x36", "--hidden", "z-buffer", "-o", picture)
+        for method in SURFACES:
+            with self.subTest(method):
+                self.open(plain, method)
+                self.assertEqual(self.js("return steps.step()"), 0)
+                self.assertEqual(set(self.js("return steps.ids()")), {-1})
+                self.js("steps.go(steps.count)")
+                self.assertEqual(self.js("return steps.ids()"), int32_npy(ids))
+                self.assertEqual(self.js("return steps.colours()"), ppm_bytes(picture))
+
+    def test_every_step_back_is_the_one_before(self):
+        for method in ["bsp", "warnock", "ray-cast", "appel"]:
+            with self.subTest(method):
+                self.open(GALLERY / "interpenetrating-planes.draw", method, "24x24")
+                count = self.js("return steps.count")
+                self.assertGreater(count, 20)
+                forward = []
+                for step in list(range(0, min(count, 90))) + [count - 1, count]:
+                    self.js("steps.go(arguments[0])", step)
+                    forward.append((step, self.state()))
+                for step, before in reversed(forward):
+                    self.js("steps.go(arguments[0])", step)
+                    self.assertEqual(self.state(), before, f"{method}, step {step}")
+
+    def test_steps_of_lines_draw_the_lines(self):
+        for method in LINES + ["perimeter"]:
+            with self.subTest(method):
+                name = "surface" if method == "perimeter" else "house-perspective"
+                page = self.open(GALLERY / f"{name}.draw", method)
+                run("steps", GALLERY / f"{name}.draw", "--hidden", method, "-o", page.with_suffix(".json"))
+                told = json.loads(page.with_suffix(".json").read_text())
+                lines = [line for step in told["steps"] for line in step.get("lines", [])]
+                self.js("steps.go(steps.count)")
+                seen = self.js("return document.querySelectorAll('#overlay .line-seen').length")
+                hidden = self.js("return document.querySelectorAll('#overlay .line-hidden').length")
+                self.assertEqual(seen, sum(1 for line in lines if not line[1]))
+                self.assertEqual(hidden, sum(1 for line in lines if line[1]))
+                self.assertGreater(seen, 10)
+                self.js("steps.go(0)")
+                self.assertEqual(self.js("return document.querySelectorAll('#overlay .lines *').length"), 0)
+
+    def test_keys_buttons_slider_and_listing_lead_to_steps(self):
+        self.open(GALLERY / "cyclic-overlap.draw", "bsp")
+        step = lambda: self.js("return steps.step()")
+        count = self.js("return steps.count")
+        self.key(Keys.ARROW_RIGHT)
+        self.key(Keys.ARROW_RIGHT)
+        self.assertEqual(step(), 2)
+        self.key(Keys.ARROW_LEFT)
+        self.assertEqual(step(), 1)
+        self.key(Keys.END)
+        self.assertEqual(step(), count)
+        self.key(Keys.HOME)
+        self.assertEqual(step(), 0)
+        self.browser.find_element(By.ID, "next").click()
+        self.assertEqual(step(), 1)
+        self.js("""const slider = document.getElementById('slider'); slider.value = 7;
+                slider.dispatchEvent(new Event('input'))""")
+        self.assertEqual(step(), 7)
+        self.js("document.querySelector('#listing li:last-child').previousElementSibling.firstElementChild.click()")
+        self.assertEqual(self.js("return document.querySelector('#listing .runs') === "
+                                 "document.querySelector('#listing li:last-child').previousElementSibling"), True)
+        live = lambda: self.browser.find_element(By.ID, "sentence").get_attribute("aria-live")
+        self.assertEqual(live(), "polite")
+        self.js("document.getElementById('speed').value = '0'; document.activeElement.blur()")
+        self.key(Keys.HOME)
+        self.key(" ")
+        self.assertEqual(live(), "off")
+        WebDriverWait(self.browser, 20).until(lambda _: step() == count)
+        WebDriverWait(self.browser, 20).until(lambda _: live() == "polite")
+
+    def test_going_back_in_thousands_of_steps_is_quick(self):
+        self.open(GALLERY / "platonic-solids.draw", "ray-cast", "64x64")
+        count = self.js("return steps.count")
+        self.assertGreater(count, 3000)
+        there, back = self.js("""
+            const time = (from, by) => { const begin = performance.now();
+              for (let k = 0; k < 40; ++k) steps.go(from + by * k); return performance.now() - begin; };
+            time(2000, 1); return [time(2000, 1), time(2040, -1)]""")
+        self.assertLess(back, 4 * there + 50)
+
+    def test_it_fits_a_phone(self):
+        self.browser.set_window_size(500, 900)
+        try:
+            self.open(GALLERY / "cyclic-overlap.draw", "depth-sort")
+            self.js("steps.go(30)")
+            self.assertEqual(self.js("return document.documentElement.scrollWidth <= innerWidth"), True)
+            self.assertEqual(self.js("""return [...document.querySelectorAll('button, select, input')].every((e) =>
+                e.textContent.trim() || e.getAttribute('aria-label') || e.closest('label'))"""), True)
+        finally:
+            self.browser.set_window_size(1300, 900)
+
+
+if __name__ == "__main__":
+    COMMAND = str(pathlib.Path(sys.argv.pop(1)).resolve())
+    unittest.main()

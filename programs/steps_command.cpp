@@ -1,0 +1,77 @@
+#include "programs/steps_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string_view>
+
+#include "clip/error.h"
+#include "displayfile/file_extension.h"
+#include "displayfile/graphics_system.h"
+#include "displayfile/output_file.h"
+#include "hidden/hidden_method.h"
+#include "interp/steps/steps.h"
+#include "programs/input_names.h"
+#include "programs/inputs.h"
+#include "programs/option_groups.h"
+#include "programs/page/one_file_page.h"
+#include "programs/progress.h"
+
+namespace displayfile {
+
+CLI::App& StepsCommand::add_to(CLI::App& app) {
+  CLI::App& command = *app.add_subcommand(
+      "steps", "How an algorithm finds what is seen, step by step, as a page to watch");
+  add_inputs(command, "INPUT", inputs, "drawing programs and meshes");
+  command.add_option("-o,--output", output, "the page, or its data")
+      ->type_name("OUT.{html,json}")
+      ->required()
+      ->group(kOutputOptions);
+  command.add_option("--title", title, "of the page, if it is not the first input's name")
+      ->type_name("TEXT")
+      ->group(kOutputOptions);
+  std::string methods;
+  for (const HiddenMethod method : methods_with_steps())
+    methods.append(" ").append(name_of(method));
+  command.add_option("--hidden", hidden, "the algorithm:" + methods)
+      ->type_name("STEPPED-METHOD")
+      ->required()
+      ->group(kHiddenSurfaceOptions);
+  size.add_to(command);
+  command.add_option("--limit-steps", most_steps, "tell so many steps at most")
+      ->type_name("N")
+      ->capture_default_str()
+      ->group(kLimitOptions);
+  meshes.add_to(command);
+  return command;
+}
+
+int StepsCommand::run() const {
+  const bool is_page = extension_of(output) == ".html";
+  if (!is_page && extension_of(output) != ".json") {
+    throw Error(fmt::format("{}: expected a file that ends in .html or .json", output));
+  }
+  StepsOptions options;
+  options.method = hidden_method(hidden);
+  options.most_steps = most_steps;
+  size.read(options.width, options.height);
+  const PageFiles files;
+  OutputFile file(output);
+  GraphicsSystem system;
+  // Methods of lines draw the sides of bare meshes.
+  HiddenSurfaceOptions asked;
+  if (finds_lines(options.method)) asked.method = options.method;
+  enter_inputs(inputs, system, meshes, size.aspect(), asked);
+  const Progress progress(fmt::format("the steps of {}", hidden));
+  std::string text = steps_as_json(system, options);
+  if (is_page) {
+    const std::string name = std::filesystem::path(inputs.front()).filename().string();
+    text = one_file_page(files, "steps.html", {title.empty() ? name : title, text});
+  }
+  file.stream() << text;
+  file.commit();
+  return 0;
+}
+
+}  // namespace displayfile

@@ -1,10 +1,11 @@
 """The product's page: editor, gallery, files, speed and wrong pixels, two sheets; how it looks, and for whom."""
 
+import json
 import pathlib
 import re
 import unittest
 
-from browser import PROGRAMS, SCREENSHOTS, PageTest, make_page, served, set_window, wait_for
+from browser import PROGRAMS, SCREENSHOTS, PageTest, make_page, run, served, set_window, wait_for
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
@@ -228,9 +229,7 @@ class GalleryTest(IndexTest):
 class FiguresTest(IndexTest):
 
     def test_speed_and_wrong_pixels(self):
-        scene = Select(self.find("#scene"))
-        scene.select_by_value("cyclic-overlap.draw")
-        wait_for(lambda: self.find("figcaption").text.startswith("cyclic"), "the scene")
+        self.show_scene("cyclic-overlap.draw")
         self.find("#speed-table button").click()
         wait_for(lambda: self.find("#speed-table [role=status]").text == "Done.", "all methods")
         self.assertIn("cyclic-overlap.draw", self.find("#speed-table caption").text)
@@ -246,6 +245,40 @@ class FiguresTest(IndexTest):
         for column in (0, 1):
             times = [float(cells[column]) for cells in rows.values()]
             self.assertEqual(min(times), 1.0)
+
+    def show_scene(self, name):
+        Select(self.find("#scene")).select_by_value(name)
+        wait_for(lambda: self.find("figcaption").text.startswith(f"{name} "), name)
+        self.at_rest()
+
+    def test_step_by_step(self):
+        self.show_scene("cyclic-overlap.draw")
+        for method in ("bsp", "warnock"):
+            Select(self.find("#stepped")).select_by_value(method)
+            file = self.folder / "steps.json"
+            run("steps", PROGRAMS / "cyclic-overlap.draw", "--hidden", method, "-o", file)
+            self.browser.find_element(By.XPATH, "//button[.='Watch']").click()
+            frame = wait_for(lambda: self.browser.find_elements(By.CSS_SELECTOR, "iframe.steps"), "the steps")[0]
+            self.browser.switch_to.frame(frame)
+            try:
+                last = wait_for(lambda: self.browser.find_elements(By.ID, "last"), "the steps' page")[0]
+                wait_for(lambda: self.find("#sentence").text, "the first sentence")
+                last.click()
+                self.assertEqual(self.find("#title").text, json.loads(file.read_text())["title"] + ": cyclic-overlap.draw")
+                count = len(json.loads(file.read_text())["steps"])
+                self.assertEqual(self.find("#count").text, f"{count} / {count}")
+            finally:
+                self.browser.switch_to.default_content()
+            page = self.saved("Save as a page").read_text(encoding="utf-8")
+            data = re.search('id="data">(.*?)</script>', page, re.DOTALL)
+            self.assertEqual(json.loads(data[1]), json.loads(file.read_text()))
+
+    def test_methods_that_have_no_steps_of_a_scene_say_so(self):
+        self.show_scene("cyclic-overlap.draw")
+        Select(self.find("#stepped")).select_by_value("perimeter")
+        self.browser.find_element(By.XPATH, "//button[.='Watch']").click()
+        self.assertIn("perimeter", wait_for(lambda: self.find("#step-by-step .status").text, "why not"))
+        self.assertEqual(self.browser.find_elements(By.CSS_SELECTOR, "iframe.steps"), [])
 
     def test_two_sheets(self):
         captions = self.browser.find_elements(By.CSS_SELECTOR, "#sheets figcaption")

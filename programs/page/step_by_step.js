@@ -33,11 +33,10 @@ class StepByStep {
     const method = labelled_select('Method', 'stepped', kStepped, (value) => { this.#method = value; });
     const side = labelled_select('Pixels', 'stepped-side', kSteppedSides, (value) => { this.#side = value; });
     side.querySelector('select').value = this.#side;
-    const button = (words, act, kind) => element('button', { type: 'button', class: kind, click: () => this.#with_page(act) }, words);
+    const button = (words, act, kind) => element('button', { type: 'button', class: kind, click: act }, words);
     place.replaceChildren(
       element('div', { class: 'row' }, method, side,
-        button('Watch', (page, title) => this.#watch(page, title), 'first'),
-        button('Save as a page', (page, title) => save_file(`${title.replace(/\.[a-z]+$/i, '')}-${this.#method}.html`, page, 'text/html'))),
+        button('Watch', () => this.#watch(), 'first'), button('Save as a page', () => this.#save())),
       this.#status, this.#place);
   }
 
@@ -49,24 +48,34 @@ class StepByStep {
     this.#address = undefined;
   }
 
-  async #with_page(act) {
+  /** The page; undefined, and it is told why, if there is none. */
+  async #page() {
     const { drawer, key, view, given, size } = this.#viewer;
     const width = Number(this.#side), height = Math.max(1, Math.round((width * size.height) / size.width));
+    this.#status.textContent = 'Its steps are told …';
     try {
       const { steps } = await drawer.ask('steps', { key, view, options: { method: this.#method, width, height } });
       this.#status.textContent = '';
-      act(page_of_steps(this.#template, given.name, steps), given.name);
+      return page_of_steps(this.#template, given.name, steps);
     } catch (refused) {
-      this.clear();
       this.#status.textContent = refused.message;
+      return undefined;
     }
   }
 
-  #watch(page, title) {
+  async #watch() {
     this.clear();
+    const page = await this.#page();
+    if (!page) return;
     this.#address = URL.createObjectURL(new Blob([page], { type: 'text/html' }));
-    const frame = element('iframe', { class: 'steps', src: this.#address, title: `${title}, step by step` });
+    const title = `${this.#viewer.given.name}, step by step`;
+    const frame = element('iframe', { class: 'steps', src: this.#address, title });
     this.#place.replaceChildren(frame);
     frame.addEventListener('load', () => frame.contentWindow.focus());
+  }
+
+  async #save() {
+    const page = await this.#page();
+    if (page) save_file(`${this.#viewer.given.name.replace(/\.[a-z]+$/i, '')}-${this.#method}.html`, page, 'text/html');
   }
 }

@@ -48,8 +48,8 @@ class Viewer {
     this.caption = element('figcaption', {});
     this.command = element('code', { class: 'command' });
     const help = element('p', { class: 'help', id: `${key}-help` },
-      'Drag or arrow keys turn, wheel or + and − zoom, Shift with either pans, 0 resets; a click picks, ' +
-      'and so does P with the arrow keys.');
+      'Drag or arrow keys turn; the wheel after a click, pinching, + and − zoom; Shift with dragging or arrow keys, and ' +
+      'two fingers, pan; 0 resets. A click picks, and so does P with the arrow keys, until Escape.');
     this.canvas.setAttribute('aria-describedby', help.id);
     const picture = element('div', { class: 'picture' }, this.canvas, this.marks.element);
     picture.style.setProperty('--shape', width / height);

@@ -59,7 +59,8 @@ class FiguresTest(IndexTest):
         self.show_scene("cyclic-overlap.draw")
         Select(self.find("#stepped")).select_by_value("perimeter")
         self.browser.find_element(By.XPATH, "//button[.='Watch']").click()
-        self.assertIn("perimeter", wait_for(lambda: self.find("#step-by-step .status").text, "why not"))
+        told = lambda: self.find("#step-by-step .status").text
+        wait_for(lambda: "perimeter" in told(), "why it has none")
         self.assertEqual(self.browser.find_elements(By.CSS_SELECTOR, "iframe.steps"), [])
 
     def test_two_sheets(self):

@@ -48,8 +48,7 @@ class BspSteps {
   static consteval int at(std::string_view name) { return number_named(kListing, name); }
   static consteval int panel(std::string_view name) { return number_named(kPanels, name); }
 
-  BspSteps(const StepScene& scene, StepRecord& record)
-      : scene_(scene), record_(record), table_(scene, record) {}
+  BspSteps(const StepScene& scene, StepRecord& record) : record_(record), table_(scene, record) {}
 
   void run() {
     std::vector<Index> all = table_.all();
@@ -283,7 +282,6 @@ class BspSteps {
     record_.show(panel("waiting"), std::move(lists));
   }
 
-  const StepScene& scene_;
   StepRecord& record_;
   PieceTable table_;
   std::vector<Branch> waiting_;

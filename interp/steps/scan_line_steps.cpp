@@ -50,7 +50,7 @@ class ScanLineSteps {
       begin_row(row, entered, left);
       sweep(row);
       record_.step(at("done"), fmt::format("Row {} is done.", row));
-      record_.mark(StepRole::root, PixelBox{0, scene_.size().width, row, row + 1});
+      record_.mark(StepRole::active, PixelBox{0, scene_.size().width, row, row + 1});
       record_.show(panel("in"), {});
     }
   }
@@ -61,7 +61,7 @@ class ScanLineSteps {
   void begin_row(int row, std::size_t entered, std::size_t left) {
     record_.step(at("row"), fmt::format("Row {}: {} linked in, {} struck off, {} active.", row,
                                         counted(entered, "edge"), left, edges_.edges().size()));
-    record_.mark(StepRole::root, PixelBox{0, scene_.size().width, row, row + 1});
+    record_.mark(StepRole::active, PixelBox{0, scene_.size().width, row, row + 1});
     mark_edges(record_, edges_);
     record_.show(panel("edges"), edges_.rows(record_, row));
     record_.show(panel("in"), {});

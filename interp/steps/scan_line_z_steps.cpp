@@ -51,7 +51,7 @@ class ScanLineZSteps {
   void draw(int row, std::size_t entered, std::size_t left) {
     record_.step(at("row"), fmt::format("Row {}: {} linked in, {} struck off, {} active.", row,
                                         counted(entered, "edge"), left, edges_.edges().size()));
-    record_.mark(StepRole::root, whole_row(row));
+    record_.mark(StepRole::active, whole_row(row));
     mark_edges(record_, edges_);
     record_.show(panel("edges"), edges_.rows(record_, row));
     record_.show_segments(panel("depths"), {});
@@ -75,7 +75,7 @@ class ScanLineZSteps {
       record_.show_segments(panel("depths"), std::move(profile));
     }
     record_.step(at("done"), fmt::format("Row {} is done.", row));
-    record_.mark(StepRole::root, whole_row(row));
+    record_.mark(StepRole::active, whole_row(row));
   }
 
   const StepScene& scene_;

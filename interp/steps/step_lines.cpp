@@ -18,8 +18,7 @@ Primitives with_drawn(Primitives items, const std::vector<std::uint8_t>& drawn) 
 }  // namespace
 
 StepLines::StepLines(const StepScene& scene, StepRecord& record)
-    : scene_(scene),
-      record_(record),
+    : record_(record),
       drawn_(scene.viewed().drawn_sides()),
       items_(with_drawn(scene.viewed().primitives(), drawn_)),
       names_(drawn_lines(items_)),
@@ -56,7 +55,7 @@ std::vector<StepLines::Covered> StepLines::covered_by(std::uint32_t polygon, con
 }
 
 void StepLines::tell_seen(const Line& line, const std::vector<SeenPart>& seen, int listing_line) {
-  const auto [item, corner] = lines_.name(line.name);
+  const LineName named = lines_.name(line.name);
   const std::string of = name(line);
   const bool whole = seen.size() == 1 && seen[0].part.from == 0.0 && seen[0].part.to == 1.0;
   std::string parts;
@@ -68,8 +67,8 @@ void StepLines::tell_seen(const Line& line, const std::vector<SeenPart>& seen, i
                         : fmt::format("Of {} what is left is drawn: {} of its length.", of, parts));
   const auto add = [&](const PartOfLine& part, bool hidden) {
     if (part.from >= part.to) return;
-    step.lines.push_back(
-        {item, corner, part.from, part.to, at(line, part.from), at(line, part.to), hidden});
+    step.lines.push_back({named.item, named.corner, part.from, part.to, at(line, part.from),
+                          at(line, part.to), hidden});
   };
   double from = 0.0;
   for (const SeenPart& s : seen) {

@@ -61,7 +61,6 @@ class StepLines {
   void tell_seen(const Line& line, const std::vector<SeenPart>& seen, int listing_line);
 
  private:
-  const StepScene& scene_;
   StepRecord& record_;
   std::vector<std::uint8_t> drawn_;  // of the sides
   Primitives items_;

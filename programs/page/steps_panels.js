@@ -24,6 +24,7 @@ class StepsPanels {
     for (const panel of this.panels) {
       if (panel.tree) {
         panel.body.replaceChildren(panel.tree.element(at));
+        this.scrollTo(panel.body, '.role-active, .role-root, .role-compared, .role-front, .role-back');
         continue;
       }
       if (panel.panel.kind === 'depths') {
@@ -34,11 +35,18 @@ class StepsPanels {
       if (change === panel.shown && change !== undefined) continue;
       panel.shown = change;
       panel.body.replaceChildren(this.content(panel.panel, change));
-      const marked = panel.body.querySelector('.role-active, .role-root, .role-compared');
-      if (marked && panel.body.scrollHeight > panel.body.clientHeight) {
-        panel.body.scrollTop = Math.max(0, marked.offsetTop - panel.body.clientHeight / 2);
-      }
+      this.scrollTo(panel.body, '.role-active, .role-root, .role-compared');
     }
+  }
+
+  /** Brings what is marked to the middle of a panel that does not show all. */
+  scrollTo(body, selector) {
+    if (body.scrollHeight <= body.clientHeight && body.scrollWidth <= body.clientWidth) return;
+    const marked = body.querySelector(selector);
+    if (!marked) return;
+    const outer = body.getBoundingClientRect(), inner = marked.getBoundingClientRect();
+    body.scrollTop += inner.top + inner.height / 2 - outer.top - outer.height / 2;
+    body.scrollLeft += inner.left + inner.width / 2 - outer.left - outer.width / 2;
   }
 
   content(panel, change) {

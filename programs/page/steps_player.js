@@ -137,7 +137,7 @@ class StepsPlayer {
 
   /** The marks by what they are, with the names of pieces. */
   showLegend(marks) {
-    const words = {root: 'held against', compared: 'compared', front: 'in front', back: 'behind', on: 'in the plane',
+    const words = {root: 'looked at', compared: 'compared', front: 'in front', back: 'behind', on: 'in the plane',
                    cut: 'cut', active: 'under work', seen: 'seen', hidden: 'hidden', tagged: 'tagged', upper: 'upper perimeter', lower: 'lower perimeter'};
     const roles = new Map();
     for (const [kind, role, piece] of marks) {

@@ -64,6 +64,8 @@ PageContents PageCommand::product(ordered_json data, const PageFiles& files) con
     data["scenes"].push_back(
         scene_data(program.filename().string(), read_text_file(program.string())));
   }
+  // The page fills it with the steps of the scene that is shown.
+  data["stepsPage"] = one_file_page(files, "steps.html", {"", "{}"});
   return {title, text_of(data)};
 }
 

@@ -36,5 +36,5 @@ function view_controls(viewer) {
     button('↓', 'turn down', turn(0, 1)),
     button('+', 'larger', zoom(1.25)),
     button('−', 'smaller', zoom(0.8)),
-    button('Reset', 'the view of the drawing program', () => viewer.reset()));
+    button('Reset', 'Reset: the view of the drawing program', () => viewer.reset()));
 }

@@ -49,6 +49,10 @@ class Engine {
     return { svg: this.#scenes.get(key).svg(view, options) };
   }
 
+  steps({ key, view, options }) {
+    return { steps: this.#scenes.get(key).steps(view, options) };
+  }
+
   pick({ key, view, options, at }) {
     return { seen: this.#scenes.get(key).pick(view, options, at) };
   }

@@ -9,10 +9,10 @@ const kPanOfKey = 0.05;
 /** Pixels that a press may move and still be a click. */
 const kStill = 4;
 
-/** Tells `figure` of what is done to `place`: figure.turn(right, down) in radians, figure.pan(from,
- *  to) and figure.zoom(factor, about) in parts of the picture, figure.rest() when that ends,
- *  figure.press(at), figure.reset(), and figure.point(dx, dy) for the keys that pick. */
-function listen_to_gestures(place, figure) {
+/** Tells of what is done to `place`: figure.turn(right, down) in radians, figure.pan(from, to) and
+ *  figure.zoom(factor, about) in parts of the picture, figure.rest() when that ends, figure.reset();
+ *  and what a Picker is told. */
+function listen_to_gestures(place, figure, picker) {
   const fingers = new Map();
   let moved = 0, turns = false;
 
@@ -58,7 +58,7 @@ function listen_to_gestures(place, figure) {
 
   const let_go = (event) => {
     if (!fingers.delete(event.pointerId) || fingers.size > 0) return;
-    if (event.type === 'pointerup' && moved < kStill) figure.press(in_parts(event));
+    if (event.type === 'pointerup' && moved < kStill) picker.press(in_parts(event));
     else figure.rest();
   };
   place.addEventListener('pointerup', let_go);
@@ -78,14 +78,14 @@ function listen_to_gestures(place, figure) {
   place.addEventListener('keydown', (event) => {
     if (event.altKey || event.metaKey || event.ctrlKey) return;
     const arrow = kArrows[event.key];
-    if (arrow && figure.points()) figure.point(...arrow.map((x) => x * (event.shiftKey ? 0.002 : 0.02)));
+    if (arrow && picker.has_cross) picker.move(...arrow.map((x) => x * (event.shiftKey ? 0.002 : 0.02)));
     else if (arrow && event.shiftKey) figure.pan([0.5, 0.5], arrow.map((x) => 0.5 + x * kPanOfKey));
     else if (arrow) figure.turn(...arrow.map((x) => x * kTurnOfKey));
     else if (event.key === '+' || event.key === '=') figure.zoom(kZoomOfKey, [0.5, 0.5]);
     else if (event.key === '-') figure.zoom(1 / kZoomOfKey, [0.5, 0.5]);
     else if (event.key === '0') figure.reset();
-    else if (event.key.toLowerCase() === 'p') figure.point(0, 0);
-    else if (event.key === 'Escape') figure.point(undefined);
+    else if (event.key.toLowerCase() === 'p') picker.move(0, 0);
+    else if (event.key === 'Escape') picker.forget();
     else return;
     event.preventDefault();
   });

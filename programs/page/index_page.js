@@ -5,14 +5,14 @@
 const kFirstScene = 'gears.draw';
 
 async function start_index_page() {
-  const { wasm, scenes, width, height } = JSON.parse(document.getElementById('data').text);
+  const { wasm, scenes, width, height, stepsPage } = JSON.parse(document.getElementById('data').text);
   const place = document.getElementById('viewer');
   const before = [...place.childNodes];
   try {
     const drawer = new Drawer();
     const { version, routines } = await drawer.ask('start', { wasm });
     document.getElementById('version').textContent = version;
-    await show_parts({ drawer, routines, scenes, place, width, height });
+    await show_parts({ drawer, routines, scenes, place, width, height, stepsPage });
   } catch (error) {
     place.replaceChildren(...before);
     document.getElementById('why-still').textContent = `Nothing can be drawn here: ${error.message}`;
@@ -20,14 +20,16 @@ async function start_index_page() {
   document.documentElement.dataset.ready = Math.round(performance.now());
 }
 
-async function show_parts({ drawer, routines, scenes, place, width, height }) {
+async function show_parts({ drawer, routines, scenes, place, width, height, stepsPage }) {
   const viewer = new Viewer(place, drawer, { width, height });
   document.documentElement.viewer = viewer;
   const table = new SpeedTable(document.getElementById('speed-table'), viewer);
+  const steps = new StepByStep(document.getElementById('step-by-step'), viewer, stepsPage);
   let shown;
   const draw = async (program, keeps_view) => {
     gallery.keep(shown.name, program);
     table.clear();
+    steps.clear();
     try {
       await viewer.show({ ...shown, program }, keeps_view);
       editor.show_error(undefined);

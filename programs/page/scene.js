@@ -97,6 +97,11 @@ class Scene {
     return this.#system_in(view).svg(of_vectors);
   }
 
+  /** What a method tells of its steps, as JSON. */
+  steps(view, options) {
+    return JSON.stringify(this.#system_in(view).steps(options));
+  }
+
   truth(view, size) {
     return this.#system_in(view).truth(size).ids;
   }

@@ -39,7 +39,7 @@ class Sheets {
   #drawer;
   #sides;
   #digits = 15;
-  #format = 'double';
+  #format = 'float';
   #wanted = false;
   #drawing = false;
 

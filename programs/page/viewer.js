@@ -33,7 +33,6 @@ class Viewer {
   #wanted = false;
   #drawing;
   #slow = false;
-  #cross;
   #resize;
 
   /** Fills `place`, in which the still may stand. Pictures have the shape of width and height. */
@@ -49,8 +48,8 @@ class Viewer {
     this.caption = element('figcaption', {});
     this.command = element('code', { class: 'command' });
     const help = element('p', { class: 'help', id: `${key}-help` },
-      'Drag or arrow keys turn, wheel or + and − zoom, Shift with either pans, 0 resets; a click picks, ' +
-      'and so does P with the arrow keys.');
+      'Drag or arrow keys turn; the wheel after a click, pinching, + and − zoom; Shift with dragging or arrow keys, and ' +
+      'two fingers, pan; 0 resets. A click picks, and so does P with the arrow keys, until Escape.');
     this.canvas.setAttribute('aria-describedby', help.id);
     const picture = element('div', { class: 'picture' }, this.canvas, this.marks.element);
     picture.style.setProperty('--shape', width / height);
@@ -59,7 +58,8 @@ class Viewer {
       choice_controls(this), save_controls(this),
       element('p', { class: 'same' }, 'From the saved program the command draws the same:', this.command), help);
     place.replaceChildren(this.figure, this.controls);
-    listen_to_gestures(this.canvas, this);
+    this.picker = new Picker(this);
+    listen_to_gestures(this.canvas, this, this.picker);
     this.#resize = new ResizeObserver(() => this.#ask_for_picture());
     this.#resize.observe(picture);
   }
@@ -90,8 +90,7 @@ class Viewer {
     this.why_not_turned = whyNot;
     this.canvas.classList.toggle('fixed', !view);
     this.#slow = false;
-    this.#cross = undefined;
-    this.marks.clear();
+    this.picker.forget();
     this.say(whyNot ? `This scene is not turned: ${whyNot}` : '');
     this.#offer_shading();
   }
@@ -211,48 +210,6 @@ class Viewer {
     this.#ask_for_picture();
   }
 
-  press(at) {
-    this.#cross = undefined;
-    this.#pick(at);
-  }
-  points() {
-    return this.#cross !== undefined;
-  }
-  /** Moves the place where keys pick, in parts of the picture; undefined: no more. */
-  point(dx, dy) {
-    if (dx === undefined) {
-      this.#cross = undefined;
-      this.marks.clear();
-      this.say('');
-      return;
-    }
-    const within = (x) => Math.min(0.999, Math.max(0, x));
-    const [x, y] = this.#cross ?? [0.5, 0.5];
-    this.#cross = [within(x + dx), within(y + dy)];
-    this.#pick(this.#cross);
-  }
-
-  async #pick(at) {
-    const { width, height } = this.size;
-    const place = [at[0] * width, at[1] * height];
-    try {
-      const request = { key: this.key, view: this.view, options: this.options, at: place };
-      const { seen } = await this.drawer.ask('pick', request);
-      this.marks.clear();
-      if (this.#cross) this.marks.cross(this.#cross);
-      if (!seen) {
-        this.say('Nothing is seen there.');
-        return;
-      }
-      this.marks.outline(seen.outlines);
-      const kind = { polygon: 'Polygon', edge: 'Edge of polygon', line: 'Line' }[seen.kind];
-      const name = seen.pick < 0 ? 'without identifier' : seen.pick;
-      this.say(`${kind} ${name} of segment ${seen.segment}, depth ${Number(seen.depth.toPrecision(6))}`);
-    } catch (refused) {
-      this.say(refused.message);
-    }
-  }
-
   // ---- Drawing ----
 
   #ask_for_picture() {
@@ -268,6 +225,11 @@ class Viewer {
     this.#wanted = true;
     this.#drawing ??= this.#draw_while_wanted().finally(() => { this.#drawing = undefined; });
     return this.#drawing;
+  }
+
+  /** When what was asked for is drawn. */
+  drawn() {
+    return this.#drawing ?? Promise.resolve();
   }
 
   async #draw_while_wanted() {

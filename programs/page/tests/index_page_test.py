@@ -1,58 +1,16 @@
-"""The product's page: editor, gallery, files, speed and wrong pixels, two sheets; how it looks, and for whom."""
+"""The product's page: its editor, its gallery, and files that are opened."""
 
-import pathlib
 import re
 import unittest
 
-from browser import PROGRAMS, SCREENSHOTS, PageTest, make_page, served, set_window, wait_for
-from selenium.webdriver.common.action_chains import ActionChains
+from browser import PROGRAMS, wait_for
+from index_page import TRIANGLE, IndexTest
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.select import Select
 
-TRIANGLE = "open-segment 1\npolygon-abs-3 -0.5 -0.5 0  0.5 -0.5 0  0 0.5 0\nclose-segment\n"
 # As displayfile/solids says: several parts are combined by a library that this build has not.
 NEEDS_CGAL = "section-view.draw"
-
-
-class IndexTest(PageTest):
-
-    @classmethod
-    def setUpClass(cls):
-        super().setUpClass()
-        cls.page = cls.folder / "index.html"
-        make_page(cls.page)
-
-    def setUp(self):
-        super().setUp()
-        self.open(self.page.as_uri())
-        self.at_rest()
-
-    def enter(self, program):
-        """Types a program in the place of what stands in the editor."""
-        area = self.find("#program")
-        self.browser.execute_script("""
-            const area = arguments[0];
-            area.focus();
-            area.select();
-            document.execCommand('insertText', false, arguments[1]);""", area, program)
-
-    def pictures(self):
-        return int(self.find(".picture canvas").get_attribute("data-pictures"))
-
-    def enter_and_wait(self, program):
-        before = self.pictures()
-        self.enter(program)
-        wait_for(lambda: self.pictures() > before or self.error(), "a picture or an error")
-        self.at_rest()
-
-    def error(self):
-        return self.find("#program-error").text
-
-    def command_draws(self, program, *words):
-        file = self.folder / "typed.draw"
-        file.write_text(program, encoding="utf-8")
-        return self.drawn(file, *words)
 
 
 class EditorTest(IndexTest):
@@ -223,126 +181,6 @@ class GalleryTest(IndexTest):
         self.at_rest()
         self.assertEqual(self.find("#program").get_attribute("value"), TRIANGLE)
         self.assertEqual(self.pixels(), self.command_draws(TRIANGLE))
-
-
-class FiguresTest(IndexTest):
-
-    def test_speed_and_wrong_pixels(self):
-        scene = Select(self.find("#scene"))
-        scene.select_by_value("cyclic-overlap.draw")
-        wait_for(lambda: self.find("figcaption").text.startswith("cyclic"), "the scene")
-        self.find("#speed-table button").click()
-        wait_for(lambda: self.find("#speed-table [role=status]").text == "Done.", "all methods")
-        self.assertIn("cyclic-overlap.draw", self.find("#speed-table caption").text)
-        rows = {}
-        for row in self.browser.find_elements(By.CSS_SELECTOR, "#speed-table tbody tr"):
-            rows[row.find_element(By.TAG_NAME, "th").text] = [cell.text for cell in row.find_elements(By.TAG_NAME, "td")]
-        self.assertGreaterEqual(len(rows), 12)
-        for name, cells in rows.items():
-            self.assertEqual(len(cells), 3, f"{name}: {cells}")
-            if name.endswith("exact"):
-                self.assertEqual(cells[2], "0", name)
-        self.assertNotEqual(rows["none: in order of entry"][2], "0")
-        for column in (0, 1):
-            times = [float(cells[column]) for cells in rows.values()]
-            self.assertEqual(min(times), 1.0)
-
-    def test_two_sheets(self):
-        captions = self.browser.find_elements(By.CSS_SELECTOR, "#sheets figcaption")
-        wait_for(lambda: all("wrong" in caption.text for caption in captions), "two sheets")
-        self.assertIn("no wrong pixel", captions[0].text)
-        self.assertRegex(captions[1].text, r"[1-9].* % of the pixels wrong")
-        gap = self.find("#gap")
-        gap.send_keys(Keys.HOME)
-        wait_for(lambda: "no wrong pixel" in captions[1].text, "sheets that lie far apart")
-        self.assertEqual(gap.get_attribute("aria-valuetext"), "1e-3")
-        Select(self.find("#depths")).select_by_value("16")
-        gap.send_keys(Keys.ARROW_RIGHT * 3)
-        wait_for(lambda: "%" in captions[1].text, "sheets that 16 bits do not part")
-        self.assertIn("no wrong pixel", captions[0].text)
-
-
-class LooksTest(IndexTest):
-
-    def test_from_a_server(self):
-        for address in (self.page.as_uri(), f"{served(self.folder)}/index.html"):
-            print(f"ready after {self.open(address)} ms: {address.split(':')[0]}")
-            self.assertEqual(self.pixels(), self.drawn(PROGRAMS / "gears.draw"))
-
-    def test_nothing_is_wider_than_the_window(self):
-        scene = self.folder / "scene.html"
-        make_page(scene, PROGRAMS / "house-perspective.draw")
-        for page in (self.page, scene):
-            for dark in (False, True):
-                for width in (320, 375, 768, 1280):
-                    set_window(self.browser, width, dark=dark)
-                    self.open(page.as_uri())
-                    self.at_rest()
-                    wide = self.browser.execute_script("return document.documentElement.scrollWidth")
-                    self.assertLessEqual(wide, width, page.name)
-                    self.take_screenshot(f"{page.stem}-{width}-{'dark' if dark else 'light'}.png", width, dark)
-
-    def take_screenshot(self, name, width, dark):
-        if SCREENSHOTS is None:
-            return
-        folder = pathlib.Path(SCREENSHOTS)
-        folder.mkdir(parents=True, exist_ok=True)
-        if self.browser.find_elements(By.ID, "sheets"):
-            wait_for(lambda: "wrong" in self.find("#sheets figure + figure figcaption").text, "the sheets")
-        height = self.browser.execute_script("return document.documentElement.scrollHeight")
-        set_window(self.browser, width, height, dark)
-        self.at_rest()
-        self.browser.save_screenshot(str(folder / name))
-
-    def test_all_that_is_worked_has_a_name(self):
-        tree = self.browser.execute_cdp_cmd("Accessibility.getFullAXTree", {})["nodes"]
-        roles = {"button", "combobox", "slider", "textbox", "application", "img", "table", "Canvas"}
-        worked = [node for node in tree if not node.get("ignored") and node["role"]["value"] in roles]
-        self.assertGreater(len(worked), 15)
-        for node in worked:
-            self.assertTrue(node.get("name", {}).get("value"), node["role"])
-
-    def test_the_keyboard_reaches_all_of_it(self):
-        everything = self.browser.execute_script("""
-            return [...document.querySelectorAll('button, select, input, textarea, canvas[tabindex]')]
-              .filter((one) => one.checkVisibility()).length;""")
-        self.browser.execute_script("document.activeElement.blur()")
-        reached = set()
-        for _ in range(everything + 4):
-            ActionChains(self.browser).send_keys(Keys.TAB).perform()
-            reached.add(self.browser.switch_to.active_element.id)
-            outline = self.browser.execute_script("""
-                const active = document.activeElement;
-                const shown = active.closest('.editor') ?? (active.id === 'file' ? active.nextElementSibling : active);
-                return active === document.body ? 'none needed' : getComputedStyle(shown).outlineStyle;""")
-            self.assertNotEqual(outline, "none")
-        self.assertGreaterEqual(len(reached), everything)
-
-    def test_text_can_be_read(self):
-        for dark in (False, True):
-            set_window(self.browser, 1280, dark=dark)
-            colours = self.browser.execute_script("""
-                const style = getComputedStyle(document.documentElement);
-                const of = (name) => style.getPropertyValue(`--${name}`).trim();
-                return Object.fromEntries(['paper', 'panel', 'ink', 'quiet', 'accent', 'on-accent', 'wrong', 'wrong-paper',
-                  'edge'].map((name) => [name, of(name)]));""")
-            for text, paper, least in (("ink", "paper", 7), ("ink", "panel", 7), ("quiet", "paper", 4.5),
-                                       ("quiet", "panel", 4.5), ("accent", "paper", 4.5), ("on-accent", "accent", 4.5),
-                                       ("wrong", "paper", 4.5), ("ink", "wrong-paper", 4.5), ("edge", "paper", 3)):
-                contrast = self.contrast(colours[text], colours[paper])
-                self.assertGreaterEqual(contrast, least, f"{text} on {paper}, {'dark' if dark else 'light'}")
-
-    @staticmethod
-    def contrast(one, other):
-        """The ratio of luminances, as WCAG 2.2 defines it."""
-
-        def luminance(colour):
-            parts = [int(colour[k:k + 2], 16) / 255 for k in (1, 3, 5)]
-            linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055)**2.4 for part in parts]
-            return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
-
-        dark, light = sorted((luminance(one), luminance(other)))
-        return (light + 0.05) / (dark + 0.05)
 
 
 if __name__ == "__main__":

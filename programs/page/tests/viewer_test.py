@@ -268,6 +268,8 @@ class StillTest(PageTest):
             print(f"ready after {milliseconds} ms: {address.split(':')[0]}")
             self.assertEqual(self.pixels(), self.drawn(GEARS))
             self.assertEqual(self.browser.find_elements(By.CSS_SELECTOR, ".still"), [])
+            loaded = self.browser.execute_script("return performance.getEntriesByType('resource').map(({ name }) => name)")
+            self.assertEqual([name for name in loaded if not name.startswith(("blob:", "data:"))], [])
 
     def page_without(self, before, arguments=()):
         """The page in a browser of its own, after a script that takes something away."""

@@ -113,11 +113,13 @@ class ZBufferSteps {
   }
 
   void show_polygons(Polygon active) {
-    const std::vector<StepRow> last_first(rows_.rbegin(), rows_.rend());
-    record_.show(panel("polygons"), StepRecord::rows(last_first, [&](StepRow row) {
-                   if (row.piece == active) row.role = StepRole::active;
-                   return row;
-                 }));
+    std::vector<StepRow> last_first;
+    for (auto row = rows_.rbegin(); row != rows_.rend(); ++row) {
+      if (last_first.size() == StepRecord::kMostRows) break;
+      last_first.push_back(*row);
+      if (row->piece == active) last_first.back().role = StepRole::active;
+    }
+    record_.show(panel("polygons"), std::move(last_first));
   }
 
   const StepScene& scene_;

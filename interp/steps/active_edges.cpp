@@ -69,6 +69,7 @@ std::vector<StepRun> ActiveEdges::runs(int row) const {
 std::vector<StepSegment> profile_of(const StepScene& scene, const std::vector<StepRun>& runs) {
   const double width = scene.size().width;
   std::vector<StepSegment> segments;
+  segments.reserve(runs.size());
   for (const auto& [row, first, end, polygon] : runs) {
     segments.push_back({first / width, scene.depth(polygon, first, row), end / width,
                         scene.depth(polygon, end - 1, row), polygon});

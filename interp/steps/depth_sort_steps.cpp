@@ -140,6 +140,7 @@ class DepthSortSteps {
     record_.mark(StepRole::root, piece(p));
     record_.mark(StepRole::compared, piece(q));
     std::vector<StepRow> rows;
+    rows.reserve(kTests);
     for (int k = 0; k < kTests; ++k) {
       rows.push_back({{std::to_string(k), std::string(kQuestions[static_cast<std::size_t>(k)]),
                        k < passed    ? "no"

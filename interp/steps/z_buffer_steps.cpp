@@ -113,11 +113,10 @@ class ZBufferSteps {
   }
 
   void show_polygons(Polygon active) {
-    std::vector<StepRow> last_first;
-    for (auto row = rows_.rbegin(); row != rows_.rend(); ++row) {
-      if (last_first.size() == StepRecord::kMostRows) break;
-      last_first.push_back(*row);
-      if (row->piece == active) last_first.back().role = StepRole::active;
+    const auto shown = static_cast<std::ptrdiff_t>(std::min(rows_.size(), StepRecord::kMostRows));
+    std::vector<StepRow> last_first(rows_.rbegin(), rows_.rbegin() + shown);
+    for (StepRow& row : last_first) {
+      if (row.piece == active) row.role = StepRole::active;
     }
     record_.show(panel("polygons"), std::move(last_first));
   }

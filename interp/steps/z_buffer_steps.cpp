@@ -75,10 +75,11 @@ class ZBufferSteps {
       gained += static_cast<std::size_t>(record_.paint_nearer(run));
     }
     if (gained == 0) step.line = at("hidden");
-    step.sentence =
-        fmt::format("Row {}: of {} that {} covers, {} where it is nearest so far, {} stay.", row,
-                    counted(covered, "pixel"), record_.name(polygon),
-                    gained == 1 ? "1 is" : fmt::format("{} are", gained), covered - gained);
+    step.sentence = fmt::format("Row {}: of the {} that {} covers it is the nearest so far in {}.",
+                                row, counted(covered, "pixel"), record_.name(polygon),
+                                gained == 0         ? "none"
+                                : gained == covered ? "all"
+                                                    : std::to_string(gained));
     record_.mark(StepRole::active, polygon);
     for (const StepRun& run : runs) {
       record_.mark(gained > 0 ? StepRole::seen : StepRole::hidden,

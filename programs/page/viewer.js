@@ -79,6 +79,19 @@ class Viewer {
     this.#label();
   }
 
+  /** Shows nothing, where a scene that was chosen cannot be drawn. */
+  clear(name) {
+    this.given = undefined;
+    this.picture = undefined;
+    this.#view = undefined;
+    this.why_not_turned = 'it is not drawn';
+    this.picker.forget();
+    this.canvas.getContext('2d').clearRect(0, 0, this.canvas.width, this.canvas.height);
+    this.canvas.setAttribute('aria-label', `${name}: not drawn`);
+    this.caption.textContent = `${name} · not drawn`;
+    this.command.textContent = '';
+  }
+
   async #enter() {
     const [width, height] = this.#shape;
     const { shading } = this.#settings;
@@ -98,7 +111,7 @@ class Viewer {
   /** A method of lines draws the sides of a scene that shows none. */
   #lines() {
     const { lines, method } = this.#settings;
-    if (lines || !kLineMethods.has(method)) return lines;
+    if (lines || !kLineMethods.has(method) || !this.given) return lines;
     return this.given.mesh || draws_no_lines(this.given.program) ? 'all' : lines;
   }
 
@@ -136,7 +149,8 @@ class Viewer {
     const lines_before = this.#lines();
     this.#settings[name] = value;
     try {
-      if (name === 'shading' || this.#lines() !== lines_before) await this.#enter();
+      const is_entered_anew = name === 'shading' || this.#lines() !== lines_before;
+      if (this.given && is_entered_anew) await this.#enter();
       this.#slow = false;
       await this.redrawn();
     } catch (refused) {
@@ -222,6 +236,7 @@ class Viewer {
 
   /** Draws what is wanted now, one picture at a time: the newest view after the one that is drawn. */
   redrawn() {
+    if (!this.given) return Promise.resolve();
     this.#wanted = true;
     this.#drawing ??= this.#draw_while_wanted().finally(() => { this.#drawing = undefined; });
     return this.#drawing;

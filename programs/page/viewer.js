@@ -9,7 +9,7 @@ const kSlow = 120;
 const kPatience = 400;
 /** Seconds that a picture may take: the worker does nothing else meanwhile. */
 const kLongest = 30;
-/** Of a screen that shows 60 pictures a second. */
+/** Milliseconds between the pictures of a screen that shows 60 a second. */
 const kFrame = 1000 / 60;
 const kMostPixels = 2048;
 
@@ -148,19 +148,21 @@ class Viewer {
     const before = { ...this.#settings };
     const lines_before = this.#lines();
     this.#settings[name] = value;
+    const is_entered_anew = this.given && (name === 'shading' || this.#lines() !== lines_before);
     try {
-      const is_entered_anew = name === 'shading' || this.#lines() !== lines_before;
-      if (this.given && is_entered_anew) await this.#enter();
+      if (is_entered_anew) await this.#enter();
       this.#slow = false;
       await this.redrawn();
     } catch (refused) {
       Object.assign(this.#settings, before);
+      if (is_entered_anew) await this.#enter();
       this.#selects.get(name).querySelector('select').value = before[name] ?? '';
       this.say(refused.message);
     }
   }
 
-  /** Near to the screen's pixels, and of the very shape: it decides what of a scene is in the picture. */
+  /** The picture's size: near to the screen's pixels, and of the very shape that was asked for, which
+   *  decides what of a scene is in the picture. */
   get size() {
     const [width, height] = this.#shape;
     const both = greatest_common_divisor(width, height);
@@ -170,7 +172,7 @@ class Viewer {
     return { width: times * columns, height: times * rows };
   }
 
-  /** As options of the JavaScript API. */
+  /** What is set, as options of the JavaScript API. */
   get options() {
     const { method, precision, hiddenLines, samples, background, scope } = this.#settings;
     const given = Object.entries({ method, precision, hiddenLines, scope }).filter(([, value]) => value);

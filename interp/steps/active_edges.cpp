@@ -31,17 +31,24 @@ ActiveEdges::Change ActiveEdges::go_to(int row) {
   return {next_ - first, left};
 }
 
-std::vector<StepRow> ActiveEdges::rows(const StepRecord& record, int row) const {
+std::vector<StepRow> ActiveEdges::rows(const StepRecord& record, int row, std::size_t first,
+                                       std::size_t end) const {
+  constexpr std::size_t kBefore = StepRecord::kMostRows / 4;
+  const std::size_t from =
+      active_.size() <= StepRecord::kMostRows || first < kBefore ? 0 : first - kBefore;
   std::vector<StepRow> rows;
   std::set<Polygon> in;
-  for (const Edge& e : active_) {
+  for (std::size_t k = 0; k < active_.size() && rows.size() < StepRecord::kMostRows; ++k) {
+    const Edge& e = active_[k];
     const bool enters = in.erase(e.polygon) == 0;
     if (enters) in.insert(e.polygon);
+    if (k < from) continue;
     const double x = e.edge.x + (row + 0.5 - e.edge.y) * e.edge.dx_dy;
     rows.push_back(
         {{record.name(e.polygon), fmt::format("{:.2f}", x), fmt::format("{:+.2f}", e.edge.dx_dy),
           std::to_string(e.edge.last_row), enters ? "IN" : "OUT"},
-         e.polygon});
+         e.polygon,
+         first <= k && k < end ? StepRole::active : StepRole::none});
   }
   return rows;
 }

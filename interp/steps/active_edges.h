@@ -39,7 +39,9 @@ class ActiveEdges {
   /// The list as rows of a table: polygon, x of the crossing in pixels, its change a row, last row,
   /// IN or OUT from there on.
   static constexpr std::string_view kColumns = "polygon|x|change of x|last row|flag";
-  std::vector<StepRow> rows(const StepRecord& record, int row) const;
+  /// Those first <= k < end are marked active; of a long list those around them.
+  std::vector<StepRow> rows(const StepRecord& record, int row, std::size_t first = 0,
+                            std::size_t end = 0) const;
 
   /// The runs of pixels in which the polygons are IN on this row, in order of entry.
   std::vector<StepRun> runs(int row) const;

@@ -176,12 +176,10 @@ class AppelSteps {
   }
 
   void show_points() {
-    std::vector<StepRow> rows;
-    for (const auto& [v, count] : known_) {
-      const Point3& p = lines_.lines().point(v);
-      rows.push_back({{fmt::format("{:.2f},{:.2f}: {}", p.x, p.y, count)}});
-    }
-    record_.show(panel("points"), std::move(rows));
+    record_.show(panel("points"), StepRecord::rows(known_, [&](const auto& known) {
+                   const Point3& p = lines_.lines().point(known.first);
+                   return StepRow{{fmt::format("{:.2f},{:.2f}: {}", p.x, p.y, known.second)}};
+                 }));
   }
 
   /// The counts in order along the line, a step for each place at which they change.

@@ -263,9 +263,7 @@ class BspSteps {
     return sentence;
   }
   std::vector<StepRow> rows(std::span<const Index> list, StepRole role = StepRole::none) const {
-    std::vector<StepRow> rows;
-    for (const Index i : list) rows.push_back(record_.row(table_.piece(i), role));
-    return rows;
+    return StepRecord::rows(list, [&](Index i) { return record_.row(table_.piece(i), role); });
   }
   void show_lists(std::span<const Index> rest) {
     record_.show(panel("list"), rows(rest));
@@ -273,13 +271,15 @@ class BspSteps {
     record_.show(panel("back"), rows(back_, StepRole::back));
   }
   void show_waiting() {
-    std::vector<StepRow> lists;
+    std::vector<const Branch*> lists;  // the next first
     for (auto branch = waiting_.rbegin(); branch != waiting_.rend(); ++branch) {
-      if (branch->list.empty()) continue;
-      lists.push_back({{fmt::format("{} {}: {}", branch->in_front ? "in front of" : "in back of",
-                                    name(branch->parent), names(branch->list))}});
+      if (!branch->list.empty()) lists.push_back(&*branch);
     }
-    record_.show(panel("waiting"), std::move(lists));
+    record_.show(
+        panel("waiting"), StepRecord::rows(lists, [&](const Branch* branch) {
+          return StepRow{{fmt::format("{} {}: {}", branch->in_front ? "in front of" : "in back of",
+                                      name(branch->parent), names(branch->list))}};
+        }));
   }
 
   StepRecord& record_;

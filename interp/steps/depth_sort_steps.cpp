@@ -44,7 +44,7 @@ class DepthSortSteps {
   static constexpr auto kPanels = std::to_array<PanelEntry>({
       {"list", "List, the first is P", PanelEntry::Kind::table, "polygon|farthest z|nearest z|tag"},
       {"tests", "Tests of P against Q", PanelEntry::Kind::table, "test|question|answer"},
-      {"painted", "Painted, in this order", PanelEntry::Kind::list},
+      {"painted", "Painted, the last first", PanelEntry::Kind::list},
   });
   static consteval int at(std::string_view name) { return number_named(kListing, name); }
   static consteval int panel(std::string_view name) { return number_named(kPanels, name); }
@@ -250,32 +250,30 @@ class DepthSortSteps {
     step.sentence = fmt::format("{} hides nothing that is left: it is painted, {}.", name(p),
                                 counted(static_cast<std::size_t>(gained), "pixel"));
     record_.mark(StepRole::seen, piece(p));
-    painted_.push_back(record_.row(piece(p)));
-    record_.show(panel("painted"), painted_);
+    painted_.insert(painted_.begin(), piece(p));
+    record_.show(panel("painted"), StepRecord::rows(painted_, [&](std::uint32_t painted) {
+                   return record_.row(painted);
+                 }));
     list_.erase(list_.begin());
     show_list();
     record_.show(panel("tests"), {});
   }
 
   void show_list() {
-    std::vector<StepRow> rows;
-    for (const Listed& p : list_) {
-      const bool first = rows.empty();
-      rows.push_back({{name(p), fmt::format("{:.3f}", p.extent.z_min),
-                       fmt::format("{:.3f}", p.extent.z_max), p.tagged ? "tagged" : ""},
-                      piece(p),
-                      first      ? StepRole::root
-                      : p.tagged ? StepRole::tagged
-                                 : StepRole::none});
-    }
-    record_.show(panel("list"), std::move(rows));
+    record_.show(panel("list"), StepRecord::rows(list_, [&](const Listed& p) {
+                   const StepRole tag = p.tagged ? StepRole::tagged : StepRole::none;
+                   return StepRow{{name(p), fmt::format("{:.3f}", p.extent.z_min),
+                                   fmt::format("{:.3f}", p.extent.z_max), p.tagged ? "tagged" : ""},
+                                  piece(p),
+                                  &p == list_.data() ? StepRole::root : tag};
+                 }));
   }
 
   const StepScene& scene_;
   StepRecord& record_;
   PieceTable table_;
   std::vector<Listed> list_;
-  std::vector<StepRow> painted_;
+  std::vector<std::uint32_t> painted_;  // the last first
 };
 
 }  // namespace

@@ -88,14 +88,7 @@ class FranklinSteps {
                                  ? "Nothing hides anything: there is no grid."
                                  : fmt::format("The finest grid has {} by {} cells.",
                                                grid_.levels()[0].columns, grid_.levels()[0].rows));
-    if (!grid_.levels().empty()) {
-      const CellGrid::Level& finest = grid_.levels()[0];
-      for (std::uint32_t row = 0; row < finest.rows; ++row) {
-        for (std::uint32_t column = 0; column < finest.columns; ++column) {
-          mark_cell(StepRole::none, 0, column, row, true);
-        }
-      }
-    }
+    if (!grid_.levels().empty()) mark_grid();
     record_.show(panel("grids"), std::move(rows));
     if (blocked == 0) return;
     record_.step(at("block"),
@@ -104,19 +97,33 @@ class FranklinSteps {
     for (std::uint32_t row = 0; row < finest.rows; ++row) {
       for (std::uint32_t column = 0; column < finest.columns; ++column) {
         if (!blocks(finest.behind[std::size_t{row} * finest.columns + column])) continue;
-        mark_cell(StepRole::front, 0, column, row, false);
+        mark_cell(StepRole::front, 0, column, row);
       }
     }
   }
 
+  /// The finest cells' borders, which stay.
+  void mark_grid() {
+    const auto& [columns, rows] = static_cast<const CellLayout::Size&>(grid_.levels()[0]);
+    const Point2 low = grid_.layout().origin();
+    const double cell = grid_.layout().cell();
+    const Point2 high = low + Point2(columns * cell, rows * cell);
+    for (std::uint32_t k = 0; k <= columns; ++k) {
+      const double x = low.x + k * cell;
+      record_.mark(StepRole::none, {{x, low.y}, {x, high.y}}, StepMark::Kind::line, true);
+    }
+    for (std::uint32_t k = 0; k <= rows; ++k) {
+      const double y = low.y + k * cell;
+      record_.mark(StepRole::none, {{low.x, y}, {high.x, y}}, StepMark::Kind::line, true);
+    }
+  }
+
   /// As a closed chain of points: cells are not of whole pixels.
-  void mark_cell(StepRole role, std::size_t level, std::uint32_t column, std::uint32_t row,
-                 bool stays) {
+  void mark_cell(StepRole role, std::size_t level, std::uint32_t column, std::uint32_t row) {
     const double cell = std::ldexp(grid_.layout().cell(), static_cast<int>(level));
     const Point2 low = grid_.layout().origin() + Point2(column * cell, row * cell);
     const Point2 high = low + Point2(cell, cell);
     record_.mark(role, {low, {high.x, low.y}, high, {low.x, high.y}, low}, StepMark::Kind::line);
-    record_.last().marks.back().stays = stays;
   }
 
   void tell_all_blocked() {
@@ -132,19 +139,21 @@ class FranklinSteps {
     level_ = level;
     cells_.clear();
     const CellGrid::Level& cells = grid_.levels()[level];
-    std::vector<StepRow> rows;
+    std::vector<std::uint32_t> polygons;
     for (std::uint32_t j = stretch.low; j <= stretch.high; ++j) {
       cells_.push_back(stretch.cell(j));
       for (const CellGrid::Entry& entry : cells.in_cell(stretch.cell(j))) {
-        rows.push_back(record_.row(entry.polygon));
+        polygons.push_back(entry.polygon);
       }
     }
     record_.step(
         at("cells"),
         fmt::format("The stretch from {} goes through {} of the grid of {} by {}, with {}.",
                     words_of(part_), counted(cells_.size(), "cell"), cells.columns, cells.rows,
-                    counted(rows.size(), "polygon")));
-    record_.show(panel("cell"), std::move(rows));
+                    counted(polygons.size(), "polygon")));
+    record_.show(panel("cell"), StepRecord::rows(polygons, [&](std::uint32_t polygon) {
+                   return record_.row(polygon);
+                 }));
     show();
   }
 
@@ -183,7 +192,7 @@ class FranklinSteps {
     for (const std::size_t cell : cells_) {
       const std::uint32_t columns = grid_.levels()[level_].columns;
       mark_cell(StepRole::active, level_, static_cast<std::uint32_t>(cell % columns),
-                static_cast<std::uint32_t>(cell / columns), false);
+                static_cast<std::uint32_t>(cell / columns));
     }
     lines_.mark(StepRole::root, *line_);
     record_.show(panel("hidden"), hidden_);

@@ -304,16 +304,14 @@ class RayCastSteps {
   }
 
   void show_stack() {
-    std::vector<StepRow> rows;
-    for (auto branch = waiting_.rbegin(); branch != waiting_.rend(); ++branch) {
-      const int node = branch_of_[{branch->node, branch->place}];
-      rows.push_back(
-          {{fmt::format("{} from {:.3f}",
-                        polygon_of_node(node) ? record_.name(*polygon_of_node(node)) : "box",
-                        branch->nearest)},
-           polygon_of_node(node).value_or(StepRow::kNoPiece)});
-    }
-    record_.show(panel("stack"), std::move(rows));
+    const std::vector<Branch> next_first(waiting_.rbegin(), waiting_.rend());
+    record_.show(panel("stack"), StepRecord::rows(next_first, [&](const Branch& branch) {
+                   const auto polygon = polygon_of_node(branch_of_[{branch.node, branch.place}]);
+                   return StepRow{
+                       {fmt::format("{} from {:.3f}", polygon ? record_.name(*polygon) : "box",
+                                    branch.nearest)},
+                       polygon.value_or(StepRow::kNoPiece)};
+                 }));
   }
   std::optional<Polygon> polygon_of_node(int node) const {
     const auto found = leaves_.find(node);

@@ -45,13 +45,14 @@ class RobertsSteps {
   void run() {
     record_.step(at("objects"), fmt::format("There are {} to hold lines against.",
                                             counted(objects_.size(), "object")));
-    std::vector<StepRow> rows;
+    std::vector<std::uint32_t> objects;
     for (std::uint32_t k = 0; k < objects_.size(); ++k) {
-      rows.push_back({{name(k)}});
-      for (const std::uint32_t polygon : objects_.polygons(k))
-        record_.mark(StepRole::compared, polygon);
+      objects.push_back(k);
+      mark_object(StepRole::compared, k);
     }
-    record_.show(panel("objects"), std::move(rows));
+    record_.show(panel("objects"), StepRecord::rows(objects, [&](std::uint32_t object) {
+                   return StepRow{{name(object)}};
+                 }));
     lines_.find_all(lines_.lines().first_lines(), *this, at("seen"));
   }
 

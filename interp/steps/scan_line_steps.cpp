@@ -161,14 +161,10 @@ class ScanLineSteps {
       record_.mark(polygon == seen ? StepRole::seen : StepRole::hidden, polygon);
     }
     record_.mark(none ? StepRole::hidden : StepRole::seen, PixelBox{column, end, row, row + 1});
-    std::vector<StepRow> in;
-    for (const Polygon polygon : in_) {
-      in.push_back(record_.row(polygon, polygon == seen ? StepRole::seen : StepRole::hidden));
-    }
-    record_.show(panel("in"), std::move(in));
-    std::vector<StepRow> rows = edges_.rows(record_, row);
-    for (std::size_t k = first; k < last; ++k) rows[k].role = StepRole::active;
-    record_.show(panel("edges"), std::move(rows));
+    record_.show(panel("in"), StepRecord::rows(in_, [&](Polygon polygon) {
+                   return record_.row(polygon, polygon == seen ? StepRole::seen : StepRole::hidden);
+                 }));
+    record_.show(panel("edges"), edges_.rows(record_, row, first, last));
     std::vector<StepSegment> profile = profile_of(scene_, runs_);
     if (!none) {
       for (StepSegment segment : profile_of(scene_, {{row, column, end, seen}})) {

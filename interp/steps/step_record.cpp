@@ -29,10 +29,12 @@ Step& StepRecord::step(int line, std::string sentence) {
 std::string StepRecord::names(std::span<const std::uint32_t> pieces) const {
   if (pieces.empty()) return "nothing";
   std::string all;
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
+  const std::size_t named = pieces.size() <= kMostNames ? pieces.size() : kMostNames - 1;
+  for (std::size_t k = 0; k < named; ++k) {
     if (k > 0) all += k + 1 == pieces.size() ? " and " : ", ";
     all += name(pieces[k]);
   }
+  if (named < pieces.size()) all += fmt::format(" and {} more", pieces.size() - named);
   return all;
 }
 
@@ -43,20 +45,24 @@ std::uint32_t StepRecord::add_piece(std::uint32_t of, std::vector<Point3> points
   return static_cast<std::uint32_t>(steps_.pieces.size() - 1);
 }
 
-void StepRecord::mark(StepRole role, std::uint32_t piece) {
-  last().marks.push_back({StepMark::Kind::piece, role, piece});
+void StepRecord::mark(StepMark mark) {
+  if (last().marks.size() < kMostMarks) last().marks.push_back(std::move(mark));
 }
-void StepRecord::mark(StepRole role, std::vector<Point2> points, StepMark::Kind kind) {
-  last().marks.push_back({kind, role, 0, std::move(points)});
+void StepRecord::mark(StepRole role, std::uint32_t piece) {
+  mark({StepMark::Kind::piece, role, piece});
+}
+void StepRecord::mark(StepRole role, std::vector<Point2> points, StepMark::Kind kind, bool stays) {
+  mark({kind, role, 0, std::move(points), {}, stays});
 }
 void StepRecord::mark(StepRole role, const PixelBox& box, bool stays) {
-  last().marks.push_back({StepMark::Kind::box, role, 0, {}, box, stays});
+  mark({StepMark::Kind::box, role, 0, {}, box, stays});
 }
 
 void StepRecord::show(int panel, std::vector<StepRow> rows) {
   last().panels.push_back({panel, std::move(rows)});
 }
 void StepRecord::show_segments(int panel, std::vector<StepSegment> segments) {
+  if (segments.size() > kMostSegments) segments.resize(kMostSegments);
   last().panels.push_back({panel, {}, {}, std::move(segments)});
 }
 void StepRecord::show_node(int panel, StepNode node) {

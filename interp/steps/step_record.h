@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,6 +19,9 @@ class StepRecord {
  public:
   using Polygon = StepScene::Polygon;
   static constexpr std::uint32_t kBackground = StepRow::kNoPiece;
+  // Nobody looks at more of one step; a scene may have a million polygons.
+  static constexpr std::size_t kMostRows = 80, kMostMarks = 300, kMostSegments = 400,
+                               kMostNames = 12;
 
   /// Both must live on.
   StepRecord(const StepScene& scene, Steps& steps, std::size_t most_steps);
@@ -28,18 +33,36 @@ class StepRecord {
   // ---- Names and pieces ------------------------------------------------------------------
 
   const std::string& name(std::uint32_t piece) const { return steps_.pieces[piece].name; }
-  /// "A, B and C"; "nothing" of none.
+  /// "A, B and C"; "nothing" of none; of many the first, and how many more.
   std::string names(std::span<const std::uint32_t> pieces) const;
   /// A new piece of the polygon that the other is, or is of: the polygon's name and a number.
   std::uint32_t add_piece(std::uint32_t of, std::vector<Point3> points);
 
-  // ---- What the last step marks and shows ------------------------------------------------
+  // ---- What the last step marks and shows: of very much the first ------------------------
 
   void mark(StepRole role, std::uint32_t piece);
-  void mark(StepRole role, std::vector<Point2> points, StepMark::Kind kind);
+  void mark(StepMark mark);
+  void mark(StepRole role, std::vector<Point2> points, StepMark::Kind kind, bool stays = false);
   void mark(StepRole role, const PixelBox& box, bool stays = false);
-  /// A list of pieces, with a role each if it says so.
   void show(int panel, std::vector<StepRow> rows);
+  /// A row for each entry of a list, as make(entry) makes it; of a long list for the first
+  /// kMostRows alone, and how many more there are.
+  template <class List, class Make>
+  static std::vector<StepRow> rows(const List& list, Make&& make) {
+    std::vector<StepRow> rows;
+    std::size_t left = std::size(list);
+    for (const auto& entry : list) {
+      if (rows.size() == kMostRows) {
+        StepRow more{std::vector<std::string>(rows.front().cells.size())};
+        more.cells.front() = std::to_string(left) + " more";
+        rows.push_back(std::move(more));
+        break;
+      }
+      rows.push_back(make(entry));
+      --left;
+    }
+    return rows;
+  }
   void show_segments(int panel, std::vector<StepSegment> segments);
   void show_node(int panel, StepNode node);
   StepRow row(std::uint32_t piece, StepRole role = StepRole::none) const {

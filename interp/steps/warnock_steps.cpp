@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "interp/steps/algorithms.h"
@@ -76,6 +77,11 @@ class WarnockSteps {
     return fmt::format("columns {} to {}, rows {} to {}", area.first_column, area.end_column - 1,
                        area.first_row, area.end_row - 1);
   }
+  static std::string subject(const SampleArea& area) {
+    std::string sentence = words(area);
+    sentence[0] = static_cast<char>(sentence[0] - 'a' + 'A');
+    return sentence;
+  }
   static std::string_view words(AreaCategory category) {
     switch (category) {
       case AreaCategory::surrounding: return "surrounds it";
@@ -95,13 +101,21 @@ class WarnockSteps {
   }
 
   void look_at(const Warnock::Visit& visited) {
-    std::string sentence = fmt::format("Area of {}: ", words(visited.area));
+    std::string sentence = subject(visited.area) + ": ";
     bool first = true;
-    for (const auto& [fill, category] : visited.list) {
+    for (const auto& [fill, category] :
+         visited.list.first(std::min(visited.list.size(), StepRecord::kMostNames))) {
       sentence += fmt::format("{}{} {}", first ? "" : ", ", name(fill), words(category));
       first = false;
     }
+    if (visited.list.size() > StepRecord::kMostNames) {
+      sentence += fmt::format(" and {} more", visited.list.size() - StepRecord::kMostNames);
+    }
+    if (removed_.size() > StepRecord::kMostNames) {
+      sentence += fmt::format("; {} are struck off, for others hide them here", removed_.size());
+    }
     for (const auto& [hidden, by] : removed_) {
+      if (removed_.size() > StepRecord::kMostNames) break;
       sentence += fmt::format("; {} is struck off, for {} hides it here", name(hidden), name(by));
     }
     record_.step(at("area"), sentence + ".");
@@ -116,7 +130,7 @@ class WarnockSteps {
     switch (decision) {
       case Warnock::Decision::background:
         record_.step(at("background"),
-                     fmt::format("Area of {}: nothing is in it. It is background.", words(area)));
+                     fmt::format("{}: nothing is in it. It is background.", subject(area)));
         role = StepRole::hidden;
         break;
       case Warnock::Decision::surrounded:
@@ -148,25 +162,26 @@ class WarnockSteps {
   }
 
   void mark_list(const Warnock::Visit& visited) {
-    std::vector<StepRow> rows;
-    for (const auto& [fill, category] : visited.list) {
-      record_.mark(StepRole::compared, polygon(fill));
-      rows.push_back({{name(fill), std::string(words(category))}, polygon(fill)});
-    }
-    for (const auto& [hidden, by] : removed_) {
-      record_.mark(StepRole::hidden, polygon(hidden));
-      rows.push_back({{name(hidden), fmt::format("is behind {}", name(by))},
-                      polygon(hidden),
-                      StepRole::hidden});
-    }
+    auto rows = StepRecord::rows(visited.list, [&](const Warnock::Listed& listed) {
+      record_.mark(StepRole::compared, polygon(listed.fill));
+      return StepRow{{name(listed.fill), std::string(words(listed.category))},
+                     polygon(listed.fill)};
+    });
+    auto removed = StepRecord::rows(removed_, [&](const Removed& r) {
+      record_.mark(StepRole::hidden, polygon(r.hidden));
+      return StepRow{{name(r.hidden), fmt::format("is behind {}", name(r.by))},
+                     polygon(r.hidden),
+                     StepRole::hidden};
+    });
+    rows.insert(rows.end(), removed.begin(), removed.end());
     record_.show(panel("list"), std::move(rows));
   }
 
   void show_stack() {
-    std::vector<StepRow> areas;
-    for (auto area = stack_.rbegin(); area != stack_.rend(); ++area)
-      areas.push_back({{words(*area)}});
-    record_.show(panel("stack"), std::move(areas));
+    const std::vector<SampleArea> next_first(stack_.rbegin(), stack_.rend());
+    record_.show(panel("stack"), StepRecord::rows(next_first, [](const SampleArea& area) {
+                   return StepRow{{words(area)}};
+                 }));
   }
 
   const StepScene& scene_;

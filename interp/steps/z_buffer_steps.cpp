@@ -28,7 +28,8 @@ class ZBufferSteps {
   static constexpr auto kPanels = std::to_array<PanelEntry>({
       {"depths", "Z-buffer, the nearer the lighter", PanelEntry::Kind::depths},
       {"row", "Depths on the row", PanelEntry::Kind::profile},
-      {"polygons", "Polygons", PanelEntry::Kind::table, "polygon|pixels covered|gained so far"},
+      {"polygons", "Polygons, the last first", PanelEntry::Kind::table,
+       "polygon|pixels covered|gained so far"},
   });
   static consteval int at(std::string_view name) { return number_named(kListing, name); }
   static consteval int panel(std::string_view name) { return number_named(kPanels, name); }
@@ -112,11 +113,11 @@ class ZBufferSteps {
   }
 
   void show_polygons(Polygon active) {
-    std::vector<StepRow> rows = rows_;
-    for (StepRow& row : rows) {
-      if (row.piece == active) row.role = StepRole::active;
-    }
-    record_.show(panel("polygons"), std::move(rows));
+    const std::vector<StepRow> last_first(rows_.rbegin(), rows_.rend());
+    record_.show(panel("polygons"), StepRecord::rows(last_first, [&](StepRow row) {
+                   if (row.piece == active) row.role = StepRole::active;
+                   return row;
+                 }));
   }
 
   const StepScene& scene_;

@@ -15,7 +15,7 @@ class StepsPicture {
     this.outlineGroup = this.outlines();
     // Of many polygons the outlines would darken all.
     this.outlineGroup.setAttribute('opacity', String(Math.min(1, 10 / Math.sqrt(story.data.polygons.length + 1))));
-    this.lineGroup = this.group('lines', []);
+    this.lineGroup = this.group('drawn-lines', []);
     this.stayGroup = this.group('stays', []);
     this.changing = this.group('changing', []);
     overlay.replaceChildren(this.outlineGroup, this.stayGroup, this.lineGroup, this.changing);
@@ -103,7 +103,7 @@ class StepsPicture {
 
   marks(at) {
     const marks = at < 0 ? [] : this.story.steps[at].marks || [];
-    return this.group('marks', marks.map((mark) => this.mark(mark)));
+    return this.group('step-marks', marks.map((mark) => this.mark(mark)));
   }
 
   mark([kind, role, ...rest]) {

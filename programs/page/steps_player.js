@@ -156,6 +156,7 @@ class StepsPlayer {
 const steps = (() => {
   const story = new StepsStory(JSON.parse(document.getElementById('data').textContent));
   const player = new StepsPlayer(story);
+  document.documentElement.dataset.ready = String(Math.ceil(performance.now()));
   return {
     count: story.count,
     go: (step) => player.go(step - 1),  // 0 is before the first

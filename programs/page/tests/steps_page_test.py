@@ -1,31 +1,16 @@
-#!/usr/bin/env python3
-"""The page of an algorithm's steps in headless Chromium, from disk, with no network.
+"""The page of an algorithm's steps (displayfile steps), from disk."""
 
-steps_page_test.py COMMAND: the built command `displayfile`. Needs Debian's chromium, chromium-driver
-and python3-selenium.
-"""
 import json
-import pathlib
 import struct
-import subprocess
-import sys
-import tempfile
 import unittest
 
-from selenium import webdriver
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from selenium.webdriver.support.ui import WebDriverWait
 
-SOURCE = pathlib.Path(__file__).resolve().parents[3]
-GALLERY = SOURCE / "programs"
+from browser import PROGRAMS, PageTest, run, set_window, wait_for
+
 SURFACES = ["bsp", "depth-sort", "z-buffer", "scan-line", "scan-line-z", "warnock", "ray-cast"]
 LINES = ["roberts", "appel", "franklin"]
-COMMAND = ""
-
-
-def run(*words):
-    subprocess.run([COMMAND, *map(str, words)], check=True)
 
 
 def int32_npy(path):
@@ -43,31 +28,12 @@ def ppm_bytes(path):
     return list(data)
 
 
-class StepsPage(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.path = pathlib.Path(cls.folder.name)
-        options = webdriver.ChromeOptions()
-        for word in ["--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1300,900",
-                     "--host-resolver-rules=MAP * ~NOTFOUND"]:
-            options.add_argument(word)
-        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-        cls.browser = webdriver.Chrome(options=options)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.quit()
-        cls.folder.cleanup()
-
-    def open(self, program, method, size="36x36"):
-        page = self.path / f"{method}.html"
+class StepsPage(PageTest):
+    def open_steps(self, program, method, size="36x36"):
+        page = self.folder / f"{method}.html"
         run("steps", program, "--hidden", method, "--size", size, "-o", page)
-        self.browser.get(page.as_uri())
+        self.open(page.as_uri())
         return page
-
-    def tearDown(self):
-        self.assertEqual(self.browser.get_log("browser"), [])
 
     def js(self, code, *values):
         return self.browser.execute_script(code, *values)
@@ -82,16 +48,16 @@ class StepsPage(unittest.TestCase):
         self.browser.find_element(By.TAG_NAME, "body").send_keys(key)
 
     def test_the_last_step_shows_what_the_command_draws(self):
-        plain = self.path / "plain.draw"  # the picture in pixels is of fills alone
-        lines = (GALLERY / "cyclic-overlap.draw").read_text().splitlines()
+        plain = self.folder / "plain.draw"  # the picture in pixels is of fills alone
+        lines = (PROGRAMS / "cyclic-overlap.draw").read_text().splitlines()
         fills = [line for line in lines if not line.startswith("set-line-style")]
         plain.write_text("\n".join(["set-line-style none", *fills, ""]))
-        ids, picture = self.path / "ids.npy", self.path / "picture.ppm"
+        ids, picture = self.folder / "ids.npy", self.folder / "picture.ppm"
         run("truth", plain, "--size", "36x36", "--ids", ids)
         run("draw", plain, "--size", "36x36", "--hidden", "z-buffer", "-o", picture)
         for method in SURFACES:
             with self.subTest(method):
-                self.open(plain, method)
+                self.open_steps(plain, method)
                 self.assertEqual(self.js("return steps.step()"), 0)
                 self.assertEqual(set(self.js("return steps.ids()")), {-1})
                 self.js("steps.go(steps.count)")
@@ -101,7 +67,7 @@ class StepsPage(unittest.TestCase):
     def test_every_step_back_is_the_one_before(self):
         for method in ["bsp", "warnock", "ray-cast", "appel"]:
             with self.subTest(method):
-                self.open(GALLERY / "interpenetrating-planes.draw", method, "24x24")
+                self.open_steps(PROGRAMS / "interpenetrating-planes.draw", method, "24x24")
                 count = self.js("return steps.count")
                 self.assertGreater(count, 20)
                 forward = []
@@ -116,8 +82,8 @@ class StepsPage(unittest.TestCase):
         for method in LINES + ["perimeter"]:
             with self.subTest(method):
                 name = "surface" if method == "perimeter" else "house-perspective"
-                page = self.open(GALLERY / f"{name}.draw", method)
-                run("steps", GALLERY / f"{name}.draw", "--hidden", method, "-o", page.with_suffix(".json"))
+                page = self.open_steps(PROGRAMS / f"{name}.draw", method)
+                run("steps", PROGRAMS / f"{name}.draw", "--hidden", method, "-o", page.with_suffix(".json"))
                 told = json.loads(page.with_suffix(".json").read_text())
                 lines = [line for step in told["steps"] for line in step.get("lines", [])]
                 self.js("steps.go(steps.count)")
@@ -127,10 +93,10 @@ class StepsPage(unittest.TestCase):
                 self.assertEqual(hidden, sum(1 for line in lines if line[1]))
                 self.assertGreater(seen, 10)
                 self.js("steps.go(0)")
-                self.assertEqual(self.js("return document.querySelectorAll('#overlay .lines *').length"), 0)
+                self.assertEqual(self.js("return document.querySelectorAll('#overlay .drawn-lines *').length"), 0)
 
     def test_keys_buttons_slider_and_listing_lead_to_steps(self):
-        self.open(GALLERY / "cyclic-overlap.draw", "bsp")
+        self.open_steps(PROGRAMS / "cyclic-overlap.draw", "bsp")
         step = lambda: self.js("return steps.step()")
         count = self.js("return steps.count")
         self.key(Keys.ARROW_RIGHT)
@@ -156,11 +122,11 @@ class StepsPage(unittest.TestCase):
         self.key(Keys.HOME)
         self.key(" ")
         self.assertEqual(live(), "off")
-        WebDriverWait(self.browser, 20).until(lambda _: step() == count)
-        WebDriverWait(self.browser, 20).until(lambda _: live() == "polite")
+        wait_for(lambda: step() == count, "the last step")
+        wait_for(lambda: live() == "polite", "the end of playing")
 
     def test_going_back_in_thousands_of_steps_is_quick(self):
-        self.open(GALLERY / "platonic-solids.draw", "ray-cast", "64x64")
+        self.open_steps(PROGRAMS / "platonic-solids.draw", "ray-cast", "64x64")
         count = self.js("return steps.count")
         self.assertGreater(count, 3000)
         there, back = self.js("""
@@ -169,18 +135,14 @@ class StepsPage(unittest.TestCase):
             time(2000, 1); return [time(2000, 1), time(2040, -1)]""")
         self.assertLess(back, 4 * there + 50)
 
-    def test_it_fits_a_phone(self):
-        self.browser.set_window_size(500, 900)
-        try:
-            self.open(GALLERY / "cyclic-overlap.draw", "depth-sort")
-            self.js("steps.go(30)")
-            self.assertEqual(self.js("return document.documentElement.scrollWidth <= innerWidth"), True)
-            self.assertEqual(self.js("""return [...document.querySelectorAll('button, select, input')].every((e) =>
-                e.textContent.trim() || e.getAttribute('aria-label') || e.closest('label'))"""), True)
-        finally:
-            self.browser.set_window_size(1300, 900)
+    def test_it_fits_a_phone_and_each_control_has_a_name(self):
+        set_window(self.browser, 375)
+        self.open_steps(PROGRAMS / "cyclic-overlap.draw", "depth-sort")
+        self.js("steps.go(30)")
+        self.assertTrue(self.js("return document.documentElement.scrollWidth <= innerWidth"))
+        self.assertTrue(self.js("""return [...document.querySelectorAll('button, select, input')].every((e) =>
+            e.textContent.trim() || e.getAttribute('aria-label') || e.closest('label'))"""))
 
 
 if __name__ == "__main__":
-    COMMAND = str(pathlib.Path(sys.argv.pop(1)).resolve())
     unittest.main()

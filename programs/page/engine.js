@@ -30,7 +30,8 @@ class Engine {
     return { version, routines };
   }
 
-  /** In the place of a scene of the same key, which stays if there is an error. */
+  /** Takes the place of the scene of the same key, which stays if there is an error. Answers with the view
+   *  to turn and the point to turn about, or with why it is not turned. */
   enter({ key, given }) {
     const scene = new Scene(this.#library, given);
     this.#scenes.get(key)?.free();
@@ -84,7 +85,7 @@ class Engine {
   }
 }
 
-/** In the worker: requests are answered in their order. */
+/** Answers requests in their order; the worker calls it. */
 function serve_requests(port) {
   const engine = new Engine();
   port.onmessage = async ({ data: { number, request } }) => {

@@ -34,6 +34,7 @@ async function show_parts({ drawer, routines, scenes, place, width, height, step
       await viewer.show({ ...shown, program }, keeps_view);
       editor.show_error(undefined);
     } catch (refused) {
+      if (!keeps_view) viewer.clear(shown.name);
       editor.show_error(refused);
     }
   };

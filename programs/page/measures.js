@@ -20,7 +20,7 @@ function drawing_times(scene, view, options, views, least) {
   return { again, anew: mean_time(() => scene.picture(views[next++ % views.length], options), least) };
 }
 
-/** At how many pixels another polygon is seen than in the truth. */
+/** The number of pixels at which another polygon is seen than in the truth. */
 function wrong_pixels(ids, truth) {
   let wrong = 0;
   for (let k = 0; k < ids.length; ++k) wrong += ids[k] !== truth[k];

@@ -35,6 +35,7 @@ class Picker {
   }
 
   async #pick([x, y]) {
+    if (!this.#viewer.given) return;
     const { drawer, key, view, options, size, marks } = this.#viewer;
     try {
       const at = [x * size.width, y * size.height];

@@ -37,7 +37,7 @@ function filtered_rows({ width, height, rgba }) {
   return rows;
 }
 
-/** Of a picture with 8 bits of red, green, blue and opacity. */
+/** The bytes of a file, with 8 bits of red, green, blue and opacity. */
 async function png_file(picture) {
   const header = new Uint8Array(13);
   const view = new DataView(header.buffer);

@@ -17,7 +17,7 @@ function calls(text, routine) {
   return new RegExp(`^[ \\t]*${routine}(?![a-z0-9-])`, 'm').test(text);
 }
 
-/** Without the lines that call these, and with others before the first segment. */
+/** The program without the lines that call these, and with others before its first segment. */
 function replaced(text, is_left_out, lines) {
   const kept = text.split('\n').filter((line) => !is_left_out.has(routine_of(line)));
   const first = kept.findIndex((line) => routine_of(line) === 'open-segment');

@@ -42,6 +42,7 @@ async function save_program(viewer) {
 /** The buttons. What is drawn is at rest before it is saved. */
 function save_controls(viewer) {
   const saving = (save) => async () => {
+    if (!viewer.given) return;
     try {
       await viewer.redrawn();
       await save(viewer);

@@ -22,7 +22,7 @@ class Scene {
     this.#forget_other_view();
   }
 
-  /** As it is entered: with what the viewer set. */
+  /** The program as it is entered, with what the viewer set. */
   get program() {
     return with_settings(this.#given.program, this.#given);
   }

@@ -51,6 +51,7 @@ class SpeedTable {
       this.#end('Stopped.');
       return;
     }
+    if (!this.#viewer.given) return;
     this.#button.textContent = 'Stop';
     this.#measure(++this.#runs);
   }

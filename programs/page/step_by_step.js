@@ -51,6 +51,7 @@ class StepByStep {
   /** The page; undefined, and it is told why, if there is none. */
   async #page() {
     const { drawer, key, view, given, size } = this.#viewer;
+    if (!given) return undefined;
     const width = Number(this.#side), height = Math.max(1, Math.round((width * size.height) / size.width));
     this.#status.textContent = 'Its steps are told …';
     try {

@@ -18,7 +18,7 @@ const of_length_1 = (a) => scaled(a, 1 / Math.hypot(...a));
 function quaternion(axis, angle) {
   return [Math.cos(angle / 2), ...scaled(of_length_1(axis), Math.sin(angle / 2))];
 }
-/** First b, then a. */
+/** The rotation that is first b, then a. */
 function after(a, b) {
   const [p, q] = [a.slice(1), b.slice(1)];
   return of_length_1([a[0] * b[0] - dot(p, q), ...sum(sum(scaled(q, a[0]), scaled(p, b[0])), cross(p, q))]);

@@ -9,7 +9,7 @@ const kSlow = 120;
 const kPatience = 400;
 /** Seconds that a picture may take: the worker does nothing else meanwhile. */
 const kLongest = 30;
-/** Of a screen that shows 60 pictures a second. */
+/** Milliseconds between the pictures of a screen that shows 60 a second. */
 const kFrame = 1000 / 60;
 const kMostPixels = 2048;
 
@@ -79,6 +79,19 @@ class Viewer {
     this.#label();
   }
 
+  /** Shows nothing, where a scene that was chosen cannot be drawn. */
+  clear(name) {
+    this.given = undefined;
+    this.picture = undefined;
+    this.#view = undefined;
+    this.why_not_turned = 'it is not drawn';
+    this.picker.forget();
+    this.canvas.getContext('2d').clearRect(0, 0, this.canvas.width, this.canvas.height);
+    this.canvas.setAttribute('aria-label', `${name}: not drawn`);
+    this.caption.textContent = `${name} · not drawn`;
+    this.command.textContent = '';
+  }
+
   async #enter() {
     const [width, height] = this.#shape;
     const { shading } = this.#settings;
@@ -98,7 +111,7 @@ class Viewer {
   /** A method of lines draws the sides of a scene that shows none. */
   #lines() {
     const { lines, method } = this.#settings;
-    if (lines || !kLineMethods.has(method)) return lines;
+    if (lines || !kLineMethods.has(method) || !this.given) return lines;
     return this.given.mesh || draws_no_lines(this.given.program) ? 'all' : lines;
   }
 
@@ -135,18 +148,21 @@ class Viewer {
     const before = { ...this.#settings };
     const lines_before = this.#lines();
     this.#settings[name] = value;
+    const is_entered_anew = this.given && (name === 'shading' || this.#lines() !== lines_before);
     try {
-      if (name === 'shading' || this.#lines() !== lines_before) await this.#enter();
+      if (is_entered_anew) await this.#enter();
       this.#slow = false;
       await this.redrawn();
     } catch (refused) {
       Object.assign(this.#settings, before);
+      if (is_entered_anew) await this.#enter();
       this.#selects.get(name).querySelector('select').value = before[name] ?? '';
       this.say(refused.message);
     }
   }
 
-  /** Near to the screen's pixels, and of the very shape: it decides what of a scene is in the picture. */
+  /** The picture's size: near to the screen's pixels, and of the very shape that was asked for, which
+   *  decides what of a scene is in the picture. */
   get size() {
     const [width, height] = this.#shape;
     const both = greatest_common_divisor(width, height);
@@ -156,7 +172,7 @@ class Viewer {
     return { width: times * columns, height: times * rows };
   }
 
-  /** As options of the JavaScript API. */
+  /** What is set, as options of the JavaScript API. */
   get options() {
     const { method, precision, hiddenLines, samples, background, scope } = this.#settings;
     const given = Object.entries({ method, precision, hiddenLines, scope }).filter(([, value]) => value);
@@ -222,6 +238,7 @@ class Viewer {
 
   /** Draws what is wanted now, one picture at a time: the newest view after the one that is drawn. */
   redrawn() {
+    if (!this.given) return Promise.resolve();
     this.#wanted = true;
     this.#drawing ??= this.#draw_while_wanted().finally(() => { this.#drawing = undefined; });
     return this.#drawing;

@@ -82,6 +82,7 @@ class GalleryTest(IndexTest):
                 self.at_rest()
                 if name == NEEDS_CGAL:
                     self.assertIn("CGAL", self.error())
+                    self.assertIn("not drawn", self.find("figcaption").text)
                     continue
                 self.assertEqual(self.error(), "")
                 if re.search(r"^ *(text|axes-3)\b", text, re.MULTILINE):

@@ -24,7 +24,7 @@ class StepScene {
   std::uint32_t polygons() const { return scene_.items(); }
   /// Those that cover pixels, in order of entry.
   const std::vector<Polygon>& fills() const { return fills_; }
-  /// Of one that covers pixels.
+  /// The polygon must cover pixels.
   const Plane& plane(Polygon polygon) const { return planes_[polygon]; }
   std::vector<Point3> vertices(Polygon polygon) const;
 

@@ -13,7 +13,7 @@ class StepsPicture {
     this.side = 1000;  // of the unit square in the overlay
     overlay.setAttribute('viewBox', `0 0 ${this.side} ${this.side}`);
     this.outlineGroup = this.outlines();
-    // Of many polygons the outlines would darken all.
+    // The outlines of many polygons would darken all of the picture.
     this.outlineGroup.setAttribute('opacity', String(Math.min(1, 10 / Math.sqrt(story.data.polygons.length + 1))));
     this.lineGroup = this.group('drawn-lines', []);
     this.stayGroup = this.group('stays', []);

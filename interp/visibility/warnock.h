@@ -54,7 +54,7 @@ class Warnock : public ImageSpaceMethod {
   /// nothing of it is compiled.
   struct Observer {
     std::function<void(const Visit&)> visit = {};  ///< an area, before its parts
-    /// Of an area that is visited next: a polygon is hidden all over it by one that surrounds it.
+    /// A polygon is hidden all over the area that is visited next, by one that surrounds it.
     std::function<void(Fill hidden, Fill by)> remove = {};
     std::function<void(const SampleArea&)> part =
         {};  ///< one that the area visited is divided into

@@ -7,7 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -35,15 +37,37 @@ std::vector<std::int32_t> ids_after(const Steps& told, std::size_t steps) {
   return ids;
 }
 
+/// Words of capitals alone, maybe with a number, are names of pieces.
+void expect_names(const std::string& sentence, const std::set<std::string>& names) {
+  const auto is_part = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  for (auto begin = sentence.begin(); begin != sentence.end();) {
+    begin = std::find_if(begin, sentence.end(), is_part);
+    const auto end = std::find_if_not(begin, sentence.end(), is_part);
+    const std::string word(begin, end);
+    const std::size_t letters = word.find_first_of("0123456789");
+    const std::string capitals = word.substr(0, letters);
+    const bool is_name = !capitals.empty() &&
+                         std::ranges::all_of(capitals, [](char c) { return c >= 'A' && c <= 'Z'; });
+    const bool is_word = word == "IN" || (word == "A" && begin == sentence.begin()) ||
+                         std::string(end, sentence.end()).starts_with(" buffer");
+    EXPECT_TRUE(!is_name || is_word || names.contains(word)) << word << ": " << sentence;
+    begin = end;
+  }
+}
+
 /// Line, names and places are ones that there are.
 void expect_valid(const Steps& told) {
   const auto pieces = static_cast<std::uint32_t>(told.pieces.size());
+  std::set<std::string> names;
+  for (const StepPiece& piece : told.pieces) names.insert(piece.name);
+  EXPECT_EQ(names.size(), pieces);
   ASSERT_GE(pieces, told.polygons.size());
   for (const Step& step : told.steps) {
     EXPECT_TRUE(step.line >= 0 && step.line < static_cast<int>(told.listing.size()));
     EXPECT_FALSE(told.listing[static_cast<std::size_t>(step.line)].name.empty());
     EXPECT_TRUE(step.sentence.ends_with('.') || step.sentence.ends_with('?')) << step.sentence;
     EXPECT_TRUE(step.sentence[0] >= 'A' && step.sentence[0] <= 'Z') << step.sentence;
+    expect_names(step.sentence, names);
     for (const StepMark& mark : step.marks) {
       if (mark.kind == StepMark::Kind::piece) {
         EXPECT_LT(mark.piece, pieces);

@@ -12,7 +12,7 @@ ActiveEdges::ActiveEdges(const StepScene& scene) : size_(scene.size()) {
   for (const Polygon polygon : scene.fills()) {
     std::vector<ScanEdge> edges;
     append_edges(scene.vertices(polygon), size_, 0, size_.height, edges);
-    for (const ScanEdge& edge : edges) table_.push_back({edge, polygon, 0});
+    for (const ScanEdge& edge : edges) table_.push_back({edge, polygon, 0, 0.0});
   }
   std::ranges::stable_sort(table_, {}, [](const Edge& e) { return e.edge.first_row; });
 }
@@ -24,14 +24,17 @@ ActiveEdges::Change ActiveEdges::go_to(int row) {
   while (next_ < table_.size() && table_[next_].edge.first_row <= row) {
     active_.push_back(table_[next_++]);
   }
-  for (Edge& edge : active_) edge.column = edge.edge.column(row, size_);
+  for (Edge& e : active_) {
+    e.column = e.edge.column(row, size_);
+    e.x = e.edge.x + (row + 0.5 - e.edge.y) * e.edge.dx_dy;
+  }
   std::ranges::stable_sort(active_, [](const Edge& a, const Edge& b) {
-    return a.column != b.column ? a.column < b.column : a.polygon < b.polygon;
+    return a.column != b.column ? a.column < b.column : a.x < b.x;
   });
   return {next_ - first, left};
 }
 
-std::vector<StepRow> ActiveEdges::rows(const StepRecord& record, int row, std::size_t first,
+std::vector<StepRow> ActiveEdges::rows(const StepRecord& record, std::size_t first,
                                        std::size_t end) const {
   constexpr std::size_t kBefore = StepRecord::kMostRows / 4;
   const std::size_t from =
@@ -43,9 +46,8 @@ std::vector<StepRow> ActiveEdges::rows(const StepRecord& record, int row, std::s
     const bool enters = in.erase(e.polygon) == 0;
     if (enters) in.insert(e.polygon);
     if (k < from) continue;
-    const double x = e.edge.x + (row + 0.5 - e.edge.y) * e.edge.dx_dy;
     rows.push_back(
-        {{record.name(e.polygon), fmt::format("{:.2f}", x), fmt::format("{:+.2f}", e.edge.dx_dy),
+        {{record.name(e.polygon), fmt::format("{:.2f}", e.x), fmt::format("{:+.2f}", e.edge.dx_dy),
           std::to_string(e.edge.last_row), enters ? "IN" : "OUT"},
          e.polygon,
          first <= k && k < end ? StepRole::active : StepRole::none});
@@ -69,6 +71,7 @@ std::vector<StepRun> ActiveEdges::runs(int row) const {
 std::vector<StepSegment> profile_of(const StepScene& scene, const std::vector<StepRun>& runs) {
   const double width = scene.size().width;
   std::vector<StepSegment> segments;
+  segments.reserve(runs.size());
   for (const auto& [row, first, end, polygon] : runs) {
     segments.push_back({first / width, scene.depth(polygon, first, row), end / width,
                         scene.depth(polygon, end - 1, row), polygon});

@@ -21,6 +21,7 @@ class ActiveEdges {
     ScanEdge edge;
     Polygon polygon;
     int column;  ///< the first whose centre is at or right of the crossing
+    double x;    ///< of the crossing in pixels, rounded
   };
 
   explicit ActiveEdges(const StepScene& scene);
@@ -31,7 +32,7 @@ class ActiveEdges {
   };
   Change go_to(int row);
 
-  /// By column, of edges in the same column those of polygons entered earlier first.
+  /// From left to right.
   const std::vector<Edge>& edges() const { return active_; }
   /// Those whose first row is still to come.
   std::size_t to_come() const { return table_.size() - next_; }
@@ -40,7 +41,7 @@ class ActiveEdges {
   /// IN or OUT from there on.
   static constexpr std::string_view kColumns = "polygon|x|change of x|last row|flag";
   /// Those first <= k < end are marked active; of a long list those around them.
-  std::vector<StepRow> rows(const StepRecord& record, int row, std::size_t first = 0,
+  std::vector<StepRow> rows(const StepRecord& record, std::size_t first = 0,
                             std::size_t end = 0) const;
 
   /// The runs of pixels in which the polygons are IN on this row, in order of entry.

@@ -272,9 +272,10 @@ class BspSteps {
   }
   void show_waiting() {
     std::vector<const Branch*> lists;  // the next first
-    for (auto branch = waiting_.rbegin(); branch != waiting_.rend(); ++branch) {
-      if (!branch->list.empty()) lists.push_back(&*branch);
+    for (const Branch& branch : waiting_) {
+      if (!branch.list.empty()) lists.push_back(&branch);
     }
+    std::ranges::reverse(lists);
     record_.show(
         panel("waiting"), StepRecord::rows(lists, [&](const Branch* branch) {
           return StepRow{{fmt::format("{} {}: {}", branch->in_front ? "in front of" : "in back of",

@@ -61,7 +61,8 @@ class DepthSortSteps {
     show_list();
     while (!list_.empty()) {
       record_.step(at("first"),
-                   fmt::format("The first of the list is {}: it is P.", name(list_.front())));
+                   fmt::format("The first of the list is {}: it is tested against all others.",
+                               name(list_.front())));
       record_.mark(StepRole::root, piece(list_.front()));
       show_list();
       if (const auto hidden = first_perhaps_hidden()) {
@@ -140,6 +141,7 @@ class DepthSortSteps {
     record_.mark(StepRole::root, piece(p));
     record_.mark(StepRole::compared, piece(q));
     std::vector<StepRow> rows;
+    rows.reserve(kTests);
     for (int k = 0; k < kTests; ++k) {
       rows.push_back({{std::to_string(k), std::string(kQuestions[static_cast<std::size_t>(k)]),
                        k < passed    ? "no"

@@ -1,16 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
 #include <optional>
 #include <utility>
 
 #include "interp/steps/algorithms.h"
+#include "interp/steps/step_box_tree.h"
 #include "interp/steps/step_record.h"
-#include "interp/visibility/fill_depths.h"
-#include "interp/visibility/pixel_tree.h"
 #include "interp/visibility/sample_area.h"
 
 namespace displayfile {
@@ -45,29 +41,18 @@ class RayCastSteps {
   static consteval int panel(std::string_view name) { return number_named(kPanels, name); }
 
   RayCastSteps(const StepScene& scene, StepRecord& record)
-      : scene_(scene), record_(record), depths_(scene.viewed(), scene.size(), {}) {}
+      : scene_(scene), record_(record), tree_(scene) {}
 
   void run() {
-    build_tree();
-    if (targets_.empty()) return;
+    tell_tree();
+    if (tree_.targets().empty()) return;
     for (int row = 0; row < scene_.size().height; ++row) cast_row(row);
   }
 
  private:
   using Polygon = StepScene::Polygon;
-  using Fill = ViewedScene::Fill;
+  using Branch = StepBoxTree::Branch;
 
-  /// Where a branch of the tree begins, which of which node it is.
-  struct Branch {
-    float nearest;
-    const PixelBoxes* node;
-    std::size_t place;
-    bool operator>(const Branch& other) const { return nearest > other.nearest; }
-  };
-  struct Target {
-    Fill fill;
-    Polygon polygon;
-  };
   /// What a ray met, in order: it is the same way if all of these are the same.
   struct Met {
     enum class Kind { node, skip, miss, nearer, farther } kind;
@@ -80,76 +65,18 @@ class RayCastSteps {
     bool operator==(const Way&) const = default;
   };
 
-  // ---- The tree --------------------------------------------------------------------------
-
-  void build_tree() {
-    std::vector<DeepPixelBox> boxes;
-    for (Fill fill = 1; fill < scene_.viewed().end(); ++fill) {
-      const auto vertices = scene_.viewed().vertices(fill);
-      const PixelBox pixels = extents_of(vertices, scene_.size());
-      if (pixels.empty()) continue;
-      targets_.push_back({fill, scene_.viewed().item_of(fill)});
-      boxes.push_back({pixels, nearest_in(fill, pixels)});
-    }
-    tree_.build(boxes, 1);
+  void tell_tree() {
     record_.step(at("tree"), fmt::format("The tree holds the boxes of {}.",
-                                         counted(targets_.size(), "polygon")));
-    for (const auto& [fill, polygon] : targets_) {
-      record_.mark(StepRole::compared, extents_of(scene_.viewed().vertices(fill), scene_.size()));
+                                         counted(tree_.targets().size(), "polygon")));
+    for (const auto& target : tree_.targets()) record_.mark(StepRole::compared, target.pixels);
+    int number = 0;
+    for (const auto& [parent, branch, polygon] : tree_.nodes()) {
+      record_.show_node(panel("tree"), {number++, parent, branch,
+                                        polygon      ? record_.name(*polygon)
+                                        : parent < 0 ? "root"
+                                                     : "box",
+                                        polygon.value_or(StepRow::kNoPiece)});
     }
-    number_nodes();
-  }
-
-  /// No part of the fill over these pixels is nearer.
-  float nearest_in(Fill fill, const PixelBox& pixels) const {
-    double z = -std::numeric_limits<double>::infinity();
-    for (const int row : {pixels.first_row, pixels.end_row - 1}) {
-      for (const int column : {pixels.first_column, pixels.end_column - 1}) {
-        z = std::max(z, depths_.at(fill, column, row));
-      }
-    }
-    z += 4.0 * depths_.error(fill);
-    constexpr double kLargest = std::numeric_limits<float>::max();
-    constexpr float kInfinity = std::numeric_limits<float>::infinity();
-    if (!(z < kLargest)) return kInfinity;
-    return std::nextafter(static_cast<float>(std::max(z, -kLargest)), kInfinity);
-  }
-
-  /// The tree tells its nodes to who asks for all of them; a branch is told before what it leads
-  /// to.
-  void number_nodes() {
-    std::optional<Branch> branch;
-    const auto add = [&](std::string text, std::uint32_t piece) {
-      const int parent = branch ? node_of_[branch->node] : StepNode::kNoParent;
-      const int node = nodes_++;
-      if (branch) branch_of_[{branch->node, branch->place}] = node;
-      if (piece != StepRow::kNoPiece) leaves_[node] = piece;
-      record_.show_node(panel("tree"), {node, parent, branch ? static_cast<int>(branch->place) : 0,
-                                        std::move(text), piece});
-      return node;
-    };
-    const auto meets = [&](const PixelBoxes& boxes,
-                           std::array<Branch, PixelBoxes::kBoxes>& nearest) {
-      node_of_[&boxes] = add(branch ? "box" : "root", StepRow::kNoPiece);
-      PixelTree::Lanes all;
-      all.fill(1);
-      for (std::size_t k = 0; k < all.size(); ++k) nearest[k] = {0.0F, &boxes, k};
-      return all;
-    };
-    tree_.near_to_far<Branch>(
-        meets,
-        [&](const Branch& next) {
-          branch = next;
-          return false;
-        },
-        [&](PixelTree::Position position) {
-          const Polygon polygon = target(position).polygon;
-          add(record_.name(polygon), polygon);
-        });
-  }
-
-  const Target& target(PixelTree::Position position) const {
-    return targets_[tree_.order()[position]];
   }
 
   // ---- Rays ------------------------------------------------------------------------------
@@ -195,17 +122,11 @@ class RayCastSteps {
       profile(column, row, way.hit);
     }
     Branch branch{};
-    const auto meets = [&](const PixelBoxes& boxes,
-                           std::array<Branch, PixelBoxes::kBoxes>& nearest) {
-      const PixelTree::Lanes met = boxes.meets(ray);
-      std::vector<Branch> more;
-      for (std::size_t k = 0; k < met.size(); ++k) {
-        nearest[k] = {boxes.nearest[k], &boxes, k};
-        if (met[k] != 0 && branch_of_.contains({&boxes, k})) more.push_back(nearest[k]);
-      }
-      std::ranges::stable_sort(more, [](const Branch& a, const Branch& b) { return b > a; });
+    const auto meets = [&](const PixelBoxes& boxes, StepBoxTree::Branches& nearest) {
+      PixelTree::Lanes met;
+      const std::vector<Branch> more = tree_.met_by(ray, boxes, met, nearest);
       waiting_.insert(waiting_.end(), more.begin(), more.end());
-      const int node = node_of_[&boxes];
+      const int node = tree_.number(boxes);
       way.met.push_back({Met::Kind::node, node});
       if (tells) {
         record_.step(
@@ -217,13 +138,13 @@ class RayCastSteps {
       }
       return met;
     };
-    tree_.near_to_far<Branch>(
+    tree_.near_to_far(
         meets,
         [&](const Branch& next) {
           branch = next;
           if (!waiting_.empty()) waiting_.pop_back();
-          if (!way.hit || !is_behind(next.nearest, *way.hit, column, row)) return false;
-          const int node = branch_of_[{next.node, next.place}];
+          if (!way.hit || !tree_.is_behind(next.nearest, *way.hit, column, row)) return false;
+          const int node = tree_.number(next);
           way.met.push_back({Met::Kind::skip, node});
           if (tells) {
             record_.step(
@@ -236,14 +157,14 @@ class RayCastSteps {
           }
           return true;
         },
-        [&](PixelTree::Position position) {
-          hit(target(position), column, row, way, branch_of_[{branch.node, branch.place}], tells);
+        [&](const StepBoxTree::Target& target) {
+          hit(target, column, row, way, tree_.number(branch), tells);
         });
     if (tells) tell_seen(ray, way);
     return way;
   }
 
-  void hit(const Target& target, int column, int row, Way& way, int node, bool tells) {
+  void hit(const StepBoxTree::Target& target, int column, int row, Way& way, int node, bool tells) {
     const Polygon polygon = target.polygon;
     const bool covered =
         covers(scene_.viewed().vertices(target.fill), PixelCentre(column, row, scene_.size()));
@@ -285,15 +206,6 @@ class RayCastSteps {
     mark(ray, {});
   }
 
-  /// What begins there is certainly behind what is hit.
-  bool is_behind(float nearest, Polygon hit, int column, int row) const {
-    for (const auto& [fill, polygon] : targets_) {
-      if (polygon == hit)
-        return nearest < depths_.at(fill, column, row) - 4.0 * depths_.error(fill);
-    }
-    return false;
-  }
-
   // ---- What is shown ---------------------------------------------------------------------
 
   void mark(const PixelBox& ray, std::optional<int> node) {
@@ -306,17 +218,13 @@ class RayCastSteps {
   void show_stack() {
     const std::vector<Branch> next_first(waiting_.rbegin(), waiting_.rend());
     record_.show(panel("stack"), StepRecord::rows(next_first, [&](const Branch& branch) {
-                   const auto polygon = polygon_of_node(branch_of_[{branch.node, branch.place}]);
+                   const auto polygon =
+                       tree_.nodes()[static_cast<std::size_t>(tree_.number(branch))].polygon;
                    return StepRow{
                        {fmt::format("{} from {:.3f}", polygon ? record_.name(*polygon) : "box",
                                     branch.nearest)},
                        polygon.value_or(StepRow::kNoPiece)};
                  }));
-  }
-  std::optional<Polygon> polygon_of_node(int node) const {
-    const auto found = leaves_.find(node);
-    if (found == leaves_.end()) return std::nullopt;
-    return found->second;
   }
 
   void profile(int column, int row, std::optional<Polygon> hit) {
@@ -324,7 +232,7 @@ class RayCastSteps {
     if (row != profile_row_) {
       profile_row_ = row;
       profile_.clear();
-      for (const auto& [fill, polygon] : targets_) {
+      for (const auto& [fill, polygon, pixels] : tree_.targets()) {
         for (const StepRun& run :
              scene_.coverage(polygon, {0, scene_.size().width, row, row + 1})) {
           profile_.push_back({run.first / width, scene_.depth(polygon, run.first, row),
@@ -346,13 +254,7 @@ class RayCastSteps {
 
   const StepScene& scene_;
   StepRecord& record_;
-  FillDepths depths_;
-  std::vector<Target> targets_;
-  PixelTree tree_;
-  int nodes_ = 0;
-  std::map<const PixelBoxes*, int> node_of_;
-  std::map<std::pair<const PixelBoxes*, std::size_t>, int> branch_of_;
-  std::map<int, Polygon> leaves_;
+  StepBoxTree tree_;
   std::vector<Branch> waiting_;
   std::vector<StepSegment> profile_;
   int profile_row_ = -1;

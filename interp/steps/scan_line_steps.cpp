@@ -63,7 +63,7 @@ class ScanLineSteps {
                                         counted(entered, "edge"), left, edges_.edges().size()));
     record_.mark(StepRole::active, PixelBox{0, scene_.size().width, row, row + 1});
     mark_edges(record_, edges_);
-    record_.show(panel("edges"), edges_.rows(record_, row));
+    record_.show(panel("edges"), edges_.rows(record_));
     record_.show(panel("in"), {});
     runs_ = edges_.runs(row);
     record_.show_segments(panel("depths"), profile_of(scene_, runs_));
@@ -164,7 +164,7 @@ class ScanLineSteps {
     record_.show(panel("in"), StepRecord::rows(in_, [&](Polygon polygon) {
                    return record_.row(polygon, polygon == seen ? StepRole::seen : StepRole::hidden);
                  }));
-    record_.show(panel("edges"), edges_.rows(record_, row, first, last));
+    record_.show(panel("edges"), edges_.rows(record_, first, last));
     std::vector<StepSegment> profile = profile_of(scene_, runs_);
     if (!none) {
       for (StepSegment segment : profile_of(scene_, {{row, column, end, seen}})) {

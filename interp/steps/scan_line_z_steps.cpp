@@ -53,7 +53,7 @@ class ScanLineZSteps {
                                         counted(entered, "edge"), left, edges_.edges().size()));
     record_.mark(StepRole::active, whole_row(row));
     mark_edges(record_, edges_);
-    record_.show(panel("edges"), edges_.rows(record_, row));
+    record_.show(panel("edges"), edges_.rows(record_));
     record_.show_segments(panel("depths"), {});
     std::vector<StepSegment> kept;
     for (const StepRun& run : edges_.runs(row)) {

@@ -20,7 +20,7 @@ class StepRecord {
   using Polygon = StepScene::Polygon;
   static constexpr std::uint32_t kBackground = StepRow::kNoPiece;
   // Nobody looks at more of one step; a scene may have a million polygons.
-  static constexpr std::size_t kMostRows = 80, kMostMarks = 300, kMostSegments = 400,
+  static constexpr std::size_t kMostRows = 60, kMostMarks = 300, kMostSegments = 400,
                                kMostNames = 12;
 
   /// Both must live on.

@@ -19,9 +19,7 @@ StepScene::StepScene(const DisplayFile& file, const PictureSize& size) : scene_(
 
 std::vector<Point3> StepScene::vertices(Polygon polygon) const {
   const PointRow points = scene_.points(polygon);
-  std::vector<Point3> vertices;
-  for (std::size_t k = 0; k < points.size(); ++k) vertices.push_back(points[k]);
-  return vertices;
+  return {points.begin(), points.end()};
 }
 
 std::vector<StepRun> StepScene::coverage(Polygon polygon) const {

@@ -71,7 +71,22 @@ void write(Text& to, const StepMark& mark) {
   fmt::format_to(to, "]");
 }
 
-void write(Text& to, const PanelChange& change) {
+/// Most rows are a piece's name: the piece alone says it.
+void write(Text& to, const StepRow& row, const std::vector<StepPiece>& pieces) {
+  const bool is_name = row.piece != StepRow::kNoPiece && row.cells.size() == 1 &&
+                       row.cells[0] == pieces[row.piece].name;
+  if (is_name && row.role == StepRole::none) {
+    fmt::format_to(to, "{}", row.piece);
+    return;
+  }
+  fmt::format_to(to, "[{},\"{}\"", piece_of(row.piece), name_of(row.role));
+  if (!is_name) {
+    for (const std::string& cell : row.cells) fmt::format_to(to, ",{}", json_string(cell));
+  }
+  fmt::format_to(to, "]");
+}
+
+void write(Text& to, const PanelChange& change, const std::vector<StepPiece>& pieces) {
   fmt::format_to(to, "{{\"panel\":{}", change.panel);
   if (!change.nodes.empty()) {
     fmt::format_to(to, ",\"nodes\":");
@@ -87,16 +102,12 @@ void write(Text& to, const PanelChange& change) {
     });
   } else {
     fmt::format_to(to, ",\"rows\":");
-    write_list(to, change.rows, [&](const StepRow& row) {
-      fmt::format_to(to, "[{},\"{}\"", piece_of(row.piece), name_of(row.role));
-      for (const std::string& cell : row.cells) fmt::format_to(to, ",{}", json_string(cell));
-      fmt::format_to(to, "]");
-    });
+    write_list(to, change.rows, [&](const StepRow& row) { write(to, row, pieces); });
   }
   fmt::format_to(to, "}}");
 }
 
-void write(Text& to, const Step& step) {
+void write(Text& to, const Step& step, const std::vector<StepPiece>& pieces) {
   fmt::format_to(to, "{{\"line\":{},\"say\":{}", step.line, json_string(step.sentence));
   for (const bool stays : {false, true}) {
     std::vector<StepMark> marks;
@@ -122,7 +133,7 @@ void write(Text& to, const Step& step) {
   }
   if (!step.panels.empty()) {
     fmt::format_to(to, ",\"panels\":");
-    write_list(to, step.panels, [&](const PanelChange& change) { write(to, change); });
+    write_list(to, step.panels, [&](const PanelChange& change) { write(to, change, pieces); });
   }
   fmt::format_to(to, "}}");
 }
@@ -173,7 +184,7 @@ std::string as_json(const Steps& steps) {
   fmt::format_to(to, ",\n\"steps\":");
   write_list(to, steps.steps, [&](const Step& step) {
     fmt::format_to(to, "\n");
-    write(to, step);
+    write(to, step, steps.pieces);
   });
   fmt::format_to(to, "}}\n");
   return text;

@@ -75,10 +75,11 @@ class ZBufferSteps {
       gained += static_cast<std::size_t>(record_.paint_nearer(run));
     }
     if (gained == 0) step.line = at("hidden");
-    step.sentence =
-        fmt::format("Row {}: of {} that {} covers, {} where it is nearest so far, {} stay.", row,
-                    counted(covered, "pixel"), record_.name(polygon),
-                    gained == 1 ? "1 is" : fmt::format("{} are", gained), covered - gained);
+    step.sentence = fmt::format("Row {}: of the {} that {} covers it is the nearest so far in {}.",
+                                row, counted(covered, "pixel"), record_.name(polygon),
+                                gained == 0         ? "none"
+                                : gained == covered ? "all"
+                                                    : std::to_string(gained));
     record_.mark(StepRole::active, polygon);
     for (const StepRun& run : runs) {
       record_.mark(gained > 0 ? StepRole::seen : StepRole::hidden,
@@ -113,11 +114,12 @@ class ZBufferSteps {
   }
 
   void show_polygons(Polygon active) {
-    const std::vector<StepRow> last_first(rows_.rbegin(), rows_.rend());
-    record_.show(panel("polygons"), StepRecord::rows(last_first, [&](StepRow row) {
-                   if (row.piece == active) row.role = StepRole::active;
-                   return row;
-                 }));
+    const auto shown = static_cast<std::ptrdiff_t>(std::min(rows_.size(), StepRecord::kMostRows));
+    std::vector<StepRow> last_first(rows_.rbegin(), rows_.rbegin() + shown);
+    for (StepRow& row : last_first) {
+      if (row.piece == active) row.role = StepRole::active;
+    }
+    record_.show(panel("polygons"), std::move(last_first));
   }
 
   const StepScene& scene_;

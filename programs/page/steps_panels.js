@@ -55,7 +55,7 @@ class StepsPanels {
     if (panel.kind === 'graph') {
       return this.chart(segments, [0, Math.max(1, ...segments.map((s) => s[1]))], 'Counts along the line');
     }
-    const rows = (change || {}).rows || [];
+    const rows = this.story.rows(change);
     if (rows.length === 0) return this.nothing();
     return panel.kind === 'table' ? this.table(panel.columns.split('|'), rows) : this.list(rows);
   }

@@ -66,6 +66,14 @@ class StepsStory {
     return (StepsStory.lastUntil(this.panelChanges[number], at) || {}).change;
   }
 
+  /** The rows of that as piece, role and cells. */
+  rows(change) {
+    return ((change || {}).rows || []).map((row) => {
+      const [piece, role, ...cells] = typeof row === 'number' ? [row, 'none'] : row;
+      return [piece, role, ...(cells.length ? cells : [this.nameOf(piece)])];
+    });
+  }
+
   setKeyframes() {
     const kMostBytes = 64 << 20;
     const bytes = 4 * this.width * this.height;

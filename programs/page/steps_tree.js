@@ -85,7 +85,7 @@ class StepsTree {
 
   /** The nodes that the step lights by their numbers. */
   litNodes(at) {
-    const rows = (this.story.panel(this.panel, at) || {}).rows || [];
+    const rows = this.story.rows(this.story.panel(this.panel, at));
     return new Map(rows.map(([, role, number]) => [Number(number), role]));
   }
 

@@ -27,7 +27,8 @@ class Gallery {
     const label = labelled_select('Scene', 'scene', [], (name) => this.choose(name));
     this.#select = label.querySelector('select');
     place.replaceChildren(label, file, element('label', { for: 'file', class: 'button' }, 'Open a file …'),
-      element('span', { class: 'help' }, 'or drop one on the page: a drawing program, or a mesh in OBJ, OFF, PLY or STL'));
+      element('span', { class: 'help' },
+        'or drop one on the page: a drawing program, or a mesh in OBJ, OFF, PLY or STL'));
     for (const scene of scenes) this.add(scene);
   }
 

@@ -45,12 +45,13 @@ class Sheets {
 
   constructor(place, drawer) {
     this.#drawer = drawer;
-    const side = (words) => {
+    const side = () => {
       const canvas = element('canvas', { width: kSheetsSide, height: kSheetsSide, role: 'img', class: 'fixed' });
-      const caption = element('figcaption', {}, words);
-      return { canvas, caption, figure: element('figure', { class: 'figure' }, element('div', { class: 'picture' }, canvas), caption) };
+      const caption = element('figcaption', {});
+      const picture = element('div', { class: 'picture' }, canvas);
+      return { canvas, caption, figure: element('figure', { class: 'figure' }, picture, caption) };
     };
-    this.#sides = [side(''), side('')];
+    this.#sides = [side(), side()];
     const output = element('output', { for: 'gap' }, '1e-15');
     const slider = element('input', { type: 'range', id: 'gap', min: 3, max: 15, step: 1, value: 15,
       'aria-valuetext': '1e-15',
@@ -98,7 +99,8 @@ class Sheets {
       const { rgba, wrong } = await this.#drawer.ask('wrong', { key, view: null, options });
       const { canvas, caption } = this.#sides[k];
       canvas.getContext('2d').putImageData(new ImageData(rgba, size.width, size.height), 0, 0);
-      const share = wrong === 0 ? 'no wrong pixel' : `${((100 * wrong) / (size.width * size.height)).toPrecision(3)} % of the pixels wrong`;
+      const percent = ((100 * wrong) / (size.width * size.height)).toPrecision(3);
+      const share = wrong === 0 ? 'no wrong pixel' : `${percent} % of the pixels wrong`;
       caption.textContent = `${words}: ${share}`;
       canvas.setAttribute('aria-label', `Two sheets ${gap} apart. ${caption.textContent}`);
     }

@@ -61,8 +61,10 @@ class SpeedTable {
     const { key, view, given, drawer, size } = this.#viewer;
     const [width, height] = [kSide, Math.round((kSide * size.height) / size.width)];
     const views = this.#viewer.views_after(kViews);
-    const rows = kMeasured.map(([method, precision]) =>
-      ({ method, precision, options: { width, height, method, ...(precision ? { precision } : {}) }, times: [], spent: 0 }));
+    const rows = kMeasured.map(([method, precision]) => {
+      const options = { width, height, method, ...(precision ? { precision } : {}) };
+      return { method, precision, options, times: [], spent: 0 };
+    });
     for (let round = 0; round < kRounds; ++round) {
       for (const row of rows) {
         if (row.refused || row.spent > kEnough) continue;
@@ -100,19 +102,19 @@ class SpeedTable {
       return element('td', {}, milliseconds === undefined ? '–' : ratio(milliseconds, fastest[which]));
     };
     const line = (row) => {
-      const head = element('th', { scope: 'row' },
-        row.precision ? `${words_of_method(row.method)}, ${row.precision.replace('=', ' ')}` : words_of_method(row.method));
+      const precision = row.precision ? `, ${row.precision.replace('=', ' ')}` : '';
+      const head = element('th', { scope: 'row' }, words_of_method(row.method) + precision);
       if (row.refused) return element('tr', {}, head, element('td', { colspan: 3, class: 'wrong' }, row.refused));
-      const percent = row.wrong === 0 ? '0' : `${row.wrong} (${((100 * row.wrong) / (width * height)).toPrecision(2)} %)`;
+      const percent = ((100 * row.wrong) / (width * height)).toPrecision(2);
       return element('tr', {}, head, time(row, 'anew'), time(row, 'again'),
-        element('td', { class: row.wrong ? 'wrong' : '' }, percent));
+        element('td', { class: row.wrong ? 'wrong' : '' }, row.wrong ? `${row.wrong} (${percent} %)` : '0'));
     };
-    const column = (words) => element('th', { scope: 'col' }, words);
+    const columns = ['Method', 'A new view', 'Again', 'Wrong pixels'];
     this.#place.replaceChildren(element('table', {},
       element('caption', {},
         `${name} at ${width} × ${height} pixels, in this browser: medians of times, in those of the fastest; pixels ` +
         'that show another polygon than the one that exact arithmetic finds there.'),
-      element('thead', {}, element('tr', {}, column('Method'), column('A new view'), column('Again'), column('Wrong pixels'))),
+      element('thead', {}, element('tr', {}, ...columns.map((words) => element('th', { scope: 'col' }, words)))),
       element('tbody', {}, ...rows.map(line))));
   }
 }

@@ -3,8 +3,9 @@
 'use strict';
 
 const kStepped = [[undefined, [['bsp', 'BSP tree'], ['depth-sort', 'depth sort'], ['warnock', 'Warnock'],
-  ['scan-line', 'scan line'], ['scan-line-z', 'scan-line z-buffer'], ['z-buffer', 'z-buffer'], ['ray-cast', 'ray casting'],
-  ['franklin', 'Franklin'], ['roberts', 'Roberts'], ['appel', 'Appel'], ['perimeter', 'perimeter, of one surface']]]];
+  ['scan-line', 'scan line'], ['scan-line-z', 'scan-line z-buffer'], ['z-buffer', 'z-buffer'],
+  ['ray-cast', 'ray casting'], ['franklin', 'Franklin'], ['roberts', 'Roberts'], ['appel', 'Appel'],
+  ['perimeter', 'perimeter, of one surface']]]];
 const kSteppedSides = [[undefined, [16, 32, 64, 128].map((side) => [String(side), `${side} in a row`])]];
 
 /** The page of steps with its data, from the template, which is that page without any. */

@@ -102,7 +102,8 @@ int run(int argc, char** argv) {
   PageCommand page;
   check.other = &pictures;
   draw.options.threads = dump.threads = check.threads = truth.threads = surface.threads =
-      sheet.threads = page.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+      sheet.threads = page.threads =
+          static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   add(draw);
   add(dump);
   add(check);

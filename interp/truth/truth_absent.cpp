@@ -1,4 +1,5 @@
-// A build with neither GMP nor LibTomMath, and for no page: the truth has no whole numbers of its own.
+// A build with neither GMP nor LibTomMath, and for no page: the truth has no whole numbers of its
+// own.
 
 #include "clip/error.h"
 #include "interp/truth/judged_lines.h"

@@ -5,6 +5,7 @@
 
 #include "displayfile/graphics_system.h"
 #include "displayfile/recorder.h"
+#include "displayfile/set_view.h"
 #include "displayfile/text/user_routine.h"
 
 namespace displayfile {
@@ -27,20 +28,7 @@ std::string lines_of(const View& view) {
   GraphicsSystem system;
   system.set_recorder(&recorder);
   system.set_window_fit(WindowFit::stretch);
-  system.set_view_reference_point(view.reference_point);
-  system.set_view_plane_normal(view.plane_normal);
-  system.set_view_distance(view.distance);
-  system.set_view_up(view.up);
-  if (view.projection == View::Projection::perspective) {
-    system.set_perspective(view.centre_of_projection);
-  } else {
-    system.set_parallel(view.direction_of_projection);
-  }
-  system.set_view_depth(view.front, view.back);
-  system.set_front_plane_clipping(view.front_clipping);
-  system.set_back_plane_clipping(view.back_clipping);
-  const auto& [x_min, x_max, y_min, y_max] = view.window;
-  system.set_window(x_min, x_max, y_min, y_max);
+  set_view(view, system);
   system.set_viewport(view.viewport.x_min, view.viewport.x_max, view.viewport.y_min,
                       view.viewport.y_max);
   return lines.str();

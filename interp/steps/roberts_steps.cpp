@@ -117,24 +117,7 @@ class RobertsSteps {
   }
 
   void tell_polygon(std::uint32_t polygon) {
-    const auto covered = lines_.covered_by(polygon, *line_);
-    if (covered.empty()) {
-      record_.step(at("misses"),
-                   fmt::format("{} hides no part of the line.", record_.name(polygon)));
-      record_.mark(StepRole::back, polygon);
-    } else {
-      std::string parts;
-      for (const auto& [part, sides] : covered) {
-        parts += fmt::format("{}{}, on {} of it", parts.empty() ? "" : "; ", words_of(part), sides);
-        hidden_.push_back({{record_.name(polygon), fmt::format("{:.3g}", part.from),
-                            fmt::format("{:.3g}", part.to), std::string(sides)},
-                           polygon});
-      }
-      record_.step(at("hides"),
-                   fmt::format("{} is before the line from {}.", record_.name(polygon), parts));
-      record_.mark(StepRole::front, polygon);
-      for (const auto& [part, sides] : covered) lines_.mark(StepRole::hidden, *line_, part);
-    }
+    lines_.tell_covered(polygon, *line_, {at("misses"), at("hides")}, hidden_);
     show();
   }
 

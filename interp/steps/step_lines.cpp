@@ -54,6 +54,27 @@ std::vector<StepLines::Covered> StepLines::covered_by(std::uint32_t polygon, con
   return parts.all;
 }
 
+void StepLines::tell_covered(std::uint32_t polygon, const Line& line, const CoveredLines& listing,
+                             std::vector<StepRow>& hidden) {
+  const auto covered = covered_by(polygon, line);
+  const std::string of = record_.name(polygon);
+  if (covered.empty()) {
+    record_.step(listing.misses, fmt::format("{} hides no part of the line.", of));
+    record_.mark(StepRole::back, polygon);
+    return;
+  }
+  std::string parts;
+  for (const auto& [part, sides] : covered) {
+    parts += fmt::format("{}{}, on {} of it", parts.empty() ? "" : "; ", words_of(part), sides);
+    hidden.push_back(
+        {{of, fmt::format("{:.3g}", part.from), fmt::format("{:.3g}", part.to), std::string(sides)},
+         polygon});
+  }
+  record_.step(listing.hides, fmt::format("{} is before the line from {}.", of, parts));
+  record_.mark(StepRole::front, polygon);
+  for (const auto& [part, sides] : covered) mark(StepRole::hidden, line, part);
+}
+
 void StepLines::tell_seen(const Line& line, const std::vector<SeenPart>& seen, int listing_line) {
   const LineName named = lines_.name(line.name);
   const std::string of = name(line);

@@ -46,6 +46,13 @@ class StepLines {
   };
   static constexpr std::string_view kBoth = "both sides", kLeft = "the left", kRight = "the right";
   std::vector<Covered> covered_by(std::uint32_t polygon, const Line& line);
+  /// Tells it, in a step of one of two lines of the listing, and adds to a table a row for each
+  /// part: polygon, from, to, and the sides.
+  struct CoveredLines {
+    int misses, hides;
+  };
+  void tell_covered(std::uint32_t polygon, const Line& line, const CoveredLines& listing,
+                    std::vector<StepRow>& hidden);
 
   /// Looks at the lines one after the other, in that order of the first line of each name: the
   /// finder tells its steps while it looks, and then it is told, in a step of that line of the

@@ -7,6 +7,7 @@
 
 #include "clip/view.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/set_view.h"
 
 namespace displayfile {
 
@@ -38,9 +39,6 @@ struct Scene {
   /// The polygons added from now on are in a segment of their own.
   void open_segment(const ImageTransformation& image) { segments.push_back({polygons(), image}); }
 };
-
-/// Sets all of the view but the viewport. Throws Error as the system's routines do.
-void set_view(const View& view, GraphicsSystem& system);
 
 /// Enters the scene into a system without segments: sets the view, then segments 1, 2, … with
 /// solid fills of different colours, no lines, and no back-face removal. The pick identifiers

@@ -62,10 +62,12 @@ TEST_F(PageCommand, NothingIsAskedOfTheNetwork) {
 }
 
 TEST_F(PageCommand, NamesAndTitlesAreNoMarkup) {
-  write("</script><b>.draw", kTriangle);
-  const std::string text = page("'</script><b>.draw'");
-  EXPECT_EQ(data_of(text)["scenes"][0]["name"], "</script><b>.draw");
-  EXPECT_NE(text.find("<title>&lt;/script>&lt;b>.draw</title>"), std::string::npos);
+  write("<script><b>.draw", kTriangle);
+  const std::string text = page("'<script><b>.draw'");
+  EXPECT_EQ(data_of(text)["scenes"][0]["name"], "<script><b>.draw");
+  EXPECT_NE(text.find("<title>&lt;script>&lt;b>.draw</title>"), std::string::npos);
+  EXPECT_NE(page("triangle.draw --title '</title>'").find("<title>&lt;/title></title>"),
+            std::string::npos);
   EXPECT_NE(page("triangle.draw --title 'A & B'").find("<title>A &amp; B</title>"),
             std::string::npos);
 }

@@ -3,150 +3,36 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <exception>
 #include <limits>
-#include <memory>
 #include <new>
 #include <optional>
 #include <span>
-#include <sstream>
 #include <string>
-#include <string_view>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "clip/work_budget.h"
 #include "displayfile/drawn_pieces.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
-#include "displayfile/recorder.h"
-#include "displayfile/scene_in_one_view.h"
-#include "displayfile/sorted_display_file.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
 #include "displayfile/text/user_routine.h"
+#include "interp/c/system.h"
 #include "interp/draw.h"
-#include "interp/other_eye.h"
-#include "interp/renderer.h"
 #include "interp/steps/steps.h"
 #include "interp/truth/truth.h"
 
 using namespace displayfile;
-
-struct df_system {
-  GraphicsSystem system;
-  bool is_new = true;  // no routine was called
-  std::ostringstream recorded;
-  std::optional<Recorder> recorder;  // if it retains
-  std::optional<View> eye;           // that is looked from
-  std::optional<OtherEye> other;     // made when it is needed
-  Renderer renderer;
-  SortedDisplayFile sorted;
-  WorkBudget budget;
-  std::atomic_flag is_busy;
-  std::string error;
-
-  // What was handed out last.
-  std::string bytes;
-  DrawnPieces pieces;
-};
+using namespace displayfile::c;
 
 namespace {
 
 static_assert(sizeof(Point3) == 3 * sizeof(double) && sizeof(Colour) == 3 * sizeof(double),
               "rows of them are rows of doubles");
-
-/// Carries a call out, by the budget's limits, while no other thread is in one.
-template <class Call>
-int carried_out(df_system* system, const WorkLimits& limits, Call&& call) noexcept {
-  if (system == nullptr) return DF_ERROR;
-  if (system->is_busy.test_and_set(std::memory_order_acquire)) return DF_BUSY;
-  int result = DF_ERROR;
-  const auto fail = [&](const char* what) noexcept {
-    try {
-      system->error = what;
-    } catch (...) {
-      system->error.clear();
-    }
-  };
-  try {
-    system->error.clear();
-    system->budget.start(limits);
-    const BudgetInForce in_force(system->budget);
-    call();
-    result = DF_OK;
-  } catch (const std::bad_alloc&) {
-    fail("out of memory");
-  } catch (const std::exception& error) {
-    fail(error.what());
-  } catch (...) {
-    fail("unknown error");
-  }
-  system->is_busy.clear(std::memory_order_release);
-  return result;
-}
-template <class Call>
-int carried_out(df_system* system, Call&& call) noexcept {
-  return carried_out(system, {}, call);
-}
-
-/// Carries a call out that tells the system something.
-template <class Call>
-int told(df_system* system, Call&& call) noexcept {
-  return carried_out(system, [&] {
-    system->other.reset();
-    call();
-    system->is_new = false;
-  });
-}
-
-template <class Pointer>
-void require_given(const Pointer* pointer, const char* what) {
-  if (pointer == nullptr) throw Error(fmt::format("{}: expected it, not null", what));
-}
-
-/// The size that a structure says. That of any version is a multiple of its alignment: no member is
-/// cut in two.
-template <class Structure>
-std::size_t size_said(const Structure* given, const char* name) {
-  std::size_t size = 0;
-  std::memcpy(&size, given, sizeof size);
-  if (size >= sizeof size && size % alignof(Structure) == 0) return size;
-  throw Error(fmt::format("{}: size {}: expected sizeof({})", name, size, name));
-}
-
-/// The structure as this version knows it: members that an earlier caller does not know are 0, and
-/// those that a later one knows must be.
-template <class Structure>
-Structure known(const Structure* given, const char* name) {
-  static_assert(std::is_trivially_copyable_v<Structure>);
-  Structure result{};
-  if (given == nullptr) return result;
-  const std::size_t size = size_said(given, name);
-  const auto* const bytes = reinterpret_cast<const unsigned char*>(given);
-  const std::size_t both = std::min(size, sizeof result);
-  if (std::any_of(bytes + both, bytes + size, [](unsigned char byte) { return byte != 0; })) {
-    throw Error(fmt::format("{}: size {}: it says more than version {} of the library knows", name,
-                            size, df_version()));
-  }
-  std::memcpy(static_cast<void*>(&result), bytes, both);
-  return result;
-}
-
-/// Hands out as much of a structure as the caller has room for.
-template <class Structure>
-void hand_out(Structure result, Structure* to, const char* name) {
-  require_given(to, name);
-  const std::size_t size = size_said(to, name);
-  result.size = size;
-  std::memcpy(static_cast<void*>(to), &result, std::min(size, sizeof result));
-}
 
 std::optional<Background> background_of(const df_options& options) {
   const double* const c = options.background_colour;
@@ -187,76 +73,10 @@ DrawOptions draw_options(const df_options& options) {
   return result;
 }
 
-const RetainedScene& retained(const df_system& system) {
-  if (system.recorder) return *system.system.retained();
-  throw Error("another eye: expected df_retain to be called first");
-}
-
-SceneInOneView scene_drawn(const df_system& system) {
-  return scene_in_one_view(retained(system), system.system.display_file(), system.system.view());
-}
-
-/// A system that retains, seen from where it is looked from.
-OtherEye& other_eye(df_system& system) {
-  if (!system.other) {
-    system.other.emplace(system.system, retained(system), system.recorded.str());
-  }
-  system.other->set_view(system.eye.value_or(system.other->as_drawn()));
-  return *system.other;
-}
-
-/// The system as it is looked at.
-const GraphicsSystem& looked_at(df_system& system) {
-  return system.eye ? other_eye(system).system() : system.system;
-}
-
 const Picture& drawn_picture(df_system& system, const DrawOptions& options) {
-  if (system.eye && other_eye(system).draws(options)) return other_eye(system).draw(options);
+  OtherEye* const eye = eye_in_force(system);
+  if (eye != nullptr && eye->draws(options)) return eye->draw(options);
   return system.renderer.draw(looked_at(system), options);
-}
-
-Point3 point_of(const double* c) { return {c[0], c[1], c[2]}; }
-void hand_out_point(const Point3& from, double* to) { std::copy_n(&from.x, 3, to); }
-Rectangle rectangle_of(const double* c) { return {c[0], c[1], c[2], c[3]}; }
-void hand_out_rectangle(const Rectangle& r, double* to) {
-  std::ranges::copy(std::array{r.x_min, r.x_max, r.y_min, r.y_max}, to);
-}
-
-View view_of(const df_view& v) {
-  View view;
-  view.set_reference_point(point_of(v.reference_point));
-  view.set_plane_normal(point_of(v.plane_normal));
-  view.set_up(point_of(v.up));
-  view.set_distance(v.distance);
-  if (v.is_perspective != 0) {
-    view.set_perspective(point_of(v.projection));
-  } else {
-    view.set_parallel(point_of(v.projection));
-  }
-  view.set_depth(v.depth[0], v.depth[1]);
-  view.front_clipping = v.clips_front != 0;
-  view.back_clipping = v.clips_back != 0;
-  view.set_window(rectangle_of(v.window));
-  view.set_viewport(rectangle_of(v.viewport));
-  return view;
-}
-
-df_view parameters_of(const View& view) {
-  df_view v{};
-  hand_out_point(view.reference_point, v.reference_point);
-  hand_out_point(view.plane_normal, v.plane_normal);
-  hand_out_point(view.up, v.up);
-  v.distance = view.distance;
-  v.is_perspective = view.projection == View::Projection::perspective ? 1 : 0;
-  hand_out_point(v.is_perspective ? view.centre_of_projection : view.direction_of_projection,
-                 v.projection);
-  v.depth[0] = view.front;
-  v.depth[1] = view.back;
-  v.clips_front = view.front_clipping ? 1 : 0;
-  v.clips_back = view.back_clipping ? 1 : 0;
-  hand_out_rectangle(view.window, v.window);
-  hand_out_rectangle(view.viewport, v.viewport);
-  return v;
 }
 
 void require_room(std::size_t pixels, const DrawOptions& asked, std::int64_t rows) {
@@ -283,11 +103,6 @@ int drawn(df_system* system, const df_options* given, Draw&& draw) noexcept {
     return carried_out(system, [&] { throw Error(error.what()); });
   }
   return carried_out(system, limits, [&] { draw(draw_options(options)); });
-}
-
-void hand_out_text(const std::string& from, const char** text, std::size_t* length) {
-  *text = from.c_str();
-  *length = from.size();
 }
 
 template <class Value>
@@ -517,60 +332,6 @@ int df_steps(df_system* system, const df_options* options, size_t most_steps, co
     steps.height = asked.height;
     if (most_steps != 0) steps.most_steps = most_steps;
     system->bytes = steps_as_json(looked_at(*system), steps);
-    hand_out_text(system->bytes, text, length);
-  });
-}
-
-int df_retain(df_system* system) {
-  return carried_out(system, [&] {
-    if (system->recorder) return;
-    if (!system->is_new) {
-      throw Error("a routine was called already: expected df_retain before all of them");
-    }
-    system->system.retain();
-    system->recorder.emplace(system->recorded);
-    system->system.set_recorder(&*system->recorder);
-  });
-}
-
-int df_drawn_view(df_system* system, df_view* view) {
-  return carried_out(system,
-                     [&] { hand_out(parameters_of(scene_drawn(*system).view), view, "df_view"); });
-}
-
-int df_box(df_system* system, double box[6]) {
-  return carried_out(system, [&] {
-    require_given(box, "the box");
-    const Bounds bounds = scene_drawn(*system).bounds;
-    if (bounds.empty()) throw Error("nothing is visible: expected a box around something");
-    hand_out_point(bounds.low, box);
-    hand_out_point(bounds.high, box + 3);
-  });
-}
-
-int df_look_from(df_system* system, const df_view* view) {
-  return carried_out(system, [&] {
-    if (view == nullptr) {
-      system->eye.reset();
-      return;
-    }
-    retained(*system);
-    const auto before = std::exchange(system->eye, view_of(known(view, "df_view")));
-    try {
-      other_eye(*system);
-    } catch (...) {
-      system->eye = before;
-      throw;
-    }
-  });
-}
-
-int df_program(df_system* system, const char** text, size_t* length) {
-  return carried_out(system, [&] {
-    require_given(text, "where the text goes");
-    require_given(length, "where the length goes");
-    retained(*system);
-    system->bytes = system->eye ? other_eye(*system).program() : system->recorded.str();
     hand_out_text(system->bytes, text, length);
   });
 }

@@ -36,10 +36,10 @@ Areas areas_of(const Warnock& warnock) {
   Areas areas;
   warnock.draw_rows(
       0, kSize.height, [](int, int, std::span<const ViewedScene::Fill>) {},
-      [&](const Warnock::Visit& visit) {
+      Warnock::Observer{.visit = [&](const Warnock::Visit& visit) {
         ++areas.visited;
         areas.listed += visit.list.size();
-      });
+      }});
   return areas;
 }
 

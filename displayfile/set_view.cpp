@@ -2,7 +2,7 @@
 
 namespace displayfile {
 
-void set_view(const View& view, GraphicsSystem& system) {
+void set_camera(const View& view, GraphicsSystem& system) {
   system.set_view_reference_point(view.reference_point);
   system.set_view_plane_normal(view.plane_normal);
   system.set_view_distance(view.distance);
@@ -12,6 +12,10 @@ void set_view(const View& view, GraphicsSystem& system) {
   } else {
     system.set_parallel(view.direction_of_projection);
   }
+}
+
+void set_view(const View& view, GraphicsSystem& system) {
+  set_camera(view, system);
   system.set_view_depth(view.front, view.back);
   system.set_front_plane_clipping(view.front_clipping);
   system.set_back_plane_clipping(view.back_clipping);

@@ -5,7 +5,11 @@
 
 namespace displayfile {
 
-/// Sets all of the view but the viewport. Throws Error as the system's routines do.
+/// Sets where the view plane is and how it is projected to. Throws Error as the system's routines
+/// do, here as below.
+void set_camera(const View& view, GraphicsSystem& system);
+
+/// Sets all of the view but the viewport.
 void set_view(const View& view, GraphicsSystem& system);
 
 }  // namespace displayfile

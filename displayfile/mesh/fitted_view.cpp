@@ -12,6 +12,7 @@
 #include "clip/view_volume.h"
 #include "clip/window_fit.h"
 #include "displayfile/mesh/fitted_window.h"
+#include "displayfile/set_view.h"
 
 namespace displayfile {
 
@@ -268,22 +269,6 @@ void append_used_vertices(const Mesh& mesh, const ModellingTransformation& model
     if (is_used[v] != 0) world.push_back(modelling.apply(mesh.vertices[v]));
   }
 }
-
-namespace {
-
-void set_camera(const View& view, GraphicsSystem& system) {
-  system.set_view_reference_point(view.reference_point);
-  system.set_view_plane_normal(view.plane_normal);
-  system.set_view_distance(view.distance);
-  system.set_view_up(view.up);
-  if (view.projection == View::Projection::parallel) {
-    system.set_parallel(view.direction_of_projection);
-  } else {
-    system.set_perspective(view.centre_of_projection);
-  }
-}
-
-}  // namespace
 
 void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera,
               const SaidView& said) {

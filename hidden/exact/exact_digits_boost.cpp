@@ -1,85 +1,135 @@
-// In a build without GMP the digits are handled by Boost.Multiprecision's integers, which are
-// headers alone.
+// In a build without GMP. Boost.Multiprecision's integers, which are headers alone, divide, and
+// multiply what is long. Most numbers are a few limbs, which it takes longer to copy into such an
+// integer than to multiply: they are multiplied digit by digit, as sums and shifts are formed.
 
 #include <algorithm>
+#include <array>
 #include <boost/multiprecision/cpp_int.hpp>
-#include <memory>
 
-#include "hidden/exact/exact_number.h"
+#include "hidden/exact/exact_digits.h"
 
-namespace displayfile {
+namespace displayfile::digits {
 
 namespace {
 
 namespace mp = boost::multiprecision;
 
 constexpr int kBitsOfLimb = 64;
+constexpr int kBitsOfHalf = 32;
 static_assert(sizeof(mp::limb_type) * 8 == kBitsOfLimb, "limbs are handed to Boost as they are");
 
-/// Holds products of numbers that are in place, in place too.
-using Whole = mp::number<mp::cpp_int_backend<2 * 20 * kBitsOfLimb, 0, mp::signed_magnitude,
-                                             mp::unchecked, std::allocator<mp::limb_type>>,
-                         mp::et_off>;
+/// From as many limbs on, products are Boost's.
+constexpr int kLong = 20;
 
-/// The limbs, of which the highest is not zero, times 2^shift.
-Whole whole(const std::uint64_t* limbs, int count, std::int64_t shift = 0) {
-  const auto zeros = static_cast<unsigned>(shift / kBitsOfLimb);
-  const auto size = zeros + static_cast<unsigned>(count);
-  Whole n;
-  n.backend().resize(size, size);
-  std::fill_n(n.backend().limbs(), zeros, 0);
-  std::copy_n(limbs, count, n.backend().limbs() + zeros);
-  return n <<= shift % kBitsOfLimb;
+mp::cpp_int whole(const std::uint64_t* limbs, int count) {
+  mp::cpp_int n;
+  n.backend().resize(static_cast<unsigned>(count), static_cast<unsigned>(count));
+  std::copy_n(limbs, count, n.backend().limbs());
+  return n;
 }
 
-int count_of(const Whole& n) { return static_cast<int>(n.backend().size()); }
+std::int64_t digits_of(const mp::cpp_int& n) { return static_cast<std::int64_t>(mp::msb(n)) + 1; }
 
-/// Writes count_of(n) limbs.
-void write_limbs(const Whole& n, std::uint64_t* to) {
-  std::copy_n(n.backend().limbs(), n.backend().size(), to);
+void multiply_long(const std::uint64_t* a, int count_a, const std::uint64_t* b, int count_b,
+                   std::uint64_t* to) {
+  const mp::cpp_int product = whole(a, count_a) * whole(b, count_b);
+  const auto count = static_cast<int>(product.backend().size());
+  std::copy_n(product.backend().limbs(), count, to);
+  std::fill(to + count, to + count_a + count_b, 0);
 }
 
-std::int64_t digits_of(const Whole& n) { return static_cast<std::int64_t>(mp::msb(n)) + 1; }
+/// Digits of 32 bits, of which two multiply to a limb.
+using Halves = std::array<std::uint32_t, 2 * kLong>;
+
+/// Writes the halves, and returns how many there are.
+int split(const std::uint64_t* limbs, int count, Halves& halves) {
+  for (int k = 0; k < count; ++k) {
+    halves[2 * k] = static_cast<std::uint32_t>(limbs[k]);
+    halves[2 * k + 1] = static_cast<std::uint32_t>(limbs[k] >> kBitsOfHalf);
+  }
+  return halves[2 * count - 1] == 0 ? 2 * count - 1 : 2 * count;
+}
 
 }  // namespace
 
-void ExactNumber::multiply(const ExactNumber& a, const ExactNumber& b, ExactNumber& product) {
-  const Whole n = whole(a.limbs(), a.count_) * whole(b.limbs(), b.count_);
-  product.count_ = count_of(n);
-  write_limbs(n, product.reserve(product.count_));
-}
-
-ExactNumber ExactNumber::sum_of(const ExactNumber& higher, int sign_of_higher,
-                                const ExactNumber& lower, int sign_of_lower) {
-  Whole n = whole(higher.limbs(), higher.count_, higher.exponent_ - lower.exponent_);
-  if (sign_of_higher == sign_of_lower) {
-    n += whole(lower.limbs(), lower.count_);
-  } else {
-    n -= whole(lower.limbs(), lower.count_);
+std::uint64_t shift_up(const std::uint64_t* a, int count, unsigned bits, std::uint64_t* to) {
+  std::uint64_t out = 0;
+  for (int k = 0; k < count; ++k) {
+    const std::uint64_t limb = a[k];
+    to[k] = limb << bits | out;
+    out = limb >> (kBitsOfLimb - bits);
   }
-  ExactNumber result;
-  result.exponent_ = lower.exponent_;
-  result.sign_ = sign_of_higher * n.sign();
-  result.count_ = count_of(n);
-  write_limbs(n, result.reserve(result.count_));
-  result.drop_leading_zeros();
-  return result;
+  return out;
 }
 
-ExactNumber::Quotient ExactNumber::quotient(const ExactNumber& a, const ExactNumber& b) {
-  Whole numerator = whole(a.limbs(), a.count_), denominator = whole(b.limbs(), b.count_);
-  // Scaled so that the whole part of the quotient has 62 or 63 digits.
+int compare(const std::uint64_t* a, const std::uint64_t* b, int count) {
+  for (int k = count; k-- > 0;) {
+    if (a[k] != b[k]) return a[k] < b[k] ? -1 : 1;
+  }
+  return 0;
+}
+
+std::uint64_t add(const std::uint64_t* a, int count_a, const std::uint64_t* b, int count_b,
+                  std::uint64_t* to) {
+  std::uint64_t carry = 0;
+  for (int k = 0; k < count_a; ++k) {
+    const std::uint64_t carried = a[k] + carry;
+    carry = carried < carry ? 1 : 0;
+    to[k] = carried + (k < count_b ? b[k] : 0);
+    carry += to[k] < carried ? 1 : 0;
+  }
+  return carry;
+}
+
+void subtract(const std::uint64_t* a, int count_a, const std::uint64_t* b, int count_b,
+              std::uint64_t* to) {
+  std::uint64_t borrow = 0;
+  for (int k = 0; k < count_a; ++k) {
+    const std::uint64_t borrowed = a[k] - borrow;
+    borrow = borrowed > a[k] ? 1 : 0;
+    const std::uint64_t taken = k < count_b ? b[k] : 0;
+    to[k] = borrowed - taken;
+    borrow += borrowed < taken ? 1 : 0;
+  }
+}
+
+void multiply(const std::uint64_t* a, int count_a, const std::uint64_t* b, int count_b,
+              std::uint64_t* to) {
+  if (std::max(count_a, count_b) > kLong) {
+    multiply_long(a, count_a, b, count_b, to);
+    return;
+  }
+  Halves x, y;
+  const int count_x = split(a, count_a, x), count_y = split(b, count_b, y);
+  std::array<std::uint32_t, 4 * kLong> product;
+  std::fill_n(product.begin(), 2 * (count_a + count_b), 0);
+  for (int i = 0; i < count_x; ++i) {
+    std::uint64_t carry = 0;
+    for (int j = 0; j < count_y; ++j) {  // at most 2^64 - 1
+      carry += std::uint64_t{x[i]} * y[j] + product[i + j];
+      product[i + j] = static_cast<std::uint32_t>(carry);
+      carry >>= kBitsOfHalf;
+    }
+    product[i + count_y] = static_cast<std::uint32_t>(carry);
+  }
+  for (int k = 0; k < count_a + count_b; ++k) {
+    to[k] = std::uint64_t{product[2 * k + 1]} << kBitsOfHalf | product[2 * k];
+  }
+}
+
+Quotient quotient(const std::uint64_t* a, int count_a, const std::uint64_t* b, int count_b) {
+  mp::cpp_int numerator = whole(a, count_a), denominator = whole(b, count_b);
   const std::int64_t shift = 62 - (digits_of(numerator) - digits_of(denominator));
   if (shift >= 0) {
     numerator <<= shift;
   } else {
     denominator <<= -shift;
   }
-  Whole whole_part, rest;
+  mp::cpp_int whole_part, rest;
   mp::divide_qr(numerator, denominator, whole_part, rest);
   auto digits = static_cast<std::uint64_t>(whole_part);
   if (!rest.is_zero()) digits |= 1;
-  return {digits, a.exponent_ - b.exponent_ - shift};
+  return {digits, -shift};
 }
 
-}  // namespace displayfile
+}  // namespace displayfile::digits

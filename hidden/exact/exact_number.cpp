@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "clip/error.h"
+#include "hidden/exact/exact_digits.h"
 
 namespace displayfile {
 
@@ -119,7 +120,10 @@ ExactNumber ExactNumber::operator-() const {
 ExactNumber operator*(const ExactNumber& a, const ExactNumber& b) {
   ExactNumber product;
   if (a.sign_ == 0 || b.sign_ == 0) return product;
-  ExactNumber::multiply(a, b, product);
+  std::uint64_t* const p = product.reserve(a.count_ + b.count_);
+  digits::multiply(a.limbs(), a.count_, b.limbs(), b.count_, p);
+  product.count_ = a.count_ + b.count_;
+  product.drop_leading_zeros();
   product.sign_ = a.sign_ * b.sign_;
   product.exponent_ = a.exponent_ + b.exponent_;
   return product;
@@ -137,11 +141,55 @@ ExactNumber ExactNumber::sum(const ExactNumber& a, const ExactNumber& b, int sig
                                    : sum_of(b, sign_of_b, a, a.sign_);
 }
 
+ExactNumber ExactNumber::sum_of(const ExactNumber& higher, int sign_of_higher,
+                                const ExactNumber& lower, int sign_of_lower) {
+  const std::int64_t shift = higher.exponent_ - lower.exponent_;
+  const auto whole = static_cast<int>(shift / kLimbBits);
+  const auto bits = static_cast<unsigned>(shift % kLimbBits);
+  ExactNumber moved;
+  int moved_count = higher.count_ + whole;
+  const std::uint64_t* m = higher.limbs();
+  if (shift != 0) {
+    std::uint64_t* to = moved.reserve(moved_count + 1);
+    std::fill_n(to, whole, 0);
+    if (bits != 0) {
+      to[moved_count] = digits::shift_up(m, higher.count_, bits, to + whole);
+      if (to[moved_count] != 0) ++moved_count;
+    } else {
+      std::copy_n(m, higher.count_, to + whole);
+    }
+    m = to;
+  }
+  const std::uint64_t* l = lower.limbs();
+
+  int m_against_l = moved_count - lower.count_;
+  if (m_against_l == 0) m_against_l = digits::compare(m, l, moved_count);
+  const bool m_is_larger = m_against_l >= 0;
+  const std::uint64_t* large = m_is_larger ? m : l;
+  const std::uint64_t* small = m_is_larger ? l : m;
+  const int large_count = m_is_larger ? moved_count : lower.count_;
+  const int small_count = m_is_larger ? lower.count_ : moved_count;
+
+  ExactNumber result;
+  result.exponent_ = lower.exponent_;
+  result.sign_ = m_is_larger ? sign_of_higher : sign_of_lower;
+  std::uint64_t* to = result.reserve(large_count + 1);
+  if (sign_of_higher == sign_of_lower) {
+    to[large_count] = digits::add(large, large_count, small, small_count, to);
+    result.count_ = large_count + 1;
+  } else {
+    digits::subtract(large, large_count, small, small_count, to);
+    result.count_ = large_count;
+  }
+  result.drop_leading_zeros();
+  return result;
+}
+
 double rounded_quotient(const ExactNumber& a, const ExactNumber& b) {
   if (b.sign_ == 0) throw Error("a point made by a cut does not exist: the planes are parallel");
   if (a.sign_ == 0) return 0.0;
-  const auto [digits, exponent] = ExactNumber::quotient(a, b);
-  const double magnitude = round_to_nearest(digits, exponent);
+  const auto [q, exponent] = digits::quotient(a.limbs(), a.count_, b.limbs(), b.count_);
+  const double magnitude = round_to_nearest(q, exponent + a.exponent_ - b.exponent_);
   return a.sign_ == b.sign_ ? magnitude : -magnitude;
 }
 

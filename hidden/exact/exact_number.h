@@ -10,8 +10,7 @@ namespace displayfile {
 /// An integer times a power of two, of any size: every finite double is one, and sums,
 /// differences and products of them are exact. The exact stage of the predicates. The digits
 /// are kept in place while they are few, so that no memory is allocated for coordinates of
-/// ordinary size, and are handled by GMP's low-level functions (exact_digits_gmp.cpp) or, in a
-/// build without GMP, by Boost.Multiprecision's integers (exact_digits_boost.cpp).
+/// ordinary size; what is done with digits is in exact_digits.h.
 class ExactNumber {
  public:
   ExactNumber() = default;
@@ -51,24 +50,12 @@ class ExactNumber {
  private:
   static constexpr int kInPlace = 20;  ///< limbs: 1280 bits
 
-  /// A whole quotient, times 2^exponent, of 62 digits or more; the last digit is 1 too if the
-  /// division leaves a rest.
-  struct Quotient {
-    std::uint64_t digits;
-    std::int64_t exponent;
-  };
-
   static ExactNumber sum(const ExactNumber& a, const ExactNumber& b, int sign_of_b);
 
-  // The digits, by one library or the other.
-  /// The magnitudes' product, with its sign and exponent still to be set; neither is zero.
-  static void multiply(const ExactNumber& a, const ExactNumber& b, ExactNumber& product);
   /// The sum of the magnitudes with these signs; neither is zero, and the first one has the
   /// exponent that is not lower.
   static ExactNumber sum_of(const ExactNumber& higher, int sign_of_higher, const ExactNumber& lower,
                             int sign_of_lower);
-  /// That of the magnitudes; neither is zero.
-  static Quotient quotient(const ExactNumber& a, const ExactNumber& b);
   std::uint64_t* reserve(int limbs);
   const std::uint64_t* limbs() const { return large_ ? large_.get() : in_place_.data(); }
   std::uint64_t* limbs() { return large_ ? large_.get() : in_place_.data(); }

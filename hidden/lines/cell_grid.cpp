@@ -241,7 +241,7 @@ void CellGrid::enter(const LineScene& scene, int threads) {
     const std::size_t cells = level.first.size() - 1;
     in_parallel(threads, (cells + kPart - 1) / kPart, [&](std::size_t part) {
       for (std::size_t c = part * kPart; c < std::min(cells, (part + 1) * kPart); ++c) {
-        std::sort(level.entries.begin() + level.first[c],
+        std::ranges::sort(level.entries.begin() + level.first[c],
                   level.entries.begin() + level.first[c + 1], [](const Entry& a, const Entry& b) {
                     return a.z_max != b.z_max ? a.z_max > b.z_max : a.polygon < b.polygon;
                   });

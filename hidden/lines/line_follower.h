@@ -142,7 +142,7 @@ class LineFollower {
       if (!depth.by_plane) counted.change += wrong;
       at_own_depth |= !depth.by_plane;
       of_depths[i].to = static_cast<std::uint32_t>(changes.size());
-      std::sort(changes.begin() + of_depths[i].from, changes.end(),
+      std::ranges::sort(changes.begin() + of_depths[i].from, changes.end(),
                 [](const CountChange& p, const CountChange& q) { return p.at < q.at; });
     }
     if (!at_own_depth && !doubtful_.empty()) {

@@ -183,7 +183,7 @@ class SortPolygons {
     const std::size_t first = order_.size();
     if (table_[root].sides > 0) order_.push_back(root);
     for (Index i = table_[root].on; i != kNone; i = table_[i].on) order_.push_back(i);
-    std::sort(order_.begin() + static_cast<std::ptrdiff_t>(first), order_.end(),
+    std::ranges::sort(order_.begin() + static_cast<std::ptrdiff_t>(first), order_.end(),
               [&](Index a, Index b) { return scene_.entered_before(a, b); });
   }
 

@@ -28,7 +28,7 @@ void add_pieces(const Scene& scene, Index node, std::vector<Index>& pieces) {
   for (Index i = scene.table[node].on; i != PolygonTable::kNone; i = scene.table[i].on) {
     pieces.push_back(i);
   }
-  std::sort(pieces.begin() + first, pieces.end(),
+  std::ranges::sort(pieces.begin() + first, pieces.end(),
             [&](Index a, Index b) { return scene.entered_before(a, b); });
 }
 

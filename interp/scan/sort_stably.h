@@ -16,7 +16,7 @@ void sort_stably(Array&& array, Key key) {
     return std::invoke(key, a) < std::invoke(key, b);
   };
   if (array.size() > kFew && !std::is_sorted(array.begin(), array.end(), before)) {
-    std::stable_sort(array.begin(), array.end(), before);
+    std::ranges::stable_sort(array.begin(), array.end(), before);
     return;
   }
   for (std::size_t i = 1; i < array.size(); ++i) {

@@ -21,6 +21,7 @@
 #include <string_view>
 #include <system_error>
 #include <type_traits>
+#include <vector>
 
 // What this system uses of C++20's library and the library of Debian's emscripten lacks: the
 // algorithms of std::ranges, as far as they are used, std::bit_cast, numbers as text. Each file of
@@ -178,15 +179,62 @@ constexpr auto count(Range&& range, const Value& value, Projection projection = 
   return std::count_if(std::begin(range), std::end(range), equal_to_value(value, projection));
 }
 
+/// As many are in order after insertion; two such runs are the first that are merged.
+constexpr ptrdiff_t kInsertedRun = 16;
+
+/// Inserts each of the elements where it belongs among those before it.
+template <typename Iterator, typename Less>
+void sort_by_insertion(Iterator first, Iterator last, Less& less) {
+  for (Iterator k = first; k != last; ++k) {
+    auto element = std::move(*k);
+    Iterator place = k;
+    for (; place != first && less(element, *(place - 1)); --place) *place = std::move(*(place - 1));
+    *place = std::move(element);
+  }
+}
+
+/// Merges runs that grow: n log n comparisons, whatever the elements are, and equal ones stay in
+/// their order. The library's sort is five times as much code for each kind of element, and there
+/// are many kinds.
+template <typename Iterator, typename Less>
+void sort_by_merging(Iterator first, Iterator last, Less& less) {
+  const ptrdiff_t size = last - first;
+  for (ptrdiff_t k = 0; k < size; k += kInsertedRun) {
+    ranges::sort_by_insertion(first + k, first + std::min(size, k + kInsertedRun), less);
+  }
+  if (size <= kInsertedRun) return;
+  vector<typename iterator_traits<Iterator>::value_type> room(make_move_iterator(first),
+                                                              make_move_iterator(last));
+  auto* from = room.data();
+  auto* to = std::to_address(first);
+  for (ptrdiff_t run = kInsertedRun; run < size; run *= 2) {
+    for (ptrdiff_t k = 0; k < size; k += 2 * run) {
+      const auto middle = make_move_iterator(from + std::min(size, k + run));
+      std::merge(make_move_iterator(from + k), middle, middle,
+                 make_move_iterator(from + std::min(size, k + 2 * run)), to + k, std::ref(less));
+    }
+    std::swap(from, to);
+  }
+  if (from == room.data()) std::move(from, from + size, first);
+}
+
+template <random_access_iterator Iterator, typename Less = less>
+void sort(Iterator first, Iterator last, Less less = {}) {
+  ranges::sort_by_merging(first, last, less);
+}
+template <random_access_iterator Iterator, typename Less = less>
+void stable_sort(Iterator first, Iterator last, Less less = {}) {
+  ranges::sort_by_merging(first, last, less);
+}
 template <typename Range, typename Less = less, typename Projection = identity>
-constexpr auto sort(Range&& range, Less less = {}, Projection projection = {}) {
-  std::sort(std::begin(range), std::end(range), compared(less, projection));
+auto sort(Range&& range, Less less = {}, Projection projection = {}) {
+  auto order = compared(less, projection);
+  ranges::sort_by_merging(std::begin(range), std::end(range), order);
   return std::end(range);
 }
 template <typename Range, typename Less = less, typename Projection = identity>
-constexpr auto stable_sort(Range&& range, Less less = {}, Projection projection = {}) {
-  std::stable_sort(std::begin(range), std::end(range), compared(less, projection));
-  return std::end(range);
+auto stable_sort(Range&& range, Less less = {}, Projection projection = {}) {
+  return ranges::sort(range, less, projection);
 }
 template <typename Range, typename Iterator, typename Less = less, typename Projection = identity>
 constexpr auto nth_element(Range&& range, Iterator nth, Less less = {},

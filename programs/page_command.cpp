@@ -111,12 +111,13 @@ DrawOptions PageCommand::drawing() const {
 int PageCommand::run() const {
   const PageFiles files(package);
   const DrawOptions options = drawing();
+  const bool is_product = inputs.empty();
+  const std::string wasm = is_product ? "displayfile-module.wasm" : "displayfile-viewer.wasm";
   const ordered_json data{{"version", version_number()},
                           {"width", options.width},
                           {"height", options.height},
-                          {"wasm", files.text("displayfile-module.wasm.gz.base64")}};
+                          {"wasm", files.text(wasm + ".lzma.base64")}};
   OutputFile file(output);
-  const bool is_product = inputs.empty();
   const PageContents page = is_product ? product(data, files) : scene(data, options);
   file.stream() << one_file_page(files, is_product ? "index.html" : "viewer.html", page);
   file.commit();

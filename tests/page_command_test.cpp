@@ -17,8 +17,10 @@ class PageCommand : public Command {
   void SetUp() override {
     write("triangle.draw", kTriangle);
     fs::create_directory(folder_ / "package");
-    write("package/displayfile-module.wasm.gz.base64", "H4sIAAAA");
-    write("package/displayfile-module.js", "var createDisplayfile;\n");
+    for (const std::string name : {"displayfile-module", "displayfile-viewer"}) {
+      write("package/" + name + ".wasm.lzma.base64", "WQAA" + name);
+      write("package/" + name + ".js", "var createDisplayfile;\n");
+    }
     write("package/displayfile.js", "var displayfile;\n");
   }
   std::string page(const std::string& words) {
@@ -38,7 +40,7 @@ TEST_F(PageCommand, HoldsTheSceneAndWhatDrawsIt) {
   EXPECT_EQ(data["width"], 30);
   EXPECT_EQ(data["height"], 20);
   EXPECT_EQ(data["method"], "bsp");
-  EXPECT_EQ(data["wasm"], "H4sIAAAA");
+  EXPECT_EQ(data["wasm"], "WQAAdisplayfile-viewer");
   ASSERT_EQ(data["scenes"].size(), 1u);
   EXPECT_EQ(data["scenes"][0]["name"], "triangle.draw");
   EXPECT_NE(text.find("<title>triangle.draw</title>"), std::string::npos);

@@ -116,8 +116,8 @@ class Appel {
 
 /// Calls work(follower, k) for each k, on several threads.
 template <class Policy, class Work>
-void in_parts(const AppelScene& scene, const Policy& policy, std::size_t size, int threads,
-              const Work& work) {
+void follow_in_parts(const AppelScene& scene, const Policy& policy, std::size_t size, int threads,
+                     const Work& work) {
   const auto make = [&] { return LineFollower(scene, policy); };
   Finders followers(make);
   in_parallel(threads, (size + kLinesAtATime - 1) / kLinesAtATime, [&](std::size_t part) {
@@ -143,9 +143,10 @@ std::vector<std::uint8_t> vertices_that_carry(const AppelScene& scene, const Pol
       vertices.push_back(v);
     }
   }
-  in_parts(scene, policy, vertices.size(), threads, [&](const auto& follower, std::size_t k) {
-    carries[vertices[k]] = follower.carries(vertices[k]) ? 1 : 0;
-  });
+  follow_in_parts(scene, policy, vertices.size(), threads,
+                  [&](const auto& follower, std::size_t k) {
+                    carries[vertices[k]] = follower.carries(vertices[k]) ? 1 : 0;
+                  });
   return carries;
 }
 
@@ -159,7 +160,7 @@ CountsOfLines count_along_lines(const AppelScene& scene, const Policy& policy,
   counts.of_lines.resize(lines.size());
   counts.changes.resize((order.size() + kLinesAtATime - 1) / kLinesAtATime);
   std::vector<CountedLine> counted(order.size());
-  in_parts(scene, policy, order.size(), threads, [&](auto& follower, std::size_t k) {
+  follow_in_parts(scene, policy, order.size(), threads, [&](auto& follower, std::size_t k) {
     const std::size_t first = order[k];
     std::size_t end = first + 1;
     while (end < lines.size() && lines[end].name == lines[first].name) ++end;

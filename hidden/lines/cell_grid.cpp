@@ -242,9 +242,10 @@ void CellGrid::enter(const LineScene& scene, int threads) {
     in_parallel(threads, (cells + kPart - 1) / kPart, [&](std::size_t part) {
       for (std::size_t c = part * kPart; c < std::min(cells, (part + 1) * kPart); ++c) {
         std::ranges::sort(level.entries.begin() + level.first[c],
-                  level.entries.begin() + level.first[c + 1], [](const Entry& a, const Entry& b) {
-                    return a.z_max != b.z_max ? a.z_max > b.z_max : a.polygon < b.polygon;
-                  });
+                          level.entries.begin() + level.first[c + 1],
+                          [](const Entry& a, const Entry& b) {
+                            return a.z_max != b.z_max ? a.z_max > b.z_max : a.polygon < b.polygon;
+                          });
       }
     });
   }

@@ -143,7 +143,7 @@ class LineFollower {
       at_own_depth |= !depth.by_plane;
       of_depths[i].to = static_cast<std::uint32_t>(changes.size());
       std::ranges::sort(changes.begin() + of_depths[i].from, changes.end(),
-                [](const CountChange& p, const CountChange& q) { return p.at < q.at; });
+                        [](const CountChange& p, const CountChange& q) { return p.at < q.at; });
     }
     if (!at_own_depth && !doubtful_.empty()) {
       sharers_.clear();

@@ -66,9 +66,9 @@ SideTable::SideTable(const Primitives& items, Sides which)
   });
   for (std::size_t low = 0; low + 1 < first_.size(); ++low) {
     std::ranges::sort(sides_.begin() + first_[low], sides_.begin() + first_[low + 1],
-              [](const Side& s, const Side& t) {
-                return std::tie(s.high, s.name) < std::tie(t.high, t.name);
-              });
+                      [](const Side& s, const Side& t) {
+                        return std::tie(s.high, s.name) < std::tie(t.high, t.name);
+                      });
   }
 }
 

@@ -8,7 +8,7 @@ namespace displayfile {
 void DrawingGraph::put_in_order() {
   for (std::size_t i = 0; i + 1 < first.size(); ++i) {
     std::ranges::sort(later.begin() + static_cast<std::ptrdiff_t>(first[i]),
-              later.begin() + static_cast<std::ptrdiff_t>(first[i + 1]));
+                      later.begin() + static_cast<std::ptrdiff_t>(first[i + 1]));
   }
 }
 

@@ -17,7 +17,7 @@ Overlaps::Overlaps(std::vector<Pair> pairs, std::size_t entries) : first_(entrie
   // In one order, whatever order the pairs were found in.
   for (std::size_t i = 0; i < entries; ++i) {
     std::ranges::sort(others_.begin() + static_cast<std::ptrdiff_t>(first_[i]),
-              others_.begin() + static_cast<std::ptrdiff_t>(first_[i + 1]));
+                      others_.begin() + static_cast<std::ptrdiff_t>(first_[i + 1]));
   }
 }
 

@@ -184,7 +184,7 @@ class SortPolygons {
     if (table_[root].sides > 0) order_.push_back(root);
     for (Index i = table_[root].on; i != kNone; i = table_[i].on) order_.push_back(i);
     std::ranges::sort(order_.begin() + static_cast<std::ptrdiff_t>(first), order_.end(),
-              [&](Index a, Index b) { return scene_.entered_before(a, b); });
+                      [&](Index a, Index b) { return scene_.entered_before(a, b); });
   }
 
   SortScene<Policy>& scene_;

@@ -29,7 +29,7 @@ void add_pieces(const Scene& scene, Index node, std::vector<Index>& pieces) {
     pieces.push_back(i);
   }
   std::ranges::sort(pieces.begin() + first, pieces.end(),
-            [&](Index a, Index b) { return scene.entered_before(a, b); });
+                    [&](Index a, Index b) { return scene.entered_before(a, b); });
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ class PairedSides {
       while (end < leaving_.size() && leaving_[end].from == leaving_[i].from) ++end;
       if (end - i > 2) {
         std::ranges::sort(leaving_.begin() + static_cast<std::ptrdiff_t>(i),
-                  leaving_.begin() + static_cast<std::ptrdiff_t>(end), before_in_angle);
+                          leaving_.begin() + static_cast<std::ptrdiff_t>(end), before_in_angle);
       }
       i = end;
     }

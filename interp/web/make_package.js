@@ -1,19 +1,29 @@
-// Writes what of the package is made from the compiled program: its bytes, compressed by gzip and in
+// Writes what of the package is made from the compiled programs: their bytes, compressed by LZMA and in
 // base64, as a page in one file has them with it; and the types, which are displayfile.d.ts and a
 // method for each user routine.
 //   node make_package.js PACKAGE TYPES
 'use strict';
 
+const { execFileSync } = require('child_process');
 const fs = require('fs');
 const path = require('path');
-const zlib = require('zlib');
 
 const [folder, types] = process.argv.slice(2);
 const { load } = require(path.resolve(folder, 'displayfile.js'));
 
-const program = path.join(folder, 'displayfile-module.wasm');
-fs.writeFileSync(`${program}.gz.base64`,
-  zlib.gzipSync(fs.readFileSync(program), { level: 9 }).toString('base64'));
+/** By xz's strongest, with the size in the header, where xz leaves it open. */
+function packed(bytes) {
+  const lzma = execFileSync('xz', ['--format=lzma', '--lzma1=preset=9e,pb=0,nice=273', '--stdout'],
+    { input: bytes, maxBuffer: 2 ** 28 });
+  lzma.writeBigUInt64LE(BigInt(bytes.length), 5);
+  return lzma;
+}
+
+for (const name of ['displayfile-module.wasm', 'displayfile-viewer.wasm']) {
+  const program = path.join(folder, name);
+  const bytes = packed(fs.readFileSync(program));
+  fs.writeFileSync(`${program}.lzma.base64`, bytes.toString('base64'));
+}
 
 load().then(({ routines }) => {
   const methods = routines.map(({ name, arguments: words }) => {

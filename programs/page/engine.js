@@ -2,10 +2,8 @@
 'use strict';
 
 /** The compiled program from its text in the page. */
-async function unpacked(base64) {
-  const packed = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return new Response(stream).arrayBuffer();
+function unpacked(base64) {
+  return unpacked_lzma(Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)));
 }
 
 class Engine {
@@ -25,7 +23,7 @@ class Engine {
   }
 
   async start({ wasm }) {
-    this.#library = await displayfile.load({ wasm: await unpacked(wasm) });
+    this.#library = await displayfile.load({ wasm: unpacked(wasm) });
     const { version, routines } = this.#library;
     return { version, routines };
   }

@@ -105,6 +105,11 @@ struct OtherSort {
     other_library::shuffle(begin(range), end(range));
     return sort(std::forward<Range>(range), compare, projection);
   }
+  template <random_access_iterator Iterator, class Compare = less>
+  auto operator()(Iterator first, Iterator last, Compare compare = {}) const {
+    other_library::shuffle(first, last);
+    return sort(first, last, compare);
+  }
 };
 inline constexpr OtherSort other_sort;
 

@@ -38,11 +38,9 @@ void multiply_long(const std::uint64_t* a, int count_a, const std::uint64_t* b, 
   std::fill(to + count, to + count_a + count_b, 0);
 }
 
-/// Digits of 32 bits, of which two multiply to a limb.
-using Halves = std::array<std::uint32_t, 2 * kLong>;
-
-/// Writes the halves, and returns how many there are.
-int split(const std::uint64_t* limbs, int count, Halves& halves) {
+/// Writes the limbs as digits of 32 bits, of which two multiply to a limb; returns how many there
+/// are.
+int split(const std::uint64_t* limbs, int count, std::uint32_t* halves) {
   for (int k = 0; k < count; ++k) {
     halves[2 * k] = static_cast<std::uint32_t>(limbs[k]);
     halves[2 * k + 1] = static_cast<std::uint32_t>(limbs[k] >> kBitsOfHalf);
@@ -99,10 +97,12 @@ void multiply(const std::uint64_t* a, int count_a, const std::uint64_t* b, int c
     multiply_long(a, count_a, b, count_b, to);
     return;
   }
-  Halves x, y;
+  std::array<std::uint32_t, 8 * kLong> room;
+  std::uint32_t* const x = room.data();
+  std::uint32_t* const y = x + 2 * kLong;
+  std::uint32_t* const product = y + 2 * kLong;
   const int count_x = split(a, count_a, x), count_y = split(b, count_b, y);
-  std::array<std::uint32_t, 4 * kLong> product;
-  std::fill_n(product.begin(), 2 * (count_a + count_b), 0);
+  std::fill_n(product, 2 * (count_a + count_b), 0);
   for (int i = 0; i < count_x; ++i) {
     std::uint64_t carry = 0;
     for (int j = 0; j < count_y; ++j) {  // at most 2^64 - 1

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.path import Path
 
+from . import _matplotlib_private as private
 from ._matplotlib_artists import Lines, Polygons, Styles
 
 if TYPE_CHECKING:
@@ -83,21 +84,23 @@ def add_pieces(
 
     begin = closed_first[run]
     end = (closed_first + lengths + 1)[run_end - 1]
-    slices = zip(begin.tolist(), end.tolist())
-    made = [Path(xy[b:e], codes[b:e]) for b, e in slices]
+    made = private.paths(xy, codes, begin, end)
     extra_of: list[int] = []
     is_seam: list[bool] = []
     for r in np.flatnonzero(line_run).tolist():
         made[r] = Path(pieces.points[first[run[r]] : first[run[r]] + 2, :2])
     edges: list[Path] = []
-    for wanted, seam in ((seamed, True), (edged, False)):
-        for r in np.flatnonzero(wanted).tolist():
-            bridges = polygons.bridges.get(int(of_run[r]))
-            path = _sides_of(pieces, first, run[r], run_end[r], bridges, seam)
-            if path is not None:
-                extra_of.append(r)
-                is_seam.append(seam)
-                edges.append(path)
+    is_side = ~_on_bridges(pieces, first, item, polygons)
+    is_own = pieces.sides > 0
+    for wanted, drawn, seam in ((seamed, is_side & ~is_own, True), (edged, is_side & is_own, False)):
+        if not wanted.any():
+            continue
+        points, side_codes, begins = _sides(pieces, first, drawn)
+        b, e = begins[run], begins[run_end]
+        chosen = np.flatnonzero(wanted & (b < e))
+        extra_of += chosen.tolist()
+        is_seam += [seam] * len(chosen)
+        edges += private.paths(points, side_codes, b[chosen], e[chosen])
 
     columns = [face, edge, width, a.antialiased, dash, a.style]
     if line_run.any():
@@ -125,29 +128,42 @@ def add_pieces(
     paths.add(made, *columns)
 
 
-def _sides_of(
-    pieces: Any, first: Indices, begin: int, end: int, bridges: Floats | None, seam: bool
-) -> Path | None:
-    """The polygon's own sides of some of its pieces, in one path, or those that cuts made."""
-    points: list[Floats] = []
-    codes: list[npt.NDArray[Any]] = []
-    for k in range(begin, end):
-        p = pieces.points[first[k] : first[k + 1], :2]
-        drawn = (pieces.sides[first[k] : first[k + 1]] > 0) != seam
-        if bridges is not None:
-            drawn &= ~_lies_on(np.stack([np.roll(p, 1, axis=0), p], axis=1), bridges)
-        if not drawn.any():
-            continue
-        if drawn.all():
-            points += [p, p[:1]]
-            codes.append(np.full(len(p) + 1, Path.LINETO, Path.code_type))
-            codes[-1][-1] = Path.CLOSEPOLY
-        else:
-            turn = -int(np.flatnonzero(~drawn)[0])
-            points.append(np.roll(p, turn, axis=0))
-            codes.append(np.where(np.roll(drawn, turn), Path.LINETO, Path.MOVETO))
-        codes[-1][0] = Path.MOVETO
-    return Path(np.concatenate(points), np.concatenate(codes)) if points else None
+def _sides(
+    pieces: Any, first: Indices, drawn: npt.NDArray[np.bool_]
+) -> tuple[Floats, npt.NDArray[Any], Indices]:
+    """The sides that are drawn of all pieces, each to a point of its piece, as points and codes of
+    paths, and where those of each piece begin."""
+    lengths = np.diff(first)
+    undrawn = np.flatnonzero(~drawn)
+    piece = np.repeat(np.arange(len(lengths)), lengths)[undrawn]
+    some, where = np.unique(piece, return_index=True)
+    is_whole = np.ones(len(lengths), bool)
+    is_whole[some] = False
+    begin = np.zeros(len(lengths), int)  # at a side that is not drawn, if there is one
+    begin[some] = undrawn[where] - first[some]
+    has_any = np.logical_or.reduceat(drawn, first[:-1])
+    sizes = np.where(has_any, lengths + is_whole, 0)
+    begins = np.concatenate([[0], np.cumsum(sizes)])
+    of = np.repeat(np.arange(len(lengths)), sizes)
+    place = np.arange(begins[-1]) - begins[of]
+    source = first[of] + (begin[of] + place) % lengths[of]
+    codes = np.where(drawn[source], Path.LINETO, Path.MOVETO).astype(Path.code_type)
+    codes[place == 0] = Path.MOVETO
+    codes[place == lengths[of]] = Path.CLOSEPOLY
+    return pieces.points[source, :2], codes, begins
+
+
+def _on_bridges(
+    pieces: Any, first: Indices, item: Indices, polygons: Polygons
+) -> npt.NDArray[np.bool_]:
+    """Which sides lie on bridges between a polygon and its holes, which are not drawn."""
+    found = np.zeros(first[-1], bool)
+    for k, bridges in polygons.bridges.items():
+        for i in np.flatnonzero(item == k).tolist():
+            p = pieces.points[first[i] : first[i + 1], :2]
+            sides = np.stack([np.roll(p, 1, axis=0), p], axis=1)
+            found[first[i] : first[i + 1]] = _lies_on(sides, bridges)
+    return found
 
 
 def _lies_on(segments: Floats, lines: Floats) -> npt.NDArray[np.bool_]:

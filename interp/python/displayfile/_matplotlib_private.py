@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import matplotlib
 import numpy as np
 from matplotlib.patches import Rectangle
+from matplotlib.path import Path
 from mpl_toolkits.mplot3d import art3d
 
 from ._displayfile import Error
@@ -39,6 +40,7 @@ def _check() -> None:
         _require(polygons, "_segslices")
     _require(art3d.Line3DCollection([corners]), "_segments3d")
     _require(art3d.Line3D([0], [0], [0]), "_verts3d", "_dash_pattern")
+    _require(Path([[0.0, 0.0]]), "_fast_from_codes_and_verts")
     patch = Rectangle((0, 0), 1, 1)
     art3d.patch_2d_to_3d(patch)
     _require(patch, "_segment3d", "_dash_pattern", "_hatch_color")
@@ -105,6 +107,22 @@ def polygons(artist: Any) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int64
     faces = np.asarray(artist._faces, float).reshape(len(artist._faces), -1, 3)
     valid = ~np.broadcast_to(artist._invalid_vertices, faces.shape[:2])
     return faces[valid], valid.sum(axis=1)
+
+
+def paths(
+    points: npt.NDArray[np.float64],
+    codes: npt.NDArray[Any],
+    begins: npt.NDArray[np.int64],
+    ends: npt.NDArray[np.int64],
+) -> list[Path]:
+    """A path of each stretch of the points; none of them is masked. Its constructor would check each
+    and look up what is the same for all."""
+    example = Path([[0.0, 0.0]])
+    make = Path._fast_from_codes_and_verts
+    return [
+        make(points[begin:end], codes[begin:end], example)
+        for begin, end in zip(begins.tolist(), ends.tolist())
+    ]
 
 
 def codes(artist: Any) -> Any:

@@ -4,20 +4,12 @@
 //   node make_package.js PACKAGE TYPES
 'use strict';
 
-const { execFileSync } = require('child_process');
 const fs = require('fs');
 const path = require('path');
+const { packed } = require('./packed.js');
 
 const [folder, types] = process.argv.slice(2);
 const { load } = require(path.resolve(folder, 'displayfile.js'));
-
-/** By xz's strongest, with the size in the header, where xz leaves it open. */
-function packed(bytes) {
-  const lzma = execFileSync('xz', ['--format=lzma', '--lzma1=preset=9e,pb=0,nice=273', '--stdout'],
-    { input: bytes, maxBuffer: 2 ** 28 });
-  lzma.writeBigUInt64LE(BigInt(bytes.length), 5);
-  return lzma;
-}
 
 for (const name of ['displayfile-module.wasm', 'displayfile-viewer.wasm']) {
   const program = path.join(folder, name);

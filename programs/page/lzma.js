@@ -1,4 +1,4 @@
-// The compiled program is in a page as LZMA's, which is two thirds of what gzip makes of it: gzip looks
+// The compiled program is in a page as LZMA's, which is three quarters of what gzip makes of it: gzip looks
 // back 32 KiB, and browsers unpack nothing that looks farther. As the LZMA specification has it
 // (I. Pavlov, LZMA SDK): a range coder gives bits, of probabilities that follow from what was there
 // before; bits are bytes, or say how far back what follows stands already, and how long it is.

@@ -4,19 +4,12 @@
 'use strict';
 
 const assert = require('assert');
-const { execFileSync } = require('child_process');
 const fs = require('fs');
 const path = require('path');
+const { packed } = require('../../../interp/web/packed.js');
 const { unpacked_lzma } = require('../lzma.js');
 
 const kMostOfViewer = 500_000;  // bytes
-
-function packed(bytes, properties) {
-  const lzma = execFileSync('xz', ['--format=lzma', `--lzma1=${properties}`, '--stdout'],
-    { input: bytes, maxBuffer: 2 ** 28 });
-  lzma.writeBigUInt64LE(BigInt(bytes.length), 5);
-  return lzma;
-}
 
 /** Numbers from 0 to 1 that look like chance, the same each time. */
 let seed = 1;

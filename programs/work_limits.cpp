@@ -45,7 +45,7 @@ void set_timer(double seconds) {
 }
 
 void end_when_time_is_over(double seconds) {
-  constexpr double kGrace = 1.05;
+  constexpr double kGrace = 1.02;
   const auto result = fmt::format_to_n(
       time_is_over.data(), time_is_over.size(),
       "displayfile: {} seconds are not enough: expected a higher limit of seconds\n", seconds);

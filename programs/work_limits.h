@@ -27,7 +27,7 @@ std::size_t bytes_of_word(const std::string& option, const std::string& word);
 
 /// The limits of a command, in force while it lives, on the thread that made it and those that help
 /// it: by a budget, and from the system, so that they hold whatever library is at work. The process
-/// has no more memory for data than that; and if the work goes on a twentieth of its time after it
+/// has no more memory for data than that; and if the work goes on a fiftieth of its time after it
 /// should have stopped, the process ends, with exit status 2, the message and nothing unfinished.
 class WorkLimitsInForce {
  public:

@@ -148,6 +148,7 @@ def put_in(mutations, folder):
                 raise ListError(f"{path}: '{here[0][1].line}': expected a whole statement")
             indent = lines[k][: len(lines[k]) - len(lines[k].lstrip())]
             lines[k] = indent + nested(here)
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
         (folder / path).write_text("\n".join(lines) + "\n")
 
 

@@ -226,7 +226,7 @@ TEST(RecordReplay, AllOrNothing) {
   EXPECT_EQ(dump(replayed.display_file()), dump(system.display_file()));
 }
 
-/// The fuzzer's corpus: programs right and wrong, as far as they go.
+/// The fuzzer's corpus: programs right and wrong, without their wrong lines.
 TEST(RecordReplay, FuzzCorpus) {
   int programs = 0;
   for (const auto& entry : std::filesystem::directory_iterator(DRAWING_PROGRAM_CORPUS)) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -12,7 +14,20 @@
 
 namespace displayfile {
 
-/// Replays a program, which may be wrong, as far as it goes while recording it; replays the
+/// Replays each line of a program by itself: one that is refused leaves all as it was, and the next
+/// goes on from there.
+inline void replay_lines(std::string_view program, GraphicsSystem& system) {
+  while (!program.empty()) {
+    const std::size_t length = std::min(program.find('\n'), program.size());
+    try {
+      replay(program.substr(0, length), "line", system);
+    } catch (const Error&) {  // or it opened what is still open at its end
+    }
+    program.remove_prefix(std::min(length + 1, program.size()));
+  }
+}
+
+/// Replays a program, which may be wrong, without its wrong lines while recording it; replays the
 /// recording, and tells the first difference between the two display files. An Error from the
 /// recording is not caught: what was recorded must replay.
 inline std::optional<std::string> difference_after_record_and_replay(std::string_view program) {
@@ -20,13 +35,10 @@ inline std::optional<std::string> difference_after_record_and_replay(std::string
   Recorder recorder(recording);
   GraphicsSystem first, second;
   first.set_recorder(&recorder);
-  try {
-    replay(program, "program", first);
-  } catch (const Error&) {  // what it drew before stands
-    while (first.solids_open() > 0) first.discard_solid();
-    if (first.open_segment_name()) first.close_segment();
-    while (first.transformations_saved() > 0) first.restore_transformation_3();
-  }
+  replay_lines(program, first);
+  while (first.solids_open() > 0) first.discard_solid();
+  if (first.open_segment_name()) first.close_segment();
+  while (first.transformations_saved() > 0) first.restore_transformation_3();
   replay(recording.str(), "recording", second);
   return first_difference(dump(second.display_file()), dump(first.display_file()));
 }

@@ -69,6 +69,12 @@ int compare_xy(const ExactPlace& p, const ExactPlace& q) {
   return by_x != 0 ? by_x : (p.y * q.w - q.y * p.w).sign() * way;
 }
 
+int orientation(const ExactPlace& p, const ExactPlace& q, const ExactPlace& r) {
+  const ExactNumber turn =
+      p.x * (q.y * r.w - r.y * q.w) - p.y * (q.x * r.w - r.x * q.w) + p.w * (q.x * r.y - r.x * q.y);
+  return turn.sign() * p.w.sign() * q.w.sign() * r.w.sign();
+}
+
 Point2 crossing_place(const Point2& a, const Point2& b, const Point2& p, const Point2& q) {
   if (is_double_double_sound()) {
     const DoubleDouble dx = exact_difference(q.x, p.x), dy = exact_difference(q.y, p.y);

@@ -28,5 +28,7 @@ ExactPlace exact_meeting_place(const Point2& a, const Point2& b, const Plane& on
 Point2 rounded(const ExactPlace& place);
 /// The order by x, then y; 0 if they are the same point.
 int compare_xy(const ExactPlace& p, const ExactPlace& q);
+/// 1 if r is left of the line from p to q, -1 if right of it, 0 on it.
+int orientation(const ExactPlace& p, const ExactPlace& q, const ExactPlace& r);
 
 }  // namespace displayfile

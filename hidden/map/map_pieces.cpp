@@ -1,9 +1,6 @@
 #include "hidden/map/map_pieces.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -11,6 +8,7 @@
 
 #include "hidden/exact/precision_policies.h"
 #include "hidden/exact/support_plane.h"
+#include "hidden/map/ways_from_vertex.h"
 
 namespace displayfile {
 
@@ -53,7 +51,7 @@ class SidesOfItems {
 /// Follows the sides of one item's parts after the other's.
 class Outlines {
  public:
-  explicit Outlines(const VisibleMap& map) : map_(map) {}
+  Outlines(const Primitives& items, const VisibleMap& map) : map_(map), ways_(items, map) {}
 
   /// The vertices of a closed line that has the part on its left, no two in a row rounded alike.
   struct Loop {
@@ -119,17 +117,11 @@ class Outlines {
     const auto first = static_cast<std::size_t>(begin - sides.begin());
     const auto last = static_cast<std::size_t>(end - sides.begin());
     if (last == first + 1) return first;
+    const std::uint32_t vertex = sides[k].to, back = sides[k].from;
     std::size_t best = sides.size();
-    double least = std::numeric_limits<double>::infinity();
-    const Point2 back = at(sides[k].from) - at(sides[k].to);
     for (std::size_t i = first; i < last; ++i) {
       if (used_[i] != 0) continue;
-      const Point2 on = at(sides[i].to) - at(sides[i].from);
-      const double cross = back.x * on.y - back.y * on.x, dot = back.x * on.x + back.y * on.y;
-      double turn = std::atan2(-cross, dot);
-      if (turn <= 0.0) turn += 2.0 * std::numbers::pi;
-      if (turn < least) {
-        least = turn;
+      if (best == sides.size() || ways_.comes_before(vertex, back, sides[i].to, sides[best].to)) {
         best = i;
       }
     }
@@ -217,6 +209,7 @@ class Outlines {
   }
 
   const VisibleMap& map_;
+  WaysFromVertex ways_;
   std::vector<std::uint8_t> used_;
   std::vector<Loop> loops_, parts_;
   std::vector<std::uint32_t> joined_;
@@ -284,7 +277,7 @@ bool draws_no_side(const Primitives& items, const Primitives::Item& item) {
 SortedPieces pieces_of_map(const Primitives& items, const VisibleMap& map) {
   SortedPieces sorted;
   SidesOfItems sides(items.items.size(), map);
-  Outlines outlines(map);
+  Outlines outlines(items, map);
   PieceMaker maker(items, map, sorted);
   for (std::uint32_t i = 0; i < items.items.size(); ++i) {
     const std::span<Side> of_item = sides.of(i);

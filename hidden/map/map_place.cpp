@@ -1,6 +1,7 @@
 #include "hidden/map/map_place.h"
 
 #include "hidden/exact/exact_point.h"
+#include "hidden/exact/orientation.h"
 #include "hidden/exact/predicate_counts.h"
 
 namespace displayfile {
@@ -46,6 +47,16 @@ int compare_xy(const LineScene& scene, const MapPlace& p, const MapPlace& q) {
   if (p == q) return 0;
   count_exact(Predicate::line_parameter);
   return compare_xy(exact_place(scene, p), exact_place(scene, q));
+}
+
+int orientation(const LineScene& scene, const MapPlace& p, const MapPlace& q, const MapPlace& r) {
+  using enum MapPlace::Kind;
+  if (p.kind == point && q.kind == point && r.kind == point) {
+    const auto at = [&](const MapPlace& place) { return Point2(scene.point(place.of[0])); };
+    return orientation(at(p), at(q), at(r));
+  }
+  count_exact(Predicate::side_of_line);
+  return orientation(exact_place(scene, p), exact_place(scene, q), exact_place(scene, r));
 }
 
 }  // namespace displayfile

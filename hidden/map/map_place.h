@@ -48,5 +48,7 @@ ExactPlace exact_place(const LineScene& scene, const MapPlace& place);
 
 /// The order by x, then y, of the true points; 0 if they are one.
 int compare_xy(const LineScene& scene, const MapPlace& p, const MapPlace& q);
+/// 1 if the true point r is left of the line from p to q, -1 if right of it, 0 on it.
+int orientation(const LineScene& scene, const MapPlace& p, const MapPlace& q, const MapPlace& r);
 
 }  // namespace displayfile

@@ -65,11 +65,12 @@ OverlappingPairs overlapping_pairs(const SortScene<Policy>& scene, std::size_t m
   // What is compared with each other lies close together.
   std::vector<EnteredTriangle> triangles(entries);
   std::vector<std::int8_t> turning(entries);
-  std::vector<std::uint8_t> hides(entries);
+  enum class Kind : std::uint8_t { nothing, drawn, hides };
+  std::vector<Kind> kinds(entries, Kind::nothing);
   in_parts(entries, kPart, threads, [&](std::uint32_t, std::uint32_t from, std::uint32_t to) {
     for (std::uint32_t p = from; p < to; ++p) {
       if (scene.table[order[p]].sides == 0) continue;
-      hides[p] = scene.hides(order[p]) ? 1 : 0;
+      kinds[p] = scene.hides(order[p]) ? Kind::hides : Kind::drawn;
       const Outline outline = scene.outline(order[p]);
       turning[p] = static_cast<std::int8_t>(outline.turning);
       triangles[p] = entered_triangle(scene.vertices, outline);
@@ -92,7 +93,9 @@ OverlappingPairs overlapping_pairs(const SortScene<Policy>& scene, std::size_t m
              for (std::uint32_t leaf = from; leaf < to && count <= most; ++leaf) {
                const std::size_t before = here.size();
                tree.pairs(leaf, leaf + 1, [&](std::uint32_t p, std::uint32_t q) {
-                 if (hides[p] == 0 && hides[q] == 0) return;
+                 // What has no bounds meets what is nothing, too.
+                 if (kinds[p] == Kind::nothing || kinds[q] == Kind::nothing) return;
+                 if (kinds[p] != Kind::hides && kinds[q] != Kind::hides) return;
                  if (here.size() - before > most) return;
                  if (overlap(p, q)) here.push_back(std::minmax({order[p], order[q]}));
                });

@@ -1,6 +1,11 @@
 // libFuzzer target: of a surface over a small grid, seen from anywhere, the perimeter method finds
 // what the truth of lines says is seen, or refuses it with an Error.
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,6 +38,52 @@ void enter_surface(fuzz::FuzzInput input, GraphicsSystem& system) {
   system.close_segment();
 }
 
+/// The sides of polygons in the projection.
+struct Sides {
+  struct Side {
+    Point2 from, way;
+    double length;
+  };
+  std::vector<Side> all;
+
+  void fill(const FillStyle& /*style*/) {}
+  void line_style(const LineStyle& /*style*/) {}
+  void pick(std::int32_t /*id*/) {}
+  void move(const Point3& /*to*/) {}
+  void line(const Point3& /*to*/) {}
+  void polygon(std::span<const Point3> corners, std::span<const std::int32_t> /*sides*/) {
+    Point2 from(corners.back());
+    for (const Point3& corner : corners) {
+      const Point2 to(corner);
+      const double length = glm::distance(from, to);
+      if (length > 0.0) all.push_back({from, (to - from) / length, length});
+      from = to;
+    }
+  }
+};
+
+/// The length of sides that rounding leaves undecided: where two cross at a small angle, a digit of
+/// a coordinate moves the crossing by itself over the angle (hidden/lines/perimeter.md).
+double length_in_doubt(const DisplayFile& file) {
+  Sides sides;
+  for (const Segment& segment : file.segments()) segment.walk_entered(sides);
+  const auto cross = [](const Point2& a, const Point2& b) { return a.x * b.y - a.y * b.x; };
+  constexpr double kDigit = 0x1p-50, kSmallAngle = 1e-3, kTogether = 1e-14;
+  double doubt = 0.0;
+  for (const auto& side : sides.all) {
+    for (const auto& other : sides.all) {
+      const double angle = std::abs(cross(side.way, other.way));
+      if (&side == &other || angle > kSmallAngle) continue;
+      const double at_from = cross(side.way, other.from - side.from);
+      const double at_to = cross(side.way, other.from + other.length * other.way - side.from);
+      const bool apart =
+          at_from * at_to > 0.0 && std::min(std::abs(at_from), std::abs(at_to)) > kTogether;
+      if (!apart) doubt += std::min(side.length, kDigit / angle);
+    }
+  }
+  return doubt;
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -45,7 +96,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;  // no direction to look in, or some of it behind the eye
   }
   const double wrong = judged.errors.missing + judged.errors.extra;
-  if (wrong > kLineCrumb * static_cast<double>(judged.lines)) {
+  const double crumbs = kLineCrumb * static_cast<double>(judged.lines);
+  if (wrong > crumbs && wrong > crumbs + length_in_doubt(system.display_file())) {
     fuzz::failed("missing " + std::to_string(judged.errors.missing) + ", extra " +
                  std::to_string(judged.errors.extra));
   }

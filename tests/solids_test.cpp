@@ -41,7 +41,7 @@ EnterSolid solid_of(SolidOperation operation, const std::vector<EnterSolid>& par
   };
 }
 
-EnterSolid box(const Point3& low, const Point3& high) {
+[[maybe_unused]] EnterSolid box(const Point3& low, const Point3& high) {
   return [=](GraphicsSystem& g) { box_3(g, low, high); };
 }
 

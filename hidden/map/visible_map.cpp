@@ -58,6 +58,7 @@ void find_map(const MapScene& scene, const ContourEdges& ways, const Policy& pol
 VisibleMap visible_map(const Primitives& items, const MapOptions& options) {
   const NamedWork named({"the map of what is seen", "for pixels hidden-surface method z-buffer"});
   VisibleMap map;
+  map.exact = options.precision.exact;
   const LineScene scene(items, {}, options.threads);
   const SideTable sides(items);
   const ContourEdges ways(scene, items, sides, options.threads);

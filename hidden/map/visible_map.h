@@ -29,11 +29,13 @@ struct VisibleMap {
   /// around each vertex what is seen right of one edge is seen left of the next.
   std::vector<Edge> edges;
   /// The vertices as what they are, and each coordinate rounded once. With exact precision two that
-  /// are rounded alike are one only if they are one point.
+  /// are rounded alike are one only if they are one point; otherwise the places of all those are
+  /// one of them.
   std::vector<MapPlace> places;
   std::vector<Point2> points;
   /// For each item 1 if all of it is seen, a convex polygon.
   std::vector<std::uint8_t> whole;
+  bool exact = true;  ///< the precision
 };
 
 struct MapOptions {

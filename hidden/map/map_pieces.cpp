@@ -53,7 +53,8 @@ class Outlines {
  public:
   Outlines(const Primitives& items, const VisibleMap& map) : map_(map), ways_(items, map) {}
 
-  /// The vertices of a closed line that has the part on its left, no two in a row rounded alike.
+  /// The vertices of a closed line that has the part on its left, no two in a row rounded alike,
+  /// nor any but the first from which it goes back to where it came from.
   struct Loop {
     std::vector<std::uint32_t> vertices;
     double area;  ///< twice; negative: of a hole
@@ -101,12 +102,32 @@ class Outlines {
     for (std::size_t k = start; k < sides.size() && used_[k] == 0; k = next_of(sides, k)) {
       used_[k] = 1;
       const std::uint32_t vertex = sides[k].to;
-      if (vertices.empty() || at(vertices.back()) != at(vertex)) vertices.push_back(vertex);
+      if (vertices.size() > 1 && at(vertices.end()[-2]) == at(vertex)) {
+        vertices.pop_back();  // what lies between there and back is nothing but rounding
+      } else if (vertices.empty() || at(vertices.back()) != at(vertex)) {
+        vertices.push_back(vertex);
+      }
     }
-    while (vertices.size() > 1 && at(vertices.front()) == at(vertices.back())) vertices.pop_back();
+    close(vertices);
     if (vertices.size() < 3) return;
     const double area = area_of(vertices);
     loops_.push_back({std::move(vertices), area});
+  }
+
+  /// The same where the line comes back to its start.
+  void close(std::vector<std::uint32_t>& vertices) const {
+    std::size_t first = 0;
+    while (vertices.size() > first + 2) {
+      const Point2 &start = at(vertices[first]), &end = at(vertices.back());
+      if (start == end || at(vertices.end()[-2]) == start) {
+        vertices.pop_back();
+      } else if (at(vertices[first + 1]) == end) {
+        ++first;
+      } else {
+        break;
+      }
+    }
+    vertices.erase(vertices.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(first));
   }
 
   /// Where several go on, the one that keeps to the same part: the first clockwise from where the

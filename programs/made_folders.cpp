@@ -1,6 +1,8 @@
 #include "programs/made_folders.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -19,15 +21,17 @@ void MadeFolders::make_for(const fs::path& file) {
   const fs::path folder = file.parent_path();
   std::error_code error;
   std::vector<fs::path> missing;
-  for (fs::path above = folder; !above.empty() && !fs::exists(above, error);
-       above = above.parent_path()) {
+  fs::path above = folder;
+  for (; !above.empty() && !fs::exists(above, error); above = above.parent_path()) {
     missing.push_back(above);
   }
   if (missing.empty()) return;
   std::ranges::reverse(missing);
+  if (above.empty()) above = ".";
+  held(above);
   const UnfinishedPath::Naming naming;
   for (const fs::path& made : missing) {
-    made_.push_back(made);
+    made_.push_back({made, above});
     unfinished_.emplace_back(made.string());
   }
   fs::create_directories(folder, error);
@@ -39,10 +43,27 @@ void MadeFolders::make_for(const fs::path& file) {
   }
 }
 
+int MadeFolders::held(const fs::path& folder) {
+  constexpr std::size_t kMostHeld = 64;
+  const auto found = held_.find(folder);
+  if (found != held_.end()) return found->second;
+  if (held_.size() >= kMostHeld) return -1;
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor >= 0) held_.emplace(folder, descriptor);
+  return descriptor;
+}
+
 MadeFolders::~MadeFolders() {
   std::ranges::reverse(made_);
-  std::error_code not_empty;
-  for (const fs::path& folder : made_) fs::remove(folder, not_empty);
+  for (const auto& [path, in] : made_) {  // but for those that are not empty
+    const int folder = held(in);
+    if (folder >= 0) {
+      ::unlinkat(folder, path.lexically_relative(in).c_str(), AT_REMOVEDIR);
+    } else {
+      ::rmdir(path.c_str());
+    }
+  }
+  for (const auto& [path, descriptor] : held_) ::close(descriptor);
 }
 
 }  // namespace displayfile

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <mutex>
 #include <vector>
 
@@ -8,7 +9,8 @@
 
 namespace displayfile {
 
-/// Folders that outputs need. Those in which nothing is at the end are removed again.
+/// Folders that outputs need. Those in which nothing is at the end are removed again, wherever the
+/// folder that they are in has been moved meanwhile.
 class MadeFolders {
  public:
   MadeFolders() = default;
@@ -21,9 +23,16 @@ class MadeFolders {
   void make_for(const std::filesystem::path& file);
 
  private:
+  struct Made {
+    std::filesystem::path path, in;  // a folder that was there, or had been made before
+  };
+  /// The folder, held open; -1 if it cannot be, or many are.
+  int held(const std::filesystem::path& folder);
+
   std::mutex one_at_a_time_;
-  std::vector<std::filesystem::path> made_;  // each after the one that it is in
-  std::vector<UnfinishedPath> unfinished_;   // of the same
+  std::vector<Made> made_;                  // each after the one that it is in
+  std::vector<UnfinishedPath> unfinished_;  // of the same
+  std::map<std::filesystem::path, int> held_;
 };
 
 }  // namespace displayfile

@@ -27,11 +27,10 @@ void MadeFolders::make_for(const fs::path& file) {
   }
   if (missing.empty()) return;
   std::ranges::reverse(missing);
-  if (above.empty()) above = ".";
-  held(above);
+  const int from = above.empty() ? AT_FDCWD : held(above);
   const UnfinishedPath::Naming naming;
   for (const fs::path& made : missing) {
-    made_.push_back({made, above});
+    made_.push_back({from, from == AT_FDCWD ? made : made.lexically_relative(above)});
     unfinished_.emplace_back(made.string());
   }
   fs::create_directories(folder, error);
@@ -47,22 +46,17 @@ int MadeFolders::held(const fs::path& folder) {
   constexpr std::size_t kMostHeld = 64;
   const auto found = held_.find(folder);
   if (found != held_.end()) return found->second;
-  if (held_.size() >= kMostHeld) return -1;
+  if (held_.size() >= kMostHeld) return AT_FDCWD;
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor >= 0) held_.emplace(folder, descriptor);
+  if (descriptor < 0) return AT_FDCWD;
+  held_.emplace(folder, descriptor);
   return descriptor;
 }
 
 MadeFolders::~MadeFolders() {
   std::ranges::reverse(made_);
-  for (const auto& [path, in] : made_) {  // but for those that are not empty
-    const int folder = held(in);
-    if (folder >= 0) {
-      ::unlinkat(folder, path.lexically_relative(in).c_str(), AT_REMOVEDIR);
-    } else {
-      ::rmdir(path.c_str());
-    }
-  }
+  // What is not empty stays.
+  for (const auto& [from, path] : made_) ::unlinkat(from, path.c_str(), AT_REMOVEDIR);
   for (const auto& [path, descriptor] : held_) ::close(descriptor);
 }
 

@@ -23,10 +23,12 @@ class MadeFolders {
   void make_for(const std::filesystem::path& file);
 
  private:
+  /// A folder, by its path from another that is held open, or from where the process is.
   struct Made {
-    std::filesystem::path path, in;  // a folder that was there, or had been made before
+    int from;
+    std::filesystem::path path;
   };
-  /// The folder, held open; -1 if it cannot be, or many are.
+  /// A folder held open; AT_FDCWD if it cannot be, or many are.
   int held(const std::filesystem::path& folder);
 
   std::mutex one_at_a_time_;

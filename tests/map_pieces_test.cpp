@@ -8,15 +8,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "hidden/exact/orientation.h"
 #include "tests/map_truth.h"
 #include "tests/slower.h"
-#include "tests/sort_scenes.h"
+#include "tests/sort_truth.h"
 
 namespace displayfile {
 namespace {
@@ -65,33 +63,17 @@ std::string wrong_areas(const Primitives& items, const VisibleMap& map) {
   return wrong.str();
 }
 
-bool covers(const Primitives& items, const SortedPieces& sorted, const SortedPiece& piece,
-            const Point2& at) {
-  const bool whole = piece.first == SortedPiece::kWhole;
-  const PointRow row = items.points_of(items.items[piece.item]);
-  const auto corner = [&](std::uint32_t k) {
-    return Point2(whole ? row[k] : sorted.points[piece.first + k]);
-  };
-  bool inside = false;
-  for (std::uint32_t k = 0; k < piece.sides; ++k) {
-    const Point2 p = corner(k), q = corner(k + 1 < piece.sides ? k + 1 : 0);
-    if ((p.y > at.y) != (q.y > at.y) && (orientation(p, q, at) > 0) == (q.y > p.y)) {
-      inside = !inside;
-    }
-  }
-  return inside;
-}
-
-/// The points at which another item's piece is painted than what is seen there, or not just one, in
-/// words.
-std::string painted_wrongly(const Primitives& items, const std::vector<Point2>& points) {
-  const SortedPieces sorted = pieces_of_map(items, visible_map(items, {}));
+/// In words, the points at which what is painted is not the item that is seen there, once.
+std::string painted_wrongly(const ItemList& list, const std::vector<Point2>& points) {
+  const Primitives items = list.view();
+  const std::vector<DrawnPiece> pieces =
+      drawn_pieces(list, pieces_of_map(items, visible_map(items, {})));
   const MapTruth truth(items);
   std::ostringstream wrong;
   for (const Point2& at : points) {
     std::vector<std::uint32_t> painted, right;
-    for (const SortedPiece& piece : sorted.pieces) {
-      if (covers(items, sorted, piece, at)) painted.push_back(piece.item);
+    for (const DrawnPiece& piece : pieces) {
+      if (covers(piece.points, {at.x, at.y})) painted.push_back(piece.item);
     }
     const std::uint32_t seen = truth.seen_beside(scaled(at.x, 0), scaled(at.y, 0), 1, 0);
     if (seen != MapTruth::kNothing) right.push_back(seen);
@@ -103,17 +85,16 @@ std::string painted_wrongly(const Primitives& items, const std::vector<Point2>& 
   return wrong.str();
 }
 
-std::vector<Point2> places_within(const Primitives& items, int count, int seed) {
+std::vector<Point2> places_within(const ItemList& list, int count, int seed) {
   Point2 low(1e300), high(-1e300);
-  for (const Point3& p : items.points) {
+  for (const Point3& p : list.points) {
     low = glm::min(low, Point2(p));
     high = glm::max(high, Point2(p));
   }
-  std::mt19937 engine(static_cast<unsigned>(seed));
-  std::uniform_real_distribution<double> share;
+  Source s(seed);
   std::vector<Point2> places;
   for (int k = 0; k < count; ++k) {
-    const double x = share(engine), y = share(engine);
+    const double x = s.unit(), y = s.unit();
     places.push_back(low + Point2(x, y) * (high - low));
   }
   return places;
@@ -121,14 +102,13 @@ std::vector<Point2> places_within(const Primitives& items, int count, int seed) 
 
 TEST(MapPieces, AreWhatIsSeenInEveryFamily) {
   for_each_scene_of_families(200 / kSlower, [](const ItemList& list, const auto& name, int seed) {
-    const Primitives items = list.view();
-    EXPECT_EQ(painted_wrongly(items, places_within(items, 12, seed)), "")
+    EXPECT_EQ(painted_wrongly(list, places_within(list, 12, seed)), "")
         << name << ", seed " << seed;
   });
 }
 
-/// Of one polygon two parts and a hole meet at one point, and one of the two is so thin there that
-/// its sides have one direction when rounded.
+/// Two parts of one polygon and a hole in it meet at one point. One part is so thin there that its
+/// sides have one direction when rounded.
 TEST(MapPieces, FollowSidesThatRoundingPutsOnEachOther) {
   ItemList list;
   list.solid({{-0.25, -0.25, 1}, {1, 1.25, -0.5}, {-0.5, -0.5, 0.25}});
@@ -139,10 +119,9 @@ TEST(MapPieces, FollowSidesThatRoundingPutsOnEachOther) {
               {1, -0.5, -0.5},
               {-0.5, -0.5, -0.5},
               {-0.5, -0.5, -0.5}});
-  const Primitives items = list.view();
-  std::vector<Point2> places = places_within(items, 200, 1);
+  std::vector<Point2> places = places_within(list, 200, 1);
   places.emplace_back(0.03125, 0.09375);
-  EXPECT_EQ(painted_wrongly(items, places), "");
+  EXPECT_EQ(painted_wrongly(list, places), "");
 }
 
 TEST(MapPieces, HaveTheAreaOfWhatIsSeenInEveryFamily) {

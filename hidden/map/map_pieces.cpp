@@ -54,7 +54,7 @@ class Outlines {
   Outlines(const Primitives& items, const VisibleMap& map) : map_(map), ways_(items, map) {}
 
   /// The vertices of a closed line that has the part on its left, no two in a row rounded alike,
-  /// nor any but the first from which it goes back to where it came from.
+  /// and none from which it goes back to where it came from.
   struct Loop {
     std::vector<std::uint32_t> vertices;
     double area;  ///< twice; negative: of a hole

@@ -91,7 +91,7 @@ std::vector<Point2> places_within(const ItemList& list, int count, int seed) {
     low = glm::min(low, Point2(p));
     high = glm::max(high, Point2(p));
   }
-  Source s(seed);
+  Source s(static_cast<std::uint64_t>(seed));
   std::vector<Point2> places;
   for (int k = 0; k < count; ++k) {
     const double x = s.unit(), y = s.unit();

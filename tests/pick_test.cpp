@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -216,6 +217,31 @@ TEST(PickingLines, WhereTheyAreSeen) {
   EXPECT_TRUE(is_seen({0.3, 0.5, -0.3}, {0.7, 0.5, -0.7}, 45, 49));  // through both
   EXPECT_FALSE(is_seen({0.3, 0.5, -0.3}, {0.7, 0.5, -0.7}, 55, 49));
   EXPECT_FALSE(is_seen({0.3, 0.5, -0.3}, {0.3, 0.5, 0}, 30, 49));  // end-on
+}
+
+/// The place touches the line, or is as far from it as it reaches, at the very end.
+TEST(PickingLines, EndsOfHiddenOnesAreHidden) {
+  GraphicsSystem g;
+  g.set_window(0, 16, 0, 16);
+  g.open_segment(1);
+  g.move_abs_3(4, 8.5, 0);
+  g.line_abs_3(10, 8.5, 0);
+  g.close_segment();
+  const DrawOptions options{.width = 16, .height = 16};
+  const std::array<std::array<double, 3>, 4> places{
+      {{3, 7, 0.5}, {3, 7, 0.6}, {2, 7, 1.5}, {10, 7, 0.5}}};
+  for (const bool is_hidden : {false, true}) {
+    if (is_hidden) {
+      g.open_segment(2);
+      g.polygon_abs_3({{-1, -1, 1}, {17, -1, 1}, {17, 17, 1}, {-1, 17, 1}});
+      g.close_segment();
+    }
+    Renderer renderer;
+    for (const auto& [x, y, reach] : places) {
+      const auto pick = renderer.pick(g, x, y, options, reach);
+      EXPECT_EQ(pick && pick->kind == Pick::Kind::line, !is_hidden) << x << ' ' << reach;
+    }
+  }
 }
 
 /// The side of the polygon that is clicked at, not that of the one beyond it; of what is drawn as

@@ -17,6 +17,9 @@ namespace {
 /// A seen piece that is shorter than this part of the picture may be a crumb of rounding
 /// (interp/truth/truth.md).
 constexpr double kCrumb = 1e-9;
+/// No part of a line is looked at that is shorter than this part of it: doubles hardly tell its
+/// ends apart.
+constexpr double kShortestPart = 0x1p-50;
 /// Pixels: distances closer than this are of one point, computed twice.
 constexpr double kSameDistance = 1e-6;
 
@@ -203,8 +206,14 @@ std::vector<LinePicker::Hider> LinePicker::hiders_of(const Line& line,
   return all;
 }
 
-/// The parts of the stretch that no fills hide: on one side of them at least.
-std::vector<LinePart> LinePicker::seen_parts(const Line& line, const LinePart& stretch) const {
+/// The parts of the stretch that no fills hide: on one side of them at least. Of a point it is what
+/// is seen of the line close to it.
+std::vector<LinePart> LinePicker::seen_parts(const Line& line, const LinePart& part) const {
+  const double crumb =
+      std::max(kCrumb / std::max(glm::distance(line.from(), line.to()), kCrumb), kShortestPart);
+  const bool is_point = part.to - part.from <= crumb;
+  const LinePart stretch =
+      is_point ? LinePart{std::max(0.0, part.from - crumb), std::min(1.0, part.to + crumb)} : part;
   const std::vector<Hider> hiders = hiders_of(line, stretch);
   std::vector<double> changes{stretch.from, stretch.to};
   const auto add = [&](double t) {
@@ -230,17 +239,15 @@ std::vector<LinePart> LinePicker::seen_parts(const Line& line, const LinePart& s
   std::vector<LinePart> parts;
   for (std::size_t i = 0; i + 1 < changes.size(); ++i) {
     const double from = changes[i], to = changes[i + 1];
-    const bool point = from == to;
-    if ((point && changes.size() > 2) || hidden(from + (to - from) / 2.0)) continue;
+    if (from == to || hidden(from + (to - from) / 2.0)) continue;
     if (!parts.empty() && parts.back().to == from) {
       parts.back().to = to;
     } else {
       parts.push_back({from, to});
     }
   }
-  const double crumb = kCrumb / std::max(glm::distance(line.from(), line.to()), kCrumb);
-  if (stretch.to - stretch.from > crumb) {
-    std::erase_if(parts, [&](const LinePart& part) { return part.to - part.from < crumb; });
+  if (!is_point) {
+    std::erase_if(parts, [&](const LinePart& seen) { return seen.to - seen.from < crumb; });
   }
   return parts;
 }

@@ -54,7 +54,7 @@ class LinePicker {
   std::optional<LinePart> stretch_within(const Line& line, const Point2& at, double reach) const;
   std::vector<Hider> hiders_of(const Line& line, const LinePart& stretch) const;
   std::optional<Hider> hider(const Line& line, Fill fill) const;
-  std::vector<LinePart> seen_parts(const Line& line, const LinePart& stretch) const;
+  std::vector<LinePart> seen_parts(const Line& line, const LinePart& part) const;
 
   const ViewedScene& scene_;
   PictureSize size_;

@@ -21,6 +21,10 @@ concept HasValue = requires(const V& v) {
 
 /// The point where an edge leaves the volume through `plane`.
 ///
+/// It is found from the end that is nearer along the edge, so that the other, however far away,
+/// leaves it the digits of this one; and W, which is above 0 at both ends once the stages in front
+/// of the eye are done, is above 0 there.
+///
 /// Rounding may not put the point outside of a plane that both ends are inside of: then a
 /// polygon that runs that plane's stage would cut the edge again and its neighbour, which
 /// does not, would keep it.
@@ -30,7 +34,9 @@ V ClipPipeline::cut(const V& inside, const V& outside, ClipPlane plane) const {
   const double d_out = volume_.inside_distance(plane, outside.position);
   const double t = d_in / (d_in - d_out);
   V v{};
-  v.position = inside.position + (outside.position - inside.position) * t;
+  v.position =
+      t <= 0.5 ? inside.position + (outside.position - inside.position) * t
+               : outside.position + (inside.position - outside.position) * (d_out / (d_out - d_in));
   if constexpr (HasValue<V>) {
     v.value = inside.value;
     if (outside.value != inside.value) {  // then both ends are in front of the eye

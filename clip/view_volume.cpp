@@ -14,6 +14,10 @@ namespace {
 /// the centre of projection over that of the view plane, falls to this.
 constexpr double kNearestToEye = 1e-6;
 
+/// With front clipping on it is clipped where W falls to this part of the front plane's: there is
+/// nothing left by then, unless coordinates are so large that W is lost in their rounding.
+constexpr double kPartOfFront = 0.5;
+
 /// Two directions closer than this (the sine of the angle between them) count as parallel.
 constexpr double kParallelDirections = 1e-12;
 
@@ -69,8 +73,7 @@ Projectors projectors(const View& view, const glm::dmat4& view_plane) {
 ViewVolume::ViewVolume(const View& view)
     : view_plane_(view_plane_transformation(view)),
       viewport_(view.viewport),
-      perspective_(view.projection == View::Projection::perspective),
-      nearest_w_(kNearestToEye) {
+      perspective_(view.projection == View::Projection::perspective) {
   const auto [shear, convergence] = projectors(view, view_plane_);
   const double z_front = view.distance - view.front;  // both planes in view-plane coordinates
   const double z_back = view.distance - view.back;
@@ -106,11 +109,9 @@ ViewVolume::ViewVolume(const View& view)
   active_ = bit_of(ClipPlane::left) | bit_of(ClipPlane::right) | bit_of(ClipPlane::bottom) |
             bit_of(ClipPlane::top);
   if (view.back_clipping) active_ |= bit_of(ClipPlane::back);
-  if (view.front_clipping) {
-    active_ |= bit_of(ClipPlane::front);
-  } else if (perspective_) {
-    active_ |= bit_of(ClipPlane::eye);
-  }
+  if (view.front_clipping) active_ |= bit_of(ClipPlane::front);
+  if (perspective_) active_ |= bit_of(ClipPlane::eye);
+  nearest_w_ = view.front_clipping ? kPartOfFront * w_front : kNearestToEye;
 }
 
 HomogeneousPoint ViewVolume::infinitely_far(const Point3& direction) const {

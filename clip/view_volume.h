@@ -72,7 +72,7 @@ class ViewVolume {
   const glm::dmat4& matrix() const { return world_to_volume_; }
   const Rectangle& viewport() const { return viewport_; }
   bool is_perspective() const { return perspective_; }
-  /// Where W is less, a point is outside of ClipPlane::eye.
+  /// Where W is less, a point is outside of ClipPlane::eye; in a perspective view above 0.
   double nearest_w() const { return nearest_w_; }
   /// The planes that points can be outside of.
   Outcode active() const { return active_; }

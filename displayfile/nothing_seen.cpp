@@ -41,7 +41,9 @@ Reason reason_of(const RetainedScene& scene, std::uint32_t i, ClipPipeline& pipe
     all &= pipeline.volume().outcode(in_volume);
     behind_eye = behind_eye && !(in_volume.w > 0.0);
   }
-  if (behind_eye || (all & bit_of(ClipPlane::eye)) != 0) return Reason::eye;
+  const bool before_front = (all & bit_of(ClipPlane::front)) != 0;
+  const bool before_eye = (all & bit_of(ClipPlane::eye)) != 0;
+  if (behind_eye || (before_eye && !before_front)) return Reason::eye;
   for (const auto& [plane, reason] : kPlanes) {
     if ((all & bit_of(plane)) != 0) return reason;
   }

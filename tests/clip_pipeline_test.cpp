@@ -93,6 +93,63 @@ TEST(ClipPipeline, PerspectiveWithoutFrontClippingStillClipsAtTheEye) {
   }
 }
 
+/// 0, or of either sign and of a magnitude from 1e-`most` to 1e`most`.
+double of_any_magnitude(std::mt19937_64& random, int most) {
+  const auto choice = random() % 8;
+  if (choice == 0) return 0.0;
+  const double digits = std::uniform_real_distribution<double>(1.0, 10.0)(random);
+  const double exponent = static_cast<double>(random() % static_cast<unsigned>(2 * most + 1));
+  return (choice % 2 == 0 ? digits : 1.0) * std::pow(10.0, exponent - most) *
+         (choice < 5 ? 1.0 : -1.0);
+}
+
+TEST(ClipPipeline, VerticesAreInsideTheVolumeHoweverLargeTheCoordinates) {
+  for (const bool front : {false, true}) {
+    for (const bool back : {false, true}) {
+      View view;
+      view.front_clipping = front;
+      view.back_clipping = back;
+      view.set_perspective({1.0, 0.5, 2.0});
+      ClipPipeline clip((ViewVolume(view)));
+      const auto expect_inside = [&](const Point3& p) {
+        EXPECT_TRUE(p.x >= 0.0 && p.x <= 1.0 && p.y >= 0.0 && p.y <= 1.0) << p.x << ' ' << p.y;
+        EXPECT_TRUE(std::isfinite(p.z) && (!back || p.z >= 0.0)) << p.z;
+      };
+      std::mt19937_64 random(16);
+      int drawn = 0;
+      for (int trial = 0; trial < 40000; ++trial) {
+        const int most = trial % 100;
+        Polygon polygon(3 + random() % 4);
+        for (Point3& v : polygon) {
+          for (int axis = 0; axis < 3; ++axis) v[axis] = of_any_magnitude(random, most);
+        }
+        const auto clipped = clip.clip_polygon(polygon);
+        drawn += clipped.vertices.empty() ? 0 : 1;
+        for (const Point3& p : clipped.vertices) expect_inside(p);
+        Point3 p, q;
+        if (!clip.clip_line(polygon[0], polygon[1], p, q)) continue;
+        expect_inside(p);
+        expect_inside(q);
+        if (HasFailure()) return;
+      }
+      EXPECT_GT(drawn, 1000);
+    }
+  }
+}
+
+TEST(ClipPipeline, FarEndOfASideLeavesTheCutItsDigits) {
+  View view;
+  view.front_clipping = true;
+  view.set_perspective({0.0, 0.0, 2.0});
+  ClipPipeline clip((ViewVolume(view)));
+  // From far before the front plane, z = 1, to farther behind it. There W is 1/2, and 0.25 is at
+  // 0.5 in the view plane, a quarter of the window from its side.
+  Point3 near, far;
+  ASSERT_TRUE(clip.clip_line({0.25, 0.0, 1e8}, {0.25, 0.0, -1e16}, near, far));
+  EXPECT_NEAR(near.x, 0.75, 1e-7);
+  EXPECT_NEAR(near.z, 1.0, 1e-15);
+}
+
 TEST(ClipPipeline, ConcavePolygonKeepsItsAreaInside) {
   auto clip = pipeline(false, false);
   // A comb whose teeth leave the window at the top.

@@ -45,7 +45,7 @@ void expect_picks_of_the_truth(const GraphicsSystem& system, int width, int heig
       ASSERT_EQ(pick ? pick->id : -1, right.ids[k]) << x << ", " << y;
       if (!pick) continue;
       ASSERT_EQ(pick->kind, Pick::Kind::polygon);
-      ASSERT_NEAR(pick->depth, right.depth[k], 1e-6 * (1.0 + std::abs(right.depth[k])));
+      ASSERT_NEAR(pick->depth, right.depth[k], 1e-12 * (1.0 + std::abs(right.depth[k])));
       ASSERT_TRUE(system.display_file().contains(pick->segment));
     }
   }

@@ -33,6 +33,13 @@ bool same_plane(const Plane& a, const Plane& b, Predicate predicate) {
 
 }  // namespace
 
+double exact_depth(const Plane& plane, const PixelCentre& centre) {
+  const ExactProjector through(centre);
+  const ExactPlane exact(plane);
+  return rounded_quotient(-exact_value(exact, through.x, through.y, through.w),
+                          exact.normal.z * through.w);
+}
+
 int exact_depth_order(const Plane& a, const Plane& b, const PixelCentre& centre) {
   if (same_plane(a, b, Predicate::depth_at_pixel)) return 0;
   count_exact(Predicate::depth_at_pixel);

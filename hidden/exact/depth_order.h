@@ -58,6 +58,10 @@ inline int filtered_depth_order(const Plane& a, const Plane& b, const Position& 
   return decided ? decided_sign(difference) * decided_sign(ca, cb) : 0;
 }
 
+/// The plane's depth at a pixel's centre, rounded once to the nearest double; it is not edge-on.
+/// Throws Error if it exceeds every double.
+double exact_depth(const Plane& plane, const PixelCentre& centre);
+
 // The exact stages.
 int exact_depth_order(const Plane& a, const Plane& b, const PixelCentre& centre);
 int exact_depth_order(const Plane& a, const Plane& b, const Point2& at);

@@ -17,7 +17,7 @@
 #include "interp/raster/raster_band.h"
 #include "interp/raster/sorted_painter.h"
 #include "interp/raster/write_pixels.h"
-#include "interp/scan/pixel_depth.h"
+#include "interp/scan/shown_depth.h"
 #include "interp/text/seen_texts.h"
 #include "interp/text/text_painter.h"
 #include "interp/visibility/auto_method.h"
@@ -131,9 +131,9 @@ class FillsShown {
       }
       if (seen[i] != fill_) {
         fill_ = seen[i];
-        depth_ = PixelDepth(scene_.plane(fill_), band_.size().width, band_.size().height);
+        depth_ = ShownDepth(scene_.plane(fill_), band_.size());
       }
-      depths[i] = depth_.at(depth_.row(row), first + static_cast<int>(i));
+      depths[i] = depth_.at(first + static_cast<int>(i), row);
     }
   }
 
@@ -141,7 +141,7 @@ class FillsShown {
   const FillPaints& paints_;
   RasterBand band_;
   Fill fill_ = ViewedScene::kBackground;  // whose depth_ it is
-  PixelDepth depth_;
+  ShownDepth depth_;
 };
 
 /// Whether the items of a display file draw lines, in the order in which they were sorted together.

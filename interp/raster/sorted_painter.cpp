@@ -4,6 +4,7 @@
 
 #include "hidden/exact/support_plane.h"
 #include "interp/interpreter.h"
+#include "interp/scan/shown_depth.h"
 
 namespace displayfile {
 
@@ -182,8 +183,8 @@ void SortedPainter::show_depth_of_whole_polygons() {
   undecided_.for_each([&](int row, int column) { covered_.add(row, column, column + 1); });
   for_each_nearest(covered_, [&](int row, int column, const NearestAtCentres::Seen* seen) {
     if (!seen) return;
-    const PixelDepth depth(seen->plane, band_.size().width, band_.size().height);
-    band_.picture.depth[band_.index(row, column)] = depth.at(depth.row(row), column);
+    band_.picture.depth[band_.index(row, column)] =
+        ShownDepth(seen->plane, band_.size()).at(column, row);
   });
 }
 

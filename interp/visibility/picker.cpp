@@ -6,7 +6,7 @@
 
 #include "clip/error.h"
 #include "interp/picture.h"
-#include "interp/scan/pixel_depth.h"
+#include "interp/scan/shown_depth.h"
 
 namespace displayfile {
 
@@ -33,9 +33,8 @@ std::optional<Pick> Picker::pick(double x, double y, double reach) {
     }
   }
   if (fill == ViewedScene::kBackground) return std::nullopt;
-  const PixelDepth depth(scene_->plane(fill), size_.width, size_.height);
   return Pick{Pick::Kind::polygon, scene_->pick(fill), scene_->segment_name(scene_->item_of(fill)),
-              depth.at(depth.row(row), column), std::nullopt};
+              ShownDepth(scene_->plane(fill), size_).at(column, row), std::nullopt};
 }
 
 }  // namespace displayfile

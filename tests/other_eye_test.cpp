@@ -127,6 +127,24 @@ TEST(OtherEye, DrawsWhatTheProgramInThatViewDraws) {
       });
 }
 
+TEST(OtherEye, BackgroundIsNoPartOfTheView) {
+  GraphicsSystem system;
+  std::ostringstream recorded;
+  Recorder recorder(recorded);
+  system.retain();
+  system.set_recorder(&recorder);
+  replay(
+      "set-background 0 0 1\nset-perspective 0 0 5\nopen-segment 1\n"
+      "polygon-abs-3 0 0 0  1 0 0  0 1 0\nclose-segment\n",
+      "scene.draw", system);
+  OtherEye eye(system, *system.retained(), recorded.str());
+  View view = eye.as_drawn();
+  view.set_perspective({1.0, 0.0, 5.0});
+  eye.set_view(view);
+  EXPECT_NE(eye.program().find("set-background 0 0 1\n"), std::string::npos);
+  EXPECT_EQ(eye.system().background(), system.background());
+}
+
 TEST(OtherEye, AViewThatDoesNotFitTogetherChangesNothing) {
   GraphicsSystem system;
   std::ostringstream recorded;

@@ -139,6 +139,8 @@ constexpr auto kAttributes = std::to_array<Routine>({
     varying<cut_faces>("set-cut-faces", "open | closed | hatched [spacing [angle]]",
                        "What becomes of the faces where planes cut closed solids that follow. "
                        "Spacing is in world units, the angle in degrees [open]."),
+    varying<background>("set-background", "r g b | none",
+                        "What pictures show where nothing is drawn, of all segments [1 1 1]."),
     fixed<&G::set_surface_curves>("set-surface-curves", "x|y|both",
                                   "Which curves of surfaces that follow are drawn [both]."),
     fixed<&G::set_surface_sides>(
@@ -233,8 +235,6 @@ constexpr auto kView = std::to_array<Routine>({
     fixed<&G::set_window_fit>("set-window-fit", "widen|stretch",
                               "What becomes of a window whose shape is not that of its viewport in "
                               "the picture [widen, unless window or viewport were set]."),
-    varying<background>("set-background", "r g b | none",
-                        "What pictures show where nothing is drawn, of all segments [1 1 1]."),
 });
 
 constexpr auto kHiddenSurfaces = std::to_array<Routine>({

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "clip/error.h"
+#include "clip/point.h"
 #include "clip/words.h"
 
 namespace displayfile {
@@ -40,10 +41,12 @@ void require_surface(const SurfaceGrid& grid) {
                             grid.y_points, grid.heights.size(), points));
   }
   for (std::size_t k = 0; k < points; ++k) {
-    if (!std::isinf(grid.heights[k])) continue;
-    throw Error(fmt::format(
-        "height {} of point {} {} of the surface: expected a finite number, or nan for a hole",
-        grid.heights[k], k % width + 1, k / width + 1));
+    if (!(std::abs(grid.heights[k]) > kCoordinateLimit)) continue;
+    throw Error(
+        fmt::format("height {} of point {} {} of the surface: expected a finite number, {} at most "
+                    "in magnitude, "
+                    "or nan for a hole",
+                    grid.heights[k], k % width + 1, k / width + 1, kCoordinateLimit));
   }
 }
 

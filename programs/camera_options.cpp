@@ -55,23 +55,25 @@ double angle_of_view(const std::string& word) {
 
 }  // namespace
 
-void CameraWords::add_to(CLI::App& command) {
+void CameraWords::add_to(CLI::App& command, const UsualCamera& usual) {
   const auto option = [&](const char* name, std::string& word, const char* value,
-                          const char* what) {
+                          const std::string& what) {
     return command.add_option(name, word, what)->type_name(value)->group(kCameraOptions);
   };
-  option("--eye", eye, "AZIMUTH,ELEVATION|X,Y,Z",
-         "where a bare mesh is seen from: AZIMUTH,ELEVATION in degrees, 0,0 from the front, 90,0 "
-         "from the right, "
-         "0,90 from above; or X,Y,Z, where the eye is [30,20]");
+  option(
+      "--eye", eye, "AZIMUTH,ELEVATION|X,Y,Z",
+      fmt::format("where {} is seen from: AZIMUTH,ELEVATION in degrees, 0,0 from the front, 90,0 "
+                  "from the right, 0,90 from above; or X,Y,Z, where the eye is [{}]",
+                  usual.what, usual.eye));
   option("--look-at", look_at, "X,Y,Z",
-         "what is in the middle of the picture; if not given, the mesh's middle");
+         "what is in the middle of the picture; if not given, its own middle");
   option("--up", up, "x|y|z|-x|-y|-z|auto",
-         "the axis that is upright; auto, by the custom of the format where the "
-         "file does not say it [as the file says, or y]");
+         fmt::format("the axis that is upright; auto, by the custom of the format where the file "
+                     "does not say it [{}]",
+                     usual.up));
   auto* const angle = option("--fov", fov, "DEGREES",
                              "degrees from the bottom of the picture to its top; if not given, the "
-                             "eye is four times the mesh's radius away");
+                             "eye is four times its radius away");
   command.add_flag("--parallel", parallel, "parallel projection in place of perspective")
       ->excludes(angle)
       ->group(kCameraOptions);

@@ -9,13 +9,20 @@
 
 namespace displayfile {
 
+/// What is looked at, and what is usual where the options are not given.
+struct UsualCamera {
+  const char* what = "a bare mesh";
+  const char* eye = "30,20";
+  const char* up = "as the file says, or y";
+};
+
 /// The options that say how a bare mesh is looked at, and in what windows, as words.
 struct CameraWords {
   std::string eye, look_at, up, fov;
   bool parallel = false, fit = true, widen = false;
   bool turning = false;  ///< no option: the camera is one of a turntable
 
-  void add_to(CLI::App& command);
+  void add_to(CLI::App& command, const UsualCamera& usual = {});
   /// Throws Error, naming the option, for a word that is not what it expects.
   Camera camera() const;
   /// Throws Error, naming the options, if some change a fitted view and there is none.

@@ -64,6 +64,11 @@ std::string wrong_command_line(const CLI::App& app, const CLI::ParseError& error
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   }
   const std::string name = unknown->substr(0, unknown->find('='));
+  if (command.get_name() == "surface" && !name.starts_with("--")) {
+    return fmt::format(
+        "unknown option '{}': an expression that begins with - stands in parentheses; {}", *unknown,
+        help);
+  }
   const std::vector<std::string_view> known(names.begin(), names.end());
   return fmt::format("unknown option '{}':{} {}", name, did_you_mean(name, known), help);
 }

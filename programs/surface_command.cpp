@@ -69,6 +69,22 @@ HiddenMethod usual_method(std::span<const SurfaceData> surfaces, bool coloured) 
   return has_holes(surfaces[0]) ? HiddenMethod::franklin : HiddenMethod::perimeter;
 }
 
+/// The user routines by which a program says what the options say of hidden surfaces, so that it
+/// draws the same without them. A surface is open: its back faces are seen.
+void record_drawing(Recorder& recorder, const DrawOptions& options,
+                    const std::optional<LineSelection>& lines) {
+  GraphicsSystem said;
+  said.set_recorder(&recorder);
+  said.set_hidden_line_removal(true);
+  said.set_back_face_removal(false);
+  said.set_hidden_method(*options.hidden);
+  said.set_hidden_scope(*options.scope);
+  if (options.precision) said.set_precision(*options.precision);
+  if (options.hidden_lines) said.set_hidden_lines(*options.hidden_lines);
+  if (options.background) said.set_background(*options.background);
+  if (lines) said.set_lines(*lines);
+}
+
 }  // namespace
 
 CLI::App& SurfaceCommand::add_to(CLI::App& app) {
@@ -76,9 +92,9 @@ CLI::App& SurfaceCommand::add_to(CLI::App& app) {
       "surface", "Draw surfaces z = F(x, y) over a grid: curves, axes, colours");
   command
       .add_option("SURFACE", surfaces,
-                  "expressions in x and y, or files of heights, .npy or .txt, the row of y-min "
-                  "first; several are drawn together, and pass through each other")
-      ->type_name("EXPRESSION|HEIGHTS.{npy,txt}")
+                  "expressions in x and y, or files of heights, .npy, .txt or .csv, the row of "
+                  "y-min first; several are drawn together, and pass through each other")
+      ->type_name("EXPRESSION|HEIGHTS.{npy,txt,csv}")
       ->required();
   command.add_option("-o,--output", output, "the picture")->type_name(picture_file())->required();
   command.add_option("--x", x, "the range of x [-1:1]")->type_name("A:B");
@@ -112,7 +128,7 @@ CLI::App& SurfaceCommand::add_to(CLI::App& app) {
       .add_option("--samples", samples, "antialiasing: the mean of N x N samples for each pixel")
       ->type_name("N");
   size.add_to(command);
-  camera.add_to(command);
+  camera.add_to(command, {"the surface", "30,30", "z"});
   hidden_surfaces.add_to(command);
   background.add_to(command);
   vectors.add_to(command);
@@ -182,6 +198,10 @@ int SurfaceCommand::run() const {
   const double bytes_of_cell = in_curves ? kBytesOfCurves : kBytesOfOthers;
   std::vector<SurfaceData> data;
   double entered = 0.0;
+  if (!grid.empty() && std::ranges::all_of(surfaces, is_grid_file)) {
+    throw Error(
+        fmt::format("--grid {}: expected an expression: a file has points of its own", grid));
+  }
   for (const std::string& surface : surfaces) {
     if (!is_grid_file(surface)) {
       const auto cells = static_cast<double>(points.points());
@@ -195,17 +215,19 @@ int SurfaceCommand::run() const {
   if (!options.hidden) options.hidden = usual_method(data, shown.coloured);
   GraphicsSystem system;
   system.set_aspect_ratio(static_cast<double>(options.width) / options.height);
-  if (const auto lines = hidden_surfaces.line_selection()) {
-    system.replace_lines(*lines);
-  } else if (data.size() > 1 && !needs_surface(*options.hidden)) {
-    system.set_lines(line_selection("all,intersection"));
-  }
+  const auto lines = hidden_surfaces.line_selection();
   std::optional<OutputFile> recorded;
   std::optional<Recorder> recorder;
   if (!program.empty()) {
     recorded.emplace(program);
     recorder.emplace(recorded->stream());
+    record_drawing(*recorder, options, lines);
     system.set_recorder(&*recorder);
+  }
+  if (lines) {
+    system.replace_lines(*lines);
+  } else if (data.size() > 1 && !needs_surface(*options.hidden)) {
+    system.set_lines(line_selection("all,intersection"));
   }
   {
     const Progress progress("entering surfaces");

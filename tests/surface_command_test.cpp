@@ -56,6 +56,21 @@ TEST_F(SurfaceCommandTest, AnExpressionIsItsHeights) {
   EXPECT_EQ(read(folder_ / "again.svg"), read(folder_ / "s.svg"));
 }
 
+/// Whatever was asked for, without an option that says it again.
+TEST_F(SurfaceCommandTest, TheProgramDrawsTheSamePicture) {
+  write("g.txt", "0 1 2 1\n1 2 5 2\n0 1 nan 4\n");
+  write("h.txt", "2 1 0 3\n3 0 1 2\n1 4 2 0\n");
+  for (const std::string arguments :
+       {"h.txt", "g.txt", "g.txt h.txt", "g.txt h.txt --hidden z-buffer", "h.txt --colour height",
+        "h.txt --hidden franklin --hidden-lines dashed --lines outline", "h.txt --sides upper",
+        "h.txt --background '#ccddee' --precision roundoff=1e-6", "h.txt --hidden none"}) {
+    SCOPED_TRACE(arguments);
+    ASSERT_EQ(run("surface " + arguments + " -o s.svg --program s.draw"), 0) << err_;
+    ASSERT_EQ(run("draw s.draw -o again.svg --size 640x480"), 0) << err_;
+    EXPECT_EQ(read(folder_ / "again.svg"), read(folder_ / "s.svg"));
+  }
+}
+
 TEST_F(SurfaceCommandTest, ATextAndAnArrayAreTheSame) {
   write("g.txt", "# heights\n0 1, 2\n3;4\t5e0 # the last row\n");
   const std::vector<double> heights{0, 1, 2, 3, 4, 5};
@@ -166,6 +181,13 @@ TEST_F(SurfaceCommandTest, WhatIsWrongIsToldAndNothingIsWritten) {
   refuses("g.txt -o s.svg --program no/s.draw", "no/s.draw: cannot be written");
   refuses("g.txt -o s.txt", "unknown picture format '.txt'");
   refuses("none.txt" + s, "none.txt: cannot be read");
+  write("g.dat", "0 1 0\n1 2 1\n0 1 0\n");
+  refuses("g.dat" + s, "g.dat: expected heights in a file .npy, .txt or .csv");
+  refuses("g.txt --grid 5x5" + s, "--grid 5x5: expected an expression");
+  refuses("-x*y" + s, "unknown option '-x*y': an expression that begins with - stands in");
+  write("far.txt", "0 1\n2 1e101\n");
+  refuses("far.txt" + s,
+          "height 1e+101 of point 2 2 of the surface: expected a finite number, 1e+100");
   refuses("none.npy" + s, "none.npy: no such file");
   refuses("g.txt g.txt --hidden perimeter" + s, "there are 2");
   write("g.txt", "1 2 3\n4 5\n");

@@ -5,10 +5,24 @@
 
 #include <cstddef>
 #include <numbers>
+#include <string>
 
 #include "clip/error.h"
 
 namespace displayfile {
+
+namespace {
+
+/// The library's message without its own place, which counts from 0.
+std::string without_position(std::string message) {
+  for (const char* const place : {" found at position ", " at position "}) {
+    if (const std::size_t at = message.rfind(place); at != std::string::npos) message.resize(at);
+  }
+  while (message.ends_with('.')) message.pop_back();
+  return message;
+}
+
+}  // namespace
 
 bool reads_expressions() { return true; }
 
@@ -38,7 +52,7 @@ std::vector<double> heights_of(const std::string& expression, const GridRange& g
   } catch (const mu::Parser::exception_type& error) {
     throw Error(
         fmt::format("expression '{}': at character {}: {}: expected an expression in x and y",
-                    expression, error.GetPos() + 1, error.GetMsg()));
+                    expression, error.GetPos() + 1, without_position(error.GetMsg())));
   }
   return heights;
 }

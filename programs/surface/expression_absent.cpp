@@ -9,7 +9,7 @@ std::vector<double> heights_of(const std::string& expression, const GridRange&,
                                const WorkProgress&) {
   throw Error("expression '" + expression +
               "': this build has no muParser, which reads expressions: expected a grid of heights, "
-              ".npy or .txt");
+              ".npy, .txt or .csv");
 }
 
 }  // namespace displayfile

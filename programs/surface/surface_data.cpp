@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <string_view>
@@ -110,15 +112,19 @@ void read_grid_size(const std::string& text, GridRange& range) {
 }
 
 bool is_grid_file(const std::string& expression_or_file) {
-  return expression_or_file.ends_with(".npy") || expression_or_file.ends_with(".txt");
+  return std::ranges::any_of(std::array{".npy", ".txt", ".csv"}, [&](const char* extension) {
+    return expression_or_file.ends_with(extension);
+  });
 }
 
 SurfaceData read_surface(const std::string& expression_or_file, const GridRange& range) {
   SurfaceData surface{expression_or_file, range, {}};
   if (expression_or_file.ends_with(".npy")) {
     read_npy_grid(expression_or_file, surface);
-  } else if (expression_or_file.ends_with(".txt")) {
+  } else if (is_grid_file(expression_or_file)) {
     read_text_grid(expression_or_file, surface);
+  } else if (std::filesystem::exists(expression_or_file)) {
+    throw Error(expression_or_file + ": expected heights in a file .npy, .txt or .csv");
   } else {
     Progress progress("evaluating " + expression_or_file);
     surface.heights = with_memory(

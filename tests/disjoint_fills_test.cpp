@@ -435,6 +435,24 @@ TEST(SvgFigure, APrecisionIsTheUnitOfCoordinates) {
   EXPECT_EQ(times(svg_of_squares(options), "transform=\"scale(0.5)\""), 1u);
 }
 
+/// Two disjoint triangles, thinner than a unit: the mask is empty.
+TEST(SvgFigure, PiecesThatAreRoundedAlikeHaveNoOutline) {
+  VectorOptions options;
+  options.precision = 1.0;
+  SvgDevice device(20, 20, {}, options);
+  device.begin_disjoint_fills();
+  for (const double y : {0.51, 0.52}) {
+    const std::vector<Point3> vertices{{0, y, .5}, {.5, y + .02, .5}, {1, y + .025, .5}};
+    const std::vector<std::int32_t> sides(3, op::move);
+    const FillStyle fill{FillStyle::Kind::solid, Colour(y, 0, 0)};
+    device.fill({vertices, sides, fill, {LineStyle::Kind::none}, 0});
+  }
+  device.end_disjoint_fills();
+  std::ostringstream out;
+  device.finish(out);
+  EXPECT_EQ(times(out.str(), "<path class=\"whole\" d=\"\"/>"), 1u) << out.str();
+}
+
 TEST(SvgFigure, NothingMakesNoGroup) {
   SvgDevice device(10, 10);
   device.begin_disjoint_fills();

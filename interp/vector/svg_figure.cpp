@@ -20,9 +20,10 @@ void append_white_path(std::string& out, const char* attributes, const LatticeLo
   out += "\"/>\n";
 }
 
-/// The mask of the outline, in units. Its own bounds leave room, not to be an edge themselves.
+/// The mask of the outline, in units. Its own bounds leave room, not to be an edge themselves. Of
+/// pieces that are rounded alike there is no outline.
 void append_mask(std::string& out, std::size_t number, const Figure& figure) {
-  LatticePoint low = figure.outline.front().points.front(), high = low;
+  LatticePoint low = figure.regions.front().loops.points.front(), high = low;
   for (const LatticeLoops& part : figure.outline) {
     for (const LatticePoint& p : part.points) {
       low = {std::min(low.x, p.x), std::min(low.y, p.y)};

@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <random>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "interp/vector/lattice_loops.h"
@@ -61,6 +63,12 @@ void expect_parts(const LatticeLoops& loops, std::size_t most) {
   EXPECT_EQ(odd_sides(parts), odd_sides({with}));
 }
 
+std::vector<std::span<const LatticePoint>> each_loop(const LatticeLoops& loops) {
+  std::vector<std::span<const LatticePoint>> each;
+  for (std::size_t k = 0; k < loops.size(); ++k) each.push_back(loops.loop(k));
+  return each;
+}
+
 LatticeLoops random_loops(std::mt19937& random, int loops, int vertices, std::int32_t size) {
   LatticeLoops all;
   for (int k = 0; k < loops; ++k) {
@@ -74,12 +82,7 @@ LatticeLoops random_loops(std::mt19937& random, int loops, int vertices, std::in
     }
     all.add(loop);
   }
-  const std::vector<std::span<const LatticePoint>> spans = [&] {
-    std::vector<std::span<const LatticePoint>> found;
-    for (std::size_t k = 0; k < all.size(); ++k) found.push_back(all.loop(k));
-    return found;
-  }();
-  return boundary_of(spans);
+  return boundary_of(each_loop(all));
 }
 
 /// Sides that leave a vertex in one direction, one upon another, are paired in the order of their
@@ -92,6 +95,60 @@ TEST(LatticeLoops, SidesUponEachOtherArePairedByLength) {
   const LatticeLoops boundary = boundary_of(spans);
   ASSERT_EQ(boundary.size(), std::size_t{kTriangles / 2});
   for (std::size_t i = 0; i < boundary.size(); ++i) EXPECT_EQ(boundary.loop(i).size(), 4u);
+}
+
+/// By the even-odd rule; x and y in thousandths of a unit, on no vertex's row.
+bool covers(const LatticeLoops& loops, std::int64_t x, std::int64_t y) {
+  bool inside = false;
+  for_each_side(loops, [&](const LatticePoint& from, const LatticePoint& to) {
+    const auto [low, high] = std::minmax(
+        from, to, [](const LatticePoint& p, const LatticePoint& q) { return p.y < q.y; });
+    if (1000 * std::int64_t{low.y} > y || 1000 * std::int64_t{high.y} < y) return;
+    const std::int64_t turned = (high.x - low.x) * (y - 1000 * std::int64_t{low.y}) -
+                                (high.y - low.y) * (x - 1000 * std::int64_t{low.x});
+    if (turned > 0) inside = !inside;
+  });
+  return inside;
+}
+
+/// In line, with more than a point in common.
+bool lie_upon_each_other(const LatticeSide& p, const LatticeSide& q) {
+  const auto beside = [&](const LatticePoint& v) {
+    return (p.b.x - p.a.x) * (v.y - p.a.y) - (p.b.y - p.a.y) * (v.x - p.a.x);
+  };
+  return beside(q.a) == 0 && beside(q.b) == 0 && std::max(p.a, q.a) < std::min(p.b, q.b);
+}
+
+/// On the least lattices, where many sides do lie upon each other in part.
+TEST(LatticeLoops, AnOutlineCoversTheSameWithoutSidesUponEachOtherOrStraightVertices) {
+  std::mt19937 random(8);
+  int upon_each_other = 0;
+  for (int run = 0; run < 200; ++run) {
+    const LatticeLoops loops = random_loops(random, 1 + run % 5, 3 + run % 7, 3 + run % 4);
+    LatticeLoops outline = outline_of(each_loop(loops));
+    const auto sides_upon_each_other = [](const LatticeLoops& of) {
+      const std::set<LatticeSide> sides = odd_sides({of});
+      EXPECT_EQ(sides.size(), of.points.size());  // each once
+      int pairs = 0;
+      for (const LatticeSide& p : sides) {
+        for (const LatticeSide& q : sides) pairs += p < q && lie_upon_each_other(p, q) ? 1 : 0;
+      }
+      return pairs;
+    };
+    upon_each_other += sides_upon_each_other(loops);
+    EXPECT_EQ(sides_upon_each_other(outline), 0);
+    for (int y = 0; y < 7; ++y) {
+      for (int x = 0; x < 7; ++x) {
+        EXPECT_EQ(covers(outline, 1000 * x + 377, 1000 * y + 619),
+                  covers(loops, 1000 * x + 377, 1000 * y + 619));
+      }
+    }
+    const std::vector<LatticePoint> points = outline.points;
+    LatticeLoops* const alone = &outline;
+    drop_straight_vertices(std::span(&alone, 1));
+    EXPECT_EQ(outline.points, points);
+  }
+  EXPECT_GT(upon_each_other, 100);
 }
 
 /// Loops that cross each other and themselves, and the least lattices: all the worse than what is

@@ -129,6 +129,31 @@ TEST(DisjointFills, WhatRoundingMakesThinIsLeftOutAndLeavesNoGapInTheOutline) {
   EXPECT_EQ(area(figure.outline[0]), 2.0 * 2 * 100 * 100);
 }
 
+/// Neither its own sides nor a vertex of it are in the outline, beside a region or on the
+/// background, and nothing is added to the mask for it.
+TEST(DisjointFills, WhatIsInLineAfterRoundingLeavesNothingInTheOutline) {
+  DisjointFills fills{{}};
+  fills.add(square(0, 0), kRedPaint, 1, 0);
+  fills.add(square(0, 1), kBluePaint, 1, 1);
+  fills.add(Loop{{1, 0}, {2, 0}, {3, 0}}, kBluePaint, 1, 2);          // from a corner
+  fills.add(Loop{{1, 1}, {3, 1}, {2, 1}, {4, 1}}, kBluePaint, 1, 3);  // there and back
+  fills.add(Loop{{1, 2}, {1, 2.3}, {1, 1.5}}, kBluePaint, 1, 4);      // beside a side, and beyond
+  fills.add(Loop{{6, 6}, {7, 7}, {9, 9}}, kBluePaint, 1, 5);          // alone
+  const Figure figure = fills.take_figure();
+  EXPECT_EQ(figure.regions.size(), 2u);
+  ASSERT_EQ(figure.outline.size(), 1u);
+  EXPECT_EQ(figure.outline[0].size(), 1u);
+  EXPECT_EQ(figure.outline[0].points.size(), 4u);
+  EXPECT_EQ(area(figure.outline[0]), 2.0 * 2 * 100 * 100);
+  EXPECT_TRUE(figure.outline_tents.empty());
+}
+
+TEST(DisjointFills, NothingButWhatIsInLineIsNoFigure) {
+  DisjointFills fills{{}};
+  fills.add(Loop{{6, 6}, {7, 7}, {9, 9}}, kBluePaint, 1, 0);
+  EXPECT_TRUE(fills.empty());
+}
+
 /// A grid of random quadrilaterals in random colours: they tile a square.
 std::vector<Loop> grid(int n, unsigned seed, double cell = 5.0) {
   std::mt19937 random(seed);
@@ -349,6 +374,19 @@ TEST(DisjointFills, TentsStayWithinTheirRegionsLoops) {
       EXPECT_LE(p.y, 6000);
     }
   }
+}
+
+/// What a region runs along there and back is no side that it shares with another.
+TEST(DisjointFills, TentsAreOverSidesOfTwoRegions) {
+  DisjointFills fills{{}};
+  fills.add(Loop{{0, 0}, {2, 0}, {3, 0}, {4, 0}, {2, 0.0001}, {0, 2}}, kRedPaint, 1, 0);
+  fills.add(Loop{{0, 0}, {2, 0}, {2, -1}, {0, -1}}, kBluePaint, 1, 1);
+  const Figure figure = fills.take_figure();
+  ASSERT_EQ(figure.regions.size(), 2u);
+  const std::vector<FigureTents> tents = tents_of(figure.regions, 50.0);
+  ASSERT_EQ(tents.size(), 1u);
+  ASSERT_EQ(tents[0].triangles.size(), 2u);  // on either side of the one that they share
+  for (const LatticePoint& p : tents[0].triangles.points) EXPECT_LE(p.x, 200);
 }
 
 TEST(PathData, IsRelativeAndShort) {

@@ -15,6 +15,7 @@
 #include "interp/raster/software.h"
 #include "interp/vector/pdf_device.h"
 #include "interp/vector/svg_device.h"
+#include "tests/replayed.h"
 #include "tests/shaded_scenes.h"
 #include "tests/temporary_folder.h"
 #include "tests/unit_square.h"
@@ -198,6 +199,47 @@ TEST_P(Rasterised, GouraudShading) {
   }
   EXPECT_GT(compared, 20'000);
   EXPECT_LE(wrong, 40);  // as of ManyInterpenetratingPolygons
+}
+
+/// A program, and a pixel of 40 x 40 that shows its background.
+struct ProgramAndPixel {
+  const char* program;
+  int column, row;
+};
+
+/// Needles, and polygons seen from the side, of which rounding leaves lines on the background.
+TEST_P(Rasterised, BesideALineThatRoundingLeavesIsTheBackground) {
+  const ProgramAndPixel needles{R"(
+      set-window 0 1 0 1
+      set-line-style none
+      open-segment 1
+      polygon-abs-3 0.25 0.5 0  0.25 0.25 0  0 1 0
+      set-fill-style solid 0.63 0.75 0.3
+      polygon-abs-3 0.5 0.75 1  0.25 0.25 0.75  0.37500000000000006 0.49999999999999994 1
+      polygon-abs-3 0.5 0.75 0.75  0 0.75 0.5  0.25000000000000006 0.7499999999999999 1
+      polygon-abs-3 1 0.75 0.75  0 0.25 0.25  0.5000000000000001 0.49999999999999994 0
+      close-segment)",
+                                17, 9};
+  const ProgramAndPixel from_the_side{R"(
+      set-perspective 0.5 0.5 0.5
+      set-view-plane-normal -1 0 -1
+      set-view-depth 0 1
+      set-back-plane-clipping on
+      set-line-style none
+      open-segment 1
+      polygon-abs-3 0.5 -0.5 1  0.5 -1 -2  -2 1 0.5
+      polygon-abs-3 0.5 0.5 0  0 0.5 0  -0.5 0.5 0  0.5 0.5 1  -2 0.5 0.25  -1.5 0.5 0.25)"
+                                      R"(  -0.5 0.5 1.5  -1.5 0.5 -2  0.25 0.5 1
+      close-segment
+      open-segment 2
+      set-fill-style solid 0.9 0.6 0.825
+      box-3 0.25 1.5 -1 0.5 0.25 1
+      close-segment)",
+                                      16, 9};
+  for (const auto& [program, column, row] : {needles, from_the_side}) {
+    const Picture p = draw(replayed(program), 40, 40, true);
+    EXPECT_EQ(at(p, (column + 0.5) / 40, 1 - (row + 0.5) / 40), 0xffffffffu);
+  }
 }
 
 TEST_P(Rasterised, NoSeamsBetweenNeighbours) {

@@ -74,34 +74,32 @@ void DisjointFills::add(std::span<const Point2> loop, const FillPaint& paint, in
     if (points_.size() == first || points_.back() != rounded) points_.push_back(rounded);
   }
   while (points_.size() > first + 1 && points_.back() == points_[first]) points_.pop_back();
-  if (points_.size() - first < 3) return points_.resize(first);
+  if (points_.size() - first < 3 || in_line(Loop(points_).subspan(first))) {
+    return points_.resize(first);
+  }
   pieces_.push_back({first, points_.size()});
-  // It covers nothing, but neighbours on either side of it may have other vertices.
-  if (in_line(Loop(points_).subspan(first))) return;
   const auto [known, is_new] = places_.try_emplace(segment, segments_.size());
   if (is_new) segments_.push_back(segment);
   const Key key{known->second, options_.pick_ids ? pick : -1, paint};
   pieces_of_[key].push_back(pieces_.size() - 1);
 }
 
-LatticeLoops DisjointFills::boundary_of_pieces(std::span<const std::size_t> pieces) const {
+std::vector<Loop> DisjointFills::loops_of(std::span<const std::size_t> pieces) const {
   std::vector<Loop> loops;
   loops.reserve(pieces.size());
   for (const std::size_t piece : pieces) loops.push_back(loop(piece));
-  return boundary_of(loops);
+  return loops;
 }
 
 Figure DisjointFills::merged() {
   Figure figure{options_.precision, {}, {}, {}, {}};
   for (const auto& [key, pieces] : pieces_of_) {
     const auto& [segment, pick, paint] = key;
-    figure.regions.push_back({segments_[segment], pick, paint, boundary_of_pieces(pieces)});
+    figure.regions.push_back({segments_[segment], pick, paint, boundary_of(loops_of(pieces))});
   }
   std::vector<std::size_t> all(pieces_.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  figure.outline = {boundary_of_pieces(all)};
-  LatticeLoops* const alone = &figure.outline.front();
-  drop_straight_vertices(std::span(&alone, 1));  // nobody shares the sides of a mask
+  figure.outline = {outline_of(loops_of(all))};
   std::vector<LatticeLoops*> together;
   for (FigureRegion& region : figure.regions) together.push_back(&region.loops);
   drop_straight_vertices(together);

@@ -73,7 +73,7 @@ class DisjointFills {
   }
   /// What was collected, merged, without traps.
   Figure merged();
-  LatticeLoops boundary_of_pieces(std::span<const std::size_t> pieces) const;
+  std::vector<std::span<const LatticePoint>> loops_of(std::span<const std::size_t> pieces) const;
 
   VectorOptions options_;
   std::vector<LatticePoint> points_;

@@ -38,6 +38,41 @@ Wide turn(const LatticePoint& o, const LatticePoint& p, const LatticePoint& q) {
   return (Wide{p.x} - o.x) * (Wide{q.y} - o.y) - (Wide{p.y} - o.y) * (Wide{q.x} - o.x);
 }
 
+/// An end of a side, which says on what line it lies.
+struct EndOnLine {
+  LatticeSide side;
+  LatticePoint at;
+};
+
+/// By the direction of the line, then from line to line, then along it.
+bool before_along_lines(const EndOnLine& p, const EndOnLine& q) {
+  const auto [from, to] = p.side;
+  const auto [other_from, other_to] = q.side;
+  const Wide turned = (Wide{to.x} - from.x) * (Wide{other_to.y} - other_from.y) -
+                      (Wide{to.y} - from.y) * (Wide{other_to.x} - other_from.x);
+  if (turned != 0) return turned > 0;
+  const Wide beside = turn(from, to, other_from);
+  return beside != 0 ? beside > 0 : p.at < q.at;
+}
+
+/// What of the sides lies there an odd number of times, where they lie upon each other in part: on
+/// a line what has an odd number of ends before it. A line has an even number of them.
+std::vector<LatticeSide> odd_parts(std::span<const LatticeSide> sides) {
+  std::vector<EndOnLine> ends;
+  ends.reserve(2 * sides.size());
+  for (const LatticeSide& side : sides) {
+    ends.push_back({side, side.a});
+    ends.push_back({side, side.b});
+  }
+  std::ranges::sort(ends, before_along_lines);
+  std::vector<LatticeSide> parts;
+  parts.reserve(sides.size());
+  for (std::size_t i = 0; i < ends.size(); i += 2) {
+    if (ends[i].at != ends[i + 1].at) parts.emplace_back(ends[i].at, ends[i + 1].at);
+  }
+  return parts;
+}
+
 /// A side as it leaves one of its ends.
 struct LeavingSide {
   LatticePoint from, to;
@@ -100,22 +135,33 @@ class PairedSides {
   std::vector<std::size_t> twins_;  // the same side as it leaves its other end
 };
 
-}  // namespace
-
-LatticeLoops boundary_of(std::span<const std::span<const LatticePoint>> loops) {
-  const std::vector<LatticeSide> sides = odd_sides(loops);
+/// Each of the sides once. Every vertex has an even number of them.
+LatticeLoops chained_loops(std::span<const LatticeSide> sides) {
   const PairedSides paired(sides);
   std::vector<bool> chained(sides.size());
-  LatticeLoops boundary;
+  LatticeLoops loops;
   for (std::size_t first = 0; first < paired.size(); ++first) {
     if (chained[paired[first].side]) continue;
     for (std::size_t i = first; !chained[paired[i].side]; i = paired.next(i)) {
       chained[paired[i].side] = true;
-      boundary.points.push_back(paired[i].from);
+      loops.points.push_back(paired[i].from);
     }
-    boundary.close();
+    loops.close();
   }
-  return boundary;
+  return loops;
+}
+
+}  // namespace
+
+LatticeLoops boundary_of(std::span<const std::span<const LatticePoint>> loops) {
+  return chained_loops(odd_sides(loops));
+}
+
+LatticeLoops outline_of(std::span<const std::span<const LatticePoint>> loops) {
+  LatticeLoops outline = chained_loops(odd_parts(odd_sides(loops)));
+  LatticeLoops* const alone = &outline;
+  drop_straight_vertices(std::span(&alone, 1));
+  return outline;
 }
 
 namespace {

@@ -22,6 +22,7 @@ struct SideOfLoop {
   friend auto operator<=>(const SideOfLoop&, const SideOfLoop&) = default;
 };
 
+/// Sorted. What a region runs along there and back is no side of it.
 std::vector<SideOfLoop> sides_of_loops(std::span<const FigureRegion> regions) {
   std::vector<SideOfLoop> sides;
   for (std::uint32_t r = 0; r < regions.size(); ++r) {
@@ -33,7 +34,15 @@ std::vector<SideOfLoop> sides_of_loops(std::span<const FigureRegion> regions) {
     }
   }
   std::ranges::sort(sides);
-  return sides;
+  std::vector<SideOfLoop> odd;
+  for (const SideOfLoop& one : sides) {
+    if (!odd.empty() && odd.back().side == one.side && odd.back().region == one.region) {
+      odd.pop_back();
+    } else {
+      odd.push_back(one);
+    }
+  }
+  return odd;
 }
 
 /// How high a triangle over the side may be, to the left of it (`left` = 1) or to the right (-1),

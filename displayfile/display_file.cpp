@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "clip/error.h"
 
@@ -10,7 +11,12 @@ namespace displayfile {
 
 void DisplayFile::require_new_name(int name) const {
   if (name < 1) throw Error(fmt::format("invalid segment name {}: expected 1 or more", name));
-  if (contains(name)) throw Error(fmt::format("segment name {} in use", name));
+  if (!contains(name)) return;
+  int largest = name;
+  for (const Segment& segment : segments_) largest = std::max(largest, segment.name());
+  const bool has_next = largest < std::numeric_limits<int>::max();
+  throw Error(fmt::format("segment name {} in use: expected one that is not{}", name,
+                          has_next ? fmt::format(", such as {}", largest + 1) : ""));
 }
 
 Segment& DisplayFile::create(int name) {

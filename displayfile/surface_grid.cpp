@@ -42,11 +42,10 @@ void require_surface(const SurfaceGrid& grid) {
   }
   for (std::size_t k = 0; k < points; ++k) {
     if (!(std::abs(grid.heights[k]) > kCoordinateLimit)) continue;
-    throw Error(
-        fmt::format("height {} of point {} {} of the surface: expected a finite number, {} at most "
-                    "in magnitude, "
-                    "or nan for a hole",
-                    grid.heights[k], k % width + 1, k / width + 1, kCoordinateLimit));
+    throw Error(fmt::format(
+        "height {} of point {} {} of the surface: expected finite numbers of magnitude at most {}, "
+        "or nan for a hole",
+        grid.heights[k], k % width + 1, k / width + 1, kCoordinateLimit));
   }
 }
 

@@ -32,11 +32,12 @@ void NotInVectors::note(const GraphicsSystem& system, const DrawOptions& options
     if (drawn.has_texts()) texts_ = true;
     return;
   }
-  if (has_stored(drawn, &Instructions::stored_normals)) phong_ = true;
   const HiddenMethod by = drawing_method(system, options, kind);
+  const bool fills = !finds_lines(by);
+  if (fills && has_stored(drawn, &Instructions::stored_normals)) phong_ = true;
   const bool by_map = by == HiddenMethod::map || is_image_space(by);
   const bool each_segment = options.scope == HiddenScope::segment && by == HiddenMethod::map;
-  if (drawn.has_shadows() && (!by_map || each_segment)) shadows_ = true;
+  if (fills && drawn.has_shadows() && (!by_map || each_segment)) shadows_ = true;
   if (options.samples > 1) samples_ = true;
 }
 

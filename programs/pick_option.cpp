@@ -23,7 +23,12 @@ PickOption pick_option(std::string_view text) {
 std::string picked(const GraphicsSystem& system, const PickOption& at, const DrawOptions& options) {
   const auto pick = Renderer().pick(system, at.x, at.y, options, at.reach);
   const std::string where = fmt::format("at {},{}: ", at.x, at.y);
-  if (!pick) return where + "nothing\n";
+  if (!pick) {
+    const bool inside = at.x >= 0.0 && at.x < options.width && at.y >= 0.0 && at.y < options.height;
+    if (inside) return where + "nothing\n";
+    return where +
+           fmt::format("outside of the picture, {} x {} pixels\n", options.width, options.height);
+  }
   const std::string what = pick->kind == Pick::Kind::polygon ? "polygon"
                            : pick->kind == Pick::Kind::edge  ? "an edge of polygon"
                                                              : "line";

@@ -265,8 +265,8 @@ TEST_F(Batch, WhatVectorsLeaveOutIsSaidOnce) {
     EXPECT_EQ(run(std::string("draw shadows.draw -o s.svg") + by), 0);
     EXPECT_EQ(err_, left_out) << by;
   }
-  for (const char* drawn : {"s.png", "s.svg --hidden map", "s.svg --hidden z-buffer",
-                            "s.svg --hidden auto --turntable 2"}) {
+  for (const char* drawn : {"s.png", "s.svg --hidden franklin", "s.svg --hidden map",
+                            "s.svg --hidden z-buffer", "s.svg --hidden auto --turntable 2"}) {
     EXPECT_EQ(run(std::string("draw shadows.draw -o ") + drawn), 0) << drawn;
     EXPECT_EQ(err_, "") << drawn;
   }

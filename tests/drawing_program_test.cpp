@@ -421,7 +421,7 @@ TEST(DrawingProgram, RefusedCallsKeepTheState) {
       {"polygon-rel-2 0 0 1 0 0 1", "no segment open"},
       {"open-segment 0", "invalid segment name 0"},
       {"open-segment -1", "invalid segment name -1"},
-      {"open-segment 1", "segment name 1 in use"},
+      {"open-segment 1", "segment name 1 in use: expected one that is not, such as 3"},
       {"rename-segment 1 2", "segment name 2 in use"},
       {"rename-segment 1 0", "invalid segment name 0"},
       {"rename-segment 9 3", "no segment named 9"},

@@ -278,6 +278,15 @@ TEST_F(ImageFile, NpyOfOtherTypesAndVersionsIsRead) {
             (std::vector<double>{1.0, -std::numeric_limits<double>::infinity()}));
 }
 
+TEST_F(ImageFile, NpyInFortranOrderIsTheSameArray) {
+  const NpyArray array =
+      read_npy(file("a.npy", npy("{'descr': '|u1', 'fortran_order': True, 'shape': (2, 3)}",
+                                 std::string("\1\4\2\5\3\6", 6))));
+  EXPECT_EQ(array.width, 3);
+  EXPECT_EQ(array.height, 2);
+  EXPECT_EQ(std::get<0>(array.values), (std::vector<std::int32_t>{1, 2, 3, 4, 5, 6}));
+}
+
 TEST_F(ImageFile, BadNpyIsAnError) {
   const auto read = [&](const std::string& bytes) {
     const fs::path path = file("a.npy", bytes);
@@ -306,7 +315,6 @@ TEST_F(ImageFile, BadNpyIsAnError) {
                                  "{'descr': '<i4', 'fortran_order': False, 'shape': (1, 1)} x"}) {
     EXPECT_TRUE(mentions(read(npy(dictionary, "1234")), "expected a dictionary")) << dictionary;
   }
-  EXPECT_TRUE(mentions(with("<i4", "True", "(1, 1)", "1234"), "expected C order"));
   EXPECT_TRUE(mentions(with("<i4", "False", "(1,)", "1234"), "1 dimensions"));
   EXPECT_TRUE(mentions(with("<i4", "False", "()", "1234"), "0 dimensions"));
   EXPECT_TRUE(mentions(with("<i4", "False", "(1, 1, 1)", "1234"), "3 dimensions"));

@@ -121,6 +121,19 @@ TEST_F(SheetCommandTest, HiddenCurvesAreDashedInDxf) {
   EXPECT_EQ(curves, 0U);
 }
 
+TEST_F(SheetCommandTest, AProgramSaysWhichAxisIsUp) {
+  const std::string box = "open-segment 1\nbox-3 0 10 0 20 0 40\nclose-segment\n";
+  write("y.draw", box);
+  write("z.draw", "set-view-plane-normal 0 1 0\nset-parallel 0 1 0\nset-view-up 0 0 2\n" + box);
+  const auto sheet = [&](const std::string& arguments) {
+    EXPECT_EQ(run("sheet " + arguments + " --title box -o s.svg"), 0) << err_;
+    return read(folder_ / "s.svg");
+  };
+  EXPECT_TRUE(sheet("z.draw") == sheet("y.draw --up z"));
+  EXPECT_TRUE(sheet("z.draw") != sheet("y.draw"));
+  EXPECT_TRUE(sheet("z.draw --up y") == sheet("y.draw"));
+}
+
 TEST_F(SheetCommandTest, EveryOptionHasItsMessage) {
   expect_error("sheet box.obj -o box.png", "box.png: expected a sheet that ends in .svg, .pdf or");
   expect_error("sheet box.obj -o s.svg --paper a9", "unknown paper 'a9'");

@@ -187,7 +187,7 @@ TEST_F(SurfaceCommandTest, WhatIsWrongIsToldAndNothingIsWritten) {
   refuses("-x*y" + s, "unknown option '-x*y': an expression that begins with - stands in");
   write("far.txt", "0 1\n2 1e101\n");
   refuses("far.txt" + s,
-          "height 1e+101 of point 2 2 of the surface: expected a finite number, 1e+100");
+          "height 1e+101 of point 2 2 of the surface: expected finite numbers of magnitude");
   refuses("none.npy" + s, "none.npy: no such file");
   refuses("g.txt g.txt --hidden perimeter" + s, "there are 2");
   write("g.txt", "1 2 3\n4 5\n");

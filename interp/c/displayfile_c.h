@@ -159,7 +159,7 @@ DF_API int df_drawn_pieces(df_system* system, const df_options* options, df_piec
 typedef struct {
   size_t size;  /* sizeof(df_seen), set by the caller */
   int is_seen;  /* 0: nothing, and the rest means nothing */
-  int kind;     /* DF_POLYGON, ... */
+  int kind;     /* DF_SEEN_POLYGON, ... */
   int32_t pick; /* pick identifier; -1: none */
   int segment;
   double depth; /* 0 on the back plane, 1 on the front plane */

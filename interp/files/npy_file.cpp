@@ -238,7 +238,19 @@ Header read_header(BinaryInput& input) {
   return *header;
 }
 
-/// The array's elements, stored as Stored, each put through `convert`.
+/// What stands column after column, as Fortran has it, row after row.
+template <class Value>
+std::vector<Value> row_after_row(const std::vector<Value>& columns, std::size_t width,
+                                 std::size_t height) {
+  std::vector<Value> rows(columns.size());
+  for (std::size_t x = 0; x < width; ++x) {
+    for (std::size_t y = 0; y < height; ++y) rows[y * width + x] = columns[x * height + y];
+  }
+  return rows;
+}
+
+/// The array's elements in the order in which they stand, stored as Stored, each put through
+/// `convert`.
 template <class Stored, class Value, class Convert>
 std::vector<Value> read_values(BinaryInput& input, std::size_t width, std::size_t height,
                                Convert&& convert) {
@@ -280,7 +292,6 @@ std::unique_ptr<RowFile> depth_row_file(const Destination& to, int width, int he
 NpyArray read_npy(const std::filesystem::path& path) {
   BinaryInput input(path);
   const Header header = read_header(input);
-  if (header.fortran_order) input.fail("array in Fortran order: expected C order");
   if (header.shape.size() != 2) {
     input.fail(
         fmt::format("array of {} dimensions: expected shape (height, width)", header.shape.size()));
@@ -316,6 +327,9 @@ NpyArray read_npy(const std::filesystem::path& path) {
     input.fail(fmt::format(
         "array of type '{}': expected int32, int64, uint8, float32 or float64, little endian",
         header.type));
+  }
+  if (header.fortran_order) {
+    std::visit([&](auto& values) { values = row_after_row(values, width, height); }, array.values);
   }
   return array;
 }

@@ -35,6 +35,10 @@ auto if_said(pybind11::handle value, std::string_view what, const Read& read)
   return read(value, what);
 }
 
+/// Throws Error if the routine takes points, as many as there are, and an array or a sequence of
+/// numbers in the arguments holds none of so many coordinates.
+void require_whole_points(const pybind11::args& arguments, const UserRoutine& routine);
+
 /// The arguments of a user routine as the words of a drawing program: numbers in the shortest form
 /// that reads back to the same double, True and False as on and off, sequences and arrays as what
 /// they hold, one after another. Where the routine expects text in quotation marks, strings get

@@ -86,6 +86,7 @@ bool enter_at_once(System& self, const UserRoutine& routine, const py::args& arg
 }
 
 void call_routine(System& self, const UserRoutine& routine, const py::args& arguments) {
+  require_whole_points(arguments, routine);
   if (enter_at_once(self, routine, arguments)) return;
   const std::string words = words_of(arguments, routine);
   const auto call = [&](GraphicsSystem& system) { call_user_routine(system, routine.name, words); };

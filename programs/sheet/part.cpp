@@ -17,6 +17,17 @@ namespace displayfile {
 
 namespace {
 
+/// The axis that a program says is upright, if it is one.
+std::optional<Upright> upright_of(const View& view) {
+  constexpr std::string_view kAxes[] = {"x", "y", "z", "-x", "-y", "-z"};
+  const Point3 up = unit(view.up);
+  for (const std::string_view axis : kAxes) {
+    const Upright standing = upright(axis);
+    if (standing.up == up) return standing;
+  }
+  return std::nullopt;
+}
+
 Mesh polygons_of_program(const std::string& input) {
   RetainedScene scene;
   GraphicsSystem system;
@@ -33,6 +44,9 @@ Mesh polygons_of_program(const std::string& input) {
     mesh.first_corner.push_back(mesh.corners.size());
   }
   if (mesh.faces() > 0) mesh.objects.push_back({"", 0, mesh.faces()});
+  if (system.said().contains(Setting::camera) && !scene.segments().empty()) {
+    mesh.upright = upright_of(scene.segments().front().view);
+  }
   return mesh;
 }
 
@@ -60,7 +74,9 @@ Mesh read_part(std::span<const std::string> inputs, const std::string& up,
   for (const std::string& input : inputs) {
     const Progress progress("reading " + input);
     if (is_drawing_program(input)) {
-      append_mesh(polygons_of_program(input), part);
+      const Mesh mesh = polygons_of_program(input);
+      if (!standing) standing = mesh.upright;
+      append_mesh(mesh, part);
       continue;
     }
     const NamedWarnings named(input);

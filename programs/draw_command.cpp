@@ -209,6 +209,9 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
   warn_of_stretched_window(entered.system(), file.string(), drawing.width, drawing.height);
   const GraphicsSystem& system = entered.system();
   std::string text = explain ? explanation_of_method(system, entered.options(), kind) : "";
+  // Before the picture, since nothing is written where a limit is reached.
+  const std::string pick_found =
+      pick ? picked(system, pick_option(*pick), entered.options()) : std::string();
   SortedDisplayFile sorted;
   {
     Progress progress(fmt::format("drawing {} polygons", entered.polygons()));
@@ -217,7 +220,7 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
   }
   left_out.note(system, entered.options(), kind);
   entered.warn_if_nothing_is_seen();
-  if (pick) text += picked(system, pick_option(*pick), entered.options());
+  text += pick_found;
   if (stats) text += drawing_statistics(system, sorted.display_file(), entered.options(), kind);
   return text;
 }

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <new>
 #include <ostream>
 #include <sstream>
 
+#include "clip/work_budget.h"
 #include "displayfile/input_file.h"
 #include "displayfile/nothing_seen.h"
 #include "interp/view_renderer.h"
@@ -16,6 +18,10 @@
 namespace displayfile {
 
 namespace {
+
+/// What is said where it would take more to know more.
+constexpr const char* kNoReason =
+    "nothing that was entered is inside of the view volume and turned to the viewer";
 
 /// By a method that views a retained scene, on a device that needs no display file.
 bool draws_views(const DrawOptions& options) {
@@ -71,16 +77,20 @@ std::string DrawnInputs::why_nothing_is_seen() const {
   if (system_.retained() != nullptr) {
     return displayfile::why_nothing_is_seen(*system_.retained(), drawn);
   }
-  if (std::ranges::find(inputs_, "-") != inputs_.end()) {
-    return "nothing that was entered is inside of the view volume and turned to the viewer";
-  }
+  if (std::ranges::find(inputs_, "-") != inputs_.end()) return kNoReason;
   std::ostringstream said_before;
   const CollectedWarnings collected(said_before);
-  RetainedScene scene;
-  GraphicsSystem again;
-  again.retain(&scene);
-  enter(again);
-  return displayfile::why_nothing_is_seen(scene, drawn);
+  try {
+    RetainedScene scene;
+    GraphicsSystem again;
+    again.retain(&scene);
+    enter(again);
+    return displayfile::why_nothing_is_seen(scene, drawn);
+  } catch (const LimitReached&) {  // the picture is there
+    return kNoReason;
+  } catch (const std::bad_alloc&) {
+    return kNoReason;
+  }
 }
 
 bool DrawnInputs::nothing_is_seen() const {

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "clip/error.h"
 #include "clip/nearest_word.h"
@@ -90,34 +92,53 @@ int TruthCommand::run() const {
   // Methods of lines draw the sides of bare meshes.
   const auto drawn_by = wants_lines() ? std::optional(judging.method) : std::nullopt;
   enter_inputs(inputs, system, meshes, size.aspect(), {.method = drawn_by});
-  // Every output must be writable before the long work, and any is written.
-  for (const std::string& output : {ids, depth, seen_lines}) {
-    if (!output.empty()) OutputFile{output};
-  }
+  // Every output must be writable before the long work, and all are written before any is there.
+  std::optional<OutputFile> lines_file;
+  if (!seen_lines.empty()) lines_file.emplace(seen_lines);
+  std::vector<std::unique_ptr<RowFile>> arrays;
+  if (!ids.empty()) arrays.push_back(ids_row_file(ids, width, height));
+  if (!depth.empty()) arrays.push_back(depth_row_file(depth, width, height));
+
   const DisplayFile& file = system.display_file();
-  if (!seen_lines.empty()) write_seen_lines(file);
-  const int status = hidden.empty() ? 0 : judge_lines(file, judging);
-  if (ids.empty() && !from_world) return status;
+  std::string report;
+  int status = 0;
+  if (lines_file) write_seen_lines(file, lines_file->stream());
+  if (!hidden.empty()) status = judge_lines(file, judging, report);
+  if (!ids.empty() || from_world) {
+    const Picture picture = true_picture(system, from_world ? &retained : nullptr, report);
+    for (const auto& array : arrays) array->write(picture);
+  }
+  if (lines_file) lines_file->finish();
+  for (const auto& array : arrays) array->finish();
+  if (lines_file) lines_file->commit();
+  for (const auto& array : arrays) array->commit();
+  const std::array outputs{ids, depth, seen_lines};
+  const bool is_taken = std::ranges::find(outputs, "-") != outputs.end();
+  (is_taken ? std::cerr : std::cout) << report;
+  return status;
+}
+
+/// That of the display file, or from world coordinates, of which the report tells in how many
+/// pixels they differ.
+Picture TruthCommand::true_picture(const GraphicsSystem& system, const RetainedScene* world,
+                                   std::string& report) const {
+  const DisplayFile& file = system.display_file();
+  int width = 0, height = 0;
+  size.read(width, height);
   const auto with_progress = [&](const char* what, auto&& judge) {
     Progress progress(fmt::format("the truth of {} {}polygons", file.polygons(), what));
     return judge([&](std::size_t done, std::size_t polygons) { progress.update(done, polygons); });
   };
   Picture picture = with_progress("", [&](const WorkProgress& progress) {
-    return truth(file, width, height, !depth.empty() && !from_world, progress);
+    return truth(file, width, height, !depth.empty() && world == nullptr, progress);
   });
-  std::string report;
-  if (from_world) {
-    Picture of_world = with_progress("world ", [&](const WorkProgress& progress) {
-      return world_truth(retained, file, width, height, !depth.empty(), progress);
-    });
-    report = fmt::format("{} of {} pixels differ: there the rounding of viewing decides\n",
-                         different_pixels(picture, of_world), picture.ids.size());
-    picture = std::move(of_world);
-  }
-  if (!ids.empty()) write_npy(picture.ids, width, height, ids);
-  if (!depth.empty()) write_npy(picture.depth, width, height, depth);
-  std::cout << report;
-  return status;
+  if (world == nullptr) return picture;
+  Picture of_world = with_progress("world ", [&](const WorkProgress& progress) {
+    return world_truth(*world, file, width, height, !depth.empty(), progress);
+  });
+  report += fmt::format("{} of {} pixels differ: there the rounding of viewing decides\n",
+                        different_pixels(picture, of_world), picture.ids.size());
+  return of_world;
 }
 
 /// By Franklin's method if none is judged.
@@ -139,14 +160,13 @@ LineJudging TruthCommand::judging() const {
       hidden, methods));
 }
 
-void TruthCommand::write_seen_lines(const DisplayFile& file) const {
-  OutputFile written(seen_lines);
+void TruthCommand::write_seen_lines(const DisplayFile& file, std::ostream& to) const {
   Progress progress("the truth of lines");
-  dump(true_line_drawing(file, threads, progress.told()), written.stream());
-  written.commit();
+  dump(true_line_drawing(file, threads, progress.told()), to);
 }
 
-int TruthCommand::judge_lines(const DisplayFile& file, const LineJudging& as_asked) const {
+int TruthCommand::judge_lines(const DisplayFile& file, const LineJudging& as_asked,
+                              std::string& report) const {
   Progress progress("the truth of lines");
   LineJudging judging = as_asked;
   judging.progress = progress.told();
@@ -154,7 +174,7 @@ int TruthCommand::judge_lines(const DisplayFile& file, const LineJudging& as_ask
   const std::string judged_by =
       judged.samples == 0 ? "whole"
                           : fmt::format("at {} points, {} wrong", judged.samples, judged.wrong);
-  std::cout << fmt::format(
+  report += fmt::format(
       "lines           {}, judged {}\n"
       "pieces seen     {} by {}\n"
       "total length    {} of the picture's side\n"

@@ -2,12 +2,14 @@
 
 #include <CLI/App.hpp>
 #include <cstddef>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
 #include "displayfile/display_file.h"
+#include "displayfile/retained_scene.h"
+#include "interp/picture.h"
 #include "interp/truth/judged_lines.h"
-
 #include "programs/mesh_words.h"
 #include "programs/picture_size.h"
 
@@ -37,8 +39,10 @@ struct TruthCommand {
   bool is_from_world() const;
   bool wants_lines() const { return !seen_lines.empty() || !hidden.empty(); }
   LineJudging judging() const;
-  void write_seen_lines(const DisplayFile& file) const;
-  int judge_lines(const DisplayFile& file, const LineJudging& judging) const;
+  void write_seen_lines(const DisplayFile& file, std::ostream& to) const;
+  int judge_lines(const DisplayFile& file, const LineJudging& judging, std::string& report) const;
+  Picture true_picture(const GraphicsSystem& system, const RetainedScene* world,
+                       std::string& report) const;
 };
 
 }  // namespace displayfile

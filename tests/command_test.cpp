@@ -441,12 +441,46 @@ TEST_F(Command, PickSaysWhatIsSeenThere) {
   EXPECT_EQ(picked("50,98.5,2"), "at 50,98.5: an edge of polygon 12 of segment 3, depth 0.75\n");
   EXPECT_EQ(picked("50,26,2"), "at 50,26: line of segment 3, depth 0.75\n");
   EXPECT_EQ(picked("50,26"), "at 50,26: nothing\n");
-  EXPECT_EQ(picked("500,26"), "at 500,26: nothing\n");
+  EXPECT_EQ(picked("500,26"), "at 500,26: outside of the picture, 100 x 100 pixels\n");
   fs::remove(folder_ / "p.png");
   for (const char* wrong : {"x", "1", "1,", "1,2,", "1,2,3,4", "1;2", "nan,1", "1,inf", "1,2,-1",
                             "1,2,1e9", "1,2 ", "''"}) {
     expect_error(std::string("draw p.draw -o p.png --pick \"") + wrong + "\"", "--pick");
   }
+}
+
+/// All outputs of a command or none.
+TEST_F(Command, TruthWritesAllOrNothing) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  write("t.draw", kTriangle);
+  write("old", "old");
+  fs::create_symlink("/dev/full", folder_ / "full");
+  for (const std::string outputs :
+       {"--ids old --depth full", "--seen-lines old --ids full", "--ids full --seen-lines old"}) {
+    EXPECT_EQ(run("truth t.draw --size 32x32 " + outputs), 2) << outputs;
+    EXPECT_NE(err_.find("full"), std::string::npos) << err_;
+    EXPECT_EQ(read(folder_ / "old"), "old") << outputs;
+  }
+  EXPECT_EQ(run("truth t.draw --size 32x32 --ids - --hidden franklin"), 0);
+  EXPECT_TRUE(out_.starts_with("\x93NUMPY")) << out_.substr(0, 100);
+  EXPECT_NE(err_.find("missing length  0"), std::string::npos) << err_;
+}
+
+/// A picture in which nothing is seen is drawn, however little is left to say why.
+TEST_F(Command, NothingSeenIsToldWithinTheLimits) {
+  std::string program = "open-segment 1\n";
+  for (int i = 0; i < 100000; ++i) program += "polygon-abs-3 5 5 0 6 5 0 5 6 0\n";
+  write("off.draw", program + "close-segment\n");
+  write("x.svg", "old");
+  int failed = 0;
+  for (int megabytes = 16; megabytes < 160; megabytes += 8) {
+    write("x.svg", "old");
+    const int status =
+        run("draw off.draw -o x.svg --limit-memory " + std::to_string(megabytes) + "M");
+    EXPECT_EQ(status == 0, read(folder_ / "x.svg") != "old") << megabytes;
+    failed += status != 0;
+  }
+  EXPECT_GT(failed, 0);
 }
 
 /// What is too much for the memory there is said with its bytes, before any work, and nothing is

@@ -48,6 +48,22 @@ TEST_F(MeshColours, ObjLibrariesMayComeAfterwardsAndBeSeveral) {
       expected);
 }
 
+TEST_F(MeshColours, ObjLibrariesElsewhereAreNotRead) {
+  const std::string faces = std::string(kFourCorners) + "usemtl a\n" + kFourFaces[0];
+  const std::filesystem::path elsewhere = file("elsewhere.mtl", "newmtl a\nKd 1 0 0\n");
+  const auto folder = elsewhere.parent_path() / "within";
+  std::filesystem::create_directories(folder / "below");
+  std::filesystem::create_symlink(elsewhere, folder / "link.mtl");
+  std::filesystem::copy_file(elsewhere, folder / "below/own.mtl");
+  const auto expect = [&](const std::string& library, const std::optional<Colour>& colour) {
+    expect_colours(read("within/x.obj", "mtllib " + library + "\n" + faces), {colour});
+  };
+  expect("below/own.mtl", Colour(1, 0, 0));
+  expect("../elsewhere.mtl", std::nullopt);
+  expect(elsewhere.string(), std::nullopt);
+  expect("link.mtl", std::nullopt);
+}
+
 /// The libraries that an OBJ file's name and its faces' materials say, where they are not there.
 TEST_F(MeshColours, ObjSaysOnceWhatIsMissing) {
   const std::string faces = std::string(kFourCorners) + "usemtl a\n" + kFourFaces[0] +

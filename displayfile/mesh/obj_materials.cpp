@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <system_error>
 #include <utility>
 
 #include "displayfile/input_file.h"
@@ -12,11 +11,6 @@
 namespace displayfile {
 
 namespace {
-
-bool is_file(const std::filesystem::path& path) {
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(path, ignored);
-}
 
 std::vector<std::string_view> words(std::string_view text) {
   TextCursor cursor({}, text);
@@ -52,11 +46,17 @@ bool ObjMaterials::read_library(std::string_view name) {
   std::ranges::replace(local, '\\', '/');
   const std::filesystem::path folder = path_.parent_path(), path(local);
   for (const auto& candidate : {folder / path, folder / path.filename()}) {
-    if (!is_file(candidate)) continue;
+    if (!is_neighbour(candidate)) continue;
     read_file(candidate);
     return true;
   }
   return false;
+}
+
+/// What an OBJ file names is no reason to open anything elsewhere.
+bool ObjMaterials::is_neighbour(const std::filesystem::path& path) {
+  if (!neighbours_) neighbours_.emplace(path_.string());
+  return neighbours_->allows(path.string());
 }
 
 void ObjMaterials::read_file(const std::filesystem::path& path) {
@@ -66,7 +66,7 @@ void ObjMaterials::read_file(const std::filesystem::path& path) {
 
 void ObjMaterials::tell(MeshBuilder& mesh) {
   const std::filesystem::path of_same_name = std::filesystem::path(path_).replace_extension(".mtl");
-  if (!missing_.empty() && is_file(of_same_name)) {
+  if (!missing_.empty() && is_neighbour(of_same_name)) {
     read_file(of_same_name);
     missing_.clear();
   }

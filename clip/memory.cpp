@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <fstream>
 #include <limits>
+#include <mutex>
 #include <string>
 
 #include "clip/error.h"
@@ -113,6 +115,47 @@ void limit_memory_of_process(std::uint64_t bytes) {
   if (::setrlimit(RLIMIT_DATA, &limit) == 0) {
     limit_of_process = static_cast<std::size_t>(limit.rlim_cur);
   }
+}
+
+namespace {
+
+std::mutex lending;
+std::condition_variable given_back;
+std::size_t lent = 0;
+
+/// The limit less what is lent.
+void limit_what_is_left() {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_DATA, &limit) != 0) return;
+  limit.rlim_cur = std::min<rlim_t>(limit_of_process - lent, limit.rlim_max);
+  ::setrlimit(RLIMIT_DATA, &limit);
+}
+
+}  // namespace
+
+LentMemory::LentMemory(std::size_t wanted) : bytes_(wanted) {
+  if (limit_of_process == 0) return;
+  std::unique_lock lock(lending);
+  const auto offer = [] {
+    const std::size_t taken = memory_of_process() + lent;
+    const std::size_t left = limit_of_process > taken ? limit_of_process - taken : 0;
+    return left / 4 * 3;
+  };
+  given_back.wait(lock, [&] { return lent == 0 || offer() >= wanted; });
+  bytes_ = std::min(wanted, offer());
+  is_lent_ = true;
+  lent += bytes_;
+  limit_what_is_left();
+}
+
+LentMemory::~LentMemory() {
+  if (!is_lent_) return;
+  {
+    const std::lock_guard lock(lending);
+    lent -= bytes_;
+    limit_what_is_left();
+  }
+  given_back.notify_all();
 }
 
 std::uint64_t bytes_allowed() {

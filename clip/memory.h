@@ -21,6 +21,24 @@ std::size_t offered_memory();
 /// This process is given no memory for data beyond so many bytes, by the system: what needs more is
 /// out of memory. A limit that is lower already stays. Throws Error if it has more than that.
 void limit_memory_of_process(std::uint64_t bytes);
+/// Part of what this process may have, lent to another process for as long as this lives: this one
+/// is allowed so much less meanwhile, so that both together stay within the limit. It is three
+/// quarters of what is left at most; whoever would get less than is wanted waits until others have
+/// given back theirs. Without a limit all that is wanted is lent.
+class LentMemory {
+ public:
+  explicit LentMemory(std::size_t wanted);
+  LentMemory(const LentMemory&) = delete;
+  LentMemory& operator=(const LentMemory&) = delete;
+  ~LentMemory();
+
+  std::size_t bytes() const { return bytes_; }
+
+ private:
+  std::size_t bytes_;
+  bool is_lent_ = false;
+};
+
 /// What it has of that kind now; 0 if the system does not tell.
 std::size_t memory_of_process();
 /// What the machine has, or what this process may have of it at most; 0 if nothing tells.

@@ -5,6 +5,7 @@
 
 #include "tests/command_fixture.h"
 #include "tests/foreign_models.h"
+#include "tests/slower.h"
 
 namespace {
 
@@ -218,6 +219,21 @@ TEST_F(MeshCommand, LimitsOfTheImportLibraryAreOptions) {
       fs::remove_all(folder_ / written);
     }
   }
+}
+
+/// What the library has is lent by the command, which has so much less meanwhile.
+TEST_F(MeshCommand, TheLimitOfMemoryIsTheLibrarysToo) {
+  write("hungers.ac", displayfile::test::ac3d_that_hungers());
+  write("good.ac", displayfile::test::ac3d("0 0 0\n1 0 0\n1 1 0\n"));
+  if (run("draw good.ac -o a.png"); err_.find("import library") != std::string::npos) {
+    GTEST_SKIP() << "no import library";
+  }
+  if (displayfile::test::kSlower > 1) GTEST_SKIP() << "a sanitizer has more memory than this";
+  fs::remove(folder_ / "a.png");
+  expect_error("draw hungers.ac -o x.png --limit-memory 100M",
+               "which is the limit: --limit-memory, which leaves it no more, sets another");
+  EXPECT_EQ(run("draw good.ac good.ac good.ac good.ac -o '{number}.png' --limit-memory 100M"), 0)
+      << err_;
 }
 
 TEST_F(MeshCommand, ExtensionsMayBeInEitherCase) {

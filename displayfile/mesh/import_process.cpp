@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "clip/memory.h"
 #include "displayfile/mesh/import_protocol.h"
 #include "displayfile/mesh/import_start.h"
 #include "displayfile/mesh/mesh_reply.h"
@@ -59,11 +60,14 @@ Error too_slow(const std::string& path, const ImportLimits& limits) {
                   path, limits.seconds));
 }
 
-Error too_hungry(const std::string& path, const ImportLimits& limits) {
-  return Error(
-      fmt::format("{}: the import library (Assimp) asked for more than {} of memory to read it, "
-                  "which is the limit: --import-memory (ImportLimits::memory) sets another",
-                  path, in_words(limits.memory)));
+/// `lent` is what it had, which is less than its own limit where the process may not have more.
+Error too_hungry(const std::string& path, const ImportLimits& limits, std::size_t lent) {
+  return Error(fmt::format(
+      "{}: the import library (Assimp) asked for more than {} of memory to read it, which is the "
+      "limit: {} sets another",
+      path, in_words(lent),
+      lent < limits.memory ? "--limit-memory, which leaves it no more,"
+                           : "--import-memory (ImportLimits::memory)"));
 }
 
 std::string name_of_signal(int number) {
@@ -82,7 +86,8 @@ std::string name_of_signal(int number) {
 constexpr int kUnknownStatus = -1;
 
 /// What to say of a process that did not answer.
-Error without_answer(const std::string& path, const ImportLimits& limits, int status) {
+Error without_answer(const std::string& path, const ImportLimits& limits, std::size_t lent,
+                     int status) {
   const auto failed = [&](const std::string& how) {
     return Error(
         fmt::format("{}: not a mesh that can be read: the import library (Assimp) {}", path, how));
@@ -97,7 +102,7 @@ Error without_answer(const std::string& path, const ImportLimits& limits, int st
     return failed("crashed on it (" + name_of_signal(number) + ")");
   }
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
-  if (code == kOutOfMemoryStatus) return too_hungry(path, limits);
+  if (code == kOutOfMemoryStatus) return too_hungry(path, limits, lent);
   if (code == kOtherProtocolStatus) return failed("is called by a program of another build");
   return failed(fmt::format("ended the process in which it read it, with status {}", code));
 }
@@ -254,7 +259,7 @@ struct NoAnswer {};
 class ImportProcess {
  public:
   ImportProcess(const std::string& path, bool with_normals, const ImportLimits& limits)
-      : path_(path), limits_(limits) {
+      : path_(path), limits_(limits), memory_(limits.memory) {
     constexpr double kMostSeconds = 1e9;
     deadline_ =
         Clock::now() + std::chrono::duration_cast<Clock::duration>(
@@ -285,6 +290,8 @@ class ImportProcess {
     }
   }
 
+  std::size_t memory() const { return memory_.bytes(); }  ///< that it may have
+
   /// Ends it, if it has not ended, and tells what it said. Returns its status.
   int end() {
     if (child_ <= 0) return status_;
@@ -306,7 +313,7 @@ class ImportProcess {
     std::vector<std::string> words{import_program(path_),
                                    kImportProtocol,
                                    std::to_string(getpid()),
-                                   std::to_string(limits_.memory),
+                                   std::to_string(memory_.bytes()),
                                    fmt::format("{:.0f}", seconds),
                                    with_normals ? "1" : "0",
                                    path_};
@@ -326,8 +333,8 @@ class ImportProcess {
       throw NoAnswer{};
     }
     if (ends[1].revents != 0) take_messages();
-    if (kWatchesResidentMemory && resident_bytes() > limits_.memory) {
-      throw too_hungry(path_, limits_);
+    if (kWatchesResidentMemory && resident_bytes() > memory_.bytes()) {
+      throw too_hungry(path_, limits_, memory_.bytes());
     }
   }
 
@@ -354,6 +361,7 @@ class ImportProcess {
 
   const std::string& path_;
   const ImportLimits& limits_;
+  LentMemory memory_;
   Clock::time_point deadline_;
   pid_t child_ = 0;
   int status_ = 0;
@@ -380,7 +388,7 @@ Mesh read_by_import_process(const std::string& path, bool with_normals,
     const std::string& message = std::get<std::string>(reply);
     throw Error(message.starts_with(path) ? message : fmt::format("{}: {}", path, message));
   } catch (const NoAnswer&) {
-    throw without_answer(path, limits, process.end());
+    throw without_answer(path, limits, process.memory(), process.end());
   } catch (const BadReply& e) {
     throw Error(
         fmt::format("{}: not a mesh that can be read: what the import program gave is none: {}",

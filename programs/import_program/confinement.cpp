@@ -39,6 +39,15 @@ void lower_limit(int resource, rlim_t most) {
   setrlimit(static_cast<decltype(RLIMIT_AS)>(resource), &limit);
 }
 
+/// To all that may be had: the limit that is inherited is what the waiting process has for itself
+/// (LentMemory).
+void raise_limit(int resource) {
+  rlimit limit{};
+  if (getrlimit(static_cast<decltype(RLIMIT_AS)>(resource), &limit) != 0) return;
+  limit.rlim_cur = limit.rlim_max;
+  setrlimit(static_cast<decltype(RLIMIT_AS)>(resource), &limit);
+}
+
 void close_from(int first) {
 #ifdef SYS_close_range
   if (syscall(SYS_close_range, first, ~0u, 0u) == 0) return;
@@ -129,6 +138,7 @@ bool begin_confinement(long waiting_process, int descriptors, std::size_t second
   if (getppid() != waiting_process) return false;  // it ended before that
   prctl(PR_SET_DUMPABLE, 0);
   close_from(descriptors);
+  raise_limit(RLIMIT_DATA);
   constexpr rlim_t kOpenFiles = 64;
   lower_limit(RLIMIT_CORE, 0);
   lower_limit(RLIMIT_FSIZE, 0);

@@ -34,9 +34,12 @@ V ClipPipeline::cut(const V& inside, const V& outside, ClipPlane plane) const {
   const double d_out = volume_.inside_distance(plane, outside.position);
   const double t = d_in / (d_in - d_out);
   V v{};
-  v.position =
-      t <= 0.5 ? inside.position + (outside.position - inside.position) * t
-               : outside.position + (inside.position - outside.position) * (d_out / (d_out - d_in));
+  const HomogeneousPoint along = outside.position - inside.position;
+  if (t <= 0.5) {
+    v.position = inside.position + along * t;
+  } else {
+    v.position = outside.position - along * (d_out / (d_out - d_in));
+  }
   if constexpr (HasValue<V>) {
     v.value = inside.value;
     if (outside.value != inside.value) {  // then both ends are in front of the eye

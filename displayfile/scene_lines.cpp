@@ -86,7 +86,7 @@ SortedPieces lines_beside_sides(const ViewedScene& scene, const FoundLines& foun
 
 SortedPieces map_in_order(const ViewedScene& scene, const SortOptions& options) {
   const DrawnItems items(scene);
-  const MapOptions of_map{.precision = options.precision, .threads = options.threads};
+  const MapOptions of_map{.threads = options.threads};
   SortedPieces fills = options.shadows && scene.has_shadows()
                            ? lit_pieces_of_map(scene, *items, of_map)
                            : pieces_of_map(*items, visible_map(*items, of_map));

@@ -58,23 +58,25 @@ TEST(VisibleMap, EveryFamilyAgainstTheTruth) {
   }
 }
 
-/// With ROUNDOFF too, where sides are parallel to the lines in which polygons meet.
-TEST(VisibleMap, RoundoffSaysOfNothingParallelThatItCrosses) {
-  for (const double part : {0.0, 1e-15, 1e-12, 1e-6, 1e-3}) {
-    for (int seed = 0; seed < 1200 / kSlower; ++seed) {
-      GraphicsSystem system;
-      enter(random_degenerate_scene(static_cast<std::uint64_t>(seed)), system);
-      DrawOptions options{.width = 8, .height = 8};
-      options.hidden = HiddenMethod::map;
-      options.precision = {false, part};
-      ASSERT_NO_THROW(draw(system, options)) << "seed " << seed << ", ROUNDOFF " << part;
-    }
-    for_each_scene_of_families(60 / kSlower, [&](const ItemList& list, const auto& name, int seed) {
-      for (const Point2& p : visible_map(list.view(), {.precision = {false, part}}).points) {
-        ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y)) << name << ", seed " << seed;
-      }
-    });
-  }
+/// A wall on a floor, whose lower side is in the floor's plane but for rounding. The fills are
+/// exact, and the lines over them heed the ROUNDOFF.
+TEST(VisibleMap, LinesOverItHeedTheRoundoff) {
+  GraphicsSystem system;
+  system.set_view_plane_normal({-12, 17, -10});
+  system.set_view_up({0, 0, 1});
+  system.set_perspective({12, -17, 10});
+  system.set_window(-3, 3, -3, 3);
+  system.set_hidden_line_removal(true);
+  system.open_segment(1);
+  system.polygon_abs_3({{-3, -3, 0}, {3, -3, 0}, {3, 3, 0}, {-3, 3, 0}});
+  system.polygon_abs_3({{-2, -1, 0}, {1, -1, 0}, {1, -1, 1.7}, {-2, -1, 1.7}});
+  system.close_segment();
+  DrawOptions options{.width = 128, .height = 128, .hidden = HiddenMethod::map, .with_ids = true};
+  const Picture exact = draw(system, options);
+  options.precision = {false, 1e-9};
+  const Picture rounded = draw(system, options);
+  EXPECT_EQ(rounded.ids, exact.ids) << "no face is lost";
+  EXPECT_NE(rounded.pixels, exact.pixels) << "half of the side was hidden";
 }
 
 // ---- Polygons that are said to lie in a plane ---------------------------------------------------
@@ -155,8 +157,8 @@ std::vector<EdgeInWords> edges_of(const VisibleMap& map) {
 
 /// How the map differs from that without shortcuts, in words; empty if it does not.
 std::string difference_from_plain(const Primitives& items, int threads = 1) {
-  const auto plain = edges_of(visible_map(items, {.precision = {}, .shortcuts = false}));
-  const auto map = edges_of(visible_map(items, {.precision = {}, .threads = threads}));
+  const auto plain = edges_of(visible_map(items, {.shortcuts = false}));
+  const auto map = edges_of(visible_map(items, {.threads = threads}));
   if (map == plain) return "";
   std::ostringstream differ;
   const auto tell = [&](const char* which, const auto& these, const auto& others) {

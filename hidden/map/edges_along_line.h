@@ -24,16 +24,16 @@ namespace displayfile {
 /// An edge between two polygons lies on a side of one of them, or on the line along which they pass
 /// through each other. Where several of their sides lie on each other, it is that of the side with
 /// the lowest points.
-template <class Carrier, class Policy>
+template <class Carrier>
 class EdgesAlongLine {
   using Seen = SeenAlongLine<Carrier>;
   using Place = typename Carrier::Place;
   using Stretch = typename Seen::Stretch;
 
  public:
-  EdgesAlongLine(const MapScene& map, const Policy& policy)
+  explicit EdgesAlongLine(const MapScene& map)
       : map_(map),
-        seen_(map.lines, map.sides, Carrier(map.lines, map.sides, policy)),
+        seen_(map.lines, map.sides, Carrier(map.lines, map.sides)),
         looked_at_(map.lines.items(), 0) {}
 
   Carrier& line() { return seen_.line(); }

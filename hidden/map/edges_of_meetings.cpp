@@ -6,7 +6,6 @@
 #include "hidden/lines/visible_pieces.h"
 #include "hidden/map/edges_along_line.h"
 #include "hidden/map/map_edges.h"
-#include "hidden/map/map_precision.h"
 #include "hidden/map/meeting_carrier.h"
 #include "hidden/parallel.h"
 
@@ -15,13 +14,12 @@ namespace displayfile {
 namespace {
 
 /// Finds the edges on one intersection line after the other.
-template <class Policy>
 class MeetingFinder {
-  using Edges = EdgesAlongLine<MeetingCarrier<Policy>, Policy>;
-  using Seen = SeenAlongLine<MeetingCarrier<Policy>>;
+  using Edges = EdgesAlongLine<MeetingCarrier>;
+  using Seen = SeenAlongLine<MeetingCarrier>;
 
  public:
-  MeetingFinder(const MapScene& map, const Policy& policy) : map_(map), edges_(map, policy) {}
+  explicit MeetingFinder(const MapScene& map) : map_(map), edges_(map) {}
 
   void find(const IntersectionLine& line, std::vector<MapEdge>& edges) {
     Extent box = Extent::nothing();
@@ -48,8 +46,7 @@ class MeetingFinder {
 
 }  // namespace
 
-template <class Policy>
-std::vector<MapEdge> edges_of_meetings(const MapScene& map, const Policy& policy, int threads) {
+std::vector<MapEdge> edges_of_meetings(const MapScene& map, int threads) {
   constexpr std::size_t kMeetingsOfAPart = 64;
   std::vector<std::uint32_t> contested;  // nothing passes visibly through what is seen as a whole
   for (std::uint32_t i = 0; i < map.lines.items(); ++i) {
@@ -58,7 +55,7 @@ std::vector<MapEdge> edges_of_meetings(const MapScene& map, const Policy& policy
   const std::vector<IntersectionLine> lines =
       intersection_lines(map.items, map.lines, contested, IntersectionEnds::defined, threads);
   std::vector<std::vector<MapEdge>> found((lines.size() + kMeetingsOfAPart - 1) / kMeetingsOfAPart);
-  const auto make_finder = [&] { return MeetingFinder<Policy>(map, policy); };
+  const auto make_finder = [&] { return MeetingFinder(map); };
   Finders finders(make_finder);
   PieceCount pieces(lines.size(), sizeof(MapEdge));
   in_parallel(threads, found.size(), [&](std::size_t part) {
@@ -73,8 +70,5 @@ std::vector<MapEdge> edges_of_meetings(const MapScene& map, const Policy& policy
   for (const auto& of_part : found) edges.insert(edges.end(), of_part.begin(), of_part.end());
   return edges;
 }
-
-template std::vector<MapEdge> edges_of_meetings(const MapScene&, const ExactMap&, int);
-template std::vector<MapEdge> edges_of_meetings(const MapScene&, const RoundoffMap&, int);
 
 }  // namespace displayfile

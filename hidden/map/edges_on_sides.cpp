@@ -6,7 +6,6 @@
 #include "hidden/lines/visible_pieces.h"
 #include "hidden/map/edges_along_line.h"
 #include "hidden/map/map_edges.h"
-#include "hidden/map/map_precision.h"
 #include "hidden/map/side_carrier.h"
 #include "hidden/parallel.h"
 
@@ -39,14 +38,12 @@ int inside_of(const MapScene& map, const ContourEdges& ways, const SharedSide& s
 }
 
 /// Finds the edges on one side after the other.
-template <class Policy>
 class SideFinder {
-  using Edges = EdgesAlongLine<SideCarrier<Policy>, Policy>;
-  using Seen = SeenAlongLine<SideCarrier<Policy>>;
+  using Edges = EdgesAlongLine<SideCarrier>;
+  using Seen = SeenAlongLine<SideCarrier>;
 
  public:
-  SideFinder(const MapScene& map, const ContourEdges& ways, const Policy& policy)
-      : map_(map), ways_(ways), edges_(map, policy) {}
+  SideFinder(const MapScene& map, const ContourEdges& ways) : map_(map), ways_(ways), edges_(map) {}
 
   void find(const SharedSide& side, std::vector<MapEdge>& edges) {
     const Point3 &a = map_.lines.point(side.low), &b = map_.lines.point(side.high);
@@ -110,9 +107,7 @@ std::vector<SharedSide> sides_to_look_at(const MapScene& map, const ContourEdges
 
 }  // namespace
 
-template <class Policy>
-std::vector<MapEdge> edges_on_sides(const MapScene& map, const ContourEdges& ways,
-                                    const Policy& policy, int threads) {
+std::vector<MapEdge> edges_on_sides(const MapScene& map, const ContourEdges& ways, int threads) {
   constexpr std::size_t kSidesOfAPart = 256;
   std::vector<MapEdge> edges;
   const std::vector<SharedSide> sides = sides_to_look_at(map, ways, edges);
@@ -126,7 +121,7 @@ std::vector<MapEdge> edges_on_sides(const MapScene& map, const ContourEdges& way
     std::uint32_t part, first, end;
   };
   std::vector<OfSide> of_sides(sides.size());
-  const auto make_finder = [&] { return SideFinder<Policy>(map, ways, policy); };
+  const auto make_finder = [&] { return SideFinder(map, ways); };
   Finders finders(make_finder);
   PieceCount pieces(sides.size(), sizeof(MapEdge));
   in_parallel(threads, found.size(), [&](std::size_t part) {
@@ -147,10 +142,5 @@ std::vector<MapEdge> edges_on_sides(const MapScene& map, const ContourEdges& way
   }
   return edges;
 }
-
-template std::vector<MapEdge> edges_on_sides(const MapScene&, const ContourEdges&, const ExactMap&,
-                                             int);
-template std::vector<MapEdge> edges_on_sides(const MapScene&, const ContourEdges&,
-                                             const RoundoffMap&, int);
 
 }  // namespace displayfile

@@ -32,12 +32,9 @@ struct MapEdge {
 };
 
 /// The edges that lie on sides of what is seen beside them.
-template <class Policy>
-std::vector<MapEdge> edges_on_sides(const MapScene& map, const ContourEdges& ways,
-                                    const Policy& policy, int threads);
+std::vector<MapEdge> edges_on_sides(const MapScene& map, const ContourEdges& ways, int threads);
 
 /// The edges where what is seen beside them passes through each other.
-template <class Policy>
-std::vector<MapEdge> edges_of_meetings(const MapScene& map, const Policy& policy, int threads);
+std::vector<MapEdge> edges_of_meetings(const MapScene& map, int threads);
 
 }  // namespace displayfile

@@ -95,8 +95,7 @@ class Outlines {
     }
   }
 
-  /// From a side on, until it is come back to, or, where roundoff left the outline open, no side
-  /// goes on.
+  /// From a side on, until it is come back to.
   void follow(std::span<const Side> sides, std::size_t start) {
     std::vector<std::uint32_t> vertices;
     for (std::size_t k = start; k < sides.size() && used_[k] == 0; k = next_of(sides, k)) {

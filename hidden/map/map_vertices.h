@@ -11,9 +11,9 @@ namespace displayfile {
 /// The vertices of a map, each once, found by their rounded coordinates.
 class MapVertices {
  public:
-  /// Room for so many is made at once. Exact: places that are rounded alike are compared.
-  MapVertices(const LineScene& scene, VisibleMap& map, bool exact, std::size_t expected)
-      : scene_(scene), map_(map), exact_(exact), table_(std::bit_ceil(2 * expected + 2), kFree) {}
+  /// Room for so many is made at once.
+  MapVertices(const LineScene& scene, VisibleMap& map, std::size_t expected)
+      : scene_(scene), map_(map), table_(std::bit_ceil(2 * expected + 2), kFree) {}
 
   /// Vertices where an edge was ended since another's end might touch it.
   void note_touched(std::uint32_t vertex) { touched_.push_back(vertex); }
@@ -36,7 +36,7 @@ class MapVertices {
 
   bool is_vertex(std::uint32_t vertex, const MapPlace& place, const Point2& at) const {
     if (map_.points[vertex] != at) return false;
-    if (!exact_ || map_.places[vertex] == place) return true;
+    if (map_.places[vertex] == place) return true;
     return compare_xy(scene_, map_.places[vertex], place) == 0;
   }
   std::size_t first_place(const Point2& at) const {
@@ -56,7 +56,6 @@ class MapVertices {
 
   const LineScene& scene_;
   VisibleMap& map_;
-  bool exact_;
   std::vector<std::uint32_t> table_, touched_;
 };
 

@@ -10,13 +10,12 @@
 #include "hidden/lines/line_scene.h"
 #include "hidden/lines/side_table.h"
 #include "hidden/map/map_place.h"
-#include "hidden/map/map_precision.h"
+#include "hidden/map/order_above.h"
 
 namespace displayfile {
 
 /// The line along which two polygons pass through each other, as edges of a map may lie on it: what
 /// a SideCarrier is for sides.
-template <class Policy>
 class MeetingCarrier {
  public:
   struct Place {
@@ -24,8 +23,7 @@ class MeetingCarrier {
     MapPlace what;
   };
 
-  MeetingCarrier(const LineScene& scene, const SideTable& sides, const Policy& policy)
-      : scene_(scene), sides_(sides), policy_(policy) {}
+  MeetingCarrier(const LineScene& scene, const SideTable& sides) : scene_(scene), sides_(sides) {}
 
   void look_at(const IntersectionLine& line) {
     line_ = &line;
@@ -47,10 +45,7 @@ class MeetingCarrier {
   bool first_is_nearer_on_left() const { return left_is_first_; }
 
   int side(const Point3& p) const {
-    if constexpr (!Policy::kExact) {
-      if (policy_.turn(Point2(from_), Point2(to_), Point2(p)) == 0) return 0;
-    }
-    const int nearer = ExactMap::order(planes_[0], planes_[1], p);
+    const int nearer = order_above(p, planes_[0], planes_[1]);
     return left_is_first_ ? nearer : -nearer;
   }
 
@@ -72,14 +67,14 @@ class MeetingCarrier {
   }
 
   int order_at_start(const Plane& one, const Plane& other) const {
-    return policy_.order(definitions(), one, other, line_->from);
+    return depth_order(definitions(), one, other, line_->from);
   }
   int order_at_end(const Plane& one, const Plane& other) const {
-    return policy_.order(definitions(), one, other, line_->to);
+    return depth_order(definitions(), one, other, line_->to);
   }
 
   int order_beside(const Plane& one, const Plane& other, const Point3& at) const {
-    return policy_.order(one, other, at);
+    return order_above(at, one, other);
   }
 
   /// The line's ends are in this order by x, then y.
@@ -109,7 +104,7 @@ class MeetingCarrier {
   bool finds_first_on_left() const {
     for (std::uint32_t k = 0; k < scene_.sides(line_->item_a); ++k) {
       const Point3& corner = scene_.corner(line_->item_a, k);
-      const int nearer = ExactMap::order(planes_[0], planes_[1], corner);
+      const int nearer = order_above(corner, planes_[0], planes_[1]);
       if (nearer == 0) continue;
       return nearer == orientation(definitions(), line_->from, line_->to, stored_point(corner));
     }
@@ -118,7 +113,6 @@ class MeetingCarrier {
 
   const LineScene& scene_;
   const SideTable& sides_;
-  const Policy& policy_;
   const IntersectionLine* line_ = nullptr;
   std::vector<Plane> planes_;  // the two, and those of places
   Point3 from_{0.0}, to_{0.0};

@@ -9,12 +9,12 @@
 #include "hidden/lines/line_scene.h"
 #include "hidden/lines/side_table.h"
 #include "hidden/map/map_place.h"
+#include "hidden/map/order_above.h"
 
 namespace displayfile {
 
 /// The line of a side in the projection, from one point of the items to another, as edges of a map
 /// may lie on it. What is asked of it is asked of a MeetingCarrier too.
-template <class Policy>
 class SideCarrier {
  public:
   /// A place on the line: its share of the way, off by so much at most, and what it is.
@@ -23,8 +23,7 @@ class SideCarrier {
     MapPlace what;
   };
 
-  SideCarrier(const LineScene& scene, const SideTable& /*sides*/, const Policy& policy)
-      : scene_(scene), policy_(policy) {}
+  SideCarrier(const LineScene& scene, const SideTable& /*sides*/) : scene_(scene) {}
 
   /// The points differ in the projection.
   void look_at(std::uint32_t a, std::uint32_t b) {
@@ -42,7 +41,7 @@ class SideCarrier {
   Place end() const { return {1.0, 0.0, MapPlace::at_point(b_)}; }
 
   /// The side of the line that a point is on: 1 if left of it, -1, 0.
-  int side(const Point3& p) const { return policy_.turn(Point2(from_), Point2(to_), Point2(p)); }
+  int side(const Point3& p) const { return orientation(Point2(from_), Point2(to_), Point2(p)); }
 
   /// Where a point that lies on the line is, cut off at its ends, as the places below are.
   Place at_point(std::uint32_t p) const {
@@ -92,21 +91,20 @@ class SideCarrier {
 
   /// The sign of the first plane's depth less the other's at the start, and at the end.
   int order_at_start(const Plane& one, const Plane& other) const {
-    return policy_.order(one, other, from_);
+    return order_above(from_, one, other);
   }
   int order_at_end(const Plane& one, const Plane& other) const {
-    return policy_.order(one, other, to_);
+    return order_above(to_, one, other);
   }
 
   /// The same beside it, above another point.
   int order_beside(const Plane& one, const Plane& other, const Point3& at) const {
-    return policy_.order(one, other, at);
+    return order_above(at, one, other);
   }
 
   /// -1 if p comes before q, 1 if after it, 0 if they are one place.
   int compare(const Place& p, const Place& q) const {
     const double apart = p.share - q.share;
-    if constexpr (!Policy::kExact) return sign_of(apart);
     if (std::abs(apart) > p.error + q.error) return decided_sign(apart);
     if (p.what == q.what) return 0;
     return compare_xy(scene_, p.what, q.what) * (rises_ ? 1 : -1);  // by x, then y
@@ -132,7 +130,6 @@ class SideCarrier {
   }
 
   const LineScene& scene_;
-  const Policy& policy_;
   std::uint32_t a_ = 0, b_ = 0;
   Point3 from_{0.0}, to_{0.0};
   int axis_ = 0;  // along which the ends differ

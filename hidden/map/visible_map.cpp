@@ -2,7 +2,6 @@
 
 #include "clip/work_budget.h"
 #include "hidden/map/map_edges.h"
-#include "hidden/map/map_precision.h"
 #include "hidden/map/map_vertices.h"
 
 namespace displayfile {
@@ -41,12 +40,10 @@ void join_edges(const std::vector<std::uint32_t>& touched, VisibleMap& map) {
   map.edges.resize(last + 1);
 }
 
-template <class Policy>
-void find_map(const MapScene& scene, const ContourEdges& ways, const Policy& policy, int threads,
-              VisibleMap& map) {
-  const std::vector<MapEdge> sides = edges_on_sides(scene, ways, policy, threads);
-  const std::vector<MapEdge> meetings = edges_of_meetings(scene, policy, threads);
-  MapVertices vertices(scene.lines, map, Policy::kExact, sides.size() + meetings.size());
+void find_map(const MapScene& scene, const ContourEdges& ways, int threads, VisibleMap& map) {
+  const std::vector<MapEdge> sides = edges_on_sides(scene, ways, threads);
+  const std::vector<MapEdge> meetings = edges_of_meetings(scene, threads);
+  MapVertices vertices(scene.lines, map, sides.size() + meetings.size());
   map.edges.reserve(sides.size() + meetings.size());
   add_edges(sides, vertices, map);
   add_edges(meetings, vertices, map);
@@ -58,7 +55,6 @@ void find_map(const MapScene& scene, const ContourEdges& ways, const Policy& pol
 VisibleMap visible_map(const Primitives& items, const MapOptions& options) {
   const NamedWork named({"the map of what is seen", "for pixels hidden-surface method z-buffer"});
   VisibleMap map;
-  map.exact = options.precision.exact;
   const LineScene scene(items, {}, options.threads);
   const SideTable sides(items);
   const ContourEdges ways(scene, items, sides, options.threads);
@@ -66,13 +62,7 @@ VisibleMap visible_map(const Primitives& items, const MapOptions& options) {
   if (options.shortcuts) grid.find_blocking_sheets(scene, ways, options.threads);
   const SeenFaces faces =
       options.shortcuts ? SeenFaces(scene, ways, grid, options.threads) : SeenFaces(scene);
-  const MapScene all{items, scene, sides, grid, faces};
-  const Definitions points{items.points, {}};
-  if (options.precision.exact) {
-    find_map(all, ways, ExactMap(points), options.threads, map);
-  } else {
-    find_map(all, ways, RoundoffMap(points, options.precision.roundoff), options.threads, map);
-  }
+  find_map({items, scene, sides, grid, faces}, ways, options.threads, map);
   map.whole.reserve(items.items.size());
   for (std::uint32_t i = 0; i < scene.items(); ++i) {
     map.whole.push_back(faces[i] == SeenFaces::Seen::whole ? 1 : 0);

@@ -4,7 +4,6 @@
 #include <limits>
 #include <vector>
 
-#include "hidden/exact/precision.h"
 #include "hidden/map/map_place.h"
 #include "hidden/primitives.h"
 
@@ -28,18 +27,15 @@ struct VisibleMap {
   /// Edges have no points in common but vertices: where one ends on another, that one ends too. So
   /// around each vertex what is seen right of one edge is seen left of the next.
   std::vector<Edge> edges;
-  /// The vertices as what they are, and each coordinate rounded once. With exact precision two that
-  /// are rounded alike are one only if they are one point; otherwise the places of all those are
-  /// one of them.
+  /// The vertices as what they are, and each coordinate rounded once. Two that are rounded alike
+  /// are one only if they are one point.
   std::vector<MapPlace> places;
   std::vector<Point2> points;
   /// For each item 1 if all of it is seen, a convex polygon.
   std::vector<std::uint8_t> whole;
-  bool exact = true;  ///< the precision
 };
 
 struct MapOptions {
-  Precision precision;
   int threads = 1;  ///< the result is the same for any number
   /// What is known of whole polygons spares looking at their sides. Without it all is found side by
   /// side, to compare with.

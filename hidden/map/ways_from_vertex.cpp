@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "hidden/exact/orientation.h"
 #include "hidden/exact/rounding.h"
@@ -24,7 +23,6 @@ bool WaysFromVertex::comes_before(std::uint32_t vertex, std::uint32_t back, std:
 
 int WaysFromVertex::turn(std::uint32_t vertex, std::uint32_t p, std::uint32_t q) const {
   const Point2 &v = map_.points[vertex], &to_p = map_.points[p], &to_q = map_.points[q];
-  if (!map_.exact) return orientation(v, to_p, to_q);
   const Point2 a = to_p - v, b = to_q - v;
   const double turn = a.x * b.y - a.y * b.x;
   // Each coordinate is off by half an ulp, so that a difference is off by two of the largest at
@@ -37,10 +35,6 @@ int WaysFromVertex::turn(std::uint32_t vertex, std::uint32_t p, std::uint32_t q)
 }
 
 bool WaysFromVertex::is_same_way(std::uint32_t vertex, std::uint32_t p, std::uint32_t q) const {
-  if (!map_.exact) {
-    return glm::dot(map_.points[p] - map_.points[vertex], map_.points[q] - map_.points[vertex]) >
-           0.0;
-  }
   const auto order = [&](std::uint32_t to) {
     return compare_xy(scene(), map_.places[vertex], map_.places[to]);
   };

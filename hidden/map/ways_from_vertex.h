@@ -9,8 +9,8 @@
 
 namespace displayfile {
 
-/// The order in which edges of a map go out from a vertex. With exact precision it is the true one:
-/// rounding the vertices may put an edge on another, or beyond it.
+/// The order in which edges of a map go out from a vertex, as they truly do: rounding the vertices
+/// may put an edge on another, or beyond it.
 class WaysFromVertex {
  public:
   /// Both must outlive it.

@@ -260,9 +260,8 @@ void compare_image_space(Comparison& comparison, const ViewedScene& scene, Hidde
   comparison.found.back().count = static_cast<double>(wrong);
 }
 
-/// Without any ROUNDOFF a sort cuts what crosses by rounding alone, and the map divides what is in
-/// one plane but for rounding.
-void compare_object_space(Comparison& comparison, const DisplayFile& file, HiddenMethod method) {
+/// Without any ROUNDOFF a sort cuts what crosses by rounding alone.
+void compare_sort(Comparison& comparison, const DisplayFile& file, HiddenMethod method) {
   const BesideTask& task = comparison.task();
   const std::string name(name_of(method));
   const Frame frame{task.scene.size, task.scene.size};
@@ -295,7 +294,8 @@ void compare_without_exact_stages(Comparison& comparison) {
     if (is_compared(entry.method)) compare_image_space(comparison, scene, entry.method);
   }
   for (const HiddenMethod method : kObjectSpaceMethods) {
-    if (is_compared(method)) compare_object_space(comparison, file, method);
+    const bool is_sort = method != HiddenMethod::map;  // which has no other precision
+    if (is_sort && is_compared(method)) compare_sort(comparison, file, method);
   }
 }
 

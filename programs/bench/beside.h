@@ -27,8 +27,8 @@ namespace displayfile::bench {
 /// | | the map's name | their map, and its pieces | likewise |
 /// | kRounded | a method's name | the method | the same code without its exact stages |
 ///
-/// Without them the z-buffer decides in single precision, sorts and the map with a ROUNDOFF of
-/// 1e-12, and the others with one of 0. Eight views are those of moving_camera.h.
+/// Without them the z-buffer decides in single precision, sorts with a ROUNDOFF of 1e-12, and the
+/// others with one of 0; the map has none. Eight views are those of moving_camera.h.
 ///
 /// and counts: kTriangles that kOsmesa and kGl2ps got; of a moving camera the kViews that were held
 /// against kTruth, and in all of them kWrongPixels; of kMemory the bytes a triangle, of

@@ -165,7 +165,9 @@ std::vector<Contender> contenders(std::span<const double> roundoffs) {
     for (const Precision& p : precisions) all.push_back(image_space(entry.method, p));
   }
   for (const HiddenMethod method : kObjectSpaceMethods) {
-    for (const Precision& p : precisions) all.push_back(object_space(method, p));
+    for (const Precision& p : precisions) {
+      if (p.exact || method != HiddenMethod::map) all.push_back(object_space(method, p));
+    }
   }
   for (const DepthFormatEntry& entry : depth_formats()) all.push_back(plain(entry));
   for (Contender& peer : peers()) all.push_back(std::move(peer));

@@ -68,7 +68,7 @@ bool is_in_object_space(std::string_view method);
 std::string name_of_precision(const Precision& precision);
 
 /// All that this build has: the heedless painter; what `auto` picks for a picture; the image-space
-/// methods, the sorts and the map, exact and with each ROUNDOFF; the plain z-buffer and OSMesa at
+/// methods and the sorts, exact and with each ROUNDOFF; the map; the plain z-buffer and OSMesa at
 /// each of their depth formats; Embree and gl2ps.
 std::vector<Contender> contenders(std::span<const double> roundoffs);
 

@@ -207,11 +207,11 @@ std::optional<Summary> exactness(const Report& report) {
       "the wrong pixels that it then has on these scenes. What is timed is the method's own work "
       "on "
       "a viewed scene, from making ready to what is seen at every pixel; of a sort, the sort and "
-      "the painting of its order; of the map, finding what is seen and painting that. The code "
-      "without exact stages has a ROUNDOFF of 0: what doubles tell "
-      "is taken. The z-buffer's takes what single precision tells. Without any ROUNDOFF a sort "
-      "would cut what crosses by rounding alone, and the map divide what is in one plane but for "
-      "rounding: they have one of 1e-12.",
+      "the painting of its order. The code without exact stages has a ROUNDOFF of 0: what doubles "
+      "tell is taken. The z-buffer's takes what single precision tells. Without any ROUNDOFF a "
+      "sort "
+      "would cut what crosses by rounding alone: it has one of 1e-12. The map has no other "
+      "precision.",
       {{"method", "exact over rounded", "scenes", "wrong pixels without"}}};
   LeftOut left_out;
   std::vector<std::string> methods;

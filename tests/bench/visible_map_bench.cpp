@@ -1,4 +1,4 @@
-// The visible-surface map: pieces and time beside the sorts, exact against roundoff, and how time
+// The visible-surface map: pieces and time beside the sorts, and how time
 // grows with the scene.
 //   visible_map_bench [MESH...]
 // Prints ratios and counts; run it on a machine that does nothing else.
@@ -47,9 +47,8 @@ DisplayFile entered(const DeviceScene& scene) {
   return file;
 }
 
-std::size_t find(const DisplayFile& file, HiddenMethod method, bool exact, int threads) {
+std::size_t find(const DisplayFile& file, HiddenMethod method, int threads) {
   SortOptions options;
-  options.precision.exact = exact;
   options.threads = threads;
   const auto sorted = hidden_surface_check(file.visible_segments(), method, options);
   return sorted->counts.pieces;
@@ -72,28 +71,24 @@ std::string text(const Spread& s) {
 
 std::vector<std::string> row_of(const DeviceScene& scene, const Options& options) {
   const DisplayFile file = entered(scene);
-  const auto map = [&] { find(file, HiddenMethod::map, true, options.threads); };
+  const auto map = [&] { find(file, HiddenMethod::map, options.threads); };
   const auto by = [&](HiddenMethod method) {
-    return [&file, &options, method] { find(file, method, true, options.threads); };
+    return [&file, &options, method] { find(file, method, options.threads); };
   };
   const Spread written = times_faster(options.rounds, map, [&] {
     sort_and_write(file, HiddenMethod::depth_sort, options.threads);
   });
   const Spread depth_sort = times_faster(options.rounds, map, by(HiddenMethod::depth_sort));
   const Spread bsp = times_faster(1, map, by(HiddenMethod::bsp));
-  const Spread exact = times_faster(
-      options.rounds, [&] { find(file, HiddenMethod::map, false, options.threads); }, map);
-  const Spread one =
-      times_faster(options.rounds, map, [&] { find(file, HiddenMethod::map, true, 1); });
+  const Spread one = times_faster(options.rounds, map, [&] { find(file, HiddenMethod::map, 1); });
   return {scene.name,
           std::to_string(scene.size()),
-          std::to_string(find(file, HiddenMethod::map, true, options.threads)),
-          std::to_string(find(file, HiddenMethod::depth_sort, true, options.threads)),
-          std::to_string(find(file, HiddenMethod::bsp, true, options.threads)),
+          std::to_string(find(file, HiddenMethod::map, options.threads)),
+          std::to_string(find(file, HiddenMethod::depth_sort, options.threads)),
+          std::to_string(find(file, HiddenMethod::bsp, options.threads)),
           text(written),
           text(depth_sort),
           fmt::format("{:.2f}", bsp.median),
-          text(exact),
           options.threads == 1 ? "" : text(one)};
 }
 
@@ -104,8 +99,7 @@ std::vector<std::string> growth_of(const std::string& name, const Options& optio
     sizes.push_back(static_cast<double>(scene.size()));
     overlaps.push_back(overlaps_per_polygon(scene));
     seconds_of_map.push_back(least_seconds_each(clock_of(options.threads), 2, [&] {
-      const VisibleMap map =
-          visible_map(scene.items(), {.precision = {}, .threads = options.threads});
+      const VisibleMap map = visible_map(scene.items(), {.threads = options.threads});
       pieces_of_map(scene.items(), map);
     }));
   }
@@ -127,8 +121,7 @@ void run(const Options& options) {
   }
   if (options.planes > 0) rows.push_back(row_of(generated("planes", options.planes), options));
   fmt::print("{}", text_table({"scene", "polygons", "pieces of the map", "of depth sort", "of BSP",
-                               "depth sort, written", "depth sort", "BSP", "exact over roundoff",
-                               "one thread over these"},
+                               "depth sort, written", "depth sort", "BSP", "one thread over these"},
                               rows));
   if (!options.want_growth()) return;
   rows.clear();

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "hidden/exact/depth_order.h"
+
+namespace displayfile {
+
+/// The sign of one plane's depth less another's above a stored point: 1 if it is nearer. Neighbours
+/// in a mesh, whose planes go through the point, are told by that.
+inline int order_above(const Point3& at, const Plane& one, const Plane& other) {
+  const int order = filtered_depth_order(one, other, {at.x, at.y, 0.0});
+  if (order != 0) [[likely]]
+    return order;
+  if (one.goes_through(at) && other.goes_through(at)) return 0;
+  return exact_depth_order(one, other, Point2(at));
+}
+
+}  // namespace displayfile

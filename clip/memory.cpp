@@ -6,11 +6,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <condition_variable>
 #include <fstream>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "clip/error.h"
@@ -32,7 +32,17 @@ std::size_t available_to_all() {
   return std::numeric_limits<std::size_t>::max();
 }
 
-std::atomic<std::size_t> limit_of_process{0};  // 0: none
+/// The least that the system limits this process to, of data or of addresses.
+std::uint64_t limit_of_process() {
+  std::uint64_t least = WorkLimits::kNone;
+  for (const auto kind : {RLIMIT_AS, RLIMIT_DATA}) {
+    rlimit limit{};
+    if (::getrlimit(kind, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
+      least = std::min<std::uint64_t>(least, limit.rlim_cur);
+    }
+  }
+  return least;
+}
 
 /// A word of the file as a number of bytes; 0 if it is none.
 std::size_t number_in(const char* file, int words_before) {
@@ -48,27 +58,17 @@ std::size_t page() { return static_cast<std::size_t>(std::max(1L, ::sysconf(_SC_
 }  // namespace
 
 std::size_t offered_memory() {
-  std::size_t offered = available_to_all();
-  for (const auto kind : {RLIMIT_AS, RLIMIT_DATA}) {
-    rlimit limit{};
-    if (::getrlimit(kind, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
-      offered = static_cast<std::size_t>(std::min<rlim_t>(offered, limit.rlim_cur));
-    }
-  }
-  return offered;
+  return static_cast<std::size_t>(std::min<std::uint64_t>(available_to_all(), limit_of_process()));
 }
 
 /// Where more was allowed than what is known to be needed, it ran out in the middle of the work: by
-/// the limit of the process, unless the system has set another.
+/// the limit of the process, if it has one.
 void out_of_memory(std::size_t bytes, const std::string& what) {
   const std::uint64_t allowed = bytes_allowed();
   const WorkDone left = NamedWork::left_by_exception();
-  rlimit of_addresses{};
-  const bool is_limited =
-      ::getrlimit(RLIMIT_AS, &of_addresses) != 0 || of_addresses.rlim_cur != RLIM_INFINITY;
   const std::string instead =
       left.instead == nullptr ? "" : std::string(", or ").append(left.instead);
-  if (limit_of_process != 0 && bytes <= allowed && !is_limited) {
+  if (limit_of_process() != WorkLimits::kNone && bytes <= allowed) {
     throw LimitReached(
         fmt::format("out of memory: {}: {} bytes are not enough: expected a higher limit of "
                     "memory{}",
@@ -112,9 +112,7 @@ void limit_memory_of_process(std::uint64_t bytes) {
   rlimit limit{};
   if (::getrlimit(RLIMIT_DATA, &limit) != 0) return;
   limit.rlim_cur = std::min({static_cast<rlim_t>(bytes), limit.rlim_cur, limit.rlim_max});
-  if (::setrlimit(RLIMIT_DATA, &limit) == 0) {
-    limit_of_process = static_cast<std::size_t>(limit.rlim_cur);
-  }
+  ::setrlimit(RLIMIT_DATA, &limit);
 }
 
 namespace {
@@ -123,29 +121,35 @@ std::mutex lending;
 std::condition_variable given_back;
 std::size_t lent = 0;
 
-/// The limit less what is lent.
-void limit_what_is_left() {
+/// That of data; nothing if there is none.
+std::optional<rlimit> limit_of_data() {
   rlimit limit{};
-  if (::getrlimit(RLIMIT_DATA, &limit) != 0) return;
-  limit.rlim_cur = std::min<rlim_t>(limit_of_process - lent, limit.rlim_max);
-  ::setrlimit(RLIMIT_DATA, &limit);
+  if (::getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return {};
+  return limit;
+}
+
+/// Three quarters of what is left of it.
+std::size_t offer_of(const rlimit& limit) {
+  const std::size_t taken = memory_of_process();
+  return limit.rlim_cur > taken ? static_cast<std::size_t>(limit.rlim_cur - taken) / 4 * 3 : 0;
 }
 
 }  // namespace
 
 LentMemory::LentMemory(std::size_t wanted) : bytes_(wanted) {
-  if (limit_of_process == 0) return;
   std::unique_lock lock(lending);
-  const auto offer = [] {
-    const std::size_t taken = memory_of_process() + lent;
-    const std::size_t left = limit_of_process > taken ? limit_of_process - taken : 0;
-    return left / 4 * 3;
-  };
-  given_back.wait(lock, [&] { return lent == 0 || offer() >= wanted; });
-  bytes_ = std::min(wanted, offer());
+  std::optional<rlimit> limit = limit_of_data();
+  if (!limit) return;
+  given_back.wait(lock, [&] {
+    limit = limit_of_data();
+    return lent == 0 || !limit || offer_of(*limit) >= wanted;
+  });
+  if (!limit) return;
+  bytes_ = std::min(wanted, offer_of(*limit));
   is_lent_ = true;
   lent += bytes_;
-  limit_what_is_left();
+  limit->rlim_cur -= bytes_;
+  ::setrlimit(RLIMIT_DATA, &*limit);
 }
 
 LentMemory::~LentMemory() {
@@ -153,7 +157,10 @@ LentMemory::~LentMemory() {
   {
     const std::lock_guard lock(lending);
     lent -= bytes_;
-    limit_what_is_left();
+    if (auto limit = limit_of_data()) {
+      limit->rlim_cur += bytes_;
+      ::setrlimit(RLIMIT_DATA, &*limit);
+    }
   }
   given_back.notify_all();
 }
@@ -161,8 +168,7 @@ LentMemory::~LentMemory() {
 std::uint64_t bytes_allowed() {
   const WorkBudget* const budget = work_in_force().budget;
   const std::uint64_t in_budget = budget == nullptr ? WorkLimits::kNone : budget->limits().bytes;
-  const std::size_t of_process = limit_of_process;
-  return of_process == 0 ? in_budget : std::min<std::uint64_t>(in_budget, of_process);
+  return std::min(in_budget, limit_of_process());
 }
 
 std::string out_of_memory_message() {

@@ -43,7 +43,7 @@ class LentMemory {
 std::size_t memory_of_process();
 /// What the machine has, or what this process may have of it at most; 0 if nothing tells.
 std::size_t memory_of_machine();
-/// How many bytes the budget in force allows, or the process was limited to.
+/// How many bytes the budget in force allows, or the system allows this process (ulimit).
 std::uint64_t bytes_allowed();
 /// What is said of std::bad_alloc: the limit, what was being done, and what would serve instead.
 std::string out_of_memory_message();

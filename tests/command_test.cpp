@@ -489,7 +489,8 @@ TEST_F(Command, OutOfMemoryStatesTheBytes) {
   write("cube.draw", "open-segment 1\npolygon-abs-3 0 0 0  1 0 0  0 1 0\nclose-segment\n");
   before_ = "ulimit -v 2000000 && ";
   expect_error("truth cube.draw --size 60000x60000 --ids ids.npy",
-               "out of memory: the truth of 60000 x 60000 pixels needs at least 61200000000 bytes");
+               "out of memory: the truth of 60000 x 60000 pixels needs at least 61200000000 bytes, "
+               "and the limit is 2048000000");
   expect_error("draw cube.draw -o out.png --size 16384x16384 --samples 1 --device osmesa",
                "out of memory: out.png of 16384 x 16384 needs at least 2147483");
   EXPECT_EQ(run("truth cube.draw --size 60x60 --ids ids.npy"), 0) << err_;

@@ -1,10 +1,10 @@
 #include "displayfile/output.h"
 
-#include <array>
-#include <sstream>
 #include <string>
+#include <utility>
 
 #include "clip/error.h"
+#include "displayfile/collected_text.h"
 #include "displayfile/output_file.h"
 
 namespace displayfile {
@@ -18,19 +18,17 @@ class StreamOutput : public Output {
 
   const std::string& name() const override { return name_; }
   std::ostream& stream() override { return text_; }
-  void finish() override {}
+  void finish() override { text_.require_whole(); }
   void commit() override {
-    std::array<char, 65536> block;
-    while (text_.read(block.data(), block.size()), text_.gcount() > 0) {
-      to_.write(block.data(), text_.gcount());
-    }
+    const std::string text = std::move(text_).str();
+    to_.write(text.data(), static_cast<std::streamsize>(text.size()));
     if (!to_.flush()) throw Error(name_ + ": not all could be written");
   }
 
  private:
   std::string name_;
   std::ostream& to_;
-  std::stringstream text_;
+  CollectedText text_;
 };
 
 }  // namespace

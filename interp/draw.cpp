@@ -1,12 +1,12 @@
 #include "interp/draw.h"
 
 #include <memory>
-#include <sstream>
 #include <utility>
 
 #include "clip/error.h"
 #include "clip/memory.h"
 #include "clip/work_budget.h"
+#include "displayfile/collected_text.h"
 #include "interp/drawing_choice.h"
 #include "interp/picture_checks.h"
 #include "interp/picture_source.h"
@@ -229,7 +229,8 @@ std::string draw_as(const GraphicsSystem& system, std::string_view format,
   DrawOptions in_format = options;
   in_format.format = format;
   if (format.empty()) format_named("");  // refuses
-  std::ostringstream bytes;
+  CollectedText bytes;
+  bytes.exceptions(std::ios::badbit);  // that of memory, where it is written
   draw(system, bytes, in_format);
   return std::move(bytes).str();
 }

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "clip/error.h"
+#include "displayfile/collected_text.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/input_file.h"
 #include "displayfile/output_file.h"
@@ -71,7 +71,7 @@ PageContents PageCommand::product(ordered_json data, const PageFiles& files) con
 
 PageContents PageCommand::scene(ordered_json data, DrawOptions options) const {
   GraphicsSystem system;
-  std::ostringstream program;
+  CollectedText program;
   Recorder recorder(program);
   system.set_recorder(&recorder);
   if (const Shading start_with = shading.shading(); start_with != Shading::flat) {

@@ -67,6 +67,29 @@ TEST_F(Limits, MemoryIsKnownBeforeOrRunsOut) {
   EXPECT_EQ(run("draw t.draw -o p.png --limit-memory 0.5G"), 0) << err_;
 }
 
+/// What is collected in memory before it is written is whole, or nothing is written.
+TEST_F(Limits, NoMemoryCutsAPictureShort) {
+  std::string texts = "open-segment 1\nmove-abs-3 0 0 0\n";
+  for (int k = 0; k < 60; ++k) texts += "text \"" + std::string(65000, '&') + "\"\n";
+  write("texts.draw", texts + "close-segment\n");
+  ASSERT_EQ(run("draw texts.draw -o whole.svg --paper A4"), 0) << err_;
+  const std::string whole = read(folder_ / "whole.svg");
+  std::size_t drawn = 0;
+  for (const char* limit : {"40M", "60M", "80M", "100M", "1G"}) {
+    const std::string line =
+        fmt::format("draw texts.draw -o old.svg --paper A4 --threads 1 --limit-memory {}", limit);
+    if (run(line) == 0) {
+      EXPECT_TRUE(read(folder_ / "old.svg") == whole) << limit;
+      write("old.svg", "old");
+      ++drawn;
+    } else {
+      EXPECT_NE(err_.find("out of memory"), err_.npos) << err_;
+      EXPECT_EQ(read(folder_ / "old.svg"), "old");
+    }
+  }
+  EXPECT_TRUE(drawn > 0 && drawn < 5) << drawn;
+}
+
 TEST_F(Limits, WordsThatAreNone) {
   for (const char* word : {"x", "-1", "0", "1T", "1MM", "nan", "inf", "1e300", "''"}) {
     if (std::string(word) == "''") continue;  // the usual one

@@ -175,5 +175,43 @@ TEST(OutOfMemory, OfASortLeavesTheSegmentOpen) {
   }
 }
 
+/// A stream that drops what there is no memory for hands out what it has: a picture or a dump that
+/// is cut short.
+TEST(OutOfMemory, NothingThatIsCollectedInMemoryIsCutShort) {
+  GraphicsSystem g;
+  g.open_segment(1);
+  g.move_abs_3(0, 0, 0);
+  for (int k = 0; k < 100; ++k) g.text(std::string(65000, '&'));
+  g.close_segment();
+  DrawOptions on_paper{.width = 100, .height = 100};
+  on_paper.vectors.paper = Paper{};
+  const auto outcome = [](const std::string& whole, const std::function<std::string()>& made) {
+    try {
+      return std::string(made() == whole ? "whole" : "cut short");
+    } catch (const std::bad_alloc&) {
+      return std::string("out of memory");
+    } catch (const Error& error) {
+      const std::string message = error.what();
+      return message.starts_with("out of memory: ") ? "out of memory" : message;
+    }
+  };
+  const std::function<std::string()> makes[] = {
+      [&] { return dump(g.display_file()); },
+      [&] { return draw_as(g, "svg", {.width = 100, .height = 100}); },
+      [&] { return draw_as(g, "svg", on_paper); },
+  };
+  for (const auto& make : makes) {
+    const std::string whole = make();
+    int short_of_memory = 0;
+    for (const std::size_t more : {5u, 10u, 20u, 40u, 60u, 80u, 100u, 150u}) {
+      const std::string found = within(more * kMegabyte, [&] { return outcome(whole, make); });
+      short_of_memory += found == "out of memory" ? 1 : 0;
+      EXPECT_TRUE(found == "whole" || found == "out of memory")
+          << found << " of " << whole.size() << " with " << more;
+    }
+    EXPECT_GT(short_of_memory, 0);
+  }
+}
+
 }  // namespace
 }  // namespace displayfile

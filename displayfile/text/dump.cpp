@@ -5,12 +5,12 @@
 
 #include <optional>
 #include <ostream>
-#include <sstream>
 #include <string_view>
 #include <unordered_set>
 #include <vector>
 
 #include "displayfile/characters.h"
+#include "displayfile/collected_text.h"
 
 namespace displayfile {
 
@@ -140,7 +140,7 @@ void dump(const DisplayFile& display_file, std::ostream& out, const std::optiona
 }
 
 std::string dump(const DisplayFile& display_file, const std::optional<Colour>& fills) {
-  std::ostringstream text;
+  CollectedText text;
   dump(display_file, text, fills);
   return std::move(text).str();
 }

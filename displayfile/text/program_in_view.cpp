@@ -1,8 +1,8 @@
 #include "displayfile/text/program_in_view.h"
 
 #include <algorithm>
-#include <sstream>
 
+#include "displayfile/collected_text.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/recorder.h"
 #include "displayfile/set_view.h"
@@ -23,7 +23,7 @@ bool sets_view(std::string_view line) {
 
 /// The user routines that set it.
 std::string lines_of(const View& view) {
-  std::ostringstream lines;
+  CollectedText lines;
   Recorder recorder(lines);
   GraphicsSystem system;
   system.set_recorder(&recorder);

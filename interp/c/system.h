@@ -9,12 +9,12 @@
 #include <exception>
 #include <new>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <type_traits>
 
 #include "clip/error.h"
 #include "clip/work_budget.h"
+#include "displayfile/collected_text.h"
 #include "displayfile/drawn_pieces.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/recorder.h"
@@ -29,7 +29,7 @@
 struct df_system {
   displayfile::GraphicsSystem system;
   bool is_new = true;  // no routine was called
-  std::ostringstream recorded;
+  displayfile::CollectedText recorded;
   std::optional<displayfile::Recorder> recorder;  // if it retains
   std::optional<displayfile::View> eye;           // that is looked from
   std::optional<displayfile::OtherEye> other;     // made when it is needed

@@ -6,12 +6,12 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "clip/error.h"
+#include "displayfile/collected_text.h"
 #include "displayfile/drawn_pieces.h"
 #include "displayfile/sorted_display_file.h"
 #include "displayfile/text/dump.h"
@@ -251,7 +251,8 @@ py::object draw_as(System& self, py::handle format, py::handle size, const py::k
   const std::string bytes = self.work([&](GraphicsSystem& system, Renderer& renderer) {
     DrawOptions in_format = options;
     in_format.format = name;
-    std::ostringstream written;
+    CollectedText written;
+    written.exceptions(std::ios::badbit);  // that of memory, where it is written
     renderer.draw(system, written, in_format);
     return std::move(written).str();
   });

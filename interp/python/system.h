@@ -6,12 +6,12 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "clip/error.h"
+#include "displayfile/collected_text.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/recorder.h"
 #include "interp/python/interrupts.h"
@@ -78,7 +78,7 @@ class System {
   void set_fitted(const Fitted& fitted) { fitted_ = fitted; }
 
  private:
-  std::ostringstream recording_;
+  CollectedText recording_;
   Recorder recorder_{recording_};
   GraphicsSystem system_;
   Renderer renderer_;

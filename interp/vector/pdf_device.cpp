@@ -165,6 +165,7 @@ void PdfDevice::finish() {
   cairo().show_page(context_.get());
   require_success(cairo().status(context_.get()));
   cairo().surface_finish(surface_.get());
+  document_.require_whole();
   require_success(cairo().surface_status(surface_.get()));
   if (format_ == PageFormat::eps) {
     out_ << without_date(std::move(document_).str());

@@ -3,10 +3,10 @@
 #include <iosfwd>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <string_view>
 #include <vector>
 
+#include "displayfile/collected_text.h"
 #include "displayfile/destination.h"
 #include "displayfile/display_file.h"
 #include "interp/paper.h"
@@ -57,7 +57,7 @@ class PdfDevice : public VectorDevice {
   };
   std::ostream& out_;
   PageFormat format_;
-  std::ostringstream document_;           // until its layers are known
+  CollectedText document_;                // until its layers are known
   std::vector<std::string_view> layers_;  // of the parts of the content that are in one, in order
   std::string_view layer_;                // in force
   std::unique_ptr<_cairo_surface, Destroy> surface_;

@@ -7,9 +7,10 @@
 #include <cmath>
 #include <iterator>
 #include <ostream>
-#include <sstream>
 #include <string_view>
+#include <utility>
 
+#include "displayfile/collected_text.h"
 #include "displayfile/output.h"
 #include "interp/interpreter.h"
 #include "interp/picture.h"
@@ -244,9 +245,10 @@ void write_svg(const DisplayFile& display_file, int width, int height, const Des
   interpret(display_file, device);
   device.draw_texts(display_file);
   if (options.paper) {
-    std::ostringstream document;
+    CollectedText document;
     device.finish(document);
-    write_on_sheet(document.str(), fit_on_paper(*options.paper, width, height), file->stream());
+    write_on_sheet(std::move(document).str(), fit_on_paper(*options.paper, width, height),
+                   file->stream());
   } else {
     device.finish(file->stream());
   }

@@ -13,8 +13,11 @@ std::string quoted(std::string_view word) {
     --length;
   }
   std::string text("'");
-  text.append(word.substr(0, length)).append(is_short ? "'" : "...'");
-  return text;
+  for (const char c : word.substr(0, length)) {
+    const bool is_control = static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+    text += is_control ? '?' : c;
+  }
+  return text += is_short ? "'" : "...'";
 }
 
 void refuse_word(std::string_view word, std::span<const std::string_view> known,

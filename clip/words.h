@@ -15,7 +15,8 @@ struct Word {
   std::string_view word;
 };
 
-/// A word as messages show it: in quotes, a long one cut between two characters.
+/// A word as messages show it: in quotes, a long one cut between two characters, with ? for control
+/// characters.
 std::string quoted(std::string_view word);
 
 /// Throws Error: "`expected` a, b or c, not 'word'", and which of them may be meant.

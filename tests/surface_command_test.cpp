@@ -1,5 +1,7 @@
 // `displayfile surface`: expressions and grids, what is drawn beside them, and what is refused.
 
+#include <sys/stat.h>
+
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -202,6 +204,18 @@ TEST_F(SurfaceCommandTest, WhatIsWrongIsToldAndNothingIsWritten) {
   refuses("g.txt" + s, "g.txt: surface of 1 x 2 points: expected 2 or more each way");
   write("g.txt", "5\n");
   refuses("g.txt" + s, "g.txt: surface of 1 x 1 points: expected 2 or more each way");
+  write("g.txt", "1 2\n3 \x1b[31m\n");
+  refuses("g.txt" + s, "g.txt:2:3: '?[31m': expected a finite number");
+  write("g.txt", "1 2\n3 " + std::string(100000, 'x') + "\n");
+  refuses("g.txt" + s, "g.txt:2:3: '" + std::string(40, 'x') + "...': expected a finite number");
+  write("g.txt", std::string("1 2\n3 4\0", 8));
+  refuses("g.txt" + s, "g.txt:2:4: binary data: expected text");
+  fs::create_directory(folder_ / "folder.txt");
+  refuses("folder.txt" + s, "folder.txt: cannot be read: Is a directory");
+  ASSERT_EQ(mkfifo((folder_ / "pipe.txt").c_str(), 0600), 0);
+  refuses("pipe.txt" + s, "pipe.txt: not a regular file: expected one");
+  fs::create_symlink("/dev/zero", folder_ / "zero.txt");
+  refuses("zero.txt" + s, "zero.txt:1:1: binary data: expected text");
   write("g.txt", "");
   refuses("g.txt" + s, "g.txt: surface of 0 x 0 points");
   write("g.txt", "nan nan\nnan nan\n");

@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "clip/error.h"
+#include "clip/words.h"
 #include "displayfile/output.h"
 #include "interp/files/binary_input.h"
 #include "interp/picture.h"
@@ -325,8 +326,8 @@ NpyArray read_npy(const std::filesystem::path& path) {
     array.values = read_values<double, double>(input, width, height, [](double v) { return v; });
   } else {
     input.fail(fmt::format(
-        "array of type '{}': expected int32, int64, uint8, float32 or float64, little endian",
-        header.type));
+        "array of type {}: expected int32, int64, uint8, float32 or float64, little endian",
+        displayfile::quoted(header.type)));
   }
   if (header.fortran_order) {
     std::visit([&](auto& values) { values = row_after_row(values, width, height); }, array.values);

@@ -7,13 +7,15 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <string_view>
 #include <variant>
 
 #include "clip/error.h"
 #include "clip/memory.h"
+#include "clip/words.h"
+#include "displayfile/input_file.h"
+#include "displayfile/mesh/text_cursor.h"
 #include "interp/files/npy_file.h"
 #include "programs/progress.h"
 #include "programs/surface/expression.h"
@@ -43,8 +45,8 @@ std::vector<double> heights_of_row(std::string_view line, const std::string& fil
     const std::string_view word = line.substr(at, end - at);
     double value = 0.0;
     if (!read_height(word, value) || std::isinf(value)) {
-      throw Error(fmt::format("{}:{}:{}: '{}': expected a finite number, or nan for a hole", file,
-                              row, at + 1, word));
+      throw Error(fmt::format("{}:{}:{}: {}: expected a finite number, or nan for a hole", file,
+                              row, at + 1, quoted(word)));
     }
     numbers.push_back(value);
     at = line.find_first_not_of(kBetween, end);
@@ -53,12 +55,14 @@ std::vector<double> heights_of_row(std::string_view line, const std::string& fil
 }
 
 void read_text_grid(const std::string& file, SurfaceData& surface) {
-  std::ifstream stream(file);
-  if (!stream) throw Error(file + ": cannot be read");
+  const std::string text = read_text_file(file);
+  text_of(file, text);  // refuses what is binary
   std::size_t columns = 0;
   int row = 0, rows = 0;
-  for (std::string line; std::getline(stream, line);) {
-    const std::vector<double> numbers = heights_of_row(line, file, ++row);
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t length = std::min(rest.find('\n'), rest.size());
+    const std::vector<double> numbers = heights_of_row(rest.substr(0, length), file, ++row);
+    rest.remove_prefix(std::min(length + 1, rest.size()));
     if (numbers.empty()) continue;
     if (rows++ > 0 && numbers.size() != columns) {
       throw Error(fmt::format("{}:{}:1: a row of {} heights: expected {}, as in the first", file,

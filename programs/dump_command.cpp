@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "clip/error.h"
 #include "displayfile/output_file.h"
 #include "displayfile/text/dump.h"
 #include "programs/input_names.h"
@@ -30,8 +29,6 @@ int DumpCommand::run() const {
       as_drawn(inputs, hidden_surfaces.options(threads), entering, size.aspect());
   if (output.empty()) {
     dump(drawn.file, std::cout, drawn.fills);
-    std::cout.flush();
-    if (!std::cout) throw Error("standard output cannot be written");
     return 0;
   }
   OutputFile written(output);

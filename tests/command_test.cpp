@@ -62,6 +62,25 @@ TEST_F(Command, DumpCheckAndCompareTellDifferences) {
   EXPECT_EQ(run("compare t.txt t.txt"), 0);
 }
 
+/// Whatever command prints it.
+TEST_F(Command, AReportThatCannotBeWrittenIsAnError) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  write("t.draw", kTriangle);
+  ASSERT_EQ(run("dump t.draw -o t.txt"), 0) << err_;
+  for (const char* line :
+       {"dump t.draw", "draw t.draw -o t.png --size 9x9 --stats",
+        "draw t.draw -o t.png --size 9x9 --explain", "draw t.draw -o t.png --size 9x9 --pick 4,4",
+        "check t.draw --golden t.txt --summary", "truth t.draw --size 9x9 --hidden franklin",
+        "compare t.txt t.txt", "--version", "draw --help"}) {
+    const int status = std::system(("cd '" + folder_.string() + "' && '" DISPLAYFILE_COMMAND "' " +
+                                    line + " >/dev/full 2>.err")
+                                       .c_str());
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 2) << line;
+    EXPECT_EQ(read(folder_ / ".err"), "displayfile: standard output: not all could be written\n")
+        << line;
+  }
+}
+
 TEST_F(Command, CompareCountsWrongPixels) {
   write("t.draw", kTriangle);
   EXPECT_EQ(run("draw t.draw -o a.png --size 8x8 --ids a.npy"), 0);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace displayfile {
 
 namespace {
@@ -10,12 +12,22 @@ unsigned byte(std::string_view text, std::size_t i) {
   return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
 }
 
-/// Whether the character, of that many bytes, can be written in UTF-8 but not drawn.
-bool is_control(std::string_view text, std::size_t length) {
-  const unsigned first = byte(text, 0), second = byte(text, 1);
-  if (length == 1) return first < 0x20 || first == 0x7F;
-  if (length == 2) return first == 0xC2 && second < 0xA0;  // U+0080 to U+009F
-  return length == 3 && first == 0xEF && second == 0xBF && byte(text, 2) >= 0xBE;
+/// The character, of that many bytes, at the start of the text.
+unsigned character_at_start(std::string_view text, std::size_t length) {
+  if (length == 1) return byte(text, 0);
+  unsigned character = byte(text, 0) & (0x7Fu >> length);
+  for (std::size_t i = 1; i < length; ++i) character = character << 6 | (byte(text, i) & 0x3F);
+  return character;
+}
+
+/// Whether it can be written in UTF-8 but not drawn: control characters, and what Unicode says is
+/// no character (which Cairo refuses, and XML in part).
+bool is_no_character(unsigned character) {
+  const auto in = [&](unsigned low, unsigned high) {
+    return character >= low && character <= high;
+  };
+  return character < 0x20 || in(0x7F, 0x9F) || in(0xFDD0, 0xFDEF) ||
+         (character & 0xFFFE) == 0xFFFE;  // the last two of each plane
 }
 
 }  // namespace
@@ -48,23 +60,29 @@ std::size_t drawable_length(std::string_view text) {
   while (drawable < text.size()) {
     const std::string_view rest = text.substr(drawable);
     const std::size_t length = utf8_length(rest);
-    if (length == 0 || is_control(rest, length)) break;
+    if (length == 0 || is_no_character(character_at_start(rest, length))) break;
     drawable += length;
   }
   return drawable;
 }
 
 std::string not_drawable(std::string_view text) {
-  if (utf8_length(text) == 0) {
-    return fmt::format("byte {:#04x} in a text: expected UTF-8", byte(text, 0));
-  }
-  const unsigned character =
-      byte(text, 0) < 0x80 ? byte(text, 0)
-      : byte(text, 0) < 0xE0
-          ? (byte(text, 0) & 0x1F) << 6 | (byte(text, 1) & 0x3F)
-          : (byte(text, 0) & 0x0F) << 12 | (byte(text, 1) & 0x3F) << 6 | (byte(text, 2) & 0x3F);
+  const std::size_t length = utf8_length(text);
+  if (length == 0) return fmt::format("byte {:#04x} in a text: expected UTF-8", byte(text, 0));
   return fmt::format("character U+{:04X} in a text: expected characters that can be drawn",
-                     character);
+                     character_at_start(text, length));
+}
+
+std::string drawable(std::string_view text) {
+  std::string result;
+  for (;;) {
+    const std::size_t length = drawable_length(text);
+    result += text.substr(0, length);
+    text.remove_prefix(length);
+    if (text.empty()) return result;
+    result += '?';
+    text.remove_prefix(std::max<std::size_t>(utf8_length(text), 1));
+  }
 }
 
 std::string in_quotation_marks(std::string_view text) {

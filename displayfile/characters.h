@@ -14,12 +14,16 @@ std::size_t utf8_length(std::string_view text);
 bool begins_in_utf16(std::string_view text);
 
 /// How many bytes at the start of the text are characters that can be drawn: UTF-8, without control
-/// characters and what XML cannot hold (U+FFFE and U+FFFF). All of them, if the text is one.
+/// characters and what Unicode says is no character (U+FDD0 to U+FDEF, and U+FFFE, U+FFFF and so on
+/// of each plane). All of them, if the text is one.
 std::size_t drawable_length(std::string_view text);
 
 /// What is wrong at the start of a text whose first byte is of no character that can be drawn: for
 /// messages.
 std::string not_drawable(std::string_view text);
+
+/// The text with '?' in the place of what cannot be drawn.
+std::string drawable(std::string_view text);
 
 /// The text in quotation marks, as drawing programs and dumps have it: a backslash stands before
 /// quotation marks and backslashes, and nowhere else.

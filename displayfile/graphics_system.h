@@ -200,7 +200,8 @@ class GraphicsSystem {
   /// A text at the current position, which stays: UTF-8, on one line. It is drawn if the position
   /// is within the view volume and, where hidden surfaces are removed, nothing hides it
   /// (interp/truth/truth.md); an image transformation moves it, but does not scale or turn its
-  /// letters. Errors: more than kLongestText bytes; not UTF-8, or a control character.
+  /// letters. Errors: more than kLongestText bytes; not UTF-8, or what cannot be drawn
+  /// (control characters; what Unicode says is no character).
   void text(std::string_view characters);
 
   // Attributes of the primitives that follow.

@@ -39,15 +39,7 @@ void Recorder::write(std::string_view routine, std::span<const Point3> points, i
 }
 
 void Recorder::comment(std::string_view text) {
-  line_ = "# ";
-  while (!text.empty()) {
-    const std::size_t length = drawable_length(text);
-    line_ += text.substr(0, length);
-    text.remove_prefix(length);
-    if (text.empty()) break;
-    line_ += '?';
-    text.remove_prefix(1);
-  }
+  line_ = "# " + drawable(text);
   write_line();
 }
 

@@ -52,6 +52,8 @@ TEST(Text, ErrorsSayWhere) {
             "scene.draw:2:9: character U+0085 in a text: expected characters that can be drawn");
   EXPECT_EQ(line("text \"\uFFFE\""),
             "scene.draw:2:8: character U+FFFE in a text: expected characters that can be drawn");
+  EXPECT_EQ(line("text \"a\U0010FFFF\""),
+            "scene.draw:2:9: character U+10FFFF in a text: expected characters that can be drawn");
   EXPECT_EQ(line("text \"\xC3(\""),
             "scene.draw:2:8: not a drawing program: byte 0xc3, expected UTF-8 text");
   EXPECT_EQ(error_of_program("text \"a\"\n"), "scene.draw:1:1: no segment open: open one first");
@@ -77,15 +79,16 @@ TEST(Text, TheApiRefusesWhatCannotBeDrawn) {
   GraphicsSystem g;
   EXPECT_THROW(g.text("a"), Error);
   g.open_segment(1);
-  for (const char* bad : {"\n", "a\tb", "\x7F", "\xC2\x80", "\xFF", "\xC3", "\xED\xA0\x80",
-                          "\xEF\xBF\xBF", "\xF4\x90\x80\x80"}) {
+  for (const char* bad :
+       {"\n", "a\tb", "\x7F", "\xC2\x80", "\xFF", "\xC3", "\xED\xA0\x80", "\xEF\xBF\xBF",
+        "\xF4\x90\x80\x80", "\uFDD0", "\uFDEF", "\U0001FFFE", "\U0010FFFF"}) {
     EXPECT_THROW(g.text(bad), Error) << bad;
   }
   EXPECT_THROW(g.text(std::string(GraphicsSystem::kLongestText + 1, 'a')), Error);
   EXPECT_THROW(g.set_text_style({std::numeric_limits<double>::quiet_NaN()}), Error);
   EXPECT_THROW(g.set_text_style({-0.1}), Error);
   EXPECT_FALSE(g.display_file().has_texts());
-  g.text("\u00e9\u2212\U0001F4D0");
+  g.text("\u00e9\u2212\U0001F4D0\uFDCF\uFDF0\uFFFD\U0001FFFD\U00020000");
   g.text(std::string(GraphicsSystem::kLongestText, 'a'));
   EXPECT_TRUE(g.display_file().has_texts());
 }

@@ -17,6 +17,7 @@
 #include "programs/inputs.h"
 #include "programs/option_groups.h"
 #include "programs/progress.h"
+#include "programs/title_words.h"
 #include "programs/version.h"
 
 namespace displayfile {
@@ -89,7 +90,7 @@ PageContents PageCommand::scene(ordered_json data, DrawOptions options) const {
   }
   Progress progress("drawing " + output);
   options.progress = progress.told();
-  return {title.empty() ? name : title, text_of(data), draw_as(system, "svg", options)};
+  return {title_or_name(title, name), text_of(data), draw_as(system, "svg", options)};
 }
 
 DrawOptions PageCommand::drawing() const {
@@ -109,6 +110,7 @@ DrawOptions PageCommand::drawing() const {
 }
 
 int PageCommand::run() const {
+  require_drawable("--title", title);
   const PageFiles files(package);
   const DrawOptions options = drawing();
   const bool is_product = inputs.empty();

@@ -16,6 +16,7 @@
 #include "programs/progress.h"
 #include "programs/sheet/arrangement.h"
 #include "programs/sheet/part.h"
+#include "programs/title_words.h"
 #include "programs/warnings.h"
 
 namespace displayfile {
@@ -146,7 +147,8 @@ int SheetCommand::run() const {
   read_paper(paper, margin, words);
   words.projection = projection_of(projection);
   words.unit = millimetres_of(unit);
-  words.title = title.empty() ? std::filesystem::path(inputs.front()).stem().string() : title;
+  words.title = title_or_name(title, std::filesystem::path(inputs.front()).stem().string());
+  require_drawable("--date", date);
   words.date = date;
   words.hatch = hatch;
   if (!(hatch >= kClosestHatching && hatch <= kLargestSheet)) {

@@ -17,6 +17,7 @@
 #include "programs/option_groups.h"
 #include "programs/page/one_file_page.h"
 #include "programs/progress.h"
+#include "programs/title_words.h"
 
 namespace displayfile {
 
@@ -67,7 +68,7 @@ int StepsCommand::run() const {
   std::string text = steps_as_json(system, options);
   if (is_page) {
     const std::string name = std::filesystem::path(inputs.front()).filename().string();
-    text = one_file_page(files, "steps.html", {title.empty() ? name : title, text});
+    text = one_file_page(files, "steps.html", {title_or_name(title, name), text});
   }
   file.stream() << text;
   file.commit();

@@ -72,6 +72,10 @@ TEST_F(PageCommand, NamesAndTitlesAreNoMarkup) {
             std::string::npos);
   EXPECT_NE(page("triangle.draw --title 'A & B'").find("<title>A &amp; B</title>"),
             std::string::npos);
+  write("a\xff\x01.draw", kTriangle);
+  EXPECT_NE(page("'a\xff\x01.draw'").find("<title>a??.draw</title>"), std::string::npos);
+  expect_error("page triangle.draw --package package -o page.html --title '\x01'",
+               "--title: character U+0001 in a text");
 }
 
 TEST_F(PageCommand, WithoutASceneItHasTheGallery) {

@@ -134,6 +134,12 @@ TEST_F(SheetCommandTest, AProgramSaysWhichAxisIsUp) {
   EXPECT_TRUE(sheet("z.draw --up y") == sheet("y.draw"));
 }
 
+TEST_F(SheetCommandTest, ATitleFromANameThatIsNoTextIsDrawnAsOne) {
+  fs::copy_file(folder_ / "box.obj", folder_ / "b\xff\x01x.obj");
+  ASSERT_EQ(run("sheet 'b\xff\x01x.obj' -o s.svg"), 0) << err_;
+  EXPECT_NE(read(folder_ / "s.svg").find("<title>b??x</title>"), std::string::npos);
+}
+
 TEST_F(SheetCommandTest, EveryOptionHasItsMessage) {
   expect_error("sheet box.obj -o box.png", "box.png: expected a sheet that ends in .svg, .pdf or");
   expect_error("sheet box.obj -o s.svg --paper a9", "unknown paper 'a9'");
@@ -153,6 +159,8 @@ TEST_F(SheetCommandTest, EveryOptionHasItsMessage) {
   expect_error("sheet box.obj -o s.svg --threads 0", "--threads");
   expect_error("sheet box.obj -o s.svg --title", "--title");
   expect_error("sheet box.obj -o s.svg --date", "--date");
+  expect_error("sheet box.obj -o s.svg --title 'a\x01'", "--title: character U+0001 in a text");
+  expect_error("sheet box.obj -o s.svg --date '\xff'", "--date: byte 0xff in a text");
   expect_error("sheet box.obj -o no/s.svg", "no/s.svg: cannot be written");
   expect_error("sheet box.obj -o s.svg --lines edge", "edge");
   expect_error("sheet box.obj -o s.svg --up w", "up is");

@@ -82,7 +82,8 @@ int CompareCommand::run() const {
     return print(difference, !difference.differs());
   }
   if (!marks.empty()) throw Error(fmt::format("{} and {}: dumps have no pixels to mark", a, b));
-  const auto difference = first_difference(read_text_file(a), read_text_file(b));
+  const auto difference =
+      first_difference(read_text_file(a), read_text_file(b), input_name(a), input_name(b));
   std::cout << (difference ? *difference : std::string("no difference")) << '\n';
   return difference ? 1 : 0;
 }

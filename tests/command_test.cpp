@@ -60,6 +60,9 @@ TEST_F(Command, DumpCheckAndCompareTellDifferences) {
   EXPECT_EQ(run("dump t.draw -o u.txt"), 0);
   EXPECT_EQ(run("compare t.txt u.txt"), 1);
   EXPECT_EQ(run("compare t.txt t.txt"), 0);
+  write("cut.txt", "displayfile-dump 1\nsegment 1 visible\n");
+  expect_error("compare t.txt cut.txt", "cut.txt:3:1: the dump is cut short");
+  expect_error("compare t.draw t.txt", "t.draw:1:1: not a display-file dump");
 }
 
 /// Whatever command prints it.

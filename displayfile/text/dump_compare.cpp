@@ -146,9 +146,11 @@ void require_dump(std::string_view text, std::string_view name) {
   }
 }
 
-std::optional<std::string> first_difference(std::string_view actual, std::string_view expected) {
-  require_dump(actual, "the dump");
-  require_dump(expected, "the expected dump");
+std::optional<std::string> first_difference(std::string_view actual, std::string_view expected,
+                                            std::string_view actual_name,
+                                            std::string_view expected_name) {
+  require_dump(actual, actual_name);
+  require_dump(expected, expected_name);
   return first_difference_of_dumps(actual, expected);
 }
 

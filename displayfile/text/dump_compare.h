@@ -12,8 +12,10 @@ namespace displayfile {
 /// same. The message names the segment, the instruction (counted from 1 within the segment, a
 /// line of the dump each) and both values:
 ///   segment 3, instruction 17 (line 0.1 0.25 0): y is 0.25, expected 0.5
-/// Throws Error if one of the texts is not a whole dump.
-std::optional<std::string> first_difference(std::string_view actual, std::string_view expected);
+/// Throws Error, with the text's name and the place, if one of them is not a whole dump.
+std::optional<std::string> first_difference(std::string_view actual, std::string_view expected,
+                                            std::string_view actual_name = "the dump",
+                                            std::string_view expected_name = "the expected dump");
 
 /// Throws Error, with the name and the place, if the text is not a whole dump.
 void require_dump(std::string_view text, std::string_view name);

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
@@ -46,6 +47,17 @@ bool link_nameless(int descriptor, const std::string& name) {
                   AT_SYMLINK_FOLLOW) == 0;
 }
 
+/// Which folder that would be is said by one of these, or by none.
+std::string no_temporary_folder() {
+  for (const char* variable : {"TMPDIR", "TMP", "TEMP", "TEMPDIR"}) {
+    if (const char* const folder = std::getenv(variable)) {
+      return fmt::format("{} names {}, which is no folder: expected one for temporary files",
+                         variable, folder);
+    }
+  }
+  return "/tmp is no folder: expected one for temporary files";
+}
+
 }  // namespace
 
 void OutputFile::fail(const std::string& what) const { throw Error(path_ + ": " + what); }
@@ -74,7 +86,9 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_
     path_ = "standard output";
     if (::fcntl(STDOUT_FILENO, F_GETFD) < 0) fail_to_write();
     standard_output_ = true;
-    target_ = (fs::temp_directory_path() / "displayfile").string();
+    const fs::path folder = fs::temp_directory_path(error);
+    if (error) fail("cannot be written: " + no_temporary_folder());
+    target_ = (folder / "displayfile").string();
     create_temporary();
     return;
   }

@@ -396,6 +396,13 @@ TEST_F(StandardOutput, SaysThatItCannotBeWritten) {
   expect_failure(">/dev/full", "No space left on device\n");
 }
 
+TEST_F(StandardOutput, NeedsAFolderForTemporaryFiles) {
+  before_ = "TMPDIR=/nonexistent ";
+  expect_error("draw red.draw -o -",
+               "standard output: cannot be written: TMPDIR names /nonexistent, which is no folder: "
+               "expected one for temporary files");
+}
+
 /// A reader that goes away ends the command as it ends any other, or is told if that is ignored;
 /// no temporary file stays.
 TEST_F(StandardOutput, ReaderThatGoesAway) {

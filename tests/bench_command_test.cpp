@@ -81,6 +81,10 @@ TEST_F(Bench, Refuses) {
   EXPECT_EQ(run("bench --moving-camera soup --methods bsp"), 2);
   EXPECT_NE(err_.find("--methods excludes --moving-camera"), err_.npos) << err_;
   expect_error("bench soup -o nowhere/r.html", "nowhere/r.html");
+  expect_error("bench soup -o r.png", "r.png: expected a file that ends in .html");
+  expect_error("bench soup --plot r.png", "r.png: expected a file that ends in .svg");
+  expect_error("bench soup --polygons 0", "displayfile: --polygons: ");
+  expect_error("bench soup --polygon 5", "displayfile: ");
   expect_error("bench soup --json nowhere/r.json", "nowhere/r.json");
   expect_error("bench soup --methods robert", "robert: not in this build: expected some of none");
   expect_error("bench soup --roundoff 2", "roundoff");

@@ -7,10 +7,12 @@
 #include <iostream>
 #include <iterator>
 #include <set>
+#include <string_view>
 #include <thread>
 #include <utility>
 
 #include "clip/error.h"
+#include "displayfile/file_extension.h"
 #include "displayfile/output_file.h"
 #include "hidden/exact/precision.h"
 #include "programs/bench/analysis.h"
@@ -402,6 +404,12 @@ std::vector<ViewingRow> rounding_of_viewing(const std::vector<BenchScene>& scene
   return rows;
 }
 
+/// Nothing, or a file that ends so.
+void require_extension(const std::string& path, std::string_view extension) {
+  if (path.empty() || extension_of(path) == extension) return;
+  throw Error(fmt::format("{}: expected a file that ends in {}", path, extension));
+}
+
 void write_text(const std::string& path, const std::string& text) {
   OutputFile out(path);
   out.stream() << text;
@@ -445,6 +453,8 @@ int BenchCommand::run() const {
     std::cout << compared(beside);
     return 0;
   }
+  require_extension(page, ".html");
+  require_extension(plot, ".svg");
   // Every output must be writable before the long work.
   OutputFile{page};
   if (!json.empty()) OutputFile{json};

@@ -1,9 +1,12 @@
 // The program displayfile-bench, which `displayfile bench` starts in its own place: its command
 // line is that of the command (programs/bench/bench.md).
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <array>
 
+#include "clip/error.h"
 #include "displayfile/mesh/mesh_extensions.h"
 #include "programs/bench/bench_command.h"
 #include "programs/bench_program.h"
@@ -102,7 +105,8 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
+    if (e.get_exit_code() == 0) return app.exit(e);
+    throw Error(fmt::format("{}: displayfile bench --help lists all", e.what()));
   }
   const WorkLimitsInForce in_force(limits);
   return bench.run();

@@ -4,6 +4,11 @@
 #include <cairo-ps.h>
 #include <cairo.h>
 
+#include <new>
+#include <string>
+#include <string_view>
+
+#include "clip/error.h"
 #include "displayfile/shared_library.h"
 
 namespace displayfile {
@@ -76,6 +81,14 @@ class Cairo {
 inline const Cairo& cairo() {
   static const Cairo library;
   return library;
+}
+
+/// Throws std::bad_alloc where Cairo was out of memory, and Error, "`what`: " and what Cairo says,
+/// where it failed otherwise.
+inline void require_cairo_success(cairo_status_t status, std::string_view what) {
+  if (status == CAIRO_STATUS_SUCCESS) return;
+  if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
+  throw Error(std::string(what).append(": ").append(cairo().status_to_string(status)));
 }
 
 }  // namespace displayfile

@@ -90,6 +90,18 @@ TEST_F(Limits, NoMemoryCutsAPictureShort) {
   EXPECT_TRUE(drawn > 0 && drawn < 5) << drawn;
 }
 
+/// Cairo is out of memory in its own words.
+TEST_F(Limits, MemoryOfPdf) {
+  if (run("draw t.draw -o p.pdf") != 0) GTEST_SKIP() << err_;
+  std::string lines = "open-segment 1\n";
+  for (int k = 0; k < 100000; ++k) {
+    lines += fmt::format("polygon-abs-3 0 0.{:05} 0  1 0 0  0 1 0\n", k);
+  }
+  write("many.draw", lines + "close-segment\n");
+  expect_error("draw many.draw -o p.pdf --hidden none --threads 1 --limit-memory 120M",
+               "bytes are not enough: expected a higher limit of memory");
+}
+
 TEST_F(Limits, WordsThatAreNone) {
   for (const char* word : {"x", "-1", "0", "1T", "1MM", "nan", "inf", "1e300", "''"}) {
     if (std::string(word) == "''") continue;  // the usual one

@@ -1,9 +1,5 @@
 #include "interp/text/cairo_text.h"
 
-#include <fmt/format.h>
-
-#include "clip/error.h"
-
 namespace displayfile {
 
 namespace {
@@ -19,9 +15,7 @@ double part_before_anchor(TextStyle::Alignment alignment) {
 }
 
 void require_success(cairo_t* context) {
-  const cairo_status_t status = cairo().status(context);
-  if (status == CAIRO_STATUS_SUCCESS) return;
-  throw Error(fmt::format("Cairo cannot draw a text: {}", cairo().status_to_string(status)));
+  require_cairo_success(cairo().status(context), "Cairo cannot draw a text");
 }
 
 /// Left to itself Cairo fits letters to pixels.

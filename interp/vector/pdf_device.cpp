@@ -21,9 +21,7 @@ namespace displayfile {
 namespace {
 
 void require_success(cairo_status_t status) {
-  if (status != CAIRO_STATUS_SUCCESS) {
-    throw Error(fmt::format("Cairo cannot write the page: {}", cairo().status_to_string(status)));
-  }
+  require_cairo_success(status, "Cairo cannot write the page");
 }
 
 /// Where the picture lies on its paper; on none its pixels are points.
@@ -163,6 +161,7 @@ void PdfDevice::finish() {
   finish_lines();
   begin_layer({});
   cairo().show_page(context_.get());
+  document_.require_whole();
   require_success(cairo().status(context_.get()));
   cairo().surface_finish(surface_.get());
   document_.require_whole();

@@ -1,9 +1,6 @@
-#include <fmt/format.h>
-
 #include <memory>
 #include <ostream>
 
-#include "clip/error.h"
 #include "displayfile/output_file.h"
 #include "interp/cairo.h"
 #include "interp/paper.h"
@@ -46,9 +43,7 @@ void draw_texts(const DrawingSheet& sheet, cairo_t* context) {
 void write_sheet_pdf(const DrawingSheet& sheet, const std::string& file) {
   OutputFile output(file);
   const auto require = [&](cairo_status_t status) {
-    if (status == CAIRO_STATUS_SUCCESS) return;
-    throw Error(
-        fmt::format("{}: Cairo cannot write the PDF: {}", file, cairo().status_to_string(status)));
+    require_cairo_success(status, file + ": Cairo cannot write the PDF");
   };
   const auto destroy_surface = [](cairo_surface_t* s) { cairo().surface_destroy(s); };
   const auto destroy = [](cairo_t* c) { cairo().destroy(c); };

@@ -1,9 +1,6 @@
-#include <fmt/format.h>
-
 #include <memory>
 #include <ostream>
 
-#include "clip/error.h"
 #include "displayfile/output.h"
 #include "interp/cairo.h"
 #include "interp/vector/cairo_figure.h"
@@ -35,9 +32,7 @@ void draw_layer(cairo_t* context, const PenLayer& layer) {
 void write_pens_pdf(const PenDrawing& drawing, const Destination& to) {
   const std::unique_ptr<Output> output = output_to(to);
   const auto require = [&](cairo_status_t status) {
-    if (status == CAIRO_STATUS_SUCCESS) return;
-    throw Error(fmt::format("{}: Cairo cannot write the PDF: {}", to.name(),
-                            cairo().status_to_string(status)));
+    require_cairo_success(status, to.name() + ": Cairo cannot write the PDF");
   };
   const auto destroy_surface = [](cairo_surface_t* s) { cairo().surface_destroy(s); };
   const auto destroy = [](cairo_t* c) { cairo().destroy(c); };

@@ -52,13 +52,17 @@ UnfinishedPath& UnfinishedPath::operator=(UnfinishedPath&& other) noexcept {
   return *this;
 }
 
+/// A folder goes when nothing is in it any more: as long as anything goes, another may.
 void UnfinishedPath::remove_all() noexcept {
-  for (std::size_t i = kPlaces; i-- > 0;) {
-    char* const path = unfinished[i].exchange(nullptr);
-    if (path == nullptr) continue;
-    if (::unlink(path) != 0) ::rmdir(path);
-    char* none = nullptr;
-    unfinished[i].compare_exchange_strong(none, path);  // whose it is frees it, if time is left
+  for (bool any_went = true; any_went;) {
+    any_went = false;
+    for (auto& place : unfinished) {
+      char* const path = place.exchange(nullptr);
+      if (path == nullptr) continue;
+      if (::unlink(path) == 0 || ::rmdir(path) == 0) any_went = true;
+      char* none = nullptr;
+      place.compare_exchange_strong(none, path);  // whose it is frees it, if time is left
+    }
   }
 }
 

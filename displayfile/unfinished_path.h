@@ -17,8 +17,8 @@ class UnfinishedPath {
   UnfinishedPath(UnfinishedPath&& other) noexcept;
   UnfinishedPath& operator=(UnfinishedPath&& other) noexcept;
 
-  /// Removes every unfinished file, and folder with nothing in it, the ones entered last first.
-  /// Calls nothing that a signal handler may not.
+  /// Removes every unfinished file, and each folder with nothing else in it, in whatever order they
+  /// were entered. Calls nothing that a signal handler may not.
   static void remove_all() noexcept;
 
   /// A thread gives something a name, or takes one away, while it has one of these: from where it

@@ -244,6 +244,20 @@ TEST_F(OutputFileTest, IsGoneIfAllThatIsUnfinishedIsRemoved) {
   EXPECT_TRUE(fs::exists(folder_ / "whole.png"));
 }
 
+/// A folder entered before what is in it is gone too, whatever places in the table are free.
+TEST_F(OutputFileTest, UnfinishedFoldersAreGoneWithWhatIsInThem) {
+  const fs::path outer = folder_ / "outer", inner = outer / "inner";
+  UnfinishedPath free_later(file("other.png").string());
+  const UnfinishedPath of_outer(outer.string());
+  free_later = {};
+  const UnfinishedPath of_inner(inner.string());
+  const UnfinishedPath of_file((inner / "picture.png").string());
+  fs::create_directories(inner);
+  write((inner / "picture.png").string(), "text");
+  UnfinishedPath::remove_all();
+  EXPECT_FALSE(fs::exists(outer));
+}
+
 TEST_F(OutputFileTest, TargetThatBecameAFolderIsAnErrorAtCommit) {
   OutputFile file(target_);
   file.stream() << "text";

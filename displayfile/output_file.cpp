@@ -16,6 +16,7 @@
 
 #include "clip/error.h"
 #include "displayfile/on_disk.h"
+#include "displayfile/real_path.h"
 
 namespace displayfile {
 
@@ -101,7 +102,8 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_
     return;
   }
   if (fs::is_symlink(fs::symlink_status(path_, error))) {
-    if (const fs::path real = fs::weakly_canonical(path_, error); !error) target_ = real.string();
+    target_ = real_path(path_, error).string();
+    if (error) fail("cannot be written: " + error.message());
   }
   create_temporary();
   if (fs::exists(status)) ::fchmod(descriptor_, static_cast<mode_t>(status.permissions()));

@@ -179,6 +179,31 @@ TEST_F(OutputFileTest, SymbolicLinkIsFollowed) {
   EXPECT_EQ(content(target_), "text");
 }
 
+/// Whether what it leads to is there or not.
+TEST_F(OutputFileTest, SymbolicLinkToWhatIsNotThereIsFollowed) {
+  const std::string link = (folder_ / "link.png").string();
+  fs::create_directory(folder_ / "real");
+  fs::create_symlink("second.png", link);
+  fs::create_symlink("real/picture.png", folder_ / "second.png");
+  EXPECT_EQ(error_of(link), "");
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_TRUE(fs::is_symlink(folder_ / "second.png"));
+  EXPECT_EQ(content(folder_ / "real/picture.png"), "text");
+  fs::create_symlink("nowhere/picture.png", folder_ / "lost.png");
+  const std::string lost = (folder_ / "lost.png").string();
+  EXPECT_EQ(error_of(lost), lost + ": cannot be written: there is no folder " +
+                                (fs::canonical(folder_) / "nowhere").string());
+}
+
+TEST_F(OutputFileTest, SymbolicLinksThatLeadAroundAreAnError) {
+  const std::string link = (folder_ / "link.png").string();
+  fs::create_symlink("other.png", link);
+  fs::create_symlink("link.png", folder_ / "other.png");
+  EXPECT_EQ(error_of(link), link + ": cannot be written: Too many levels of symbolic links");
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(files(), 2);
+}
+
 TEST_F(OutputFileTest, LongNameIsFine) {
   const std::string path = folder_.string() + '/' + std::string(250, 'x') + ".svg";
   EXPECT_EQ(error_of(path), "");

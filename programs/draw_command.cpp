@@ -23,6 +23,7 @@
 #include "programs/input_names.h"
 #include "programs/inputs.h"
 #include "programs/made_folders.h"
+#include "programs/number_in.h"
 #include "programs/number_range.h"
 #include "programs/option_groups.h"
 #include "programs/output_name.h"
@@ -106,7 +107,7 @@ void DrawCommand::add_picture_options(CLI::App& command) {
       .add_option("--samples", options.samples,
                   "antialiasing: the mean of N x N samples for each pixel")
       ->type_name("N")
-      ->check(CLI::Range(1, kMostSamples))
+      ->transform(number_in(1, kMostSamples))
       ->capture_default_str()
       ->group(kPictureOptions);
   shading.add_to(command);
@@ -139,7 +140,7 @@ void DrawCommand::add_picture_options(CLI::App& command) {
       ->group(kPictureOptions);
   command.add_option("--threads", options.threads, "the picture is the same for any number")
       ->type_name("N")
-      ->check(CLI::Range(1, 1024))
+      ->transform(number_in(1, 1024))
       ->group(kPictureOptions);
 }
 

@@ -10,6 +10,7 @@
 
 #include "clip/error.h"
 #include "programs/colour_word.h"
+#include "programs/number_in.h"
 #include "programs/option_groups.h"
 
 namespace displayfile {
@@ -75,6 +76,7 @@ void PaperWords::add_to(CLI::App& command) {
       ->group(kPaperOptions);
   command.add_option("--margin", margin, "mm around the picture on the paper [10]")
       ->type_name("MM")
+      ->transform(any_number<double>())
       ->group(kPaperOptions);
   command
       .add_flag(

@@ -11,6 +11,7 @@
 #include "displayfile/file_extension.h"
 #include "interp/files/png_file.h"
 #include "interp/files/ppm_file.h"
+#include "programs/number_in.h"
 #include "programs/option_groups.h"
 
 namespace displayfile {
@@ -20,7 +21,7 @@ void PictureTolerance::add_to(CLI::App& command) {
       .add_option("--tolerance", channel,
                   "of pictures: a pixel is wrong if a channel differs by more, of 255")
       ->type_name("N")
-      ->check(CLI::Range(0, 255))
+      ->transform(number_in(0, 255))
       ->capture_default_str()
       ->group(kPictureOptions);
   command

@@ -12,6 +12,7 @@
 #include "clip/error.h"
 #include "interp/paper.h"
 #include "programs/input_names.h"
+#include "programs/number_in.h"
 #include "programs/option_groups.h"
 #include "programs/progress.h"
 #include "programs/sheet/arrangement.h"
@@ -91,6 +92,7 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
       ->group(kPaperOptions);
   command.add_option("--margin", margin, "mm from the paper's edge to the frame")
       ->type_name("MM")
+      ->transform(any_number<double>())
       ->capture_default_str()
       ->group(kPaperOptions);
   command
@@ -121,6 +123,7 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
       ->group(kPictureOptions);
   command.add_option("--hatch", hatch, "mm between the lines of hatching")
       ->type_name("MM")
+      ->transform(any_number<double>())
       ->capture_default_str()
       ->group(kPictureOptions);
   command.add_option("--lines", lines, "which edges are lines, as draw has it")
@@ -135,7 +138,7 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
       ->group(kPictureOptions);
   command.add_option("--threads", threads, "the sheet is the same for any number")
       ->type_name("N")
-      ->check(CLI::Range(1, 1024))
+      ->transform(number_in(1, 1024))
       ->group(kPictureOptions);
   import.add_to(command);
   return command;

@@ -14,6 +14,7 @@
 #include "interp/steps/steps.h"
 #include "programs/input_names.h"
 #include "programs/inputs.h"
+#include "programs/number_in.h"
 #include "programs/option_groups.h"
 #include "programs/page/one_file_page.h"
 #include "programs/progress.h"
@@ -42,6 +43,7 @@ CLI::App& StepsCommand::add_to(CLI::App& app) {
   size.add_to(command);
   command.add_option("--limit-steps", most_steps, "tell so many steps at most")
       ->type_name("N")
+      ->transform(any_number<std::size_t>())
       ->capture_default_str()
       ->group(kLimitOptions);
   meshes.add_to(command);

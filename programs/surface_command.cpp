@@ -13,6 +13,7 @@
 #include "displayfile/output_file.h"
 #include "interp/draw.h"
 #include "programs/keep_freed_memory.h"
+#include "programs/number_in.h"
 #include "programs/picture_words.h"
 #include "programs/progress.h"
 
@@ -112,6 +113,7 @@ CLI::App& SurfaceCommand::add_to(CLI::App& app) {
   command
       .add_option("--contours", contours, "so many lines of equal height, at the base of the box")
       ->type_name("N")
+      ->transform(any_number<int>())
       ->default_str("0");
   command.add_flag("--axes,!--no-axes", axes, "axes with numbers and names")->default_str("true");
   command.add_flag("--box,!--no-box", box, "the faces of the box behind the surface")
@@ -123,10 +125,12 @@ CLI::App& SurfaceCommand::add_to(CLI::App& app) {
       ->type_name("PROGRAM.draw");
   command
       .add_option("--threads", threads, "threads at most; the picture is the same for any number")
-      ->type_name("N");
+      ->type_name("N")
+      ->transform(any_number<int>());
   command
       .add_option("--samples", samples, "antialiasing: the mean of N x N samples for each pixel")
-      ->type_name("N");
+      ->type_name("N")
+      ->transform(any_number<int>());
   size.add_to(command);
   camera.add_to(command, {"the surface", "30,30", "z"});
   hidden_surfaces.add_to(command);

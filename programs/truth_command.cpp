@@ -22,6 +22,7 @@
 #include "interp/truth/world_truth.h"
 #include "programs/input_names.h"
 #include "programs/inputs.h"
+#include "programs/number_in.h"
 #include "programs/progress.h"
 
 namespace displayfile {
@@ -60,10 +61,11 @@ CLI::App& TruthCommand::add_to(CLI::App& app) {
   command
       .add_option("--line-samples", line_samples,
                   "judge so many random points of the lines at least, not whole lines: for many")
-      ->type_name("N");
+      ->type_name("N")
+      ->transform(any_number<std::size_t>());
   command.add_option("--threads", threads, "for lines; the answer is the same for any number")
       ->type_name("N")
-      ->check(CLI::Range(1, 1024));
+      ->transform(number_in(1, 1024));
   return command;
 }
 

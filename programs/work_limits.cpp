@@ -15,6 +15,7 @@
 #include "clip/error.h"
 #include "clip/memory.h"
 #include "displayfile/unfinished_path.h"
+#include "programs/number_in.h"
 #include "programs/option_groups.h"
 
 namespace displayfile {
@@ -113,7 +114,7 @@ void WorkLimitWords::add_to(CLI::App& command, bool for_this_machine) {
       .add_option("--limit-seconds", seconds,
                   "how long the command may take; at the limit nothing is written [none]")
       ->type_name("SECONDS")
-      ->check(CLI::Range(1e-3, kMostSeconds))
+      ->transform(number_in(1e-3, kMostSeconds))
       ->group(kLimitOptions);
   command
       .add_option(
@@ -128,7 +129,7 @@ void WorkLimitWords::add_to(CLI::App& command, bool for_this_machine) {
           "into how many pieces polygons may be cut, in how many lines may be seen, and how "
           "many edges the map may have; what is not cut is always allowed")
       ->type_name("N")
-      ->check(CLI::Range(1.0, 4e9))
+      ->transform(number_in<std::size_t>(1, 4'000'000'000))
       ->capture_default_str()
       ->group(kLimitOptions);
 }

@@ -324,6 +324,24 @@ TEST_F(Command, BadCommandLinesAndOutputs) {
   EXPECT_EQ(run("--help"), 0);
 }
 
+/// Whatever they begin with.
+TEST_F(Command, NumbersAreDecimal) {
+  write("t.draw", kTriangle);
+  EXPECT_EQ(run("draw t.draw -o a.ppm --size 40x40 --samples 08"), 0) << err_;
+  EXPECT_EQ(run("draw t.draw -o b.ppm --size 40x40 --samples 8"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "a.ppm"), read(folder_ / "b.ppm"));
+  EXPECT_EQ(run("draw t.draw -o c.ppm --size 40x40 --samples 010"), 0) << err_;
+  EXPECT_EQ(run("draw t.draw -o d.ppm --size 40x40 --samples +10"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "c.ppm"), read(folder_ / "d.ppm"));
+  EXPECT_NE(read(folder_ / "c.ppm"), read(folder_ / "a.ppm"));
+  expect_error("draw t.draw -o x.png --samples 0x2",
+               "--samples: 0x2: expected a whole number, 1 to 16: displayfile draw --help");
+  expect_error("draw t.draw -o x.png --threads -1", "--threads: -1: expected a whole number");
+  expect_error("truth t.draw --hidden roberts --line-samples -1", "--line-samples: -1: expected");
+  expect_error("draw t.draw -o x.svg --paper a4 --margin nan", "--margin: nan: expected");
+  expect_error("sheet t.draw -o x.svg --hatch inf", "--hatch: inf: expected");
+}
+
 TEST_F(Command, SaysWhatAnUnknownWordMayHaveMeant) {
   write("t.draw", kTriangle);
   expect_error("drew t.draw -o x.png", "unknown command 'drew': did you mean 'draw'? expected one");

@@ -105,14 +105,16 @@ TEST_F(Limits, MemoryOfPdf) {
 TEST_F(Limits, WordsThatAreNone) {
   for (const char* word : {"x", "-1", "0", "1T", "1MM", "nan", "inf", "1e300", "''"}) {
     if (std::string(word) == "''") continue;  // the usual one
-    expect_error(fmt::format("draw t.draw -o p.png --limit-memory={}", word), "--limit-memory");
+    expect_error(fmt::format("draw t.draw -o p.png --limit-memory {}", word), "--limit-memory");
   }
-  for (const char* word : {"x", "0", "-1", "1e9"}) {
-    expect_error(fmt::format("draw t.draw -o p.png --limit-seconds={}", word), "--limit-seconds");
-    expect_error(fmt::format("draw t.draw -o p.png --limit-pieces={}",
+  for (const char* word : {"x", "0", "-1", "1e9", "nan", "inf"}) {
+    expect_error(fmt::format("draw t.draw -o p.png --limit-seconds {}", word), "--limit-seconds");
+    expect_error(fmt::format("draw t.draw -o p.png --limit-pieces {}",
                              word == std::string("1e9") ? "5e9" : word),
                  "--limit-pieces");
   }
+  expect_error("draw t.draw -o p.png --limit-pieces 1e3",
+               "--limit-pieces: 1e3: expected a whole number, 1 to 4000000000");
 }
 
 /// Each of several inputs that is not drawn in time is named.

@@ -153,7 +153,7 @@ TEST_F(SheetCommandTest, EveryOptionHasItsMessage) {
   expect_error("sheet box.obj -o s.svg --section front=nan", "--section front=nan: expected");
   expect_error("sheet box.obj -o s.svg --section top=1 --section top=2", "has a section already");
   expect_error("sheet box.obj -o s.svg --hatch 0", "--hatch 0: expected");
-  expect_error("sheet box.obj -o s.svg --hatch fine", "--hatch = fine");
+  expect_error("sheet box.obj -o s.svg --hatch fine", "--hatch: fine: expected a number");
   expect_error("sheet box.obj -o s.svg --margin -1", "margins of -1 mm");
   expect_error("sheet box.obj -o s.svg --paper 30x30", "no room for four views");
   expect_error("sheet box.obj -o s.svg --threads 0", "--threads");

@@ -170,6 +170,7 @@ TEST_F(SurfaceCommandTest, WhatIsWrongIsToldAndNothingIsWritten) {
   refuses("g.txt --curves z" + s, "curves of a surface are");
   refuses("g.txt --sides left" + s, "sides of a surface are");
   refuses("g.txt --colour red" + s, "--colour red: expected height");
+  refuses("g.txt --contours x" + s, "--contours: x: expected a whole number");
   refuses("g.txt --contours 101" + s, "--contours 101: expected 0 to 100");
   refuses("g.txt --labels a,b" + s, "--labels a,b: expected three names");
   refuses("g.txt --eye here" + s, "--eye");

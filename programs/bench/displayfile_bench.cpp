@@ -12,6 +12,7 @@
 #include "programs/bench_program.h"
 #include "programs/exit_status.h"
 #include "programs/manual/asked_of_itself.h"
+#include "programs/number_in.h"
 #include "programs/stop_signals.h"
 #include "programs/work_limits.h"
 
@@ -63,26 +64,27 @@ int run(int argc, char** argv) {
   command->add_option("--threads", bench.threads, "numbers of threads, with commas between")
       ->type_name("N,...")
       ->delimiter(',')
-      ->check(CLI::Range(1, 1024));
+      ->transform(number_in(1, 1024));
   command
       ->add_option("--polygons", bench.scenes.polygons, "of generated scenes, with commas between")
       ->type_name("N,...")
       ->delimiter(',')
-      ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}));
+      ->transform(number_in(std::size_t{1}, std::size_t{10'000'000}));
   command->add_option("--sizes", bench.scenes.sizes, "pixels a side, with commas between")
       ->type_name("N,...")
       ->delimiter(',')
-      ->check(CLI::Range(1, 16384));
+      ->transform(number_in(1, 16384));
   command->add_option("--seed", bench.scenes.seed, "of all scenes that are generated")
-      ->type_name("N");
+      ->type_name("N")
+      ->transform(any_number<std::uint64_t>());
   command->add_option("--rounds", bench.rounds, "of each ratio")
       ->type_name("N")
-      ->check(CLI::Range(1, 1000));
+      ->transform(number_in(1, 1000));
   command
       ->add_option("--seconds", bench.most_seconds,
                    "at most for the rounds of one ratio; hard cases take less")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.001, 1e6));
+      ->transform(number_in(0.001, 1e6));
   command->add_flag(
       "--features,!--no-features", bench.features,
       "what each feature costs, off and on; without it, only where no SCENE is named");

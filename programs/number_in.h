@@ -1,0 +1,46 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <CLI/Validators.hpp>
+#include <charconv>
+#include <concepts>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace displayfile {
+
+/// What checks the value of an option: a number from `least` to `most`, decimal whatever it begins
+/// with, and no other text, as nan is one.
+template <class Number>
+CLI::Validator number_in(Number least, Number most) {
+  constexpr bool kWhole = std::integral<Number>;
+  const auto read = [least, most](std::string& word) -> std::string {
+    std::string_view digits = word;
+    if (digits.starts_with('+')) digits.remove_prefix(1);
+    const char* const end = digits.data() + digits.size();
+    Number value{};
+    const auto [stop, failure] = std::from_chars(digits.data(), end, value);
+    const bool is_number = failure == std::errc{} && stop == end;
+    if (is_number && value >= least && value <= most) {
+      word = fmt::format("{}", value);  // the parser takes 010 for 8
+      return {};
+    }
+    const std::string wanted = fmt::format("{}: expected a {}number", word, kWhole ? "whole " : "");
+    if (most == std::numeric_limits<Number>::max()) return wanted;
+    return fmt::format("{}, {} to {}", wanted, least, most);
+  };
+  const char* const kind = !kWhole ? "FLOAT" : std::signed_integral<Number> ? "INT" : "UINT";
+  return CLI::Validator(read, fmt::format("{} in [{} - {}]", kind, least, most));
+}
+
+/// The same of any that is finite; help says nothing of it.
+template <class Number>
+CLI::Validator any_number() {
+  using Limits = std::numeric_limits<Number>;
+  return number_in(Limits::lowest(), Limits::max()).description("");
+}
+
+}  // namespace displayfile

@@ -188,7 +188,8 @@ std::vector<std::string> CheckCommand::golden_files(std::string_view extension) 
   return files;
 }
 
-int CheckCommand::run() const {
+int CheckCommand::run() {
+  inputs = input_names(inputs);
   CheckedInputs checked{hidden_surfaces.options(threads), meshes, size};
   checked.meshes.lines = hidden_surfaces.line_selection();
   checked.meshes.options();  // all words are understood before any work is done

@@ -28,7 +28,7 @@ struct CheckCommand {
   GoldenCheckOption* other = nullptr;  ///< in place of instructions, if asked for
 
   CLI::App& add_to(CLI::App& app);
-  int run() const;  ///< 2 if an input is bad, otherwise 1 if one differs
+  int run();  ///< 2 if an input is bad, otherwise 1 if one differs
 
  private:
   bool is_one_file() const;

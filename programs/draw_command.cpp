@@ -303,7 +303,8 @@ int DrawCommand::draw_each(const DrawOptions& drawing, NotInVectors& left_out) c
   return 2;
 }
 
-int DrawCommand::run() const {
+int DrawCommand::run() {
+  inputs = input_names(inputs);
   const DrawOptions drawing = all_options();
   shading.shading();
   hidden_surfaces.line_selection();

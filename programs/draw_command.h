@@ -45,7 +45,7 @@ struct DrawCommand {
   std::optional<std::string> rows;       ///< which of the picture
 
   CLI::App& add_to(CLI::App& app);
-  int run() const;
+  int run();
 
  private:
   struct Outputs {

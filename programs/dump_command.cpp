@@ -22,7 +22,8 @@ CLI::App& DumpCommand::add_to(CLI::App& app) {
   return command;
 }
 
-int DumpCommand::run() const {
+int DumpCommand::run() {
+  inputs = input_names(inputs);
   MeshWords entering = meshes;
   entering.lines = hidden_surfaces.line_selection();
   const DrawnFile drawn =

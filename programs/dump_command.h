@@ -20,7 +20,7 @@ struct DumpCommand {
   std::string output;  ///< standard output if empty
 
   CLI::App& add_to(CLI::App& app);
-  int run() const;
+  int run();
 };
 
 }  // namespace displayfile

@@ -26,7 +26,8 @@ CLI::App& ImportCommand::add_to(CLI::App& app) {
   return command;
 }
 
-int ImportCommand::run() const {
+int ImportCommand::run() {
+  meshes = input_names(meshes);
   const Shading start_with = shading.shading();
   const MeshOptions entering = options.options();
   const double aspect = size.aspect();

@@ -19,7 +19,7 @@ struct ImportCommand {
   std::string output;
 
   CLI::App& add_to(CLI::App& app);
-  int run() const;
+  int run();
 };
 
 }  // namespace displayfile

@@ -52,9 +52,11 @@ std::vector<std::string> input_names(const std::vector<std::string>& words) {
     list_is_standard_input = list_is_standard_input || word == "@-";
     append_names_in(word.substr(1), names);
   }
-  if (list_is_standard_input && std::ranges::find(names, "-") != names.end()) {
+  const auto reads = std::ranges::count(names, "-");
+  if (list_is_standard_input && reads > 0) {
     throw Error("@- and -: standard input is read twice: expected it once");
   }
+  if (reads > 1) throw Error("-: standard input is read twice: expected it once");
   return names;
 }
 
@@ -66,7 +68,6 @@ CLI::Option& add_inputs(CLI::App& command, const char* name, std::vector<std::st
           "; @FILE stands for the names in that file, one a line, and @- for those on standard "
           "input");
   option.type_name("FILE.draw|MESH");
-  command.parse_complete_callback([&inputs] { inputs = input_names(inputs); });
   return *option.required();
 }
 

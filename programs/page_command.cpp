@@ -109,8 +109,9 @@ DrawOptions PageCommand::drawing() const {
   return drawing;
 }
 
-int PageCommand::run() const {
+int PageCommand::run() {
   require_drawable("--title", title);
+  inputs = input_names(inputs);
   const PageFiles files(package);
   const DrawOptions options = drawing();
   const bool is_product = inputs.empty();

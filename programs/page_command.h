@@ -26,7 +26,7 @@ struct PageCommand {
   MeshWords meshes;
 
   CLI::App& add_to(CLI::App& app);
-  int run() const;
+  int run();
 
  private:
   DrawOptions drawing() const;

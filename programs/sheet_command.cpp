@@ -144,7 +144,8 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
   return command;
 }
 
-int SheetCommand::run() const {
+int SheetCommand::run() {
+  inputs = input_names(inputs);
   require_sheet_file(output);
   SheetWords words;
   read_paper(paper, margin, words);

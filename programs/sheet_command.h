@@ -20,7 +20,7 @@ struct SheetCommand {
   ImportWords import;
 
   CLI::App& add_to(CLI::App& app);
-  int run() const;
+  int run();
 };
 
 }  // namespace displayfile

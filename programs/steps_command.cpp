@@ -50,7 +50,8 @@ CLI::App& StepsCommand::add_to(CLI::App& app) {
   return command;
 }
 
-int StepsCommand::run() const {
+int StepsCommand::run() {
+  inputs = input_names(inputs);
   const bool is_page = extension_of(output) == ".html";
   if (!is_page && extension_of(output) != ".json") {
     throw Error(fmt::format("{}: expected a file that ends in .html or .json", output));

@@ -20,7 +20,7 @@ struct StepsCommand {
   std::size_t most_steps = 20'000;
 
   CLI::App& add_to(CLI::App& app);
-  int run() const;
+  int run();
 };
 
 }  // namespace displayfile

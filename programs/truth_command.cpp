@@ -69,7 +69,8 @@ CLI::App& TruthCommand::add_to(CLI::App& app) {
   return command;
 }
 
-int TruthCommand::run() const {
+int TruthCommand::run() {
+  inputs = input_names(inputs);
   const bool from_world = is_from_world();
   if (ids.empty() && !from_world && !wants_lines()) {
     throw Error(

@@ -33,7 +33,7 @@ struct TruthCommand {
   int threads = 1;
 
   CLI::App& add_to(CLI::App& app);
-  int run() const;
+  int run();
 
  private:
   bool is_from_world() const;

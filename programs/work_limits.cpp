@@ -54,6 +54,10 @@ void end_when_time_is_over(double seconds) {
   struct sigaction action {};
   action.sa_handler = on_time_over;
   ::sigaction(SIGALRM, &action, nullptr);
+  sigset_t alarm;  // whoever started the process may have blocked it
+  ::sigemptyset(&alarm);
+  ::sigaddset(&alarm, SIGALRM);
+  ::pthread_sigmask(SIG_UNBLOCK, &alarm, nullptr);
   set_timer(kGrace * seconds);
 }
 

@@ -1,8 +1,12 @@
 // The command at its limits of pieces, seconds and memory: one message, exit status 2, and outputs
 // as they were.
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <string>
 
 #include "tests/command_fixture.h"
@@ -115,6 +119,31 @@ TEST_F(Limits, WordsThatAreNone) {
   }
   expect_error("draw t.draw -o p.png --limit-pieces 1e3",
                "--limit-pieces: 1e3: expected a whole number, 1 to 4000000000");
+}
+
+/// Names that come from a pipe are waited for no longer, whatever the one who started it has done
+/// with the timer's signal.
+TEST_F(Limits, OfListsOfInputs) {
+  const std::string pipe = file("pipe").string();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const int kept_open = ::open(pipe.c_str(), O_RDWR);
+  ASSERT_GE(kept_open, 0);
+  sigset_t alarm, before;
+  ::sigemptyset(&alarm);
+  ::sigaddset(&alarm, SIGALRM);
+  before_ = "timeout 20 ";
+  for (const int how : {SIG_UNBLOCK, SIG_BLOCK}) {
+    ::pthread_sigmask(how, &alarm, &before);
+    expect_error("draw @- -o '{name}.png' --limit-seconds 0.2", "0.2 seconds are not enough",
+                 "pipe");
+    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  }
+  ::close(kept_open);
+  std::string names;
+  for (int k = 0; k < 4'000'000; ++k) names += "mesh.obj\n";
+  write("names.txt", names);
+  expect_error("draw @names.txt -o '{name}.png' --limit-memory 60M",
+               "out of memory (the limit is 62914560 bytes)");
 }
 
 /// Each of several inputs that is not drawn in time is named.

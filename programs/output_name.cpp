@@ -20,8 +20,13 @@ struct Input {
   bool first;  ///< nothing stands before the field
 };
 
+/// A part of a path that leads elsewhere.
+bool is_no_name(const fs::path& part) { return part == "." || part == ".."; }
+
 std::string name(const Input& input) {
-  return input.path == "-" ? "stdin" : fs::path(input.path).stem().string();
+  if (input.path == "-") return "stdin";
+  const std::string stem = fs::path(input.path).stem().string();
+  return is_no_name(stem) ? fs::path(input.path).filename().string() : stem;
 }
 
 std::string extension(const Input& input) {
@@ -114,7 +119,7 @@ fs::path folder_before_fields(std::string_view pattern) {
 fs::path folder_within(const std::string& input) {
   fs::path kept;
   for (const fs::path& part : fs::path(input).parent_path().lexically_normal().relative_path()) {
-    if (part != ".." && part != ".") kept /= part;
+    if (!is_no_name(part)) kept /= part;
   }
   return kept;
 }

@@ -9,7 +9,8 @@ namespace displayfile {
 
 // Names of outputs with fields that stand for parts of an input's name, such as
 // "thumbnails/{name}.png", when each of many inputs is drawn into a file of its own:
-//   {name}    the input's file name without its extension; stdin for standard input
+//   {name}    the input's file name without its extension, unless that would leave "." or "..";
+//             stdin for standard input
 //   {ext}     its extension without the dot; if it has none, the dot before the field goes too
 //   {folder}  its folder; below what stands before the field, if something does: then without a
 //             root and without ".."

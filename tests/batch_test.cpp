@@ -106,6 +106,19 @@ TEST_F(Batch, FoldersStayBelowWhatStandsBeforeThem) {
   EXPECT_TRUE(fs::exists(folder_ / "a/beside.png"));
 }
 
+/// Nor by what its name is: what stands before the last dot may be one that leads elsewhere.
+TEST_F(Batch, NamesStayBelowWhatStandsBeforeThem) {
+  fs::create_directory(folder_ / "out");
+  fs::create_directory(folder_ / "sub");
+  write("sub/...draw", kRed);
+  write("sub/..draw", kRed);
+  write("picture.png", "precious");
+  EXPECT_EQ(run("draw --size 40x30 sub/...draw sub/..draw -o 'out/{name}/picture.png'"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "picture.png"), "precious");
+  EXPECT_TRUE(fs::exists(folder_ / "out/...draw/picture.png"));
+  EXPECT_TRUE(fs::exists(folder_ / "out/..draw/picture.png"));
+}
+
 TEST_F(Batch, OddNames) {
   const std::vector<std::string> names{"with space", "üñï",   "semi;colon", "quote\"",
                                        "new\nline",  "-dash", "{brace}",    "a.b.c",

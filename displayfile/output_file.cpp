@@ -31,6 +31,13 @@ bool may_write(const std::string& path) {
   return ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0;
 }
 
+/// False, with the reason in errno, for a descriptor that is closed or open for reading alone.
+bool can_write(int descriptor) {
+  const int flags = ::fcntl(descriptor, F_GETFL);
+  if (flags >= 0 && (flags & O_ACCMODE) == O_RDONLY) errno = EBADF;
+  return flags >= 0 && (flags & O_ACCMODE) != O_RDONLY;
+}
+
 /// A name beside the target, of this process.
 std::string temporary_name(const fs::path& target, int attempt) {
   return (target.parent_path() / fmt::format(".{}.{}-{}{}",
@@ -85,7 +92,7 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_
   std::error_code error;
   if (path_ == "-") {
     path_ = "standard output";
-    if (::fcntl(STDOUT_FILENO, F_GETFD) < 0) fail_to_write();
+    if (!can_write(STDOUT_FILENO)) fail_to_write();
     standard_output_ = true;
     const fs::path folder = fs::temp_directory_path(error);
     if (error) fail("cannot be written: " + no_temporary_folder());

@@ -27,6 +27,7 @@
 #include "programs/page_command.h"
 #include "programs/picture_check.h"
 #include "programs/sheet_command.h"
+#include "programs/standard_descriptors.h"
 #include "programs/steps_command.h"
 #include "programs/stop_signals.h"
 #include "programs/surface_command.h"
@@ -142,6 +143,7 @@ int run(int argc, char** argv) {
 }  // namespace displayfile
 
 int main(int argc, char** argv) {
+  displayfile::keep_standard_descriptors();
   displayfile::keep_freed_memory();
   displayfile::leave_nothing_when_stopped();
   return displayfile::exit_status(displayfile::run, argc, argv);

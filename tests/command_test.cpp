@@ -342,6 +342,29 @@ TEST_F(Command, NumbersAreDecimal) {
   expect_error("sheet t.draw -o x.svg --hatch inf", "--hatch: inf: expected");
 }
 
+/// Nothing that is opened takes the place of a standard error that is closed: what is said there is
+/// in no file.
+TEST_F(Command, ClosedStandardErrorIsInNoPicture) {
+  std::string inputs;
+  for (int k = 0; k < 16; ++k) {
+    inputs += fmt::format(" t{}.draw", k);
+    write(fmt::format("t{}.draw", k), "set-window 0 2 0 1\n" + kTriangle);
+  }
+  for (const char* folder : {"said", "closed"}) fs::create_directory(folder_ / folder);
+  const auto draw_into = [&](const std::string& folder, const std::string& standard_error) {
+    const std::string line = "cd '" + folder_.string() + "' && '" DISPLAYFILE_COMMAND "' draw" +
+                             inputs + " -o '" + folder + "/{name}.ppm' --size 900x300 2>" +
+                             standard_error;
+    return std::system(line.c_str());
+  };
+  EXPECT_EQ(draw_into("said", ".err"), 0);
+  EXPECT_EQ(draw_into("closed", "&-"), 0);
+  for (int k = 0; k < 16; ++k) {
+    const std::string name = fmt::format("t{}.ppm", k);
+    EXPECT_TRUE(read(folder_ / "said" / name) == read(folder_ / "closed" / name)) << name;
+  }
+}
+
 TEST_F(Command, SaysWhatAnUnknownWordMayHaveMeant) {
   write("t.draw", kTriangle);
   expect_error("drew t.draw -o x.png", "unknown command 'drew': did you mean 'draw'? expected one");

@@ -13,6 +13,7 @@
 #include "programs/exit_status.h"
 #include "programs/manual/asked_of_itself.h"
 #include "programs/number_in.h"
+#include "programs/standard_descriptors.h"
 #include "programs/stop_signals.h"
 #include "programs/work_limits.h"
 
@@ -118,6 +119,7 @@ int run(int argc, char** argv) {
 }  // namespace displayfile
 
 int main(int argc, char** argv) {
+  displayfile::keep_standard_descriptors();
   displayfile::leave_nothing_when_stopped();
   return displayfile::exit_status(displayfile::run, argc, argv);
 }

@@ -3,7 +3,9 @@
 
 #include "programs/exit_status.h"
 #include "programs/import_program/import_program.h"
+#include "programs/standard_descriptors.h"
 
 int main(int argc, char** argv) {
+  displayfile::keep_standard_descriptors();
   return displayfile::exit_status(displayfile::read_for_waiting_process, argc, argv);
 }

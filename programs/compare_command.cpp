@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <iostream>
 
 #include "clip/error.h"
@@ -12,6 +13,7 @@
 #include "interp/files/npy_file.h"
 #include "interp/files/picture_compare.h"
 #include "interp/files/png_file.h"
+#include "programs/output_paths.h"
 
 namespace displayfile {
 
@@ -61,6 +63,8 @@ int CompareCommand::run() const {
   if (!marks.empty() && extension_of(marks) != ".png") {
     throw Error(fmt::format("{}: expected a .png file for the marks", marks));
   }
+  const std::array<std::string, 2> inputs{a, b};
+  require_files_of_their_own({marks}, inputs);
   const auto print = [](const PictureDifference& difference, bool passes) {
     std::cout << measures(difference);
     return passes ? 0 : 1;

@@ -27,6 +27,7 @@
 #include "programs/number_range.h"
 #include "programs/option_groups.h"
 #include "programs/output_name.h"
+#include "programs/output_paths.h"
 #include "programs/pick_option.h"
 #include "programs/picture_words.h"
 #include "programs/progress.h"
@@ -229,11 +230,20 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
 /// The files of each input, checked before any is drawn.
 std::vector<DrawCommand::Outputs> DrawCommand::outputs_of_each(const DrawOptions& drawing) const {
   std::vector<Outputs> of_each;
-  std::map<std::filesystem::path, std::size_t> made;
+  std::map<std::filesystem::path, std::size_t> made, read;
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    if (const auto file = file_at(inputs[k]); file && *file != "-") read.emplace(*file, k);
+  }
   const auto name = [&](const std::filesystem::path& pattern, std::size_t k) {
     if (pattern.empty()) return std::filesystem::path();
     std::filesystem::path file = output_name(pattern.string(), inputs[k], k, inputs.size());
-    const auto [other, is_new] = made.emplace(file.lexically_normal(), k);
+    const auto leads_to = file_at(file);
+    if (!leads_to) return file;
+    if (const auto input = read.find(*leads_to); input != read.end()) {
+      throw Error(fmt::format("{}: the output of {} and an input: expected another name",
+                              file.string(), input_name(inputs[k])));
+    }
+    const auto [other, is_new] = made.emplace(*leads_to, k);
     if (is_new) return file;
     throw Error(
         fmt::format("{}: the output of {} and of {}: expected a name for each, by {{name}}, "
@@ -310,10 +320,6 @@ int DrawCommand::run() {
   hidden_surfaces.line_selection();
   views_drawn();
   if (pick) pick_option(*pick);
-  const std::array<std::filesystem::path, 3> files{output, drawing.ids, drawing.depth};
-  if (std::ranges::count(files, "-") > 1) {
-    throw Error("-: two outputs on standard output: expected one, and file names for the others");
-  }
   NotInVectors left_out;
   if (quiet) Progress::show_none();
   if (is_name_pattern(output)) {
@@ -326,6 +332,7 @@ int DrawCommand::run() {
     throw Error(fmt::format("{}: has a field, and {} has none: expected both or neither",
                             file.string(), output));
   }
+  require_files_of_their_own({output, drawing.ids.string(), drawing.depth.string()}, inputs);
   std::ostringstream unheard;
   std::optional<CollectedWarnings> collected;
   if (quiet) collected.emplace(unheard);

@@ -7,6 +7,7 @@
 #include "displayfile/text/dump.h"
 #include "programs/input_names.h"
 #include "programs/inputs.h"
+#include "programs/output_paths.h"
 
 namespace displayfile {
 
@@ -24,6 +25,7 @@ CLI::App& DumpCommand::add_to(CLI::App& app) {
 
 int DumpCommand::run() {
   inputs = input_names(inputs);
+  require_files_of_their_own({output}, inputs);
   MeshWords entering = meshes;
   entering.lines = hidden_surfaces.line_selection();
   const DrawnFile drawn =

@@ -9,6 +9,7 @@
 #include "displayfile/output_file.h"
 #include "programs/input_names.h"
 #include "programs/inputs.h"
+#include "programs/output_paths.h"
 #include "programs/progress.h"
 #include "programs/warnings.h"
 
@@ -28,6 +29,8 @@ CLI::App& ImportCommand::add_to(CLI::App& app) {
 
 int ImportCommand::run() {
   meshes = input_names(meshes);
+  require_extension(output, ".draw", "a drawing program");
+  require_files_of_their_own({output}, meshes);
   const Shading start_with = shading.shading();
   const MeshOptions entering = options.options();
   const double aspect = size.aspect();

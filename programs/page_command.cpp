@@ -16,6 +16,7 @@
 #include "programs/input_names.h"
 #include "programs/inputs.h"
 #include "programs/option_groups.h"
+#include "programs/output_paths.h"
 #include "programs/progress.h"
 #include "programs/title_words.h"
 #include "programs/version.h"
@@ -112,6 +113,8 @@ DrawOptions PageCommand::drawing() const {
 int PageCommand::run() {
   require_drawable("--title", title);
   inputs = input_names(inputs);
+  require_extension(output, ".html", "a page");
+  require_files_of_their_own({output}, inputs);
   const PageFiles files(package);
   const DrawOptions options = drawing();
   const bool is_product = inputs.empty();

@@ -14,6 +14,7 @@
 #include "programs/input_names.h"
 #include "programs/number_in.h"
 #include "programs/option_groups.h"
+#include "programs/output_paths.h"
 #include "programs/progress.h"
 #include "programs/sheet/arrangement.h"
 #include "programs/sheet/part.h"
@@ -147,6 +148,7 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
 int SheetCommand::run() {
   inputs = input_names(inputs);
   require_sheet_file(output);
+  require_files_of_their_own({output}, inputs);
   SheetWords words;
   read_paper(paper, margin, words);
   words.projection = projection_of(projection);

@@ -16,6 +16,7 @@
 #include "programs/inputs.h"
 #include "programs/number_in.h"
 #include "programs/option_groups.h"
+#include "programs/output_paths.h"
 #include "programs/page/one_file_page.h"
 #include "programs/progress.h"
 #include "programs/title_words.h"
@@ -56,6 +57,7 @@ int StepsCommand::run() {
   if (!is_page && extension_of(output) != ".json") {
     throw Error(fmt::format("{}: expected a file that ends in .html or .json", output));
   }
+  require_files_of_their_own({output}, inputs);
   StepsOptions options;
   options.method = hidden_method(hidden);
   options.most_steps = most_steps;

@@ -14,6 +14,7 @@
 #include "interp/draw.h"
 #include "programs/keep_freed_memory.h"
 #include "programs/number_in.h"
+#include "programs/output_paths.h"
 #include "programs/picture_words.h"
 #include "programs/progress.h"
 
@@ -196,6 +197,8 @@ int SurfaceCommand::run() const {
   const SurfaceLook shown = look();
   DrawOptions options = drawing();
   require_drawable(output, options);
+  if (!program.empty()) require_extension(program, ".draw", "a drawing program");
+  require_files_of_their_own({output, program}, surfaces);
   const bool in_curves =
       surfaces.size() == 1 && !shown.coloured &&
       options.hidden.value_or(HiddenMethod::perimeter) == HiddenMethod::perimeter;

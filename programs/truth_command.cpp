@@ -23,6 +23,7 @@
 #include "programs/input_names.h"
 #include "programs/inputs.h"
 #include "programs/number_in.h"
+#include "programs/output_paths.h"
 #include "programs/progress.h"
 
 namespace displayfile {
@@ -86,6 +87,7 @@ int TruthCommand::run() {
   if (hidden.empty() && (line_samples != 0 || precision != "exact")) {
     throw Error("--line-samples and --precision: expected --hidden and a method of lines too");
   }
+  require_files_of_their_own({ids, depth, seen_lines}, inputs);
   const LineJudging judging = this->judging();
   int width = 0, height = 0;
   size.read(width, height);
@@ -115,9 +117,7 @@ int TruthCommand::run() {
   for (const auto& array : arrays) array->finish();
   if (lines_file) lines_file->commit();
   for (const auto& array : arrays) array->commit();
-  const std::array outputs{ids, depth, seen_lines};
-  const bool is_taken = std::ranges::find(outputs, "-") != outputs.end();
-  (is_taken ? std::cerr : std::cout) << report;
+  reports() << report;
   return status;
 }
 
@@ -186,6 +186,12 @@ int TruthCommand::judge_lines(const DisplayFile& file, const LineJudging& as_ask
       judged.lines, judged_by, judged.pieces, hidden, judged.errors.length, judged.errors.missing,
       judged.errors.extra);
   return judged.are_right() ? 0 : 1;
+}
+
+/// Standard output may be an output.
+std::ostream& TruthCommand::reports() const {
+  const bool is_output = ids == "-" || depth == "-" || seen_lines == "-";
+  return is_output ? std::cerr : std::cout;
 }
 
 bool TruthCommand::is_from_world() const {

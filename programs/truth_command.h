@@ -39,6 +39,7 @@ struct TruthCommand {
   bool is_from_world() const;
   bool wants_lines() const { return !seen_lines.empty() || !hidden.empty(); }
   LineJudging judging() const;
+  std::ostream& reports() const;
   void write_seen_lines(const DisplayFile& file, std::ostream& to) const;
   int judge_lines(const DisplayFile& file, const LineJudging& judging, std::string& report) const;
   Picture true_picture(const GraphicsSystem& system, const RetainedScene* world,

@@ -90,6 +90,7 @@ TEST_F(Bench, Refuses) {
   expect_error("bench soup --roundoff 2", "roundoff");
   write("bad.draw", "open-segment 1\npolygon-abs-3 0 0 0  1 0 0\nclose-segment\n");
   expect_error("bench bad.draw", "bad.draw:2:");
+  expect_error("bench soup -o r.html --json ./r.html", "r.html and ./r.html: two outputs are one");
   EXPECT_EQ(run("bench soup --seconds nan"), 2);
   EXPECT_NE(err_.find("--seconds: nan: expected a number, 0.001 to"), err_.npos) << err_;
   EXPECT_EQ(run("bench soup --sizes 0"), 2);

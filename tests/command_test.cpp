@@ -342,6 +342,40 @@ TEST_F(Command, NumbersAreDecimal) {
   expect_error("sheet t.draw -o x.svg --hatch inf", "--hatch: inf: expected");
 }
 
+/// One that is lost would be no error otherwise.
+TEST_F(Command, OutputsAreFilesOfTheirOwn) {
+  write("t.draw", kTriangle);
+  fs::create_symlink("x.png", folder_ / "link.png");
+  fs::create_directory(folder_ / "sub");
+  const std::string root = folder_.string();
+  const std::string one_file = ": two outputs are one file: expected a file for each";
+  expect_error("draw t.draw -o x.png --ids ./x.png", "x.png and ./x.png" + one_file);
+  expect_error("draw t.draw -o x.png --ids i.npy --depth sub/../i.npy", one_file);
+  expect_error("draw t.draw -o x.png --ids link.png", "x.png and link.png" + one_file);
+  expect_error("draw t.draw -o '" + root + "/x.png' --ids x.png", one_file);
+  expect_error("truth t.draw --ids i.npy --depth ./i.npy", one_file);
+  expect_error("truth t.draw --ids - --depth -", "-: two outputs on standard output");
+  expect_error("surface x -o x.draw --program x.draw", "x.draw");
+  EXPECT_EQ(run("draw t.draw -o x.ppm --size 9x9 --ids /dev/null --depth /dev/null"), 0) << err_;
+
+  const std::string is_input = ": is an input and an output: expected another file";
+  fs::create_symlink("t.draw", folder_ / "same.draw");
+  expect_error("dump t.draw -o ./t.draw", "./t.draw" + is_input);
+  expect_error("dump same.draw -o t.draw", "t.draw" + is_input);
+  expect_error("draw t.draw -o t.draw --format svg", "t.draw" + is_input);
+  expect_error("draw t.draw same.draw -o '{name}.draw' --format svg",
+               "t.draw: the output of t.draw and an input");
+  ASSERT_EQ(run("draw t.draw -o a.png --size 9x9"), 0) << err_;
+  expect_error("compare a.png a.png --marks a.png", "a.png" + is_input);
+  EXPECT_EQ(read(folder_ / "t.draw"), kTriangle);
+
+  write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  expect_error("page t.draw -o t.draw", "t.draw: expected a page that ends in .html, or -");
+  expect_error("import m.obj -o m.obj", "m.obj: expected a drawing program that ends in .draw");
+  expect_error("surface x -o x.svg --program x.png", "x.png: expected a drawing program that ends");
+  expect_error("draw - - -o x.png", "-: standard input is read twice: expected it once");
+}
+
 /// Nothing that is opened takes the place of a standard error that is closed: what is said there is
 /// in no file.
 TEST_F(Command, ClosedStandardErrorIsInNoPicture) {

@@ -28,6 +28,7 @@
 #include "programs/bench/summary.h"
 #include "programs/bench/text_report.h"
 #include "programs/bench/walk.h"
+#include "programs/output_paths.h"
 #include "programs/progress.h"
 
 namespace displayfile {
@@ -456,6 +457,7 @@ int BenchCommand::run() const {
   require_extension(page, ".html");
   require_extension(plot, ".svg");
   // Every output must be writable before the long work.
+  require_files_of_their_own({page, json, plot, readme}, scenes.names);
   OutputFile{page};
   if (!json.empty()) OutputFile{json};
   if (!plot.empty()) OutputFile{plot};

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace displayfile {
+
+/// The file that a name leads to, by which two names of one file are the same; "-" is itself. None
+/// for a device or a pipe, which may be several outputs, for no name, and where it cannot be told.
+std::optional<std::filesystem::path> file_at(const std::filesystem::path& name);
+
+/// Throws Error, before any work, if two outputs of a command are one file, or both are standard
+/// output; or if one of them is one of its inputs. Empty names are none.
+void require_files_of_their_own(std::initializer_list<std::string> outputs,
+                                std::span<const std::string> inputs = {});
+
+/// Throws Error unless the output has the extension, such as ".html", or is standard output.
+void require_extension(const std::string& output, const char* extension, const char* what);
+
+}  // namespace displayfile

@@ -19,6 +19,7 @@
 #include "programs/compare_command.h"
 #include "programs/draw_command.h"
 #include "programs/dump_command.h"
+#include "programs/empty_values.h"
 #include "programs/exit_status.h"
 #include "programs/import_command.h"
 #include "programs/keep_freed_memory.h"
@@ -87,6 +88,7 @@ int run(int argc, char** argv) {
     // Those of the others would only take time at every start.
     if (asked.subcommand() == subcommand.get_name()) {
       limits.add_to(subcommand, !asked.for_any_machine());
+      refuse_empty_values(subcommand);
     }
     subcommand.callback([&] {
       chosen = [&] {

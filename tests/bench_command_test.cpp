@@ -93,6 +93,8 @@ TEST_F(Bench, Refuses) {
   expect_error("bench soup -o r.html --json ./r.html", "r.html and ./r.html: two outputs are one");
   EXPECT_EQ(run("bench soup --seconds nan"), 2);
   EXPECT_NE(err_.find("--seconds: nan: expected a number, 0.001 to"), err_.npos) << err_;
+  EXPECT_EQ(run("bench soup --json ''"), 2);
+  EXPECT_NE(err_.find("--json: is empty: expected FIGURES.json"), err_.npos) << err_;
   EXPECT_EQ(run("bench soup --sizes 0"), 2);
   EXPECT_EQ(run("bench soup --threads none"), 2);
 }

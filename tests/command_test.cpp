@@ -342,6 +342,22 @@ TEST_F(Command, NumbersAreDecimal) {
   expect_error("sheet t.draw -o x.svg --hatch inf", "--hatch: inf: expected");
 }
 
+TEST_F(Command, EmptyValuesAreRefused) {
+  write("t.draw", kTriangle);
+  for (const char* option : {"--size", "--fov", "--background", "--precision", "--hidden", "--ids",
+                             "--samples", "--limit-seconds", "--paper", "--import-memory"}) {
+    expect_error(fmt::format("draw t.draw -o x.png {} ''", option),
+                 fmt::format("{}: is empty: expected ", option));
+  }
+  expect_error("draw t.draw -o ''", "--output: is empty: expected OUT.");
+  expect_error("draw t.draw '' -o x.png", "INPUT: is empty: expected FILE.draw|MESH");
+  expect_error("check t.draw --golden ''", "--golden: is empty: expected FOLDER|FILE");
+  expect_error("sheet t.draw -o x.svg --scale ''", "--scale: is empty: expected PAPER:PART");
+  expect_error("sheet t.draw -o x.svg --margin ''", "--margin: is empty: expected MM");
+  expect_error("surface x -o x.svg --x ''", "--x: is empty: expected A:B");
+  EXPECT_EQ(run("sheet t.draw -o s.svg --title '' --date ''"), 0) << err_;
+}
+
 /// One that is lost would be no error otherwise.
 TEST_F(Command, OutputsAreFilesOfTheirOwn) {
   write("t.draw", kTriangle);

@@ -230,7 +230,7 @@ TEST_F(SurfaceCommandTest, AnExpressionThatIsNoneIsToldWithItsPlace) {
   if (!reads_expressions()) GTEST_SKIP() << "no muParser";
   refuses("'sin(x' -o s.svg", "expression 'sin(x': at character 7: Missing parenthesis");
   refuses("'x+q' -o s.svg", "expression 'x+q': at character 3");
-  refuses("'' -o s.svg", "expected an expression in x and y");
+  refuses("'' -o s.svg", "SURFACE: is empty: expected EXPRESSION|HEIGHTS");
   refuses("'1/x' --x 0:1 -o s.svg", "1/x: height inf of point 1 1 of the surface");
   refuses("x --grid 2000000000x2000000000 -o s.svg",
           "out of memory: x: drawing 4000000000000000000 points needs");

@@ -137,8 +137,7 @@ TEST_F(Command, SomeViewsAndSomeRowsAreThoseOfAll) {
 
 TEST_F(Command, TurntableRefuses) {
   write("t.draw", kTriangle);
-  for (const char* views :
-       {"0", "-1", "10001", "99999999999999999999", "nan", "1e2", "4.5", "''"}) {
+  for (const char* views : {"0", "-1", "10001", "99999999999999999999", "nan", "1e2", "4.5"}) {
     expect_error(std::string("draw t.draw -o t.png --turntable ") + views,
                  "expected a number of views, 1 to 10000");
   }

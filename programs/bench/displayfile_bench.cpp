@@ -10,6 +10,7 @@
 #include "displayfile/mesh/mesh_extensions.h"
 #include "programs/bench/bench_command.h"
 #include "programs/bench_program.h"
+#include "programs/empty_values.h"
 #include "programs/exit_status.h"
 #include "programs/manual/asked_of_itself.h"
 #include "programs/number_in.h"
@@ -101,6 +102,7 @@ int run(int argc, char** argv) {
   limits.add_to(*command, !asked.for_any_machine());
   command->add_flag("--features-under-callgrind", bench.features_under_callgrind)->group("");
   command->add_option("--beside", bench.beside)->group("");
+  refuse_empty_values(*command);
   if (asked.anything()) {
     asked.tell(app, kNamedValues);
     return 0;

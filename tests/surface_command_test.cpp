@@ -226,11 +226,21 @@ TEST_F(SurfaceCommandTest, WhatIsWrongIsToldAndNothingIsWritten) {
   refuses("g.npy" + s, "g.npy: height inf of point 2 2 of the surface");
 }
 
+TEST_F(SurfaceCommandTest, CommasAndComparisonsAreInExpressions) {
+  if (!reads_expressions()) GTEST_SKIP() << "no muParser";
+  EXPECT_EQ(run("surface 'x>=0 && y<=1 && x!=y || x==y ? max(x,y) : 0' -o s.svg"), 0) << err_;
+}
+
 TEST_F(SurfaceCommandTest, AnExpressionThatIsNoneIsToldWithItsPlace) {
   if (!reads_expressions()) GTEST_SKIP() << "no muParser";
   refuses("'sin(x' -o s.svg", "expression 'sin(x': at character 7: Missing parenthesis");
   refuses("'x+q' -o s.svg", "expression 'x+q': at character 3");
   refuses("'' -o s.svg", "SURFACE: is empty: expected EXPRESSION|HEIGHTS");
+  refuses("- -o s.svg", "-: expected an expression in x and y, or heights in a file");
+  refuses("'0,5*x' -o s.svg",
+          "expression '0,5*x': 2 expressions with commas between them: expected");
+  refuses("'x=5' -o s.svg", "expression 'x=5': at character 2: an assignment: expected");
+  refuses("'x==1 ? y=2 : x' -o s.svg", "at character 9: an assignment");
   refuses("'1/x' --x 0:1 -o s.svg", "1/x: height inf of point 1 1 of the surface");
   refuses("x --grid 2000000000x2000000000 -o s.svg",
           "out of memory: x: drawing 4000000000000000000 points needs");

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <numbers>
 #include <string>
+#include <string_view>
 
 #include "clip/error.h"
 
@@ -20,6 +21,37 @@ std::string without_position(std::string message) {
   }
   while (message.ends_with('.')) message.pop_back();
   return message;
+}
+
+/// Where an = stands that gives a variable a value, and is of no comparison.
+std::size_t assignment_in(const std::string& expression) {
+  for (std::size_t i = 0; i < expression.size(); ++i) {
+    if (expression[i] != '=') continue;
+    if (expression.compare(i, 2, "==") == 0) {
+      ++i;
+    } else if (i == 0 ||
+               std::string_view("<>!").find(expression[i - 1]) == std::string_view::npos) {
+      return i;
+    }
+  }
+  return std::string::npos;
+}
+
+/// The library takes the last of several expressions, and lets them assign.
+void require_one_value(const std::string& expression, const mu::Parser& parser) {
+  if (const std::size_t at = assignment_in(expression); at != std::string::npos) {
+    throw Error(
+        fmt::format("expression '{}': at character {}: an assignment: expected an expression "
+                    "in x and y, with == to compare",
+                    expression, at + 1));
+  }
+  int values = 0;
+  parser.Eval(values);
+  if (values == 1) return;
+  throw Error(
+      fmt::format("expression '{}': {} expressions with commas between them: expected one "
+                  "in x and y, with points in its numbers",
+                  expression, values));
 }
 
 }  // namespace
@@ -39,6 +71,7 @@ std::vector<double> heights_of(const std::string& expression, const GridRange& g
     parser.DefineVar("x", &x);
     parser.DefineVar("y", &y);
     parser.SetExpr(expression);
+    require_one_value(expression, parser);
     heights.reserve(grid.points());
     CountedWork work(progress, static_cast<std::size_t>(grid.y_points));
     for (int j = 0; j < grid.y_points; ++j) {

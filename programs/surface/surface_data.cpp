@@ -127,6 +127,8 @@ SurfaceData read_surface(const std::string& expression_or_file, const GridRange&
     read_npy_grid(expression_or_file, surface);
   } else if (is_grid_file(expression_or_file)) {
     read_text_grid(expression_or_file, surface);
+  } else if (expression_or_file == "-") {
+    throw Error("-: expected an expression in x and y, or heights in a file .npy, .txt or .csv");
   } else if (std::filesystem::exists(expression_or_file)) {
     throw Error(expression_or_file + ": expected heights in a file .npy, .txt or .csv");
   } else {

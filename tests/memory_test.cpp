@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "clip/large_pages.h"
 #include "displayfile/text/dump.h"
 #include "interp/renderer.h"
 #include "interp/truth/truth.h"
@@ -99,6 +101,15 @@ TEST(OutOfMemory, OfAPictureIsSaidBeforeAnyWork) {
                    [&] { return error_of([&] { truth(g.display_file(), 65535, 65535, false); }); }),
             "out of memory: the truth of 65535 x 65535 pixels needs at least 73012215825 bytes, "
             "and the limit is L");
+}
+
+/// Whether they are many enough to come in large pages or not.
+TEST(LargePages, HoldAsManyValuesAsAskedFor) {
+  for (const std::size_t count : {0u, 5u, 3'000'001u, 9'000'001u}) {
+    const std::vector<double> values = in_large_pages(count, 0.5);
+    EXPECT_EQ(values.size(), count);
+    EXPECT_TRUE(std::ranges::all_of(values, [](double value) { return value == 0.5; }));
+  }
 }
 
 TEST(OutOfMemory, RowsOfAPictureNeedTheirOwnMemory) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "clip/large_pages.h"
 #include "displayfile/output.h"
 #include "interp/files/binary_input.h"
 #include "interp/picture.h"
@@ -228,7 +229,7 @@ Picture read_png(const std::filesystem::path& path, Alpha alpha) {
   Picture picture;
   picture.width = static_cast<int>(width);
   picture.height = static_cast<int>(height);
-  picture.pixels.resize(std::size_t{width} * height);
+  picture.pixels = in_large_pages(std::size_t{width} * height, std::uint32_t{0});
   auto* bytes = reinterpret_cast<std::uint8_t*>(picture.pixels.data());
   std::vector<png_bytep> rows(height);
   for (std::size_t y = 0; y < height; ++y) rows[y] = bytes + 4 * y * width;

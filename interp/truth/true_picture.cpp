@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "clip/large_pages.h"
 #include "clip/work_budget.h"
 
 namespace displayfile {
@@ -76,7 +77,8 @@ ExactDepth::ExactDepth(const TruePoint& p, const TruePoint& q, const TruePoint& 
 CentreMarks::CentreMarks(int width, int height)
     : width_(width),
       height_(height),
-      changes_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
+      changes_(in_large_pages<std::uint8_t>(
+          static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0)),
       reached_(static_cast<std::size_t>(height), kNoColumns) {}
 
 /// The least j, from 0 to the height, with j + 1/2 > y / w.
@@ -130,9 +132,9 @@ TruePicture::TruePicture(int width, int height)
     : width_(width),
       height_(height),
       coverage_(width, height),
-      ids_(pixels(), -1),
-      depth_(pixels(), kBackgroundDepth),
-      owner_(pixels(), kNone) {}
+      ids_(in_large_pages(pixels(), std::int32_t{-1})),
+      depth_(in_large_pages(pixels(), kBackgroundDepth)),
+      owner_(in_large_pages(pixels(), kNone)) {}
 
 TruePoint TruePicture::point(const Point3& p) const {
   const int places = std::max({binary_places(p.x), binary_places(p.y), binary_places(p.z)});

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <sys/mman.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace displayfile {
+
+/// Tells the system, where it can be told, that memory which nobody has written to yet should come
+/// in pages as large as it has. Little is not worth it.
+inline void ask_for_large_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size_t bytes) {
+#ifdef MADV_HUGEPAGE
+  constexpr std::size_t kLeast = std::size_t{32} << 20, kPage = 4096;
+  if (bytes < kLeast) return;
+  const std::size_t to_page = kPage - reinterpret_cast<std::uintptr_t>(begin) % kPage;
+  ::madvise(static_cast<char*>(begin) + to_page, bytes - kPage, MADV_HUGEPAGE);  // or not
+#endif
+}
+
+/// So many times a value, in such pages: to hand out a gigabyte in small ones takes several times
+/// as long, and to take it back when the process ends a fifth of that again, by which a limit of
+/// seconds would be passed.
+template <class T>
+std::vector<T> in_large_pages(std::size_t count, const T& value) {
+  std::vector<T> values;
+  values.reserve(count);
+  ask_for_large_pages(values.data(), count * sizeof(T));
+  values.assign(count, value);
+  return values;
+}
+
+}  // namespace displayfile

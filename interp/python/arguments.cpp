@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "clip/error.h"
@@ -204,32 +205,28 @@ std::size_t numbers_of_point(const UserRoutine& routine) {
   return static_cast<std::size_t>(routine.expected[kPoints.size()] - '0');
 }
 
-/// Asks nothing of the objects, which could change others.
-void require_points_of(std::size_t numbers, py::handle value, const UserRoutine& routine) {
-  const auto require = [&](py::ssize_t held) {
-    if (static_cast<std::size_t>(held) % numbers == 0) return;
-    throw Error(
-        fmt::format("{}: expected points of {} numbers, or an array of shape (N, {}), not {}",
-                    routine.name, numbers, numbers, held));
-  };
+/// Of a list or a tuple of nothing but numbers, and of an array's last dimension, how many they
+/// hold; nothing of anything else. Asks nothing of the objects, which could change others.
+std::optional<py::ssize_t> numbers_held(py::handle value) {
   PyObject* const object = value.ptr();
   if (py::isinstance<py::array>(value)) {
     const auto array = py::reinterpret_borrow<py::array>(value);
-    if (array.ndim() > 0) require(array.shape(array.ndim() - 1));
-  } else if (PyList_CheckExact(object) != 0 || PyTuple_CheckExact(object) != 0) {
-    const Py_ssize_t held = PySequence_Fast_GET_SIZE(object);
-    if (held == 0) return;
-    PyObject* const first = PySequence_Fast_GET_ITEM(object, 0);
-    if (PyFloat_Check(first) != 0 || PyLong_Check(first) != 0) return require(held);
-    for (Py_ssize_t i = 0; i < PySequence_Fast_GET_SIZE(object); ++i) {
-      const py::handle part(PySequence_Fast_GET_ITEM(object, i));
-      if (PyList_CheckExact(part.ptr()) != 0 || PyTuple_CheckExact(part.ptr()) != 0) {
-        require(PySequence_Fast_GET_SIZE(part.ptr()));
-      } else if (py::isinstance<py::array>(part)) {
-        require_points_of(numbers, part, routine);
-      }
-    }
+    if (array.ndim() > 0) return array.shape(array.ndim() - 1);
   }
+  if (PyList_CheckExact(object) == 0 && PyTuple_CheckExact(object) == 0) return std::nullopt;
+  const Py_ssize_t held = PySequence_Fast_GET_SIZE(object);
+  for (Py_ssize_t i = 0; i < held; ++i) {
+    PyObject* const part = PySequence_Fast_GET_ITEM(object, i);
+    if (PyFloat_Check(part) == 0 && PyLong_Check(part) == 0) return std::nullopt;
+  }
+  return held;
+}
+
+void require_points_of(std::size_t numbers, py::handle value, const UserRoutine& routine) {
+  const auto held = numbers_held(value);
+  if (!held || static_cast<std::size_t>(*held) % numbers == 0) return;
+  throw Error(fmt::format("{}: expected points of {} numbers, or an array of shape (N, {}), not {}",
+                          routine.name, numbers, numbers, *held));
 }
 
 }  // namespace
@@ -237,7 +234,14 @@ void require_points_of(std::size_t numbers, py::handle value, const UserRoutine&
 void require_whole_points(const py::args& arguments, const UserRoutine& routine) {
   const std::size_t numbers = numbers_of_point(routine);
   if (numbers == 1) return;
-  for (const py::handle argument : arguments) require_points_of(numbers, argument, routine);
+  for (const py::handle argument : arguments) {
+    require_points_of(numbers, argument, routine);
+    PyObject* const object = argument.ptr();
+    if (PyList_CheckExact(object) == 0 && PyTuple_CheckExact(object) == 0) continue;
+    for (Py_ssize_t i = 0; i < PySequence_Fast_GET_SIZE(object); ++i) {
+      require_points_of(numbers, PySequence_Fast_GET_ITEM(object, i), routine);
+    }
+  }
 }
 
 std::string words_of(const py::args& arguments, const UserRoutine& routine) {

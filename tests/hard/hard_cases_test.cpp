@@ -84,8 +84,9 @@ TEST(HardCases, NamesAreDifferent) {
 }
 
 /// Families that every method of today draws right: equal polygons round alike, and what is edge-on
-/// covers nothing, unless a method makes something of it.
-constexpr std::array<std::string_view, 2> kDrawnRightByAll{"coplanar_copies", "edge_on"};
+/// or has no area covers nothing, unless a method makes something of it.
+constexpr std::array<std::string_view, 3> kDrawnRightByAll{"coplanar_copies", "edge_on",
+                                                           "zero_area"};
 
 // A suite whose pictures are empty, or that any method draws right, would judge nothing: of each
 // other family some method that is not exact draws a pixel wrong.

@@ -28,7 +28,7 @@ CLI::Validator number_in(Number least, Number most) {
       word = fmt::format("{}", value);  // the parser takes 010 for 8
       return {};
     }
-    const std::string wanted = fmt::format("{}: expected a {}number", word, kWhole ? "whole " : "");
+    std::string wanted = fmt::format("{}: expected a {}number", word, kWhole ? "whole " : "");
     if (most == std::numeric_limits<Number>::max()) return wanted;
     return fmt::format("{}, {} to {}", wanted, least, most);
   };

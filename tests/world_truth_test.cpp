@@ -12,57 +12,20 @@
 #include <vector>
 
 #include "programs/scenes/hard_cases.h"
-#include "programs/scenes/scene.h"
 #include "tests/brute_force_world_truth.h"
-#include "tests/random_views.h"
 #include "tests/retained_truth.h"
+#include "tests/scenes_that_clip.h"
 #include "tests/slower.h"
 
 namespace displayfile {
 namespace {
 
+using test::any_clipping_view;
+using test::bent;
+using test::flat;
 using test::Retained;
 using test::Source;
-
-/// On a coarse grid about the unit cube, so that polygons touch, cross and coincide.
-double step(Source& s) { return s.between(-1, 5) / 4.0; }
-Point3 any_vertex(Source& s) {
-  if (s.below(4) == 0) return {s.unit(), s.unit(), s.unit()};
-  return {step(s), step(s), step(s)};
-}
-
-Polygon triangle(Source& s) { return {any_vertex(s), any_vertex(s), any_vertex(s)}; }
-
-/// In one plane exactly; concave and self-crossing as it comes.
-Polygon flat(Source& s) {
-  const int kind = s.below(3);
-  const double at = step(s);
-  Polygon polygon;
-  for (int sides = s.between(4, 7); sides > 0; --sides) {
-    const double a = step(s), b = step(s);
-    if (kind == 0) polygon.push_back({a, b, at});
-    if (kind == 1) polygon.push_back({at, a, b});
-    if (kind == 2) polygon.push_back({a, b, at - a - b});
-  }
-  return polygon;
-}
-
-/// Flat within the tolerance only.
-Polygon bent(Source& s) {
-  Polygon polygon = {{0.125, 0.25, 0.5}, {0.875, 0.25, 0.5}, {0.875, 0.75, 0.5}, {0.25, 0.75, 0.5}};
-  for (Point3& p : polygon) p.z += 1e-7 * s.unit();
-  return polygon;
-}
-
-/// Some clip, some are set in a corner of the picture.
-View any_clipping_view(Source& s) {
-  View view = test::any_view(s);
-  view.front_clipping = s.below(3) == 0;
-  view.back_clipping = s.below(3) == 0;
-  if (view.back_clipping) view.set_depth(view.front, view.front + (view.back - view.front) * 0.4);
-  if (s.below(3) == 0) view.set_viewport({0.25, 0.75, 0.0, s.below(2) == 0 ? 0.5 : 0.7});
-  return view;
-}
+using test::triangle;
 
 ImageTransformation any_image(Source& s) {
   ImageTransformation image;
@@ -172,6 +135,40 @@ TEST(WorldTruth, IsTheDisplayFilesWhereViewingDoesNotRound) {
     ++scenes;
   }
   EXPECT_GT(scenes, 30u);
+}
+
+/// Rounding decides whether the display file has a corner of the polygon that is on the window's
+/// side, so distances are compared exactly; as those of pixels they would depend on the shape.
+TEST(WorldTruth, TakesTheSameSupportPlaneInPicturesOfAnyShape) {
+  Retained retained;
+  GraphicsSystem& g = retained.system;
+  constexpr double kHeight = 1.0000000000000004e-06;
+  g.set_window(0.0, 1.0, 0.0, kHeight);
+  g.open_segment(1);
+  g.polygon_abs_3({{-0.25, 5.5000000000000024e-07, 0.36467371214108413},
+                   {-0.25, 7.0000000000000018e-07, 0.66897574968646811},
+                   {0.25, -3e-07, 0.54224888701760066},
+                   {0.0, 4.5000000000000014e-07, 0.60561231835203433},
+                   {0.25, -1.4999999999999991e-07, 0.23794684947221667},
+                   {0.75, kHeight, -1.4102902009235705}});
+  constexpr double kDepth = 0.16132044233125886;
+  g.polygon_abs_3({{-1, -kHeight, kDepth},
+                   {2, -kHeight, kDepth},
+                   {2, 2 * kHeight, kDepth},
+                   {-1, 2 * kHeight, kDepth}});
+  g.close_segment();
+  ASSERT_EQ(retained.scene.size(), 2u) << "cut into triangles";
+  constexpr int kWide = 16, kHigh = 8;
+  const auto ids = [&](int height) {
+    return world_truth(retained.scene, g.display_file(), kWide, height, false).ids;
+  };
+  const auto low = ids(kHigh), high = ids(3 * kHigh);  // its every third row is one of the low one
+  for (int row = 0; row < kHigh; ++row) {
+    const auto begin = [&](const auto& of, int from_top) { return of.begin() + from_top * kWide; };
+    EXPECT_TRUE(std::equal(begin(low, row), begin(low, row + 1), begin(high, 3 * row + 1)))
+        << "row " << row;
+  }
+  EXPECT_GT(std::ranges::count(low, 0), 4);
 }
 
 TEST(WorldTruth, SeesVisibleSegmentsAndSolidPolygonsOnly) {

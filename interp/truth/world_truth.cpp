@@ -21,13 +21,16 @@ namespace {
 
 using Indices = std::array<std::size_t, 3>;
 
-/// The definition's choice with distances that are not rounded. The first vertex is at p.
-Indices exact_support_of(std::span<const TruePoint> polygon) {
+/// The definition's choice with distances that are not rounded: those of device coordinates, of a
+/// picture of that size. The first vertex is at p.
+Indices exact_support_of(std::span<const TruePoint> polygon, int width, int height) {
   struct Place {
     Rational x, y;
   };
   std::vector<Place> from_p;
-  for (const TruePoint& v : polygon) from_p.push_back({ratio(v.x, v.w), ratio(v.y, v.w)});
+  for (const TruePoint& v : polygon) {
+    from_p.push_back({ratio(v.x, v.w * width), ratio(v.y, v.w * height)});
+  }
   const Place p = from_p[0];
   for (Place& v : from_p) v = {v.x - p.x, v.y - p.y};
   const auto farthest = [&](auto&& value) {
@@ -54,6 +57,8 @@ class SegmentView {
               int width, int height, TruePicture& picture)
       : retained_(retained),
         exact_(view, image, width, height),
+        width_(width),
+        height_(height),
         pipeline_(ViewVolume(view)),
         image_(image),
         is_moved_(!image.is_identity()),
@@ -66,6 +71,7 @@ class SegmentView {
 
   const RetainedScene& retained_;
   ExactView exact_;
+  int width_, height_;
   ClipPipeline pipeline_;
   ImageMatrix image_;
   bool is_moved_;
@@ -96,7 +102,7 @@ void SegmentView::enter(std::uint32_t primitive) {
   // Whatever clipping leaves of a triangle is in its plane.
   if (is_triangle) return picture_.enter(points_, {whole_.data(), &whole_[1], &whole_[2]}, pick);
   std::optional<Indices> support = support_in_display_file(world);
-  if (!support) support = exact_support_of(points_);
+  if (!support) support = exact_support_of(points_, width_, height_);
   const auto& [p, q, r] = *support;
   picture_.enter(points_, {&points_[p], &points_[q], &points_[r]}, pick);
 }

@@ -1,306 +1,48 @@
 #include "interp/visibility/world_rays.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <limits>
 #include <memory>
+
 #include <utility>
 
-#include "clip/corners.h"
+#include "clip/clip_pipeline.h"
 #include "clip/error.h"
 #include "clip/view_volume.h"
-#include "hidden/exact/ball.h"
-#include "hidden/exact/exact_number.h"
+#include "hidden/exact/orientation.h"
 #include "hidden/exact/plane.h"
 #include "hidden/exact/support_plane.h"
 #include "hidden/parallel.h"
+#include "interp/visibility/polygon_viewer.h"
+#include "interp/visibility/world_geometry.h"
 
 namespace displayfile {
 
 namespace {
 
-// ---- One algorithm, two precisions: numbers are balls first, then exact ------------------------
+using namespace in_world;
 
-constexpr int kUndecided = 2;
-int sign_of(const Ball& a) { return decided(a) ? decided_sign(a.middle) : kUndecided; }
-int sign_of(const ExactNumber& a) { return a.sign(); }
-
-template <class Number>
-Number number(double value);
-template <>
-Ball number(double value) {
-  return {value, 0.0};
-}
-template <>
-ExactNumber number(double value) {
-  return ExactNumber(value);
+Plane plane_of(std::span<const Point3> points, const Support& vertices) {
+  return {points[vertices[0]], points[vertices[1]], points[vertices[2]]};
 }
 
-/// World coordinates, homogeneous; w is positive.
-template <class Number>
-struct WorldPoint {
-  Number x, y, z, w;
-};
-
-/// A x + B y + C z + D w.
-template <class Number>
-struct Linear {
-  Number a, b, c, d;
-  Number at(const WorldPoint<Number>& p) const { return a * p.x + b * p.y + c * p.z + d * p.w; }
-
-  friend Linear operator+(const Linear& f, const Linear& g) {
-    return {f.a + g.a, f.b + g.b, f.c + g.c, f.d + g.d};
-  }
-  friend Linear operator-(const Linear& f, const Linear& g) {
-    return {f.a - g.a, f.b - g.b, f.c - g.c, f.d - g.d};
-  }
-  Linear times(const Number& s) const { return {a * s, b * s, c * s, d * s}; }
-};
-
-/// The rows of the view's matrix, those of x and y to the viewport: a point's device coordinates
-/// are x / w, y / w and z / w.
-template <class Number>
-struct ViewRows {
-  Linear<Number> x, y, z, w;
-  std::vector<Linear<Number>> clip{};  // not negative in front of the eye, and between the planes
-
-  ViewRows(const View& view, const ViewVolume& volume) {
-    const glm::dmat4& m = volume.matrix();
-    const auto row = [&](int i) -> Linear<Number> {
-      return {number<Number>(m[0][i]), number<Number>(m[1][i]), number<Number>(m[2][i]),
-              number<Number>(m[3][i])};
-    };
-    z = row(2);
-    w = row(3);
-    const auto between = [&](double low, double high, int i) {
-      if (low == 0.0 && high == 1.0) return row(i);
-      return w.times(number<Number>(low)) +
-             row(i).times(number<Number>(high) - number<Number>(low));
-    };
-    x = between(view.viewport.x_min, view.viewport.x_max, 0);
-    y = between(view.viewport.y_min, view.viewport.y_max, 1);
-    if (view.back_clipping) clip.push_back(z);
-    if (view.front_clipping) {
-      clip.push_back(w - z);
-    } else if (view.projection == View::Projection::perspective) {
-      Linear<Number> beyond = w;  // inside_distance's, of the plane at the eye
-      const double least_w = -volume.inside_distance(ClipPlane::eye, HomogeneousPoint(0.0));
-      beyond.d = beyond.d - number<Number>(least_w);
-      clip.push_back(beyond);
-    }
-  }
-};
-
-/// A ray is where the plane through a column of pixel centres and the eye meets that through a
-/// row. Points right of the column and above the row are on the positive sides.
-template <class Number>
-struct Ray {
-  Linear<Number> column, row;
-};
-/// A device coordinate as a quotient of doubles, as that of a pixel's centre is exactly.
-struct Quotient {
-  double above, below;
-};
-Quotient centre(int pixel, int pixels) { return {2.0 * pixel + 1.0, 2.0 * pixels}; }
-
-/// All points whose device coordinate is that; `along` is its row of the view's.
-template <class Number>
-Linear<Number> plane_at(const Linear<Number>& along, const Quotient& at, const Linear<Number>& w) {
-  return along.times(number<Number>(at.below)) - w.times(number<Number>(at.above));
-}
-
-template <class Number>
-WorldPoint<Number> world_point(const Point3& p) {
-  return {number<Number>(p.x), number<Number>(p.y), number<Number>(p.z), number<Number>(1.0)};
-}
-
-/// A vertex moved along an axis on to the plane through p, q and r.
-template <class Number>
-WorldPoint<Number> moved_on_to_plane(const Point3& v, const std::array<Point3, 3>& plane,
-                                     int axis) {
-  const auto difference = [](const Point3& a, const Point3& b) -> std::array<Number, 3> {
-    return {number<Number>(a.x) - number<Number>(b.x), number<Number>(a.y) - number<Number>(b.y),
-            number<Number>(a.z) - number<Number>(b.z)};
+/// Which way the triangles from a flat polygon's first vertex to its sides run, as seen along an
+/// axis that its plane is not parallel to: 1 counterclockwise, -1 clockwise, 0 both or neither.
+/// Where all run the same way, so does every part of the polygon.
+int way_around(std::span<const Point3> polygon, int axis) {
+  const auto seen = [&](std::size_t i) {
+    return Point2(polygon[i][(axis + 1) % 3], polygon[i][(axis + 2) % 3]);
   };
-  const auto e = difference(plane[1], plane[0]), f = difference(plane[2], plane[0]);
-  const auto to = difference(v, plane[0]);
-  std::array<Number, 3> n{e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2],
-                          e[0] * f[1] - e[1] * f[0]};
-  Number off = n[0] * to[0] + n[1] * to[1] + n[2] * to[2];
-  const auto k = static_cast<std::size_t>(axis);
-  Number scale = n[k];
-  if (sign_of(scale) < 0) scale = -scale, off = -off;
-  std::array<Number, 3> moved{number<Number>(v.x) * scale, number<Number>(v.y) * scale,
-                              number<Number>(v.z) * scale};
-  moved[k] = moved[k] - off;
-  return {moved[0], moved[1], moved[2], scale};
-}
-
-/// Sutherland and Hodgman's step; false where it is undecided what is cut. It is not the clip
-/// pipeline's, which divides and rounds: here exact numbers must say the same as rounded ones.
-template <class Number>
-bool clip(const Linear<Number>& inside, std::vector<WorldPoint<Number>>& points,
-          std::vector<WorldPoint<Number>>& cut) {
-  cut.clear();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const WorldPoint<Number>& a = points[previous_corner(i, points.size())];
-    const WorldPoint<Number>& b = points[i];
-    const Number at_a = inside.at(a), at_b = inside.at(b);
-    const int sign_a = sign_of(at_a), sign_b = sign_of(at_b);
-    if (sign_a == kUndecided || sign_b == kUndecided) return false;
-    if ((sign_a < 0) != (sign_b < 0)) {
-      const Number s = sign_a < 0 ? -at_a : at_a, t = sign_a < 0 ? at_b : -at_b;  // not negative
-      cut.push_back({b.x * s + a.x * t, b.y * s + a.y * t, b.z * s + a.z * t, b.w * s + a.w * t});
-    }
-    if (sign_b >= 0) cut.push_back(b);
+  bool left = false, right = false;
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    const int turn = orientation(seen(0), seen(i - 1), seen(i));
+    left |= turn > 0;
+    right |= turn < 0;
   }
-  points.swap(cut);
-  return true;
-}
-
-/// Even-odd, as interp/truth/truth.md defines it: 1, 0, or kUndecided.
-template <class Number>
-int covers(const std::vector<WorldPoint<Number>>& points, const Ray<Number>& ray) {
-  if (points.empty()) return 0;
-  bool covered = false;
-  Number from_u = ray.column.at(points.back()), from_v = ray.row.at(points.back());
-  int from_side = sign_of(from_v);
-  for (const WorldPoint<Number>& point : points) {
-    Number u = ray.column.at(point), v = ray.row.at(point);
-    const int side = sign_of(v);
-    if (side == kUndecided || from_side == kUndecided) return kUndecided;
-    if ((from_side < 0) != (side < 0)) {
-      const int crossing = sign_of(from_u * v - u * from_v);
-      if (crossing == kUndecided) return kUndecided;
-      if ((from_side < 0 ? crossing : -crossing) <= 0) covered = !covered;
-    }
-    from_u = std::move(u);
-    from_v = std::move(v);
-    from_side = side;
-  }
-  return covered ? 1 : 0;
-}
-
-/// Where a ray meets a plane: the sum of three of its points, each weighted by what the ray's
-/// planes make of the other two.
-template <class Number>
-struct Hit {
-  Number z, w;                ///< the depth in the view is z / w
-  Number nearness, of_world;  ///< what hides what is less, is their quotient
-};
-template <class Number>
-Number cross(const Number& au, const Number& av, const Number& bu, const Number& bv) {
-  return au * bv - av * bu;
-}
-template <class Number>
-Hit<Number> hit_of(const std::array<Point3, 3>& plane, const Ray<Number>& ray,
-                   const ViewRows<Number>& view, bool perspective) {
-  std::array<WorldPoint<Number>, 3> p;
-  std::array<Number, 3> u, v;
-  for (std::size_t i = 0; i < 3; ++i) {
-    p[i] = world_point<Number>(plane[i]);
-    u[i] = ray.column.at(p[i]);
-    v[i] = ray.row.at(p[i]);
-  }
-  Hit<Number> hit{number<Number>(0.0), number<Number>(0.0), number<Number>(0.0),
-                  number<Number>(0.0)};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    const Number weight = cross(u[j], v[j], u[k], v[k]);
-    hit.z = hit.z + weight * view.z.at(p[i]);
-    hit.w = hit.w + weight * view.w.at(p[i]);
-    hit.of_world = hit.of_world + weight;
-  }
-  hit.nearness = perspective ? -hit.w : hit.z;
-  return hit;
-}
-
-/// The same point, rounded, in world coordinates.
-Point3 point_hit(const std::array<Point3, 3>& plane, const Ray<ExactNumber>& ray) {
-  std::array<ExactNumber, 3> u, v, sum;
-  for (std::size_t i = 0; i < 3; ++i) {
-    u[i] = ray.column.at(world_point<ExactNumber>(plane[i]));
-    v[i] = ray.row.at(world_point<ExactNumber>(plane[i]));
-  }
-  ExactNumber weights;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    const ExactNumber weight = cross(u[j], v[j], u[k], v[k]);
-    weights = weights + weight;
-    for (int axis = 0; axis < 3; ++axis) {
-      auto& of_axis = sum[static_cast<std::size_t>(axis)];
-      of_axis = of_axis + weight * ExactNumber(plane[i][axis]);
-    }
-  }
-  return {rounded_quotient(sum[0], weights), rounded_quotient(sum[1], weights),
-          rounded_quotient(sum[2], weights)};
-}
-
-/// The sign of a's depth less b's, or kUndecided. Neither is edge-on.
-template <class Number>
-int compare(const Hit<Number>& a, const Hit<Number>& b) {
-  const int difference = sign_of(a.z * b.w - b.z * a.w);
-  const int of_a = sign_of(a.w), of_b = sign_of(b.w);
-  if (difference == kUndecided || of_a == kUndecided || of_b == kUndecided) return kUndecided;
-  return difference * of_a * of_b;
-}
-
-/// A linear function over boxes none of whose coordinates is larger than `size`, wide enough for
-/// all rounding.
-class OverBoxes {
- public:
-  OverBoxes(const Linear<Ball>& f, const Point3& size)
-      : normal_{f.a.middle, f.b.middle, f.c.middle} {
-    const double error = error_of(f.a) * size.x + error_of(f.b) * size.y + error_of(f.c) * size.z +
-                         2.0 * error_of(f.d) + kTiny;
-    least_offset_ = f.d.middle - 2.0 * error;
-    most_offset_ = f.d.middle + 2.0 * error;
-  }
-
-  using EachBox = std::array<double, SpaceBoxes::kBoxes>;
-  /// No point of a box has less; it is at a corner, known by the signs.
-  EachBox least(const SpaceBoxes& boxes) const {
-    return at_corners(boxes.low, boxes.high, least_offset_);
-  }
-  EachBox most(const SpaceBoxes& boxes) const {
-    return at_corners(boxes.high, boxes.low, most_offset_);
-  }
-
- private:
-  /// Looks at one axis after the other, as rising or falling along it says.
-  template <class Sides>
-  EachBox at_corners(const Sides& rising, const Sides& falling, double offset) const {
-    const auto& x = normal_[0] < 0.0 ? falling[0] : rising[0];
-    const auto& y = normal_[1] < 0.0 ? falling[1] : rising[1];
-    const auto& z = normal_[2] < 0.0 ? falling[2] : rising[2];
-    EachBox values;
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      values[k] = normal_[0] * x[k] + normal_[1] * y[k] + normal_[2] * z[k] + offset;
-    }
-    return values;
-  }
-  /// In place of the eight or fewer roundings of one unit that a term takes part in.
-  static double error_of(const Ball& of) { return of.radius + 16.0 * kUnit * std::abs(of.middle); }
-
-  std::array<double, 3> normal_;
-  double least_offset_, most_offset_;
-};
-
-Point3 newell_normal(std::span<const Point3> polygon) {
-  Point3 sum(0.0), from = polygon.back() - polygon[0];
-  for (const Point3& vertex : polygon) {
-    const Point3 to = vertex - polygon[0];
-    sum += glm::cross(from, to);
-    from = to;
-  }
-  return sum;
-}
-
-std::array<Point3, 3> plane_of(std::span<const Point3> points,
-                               const std::array<std::uint32_t, 3>& spread) {
-  return {points[spread[0]], points[spread[1]], points[spread[2]]};
+  return (left ? 1 : 0) - (right ? 1 : 0);
 }
 
 }  // namespace
@@ -325,25 +67,30 @@ void WorldRays::enter(std::uint32_t primitive) {
   const auto polygon = world_.points(primitive);
   const SupportVertices spread = spread_vertices(polygon);
   if (spread.edge_on) return;
-  const auto [p, q, r] = plane_of(polygon, spread.index);
-  const Plane plane(p, q, r);
+  const Plane plane = plane_of(polygon, spread.index);
   const bool flat = std::ranges::all_of(polygon, [&](const Point3& v) {
     return plane.goes_through(v) || side_of_plane(v, plane) == 0;
   });
-  const bool same_way = glm::dot(newell_normal(polygon), plane.normal) >= 0.0;
-  polygons_.push_back({primitive, spread.index, static_cast<std::int8_t>(same_way ? 1 : -1),
-                       static_cast<std::int8_t>(facing_axis(plane)), flat,
-                       !attributes.back_face_removal});
+  int turn = 0;
+  if (flat) {
+    const int axis = facing_axis(plane);
+    turn = way_around(polygon, axis) * way_around(std::array{plane.p, plane.q, plane.r}, axis);
+  }
+  const bool both_sides = !attributes.back_face_removal;
+  const bool by_view = !flat || (turn == 0 && !both_sides);
+  polygons_.push_back({primitive, spread.index, by_view ? 0 : Polygon::kAlike,
+                       static_cast<std::int8_t>(turn), flat, both_sides});
 }
 
 Bounds WorldRays::bounds_of(const Polygon& polygon) const {
   Bounds bounds;
   for (const Point3& p : points(polygon)) bounds.include(p);
   if (polygon.flat) return bounds;
-  // A vertex off the plane by h is moved by no more than sqrt(3) h.
-  const Point3 wider(4.0 * world_.off_plane(polygon.primitive));
-  const auto outward = [&](const Point3& p) { return wider + 8.0 * kUnit * glm::abs(p) + kTiny; };
-  return {bounds.low - outward(bounds.low), bounds.high + outward(bounds.high)};
+  // In nearly all views it is off the plane that it is seen in by less than this.
+  constexpr double kWider = 0x1p-10;
+  const Point3 size = bounds.high - bounds.low;
+  const Point3 wider(kWider * std::max({size.x, size.y, size.z}) + kTiny);
+  return {bounds.low - wider, bounds.high + wider};
 }
 
 void WorldRays::build() {
@@ -355,7 +102,13 @@ void WorldRays::build() {
   tree_.build(polygons_.size(), bounds, 1);
   std::vector<Polygon> ordered;
   ordered.reserve(polygons_.size());
-  for (const SpaceTree::Item item : tree_.order()) ordered.push_back(polygons_[item]);
+  for (const SpaceTree::Item item : tree_.order()) {
+    ordered.push_back(polygons_[item]);
+    std::uint32_t& number = ordered.back().by_view;
+    if (number == Polygon::kAlike) continue;
+    number = static_cast<std::uint32_t>(by_view_.size());
+    by_view_.push_back(static_cast<std::uint32_t>(ordered.size() - 1));
+  }
   polygons_ = std::move(ordered);
 }
 
@@ -372,7 +125,29 @@ class WorldRays::Caster {
         exact_(view, volume_),
         nearness_(
             perspective_ ? Linear<Ball>{-near_.w.a, -near_.w.b, -near_.w.c, -near_.w.d} : near_.z,
-            world.size_) {}
+            world.size_),
+        boxes_hold_(world.by_view_.empty()) {}
+
+  /// For many rays: works out once what the view makes of the polygons of which each view makes
+  /// something else. If this is not called it is done where a ray hits one.
+  void view_polygons() {
+    viewed_.resize(world_.by_view_.size());
+    std::vector<Bounds> boxes;
+    PolygonViewer viewer = this->viewer();
+    for (const std::uint32_t at : world_.by_view_) {
+      const Polygon& polygon = world_.polygons_[at];
+      if (is_there_ && !is_there_(polygon.primitive)) continue;
+      PolygonViewer::Viewed& viewed = viewed_[polygon.by_view];
+      viewed = viewer.view({world_.points(polygon), polygon.flat, polygon.both_sides});
+      if (!viewed.seen || polygon.flat) continue;
+      const Bounds box = world_.bounds_of(polygon);
+      if (viewer.is_nowhere_nearer(viewed, nearness_.most(box))) continue;
+      out_of_box_.push_back(at);
+      boxes.push_back(box);
+    }
+    their_boxes_.build(boxes, 1);
+    boxes_hold_ = true;
+  }
 
   /// All rays of a column or of a row of pixels, or of a point, lie in a plane.
   struct Side {
@@ -391,7 +166,7 @@ class WorldRays::Caster {
     const Polygon* seen;
     Hit<Ball> hit;
     double hidden;  // nothing less near is seen
-    std::vector<WorldPoint<Ball>> points, cut;
+    WorldPoints<Ball> points, cut;
   };
 
   /// The primitive seen, or kNothing.
@@ -403,33 +178,47 @@ class WorldRays::Caster {
     work.seen = nullptr;
     work.hidden = -std::numeric_limits<double>::infinity();
     const auto meets = [&](const SpaceBoxes& boxes, OverBoxes::EachBox& nearest) {
-      const auto left = column.over_boxes.least(boxes), right = column.over_boxes.most(boxes);
-      const auto lowest = row.over_boxes.least(boxes), highest = row.over_boxes.most(boxes);
       nearest = nearness_.most(boxes);
-      SpaceTree::Lanes met;
-      for (std::size_t k = 0; k < met.size(); ++k) {
-        // Where a bound is no number nothing is known to be missed.
-        const int missed = static_cast<int>(left[k] > 0.0) | static_cast<int>(right[k] < 0.0) |
-                           static_cast<int>(lowest[k] > 0.0) | static_cast<int>(highest[k] < 0.0);
-        met[k] = 1 - missed;
-      }
-      return met;
+      return met(column, row, boxes);
     };
     world_.tree_.near_to_far<double>(
         meets, [&](double nearest) { return nearest < work.hidden; },
         [&](SpaceTree::Position at) { intersect(world_.polygons_[at], work); });
+    if (!out_of_box_.empty()) cast_at_those_out_of_boxes(work);
     return work.seen == nullptr ? kNothing : work.seen->primitive;
   }
 
   /// Where the ray cast last hits what it sees.
   Point3 point_seen(Work& work) const {
-    return point_hit(plane_of(world_.points(*work.seen), work.seen->spread), exact_ray(work));
+    return point_hit(plane_of_hits(*work.seen, exact_), exact_ray(work));
   }
 
  private:
   Side side(const Linear<Ball>& along, const Quotient& at) const {
     const Linear<Ball> plane = plane_at(along, at, near_.w);
     return {at, plane, OverBoxes(plane, world_.size_)};
+  }
+
+  static SpaceTree::Lanes met(const Side& column, const Side& row, const SpaceBoxes& boxes) {
+    const auto left = column.over_boxes.least(boxes), right = column.over_boxes.most(boxes);
+    const auto lowest = row.over_boxes.least(boxes), highest = row.over_boxes.most(boxes);
+    SpaceTree::Lanes are_met;
+    for (std::size_t k = 0; k < are_met.size(); ++k) {
+      // Where a bound is no number nothing is known to be missed.
+      const int missed = static_cast<int>(left[k] > 0.0) | static_cast<int>(right[k] < 0.0) |
+                         static_cast<int>(lowest[k] > 0.0) | static_cast<int>(highest[k] < 0.0);
+      are_met[k] = 1 - missed;
+    }
+    return are_met;
+  }
+
+  /// However near what the ray has hit is.
+  void cast_at_those_out_of_boxes(Work& work) const {
+    const auto meets = [&](const SpaceBoxes& boxes) { return met(*work.column, *work.row, boxes); };
+    their_boxes_.any(meets, [&](SpaceTree::Position at) {
+      intersect(world_.polygons_[out_of_box_[their_boxes_.order()[at]]], work);
+      return false;
+    });
   }
 
   void intersect(const Polygon& polygon, Work& work) const {
@@ -439,36 +228,37 @@ class WorldRays::Caster {
     if (known) covered = covers(work.points, work.near);
     if (covered == kUndecided) covered = covers_exactly(polygon, work);
     if (covered == 0) return;
-    const auto plane = plane_of(world_.points(polygon), polygon.spread);
-    const Hit<Ball> hit = hit_of(plane, work.near, near_, perspective_);
+    if (polygon.by_view != Polygon::kAlike && !viewed(polygon).seen) return;
+    const Hit<Ball> hit = hit_of(plane_of_hits(polygon, near_), work.near, near_, perspective_);
     int facing = sign_of(hit.w);
-    if (facing == kUndecided) {
-      facing = sign_of(hit_of(plane, exact_ray(work), exact_, perspective_).w);
-    }
+    if (facing == kUndecided) facing = sign_of(exact_hit(polygon, work).w);
     if (facing == 0 || (!polygon.both_sides && facing * polygon.turn < 0)) return;
     if (work.seen != nullptr && !is_seen(polygon, hit, work)) return;
     work.seen = &polygon;
     work.hit = hit;
     const Ball nearness = hit.nearness / hit.of_world;
     const double least = nearness.middle - 2.0 * nearness.radius;
-    work.hidden = least == least ? least : -std::numeric_limits<double>::infinity();
+    // A plane may be seen beyond what is infinitely far away, where it is not nearer than anything.
+    const bool is_known =
+        perspective_ ? nearness.middle + 2.0 * nearness.radius < 0.0 : least == least;
+    work.hidden = is_known && boxes_hold_ ? least : -std::numeric_limits<double>::infinity();
   }
 
   /// Rather than what the ray has hit so far.
   bool is_seen(const Polygon& polygon, const Hit<Ball>& hit, Work& work) const {
     int order = compare(hit, work.hit);
     if (order == kUndecided) {
-      const Ray<ExactNumber>& ray = exact_ray(work);
-      const auto exact_hit = [&](const Polygon& of) {
-        return hit_of(plane_of(world_.points(of), of.spread), ray, exact_, perspective_);
-      };
-      order = compare(exact_hit(polygon), exact_hit(*work.seen));
+      order = compare(exact_hit(polygon, work), exact_hit(*work.seen, work));
     }
     return order != 0 ? order > 0 : polygon.primitive > work.seen->primitive;
   }
 
+  Hit<ExactNumber> exact_hit(const Polygon& polygon, Work& work) const {
+    return hit_of(plane_of_hits(polygon, exact_), exact_ray(work), exact_, perspective_);
+  }
+
   int covers_exactly(const Polygon& polygon, Work& work) const {
-    std::vector<WorldPoint<ExactNumber>> points, cut;
+    WorldPoints<ExactNumber> points, cut;
     vertices_of(polygon, exact_, points, cut);
     return covers(points, exact_ray(work));
   }
@@ -481,24 +271,37 @@ class WorldRays::Caster {
     return *work.exact;
   }
 
-  /// In its plane, and clipped; false if that is undecided.
+  /// Clipped but for the sides of the window; false if that is undecided.
   template <class Number>
   bool vertices_of(const Polygon& polygon, const ViewRows<Number>& view,
-                   std::vector<WorldPoint<Number>>& points,
-                   std::vector<WorldPoint<Number>>& cut) const {
+                   WorldPoints<Number>& points, WorldPoints<Number>& cut) const {
     points.clear();
-    const auto of = world_.points(polygon);
-    const auto plane = plane_of(of, polygon.spread);
-    for (const Point3& v : of) {
-      points.push_back(polygon.flat ? world_point<Number>(v)
-                                    : moved_on_to_plane<Number>(v, plane, polygon.axis));
-      if (sign_of(points.back().w) == kUndecided) return false;
-    }
-    for (const Linear<Number>& inside : view.clip) {
-      if (!clip(inside, points, cut)) return false;
-    }
-    return true;
+    for (const Point3& v : world_.points(polygon)) points.push_back(world_point<Number>(v));
+    return clip(view.clip, points, cut) != Clipping::undecided;
   }
+
+  /// The plane whose depth is seen; where it is undecided, points that decide nothing.
+  template <class Number>
+  WorldPlane<Number> plane_of_hits(const Polygon& polygon, const ViewRows<Number>& view) const {
+    const auto of = world_.points(polygon);
+    const auto through = [&](const Support& v) -> WorldPlane<Number> {
+      return {world_point<Number>(of[v[0]]), world_point<Number>(of[v[1]]),
+              world_point<Number>(of[v[2]])};
+    };
+    if (polygon.flat) return through(polygon.spread);
+    const auto [support, is_cut, seen] = viewed(polygon);
+    if (!is_cut) return through(support);
+    WorldPoints<Number> points, cut;
+    if (clip_whole(of, view, points, cut) == Clipping::undecided) return {};
+    return {points[support[0]], points[support[1]], points[support[2]]};
+  }
+
+  /// Of a polygon of which each view makes something else.
+  PolygonViewer::Viewed viewed(const Polygon& polygon) const {
+    if (!viewed_.empty()) return viewed_[polygon.by_view];
+    return viewer().view({world_.points(polygon), polygon.flat, polygon.both_sides});
+  }
+  PolygonViewer viewer() const { return {volume_, near_, exact_, world_.size_}; }
 
   const WorldRays& world_;
   std::function<bool(std::uint32_t)> is_there_;
@@ -507,6 +310,10 @@ class WorldRays::Caster {
   ViewRows<Ball> near_;
   ViewRows<ExactNumber> exact_;
   OverBoxes nearness_;
+  std::vector<PolygonViewer::Viewed> viewed_;  // by Polygon::by_view, after view_polygons
+  std::vector<std::uint32_t> out_of_box_;      // polygons that may be seen nearer than their boxes
+  SpaceTree their_boxes_;
+  bool boxes_hold_;  // no others are
 };
 
 /// The rays through the pixel centres of a viewport.
@@ -515,6 +322,7 @@ class WorldRays::PictureRays {
   PictureRays(const WorldRays& world, const View& view, const PictureSize& size,
               std::function<bool(std::uint32_t)> is_there)
       : caster_(world, view, std::move(is_there)), viewport_(view.viewport), size_(size) {
+    caster_.view_polygons();
     for (int column = 0; column < size.width; ++column) {
       columns_.push_back(caster_.column(centre(column, size.width)));
     }

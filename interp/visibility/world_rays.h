@@ -56,12 +56,13 @@ class WorldRays {
  private:
   /// A solid fill that has a plane.
   struct Polygon {
+    static constexpr std::uint32_t kAlike = ~std::uint32_t{0};
     std::uint32_t primitive;              ///< in order of entry
-    std::array<std::uint32_t, 3> spread;  ///< the vertices whose plane it is in
-    std::int8_t turn;  ///< 1 if it runs as those three do, -1 if the other way round
-    std::int8_t axis;  ///< that its plane faces most; off it, a vertex counts as moved along it
-    bool flat;         ///< no vertex is off it
-    bool both_sides;   ///< back faces are kept
+    std::array<std::uint32_t, 3> spread;  ///< the vertices whose plane it is in, if it is flat
+    std::uint32_t by_view;  ///< its number among those of which each view makes something else
+    std::int8_t turn;       ///< 1 if it runs as those three do, -1 if the other way round, or 0
+    bool flat;              ///< no vertex is off the plane
+    bool both_sides;        ///< back faces are kept
   };
   class Caster;
   class PictureRays;
@@ -72,7 +73,8 @@ class WorldRays {
   PointRow points(const Polygon& polygon) const { return world_.points(polygon.primitive); }
 
   RetainedScene world_;
-  std::vector<Polygon> polygons_;  // as the tree has them
+  std::vector<Polygon> polygons_;       // as the tree has them
+  std::vector<std::uint32_t> by_view_;  // those that are not flat, or may turn either way
   SpaceTree tree_;
   Point3 size_{0.0};  // no coordinate of a box is larger
 };

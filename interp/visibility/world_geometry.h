@@ -1,0 +1,395 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "clip/corners.h"
+#include "clip/error.h"
+#include "clip/view.h"
+#include "clip/view_volume.h"
+#include "hidden/exact/ball.h"
+#include "hidden/exact/exact_number.h"
+#include "hidden/exact/rounding.h"
+#include "hidden/space_tree.h"
+
+/// The geometry of rays in world coordinates (interp/visibility/ray_cast.md): one algorithm, two
+/// precisions. Numbers are balls first; where these leave something undecided, exact.
+namespace displayfile::in_world {
+
+inline constexpr int kUndecided = 2;
+inline int sign_of(const Ball& a) { return decided(a) ? decided_sign(a.middle) : kUndecided; }
+inline int sign_of(const ExactNumber& a) { return a.sign(); }
+
+template <class Number>
+Number number(double value);
+template <>
+inline Ball number(double value) {
+  return {value, 0.0};
+}
+template <>
+inline ExactNumber number(double value) {
+  return ExactNumber(value);
+}
+
+/// World coordinates, homogeneous; w is positive.
+template <class Number>
+struct WorldPoint {
+  Number x, y, z, w;
+};
+template <class Number>
+WorldPoint<Number> world_point(const Point3& p) {
+  return {number<Number>(p.x), number<Number>(p.y), number<Number>(p.z), number<Number>(1.0)};
+}
+template <class Number>
+using WorldPoints = std::vector<WorldPoint<Number>>;
+/// Three points of a plane.
+template <class Number>
+using WorldPlane = std::array<WorldPoint<Number>, 3>;
+
+/// A x + B y + C z + D w.
+template <class Number>
+struct Linear {
+  Number a, b, c, d;
+  Number at(const WorldPoint<Number>& p) const { return a * p.x + b * p.y + c * p.z + d * p.w; }
+
+  friend Linear operator+(const Linear& f, const Linear& g) {
+    return {f.a + g.a, f.b + g.b, f.c + g.c, f.d + g.d};
+  }
+  friend Linear operator-(const Linear& f, const Linear& g) {
+    return {f.a - g.a, f.b - g.b, f.c - g.c, f.d - g.d};
+  }
+  Linear times(const Number& s) const { return {a * s, b * s, c * s, d * s}; }
+};
+
+/// A linear function over boxes none of whose coordinates is larger than `size`, wide enough for
+/// all rounding.
+class OverBoxes {
+ public:
+  OverBoxes(const Linear<Ball>& f, const Point3& size)
+      : normal_{f.a.middle, f.b.middle, f.c.middle} {
+    const double error = error_of(f.a) * size.x + error_of(f.b) * size.y + error_of(f.c) * size.z +
+                         2.0 * error_of(f.d) + kTiny;
+    offset_ = {f.d.middle, 2.0 * error};
+    least_offset_ = f.d.middle - 2.0 * error;
+    most_offset_ = f.d.middle + 2.0 * error;
+  }
+
+  /// At a point none of whose coordinates is larger.
+  Ball at(const Point3& p) const {
+    const double value = normal_[0] * p.x + normal_[1] * p.y + normal_[2] * p.z;
+    return {value + offset_.middle, offset_.radius};
+  }
+
+  using EachBox = std::array<double, SpaceBoxes::kBoxes>;
+  double most(const Bounds& box) const {
+    SpaceBoxes boxes{};
+    boxes.set(0, box);
+    return most(boxes)[0];
+  }
+  /// No point of a box has less; it is at a corner, known by the signs.
+  EachBox least(const SpaceBoxes& boxes) const {
+    return at_corners(boxes.low, boxes.high, least_offset_);
+  }
+  EachBox most(const SpaceBoxes& boxes) const {
+    return at_corners(boxes.high, boxes.low, most_offset_);
+  }
+
+ private:
+  /// Looks at one axis after the other, as rising or falling along it says.
+  template <class Sides>
+  EachBox at_corners(const Sides& rising, const Sides& falling, double offset) const {
+    const auto& x = normal_[0] < 0.0 ? falling[0] : rising[0];
+    const auto& y = normal_[1] < 0.0 ? falling[1] : rising[1];
+    const auto& z = normal_[2] < 0.0 ? falling[2] : rising[2];
+    EachBox values;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      values[k] = normal_[0] * x[k] + normal_[1] * y[k] + normal_[2] * z[k] + offset;
+    }
+    return values;
+  }
+  /// In place of the eight or fewer roundings of one unit that a term takes part in.
+  static double error_of(const Ball& of) { return of.radius + 16.0 * kUnit * std::abs(of.middle); }
+
+  std::array<double, 3> normal_;
+  Ball offset_;
+  double least_offset_, most_offset_;
+};
+
+// ---- A view ---------------------------------------------------------------------------------
+
+/// The rows of the view's matrix, those of x and y to the viewport: a point's device coordinates
+/// are x / w, y / w and z / w.
+template <class Number>
+struct ViewRows {
+  Linear<Number> x, y, z, w;
+  Linear<Number> window_x, window_y;  ///< from 0 to w in the window
+  /// Not negative in front of the eye, and between the front plane and the back plane.
+  std::vector<Linear<Number>> clip{};
+  std::vector<Linear<Number>> sides{};  ///< not negative in the window
+
+  ViewRows(const View& view, const ViewVolume& volume) {
+    const glm::dmat4& m = volume.matrix();
+    const auto row = [&](int i) -> Linear<Number> {
+      return {number<Number>(m[0][i]), number<Number>(m[1][i]), number<Number>(m[2][i]),
+              number<Number>(m[3][i])};
+    };
+    z = row(2);
+    w = row(3);
+    const auto between = [&](double low, double high, int i) {
+      if (low == 0.0 && high == 1.0) return row(i);
+      return w.times(number<Number>(low)) +
+             row(i).times(number<Number>(high) - number<Number>(low));
+    };
+    x = between(view.viewport.x_min, view.viewport.x_max, 0);
+    y = between(view.viewport.y_min, view.viewport.y_max, 1);
+    if (view.back_clipping) clip.push_back(z);
+    if (view.front_clipping) {
+      clip.push_back(w - z);
+    } else if (view.projection == View::Projection::perspective) {
+      Linear<Number> beyond = w;  // inside_distance's, of the plane at the eye
+      const double least_w = -volume.inside_distance(ClipPlane::eye, HomogeneousPoint(0.0));
+      beyond.d = beyond.d - number<Number>(least_w);
+      clip.push_back(beyond);
+    }
+    window_x = row(0);
+    window_y = row(1);
+    sides = {window_x, w - window_x, window_y, w - window_y};
+  }
+};
+
+// ---- A ray ----------------------------------------------------------------------------------
+
+/// A ray is where the plane through a column of pixel centres and the eye meets that through a
+/// row. Points right of the column and above the row are on the positive sides.
+template <class Number>
+struct Ray {
+  Linear<Number> column, row;
+};
+/// A device coordinate as a quotient of doubles, as that of a pixel's centre is exactly.
+struct Quotient {
+  double above, below;
+};
+inline Quotient centre(int pixel, int pixels) { return {2.0 * pixel + 1.0, 2.0 * pixels}; }
+
+/// All points whose device coordinate is that; `along` is its row of the view's.
+template <class Number>
+Linear<Number> plane_at(const Linear<Number>& along, const Quotient& at, const Linear<Number>& w) {
+  return along.times(number<Number>(at.below)) - w.times(number<Number>(at.above));
+}
+
+// ---- A polygon ------------------------------------------------------------------------------
+
+enum class Clipping { undecided, nothing, something };  ///< was cut away
+
+/// Sutherland and Hodgman's step. It is not the clip pipeline's, which divides and rounds: here
+/// exact numbers must say the same as rounded ones. A vertex on the plane is inside, and an edge is
+/// cut only from strictly inside to outside.
+template <class Number>
+Clipping clip(const Linear<Number>& inside, WorldPoints<Number>& points, WorldPoints<Number>& cut) {
+  bool is_outside = false;
+  for (const WorldPoint<Number>& p : points) {
+    const int sign = sign_of(inside.at(p));
+    if (sign == kUndecided) return Clipping::undecided;
+    is_outside |= sign < 0;
+  }
+  if (!is_outside) return Clipping::nothing;
+  cut.clear();
+  Number from = inside.at(points.back());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Number to = inside.at(points[i]);
+    const int sign_from = sign_of(from), sign_to = sign_of(to);
+    if (sign_from * sign_to < 0) {
+      const WorldPoint<Number>& a = points[previous_corner(i, points.size())];
+      const WorldPoint<Number>& b = points[i];
+      const Number s = sign_from < 0 ? -from : from, t = sign_to < 0 ? -to : to;
+      cut.push_back({b.x * s + a.x * t, b.y * s + a.y * t, b.z * s + a.z * t, b.w * s + a.w * t});
+    }
+    if (sign_to >= 0) cut.push_back(points[i]);
+    from = std::move(to);
+  }
+  points.swap(cut);
+  return Clipping::something;
+}
+/// By one plane after the other.
+template <class Number>
+Clipping clip(const std::vector<Linear<Number>>& planes, WorldPoints<Number>& points,
+              WorldPoints<Number>& cut) {
+  Clipping all = Clipping::nothing;
+  for (const Linear<Number>& inside : planes) {
+    const Clipping by_this = clip(inside, points, cut);
+    if (by_this == Clipping::undecided) return by_this;
+    if (by_this == Clipping::something) all = by_this;
+  }
+  return all;
+}
+
+/// All that the view leaves of a polygon.
+template <class Number>
+Clipping clip_whole(std::span<const Point3> polygon, const ViewRows<Number>& view,
+                    WorldPoints<Number>& points, WorldPoints<Number>& cut) {
+  points.clear();
+  for (const Point3& v : polygon) points.push_back(world_point<Number>(v));
+  const Clipping before = clip(view.clip, points, cut);
+  if (before == Clipping::undecided) return before;
+  const Clipping in_window = clip(view.sides, points, cut);
+  return in_window == Clipping::nothing ? before : in_window;
+}
+
+/// Even-odd, as interp/truth/truth.md defines it: 1, 0, or kUndecided.
+template <class Number>
+int covers(const WorldPoints<Number>& points, const Ray<Number>& ray) {
+  if (points.empty()) return 0;
+  bool covered = false;
+  Number from_u = ray.column.at(points.back()), from_v = ray.row.at(points.back());
+  int from_side = sign_of(from_v);
+  for (const WorldPoint<Number>& point : points) {
+    Number u = ray.column.at(point), v = ray.row.at(point);
+    const int side = sign_of(v);
+    if (side == kUndecided || from_side == kUndecided) return kUndecided;
+    if ((from_side < 0) != (side < 0)) {
+      const int crossing = sign_of(from_u * v - u * from_v);
+      if (crossing == kUndecided) return kUndecided;
+      if ((from_side < 0 ? crossing : -crossing) <= 0) covered = !covered;
+    }
+    from_u = std::move(u);
+    from_v = std::move(v);
+    from_side = side;
+  }
+  return covered ? 1 : 0;
+}
+
+/// A point in the picture: x / w, y / w.
+template <class Number>
+struct Place {
+  Number x, y, w;
+};
+template <class Number>
+std::vector<Place<Number>> places(const WorldPoints<Number>& points, const ViewRows<Number>& view) {
+  std::vector<Place<Number>> places;
+  places.reserve(points.size());
+  for (const WorldPoint<Number>& p : points) {
+    places.push_back({view.x.at(p), view.y.at(p), view.w.at(p)});
+  }
+  return places;
+}
+
+/// Which way a polygon that is wholly in front of the eye turns in the picture, -1, 0 or 1: the
+/// sign of its area there, of the parts that turn one way less that of the others.
+inline int turn_in_picture(const WorldPoints<ExactNumber>& points,
+                           const ViewRows<ExactNumber>& view) {
+  const std::vector<Place<ExactNumber>> at = places(points, view);
+  ExactNumber sum, below(1.0);  // of quotients
+  for (std::size_t i = 2; i < at.size(); ++i) {
+    const auto &p = at[0], &q = at[i - 1], &r = at[i];
+    const ExactNumber twice_area = p.x * (q.y * r.w - q.w * r.y) - p.y * (q.x * r.w - q.w * r.x) +
+                                   p.w * (q.x * r.y - q.y * r.x);
+    const ExactNumber of_both = q.w * r.w;  // positive
+    sum = sum * of_both + twice_area * below;
+    below = below * of_both;
+  }
+  return sum.sign();
+}
+
+using Support = std::array<std::uint32_t, 3>;  ///< numbers of vertices
+
+/// The definition's vertices (interp/truth/truth.md), but with distances that are not rounded.
+inline Support exact_support(const WorldPoints<ExactNumber>& points,
+                             const ViewRows<ExactNumber>& view) {
+  std::vector<Place<ExactNumber>> from_first = places(points, view);  // over w times the first's
+  const Place<ExactNumber> first = from_first[0];
+  for (Place<ExactNumber>& p : from_first) {
+    p.x = p.x * first.w - first.x * p.w;
+    p.y = p.y * first.w - first.y * p.w;
+  }
+  /// Of the largest of quotients that are not negative, the first of equals.
+  const auto largest = [&](const auto& above, const auto& below) {
+    std::uint32_t best = 0;
+    ExactNumber most, most_below(1.0);
+    for (std::uint32_t i = 1; i < from_first.size(); ++i) {
+      ExactNumber a = above(from_first[i]), b = below(from_first[i]);
+      if ((a * most_below - most * b).sign() <= 0) continue;
+      best = i;
+      most = std::move(a);
+      most_below = std::move(b);
+    }
+    return best;
+  };
+  using P = Place<ExactNumber>;
+  const std::uint32_t q = largest([](const P& p) { return p.x * p.x + p.y * p.y; },
+                                  [](const P& p) { return p.w * p.w; });
+  const auto beside_line = [&](const P& p) {
+    const ExactNumber area = from_first[q].x * p.y - from_first[q].y * p.x;
+    return area.sign() < 0 ? -area : area;
+  };
+  return {0, q, largest(beside_line, [](const P& p) { return p.w; })};
+}
+
+// ---- Where a ray meets a plane --------------------------------------------------------------
+
+/// It is the sum of three points of the plane, each weighted by what the ray's planes make of the
+/// other two.
+template <class Number>
+struct Hit {
+  Number z, w;                ///< the depth in the view is z / w
+  Number nearness, of_world;  ///< what hides what is less, is their quotient
+};
+template <class Number>
+Number cross(const Number& au, const Number& av, const Number& bu, const Number& bv) {
+  return au * bv - av * bu;
+}
+template <class Number>
+std::array<Number, 3> weights(const WorldPlane<Number>& plane, const Ray<Number>& ray) {
+  std::array<Number, 3> u, v;
+  for (std::size_t i = 0; i < 3; ++i) {
+    u[i] = ray.column.at(plane[i]);
+    v[i] = ray.row.at(plane[i]);
+  }
+  return {cross(u[1], v[1], u[2], v[2]), cross(u[2], v[2], u[0], v[0]),
+          cross(u[0], v[0], u[1], v[1])};
+}
+template <class Number>
+Hit<Number> hit_of(const WorldPlane<Number>& plane, const Ray<Number>& ray,
+                   const ViewRows<Number>& view, bool perspective) {
+  const std::array<Number, 3> weight = weights(plane, ray);
+  Hit<Number> hit{number<Number>(0.0), number<Number>(0.0), number<Number>(0.0),
+                  number<Number>(0.0)};
+  for (std::size_t i = 0; i < 3; ++i) {
+    hit.z = hit.z + weight[i] * view.z.at(plane[i]);
+    hit.w = hit.w + weight[i] * view.w.at(plane[i]);
+    hit.of_world = hit.of_world + weight[i] * plane[i].w;
+  }
+  hit.nearness = perspective ? -hit.w : hit.z;
+  return hit;
+}
+
+/// The same point, rounded, in world coordinates. Throws Error if it is farther away than any
+/// double.
+inline Point3 point_hit(const WorldPlane<ExactNumber>& plane, const Ray<ExactNumber>& ray) {
+  const std::array<ExactNumber, 3> weight = weights(plane, ray);
+  WorldPoint<ExactNumber> sum;
+  for (std::size_t i = 0; i < 3; ++i) {
+    sum.x = sum.x + weight[i] * plane[i].x;
+    sum.y = sum.y + weight[i] * plane[i].y;
+    sum.z = sum.z + weight[i] * plane[i].z;
+    sum.w = sum.w + weight[i] * plane[i].w;
+  }
+  if (sum.w.sign() == 0) throw Error("what is seen there lies infinitely far away");
+  return {rounded_quotient(sum.x, sum.w), rounded_quotient(sum.y, sum.w),
+          rounded_quotient(sum.z, sum.w)};
+}
+
+/// The sign of a's depth less b's, or kUndecided. Neither is edge-on.
+template <class Number>
+int compare(const Hit<Number>& a, const Hit<Number>& b) {
+  const int difference = sign_of(a.z * b.w - b.z * a.w);
+  const int of_a = sign_of(a.w), of_b = sign_of(b.w);
+  if (difference == kUndecided || of_a == kUndecided || of_b == kUndecided) return kUndecided;
+  return difference * of_a * of_b;
+}
+
+}  // namespace displayfile::in_world

@@ -73,11 +73,11 @@ Projectors projectors(const View& view, const glm::dmat4& view_plane) {
 ViewVolume::ViewVolume(const View& view)
     : view_plane_(view_plane_transformation(view)),
       viewport_(view.viewport),
-      perspective_(view.projection == View::Projection::perspective) {
+      perspective_(view.projection == View::Projection::perspective),
+      front_z_(view.distance - view.front),
+      back_z_(view.distance - view.back) {
   const auto [shear, convergence] = projectors(view, view_plane_);
-  const double z_front = view.distance - view.front;  // both planes in view-plane coordinates
-  const double z_back = view.distance - view.back;
-  const double w_front = 1.0 - convergence * z_front;
+  const double w_front = 1.0 - convergence * front_z_;
   if (!(w_front > 0.0)) {
     throw Error(
         "centre of projection on the wrong side of the front plane: expected the front plane "
@@ -85,7 +85,7 @@ ViewVolume::ViewVolume(const View& view)
   }
   const Point2 width(view.window.x_max - view.window.x_min, view.window.y_max - view.window.y_min);
   const Point2 corner(view.window.x_min, view.window.y_min);
-  const double depth_scale = w_front / (z_front - z_back);
+  const double depth_scale = w_front / (front_z_ - back_z_);
 
   glm::dmat4 cube(0.0);  // view-plane coordinates to the homogeneous unit cube
   for (int axis = 0; axis < 2; ++axis) {
@@ -94,7 +94,7 @@ ViewVolume::ViewVolume(const View& view)
     cube[3][axis] = -corner[axis] / width[axis];
   }
   cube[2][2] = depth_scale;
-  cube[3][2] = -depth_scale * z_back;
+  cube[3][2] = -depth_scale * back_z_;
   cube[2][3] = -convergence;
   cube[3][3] = 1.0;
   world_to_volume_ = cube * view_plane_;

@@ -72,6 +72,9 @@ class ViewVolume {
   const glm::dmat4& matrix() const { return world_to_volume_; }
   const Rectangle& viewport() const { return viewport_; }
   bool is_perspective() const { return perspective_; }
+  /// Where the front plane and the back plane are, in view-plane coordinates.
+  double front_z() const { return front_z_; }
+  double back_z() const { return back_z_; }
   /// Where W is less, a point is outside of ClipPlane::eye; in a perspective view above 0.
   double nearest_w() const { return nearest_w_; }
   /// The planes that points can be outside of.
@@ -87,6 +90,7 @@ class ViewVolume {
   Rectangle viewport_;
   bool perspective_;
   double nearest_w_;
+  double front_z_, back_z_;
   Outcode active_;
 };
 

@@ -69,7 +69,8 @@ class BruteForceWorldTruth {
   /// Homogeneous; in the picture x and y are in pixels. `unit` is 1 for world coordinates.
   struct Vertex {
     Q x, y, z, w, unit = 1;
-    Q u, v;  // x and y in the picture
+    Q u, v;    // x and y in the picture
+    Q toward;  // z of view-plane coordinates
   };
   /// a + b e - c e^2: a value at the centre and what it grows by along x and along y.
   struct Value {
@@ -83,7 +84,8 @@ class BruteForceWorldTruth {
     std::vector<Vertex> vertices;
     std::array<std::size_t, 3> support;
     std::int32_t pick;
-    bool back, front, eye;
+    std::optional<Q> back, front;  // where planes clip, in view-plane coordinates
+    bool eye;
   };
   struct Walk {
     std::map<std::int32_t, std::vector<Point3>>& drawn;
@@ -100,22 +102,28 @@ class BruteForceWorldTruth {
 
   void enter(const RetainedScene& scene, const RetainedScene::Segment& part,
              const ImageTransformation& image) {
-    const glm::dmat4 m = ViewVolume(part.view).matrix();
-    const Rectangle& port = part.view.viewport;
+    const ViewVolume volume(part.view);
+    const glm::dmat4& m = volume.matrix();
+    const View& view = part.view;
+    const Rectangle& port = view.viewport;
     const ImageMatrix on_image(image);
     const auto entry = [&](const HomogeneousPoint& basis, int row) {
       return Q(on_image.apply(basis)[row]);
     };
     for (std::uint32_t i = part.first; i < part.end; ++i) {
       if (scene[i].is_line() || scene.attributes(i).fill.kind != FillStyle::Kind::solid) continue;
-      Polygon polygon{
-          {}, {0, 1, 2}, scene[i].pick, part.view.back_clipping, part.view.front_clipping, false};
-      polygon.eye = !polygon.front && part.view.projection == View::Projection::perspective;
+      Polygon polygon{{}, {0, 1, 2}, scene[i].pick, std::nullopt, std::nullopt, false};
+      if (view.back_clipping) polygon.back = Q(view.distance - view.back);
+      if (view.front_clipping) polygon.front = Q(view.distance - view.front);
+      polygon.eye = !polygon.front && view.projection == View::Projection::perspective;
       for (const Point3& p : scene.points(i)) {
         const auto row = [&](int r) -> Q {
           return Q(m[0][r]) * Q(p.x) + Q(m[1][r]) * Q(p.y) + Q(m[2][r]) * Q(p.z) + Q(m[3][r]);
         };
-        Vertex v{row(0), row(1), row(2), row(3), 1, 0, 0};
+        Vertex v{row(0), row(1), row(2), row(3), 1, 0, 0, 0};
+        const glm::dmat4& plane = volume.view_plane();
+        v.toward = Q(plane[0][2]) * Q(p.x) + Q(plane[1][2]) * Q(p.y) + Q(plane[2][2]) * Q(p.z) +
+                   Q(plane[3][2]);
         const Q x = Q(port.x_min) * (v.w - v.x) + Q(port.x_max) * v.x;
         const Q y = Q(port.y_min) * (v.w - v.y) + Q(port.y_max) * v.y;
         const auto on = [&](int r) -> Q {
@@ -224,8 +232,12 @@ class BruteForceWorldTruth {
         is_outside([](const Vertex& a) -> Q { return a.w - a.y; })) {
       return std::nullopt;
     }
-    if (polygon.back && is_outside([](const Vertex& a) -> Q { return a.z; })) return std::nullopt;
-    if (polygon.front && is_outside([](const Vertex& a) -> Q { return a.w - a.z; })) {
+    if (polygon.back &&
+        is_outside([&](const Vertex& a) -> Q { return a.toward - *polygon.back * a.unit; })) {
+      return std::nullopt;
+    }
+    if (polygon.front &&
+        is_outside([&](const Vertex& a) -> Q { return *polygon.front * a.unit - a.toward; })) {
       return std::nullopt;
     }
     if (polygon.eye && is_outside([](const Vertex& a) -> Q { return a.w - Q(1e-6) * a.unit; })) {

@@ -161,8 +161,7 @@ TEST(WorldRays, DifferOnlyWhereTheRoundingOfViewingDecides) {
   EXPECT_GT(rounding, 0u) << "the check was never put to work";
 }
 
-// ---- Polygons that a view may turn over, or that are not quite flat
-// ------------------------------
+// ---- Polygons that a view may turn over, or that are not quite flat ----------------------------
 
 /// What is seen, which must be what the truth from world coordinates says.
 std::vector<std::int32_t> seen_as_in_world_truth(const Retained& retained,
@@ -228,8 +227,8 @@ TEST(WorldRays, PolygonsThatAreEdgeOnForDoublesAloneAreSeen) {
   EXPECT_EQ(std::ranges::count(seen_as_in_world_truth(retained, {9, 8}), 0), 4);
 }
 
-/// A polygon so steep that a vertex off its plane, within the tolerance, is in the plane a third
-/// nearer than all its vertices are: that is nearer than what is between.
+/// A polygon so steep that a vertex off its plane, within the tolerance, is nearer in the plane
+/// than all vertices are, and than what is in front of these.
 TEST(WorldRays, PolygonsMayBeSeenNearerThanTheirVertices) {
   Retained retained;
   GraphicsSystem& g = retained.system;
@@ -404,8 +403,21 @@ TEST(WorldRays, SeeOfSteepPolygonsWhatTheTruthFromTheWorldSays) {
   expect_world_truth_of(steep_polygons, 1000);
 }
 
-// ---- What is not seen
-// ----------------------------------------------------------------------------
+/// The matrix's entries are rounded, so that by them the face that is nearest lies outside.
+TEST(WorldRays, FacesOnTheFrontPlaneAreSeen) {
+  Retained retained;
+  GraphicsSystem& g = retained.system;
+  g.set_perspective({2.0, 1.0, 3.0});
+  g.set_view_depth(-1.0, 1.0);
+  g.set_front_plane_clipping(true);
+  g.open_segment(1);
+  g.polygon_abs_3({{-1, 0.5, 1}, {1, 0.5, 1}, {1, 1.5, 1}, {-1, 1.5, 1}});
+  g.polygon_abs_3({{-1, 0.5, -0.5}, {1, 0.5, -0.5}, {1, 1.5, -0.5}, {-1, 1.5, -0.5}});
+  g.close_segment();
+  EXPECT_EQ(std::ranges::count(seen_as_in_world_truth(retained, {32, 32}), 0), 288);
+}
+
+// ---- What is not seen --------------------------------------------------------------------------
 
 TEST(WorldRays, BackFacesRemovedAndHollowFillsNotSeen) {
   RetainedScene scene;

@@ -115,6 +115,40 @@ TEST(WorldTruth, CentresOnEdgesAndOnClipPlanesAreThoseOfBruteForce) {
   }
 }
 
+/// A face on the front plane, or on the back plane, is inside of it wherever these are set,
+/// whatever their distances and the eye's make of the entries of the matrix.
+TEST(WorldTruth, WhatLiesOnTheFrontOrBackPlaneIsInside) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    Source s(seed);
+    const bool tenths = s.below(2) == 0;
+    const auto any = [&](int low, int high) {
+      return tenths ? s.between(10 * low, 10 * high) / 10.0 : low + (high - low) * s.unit();
+    };
+    Retained retained;
+    GraphicsSystem& g = retained.system;
+    const double front = any(-2, 0), back = front + any(1, 3);
+    const Point3 eye{any(-2, 2), any(-2, 2), any(3, 9)};
+    if (s.below(4) == 0) {
+      g.set_parallel(eye);
+    } else {
+      g.set_perspective(eye);
+    }
+    g.set_view_depth(front, back);
+    g.set_front_plane_clipping(true);
+    g.set_back_plane_clipping(true);
+    g.open_segment(1);
+    for (const double z : {-back, -front}) {
+      g.polygon_abs_3({{-9, -9, z}, {9, -9, z}, {9, 9, z}, {-9, 9, z}});
+    }
+    g.polygon_abs_3({{0, 0, -front}, {9, 0, -front}, {9, 9, std::nextafter(-front, 9.0)}});
+    g.close_segment();
+    ASSERT_NO_FATAL_FAILURE(expect_brute_force(retained, 5, 4));
+    const auto seen = world_truth(retained.scene, g.display_file(), 5, 4, false).ids;
+    EXPECT_EQ(std::ranges::count(seen, 1), std::ssize(seen));
+  }
+}
+
 /// In the unit view world coordinates are device coordinates, to the last bit.
 TEST(WorldTruth, IsTheDisplayFilesWhereViewingDoesNotRound) {
   std::size_t scenes = 0;

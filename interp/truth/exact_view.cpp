@@ -31,13 +31,18 @@ void shorten(std::initializer_list<Integer*> numbers) {
 
 ExactView::ExactView(const View& view, const ImageTransformation& image, int width, int height) {
   const ViewVolume volume(view);
-  const glm::dmat4& m = volume.matrix();
-  places_ = common_places(std::span(&m[0][0], 16));
-  for (int row = 0; row < 4; ++row) {
-    for (int column = 0; column < 4; ++column) {
-      matrix_[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] =
-          scaled(m[column][row], places_);
+  const glm::dmat4 &m = volume.matrix(), &plane = volume.view_plane();
+  std::array<double, 4> toward{};
+  for (int column = 0; column < 4 && (view.front_clipping || view.back_clipping); ++column) {
+    toward[static_cast<std::size_t>(column)] = plane[column][2];
+  }
+  places_ = std::max(common_places(std::span(&m[0][0], 16)), common_places(toward));
+  for (std::size_t column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) {
+      matrix_[static_cast<std::size_t>(row)][column] =
+          scaled(m[static_cast<int>(column)][row], places_);
     }
+    toward_[column] = scaled(toward[column], places_);
   }
 
   const bool perspective = view.projection == View::Projection::perspective;
@@ -48,9 +53,9 @@ ExactView::ExactView(const View& view, const ImageTransformation& image, int wid
     sides_.push_back(Side::eye);
   }
   sides_.insert(sides_.end(), {Side::left, Side::right, Side::bottom, Side::top});
-  const double nearest = -volume.inside_distance(ClipPlane::eye, HomogeneousPoint(0.0));
-  nearest_places_ = binary_places(nearest);
-  nearest_w_ = scaled(nearest, nearest_places_);
+  eye_ = Limit(volume.nearest_w());
+  front_ = Limit(volume.front_z());
+  back_ = Limit(volume.back_z());
 
   // The viewport: u = x_min w + (x_max - x_min) x, and v likewise; then the image transformation.
   const Rectangle& r = view.viewport;
@@ -80,20 +85,28 @@ ExactView::Vertex ExactView::viewed(const Point3& world) const {
   const int places = common_places(coordinates);
   const Integer x = scaled(world.x, places), y = scaled(world.y, places),
                 z = scaled(world.z, places), one = Integer(1) << bits(places);
-  const auto row = [&](std::size_t i) -> Integer {
-    return matrix_[i][0] * x + matrix_[i][1] * y + matrix_[i][2] * z + matrix_[i][3] * one;
+  const auto along = [&](const Row& row) -> Integer {
+    return row[0] * x + row[1] * y + row[2] * z + row[3] * one;
   };
-  return {row(0), row(1), row(2), row(3), one << bits(places_)};
+  return {along(matrix_[0]), along(matrix_[1]), along(matrix_[2]),
+          along(matrix_[3]), along(toward_),    one << bits(places_)};
 }
 
 // ---- The view volume ---------------------------------------------------------------------
 
+ExactView::Limit::Limit(double value)
+    : at(scaled(value, binary_places(value))), places(binary_places(value)) {}
+
+Integer ExactView::Limit::exceeded_by(const Integer& coordinate, const Integer& unit) const {
+  return (coordinate << bits(places)) - at * unit;
+}
+
 /// 0 on the plane, negative outside.
 Integer ExactView::inside(Side side, const Vertex& v) const {
   switch (side) {
-    case Side::back: return v.z;
-    case Side::front: return v.w - v.z;
-    case Side::eye: return (v.w << bits(nearest_places_)) - nearest_w_ * v.unit;
+    case Side::back: return back_.exceeded_by(v.toward, v.unit);
+    case Side::front: return -front_.exceeded_by(v.toward, v.unit);
+    case Side::eye: return eye_.exceeded_by(v.w, v.unit);
     case Side::left: return v.x;
     case Side::right: return v.w - v.x;
     case Side::bottom: return v.y;
@@ -108,9 +121,9 @@ ExactView::Vertex ExactView::cut(const Vertex& in, const Integer& d_in, const Ve
   const auto between = [&](const Integer& a, const Integer& b) -> Integer {
     return d_in * b - d_out * a;
   };
-  Vertex v{between(in.x, out.x), between(in.y, out.y), between(in.z, out.z), between(in.w, out.w),
-           between(in.unit, out.unit)};
-  shorten({&v.x, &v.y, &v.z, &v.w, &v.unit});
+  Vertex v{between(in.x, out.x), between(in.y, out.y),           between(in.z, out.z),
+           between(in.w, out.w), between(in.toward, out.toward), between(in.unit, out.unit)};
+  shorten({&v.x, &v.y, &v.z, &v.w, &v.toward, &v.unit});
   return v;
 }
 

@@ -16,10 +16,11 @@ namespace displayfile {
 /// transformation's matrix are taken as they are, and nothing is rounded.
 class ExactView {
  public:
-  /// A point in the homogeneous coordinates of the view volume, 0 <= x, y, z <= w, all times
-  /// `unit`, which is positive: true coordinates are those over it.
+  /// A point in the homogeneous coordinates of the view volume, 0 <= x, y, z <= w, and the z of its
+  /// view-plane coordinates, all times `unit`, which is positive: true coordinates are those over
+  /// it.
   struct Vertex {
-    Integer x, y, z, w, unit;
+    Integer x, y, z, w, toward, unit;
   };
 
   /// Throws what ViewVolume throws.
@@ -42,11 +43,21 @@ class ExactView {
   Vertex cut(const Vertex& in, const Integer& d_in, const Vertex& out, const Integer& d_out) const;
   void clip(Side side, std::vector<Vertex>& polygon);
 
-  std::array<std::array<Integer, 4>, 4> matrix_;  // by rows, times 2^places_
+  using Row = std::array<Integer, 4>;
+  std::array<Row, 4> matrix_;  // times 2^places_
+  Row toward_;                 // likewise; zero where neither the front nor the back plane clips
   int places_ = 0;
   std::vector<Side> sides_;  // those that are active, in the order of clipping
-  Integer nearest_w_;        // times 2^nearest_places_
-  int nearest_places_ = 0;
+  /// Where a plane is along a coordinate: times 2^places.
+  struct Limit {
+    Integer at;
+    int places = 0;
+    Limit() = default;
+    explicit Limit(double value);
+    /// How far a vertex's coordinate is beyond, times something positive.
+    Integer exceeded_by(const Integer& coordinate, const Integer& unit) const;
+  };
+  Limit eye_, front_, back_;
   /// Volume to picture: x and y rows over (x, y, w), times 2^picture_places_.
   std::array<std::array<Integer, 3>, 2> picture_;
   int picture_places_ = 0;

@@ -6,9 +6,9 @@
 
 namespace displayfile {
 
-using namespace in_world;
-
 namespace {
+
+using namespace in_world;
 
 bool is_surely_positive(const Ball& a) { return a.middle > a.radius; }
 

@@ -116,8 +116,8 @@ class OverBoxes {
   static double error_of(const Ball& of) { return of.radius + 16.0 * kUnit * std::abs(of.middle); }
 
   std::array<double, 3> normal_;
-  Ball offset_;
   double least_offset_, most_offset_;
+  Ball offset_;
 };
 
 // ---- A view ---------------------------------------------------------------------------------
@@ -147,13 +147,20 @@ struct ViewRows {
     };
     x = between(view.viewport.x_min, view.viewport.x_max, 0);
     y = between(view.viewport.y_min, view.viewport.y_max, 1);
-    if (view.back_clipping) clip.push_back(z);
+    // Not by z and w, whose rounded coefficients would put the planes beside where they were set.
+    const glm::dmat4& plane = volume.view_plane();
+    const Linear<Number> toward{number<Number>(plane[0][2]), number<Number>(plane[1][2]),
+                                number<Number>(plane[2][2]), number<Number>(plane[3][2])};
+    const Number zero = number<Number>(0.0);
+    const auto always = [&](double value) -> Linear<Number> {
+      return {zero, zero, zero, number<Number>(value)};
+    };
+    if (view.back_clipping) clip.push_back(toward - always(volume.back_z()));
     if (view.front_clipping) {
-      clip.push_back(w - z);
+      clip.push_back(always(volume.front_z()) - toward);
     } else if (view.projection == View::Projection::perspective) {
       Linear<Number> beyond = w;  // inside_distance's, of the plane at the eye
-      const double least_w = -volume.inside_distance(ClipPlane::eye, HomogeneousPoint(0.0));
-      beyond.d = beyond.d - number<Number>(least_w);
+      beyond.d = beyond.d - number<Number>(volume.nearest_w());
       clip.push_back(beyond);
     }
     window_x = row(0);

@@ -177,12 +177,9 @@ class WorldRays::Caster {
     work.exact.reset();
     work.seen = nullptr;
     work.hidden = -std::numeric_limits<double>::infinity();
-    const auto meets = [&](const SpaceBoxes& boxes, OverBoxes::EachBox& nearest) {
-      nearest = nearness_.most(boxes);
-      return met(column, row, boxes);
-    };
     world_.tree_.near_to_far<double>(
-        meets, [&](double nearest) { return nearest < work.hidden; },
+        Meets{column.over_boxes, row.over_boxes, nearness_},
+        [&](double nearest) { return nearest < work.hidden; },
         [&](SpaceTree::Position at) { intersect(world_.polygons_[at], work); });
     if (!out_of_box_.empty()) cast_at_those_out_of_boxes(work);
     return work.seen == nullptr ? kNothing : work.seen->primitive;
@@ -199,22 +196,30 @@ class WorldRays::Caster {
     return {at, plane, OverBoxes(plane, world_.size_)};
   }
 
-  static SpaceTree::Lanes met(const Side& column, const Side& row, const SpaceBoxes& boxes) {
-    const auto left = column.over_boxes.least(boxes), right = column.over_boxes.most(boxes);
-    const auto lowest = row.over_boxes.least(boxes), highest = row.over_boxes.most(boxes);
-    SpaceTree::Lanes are_met;
-    for (std::size_t k = 0; k < are_met.size(); ++k) {
-      // Where a bound is no number nothing is known to be missed.
-      const int missed = static_cast<int>(left[k] > 0.0) | static_cast<int>(right[k] < 0.0) |
-                         static_cast<int>(lowest[k] > 0.0) | static_cast<int>(highest[k] < 0.0);
-      are_met[k] = 1 - missed;
+  /// Tells which of eight boxes a ray meets, and how near they begin.
+  struct Meets {
+    const OverBoxes &column, &row, &nearness;
+    SpaceTree::Lanes operator()(const SpaceBoxes& boxes, OverBoxes::EachBox& nearest) const {
+      const auto left = column.least(boxes), right = column.most(boxes);
+      const auto lowest = row.least(boxes), highest = row.most(boxes);
+      nearest = nearness.most(boxes);
+      SpaceTree::Lanes met;
+      for (std::size_t k = 0; k < met.size(); ++k) {
+        // Where a bound is no number nothing is known to be missed.
+        const int missed = static_cast<int>(left[k] > 0.0) | static_cast<int>(right[k] < 0.0) |
+                           static_cast<int>(lowest[k] > 0.0) | static_cast<int>(highest[k] < 0.0);
+        met[k] = 1 - missed;
+      }
+      return met;
     }
-    return are_met;
-  }
+  };
 
   /// However near what the ray has hit is.
   void cast_at_those_out_of_boxes(Work& work) const {
-    const auto meets = [&](const SpaceBoxes& boxes) { return met(*work.column, *work.row, boxes); };
+    const auto meets = [&](const SpaceBoxes& boxes) {
+      OverBoxes::EachBox nearest;
+      return Meets{work.column->over_boxes, work.row->over_boxes, nearness_}(boxes, nearest);
+    };
     their_boxes_.any(meets, [&](SpaceTree::Position at) {
       intersect(world_.polygons_[out_of_box_[their_boxes_.order()[at]]], work);
       return false;

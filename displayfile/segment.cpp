@@ -6,6 +6,7 @@ namespace displayfile {
 Segment::Segment(const Segment& other)
     : visible(other.visible),
       image(other.image),
+      put_off(other.put_off),
       name_(other.name_),
       entered_(other.closed_ ? other.entered_ : std::make_shared<Instructions>(*other.entered_)),
       closed_(other.closed_),

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -12,6 +13,14 @@
 #include "displayfile/style.h"
 
 namespace displayfile {
+
+/// How the hidden surfaces of a segment are to be found by itself.
+struct SortByItself {
+  HiddenMethod method;  ///< in object space
+  Precision precision;
+  HiddenLines hidden_lines = HiddenLines::none;
+  bool intersections = false;
+};
 
 /// One segment: a name, attributes, and its instructions in arrays of their own, so that
 /// it is edited or deleted without touching another segment's storage.
@@ -35,6 +44,9 @@ class Segment {
 
   bool visible = true;
   ImageTransformation image;
+  /// What close-segment put off, since all segments were to be sorted together: for the case that
+  /// they are not.
+  std::optional<SortByItself> put_off;
 
   // Entering instructions (displayfile/instructions.h). A sorted order is dropped.
   void set_style(const FillStyle& fill) { writable().set_style(fill); }

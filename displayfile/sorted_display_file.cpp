@@ -35,6 +35,14 @@ SortOptions sort_options(const HiddenSurfaceOptions& options, const Precision& p
   return sort;
 }
 
+/// How close-segment sorted it, or would have, had the scope not been all.
+std::optional<SortByItself> as_closed(const Segment& segment) {
+  const auto& sorted = segment.sorted();
+  if (sorted == nullptr) return segment.put_off;
+  return SortByItself{sorted->method, sorted->precision, sorted->hidden_lines,
+                      sorted->intersections};
+}
+
 /// One order for all, whose groups do not overlap.
 std::shared_ptr<const SortedScene> joined(
     std::span<const std::shared_ptr<const SortedScene>> groups, HiddenMethod method,
@@ -138,12 +146,12 @@ const DisplayFile& SortedDisplayFile::sort_anew(const DisplayFile& entered, cons
 
 void SortedDisplayFile::sort_as_closed(const HiddenSurfaceOptions& asked) {
   for (const Segment& segment : file_.segments()) {
-    const auto sorted = segment.sorted();
-    if (!segment.visible || sorted == nullptr) continue;
-    SortOptions options = sort_options(asked, asked.precision.value_or(sorted->precision));
-    options.hidden_lines = asked.hidden_lines.value_or(sorted->hidden_lines);
-    options.intersections = sorted->intersections;
-    sort_segment(segment, sorted->method, options);
+    const auto by = as_closed(segment);
+    if (!segment.visible || !by) continue;
+    SortOptions options = sort_options(asked, asked.precision.value_or(by->precision));
+    options.hidden_lines = asked.hidden_lines.value_or(by->hidden_lines);
+    options.intersections = by->intersections;
+    sort_segment(segment, by->method, options);
   }
 }
 

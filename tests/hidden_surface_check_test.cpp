@@ -370,6 +370,25 @@ TEST_P(HiddenSurfaceCheck, ScopeOfAllSegments) {
   EXPECT_EQ(drawn_ids(g), true_ids(g));
 }
 
+TEST_P(HiddenSurfaceCheck, WhatWasClosedUnderScopeAllIsSortedByItselfUnderScopeSegment) {
+  GraphicsSystem g = sorting_system(GetParam()), always_each = sorting_system(GetParam());
+  g.set_hidden_scope(HiddenScope::all);
+  for (GraphicsSystem* system : {&g, &always_each}) {
+    for (int name : {1, 2}) {
+      system->open_segment(name);
+      enter_triangles(*system, 25, 10 + static_cast<unsigned>(name));
+      system->close_segment();
+    }
+  }
+  g.set_hidden_scope(HiddenScope::segment);
+  EXPECT_EQ(drawn_ids(g), drawn_ids(always_each));
+  SortedDisplayFile kept;
+  const auto sorted = kept.update(g, GetParam()).segment(1).sorted();
+  EXPECT_NE(sorted, nullptr);
+  EXPECT_EQ(kept.update(g, GetParam()).segment(1).sorted(), sorted);
+  EXPECT_EQ(drawn_ids(g, {.scope = HiddenScope::segment}), drawn_ids(always_each));
+}
+
 TEST_P(HiddenSurfaceCheck, SegmentsBeginAndEndWhereTheyChange) {
   GraphicsSystem g = sorting_system(GetParam());
   g.set_hidden_scope(HiddenScope::all);

@@ -57,15 +57,19 @@ void GraphicsSystem::close(Segment& segment) {
   std::optional<Segment> selected;
   if (retaining() != nullptr) selected = with_lines_selected(segment);
   std::shared_ptr<const SortedScene> sorted;
+  std::optional<SortByItself> put_off;
   const bool each_on_its_own = scope_.value_or(HiddenScope::segment) == HiddenScope::segment;
-  if (hidden_ && is_object_space(method_) && each_on_its_own) {
-    SortOptions options = sort_options_;
-    options.intersections = contains(lines_.kinds, LineKind::intersection);
+  SortOptions options = sort_options_;
+  options.intersections = contains(lines_.kinds, LineKind::intersection);
+  if (hidden_ && is_object_space(method_) && !each_on_its_own) {
+    put_off = {method_, options.precision, options.hidden_lines, options.intersections};
+  } else if (hidden_ && is_object_space(method_)) {
     const Segment& whole = selected ? *selected : segment;
     sorted = hidden_surface_check(whole.entered(), {}, method_, options);
   }
   if (selected) segment.take_instructions(std::move(*selected));
   if (sorted) segment.set_sorted(std::move(sorted));
+  segment.put_off = put_off;
   segment.close();
 }
 

@@ -270,8 +270,8 @@ class GraphicsSystem {
   /// no scene is retained, it is retained in the system from now on. Errors: a method that is not
   /// built yet; that one, if there are segments that were not retained.
   void set_hidden_method(HiddenMethod method);
-  /// A scope that is not set is `segment` for segments as they are closed. A segment closed while it
-  /// is `all` is sorted by itself when it is drawn, if it is `segment` then.
+  /// A scope that is not set is `segment` for segments as they are closed. A segment closed while
+  /// it is `all` is sorted by itself when it is drawn, if it is `segment` then.
   void set_hidden_scope(HiddenScope scope);
   /// The precision of the method that finds hidden surfaces. Error: a ROUNDOFF outside of [0,1).
   void set_precision(const Precision& precision);

@@ -8,13 +8,16 @@
 
 namespace displayfile {
 
+inline constexpr std::size_t kLeastInLargePages = std::size_t{16} << 20;
+
 /// Tells the system, where it can be told, that memory which nobody has written to yet should come
-/// in pages as large as it has. Little is not worth it.
+/// in pages as large as it has; less than kLeastInLargePages is not worth it.
 inline void ask_for_large_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size_t bytes) {
 #ifdef MADV_HUGEPAGE
-  constexpr std::size_t kLeast = std::size_t{32} << 20, kPage = 4096;
-  if (bytes < kLeast) return;
-  const std::size_t to_page = kPage - reinterpret_cast<std::uintptr_t>(begin) % kPage;
+  constexpr std::size_t kPage = 4096;
+  if (bytes < kLeastInLargePages) return;
+  const std::size_t past = reinterpret_cast<std::uintptr_t>(begin) % kPage;
+  const std::size_t to_page = past == 0 ? 0 : kPage - past;
   ::madvise(static_cast<char*>(begin) + to_page, bytes - kPage, MADV_HUGEPAGE);  // or not
 #endif
 }

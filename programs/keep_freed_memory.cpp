@@ -12,6 +12,8 @@
 #include <cstdint>
 #include <span>
 
+#include "clip/large_pages.h"
+
 namespace displayfile {
 
 void keep_freed_memory() {
@@ -38,18 +40,18 @@ void ask_for_memory([[maybe_unused]] std::size_t bytes) {
 #endif
 }
 
-void ask_for_huge_pages([[maybe_unused]] std::size_t bytes) {
-#if defined(__GLIBC__) && defined(MADV_HUGEPAGE)
-  constexpr std::size_t kLeast = std::size_t{16} << 20, kPage = std::size_t{2} << 20;
-  if (bytes < kLeast) return;
+void hand_out_large_pages([[maybe_unused]] std::size_t bytes) {
+#ifdef __GLIBC__
+  constexpr std::size_t kPage = std::size_t{2} << 20;
+  if (bytes < kLeastInLargePages) return;
   mallopt(M_MMAP_MAX, 0);         // large blocks, too, are taken from the one heap,
   mallopt(M_TRIM_THRESHOLD, -1);  // which keeps all that it has got
   void* const room = std::malloc(bytes + 2 * kPage);
   if (room == nullptr) return;
   const std::size_t to_page = kPage - reinterpret_cast<std::uintptr_t>(room) % kPage;
-  madvise(static_cast<char*>(room) + to_page, bytes, MADV_HUGEPAGE);  // or not
+  ask_for_large_pages(static_cast<char*>(room) + to_page, bytes);
   std::free(room);
-  // What comes before the first huge page stays unused.
+  // What comes before the first large page stays unused.
   constexpr std::size_t kOfAllocator = 64;
   static void* before = nullptr;
   if (before == nullptr && to_page > kOfAllocator) before = std::malloc(to_page - kOfAllocator);

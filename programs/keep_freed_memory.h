@@ -14,10 +14,10 @@ void keep_freed_memory();
 /// Does nothing for little, and no more than 256 MiB.
 void ask_for_memory(std::size_t bytes);
 
-/// Tells the system, where it can be told, that about so many bytes are going to be written and
-/// should come in pages as large as it has: to be given thirty thousand small ones takes a third of
-/// the time in which a surface of 500 x 500 points is drawn. From then on the program gives no
-/// memory back.
-void ask_for_huge_pages(std::size_t bytes);
+/// After this about so many bytes are handed out in pages as large as the system has
+/// (clip/large_pages.h), however small the pieces asked for: to be given thirty thousand small
+/// pages takes a third of the time in which a surface of 500 x 500 points is drawn. From then on
+/// the program gives no memory back.
+void hand_out_large_pages(std::size_t bytes);
 
 }  // namespace displayfile

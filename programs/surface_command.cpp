@@ -213,7 +213,7 @@ int SurfaceCommand::run() const {
     if (!is_grid_file(surface)) {
       const auto cells = static_cast<double>(points.points());
       require_memory(entered + cells, surface, bytes_of_cell);
-      if (in_curves) ask_for_huge_pages(static_cast<std::size_t>(kRoom * cells * kBytesOfCurves));
+      if (in_curves) hand_out_large_pages(static_cast<std::size_t>(kRoom * cells * kBytesOfCurves));
     }
     data.push_back(read_surface(surface, points));
     entered += static_cast<double>(data.back().range.points());

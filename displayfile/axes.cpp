@@ -22,9 +22,12 @@ namespace {
 /// Lengths in the size of the texts, as they are seen.
 constexpr double kTick = 0.4, kGap = 0.45, kCapital = 0.7, kLetterWidth = 0.6;
 constexpr double kBeside = 2.8, kAbove = 1.4;  // from a number to the next in a row, in a column
-constexpr int kMostSteps = 5;                  // between the ends of an axis
-constexpr double kStep = 1e-3;                 // of the box, to see which way a direction goes
-constexpr double kUnseen = 1e-6;               // a length where the picture's height is 1
+constexpr double kNearest = kTick + 2.0 * kGap, kFarthest = 30.0, kFarther = 0.25;  // of names
+constexpr double kBetweenNumbers = 0.15;
+const Point2 kAroundNames(1.0, kGap);  // beside a number a name would be read as its unit
+constexpr int kMostSteps = 5;          // between the ends of an axis
+constexpr double kStep = 1e-3;         // of the box, to see which way a direction goes
+constexpr double kUnseen = 1e-6;       // a length where the picture's height is 1
 
 double dot(const Point2& a, const Point2& b) { return a.x * b.x + a.y * b.y; }
 double cross(const Point2& a, const Point2& b) { return a.x * b.y - a.y * b.x; }
@@ -51,6 +54,31 @@ struct Label {
 /// What letters take up of the picture.
 struct Box {
   Point2 low, high;
+
+  Box widened(const Point2& by) const { return {low - by, high + by}; }
+  bool overlaps(const Box& other) const {
+    return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y &&
+           other.low.y < high.y;
+  }
+  bool is_inside(const Box& other) const {
+    return low.x >= other.low.x && high.x <= other.high.x && low.y >= other.low.y &&
+           high.y <= other.high.y;
+  }
+  /// Liang and Barsky's test.
+  bool meets(const Point2& from, const Point2& to) const {
+    double first = 0.0, last = 1.0;
+    for (int a = 0; a < 2; ++a) {
+      const double along = to[a] - from[a];
+      if (along == 0.0) {
+        if (from[a] <= low[a] || from[a] >= high[a]) return false;
+        continue;
+      }
+      const double enters = (low[a] - from[a]) / along, leaves = (high[a] - from[a]) / along;
+      first = std::max(first, std::min(enters, leaves));
+      last = std::min(last, std::max(enters, leaves));
+    }
+    return first < last;
+  }
 };
 
 /// What is drawn of all axes.
@@ -112,21 +140,91 @@ class AxesOfBox {
       Point3 at = edge.from;
       at[along] = value;
       axes.lines.push_back({at, moved(at, edge.ticks * (kTick * size_))});
-      append(label(at, edge.ticks, kTick + kGap, axis_number(value)), axes);
+      append_number(at, edge.ticks, axis_number(value), axes);
     }
   }
 
-  /// As near to the middle of its axis as there is room beside the numbers and the other names.
-  void append_name(const Edge& edge, std::string_view name, Axes& axes) const {
-    constexpr double kFarthest = 30.0, kFarther = 0.25;
-    for (double distance = kTick + 2.0 * kGap;; distance += kFarther) {
-      Label placed = label(middle(edge.from, edge.to), edge.outward, distance, std::string(name));
-      const Box box = box_of(placed);
-      const bool has_room =
-          std::ranges::none_of(axes.boxes, [&](const Box& other) { return near(box, other); });
-      if (has_room || distance > kFarthest) return append(std::move(placed), axes);
+  /// Farther out where another axis' number is in the way; left out where that does not help.
+  void append_number(const Point3& at, const Point2& outward, const std::string& number,
+                     Axes& axes) const {
+    for (double farther = 0.0; farther <= 1.5; farther += kFarther) {
+      Label placed = label(at, outward, kTick + kGap + farther, number);
+      if (has_room(placed, Point2(kBetweenNumbers), axes)) return append(std::move(placed), axes);
     }
   }
+
+  /// In the picture beside the middle of its axis, as near to it as there is room beside the
+  /// numbers and the other names; or beside another place of the axis; or beyond its high end, or
+  /// its low one. Where nothing helps, beside the middle, if it is cut off there.
+  void append_name(const Edge& edge, std::string_view name, Axes& axes) const {
+    for (const double t : {0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2, 0.9, 0.1}) {
+      auto placed = beside(edge, t, name, axes);
+      if (placed && is_in_picture(*placed)) return append(std::move(*placed), axes);
+    }
+    for (const bool high : {true, false}) {
+      auto placed = beyond(edge, high, name, axes);
+      if (placed) return append(std::move(*placed), axes);
+    }
+    auto placed = beside(edge, 0.5, name, axes);
+    if (!placed)
+      placed = label(middle(edge.from, edge.to), edge.outward, kNearest, std::string(name));
+    append(std::move(*placed), axes);
+  }
+
+  /// The nearest place beside an axis at which there is room, if any.
+  std::optional<Label> beside(const Edge& edge, double t, std::string_view name,
+                              const Axes& axes) const {
+    for (double distance = kNearest; distance <= kFarthest; distance += kFarther) {
+      Label placed =
+          label((1.0 - t) * edge.from + t * edge.to, edge.outward, distance, std::string(name));
+      if (has_room(placed, kAroundNames, axes)) return placed;
+    }
+    return std::nullopt;
+  }
+
+  /// Above or below an end of an axis, as it is seen, where there is room in the picture and
+  /// beside the box; moved along its line as far as the picture asks for.
+  std::optional<Label> beyond(const Edge& edge, bool high, std::string_view name,
+                              const Axes& axes) const {
+    const Point3& end = high ? edge.to : edge.from;
+    const Point2 away(0.0, seen(end).y >= seen(high ? edge.from : edge.to).y ? 1.0 : -1.0);
+    for (double distance = kNearest; distance <= kFarthest; distance += kFarther) {
+      Label placed = label(end, away, distance, std::string(name));
+      const Box box = box_of(placed);
+      const double right_by = std::max(0.0, picture().low.x - box.low.x);
+      const double left_by = std::max(0.0, box.high.x - picture().high.x);
+      placed.at = moved(placed.at, Point2(right_by - left_by, 0.0));
+      if (is_in_picture(placed) && has_room(placed, kAroundNames, axes) && !meets_box(placed)) {
+        return placed;
+      }
+    }
+    return std::nullopt;
+  }
+
+  bool has_room(const Label& label, const Point2& around, const Axes& axes) const {
+    const Box box = box_of(label).widened(around * size_);
+    return std::ranges::none_of(axes.boxes, [&](const Box& other) { return box.overlaps(other); });
+  }
+  Box picture() const {
+    return Box{Point2(0.0), Point2(system_.aspect_ratio(), 1.0)}.widened(
+        Point2(-0.5 * kGap * size_));
+  }
+  bool is_in_picture(const Label& label) const { return box_of(label).is_inside(picture()); }
+
+  /// True if the letters come over an edge of the box.
+  bool meets_box(const Label& label) const {
+    const Box letters = box_of(label).widened(Point2(kGap * size_));
+    for (int from = 0; from < 8; ++from) {
+      for (int along = 0; along < 3; ++along) {
+        const int to = from | (1 << along);
+        if (to != from && letters.meets(seen(corner(bits(from))), seen(corner(bits(to))))) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+  static glm::ivec3 bits(int corner) { return {corner & 1, (corner >> 1) & 1, corner >> 2}; }
 
   void append(Label label, Axes& axes) const {
     axes.boxes.push_back(box_of(label));
@@ -141,12 +239,6 @@ class AxesOfBox {
                                                                            : 0.5 * width;
     const Point2 low = seen(label.at) - Point2(before, 0.0);
     return {low, low + Point2(width, kCapital * size_)};
-  }
-
-  bool near(const Box& a, const Box& b) const {
-    const double gap = kGap * size_;
-    return a.low.x < b.high.x + gap && b.low.x < a.high.x + gap && a.low.y < b.high.y + gap &&
-           b.low.y < a.high.y + gap;
   }
 
   /// Where a point is in the picture, whose height is 1.

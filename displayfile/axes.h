@@ -21,8 +21,10 @@ std::string axis_number(double value);
 /// ten, and its name. Of the edges of the box that are parallel to an axis and on its outline in
 /// the view in force, it stands on the lowest, or, where they are steep, on the one to the left:
 /// ticks, numbers and names are outside of the box as it is seen there, where nothing in the box
-/// hides them. An axis whose ends are equal is left out, and one of which no edge is on the
-/// outline, as it is seen end on or nearly so.
+/// hides them. A name is beside the middle of its axis, or where that is not in the picture beside
+/// another place of it or beyond its end. A number stands farther out where another axis' number is
+/// in the way, or is left out. An axis whose ends are equal is left out, and one of which no edge
+/// is on the outline, as it is seen end on or nearly so.
 ///
 /// It is made of move_abs_3, line_abs_3, set_text_style and text, and recorded so: lines are in the
 /// line style in force, texts of the size in force. It leaves the text style as it was and the

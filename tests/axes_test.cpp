@@ -89,7 +89,8 @@ TEST(Axes, OfAFlatChart) {
 }
 
 /// A solid box and its axes from all around, in parallel and in perspective.
-GraphicsSystem box_seen_from(double azimuth, double elevation, bool perspective) {
+GraphicsSystem box_seen_from(double azimuth, double elevation, bool perspective,
+                             const Names& names = {"one", "two", "three"}) {
   const double a = azimuth * 0.0174532925, e = elevation * 0.0174532925;
   const Point3 eye(std::cos(a) * std::cos(e), std::sin(a) * std::cos(e), std::sin(e));
   GraphicsSystem g;
@@ -118,7 +119,7 @@ GraphicsSystem box_seen_from(double azimuth, double elevation, bool perspective)
     face(axis, -1);
     face(axis, 1);
   }
-  axes_3(g, {-1, -1, -1}, {1, 1, 1}, {"one", "two", "three"});
+  axes_3(g, {-1, -1, -1}, {1, 1, 1}, names);
   g.close_segment();
   return g;
 }
@@ -142,6 +143,47 @@ TEST(Axes, AreOutsideOfTheirBoxInEveryView) {
     }
   }
   EXPECT_EQ(views, 300);
+}
+
+/// About what its letters cover, in a picture that is as wide as high.
+Rectangle covered_by(const ViewedText& text) {
+  using Alignment = TextStyle::Alignment;
+  const double of_letter = 0.55 * text.style.size;
+  const double width = of_letter * static_cast<double>(text.characters.size());
+  const double before = text.style.alignment == Alignment::left     ? 0.0
+                        : text.style.alignment == Alignment::centre ? 0.5 * width
+                                                                    : width;
+  const double left = text.anchor.x - before;
+  return {left, left + width, text.anchor.y, text.anchor.y + 0.7 * text.style.size};
+}
+
+TEST(Axes, LongNamesAreInThePictureAndNoTextIsOverAnother) {
+  const Names names{"temperature of the air", "distance from the shore", "height above the sea"};
+  for (const bool perspective : {false, true}) {
+    for (int azimuth = 7; azimuth < 360; azimuth += 24) {
+      for (int elevation = -63; elevation < 70; elevation += 18) {
+        SCOPED_TRACE(testing::Message() << azimuth << ' ' << elevation << ' ' << perspective);
+        std::vector<ViewedText> texts =
+            drawn_texts(box_seen_from(azimuth, elevation, perspective, names));
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+          if (texts[i].characters.starts_with("\u2212")) texts[i].characters.replace(0, 3, "-");
+          const Rectangle box = covered_by(texts[i]);
+          EXPECT_TRUE(box.x_min >= 0.0 && box.x_max <= 1.0 && box.y_min >= 0.0 && box.y_max <= 1.0)
+              << texts[i].characters;
+          for (std::size_t k = 0; k < i; ++k) {
+            const Rectangle other = covered_by(texts[k]);
+            EXPECT_FALSE(box.x_min < other.x_max && other.x_min < box.x_max &&
+                         box.y_min < other.y_max && other.y_min < box.y_max)
+                << texts[i].characters << " over " << texts[k].characters;
+          }
+        }
+        EXPECT_GE(texts.size(), 11u);  // two numbers may be one at a corner where axes meet
+        for (const std::string_view name : names) {
+          EXPECT_EQ(std::ranges::count(texts, name, &ViewedText::characters), 1) << name;
+        }
+      }
+    }
+  }
 }
 
 TEST(Axes, AnAxisSeenEndOnIsLeftOut) {

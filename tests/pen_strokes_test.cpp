@@ -309,6 +309,27 @@ TEST(Dashes, GoOnAroundCorners) {
   EXPECT_NEAR(length_of_all(dashes({loop}, 300.0, 100.0)), 3000.0, 1e-9);
 }
 
+/// What is left of a dash at a corner may be less than the coordinates there can tell.
+TEST(Dashes, EndOnPathsOfManyCorners) {
+  std::mt19937 random(7);
+  std::uniform_int_distribution<std::int32_t> coordinate(-1000000, 1000000);
+  std::vector<PenPath> paths(20);
+  double length = 0.0;
+  for (PenPath& path : paths) {
+    path.points.push_back({coordinate(random), coordinate(random)});
+    for (int i = 0; i < 200; ++i) {
+      path.points.push_back({coordinate(random), coordinate(random)});
+      const auto squared =
+          squared_distance(path.points[path.points.size() - 2], path.points.back());
+      length += std::sqrt(static_cast<double>(squared));
+    }
+  }
+  for (const double dash : {211.66666666666666, 1e3 / 3.0, 4321.1}) {
+    const double drawn = length_of_all(dashes(paths, dash, dash / 1.5));
+    EXPECT_NEAR(drawn / length, 0.6, 0.01);
+  }
+}
+
 // ---- Order -------------------------------------------------------------------------------
 
 TEST(PointTree, FindsTheNearestLeft) {

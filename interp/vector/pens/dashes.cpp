@@ -28,13 +28,14 @@ std::vector<Stroke> dashes(const std::vector<PenPath>& paths, double drawn, doub
       double along = 0.0;
       SheetPoint here = from;
       while (along < length) {
-        const double end = std::min(along + rest, length);
+        const bool goes_on = rest > length - along;  // round the corner
+        const double end = goes_on ? length : std::min(along + rest, length);
         const SheetPoint there = end == length ? to : at(end);
         if (draws && here != there) strokes.push_back({here, there});
-        rest -= end - along;
+        if (goes_on) rest -= length - along;
         along = end;
         here = there;
-        if (rest > 0.0) continue;
+        if (goes_on) continue;
         draws = !draws;
         rest = draws ? drawn : left_out;
       }

@@ -14,7 +14,8 @@ void require_sheet_file(const std::string& file) {
   }
   if (!kWritesDxf) {
     throw Error(
-        fmt::format("{}: this build has no DXF: install libdxflib-dev and build it anew", file));
+        fmt::format("{}: this build has no dxflib, which writes DXF: install it (Debian: "
+                    "libdxflib-dev) and build again", file));
   }
 }
 

@@ -84,9 +84,10 @@ void require_hidden_lines_found(HiddenLines hidden_lines, HiddenMethod method) {
     return;
   }
   const std::string name(name_of(method));
-  throw Error("hidden lines are not drawn by hidden-line method '" + name +
-              "': expected colour-rule=bsp, colour-rule=depth-sort, a method that finds lines, or "
-              "hidden lines none");
+  throw Error(
+      "hidden lines are not drawn by hidden-line method '" + name +
+      "': expected colour-rule=bsp, colour-rule=depth-sort, colour-rule=map, a method that finds "
+      "lines, or hidden lines none");
 }
 
 const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, HiddenMethod by,

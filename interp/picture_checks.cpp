@@ -105,7 +105,7 @@ void require_hidden_lines_drawn(HiddenLines hidden_lines, HiddenMethod method,
   if (&device != &first_device() && is_image_space(method)) {
     throw Error(
         fmt::format("hidden lines are not drawn by the {} device by '{}': expected the {} device, "
-                    "bsp, depth-sort, or hidden lines none",
+                    "bsp, depth-sort, map, or hidden lines none",
                     device.choice.name, name_of(method), first_device().choice.name));
   }
 }

@@ -157,11 +157,12 @@ TEST_F(LineCommand, HiddenLinesThatNothingDrawsAreRefused) {
   for (const std::string method : {"z-buffer", "scan-line", "world-ray-cast"}) {
     refused(" --device osmesa --hidden " + method, "the osmesa device by '" + method + "'");
   }
-  std::vector<std::string> drawing{"colour-rule=bsp", "colour-rule=depth-sort", "none",
-                                   "colour-rule --hidden-lines none"};
+  std::vector<std::string> drawing{"colour-rule=bsp", "colour-rule=depth-sort", "colour-rule=map",
+                                   "none", "colour-rule --hidden-lines none"};
   if (displayfile::osmesa_available()) {
-    drawing.insert(drawing.end(), {"bsp --device osmesa", "none --device osmesa",
-                                   "z-buffer --device osmesa --hidden-lines none"});
+    drawing.insert(drawing.end(),
+                   {"bsp --device osmesa", "map --device osmesa", "none --device osmesa",
+                    "z-buffer --device osmesa --hidden-lines none"});
   }
   for (const std::string& by : drawing) {
     EXPECT_EQ(run("draw dashed.draw -o t.png --hidden " + by), 0) << err_;

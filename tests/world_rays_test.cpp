@@ -16,6 +16,7 @@
 #include "clip/view_volume.h"
 #include "interp/truth/truth.h"
 #include "interp/truth/world_truth.h"
+#include "interp/visibility/world_geometry.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/hard_cases.h"
 #include "tests/from_environment.h"
@@ -401,6 +402,43 @@ Scene steep_polygons(Source& s) {
 }
 TEST(WorldRays, SeeOfSteepPolygonsWhatTheTruthFromTheWorldSays) {
   expect_world_truth_of(steep_polygons, 1000);
+}
+
+/// Vertices at pixel centres, and edges along rows and columns of them: of each such edge one side
+/// covers the centres.
+TEST(WorldRays, EdgesThroughPixelCentresCoverAsTheTruthSays) {
+  Source s(11);
+  Retained retained;
+  GraphicsSystem& g = retained.system;
+  g.set_window(-1.0, 1.0, -1.0, 1.0);
+  g.set_back_face_removal(false);
+  const auto centre = [&] { return -1.0 + (2.0 * std::floor(s.between(0.0, 32.0)) + 1.0) / 32.0; };
+  g.open_segment(1);
+  for (int i = 0; i < 20; ++i) {
+    const double x0 = centre(), x1 = centre(), y0 = centre(), y1 = centre();
+    if (x0 == x1 || y0 == y1) continue;
+    const double z = s.between(-1.0, 1.0);
+    g.polygon_abs_3({{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}});
+    g.polygon_abs_3({{x0, y0, -z}, {x1, centre(), z}, {centre(), y1, -z}});
+  }
+  g.close_segment();
+  EXPECT_GT(std::ranges::count(seen_as_in_world_truth(retained, {32, 32}), -1), 0);
+}
+
+/// Of vertices that are equally far away the definition takes the first.
+TEST(WorldRays, TheSupportPlaneGoesThroughTheFirstOfEquals) {
+  const View view;
+  const ViewVolume volume(view);
+  const in_world::ViewRows<ExactNumber> rows(view, volume);
+  const auto support = [&](const std::vector<Point3>& vertices) {
+    in_world::WorldPoints<ExactNumber> points;
+    for (const Point3& v : vertices) points.push_back(in_world::world_point<ExactNumber>(v));
+    return in_world::exact_support(points, rows);
+  };
+  EXPECT_EQ(support({{0, 0, 0}, {0.25, 0.5, 0}, {0.5, 0.25, 0}, {-0.5, 0.25, 0}}),
+            (in_world::Support{0, 1, 3}));
+  EXPECT_EQ(support({{0, 0, 0}, {0.5, 0, 0}, {0.25, 0.25, 0}, {0.0, 0.25, 0}}),
+            (in_world::Support{0, 1, 2}));
 }
 
 /// The matrix's entries are rounded, so that by them the face that is nearest lies outside.

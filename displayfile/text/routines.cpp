@@ -256,7 +256,8 @@ constexpr auto kHiddenSurfaces = std::to_array<Routine>({
                    "Unless it is all alone it comes before the first segment [all; crease 30]."),
     fixed<&G::set_precision>(
         "set-precision", "exact|roundoff[=EPS]",
-        "True signs, or the textbook's ROUNDOFF, as a part of the scene's size [exact; EPS 1e-9]."),
+        "True signs, or the textbook's ROUNDOFF, as a part of the scene's size; the map is always "
+        "exact, and the lines over it heed a ROUNDOFF [exact; EPS 1e-9]."),
     fixed<&G::set_hidden_lines>("set-hidden-lines", "none|dashed",
                                 "Whether lines are drawn dashed where they are hidden [none]."),
     fixed<&G::set_z_buffer>("set-z-buffer", "on|off",

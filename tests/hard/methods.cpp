@@ -105,7 +105,7 @@ std::vector<Method> methods() {
   }
   add_sorts("BSP", "bsp", HiddenMethod::bsp, all);
   add_sorts("depth sort", "depth", HiddenMethod::depth_sort, all);
-  add_sorts("map", "map", HiddenMethod::map, all);
+  all.push_back({"map", "map", true, sorted(HiddenMethod::map, {})});
   const std::vector<Method> others{
       {"painter in program order", "painter", false, painter},
       {"plain z-buffer, depth as double", "double", false, plain(DepthFormat::float_64)},

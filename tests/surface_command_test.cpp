@@ -95,6 +95,16 @@ TEST_F(SurfaceCommandTest, AllFormatsAndMethodsDrawIt) {
   }
 }
 
+TEST_F(SurfaceCommandTest, TellsThatPensLeaveOutTexts) {
+  write("g.txt", "0 1 0\n1 2 1\n0 1 0\n");
+  ASSERT_EQ(run("surface g.txt -o s.svg --pens"), 0) << err_;
+  EXPECT_NE(err_.find("s.svg: vectors leave out texts"), std::string::npos) << err_;
+  for (const char* arguments : {"-o s.svg --pens --no-axes", "-o s.svg", "-o s.png"}) {
+    ASSERT_EQ(run(std::string("surface g.txt ") + arguments), 0) << err_;
+    EXPECT_EQ(err_, "") << arguments;
+  }
+}
+
 TEST_F(SurfaceCommandTest, AHoleIsDrawnByAnotherMethod) {
   write("g.txt", "0 1 0\n1 nan 1\n0 1 0\n2 2 2\n");
   EXPECT_EQ(run("surface g.txt -o s.svg"), 0) << err_;

@@ -36,13 +36,17 @@ std::variant<EyeDirection, Point3> eye_of(const std::string& word) {
   return EyeDirection{(*values)[0], (*values)[1]};
 }
 
-std::variant<UprightBy, Upright> upright_of(const std::string& word) {
-  if (word == "auto") return UprightBy::convention;
+Upright upright_or_refuse(const std::string& word, const char* expected) {
   try {
     return upright(word);
   } catch (const Error&) {
-    refuse("--up", word, "x, y, z, -x, -y, -z or auto");
+    refuse("--up", word, expected);
   }
+}
+
+std::variant<UprightBy, Upright> upright_of(const std::string& word) {
+  if (word == "auto") return UprightBy::convention;
+  return upright_or_refuse(word, "x, y, z, -x, -y, -z or auto");
 }
 
 double angle_of_view(const std::string& word) {
@@ -54,6 +58,10 @@ double angle_of_view(const std::string& word) {
 }
 
 }  // namespace
+
+Upright upright_of_option(const std::string& word) {
+  return upright_or_refuse(word, "x, y, z, -x, -y or -z");
+}
 
 void CameraWords::add_to(CLI::App& command, const UsualCamera& usual) {
   const auto option = [&](const char* name, std::string& word, const char* value,

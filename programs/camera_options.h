@@ -34,6 +34,9 @@ struct CameraWords {
   std::vector<std::string> given() const;
 };
 
+/// What --up says where it must be an axis. Throws Error, naming the option, for any other word.
+Upright upright_of_option(const std::string& word);
+
 /// On standard error, a line if a window of a picture was stretched by a pixel or more and nobody
 /// said that it should be.
 void warn_of_stretched_window(const GraphicsSystem& system, const std::string& picture, int width,

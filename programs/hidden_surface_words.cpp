@@ -51,13 +51,17 @@ HiddenSurfaceOptions HiddenSurfaceWords::options(int threads) const {
   return read;
 }
 
-std::optional<LineSelection> HiddenSurfaceWords::line_selection() const {
-  if (!lines) return std::nullopt;
+LineSelection line_selection_of_option(const std::string& words) {
   try {
-    return displayfile::line_selection(*lines);
+    return line_selection(words);
   } catch (const Error& error) {
     throw Error("--lines: " + std::string(error.what()));
   }
+}
+
+std::optional<LineSelection> HiddenSurfaceWords::line_selection() const {
+  if (!lines) return std::nullopt;
+  return line_selection_of_option(*lines);
 }
 
 }  // namespace displayfile

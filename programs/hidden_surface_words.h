@@ -21,4 +21,7 @@ struct HiddenSurfaceWords {
   std::optional<LineSelection> line_selection() const;
 };
 
+/// What --lines says. Throws Error, naming the option, for an unknown word.
+LineSelection line_selection_of_option(const std::string& words);
+
 }  // namespace displayfile

@@ -11,6 +11,8 @@
 
 #include "clip/error.h"
 #include "interp/paper.h"
+#include "programs/camera_options.h"
+#include "programs/hidden_surface_words.h"
 #include "programs/input_names.h"
 #include "programs/number_in.h"
 #include "programs/option_groups.h"
@@ -112,7 +114,12 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
       ->type_name("mm|cm|m|inch")
       ->capture_default_str()
       ->group(kPictureOptions);
-  command.add_option("--up", up, "the axis that is up; if not given, as the file says")
+  command
+      .add_option(
+          "--up", up,
+          "the axis that is up; if not given, as the first input says that says it, or else y. A "
+          "drawing program says it by the view that it sets; in one that sets none a "
+          "cylinder, which stands along z, lies: --up z")
       ->type_name("x|y|z|-x|-y|-z")
       ->group(kPictureOptions);
   command
@@ -164,7 +171,8 @@ int SheetCommand::run() {
   std::optional<DrawingScale> asked;
   if (!scale.empty()) asked = drawing_scale(scale);
   const auto positions = sections_of(sections);
-  const LineSelection selection = line_selection(lines);
+  const LineSelection selection = line_selection_of_option(lines);
+  if (!up.empty()) upright_of_option(up);
   const Mesh part = read_part(inputs, up, import.limits());
 
   const bool is_cut = std::ranges::any_of(positions, [](const auto& p) { return p.has_value(); });

@@ -162,8 +162,10 @@ TEST_F(SheetCommandTest, EveryOptionHasItsMessage) {
   expect_error("sheet box.obj -o s.svg --title 'a\x01'", "--title: character U+0001 in a text");
   expect_error("sheet box.obj -o s.svg --date '\xff'", "--date: byte 0xff in a text");
   expect_error("sheet box.obj -o no/s.svg", "no/s.svg: cannot be written");
-  expect_error("sheet box.obj -o s.svg --lines edge", "edge");
-  expect_error("sheet box.obj -o s.svg --up w", "up is");
+  expect_error("sheet box.obj -o s.svg --lines edge", "--lines: expected ");
+  expect_error("sheet box.obj -o s.svg --lines outlines", "did you mean 'outline'?");
+  expect_error("sheet box.obj -o s.svg --up w", "--up w: expected x, y, z, -x, -y or -z");
+  expect_error("sheet box.obj -o s.svg --up auto", "--up auto: expected x, y, z, -x, -y or -z");
   expect_error("sheet none.obj -o s.svg", "none.obj: no such file");
   write("empty.draw", "open-segment 1\nclose-segment\n");
   expect_error("sheet empty.draw -o s.svg", "empty.draw: no polygons");

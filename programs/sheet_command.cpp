@@ -46,27 +46,63 @@ SheetProjection projection_of(const std::string& word) {
   throw Error(fmt::format("--projection {}: expected third or first", word));
 }
 
+constexpr std::array<std::string_view, 3> kCutViews{"front", "top", "side"};
+using Positions = std::array<std::optional<double>, 4>;
+
 /// Positions of sections in the front, top and side view, as `front=0`.
-std::array<std::optional<double>, 4> sections_of(const std::vector<std::string>& words) {
-  constexpr std::array<std::string_view, 3> kViews{"front", "top", "side"};
-  std::array<std::optional<double>, 4> positions;
+Positions sections_of(const std::vector<std::string>& words) {
+  Positions positions;
   for (const std::string& word : words) {
     const auto fail = [&](std::string_view what) {
       throw Error(fmt::format("--section {}: {}", word, what));
     };
     constexpr std::string_view kExpected = "expected front=POSITION, top=POSITION or side=POSITION";
     const std::size_t equals = word.find('=');
-    const auto* const view = std::ranges::find(kViews, word.substr(0, equals));
-    if (equals == std::string::npos || view == kViews.end()) fail(kExpected);
+    const auto* const view = std::ranges::find(kCutViews, word.substr(0, equals));
+    if (equals == std::string::npos || view == kCutViews.end()) fail(kExpected);
     double value = 0.0;
     const char* const end = word.data() + word.size();
     const auto [stop, failure] = std::from_chars(word.data() + equals + 1, end, value);
     if (failure != std::errc{} || stop != end || !std::isfinite(value)) fail(kExpected);
-    auto& position = positions[static_cast<std::size_t>(view - kViews.begin())];
+    auto& position = positions[static_cast<std::size_t>(view - kCutViews.begin())];
     if (position) fail("the view has a section already: expected one a view");
     position = value;
   }
   return positions;
+}
+
+/// Whether a face of the part lies in the plane at a position of a view.
+bool has_face_at(const Mesh& part, ViewKind view, double position) {
+  const auto in_plane = [&](std::uint32_t corner) {
+    return in_view(view, part.vertices[corner]).z == position;
+  };
+  for (std::size_t i = 0; i < part.faces(); ++i) {
+    if (std::ranges::all_of(part.face(i), in_plane)) return true;
+  }
+  return false;
+}
+
+/// Throws Error unless the plane at a position of a view cuts the part. Since what lies in the
+/// plane counts as before it (section.md), a face at the part's near end is cut, and one at its far
+/// end has nothing behind it.
+void require_cut(const Mesh& part, ViewKind view, std::string_view name, double position) {
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const std::uint32_t corner : part.corners) {
+    const double along = in_view(view, part.vertices[corner]).z + 0.0;  // 0, not -0, in messages
+    low = std::min(low, along);
+    high = std::max(high, along);
+  }
+  const auto fail = [&](const std::string& what) {
+    throw Error(fmt::format("--section {}={}: {}", name, position, what));
+  };
+  if (low == high) fail(fmt::format("the part is flat there, at {}: expected no section", low));
+  if (position < low || position > high) {
+    fail(fmt::format("expected a position that cuts the part, {} to {}", low, high));
+  }
+  const bool inside = position > low && position < high;
+  if (inside || (position == high && has_face_at(part, view, high))) return;
+  fail(fmt::format("touches the part and cuts nothing: expected a position between {} and {}", low,
+                   high));
 }
 
 void read_paper(const std::string& word, double margin, SheetWords& words) {
@@ -174,7 +210,10 @@ int SheetCommand::run() {
   const LineSelection selection = line_selection_of_option(lines);
   if (!up.empty()) upright_of_option(up);
   const Mesh part = read_part(inputs, up, import.limits());
-
+  const auto kinds = views_of_sheet(words.projection);
+  for (std::size_t k = 0; k < kCutViews.size(); ++k) {
+    if (positions[k]) require_cut(part, kinds[k], kCutViews[k], *positions[k]);
+  }
   const bool is_cut = std::ranges::any_of(positions, [](const auto& p) { return p.has_value(); });
   const bool hatched = is_cut && closed_and_consistently_oriented(part);
   if (is_cut && !hatched) {
@@ -185,7 +224,6 @@ int SheetCommand::run() {
   std::array<PartView, 4> views;
   {
     Progress progress("finding the lines of four views");
-    const auto kinds = views_of_sheet(words.projection);
     for (std::size_t k = 0; k < 4; ++k) {
       views[k] = view_of_part(part, kinds[k], selection, positions[k], hatched, threads);
       if (positions[k] && hatched && views[k].cut.empty()) {

@@ -116,7 +116,8 @@ TEST_F(Completion, OffersTheWordsThatTheCommandTakes) {
       const Words words = offered(subcommand + " " + option + " ''");
       for (const std::string& word : words) {
         if (word == "osmesa" && !has_osmesa) continue;
-        const std::string value = word.ends_with('=') ? word + "0" : word;
+        const char* const number = option == "--section" ? "0.5" : "0";  // within the box
+        const std::string value = word.ends_with('=') ? word + number : word;
         const bool taken = std::ranges::any_of(right, [&](const std::string& command) {
           return run(command + " " + option + " " + value) == 0;
         });

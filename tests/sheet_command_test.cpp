@@ -80,7 +80,7 @@ TEST_F(SheetCommandTest, APartOfNoThicknessIsDrawn) {
   for (const char* part : {"flat.draw", "line.obj"}) {
     ASSERT_EQ(run(std::string("sheet -o flat.svg ") + part), 0) << err_;
     EXPECT_FALSE(numbers("flat.svg", "VISIBLE").empty());
-    EXPECT_EQ(run(std::string("sheet -o cut.svg --section front=0 --section side=0.5 ") + part), 0);
+    EXPECT_EQ(run(std::string("sheet -o cut.svg --section side=0.5 ") + part), 0) << err_;
     EXPECT_TRUE(numbers("cut.svg", "HATCH").empty());
   }
 }
@@ -172,3 +172,32 @@ TEST_F(SheetCommandTest, EveryOptionHasItsMessage) {
 }
 
 }  // namespace
+TEST_F(SheetCommandTest, ASectionThatMissesThePartIsRefused) {
+  const std::string missed = ": expected a position that cuts the part, ";
+  expect_error("sheet box.obj -o s.svg --section front=31", "front=31" + missed + "0 to 30");
+  expect_error("sheet box.obj -o s.svg --section front=-1", "front=-1" + missed + "0 to 30");
+  expect_error("sheet box.obj -o s.svg --section top=40.5", "top=40.5" + missed + "0 to 40");
+  expect_error("sheet box.obj -o s.svg --section side=-1", "side=-1" + missed + "0 to 60");
+  expect_error("sheet box.obj -o s.svg --projection first --section side=1",
+               "side=1" + missed + "-60 to 0");
+  expect_error("sheet box.obj -o s.svg --up z --section front=9", "front=9" + missed + "-40 to 0");
+  write("open.obj", "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 9\nf 1 2 3\nf 1 3 4\n");
+  expect_error("sheet open.obj -o s.svg --section front=99", "front=99" + missed + "0 to 9");
+}
+
+/// What lies in the plane counts as before it: the face there is cut, if it is nearer to the viewer
+/// than the rest of the part.
+TEST_F(SheetCommandTest, ASectionAtTheEndOfThePartCutsAFaceOrNothing) {
+  for (const char* position : {"front=30", "top=40", "side=60"}) {
+    ASSERT_EQ(run(std::string("sheet box.obj -o s.svg --section ") + position), 0) << err_;
+    EXPECT_EQ(err_, "");
+    EXPECT_FALSE(numbers("s.svg", "HATCH").empty());
+  }
+  const std::string touched = ": touches the part and cuts nothing: expected a position between ";
+  expect_error("sheet box.obj -o no.svg --section front=0", "front=0" + touched + "0 and 30");
+  write("tip.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 2 2 5\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  expect_error("sheet tip.obj -o no.svg --section front=5", "front=5" + touched + "0 and 5");
+}
+
+    expect_error(std::string("sheet -o no.svg --section front=0 ") + part,
+                 "--section front=0: the part is flat there, at 0: expected no section");

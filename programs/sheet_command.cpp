@@ -234,7 +234,12 @@ int SheetCommand::run() {
     }
   }
   const DrawingScale chosen = scale_of_sheet(views, words, asked ? &*asked : nullptr);
-  write_sheet(arrange(views, words, chosen), output);
+  const DrawingSheet sheet = arrange(views, words, chosen);
+  write_sheet(sheet, output);
+  for (const std::string& field : sheet.shortened) {
+    warnings() << fmt::format("{}: too long for the title block, and shortened: {}\n", output,
+                              field);
+  }
   return 0;
 }
 

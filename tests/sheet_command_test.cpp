@@ -27,6 +27,27 @@ class SheetCommandTest : public Command {
     for (double x = 0.0; in >> x;) all.push_back(x);
     return all;
   }
+
+  struct Text {
+    double x, y, size;
+    bool centred;
+    std::string characters;
+    /// As letters of usual faces, on an average, at the least.
+    double width() const { return 0.45 * size * static_cast<double>(characters.size()); }
+    double left() const { return centred ? x - width() / 2.0 : x; }
+    double top() const { return y - 0.72 * size; }
+  };
+  std::vector<Text> texts(const std::string& file) {
+    const std::string text = read(folder_ / file);
+    const std::regex element(
+        "<text x=\"([^\"]+)\" y=\"([^\"]+)\" font-size=\"([^\"]+)\"( [^>]+)?>([^<]*)<");
+    std::vector<Text> all;
+    for (std::sregex_iterator it(text.begin(), text.end(), element), end; it != end; ++it) {
+      const auto number = [&](std::size_t k) { return std::stod((*it)[k]); };
+      all.push_back({number(1), number(2), number(3), (*it)[4].matched, (*it)[5]});
+    }
+    return all;
+  }
 };
 
 TEST_F(SheetCommandTest, AMillimetreIsAMillimetreAtOneToOne) {
@@ -67,11 +88,87 @@ TEST_F(SheetCommandTest, ArrowsOfACuttingLineSayFromWhereItIsSeen) {
   EXPECT_NEAR(ends[4], line[0] + 6.0, 1e-9);  // the arrow's tail
 }
 
+TEST_F(SheetCommandTest, ALongTitleKeepsWithinItsCell) {
+  const auto lines_of_title = [&](const std::string& arguments) {
+    EXPECT_EQ(run("sheet box.obj -o s.svg --paper a4-portrait " + arguments), 0) << err_;
+    std::vector<Text> lines;
+    bool in_title = false;
+    for (const Text& text : texts("s.svg")) {
+      if (text.characters == "SCALE") in_title = false;
+      if (in_title) lines.push_back(text);
+      if (text.characters == "TITLE") in_title = true;
+    }
+    constexpr double kScales = 200.0 - 150.0 + 0.55 * 150.0, kBottom = 297.0 - 10.0;
+    for (const Text& line : lines) {
+      EXPECT_LT(line.left() + line.width(), kScales) << line.characters;
+      EXPECT_LT(line.y, kBottom) << line.characters;
+      EXPECT_GE(line.size * 0.72, 1.79) << line.characters;
+    }
+    return lines;
+  };
+  EXPECT_EQ(lines_of_title("--title Bracket").size(), 1U);
+  EXPECT_NEAR(lines_of_title("--title 'Bracket, welded, of three plates'").front().size * 0.72, 3.5,
+              1e-3);
+  const auto lines = lines_of_title(
+      "--title 'Bracket, welded, with a very long name that will surely not fit in the title block "
+      "of a sheet'");
+  ASSERT_GT(lines.size(), 1U);
+  EXPECT_TRUE(lines.back().characters.ends_with("sheet"));
+  EXPECT_EQ(err_, "");
+  const auto of_one_word = lines_of_title("--title " + std::string(90, 'x'));
+  EXPECT_GT(of_one_word.size(), 1U);
+  for (const Text& line : of_one_word) {
+    constexpr double kWidthOfX = 0.592;  // in DejaVu Sans
+    EXPECT_LT(line.left() + line.width() * kWidthOfX / 0.45, 132.5) << line.characters;
+  }
+  EXPECT_EQ(err_, "");
+  const auto shortened = lines_of_title("--title '" + std::string(500, 'x') + "'");
+  EXPECT_TRUE(shortened.back().characters.ends_with("\xE2\x80\xA6"));
+  EXPECT_NE(err_.find("s.svg: too long for the title block, and shortened: TITLE xxx"),
+            std::string::npos)
+      << err_;
+  EXPECT_NE(read(folder_ / "s.svg").find("<title>" + std::string(500, 'x')), std::string::npos);
+}
+
+TEST_F(SheetCommandTest, ALongDateIsShortened) {
+  ASSERT_EQ(run("sheet box.obj -o s.svg --date 'the first of May of the year 2026, a Friday'"), 0);
+  EXPECT_NE(err_.find("shortened: DATE the first of"), std::string::npos) << err_;
+  ASSERT_EQ(run("sheet box.obj -o s.svg --date '1 May 2026, Friday'"), 0);
+  EXPECT_EQ(err_, "");
+}
+
 TEST_F(SheetCommandTest, AnOpenMeshIsToldAndNotHatched) {
   write("open.obj", "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 9\nf 1 2 3\nf 1 3 4\n");
   ASSERT_EQ(run("sheet open.obj -o open.svg --section front=4"), 0) << err_;
   EXPECT_NE(err_.find("not closed"), std::string::npos);
   EXPECT_TRUE(numbers("open.svg", "HATCH").empty());
+}
+
+TEST_F(SheetCommandTest, ASectionThatMissesThePartIsRefused) {
+  const std::string missed = ": expected a position that cuts the part, ";
+  expect_error("sheet box.obj -o s.svg --section front=31", "front=31" + missed + "0 to 30");
+  expect_error("sheet box.obj -o s.svg --section front=-1", "front=-1" + missed + "0 to 30");
+  expect_error("sheet box.obj -o s.svg --section top=40.5", "top=40.5" + missed + "0 to 40");
+  expect_error("sheet box.obj -o s.svg --section side=-1", "side=-1" + missed + "0 to 60");
+  expect_error("sheet box.obj -o s.svg --projection first --section side=1",
+               "side=1" + missed + "-60 to 0");
+  expect_error("sheet box.obj -o s.svg --up z --section front=9", "front=9" + missed + "-40 to 0");
+  write("open.obj", "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 9\nf 1 2 3\nf 1 3 4\n");
+  expect_error("sheet open.obj -o s.svg --section front=99", "front=99" + missed + "0 to 9");
+}
+
+/// What lies in the plane counts as before it: the face there is cut, if it is nearer to the viewer
+/// than the rest of the part.
+TEST_F(SheetCommandTest, ASectionAtTheEndOfThePartCutsAFaceOrNothing) {
+  for (const char* position : {"front=30", "top=40", "side=60"}) {
+    ASSERT_EQ(run(std::string("sheet box.obj -o s.svg --section ") + position), 0) << err_;
+    EXPECT_EQ(err_, "");
+    EXPECT_FALSE(numbers("s.svg", "HATCH").empty());
+  }
+  const std::string touched = ": touches the part and cuts nothing: expected a position between ";
+  expect_error("sheet box.obj -o no.svg --section front=0", "front=0" + touched + "0 and 30");
+  write("tip.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 2 2 5\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  expect_error("sheet tip.obj -o no.svg --section front=5", "front=5" + touched + "0 and 5");
 }
 
 TEST_F(SheetCommandTest, APartOfNoThicknessIsDrawn) {
@@ -82,6 +179,8 @@ TEST_F(SheetCommandTest, APartOfNoThicknessIsDrawn) {
     EXPECT_FALSE(numbers("flat.svg", "VISIBLE").empty());
     EXPECT_EQ(run(std::string("sheet -o cut.svg --section side=0.5 ") + part), 0) << err_;
     EXPECT_TRUE(numbers("cut.svg", "HATCH").empty());
+    expect_error(std::string("sheet -o no.svg --section front=0 ") + part,
+                 "--section front=0: the part is flat there, at 0: expected no section");
   }
 }
 
@@ -172,32 +271,3 @@ TEST_F(SheetCommandTest, EveryOptionHasItsMessage) {
 }
 
 }  // namespace
-TEST_F(SheetCommandTest, ASectionThatMissesThePartIsRefused) {
-  const std::string missed = ": expected a position that cuts the part, ";
-  expect_error("sheet box.obj -o s.svg --section front=31", "front=31" + missed + "0 to 30");
-  expect_error("sheet box.obj -o s.svg --section front=-1", "front=-1" + missed + "0 to 30");
-  expect_error("sheet box.obj -o s.svg --section top=40.5", "top=40.5" + missed + "0 to 40");
-  expect_error("sheet box.obj -o s.svg --section side=-1", "side=-1" + missed + "0 to 60");
-  expect_error("sheet box.obj -o s.svg --projection first --section side=1",
-               "side=1" + missed + "-60 to 0");
-  expect_error("sheet box.obj -o s.svg --up z --section front=9", "front=9" + missed + "-40 to 0");
-  write("open.obj", "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 9\nf 1 2 3\nf 1 3 4\n");
-  expect_error("sheet open.obj -o s.svg --section front=99", "front=99" + missed + "0 to 9");
-}
-
-/// What lies in the plane counts as before it: the face there is cut, if it is nearer to the viewer
-/// than the rest of the part.
-TEST_F(SheetCommandTest, ASectionAtTheEndOfThePartCutsAFaceOrNothing) {
-  for (const char* position : {"front=30", "top=40", "side=60"}) {
-    ASSERT_EQ(run(std::string("sheet box.obj -o s.svg --section ") + position), 0) << err_;
-    EXPECT_EQ(err_, "");
-    EXPECT_FALSE(numbers("s.svg", "HATCH").empty());
-  }
-  const std::string touched = ": touches the part and cuts nothing: expected a position between ";
-  expect_error("sheet box.obj -o no.svg --section front=0", "front=0" + touched + "0 and 30");
-  write("tip.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 2 2 5\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
-  expect_error("sheet tip.obj -o no.svg --section front=5", "front=5" + touched + "0 and 5");
-}
-
-    expect_error(std::string("sheet -o no.svg --section front=0 ") + part,
-                 "--section front=0: the part is flat there, at 0: expected no section");

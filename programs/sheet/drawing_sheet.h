@@ -47,7 +47,11 @@ struct DrawingSheet {
   std::string title;
   std::vector<Line> lines;
   std::vector<Text> texts;
+  std::vector<std::string>
+      shortened;  ///< what the title block has of fields that it has no room for
 };
+/// The height of capital letters, in parts of the font's size.
+inline constexpr double kCapitalsOfFont = 0.72;
 
 /// Writes a sheet in the format that the file's name ends in: .svg, .pdf or .dxf; whole or not at
 /// all. Throws Error if it cannot.

@@ -25,11 +25,10 @@ void draw_lines(const DrawingSheet& sheet, SheetLayer layer, cairo_t* context) {
 }
 
 void draw_texts(const DrawingSheet& sheet, cairo_t* context) {
-  constexpr double kCapitals = 0.72;
   cairo().select_font_face(context, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
                            CAIRO_FONT_WEIGHT_NORMAL);
   for (const auto& text : sheet.texts) {
-    cairo().set_font_size(context, text.height / kCapitals);
+    cairo().set_font_size(context, text.height / kCapitalsOfFont);
     cairo_text_extents_t extents;
     cairo().text_extents(context, text.characters.c_str(), &extents);
     cairo().move_to(context, text.at.x - (text.centred ? extents.x_advance / 2.0 : 0.0),

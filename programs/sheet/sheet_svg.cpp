@@ -10,8 +10,6 @@ namespace displayfile {
 
 namespace {
 
-constexpr double kCapitalsOfFont = 0.72;  // the height of capital letters, in parts of the size
-
 std::string escaped_text(const std::string& text) {
   std::string out;
   for (const char c : text) {

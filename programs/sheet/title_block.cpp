@@ -1,7 +1,12 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "programs/sheet/arrangement.h"
+#include "programs/sheet/text_fit.h"
 
 namespace displayfile {
 
@@ -21,24 +26,52 @@ void add_circle(const Point2& middle, double radius, DrawingSheet& sheet) {
   sheet.lines.push_back(circle);
 }
 
+/// A part of the title block.
+struct Cell {
+  Point2 low, high;
+};
+
+constexpr double kInset = 1.6;
+
 /// A truncated cone and its view from the left, where its small end is (ISO 5456-2): beside that
-/// end by the third angle, on the other side by the first.
-void add_projection_symbol(const Point2& middle, SheetProjection projection, DrawingSheet& sheet) {
+/// end by the third angle, on the other side by the first. Smaller in a cell that is narrow.
+void add_projection_symbol(const Cell& cell, SheetProjection projection, DrawingSheet& sheet) {
   constexpr double kSmall = 2.0, kLarge = 4.0, kHalfLength = 4.0, kApart = 6.0;
-  const double to_cone = projection == SheetProjection::third ? kApart : -kApart;
+  const double room = 0.5 * (cell.high.x - cell.low.x) - kInset;
+  const double size = std::min(1.0, room / (kApart + kHalfLength));
+  const double to_cone = size * (projection == SheetProjection::third ? kApart : -kApart);
+  const Point2 middle = 0.5 * (cell.low + cell.high);
   const Point2 cone = middle + Point2(to_cone, 0.0), circles = middle - Point2(to_cone, 0.0);
-  sheet.lines.push_back({SheetLayer::text,
-                         {cone + Point2(-kHalfLength, -kSmall), cone + Point2(kHalfLength, -kLarge),
-                          cone + Point2(kHalfLength, kLarge), cone + Point2(-kHalfLength, kSmall)},
-                         true});
-  add_circle(circles, kSmall, sheet);
-  add_circle(circles, kLarge, sheet);
+  sheet.lines.push_back(
+      {SheetLayer::text,
+       {cone + size * Point2(-kHalfLength, -kSmall), cone + size * Point2(kHalfLength, -kLarge),
+        cone + size * Point2(kHalfLength, kLarge), cone + size * Point2(-kHalfLength, kSmall)},
+       true});
+  add_circle(circles, size * kSmall, sheet);
+  add_circle(circles, size * kLarge, sheet);
+}
+
+/// A label and, below it, a text that keeps within the cell.
+void add_field(const Cell& cell, const char* label, const std::string& text, DrawingSheet& sheet) {
+  constexpr double kLabel = 1.8, kApart = 1.3;
+  const Point2 corner(cell.low.x + kInset, cell.high.y - kInset - kLabel);
+  sheet.texts.push_back({corner, kLabel, label});
+  const double top = corner.y - kApart;
+  const Point2 room(cell.high.x - cell.low.x - 2.0 * kInset, top - cell.low.y - kInset);
+  const FittedText fitted = fit_text(text, room);
+  double baseline = top - fitted.height;
+  for (const std::string& line : fitted.lines) {
+    sheet.texts.push_back({{corner.x, baseline}, fitted.height, line});
+    baseline -= kLinePitch * fitted.height;
+  }
+  if (!fitted.whole) {
+    sheet.shortened.push_back(fmt::format("{} {}", label, fmt::join(fitted.lines, " ")));
+  }
 }
 
 }  // namespace
 
 void add_title_block(const SheetWords& words, const DrawingScale& scale, DrawingSheet& sheet) {
-  constexpr double kText = 3.5, kLabel = 1.8, kInset = 1.6, kApart = 1.3;
   const double margin = words.margin;
   const Point2 high(words.width - margin, words.height - margin);
   add_rectangle(Point2(margin), high, sheet);
@@ -50,20 +83,14 @@ void add_title_block(const SheetWords& words, const DrawingScale& scale, Drawing
   for (const double x : {scales, symbol}) {
     sheet.lines.push_back({SheetLayer::frame, {{x, margin}, {x, top}}});
   }
-  const auto add_field = [&](double x, double y, const char* label, const std::string& text) {
-    sheet.texts.push_back({{x + kInset, y - kInset - kLabel}, kLabel, label});
-    sheet.texts.push_back({{x + kInset, y - kInset - kLabel - kApart - kText}, kText, text});
-  };
-  if (words.date.empty()) {
-    add_field(left, top, "TITLE", words.title);
-    add_field(scales, top, "SCALE", scale.text());
-  } else {
+  add_field({{left, margin}, {scales, top}}, "TITLE", words.title, sheet);
+  const double below_scale = words.date.empty() ? margin : middle;
+  add_field({{scales, below_scale}, {symbol, top}}, "SCALE", scale.text(), sheet);
+  if (!words.date.empty()) {
     sheet.lines.push_back({SheetLayer::frame, {{scales, middle}, {symbol, middle}}});
-    add_field(left, top, "TITLE", words.title);
-    add_field(scales, top, "SCALE", scale.text());
-    add_field(scales, middle, "DATE", words.date);
+    add_field({{scales, margin}, {symbol, middle}}, "DATE", words.date, sheet);
   }
-  add_projection_symbol({0.5 * (symbol + high.x), middle}, words.projection, sheet);
+  add_projection_symbol({{symbol, margin}, {high.x, top}}, words.projection, sheet);
 }
 
 }  // namespace displayfile

@@ -48,6 +48,39 @@ class SheetCommandTest : public Command {
     }
     return all;
   }
+  /// Whether something of a layer is drawn within the text's rectangle: by points along its lines.
+  /// Paths of several lines have as many points each.
+  bool is_drawn_over(const std::string& file, const std::string& layer, std::size_t points_of_line,
+                     const Text& text) {
+    const auto all = numbers(file, layer);
+    for (std::size_t i = 0; i + 2 < all.size(); i += 2) {
+      if ((i / 2 + 1) % points_of_line == 0) continue;
+      for (double t = 0.0; t <= 1.0; t += 0.002) {
+        const double x = all[i] + t * (all[i + 2] - all[i]);
+        const double y = all[i + 1] + t * (all[i + 3] - all[i + 1]);
+        if (x > text.left() && x < text.left() + text.width() && y > text.top() && y < text.y) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+  /// Letters of sections lie apart from each other, from cutting lines and arrows, and from views.
+  void expect_marks_apart(const std::string& file) {
+    std::vector<Text> marks = texts(file);
+    std::erase_if(marks, [](const Text& text) { return !text.centred; });
+    ASSERT_FALSE(marks.empty());
+    for (const Text& a : marks) {
+      EXPECT_FALSE(is_drawn_over(file, "CUTTING", 2, a)) << a.characters;
+      EXPECT_FALSE(is_drawn_over(file, "CUTTING_ENDS", 3, a)) << a.characters;
+      EXPECT_FALSE(is_drawn_over(file, "HATCH", 2, a)) << a.characters;
+      for (const Text& b : marks) {
+        const bool meet = a.left() < b.left() + b.width() && b.left() < a.left() + a.width() &&
+                          a.top() < b.y && b.top() < a.y;
+        EXPECT_TRUE(&a == &b || !meet) << a.characters << " and " << b.characters;
+      }
+    }
+  }
 };
 
 TEST_F(SheetCommandTest, AMillimetreIsAMillimetreAtOneToOne) {
@@ -86,6 +119,40 @@ TEST_F(SheetCommandTest, ArrowsOfACuttingLineSayFromWhereItIsSeen) {
   ASSERT_EQ(line.size(), 4U);
   for (std::size_t i = 0; i < ends.size(); i += 2) EXPECT_GE(ends[i], line[0] - 1e-9);
   EXPECT_NEAR(ends[4], line[0] + 6.0, 1e-9);  // the arrow's tail
+}
+
+TEST_F(SheetCommandTest, LettersOfSectionsKeepClear) {
+  const std::string middle = "--section front=15 --section side=30";
+  for (const std::string& arguments :
+       {middle, middle + " --section top=20", middle + " --section top=20 --paper a5",
+        middle + " --section top=20 --scale 1:20", middle + " --section top=20 --scale 1:100",
+        middle + " --section top=40 --paper a5-portrait",
+        std::string("--section front=30 --section top=40 --section side=60 --paper a6")}) {
+    SCOPED_TRACE(arguments);
+    ASSERT_EQ(run("sheet box.obj -o s.svg " + arguments), 0) << err_;
+    expect_marks_apart("s.svg");
+  }
+  ASSERT_EQ(run("sheet box.obj -o s.svg --projection first --section front=15 --section side=-30 "
+                "--section top=20 --scale 1:20"),
+            0)
+      << err_;
+  expect_marks_apart("s.svg");
+}
+
+/// Below its middle, if nothing is there.
+TEST_F(SheetCommandTest, ASectionHasItsLettersBelow) {
+  ASSERT_EQ(run("sheet box.obj -o s.svg --section front=15 --scale 1:1"), 0) << err_;
+  const auto line = numbers("s.svg", "HATCH");
+  const auto all = texts("s.svg");
+  const auto caption = std::ranges::find(all, "A-A", &Text::characters);
+  ASSERT_NE(caption, all.end());
+  double low = 0.0, left = 1e9;
+  for (std::size_t i = 0; i < line.size(); i += 2) {
+    left = std::min(left, line[i]);
+    low = std::max(low, line[i + 1]);
+  }
+  EXPECT_NEAR(caption->x, left + 30.0, 1e-3);
+  EXPECT_NEAR(caption->y, low + 7.0, 1e-3);
 }
 
 TEST_F(SheetCommandTest, ALongTitleKeepsWithinItsCell) {

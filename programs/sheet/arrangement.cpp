@@ -8,6 +8,7 @@
 #include "clip/error.h"
 #include "displayfile/solids/hatched_loops.h"
 #include "programs/sheet/chained_lines.h"
+#include "programs/sheet/section_marks.h"
 #include "programs/sheet/unique_lines.h"
 
 namespace displayfile {
@@ -55,42 +56,6 @@ void add_view(const PartView& view, const Point2& at, double mm, double hatch,
   for (const auto& [from, to] : hatched_loops(loops, hatch, kHatchingDirection)) {
     sheet.lines.push_back({SheetLayer::hatch, {from, to}});
   }
-}
-
-/// An end of a cutting line: thick for a little, and an arrow that points along the direction in
-/// which the section is seen, with the section's letter behind it (ISO 128-3).
-void add_cutting_end(const Point2& end, const Point2& along, const Point2& seen,
-                     const std::string& letter, DrawingSheet& sheet) {
-  constexpr double kThick = 3.5, kArrow = 6.0, kHead = 2.2, kHalfHead = 0.7, kLetter = 3.5;
-  const Point2 tail = end - kArrow * seen;
-  const Point2 barb = end - kHead * seen;
-  const auto add = [&](std::vector<Point2> points, bool closed = false) {
-    sheet.lines.push_back({SheetLayer::cutting_ends, std::move(points), closed});
-  };
-  add({end - kThick * along, end, tail});
-  add({end, barb + kHalfHead * along, barb - kHalfHead * along}, true);
-  const Point2 middle = tail - (0.9 * kLetter) * seen;
-  sheet.texts.push_back({middle - Point2(0.0, kLetter / 2.0), kLetter, letter, true});
-}
-
-/// Where a section is cut, in another view: a line across it.
-void add_cutting_line(const PartView& other, const Point2& at, double mm, const PartView& cut,
-                      const std::string& letter, DrawingSheet& sheet) {
-  constexpr double kBeyond = 5.0;
-  const Point3 p = in_view(other.kind, *cut.position * toward_viewer(cut.kind));
-  const Point2 seen(in_view(other.kind, -toward_viewer(cut.kind)));
-  const bool upright = toward_viewer(cut.kind).x != 0.0;
-  const Point2 size = mm * (other.high - other.low);
-  const Point2 place = at + mm * (Point2(p) - other.low);
-  Point2 from(at.x - kBeyond, place.y), to(at.x + size.x + kBeyond, place.y), along(1.0, 0.0);
-  if (upright) {
-    from = {place.x, at.y - kBeyond};
-    to = {place.x, at.y + size.y + kBeyond};
-    along = {0.0, 1.0};
-  }
-  sheet.lines.push_back({SheetLayer::cutting, {from, to}});
-  add_cutting_end(from, -along, seen, letter, sheet);
-  add_cutting_end(to, along, seen, letter, sheet);
 }
 
 }  // namespace
@@ -145,18 +110,12 @@ DrawingSheet arrange(const std::array<PartView, 4>& views, const SheetWords& wor
       mm * (cells.other_row - (views[3].high.y - views[3].low.y)) / 2.0);
   const std::array<Point2, 4> at{Point2(left, front), Point2(left, in_other_row(1)),
                                  Point2(right, front), Point2(right, other) + free_of_isometric};
-  char letter = 'A';
+  std::array<PlacedView, 4> placed;
   for (std::size_t k = 0; k < 4; ++k) {
     add_view(views[k], at[k], mm, words.hatch, sheet);
-    if (!views[k].position) continue;
-    constexpr double kTextHeight = 3.5, kBelow = 7.0;
-    const double middle = at[k].x + mm * (views[k].high.x - views[k].low.x) / 2.0;
-    sheet.texts.push_back(
-        {{middle, at[k].y - kBelow}, kTextHeight, fmt::format("{0}-{0}", letter), true});
-    const std::size_t shown_in = k == 0 ? 1 : 0;
-    add_cutting_line(views[shown_in], at[shown_in], mm, views[k], std::string(1, letter), sheet);
-    ++letter;
+    placed[k] = {&views[k], at[k], at[k] + mm * (views[k].high - views[k].low)};
   }
+  add_section_marks(placed, words, mm, sheet);
   add_title_block(words, scale, sheet);
   return sheet;
 }

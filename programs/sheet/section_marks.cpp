@@ -1,0 +1,247 @@
+#include "programs/sheet/section_marks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "programs/sheet/text_fit.h"
+
+namespace displayfile {
+
+namespace {
+
+constexpr double kLetter = 3.5;  // height
+
+/// A rectangle of the paper.
+struct Box {
+  Point2 low, high;
+
+  static Box around(std::span<const Point2> points) {
+    Box box{points.front(), points.front()};
+    for (const Point2& p : points) box = {glm::min(box.low, p), glm::max(box.high, p)};
+    return box;
+  }
+  Box widened(const Point2& by) const { return {low - by, high + by}; }
+  bool meets(const Box& other) const {
+    return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y &&
+           other.low.y < high.y;
+  }
+  bool lies_in(const Box& other) const {
+    return low.x >= other.low.x && low.y >= other.low.y && high.x <= other.high.x &&
+           high.y <= other.high.y;
+  }
+  double distance(const Box& other) const {
+    const Point2 apart = glm::max(low - other.high, other.low - high);
+    return glm::length(glm::max(apart, Point2(0.0)));
+  }
+};
+
+Box box_of(const PlacedView& view) { return {view.low, view.high}; }
+
+Box box_of_text(const Point2& middle_of_baseline, const std::string& text) {
+  const double half = text_width(text, kLetter) / 2.0;
+  return {middle_of_baseline - Point2(half, 0.0), middle_of_baseline + Point2(half, kLetter)};
+}
+
+/// What of the paper is drawn on.
+class Taken {
+ public:
+  Taken(const std::array<PlacedView, 4>& views, const SheetWords& words) {
+    const Point2 paper(words.width, words.height);
+    frame_ = {Point2(words.margin), paper - words.margin};
+    const double block = std::min(kTitleWidth, words.width - 2.0 * words.margin);
+    boxes_.push_back(
+        {{frame_.high.x - block, frame_.low.y}, {frame_.high.x, frame_.low.y + kTitleHeight}});
+    for (const PlacedView& view : views) boxes_.push_back(box_of(view));
+  }
+  void add(const Box& box) { boxes_.push_back(box); }
+  bool is_free(const Box& box) const {
+    return box.lies_in(frame_) &&
+           std::ranges::none_of(boxes_, [&](const Box& other) { return box.meets(other); });
+  }
+
+ private:
+  Box frame_{};
+  std::vector<Box> boxes_;
+};
+
+/// An end of a cutting line: thick for a little, and an arrow that points along the direction in
+/// which the section is seen, with the section's letter behind it (ISO 128-3).
+struct CuttingEnd {
+  static constexpr double kThick = 3.5, kArrow = 6.0, kHead = 2.2, kHalfHead = 0.7;
+  Point2 end, along, seen;
+  std::string letter;
+  double beyond;  ///< the view
+
+  Point2 tail() const { return end - kArrow * seen; }
+  Point2 letter_at() const { return tail() - (0.9 * kLetter) * seen - Point2(0.0, kLetter / 2.0); }
+  /// The corners of the arrow's head besides its tip.
+  std::array<Point2, 2> barbs() const {
+    const Point2 middle = end - kHead * seen;
+    return {middle + kHalfHead * along, middle - kHalfHead * along};
+  }
+  std::array<Box, 3> boxes() const {
+    constexpr double kBesideView = 1.5;
+    const std::array line{end - (beyond - kBesideView) * along, end};
+    const std::array arrow{end, tail(), barbs()[0], barbs()[1]};
+    return {Box::around(line), Box::around(arrow), box_of_text(letter_at(), letter)};
+  }
+  void draw(DrawingSheet& sheet) const {
+    sheet.lines.push_back({SheetLayer::cutting_ends, {end - kThick * along, end, tail()}});
+    sheet.lines.push_back({SheetLayer::cutting_ends, {end, barbs()[0], barbs()[1]}, true});
+    sheet.texts.push_back({letter_at(), kLetter, letter, true});
+  }
+};
+
+/// A line across a view, so far beyond it, with an end on each side.
+struct CuttingLine {
+  std::array<CuttingEnd, 2> ends;
+
+  bool is_free(const Taken& taken) const {
+    constexpr Point2 kClear(1.0);
+    return std::ranges::all_of(ends, [&](const CuttingEnd& end) {
+      return std::ranges::all_of(
+          end.boxes(), [&](const Box& box) { return taken.is_free(box.widened(kClear)); });
+    });
+  }
+  void draw(DrawingSheet& sheet) const {
+    sheet.lines.push_back({SheetLayer::cutting, {ends[0].end, ends[1].end}});
+    for (const CuttingEnd& end : ends) end.draw(sheet);
+  }
+  void take(Taken& taken) const {
+    taken.add(Box::around(std::array{ends[0].end, ends[1].end}));
+    for (const CuttingEnd& end : ends) {
+      for (const Box& box : end.boxes()) taken.add(box);
+    }
+  }
+};
+
+CuttingLine cutting_line(const PlacedView& other, const PartView& cut, double mm_of_unit,
+                         const std::string& letter, double beyond) {
+  const PartView& view = *other.view;
+  const Point3 p = in_view(view.kind, *cut.position * toward_viewer(cut.kind));
+  const Point2 seen(in_view(view.kind, -toward_viewer(cut.kind)));
+  const bool upright = toward_viewer(cut.kind).x != 0.0;
+  const Point2 place = other.low + mm_of_unit * (Point2(p) - view.low);
+  Point2 from(other.low.x - beyond, place.y), to(other.high.x + beyond, place.y), along(1.0, 0.0);
+  if (upright) {
+    from = {place.x, other.low.y - beyond};
+    to = {place.x, other.high.y + beyond};
+    along = {0.0, 1.0};
+  }
+  return {{{{from, -along, seen, letter, beyond}, {to, along, seen, letter, beyond}}}};
+}
+
+/// What is cut, with its letter, and the view in which a line shows where.
+struct ShownCut {
+  const PartView* cut;
+  const PlacedView* shown_in;
+  std::string letter;
+
+  CuttingLine line(double mm_of_unit, double beyond) const {
+    return cutting_line(*shown_in, *cut, mm_of_unit, letter, beyond);
+  }
+};
+constexpr double kBeyond = 5.0;
+
+/// A line longer than usual where that would meet something; nothing if any does.
+std::optional<CuttingLine> free_line(const ShownCut& cut, double mm_of_unit, const Taken& taken) {
+  constexpr double kStep = 1.0, kMost = 40.0;
+  for (double beyond = kBeyond; beyond <= kMost; beyond += kStep) {
+    CuttingLine line = cut.line(mm_of_unit, beyond);
+    if (line.is_free(taken)) return line;
+  }
+  return std::nullopt;
+}
+
+/// Lines that keep clear of each other, found in this order.
+std::optional<std::vector<CuttingLine>> free_lines(std::span<const ShownCut* const> order,
+                                                   double mm_of_unit, Taken taken) {
+  std::vector<CuttingLine> lines;
+  for (const ShownCut* cut : order) {
+    auto line = free_line(*cut, mm_of_unit, taken);
+    if (!line) return std::nullopt;
+    line->take(taken);
+    lines.push_back(std::move(*line));
+  }
+  return lines;
+}
+
+/// By the first order of finding them in which all have room.
+std::vector<CuttingLine> cutting_lines(std::span<const ShownCut> cuts, double mm_of_unit,
+                                       const Taken& taken) {
+  std::vector<const ShownCut*> order;
+  for (const ShownCut& cut : cuts) order.push_back(&cut);
+  do {
+    if (auto lines = free_lines(order, mm_of_unit, taken)) return *std::move(lines);
+  } while (std::next_permutation(order.begin(), order.end()));
+  std::vector<CuttingLine> lines;
+  for (const ShownCut& cut : cuts) lines.push_back(cut.line(mm_of_unit, kBeyond));
+  return lines;
+}
+
+/// Where the letters of a cut view may stand, the best first: below or above its middle, and
+/// otherwise beside that. The middles of baselines.
+std::vector<Point2> caption_places(const PlacedView& view) {
+  constexpr double kBelow = 7.0, kAbove = 3.5, kRow = 5.0, kStep = 1.0;
+  const double middle = 0.5 * (view.low.x + view.high.x);
+  const double farthest = 0.5 * (view.high.x - view.low.x) + 30.0;
+  std::vector<Point2> places;
+  for (double aside = 0.0; aside <= farthest; aside += kStep) {
+    for (const double row : {0.0, kRow, 2.0 * kRow}) {
+      for (const double x : {middle - aside, middle + aside}) {
+        places.emplace_back(x, view.low.y - kBelow - row);
+        places.emplace_back(x, view.high.y + kAbove + row);
+      }
+    }
+  }
+  return places;
+}
+
+/// The first place that is free, and nearer to its view than to any other.
+void add_caption(std::size_t k, const std::array<PlacedView, 4>& views, const std::string& letters,
+                 Taken& taken, DrawingSheet& sheet) {
+  constexpr Point2 kClear(2.5, 1.5);
+  const std::vector<Point2> places = caption_places(views[k]);
+  const auto fits = [&](const Point2& place) {
+    const Box box = box_of_text(place, letters);
+    const double own = box.distance(box_of(views[k]));
+    for (std::size_t other = 0; other < views.size(); ++other) {
+      if (other != k && box.distance(box_of(views[other])) <= own) return false;
+    }
+    return taken.is_free(box.widened(kClear));
+  };
+  const auto found = std::ranges::find_if(places, fits);
+  const Point2 place = found == places.end() ? places.front() : *found;
+  sheet.texts.push_back({place, kLetter, letters, true});
+  taken.add(box_of_text(place, letters));
+}
+
+}  // namespace
+
+void add_section_marks(const std::array<PlacedView, 4>& views, const SheetWords& words,
+                       double mm_of_unit, DrawingSheet& sheet) {
+  Taken taken(views, words);
+  std::array<std::string, 4> letters;
+  std::vector<ShownCut> cuts;
+  for (std::size_t k = 0; k < views.size(); ++k) {
+    if (!views[k].view->position) continue;
+    letters[k] = std::string(1, static_cast<char>('A' + cuts.size()));
+    cuts.push_back({views[k].view, &views[k == 0 ? 1 : 0], letters[k]});
+  }
+  for (const CuttingLine& line : cutting_lines(cuts, mm_of_unit, taken)) {
+    line.draw(sheet);
+    line.take(taken);
+  }
+  for (std::size_t k = 0; k < views.size(); ++k) {
+    if (letters[k].empty()) continue;
+    add_caption(k, views, letters[k] + "-" + letters[k], taken, sheet);
+  }
+}
+
+}  // namespace displayfile

@@ -82,6 +82,19 @@ bool has_face_at(const Mesh& part, ViewKind view, double position) {
   return false;
 }
 
+/// Whether a plane at a position of a view has a part of a face behind it and another not: false in
+/// a gap between bodies.
+bool cuts_a_face(const Mesh& part, ViewKind view, double position) {
+  const auto behind = [&](std::uint32_t corner) {
+    return in_view(view, part.vertices[corner]).z < position;
+  };
+  for (std::size_t i = 0; i < part.faces(); ++i) {
+    const auto corners = part.face(i);
+    if (std::ranges::any_of(corners, behind) && !std::ranges::all_of(corners, behind)) return true;
+  }
+  return false;
+}
+
 /// Throws Error unless the plane at a position of a view cuts the part. Since what lies in the
 /// plane counts as before it (section.md), a face at the part's near end is cut, and one at its far
 /// end has nothing behind it.
@@ -153,9 +166,9 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
   command
       .add_option(
           "--up", up,
-          "the axis that is up; if not given, as the first input says that says it, or else y. A "
-          "drawing program says it by the view that it sets; in one that sets none a "
-          "cylinder, which stands along z, lies: --up z")
+          "the axis that is up; if not given, that of the first input that names one, or else y. "
+          "A drawing program names it by the view that it sets; in one that sets none, "
+          "cylinders and what else stands along z lies on the sheet without --up z")
       ->type_name("x|y|z|-x|-y|-z")
       ->group(kPictureOptions);
   command
@@ -212,7 +225,12 @@ int SheetCommand::run() {
   const Mesh part = read_part(inputs, up, import.limits());
   const auto kinds = views_of_sheet(words.projection);
   for (std::size_t k = 0; k < kCutViews.size(); ++k) {
-    if (positions[k]) require_cut(part, kinds[k], kCutViews[k], *positions[k]);
+    if (!positions[k]) continue;
+    require_cut(part, kinds[k], kCutViews[k], *positions[k]);
+    if (!cuts_a_face(part, kinds[k], *positions[k])) {
+      warnings() << fmt::format("{}: the plane of the section at {} does not cut the part\n",
+                                inputs.front(), *positions[k]);
+    }
   }
   const bool is_cut = std::ranges::any_of(positions, [](const auto& p) { return p.has_value(); });
   const bool hatched = is_cut && closed_and_consistently_oriented(part);
@@ -226,10 +244,6 @@ int SheetCommand::run() {
     Progress progress("finding the lines of four views");
     for (std::size_t k = 0; k < 4; ++k) {
       views[k] = view_of_part(part, kinds[k], selection, positions[k], hatched, threads);
-      if (positions[k] && hatched && views[k].cut.empty()) {
-        warnings() << fmt::format("{}: the plane of the section at {} does not cut the part\n",
-                                  inputs.front(), *positions[k]);
-      }
       progress.update(k + 1, 4);
     }
   }

@@ -238,6 +238,20 @@ TEST_F(SheetCommandTest, ASectionAtTheEndOfThePartCutsAFaceOrNothing) {
   expect_error("sheet tip.obj -o no.svg --section front=5", "front=5" + touched + "0 and 5");
 }
 
+TEST_F(SheetCommandTest, ASectionInAGapIsTold) {
+  const std::string open =
+      "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nv 0 0 20\nv 9 0 20\nv 0 9 20\nv 0 0 29\n"
+      "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 5 7 6\nf 5 6 8\nf 6 7 8\n";
+  write("open.obj", open);
+  write("closed.obj", open + "f 3 1 4\nf 7 5 8\n");
+  for (const std::string part : {"closed.obj", "open.obj"}) {
+    ASSERT_EQ(run("sheet -o s.svg --section front=15 " + part), 0) << err_;
+    EXPECT_NE(err_.find("the section at 15 does not cut the part"), std::string::npos) << err_;
+    ASSERT_EQ(run("sheet -o s.svg --section front=5 " + part), 0) << err_;
+    EXPECT_EQ(err_.find("does not cut"), std::string::npos) << err_;
+  }
+}
+
 TEST_F(SheetCommandTest, APartOfNoThicknessIsDrawn) {
   write("flat.draw", kTriangle);
   write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");  // and of no width

@@ -5,6 +5,7 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -31,6 +32,31 @@ Mesh unit_cube() {
   return mesh_of(
       {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
       {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
+}
+
+/// A block 0 to 12, 0 to 6, 0 to 2 with two square holes through it. Its top and its bottom are
+/// polygons with bridges, of which the one to the second hole runs across the first.
+Mesh block_with_two_holes() {
+  const Point2 corners[3][4] = {{{0, 0}, {12, 0}, {12, 6}, {0, 6}},
+                                {{2, 1}, {5, 1}, {5, 4}, {2, 4}},
+                                {{7, 3}, {10, 3}, {10, 5}, {7, 5}}};
+  std::vector<Point3> vertices;
+  for (const double z : {0.0, 2.0}) {
+    for (const auto& loop : corners) {
+      for (const Point2& p : loop) vertices.emplace_back(p, z);
+    }
+  }
+  std::vector<std::vector<std::uint32_t>> faces{
+      {12, 13, 14, 15, 12, 16, 19, 18, 17, 16, 12, 20, 23, 22, 21, 20},
+      {0, 3, 2, 1, 0, 4, 5, 6, 7, 4, 0, 8, 9, 10, 11, 8}};
+  for (std::uint32_t first : {0U, 4U, 8U}) {
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      std::uint32_t from = first + k, to = first + (k + 1) % 4;
+      if (first > 0) std::swap(from, to);
+      faces.push_back({from, to, to + 12, from + 12});
+    }
+  }
+  return mesh_of(vertices, faces);
 }
 
 /// A torus of triangles with a hole.
@@ -112,8 +138,8 @@ TEST(Section, AFaceInThePlaneIsCutWhereThereIsSolidBehindIt) {
   EXPECT_EQ(section(unit_cube(), {{0, 0, -1}, 0.0}).area, 1.0);
 }
 
-TEST(Section, WhatIsBehindIsClosedByTheLoopsBitForBit) {
-  const Section cut = section(torus(24, 12), {{0.3, -0.5, 0.8}, 0.1});
+/// What is behind a plane with its loops as faces.
+Mesh closed_by_loops(const Section& cut) {
   Mesh closed = cut.behind;
   for (const auto& loop : cut.loops) {
     const auto first = static_cast<std::uint32_t>(closed.vertices.size());
@@ -122,20 +148,84 @@ TEST(Section, WhatIsBehindIsClosedByTheLoopsBitForBit) {
     closed.first_corner.push_back(closed.corners.size());
   }
   closed.objects = {{"", 0, closed.faces()}};
-  EXPECT_TRUE(closed_and_consistently_oriented(closed));
+  return closed;
+}
+
+TEST(Section, WhatIsBehindIsClosedByTheLoopsBitForBit) {
+  const Section cut = section(torus(24, 12), {{0.3, -0.5, 0.8}, 0.1});
+  EXPECT_TRUE(closed_and_consistently_oriented(closed_by_loops(cut)));
+}
+
+/// The area of a mesh's faces at that height, each for itself.
+double area_at(const Mesh& mesh, double z) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < mesh.faces(); ++i) {
+    double twice = 0.0;
+    Point3 from = mesh.vertices[mesh.face(i).back()];
+    bool is_level = true;
+    for (const std::uint32_t v : mesh.face(i)) {
+      const Point3& to = mesh.vertices[v];
+      is_level = is_level && to.z == z;
+      twice += from.x * to.y - to.x * from.y;
+      from = to;
+    }
+    if (is_level) sum += std::abs(twice) / 2.0;
+  }
+  return sum;
+}
+
+/// Triangles of a polygon whose bridges cross its holes would cover these.
+TEST(Section, AFaceWithHolesIsCutWhole) {
+  for (const double y : {0.5, 2.0, 3.5, 4.5, 5.5}) {
+    const Section cut = section(block_with_two_holes(), {{0, 1, 0}, y});
+    const double holes = 3.0 * std::clamp(y - 1.0, 0.0, 3.0) + 3.0 * std::clamp(y - 3.0, 0.0, 2.0);
+    EXPECT_NEAR(area_at(cut.behind, 2.0), 12.0 * y - holes, 1e-13) << y;
+    EXPECT_NEAR(area_at(cut.behind, 0.0), 12.0 * y - holes, 1e-13) << y;
+    EXPECT_TRUE(closed_and_consistently_oriented(closed_by_loops(cut))) << y;
+  }
+}
+
+TEST(Section, LoopsOfAFaceWithHolesAreThoseOfTheSolid) {
+  const Section cut = section(block_with_two_holes(), {{0, 1, 0}, 3.5});
+  ASSERT_EQ(cut.loops.size(), 3U);
+  std::vector<std::pair<double, double>> extents;
+  for (const auto& loop : cut.loops) {
+    const auto [low, high] = std::ranges::minmax(loop, {}, [](const Point3& p) { return p.x; });
+    extents.emplace_back(low.x, high.x);
+  }
+  std::ranges::sort(extents);
+  const std::vector<std::pair<double, double>> expected{{0, 2}, {5, 7}, {10, 12}};
+  EXPECT_EQ(extents, expected);
+}
+
+/// Two cubes, one on the other: what is between them is in the loops of both.
+TEST(Section, ObjectsThatTouchHaveLoopsOfTheirOwn) {
+  Mesh stack = unit_cube();
+  const Mesh above = unit_cube();
+  for (const Point3& p : above.vertices) stack.vertices.push_back(p + Point3(0, 0, 1));
+  for (const std::uint32_t corner : above.corners) stack.corners.push_back(corner + 8);
+  for (std::size_t i = 1; i <= 6; ++i) stack.first_corner.push_back(24 + 4 * i);
+  stack.objects = {{"", 0, 6}, {"", 6, 6}};
+  const Section cut = section(stack, {{0, 1, 0}, 0.5});
+  EXPECT_TRUE(cut.closed);
+  ASSERT_EQ(cut.loops.size(), 2U);
+  EXPECT_EQ(cut.loops[0].size(), 4U);
+  EXPECT_EQ(cut.loops[1].size(), 4U);
+  EXPECT_EQ(cut.area, 2.0);
 }
 
 TEST(Section, AreasAreThoseOfRationalArithmetic) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> in(-1.0, 1.0);
-  const Mesh meshes[] = {unit_cube(), torus(24, 12)};
+  const Mesh meshes[] = {unit_cube(), torus(24, 12), block_with_two_holes()};
   for (const Mesh& mesh : meshes) {
     for (int k = 0; k < 50; ++k) {
       Point3 normal(in(random), in(random), in(random));
       if (k % 5 == 0) normal = Point3(k % 3 == 0, k % 3 == 1, k % 3 == 2);
       const Point3& vertex = mesh.vertices[random() % mesh.vertices.size()];
       const double through = glm::dot(normal, vertex);  // a vertex: exactly if along an axis
-      expect_exact_area(mesh, {normal, k % 2 == 0 ? through : 0.7 * through});
+      const SectionPlane plane{normal, k % 2 == 0 ? through : 0.7 * through};
+      expect_exact_area(mesh, plane);
     }
   }
 }

@@ -1,5 +1,8 @@
 // `displayfile sheet`, as its users meet it.
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <regex>
 #include <sstream>
 
@@ -14,13 +17,17 @@ class SheetCommandTest : public Command {
           "v 0 0 0\nv 60 0 0\nv 60 40 0\nv 0 40 0\nv 0 0 30\nv 60 0 30\nv 60 40 30\nv 0 40 30\n"
           "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
   }
-  /// Coordinates of the path of a layer.
-  std::vector<double> numbers(const std::string& file, const std::string& layer) {
+  /// The path of a layer.
+  std::string path_of(const std::string& file, const std::string& layer) {
     const std::string text = read(folder_ / file);
     const std::size_t at = text.find("id=\"" + layer + "\"");
     if (at == std::string::npos) return {};
     const std::size_t begin = text.find(" d=\"", at) + 4;
-    std::string path = text.substr(begin, text.find('"', begin) - begin);
+    return text.substr(begin, text.find('"', begin) - begin);
+  }
+  /// Its coordinates.
+  std::vector<double> numbers(const std::string& file, const std::string& layer) {
+    std::string path = path_of(file, layer);
     for (char& c : path) c = std::isalpha(static_cast<unsigned char>(c)) && c != 'e' ? ' ' : c;
     std::istringstream in(path);
     std::vector<double> all;
@@ -83,6 +90,39 @@ class SheetCommandTest : public Command {
   }
 };
 
+/// A side of a path, its ends in order.
+using Stroke = std::array<double, 4>;
+
+/// The strokes of an SVG path of M, L and Z.
+std::vector<Stroke> strokes_of(const std::string& path) {
+  std::vector<Stroke> all;
+  std::istringstream in(path);
+  double x = 0.0, y = 0.0, x0 = 0.0, y0 = 0.0;
+  const auto to = [&](double x1, double y1) {
+    const bool rises = std::pair(x, y) < std::pair(x1, y1);
+    all.push_back(rises ? Stroke{x, y, x1, y1} : Stroke{x1, y1, x, y});
+    x = x1;
+    y = y1;
+  };
+  for (char command = 'M'; in >> std::ws && in.peek() != EOF;) {
+    if (std::isalpha(in.peek()) != 0) in >> command;
+    if (command == 'Z') {
+      to(x0, y0);
+      continue;
+    }
+    double x1 = 0.0, y1 = 0.0;
+    in >> x1 >> y1;
+    if (command == 'L') {
+      to(x1, y1);
+    } else {
+      x = x0 = x1;
+      y = y0 = y1;
+    }
+    command = 'L';
+  }
+  return all;
+}
+
 TEST_F(SheetCommandTest, AMillimetreIsAMillimetreAtOneToOne) {
   ASSERT_EQ(run("sheet box.obj -o box.svg --scale 1:1"), 0) << err_;
   const auto all = numbers("box.svg", "VISIBLE");
@@ -107,6 +147,38 @@ TEST_F(SheetCommandTest, SectionsAreHatched) {
   EXPECT_EQ(err_, "");
   EXPECT_FALSE(numbers("box.svg", "HATCH").empty());
   EXPECT_NE(read(folder_ / "box.svg").find(">B-B<"), std::string::npos);
+}
+
+/// A plate with a boss on it. The plate's upper face is a polygon with a bridge, or two without.
+std::string plate_with_boss(bool bridged) {
+  std::string text =
+      "v -30 -15 0\nv 30 -15 0\nv 30 15 0\nv -30 15 0\nv -30 -15 5\nv 30 -15 5\nv 30 15 5\n"
+      "v -30 15 5\nv -10 -10 5\nv 10 -10 5\nv 10 10 5\nv -10 10 5\nv -10 -10 20\n"
+      "v 10 -10 20\nv 10 10 20\nv -10 10 20\n"
+      "f 1 4 3 2\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"
+      "f 9 10 14 13\nf 10 11 15 14\nf 11 12 16 15\nf 12 9 13 16\nf 13 14 15 16\n";
+  return text + (bridged ? "f 5 6 7 8 5 9 12 11 10 9\n" : "f 5 6 7 11 10 9\nf 5 9 12 11 7 8\n");
+}
+
+TEST_F(SheetCommandTest, AFaceWithAHoleIsCutAsItsPartsWithoutHolesAre) {
+  write("bridged.obj", plate_with_boss(true));
+  write("parts.obj", plate_with_boss(false));
+  for (const char* section : {"front=2", "front=-12", "top=3", "top=12", "side=5", "side=20"}) {
+    const auto strokes = [&](const std::string& part, const std::string& layer) {
+      EXPECT_EQ(run("sheet " + part + ".obj -o s.svg --up z --title plate --section " + section),
+                0);
+      EXPECT_EQ(err_, "");
+      auto all = strokes_of(path_of("s.svg", layer));
+      for (Stroke& stroke : all) {
+        for (double& x : stroke) x = std::round(x * 1e6);
+      }
+      std::ranges::sort(all);
+      return all;
+    };
+    for (const char* layer : {"VISIBLE", "HIDDEN", "HATCH"}) {
+      EXPECT_EQ(strokes("bridged", layer), strokes("parts", layer)) << section << " " << layer;
+    }
+  }
 }
 
 /// Each end of a cutting line has an arrow along the direction of looking: here to the left, as the

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
 #include "clip/error.h"
+#include "clip/planarity.h"
 #include "displayfile/mesh/welded_faces.h"
 #include "hidden/exact/double_double.h"
 #include "hidden/exact/exact_number.h"
@@ -97,32 +99,159 @@ class CutEdges {
   std::unordered_map<std::uint64_t, std::uint32_t> numbers_;
 };
 
-/// From one cut edge to another, through a triangle.
+/// From one cut edge to another, through a face.
 struct Link {
   std::uint32_t from, to;
 };
 
-/// Cuts triangle after triangle, and keeps what is behind.
+/// Loops as one even-odd polygon: each is joined to the first by a bridge there and back.
+template <class Corner>
+std::vector<Corner> joined_by_bridges(std::span<const std::vector<Corner>> loops) {
+  std::vector<Corner> polygon;
+  for (const auto& loop : loops) {
+    polygon.insert(polygon.end(), loop.begin(), loop.end());
+    if (loops.size() > 1) polygon.push_back(loop.front());
+    const bool is_last = &loop == &loops.back();  // its bridge back is the polygon's last side
+    if (&loop != &loops.front() && !is_last) polygon.push_back(loops.front().front());
+  }
+  return polygon;
+}
+
+/// A stretch of a face's outline that is behind the plane, between two cut edges.
+struct Chain {
+  std::uint32_t enters, leaves;     ///< the cut edges
+  std::vector<std::uint32_t> kept;  ///< the vertices between them
+  std::size_t next = 0;             ///< the chain that follows along the plane
+};
+
+/// Cuts one face that the plane meets often, as one that is concave or has holes.
+class FaceCutter {
+ public:
+  FaceCutter(CutEdges& edges, const std::vector<bool>& is_before)
+      : edges_(edges), is_before_(is_before) {}
+
+  /// The chains of a face whose outline the plane meets, each followed by another.
+  std::span<const Chain> chains(std::span<const std::uint32_t> face) {
+    find_chains(face);
+    put_ends_in_order();
+    join_ends_of_bridges();
+    join_other_ends();
+    return chains_;
+  }
+
+ private:
+  /// An end of a chain, on the plane.
+  struct End {
+    std::size_t chain;
+    bool enters;
+  };
+
+  void find_chains(std::span<const std::uint32_t> face) {
+    chains_.clear();
+    const std::size_t n = face.size();
+    std::size_t start = 0;  // the first vertex behind after one before
+    while (is_before_[face[start]] || !is_before_[face[(start + n - 1) % n]]) ++start;
+    std::uint32_t from = face[(start + n - 1) % n];
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::uint32_t to = face[(start + k) % n];
+      if (!is_before_[to]) {
+        if (is_before_[from]) chains_.push_back({edges_.number(to, from), 0, {}});
+        chains_.back().kept.push_back(to);
+      } else if (!is_before_[from]) {
+        chains_.back().leaves = edges_.number(from, to);
+      }
+      from = to;
+    }
+  }
+
+  std::uint32_t edge(const End& end) const {
+    return end.enters ? chains_[end.chain].enters : chains_[end.chain].leaves;
+  }
+  const CutPoint& place(const End& end) const { return edges_.points[edge(end)]; }
+
+  void join(const End& a, const End& b) {
+    const auto& [leaves, enters] = a.enters ? std::pair(b, a) : std::pair(a, b);
+    chains_[leaves.chain].next = enters.chain;
+  }
+
+  /// Along the line in which the face meets the plane.
+  void put_ends_in_order() {
+    ends_.clear();
+    for (std::size_t k = 0; k < chains_.size(); ++k) {
+      ends_.push_back({k, true});
+      ends_.push_back({k, false});
+    }
+    std::size_t axis = 0;
+    double longest = -1.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto at = [&](const End& end) { return place(end)[k].high; };
+      const auto [low, high] = std::ranges::minmax_element(ends_, {}, at);
+      if (at(*high) - at(*low) > longest) {
+        longest = at(*high) - at(*low);
+        axis = k;
+      }
+    }
+    std::ranges::stable_sort(ends_, {}, [&](const End& end) {
+      const DoubleDouble& x = place(end)[axis];
+      return std::tuple(x.high, x.low, edge(end));
+    });
+  }
+
+  /// A bridge leaves what is behind and comes back to it in one cut edge: of the plane it takes
+  /// nothing, wherever it runs.
+  void join_ends_of_bridges() {
+    std::size_t left = 0;  // ends that are none of a bridge's, moved to the front
+    for (const End end : ends_) {
+      const End* const last = left > 0 ? &ends_[left - 1] : nullptr;
+      if (last != nullptr && edge(*last) == edge(end) && last->enters != end.enters) {
+        join(*last, end);
+        --left;
+      } else {
+        ends_[left++] = end;
+      }
+    }
+    ends_.resize(left);
+  }
+
+  /// Within the face ends that leave and ends that come back take turns: each waits for the next
+  /// one of the other kind, the one that came first first. Those at one point may stand in any
+  /// order.
+  void join_other_ends() {
+    std::size_t first = 0, waiting = 0;  // those that wait, moved to the front
+    for (const End end : ends_) {
+      if (first == waiting || ends_[first].enters == end.enters) {
+        ends_[waiting++] = end;
+      } else {
+        join(ends_[first++], end);
+      }
+    }
+  }
+
+  CutEdges& edges_;
+  const std::vector<bool>& is_before_;
+  std::vector<Chain> chains_;
+  std::vector<End> ends_;
+};
+
+/// Cuts face after face, and keeps what is behind.
 class Cutter {
  public:
-  Cutter(const CuttingPlane& plane, const WeldedFaces& faces) : faces_(faces), edges(plane, faces) {
+  Cutter(const CuttingPlane& plane, const WeldedFaces& faces)
+      : faces_(faces), face_cutter_(edges, is_before_), edges(plane, faces) {
     for (const Point3& p : faces.vertices) is_before_.push_back(plane.side(p) >= 0);
     behind.vertices = faces.vertices;
     behind.first_corner.push_back(0);
   }
 
-  void cut_all() {
+  void cut_all(std::span<const Mesh::Object> objects) {
+    std::size_t end_of_object = 0;
     for (std::size_t i = 0; i < faces_.faces(); ++i) {
-      const auto face = faces_.face(i);
-      const auto before = std::ranges::count_if(face, [&](auto v) { return is_before_[v]; });
-      if (before == std::ssize(face)) continue;
-      if (before == 0) {
-        keep(face);
-      } else if (face.size() == 3) {
-        cut(face);
-      } else {
-        cut_polygon(face);
+      if (i == end_of_object && !objects.empty()) {
+        end_of_object += objects.front().faces;
+        objects = objects.subspan(1);
+        first_links.push_back(links.size());
       }
+      cut(faces_.face(i));
     }
     const auto first = static_cast<std::uint32_t>(faces_.vertices.size());
     for (const CutPoint& p : edges.points) behind.vertices.push_back(rounded_point(p));
@@ -140,22 +269,56 @@ class Cutter {
     behind.first_corner.push_back(behind.corners.size());
   }
 
-  void cut_polygon(std::span<const std::uint32_t> face) {
+  void cut(std::span<const std::uint32_t> face) {
+    const auto before = std::ranges::count_if(face, [&](auto v) { return is_before_[v]; });
+    if (before == std::ssize(face)) return;
+    if (before == 0) {
+      keep(face);
+    } else if (is_flat_face(face)) {
+      cut_flat(face);
+    } else {
+      cut_triangles(face);
+    }
+  }
+
+  /// Has put it into the polygon if it is not.
+  bool is_flat_face(std::span<const std::uint32_t> face) {
+    if (face.size() == 3) return true;
     polygon_.clear();
     for (const std::uint32_t v : face) polygon_.push_back(faces_.vertices[v]);
+    return is_flat(polygon_);
+  }
+
+  /// The triangles of a face that is not flat; it is the polygon.
+  void cut_triangles(std::span<const std::uint32_t> face) {
     for (const Triangulation::Triangle& t : triangulation_.triangulate(polygon_)) {
       const std::array corners{face[t.vertex[0]], face[t.vertex[1]], face[t.vertex[2]]};
       const auto before = std::ranges::count_if(corners, [&](auto v) { return is_before_[v]; });
       if (before == 0) keep(corners);
-      if (before == 1 || before == 2) cut(corners);
+      if (before == 1 || before == 2) cut_once(corners);
     }
   }
 
-  void cut(std::span<const std::uint32_t> triangle) {
+  void cut_flat(std::span<const std::uint32_t> face) {
+    std::size_t crossings = 0;
+    std::uint32_t from = face.back();
+    for (const std::uint32_t to : face) {
+      if (is_before_[from] != is_before_[to]) ++crossings;
+      from = to;
+    }
+    if (crossings == 2) {
+      cut_once(face);
+    } else {
+      cut_apart(face);
+    }
+  }
+
+  /// A face whose outline crosses the plane there and back.
+  void cut_once(std::span<const std::uint32_t> face) {
     Link link{};
     piece_.clear();
-    std::uint32_t from = triangle.back();
-    for (const std::uint32_t to : triangle) {
+    std::uint32_t from = face.back();
+    for (const std::uint32_t to : face) {
       if (is_before_[from] != is_before_[to]) {
         const std::uint32_t edge = is_before_[to] ? edges.number(from, to) : edges.number(to, from);
         (is_before_[to] ? link.to : link.from) = edge;
@@ -168,43 +331,113 @@ class Cutter {
     keep(piece_);
   }
 
+  /// A face whose outline crosses the plane more often: its chains are closed along the plane to
+  /// loops, which stay one even-odd polygon.
+  void cut_apart(std::span<const std::uint32_t> face) {
+    const std::span<const Chain> chains = face_cutter_.chains(face);
+    std::vector<bool> is_taken(chains.size(), false);
+    std::vector<std::vector<std::uint32_t>> loops;
+    for (std::size_t first = 0; first < chains.size(); ++first) {
+      if (is_taken[first]) continue;
+      auto& loop = loops.emplace_back();
+      for (std::size_t k = first; !is_taken[k]; k = chains[k].next) {
+        is_taken[k] = true;
+        add_to(loop, chains[k], chains[chains[k].next]);
+      }
+      if (loop.back() == loop.front()) loop.pop_back();
+    }
+    keep(joined_by_bridges<std::uint32_t>(loops));
+  }
+
+  /// Where a bridge is cut there and back nothing is between along the plane.
+  void add_to(std::vector<std::uint32_t>& loop, const Chain& chain, const Chain& next) {
+    const std::uint32_t enters = kOfCutEdge + chain.enters;
+    if (loop.empty() || loop.back() != enters) loop.push_back(enters);
+    loop.insert(loop.end(), chain.kept.begin(), chain.kept.end());
+    loop.push_back(kOfCutEdge + chain.leaves);
+    if (next.enters != chain.leaves) links.push_back({next.enters, chain.leaves});
+  }
+
   const WeldedFaces& faces_;
   std::vector<bool> is_before_;
   Triangulation triangulation_;
   std::vector<Point3> polygon_;
   std::vector<std::uint32_t> piece_;
+  FaceCutter face_cutter_;
 
  public:
   CutEdges edges;
   std::vector<Link> links;
+  std::vector<std::size_t> first_links;  ///< where those of each object begin
   Mesh behind;
 };
 
-/// Chains of links that come back to where they began; nothing if some do not.
-bool chain(std::span<const Link> links, std::size_t edges,
-           std::vector<std::vector<std::uint32_t>>& loops) {
-  constexpr std::uint32_t kNone = 0xFFFFFFFFu;
-  std::vector<std::uint32_t> first(edges, kNone), next(links.size(), kNone);
-  std::vector<int> balance(edges, 0);
-  for (std::uint32_t i = 0; i < links.size(); ++i) {
-    next[i] = std::exchange(first[links[i].from], i);
-    ++balance[links[i].from];
-    --balance[links[i].to];
-  }
-  if (std::ranges::any_of(balance, [](int b) { return b != 0; })) return false;
-  for (std::uint32_t e = 0; e < edges; ++e) {
-    while (first[e] != kNone) {
-      auto& loop = loops.emplace_back();
-      std::uint32_t at = e;
-      do {
-        loop.push_back(at);
-        const std::uint32_t link = first[at];
-        first[at] = next[link];
-        at = links[link].to;
-      } while (at != e);
+using Loop = std::vector<std::uint32_t>;
+
+/// Follows links from cut edge to cut edge until they come back to where they began.
+class LinkChains {
+ public:
+  explicit LinkChains(std::size_t edges) : balance_(edges, 0), first_(edges, kNone) {}
+
+  /// Adds the loops of some links; none, and false, if not as many leave each edge as arrive.
+  bool add_loops(std::span<const Link> links, std::vector<Loop>& loops) {
+    if (!come_back(links)) return false;
+    next_.assign(links.size(), kNone);
+    for (std::uint32_t i = 0; i < links.size(); ++i) {
+      next_[i] = std::exchange(first_[links[i].from], i);
     }
+    for (const Link& link : links) {
+      while (first_[link.from] != kNone) add_loop(links, link.from, loops.emplace_back());
+    }
+    return true;
   }
-  return true;
+
+ private:
+  static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+
+  bool come_back(std::span<const Link> links) {
+    for (const Link& link : links) {
+      ++balance_[link.from];
+      --balance_[link.to];
+    }
+    bool all = true;
+    for (const Link& link : links) {
+      for (const std::uint32_t edge : {link.from, link.to}) {
+        if (std::exchange(balance_[edge], 0) != 0) all = false;
+      }
+    }
+    return all;
+  }
+
+  void add_loop(std::span<const Link> links, std::uint32_t start, Loop& loop) {
+    std::uint32_t at = start;
+    do {
+      loop.push_back(at);
+      const std::uint32_t link = first_[at];
+      first_[at] = next_[link];
+      at = links[link].to;
+    } while (at != start);
+  }
+
+  std::vector<int> balance_;          // of each edge: links that leave it, less those that arrive
+  std::vector<std::uint32_t> first_;  // of those that leave an edge
+  std::vector<std::uint32_t> next_;   // that leaves the same edge
+};
+
+/// The loops of each object by itself, so that those that touch keep what is between them, or else
+/// of all together; none, and false, if these do not come back either.
+bool find_loops(const Cutter& cut, std::vector<Loop>& loops) {
+  LinkChains chains(cut.edges.points.size());
+  const std::span<const Link> links(cut.links);
+  bool closed = true;
+  for (std::size_t k = 0; closed && k < cut.first_links.size(); ++k) {
+    const std::size_t first = cut.first_links[k];
+    const std::size_t end = k + 1 < cut.first_links.size() ? cut.first_links[k + 1] : links.size();
+    closed = chains.add_loops(links.subspan(first, end - first), loops);
+  }
+  if (closed && !cut.first_links.empty()) return true;
+  loops.clear();
+  return chains.add_loops(links, loops);
 }
 
 /// Twice the area of a loop in the projection along an axis.
@@ -237,10 +470,10 @@ Section section(const Mesh& mesh, const SectionPlane& plane) {
   const CuttingPlane cutting(plane);
   const WeldedFaces faces = weld(mesh);
   Cutter cutter(cutting, faces);
-  cutter.cut_all();
+  cutter.cut_all(mesh.objects);
   Section result;
-  std::vector<std::vector<std::uint32_t>> loops;
-  result.closed = chain(cutter.links, cutter.edges.points.size(), loops);
+  std::vector<Loop> loops;
+  result.closed = find_loops(cutter, loops);
   result.behind = std::move(cutter.behind);
   if (!result.closed) return result;
 
@@ -264,14 +497,7 @@ Section section(const Mesh& mesh, const SectionPlane& plane) {
 }
 
 std::vector<Point3> cap_polygon(const Section& section) {
-  std::vector<Point3> polygon;
-  for (const auto& loop : section.loops) {
-    polygon.insert(polygon.end(), loop.begin(), loop.end());
-    polygon.push_back(loop.front());
-    if (&loop != &section.loops.front()) polygon.push_back(section.loops.front().front());
-  }
-  if (section.loops.size() == 1) polygon.pop_back();
-  return polygon;
+  return joined_by_bridges<Point3>(section.loops);
 }
 
 }  // namespace displayfile

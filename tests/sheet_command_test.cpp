@@ -123,6 +123,17 @@ std::vector<Stroke> strokes_of(const std::string& path) {
   return all;
 }
 
+/// How far two strokes run along each other.
+double overlap(const Stroke& a, const Stroke& b) {
+  const double length = std::hypot(a[2] - a[0], a[3] - a[1]);
+  const double u = (a[2] - a[0]) / length, v = (a[3] - a[1]) / length;
+  const auto along = [&](double x, double y) { return (x - a[0]) * u + (y - a[1]) * v; };
+  const auto across = [&](double x, double y) { return (x - a[0]) * v - (y - a[1]) * u; };
+  if (std::abs(across(b[0], b[1])) > 1e-3 || std::abs(across(b[2], b[3])) > 1e-3) return 0.0;
+  const auto [low, high] = std::minmax({along(b[0], b[1]), along(b[2], b[3])});
+  return std::min(high, length) - std::max(low, 0.0);
+}
+
 TEST_F(SheetCommandTest, AMillimetreIsAMillimetreAtOneToOne) {
   ASSERT_EQ(run("sheet box.obj -o box.svg --scale 1:1"), 0) << err_;
   const auto all = numbers("box.svg", "VISIBLE");
@@ -177,6 +188,24 @@ TEST_F(SheetCommandTest, AFaceWithAHoleIsCutAsItsPartsWithoutHolesAre) {
     };
     for (const char* layer : {"VISIBLE", "HIDDEN", "HATCH"}) {
       EXPECT_EQ(strokes("bridged", layer), strokes("parts", layer)) << section << " " << layer;
+    }
+  }
+}
+
+TEST_F(SheetCommandTest, NoLineOfASectionIsDrawnTwice) {
+  write("plate.obj", plate_with_boss(true));
+  write("turned.draw",
+        "open-segment 1\nturn-3 40  9 -10  20 -10  20 10  9 10  9 4  15 4  15 -4  9 -4\n"
+        "close-segment\n");
+  for (const char* part : {"box.obj --section front=10", "plate.obj --up z --section front=2",
+                           "plate.obj --up z --section side=10", "turned.draw --section front=0"}) {
+    ASSERT_EQ(run(std::string("sheet -o s.svg ") + part), 0) << err_;
+    std::vector<Stroke> all = strokes_of(path_of("s.svg", "VISIBLE"));
+    const std::vector<Stroke> hidden = strokes_of(path_of("s.svg", "HIDDEN"));
+    all.insert(all.end(), hidden.begin(), hidden.end());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      EXPECT_GT(std::hypot(all[i][2] - all[i][0], all[i][3] - all[i][1]), 1e-6) << part;
+      for (std::size_t k = 0; k < i; ++k) EXPECT_LT(overlap(all[i], all[k]), 1e-2) << part;
     }
   }
 }

@@ -46,13 +46,14 @@ void add_view(const PartView& view, const Point2& at, double mm, double hatch,
   for (const PartView::Line& line : view.lines) {
     lines.push_back({on_paper(line.from), on_paper(line.to), line.hidden});
   }
-  for (auto& line : chained_lines(unique_lines(lines))) sheet.lines.push_back(std::move(line));
   std::vector<std::vector<Point2>> loops;
   for (const auto& loop : view.cut) {
     auto& placed = loops.emplace_back();
     for (const Point2& p : loop) placed.push_back(on_paper(p));
-    sheet.lines.push_back({SheetLayer::visible, placed, true});
+    Point2 from = placed.back();
+    for (const Point2& to : placed) lines.push_back({std::exchange(from, to), to, false});
   }
+  for (auto& line : chained_lines(unique_lines(lines))) sheet.lines.push_back(std::move(line));
   for (const auto& [from, to] : hatched_loops(loops, hatch, kHatchingDirection)) {
     sheet.lines.push_back({SheetLayer::hatch, {from, to}});
   }

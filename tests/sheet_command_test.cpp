@@ -210,6 +210,24 @@ TEST_F(SheetCommandTest, NoLineOfASectionIsDrawnTwice) {
   }
 }
 
+TEST_F(SheetCommandTest, SolidsOfOneProgramThatTouchAreHatched) {
+  const std::string low = "box-3 0 40 0 20 0 10\n", high = "box-3 0 10 0 20 10 30\n";
+  write("box.draw", "open-segment 1\n" + low + high + "close-segment\n");
+  write("two.draw",
+        "open-segment 1\n" + low + "close-segment\nopen-segment 2\n" + high + "close-segment\n");
+  write("a.draw", "open-segment 1\n" + low + "close-segment\n");
+  write("b.draw", "open-segment 1\n" + high + "close-segment\n");
+  const auto sheet = [&](const std::string& parts) {
+    EXPECT_EQ(run("sheet " + parts + " --up z --title a -o s.svg --section front=-10"), 0);
+    EXPECT_EQ(err_, "");
+    return read(folder_ / "s.svg");
+  };
+  const std::string files = sheet("a.draw b.draw");
+  EXPECT_FALSE(numbers("s.svg", "HATCH").empty());
+  EXPECT_TRUE(sheet("box.draw") == files);
+  EXPECT_TRUE(sheet("two.draw") == files);
+}
+
 /// Each end of a cutting line has an arrow along the direction of looking: here to the left, as the
 /// side view is seen from the right.
 TEST_F(SheetCommandTest, ArrowsOfACuttingLineSayFromWhereItIsSeen) {

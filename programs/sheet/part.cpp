@@ -11,6 +11,7 @@
 #include "displayfile/text/drawing_program.h"
 #include "programs/inputs.h"
 #include "programs/progress.h"
+#include "programs/sheet/closed_pieces.h"
 #include "programs/warnings.h"
 
 namespace displayfile {
@@ -43,7 +44,7 @@ Mesh polygons_of_program(const std::string& input) {
     }
     mesh.first_corner.push_back(mesh.corners.size());
   }
-  if (mesh.faces() > 0) mesh.objects.push_back({"", 0, mesh.faces()});
+  mesh.objects = closed_pieces(mesh);
   if (system.said().contains(Setting::camera) && !scene.segments().empty()) {
     mesh.upright = upright_of(scene.segments().front().view);
   }

@@ -210,6 +210,20 @@ TEST_F(SheetCommandTest, NoLineOfASectionIsDrawnTwice) {
   }
 }
 
+/// A plane that touches a shaft: rounding leaves a strip of the cut face that is as good as none.
+TEST_F(SheetCommandTest, ACutFaceWithoutAreaIsNotDrawn) {
+  write("shaft.draw",
+        "open-segment 1\nrotate-y-3 90\n"
+        "turn-3 48  0 0  10 0  12 2  12 40  18 40  18 90  14 90  14 130  12 132  0 132\n"
+        "close-segment\n");
+  for (const char* plane : {"front=12", "top=12", "top=14", "front=-12"}) {
+    ASSERT_EQ(run(std::string("sheet shaft.draw -o s.svg --up z --section ") + plane), 0) << err_;
+    for (const Stroke& stroke : strokes_of(path_of("s.svg", "HATCH"))) {
+      EXPECT_GT(std::hypot(stroke[2] - stroke[0], stroke[3] - stroke[1]), 1e-6) << plane;
+    }
+  }
+}
+
 TEST_F(SheetCommandTest, SolidsOfOneProgramThatTouchAreHatched) {
   const std::string low = "box-3 0 40 0 20 0 10\n", high = "box-3 0 10 0 20 10 30\n";
   write("box.draw", "open-segment 1\n" + low + high + "close-segment\n");

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "clip/error.h"
@@ -15,7 +17,8 @@ namespace displayfile {
 
 namespace {
 
-constexpr double kLeastGap = 12.0;  // between views, and to the frame
+constexpr double kLeastGap = 12.0;     // between views, and to the frame
+constexpr double kLeastLength = 1e-6;  // of a line, or across a cut face
 
 /// Sizes of the two columns and the two rows, in the part's unit.
 struct Cells {
@@ -39,6 +42,19 @@ Point2 room_for_views(const SheetWords& words) {
   return {words.width - 2.0 * words.margin, words.height - 2.0 * words.margin - kTitleHeight};
 }
 
+/// False where a plane touches a curved face: there rounding may leave a loop with nothing in it.
+bool has_area(const std::vector<Point2>& loop) {
+  double twice_area = 0.0, around = 0.0;
+  Point2 from = loop.back();
+  for (const Point2& to : loop) {
+    const Point2 a = from - loop.front(), b = to - loop.front();
+    twice_area += a.x * b.y - b.x * a.y;
+    around += glm::distance(from, to);
+    from = to;
+  }
+  return std::abs(twice_area) > kLeastLength * around;
+}
+
 void add_view(const PartView& view, const Point2& at, double mm, double hatch,
               DrawingSheet& sheet) {
   const auto on_paper = [&](const Point2& p) { return at + mm * (p - view.low); };
@@ -48,14 +64,18 @@ void add_view(const PartView& view, const Point2& at, double mm, double hatch,
   }
   std::vector<std::vector<Point2>> loops;
   for (const auto& loop : view.cut) {
-    auto& placed = loops.emplace_back();
+    std::vector<Point2> placed;
     for (const Point2& p : loop) placed.push_back(on_paper(p));
+    if (!has_area(placed)) continue;
     Point2 from = placed.back();
     for (const Point2& to : placed) lines.push_back({std::exchange(from, to), to, false});
+    loops.push_back(std::move(placed));
   }
   for (auto& line : chained_lines(unique_lines(lines))) sheet.lines.push_back(std::move(line));
   for (const auto& [from, to] : hatched_loops(loops, hatch, kHatchingDirection)) {
-    sheet.lines.push_back({SheetLayer::hatch, {from, to}});
+    if (glm::distance(from, to) > kLeastLength) {
+      sheet.lines.push_back({SheetLayer::hatch, {from, to}});
+    }
   }
 }
 

@@ -224,6 +224,22 @@ TEST_F(SheetCommandTest, ACutFaceWithoutAreaIsNotDrawn) {
   }
 }
 
+/// The slope of a wedge is seen edge-on in the front view; its edges are behind the face that was
+/// cut, and the middle one behind the block on it.
+TEST_F(SheetCommandTest, EdgesOfAFaceSeenEdgeOnAreHidden) {
+  write("ramp.draw",
+        "open-segment 1\nbegin-solid difference\nbegin-solid union\nwedge-3 0 60 0 40 0 30\n"
+        "box-3 20 30 20 30 0 40\nend-solid\nbox-3 -64 64 -64 25 -64 64\nend-solid\n"
+        "close-segment\n");
+  if (run("sheet ramp.draw -o s.svg --up z --scale 1:1") == 2) GTEST_SKIP() << err_;
+  int slopes = 0;
+  for (const Stroke& stroke : strokes_of(path_of("s.svg", "HIDDEN"))) {
+    slopes += std::abs(stroke[2] - stroke[0] - 10.0) < 1e-9 &&
+              std::abs(std::abs(stroke[3] - stroke[1]) - 5.0) < 1e-9;
+  }
+  EXPECT_EQ(slopes, 1);
+}
+
 TEST_F(SheetCommandTest, SolidsOfOneProgramThatTouchAreHatched) {
   const std::string low = "box-3 0 40 0 20 0 10\n", high = "box-3 0 10 0 20 10 30\n";
   write("box.draw", "open-segment 1\n" + low + high + "close-segment\n");

@@ -71,6 +71,24 @@ struct LineCollector {
   void polygon(std::span<const Point3>, std::span<const std::int32_t>) {}
 };
 
+/// Middle and half the side of a window around all that is seen.
+struct SquareWindow {
+  Point3 middle;
+  double half;
+};
+
+/// Its side is a power of 2, and its middle a multiple of a part of that: coordinates of few digits
+/// are the window's without rounding, so that what is in line on paper stays so, and a face that is
+/// seen edge-on is.
+SquareWindow exact_window(const SeenBox& box) {
+  constexpr double kSteps = 1024.0, kMargin = 1.02;
+  const Point3 extent = box.high - box.low;
+  const double size = std::max({extent.x, extent.y, extent.z});
+  const double half = size > 0.0 ? std::exp2(std::ceil(std::log2(0.5 * kMargin * size))) : 1.0;
+  const double step = half / kSteps;
+  return {step * glm::round(0.5 * (box.low + box.high) / step), half};
+}
+
 void find_lines(const Mesh& mesh, const Section* cut, const LineSelection& selection, int threads,
                 PartView& view) {
   if (mesh.faces() == 0 && (cut == nullptr || cut->loops.empty())) return;
@@ -80,9 +98,7 @@ void find_lines(const Mesh& mesh, const Section* cut, const LineSelection& selec
       for (const Point3& p : loop) box.include(p);
     }
   }
-  const Point3 middle = 0.5 * (box.low + box.high), extent = box.high - box.low;
-  const double size = std::max({extent.x, extent.y, extent.z});
-  const double half = size > 0.0 ? 0.51 * size : 1.0;
+  const auto [middle, half] = exact_window(box);
   GraphicsSystem system;
   system.set_threads(threads);
   system.set_window(middle.x - half, middle.x + half, middle.y - half, middle.y + half);

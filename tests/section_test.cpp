@@ -198,6 +198,39 @@ TEST(Section, LoopsOfAFaceWithHolesAreThoseOfTheSolid) {
   EXPECT_EQ(extents, expected);
 }
 
+/// A prism of three sides on a plate: the plane cuts the plate, and touches the prism in an edge.
+TEST(Section, AnEdgeThatThePlaneTouchesIsInNoLoop) {
+  const Mesh mesh = mesh_of({{0, 0, 0},
+                             {4, 0, 0},
+                             {4, 2, 0},
+                             {0, 2, 0},
+                             {0, 0, 1},
+                             {4, 0, 1},
+                             {4, 2, 1},
+                             {0, 2, 1},
+                             {2, 1, 1},
+                             {1, 0.5, 1},
+                             {3, 0.5, 1},
+                             {2, 1, 2},
+                             {1, 0.5, 2},
+                             {3, 0.5, 2}},
+                            {{0, 3, 2, 1},
+                             {0, 1, 5, 4},
+                             {1, 2, 6, 5},
+                             {2, 3, 7, 6},
+                             {3, 0, 4, 7},
+                             {4, 5, 6, 7, 4, 9, 8, 10, 9},
+                             {8, 9, 12, 11},
+                             {9, 10, 13, 12},
+                             {10, 8, 11, 13},
+                             {11, 12, 13}});
+  ASSERT_TRUE(closed_and_consistently_oriented(mesh));
+  const Section cut = section(mesh, {{0, 1, 0}, 1.0});
+  ASSERT_EQ(cut.loops.size(), 1U);
+  for (const Point3& p : cut.loops[0]) EXPECT_LE(p.z, 1.0);
+  EXPECT_EQ(cut.area, 4.0);
+}
+
 /// Two cubes, one on the other: what is between them is in the loops of both.
 TEST(Section, ObjectsThatTouchHaveLoopsOfTheirOwn) {
   Mesh stack = unit_cube();

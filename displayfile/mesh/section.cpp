@@ -453,6 +453,36 @@ DoubleDouble twice_area(std::span<const CutPoint> points, std::span<const std::u
   return sum;
 }
 
+/// The points of a loop, without those that follow themselves, and without stretches there and
+/// back, where the plane touches an edge of the mesh.
+std::vector<Point3> outline(std::span<const CutPoint> cut_points, const Loop& loop) {
+  std::vector<Point3> points;
+  const auto folds_at_end = [&](const Point3& next) {
+    const std::size_t n = points.size();
+    return n > 0 && (points[n - 1] == next || (n > 1 && points[n - 2] == next));
+  };
+  for (const std::uint32_t edge : loop) {
+    const Point3 p = rounded_point(cut_points[edge]);
+    if (folds_at_end(p)) {
+      if (points.back() != p) points.pop_back();
+    } else {
+      points.push_back(p);
+    }
+  }
+  std::size_t first = 0;  // the end is followed by the beginning
+  while (points.size() > first + 1) {
+    if (folds_at_end(points[first])) {
+      points.pop_back();
+    } else if (points.back() == points[first + 1]) {
+      ++first;
+    } else {
+      break;
+    }
+  }
+  points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(first));
+  return points;
+}
+
 void require_plane(const SectionPlane& plane) {
   const auto is_finite = [](double x) { return std::isfinite(x); };
   const Point3& n = plane.normal;
@@ -484,12 +514,7 @@ Section section(const Mesh& mesh, const SectionPlane& plane) {
   DoubleDouble sum;
   for (const auto& loop : loops) {
     sum = sum + twice_area(cutter.edges.points, loop, static_cast<std::size_t>(axis));
-    std::vector<Point3> points;
-    for (const std::uint32_t edge : loop) {
-      const Point3 p = rounded_point(cutter.edges.points[edge]);
-      if (points.empty() || points.back() != p) points.push_back(p);
-    }
-    while (points.size() > 1 && points.back() == points.front()) points.pop_back();
+    std::vector<Point3> points = outline(cutter.edges.points, loop);
     if (points.size() > 2) result.loops.push_back(std::move(points));
   }
   result.area = 0.5 * sum.high * (glm::length(plane.normal) / plane.normal[axis]);

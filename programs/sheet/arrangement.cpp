@@ -65,6 +65,7 @@ void add_view(const PartView& view, const Point2& at, double mm, double hatch,
   std::vector<std::vector<Point2>> loops;
   for (const auto& loop : view.cut) {
     std::vector<Point2> placed;
+    placed.reserve(loop.size());
     for (const Point2& p : loop) placed.push_back(on_paper(p));
     if (!has_area(placed)) continue;
     Point2 from = placed.back();

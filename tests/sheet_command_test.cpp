@@ -258,6 +258,20 @@ TEST_F(SheetCommandTest, SolidsOfOneProgramThatTouchAreHatched) {
   EXPECT_TRUE(sheet("two.draw") == files);
 }
 
+/// In the isometric view, whose coordinates are rounded, too: of the edges that go to the right and
+/// up these are two of each box's upper and right faces, and the foot of the one on the other.
+TEST_F(SheetCommandTest, TheFootOfASolidOnAnotherIsSeen) {
+  write("two.draw", "open-segment 1\nbox-3 0 40 0 20 0 10\nbox-3 0 10 0 20 10 30\nclose-segment\n");
+  ASSERT_EQ(run("sheet two.draw --up z -o s.svg --scale 1:1"), 0) << err_;
+  const double right = 20.0 / std::sqrt(2.0), up = 20.0 / std::sqrt(6.0);
+  int edges = 0;
+  for (const Stroke& stroke : strokes_of(path_of("s.svg", "VISIBLE"))) {
+    edges += std::abs(stroke[2] - stroke[0] - right) < 1e-6 &&
+             std::abs(stroke[1] - stroke[3] - up) < 1e-6;
+  }
+  EXPECT_EQ(edges, 5);
+}
+
 /// Each end of a cutting line has an arrow along the direction of looking: here to the left, as the
 /// side view is seen from the right.
 TEST_F(SheetCommandTest, ArrowsOfACuttingLineSayFromWhereItIsSeen) {

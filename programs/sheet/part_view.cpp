@@ -89,6 +89,15 @@ SquareWindow exact_window(const SeenBox& box) {
   return {step * glm::round(0.5 * (box.low + box.high) / step), half};
 }
 
+/// Which depths are the same. The isometric view's coordinates are rounded: of solids that touch,
+/// the edges of one would be before or behind the face of the other as it comes. The other views'
+/// are not.
+Precision precision_of(ViewKind kind) {
+  constexpr double kRounding = 1e-12;
+  if (kind == ViewKind::isometric) return {.exact = false, .roundoff = kRounding};
+  return {};
+}
+
 void find_lines(const Mesh& mesh, const Section* cut, const LineSelection& selection, int threads,
                 PartView& view) {
   if (mesh.faces() == 0 && (cut == nullptr || cut->loops.empty())) return;
@@ -130,6 +139,7 @@ void find_lines(const Mesh& mesh, const Section* cut, const LineSelection& selec
   options.scope = HiddenScope::all;
   options.threads = threads;
   options.hidden_lines = HiddenLines::dashed;
+  options.precision = precision_of(view.kind);
   const DisplayFile& file = sorted.update(system, HiddenMethod::franklin, options);
   LineCollector collector{{middle.x - half, middle.y - half}, 2.0 * half, view.lines, cap};
   if (file.sorted()) {

@@ -31,9 +31,10 @@ struct PartView {
   std::optional<double> position;        ///< of a section, along toward_viewer
 };
 
-/// Finds a view's lines, the hidden ones too, exactly (hidden/lines/franklin.md). With a position
-/// the part is cut there, and what is nearer to the viewer taken away; `hatched` is false if the
-/// part is not closed: then the cut face is open.
+/// Finds a view's lines, the hidden ones too, exactly (hidden/lines/franklin.md); in the isometric
+/// view depths that rounding may have parted are the same. With a position the part is cut there,
+/// and what is nearer to the viewer taken away; `hatched` is false if the part is not closed: then
+/// the cut face is open.
 PartView view_of_part(const Mesh& part, ViewKind kind, const LineSelection& lines,
                       std::optional<double> position, bool hatched, int threads);
 

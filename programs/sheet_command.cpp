@@ -233,7 +233,7 @@ int SheetCommand::run() {
     }
   }
   const bool is_cut = std::ranges::any_of(positions, [](const auto& p) { return p.has_value(); });
-  const bool hatched = is_cut && closed_and_consistently_oriented(part);
+  const bool hatched = is_cut && edges_pair_up(part);
   if (is_cut && !hatched) {
     warnings() << fmt::format(
         "{}: not closed and consistently oriented: the section is drawn open, without hatching\n",

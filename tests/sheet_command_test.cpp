@@ -258,6 +258,21 @@ TEST_F(SheetCommandTest, SolidsOfOneProgramThatTouchAreHatched) {
   EXPECT_TRUE(sheet("two.draw") == files);
 }
 
+/// The inner faces of a hollow part enclose a volume that is not its own.
+TEST_F(SheetCommandTest, AHollowPartIsHatchedAroundItsHollow) {
+  write("hollow.draw",
+        "open-segment 1\nbegin-solid difference\nbox-3 0 40 0 30 0 20\nbox-3 10 30 10 20 5 15\n"
+        "end-solid\nclose-segment\n");
+  write("whole.draw", "open-segment 1\nbox-3 0 40 0 30 0 20\nclose-segment\n");
+  const auto hatching = [&](const std::string& part, const std::string& front) {
+    EXPECT_EQ(run("sheet " + part + " --up z --scale 1:1 -o s.svg --section front=" + front), 0);
+    EXPECT_EQ(err_, "");
+    return numbers("s.svg", "HATCH");
+  };
+  EXPECT_EQ(hatching("hollow.draw", "-5"), hatching("whole.draw", "-5"));
+  EXPECT_GT(hatching("hollow.draw", "-15").size(), hatching("whole.draw", "-15").size());
+}
+
 /// In the isometric view, whose coordinates are rounded, too: of the edges that go to the right and
 /// up these are two of each box's upper and right faces, and the foot of the one on the other.
 TEST_F(SheetCommandTest, TheFootOfASolidOnAnotherIsSeen) {

@@ -15,7 +15,8 @@ void require_sheet_file(const std::string& file) {
   if (!kWritesDxf) {
     throw Error(
         fmt::format("{}: this build has no dxflib, which writes DXF: install it (Debian: "
-                    "libdxflib-dev) and build again", file));
+                    "libdxflib-dev) and build again",
+                    file));
   }
 }
 

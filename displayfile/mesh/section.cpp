@@ -184,10 +184,13 @@ class FaceCutter {
     std::size_t axis = 0;
     double longest = -1.0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto at = [&](const End& end) { return place(end)[k].high; };
-      const auto [low, high] = std::ranges::minmax_element(ends_, {}, at);
-      if (at(*high) - at(*low) > longest) {
-        longest = at(*high) - at(*low);
+      double low = place(ends_.front())[k].high, high = low;
+      for (const End& end : ends_) {
+        low = std::min(low, place(end)[k].high);
+        high = std::max(high, place(end)[k].high);
+      }
+      if (high - low > longest) {
+        longest = high - low;
         axis = k;
       }
     }

@@ -241,6 +241,15 @@ TEST_F(SurfaceCommandTest, CommasAndComparisonsAreInExpressions) {
   EXPECT_EQ(run("surface 'x>=0 && y<=1 && x!=y || x==y ? max(x,y) : 0' -o s.svg"), 0) << err_;
 }
 
+TEST_F(SurfaceCommandTest, AnExpressionMayBeLongerThanAFilesName) {
+  if (!reads_expressions()) GTEST_SKIP() << "no muParser";
+  std::string sum = "x";
+  for (int i = 0; i < 300; ++i) sum += "+y";
+  ASSERT_EQ(run("surface '" + sum + "' --grid 3x3 -o long.svg"), 0) << err_;
+  EXPECT_EQ(err_, "");
+  EXPECT_GT(read(folder_ / "long.svg").size(), 1000u);
+}
+
 TEST_F(SurfaceCommandTest, AnExpressionThatIsNoneIsToldWithItsPlace) {
   if (!reads_expressions()) GTEST_SKIP() << "no muParser";
   refuses("'sin(x' -o s.svg", "expression 'sin(x': at character 7: Missing parenthesis");

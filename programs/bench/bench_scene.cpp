@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 
 #include "clip/error.h"
 #include "displayfile/sorted_display_file.h"
@@ -120,7 +121,8 @@ void add_named(const std::string& name, const SceneChoice& choice,
   if (const HardCase* family = find(hard_cases(), name)) {
     return add_hard_case(*family, choice, scenes);
   }
-  if (std::filesystem::is_regular_file(name)) return add_input(name, choice, scenes);
+  std::error_code failed;
+  if (std::filesystem::is_regular_file(name, failed)) return add_input(name, choice, scenes);
   std::string generated;
   for (const GeneratedScene& scene : generated_scenes()) generated += std::string(scene.name) + ' ';
   throw Error(

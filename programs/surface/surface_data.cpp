@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <limits>
 #include <string_view>
+#include <system_error>
 #include <variant>
 
 #include "clip/error.h"
@@ -83,6 +84,12 @@ void read_npy_grid(const std::string& file, SurfaceData& surface) {
              array.values);
 }
 
+/// An expression may be longer than any file's name.
+bool is_there(const std::string& file) {
+  std::error_code failed;
+  return std::filesystem::exists(file, failed);
+}
+
 }  // namespace
 
 void read_range(const char* option, const std::string& text, double& low, double& high) {
@@ -129,7 +136,7 @@ SurfaceData read_surface(const std::string& expression_or_file, const GridRange&
     read_text_grid(expression_or_file, surface);
   } else if (expression_or_file == "-") {
     throw Error("-: expected an expression in x and y, or heights in a file .npy, .txt or .csv");
-  } else if (std::filesystem::exists(expression_or_file)) {
+  } else if (is_there(expression_or_file)) {
     throw Error(expression_or_file + ": expected heights in a file .npy, .txt or .csv");
   } else {
     Progress progress("evaluating " + expression_or_file);

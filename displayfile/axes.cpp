@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "clip/flat_box.h"
 #include "displayfile/characters.h"
 
 namespace displayfile {
@@ -51,41 +52,27 @@ struct Label {
   TextStyle::Alignment alignment;
 };
 
-/// What letters take up of the picture.
-struct Box {
-  Point2 low, high;
-
-  Box widened(const Point2& by) const { return {low - by, high + by}; }
-  bool overlaps(const Box& other) const {
-    return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y &&
-           other.low.y < high.y;
-  }
-  bool is_inside(const Box& other) const {
-    return low.x >= other.low.x && high.x <= other.high.x && low.y >= other.low.y &&
-           high.y <= other.high.y;
-  }
-  /// Liang and Barsky's test.
-  bool meets(const Point2& from, const Point2& to) const {
-    double first = 0.0, last = 1.0;
-    for (int a = 0; a < 2; ++a) {
-      const double along = to[a] - from[a];
-      if (along == 0.0) {
-        if (from[a] <= low[a] || from[a] >= high[a]) return false;
-        continue;
-      }
-      const double enters = (low[a] - from[a]) / along, leaves = (high[a] - from[a]) / along;
-      first = std::max(first, std::min(enters, leaves));
-      last = std::min(last, std::max(enters, leaves));
+/// Liang and Barsky's test: whether a line comes into a box.
+bool comes_into(const FlatBox& box, const Point2& from, const Point2& to) {
+  double first = 0.0, last = 1.0;
+  for (int a = 0; a < 2; ++a) {
+    const double along = to[a] - from[a];
+    if (along == 0.0) {
+      if (from[a] <= box.low[a] || from[a] >= box.high[a]) return false;
+      continue;
     }
-    return first < last;
+    const double enters = (box.low[a] - from[a]) / along, leaves = (box.high[a] - from[a]) / along;
+    first = std::max(first, std::min(enters, leaves));
+    last = std::min(last, std::max(enters, leaves));
   }
-};
+  return first < last;
+}
 
 /// What is drawn of all axes.
 struct Axes {
   std::vector<std::array<Point3, 2>> lines;
   std::vector<Label> labels;
-  std::vector<Box> boxes;  ///< of the labels
+  std::vector<FlatBox> boxes;  ///< of the labels
 };
 
 std::size_t letters(std::string_view text) {
@@ -190,7 +177,7 @@ class AxesOfBox {
     const Point2 away(0.0, seen(end).y >= seen(high ? edge.from : edge.to).y ? 1.0 : -1.0);
     for (double distance = kNearest; distance <= kFarthest; distance += kFarther) {
       Label placed = label(end, away, distance, std::string(name));
-      const Box box = box_of(placed);
+      const FlatBox box = box_of(placed);
       const double right_by = std::max(0.0, picture().low.x - box.low.x);
       const double left_by = std::max(0.0, box.high.x - picture().high.x);
       placed.at = moved(placed.at, Point2(right_by - left_by, 0.0));
@@ -202,22 +189,23 @@ class AxesOfBox {
   }
 
   bool has_room(const Label& label, const Point2& around, const Axes& axes) const {
-    const Box box = box_of(label).widened(around * size_);
-    return std::ranges::none_of(axes.boxes, [&](const Box& other) { return box.overlaps(other); });
+    const FlatBox box = box_of(label).widened(around * size_);
+    return std::ranges::none_of(axes.boxes,
+                                [&](const FlatBox& other) { return box.overlaps(other); });
   }
-  Box picture() const {
-    return Box{Point2(0.0), Point2(system_.aspect_ratio(), 1.0)}.widened(
+  FlatBox picture() const {
+    return FlatBox{Point2(0.0), Point2(system_.aspect_ratio(), 1.0)}.widened(
         Point2(-0.5 * kGap * size_));
   }
-  bool is_in_picture(const Label& label) const { return box_of(label).is_inside(picture()); }
+  bool is_in_picture(const Label& label) const { return box_of(label).lies_in(picture()); }
 
   /// True if the letters come over an edge of the box.
   bool meets_box(const Label& label) const {
-    const Box letters = box_of(label).widened(Point2(kGap * size_));
+    const FlatBox letters = box_of(label).widened(Point2(kGap * size_));
     for (int from = 0; from < 8; ++from) {
       for (int along = 0; along < 3; ++along) {
         const int to = from | (1 << along);
-        if (to != from && letters.meets(seen(corner(bits(from))), seen(corner(bits(to))))) {
+        if (to != from && comes_into(letters, seen(corner(bits(from))), seen(corner(bits(to))))) {
           return true;
         }
       }
@@ -232,7 +220,7 @@ class AxesOfBox {
   }
 
   /// About: fonts differ.
-  Box box_of(const Label& label) const {
+  FlatBox box_of(const Label& label) const {
     const double width = kLetterWidth * size_ * static_cast<double>(letters(label.text));
     const double before = label.alignment == TextStyle::Alignment::left    ? 0.0
                           : label.alignment == TextStyle::Alignment::right ? width

@@ -27,6 +27,16 @@ struct Retained {
   Retained& operator=(const Retained&) = delete;
 };
 
+/// A quadrilateral with a vertex off its plane by less than the tolerance, from so near that this
+/// is a fifth of the picture.
+inline void draw_vertex_off_its_plane(GraphicsSystem& g) {
+  g.set_parallel({0.0, 1.0, 1.0});
+  g.set_window(-0.500002, -0.499998, 0.499998, 0.500002);
+  g.open_segment(1);
+  g.polygon_abs_3({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-0.5, 0.5, 8e-7}});
+  g.close_segment();
+}
+
 /// All its segments were entered in one view, and there are some.
 inline bool is_of_one_view(const RetainedScene& scene) {
   for (const auto& segment : scene.segments()) {

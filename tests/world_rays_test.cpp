@@ -204,16 +204,9 @@ TEST(WorldRays, BackFacesAreThoseOfWhatClippingLeaves) {
   EXPECT_EQ(seen(leaning, front_plane), 0);
 }
 
-/// A quadrilateral with a vertex off its plane by less than the tolerance, from so near that this
-/// is a fifth of the picture.
 TEST(WorldRays, VerticesOffThePlaneAreSeenWhereTheyAre) {
   Retained retained;
-  GraphicsSystem& g = retained.system;
-  g.set_parallel({0.0, 1.0, 1.0});
-  g.set_window(-0.500002, -0.499998, 0.499998, 0.500002);
-  g.open_segment(1);
-  g.polygon_abs_3({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-0.5, 0.5, 8e-7}});
-  g.close_segment();
+  test::draw_vertex_off_its_plane(retained.system);
   EXPECT_EQ(std::ranges::count(seen_as_in_world_truth(retained, {32, 32}), 0), 210);
 }
 
@@ -425,7 +418,7 @@ TEST(WorldRays, EdgesThroughPixelCentresCoverAsTheTruthSays) {
   EXPECT_GT(std::ranges::count(seen_as_in_world_truth(retained, {32, 32}), -1), 0);
 }
 
-/// Of vertices that are equally far away the definition takes the first.
+/// The definition takes the first of vertices that are equally far away.
 TEST(WorldRays, TheSupportPlaneGoesThroughTheFirstOfEquals) {
   const View view;
   const ViewVolume volume(view);

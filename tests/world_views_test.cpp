@@ -258,12 +258,8 @@ TEST(Picking, ThroughBackFacesByWhatClippingLeaves) {
 /// A vertex off the plane, within the tolerance, does not move in the picture.
 TEST(Picking, VerticesOffThePlaneAreSeenWhereTheyAre) {
   Retained retained;
-  GraphicsSystem& g = retained.system;
-  g.set_parallel({0.0, 1.0, 1.0});
-  g.set_window(-0.500002, -0.499998, 0.499998, 0.500002);
-  g.open_segment(1);
-  g.polygon_abs_3({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-0.5, 0.5, 8e-7}});
-  g.close_segment();
+  const GraphicsSystem& g = retained.system;
+  test::draw_vertex_off_its_plane(retained.system);
   const WorldViews world(retained.scene, g.display_file());
   for (const double aside : {-0.01, 0.01}) {  // of the vertex, which is seen 8e-7 lower
     EXPECT_EQ(world.pick(g.view(), 0.5 + aside, 0.3).has_value(), aside > 0.0) << aside;

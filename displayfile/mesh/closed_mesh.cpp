@@ -105,7 +105,8 @@ bool bounds_solids(const WeldedFaces& faces) {
   return edges_pair_up(faces) && volumes_are_positive(faces);
 }
 
-/// Of all objects taken together, or of each by itself. It holds only where edges pair up.
+/// True if it holds of all objects taken together, or of each by itself. It must hold only where
+/// edges pair up.
 template <class Holds>
 bool holds_of_all(const Mesh& mesh, const Holds& holds) {
   if (mesh.objects.empty() || !edges_may_pair_up(mesh)) return false;

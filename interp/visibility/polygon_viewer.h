@@ -56,7 +56,7 @@ class PolygonViewer {
   ClipPipeline pipeline_;
   std::vector<in_world::OverBoxes> clip_;  // as near_.clip
   in_world::OverBoxes x_, y_, z_, w_;
-  // Of the polygon viewed last:
+  // What is known of the polygon viewed last:
   std::vector<Seen> seen_;  // its vertices, none where balls did not decide
   in_world::WorldPoints<Ball> points_, cut_;
 };

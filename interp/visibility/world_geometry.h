@@ -313,7 +313,7 @@ inline Support exact_support(const WorldPoints<ExactNumber>& points,
     p.x = p.x * first.w - first.x * p.w;
     p.y = p.y * first.w - first.y * p.w;
   }
-  /// Of the largest of quotients that are not negative, the first of equals.
+  /// The largest of quotients that are not negative; the first, if some are equal.
   const auto largest = [&](const auto& above, const auto& below) {
     std::uint32_t best = 0;
     ExactNumber most, most_below(1.0);

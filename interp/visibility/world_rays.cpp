@@ -301,7 +301,7 @@ class WorldRays::Caster {
     return {points[support[0]], points[support[1]], points[support[2]]};
   }
 
-  /// Of a polygon of which each view makes something else.
+  /// What the view makes of a polygon of which each makes something else.
   PolygonViewer::Viewed viewed(const Polygon& polygon) const {
     if (!viewed_.empty()) return viewed_[polygon.by_view];
     return viewer().view({world_.points(polygon), polygon.flat, polygon.both_sides});

@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "clip/flat_box.h"
 #include "programs/sheet/text_fit.h"
 
 namespace displayfile {
@@ -17,33 +18,19 @@ namespace {
 
 constexpr double kLetter = 3.5;  // height
 
-/// A rectangle of the paper.
-struct Box {
-  Point2 low, high;
+FlatBox box_around(std::span<const Point2> points) {
+  FlatBox box{points.front(), points.front()};
+  for (const Point2& p : points) box = {glm::min(box.low, p), glm::max(box.high, p)};
+  return box;
+}
+double distance(const FlatBox& a, const FlatBox& b) {
+  const Point2 apart = glm::max(a.low - b.high, b.low - a.high);
+  return glm::length(glm::max(apart, Point2(0.0)));
+}
 
-  static Box around(std::span<const Point2> points) {
-    Box box{points.front(), points.front()};
-    for (const Point2& p : points) box = {glm::min(box.low, p), glm::max(box.high, p)};
-    return box;
-  }
-  Box widened(const Point2& by) const { return {low - by, high + by}; }
-  bool meets(const Box& other) const {
-    return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y &&
-           other.low.y < high.y;
-  }
-  bool lies_in(const Box& other) const {
-    return low.x >= other.low.x && low.y >= other.low.y && high.x <= other.high.x &&
-           high.y <= other.high.y;
-  }
-  double distance(const Box& other) const {
-    const Point2 apart = glm::max(low - other.high, other.low - high);
-    return glm::length(glm::max(apart, Point2(0.0)));
-  }
-};
+FlatBox box_of(const PlacedView& view) { return {view.low, view.high}; }
 
-Box box_of(const PlacedView& view) { return {view.low, view.high}; }
-
-Box box_of_text(const Point2& middle_of_baseline, const std::string& text) {
+FlatBox box_of_text(const Point2& middle_of_baseline, const std::string& text) {
   const double half = text_width(text, kLetter) / 2.0;
   return {middle_of_baseline - Point2(half, 0.0), middle_of_baseline + Point2(half, kLetter)};
 }
@@ -59,15 +46,15 @@ class Taken {
         {{frame_.high.x - block, frame_.low.y}, {frame_.high.x, frame_.low.y + kTitleHeight}});
     for (const PlacedView& view : views) boxes_.push_back(box_of(view));
   }
-  void add(const Box& box) { boxes_.push_back(box); }
-  bool is_free(const Box& box) const {
+  void add(const FlatBox& box) { boxes_.push_back(box); }
+  bool is_free(const FlatBox& box) const {
     return box.lies_in(frame_) &&
-           std::ranges::none_of(boxes_, [&](const Box& other) { return box.meets(other); });
+           std::ranges::none_of(boxes_, [&](const FlatBox& other) { return box.overlaps(other); });
   }
 
  private:
-  Box frame_{};
-  std::vector<Box> boxes_;
+  FlatBox frame_{};
+  std::vector<FlatBox> boxes_;
 };
 
 /// An end of a cutting line: thick for a little, and an arrow that points along the direction in
@@ -85,11 +72,11 @@ struct CuttingEnd {
     const Point2 middle = end - kHead * seen;
     return {middle + kHalfHead * along, middle - kHalfHead * along};
   }
-  std::array<Box, 3> boxes() const {
+  std::array<FlatBox, 3> boxes() const {
     constexpr double kBesideView = 1.5;
     const std::array line{end - (beyond - kBesideView) * along, end};
     const std::array arrow{end, tail(), barbs()[0], barbs()[1]};
-    return {Box::around(line), Box::around(arrow), box_of_text(letter_at(), letter)};
+    return {box_around(line), box_around(arrow), box_of_text(letter_at(), letter)};
   }
   void draw(DrawingSheet& sheet) const {
     sheet.lines.push_back({SheetLayer::cutting_ends, {end - kThick * along, end, tail()}});
@@ -106,7 +93,7 @@ struct CuttingLine {
     constexpr Point2 kClear(1.0);
     return std::ranges::all_of(ends, [&](const CuttingEnd& end) {
       return std::ranges::all_of(
-          end.boxes(), [&](const Box& box) { return taken.is_free(box.widened(kClear)); });
+          end.boxes(), [&](const FlatBox& box) { return taken.is_free(box.widened(kClear)); });
     });
   }
   void draw(DrawingSheet& sheet) const {
@@ -114,9 +101,9 @@ struct CuttingLine {
     for (const CuttingEnd& end : ends) end.draw(sheet);
   }
   void take(Taken& taken) const {
-    taken.add(Box::around(std::array{ends[0].end, ends[1].end}));
+    taken.add(box_around(std::array{ends[0].end, ends[1].end}));
     for (const CuttingEnd& end : ends) {
-      for (const Box& box : end.boxes()) taken.add(box);
+      for (const FlatBox& box : end.boxes()) taken.add(box);
     }
   }
 };
@@ -209,10 +196,10 @@ void add_caption(std::size_t k, const std::array<PlacedView, 4>& views, const st
   constexpr Point2 kClear(2.5, 1.5);
   const std::vector<Point2> places = caption_places(views[k]);
   const auto fits = [&](const Point2& place) {
-    const Box box = box_of_text(place, letters);
-    const double own = box.distance(box_of(views[k]));
+    const FlatBox box = box_of_text(place, letters);
+    const double own = distance(box, box_of(views[k]));
     for (std::size_t other = 0; other < views.size(); ++other) {
-      if (other != k && box.distance(box_of(views[other])) <= own) return false;
+      if (other != k && distance(box, box_of(views[other])) <= own) return false;
     }
     return taken.is_free(box.widened(kClear));
   };

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <condition_variable>
 #include <fstream>
 #include <limits>
@@ -140,10 +141,12 @@ LentMemory::LentMemory(std::size_t wanted) : bytes_(wanted) {
   std::unique_lock lock(lending);
   std::optional<rlimit> limit = limit_of_data();
   if (!limit) return;
-  given_back.wait(lock, [&] {
+  const auto is_enough = [&] {
     limit = limit_of_data();
     return lent == 0 || !limit || offer_of(*limit) >= wanted;
-  });
+  };
+  constexpr std::chrono::milliseconds kWatch(20);
+  while (!given_back.wait_for(lock, kWatch, is_enough)) ask_budget();
   if (!limit) return;
   bytes_ = std::min(wanted, offer_of(*limit));
   is_lent_ = true;

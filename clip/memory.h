@@ -24,7 +24,8 @@ void limit_memory_of_process(std::uint64_t bytes);
 /// Part of what this process may have, lent to another process for as long as this lives: this one
 /// is allowed so much less meanwhile, so that both together stay within the limit. It is three
 /// quarters of what is left at most; whoever would get less than is wanted waits until others have
-/// given back theirs. Without a limit all that is wanted is lent.
+/// given back theirs, as long as the budget in force allows it. Without a limit all that is wanted
+/// is lent.
 class LentMemory {
  public:
   explicit LentMemory(std::size_t wanted);
@@ -57,6 +58,7 @@ std::string out_of_memory_message();
 /// asked for.
 template <class What, class Work>
 auto with_memory(std::size_t bytes, What&& what, Work&& work, std::size_t held = 0) {
+  NamedWork::begin_other();
   if (bytes > bytes_allowed()) out_of_memory(bytes, what());
   if (bytes > held && !has_memory(bytes)) out_of_memory(bytes, what());
   try {

@@ -76,19 +76,26 @@ void WorkBudget::require_bytes(std::uint64_t bytes) const {
 WorkInForce work_in_force() noexcept { return in_force; }
 
 BudgetInForce::BudgetInForce(WorkBudget* budget) noexcept : before_(in_force) {
+  NamedWork::begin_other();
   if (budget != nullptr) in_force.budget = budget;
 }
 BudgetInForce::BudgetInForce(const WorkInForce& as_on_another_thread) noexcept
     : before_(std::exchange(in_force, as_on_another_thread)) {}
 BudgetInForce::~BudgetInForce() { in_force = before_; }
 
-NamedWork::NamedWork(const WorkDone& done) noexcept : before_(std::exchange(in_force.done, done)) {}
+NamedWork::NamedWork(const WorkDone& done) noexcept : before_(std::exchange(in_force.done, done)) {
+  begin_other();
+}
 NamedWork::~NamedWork() {
   if (std::uncaught_exceptions() > 0 && left.what == nullptr) left = in_force.done;
   in_force.done = before_;
 }
 
 WorkDone NamedWork::left_by_exception() noexcept { return std::exchange(left, {}); }
+
+void NamedWork::begin_other() noexcept {
+  if (std::uncaught_exceptions() == 0) left = {};
+}
 
 void ask_budget() {
   if (in_force.budget != nullptr) in_force.budget->ask();
@@ -105,6 +112,11 @@ void PieceCount::add(std::uint64_t more) {
 void WorkSteps::ask() {
   left_ = kAtATime;
   if (in_force.budget != nullptr) in_force.budget->ask(kAtATime);
+}
+
+void RowsPainted::ask() {
+  left_ = kAtATime;
+  ask_budget();
 }
 
 void WorkSteps::ask_of(std::size_t steps) {

@@ -108,8 +108,11 @@ class NamedWork {
   NamedWork(const NamedWork&) = delete;
   NamedWork& operator=(const NamedWork&) = delete;
 
-  /// What was being done on this thread when the last exception left it.
+  /// What was being done on this thread when the last exception left it; nothing if other work has
+  /// begun since.
   static WorkDone left_by_exception() noexcept;
+  /// Other work begins, that need not have a name.
+  static void begin_other() noexcept;
 
  private:
   WorkDone before_;
@@ -159,6 +162,23 @@ class WorkSteps {
   void ask_of(std::size_t steps);
 
   std::uint32_t left_ = kAtATime;
+};
+
+/// Counts rows of pixels that are painted, however many polygons lie over each other there, and
+/// asks the budget in force now and then for its time. One thread uses it.
+class RowsPainted {
+ public:
+  static constexpr std::size_t kAtATime = 256;
+
+  void add(std::size_t rows) {
+    if (rows >= left_) return ask();
+    left_ -= rows;
+  }
+
+ private:
+  void ask();
+
+  std::size_t left_ = kAtATime;
 };
 
 }  // namespace displayfile

@@ -31,8 +31,9 @@ class RetainedViews::Part {
         world_(std::move(world)),
         items_(world_.items(primitive_of_)),
         any_sides_(world_.selects_lines() ? world_.sides_in_any_view() : std::vector<LineKinds>()),
-        tree_(sorted_in_world(),
-              SortOptions{.precision = options.precision, .names_sides = world_.selects_lines()}),
+        tree_(sorted_in_world(), SortOptions{.precision = options.precision,
+                                             .names_sides = world_.selects_lines(),
+                                             .most_pieces = options.most_pieces}),
         moving_eye_(tree_) {
     for (std::uint32_t i = 0; i < world_.size(); ++i) {
       off_plane_.push_back(world_.off_plane(i));

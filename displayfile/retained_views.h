@@ -23,6 +23,7 @@ class RetainedViews {
     Precision precision;
     HiddenLines hidden_lines = HiddenLines::none;  ///< found in each view, and drawn too
     int threads = 1;  ///< of finding lines; the result is the same for any number
+    std::size_t most_pieces = kMostPieces;  ///< of a tree; Error for more
   };
 
   /// Takes the visible segments of the scene, as they now are; `attributes` is the display file of

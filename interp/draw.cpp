@@ -1,6 +1,8 @@
 #include "interp/draw.h"
 
+#include <algorithm>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include "clip/error.h"
@@ -108,10 +110,26 @@ HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& opt
   return drawing_choice(system, options, kind).method;
 }
 
+namespace {
+
+/// Why it is a method that was not picked.
+std::string_view reason_of_method(const GraphicsSystem& system, const DrawOptions& options) {
+  if (options.hidden || system.z_buffer() || system.hidden_line_removal()) return "as asked for";
+  const auto& segments = system.display_file().segments();
+  const bool some_sorted = std::any_of(segments.begin(), segments.end(),
+                                       [](const Segment& s) { return s.sorted() != nullptr; });
+  return some_sorted ? "hidden-line removal is off now; segments stay as they were sorted when "
+                       "they were closed"
+                     : "hidden-line removal is off";
+}
+
+}  // namespace
+
 MethodChoice drawing_choice(const GraphicsSystem& system, const DrawOptions& options,
                             PictureKind kind) {
   const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
-  if (surfaces_of(method) != HiddenMethod::automatic) return {method, "as asked for"};
+  if (surfaces_of(method) != HiddenMethod::automatic)
+    return {method, reason_of_method(system, options)};
   if (options.pens && !options.pens->hatching && !is_colour_rule(method)) {
     return {HiddenMethod::franklin, "for pens: the lines that are seen, and nothing else"};
   }
@@ -312,6 +330,7 @@ void Renderer::draw(const GraphicsSystem& system, const Destination& to,
 std::optional<Pick> Renderer::pick(const GraphicsSystem& system, double x, double y,
                                    const DrawOptions& options, double reach) {
   require_drawable_in_memory(options);
+  const BudgetInForce in_force(options.budget);
   const PictureSize size{options.width, options.height};
   Kept& kept = *kept_;
   std::optional<Picker>& picker = kept.picker;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "clip/error.h"
+#include "clip/work_budget.h"
 #include "interp/picture_checks.h"
 #include "interp/visibility/image_space.h"
 
@@ -51,7 +52,7 @@ DrawOptions with_settings(const GraphicsSystem& system, DrawOptions options) {
 RetainedViews::Options tree_options(const GraphicsSystem& system, const DrawOptions& options) {
   return {options.scope.value_or(system.hidden_scope().value_or(HiddenScope::all)),
           options.precision.value_or(system.precision()),
-          options.hidden_lines.value_or(HiddenLines::none), options.threads};
+          options.hidden_lines.value_or(HiddenLines::none), options.threads, options.most_pieces};
 }
 
 Turntable turntable_of(const GraphicsSystem& system, const RetainedScene& scene,
@@ -130,6 +131,7 @@ struct TurntableRenderer::Kept {
   template <class ByRenderer, class OfScene>
   auto in_view(int view, const ByRenderer& by_renderer, const OfScene& of_scene) {
     require_view(view);
+    const BudgetInForce in_force(options.budget);
     const auto [seen, lights] = turntable.at(360.0 * view / views);
     if (auto* const renderer = std::get_if<ViewRenderer>(&source)) {
       return by_renderer(*renderer, seen, lights);
@@ -156,6 +158,7 @@ TurntableRenderer::TurntableRenderer(const GraphicsSystem& system, const Retaine
   require_turntable_views(views.number);
   require_turntable_method(options);
   require_drawable_in_memory(options);
+  const BudgetInForce in_force(options.budget);
   Turntable turntable = turntable_of(system, scene, display_file, views);
   const DrawOptions settled = with_settings(system, options);
   kept_ = std::make_unique<Kept>(Kept{views.number, std::move(turntable), settled,

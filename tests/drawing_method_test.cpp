@@ -9,6 +9,7 @@
 #include "displayfile/graphics_system.h"
 #include "displayfile/sorted_display_file.h"
 #include "interp/draw.h"
+#include "interp/drawing_choice.h"
 
 namespace displayfile {
 namespace {
@@ -31,6 +32,27 @@ TEST(DrawingMethod, IsThatOfTheOptionsOrElseOfTheApplication) {
   EXPECT_EQ(picture_kind("a.svg"), PictureKind::vector);
   EXPECT_EQ(picture_kind("a.png"), PictureKind::raster);
   EXPECT_THROW(picture_kind("a.gif"), Error);
+}
+
+/// What is sorted when a segment is closed stays so, whatever is set at the end.
+TEST(DrawingMethod, SaysWhyNothingIsRemoved) {
+  GraphicsSystem g;
+  const auto reason = [&] { return drawing_choice(g, {}, PictureKind::raster).reason; };
+  EXPECT_EQ(reason(), "hidden-line removal is off");
+  for (const HiddenMethod method : {HiddenMethod::automatic, HiddenMethod::bsp}) {
+    g.set_hidden_line_removal(true);
+    g.set_hidden_method(method);
+    g.open_segment(method == HiddenMethod::bsp ? 2 : 1);
+    g.polygon_abs_3({{0, 0, 0.25}, {0.5, 0, 0.25}, {0.5, 0.5, 0.25}});
+    g.close_segment();
+    g.set_hidden_line_removal(false);
+    EXPECT_EQ(reason(), method == HiddenMethod::bsp
+                            ? "hidden-line removal is off now; segments stay as they were sorted "
+                              "when they were closed"
+                            : "hidden-line removal is off");
+  }
+  const DrawOptions none{.hidden = HiddenMethod::none};
+  EXPECT_EQ(drawing_choice(g, none, PictureKind::raster).reason, "as asked for");
 }
 
 /// The program's precision is that of the sorts and of the z-buffer; the options' wins.

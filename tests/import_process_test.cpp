@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "clip/work_budget.h"
 #include "displayfile/mesh/allowed_formats.h"
 #include "displayfile/mesh/import_library.h"
 #include "displayfile/mesh/import_protocol.h"
@@ -261,6 +262,30 @@ TEST_F(ImportProcess, AHangOfTheLibraryIsAMessage) {
   }
   std::cerr.rdbuf(before);
   EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(20));
+}
+
+/// Whoever has less time than the library, or is told to stop, does not wait for it.
+TEST_F(ImportProcess, TheBudgetInForceIsAskedWhileTheLibraryReads) {
+  const std::string path = file("a.ac", "AC3Db\n");
+  put_in_its_place("exec sleep 50");
+  const auto begun = std::chrono::steady_clock::now();
+  {
+    WorkBudget budget({.seconds = 0.2});
+    const BudgetInForce in_force(budget);
+    EXPECT_THROW(read_mesh(path), LimitReached);
+  }
+  {
+    WorkBudget budget;
+    const BudgetInForce in_force(budget);
+    std::thread stopper([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(200));
+      budget.stop();
+    });
+    EXPECT_THROW(read_mesh(path), LimitReached);
+    stopper.join();
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(20));
+  EXPECT_FALSE(has_children());
 }
 
 TEST_F(ImportProcess, AHungerOfTheLibraryIsAMessage) {

@@ -10,16 +10,20 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <new>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "clip/memory.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
 #include "hidden/parallel.h"
 #include "interp/renderer.h"
 #include "interp/truth/truth.h"
+#include "interp/turntable_renderer.h"
+#include "tests/error_of.h"
 #include "tests/temporary_folder.h"
 
 namespace displayfile {
@@ -231,6 +235,61 @@ TEST_F(Budgets, StoppedFromAnotherThreadAndDrawnAgain) {
   EXPECT_NE(reached([&] { renderer.draw(few, options); }), "done");
   options.budget = nullptr;
   EXPECT_EQ(renderer.draw(few, options).pixels, draw(few, options).pixels);
+}
+
+/// Few polygons may be much to paint: it is asked while rows are.
+TEST_F(Budgets, PaintingStops) {
+  GraphicsSystem g;
+  g.set_view_depth(-1, 3);
+  g.open_segment(1);
+  for (int k = 0; k < 1000; ++k) {
+    const double z = -0.001 * k;
+    g.polygon_abs_3({{-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}});
+  }
+  g.close_segment();
+  for (const HiddenMethod method : {HiddenMethod::none, HiddenMethod::bsp}) {
+    WorkBudget budget({.seconds = 0.2});
+    const DrawOptions options{.width = 3000, .height = 3000, .hidden = method, .budget = &budget};
+    EXPECT_NE(reached([&] { draw(g, options); }).find("0.2 seconds are not enough"),
+              std::string::npos)
+        << name_of(method);
+  }
+}
+
+TEST_F(Budgets, PickingAndTheTreeOfATurntable) {
+  GraphicsSystem g;
+  RetainedScene scene;
+  g.retain(&scene);
+  enter_crossing(g, 60);
+  g.close_segment();
+  WorkBudget stopped;
+  stopped.stop();
+  DrawOptions options{.width = 50, .height = 50, .budget = &stopped};
+  Renderer renderer;
+  EXPECT_NE(reached([&] { renderer.pick(g, 25, 25, options); }).find("stopped"), std::string::npos);
+  const auto turntable = [&] { TurntableRenderer(g, scene, g.display_file(), {4}, options); };
+  EXPECT_NE(reached(turntable).find("stopped"), std::string::npos);
+  WorkBudget pieces({.pieces = 100});
+  options.budget = &pieces;
+  EXPECT_NE(reached(turntable).find("more than 100 pieces"), std::string::npos);
+  options.budget = nullptr;
+  options.most_pieces = 90;
+  EXPECT_NE(test::error_of(turntable).find("more than 90 pieces"), std::string::npos);
+  options.most_pieces = kMostPieces;
+  EXPECT_EQ(reached(turntable), "done");
+}
+
+/// What is told of a lack of memory is what was being done then, not what failed before.
+TEST_F(Budgets, WorkThatFailedIsNotToldOfOtherWork) {
+  const GraphicsSystem g = crossing(60);
+  WorkBudget budget({.pieces = 100});
+  EXPECT_NE(reached([&] { draw(g, {.hidden = HiddenMethod::bsp, .budget = &budget}); }), "done");
+  const std::string said = reached([] {
+    with_memory(
+        1000, [] { return "entering polygons"; }, [] { throw std::bad_alloc(); });
+  });
+  EXPECT_NE(said.find("entering polygons"), said.npos) << said;
+  EXPECT_EQ(said.find("hidden-surface method"), said.npos) << said;
 }
 
 TEST_F(Budgets, ReadingAndEnteringStopWithTheirPlace) {

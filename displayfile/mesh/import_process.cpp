@@ -24,6 +24,7 @@
 
 #include "clip/error.h"
 #include "clip/memory.h"
+#include "clip/work_budget.h"
 #include "displayfile/mesh/import_protocol.h"
 #include "displayfile/mesh/import_start.h"
 #include "displayfile/mesh/mesh_reply.h"
@@ -275,9 +276,11 @@ class ImportProcess {
   ImportProcess& operator=(const ImportProcess&) = delete;
   ~ImportProcess() { end(); }
 
-  /// Waits for so many bytes of the answer. Throws Error at a limit, NoAnswer if they do not come.
+  /// Waits for so many bytes of the answer, as long as the budget in force allows it. Throws Error
+  /// at a limit, NoAnswer if they do not come.
   void fill(std::span<std::byte> bytes) {
     while (!bytes.empty()) {
+      ask_budget();
       if (Clock::now() >= deadline_) throw too_slow(path_, limits_);
       const ssize_t count = read(reply_.number(), bytes.data(), bytes.size());
       if (count > 0) {
@@ -328,7 +331,8 @@ class ImportProcess {
     using std::chrono::milliseconds;
     const auto left = std::chrono::ceil<milliseconds>(deadline_ - Clock::now());
     constexpr milliseconds kWatch(20), kLong(60'000);
-    const auto wait = std::clamp(left, milliseconds(0), kWatchesResidentMemory ? kWatch : kLong);
+    const bool watches = kWatchesResidentMemory || work_in_force().budget != nullptr;
+    const auto wait = std::clamp(left, milliseconds(0), watches ? kWatch : kLong);
     if (poll(ends.data(), ends.size(), static_cast<int>(wait.count())) < 0 && errno != EINTR) {
       throw NoAnswer{};
     }

@@ -51,11 +51,11 @@ class ComparePolys {
   /// its first side, a new entry the other. Throws Error if the table may not grow.
   Halves split(Index test, std::uint32_t plane) {
     if (table_.entries.size() >= table_.most_entries) {
-      throw LimitReached(
-          "the sort of hidden surfaces cuts polygons into more than " +
-          std::to_string(table_.most_entries) +
-          " pieces: expected hidden-surface method map, which has pieces of what is seen "
-          "alone, or a higher limit of pieces");
+      const auto& [what, instead] = work_in_force().done;
+      throw LimitReached((what != nullptr ? what : "the sort of hidden surfaces") +
+                         (" cuts polygons into more than " + std::to_string(table_.most_entries)) +
+                         " pieces: expected " + (instead != nullptr ? instead : "fewer polygons") +
+                         ", or a higher limit of pieces");
     }
     ++cuts_;
     steps_.step();

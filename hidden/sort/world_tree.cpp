@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "clip/work_budget.h"
 #include "hidden/sort/sort_polygons.h"
 
 namespace displayfile {
@@ -69,19 +70,22 @@ WorldTree::NodePlane::NodePlane(const Plane& plane) : normal(plane.normal) {
 }
 
 WorldTree::WorldTree(const Primitives& world, const SortOptions& options) {
+  const NamedWork named(
+      {"the tree of all views", "a hidden-surface method in image space, such as z-buffer"});
   const Definitions points{world.points, {}};
   if (options.precision.exact) {
-    build(world, Exact(points, Exact::Lift::along_facing_axis), options.names_sides);
+    build(world, Exact(points, Exact::Lift::along_facing_axis), options);
   } else {
-    build(world, Roundoff::relative(points, options.precision.roundoff), options.names_sides);
+    build(world, Roundoff::relative(points, options.precision.roundoff), options);
   }
 }
 
 template <class Policy>
-void WorldTree::build(const Primitives& world, const Policy& policy, bool names_sides) {
+void WorldTree::build(const Primitives& world, const Policy& policy, const SortOptions& asked) {
   SortOptions options;
   options.root = RootChoice::sample;
   SortScene scene(world, policy, SortSpace::world);
+  scene.table.most_entries = most_pieces_of_sort(asked, world.items.size());
   SortPolygons sorting(scene, options);
   sorting.sort_all();
   const std::vector<Placed> placed = Placed::front_first(scene.table, sorting.root());
@@ -89,7 +93,7 @@ void WorldTree::build(const Primitives& world, const Policy& policy, bool names_
   std::vector<Index> pieces;
   pieces.reserve(sorting.order().size());
   for (const Placed& node : placed) add_pieces(scene, node.entry, pieces);
-  pieces_ = sorted_pieces(scene, pieces, names_sides);
+  pieces_ = sorted_pieces(scene, pieces, asked.names_sides);
   pieces_.depth = sorting.depth();
   degenerate_ = static_cast<Index>(scene.degenerate.size());
 }

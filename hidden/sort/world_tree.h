@@ -21,8 +21,8 @@ class WorldTree {
  public:
   using Index = std::uint32_t;
 
-  /// The options give the precision; the root is chosen by RootChoice::sample, since overlaps in a
-  /// projection belong to one view.
+  /// The options give the precision and how many pieces there may be; the root is chosen by
+  /// RootChoice::sample, since overlaps in a projection belong to one view.
   WorldTree(const Primitives& world, const SortOptions& options);
 
   /// The pieces that the orders are of, in world coordinates; each item is one piece or more. The
@@ -66,7 +66,7 @@ class WorldTree {
   struct Placed;
 
   template <class Policy>
-  void build(const Primitives& world, const Policy& policy, bool names_sides);
+  void build(const Primitives& world, const Policy& policy, const SortOptions& asked);
   template <class Scene>
   void add_nodes(const Scene& scene, std::span<const Placed> placed);
   template <bool far_first, class Visitor>

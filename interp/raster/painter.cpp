@@ -11,6 +11,7 @@ namespace displayfile {
 void Painter::fill(const DrawnPolygon& polygon) {
   const ScanConverter::Rows rows = converter_.begin(polygon.vertices, band_.region);
   if (rows.first == rows.end) return;
+  painted_.add(static_cast<std::size_t>(rows.end - rows.first));
   const SupportVertices support = support_vertices(polygon.vertices);
   if (support.edge_on) return;
   const FillColour colour(polygon, band_.size(), band_.shadows);

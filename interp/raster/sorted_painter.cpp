@@ -136,6 +136,7 @@ void SortedPainter::fill(const DrawnPolygon& polygon) {
   }
   const ScanConverter::Rows rows = converter_.begin(polygon.vertices, band_.region);
   if (rows.first == rows.end) return;
+  painted_.add(static_cast<std::size_t>(rows.end - rows.first));
   if (at_boundaries) {
     converter_.watch(error);
   } else if (support_vertices(polygon.vertices).edge_on) {

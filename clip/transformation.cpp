@@ -131,6 +131,16 @@ void ModellingTransformation::rotate_x(double degrees) { then(rotation(1, 2, deg
 void ModellingTransformation::rotate_y(double degrees) { then(rotation(2, 0, degrees)); }
 void ModellingTransformation::rotate_z(double degrees) { then(rotation(0, 1, degrees)); }
 
+bool ModellingTransformation::mirrors() const {
+  if (identity_) return false;
+  glm::dmat3 axes(matrix_);
+  for (int column = 0; column < 3; ++column) {
+    if (axes[column] == Point3(0.0)) return false;
+    axes[column] = unit(axes[column]);
+  }
+  return glm::dot(glm::cross(axes[0], axes[1]), axes[2]) < 0.0;
+}
+
 Point3 ModellingTransformation::apply_to_normal(const Point3& n) const {
   if (identity_) return n;
   double largest = 0.0;  // scaled by it, no product overflows

@@ -34,6 +34,8 @@ class ModellingTransformation {
   void rotate_z(double degrees);
 
   bool is_identity() const { return identity_; }
+  /// What runs counterclockwise, seen from outside, runs clockwise afterwards.
+  bool mirrors() const;
   Point3 apply(const Point3& p) const {
     return identity_ ? p : Point3(matrix_ * HomogeneousPoint(p, 1.0));
   }

@@ -321,6 +321,9 @@ class GraphicsSystem {
   std::size_t solids_open() const { return solids_.depth(); }
   /// Calls of end_solid that left nothing of the outermost solid.
   std::int64_t empty_solids() const { return empty_solids_; }
+  /// Some segment may have hatching, whose directions are those of the view in which it was
+  /// entered.
+  bool has_hatching() const { return has_hatching_; }
   /// Whether the call that enters a closed solid makes more of it than its polygons alone.
   bool takes_whole_solids() const {
     return !solids_.empty() || (cut_faces_.kind != CutFaces::Kind::open && cutting_planes_.any());
@@ -492,7 +495,13 @@ class GraphicsSystem {
   std::span<const Point3> world_normals(const Point3& own);
   std::vector<Point3> world_points_of(const SurfaceGrid& grid) const;
   void enter_cells(const SurfaceGrid& grid, std::span<const Point3> world, Segment& segment);
-  void enter_cell(const SurfaceGrid& grid, std::span<const Point3> world, int i, int j,
+  void enter_cells_in_order(const SurfaceGrid& grid, std::span<const Point3> world,
+                            Segment& segment);
+  struct SurfaceCell {
+    int i, j;
+    std::int64_t ordinal;
+  };
+  void enter_cell(const SurfaceGrid& grid, std::span<const Point3> world, const SurfaceCell& cell,
                   Segment& segment);
 
   View view_;
@@ -515,6 +524,7 @@ class GraphicsSystem {
   };
   std::vector<BeforeSolid> before_solids_;  // of each that is open
   std::int64_t empty_solids_ = 0;
+  bool has_hatching_ = false;  // since all segments were deleted
   SurfaceCurves surface_curves_ = SurfaceCurves::both;
   SurfaceSides surface_sides_ = SurfaceSides::both;
   std::optional<LineStyle> lower_line_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <string_view>
@@ -17,6 +18,13 @@ struct SurfaceGrid {
 
   std::size_t cells() const {
     return static_cast<std::size_t>(x_points - 1) * static_cast<std::size_t>(y_points - 1);
+  }
+  /// Cell (i, j) is there: the heights of its four corners are known.
+  bool has_cell(int i, int j) const {
+    const std::size_t width = static_cast<std::size_t>(x_points);
+    const std::size_t at = static_cast<std::size_t>(j) * width + static_cast<std::size_t>(i);
+    return !std::isnan(heights[at]) && !std::isnan(heights[at + 1]) &&
+           !std::isnan(heights[at + width]) && !std::isnan(heights[at + width + 1]);
   }
   /// The ends of the range are met exactly.
   double x(int i) const { return at(x_min, x_max, x_points, i); }

@@ -56,7 +56,8 @@ std::string OtherEye::program() const { return program_in_view(kept_->program, k
 
 bool OtherEye::draws(const DrawOptions& options) const {
   const HiddenMethod method = drawing_method(kept_->told, options);
-  return is_image_space(method) && surfaces_of(method) != HiddenMethod::world_ray_cast &&
+  return !kept_->told.has_hatching() && is_image_space(method) &&
+         surfaces_of(method) != HiddenMethod::world_ray_cast &&
          &device_of(options.device) == &first_device();
 }
 

@@ -11,8 +11,9 @@
 namespace displayfile {
 
 /// A system as if its application had set another view, for one view after another. Methods that
-/// work in image space draw what was retained (interp/view_renderer.h); for all else the
-/// application's calls are replayed in that view, once for each.
+/// work in image space draw what was retained (interp/view_renderer.h); for all else, and where cut
+/// faces are hatched, which is done anew in each view, the application's calls are replayed in that
+/// view, once for each.
 class OtherEye {
  public:
   /// The system, which must live on and not change, the scene that it retained, and all that was

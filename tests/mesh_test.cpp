@@ -20,6 +20,7 @@
 #include "displayfile/mesh/import_library.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
+#include "interp/draw.h"
 #include "tests/import_library_leaks.h"
 #include "tests/mesh_files.h"
 
@@ -113,6 +114,29 @@ TEST_F(MeshTest, TransformationsOfNodesAreApplied) {
   }
   EXPECT_TRUE(std::ranges::count(mesh.vertices, Point3(9, 20, 30)) > 0);
   EXPECT_TRUE(closed_and_consistently_oriented(mesh));
+}
+
+/// Faces that are turned outward stay so, also those with normals of their own.
+TEST_F(MeshTest, AModellingTransformationThatMirrorsLeavesTheLightFacesOutside) {
+  const std::string path = file("cube.obj", cube());
+  for (const Shading shading : {Shading::flat, Shading::gouraud}) {
+    Picture pictures[2];
+    for (const bool mirrored : {false, true}) {
+      GraphicsSystem system;
+      system.set_shading(shading);
+      system.set_light({1, 2, 3});
+      if (mirrored) {
+        system.translate_3(-0.5, 0, 0);  // the cube's middle is where it was
+        system.scale_3(-1, 1, 1);
+        system.translate_3(0.5, 0, 0);
+      }
+      import_mesh(path, system, 1.0);
+      EXPECT_TRUE(system.back_face_removal());
+      pictures[mirrored] = draw(system, {.width = 60, .height = 60, .with_depth = true});
+    }
+    EXPECT_EQ(pictures[0].pixels, pictures[1].pixels);
+    EXPECT_EQ(pictures[0].depth, pictures[1].depth);
+  }
 }
 
 TEST_F(MeshTest, WhatIsNoFaceIsCountedAndLeftOut) {

@@ -67,9 +67,10 @@ void look(GraphicsSystem& g, const Camera& camera) {
 }
 
 DisplayFile surface_seen(const Camera& camera, int nx, int ny, const std::vector<double>& heights,
-                         SurfaceCurves curves = SurfaceCurves::both) {
+                         SurfaceCurves curves = SurfaceCurves::both, bool mirrored = false) {
   GraphicsSystem g;
   look(g, camera);
+  if (mirrored) g.scale_3(-1, 1, 1);
   g.set_surface_curves(curves);
   g.open_segment(1);
   g.surface_3({-1, 1, nx, -1, 1, ny, heights});
@@ -217,8 +218,10 @@ TEST(Perimeter, DiagonalsThatAreAskedFor) {
   const auto heights = heights_of(kPoints, kPoints, [](double x, double y) {
     return 0.6 * std::sin(4.0 * x) * std::cos(3.0 * y);
   });
-  const ViewedScene scene(surface_seen({35, 25, 5}, kPoints, kPoints, heights));
-  for (const std::uint32_t triangle : {0u, 1u}) {
+  for (const std::uint32_t kind : {0u, 1u, 2u, 3u}) {
+    const std::uint32_t triangle = kind % 2, mirrored = kind / 2;
+    const ViewedScene scene(
+        surface_seen({35, 25, 5}, kPoints, kPoints, heights, SurfaceCurves::both, mirrored != 0));
     std::vector<LineName> names;
     for (std::uint32_t cell = 0; cell < (kPoints - 1) * (kPoints - 1); ++cell) {
       names.push_back({2 * cell + triangle, triangle});
@@ -233,7 +236,7 @@ TEST(Perimeter, DiagonalsThatAreAskedFor) {
     }
     double differs = 0.0;
     for (const LineName& name : names) differs += difference(of_both[0][name], of_both[1][name]);
-    EXPECT_LT(differs, 1e-9) << triangle;
+    EXPECT_LT(differs, 1e-9) << kind;
     EXPECT_FALSE(of_both[0].empty());
   }
 }
@@ -273,7 +276,8 @@ TEST(Perimeter, ItsLinesAreThoseOfATableOfSides) {
     const int nx = dice.from(2, 9), ny = dice.from(2, 9);
     const Camera camera{dice.from(0, 3599) / 10.0, dice.from(-600, 600) / 10.0};
     const auto curves = static_cast<SurfaceCurves>(dice.from(0, 2));
-    const ViewedScene scene(surface_seen(camera, nx, ny, stepped(dice, nx, ny), curves));
+    const bool mirrored = dice.one_in(3);
+    const ViewedScene scene(surface_seen(camera, nx, ny, stepped(dice, nx, ny), curves, mirrored));
     Primitives items = scene.primitives();
     // Some sides are drawn by one triangle alone.
     std::vector<std::uint8_t> drawn = scene.drawn_sides();

@@ -18,6 +18,7 @@
 #include "displayfile/shapes/swept.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
+#include "interp/draw.h"
 #include "tests/error_of.h"
 #include "tests/retained_truth.h"
 
@@ -29,9 +30,14 @@ using test::Retained;
 
 using Enter = std::function<void(GraphicsSystem&)>;
 
-/// What a shape enters, as a mesh of polygons with vertices of their own.
-Mesh mesh_of(const Enter& enter) {
+/// What a shape enters, as a mesh of polygons with vertices of their own, in world coordinates.
+Mesh mesh_of(const Enter& enter, const Point3& scale = Point3(1.0), bool smooth = false) {
   Retained retained;
+  if (smooth) {
+    retained.system.set_light({1, 2, 3});
+    retained.system.set_shading(Shading::gouraud);
+  }
+  retained.system.scale_3(scale.x, scale.y, scale.z);
   retained.system.open_segment(1);
   enter(retained.system);
   retained.system.close_segment();
@@ -133,6 +139,44 @@ TEST(Shapes, AreClosedAndTurnedOutwardAndHaveTheirVolumes) {
     EXPECT_EQ(mesh.faces(), faces) << name;
     EXPECT_NEAR(volume(mesh), true_volume, 1e-12 * true_volume) << name;
   }
+}
+
+TEST(Shapes, AreTurnedOutwardWhereTheModellingTransformationMirrors) {
+  for (const auto& [name, enter, faces, true_volume] : shapes()) {
+    for (const Point3& scale : {Point3(-1, 1, 1), Point3(2, -1, 1), Point3(-1, -1, -0.5)}) {
+      for (const bool smooth : {false, true}) {
+        const Mesh mesh = mesh_of(enter, scale, smooth);
+        EXPECT_TRUE(closed_and_consistently_oriented(mesh)) << name;
+        if (!smooth) EXPECT_EQ(mesh.faces(), faces) << name;
+        const double size = std::abs(scale.x * scale.y * scale.z) * true_volume;
+        EXPECT_NEAR(volume(mesh), size, 1e-12 * size) << name;
+      }
+    }
+  }
+}
+
+/// A mirrored half of a pair is lit as the other one is.
+TEST(Shapes, AreLitFromOutsideWhereTheyAreMirrored) {
+  Picture pictures[2];
+  for (const bool mirrored : {false, true}) {
+    GraphicsSystem g;
+    g.set_light({0, 1, 2});
+    g.set_shading(Shading::phong);
+    g.set_hidden_line_removal(true);
+    if (mirrored) g.scale_3(-1, 1, 1);
+    g.open_segment(1);
+    torus_3(g, {0, 0, 0}, 0.6, 0.2, 16);
+    g.close_segment();
+    pictures[mirrored] = draw(g, {.width = 40, .height = 40});
+  }
+  int different = 0;
+  for (std::size_t row = 0; row < 40; ++row) {
+    for (std::size_t column = 0; column < 40; ++column) {
+      different +=
+          pictures[0].pixels[row * 40 + column] != pictures[1].pixels[row * 40 + (39 - column)];
+    }
+  }
+  EXPECT_LT(different, 80);  // centres on sides, and last digits
 }
 
 TEST(Shapes, RoundOnesAreClosedWithAnyFacetsAndComeNearerToTheTrueVolume) {
@@ -269,7 +313,7 @@ TEST(Shapes, WhatCannotBeOneIsRefusedAndNothingIsEntered) {
   expect_error([&] { wedge_3(g, {0, 0, 0}, {1, 1, kNone}); }, "wedge from z 0 to nan");
   expect_error([&] { cylinder_3(g, {0, 0, 0}, 0, 1, 8); }, "radius 0: expected a number above 0");
   expect_error([&] { prism_3(g, {0, 0, 0}, 1, -1, 8); }, "height -1: expected");
-  expect_error([&] { cone_3(g, {0, 0, 0}, 1, 1, 8, -0.5); }, "top radius -0.5");
+  expect_error([&] { cone_3(g, {0, 0, 0}, 1, 1, 8, -0.5); }, "top radius -0.5: expected 0 or more");
   expect_error([&] { sphere_3(g, {0, 0, 0}, kNone, 8); }, "radius nan");
   expect_error([&] { sphere_3(g, {0, 0, 0}, 1, 2); }, "2 facets: expected 3 to 1000");
   expect_error([&] { cylinder_3(g, {0, 0, 0}, 1, 1, 1001); }, "1001 facets");

@@ -272,6 +272,24 @@ TEST(Surface, EachSideHasItsLineStyle) {
   }
 }
 
+/// From above it is seen, from below it is not.
+TEST(Surface, ItsUpperSideIsTheLightFaceWhereItIsMirrored) {
+  const std::vector<double> heights = wave(5, 4);
+  for (const Point3& scale : {Point3(1, 1, 1), Point3(-1, 1, 1), Point3(1, -2, 1)}) {
+    for (const double up : {1.0, -1.0}) {
+      GraphicsSystem g;
+      g.set_view_plane_normal({0, 0, -up});
+      g.set_parallel({0, 0, -up});
+      g.set_back_face_removal(true);
+      g.scale_3(scale.x, scale.y, scale.z);
+      g.open_segment(1);
+      g.surface_3(grid_of(5, 4, heights));
+      g.close_segment();
+      EXPECT_EQ(count(dump(g.display_file()), "polygon "), up > 0.0 ? 24u : 0u);
+    }
+  }
+}
+
 TEST(Surface, AHollowSideThatIsNotDrawnStaysAndHasNoSides) {
   GraphicsSystem g;
   look_along_y(g);

@@ -69,6 +69,24 @@ std::vector<FillStyle> fills_of(const Mesh& mesh, const Mesh::Object& object,
   return fills;
 }
 
+/// Its faces the other way round, from the same corner on, which is their own way where the
+/// modelling transformation mirrors.
+Mesh turned_over(const Mesh& mesh) {
+  Mesh turned = mesh;
+  const auto reverse = [&](std::vector<std::uint32_t>& of_corners, std::size_t i) {
+    if (of_corners.empty()) return;
+    const auto place = [&](std::size_t corner) {
+      return of_corners.begin() + static_cast<std::ptrdiff_t>(corner);
+    };
+    std::reverse(place(mesh.first_corner[i] + 1), place(mesh.first_corner[i + 1]));
+  };
+  for (std::size_t i = 0; i < mesh.faces(); ++i) {
+    reverse(turned.corners, i);
+    reverse(turned.corner_normals, i);
+  }
+  return turned;
+}
+
 /// One polygon after another, each with its normals if there are some.
 void enter_one_by_one(const Mesh& mesh, const Mesh::Object& object,
                       std::span<const FillStyle> fills, GraphicsSystem& system) {
@@ -148,10 +166,13 @@ std::vector<std::string> left_out(const Mesh::Skipped& skipped) {
   return all;
 }
 
-void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name,
+void enter_mesh(const Mesh& as_read, GraphicsSystem& system, int first_segment_name,
                 const MeshOptions& options) {
   require_no_open_segment(system);
-  require_free_names(mesh, system, first_segment_name);
+  require_free_names(as_read, system, first_segment_name);
+  const bool mirrored = system.modelling_transformation().mirrors();
+  const Mesh turned = mirrored ? turned_over(as_read) : Mesh();
+  const Mesh& mesh = mirrored ? turned : as_read;
   system.enter_segments([&] {
     int next = first_segment_name;
     for (const Mesh::Object& object : mesh.objects) {

@@ -100,11 +100,11 @@ bool closed_and_consistently_oriented(const Mesh& mesh);
 bool edges_pair_up(const Mesh& mesh);
 
 /// One segment an object, named first_segment_name and up, in the view and the styles in force;
-/// faces that have a colour are filled in it, or all in that of the options. The fill style in
-/// force stays what it was. The normals of the vertices, if the mesh has any, are set for each
-/// face. The name of an object is recorded as a comment.
-/// Throws Error if a segment is open, one of the names is in use or the colour is outside of [0,1];
-/// then nothing was entered.
+/// faces that are turned outward stay so where the modelling transformation mirrors; faces that
+/// have a colour are filled in it, or all in that of the options. The fill style in force stays
+/// what it was. The normals of the vertices, if the mesh has any, are set for each face. The name
+/// of an object is recorded as a comment. Throws Error if a segment is open, one of the names is in
+/// use or the colour is outside of [0,1]; then nothing was entered.
 void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name,
                 const MeshOptions& options = {});
 

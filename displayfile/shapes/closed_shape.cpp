@@ -1,6 +1,8 @@
 #include "displayfile/shapes/closed_shape.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "clip/error.h"
@@ -15,6 +17,22 @@ void require_enterable(const GraphicsSystem& system, const ClosedShape& solid) {
     if (in_range(p) && in_range(system.modelling_transformation().apply(p))) continue;
     throw Error("coordinate of a shape out of range: expected at most 1e100 in magnitude");
   }
+}
+
+/// Its polygons the other way round, from the same corner on.
+ClosedShape turned_over(ClosedShape solid) {
+  std::ptrdiff_t first = 0;
+  const auto reverse = [&](auto& of_corners, std::ptrdiff_t end) {
+    if (of_corners.empty()) return;
+    std::reverse(of_corners.begin() + first + 1, of_corners.begin() + end);
+  };
+  for (const std::uint32_t sides : solid.sides) {
+    const std::ptrdiff_t end = first + sides;
+    reverse(solid.corners, end);
+    reverse(solid.normals, end);
+    first = end;
+  }
+  return solid;
 }
 
 void enter_with_normals(GraphicsSystem& system, const ClosedShape& solid) {
@@ -33,15 +51,20 @@ void enter_with_normals(GraphicsSystem& system, const ClosedShape& solid) {
   }
 }
 
-}  // namespace
-
-void enter(GraphicsSystem& system, const ClosedShape& solid) {
+void enter_as_it_is(GraphicsSystem& system, const ClosedShape& solid) {
   const bool smooth = system.attributes().light && system.shading() != Shading::flat;
   if (solid.normals.empty() || !smooth) {
     return system.polygons_abs_3(solid.vertices, solid.corners, solid.sides);
   }
   require_enterable(system, solid);
   system.as_solid([&] { enter_with_normals(system, solid); });
+}
+
+}  // namespace
+
+void enter(GraphicsSystem& system, const ClosedShape& solid) {
+  const bool mirrored = system.modelling_transformation().mirrors();
+  mirrored ? enter_as_it_is(system, turned_over(solid)) : enter_as_it_is(system, solid);
 }
 
 }  // namespace displayfile

@@ -23,7 +23,8 @@ struct ClosedShape {
   }
 };
 
-/// Enters a solid's polygons, as GraphicsSystem::polygons_abs_3 does. Where there is light and
+/// Enters a solid's polygons, as GraphicsSystem::polygons_abs_3 does, counterclockwise from outside
+/// in world coordinates too, where the modelling transformation mirrors. Where there is light and
 /// shading is smooth, with the normals of their vertices: those of what the solid stands for.
 /// Errors, before any polygon is entered: no segment open, those of coordinates, normals that
 /// set_vertex_normals has set (not with normals of its own, which take their place).

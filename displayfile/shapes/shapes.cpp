@@ -80,7 +80,9 @@ void cone_3(GraphicsSystem& system, const Point3& base, double radius, double he
             double top_radius) {
   require_length("radius", radius);
   require_length("height", height);
-  if (top_radius != 0.0) require_length("top radius", top_radius);
+  if (!(top_radius >= 0.0 && top_radius <= kCoordinateLimit)) {
+    throw Error(fmt::format("top radius {}: expected 0 or more, at most 1e100", top_radius));
+  }
   std::vector<Point2> profile{{0.0, 0.0}, {radius, 0.0}};
   if (top_radius != 0.0) profile.emplace_back(top_radius, height);
   profile.emplace_back(0.0, height);

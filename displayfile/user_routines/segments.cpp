@@ -95,6 +95,7 @@ void GraphicsSystem::delete_segment(int name) {
 void GraphicsSystem::delete_all_segments() {
   if (open_) throw Error(fmt::format("segment {} still open: close it first", *open_));
   display_file_.remove_all();
+  has_hatching_ = false;
   if (RetainedScene* scene = retaining()) scene->remove_all();
   record("delete-all-segments", {});
 }

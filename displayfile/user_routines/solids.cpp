@@ -174,6 +174,7 @@ struct DirectionsInPlane {
 /// it.
 void GraphicsSystem::enter_hatching(const SolidFaces& solid, std::size_t face, double spacing) {
   if (attributes_.line.kind == LineStyle::Kind::none) return;
+  has_hatching_ = true;
   constexpr double kBefore = 1e-6;
   const auto [inward, offset] = cutting_planes_.unit_plane(solid.faces[face].cut_by);
   const DirectionsInPlane in_plane(-inward, view_);

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <glm/geometric.hpp>
+#include <utility>
 #include <vector>
 
 #include "clip/back_face.h"
@@ -54,9 +54,11 @@ void GraphicsSystem::surface_3(const SurfaceGrid& grid) {
   Segment& segment = display_file_.segment(*open_);
   if (!retains_alone_) {
     const Point3 upward = modelling_.apply_to_difference({0.0, 0.0, 1.0});
-    segment.mark_surface({view_stage_->pipeline().volume().infinitely_far(upward),
-                          static_cast<std::uint32_t>(grid.x_points),
-                          static_cast<std::uint32_t>(grid.y_points)});
+    auto x_points = static_cast<std::uint32_t>(grid.x_points);
+    auto y_points = static_cast<std::uint32_t>(grid.y_points);
+    if (modelling_.mirrors()) std::swap(x_points, y_points);
+    segment.mark_surface(
+        {view_stage_->pipeline().volume().infinitely_far(upward), x_points, y_points});
     view_stage_->view_vertices(world);
     const std::size_t triangles = 2 * grid.cells();
     segment.reserve_polygons(triangles, 3 * triangles, attributes_.light ? triangles : 0);
@@ -79,13 +81,8 @@ void GraphicsSystem::enter_cells(const SurfaceGrid& grid, std::span<const Point3
   const LineStyle lower =
       surface_sides_ == SurfaceSides::upper ? kNotDrawn : lower_line_.value_or(in_force);
   if (upper != lower) {
-    // What mirrors the surface turns its upper side's triangles to their dark faces.
-    const Point3 x = modelling_.apply_to_difference({1.0, 0.0, 0.0});
-    const Point3 y = modelling_.apply_to_difference({0.0, 1.0, 0.0});
-    const Point3 z = modelling_.apply_to_difference({0.0, 0.0, 1.0});
-    const bool mirrored = glm::dot(glm::cross(x, y), z) < 0.0;
-    attributes_.line = mirrored ? lower : upper;
-    attributes_.dark_line = mirrored ? upper : lower;
+    attributes_.line = upper;
+    attributes_.dark_line = lower;
   }
   const auto restore = [&] {
     attributes_.line = in_force;
@@ -94,14 +91,37 @@ void GraphicsSystem::enter_cells(const SurfaceGrid& grid, std::span<const Point3
   };
   attributes_changed();
   try {
-    for (int j = 0; j + 1 < grid.y_points; ++j) {
-      for (int i = 0; i + 1 < grid.x_points; ++i) enter_cell(grid, world, i, j, segment);
-    }
+    enter_cells_in_order(grid, world, segment);
   } catch (...) {
     restore();
     throw;
   }
   restore();
+}
+
+/// Row by row; or where the modelling transformation mirrors column by column, which is row by row
+/// with x in the place of y: so the triangles run counterclockwise from above there too. Ordinals
+/// go row by row.
+void GraphicsSystem::enter_cells_in_order(const SurfaceGrid& grid, std::span<const Point3> world,
+                                          Segment& segment) {
+  const int columns = grid.x_points - 1, rows = grid.y_points - 1;
+  std::vector<std::int64_t> next_of_row;
+  for (int j = 0; j < rows; ++j) {
+    if (modelling_.mirrors()) next_of_row.push_back(ordinal_);
+    for (int i = 0; i < columns; ++i) {
+      if (!grid.has_cell(i, j)) continue;
+      const std::int64_t ordinal = ordinal_++;
+      if (!modelling_.mirrors()) enter_cell(grid, world, {i, j, ordinal}, segment);
+    }
+  }
+  if (!modelling_.mirrors()) return;
+  for (int i = 0; i < columns; ++i) {
+    for (int j = 0; j < rows; ++j) {
+      if (!grid.has_cell(i, j)) continue;
+      const std::int64_t ordinal = next_of_row[static_cast<std::size_t>(j)]++;
+      enter_cell(grid, world, {i, j, ordinal}, segment);
+    }
+  }
 }
 
 /// All are looked at before any is entered.
@@ -118,21 +138,23 @@ std::vector<Point3> GraphicsSystem::world_points_of(const SurfaceGrid& grid) con
 }
 
 /// Two triangles, counterclockwise from above, with an invisible diagonal from the least corner to
-/// the greatest; nothing if the surface has a hole in one of its corners.
-void GraphicsSystem::enter_cell(const SurfaceGrid& grid, std::span<const Point3> world, int i,
-                                int j, Segment& segment) {
+/// the greatest.
+void GraphicsSystem::enter_cell(const SurfaceGrid& grid, std::span<const Point3> world,
+                                const SurfaceCell& cell, Segment& segment) {
   const auto index = [&](int x, int y) {
     return static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(grid.x_points) +
            static_cast<std::uint32_t>(x);
   };
-  const std::array corners{index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)};
-  for (const std::uint32_t corner : corners) {
-    if (std::isnan(grid.heights[corner])) return;
+  const auto& [i, j, ordinal] = cell;
+  std::uint32_t b = index(i + 1, j), d = index(i, j + 1);
+  const std::uint32_t a = index(i, j), c = index(i + 1, j + 1);
+  std::uint8_t along_ab = surface_curves_ != SurfaceCurves::y;
+  std::uint8_t along_ad = surface_curves_ != SurfaceCurves::x;
+  if (modelling_.mirrors()) {
+    std::swap(b, d);
+    std::swap(along_ab, along_ad);
   }
-  const std::uint8_t of_x = surface_curves_ != SurfaceCurves::y;
-  const std::uint8_t of_y = surface_curves_ != SurfaceCurves::x;
-  const int pick = pick_ >= 0 ? pick_ : static_cast<int>(ordinal_);
-  ++ordinal_;
+  const int pick = pick_ >= 0 ? pick_ : static_cast<int>(ordinal);
   const bool plain = retaining() == nullptr && !retains_alone_ && !cutting_planes_.any();
   const auto enter_triangle = [&](const std::array<std::uint32_t, 3>& of_triangle,
                                   const std::array<std::uint8_t, 3>& edge_visible) {
@@ -147,9 +169,8 @@ void GraphicsSystem::enter_cell(const SurfaceGrid& grid, std::span<const Point3>
     if (RetainedScene* scene = retaining()) scene->enter_polygon(triangle, attributes_);
     if (!retains_alone_) view_stage_->enter_shared(of_triangle, triangle, attributes_, segment);
   };
-  const auto [a, b, c, d] = corners;
-  enter_triangle({a, b, c}, {0, of_x, of_y});
-  enter_triangle({a, c, d}, {of_y, 0, of_x});
+  enter_triangle({a, b, c}, {0, along_ab, along_ad});
+  enter_triangle({a, c, d}, {along_ad, 0, along_ab});
 }
 
 }  // namespace displayfile

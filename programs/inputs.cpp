@@ -50,8 +50,10 @@ struct InputsRead {
   CommonUpright upright;  ///< of those meshes
 };
 
-/// Adds what a program drew in the view.
-void append_drawn(const View& view, const RetainedScene& drawn, std::vector<Point3>& points) {
+/// Adds what programs drew in the view, and is visible.
+void append_drawn(const View& view, const RetainedScene& retained, const GraphicsSystem& system,
+                  std::vector<Point3>& points) {
+  const RetainedScene drawn = retained.visible_in(system.display_file());
   for (const RetainedScene::Segment& segment : drawn.segments()) {
     View other = segment.view;
     other.window = view.window;  // which may be widened
@@ -114,7 +116,7 @@ InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem
   if (read.upright.differ()) {
     read.meshes.front().skipped.warnings.emplace_back(kStandDifferently);
   }
-  if (!read.bare.empty()) append_drawn(read.said.view, drawn, read.bare);
+  if (!read.bare.empty()) append_drawn(read.said.view, drawn, ahead, read.bare);
   return read;
 }
 
@@ -140,7 +142,7 @@ void append_axes(std::span<const std::string> inputs, const GraphicsSystem& syst
     replay_ahead(*program++, input_name(input), fitted);
     if (is_before_meshes) shared = fitted.view();
   }
-  append_drawn(shared, drawn, read.bare);
+  append_drawn(shared, drawn, fitted, read.bare);
 }
 
 /// While it lives, what close-segment looks at is told to a Progress.

@@ -187,6 +187,14 @@ TEST_F(Camera, ProgramsBeforeAMeshAndAfterItShareItsView) {
   same("g.npy", "h.npy");  // the view is fitted to the mesh where it is
   EXPECT_EQ(run("draw - m.obj -o s.png --size 90x60", "axes.draw"), 0) << err_;
   same("a.png", "s.png");
+  // What is not visible needs no place.
+  write("unseen.draw",
+        "open-segment 7\nmove-abs-3 0 0 0\nline-abs-3 0 40 0\nclose-segment\n"
+        "set-visibility 7 off\n");
+  for (const char* inputs : {"unseen.draw m.obj", "m.obj unseen.draw"}) {
+    draw(std::string(inputs) + " -o u.png --size 90x60");
+    same("u.png", "c.png");
+  }
 }
 
 /// Which edges of the box they stand on depends on the view, and what the view is fitted to on

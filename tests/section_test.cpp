@@ -12,6 +12,7 @@
 #include <random>
 
 #include "clip/error.h"
+#include "displayfile/mesh/cap_polygons.h"
 
 namespace displayfile {
 namespace {
@@ -245,6 +246,54 @@ TEST(Section, ObjectsThatTouchHaveLoopsOfTheirOwn) {
   EXPECT_EQ(cut.loops[0].size(), 4U);
   EXPECT_EQ(cut.loops[1].size(), 4U);
   EXPECT_EQ(cut.area, 2.0);
+}
+
+/// The even-odd area of a polygon in a plane of equal z that has no sides across each other.
+double area_of(const std::vector<Point3>& polygon) {
+  double twice = 0.0;
+  Point3 from = polygon.back();
+  for (const Point3& to : polygon) {
+    twice += from.x * to.y - to.x * from.y;
+    from = to;
+  }
+  return std::abs(twice) / 2.0;
+}
+
+Mesh boxes(const std::vector<std::array<Point3, 2>>& corners) {
+  Mesh all;
+  all.first_corner.push_back(0);
+  for (const auto& [low, high] : corners) {
+    const Mesh cube = unit_cube();
+    const auto first = static_cast<std::uint32_t>(all.vertices.size());
+    for (const Point3& p : cube.vertices) all.vertices.push_back(low + p * (high - low));
+    all.objects.push_back({"", all.faces(), cube.faces()});
+    for (const std::uint32_t corner : cube.corners) all.corners.push_back(first + corner);
+    for (int i = 0; i < 6; ++i) all.first_corner.push_back(all.first_corner.back() + 4);
+  }
+  return all;
+}
+
+/// A hollow box, another that overlaps it, and one in the hollow; low above high is inside out.
+TEST(Section, CapsAreLoopsWithTheirHoles) {
+  const Mesh mesh = boxes({{Point3(0), Point3(10)},
+                           {Point3(8, 8, 8), Point3(2, 2, 2)},
+                           {Point3(9, 0, 0), Point3(14, 10, 10)},
+                           {Point3(4), Point3(6)}});
+  for (const double up : {1.0, -1.0}) {
+    const SectionPlane plane{{0, 0, up}, 5.0 * up};
+    const Section cut = section(mesh, plane);
+    std::vector<double> areas;
+    for (const auto& polygon : cap_polygons(cut, plane)) areas.push_back(area_of(polygon));
+    EXPECT_EQ(areas, (std::vector<double>{100.0 - 36.0, 50.0, 4.0}));
+  }
+}
+
+TEST(Section, TheCapOfAMeshInsideOutIsThatOfTheMesh) {
+  const Mesh mesh = boxes({{Point3(10), Point3(0)}, {Point3(2), Point3(8)}});
+  const SectionPlane plane{{0, 0, 1}, 5.0};
+  const auto caps = cap_polygons(section(mesh, plane), plane);
+  ASSERT_EQ(caps.size(), 1U);
+  EXPECT_EQ(area_of(caps[0]), 64.0);
 }
 
 TEST(Section, AreasAreThoseOfRationalArithmetic) {

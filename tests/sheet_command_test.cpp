@@ -258,6 +258,26 @@ TEST_F(SheetCommandTest, SolidsOfOneProgramThatTouchAreHatched) {
   EXPECT_TRUE(sheet("two.draw") == files);
 }
 
+/// Hatching goes through, and hides what lies behind it.
+TEST_F(SheetCommandTest, WhatTwoBodiesShareIsMaterial) {
+  const std::string first = "box-3 0 40 0 20 0 20\n", second = "box-3 10 30 -10 30 5 15\n";
+  const auto sheet = [&](const std::string& bodies, const std::string& layer) {
+    write("bodies.draw", "open-segment 1\n" + bodies + "close-segment\n");
+    EXPECT_EQ(run("sheet bodies.draw -o s.svg --scale 1:1 --section front=10"), 0);
+    EXPECT_EQ(err_, "");
+    double length = 0.0;
+    for (const Stroke& stroke : strokes_of(path_of("s.svg", layer))) {
+      length += std::hypot(stroke[2] - stroke[0], stroke[3] - stroke[1]);
+    }
+    return length;
+  };
+  const double whole = sheet(first, "HATCH"), both = sheet(first + second, "HATCH");
+  EXPECT_NEAR(both / whole, 1.5, 0.02);  // 20 x 20 more than 40 x 20
+  const std::string behind = "box-3 18 22 8 12 -20 -10\n";
+  EXPECT_NEAR(sheet(first + second + behind, "VISIBLE") - sheet(first + second, "VISIBLE"),
+              sheet(first + behind, "VISIBLE") - sheet(first, "VISIBLE"), 40.0);
+}
+
 /// The inner faces of a hollow part enclose a volume that is not its own.
 TEST_F(SheetCommandTest, AHollowPartIsHatchedAroundItsHollow) {
   write("hollow.draw",

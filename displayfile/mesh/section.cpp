@@ -11,6 +11,7 @@
 
 #include "clip/error.h"
 #include "clip/planarity.h"
+#include "displayfile/mesh/joined_by_bridges.h"
 #include "displayfile/mesh/welded_faces.h"
 #include "hidden/exact/double_double.h"
 #include "hidden/exact/exact_number.h"
@@ -103,19 +104,6 @@ class CutEdges {
 struct Link {
   std::uint32_t from, to;
 };
-
-/// Loops as one even-odd polygon: each is joined to the first by a bridge there and back.
-template <class Corner>
-std::vector<Corner> joined_by_bridges(std::span<const std::vector<Corner>> loops) {
-  std::vector<Corner> polygon;
-  for (const auto& loop : loops) {
-    polygon.insert(polygon.end(), loop.begin(), loop.end());
-    if (loops.size() > 1) polygon.push_back(loop.front());
-    const bool is_last = &loop == &loops.back();  // its bridge back is the polygon's last side
-    if (&loop != &loops.front() && !is_last) polygon.push_back(loops.front().front());
-  }
-  return polygon;
-}
 
 /// A stretch of a face's outline that is behind the plane, between two cut edges.
 struct Chain {
@@ -349,7 +337,7 @@ class Cutter {
       }
       if (loop.back() == loop.front()) loop.pop_back();
     }
-    keep(joined_by_bridges<std::uint32_t>(loops));
+    keep(joined_by_bridges<std::uint32_t>(loops, [](std::uint32_t corner) { return corner; }));
   }
 
   /// Where a bridge is cut there and back nothing is between along the plane.
@@ -522,10 +510,6 @@ Section section(const Mesh& mesh, const SectionPlane& plane) {
   }
   result.area = 0.5 * sum.high * (glm::length(plane.normal) / plane.normal[axis]);
   return result;
-}
-
-std::vector<Point3> cap_polygon(const Section& section) {
-  return joined_by_bridges<Point3>(section.loops);
 }
 
 }  // namespace displayfile

@@ -19,19 +19,16 @@ struct Section {
   std::vector<std::vector<Point3>> loops;
   double area = 0.0;  ///< of the cut face
   /// The part of the mesh behind the plane. What is left of a flat face is one face, even-odd, its
-  /// loops joined as cap_polygon joins them; of one that is not flat, triangles and what is left of
+  /// loops joined by bridges; of one that is not flat, triangles and what is left of
   /// them. What is cut ends at the loops' points, bit for bit. The cut face is not among its faces.
   Mesh behind;
   bool closed = true;  ///< each edge is used as often in one direction as in the other
 };
 
 /// Cuts a mesh. Each object has its own loops if each is closed by itself; faces are even-odd, and
-/// may have bridges (cap_polygon). A vertex in the plane counts as before it: what is behind is
+/// may have bridges. A vertex in the plane counts as before it: what is behind is
 /// closed by the loops, and a face in the plane is cut exactly where there is solid behind it.
 /// Throws Error for a normal of no length, or numbers that are not finite.
 Section section(const Mesh& mesh, const SectionPlane& plane);
-
-/// The loops as one even-odd polygon: each is joined to the first by a bridge there and back.
-std::vector<Point3> cap_polygon(const Section& section);
 
 }  // namespace displayfile

@@ -192,7 +192,7 @@ void GraphicsSystem::enter_hatching(const SolidFaces& solid, std::size_t face, d
   const Point3 extent = high - low;
   const Point3 origin = -(offset + kBefore * std::max({extent.x, extent.y, extent.z})) * inward;
   const auto [sine, cosine] = sine_cosine_of_degrees(cut_faces_.angle);
-  for (const auto& [from, to] : hatched_loops(loops, spacing, {cosine, sine})) {
+  for (const auto& [from, to] : hatched_loops(loops, WithinLoops::odd, spacing, {cosine, sine})) {
     enter_world_line(origin + from.x * in_plane.right + from.y * in_plane.up,
                      origin + to.x * in_plane.right + to.y * in_plane.up);
   }

@@ -73,7 +73,8 @@ void add_view(const PartView& view, const Point2& at, double mm, double hatch,
     loops.push_back(std::move(placed));
   }
   for (auto& line : chained_lines(unique_lines(lines))) sheet.lines.push_back(std::move(line));
-  for (const auto& [from, to] : hatched_loops(loops, hatch, kHatchingDirection)) {
+  for (const auto& [from, to] :
+       hatched_loops(loops, WithinLoops::wound, hatch, kHatchingDirection)) {
     if (glm::distance(from, to) > kLeastLength) {
       sheet.lines.push_back({SheetLayer::hatch, {from, to}});
     }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "displayfile/mesh/fitted_view.h"
+#include "displayfile/mesh/cap_polygons.h"
 #include "displayfile/sorted_display_file.h"
 
 namespace displayfile {
@@ -98,8 +98,8 @@ Precision precision_of(ViewKind kind) {
   return {};
 }
 
-void find_lines(const Mesh& mesh, const Section* cut, const LineSelection& selection, int threads,
-                PartView& view) {
+void find_lines(const Mesh& mesh, const Section* cut, const SectionPlane& plane,
+                const LineSelection& selection, int threads, PartView& view) {
   if (mesh.faces() == 0 && (cut == nullptr || cut->loops.empty())) return;
   SeenBox box = box_of_used(mesh);
   if (cut != nullptr) {
@@ -129,7 +129,7 @@ void find_lines(const Mesh& mesh, const Section* cut, const LineSelection& selec
   std::optional<double> cap;
   if (cut != nullptr && !cut->loops.empty()) {
     system.set_line_style({LineStyle::Kind::none});
-    system.polygon_abs_3(cap_polygon(*cut));
+    for (const auto& polygon : cap_polygons(*cut, plane)) system.polygon_abs_3(polygon);
     cap = system.to_device(cut->loops[0][0])->z;
   }
   system.close_segment();
@@ -162,12 +162,13 @@ PartView view_of_part(const Mesh& part, ViewKind kind, const LineSelection& line
   view.low = Point2(box.low);
   view.high = Point2(box.high);
   if (!position) {
-    find_lines(turned, nullptr, lines, threads, view);
+    find_lines(turned, nullptr, {}, lines, threads, view);
     return view;
   }
-  Section cut = section(turned, {{0.0, 0.0, 1.0}, *position});
+  const SectionPlane plane{{0.0, 0.0, 1.0}, *position};
+  Section cut = section(turned, plane);
   if (!hatched) cut.loops.clear();
-  find_lines(cut.behind, &cut, lines, threads, view);
+  find_lines(cut.behind, &cut, plane, lines, threads, view);
   for (const auto& loop : cut.loops) {
     auto& flat = view.cut.emplace_back();
     for (const Point3& p : loop) flat.emplace_back(p);

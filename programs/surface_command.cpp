@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 
 #include "clip/error.h"
 #include "clip/memory.h"
@@ -27,17 +26,13 @@ constexpr int kMostContours = 100;
 
 /// `X,Y,Z`, three names.
 std::array<std::string, 3> names_of_axes(const std::string& text) {
-  std::array<std::string, 3> names{"x", "y", "z"};
-  if (text.empty()) return names;
-  std::istringstream words(text);
-  std::size_t count = 0;
-  for (std::string word; std::getline(words, word, ','); ++count) {
-    if (count < names.size()) names[count] = word;
-  }
-  if (count != names.size()) {
+  if (text.empty()) return {"x", "y", "z"};
+  const std::size_t first = text.find(','), second = text.find(',', first + 1);
+  if (first == text.npos || second == text.npos || text.find(',', second + 1) != text.npos) {
     throw Error(fmt::format("--labels {}: expected three names with commas between them", text));
   }
-  return names;
+  return {text.substr(0, first), text.substr(first + 1, second - first - 1),
+          text.substr(second + 1)};
 }
 
 bool has_holes(const SurfaceData& surface) {

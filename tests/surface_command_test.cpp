@@ -167,6 +167,9 @@ TEST_F(SurfaceCommandTest, OptionsSayWhatIsDrawn) {
   EXPECT_EQ(count("g.txt --sides lower", "set-surface-sides"), 1u);
   EXPECT_EQ(count("g.txt --labels u,v,height", "text \"height\""), 0u);  // no blank follows
   EXPECT_NE(read(folder_ / "s.draw").find("text \"height\"\n"), std::string::npos);
+  for (const char* names : {",north,h", "east,,h", "east,north,"}) {  // an axis without a name
+    ASSERT_EQ(run("surface g.txt -o s.svg --labels " + std::string(names)), 0) << err_;
+  }
 }
 
 TEST_F(SurfaceCommandTest, WhatIsWrongIsToldAndNothingIsWritten) {

@@ -463,6 +463,11 @@ TEST_F(SheetCommandTest, APartOfNoThicknessIsDrawn) {
   }
 }
 
+TEST_F(SheetCommandTest, ATitleIsWellFormedInXml) {
+  ASSERT_EQ(run("sheet box.obj -o s.svg --title 'a]]>b <&'"), 0) << err_;
+  EXPECT_NE(read(folder_ / "s.svg").find("<title>a]]&gt;b &lt;&amp;</title>"), std::string::npos);
+}
+
 TEST_F(SheetCommandTest, WritesPdfAndDxf) {
   ASSERT_EQ(run("sheet box.obj -o box.pdf"), 0) << err_;
   EXPECT_TRUE(read(folder_ / "box.pdf").starts_with("%PDF"));

@@ -14,6 +14,7 @@
 #include "displayfile/output.h"
 #include "interp/interpreter.h"
 #include "interp/picture.h"
+#include "interp/vector/escaped_xml.h"
 #include "interp/vector/seams.h"
 #include "interp/vector/svg_sheet.h"
 
@@ -51,18 +52,6 @@ void append_next_thousandths(std::string& out, long long thousandths, bool befor
   const bool begins_with_point = thousandths > 0 && thousandths < 1000;
   if (thousandths >= 0 && !(begins_with_point && before_has_point)) out.push_back(' ');
   append_thousandths(out, thousandths);
-}
-
-/// Characters as XML has them.
-void append_escaped(std::string& out, std::string_view characters) {
-  for (const char c : characters) {
-    switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      default: out.push_back(c);
-    }
-  }
 }
 
 std::string_view text_anchor(TextStyle::Alignment alignment) {

@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "displayfile/output_file.h"
+#include "interp/vector/escaped_xml.h"
 #include "programs/sheet/drawing_sheet.h"
 
 namespace displayfile {
@@ -12,15 +13,7 @@ namespace {
 
 std::string escaped_text(const std::string& text) {
   std::string out;
-  for (const char c : text) {
-    if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else {
-      out += c;
-    }
-  }
+  append_escaped(out, text);
   return out;
 }
 

@@ -468,6 +468,17 @@ TEST_F(SheetCommandTest, ATitleIsWellFormedInXml) {
   EXPECT_NE(read(folder_ / "s.svg").find("<title>a]]&gt;b &lt;&amp;</title>"), std::string::npos);
 }
 
+/// In DXF `%%c` is a diameter sign and `\U+0041` an A.
+TEST_F(SheetCommandTest, ATitleInDxfIsWhatItSays) {
+  if (run("sheet box.obj -o s.dxf --title '50% 9%%c \\U+0041 \\x \xF0\x9F\x98\x80 \xC3\xA9'") ==
+      2) {
+    GTEST_SKIP() << err_;
+  }
+  EXPECT_NE(
+      read(folder_ / "s.dxf").find("50% 9%%%%%%c \\U+005CU+0041 \\x \\U+D83D\\U+DE00 \\U+00E9"),
+      std::string::npos);
+}
+
 TEST_F(SheetCommandTest, WritesPdfAndDxf) {
   ASSERT_EQ(run("sheet box.obj -o box.pdf"), 0) << err_;
   EXPECT_TRUE(read(folder_ / "box.pdf").starts_with("%PDF"));

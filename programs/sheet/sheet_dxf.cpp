@@ -19,11 +19,33 @@ const bool kWritesDxf = true;
 
 namespace {
 
-/// As AutoCAD's files have characters beyond ASCII: \U+ and four hexadecimal digits.
+/// `\U+` and four hexadecimal digits, as AutoCAD's files have characters: UTF-16, two of them
+/// beyond U+FFFF.
+void append_code(std::string& out, unsigned code) {
+  constexpr unsigned kFirstOfTwo = 0x10000;
+  if (code < kFirstOfTwo) {
+    out += fmt::format("\\U+{:04X}", code);
+  } else {
+    const unsigned above = code - kFirstOfTwo;
+    out += fmt::format("\\U+{:04X}\\U+{:04X}", 0xD800 + (above >> 10), 0xDC00 + (above & 0x3FF));
+  }
+}
+
+/// What means something else in a file, as itself: `%%` begins the name of a character, of which
+/// `%%%` is a percent sign, and `\U+` a character's number.
 std::string in_ascii(const std::string& utf8) {
   std::string out;
   for (std::size_t i = 0; i < utf8.size();) {
+    const std::string_view rest = std::string_view(utf8).substr(i);
+    if (rest.starts_with("%%")) {
+      for (; i < utf8.size() && utf8[i] == '%'; ++i) out += "%%%";
+      continue;
+    }
     const auto byte = static_cast<unsigned char>(utf8[i++]);
+    if (rest.starts_with("\\U+")) {
+      append_code(out, byte);
+      continue;
+    }
     if (byte < 0x80) {
       out += byte < 0x20 ? ' ' : static_cast<char>(byte);
       continue;
@@ -33,7 +55,7 @@ std::string in_ascii(const std::string& utf8) {
     for (int k = 0; k < more && i < utf8.size(); ++k) {
       code = (code << 6) | (static_cast<unsigned char>(utf8[i++]) & 0x3Fu);
     }
-    out += fmt::format("\\U+{:04X}", code);
+    append_code(out, code);
   }
   return out;
 }

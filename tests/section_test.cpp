@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 
 #include "clip/error.h"
 #include "displayfile/mesh/cap_polygons.h"
@@ -271,6 +272,73 @@ Mesh boxes(const std::vector<std::array<Point3, 2>>& corners) {
     for (int i = 0; i < 6; ++i) all.first_corner.push_back(all.first_corner.back() + 4);
   }
   return all;
+}
+
+TEST(Section, WhatIsBehindHasTheObjectsOfTheMesh) {
+  const Mesh mesh = boxes({{Point3(0), Point3(2)}, {Point3(3), Point3(4)}, {Point3(1), Point3(3)}});
+  const Section cut = section(mesh, {{0, 0, 1}, 1.5});
+  ASSERT_EQ(cut.behind.objects.size(), 3U);
+  EXPECT_EQ(cut.behind.objects[0].faces, 5U);
+  EXPECT_EQ(cut.behind.objects[1].faces, 0U);
+  EXPECT_EQ(cut.behind.objects[2].faces, 5U);
+  EXPECT_EQ(cut.behind.objects[2].first_face, 5U);
+}
+
+/// Whether a point is on the line from one to the other.
+bool is_between(const Point3& p, const Point3& from, const Point3& to) {
+  return glm::length(p - from) + glm::length(to - p) < glm::length(to - from) + 1e-12;
+}
+
+/// Of the lengths of all sides of faces behind, those along the plane, and those of no side.
+struct LengthsOfSides {
+  double in_plane = 0.0, none = 0.0;
+};
+LengthsOfSides expect_sides_of(const Mesh& mesh, const Section& cut) {
+  LengthsOfSides lengths;
+  EXPECT_EQ(cut.side_of.size(), cut.behind.corners.size());
+  EXPECT_EQ(cut.face_of.size(), cut.behind.faces());
+  for (std::size_t i = 0; i < cut.behind.faces(); ++i) {
+    const auto face = cut.behind.face(i);
+    const auto whole = mesh.face(cut.face_of[i]);
+    Point3 from = cut.behind.vertices[face.back()];
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const Point3 to = cut.behind.vertices[face[k]];
+      const std::size_t side = cut.side_of[cut.behind.first_corner[i] + k];
+      if (side == Section::kInPlane) {
+        lengths.in_plane += glm::length(to - from);
+      } else if (side == Section::kNoSide) {
+        lengths.none += glm::length(to - from);
+      } else {
+        const std::size_t of_face = side - mesh.first_corner[cut.face_of[i]];
+        EXPECT_LT(of_face, whole.size());
+        const Point3& end = mesh.vertices[whole[of_face]];
+        const Point3& begin = mesh.vertices[whole[(of_face + whole.size() - 1) % whole.size()]];
+        EXPECT_TRUE(is_between(from, begin, end) && is_between(to, begin, end));
+      }
+      from = to;
+    }
+  }
+  return lengths;
+}
+
+TEST(Section, SidesBehindAreThoseOfTheMeshAndThoseAlongThePlane) {
+  const Mesh mesh = block_with_two_holes();
+  for (const double y : {0.5, 2.0, 3.5, 4.5, 5.5}) {
+    const Section cut = section(mesh, {{0, 1, 0}, y});
+    double around = 0.0;
+    for (const auto& loop : cut.loops) {
+      Point3 from = loop.back();
+      for (const Point3& to : loop) around += glm::length(std::exchange(from, to) - to);
+    }
+    EXPECT_NEAR(expect_sides_of(mesh, cut).in_plane, around, 1e-12) << y;
+  }
+  const Mesh comb = mesh_of({{0, 0, 0}, {3, 0, 0}, {3, 2, 0}, {2, 2, 0}, {1, 1, 0}, {0, 2, 0}},
+                            {{0, 1, 2, 3, 4, 5}});
+  const LengthsOfSides teeth = expect_sides_of(comb, section(comb, {{0, -1, 0}, -1.5}));
+  EXPECT_NEAR(teeth.in_plane, 0.5 + 1.5, 1e-12);
+  EXPECT_NEAR(teeth.none, 2.0 * 2.5, 1e-12);  // from tooth to tooth and back
+  const Mesh bent = mesh_of({{0, 0, 0}, {4, 0, 0}, {4, 4, 1}, {0, 4, 0}}, {{0, 1, 2, 3}});
+  EXPECT_GT(expect_sides_of(bent, section(bent, {{0, 1, 0}, 3.0})).none, 1.0);
 }
 
 /// A hollow box, another that overlaps it, and one in the hollow; low above high is inside out.

@@ -105,11 +105,18 @@ struct Link {
   std::uint32_t from, to;
 };
 
+/// Of a face: a vertex, or a cut edge, and what the side that ends there is (Section::side_of).
+struct Corner {
+  std::uint32_t vertex;
+  std::size_t side;
+};
+
 /// A stretch of a face's outline that is behind the plane, between two cut edges.
 struct Chain {
-  std::uint32_t enters, leaves;     ///< the cut edges
-  std::vector<std::uint32_t> kept;  ///< the vertices between them
-  std::size_t next = 0;             ///< the chain that follows along the plane
+  std::uint32_t enters, leaves;  ///< the cut edges
+  std::size_t last_side;         ///< that leaves
+  std::vector<Corner> kept;      ///< what is between them
+  std::size_t next = 0;          ///< the chain that follows along the plane
 };
 
 /// Cuts one face that the plane meets often, as one that is concave or has holes.
@@ -119,7 +126,7 @@ class FaceCutter {
       : edges_(edges), is_before_(is_before) {}
 
   /// The chains of a face whose outline the plane meets, each followed by another.
-  std::span<const Chain> chains(std::span<const std::uint32_t> face) {
+  std::span<const Chain> chains(std::span<const Corner> face) {
     find_chains(face);
     put_ends_in_order();
     join_ends_of_bridges();
@@ -134,21 +141,23 @@ class FaceCutter {
     bool enters;
   };
 
-  void find_chains(std::span<const std::uint32_t> face) {
+  void find_chains(std::span<const Corner> face) {
     chains_.clear();
     const std::size_t n = face.size();
+    const auto is_before = [&](std::size_t k) -> bool { return is_before_[face[k % n].vertex]; };
     std::size_t start = 0;  // the first vertex behind after one before
-    while (is_before_[face[start]] || !is_before_[face[(start + n - 1) % n]]) ++start;
-    std::uint32_t from = face[(start + n - 1) % n];
+    while (is_before(start) || !is_before(start + n - 1)) ++start;
+    std::uint32_t from = face[(start + n - 1) % n].vertex;
     for (std::size_t k = 0; k < n; ++k) {
-      const std::uint32_t to = face[(start + k) % n];
-      if (!is_before_[to]) {
-        if (is_before_[from]) chains_.push_back({edges_.number(to, from), 0, {}});
+      const Corner& to = face[(start + k) % n];
+      if (!is_before_[to.vertex]) {
+        if (is_before_[from]) chains_.push_back({edges_.number(to.vertex, from), 0, 0, {}});
         chains_.back().kept.push_back(to);
       } else if (!is_before_[from]) {
-        chains_.back().leaves = edges_.number(from, to);
+        chains_.back().leaves = edges_.number(from, to.vertex);
+        chains_.back().last_side = to.side;
       }
-      from = to;
+      from = to.vertex;
     }
   }
 
@@ -235,40 +244,45 @@ class Cutter {
   }
 
   void cut_all(std::span<const Mesh::Object> objects) {
-    std::size_t end_of_object = 0;
-    for (std::size_t i = 0; i < faces_.faces(); ++i) {
-      if (i == end_of_object && !objects.empty()) {
-        end_of_object += objects.front().faces;
-        objects = objects.subspan(1);
-        first_links.push_back(links.size());
-      }
-      cut(faces_.face(i));
+    for (const Mesh::Object& object : objects) {
+      first_links.push_back(links.size());
+      const std::size_t first = behind.faces();
+      for (face_ = object.first_face; face_ < object.first_face + object.faces; ++face_) cut();
+      behind.objects.push_back({object.name, first, behind.faces() - first});
     }
     const auto first = static_cast<std::uint32_t>(faces_.vertices.size());
     for (const CutPoint& p : edges.points) behind.vertices.push_back(rounded_point(p));
     for (std::uint32_t& corner : behind.corners) {
       if (corner >= kOfCutEdge) corner = first + (corner - kOfCutEdge);
     }
-    if (behind.faces() > 0) behind.objects.push_back({"", 0, behind.faces()});
   }
 
  private:
   static constexpr std::uint32_t kOfCutEdge = 0x80000000u;
 
-  void keep(std::span<const std::uint32_t> face) {
-    behind.corners.insert(behind.corners.end(), face.begin(), face.end());
+  void keep(std::span<const Corner> face) {
+    for (const Corner& corner : face) {
+      behind.corners.push_back(corner.vertex);
+      side_of.push_back(corner.side);
+    }
     behind.first_corner.push_back(behind.corners.size());
+    face_of.push_back(face_);
   }
 
-  void cut(std::span<const std::uint32_t> face) {
+  void cut() {
+    const std::span<const std::uint32_t> face = faces_.face(face_);
     const auto before = std::ranges::count_if(face, [&](auto v) { return is_before_[v]; });
     if (before == std::ssize(face)) return;
+    corners_.clear();
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      corners_.push_back({face[k], faces_.first_corner[face_] + k});
+    }
     if (before == 0) {
-      keep(face);
+      keep(corners_);
     } else if (is_flat_face(face)) {
-      cut_flat(face);
+      cut_flat();
     } else {
-      cut_triangles(face);
+      cut_triangles();
     }
   }
 
@@ -281,42 +295,49 @@ class Cutter {
   }
 
   /// The triangles of a face that is not flat; it is the polygon.
-  void cut_triangles(std::span<const std::uint32_t> face) {
-    for (const Triangulation::Triangle& t : triangulation_.triangulate(polygon_)) {
-      const std::array corners{face[t.vertex[0]], face[t.vertex[1]], face[t.vertex[2]]};
-      const auto before = std::ranges::count_if(corners, [&](auto v) { return is_before_[v]; });
-      if (before == 0) keep(corners);
-      if (before == 1 || before == 2) cut_once(corners);
+  void cut_triangles() {
+    for (const auto& [vertex, edge_visible] : triangulation_.triangulate(polygon_)) {
+      std::array<Corner, 3> triangle{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        triangle[k] = corners_[vertex[k]];
+        if (edge_visible[k] == 0) triangle[k].side = Section::kNoSide;
+      }
+      const auto before =
+          std::ranges::count_if(triangle, [&](auto& corner) { return is_before_[corner.vertex]; });
+      if (before == 0) keep(triangle);
+      if (before == 1 || before == 2) cut_once(triangle);
     }
   }
 
-  void cut_flat(std::span<const std::uint32_t> face) {
+  void cut_flat() {
     std::size_t crossings = 0;
-    std::uint32_t from = face.back();
-    for (const std::uint32_t to : face) {
-      if (is_before_[from] != is_before_[to]) ++crossings;
-      from = to;
+    std::uint32_t from = corners_.back().vertex;
+    for (const Corner& to : corners_) {
+      if (is_before_[from] != is_before_[to.vertex]) ++crossings;
+      from = to.vertex;
     }
     if (crossings == 2) {
-      cut_once(face);
+      cut_once(corners_);
     } else {
-      cut_apart(face);
+      cut_apart();
     }
   }
 
   /// A face whose outline crosses the plane there and back.
-  void cut_once(std::span<const std::uint32_t> face) {
+  void cut_once(std::span<const Corner> face) {
     Link link{};
     piece_.clear();
-    std::uint32_t from = face.back();
-    for (const std::uint32_t to : face) {
-      if (is_before_[from] != is_before_[to]) {
-        const std::uint32_t edge = is_before_[to] ? edges.number(from, to) : edges.number(to, from);
-        (is_before_[to] ? link.to : link.from) = edge;
-        piece_.push_back(kOfCutEdge + edge);
+    std::uint32_t from = face.back().vertex;
+    for (const Corner& to : face) {
+      const bool leaves = is_before_[to.vertex];
+      if (is_before_[from] != leaves) {
+        const std::uint32_t edge =
+            leaves ? edges.number(from, to.vertex) : edges.number(to.vertex, from);
+        (leaves ? link.to : link.from) = edge;
+        piece_.push_back({kOfCutEdge + edge, leaves ? to.side : Section::kInPlane});
       }
-      if (!is_before_[to]) piece_.push_back(to);
-      from = to;
+      if (!leaves) piece_.push_back(to);
+      from = to.vertex;
     }
     links.push_back(link);
     keep(piece_);
@@ -324,10 +345,10 @@ class Cutter {
 
   /// A face whose outline crosses the plane more often: its chains are closed along the plane to
   /// loops, which stay one even-odd polygon.
-  void cut_apart(std::span<const std::uint32_t> face) {
-    const std::span<const Chain> chains = face_cutter_.chains(face);
+  void cut_apart() {
+    const std::span<const Chain> chains = face_cutter_.chains(corners_);
     std::vector<bool> is_taken(chains.size(), false);
-    std::vector<std::vector<std::uint32_t>> loops;
+    std::vector<std::vector<Corner>> loops;
     for (std::size_t first = 0; first < chains.size(); ++first) {
       if (is_taken[first]) continue;
       auto& loop = loops.emplace_back();
@@ -335,17 +356,24 @@ class Cutter {
         is_taken[k] = true;
         add_to(loop, chains[k], chains[chains[k].next]);
       }
-      if (loop.back() == loop.front()) loop.pop_back();
+      if (loop.back().vertex == loop.front().vertex) {
+        loop.front().side = loop.back().side;
+        loop.pop_back();
+      }
     }
-    keep(joined_by_bridges<std::uint32_t>(loops, [](std::uint32_t corner) { return corner; }));
+    keep(joined_by_bridges<Corner>(loops, [](const Corner& corner) {
+      return Corner{corner.vertex, Section::kNoSide};
+    }));
   }
 
   /// Where a bridge is cut there and back nothing is between along the plane.
-  void add_to(std::vector<std::uint32_t>& loop, const Chain& chain, const Chain& next) {
+  void add_to(std::vector<Corner>& loop, const Chain& chain, const Chain& next) {
     const std::uint32_t enters = kOfCutEdge + chain.enters;
-    if (loop.empty() || loop.back() != enters) loop.push_back(enters);
+    if (loop.empty() || loop.back().vertex != enters) {
+      loop.push_back({enters, Section::kInPlane});
+    }
     loop.insert(loop.end(), chain.kept.begin(), chain.kept.end());
-    loop.push_back(kOfCutEdge + chain.leaves);
+    loop.push_back({kOfCutEdge + chain.leaves, chain.last_side});
     if (next.enters != chain.leaves) links.push_back({next.enters, chain.leaves});
   }
 
@@ -353,7 +381,9 @@ class Cutter {
   std::vector<bool> is_before_;
   Triangulation triangulation_;
   std::vector<Point3> polygon_;
-  std::vector<std::uint32_t> piece_;
+  std::size_t face_ = 0;         // that is cut
+  std::vector<Corner> corners_;  // its
+  std::vector<Corner> piece_;
   FaceCutter face_cutter_;
 
  public:
@@ -361,6 +391,7 @@ class Cutter {
   std::vector<Link> links;
   std::vector<std::size_t> first_links;  ///< where those of each object begin
   Mesh behind;
+  std::vector<std::size_t> face_of, side_of;
 };
 
 using Loop = std::vector<std::uint32_t>;
@@ -415,20 +446,19 @@ class LinkChains {
   std::vector<std::uint32_t> next_;   // that leaves the same edge
 };
 
-/// The loops of each object by itself, so that those that touch keep what is between them, or else
-/// of all together; none, and false, if these do not come back either.
+/// The loops of each object by itself, so that those that touch keep what is between them; of all
+/// those together that do not come back so. False if these do not come back either.
 bool find_loops(const Cutter& cut, std::vector<Loop>& loops) {
   LinkChains chains(cut.edges.points.size());
-  const std::span<const Link> links(cut.links);
-  bool closed = true;
-  for (std::size_t k = 0; closed && k < cut.first_links.size(); ++k) {
+  std::vector<Link> others;
+  for (std::size_t k = 0; k < cut.first_links.size(); ++k) {
     const std::size_t first = cut.first_links[k];
-    const std::size_t end = k + 1 < cut.first_links.size() ? cut.first_links[k + 1] : links.size();
-    closed = chains.add_loops(links.subspan(first, end - first), loops);
+    const std::size_t end =
+        k + 1 < cut.first_links.size() ? cut.first_links[k + 1] : cut.links.size();
+    const auto own = std::span(cut.links).subspan(first, end - first);
+    if (!chains.add_loops(own, loops)) others.insert(others.end(), own.begin(), own.end());
   }
-  if (closed && !cut.first_links.empty()) return true;
-  loops.clear();
-  return chains.add_loops(links, loops);
+  return chains.add_loops(others, loops);
 }
 
 /// Twice the area of a loop in the projection along an axis.
@@ -491,11 +521,14 @@ Section section(const Mesh& mesh, const SectionPlane& plane) {
   const CuttingPlane cutting(plane);
   const WeldedFaces faces = weld(mesh);
   Cutter cutter(cutting, faces);
-  cutter.cut_all(mesh.objects);
+  const Mesh::Object whole{"", 0, mesh.faces()};
+  cutter.cut_all(mesh.objects.empty() ? std::span(&whole, 1) : std::span(mesh.objects));
   Section result;
   std::vector<Loop> loops;
   result.closed = find_loops(cutter, loops);
   result.behind = std::move(cutter.behind);
+  result.face_of = std::move(cutter.face_of);
+  result.side_of = std::move(cutter.side_of);
   if (!result.closed) return result;
 
   int axis = 0;

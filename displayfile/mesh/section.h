@@ -14,6 +14,9 @@ struct SectionPlane {
 
 /// What a plane cuts of a mesh (section.md). World coordinates.
 struct Section {
+  /// In side_of: a side along the plane, and one that no side of the mesh is part of.
+  static constexpr std::size_t kInPlane = static_cast<std::size_t>(-1), kNoSide = kInPlane - 1;
+
   /// Closed polylines in the plane: counterclockwise around what is solid, seen from where the
   /// normal points, clockwise around holes. Empty if nothing is cut, or the mesh is not closed.
   std::vector<std::vector<Point3>> loops;
@@ -21,7 +24,12 @@ struct Section {
   /// The part of the mesh behind the plane. What is left of a flat face is one face, even-odd, its
   /// loops joined by bridges; of one that is not flat, triangles and what is left of
   /// them. What is cut ends at the loops' points, bit for bit. The cut face is not among its faces.
+  /// Its objects are the mesh's: some may have no face left.
   Mesh behind;
+  std::vector<std::size_t> face_of;  ///< of each face behind, which of the mesh it is a part of
+  /// Of each corner behind, for the side that ends there, at which of the mesh's corners the side
+  /// ends that it is a part of; kInPlane; or kNoSide: a bridge, or a diagonal.
+  std::vector<std::size_t> side_of;
   bool closed = true;  ///< each edge is used as often in one direction as in the other
 };
 

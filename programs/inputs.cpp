@@ -159,20 +159,6 @@ class ToldOfClosing {
   GraphicsSystem& system_;
 };
 
-/// A mesh that is read well may still be refused, by what else was set: then its name is told too.
-template <class Enter>
-void naming(const std::string& mesh, Enter&& enter) {
-  try {
-    enter();
-  } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", mesh, error.what()));
-  }
-}
-
-}  // namespace
-
-namespace {
-
 std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsSystem& system,
                                   const MeshOptions& options) {
   if (std::ranges::all_of(inputs, is_drawing_program)) {
@@ -185,7 +171,7 @@ std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsS
   }
   InputsRead read = read_inputs(inputs, system, options);
   const std::string& first_mesh = *std::ranges::find_if_not(inputs, is_drawing_program);
-  naming(first_mesh, [&] {
+  naming_mesh(first_mesh, [&] {
     if (read.bare.empty()) return;
     append_axes(inputs, system, read);
     fit_view(read.bare, system, read.upright.camera(), read.said);
@@ -201,7 +187,7 @@ std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsS
     }
     const std::size_t begin = i;
     while (i < inputs.size() && !is_drawing_program(inputs[i])) ++i;
-    naming(inputs[begin], [&] { enter_meshes(meshes.first(i - begin), system, options); });
+    naming_mesh(inputs[begin], [&] { enter_meshes(meshes.first(i - begin), system, options); });
     for (std::size_t k = begin; k < i; ++k) {
       report_skipped(inputs.subspan(k, 1), std::span(&meshes[k - begin].skipped, 1));
     }

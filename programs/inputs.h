@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "clip/error.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/sorted_display_file.h"
@@ -37,6 +38,17 @@ struct DrawnFile {
 /// Throws Error for the colour rule without a background.
 DrawnFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options,
                    const MeshWords& meshes, double aspect);
+
+/// Calls enter(), which enters a mesh. One that is read well may still be refused, by what else was
+/// set: then its name is told too.
+template <class Enter>
+void naming_mesh(const std::string& mesh, Enter&& enter) {
+  try {
+    enter();
+  } catch (const Error& error) {
+    throw Error(mesh + ": " + error.what());
+  }
+}
 
 /// Warns of what of each mesh was left out, if anything was, with the file's name
 /// (programs/warnings.h).

@@ -222,30 +222,28 @@ int SheetCommand::run() {
   const auto positions = sections_of(sections);
   const LineSelection selection = line_selection_of_option(lines);
   if (!up.empty()) upright_of_option(up);
-  const Mesh part = read_part(inputs, up, import.limits());
+  const Part part = read_part(inputs, up, import.limits());
   const auto kinds = views_of_sheet(words.projection);
   for (std::size_t k = 0; k < kCutViews.size(); ++k) {
     if (!positions[k]) continue;
-    require_cut(part, kinds[k], kCutViews[k], *positions[k]);
-    if (!cuts_a_face(part, kinds[k], *positions[k])) {
+    require_cut(part.mesh, kinds[k], kCutViews[k], *positions[k]);
+    if (!cuts_a_face(part.mesh, kinds[k], *positions[k])) {
       warnings() << fmt::format("{}: the plane of the section at {} does not cut the part\n",
                                 inputs.front(), *positions[k]);
     }
-  }
-  const bool is_cut = std::ranges::any_of(positions, [](const auto& p) { return p.has_value(); });
-  const bool hatched = is_cut && edges_pair_up(part);
-  if (is_cut && !hatched) {
-    warnings() << fmt::format(
-        "{}: not closed and consistently oriented: the section is drawn open, without hatching\n",
-        inputs.front());
   }
   std::array<PartView, 4> views;
   {
     Progress progress("finding the lines of four views");
     for (std::size_t k = 0; k < 4; ++k) {
-      views[k] = view_of_part(part, kinds[k], selection, positions[k], hatched, threads);
+      views[k] = view_of_part(part, kinds[k], selection, positions[k], threads);
       progress.update(k + 1, 4);
     }
+  }
+  if (!std::ranges::all_of(views, &PartView::closed)) {
+    warnings() << fmt::format(
+        "{}: not closed and consistently oriented: the section is drawn open, without hatching\n",
+        inputs.front());
   }
   const DrawingScale chosen = scale_of_sheet(views, words, asked ? &*asked : nullptr);
   const DrawingSheet sheet = arrange(views, words, chosen);

@@ -463,6 +463,150 @@ TEST_F(SheetCommandTest, APartOfNoThicknessIsDrawn) {
   }
 }
 
+/// A box with a bore, and a pin that fills it with the same facets.
+TEST_F(SheetCommandTest, TouchingSolidsHaveNoLinesWithinTheFaceThatTheyShare) {
+  const std::string box = "box-3 -20 20 -20 20 0 20\n";
+  const std::string pin = "open-segment 2\ncylinder-3 0 0 0 8 20 48\nclose-segment\n";
+  const std::string bored = "open-segment 1\nbegin-solid difference\n" + box +
+                            "cylinder-3 0 0 -1 8 22 48\nend-solid\nclose-segment\n";
+  write("pin.draw", bored + pin);
+  for (const char* section : {"", " --section side=0"}) {
+    const std::string options = std::string(" --up z -o s.svg --scale 1:1") + section;
+    if (run("sheet pin.draw" + options) == 2) GTEST_SKIP() << err_;
+    EXPECT_EQ(err_, "");
+    int facets = 0;  // of the front view's bore, and of the side view's
+    for (const Stroke& stroke : strokes_of(path_of("s.svg", "HIDDEN"))) {
+      facets +=
+          std::abs(stroke[2] - stroke[0]) < 1e-9 && std::abs(stroke[3] - stroke[1] - 20.0) < 1e-9;
+    }
+    EXPECT_EQ(facets, *section == '\0' ? 4 : 2) << section;
+  }
+}
+
+/// Two cubes that have a face in common, as groups of one closed surface, or as one object.
+TEST_F(SheetCommandTest, WhatIsClosedIsHatchedHoweverItIsDividedIntoObjects) {
+  const std::string vertices =
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+      "v 2 0 0\nv 2 1 0\nv 2 0 1\nv 2 1 1\n";
+  const std::string first = "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\n", end = "f 2 3 7 6\nf 3 4 8 7\n";
+  const std::string last = "f 4 1 5 8\n";
+  const std::string other =
+      "f 2 3 10 9\nf 6 11 12 7\nf 2 9 11 6\nf 9 10 12 11\nf 10 3 7 12\nf 3 2 6 7\n";
+  write("one.obj", vertices + first + end + last + other);
+  write("two.obj", vertices + "o a\n" + first + end + last + "o b\n" + other);
+  write("groups.obj",
+        vertices + "g a\n" + first + "g b\n" + end + "g c\n" + last + "o d\n" + other);
+  const auto sheet = [&](const std::string& part) {
+    EXPECT_EQ(run("sheet " + part + " --title a -o s.svg --section front=0.5"), 0);
+    EXPECT_EQ(err_, "") << part;
+    EXPECT_FALSE(numbers("s.svg", "HATCH").empty()) << part;
+    return read(folder_ / "s.svg");
+  };
+  const std::string two = sheet("two.obj");
+  EXPECT_TRUE(sheet("one.obj") == two);
+  EXPECT_TRUE(sheet("groups.obj") == two);
+}
+
+TEST_F(SheetCommandTest, WhatProgramsDoNotDrawIsOnNoSheet) {
+  const std::string box = "open-segment 1\nbox-3 0 40 0 20 0 10\nclose-segment\n";
+  const std::string other = "open-segment 2\nbox-3 0 20 0 20 10 30\nclose-segment\n";
+  const auto sheet = [&](const std::string& program) {
+    write("a.draw", program);
+    EXPECT_EQ(run("sheet a.draw -o s.svg --section front=5"), 0) << err_;
+    EXPECT_EQ(err_, "");
+    return read(folder_ / "s.svg");
+  };
+  const std::string alone = sheet(box);
+  EXPECT_TRUE(sheet(box + other + "set-visibility 2 off\n") == alone);
+  EXPECT_TRUE(sheet(box + "set-fill-style hollow\nset-line-style none\n" + other) == alone);
+  EXPECT_FALSE(sheet(box + other) == alone);
+}
+
+TEST_F(SheetCommandTest, OutlinesOfAHollowPolygonHideNothing) {
+  const std::string box = "open-segment 1\nbox-3 0 40 0 20 0 10\nclose-segment\n";
+  const std::string plate =
+      "open-segment 2\npolygon-abs-3 5 5 20  35 5 20  35 15 20  5 15 20\nclose-segment\n";
+  const auto hidden = [&](const std::string& program) {
+    write("a.draw", program);
+    EXPECT_EQ(run("sheet a.draw -o s.svg --scale 1:1"), 0) << err_;
+    return strokes_of(path_of("s.svg", "HIDDEN")).size();
+  };
+  EXPECT_EQ(hidden(box + "set-fill-style hollow\n" + plate), hidden(box));
+  EXPECT_GT(hidden(box + plate), hidden(box));
+}
+
+TEST_F(SheetCommandTest, WhatAProgramSaysBeforeAMeshActsOnIt) {
+  write("wide.draw", "scale-3 3 1 1\n");
+  write("wide.obj",
+        "v 0 0 0\nv 180 0 0\nv 180 40 0\nv 0 40 0\nv 0 0 30\nv 180 0 30\nv 180 40 30\nv 0 40 30\n"
+        "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+  write("off.draw", "set-visibility 2 off\n");
+  const auto sheet = [&](const std::string& parts) {
+    EXPECT_EQ(run("sheet " + parts + " --title a -o s.svg"), 0) << err_;
+    EXPECT_EQ(err_, "");
+    return read(folder_ / "s.svg");
+  };
+  const std::string wide = sheet("wide.obj");
+  EXPECT_TRUE(sheet("wide.draw box.obj") == wide);
+  EXPECT_TRUE(sheet("wide.obj box.obj off.draw") == wide);  // segments are named as in a picture
+}
+
+/// A sheet of two sides through the plane, beside a box.
+TEST_F(SheetCommandTest, TheCutEdgeOfASheetOfTwoSidesIsALine) {
+  write("sheets.draw",
+        "open-segment 1\npolygon-abs-3 0 0 -10  20 0 10  20 20 10  0 20 -10\n"
+        "polygon-abs-3 0 20 -10  20 20 10  20 0 10  0 0 -10\nbox-3 30 50 0 20 -10 10\n"
+        "close-segment\n");
+  ASSERT_EQ(run("sheet sheets.draw -o s.svg --scale 1:1 --section front=0"), 0) << err_;
+  EXPECT_EQ(err_, "");
+  const std::vector<double> hatch = numbers("s.svg", "HATCH");
+  ASSERT_FALSE(hatch.empty());
+  double left = 1e9;
+  for (std::size_t i = 0; i < hatch.size(); i += 2) left = std::min(left, hatch[i]);
+  int edges = 0;
+  for (const Stroke& stroke : strokes_of(path_of("s.svg", "VISIBLE"))) {
+    edges += std::abs(stroke[0] - (left - 20.0)) < 0.1 && std::abs(stroke[2] - stroke[0]) < 1e-9 &&
+             std::abs(stroke[3] - stroke[1] - 20.0) < 1e-9;
+  }
+  EXPECT_EQ(edges, 1);
+}
+
+/// None where a bridge goes to a hole, and none where a face that is not flat, or one of a solid,
+/// is divided.
+TEST_F(SheetCommandTest, AllSidesAreThoseThatAPictureHas) {
+  write("bridged.obj", plate_with_boss(true));
+  ASSERT_EQ(run("sheet bridged.obj --up z -o s.svg --lines outline,boundary,crease"), 0) << err_;
+  const std::string creases = read(folder_ / "s.svg");
+  ASSERT_EQ(run("sheet bridged.obj --up z -o s.svg --lines all"), 0) << err_;
+  EXPECT_TRUE(read(folder_ / "s.svg") != creases);  // a side there and back is one of the file's
+  write("bored.draw",
+        "open-segment 1\nbegin-solid difference\nbox-3 0 40 0 30 0 20\nbox-3 10 30 10 20 -1 21\n"
+        "end-solid\nclose-segment\n");
+  for (const char* section : {"", " --section front=-15", " --section side=20"}) {
+    const std::string options = std::string(" --up z -o s.svg") + section;
+    if (run("sheet bored.draw --lines outline,boundary,crease" + options) == 2) break;
+    const std::string whole = read(folder_ / "s.svg");
+    ASSERT_EQ(run("sheet bored.draw --lines all" + options), 0) << err_;
+    EXPECT_TRUE(read(folder_ / "s.svg") == whole) << section;
+  }
+  write("bent.obj", "v 0 0 0\nv 40 0 0\nv 40 40 9\nv 0 40 0\nf 1 2 3 4\n");
+  ASSERT_EQ(run("sheet bent.obj -o s.svg --lines all"), 0) << err_;
+  const std::string bent = read(folder_ / "s.svg");
+  ASSERT_EQ(run("sheet bent.obj -o s.svg --lines boundary"), 0) << err_;
+  EXPECT_TRUE(read(folder_ / "s.svg") == bent);
+}
+
+TEST_F(SheetCommandTest, LinesAreWhereMaterialsDiffer) {
+  write("two.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
+  write("two.obj",
+        "mtllib two.mtl\nv 0 0 0\nv 10 0 0\nv 20 0 0\nv 20 10 9\nv 10 10 9\nv 0 10 9\n"
+        "usemtl red\nf 1 2 5 6\nusemtl blue\nf 2 3 4 5\n");
+  ASSERT_EQ(run("sheet two.obj -o s.svg --scale 1:1 --lines material"), 0) << err_;
+  EXPECT_EQ(strokes_of(path_of("s.svg", "VISIBLE")).size(), 4U);  // one a view
+  ASSERT_EQ(run("sheet two.obj -o s.svg --scale 1:1 --lines material --section top=5"), 0) << err_;
+  EXPECT_EQ(strokes_of(path_of("s.svg", "VISIBLE")).size(), 4U);
+}
+
 TEST_F(SheetCommandTest, ATitleIsWellFormedInXml) {
   ASSERT_EQ(run("sheet box.obj -o s.svg --title 'a]]>b <&'"), 0) << err_;
   EXPECT_NE(read(folder_ / "s.svg").find("<title>a]]&gt;b &lt;&amp;</title>"), std::string::npos);
@@ -477,6 +621,13 @@ TEST_F(SheetCommandTest, ATitleInDxfIsWhatItSays) {
   EXPECT_NE(
       read(folder_ / "s.dxf").find("50% 9%%%%%%c \\U+005CU+0041 \\x \\U+D83D\\U+DE00 \\U+00E9"),
       std::string::npos);
+}
+
+TEST_F(SheetCommandTest, WhatIsLeftOutIsToldWithTheNameOnce) {
+  write("glass.mtl", "newmtl glass\nd 0.5\n");
+  write("glass.obj", "mtllib glass.mtl\nusemtl glass\nv 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\n");
+  ASSERT_EQ(run("sheet glass.obj -o s.svg"), 0) << err_;
+  EXPECT_TRUE(err_.starts_with("glass.obj: left out: ")) << err_;
 }
 
 TEST_F(SheetCommandTest, WritesPdfAndDxf) {

@@ -33,18 +33,34 @@ class SideBalance {
   std::unordered_map<std::uint64_t, int> uses_;  // of sides that are not balanced
 };
 
+/// Objects that are closed by themselves, and what those in a row that are not make together.
+std::vector<MeshPiece> closed_objects(const Mesh& mesh, const WeldedFaces& faces) {
+  std::vector<MeshPiece> all;
+  for (const Mesh::Object& object : mesh.objects) {
+    SideBalance balance;
+    for (std::size_t i = 0; i < object.faces; ++i) balance.add(faces.face(object.first_face + i));
+    const bool goes_on = !all.empty() && !all.back().closed && !balance.is_closed();
+    if (!goes_on) all.push_back({object.first_face, 0, balance.is_closed()});
+    all.back().faces += object.faces;
+  }
+  return all;
+}
+
 }  // namespace
 
-std::vector<Mesh::Object> closed_pieces(const Mesh& mesh) {
+std::vector<MeshPiece> closed_pieces(const Mesh& mesh) {
   const WeldedFaces faces = weld(mesh);
-  std::vector<Mesh::Object> pieces;
-  SideBalance balance;
-  std::size_t first = 0;
-  for (std::size_t i = 0; i < faces.faces(); ++i) {
-    balance.add(faces.face(i));
-    if (!balance.is_closed() && i + 1 < faces.faces()) continue;
-    pieces.push_back({"", first, i + 1 - first});
-    first = i + 1;
+  std::vector<MeshPiece> pieces;
+  for (const MeshPiece& whole : closed_objects(mesh, faces)) {
+    SideBalance balance;
+    std::size_t first = whole.first_face;
+    const std::size_t end = whole.first_face + whole.faces;
+    for (std::size_t i = first; i < end; ++i) {
+      balance.add(faces.face(i));
+      if (!balance.is_closed() && i + 1 < end) continue;
+      pieces.push_back({first, i + 1 - first, balance.is_closed()});
+      first = i + 1;
+    }
   }
   return pieces;
 }

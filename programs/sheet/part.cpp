@@ -2,10 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <glm/geometric.hpp>
-#include <utility>
+#include <limits>
+#include <string_view>
+#include <system_error>
 
 #include "clip/error.h"
+#include "displayfile/input_file.h"
 #include "displayfile/mesh/up_axis.h"
 #include "displayfile/retained_scene.h"
 #include "displayfile/text/drawing_program.h"
@@ -29,69 +35,128 @@ std::optional<Upright> upright_of(const View& view) {
   return std::nullopt;
 }
 
-Mesh polygons_of_program(const std::string& input) {
-  RetainedScene scene;
-  GraphicsSystem system;
-  system.retain(&scene);
-  replay_file(input, system);
-  Mesh mesh;
-  mesh.first_corner.push_back(0);
-  for (std::uint32_t i = 0; i < scene.size(); ++i) {
-    if (scene[i].is_line()) continue;
-    for (std::uint32_t k = 0; k < scene[i].sides; ++k) {
-      mesh.corners.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
-      mesh.vertices.push_back(scene.points(i)[k]);
-    }
-    mesh.first_corner.push_back(mesh.corners.size());
-  }
-  mesh.objects = closed_pieces(mesh);
-  if (system.said().contains(Setting::camera) && !scene.segments().empty()) {
-    mesh.upright = upright_of(scene.segments().front().view);
-  }
-  return mesh;
+/// The camera of what a program has drawn, or else the one that it leaves in force.
+std::optional<Upright> upright_of(const GraphicsSystem& system, const RetainedScene& scene,
+                                  std::size_t segments_before) {
+  if (!system.said().contains(Setting::camera)) return std::nullopt;
+  const auto drawn = std::span(scene.segments()).subspan(segments_before);
+  return upright_of(drawn.empty() ? system.view() : drawn.front().view);
 }
 
-void append_mesh(const Mesh& other, Mesh& all) {
-  const auto vertex = static_cast<std::uint32_t>(all.vertices.size());
-  const std::size_t corner = all.corners.size(), face = all.faces();
-  all.vertices.insert(all.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const std::uint32_t c : other.corners) all.corners.push_back(vertex + c);
-  for (std::size_t i = 1; i < other.first_corner.size(); ++i) {
-    all.first_corner.push_back(corner + other.first_corner[i]);
+/// Names of the segments that a program opens.
+std::vector<int> names_opened(std::string_view program) {
+  constexpr std::string_view kOpen = "open-segment";
+  std::vector<int> names;
+  for (auto at = program.find(kOpen); at != program.npos; at = program.find(kOpen, at)) {
+    at += kOpen.size();
+    const auto number = std::min(program.find_first_not_of(" \t", at), program.size());
+    const char* const end = program.data() + program.size();
+    if (int name = 0; std::from_chars(program.data() + number, end, name).ec == std::errc{}) {
+      names.push_back(name);
+    }
   }
-  for (const Mesh::Object& object : other.objects) {
-    all.objects.push_back({object.name, face + object.first_face, object.faces});
+  return names;
+}
+
+/// Gives other names to segments of earlier inputs, where the program has those for its own: most
+/// programs begin with the first.
+void make_room_for_names(std::string_view program, GraphicsSystem& system) {
+  const std::vector<int> names = names_opened(program);
+  std::int64_t last = 0;
+  for (const int name : names) last = std::max<std::int64_t>(last, name);
+  for (const Segment& segment : system.display_file().segments()) {
+    last = std::max<std::int64_t>(last, segment.name());
   }
+  for (const int name : names) {
+    if (!system.display_file().contains(name) || last == std::numeric_limits<int>::max()) continue;
+    system.rename_segment(name, static_cast<int>(++last));
+  }
+}
+
+/// Which axis is up is not only the mesh's matter, but also of the transformation that turns it.
+std::optional<Upright> enter_mesh_file(const std::string& input, const ImportLimits& limits,
+                                       GraphicsSystem& system) {
+  const Mesh mesh = [&] {
+    const NamedWarnings named(input);
+    return read_mesh(input, false, limits);
+  }();
+  report_skipped(std::span(&input, 1), std::span(&mesh.skipped, 1));
+  MeshOptions options;
+  options.sides_drawn = options.hidden_sides_drawn = true;
+  naming_mesh(input, [&] { enter_meshes(std::span(&mesh, 1), system, options); });
+  if (!mesh.upright) return std::nullopt;
+  return nearest_upright(system.modelling_transformation().apply_to_difference(mesh.upright->up));
+}
+
+/// What is visible, with the scene's segments as its objects.
+Part polygons_of(const RetainedScene& scene, const DisplayFile& display_file) {
+  Part part;
+  Mesh& mesh = part.mesh;
+  mesh.first_corner.push_back(0);
+  for (const RetainedScene::Segment& segment : scene.segments()) {
+    if (!display_file.segment(segment.name).visible) continue;
+    const std::size_t first_face = mesh.faces(), first_vertex = mesh.vertices.size();
+    const auto points = scene.points(segment);
+    mesh.vertices.insert(mesh.vertices.end(), points.begin(), points.end());
+    for (std::uint32_t i = segment.first; i < segment.end; ++i) {
+      if (scene[i].is_line() || !scene.draws(i)) continue;
+      for (std::uint32_t k = 0; k < scene[i].sides; ++k) {
+        const std::size_t point = scene.has_shared() ? scene.corners(i)[k] : scene[i].first + k;
+        mesh.corners.push_back(
+            static_cast<std::uint32_t>(first_vertex + point - segment.first_point));
+        part.side_visible.push_back(scene.edge_visible(i, k) ? 1 : 0);
+      }
+      mesh.first_corner.push_back(mesh.corners.size());
+      part.fill_of_face.push_back(scene[i].look);
+    }
+    if (mesh.faces() > first_face) {
+      mesh.objects.push_back({"", first_face, mesh.faces() - first_face});
+    }
+  }
+  for (std::uint32_t look = 0; look < scene.fill_colours().size(); ++look) {
+    FillStyle& fill =
+        part.fills.emplace_back(scene.all_attributes()[scene.attributes_of_look(look)].fill);
+    fill.colour = scene.fill_colours()[look];
+  }
+  return part;
 }
 
 }  // namespace
 
-Mesh read_part(std::span<const std::string> inputs, const std::string& up,
+Part read_part(std::span<const std::string> inputs, const std::string& up,
                const ImportLimits& limits) {
-  Mesh part;
-  part.first_corner.push_back(0);
+  RetainedScene scene;
+  GraphicsSystem system;
+  system.retain_alone(scene);
   std::optional<Upright> standing;
   if (!up.empty()) standing = upright(up);
   for (const std::string& input : inputs) {
     const Progress progress("reading " + input);
+    std::optional<Upright> of_input;
     if (is_drawing_program(input)) {
-      const Mesh mesh = polygons_of_program(input);
-      if (!standing) standing = mesh.upright;
-      append_mesh(mesh, part);
-      continue;
+      const std::size_t segments = scene.segments().size();
+      const std::string program = read_text_file(input);
+      make_room_for_names(program, system);
+      replay(program, input_name(input), system);
+      of_input = upright_of(system, scene, std::min(segments, scene.segments().size()));
+    } else {
+      of_input = enter_mesh_file(input, limits, system);
     }
-    const NamedWarnings named(input);
-    const Mesh mesh = read_mesh(input, false, limits);
-    report_skipped(std::span(&input, 1), std::span(&mesh.skipped, 1));
-    if (!standing) standing = mesh.upright;
-    append_mesh(mesh, part);
+    if (!standing) standing = of_input;
   }
-  if (part.faces() == 0) {
+  Part part = polygons_of(scene, system.display_file());
+  if (part.mesh.faces() == 0) {
     throw Error(fmt::format("{}: no polygons: expected a part to draw", inputs.front()));
   }
   const Upright axes = standing.value_or(Upright{});
-  for (Point3& p : part.vertices) {
+  for (Point3& p : part.mesh.vertices) {
     p = {glm::dot(p, axes.right), glm::dot(p, axes.up), glm::dot(p, axes.front)};
+  }
+  const std::vector<MeshPiece> pieces = closed_pieces(part.mesh);
+  part.mesh.objects.clear();
+  for (const MeshPiece& piece : pieces) {
+    part.mesh.objects.push_back({"", piece.first_face, piece.faces});
+    part.is_closed.push_back(piece.closed ? 1 : 0);
   }
   return part;
 }

@@ -5,8 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "displayfile/mesh/section.h"
+#include "clip/point.h"
 #include "hidden/line_kinds.h"
+#include "programs/sheet/part.h"
 
 namespace displayfile {
 
@@ -29,13 +30,14 @@ struct PartView {
   std::vector<Line> lines;
   std::vector<std::vector<Point2>> cut;  ///< loops of the cut face
   std::optional<double> position;        ///< of a section, along toward_viewer
+  bool closed = true;                    ///< false: the part is not, where it is cut
 };
 
 /// Finds a view's lines, the hidden ones too, exactly (hidden/lines/franklin.md); in the isometric
 /// view depths that rounding may have parted are the same. With a position the part is cut there,
-/// and what is nearer to the viewer taken away; `hatched` is false if the part is not closed: then
-/// the cut face is open.
-PartView view_of_part(const Mesh& part, ViewKind kind, const LineSelection& lines,
-                      std::optional<double> position, bool hatched, int threads);
+/// and what is nearer to the viewer taken away; if the part is not closed there, the cut face is
+/// open.
+PartView view_of_part(const Part& part, ViewKind kind, const LineSelection& lines,
+                      std::optional<double> position, int threads);
 
 }  // namespace displayfile

@@ -1,0 +1,181 @@
+#include "programs/sheet/part_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/mat3x3.hpp>
+
+#include "clip/planarity.h"
+#include "displayfile/retained_scene.h"
+#include "displayfile/sorted_display_file.h"
+#include "displayfile/view_stage.h"
+#include "hidden/triangulation.h"
+
+namespace displayfile {
+
+Bounds bounds_of_used(const Mesh& mesh) {
+  Bounds bounds;
+  for (const std::uint32_t corner : mesh.corners) bounds.include(mesh.vertices[corner]);
+  return bounds;
+}
+
+namespace {
+
+/// Middle and half the side of a window around all that is seen.
+struct SquareWindow {
+  Point3 middle;
+  double half;
+
+  View view() const {
+    View view;
+    view.set_window({middle.x - half, middle.x + half, middle.y - half, middle.y + half});
+    view.set_depth(-(middle.z + half), -(middle.z - half));
+    return view;
+  }
+};
+
+/// Its side is a power of 2, and its middle a multiple of a part of that: coordinates of few digits
+/// are the window's without rounding, so that what is in line on paper stays so, and a face that is
+/// seen edge-on is.
+SquareWindow exact_window(const Bounds& box) {
+  constexpr double kSteps = 1024.0, kMargin = 1.02;
+  const Point3 extent = box.high - box.low;
+  const double size = std::max({extent.x, extent.y, extent.z});
+  const double half = size > 0.0 ? std::exp2(std::ceil(std::log2(0.5 * kMargin * size))) : 1.0;
+  const double step = half / kSteps;
+  return {step * glm::round(0.5 * (box.low + box.high) / step), half};
+}
+
+/// Enters the faces of a part into a scene.
+class PartEntry {
+ public:
+  PartEntry(const Part& part, RetainedScene& scene) : part_(part), scene_(scene) {}
+
+  void enter_object(const Mesh::Object& object) {
+    for (std::size_t i = 0; i < object.faces; ++i) enter_face(object.first_face + i);
+  }
+
+ private:
+  void enter_face(std::size_t face) {
+    const Mesh& mesh = part_.mesh;
+    attributes_.fill = part_.fills[part_.fill_of_face[face]];
+    points_.clear();
+    for (const std::uint32_t corner : mesh.face(face)) points_.push_back(mesh.vertices[corner]);
+    const auto visible =
+        std::span(part_.side_visible).subspan(mesh.first_corner[face], points_.size());
+    if (points_.size() == 3 || is_flat(points_)) return enter(points_, visible);
+    for (const auto& [vertex, edge_visible] : triangulation_.triangulate(points_)) {
+      std::array<Point3, 3> corners;
+      std::array<std::uint8_t, 3> drawn{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        corners[k] = points_[vertex[k]];
+        drawn[k] = edge_visible[k] != 0 ? visible[vertex[k]] : std::uint8_t{0};
+      }
+      enter(corners, drawn);
+    }
+  }
+  void enter(std::span<const Point3> corners, std::span<const std::uint8_t> visible) {
+    scene_.enter_polygon({corners, visible, Point3(0.0), {}, 0}, attributes_);
+  }
+
+  const Part& part_;
+  RetainedScene& scene_;
+  Attributes attributes_;
+  std::vector<Point3> points_;
+  Triangulation triangulation_;
+};
+
+/// Closed objects in segments of their own: those that touch have no sides in common. All others
+/// together, since they may be parts of one surface.
+RetainedScene scene_of(const Part& part, std::span<const std::vector<Point3>> caps,
+                       const LineSelection& selection, const View& view) {
+  RetainedScene scene;
+  PartEntry entry(part, scene);
+  int name = 0;
+  const auto segment = [&](const auto& enter) {
+    scene.open_segment(++name, view);
+    enter();
+    scene.close_segment(selection);
+  };
+  const auto objects = std::span(part.mesh.objects);
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    if (part.is_closed[k] == 0 || objects[k].faces == 0) continue;
+    segment([&] { entry.enter_object(objects[k]); });
+  }
+  segment([&] {
+    for (std::size_t k = 0; k < objects.size(); ++k) {
+      if (part.is_closed[k] == 0) entry.enter_object(objects[k]);
+    }
+  });
+  segment([&] {
+    Attributes plain;
+    plain.line.kind = LineStyle::Kind::none;
+    for (const auto& cap : caps) scene.enter_polygon({cap, {}, Point3(0.0), {}, 0}, plain);
+  });
+  return scene;
+}
+
+/// As the application would have drawn it in the view.
+DisplayFile in_view(const RetainedScene& scene, const View& view) {
+  DisplayFile file;
+  ViewStage stage{ViewVolume(view)};
+  for (const RetainedScene::Segment& part : scene.segments()) {
+    Segment& segment = file.create(part.name);
+    scene.enter_viewed(part, Eye::of(view), stage, glm::dmat3(1.0), segment, [](std::uint32_t) {});
+    segment.close();
+  }
+  return file;
+}
+
+/// Collects lines of the display file, in the square window that it was drawn in.
+struct LineCollector {
+  Point2 corner;
+  double side;
+  std::vector<PartView::Line> lines{};
+  bool hidden = false;
+  Point2 pen{0.0};
+
+  Point2 on_paper(const Point3& p) const { return corner + side * Point2(p); }
+  void fill(const FillStyle&) {}
+  void line_style(const LineStyle& style) { hidden = style.kind == LineStyle::Kind::dashed; }
+  void pick(int) {}
+  void move(const Point3& p) { pen = on_paper(p); }
+  void line(const Point3& p) {
+    const Point2 from = pen;
+    move(p);
+    lines.push_back({from, pen, hidden});
+  }
+  void polygon(std::span<const Point3>, std::span<const std::int32_t>) {}
+};
+
+}  // namespace
+
+std::vector<PartView::Line> lines_of_part(const Part& part,
+                                          std::span<const std::vector<Point3>> caps,
+                                          const LinesWanted& wanted) {
+  Bounds box = bounds_of_used(part.mesh);
+  for (const auto& cap : caps) {
+    for (const Point3& p : cap) box.include(p);
+  }
+  if (box.empty()) return {};
+  const SquareWindow window = exact_window(box);
+  const View view = window.view();
+  const RetainedScene scene = scene_of(part, caps, wanted.selection, view);
+  HiddenSurfaceOptions options;
+  options.scope = HiddenScope::all;
+  options.threads = wanted.threads;
+  options.hidden_lines = HiddenLines::dashed;
+  options.precision = wanted.precision;
+  options.intersections = contains(wanted.selection.kinds, LineKind::intersection);
+  SortedDisplayFile sorted;
+  const DisplayFile& file = sorted.update(in_view(scene, view), HiddenMethod::franklin, options);
+  LineCollector collector{Point2(window.middle) - window.half, 2.0 * window.half};
+  if (file.sorted()) {
+    file.sorted()->walk(collector);
+  } else {
+    for (const Segment& segment : file.segments()) segment.walk_drawn(collector);
+  }
+  return std::move(collector.lines);
+}
+
+}  // namespace displayfile

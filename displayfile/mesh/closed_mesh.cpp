@@ -105,27 +105,16 @@ bool bounds_solids(const WeldedFaces& faces) {
   return edges_pair_up(faces) && volumes_are_positive(faces);
 }
 
-/// True if it holds of all objects taken together, or of each by itself. It must hold only where
-/// edges pair up.
-template <class Holds>
-bool holds_of_all(const Mesh& mesh, const Holds& holds) {
-  if (mesh.objects.empty() || !edges_may_pair_up(mesh)) return false;
-  const WeldedFaces all = weld(mesh);
-  if (holds(all)) return true;
-  if (mesh.objects.size() == 1) return false;
-  WeldedObjects faces_of(all);
-  return std::ranges::all_of(mesh.objects,
-                             [&](const Mesh::Object& object) { return holds(faces_of(object)); });
-}
-
 }  // namespace
 
 bool closed_and_consistently_oriented(const Mesh& mesh) {
-  return holds_of_all(mesh, bounds_solids);
-}
-
-bool edges_pair_up(const Mesh& mesh) {
-  return holds_of_all(mesh, [](const WeldedFaces& faces) { return edges_pair_up(faces); });
+  if (mesh.objects.empty() || !edges_may_pair_up(mesh)) return false;
+  const WeldedFaces all = weld(mesh);
+  if (bounds_solids(all)) return true;
+  if (mesh.objects.size() == 1) return false;
+  WeldedObjects faces_of(all);
+  return std::ranges::all_of(
+      mesh.objects, [&](const Mesh::Object& object) { return bounds_solids(faces_of(object)); });
 }
 
 }  // namespace displayfile

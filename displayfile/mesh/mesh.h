@@ -96,9 +96,6 @@ void complete_normals(Mesh& mesh);
 /// of equal position are the same), and every connected part encloses a positive volume.
 bool closed_and_consistently_oriented(const Mesh& mesh);
 
-/// The same, whatever the volumes: what is hollow inside, or turned inside out, is closed too.
-bool edges_pair_up(const Mesh& mesh);
-
 /// One segment an object, named first_segment_name and up, in the view and the styles in force;
 /// faces that are turned outward stay so where the modelling transformation mirrors; faces that
 /// have a colour are filled in it, or all in that of the options. The fill style in force stays

@@ -6,12 +6,15 @@
 #include <string>
 #include <utility>
 
+#include "clip/without_choice.h"
+
 namespace displayfile {
 
 namespace {
 
 thread_local WorkInForce in_force;
 thread_local WorkDone left;
+thread_local bool has_choice = true;
 
 /// With what is being done before it, and what would serve after it.
 [[noreturn]] void fail(const std::string& reached, const char* limit) {
@@ -83,8 +86,12 @@ BudgetInForce::BudgetInForce(const WorkInForce& as_on_another_thread) noexcept
     : before_(std::exchange(in_force, as_on_another_thread)) {}
 BudgetInForce::~BudgetInForce() { in_force = before_; }
 
+WithoutChoice::WithoutChoice() noexcept : before_(std::exchange(has_choice, false)) {}
+WithoutChoice::~WithoutChoice() { has_choice = before_; }
+
 NamedWork::NamedWork(const WorkDone& done) noexcept : before_(std::exchange(in_force.done, done)) {
   begin_other();
+  if (!has_choice) in_force.done.instead = nullptr;
 }
 NamedWork::~NamedWork() {
   if (std::uncaught_exceptions() > 0 && left.what == nullptr) left = in_force.done;

@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "clip/error.h"
+#include "clip/without_choice.h"
 #include "interp/paper.h"
 #include "programs/camera_options.h"
 #include "programs/hidden_surface_words.h"
@@ -235,6 +236,7 @@ int SheetCommand::run() {
   std::array<PartView, 4> views;
   {
     Progress progress("finding the lines of four views");
+    const WithoutChoice by_this_method_alone;
     for (std::size_t k = 0; k < 4; ++k) {
       views[k] = view_of_part(part, kinds[k], selection, positions[k], threads);
       progress.update(k + 1, 4);

@@ -630,6 +630,14 @@ TEST_F(SheetCommandTest, WhatIsLeftOutIsToldWithTheNameOnce) {
   EXPECT_TRUE(err_.starts_with("glass.obj: left out: ")) << err_;
 }
 
+TEST_F(SheetCommandTest, ALimitSuggestsNothingThatASheetHasNot) {
+  write("two.draw",
+        "open-segment 1\nbox-3 0 40 0 20 0 20\nbox-3 10 30 -10 30 5 15\nclose-segment\n");
+  expect_error("sheet two.draw -o s.svg --limit-pieces 3",
+               "3 pieces are not enough: expected a higher limit of pieces");
+  EXPECT_EQ(err_.find("pixels"), std::string::npos) << err_;
+}
+
 TEST_F(SheetCommandTest, WritesPdfAndDxf) {
   ASSERT_EQ(run("sheet box.obj -o box.pdf"), 0) << err_;
   EXPECT_TRUE(read(folder_ / "box.pdf").starts_with("%PDF"));

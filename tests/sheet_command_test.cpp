@@ -596,6 +596,19 @@ TEST_F(SheetCommandTest, AllSidesAreThoseThatAPictureHas) {
   EXPECT_TRUE(read(folder_ / "s.svg") == bent);
 }
 
+/// A picture has no lines along them.
+TEST_F(SheetCommandTest, EndsThatACuttingPlaneLeavesAreLines) {
+  write("box.draw",
+        "set-cutting-plane 1 -1 0 0 30\nopen-segment 1\nbox-3 0 40 0 20 0 10\nclose-segment\n");
+  ASSERT_EQ(run("sheet box.draw -o s.svg --scale 1:1"), 0) << err_;
+  int upright = 0;
+  for (const Stroke& stroke : strokes_of(path_of("s.svg", "VISIBLE"))) {
+    upright +=
+        std::abs(stroke[2] - stroke[0]) < 1e-9 && std::abs(stroke[3] - stroke[1] - 20.0) < 1e-9;
+  }
+  EXPECT_EQ(upright, 2 + 2);  // of the front and the side view
+}
+
 TEST_F(SheetCommandTest, LinesAreWhereMaterialsDiffer) {
   write("two.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
   write("two.obj",

@@ -9,10 +9,12 @@
 #include <limits>
 #include <string_view>
 #include <system_error>
+#include <unordered_map>
 
 #include "clip/error.h"
 #include "displayfile/input_file.h"
 #include "displayfile/mesh/up_axis.h"
+#include "displayfile/mesh/welded_faces.h"
 #include "displayfile/retained_scene.h"
 #include "displayfile/text/drawing_program.h"
 #include "programs/inputs.h"
@@ -121,6 +123,31 @@ Part polygons_of(const RetainedScene& scene, const DisplayFile& display_file) {
   return part;
 }
 
+/// Makes sides visible that one polygon alone has: where cutting planes left the part open, it ends
+/// on a sheet, though a picture has no line there. Diagonals, and bridges to holes, run twice.
+void show_ends(Part& part) {
+  if (std::ranges::all_of(part.side_visible, [](auto visible) { return visible != 0; })) return;
+  const WeldedFaces faces = weld(part.mesh);
+  std::unordered_map<std::uint64_t, std::size_t> alone;  // corners of sides, or kTwice
+  constexpr auto kTwice = static_cast<std::size_t>(-1);
+  std::size_t corner = 0;
+  for (std::size_t i = 0; i < faces.faces(); ++i) {
+    std::uint32_t from = faces.face(i).back();
+    for (const std::uint32_t to : faces.face(i)) {
+      const auto [low, high] = std::minmax(from, to);
+      const std::uint64_t side = (std::uint64_t{low} << 32) | high;
+      from = to;
+      const std::size_t of_side = corner++;
+      if (part.side_visible[of_side] != 0) continue;
+      const auto [at, is_new] = alone.try_emplace(side, of_side);
+      if (!is_new) at->second = kTwice;
+    }
+  }
+  for (const auto& [side, of_side] : alone) {
+    if (of_side != kTwice) part.side_visible[of_side] = 1;
+  }
+}
+
 }  // namespace
 
 Part read_part(std::span<const std::string> inputs, const std::string& up,
@@ -152,6 +179,7 @@ Part read_part(std::span<const std::string> inputs, const std::string& up,
   for (Point3& p : part.mesh.vertices) {
     p = {glm::dot(p, axes.right), glm::dot(p, axes.up), glm::dot(p, axes.front)};
   }
+  show_ends(part);
   const std::vector<MeshPiece> pieces = closed_pieces(part.mesh);
   part.mesh.objects.clear();
   for (const MeshPiece& piece : pieces) {

@@ -356,12 +356,29 @@ TEST(Section, CapsAreLoopsWithTheirHoles) {
   }
 }
 
-TEST(Section, TheCapOfAMeshInsideOutIsThatOfTheMesh) {
-  const Mesh mesh = boxes({{Point3(10), Point3(0)}, {Point3(2), Point3(8)}});
-  const SectionPlane plane{{0, 0, 1}, 5.0};
-  const auto caps = cap_polygons(section(mesh, plane), plane);
-  ASSERT_EQ(caps.size(), 1U);
-  EXPECT_EQ(area_of(caps[0]), 64.0);
+/// Areas of caps, once the bodies are turned.
+std::vector<double> areas_of_caps(const Mesh& mesh) {
+  std::vector<double> areas;
+  for (const double up : {1.0, -1.0}) {
+    const SectionPlane plane{{0, 0, up}, 5.0 * up};
+    Section cut = section(mesh, plane);
+    turn_bodies_out(cut, plane);
+    for (const auto& polygon : cap_polygons(cut, plane)) areas.push_back(area_of(polygon));
+  }
+  return areas;
+}
+
+TEST(Section, WhatLiesInNoOtherBodyIsSolidWhicheverWayItIsTurned) {
+  using Areas = std::vector<double>;
+  EXPECT_EQ(areas_of_caps(boxes({{Point3(10), Point3(0)}, {Point3(2), Point3(8)}})),
+            (Areas{64.0, 64.0}));  // a hollow box inside out
+  EXPECT_EQ(areas_of_caps(boxes({{Point3(0), Point3(10)}, {Point3(12), Point3(4)}})),
+            (Areas{100.0, 64.0, 100.0, 64.0}));  // two boxes, one inside out, overlap
+  EXPECT_EQ(areas_of_caps(boxes({{Point3(0), Point3(10)},
+                                 {Point3(8), Point3(2)},
+                                 {Point3(19, 10, 10), Point3(9, 0, 0)},
+                                 {Point3(11, 2, 2), Point3(17, 8, 8)}})),
+            (Areas{64.0, 64.0, 64.0, 64.0}));  // two hollow ones
 }
 
 TEST(Section, AreasAreThoseOfRationalArithmetic) {

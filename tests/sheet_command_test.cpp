@@ -278,6 +278,16 @@ TEST_F(SheetCommandTest, WhatTwoBodiesShareIsMaterial) {
               sheet(first + behind, "VISIBLE") - sheet(first, "VISIBLE"), 40.0);
 }
 
+TEST_F(SheetCommandTest, AMirroredBodyIsAsSolidAsAnother) {
+  const auto hatching = [&](const std::string& mirror, const std::string& other) {
+    write("bodies.draw", "open-segment 1\nbox-3 -5 40 0 20 0 20\n" + mirror + "box-3 " + other +
+                             " 0 20 0 20\nclose-segment\n");
+    EXPECT_EQ(run("sheet bodies.draw -o s.svg --scale 1:1 --section front=10"), 0) << err_;
+    return path_of("s.svg", "HATCH");
+  };
+  EXPECT_EQ(hatching("scale-3 -1 1 1\n", "-5 40"), hatching("", "-40 5"));
+}
+
 /// The inner faces of a hollow part enclose a volume that is not its own.
 TEST_F(SheetCommandTest, AHollowPartIsHatchedAroundItsHollow) {
   write("hollow.draw",

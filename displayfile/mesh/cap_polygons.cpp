@@ -1,5 +1,6 @@
 #include "displayfile/mesh/cap_polygons.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <glm/common.hpp>
@@ -65,17 +66,42 @@ bool is_within(const FlatLoop& hole, const FlatLoop& other) {
   return inside > hole.points.size();
 }
 
-}  // namespace
-
-std::vector<std::vector<Point3>> cap_polygons(const Section& section, const SectionPlane& plane) {
+std::vector<FlatLoop> flat_loops(const Section& section, const SectionPlane& plane) {
   int axis = 0;
   for (int k = 1; k < 3; ++k) {
     if (std::abs(plane.normal[k]) > std::abs(plane.normal[axis])) axis = k;
   }
-  const bool is_turned = (plane.normal[axis] < 0.0) != (section.area < 0.0);
+  const double facing = plane.normal[axis] < 0.0 ? -1.0 : 1.0;
   std::vector<FlatLoop> flat;
   flat.reserve(section.loops.size());
-  for (const auto& loop : section.loops) flat.emplace_back(loop, axis, is_turned ? -1.0 : 1.0);
+  for (const auto& loop : section.loops) flat.emplace_back(loop, axis, facing);
+  return flat;
+}
+
+}  // namespace
+
+void turn_bodies_out(Section& section, const SectionPlane& plane) {
+  const std::vector<FlatLoop> flat = flat_loops(section, plane);
+  std::vector<double> area_of_object;
+  for (std::size_t i = 0; i < flat.size(); ++i) {
+    const std::size_t object = section.object_of[i];
+    if (object >= area_of_object.size()) area_of_object.resize(object + 1, 0.0);
+    area_of_object[object] += flat[i].area;
+  }
+  const auto size = [&](std::size_t i) { return std::abs(flat[i].area); };
+  for (std::size_t i = 0; i < flat.size(); ++i) {
+    std::size_t outermost = i;
+    for (std::size_t k = 0; k < flat.size(); ++k) {
+      if (size(k) > size(outermost) && is_within(flat[i], flat[k])) outermost = k;
+    }
+    if (area_of_object[section.object_of[outermost]] < 0.0) {
+      std::reverse(section.loops[i].begin(), section.loops[i].end());
+    }
+  }
+}
+
+std::vector<std::vector<Point3>> cap_polygons(const Section& section, const SectionPlane& plane) {
+  const std::vector<FlatLoop> flat = flat_loops(section, plane);
   std::vector<std::vector<std::vector<Point3>>> faces(flat.size());  // a loop, and its holes
   for (std::size_t i = 0; i < flat.size(); ++i) {
     if (flat[i].area > 0.0) faces[i].push_back(section.loops[i]);

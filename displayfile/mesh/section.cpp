@@ -448,7 +448,7 @@ class LinkChains {
 
 /// The loops of each object by itself, so that those that touch keep what is between them; of all
 /// those together that do not come back so. False if these do not come back either.
-bool find_loops(const Cutter& cut, std::vector<Loop>& loops) {
+bool find_loops(const Cutter& cut, std::vector<Loop>& loops, std::vector<std::size_t>& object_of) {
   LinkChains chains(cut.edges.points.size());
   std::vector<Link> others;
   for (std::size_t k = 0; k < cut.first_links.size(); ++k) {
@@ -457,8 +457,11 @@ bool find_loops(const Cutter& cut, std::vector<Loop>& loops) {
         k + 1 < cut.first_links.size() ? cut.first_links[k + 1] : cut.links.size();
     const auto own = std::span(cut.links).subspan(first, end - first);
     if (!chains.add_loops(own, loops)) others.insert(others.end(), own.begin(), own.end());
+    object_of.resize(loops.size(), k);
   }
-  return chains.add_loops(others, loops);
+  const bool closed = chains.add_loops(others, loops);
+  object_of.resize(loops.size(), cut.first_links.size());
+  return closed;
 }
 
 /// Twice the area of a loop in the projection along an axis.
@@ -525,7 +528,8 @@ Section section(const Mesh& mesh, const SectionPlane& plane) {
   cutter.cut_all(mesh.objects.empty() ? std::span(&whole, 1) : std::span(mesh.objects));
   Section result;
   std::vector<Loop> loops;
-  result.closed = find_loops(cutter, loops);
+  std::vector<std::size_t> object_of;
+  result.closed = find_loops(cutter, loops, object_of);
   result.behind = std::move(cutter.behind);
   result.face_of = std::move(cutter.face_of);
   result.side_of = std::move(cutter.side_of);
@@ -536,10 +540,12 @@ Section section(const Mesh& mesh, const SectionPlane& plane) {
     if (std::abs(plane.normal[k]) > std::abs(plane.normal[axis])) axis = k;
   }
   DoubleDouble sum;
-  for (const auto& loop : loops) {
-    sum = sum + twice_area(cutter.edges.points, loop, static_cast<std::size_t>(axis));
-    std::vector<Point3> points = outline(cutter.edges.points, loop);
-    if (points.size() > 2) result.loops.push_back(std::move(points));
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    sum = sum + twice_area(cutter.edges.points, loops[i], static_cast<std::size_t>(axis));
+    std::vector<Point3> points = outline(cutter.edges.points, loops[i]);
+    if (points.size() <= 2) continue;
+    result.loops.push_back(std::move(points));
+    result.object_of.push_back(object_of[i]);
   }
   result.area = 0.5 * sum.high * (glm::length(plane.normal) / plane.normal[axis]);
   return result;

@@ -20,6 +20,9 @@ struct Section {
   /// Closed polylines in the plane: counterclockwise around what is solid, seen from where the
   /// normal points, clockwise around holes. Empty if nothing is cut, or the mesh is not closed.
   std::vector<std::vector<Point3>> loops;
+  /// Of each loop, which of the mesh's objects it is of; of objects that are only closed together,
+  /// as many as there are.
+  std::vector<std::size_t> object_of;
   double area = 0.0;  ///< of the cut face
   /// The part of the mesh behind the plane. What is left of a flat face is one face, even-odd, its
   /// loops joined by bridges; of one that is not flat, triangles and what is left of

@@ -112,6 +112,7 @@ PartView view_of_part(const Part& part, ViewKind kind, const LineSelection& line
   }
   const SectionPlane plane{{0.0, 0.0, 1.0}, *position};
   Section cut = section(turned.mesh, plane);
+  turn_bodies_out(cut, plane);
   const auto caps = cap_polygons(cut, plane);
   view.closed = cut.closed;
   view.lines = lines_of_part(part_behind(turned, cut), caps, wanted);

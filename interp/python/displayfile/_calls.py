@@ -23,6 +23,7 @@ _ENTERING = (
 )
 _OF_FILES = ("import_mesh", "replay_file")
 _DEEPEST = 32  # that sequences stand in each other
+_WHAT_IT_IS_NOT = (TypeError, ValueError, OverflowError, BufferError, ReferenceError)
 
 
 class _Call(typing.NamedTuple):
@@ -75,7 +76,7 @@ class Calls:
 class PicklableSystem(System):
     """A System that can be pickled and copied: it keeps the calls that entered what is in it.
 
-    Arrays that are entered are copied. Meshes and programs in files are read again, by their
+    Arrays, buffers and sequences that are entered are copied. Meshes and programs in files are read again, by their
     paths, where it is unpickled.
     """
 
@@ -149,14 +150,35 @@ for _routine in _ENTERING:
 
 def _kept(value: typing.Any, depth: int = 0) -> typing.Any:
     """What is handed over, without what others may change later. What is too deep is refused."""
-    if isinstance(value, (list, tuple)) and depth < _DEEPEST:
-        return tuple(_kept(part, depth + 1) for part in value)
-    if hasattr(value, "__array__"):
-        import numpy as np
-
-        with contextlib.suppress(TypeError, ValueError):  # then it is refused as what it is
-            return np.array(value)
+    if value is None or isinstance(value, (str, bytes, int, float)):
+        return value
+    with contextlib.suppress(*_WHAT_IT_IS_NOT):  # then it is refused as what it is
+        if hasattr(value, "__array__") or _is_buffer(value):
+            return _array(value)
+        if _is_sequence(value) and depth < _DEEPEST:
+            return tuple(_kept(part, depth + 1) for part in value)
     return value
+
+
+def _array(value: typing.Any) -> typing.Any:
+    """A copy, in which what is masked is masked still."""
+    import numpy as np
+
+    return value.copy() if isinstance(value, np.ma.MaskedArray) else np.array(value)
+
+
+def _is_buffer(value: typing.Any) -> bool:
+    """Whether its memory can be looked at, as that of array.array or of arrays of ctypes."""
+    try:
+        memoryview(value).release()
+    except TypeError:
+        return False
+    return True
+
+
+def _is_sequence(value: typing.Any) -> bool:
+    kind = type(value)
+    return hasattr(kind, "__len__") and hasattr(kind, "__getitem__") and not isinstance(value, dict)
 
 
 def _absolute(path: typing.Any) -> typing.Any:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import array
+import collections
 import copy
+import ctypes
 import multiprocessing
 import pickle
 from pathlib import Path
@@ -92,6 +95,42 @@ def test_what_is_entered_may_change_later():
     vertices[:] = 0
     faces[0][0] = 2
     assert again(system).dump() == before == system.dump()
+
+
+TRIANGLE = (0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.5, 0.0)
+
+
+@pytest.mark.parametrize(
+    "kind",
+    [
+        lambda numbers: array.array("d", numbers),
+        lambda numbers: memoryview(array.array("d", numbers)),
+        lambda numbers: (ctypes.c_double * 9)(*numbers),
+        lambda numbers: collections.UserList(numbers),
+        lambda numbers: collections.deque(numbers),
+        np.array,
+        list,
+    ],
+)
+def test_buffers_and_sequences_may_change_later(kind):
+    numbers = kind(TRIANGLE)
+    system, plain = PicklableSystem(), System()
+    for entered_into in (system, plain):
+        entered_into.open_segment(1)
+        entered_into.polygon_abs_3(numbers)
+        entered_into.close_segment()
+    numbers[3] = 0.25
+    assert again(system).dump() == plain.dump() == system.dump()
+
+
+def test_holes_of_masked_arrays_stay():
+    heights = np.ma.masked_greater(np.add.outer(X, X), 1)
+    system, plain = PicklableSystem(), System()
+    for entered_into in (system, plain):
+        entered_into.surface(X, X, heights)
+    heights.mask[:] = False
+    assert again(system).dump() == plain.dump() == system.dump()
+    assert 0 < system.polygons < 2 * (len(X) - 1) ** 2
 
 
 def test_sequences_that_hold_themselves():

@@ -27,6 +27,13 @@ std::optional<int> number_after(std::string_view message, std::size_t colon) {
 
 }  // namespace
 
+py::str text_of(std::string_view words) {
+  PyObject* const text =
+      PyUnicode_DecodeUTF8(words.data(), static_cast<Py_ssize_t>(words.size()), "surrogateescape");
+  if (text == nullptr) throw py::error_already_set();
+  return py::reinterpret_steal<py::str>(text);
+}
+
 std::optional<ErrorInFile> with_place(const Error& error) {
   const std::string_view message = error.what();
   for (std::size_t colon = message.find(':'); colon != message.npos;
@@ -49,11 +56,11 @@ void raise(const Error& error) {
   const bool is_limit =
       placed != nullptr ? placed->is_limit : dynamic_cast<const LimitReached*>(&error) != nullptr;
   PyObject* const type = is_limit ? limit_type : error_type;
-  const py::object raised =
-      py::reinterpret_steal<py::object>(PyObject_CallFunction(type, "s", error.what()));
+  const py::object raised = py::reinterpret_steal<py::object>(
+      PyObject_CallFunctionObjArgs(type, text_of(error.what()).ptr(), nullptr));
   if (!raised) return;  // what Python raised in its place
   if (placed != nullptr) {
-    raised.attr("file") = placed->file;
+    raised.attr("file") = text_of(placed->file);
     raised.attr("line") = placed->line;
     raised.attr("column") = placed->column ? py::object(py::int_(*placed->column)) : py::none();
   }

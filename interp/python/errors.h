@@ -4,12 +4,17 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "clip/error.h"
 #include "clip/work_budget.h"
 
 namespace displayfile::python {
+
+/// Words in UTF-8 as Python has them. Other bytes, as paths may have, become lone surrogates, as in
+/// the names that os.listdir returns.
+pybind11::str text_of(std::string_view words);
 
 /// An error whose place in a file is known.
 struct ErrorInFile : Error {

@@ -407,7 +407,7 @@ SystemClass add_system(py::module_& module) {
              [](System& self, py::handle path, py::handle colour, const py::kwargs& camera) {
                py::list left_out;
                for (const std::string& sentence : import_path(self, path, colour, camera)) {
-                 left_out.append(sentence);
+                 left_out.append(text_of(sentence));
                }
                return left_out;
              });

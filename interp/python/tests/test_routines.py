@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import fractions
+import os
 
 import numpy as np
 import pytest
@@ -178,6 +179,30 @@ def test_errors_know_their_place(tmp_path):
     with pytest.raises(Error) as refused:
         System().import_mesh(mesh)
     assert (refused.value.file, refused.value.line) == (str(mesh), 2)
+
+
+def test_names_and_files_that_are_not_utf_8(tmp_path):
+    folder = os.fsencode(tmp_path)
+    path = folder + b"/caf\xe9.draw"
+    for call in (
+        lambda: System().replay_file(path),
+        lambda: System().import_mesh(folder + b"/\xff.obj"),
+        lambda: System().save(folder + b"/none\xff/a.svg"),
+        lambda: displayfile.PicklableSystem().replay_file(path),
+    ):
+        with pytest.raises(Error, match="[\udce9\udcff]") as refused:
+            call()
+        assert refused.value.file is None
+    for content in (b"nonsense\n", b"nonsense\xff\n"):
+        with open(path, "wb") as file:
+            file.write(content)
+        with pytest.raises(Error) as refused:
+            System().replay_file(path)
+        assert os.fsencode(refused.value.file) == path
+    mesh = folder + b"/\xff.obj"
+    with open(mesh, "wb") as file:
+        file.write(b"mtllib \xff.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    System().import_mesh(mesh)
 
 
 def test_error_is_an_exception_of_ours():

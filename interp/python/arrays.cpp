@@ -124,7 +124,9 @@ std::vector<double> numbers_in(py::handle value, std::string_view what) {
 }
 
 bool add_array(py::handle value, std::vector<double>& numbers) {
-  if (!Block<double>::check_(value)) return false;
+  const bool is_plain = py::type::handle_of(value).ptr() ==
+                        reinterpret_cast<PyObject*>(py::detail::npy_api::get().PyArray_Type_);
+  if (!is_plain || !Block<double>::check_(value)) return false;
   const auto block = py::reinterpret_borrow<Block<double>>(value);
   const std::span<const double> all = span_of(block);
   numbers.insert(numbers.end(), all.begin(), all.end());

@@ -23,7 +23,8 @@ namespace displayfile::python {
 std::string type_name(pybind11::handle value);
 
 std::vector<double> numbers_in(pybind11::handle value, std::string_view what);
-/// Adds the numbers of an array of doubles that stand one after another; false if it is none.
+/// Adds the numbers of an array of doubles that stand one after another; false if it is none, or of
+/// a subclass, whose numbers may mean something else: masked ones are not known.
 bool add_array(pybind11::handle value, std::vector<double>& numbers);
 /// (N, 3).
 std::vector<Point3> points_in(pybind11::handle value, std::string_view what);

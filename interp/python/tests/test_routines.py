@@ -205,6 +205,17 @@ def test_names_and_files_that_are_not_utf_8(tmp_path):
     System().import_mesh(mesh)
 
 
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+@pytest.mark.parametrize("routine", ["polygon_abs_3", "line_abs_3", "move_abs_3"])
+def test_masked_numbers_are_not_drawn(g, kind, routine):
+    points = np.ma.array(np.eye(3, dtype=kind), mask=[[0, 0, 0], [0, 0, 0], [1, 0, 0]])
+    before = g.dump()
+    with pytest.raises(Error, match="expected a finite number, not 'nan'"):
+        getattr(g, routine)(points if routine == "polygon_abs_3" else points[2])
+    assert g.dump() == before
+    getattr(g, routine)(points.filled(0) if routine == "polygon_abs_3" else points[1])
+
+
 def test_error_is_an_exception_of_ours():
     assert issubclass(Error, Exception)
     assert Error("x").line is None

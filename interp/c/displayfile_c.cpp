@@ -111,6 +111,16 @@ std::span<const Value> array(const void* values, std::size_t count, const char* 
   return {static_cast<const Value*>(values), values == nullptr ? 0 : count};
 }
 
+/// An array of a mesh, which null leaves out. A count of 0 does not, where there are corners.
+template <class Value>
+std::span<const Value> array_or_null(const void* values, std::size_t count, const df_mesh& mesh,
+                                     const char* what) {
+  if (values != nullptr && count == 0 && mesh.corner_count > 0) {
+    throw Error(fmt::format("{}: 0 of them: expected more, or null for none", what));
+  }
+  return array<Value>(values, count, what);
+}
+
 df_pieces arrays_of(const DrawnPieces& p) {
   static_assert(static_cast<int>(DrawnPieces::Kind::solid) == DF_SOLID &&
                 static_cast<int>(DrawnPieces::Kind::hollow) == DF_HOLLOW &&
@@ -218,16 +228,16 @@ int df_polygons(df_system* system, const df_mesh* mesh) {
     require_given(mesh, "df_mesh");
     const df_mesh m = known(mesh, "df_mesh");
     std::vector<FillStyle> fills;
-    for (const Colour& c : array<Colour>(m.colours, m.colour_count, "the colours")) {
+    for (const Colour& c : array_or_null<Colour>(m.colours, m.colour_count, m, "the colours")) {
       fills.push_back({FillStyle::Kind::solid, c});
     }
     const bool has_sides = m.sides != nullptr;
     system->system.polygons_abs_3(
         {array<Point3>(m.vertices, m.vertex_count, "the vertices"),
          array<std::uint32_t>(m.corners, m.corner_count, "the corners"),
-         array<std::uint32_t>(m.sides, has_sides ? m.polygon_count : 0, "the sides"), fills,
-         array<std::int32_t>(m.picks, m.pick_count, "the pick identifiers"),
-         array<Point3>(m.normals, m.normal_count, "the normals")});
+         array_or_null<std::uint32_t>(m.sides, has_sides ? m.polygon_count : 0, m, "the sides"),
+         fills, array_or_null<std::int32_t>(m.picks, m.pick_count, m, "the pick identifiers"),
+         array_or_null<Point3>(m.normals, m.normal_count, m, "the normals")});
   });
 }
 

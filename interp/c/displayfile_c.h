@@ -69,7 +69,8 @@ DF_API int df_import_mesh(df_system* system, const char* path);
 /* The width over the height of the pictures that segments opened from now on are drawn as. */
 DF_API int df_set_aspect_ratio(df_system* system, double aspect);
 
-/* Many polygons, into the open segment, several times as fast as one by one. */
+/* Many polygons, into the open segment, several times as fast as one by one. What is left out is
+ * null: an array of none, for polygons that have corners, is an error. */
 typedef struct {
   size_t size;            /* sizeof(df_mesh) */
   const double* vertices; /* x y z of each */

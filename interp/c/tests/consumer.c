@@ -241,7 +241,24 @@ static void test_meshes(void) {
   mesh.normals = kNormals;
   mesh.normal_count = 2;
   REFUSED(system, df_polygons(system, &mesh), "2 normals of 5 vertices");
+  mesh.normal_count = 0;
+  REFUSED(system, df_polygons(system, &mesh), "the normals: 0 of them");
   mesh.normal_count = 5;
+  mesh.colour_count = 0;
+  REFUSED(system, df_polygons(system, &mesh), "the colours: 0 of them");
+  mesh.colour_count = 1;
+  mesh.pick_count = 0;
+  REFUSED(system, df_polygons(system, &mesh), "the pick identifiers: 0 of them");
+  mesh.picks = NULL;
+  mesh.polygon_count = 0;
+  mesh.corner_count = 3;
+  REFUSED(system, df_polygons(system, &mesh), "the sides: 0 of them");
+  mesh.corner_count = 0;
+  DO(system, df_polygons(system, &mesh)); /* no polygons */
+  mesh.corner_count = 16;
+  mesh.polygon_count = 5;
+  mesh.picks = kPicks;
+  mesh.pick_count = 5;
   memcpy(infinite, kVertices, sizeof infinite);
   infinite[7] = HUGE_VAL;
   mesh.vertices = infinite;

@@ -29,6 +29,8 @@
 using namespace displayfile;
 using namespace displayfile::c;
 
+constinit thread_local const df_system* displayfile::c::was_busy = nullptr;
+
 namespace {
 
 static_assert(sizeof(Point3) == 3 * sizeof(double) && sizeof(Colour) == 3 * sizeof(double),
@@ -150,7 +152,9 @@ const char* df_version(void) { return DISPLAYFILE_VERSION; }
 
 df_system* df_create(void) {
   try {
-    return new df_system;
+    auto* const system = new df_system;
+    if (was_busy == system) was_busy = nullptr;  // that was another one in the same place
+    return system;
   } catch (...) {
     return nullptr;
   }
@@ -159,7 +163,9 @@ df_system* df_create(void) {
 void df_destroy(df_system* system) { delete system; }
 
 const char* df_error(const df_system* system) {
-  return system == nullptr ? "the system: expected it, not null" : system->error.c_str();
+  if (system == nullptr) return "the system: expected it, not null";
+  if (system == was_busy) return "busy: a call on the system from another thread goes on";
+  return system->error.c_str();
 }
 
 size_t df_routines(void) { return user_routines().size(); }
@@ -203,17 +209,14 @@ int df_replay(df_system* system, const char* text, size_t length, const char* na
 
 int df_replay_file(df_system* system, const char* path) {
   return told(system, [&] {
-    require_given(path, "the path");
+    const char* const file = path_given(path);
     system->is_new = false;
-    replay_file(path, system->system);
+    replay_file(file, system->system);
   });
 }
 
 int df_import_mesh(df_system* system, const char* path) {
-  return told(system, [&] {
-    require_given(path, "the path");
-    import_mesh(path, system->system);
-  });
+  return told(system, [&] { import_mesh(path_given(path), system->system); });
 }
 
 int df_set_aspect_ratio(df_system* system, double aspect) {
@@ -274,8 +277,7 @@ int df_draw_as(df_system* system, const df_options* options, const char* format,
 
 int df_draw_file(df_system* system, const df_options* options, const char* path) {
   return drawn(system, options, [&](const DrawOptions& asked) {
-    require_given(path, "the path");
-    system->renderer.draw(looked_at(*system), path, asked);
+    system->renderer.draw(looked_at(*system), path_given(path), asked);
   });
 }
 

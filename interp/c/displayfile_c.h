@@ -7,7 +7,11 @@
  * system's, and stays until the next call on it.
  *
  * A system is for one call at a time. One that comes from another thread meanwhile returns DF_BUSY
- * and does nothing. Systems are independent of each other.
+ * and does nothing, and df_error() tells that thread so until its next call on the system. Other
+ * messages, and memory that is handed out, are for the thread whose call it was, before another
+ * thread calls. Systems are independent of each other.
+ *
+ * Paths are names of files; "-", by which the command means standard input and output, is an error.
  *
  * Structures begin with their own size in bytes, which the caller sets, as the DF_..._INIT macros
  * do: later versions of the library add members at the end, and take a shorter structure for one
@@ -40,7 +44,8 @@ DF_API const char* df_version(void); /* "0.1.0" */
 DF_API df_system* df_create(void);
 /* Not while a call on it goes on. Null is nothing. */
 DF_API void df_destroy(df_system* system);
-/* Why the last call on the system returned DF_ERROR; empty if it did not. */
+/* Why the last call on the system returned DF_ERROR; empty if it did not. After DF_BUSY, until this
+ * thread's next call on the system: that it is busy. */
 DF_API const char* df_error(const df_system* system);
 
 /* ---- User routines ------------------------------------------------------------------------------

@@ -46,11 +46,19 @@ struct df_system {
 
 namespace displayfile::c {
 
+/// The system that refused this thread's last call on it by DF_BUSY: its error is the other
+/// thread's meanwhile.
+extern constinit thread_local const df_system* was_busy;
+
 /// Carries a call out, by the budget's limits, while no other thread is in one.
 template <class Call>
 int carried_out(df_system* system, const WorkLimits& limits, Call&& call) noexcept {
   if (system == nullptr) return DF_ERROR;
-  if (system->is_busy.test_and_set(std::memory_order_acquire)) return DF_BUSY;
+  if (system->is_busy.test_and_set(std::memory_order_acquire)) {
+    was_busy = system;
+    return DF_BUSY;
+  }
+  if (was_busy == system) was_busy = nullptr;
   int result = DF_ERROR;
   const auto fail = [&](const char* what) noexcept {
     try {
@@ -93,6 +101,15 @@ int told(df_system* system, Call&& call) noexcept {
 template <class Pointer>
 void require_given(const Pointer* pointer, const char* what) {
   if (pointer == nullptr) throw Error(fmt::format("{}: expected it, not null", what));
+}
+
+/// A file's path. Standard input and output are not the library's to read or write.
+inline const char* path_given(const char* path) {
+  require_given(path, "the path");
+  if (std::strcmp(path, "-") != 0) return path;
+  throw Error(
+      "the path: -: expected a file's name, such as ./-; standard input and output are the "
+      "command's");
 }
 
 /// The size that a structure says. That of any version is a multiple of its alignment: no member is

@@ -314,6 +314,9 @@ static void test_errors(void) {
   REFUSED(system, df_replay_file(system, "/no/such/file.draw"), "/no/such/file.draw");
   REFUSED(system, df_replay_file(system, NULL), "the path");
   REFUSED(system, df_import_mesh(system, "/no/such/file.obj"), "/no/such/file.obj");
+  REFUSED(system, df_replay_file(system, "-"), "the path: -: expected a file's name");
+  REFUSED(system, df_import_mesh(system, "-"), "the path: -: expected a file's name");
+  REFUSED(system, df_draw_file(system, NULL, "-"), "the path: -: expected a file's name");
   REFUSED(system, df_set_aspect_ratio(system, -1.0), "aspect");
 
   options.width = options.height = 1;

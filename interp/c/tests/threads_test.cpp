@@ -39,7 +39,7 @@ class CThreads : public testing::Test {
 
 TEST_F(CThreads, ThreadsThatCallAtOnceAreBusyOrServed) {
   enter(20);
-  std::atomic<int> served = 0, busy = 0, other = 0;
+  std::atomic<int> served = 0, busy = 0, other = 0, told = 0;
   std::vector<std::thread> threads;
   for (int t = 0; t < 4; ++t) {
     threads.emplace_back([&] {
@@ -49,6 +49,7 @@ TEST_F(CThreads, ThreadsThatCallAtOnceAreBusyOrServed) {
       for (int k = 0; k < 50; ++k) {
         const int result = df_draw(system_, &options, 32 * 32, rgba.data(), nullptr, nullptr);
         ++(result == DF_OK ? served : result == DF_BUSY ? busy : other);
+        if (result == DF_BUSY) told += std::string(df_error(system_)).starts_with("busy: ") ? 1 : 0;
       }
     });
   }
@@ -56,6 +57,32 @@ TEST_F(CThreads, ThreadsThatCallAtOnceAreBusyOrServed) {
   EXPECT_EQ(served + busy, 200);
   EXPECT_GT(served, 0);
   EXPECT_EQ(other, 0);
+  EXPECT_EQ(told, busy);
+}
+
+TEST_F(CThreads, WhoIsRefusedIsToldUntilTheNextCall) {
+  enter(300);
+  const char* text = nullptr;
+  std::size_t length = 0;
+  std::atomic<bool> refused = false;
+  std::thread other([&] {
+    df_options options = DF_OPTIONS_INIT;
+    options.method = "bsp";
+    df_pieces pieces{};
+    pieces.size = sizeof pieces;
+    while (!refused) df_drawn_pieces(system_, &options, &pieces);
+    EXPECT_EQ(df_call(system_, "no-such-routine", nullptr), DF_ERROR);
+    EXPECT_NE(std::string(df_error(system_)).find("no-such-routine"), std::string::npos);
+  });
+  while (df_dump(system_, &text, &length) != DF_BUSY) std::this_thread::yield();
+  const char* const message = df_error(system_);
+  EXPECT_EQ(std::string(message), "busy: a call on the system from another thread goes on");
+  refused = true;
+  df_stop(system_);
+  other.join();
+  EXPECT_EQ(df_error(system_), message);
+  EXPECT_EQ(df_dump(system_, &text, &length), DF_OK);
+  EXPECT_EQ(std::string(df_error(system_)), "");
 }
 
 TEST_F(CThreads, ThreadsMayStopACall) {

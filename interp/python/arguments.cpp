@@ -101,7 +101,11 @@ std::string word_in(py::handle value, std::string_view what) {
 std::string path_in(py::handle value, std::string_view what) {
   PyObject* bytes = nullptr;
   if (PyUnicode_FSConverter(value.ptr(), &bytes) != 0) {
-    return py::reinterpret_steal<py::bytes>(bytes);
+    std::string path = py::reinterpret_steal<py::bytes>(bytes);
+    if (path != "-") return path;
+    throw Error(fmt::format(
+        "{}: -: expected a file's name, such as ./-; standard input and output are the command's",
+        what));
   }
   const bool is_type = PyErr_ExceptionMatches(PyExc_TypeError) != 0;
   if (!is_type && PyErr_ExceptionMatches(PyExc_ValueError) == 0) throw py::error_already_set();

@@ -22,7 +22,8 @@ double number_in(pybind11::handle value, std::string_view what);  ///< finite
 int whole_number_in(pybind11::handle value, std::string_view what);
 std::uint64_t count_in(pybind11::handle value, std::string_view what);  ///< 0 or more
 std::string word_in(pybind11::handle value, std::string_view what);
-/// A string, bytes or what has __fspath__, as the file system has it.
+/// A string, bytes or what has __fspath__, as the file system has it. Not "-", which is standard
+/// input or output in C++.
 std::string path_in(pybind11::handle value, std::string_view what);
 int threads_in(pybind11::handle value);                         ///< 1 to 1024
 bool switch_in(pybind11::handle value, std::string_view what);  ///< True, False, "on" or "off"

@@ -182,9 +182,9 @@ def _is_sequence(value: typing.Any) -> bool:
 
 
 def _absolute(path: typing.Any) -> typing.Any:
-    """The whole of a path. What is none is refused as such later."""
+    """The whole of a path. What is none, or no file's, is refused as such later."""
     try:
-        return os.path.abspath(path)
+        return path if os.fspath(path) in ("-", b"-") else os.path.abspath(path)
     except (TypeError, ValueError):
         return path
 

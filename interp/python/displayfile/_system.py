@@ -179,7 +179,7 @@ class System(_displayfile.System):
         """Carry out the drawing program in a file, as replay does.
 
         Args:
-            path: The file, of UTF-8.
+            path: The file, of UTF-8; "-" is an Error, and not standard input.
 
         Raises:
             Error: The same; or a file that cannot be read.
@@ -458,7 +458,8 @@ class System(_displayfile.System):
         """Draw into a file, which appears whole or not at all.
 
         Args:
-            path: Where to; its name ends in .svg, .pdf, .eps, .png or .ppm.
+            path: Where to; its name ends in .svg, .pdf, .eps, .png or .ppm. "-" is an Error, and
+                not standard output.
             size: (width, height) in pixels, of PDF and EPS in points; or one number for both.
             format: One of these, such as "svg", in place of the name's.
             options: Those of draw but ids and depth; and for vectors these:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import fractions
 import os
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -203,6 +204,25 @@ def test_names_and_files_that_are_not_utf_8(tmp_path):
     with open(mesh, "wb") as file:
         file.write(b"mtllib \xff.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
     System().import_mesh(mesh)
+
+
+@pytest.mark.parametrize("kind", [System, displayfile.PicklableSystem])
+@pytest.mark.parametrize("path", ["-", b"-", Path("-")])
+def test_standard_input_and_output_are_no_files(kind, path, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    g = kind(retain=True)
+    g.mesh(np.eye(3), [[0, 1, 2]])
+    for call in (
+        g.replay_file,
+        g.import_mesh,
+        g.save,
+        lambda path: g.save(path, 8, format="svg"),
+        g.turntable(2, 8).save,
+    ):
+        with pytest.raises(Error, match="path: -: expected a file's name"):
+            call(path)
+    (tmp_path / "-").write_text("set-pick-id 3\n")
+    g.replay_file("./-")
 
 
 @pytest.mark.parametrize("kind", [np.float32, np.float64])

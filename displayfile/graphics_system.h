@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -101,9 +102,9 @@ class GraphicsSystem {
     Recorder::Hold recorded(recorder_);
     try {
       enter();
+      recorded.end();
     } catch (...) {
       take_back(before);
-      recorded.drop();
       throw;
     }
   }
@@ -390,10 +391,16 @@ class GraphicsSystem {
     GraphicsSystem before(*this);
     Recorder::Hold recorded(recorder_);
     try {
-      return change();
+      if constexpr (std::is_void_v<decltype(change())>) {
+        change();
+        recorded.end();
+      } else {
+        auto result = change();
+        recorded.end();
+        return result;
+      }
     } catch (...) {
       *this = std::move(before);
-      recorded.drop();
       throw;
     }
   }

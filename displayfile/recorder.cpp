@@ -4,6 +4,7 @@
 
 #include <iterator>
 #include <ostream>
+#include <utility>
 
 #include "displayfile/characters.h"
 
@@ -59,13 +60,16 @@ Recorder::Hold::Hold(Recorder* recorder) : recorder_(recorder) {
 }
 
 Recorder::Hold::~Hold() {
-  if (recorder_ == nullptr || --recorder_->holds_ > 0) return;
-  recorder_->out_ << recorder_->held_;
-  recorder_->held_ = {};
+  if (recorder_ == nullptr) return;
+  recorder_->held_.resize(begin_);
+  --recorder_->holds_;
 }
 
-void Recorder::Hold::drop() {
-  if (recorder_ != nullptr) recorder_->held_.resize(begin_);
+void Recorder::Hold::end() {
+  Recorder* const recorder = std::exchange(recorder_, nullptr);
+  if (recorder == nullptr || --recorder->holds_ > 0) return;
+  const std::string held = std::exchange(recorder->held_, {});
+  recorder->out_ << held;
 }
 
 }  // namespace displayfile

@@ -15,6 +15,10 @@ namespace displayfile {
 /// Writes what is called through the application API as a drawing program. Replayed, the
 /// program makes the same display file, bit for bit: numbers are written in the shortest
 /// form that reads back to the same double.
+///
+/// A stream that fails loses lines and tells so itself. If it throws then, as its exceptions() say,
+/// that comes out of the routine, which has been carried out, or out of all_or_nothing and
+/// enter_segments, which leave the state as it was.
 class Recorder {
  public:
   explicit Recorder(std::ostream& out) : out_(out) {}
@@ -30,8 +34,8 @@ class Recorder {
   /// One line that replaying passes over. What a drawing program may not hold becomes '?'.
   void comment(std::string_view text);
 
-  /// While it lives, lines are held back: they are written as it ends, or not at all if they were
-  /// dropped. Holds may stand within each other.
+  /// While it lives, lines are held back: end() writes them, and without it they are dropped. Holds
+  /// may stand within each other: the outermost one writes.
   class Hold {
    public:
     explicit Hold(Recorder* recorder);  ///< null: nothing is recorded
@@ -39,7 +43,7 @@ class Recorder {
     Hold(const Hold&) = delete;
     Hold& operator=(const Hold&) = delete;
 
-    void drop();  ///< those since it began
+    void end();  ///< throws what the stream throws
 
    private:
     Recorder* recorder_;

@@ -4,11 +4,14 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <ios>
 #include <iterator>
 #include <limits>
+#include <ostream>
 #include <random>
 #include <set>
 #include <sstream>
+#include <streambuf>
 #include <string>
 #include <vector>
 
@@ -224,6 +227,37 @@ TEST(RecordReplay, AllOrNothing) {
   GraphicsSystem replayed;
   replay(recording.str(), "recording", replayed);
   EXPECT_EQ(dump(replayed.display_file()), dump(system.display_file()));
+}
+
+/// A stream on a disk that is full, which throws. What was recorded at once has been carried out,
+/// and what was held back has not.
+TEST(RecordReplay, StreamsThatThrow) {
+  struct Full : std::streambuf {
+    int_type overflow(int_type) override { return traits_type::eof(); }
+  } full;
+  std::ostream stream(&full);
+  stream.exceptions(std::ios::badbit);
+  Recorder recorder(stream);
+  GraphicsSystem system;
+  const auto enter = [&] {
+    system.open_segment(1);
+    enter_triangle(system);
+    system.close_segment();
+  };
+  system.set_recorder(&recorder);
+  for (int time = 0; time < 2; ++time) {
+    EXPECT_THROW(system.all_or_nothing(enter), std::ios::failure);
+    EXPECT_THROW(system.all_or_nothing([&] { return system.set_pick_id(3), 1; }),
+                 std::ios::failure);
+    EXPECT_THROW(system.enter_segments(enter), std::ios::failure);
+    EXPECT_EQ(system.display_file().segments().size(), 0u);
+    EXPECT_EQ(system.polygons_entered(), 0);
+  }
+  EXPECT_THROW(system.set_z_buffer(true), std::ios::failure);
+  EXPECT_TRUE(system.z_buffer());
+  system.set_recorder(nullptr);
+  system.all_or_nothing(enter);
+  EXPECT_EQ(system.polygons_entered(), 1);
 }
 
 /// The fuzzer's corpus: programs right and wrong, without their wrong lines.

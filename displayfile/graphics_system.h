@@ -256,7 +256,8 @@ class GraphicsSystem {
   /// side's, in force for the surface. Errors: those of set_line_style.
   void set_lower_line_style(const std::optional<LineStyle>& style);
   /// The pick identifier of the polygons and lines that follow, 0 or more; -1 gives each polygon
-  /// its ordinal in the program again, and lines none.
+  /// its ordinal in the program again, and lines none. Ordinals count from 0 all that is entered,
+  /// also what was deleted since, and after 2147483647 from 0 again.
   void set_pick_id(int id);
 
   /// What the pictures show where nothing is drawn, of all segments. Error: a colour outside of
@@ -471,6 +472,7 @@ class GraphicsSystem {
   void record_line_style(std::string_view routine, const LineStyle& style);
   void require_open() const;
   void require_view_may_change() const;
+  int next_pick() const;
   Point3 to_world(const Point3& object) const;
   void move_to(const Point3& object);
   void line_to(const Point3& object);

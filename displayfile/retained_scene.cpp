@@ -11,6 +11,7 @@
 #include "clip/back_face.h"
 #include "clip/error.h"
 #include "displayfile/display_file.h"
+#include "displayfile/pick_of_ordinal.h"
 #include "displayfile/side_kinds.h"
 #include "hidden/exact/plane.h"
 #include "hidden/exact/support_plane.h"
@@ -300,10 +301,11 @@ void RetainedScene::enter_shared_triangles(std::span<const Point3> world,
   name_points();
   const std::uint32_t look = look_of(attributes);
   auto first = static_cast<std::uint32_t>(all_corners());
-  for (std::size_t k = 0; k < corners.size(); k += 3, first += 3, pick += step) {
+  for (std::size_t k = 0; k < corners.size(); k += 3, first += 3) {
     const auto triangle = corners.subspan(k, 3);
     primitives_.push_back({first, 3, look, pick});
     for (const std::uint32_t corner : triangle) enter_shared_corner(corner, world[corner]);
+    pick = pick_of_ordinal(std::int64_t{pick} + step);
   }
   edge_visible_.resize(first, 1);
   segments_.back().end = size();

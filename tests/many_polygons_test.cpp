@@ -14,6 +14,7 @@
 
 #include "clip/error.h"
 #include "displayfile/nothing_seen.h"
+#include "displayfile/pick_of_ordinal.h"
 #include "displayfile/retained_views.h"
 #include "displayfile/scene_viewer.h"
 #include "displayfile/text/drawing_program.h"
@@ -315,6 +316,33 @@ TEST(ManyPolygons, ErrorsEnterNothing) {
   EXPECT_EQ(g.display_file().polygons(), 2u);
   g.polygons_abs_3({}, {});
   EXPECT_EQ(g.display_file().polygons(), 2u);
+}
+
+/// After the largest pick identifier, in whatever way polygons are entered.
+TEST(ManyPolygons, OrdinalsBeginAtZeroAgain) {
+  constexpr std::int32_t kLargest = std::numeric_limits<std::int32_t>::max();
+  static_assert(pick_of_ordinal(0) == 0 && pick_of_ordinal(kLargest) == kLargest);
+  static_assert(pick_of_ordinal(kLargest + std::int64_t{1}) == 0);
+  static_assert(pick_of_ordinal((std::int64_t{1} << 40) + 7) == 7);
+  const std::vector<Point3> vertices{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const std::vector<std::uint32_t> corners{0, 1, 2, 0, 1, 2, 0, 1, 2};
+  RetainedScene scene;
+  scene.open_segment(1, View());
+  scene.begin_shared(vertices.size());
+  scene.enter_shared_triangles(vertices, corners, Attributes(), kLargest - 1, 1);
+  scene.enter_shared_triangles(vertices, corners, Attributes(), kLargest, 0);
+  ASSERT_EQ(scene.size(), 6u);
+  EXPECT_EQ(scene[0].pick, kLargest - 1);
+  EXPECT_EQ(scene[1].pick, kLargest);
+  EXPECT_EQ(scene[2].pick, 0);
+  for (std::uint32_t i = 3; i < 6; ++i) EXPECT_EQ(scene[i].pick, kLargest);
+  GraphicsSystem g;
+  g.open_segment(1);
+  g.polygons_abs_3({vertices, corners, {}, {}, std::vector{kLargest - 1, kLargest, 0}, {}});
+  const std::string text = dump(g.display_file());
+  for (const std::int32_t pick : {kLargest - 1, kLargest, 0}) {
+    EXPECT_NE(text.find("pick " + std::to_string(pick) + "\n"), text.npos) << text;
+  }
 }
 
 }  // namespace

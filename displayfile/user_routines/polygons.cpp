@@ -9,6 +9,7 @@
 #include "clip/error.h"
 #include "clip/memory.h"
 #include "clip/planarity.h"
+#include "displayfile/pick_of_ordinal.h"
 #include "displayfile/solids/solid_faces.h"
 #include "displayfile/user_routines/ranges.h"
 
@@ -17,6 +18,9 @@ namespace displayfile {
 void GraphicsSystem::require_open() const {
   if (!open_) throw Error("no segment open: open one first");
 }
+
+/// Of the next polygon.
+int GraphicsSystem::next_pick() const { return pick_ >= 0 ? pick_ : pick_of_ordinal(ordinal_); }
 
 Point3 GraphicsSystem::to_world(const Point3& object) const {
   if (!in_range(object)) {
@@ -75,7 +79,7 @@ void GraphicsSystem::polygon(std::span<const Point3> object) {
   }
   world_points_.resize(object.size());
   for (std::size_t i = 0; i < object.size(); ++i) world_points_[i] = to_world(object[i]);
-  const int pick = pick_ >= 0 ? pick_ : static_cast<int>(ordinal_);
+  const int pick = next_pick();
   ++ordinal_;
   const Point3 normal = attributes_.light ? newell_normal(world_points_) : Point3(0.0);
   const bool smooth =
@@ -218,9 +222,8 @@ void GraphicsSystem::polygons_abs_3(const ManyPolygons& many) {
     const bool at_once = of_one_kind && !cutting_planes_.any() && solids_.empty();
     if (retains_alone_ && at_once && recorder_ == nullptr) {
       if (!fills.empty() && fills[0] != attributes_.fill) set_fill_style(fills[0]);
-      const bool all_of_one = pick_ >= 0;
-      const auto pick = all_of_one ? pick_ : static_cast<std::int32_t>(ordinal_);
-      retaining()->enter_shared_triangles(world, corners, attributes_, pick, all_of_one ? 0 : 1);
+      retaining()->enter_shared_triangles(world, corners, attributes_, next_pick(),
+                                          pick_ >= 0 ? 0 : 1);
       ordinal_ += static_cast<std::int64_t>(polygons);
       return;
     }
@@ -287,7 +290,7 @@ void GraphicsSystem::make_room_for_shared(std::span<const Point3> world, std::si
 /// One polygon of many.
 void GraphicsSystem::enter_shared(std::span<const Point3> world,
                                   std::span<const std::uint32_t> corners, Segment& segment) {
-  const int pick = pick_ >= 0 ? pick_ : static_cast<int>(ordinal_);
+  const int pick = next_pick();
   ++ordinal_;
   const bool cutting = cutting_planes_.any();
   const bool whole = !cutting && solids_.empty();

@@ -133,7 +133,10 @@ void GraphicsSystem::enter_face(const SolidFaces& solid, std::size_t i, bool is_
     attributes_changed();
   }
   int pick = face.pick;
-  if (face.cut_by != 0) pick = pick_ >= 0 ? pick_ : static_cast<int>(ordinal_++);
+  if (face.cut_by != 0) {
+    pick = next_pick();
+    if (pick_ < 0) ++ordinal_;
+  }
   const Point3 normal = attributes_.light ? face.normal : Point3(0.0);
   const auto enter_one = [&](const WorldPolygon& one) {
     is_to_be_cut ? enter(one) : enter_whole(one);

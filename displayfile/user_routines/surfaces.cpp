@@ -10,6 +10,7 @@
 #include "clip/error.h"
 #include "clip/memory.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/pick_of_ordinal.h"
 
 namespace displayfile {
 
@@ -154,7 +155,7 @@ void GraphicsSystem::enter_cell(const SurfaceGrid& grid, std::span<const Point3>
     std::swap(b, d);
     std::swap(along_ab, along_ad);
   }
-  const int pick = pick_ >= 0 ? pick_ : static_cast<int>(ordinal);
+  const int pick = pick_ >= 0 ? pick_ : pick_of_ordinal(ordinal);
   const bool plain = retaining() == nullptr && !retains_alone_ && !cutting_planes_.any();
   const auto enter_triangle = [&](const std::array<std::uint32_t, 3>& of_triangle,
                                   const std::array<std::uint8_t, 3>& edge_visible) {

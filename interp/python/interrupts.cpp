@@ -1,15 +1,14 @@
 #include "interp/python/interrupts.h"
 
 #include <atomic>
-#include <thread>
 
-#include "interp/python/limits.h"
 
 namespace displayfile::python {
 
+namespace py = pybind11;
+
 namespace {
 
-std::thread::id main_thread;
 std::atomic<WorkBudget*> stopped_by_interrupt{nullptr};
 struct sigaction of_python {};
 
@@ -20,9 +19,7 @@ extern "C" void stop_and_tell_python(int signal) {
 
 /// True if Python, or who else handles the signal, is told of it too from now on.
 bool listen() {
-  if (std::this_thread::get_id() != main_thread || stopped_by_interrupt.load() != nullptr) {
-    return false;
-  }
+  if (stopped_by_interrupt.load() != nullptr) return false;
   if (sigaction(SIGINT, nullptr, &of_python) != 0) return false;
   const bool is_handled = (of_python.sa_flags & SA_SIGINFO) == 0 &&
                           of_python.sa_handler != SIG_DFL && of_python.sa_handler != SIG_IGN;
@@ -34,11 +31,18 @@ bool listen() {
 
 }  // namespace
 
-void remember_main_thread() { main_thread = std::this_thread::get_id(); }
+/// Asked each time: any thread may be the first to import the package, and after a fork the thread
+/// that called it is the main one.
+bool Caller::is_on_main_thread() {
+  const py::module_ threading = py::module_::import("threading");
+  const py::object main_thread = threading.attr("main_thread")();
+  return py::object(main_thread.attr("ident")).equal(threading.attr("get_ident")());
+}
 
-StoppedByInterrupt::StoppedByInterrupt()
-    : budget_(budget_of_block() != nullptr ? budget_of_block() : &own_),
-      listens_(listen()),
+StoppedByInterrupt::StoppedByInterrupt(const Caller& caller)
+    : caller_(caller),
+      budget_(caller.block ? caller.block->budget.get() : &own_),
+      listens_(caller.is_main_thread && listen()),
       in_force_(budget_) {
   if (listens_) stopped_by_interrupt.store(budget_);
 }
@@ -47,7 +51,7 @@ StoppedByInterrupt::~StoppedByInterrupt() {
   if (!listens_) return;
   sigaction(SIGINT, &of_python, nullptr);
   stopped_by_interrupt.store(nullptr);
-  if (budget_ != &own_ && budget_->is_stopped()) renew_budget_of_block();
+  if (budget_ != &own_ && budget_->is_stopped()) caller_.block->renew_budget();
 }
 
 }  // namespace displayfile::python

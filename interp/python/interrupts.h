@@ -3,21 +3,27 @@
 #include <pybind11/pybind11.h>
 
 #include <csignal>
+#include <memory>
 
 #include "clip/work_budget.h"
+#include "interp/python/limits.h"
 
 namespace displayfile::python {
 
-/// To be called when the module is imported, by the thread on which Python handles signals.
-void remember_main_thread();
+/// Where work is called, as Python tells whoever has its lock.
+struct Caller {
+  std::shared_ptr<LimitsBlock> block = block_in_force();
+  bool is_main_thread = is_on_main_thread();  ///< where Python handles signals
 
-/// While it lives, the work of this thread has the limits of the block in which it is called
-/// (interp/python/limits.h), and an interrupt from the keyboard (SIGINT) stops it by LimitReached,
-/// beside what Python does with it. The latter on the main thread alone, where Python raises
-/// KeyboardInterrupt.
+  static bool is_on_main_thread();
+};
+
+/// While it lives, the work of this thread has the limits of the block in which it is called, and
+/// an interrupt from the keyboard (SIGINT) stops it by LimitReached, beside what Python does with
+/// it. The latter on the main thread alone, where Python raises KeyboardInterrupt.
 class StoppedByInterrupt {
  public:
-  StoppedByInterrupt();
+  explicit StoppedByInterrupt(const Caller& caller);
   ~StoppedByInterrupt();
   StoppedByInterrupt(const StoppedByInterrupt&) = delete;
   StoppedByInterrupt& operator=(const StoppedByInterrupt&) = delete;
@@ -25,6 +31,7 @@ class StoppedByInterrupt {
   bool interrupted() const { return listens_ && budget_->is_stopped(); }
 
  private:
+  const Caller& caller_;
   WorkBudget own_;
   WorkBudget* budget_;  ///< its own, or the block's
   bool listens_;
@@ -36,11 +43,12 @@ class StoppedByInterrupt {
 /// left the state as it was.
 template <class Work>
 auto without_interpreter(Work&& work) {
+  const Caller caller;
   for (;;) {
     bool interrupted = false;
     try {
       const pybind11::gil_scoped_release released;
-      const StoppedByInterrupt stopped;
+      const StoppedByInterrupt stopped(caller);
       try {
         return work();
       } catch (const Error&) {

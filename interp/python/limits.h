@@ -2,14 +2,28 @@
 
 #include <pybind11/pybind11.h>
 
+#include <memory>
+#include <thread>
+
 #include "clip/work_budget.h"
 
 namespace displayfile::python {
 
-/// The budget of the innermost `with limits(...)` block of this thread; null outside of them.
-WorkBudget* budget_of_block();
-/// It was told to stop: another one, of what is left of it, takes its place.
-void renew_budget_of_block();
+/// A `with limits(...)` block. Contexts (Python's contextvars) know those that began in them, and
+/// in the context that they were copied from.
+struct LimitsBlock {
+  pybind11::object limits;
+  std::thread::id thread;
+  std::unique_ptr<WorkBudget> budget;
+  bool has_ended = false;
+
+  /// The budget was told to stop: another one, of what is left of it, takes its place.
+  void renew_budget();
+};
+
+/// The innermost block of the context that began on this thread and has not ended; null outside of
+/// them.
+std::shared_ptr<LimitsBlock> block_in_force();
 
 /// Adds what limits is made of.
 void add_limits(pybind11::module_& module);

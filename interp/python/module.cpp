@@ -3,7 +3,6 @@
 #include "displayfile/text/user_routine.h"
 #include "hidden/hidden_method.h"
 #include "interp/python/errors.h"
-#include "interp/python/interrupts.h"
 #include "interp/python/limits.h"
 #include "interp/python/pieces.h"
 #include "interp/python/system.h"
@@ -47,7 +46,6 @@ PYBIND11_MODULE(_displayfile, module) {
   // with types of C++.
   py::options options;
   options.disable_function_signatures();
-  remember_main_thread();
   add_errors(module);
   SystemClass system = add_system(module);
   add_pictures(system);

@@ -15,8 +15,9 @@ class limits:
 
     Sorts, lines, maps, pictures and whatever else takes long, of systems, of sort, visible_pieces and
     visible_lines, and of matplotlib's axes. A call that would use more raises LimitReached, and
-    changes nothing. The block's limits are those of its thread; of blocks within each other the
-    innermost counts.
+    changes nothing. The block's limits are those of its thread, and there of its context: of an
+    asyncio task, and of tasks that it begins while the block lasts, but of no other one. Of blocks
+    within each other the innermost counts.
     """
 
     def __init__(
@@ -44,7 +45,7 @@ class limits:
         _displayfile._require_limits(*self._limits)
 
     def __enter__(self) -> limits:
-        _displayfile._begin_limits(*self._limits)
+        _displayfile._begin_limits(self, *self._limits)
         return self
 
     def __exit__(
@@ -53,4 +54,4 @@ class limits:
         raised: BaseException | None,
         traceback: types.TracebackType | None,
     ) -> None:
-        _displayfile._end_limits()
+        _displayfile._end_limits(self)

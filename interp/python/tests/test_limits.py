@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import asyncio
 import threading
-from typing import Any
+from typing import Any, Iterator
 
 import numpy as np
 import pytest
@@ -66,6 +67,71 @@ def test_limits_are_those_of_a_thread() -> None:
         thread.start()
         thread.join()
     assert done
+
+
+def is_limited() -> bool:
+    try:
+        soup().svg(16, hidden="bsp")
+    except LimitReached:
+        return True
+    return False
+
+
+def test_the_block_that_ends_is_the_one_that_ends() -> None:
+    def block(pieces: int) -> Iterator[None]:
+        with limits(pieces=pieces):
+            yield
+
+    narrow, wide = block(1), block(10**6)
+    next(narrow)
+    next(wide)
+    next(narrow, None)
+    assert not is_limited()
+    narrow = block(1)
+    next(narrow)
+    next(wide, None)
+    assert is_limited()
+    next(narrow, None)
+    assert not is_limited()
+
+
+def test_limits_are_those_of_a_task() -> None:
+    async def limited(begun: asyncio.Event, end: asyncio.Event) -> None:
+        with shared:
+            begun.set()
+            await end.wait()
+            assert is_limited()
+            begun_within = asyncio.ensure_future(is_limited_later())
+            await asyncio.sleep(0)
+            assert await begun_within
+            outlives = asyncio.ensure_future(is_limited_later())
+        assert not await outlives
+        assert not is_limited()
+
+    async def is_limited_later() -> bool:
+        await asyncio.sleep(0)
+        return is_limited()
+
+    async def all_tasks() -> None:
+        begun, end = asyncio.Event(), asyncio.Event()
+        tasks = [asyncio.ensure_future(limited(begun, end)) for _ in range(2)]
+        await begun.wait()
+        assert not is_limited()
+        end.set()
+        for task in tasks:
+            await task
+
+    shared = limits(pieces=1)
+    asyncio.run(all_tasks())
+
+
+def test_limits_end_where_they_began() -> None:
+    block = limits(pieces=1)
+    with pytest.raises(Error, match="expected to end in the thread and the context"):
+        block.__exit__(None, None, None)
+    with block, block:
+        assert is_limited()
+    assert not is_limited()
 
 
 def test_a_segment_that_cannot_be_sorted_leaves_nothing() -> None:

@@ -149,9 +149,9 @@ def test_others_go_on_while_one_works():
     assert turns > 3
 
 
-def interrupted(program: str, expected: int) -> str:
+def interrupted(program: str, expected: int, begin: str = LONG_WORK) -> str:
     process = subprocess.Popen(
-        [sys.executable, "-c", LONG_WORK + program], stdout=subprocess.PIPE, text=True
+        [sys.executable, "-c", begin + program], stdout=subprocess.PIPE, text=True
     )
     assert process.stdout is not None
     assert process.stdout.readline() == "begun\n"
@@ -198,6 +198,31 @@ except KeyboardInterrupt:
         )
         == "stopped\n"
     )
+
+
+IMPORT_ON_ANOTHER_THREAD = """
+import threading
+importing = threading.Thread(target=lambda: __import__("displayfile"))
+importing.start()
+importing.join()
+"""
+
+
+def test_an_interrupt_stops_work_where_another_thread_was_first_to_import():
+    out = interrupted(
+        """
+print("begun", flush=True)
+begun = time.perf_counter()
+try:
+    with displayfile.limits(seconds=6):
+        displayfile.sort(soup, method="bsp")
+except KeyboardInterrupt:
+    print("stopped" if time.perf_counter() - begun < 4 else "late")
+""",
+        0,
+        IMPORT_ON_ANOTHER_THREAD + LONG_WORK,
+    )
+    assert out == "stopped\n"
 
 
 def test_an_interrupt_of_a_program_that_is_replayed_is_no_error():

@@ -1,7 +1,7 @@
 #include "interp/python/interrupts.h"
 
 #include <atomic>
-
+#include <chrono>
 
 namespace displayfile::python {
 
@@ -45,6 +45,14 @@ StoppedByInterrupt::StoppedByInterrupt(const Caller& caller)
       listens_(caller.is_main_thread && listen()),
       in_force_(budget_) {
   if (listens_) stopped_by_interrupt.store(budget_);
+}
+
+std::unique_lock<std::timed_mutex> turn_of(std::timed_mutex& mutex) {
+  constexpr std::chrono::milliseconds kBetweenAsking{20};
+  const NamedWork waiting({"waiting for another thread's call", nullptr});
+  std::unique_lock turn(mutex, std::try_to_lock);
+  while (!turn.owns_lock() && !turn.try_lock_for(kBetweenAsking)) ask_budget();
+  return turn;
 }
 
 StoppedByInterrupt::~StoppedByInterrupt() {

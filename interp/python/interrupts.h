@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <memory>
+#include <mutex>
 
 #include "clip/work_budget.h"
 #include "interp/python/limits.h"
@@ -37,6 +38,10 @@ class StoppedByInterrupt {
   bool listens_;
   BudgetInForce in_force_;
 };
+
+/// Waits, without the interpreter's lock, until no other thread is in a call on the same object. A
+/// limit and an interrupt end that.
+std::unique_lock<std::timed_mutex> turn_of(std::timed_mutex& mutex);
 
 /// Calls work() without the interpreter's lock. When an interrupt from the keyboard has stopped it,
 /// Python's handler is called; if that raises nothing, the work begins again: what was stopped has

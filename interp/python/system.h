@@ -44,7 +44,7 @@ class System {
   template <class Work>
   auto work(Work&& work) {
     return without_interpreter([&] {
-      const std::lock_guard in_turn(mutex_);
+      const auto in_turn = turn_of(mutex_);
       return work(system_, renderer_);
     });
   }
@@ -84,7 +84,7 @@ class System {
   Renderer renderer_;
   std::optional<Fitted> fitted_;
   std::shared_ptr<SparePictures> spare_ = std::make_shared<SparePictures>();
-  std::mutex mutex_;
+  std::timed_mutex mutex_;
 };
 
 using SystemClass = pybind11::class_<System>;

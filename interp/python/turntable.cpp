@@ -48,7 +48,7 @@ class Turntable {
   template <class Work>
   auto work(Work&& work) {
     return without_interpreter([&] {
-      const std::lock_guard in_turn(mutex_);
+      const auto in_turn = turn_of(mutex_);
       return work(*renderer_);
     });
   }
@@ -62,7 +62,7 @@ class Turntable {
   RetainedScene scene_;
   std::optional<TurntableRenderer> renderer_;  // of both
   std::shared_ptr<SparePictures> spare_;
-  std::mutex mutex_;
+  std::timed_mutex mutex_;
 };
 
 Point3 axis_in(py::handle value, std::string_view what) {

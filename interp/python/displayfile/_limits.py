@@ -14,7 +14,8 @@ class limits:
     """What is called in a with block may use at most.
 
     Sorts, lines, maps, pictures and whatever else takes long, of systems, of sort, visible_pieces and
-    visible_lines, and of matplotlib's axes. A call that would use more raises LimitReached, and
+    visible_lines, and of matplotlib's axes, and the wait for another thread's call on the same
+    system. A call that would use more raises LimitReached, and
     changes nothing. The block's limits are those of its thread, and there of its context: of an
     asyncio task, and of tasks that it begins while the block lasts, but of no other one. Of blocks
     within each other the innermost counts.

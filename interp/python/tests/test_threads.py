@@ -9,6 +9,7 @@ import threading
 import time
 
 import numpy as np
+import pytest
 
 import displayfile
 from displayfile import Error, System
@@ -223,6 +224,52 @@ except KeyboardInterrupt:
         IMPORT_ON_ANOTHER_THREAD + LONG_WORK,
     )
     assert out == "stopped\n"
+
+
+WORK_ON_ANOTHER_THREAD = """
+import os, threading
+g, small = displayfile.System(), displayfile.System(retain=True)
+g.mesh(soup.reshape(-1, 3), np.arange(12000).reshape(-1, 3))
+small.mesh(soup[:200].reshape(-1, 3), np.arange(600).reshape(-1, 3))
+turned = small.turntable(3, 2048, samples=16)
+def work(long):
+    while True:
+        try:
+            with displayfile.limits(seconds=6):
+                long()
+        except displayfile.LimitReached:
+            pass
+def ended_by(call):
+    begun = time.perf_counter()
+    try:
+        call()
+    except (displayfile.LimitReached, KeyboardInterrupt) as ended:
+        return type(ended).__name__, time.perf_counter() - begun < 3
+"""
+
+
+@pytest.mark.parametrize(
+    ("long", "call"),
+    [
+        ('lambda: g.svg(16, hidden="bsp")', "g.dump"),
+        ("lambda: turned.draw(0)", "lambda: turned.draw(1)"),
+    ],
+)
+def test_a_limit_and_an_interrupt_end_the_wait_for_another_thread(long, call):
+    out = interrupted(
+        f"""
+threading.Thread(target=work, args=({long},), daemon=True).start()
+time.sleep(0.5)
+with displayfile.limits(seconds=0.2):
+    limited = ended_by({call})
+print("begun", flush=True)
+print(*limited, *ended_by({call}), flush=True)
+os._exit(0)
+""",
+        0,
+        LONG_WORK + WORK_ON_ANOTHER_THREAD,
+    )
+    assert out == "LimitReached True KeyboardInterrupt True\n"
 
 
 def test_an_interrupt_of_a_program_that_is_replayed_is_no_error():

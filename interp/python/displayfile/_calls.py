@@ -23,7 +23,6 @@ _ENTERING = (
 )
 _OF_FILES = ("import_mesh", "replay_file")
 _DEEPEST = 32  # that sequences stand in each other
-_WHAT_IT_IS_NOT = (TypeError, ValueError, OverflowError, BufferError, ReferenceError)
 
 
 class _Call(typing.NamedTuple):
@@ -152,7 +151,8 @@ def _kept(value: typing.Any, depth: int = 0) -> typing.Any:
     """What is handed over, without what others may change later. What is too deep is refused."""
     if value is None or isinstance(value, (str, bytes, int, float)):
         return value
-    with contextlib.suppress(*_WHAT_IT_IS_NOT):  # then it is refused as what it is
+    # What cannot be read is refused as what it is.
+    with contextlib.suppress(TypeError, ValueError, OverflowError, BufferError, ReferenceError):
         if hasattr(value, "__array__") or _is_buffer(value):
             return _array(value)
         if _is_sequence(value) and depth < _DEEPEST:

@@ -49,7 +49,7 @@ StoppedByInterrupt::StoppedByInterrupt(const Caller& caller)
 
 std::unique_lock<std::timed_mutex> turn_of(std::timed_mutex& mutex) {
   constexpr std::chrono::milliseconds kBetweenAsking{20};
-  const NamedWork waiting({"waiting for another thread's call", nullptr});
+  const NamedWork waiting(kWaiting);
   std::unique_lock turn(mutex, std::try_to_lock);
   while (!turn.owns_lock() && !turn.try_lock_for(kBetweenAsking)) ask_budget();
   return turn;

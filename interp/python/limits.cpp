@@ -101,6 +101,10 @@ void add_limits(py::module_& module) {
              [](py::handle pieces, py::handle comparisons, py::handle bytes, py::handle seconds) {
                limits_in(pieces, comparisons, bytes, seconds);
              });
+  module.def("_ask_limits", [] {
+    const NamedWork waiting(kWaiting);
+    if (const auto block = block_in_force()) block->budget->ask();
+  });
   module.def("_begin_limits", begin_limits);
   module.def("_end_limits", end_limits);
 }

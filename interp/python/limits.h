@@ -9,6 +9,9 @@
 
 namespace displayfile::python {
 
+/// What takes long where several threads call one object.
+inline constexpr WorkDone kWaiting{"waiting for another thread's call", nullptr};
+
 /// A `with limits(...)` block. Contexts (Python's contextvars) know those that began in them, and
 /// in the context that they were copied from.
 struct LimitsBlock {

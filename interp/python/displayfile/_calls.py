@@ -23,6 +23,7 @@ _ENTERING = (
 )
 _OF_FILES = ("import_mesh", "replay_file")
 _DEEPEST = 32  # that sequences stand in each other
+_BETWEEN_ASKING = 0.02  # seconds, whether a limit ends the wait for another thread
 
 
 class _Call(typing.NamedTuple):
@@ -103,12 +104,22 @@ class PicklableSystem(System):
     @property
     def calls(self) -> Calls:
         """What was called up to now: the same Calls until more is entered."""
-        with self._in_turn:
+        with self._turn():
             if not self._is_known:
                 raise Error("a call was interrupted: it is not known whether it entered anything")
             if self._calls is None or len(self._calls._calls) != len(self._noted):
                 self._calls = Calls(self._said, tuple(self._noted))
             return self._calls
+
+    @contextlib.contextmanager
+    def _turn(self) -> typing.Iterator[None]:
+        """Wait until no other thread enters anything; limits and an interrupt end that."""
+        while not self._in_turn.acquire(timeout=_BETWEEN_ASKING):
+            _displayfile._ask_limits()
+        try:
+            yield
+        finally:
+            self._in_turn.release()
 
     def __reduce__(self) -> tuple[typing.Any, ...]:
         return _again, (type(self), self._said, self.calls)
@@ -119,7 +130,7 @@ class PicklableSystem(System):
             arguments = (*map(_absolute, arguments[:1]), *arguments[1:])
             said = {name: _absolute(v) if name == "path" else v for name, v in said.items()}
         call = _Call(routine, _kept(arguments), {name: _kept(v) for name, v in said.items()})
-        with self._in_turn:
+        with self._turn():
             was_known, self._is_known = self._is_known, False
             try:
                 returned = getattr(System, routine)(self, *call.arguments, **call.said)

@@ -232,6 +232,11 @@ g, small = displayfile.System(), displayfile.System(retain=True)
 g.mesh(soup.reshape(-1, 3), np.arange(12000).reshape(-1, 3))
 small.mesh(soup[:200].reshape(-1, 3), np.arange(600).reshape(-1, 3))
 turned = small.turntable(3, 2048, samples=16)
+noting = displayfile.PicklableSystem()
+noting.set_hidden_line_removal(True)
+noting.set_hidden_method("bsp")
+noting.open_segment(1)
+noting.mesh(soup.reshape(-1, 3), np.arange(12000).reshape(-1, 3))
 def work(long):
     while True:
         try:
@@ -253,6 +258,7 @@ def ended_by(call):
     [
         ('lambda: g.svg(16, hidden="bsp")', "g.dump"),
         ("lambda: turned.draw(0)", "lambda: turned.draw(1)"),
+        ("noting.close_segment", "lambda: noting.set_pick_id(3)"),
     ],
 )
 def test_a_limit_and_an_interrupt_end_the_wait_for_another_thread(long, call):

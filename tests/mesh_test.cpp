@@ -134,8 +134,12 @@ TEST_F(MeshTest, AModellingTransformationThatMirrorsLeavesTheLightFacesOutside) 
       EXPECT_TRUE(system.back_face_removal());
       pictures[mirrored] = draw(system, {.width = 60, .height = 60, .with_depth = true});
     }
-    EXPECT_EQ(pictures[0].pixels, pictures[1].pixels);
-    EXPECT_EQ(pictures[0].depth, pictures[1].depth);
+    // Gouraud's triangles are mirrored, too.
+    EXPECT_TRUE(shading != Shading::flat || pictures[0].pixels == pictures[1].pixels);
+    for (std::size_t k = 0; k < pictures[0].depth.size(); ++k) {
+      const double depth = pictures[0].depth[k], mirrored = pictures[1].depth[k];
+      EXPECT_TRUE(depth == mirrored || std::abs(depth - mirrored) < 1e-12) << k;
+    }
   }
 }
 

@@ -147,7 +147,7 @@ TEST(Shapes, AreTurnedOutwardWhereTheModellingTransformationMirrors) {
       for (const bool smooth : {false, true}) {
         const Mesh mesh = mesh_of(enter, scale, smooth);
         EXPECT_TRUE(closed_and_consistently_oriented(mesh)) << name;
-        if (!smooth) EXPECT_EQ(mesh.faces(), faces) << name;
+        EXPECT_TRUE(smooth || mesh.faces() == faces) << name;
         const double size = std::abs(scale.x * scale.y * scale.z) * true_volume;
         EXPECT_NEAR(volume(mesh), size, 1e-12 * size) << name;
       }

@@ -481,9 +481,14 @@ class GraphicsSystem {
   void enter_cut(const WorldPolygon& polygon);
   void enter_solid(const SolidFaces& whole, double spacing);
   void enter_face(const SolidFaces& solid, std::size_t i, bool is_to_be_cut);
-  void enter_hatching(const SolidFaces& solid, std::size_t face, double spacing);
-  void enter_world_line(const Point3& from, const Point3& to);
-  double hatching_spacing(std::span<const Point3> solid) const;
+  struct Hatching {
+    double spacing;
+    bool is_there;  ///< its face is, in the view
+  };
+  void enter_hatching(const SolidFaces& solid, std::size_t face, const Hatching& hatching);
+  void enter_world_line(const Point3& from, const Point3& to, bool is_there = true);
+  double hatching_spacing(const SolidFaces& solid) const;
+  bool hatches_cut_faces() const;
   void require_no_solid(std::string_view what) const;
   void enter_whole(const WorldPolygon& polygon);
   std::span<const Point3> shared_world(std::span<const Point3> vertices);

@@ -131,6 +131,9 @@ void RetainedScene::enter_viewed(const Segment& part, const Eye& eye, ViewStage&
     return std::span<const LineKinds>(selected).subspan(first - first_corner, sides);
   };
   if (has_shared()) stage.view_vertices(points(part), part.first_point);
+  for (const auto& [upward, x_points, y_points] : part.surfaces) {
+    segment.mark_surface({stage.pipeline().volume().infinitely_far(upward), x_points, y_points});
+  }
   const auto enter_primitive = [&](std::uint32_t i) {
     if (in_force != primitives_[i].look) {
       in_force = primitives_[i].look;

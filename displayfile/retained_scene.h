@@ -34,6 +34,11 @@ class RetainedScene {
     std::int32_t pick;    ///< of a line -1 if it has none
     bool is_line() const { return sides == 2; }
   };
+  /// A surface over a grid that was entered at once.
+  struct Surface {
+    Point3 upward;  ///< where its z grows toward
+    std::uint32_t x_points, y_points;
+  };
   struct Segment {
     int name;
     View view;                             ///< in which the application drew it
@@ -43,6 +48,7 @@ class RetainedScene {
     /// Which sides are lines; null: those that the line style shows.
     std::shared_ptr<const SideKinds> sides = nullptr;
     bool intersections = false;  ///< lines are too where polygons pass through each other
+    std::vector<Surface> surfaces = {};
   };
   /// A text is no primitive: it hides nothing.
   struct Text {
@@ -160,6 +166,8 @@ class RetainedScene {
   void enter_shared_triangles(std::span<const Point3> world, std::span<const std::uint32_t> corners,
                               const Attributes& attributes, std::int32_t pick, std::int32_t step);
   void enter_text(const Point3& anchor, std::string_view characters, const Attributes& attributes);
+  /// Its cells follow.
+  void mark_surface(const Surface& surface) { segments_.back().surfaces.push_back(surface); }
 
  private:
   template <class T>

@@ -378,6 +378,12 @@ SceneViewer::SceneViewer(const RetainedScene& scene, const DisplayFile& attribut
     shows_shadows_ = shows_shadows_ || look.shadows;
     is_lit_ = is_lit_ || look.light;
   }
+  for (std::uint32_t i = 0; i < scene.size(); ++i) {
+    if (scene[i].is_line() || scene.shared_attributes(i).is_outlined()) shows_lines_ = true;
+  }
+  for (const RetainedScene::Segment& segment : scene.segments()) {
+    if (!scene.texts(segment).empty()) shows_lines_ = true;
+  }
   for (const auto& part : parts_) part->find_rows(*this);
 }
 
@@ -437,7 +443,8 @@ const ViewedScene& SceneViewer::view(const Wanted& wanted) {
     if (selects_lines_) scene_->sides_in_view(Eye::of(wanted.view), sides_);
     viewed_.geometry_ = new_number();
   }
-  const Part::InView in_view{*this, wanted, volume, wanted.centres_of && !shows_shadows_};
+  const bool by_centres = wanted.centres_of && !shows_shadows_ && !shows_lines_;
+  const Part::InView in_view{*this, wanted, volume, by_centres};
   if (wanted.threads == 1) {
     take_parts([&](Part& part) {
       part.view(in_view, segments_[part.segment()].image, viewed_, {points_.size(), corners_},

@@ -37,7 +37,7 @@ class SceneViewer {
     View view;
     glm::dmat3 lights_turned = glm::dmat3(1.0);  ///< a rotation
     /// For a picture of that size alone: fills of no drawn side that cannot cover a pixel's centre
-    /// are left out, unless shadows are seen. Sides up to 65535.
+    /// are left out, unless shadows, lines or texts are seen. Sides up to 65535.
     std::optional<PictureSize> centres_of = std::nullopt;
     int threads = 1;  ///< the scene is the same for any number
   };
@@ -98,6 +98,7 @@ class SceneViewer {
   std::vector<LineKinds> sides_;  // of the corners in the last view, if lines are selected
   std::vector<Look> looks_;       // of attributes, but for colours
   bool shows_shadows_ = false;    // then what covers no centre matters
+  bool shows_lines_ = false;      // or texts: the same
   bool is_lit_ = false;
   std::vector<SegmentNow> segments_;
   std::vector<Block> blocks_;

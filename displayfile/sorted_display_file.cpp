@@ -100,7 +100,8 @@ const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, Hidde
       options.shadows && method == HiddenMethod::map && system.display_file().has_shadows();
   const auto usual = applications && !finds_shadows ? HiddenScope::segment : HiddenScope::all;
   const HiddenScope set = system.hidden_scope().value_or(usual);
-  const HiddenScope scope = options.scope.value_or(set);
+  const bool picked = surfaces_of(method_in_force(system, options)) == HiddenMethod::automatic;
+  const HiddenScope scope = picked ? HiddenScope::all : options.scope.value_or(set);
   SortOptions sort = sort_options(options, precision_in_force(system, options));
   sort.hidden_lines = hidden_lines_in_force(system, options);
   sort.intersections = contains(system.lines().kinds, LineKind::intersection);

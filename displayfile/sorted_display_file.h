@@ -53,9 +53,9 @@ class SortedDisplayFile {
   ///  - a method that the application set leaves the segments as close-segment left them, unless
   ///    the scope is all; only a segment that has an image transformation since, or is asked for
   ///    in another precision or with hidden lines otherwise, is sorted again;
-  ///  - a method of the options, or one that `automatic` means, sorts all visible segments
-  ///    together, each group that overlaps by itself (displayfile/segment_groups.h), or each on its
-  ///    own if the options or the application set that scope.
+  ///  - a method of the options sorts all visible segments together, each group that overlaps by
+  ///    itself (displayfile/segment_groups.h), or each on its own if the options or the application
+  ///    set that scope; one that `automatic` means sorts all together, whatever the scope.
   /// If it does not sort, a method of the options is drawn from the polygons as they were entered
   /// and one that the application set from what close-segment left. Invisible segments stay as
   /// they are.

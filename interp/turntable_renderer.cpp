@@ -37,10 +37,12 @@ DrawOptions with_settings(const GraphicsSystem& system, DrawOptions options) {
   if (finds_lines(method)) {
     const auto usual = options.hidden ? HiddenScope::all : HiddenScope::segment;
     if (!options.scope) options.scope = system.hidden_scope().value_or(usual);
+  }
+  if (finds_lines(method) || is_colour_rule(method)) {
     options.hidden = method;
-    if (!options.precision) options.precision = system.precision();
     require_turntable_method(options);
   }
+  if (!options.precision && !casts_into_world(options)) options.precision = system.precision();
   options.hidden_lines = hidden_lines_in_force(system, hidden_surface_options(options));
   if (!options.background) options.background = system.background();
   if (draws_each_anew(options) || casts_into_world(options)) {

@@ -19,6 +19,7 @@
 #include "displayfile/shapes/shapes.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
+#include "interp/draw.h"
 #include "tests/error_of.h"
 #include "tests/random_views.h"
 #include "tests/solid_scenes.h"
@@ -56,7 +57,7 @@ std::vector<EnterSolid> shapes() {
       },
       [](GraphicsSystem& g) {
         g.rotate_x_3(20);
-        g.scale_3(-1, 1, 1);  // inside out
+        g.scale_3(-1, 1, 1);
         extrude_3(g, -1, 1, kAngle);
       },
   };
@@ -159,12 +160,36 @@ TEST(CutFaces, ABoxCutInTwoHasARectangleInTheStylesInForce) {
   ASSERT_EQ(left.scene.points(face).size(), 4u);
   for (const Point3& p : left.scene.points(face)) EXPECT_EQ(p.x, 0.25);
   EXPECT_DOUBLE_EQ(left.drawn_length(face), 8.0);
-  // Sides along the plane are drawn by the cut face alone.
+  // Sides along the plane are those of the faces beside the cut face, too.
   for (std::size_t k = 0; k < 5; ++k) {
     const bool is_across = left.scene.points(polygons[k])[0].x == -1.0 &&
                            left.scene.points(polygons[k])[1].x == -1.0 &&
                            left.scene.points(polygons[k])[2].x == -1.0;
-    EXPECT_DOUBLE_EQ(left.drawn_length(polygons[k]), is_across ? 8.0 : 4.5);
+    EXPECT_DOUBLE_EQ(left.drawn_length(polygons[k]), is_across ? 8.0 : 6.5);
+  }
+}
+
+/// What is left of a solid is drawn as a solid of that form: the faces beside a cut face draw the
+/// sides that they share with it, which is a back face here.
+TEST(CutFaces, WhatIsLeftIsDrawnAsASolidOfThatForm) {
+  const auto entered = [](bool is_cut, HiddenMethod method) {
+    GraphicsSystem g;
+    g.set_parallel({0.5, 0.3, 1});
+    g.set_hidden_line_removal(true);
+    g.set_hidden_method(method);
+    if (is_cut) g.set_cutting_plane(1, 1, 0, 0, 0);
+    g.set_cut_faces({Kind::closed});
+    g.open_segment(1);
+    box_3(g, {is_cut ? -0.5 : 0.0, -0.5, -0.5}, {0.5, 0.5, 0.5});
+    g.close_segment();
+    return g;
+  };
+  const DrawOptions options{.width = 90, .height = 90};
+  for (const HiddenMethod method :
+       {HiddenMethod::z_buffer, HiddenMethod::bsp, HiddenMethod::map, HiddenMethod::franklin}) {
+    EXPECT_EQ(draw(entered(true, method), options).pixels,
+              draw(entered(false, method), options).pixels)
+        << name_of(method);
   }
 }
 
@@ -262,12 +287,57 @@ TEST(CutFaces, HatchingTurnsAndIsAPartOfTheSolidWhereNoSpacingIsSet) {
   };
   const auto level = lines_of({Kind::hatched, std::nullopt, 0.0});
   EXPECT_EQ(level.size(), 12u);  // 24 / 24 apart, and the uppermost is on the edge
-  for (const Point3& step : level) EXPECT_NEAR(std::abs(step.x), 24.0, 1e-12);
+  for (const Point3& step : level) EXPECT_NEAR(std::abs(step.x), 24.0, 1e-3);
   for (const Point3& step : lines_of({Kind::hatched, 3.0, 90.0})) {
-    EXPECT_NEAR(std::abs(step.z), 12.0, 1e-12);
+    EXPECT_NEAR(std::abs(step.z), 12.0, 1e-3);
   }
   // Seen from where the solid was cut away, y < 6, with z up, they rise to the right.
   for (const Point3& step : lines_of({Kind::hatched})) EXPECT_NEAR(step.x, step.z, 1e-12);
+}
+
+/// Of a face that is turned away nothing is seen, nor of its hatching, beyond its outline or in
+/// another way.
+TEST(CutFaces, HatchingIsNoPartOfAViewInWhichItsFaceIsTurnedAway) {
+  const auto dump_of = [](const CutFaces& faces, bool removes_back_faces) {
+    GraphicsSystem g;
+    g.set_parallel({0.5, 0.3, 1});
+    g.set_hidden_line_removal(true);
+    g.set_hidden_method(HiddenMethod::franklin);
+    g.set_back_face_removal(removes_back_faces);
+    g.set_cutting_plane(1, 1, 0, 0, 0);
+    g.set_cut_faces(faces);
+    g.open_segment(1);
+    box_3(g, {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
+    g.close_segment();
+    return dump(g.display_file());
+  };
+  for (const bool removes : {true, false}) {
+    const std::string closed = dump_of({Kind::closed}, removes);
+    EXPECT_EQ(dump_of({Kind::hatched, 0.05, 30.0}, removes), closed);
+  }
+}
+
+/// The solid is what is left of its parts.
+TEST(CutFaces, HatchingIsAPartOfTheSolidAndNotOfWhatWasTakenAway) {
+  const auto lines_of = [](double length, std::optional<double> spacing) {
+    const Entered entered([&](GraphicsSystem& g) {
+      g.set_cutting_plane(1, 1, 0, 0, -0.5);
+      g.set_cut_faces({Kind::hatched, spacing, 45.0});
+      g.begin_solid(SolidOperation::difference);
+      box_3(g, {0, 0, 0}, {1, 1, 1});
+      cylinder_3(g, {0.5, 0.5, 0.5 - length / 2}, 0.2, length, 24);
+      g.end_solid();
+    });
+    std::size_t lines = 0;
+    for (std::uint32_t i = 0; i < entered.scene.size(); ++i) {
+      if (entered.scene[i].is_line()) ++lines;
+    }
+    return lines;
+  };
+  for (const std::optional<double> spacing : {std::optional<double>(), std::optional(0.001)}) {
+    EXPECT_EQ(lines_of(100.0, spacing), lines_of(2.0, spacing));
+  }
+  EXPECT_GT(lines_of(100.0, {}), 20u);
 }
 
 TEST(CutFaces, WhatIsEnteredPolygonByPolygonOrNotClosedStaysOpen) {

@@ -34,6 +34,25 @@ TEST(DrawingMethod, IsThatOfTheOptionsOrElseOfTheApplication) {
   EXPECT_THROW(picture_kind("a.gif"), Error);
 }
 
+/// The scope is that of sorts: pixels and vectors of what is picked show the same surfaces.
+TEST(DrawingMethod, ThatIsPickedLooksAtAllSegmentsTogether) {
+  GraphicsSystem g;
+  g.set_hidden_line_removal(true);
+  g.set_line_style({LineStyle::Kind::none});
+  for (const int segment : {1, 2}) {
+    g.open_segment(segment);
+    const double z = segment == 1 ? 0.5 : 0.0;
+    g.set_fill_style({FillStyle::Kind::solid, {z, 0, 0}});
+    g.polygon_abs_3({{-0.5, -0.5, z}, {0.5, -0.5, z}, {0.5, 0.5, z}});
+    g.close_segment();
+  }
+  const std::string all = draw_as(g, "svg", {});
+  EXPECT_EQ(draw_as(g, "svg", {.scope = HiddenScope::segment}), all);
+  g.set_hidden_scope(HiddenScope::segment);
+  EXPECT_EQ(draw_as(g, "svg", {}), all);
+  EXPECT_NE(draw_as(g, "svg", {.hidden = HiddenMethod::map}), all);
+}
+
 /// What is sorted when a segment is closed stays so, whatever is set at the end.
 TEST(DrawingMethod, SaysWhyNothingIsRemoved) {
   GraphicsSystem g;

@@ -11,8 +11,10 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "displayfile/retained_views.h"
+#include "displayfile/shapes/shapes.h"
 #include "displayfile/turntable.h"
 #include "tests/error_of.h"
 #include "tests/retained_truth.h"
@@ -137,6 +139,53 @@ TEST_F(TurntableRendererTest, TurnsAboutAnotherAxisAndFitsItsWindow) {
 }
 
 /// A scene of the system's own goes back with it.
+/// The first view is what the application would have drawn.
+TEST(TurntableOfTheApplication, FollowsItsPrecisionColourRuleAndPerimeter) {
+  const auto expect_same_first = [](Retained& retained, DrawOptions options) {
+    options.width = options.height = 40;
+    TurntableRenderer turntable(retained.system, retained.scene, retained.system.display_file(),
+                                {2}, options);
+    EXPECT_EQ(turntable.draw(0).pixels, draw(retained.system, options).pixels);
+  };
+  {
+    Retained near;
+    GraphicsSystem& g = near.system;
+    g.set_hidden_line_removal(true);
+    g.set_hidden_method(HiddenMethod::z_buffer);
+    g.set_precision({.exact = false, .roundoff = 0.01});
+    g.set_line_style({LineStyle::Kind::none});
+    g.open_segment(1);
+    g.set_fill_style({FillStyle::Kind::solid, {1, 0, 0}});
+    g.polygon_abs_3({{-0.5, -0.5, 0.001}, {0.5, -0.5, 0.001}, {0, 0.5, 0.001}});
+    g.set_fill_style({FillStyle::Kind::solid, {0, 0, 1}});
+    g.polygon_abs_3({{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0, 0.5, 0}});
+    g.close_segment();
+    for (const auto method : {HiddenMethod::z_buffer, HiddenMethod::scan_line}) {
+      expect_same_first(near, {.hidden = method});
+    }
+  }
+  {
+    Retained box;
+    box.system.set_hidden_line_removal(true);
+    box.system.set_hidden_method(HiddenMethod::colour_rule);
+    box.system.open_segment(1);
+    box_3(box.system, {-0.5, -0.5, -0.5}, {0.5, 0.4, 0.3});
+    box.system.close_segment();
+    expect_same_first(box, {});
+  }
+  Retained surface;
+  GraphicsSystem& g = surface.system;
+  g.set_hidden_line_removal(true);
+  g.set_back_face_removal(false);
+  g.set_hidden_method(HiddenMethod::perimeter);
+  g.rotate_x_3(-60);
+  g.open_segment(1);
+  const std::vector<double> heights{0, 0.3, 0, 0.1, -0.4, 0.2, 0, 0.5, 0};
+  g.surface_3({-0.5, 0.5, 3, -0.5, 0.5, 3, heights});
+  g.close_segment();
+  expect_same_first(surface, {});
+}
+
 TEST(RetainedByTheSystem, WhatIsRefusedIsNotRetained) {
   GraphicsSystem system;
   system.retain();

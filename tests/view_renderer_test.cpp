@@ -156,6 +156,34 @@ TEST(ViewRenderer, DrawsFineMeshesOfEveryLook) {
 }
 
 /// What segments are drawn with may change between views.
+/// A polygon that covers no centre hides lines and texts all the same.
+TEST(ViewRenderer, WhatCoversNoCentreHidesLinesAndTexts) {
+  for (const bool with_text : {false, true}) {
+    Retained retained;
+    GraphicsSystem& g = retained.system;
+    g.set_hidden_line_removal(true);
+    g.open_segment(1);
+    if (with_text) {
+      g.move_abs_3(-0.3, 0, 0);
+      g.text("E");
+    } else {
+      g.move_abs_3(-0.3, 0, 0);
+      g.line_abs_3(0.3, 0, 0);
+    }
+    g.set_line_style({LineStyle::Kind::none});
+    g.polygon_abs_3({{-0.9, -0.01, 0.5}, {0.9, -0.01, 0.5}, {0, 0.014, 0.5}});
+    const std::vector<double> flat(std::size_t{121} * 121, 0.5);
+    g.surface_3({-0.9, 0.9, 121, -0.9, 0.9, 121, flat});
+    g.close_segment();
+    expect_right(retained);
+    ViewRenderer renderer(retained.scene, g.display_file());
+    for (const ImageSpaceEntry& entry : image_space_methods()) {
+      const DrawOptions options = options_of(entry.method);
+      expect_same(renderer.draw(g.view(), options), draw(g, options));
+    }
+  }
+}
+
 TEST(ViewRenderer, FollowsVisibilityAndImages) {
   Retained retained;
   GraphicsSystem& g = retained.system;

@@ -61,7 +61,8 @@ class OnePlane {
       join_chains();
       result_.add(face);
     }
-    add_cut_face(attributes);
+    const std::size_t loops = result_.end_corner.size();
+    show_sides_along(add_cut_face(attributes), loops);
     result_.vertices = std::move(points_);
     return std::move(result_);
   }
@@ -79,6 +80,9 @@ class OnePlane {
     bool enters;
   };
 
+  /// In the place of whether a side is visible, until the cut face is known.
+  static constexpr std::uint8_t kAlongPlane = 2;
+
   static std::size_t corners_and_vertices(const SolidFaces& solid) {
     return solid.vertices.size() + solid.corners.size();
   }
@@ -88,7 +92,7 @@ class OnePlane {
       return CuttingPlanes::Place{solid_.vertices[c.vertex], c.normal};
     };
     const auto at = planes_.crossing(n_, place_of(inside), place_of(outside));
-    return {table_.number_of(at.position + Point3(0.0)), 0, at.normal};
+    return {table_.number_of(at.position + Point3(0.0)), kAlongPlane, at.normal};
   }
 
   /// A loop that the plane does not meet stays or goes; of another there are chains.
@@ -188,8 +192,9 @@ class OnePlane {
   const Point3& position(const Corner& corner) const { return points_[corner.vertex]; }
 
   /// Links that run there and back are none: the solid touches the plane there. The others are
-  /// followed until they come back, as many leave each vertex as arrive.
-  void add_cut_face(std::uint32_t attributes) {
+  /// followed until they come back, as many leave each vertex as arrive; they are returned, if
+  /// there is a cut face.
+  std::vector<Link> add_cut_face(std::uint32_t attributes) {
     std::ranges::sort(links_);
     std::vector<Link> left;
     for (std::size_t i = 0; i < links_.size();) {
@@ -215,7 +220,10 @@ class OnePlane {
         auto next = std::ranges::lower_bound(left, left[at].to, {}, &Link::from);
         auto k = static_cast<std::size_t>(next - left.begin());
         while (k < left.size() && left[k].from == left[at].to && is_used[k]) ++k;
-        if (k == left.size() || left[k].from != left[at].to) return drop_cut_face();
+        if (k == left.size() || left[k].from != left[at].to) {
+          drop_cut_face();
+          return {};
+        }
         at = k;
       }
       result_.add_loop(loop_);
@@ -229,6 +237,24 @@ class OnePlane {
     face.normal = planes_.unit_plane(n_).normal;
     if (glm::dot(face.normal, area) < 0.0) face.normal = -face.normal;
     result_.add(face);
+    return left;
+  }
+
+  /// What is a side of the cut face is one of the face beside it, too, in its style: seen where the
+  /// cut face is turned away.
+  void show_sides_along(const std::vector<Link>& of_cut_face, std::size_t loops) {
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < loops; first = result_.end_corner[i++]) {
+      const auto loop = std::span(result_.corners).subspan(first, result_.end_corner[i] - first);
+      std::uint32_t from = loop.back().vertex;
+      for (Corner& to : loop) {
+        if (to.edge_visible == kAlongPlane) {
+          const Link turned{to.vertex, from};
+          to.edge_visible = std::binary_search(of_cut_face.begin(), of_cut_face.end(), turned);
+        }
+        from = to.vertex;
+      }
+    }
   }
 
   /// What is not closed has no cut face.

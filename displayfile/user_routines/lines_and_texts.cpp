@@ -23,12 +23,13 @@ void GraphicsSystem::line_to(const Point3& object) {
   pen_ = end;
 }
 
-/// Whole, in a line style that is not none.
-void GraphicsSystem::enter_world_line(const Point3& from, const Point3& to) {
+/// Whole, in a line style that is not none; into what is retained alone if it is not there in the
+/// view.
+void GraphicsSystem::enter_world_line(const Point3& from, const Point3& to, bool is_there) {
   Segment& segment = display_file_.segment(*open_);
   segment.set_line_pick(pick_);
   if (RetainedScene* scene = retaining()) scene->enter_line(from, to, attributes_, pick_);
-  if (!retains_alone_) view_stage_->enter_line(from, to, attributes_.line, segment);
+  if (!retains_alone_ && is_there) view_stage_->enter_line(from, to, attributes_.line, segment);
 }
 
 void GraphicsSystem::move_abs_3(double x, double y, double z) {

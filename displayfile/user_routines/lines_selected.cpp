@@ -53,7 +53,6 @@ std::optional<Segment> GraphicsSystem::with_lines_selected(const Segment& segmen
     const RetainedScene::Segment& part = scene->segments().back();
     ViewStage stage(view_stage_->pipeline().volume());
     Segment again(segment.name());
-    for (const SurfaceMark& mark : segment.entered()->surfaces()) again.mark_surface(mark);
     scene->enter_viewed(part, Eye::of(part.view), stage, glm::dmat3(1.0), again,
                         [](std::uint32_t) {});
     return again;

@@ -35,8 +35,17 @@ void GraphicsSystem::begin_solid(SolidOperation operation) {
 
 void GraphicsSystem::end_solid() {
   if (solids_.empty()) throw Error("no solid open: expected begin-solid before");
-  const double spacing = hatching_spacing(solids_.vertices());
+  const bool is_hatched = solids_.depth() == 1 && hatches_cut_faces();
+  std::optional<OpenSolids> before;  // should there be too many hatching lines
+  if (is_hatched) before = solids_;
   std::optional<SolidFaces> whole = solids_.end();
+  double spacing = 1.0;
+  try {
+    if (is_hatched && whole) spacing = hatching_spacing(*whole);
+  } catch (...) {
+    solids_ = std::move(*before);
+    throw;
+  }
   before_solids_.pop_back();
   if (whole) enter_solid(*whole, spacing);
   record("end-solid", {});
@@ -66,12 +75,16 @@ void GraphicsSystem::set_cut_faces(const CutFaces& faces) {
   record("set-cut-faces", {name_of(faces.kind), *cut_faces_.spacing, cut_faces_.angle});
 }
 
-/// Between hatching lines on a solid that has these vertices. Error: there would be too many.
-double GraphicsSystem::hatching_spacing(std::span<const Point3> solid) const {
-  const bool is_hatched = cut_faces_.kind == CutFaces::Kind::hatched && cutting_planes_.any();
-  if (!is_hatched || solid.empty()) return 1.0;
-  Point3 low = solid.front(), high = low, farthest(0.0);
-  for (const Point3& p : solid) {
+bool GraphicsSystem::hatches_cut_faces() const {
+  return cut_faces_.kind == CutFaces::Kind::hatched && cutting_planes_.any();
+}
+
+/// Between hatching lines on a solid. Error: there would be too many.
+double GraphicsSystem::hatching_spacing(const SolidFaces& solid) const {
+  if (solid.corners.empty()) return 1.0;
+  Point3 low = solid.vertices[solid.corners.front().vertex], high = low, farthest(0.0);
+  for (const SolidFaces::Corner& corner : solid.corners) {
+    const Point3& p = solid.vertices[corner.vertex];
     low = glm::min(low, p);
     high = glm::max(high, p);
     farthest = glm::max(farthest, glm::abs(p));
@@ -110,8 +123,16 @@ void GraphicsSystem::enter_solid(const SolidFaces& whole, double spacing) {
     attributes_ = in_force;
     attributes_changed();
   };
+  // Back-face removal takes a face that is turned away out of the scene, and its hatching with it;
+  // what is retained has it in other views.
+  const auto polygons = [&] { return display_file_.segment(*open_).polygons(); };
+  std::vector<bool> is_there;
   try {
-    for (std::size_t i = 0; i < solid->faces.size(); ++i) enter_face(*solid, i, !is_cut);
+    for (std::size_t i = 0; i < solid->faces.size(); ++i) {
+      const std::size_t before = polygons();
+      enter_face(*solid, i, !is_cut);
+      is_there.push_back(polygons() > before);
+    }
   } catch (...) {
     restore();
     throw;
@@ -119,7 +140,7 @@ void GraphicsSystem::enter_solid(const SolidFaces& whole, double spacing) {
   restore();
   if (!is_cut || cut_faces_.kind != CutFaces::Kind::hatched) return;
   for (std::size_t i = 0; i < solid->faces.size(); ++i) {
-    if (solid->faces[i].cut_by != 0) enter_hatching(*solid, i, spacing);
+    if (solid->faces[i].cut_by != 0) enter_hatching(*solid, i, {spacing, is_there[i]});
   }
 }
 
@@ -174,8 +195,9 @@ struct DirectionsInPlane {
 
 /// Lines within the loops of a cut face, filled even-odd, in the line style in force. They are
 /// entered a millionth of the solid's size before it, so that rounding does not hide them behind
-/// it.
-void GraphicsSystem::enter_hatching(const SolidFaces& solid, std::size_t face, double spacing) {
+/// it, and end a little before its outline, so that none sticks out where it is seen from aside.
+void GraphicsSystem::enter_hatching(const SolidFaces& solid, std::size_t face,
+                                    const Hatching& hatching) {
   if (attributes_.line.kind == LineStyle::Kind::none) return;
   has_hatching_ = true;
   constexpr double kBefore = 1e-6;
@@ -193,11 +215,17 @@ void GraphicsSystem::enter_hatching(const SolidFaces& solid, std::size_t face, d
     }
   }
   const Point3 extent = high - low;
-  const Point3 origin = -(offset + kBefore * std::max({extent.x, extent.y, extent.z})) * inward;
+  const double before = kBefore * std::max({extent.x, extent.y, extent.z}), short_of = 4.0 * before;
+  const Point3 origin = -(offset + before) * inward;
   const auto [sine, cosine] = sine_cosine_of_degrees(cut_faces_.angle);
-  for (const auto& [from, to] : hatched_loops(loops, WithinLoops::odd, spacing, {cosine, sine})) {
-    enter_world_line(origin + from.x * in_plane.right + from.y * in_plane.up,
-                     origin + to.x * in_plane.right + to.y * in_plane.up);
+  const Point3 along = cosine * in_plane.right + sine * in_plane.up;
+  for (const auto& [from, to] :
+       hatched_loops(loops, WithinLoops::odd, hatching.spacing, {cosine, sine})) {
+    const Point3 a = origin + from.x * in_plane.right + from.y * in_plane.up;
+    const Point3 b = origin + to.x * in_plane.right + to.y * in_plane.up;
+    if (glm::distance(a, b) > 2.0 * short_of) {
+      enter_world_line(a + short_of * along, b - short_of * along, hatching.is_there);
+    }
   }
 }
 

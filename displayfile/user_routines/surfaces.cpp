@@ -53,11 +53,12 @@ void GraphicsSystem::surface_3(const SurfaceGrid& grid) {
       [&] { return fmt::format("a surface of {} x {} points", grid.x_points, grid.y_points); },
       [&] { return world_points_of(grid); });
   Segment& segment = display_file_.segment(*open_);
+  const Point3 upward = modelling_.apply_to_difference({0.0, 0.0, 1.0});
+  auto x_points = static_cast<std::uint32_t>(grid.x_points);
+  auto y_points = static_cast<std::uint32_t>(grid.y_points);
+  if (modelling_.mirrors()) std::swap(x_points, y_points);
+  if (RetainedScene* scene = retaining()) scene->mark_surface({upward, x_points, y_points});
   if (!retains_alone_) {
-    const Point3 upward = modelling_.apply_to_difference({0.0, 0.0, 1.0});
-    auto x_points = static_cast<std::uint32_t>(grid.x_points);
-    auto y_points = static_cast<std::uint32_t>(grid.y_points);
-    if (modelling_.mirrors()) std::swap(x_points, y_points);
     segment.mark_surface(
         {view_stage_->pipeline().volume().infinitely_far(upward), x_points, y_points});
     view_stage_->view_vertices(world);

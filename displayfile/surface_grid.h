@@ -21,7 +21,7 @@ struct SurfaceGrid {
   }
   /// Cell (i, j) is there: the heights of its four corners are known.
   bool has_cell(int i, int j) const {
-    const std::size_t width = static_cast<std::size_t>(x_points);
+    const auto width = static_cast<std::size_t>(x_points);
     const std::size_t at = static_cast<std::size_t>(j) * width + static_cast<std::size_t>(i);
     return !std::isnan(heights[at]) && !std::isnan(heights[at + 1]) &&
            !std::isnan(heights[at + width]) && !std::isnan(heights[at + width + 1]);

@@ -8,7 +8,9 @@
 #include <iostream>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <span>
+#include <sstream>
 
 #include "clip/error.h"
 #include "displayfile/file_extension.h"
@@ -21,7 +23,9 @@
 #include "programs/made_folders.h"
 #include "programs/option_groups.h"
 #include "programs/output_name.h"
+#include "programs/output_paths.h"
 #include "programs/progress.h"
+#include "programs/warnings.h"
 
 namespace displayfile {
 
@@ -189,6 +193,7 @@ std::vector<std::string> CheckCommand::golden_files(std::string_view extension) 
 }
 
 int CheckCommand::run() {
+  const std::vector<std::string> lists = input_lists(inputs);
   inputs = input_names(inputs);
   CheckedInputs checked{hidden_surfaces.options(threads), meshes, size};
   checked.meshes.lines = hidden_surfaces.line_selection();
@@ -203,13 +208,21 @@ int CheckCommand::run() {
     throw Error(
         fmt::format("{}: --update writes a golden file for each input: expected a folder", golden));
   }
+  if (one_file && update && extension_of(golden) != check.extension()) {
+    throw Error(fmt::format("{}: expected a golden file that ends in {}, or a folder", golden,
+                            check.extension()));
+  }
   const std::vector<std::string> files =
       one_file ? std::vector(inputs.size(), golden) : golden_files(check.extension());
+  if (update) require_files_of_their_own(files, inputs, lists);
+  if (quiet) Progress::show_none();
   if (one_file && !update) {
     require_golden(golden, inputs.front());
+    std::ostringstream unheard;
+    std::optional<CollectedWarnings> collected;
+    if (quiet) collected.emplace(unheard);
     check.read_golden(golden);
   }
-  if (quiet) Progress::show_none();
   const bool in_a_table = summary || quiet;
   MadeFolders folders;
   std::vector<Row> rows;

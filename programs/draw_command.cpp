@@ -9,6 +9,7 @@
 #include <iostream>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <sstream>
 
@@ -230,21 +231,28 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
 /// The files of each input, checked before any is drawn.
 std::vector<DrawCommand::Outputs> DrawCommand::outputs_of_each(const DrawOptions& drawing) const {
   std::vector<Outputs> of_each;
-  std::map<std::filesystem::path, std::size_t> made, read;
-  for (std::size_t k = 0; k < inputs.size(); ++k) {
-    if (const auto file = file_at(inputs[k]); file && *file != "-") read.emplace(*file, k);
+  std::map<std::filesystem::path, std::size_t> made;
+  std::set<std::filesystem::path> read;
+  for (const auto files_read : {std::span(inputs), std::span(lists_)}) {
+    for (const std::string& name : files_read) {
+      if (const auto file = file_at(name); file && *file != "-") read.insert(*file);
+    }
   }
   const auto name = [&](const std::filesystem::path& pattern, std::size_t k) {
     if (pattern.empty()) return std::filesystem::path();
     std::filesystem::path file = output_name(pattern.string(), inputs[k], k, inputs.size());
     const auto leads_to = file_at(file);
     if (!leads_to) return file;
-    if (const auto input = read.find(*leads_to); input != read.end()) {
+    if (read.contains(*leads_to)) {
       throw Error(fmt::format("{}: the output of {} and an input: expected another name",
                               file.string(), input_name(inputs[k])));
     }
     const auto [other, is_new] = made.emplace(*leads_to, k);
     if (is_new) return file;
+    if (other->second == k) {
+      throw Error(fmt::format("{}: two outputs of {} are one file: expected a file for each",
+                              file.string(), input_name(inputs[k])));
+    }
     throw Error(
         fmt::format("{}: the output of {} and of {}: expected a name for each, by {{name}}, "
                     "{{ext}}, {{folder}} or {{number}}",
@@ -314,6 +322,7 @@ int DrawCommand::draw_each(const DrawOptions& drawing, NotInVectors& left_out) c
 }
 
 int DrawCommand::run() {
+  lists_ = input_lists(inputs);
   inputs = input_names(inputs);
   const DrawOptions drawing = all_options();
   shading.shading();
@@ -332,7 +341,8 @@ int DrawCommand::run() {
     throw Error(fmt::format("{}: has a field, and {} has none: expected both or neither",
                             file.string(), output));
   }
-  require_files_of_their_own({output, drawing.ids.string(), drawing.depth.string()}, inputs);
+  require_files_of_their_own({output, drawing.ids.string(), drawing.depth.string()}, inputs,
+                             lists_);
   std::ostringstream unheard;
   std::optional<CollectedWarnings> collected;
   if (quiet) collected.emplace(unheard);

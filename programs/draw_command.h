@@ -64,6 +64,8 @@ struct DrawCommand {
                         NotInVectors& left_out) const;
   std::vector<Outputs> outputs_of_each(const DrawOptions& drawing) const;
   int draw_each(const DrawOptions& drawing, NotInVectors& left_out) const;
+
+  std::vector<std::string> lists_;  ///< of inputs, as files (input_lists)
 };
 
 }  // namespace displayfile

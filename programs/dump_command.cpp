@@ -24,8 +24,9 @@ CLI::App& DumpCommand::add_to(CLI::App& app) {
 }
 
 int DumpCommand::run() {
+  const std::vector<std::string> lists = input_lists(inputs);
   inputs = input_names(inputs);
-  require_files_of_their_own({output}, inputs);
+  require_files_of_their_own({output}, inputs, lists);
   MeshWords entering = meshes;
   entering.lines = hidden_surfaces.line_selection();
   const DrawnFile drawn =

@@ -28,9 +28,10 @@ CLI::App& ImportCommand::add_to(CLI::App& app) {
 }
 
 int ImportCommand::run() {
+  const std::vector<std::string> lists = input_lists(meshes);
   meshes = input_names(meshes);
   require_extension(output, ".draw", "a drawing program");
-  require_files_of_their_own({output}, meshes);
+  require_files_of_their_own({output}, meshes, lists);
   const Shading start_with = shading.shading();
   const MeshOptions entering = options.options();
   const double aspect = size.aspect();

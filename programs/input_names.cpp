@@ -39,6 +39,14 @@ void append_names_in(const std::string& list, std::vector<std::string>& names) {
 }  // namespace
 
 std::vector<std::string> input_names(const std::vector<std::string>& words) {
+std::vector<std::string> input_lists(const std::vector<std::string>& words) {
+  std::vector<std::string> files;
+  for (const std::string& word : words) {
+    if (is_list(word)) files.push_back(word.substr(1));
+  }
+  return files;
+}
+
   std::vector<std::string> names;
   bool list_is_standard_input = false;
   for (const std::string& word : words) {

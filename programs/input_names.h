@@ -12,6 +12,9 @@ namespace displayfile {
 CLI::Option& add_inputs(CLI::App& command, const char* name, std::vector<std::string>& inputs,
                         const std::string& what);
 
+/// The files of the lists among the words, which a command reads too; "-" is standard input.
+std::vector<std::string> input_lists(const std::vector<std::string>& words);
+
 /// The names that words stand for, in order. It reads lists, which may be long or wait for a pipe:
 /// a command calls it when its limits are in force. Throws Error for a list that cannot be read, is
 /// empty, or holds a zero byte, and where standard input would be read twice.

@@ -24,8 +24,9 @@ std::optional<fs::path> file_at(const fs::path& name) {
   return file;
 }
 
-void require_files_of_their_own(std::initializer_list<std::string> outputs,
-                                std::span<const std::string> inputs) {
+void require_files_of_their_own(std::span<const std::string> outputs,
+                                std::span<const std::string> inputs,
+                                std::span<const std::string> lists) {
   std::map<fs::path, std::string> names;
   bool is_any_there = false;
   for (const std::string& output : outputs) {
@@ -43,13 +44,22 @@ void require_files_of_their_own(std::initializer_list<std::string> outputs,
     is_any_there = is_any_there || fs::exists(*file, error);
   }
   if (!is_any_there) return;  // nor is any an input
-  for (const std::string& input : inputs) {
-    const auto file = input == "-" ? std::nullopt : file_at(input);
-    if (file && names.contains(*file)) {
-      throw Error(fmt::format("{}: is an input and an output: expected another file for the output",
-                              names.at(*file)));
+  for (const auto files_read : {inputs, lists}) {
+    for (const std::string& input : files_read) {
+      const auto file = input == "-" ? std::nullopt : file_at(input);
+      if (file && names.contains(*file)) {
+        throw Error(
+            fmt::format("{}: is an input and an output: expected another file for the output",
+                        names.at(*file)));
+      }
     }
   }
+}
+
+void require_files_of_their_own(std::initializer_list<std::string> outputs,
+                                std::span<const std::string> inputs,
+                                std::span<const std::string> lists) {
+  require_files_of_their_own(std::span(outputs.begin(), outputs.size()), inputs, lists);
 }
 
 void require_extension(const std::string& output, const char* extension, const char* what) {

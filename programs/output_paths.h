@@ -13,9 +13,14 @@ namespace displayfile {
 std::optional<std::filesystem::path> file_at(const std::filesystem::path& name);
 
 /// Throws Error, before any work, if two outputs of a command are one file, or both are standard
-/// output; or if one of them is one of its inputs. Empty names are none.
+/// output; or if one of them is one of its inputs, or a list of these (input_lists). Empty names
+/// are none.
+void require_files_of_their_own(std::span<const std::string> outputs,
+                                std::span<const std::string> inputs,
+                                std::span<const std::string> lists = {});
 void require_files_of_their_own(std::initializer_list<std::string> outputs,
-                                std::span<const std::string> inputs = {});
+                                std::span<const std::string> inputs,
+                                std::span<const std::string> lists = {});
 
 /// Throws Error unless the output has the extension, such as ".html", or is standard output.
 void require_extension(const std::string& output, const char* extension, const char* what);

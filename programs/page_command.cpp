@@ -112,9 +112,10 @@ DrawOptions PageCommand::drawing() const {
 
 int PageCommand::run() {
   require_drawable("--title", title);
+  const std::vector<std::string> lists = input_lists(inputs);
   inputs = input_names(inputs);
   require_extension(output, ".html", "a page");
-  require_files_of_their_own({output}, inputs);
+  require_files_of_their_own({output}, inputs, lists);
   const PageFiles files(package);
   const DrawOptions options = drawing();
   const bool is_product = inputs.empty();

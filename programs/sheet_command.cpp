@@ -203,9 +203,10 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
 }
 
 int SheetCommand::run() {
+  const std::vector<std::string> lists = input_lists(inputs);
   inputs = input_names(inputs);
   require_sheet_file(output);
-  require_files_of_their_own({output}, inputs);
+  require_files_of_their_own({output}, inputs, lists);
   SheetWords words;
   read_paper(paper, margin, words);
   words.projection = projection_of(projection);

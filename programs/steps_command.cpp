@@ -52,12 +52,13 @@ CLI::App& StepsCommand::add_to(CLI::App& app) {
 }
 
 int StepsCommand::run() {
+  const std::vector<std::string> lists = input_lists(inputs);
   inputs = input_names(inputs);
   const bool is_page = extension_of(output) == ".html";
   if (!is_page && extension_of(output) != ".json") {
     throw Error(fmt::format("{}: expected a file that ends in .html or .json", output));
   }
-  require_files_of_their_own({output}, inputs);
+  require_files_of_their_own({output}, inputs, lists);
   StepsOptions options;
   options.method = hidden_method(hidden);
   options.most_steps = most_steps;

@@ -71,6 +71,7 @@ CLI::App& TruthCommand::add_to(CLI::App& app) {
 }
 
 int TruthCommand::run() {
+  const std::vector<std::string> lists = input_lists(inputs);
   inputs = input_names(inputs);
   const bool from_world = is_from_world();
   if (ids.empty() && !from_world && !wants_lines()) {
@@ -87,7 +88,7 @@ int TruthCommand::run() {
   if (hidden.empty() && (line_samples != 0 || precision != "exact")) {
     throw Error("--line-samples and --precision: expected --hidden and a method of lines too");
   }
-  require_files_of_their_own({ids, depth, seen_lines}, inputs);
+  require_files_of_their_own({ids, depth, seen_lines}, inputs, lists);
   const LineJudging judging = this->judging();
   int width = 0, height = 0;
   size.read(width, height);

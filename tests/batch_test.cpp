@@ -337,8 +337,10 @@ TEST_F(Batch, RefusesBeforeAnythingIsDrawn) {
   expect_error("draw red.draw ./red.draw -o '{folder}/{name}.png'", "red.png: the output of");
   expect_error("draw red.draw green.draw -o '{name}.png' --ids i.npy", "i.npy: the output of");
   expect_error("draw red.draw green.draw -o '{name}.png' --depth i.npy", "i.npy: the output of");
-  expect_error("draw red.draw -o '{name}.png' --depth '{name}.png'", "red.png: the output of");
-  expect_error("draw red.draw -o '{name}.png' --depth './{name}.png'", "red.png: the output of");
+  expect_error("draw red.draw -o '{name}.png' --depth '{name}.png'",
+               "red.png: two outputs of red.draw are one file: expected a file for each");
+  expect_error("draw red.draw green.draw -o '{name}.png' --ids '{name}.npy' --depth './{name}.npy'",
+               "red.npy: two outputs of red.draw are one file: expected a file for each");
   expect_error("draw red.draw green.draw -o red.png --ids '{name}.npy'", "red.png has none");
   expect_error("draw red.draw -o '{nme}.png'", "unknown field '{nme}': did you mean 'name'?");
   expect_error("draw red.draw -o '{}.png'", "unknown field '{}': expected {name}");

@@ -81,6 +81,37 @@ TEST_F(Check, OneGoldenFileForAllInputs) {
   expect_error("check a/house.draw --picture --golden bad.png", "bad.png: not a PNG file");
 }
 
+/// A name that is given by mistake costs nobody a file.
+TEST_F(Check, UpdateWritesOverNothingButGoldenFiles) {
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  write("m.obj", corners);
+  write("other.obj", corners);
+  write("gold.ppm", "a picture");
+  const std::string is_input = ": is an input and an output: expected another file";
+  const auto is_there = [&](const std::string& name, const std::string& text) {
+    EXPECT_EQ(read(folder_ / name), text) << name;
+  };
+  expect_error("check m.obj --golden m.obj --update",
+               "m.obj: expected a golden file that ends in .txt, or a folder");
+  expect_error("check m.obj --golden other.obj --update",
+               "other.obj: expected a golden file that ends in .txt, or a folder");
+  expect_error("check tree.draw --golden gold.ppm --picture --update",
+               "gold.ppm: expected a golden file that ends in .png, or a folder");
+  is_there("m.obj", corners);
+  is_there("other.obj", corners);
+  is_there("gold.ppm", "a picture");
+  // A mesh may have any extension, and what lists the inputs is read, too.
+  write("m.txt", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  fs::create_symlink("m.txt", folder_ / "same.txt");
+  write("class.txt", "a/house.draw\nclass.draw\n");
+  write("class.draw", square("1 0 0"));
+  expect_error("check m.txt --golden . --update", "./m.txt" + is_input);
+  expect_error("check m.txt --golden same.txt --update", "same.txt" + is_input);
+  expect_error("check @class.txt --golden . --update", "./class.txt" + is_input);
+  is_there("class.txt", "a/house.draw\nclass.draw\n");
+  EXPECT_EQ(run("check @class.txt --golden gold --update"), 0) << err_;
+}
+
 /// A bad input is told, and the others are checked.
 TEST_F(Check, SummaryOfAllInputs) {
   write("bad.draw", "open-segment 1\nfly\n");
@@ -127,6 +158,10 @@ TEST_F(Check, QuietTellsOnlyWhatDoesNotPass) {
   EXPECT_EQ(run("check a/house.draw a/house.draw --quiet --golden a/house.draw"), 0);
   EXPECT_EQ(out_ + err_, "");
   EXPECT_EQ(run("check a/house.draw tree.draw --quiet --golden gold --update"), 0);
+  EXPECT_EQ(out_ + err_, "");
+  EXPECT_EQ(run("check empty.draw --picture --golden empty.draw"), 0);
+  EXPECT_NE(err_.find("empty.draw: nothing is seen"), std::string::npos) << err_;
+  EXPECT_EQ(run("check empty.draw --picture --quiet --golden empty.draw"), 0);
   EXPECT_EQ(out_ + err_, "");
 }
 

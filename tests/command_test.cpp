@@ -383,6 +383,22 @@ TEST_F(Command, OutputsAreFilesOfTheirOwn) {
                "t.draw: the output of t.draw and an input");
   ASSERT_EQ(run("draw t.draw -o a.png --size 9x9"), 0) << err_;
   expect_error("compare a.png a.png --marks a.png", "a.png" + is_input);
+  // So is a list of inputs, whatever it is called.
+  for (const char* list : {"names.txt", "names.svg", "names.npy", "names.html"}) {
+    write(list, "t.draw\n");
+  }
+  write("names.draw", "m.obj\n");
+  expect_error("dump @names.txt -o names.txt", "names.txt" + is_input);
+  expect_error("draw @names.svg -o ./names.svg", "./names.svg" + is_input);
+  expect_error("draw t.draw -o x.png @names.npy --ids names.npy", "names.npy" + is_input);
+  expect_error("truth @names.npy --ids names.npy", "names.npy" + is_input);
+  expect_error("page @names.html -o names.html", "names.html" + is_input);
+  expect_error("steps @names.html -o names.html --hidden bsp", "names.html" + is_input);
+  expect_error("import @names.draw -o names.draw", "names.draw" + is_input);
+  expect_error("sheet @names.svg -o names.svg", "names.svg" + is_input);
+  write("t.svg", "t.draw\n");
+  expect_error("draw @t.svg -o '{name}.svg'", "t.svg: the output of t.draw and an input");
+  EXPECT_EQ(read(folder_ / "names.txt"), "t.draw\n");
   EXPECT_EQ(read(folder_ / "t.draw"), kTriangle);
 
   write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iterator>
 #include <ostream>
 #include <utility>
@@ -14,7 +15,13 @@ namespace {
 
 struct Append {
   std::string& line;
-  void operator()(double v) const { fmt::format_to(std::back_inserter(line), " {}", v); }
+  void operator()(double v) const {
+    if (std::isnan(v)) {
+      line += " nan";  // of either sign
+    } else {
+      fmt::format_to(std::back_inserter(line), " {}", v);
+    }
+  }
   void operator()(int v) const { fmt::format_to(std::back_inserter(line), " {}", v); }
   void operator()(bool v) const { line += v ? " on" : " off"; }
   void operator()(std::string_view v) const { (line += ' ') += v; }

@@ -193,6 +193,23 @@ TEST(RecordReplay, SegmentsThatAreTakenBackAreNotRecorded) {
   EXPECT_EQ(dump(replayed.display_file()), dump(system.display_file()));
 }
 
+/// A height that is not known is a hole whatever the sign of its NaN is.
+TEST(RecordReplay, HolesOfSurfaces) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  std::ostringstream recording;
+  Recorder recorder(recording);
+  GraphicsSystem system, replayed;
+  system.set_recorder(&recorder);
+  const std::vector<double> heights{0, 0.1, -kNone, 0, 0.1, 0.2, kNone, 0, 0};
+  system.open_segment(1);
+  system.surface_3({0, 0.5, 3, 0, 0.5, 3, heights});
+  system.close_segment();
+  EXPECT_NE(recording.str().find(" 0 0.1 nan 0 0.1 0.2 nan 0 0\n"), std::string::npos)
+      << recording.str();
+  replay(recording.str(), "recording", replayed);
+  EXPECT_EQ(dump(replayed.display_file()), dump(system.display_file()));
+}
+
 /// What any routines did is as if it had not been, an open segment as it was; and then it goes on.
 TEST(RecordReplay, AllOrNothing) {
   std::ostringstream recording;

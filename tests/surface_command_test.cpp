@@ -73,6 +73,16 @@ TEST_F(SurfaceCommandTest, TheProgramDrawsTheSamePicture) {
   }
 }
 
+/// The heights that are not known are in the program as holes, whatever sign their bits have.
+TEST_F(SurfaceCommandTest, TheProgramOfAnExpressionWithHolesDrawsTheSame) {
+  if (!reads_expressions()) GTEST_SKIP() << "no muParser";
+  for (const char* expression : {"'sqrt(x)'", "'0-sqrt(x)'"}) {
+    ASSERT_EQ(run("surface " + std::string(expression) + " -o s.svg --program s.draw"), 0) << err_;
+    ASSERT_EQ(run("draw s.draw -o again.svg --size 640x480"), 0) << err_;
+    EXPECT_EQ(read(folder_ / "again.svg"), read(folder_ / "s.svg"));
+  }
+}
+
 TEST_F(SurfaceCommandTest, ATextAndAnArrayAreTheSame) {
   write("g.txt", "# heights\n0 1, 2\n3;4\t5e0 # the last row\n");
   const std::vector<double> heights{0, 1, 2, 3, 4, 5};

@@ -55,6 +55,11 @@ bool begins_in_utf16(std::string_view text) {
          (text.starts_with("\xFE\xFF") && is_ascii(text[2], text[3]));
 }
 
+std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
+}
+
 std::size_t drawable_length(std::string_view text) {
   std::size_t drawable = 0;
   while (drawable < text.size()) {

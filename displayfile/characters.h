@@ -13,6 +13,9 @@ std::size_t utf8_length(std::string_view text);
 /// True if a text begins in UTF-16: with its byte order mark, and a character of ASCII.
 bool begins_in_utf16(std::string_view text);
 
+/// The text but for the byte order mark of UTF-8 with which some editors begin one.
+std::string_view without_byte_order_mark(std::string_view text);
+
 /// How many bytes at the start of the text are characters that can be drawn: UTF-8, without control
 /// characters and what Unicode says is no character (U+FDD0 to U+FDEF, and U+FFFE, U+FFFF and so on
 /// of each plane). All of them, if the text is one.

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "clip/error.h"
+#include "displayfile/characters.h"
 #include "displayfile/input_file.h"
 
 namespace displayfile {
@@ -23,7 +24,7 @@ void append_names_in(const std::string& list, std::vector<std::string>& names) {
                             input_name(list)));
   }
   const std::size_t before = names.size();
-  for (std::string_view rest = text; !rest.empty();) {
+  for (std::string_view rest = without_byte_order_mark(text); !rest.empty();) {
     const std::size_t length = std::min(rest.find('\n'), rest.size());
     std::string_view line = rest.substr(0, length);
     rest.remove_prefix(std::min(length + 1, rest.size()));
@@ -38,7 +39,6 @@ void append_names_in(const std::string& list, std::vector<std::string>& names) {
 
 }  // namespace
 
-std::vector<std::string> input_names(const std::vector<std::string>& words) {
 std::vector<std::string> input_lists(const std::vector<std::string>& words) {
   std::vector<std::string> files;
   for (const std::string& word : words) {
@@ -47,6 +47,7 @@ std::vector<std::string> input_lists(const std::vector<std::string>& words) {
   return files;
 }
 
+std::vector<std::string> input_names(const std::vector<std::string>& words) {
   std::vector<std::string> names;
   bool list_is_standard_input = false;
   for (const std::string& word : words) {

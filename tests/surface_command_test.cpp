@@ -83,6 +83,28 @@ TEST_F(SurfaceCommandTest, TheProgramOfAnExpressionWithHolesDrawsTheSame) {
   }
 }
 
+/// Between two commas, before the first and after the last may be nothing: no height moves to
+/// another column.
+TEST_F(SurfaceCommandTest, AMissingCellIsAHole) {
+  write("holes.txt", "1 nan 3\nnan 5 6\n7 8 nan\n9 9 9\n");
+  ASSERT_EQ(run("surface holes.txt -o s.svg --program s.draw"), 0) << err_;
+  const std::string program = read(folder_ / "s.draw");
+  for (const char* rows : {"1,,3\n,5,6\n7,8,\n9,9,9\n", "1, ,3\r\n ,5 , 6\r\n7,8,\t\r\n9,9,9\r\n",
+                           "1;;3 # a remark\n;5;6\n7;8;\n\n 9  9\t 9 # tabs and blanks\n",
+                           "\xEF\xBB\xBF"
+                           "1,,3\n,5,6\n7,8, # the last is not known\n9,9,9"}) {
+    write("g.csv", rows);
+    ASSERT_EQ(run("surface g.csv -o s.svg --program s.draw"), 0) << rows << err_;
+    EXPECT_EQ(read(folder_ / "s.draw"), program) << rows;
+  }
+  fs::remove(folder_ / "s.svg");
+  fs::remove(folder_ / "s.draw");
+  write("g.csv", "1;2\n0,5;1,5\n");
+  refuses("g.csv -o s.svg",
+          "g.csv:2:4: ';' in a row with ',': expected one of them between heights, and a point "
+          "before decimals");
+}
+
 TEST_F(SurfaceCommandTest, ATextAndAnArrayAreTheSame) {
   write("g.txt", "# heights\n0 1, 2\n3;4\t5e0 # the last row\n");
   const std::vector<double> heights{0, 1, 2, 3, 4, 5};

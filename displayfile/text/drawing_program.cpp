@@ -82,7 +82,7 @@ void require_text(std::string_view text, std::string_view file_name) {
 }  // namespace
 
 void replay(std::string_view text, std::string_view file_name, GraphicsSystem& system) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // byte order mark
+  text = without_byte_order_mark(text);
   require_text(text, file_name);
   const std::optional<int> open_before = system.open_segment_name();
   const std::size_t saved_before = system.transformations_saved();

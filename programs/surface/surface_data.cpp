@@ -15,6 +15,8 @@
 #include "clip/error.h"
 #include "clip/memory.h"
 #include "clip/words.h"
+#include "clip/work_budget.h"
+#include "displayfile/characters.h"
 #include "displayfile/input_file.h"
 #include "displayfile/mesh/text_cursor.h"
 #include "interp/files/npy_file.h"
@@ -36,22 +38,46 @@ bool read_points(std::string_view text, int& value) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
-/// One row of a text; the column of what is no number is told.
-std::vector<double> heights_of_row(std::string_view line, const std::string& file, int row) {
-  constexpr std::string_view kBetween = " \t\r,;";
-  line = line.substr(0, line.find('#'));
-  std::vector<double> numbers;
-  for (std::size_t at = line.find_first_not_of(kBetween); at != line.npos;) {
-    const std::size_t end = std::min(line.find_first_of(kBetween, at), line.size());
-    const std::string_view word = line.substr(at, end - at);
-    double value = 0.0;
-    if (!read_height(word, value) || std::isinf(value)) {
-      throw Error(fmt::format("{}:{}:{}: {}: expected a finite number, or nan for a hole", file,
-                              row, at + 1, quoted(word)));
-    }
-    numbers.push_back(value);
-    at = line.find_first_not_of(kBetween, end);
+double height_of(std::string_view word, const std::string& place) {
+  double value = 0.0;
+  if (!read_height(word, value) || std::isinf(value)) {
+    throw Error(
+        fmt::format("{}: {}: expected a finite number, or nan for a hole", place, quoted(word)));
   }
+  return value;
+}
+
+/// One row of a text; the column of what is no number is told. Where commas or semicolons stand
+/// between heights, a height that is missing is a hole.
+std::vector<double> heights_of_row(std::string_view line, const std::string& file, int row) {
+  constexpr std::string_view kBlanks = " \t\r", kEndsWord = " \t\r,;";
+  constexpr double kHole = std::numeric_limits<double>::quiet_NaN();
+  line = line.substr(0, line.find('#'));
+  const auto place = [&](std::size_t at) { return fmt::format("{}:{}:{}", file, row, at + 1); };
+  std::vector<double> numbers;
+  char separator = '\0';         // of this row, if it has one
+  bool separator_before = true;  // and no height since
+  for (std::size_t at = line.find_first_not_of(kBlanks); at != line.npos;) {
+    const char c = line[at];
+    std::size_t end = at + 1;
+    if (c == ',' || c == ';') {
+      if (separator != '\0' && separator != c) {
+        throw Error(fmt::format(
+            "{}: '{}' in a row with '{}': expected one of them between heights, and a point before "
+            "decimals",
+            place(at), c, separator));
+      }
+      separator = c;
+      if (separator_before) numbers.push_back(kHole);
+      separator_before = true;
+    } else {
+      end = std::min(line.find_first_of(kEndsWord, at), line.size());
+      numbers.push_back(height_of(line.substr(at, end - at), place(at)));
+      separator_before = false;
+    }
+    at = line.find_first_not_of(kBlanks, end);
+  }
+  if (separator != '\0' && separator_before) numbers.push_back(kHole);
   return numbers;
 }
 
@@ -60,7 +86,7 @@ void read_text_grid(const std::string& file, SurfaceData& surface) {
   text_of(file, text);  // refuses what is binary
   std::size_t columns = 0;
   int row = 0, rows = 0;
-  for (std::string_view rest = text; !rest.empty();) {
+  for (std::string_view rest = without_byte_order_mark(text); !rest.empty();) {
     const std::size_t length = std::min(rest.find('\n'), rest.size());
     const std::vector<double> numbers = heights_of_row(rest.substr(0, length), file, ++row);
     rest.remove_prefix(std::min(length + 1, rest.size()));

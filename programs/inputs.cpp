@@ -64,14 +64,23 @@ void append_drawn(const View& view, const RetainedScene& retained, const Graphic
   }
 }
 
-/// As far as it goes without the meshes' segments: what is wrong with it is told when it is
-/// replayed among the others.
+/// As far as it goes: what is wrong with it is told when it is replayed among the others.
 void replay_ahead(const std::string& program, const std::string& name, GraphicsSystem& ahead) {
+  const std::size_t saved = ahead.transformations_saved();
   try {
     replay(program, name, ahead);
   } catch (const Error&) {
     while (ahead.solids_open() > 0) ahead.discard_solid();
     if (ahead.open_segment_name()) ahead.close_segment();
+    while (ahead.transformations_saved() > saved) ahead.restore_transformation_3();
+  }
+}
+
+/// A mesh's segments, for the programs that follow and may name them.
+void enter_ahead(const Mesh& mesh, GraphicsSystem& ahead) {
+  try {
+    enter_empty_segments(mesh, ahead);
+  } catch (const Error&) {  // which is told when the mesh is entered
   }
 }
 
@@ -107,6 +116,7 @@ InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem
     const NamedWarnings named(input);
     Mesh& mesh = read.meshes.emplace_back(read_mesh(input, smooth, options.import_limits));
     if (smooth) complete_normals(mesh);
+    enter_ahead(mesh, ahead);
     const GraphicsSystem& before = system.view_was_set() ? system : ahead;
     if (before.said().contains(Setting::window)) continue;
     if (read.bare.empty()) read.said = {before.view(), before.said()};
@@ -136,9 +146,13 @@ void append_axes(std::span<const std::string> inputs, const GraphicsSystem& syst
   View shared = fitted.view();
   bool is_before_meshes = true;
   auto program = read.programs.begin();
+  auto mesh = read.meshes.begin();
   for (const std::string& input : inputs) {
     is_before_meshes = is_before_meshes && is_drawing_program(input);
-    if (!is_drawing_program(input)) continue;
+    if (!is_drawing_program(input)) {
+      enter_ahead(*mesh++, fitted);
+      continue;
+    }
     replay_ahead(*program++, input_name(input), fitted);
     if (is_before_meshes) shared = fitted.view();
   }

@@ -197,6 +197,33 @@ TEST_F(Camera, ProgramsBeforeAMeshAndAfterItShareItsView) {
   }
 }
 
+/// Whatever a program says of a mesh's segments, what it says besides holds for all that follows.
+TEST_F(Camera, AProgramThatNamesAMeshsSegmentPlacesTheNextMesh) {
+  write("m.obj", kPyramid);
+  write("n.obj", "v 3 0 0\nv 4 0 0\nv 3 1 0\nf 1 2 3\n");
+  const std::string says =
+      "translate-3 5 0 0\nset-shading gouraud\nopen-segment 9\nmove-abs-3 0 3 0\n"
+      "line-abs-3 1 3 0\nclose-segment\n";
+  write("plain.draw", says);
+  for (const std::string first :
+       {"set-visibility 1 on\n", "set-visibility 2 on\n", "set-image-translation 1 0 0\n",
+        "rename-segment 2 5\nrename-segment 5 2\n"}) {
+    SCOPED_TRACE(first);
+    EXPECT_EQ(run("dump m.obj n.obj plain.draw n.obj"), 0) << err_;
+    const std::string expected = out_;
+    write("naming.draw", first + says);
+    EXPECT_EQ(run("dump m.obj n.obj naming.draw n.obj"), 0) << err_;
+    EXPECT_EQ(out_, expected);
+  }
+  // Axes too, for which programs are replayed once more.
+  write("axes.draw", "open-segment 8\naxes-3 0 0 0 1 1 1\nclose-segment\n");
+  write("naming.draw", "set-visibility 1 on\n" + says);
+  EXPECT_EQ(run("dump m.obj plain.draw axes.draw"), 0) << err_;
+  const std::string expected = out_;
+  EXPECT_EQ(run("dump m.obj naming.draw axes.draw"), 0) << err_;
+  EXPECT_EQ(out_, expected);
+}
+
 /// Which edges of the box they stand on depends on the view, and what the view is fitted to on
 /// them.
 TEST_F(Camera, AxesBesideAMeshAreInThePicture) {

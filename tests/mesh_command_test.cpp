@@ -115,6 +115,12 @@ TEST_F(MeshCommand, WhatIsNotDrawnIsSaidOnce) {
   expect_error("draw bad.obj -o x.png", "bad.mtl:2:6: 'nan'");
 }
 
+TEST_F(MeshCommand, NoSegmentNameIsLeftForAMesh) {
+  write("last.draw", "open-segment 2147483647\nclose-segment\n");
+  expect_error("dump last.draw m.obj",
+               "segment names 2147483648 to 2147483648: expected positive 32-bit numbers");
+}
+
 std::string in_utf16(const std::string& ascii, bool big_endian) {
   std::string text = big_endian ? "\xFE\xFF" : "\xFF\xFE";
   for (const char c : ascii) {

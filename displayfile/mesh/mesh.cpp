@@ -47,6 +47,13 @@ std::int64_t name_after_all_in_use(const DisplayFile& display_file) {
   return largest + 1;
 }
 
+/// Of the mesh's segments, which follow all that are there.
+int first_segment_name(const Mesh& mesh, const GraphicsSystem& system) {
+  const std::int64_t name = name_after_all_in_use(system.display_file());
+  require_free_names(mesh, system, name);
+  return static_cast<int>(name);
+}
+
 FillStyle solid(const Colour& colour) { return {FillStyle::Kind::solid, colour}; }
 
 /// What the faces of an object are filled in: nothing if all are in the style in force, one style
@@ -231,11 +238,18 @@ void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
       system.set_back_face_removal(!needs_back_faces(system, options) &&
                                    closed_and_consistently_oriented(mesh));
     });
-    enter_mesh(mesh, system, static_cast<int>(name_after_all_in_use(system.display_file())),
-               entering);
+    enter_mesh(mesh, system, first_segment_name(mesh, system), entering);
   }
   system.by_default(Setting::fill_style, [&] { system.set_fill_style(before.fill); });
   system.by_default(Setting::line_style, [&] { system.set_line_style(before.line); });
+}
+
+void enter_empty_segments(const Mesh& mesh, GraphicsSystem& system) {
+  int name = first_segment_name(mesh, system);
+  for (std::size_t i = 0; i < mesh.objects.size(); ++i) {
+    system.open_segment(name++);
+    system.close_segment();
+  }
 }
 
 ImportedMeshes import_meshes(std::span<const std::string> paths, GraphicsSystem& system,

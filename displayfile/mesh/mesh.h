@@ -113,6 +113,10 @@ void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name
 void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
                   const MeshOptions& options = {});
 
+/// Opens and closes the segments that enter_meshes would enter the mesh into, with nothing in them:
+/// for programs that name them. Throws Error as open_segment.
+void enter_empty_segments(const Mesh& mesh, GraphicsSystem& system);
+
 /// What came of meshes that were imported.
 struct ImportedMeshes {
   std::vector<Mesh::Skipped> skipped;  ///< of each mesh: what was left out

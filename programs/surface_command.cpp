@@ -218,6 +218,7 @@ int SurfaceCommand::run() const {
   if (!options.hidden) options.hidden = usual_method(data, shown.coloured);
   GraphicsSystem system;
   system.set_aspect_ratio(static_cast<double>(options.width) / options.height);
+  if (surfaces_of(*options.hidden) == HiddenMethod::world_ray_cast) system.retain();
   const auto lines = hidden_surfaces.line_selection();
   std::optional<OutputFile> recorded;
   std::optional<Recorder> recorder;

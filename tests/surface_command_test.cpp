@@ -83,6 +83,18 @@ TEST_F(SurfaceCommandTest, TheProgramOfAnExpressionWithHolesDrawsTheSame) {
   }
 }
 
+/// It sees world coordinates: the surface is kept in them.
+TEST_F(SurfaceCommandTest, IsDrawnByRaysInTheWorld) {
+  write("g.txt", "0 1 2\n1 3 2\n0 1 1\n");
+  ASSERT_EQ(run("surface g.txt -o w.png --size 90x90 --hidden world-ray-cast --program s.draw"), 0)
+      << err_;
+  ASSERT_EQ(run("draw s.draw -o again.png --size 90x90"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "again.png"), read(folder_ / "w.png"));
+  EXPECT_EQ(
+      run("surface g.txt g.txt --lines outline -o w.png --size 90x90 --hidden world-ray-cast"), 0)
+      << err_;
+}
+
 /// Between two commas, before the first and after the last may be nothing: no height moves to
 /// another column.
 TEST_F(SurfaceCommandTest, AMissingCellIsAHole) {

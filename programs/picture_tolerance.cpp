@@ -45,7 +45,10 @@ std::int64_t PictureTolerance::most_wrong(std::int64_t pixels) const {
                     "100% of all",
                     wrong_pixels));
   }
-  return static_cast<std::int64_t>(percent ? value / 100.0 * static_cast<double>(pixels) : value);
+  if (!percent) return static_cast<std::int64_t>(value);
+  // What rounding may take away of a share of whole pixels, and less than decimals that are meant.
+  constexpr double kRounding = 1e-15;
+  return static_cast<std::int64_t>(value * static_cast<double>(pixels) / 100.0 * (1.0 + kRounding));
 }
 
 bool PictureTolerance::passes(const PictureDifference& difference) const {

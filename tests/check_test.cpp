@@ -218,6 +218,31 @@ TEST_F(Check, PicturesWithinATolerance) {
   EXPECT_EQ(run("compare x.png gold/house.png --wrong-pixels 49%"), 1) << out_;
 }
 
+/// A share is what it says in decimals, whatever its product with the pixels is in binary.
+TEST_F(Check, ASharePassesAsManyPixelsAsItSays) {
+  const auto write_picture = [&](const std::string& name, int pixels, int wrong) {
+    std::string text = "P6\n" + std::to_string(pixels) + " 1\n255\n";
+    text += std::string(3 * static_cast<std::size_t>(wrong), '\xFF');
+    text += std::string(3 * static_cast<std::size_t>(pixels - wrong), '\0');
+    write(name, text);
+  };
+  struct Share {
+    int pixels, wrong;
+    const char *passes, *differs;
+  };
+  for (const auto& [pixels, wrong, passes, differs] :
+       {Share{100, 29, "29%", "28.9%"}, Share{100, 57, "57%", "56.9%"},
+        Share{100, 58, "58%", "57.99%"}, Share{1000, 1, "0.1%", "0.09%"},
+        Share{1000, 289, "28.9%", "28.8%"}, Share{10000, 29, "0.29%", "0.2899%"},
+        Share{100, 100, "100%", "99.99%"}}) {
+    write_picture("black.ppm", pixels, 0);
+    write_picture("x.ppm", pixels, wrong);
+    const std::string compare = "compare black.ppm x.ppm --wrong-pixels ";
+    EXPECT_EQ(run(compare + passes), 0) << passes << out_ << err_;
+    EXPECT_EQ(run(compare + differs), 1) << differs << out_ << err_;
+  }
+}
+
 TEST_F(Check, UpdateSaysThatItWrote) {
   EXPECT_EQ(run("check a/house.draw b/house.draw --golden gold --update --summary"), 0) << err_;
   EXPECT_EQ(

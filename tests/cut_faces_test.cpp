@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "clip/back_face.h"
@@ -417,6 +419,34 @@ TEST(CutFaces, RecordedAndReplayedTheyAreTheSame) {
     EXPECT_EQ(dump(again.display_file()), dump(g.display_file()));
     EXPECT_NE(program.str().find("set-cut-faces hatched 0.05 30\n"), std::string::npos);
   }
+}
+
+/// The angle too where the spacing is the usual one.
+TEST(CutFaces, TheAngleIsRecordedWithTheUsualSpacing) {
+  for (const auto& [faces, line] :
+       {std::pair(CutFaces{Kind::hatched}, "set-cut-faces hatched\n"),
+        std::pair(CutFaces{Kind::hatched, std::nullopt, 0.0}, "set-cut-faces hatched usual 0\n"),
+        std::pair(CutFaces{Kind::hatched, std::nullopt, -30.5},
+                  "set-cut-faces hatched usual -30.5\n")}) {
+    std::ostringstream program;
+    Recorder recorder(program);
+    GraphicsSystem g, again;
+    g.set_recorder(&recorder);
+    g.set_cutting_plane(1, 0.3, 1, 0.1, 0);
+    g.set_cut_faces(faces);
+    g.open_segment(1);
+    box_3(g, {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
+    g.close_segment();
+    EXPECT_NE(program.str().find(line), std::string::npos) << program.str();
+    replay(program.str(), "recorded", again);
+    EXPECT_EQ(again.cut_faces().spacing, std::nullopt);
+    EXPECT_EQ(again.cut_faces().angle, faces.angle);
+    EXPECT_EQ(dump(again.display_file()), dump(g.display_file()));
+  }
+  GraphicsSystem g;
+  replay("set-cut-faces hatched usual\n", "p", g);
+  EXPECT_EQ(g.cut_faces().spacing, std::nullopt);
+  EXPECT_EQ(g.cut_faces().angle, 45.0);
 }
 
 TEST(CutFaces, WordsThatAreNoneAreRefusedAndTheOldOnesStay) {

@@ -121,6 +121,15 @@ class RandomApplication {
     system_.set_cutting_plane(n, coordinate(), coordinate(), coordinate(), uniform(-0.2, 4));
   }
 
+  void cut_faces() {
+    using enum CutFaces::Kind;
+    constexpr std::array kKinds{open, closed, hatched};
+    CutFaces faces{kKinds[below(kKinds.size())]};
+    if (chance(50)) faces.spacing = uniform(-0.05, 0.5);
+    if (chance(50)) faces.angle = angle();
+    system_.set_cut_faces(faces);
+  }
+
   void call_primitive() {
     using enum SurfaceCurves;
     constexpr std::array kCurves{x, y, both};
@@ -159,6 +168,7 @@ class RandomApplication {
       case 23: return system_.set_surface_sides(kSides[below(kSides.size())]);
       case 24: return lower_line_style();
       case 25: return cutting_plane();
+      case 26: return cut_faces();
       default: return system_.polygon_abs_3(points<Point3>());
     }
   }

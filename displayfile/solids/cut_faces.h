@@ -22,6 +22,9 @@ struct CutFaces {
   double angle = 45.0;
 };
 
+/// The word for a spacing that is not given.
+inline constexpr std::string_view kUsualSpacing = "usual";
+
 /// Reads `open`, `closed` or `hatched`; throws Error for anything else.
 CutFaces::Kind cut_faces_kind(std::string_view text);
 std::string_view name_of(CutFaces::Kind kind);

@@ -198,7 +198,11 @@ void cut_faces(GraphicsSystem& system, ProgramLine& line, const Routine& routine
   faces.kind = understood(line.take_word(), cut_faces_kind);
   const std::size_t most = faces.kind == CutFaces::Kind::hatched ? 3 : 1;
   if (line.arguments() > most) wrong_count(line, routine);
-  if (line.arguments() > 1) faces.spacing = line.take<double>();
+  if (line.arguments() > 1 && line.argument(1) == kUsualSpacing) {
+    line.take_word();
+  } else if (line.arguments() > 1) {
+    faces.spacing = line.take<double>();
+  }
   if (line.arguments() > 2) faces.angle = line.take<double>();
   system.set_cut_faces(faces);
 }

@@ -136,7 +136,7 @@ constexpr auto kAttributes = std::to_array<Routine>({
     varying<cutting_plane>("set-cutting-plane", "5: n a b c d, or 2: n off",
                            "Plane n, from 1 to 6: what has a x + b y + c z + d < 0 in world "
                            "coordinates is cut away from all that follows [off]."),
-    varying<cut_faces>("set-cut-faces", "open | closed | hatched [spacing [angle]]",
+    varying<cut_faces>("set-cut-faces", "open | closed | hatched [spacing|usual [angle]]",
                        "What becomes of the faces where planes cut closed solids that follow. "
                        "Spacing is in world units, the angle in degrees [open]."),
     varying<background>("set-background", "r g b | none",

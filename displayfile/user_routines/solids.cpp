@@ -71,8 +71,14 @@ void GraphicsSystem::set_cut_faces(const CutFaces& faces) {
   }
   cut_faces_ = {faces.kind};
   if (faces.kind == CutFaces::Kind::hatched) cut_faces_ = faces;  // or they have no meaning
-  if (!cut_faces_.spacing) return record("set-cut-faces", {name_of(faces.kind)});
-  record("set-cut-faces", {name_of(faces.kind), *cut_faces_.spacing, cut_faces_.angle});
+  const std::string_view kind = name_of(faces.kind);
+  if (cut_faces_.spacing) {
+    record("set-cut-faces", {kind, *cut_faces_.spacing, cut_faces_.angle});
+  } else if (cut_faces_.angle != CutFaces{}.angle) {
+    record("set-cut-faces", {kind, kUsualSpacing, cut_faces_.angle});
+  } else {
+    record("set-cut-faces", {kind});
+  }
 }
 
 bool GraphicsSystem::hatches_cut_faces() const {

@@ -95,7 +95,8 @@ class GraphicsSystem {
   void close_segment();
   /// Calls enter(), which opens segments, enters primitives into them and closes them, while none
   /// is open. If it throws, nothing of that is left: no segment, and the current position, the
-  /// ordinals and what is recorded are those of before. Attributes that it sets stay.
+  /// ordinals, the attributes, the modelling transformation, the background and what is recorded
+  /// are those of before. It is no place to set other things, which would stay.
   template <class Enter>
   void enter_segments(Enter&& enter) {
     const Entered before = entered();
@@ -445,15 +446,25 @@ class GraphicsSystem {
     Point3 world{0.0};   ///< the same after the modelling transformation of that time
   };
 
-  /// What entering primitives changes beside the segments.
+  /// What entering primitives changes beside the segments, and what may be set meanwhile.
   struct Entered {
     std::size_t segments;
     Pen pen;
-    std::int64_t ordinal, triangulated;
+    std::int64_t ordinal, triangulated, empty_solids;
+    std::int32_t pick;
+    bool has_hatching;
+    SaidSettings said;
+    ModellingTransformation modelling;
+    Attributes attributes;
+    Background background;
+    std::vector<Point3> vertex_normals;
+    CuttingPlanes cutting_planes;
+    CutFaces cut_faces;
+    SurfaceCurves surface_curves;
+    SurfaceSides surface_sides;
+    std::optional<LineStyle> lower_line;
   };
-  Entered entered() const {
-    return {display_file_.segments().size(), pen_, ordinal_, triangulated_};
-  }
+  Entered entered() const;
   void take_back(const Entered& before);
 
   template <class T>

@@ -196,6 +196,56 @@ TEST(RecordReplay, SegmentsThatAreTakenBackAreNotRecorded) {
   EXPECT_EQ(dump(replayed.display_file()), dump(system.display_file()));
 }
 
+/// Nor is anything left of what it set: the recording has none of it.
+TEST(RecordReplay, AttributesOfSegmentsThatAreTakenBackAreNotLeft) {
+  std::ostringstream recording;
+  Recorder recorder(recording);
+  GraphicsSystem system, replayed;
+  system.set_recorder(&recorder);
+  system.set_cutting_plane(2, 0, 0, 1, 9);
+  system.save_transformation_3();
+  EXPECT_THROW(system.enter_segments([&] {
+    system.open_segment(1);
+    system.set_fill_style({FillStyle::Kind::solid, {1, 0, 0}});
+    system.set_line_style({LineStyle::Kind::dashed, {1, 0, 0}, 2, 3, 4});
+    system.set_lower_line_style(LineStyle{LineStyle::Kind::none});
+    system.set_text_style({0.5, TextStyle::Alignment::right});
+    system.set_light({0, 0, 1});
+    system.set_shading(Shading::phong);
+    system.set_shadows(true);
+    system.set_back_face_removal(true);
+    system.set_pick_id(7);
+    system.set_surface_curves(SurfaceCurves::x);
+    system.set_surface_sides(SurfaceSides::upper);
+    system.set_cutting_plane(1, 1, 0, 0, 0);
+    system.set_cutting_plane_off(2);
+    system.set_cut_faces({CutFaces::Kind::closed});
+    system.set_background({Background::Kind::none});
+    system.restore_transformation_3();
+    system.scale_3(0.5, 0.5, 0.5);
+    system.set_vertex_normals({{0, 0, 1}, {0, 0, 1}, {0, 1, 1}, {1, 0, 1}});
+    system.begin_solid();
+    throw Error("no more");
+  }),
+               Error);
+  EXPECT_EQ(system.solids_open(), 0u);
+  EXPECT_EQ(system.attributes(), GraphicsSystem().attributes());
+  EXPECT_FALSE(system.said().contains(Setting::fill_style));
+  EXPECT_FALSE(system.said().contains(Setting::light));
+  EXPECT_EQ(system.cut_faces().kind, CutFaces::Kind::open);
+  EXPECT_EQ(system.transformations_saved(), 1u);
+  EXPECT_EQ(system.background(), Background());
+  system.open_segment(1);
+  enter_triangle(system);
+  const std::vector<double> heights{0, 1, 1, 0};
+  system.surface_3({0, 0.5, 2, 0, 0.5, 2, heights});
+  system.text("a");
+  system.close_segment();
+  system.restore_transformation_3();
+  replay(recording.str(), "recording", replayed);
+  EXPECT_EQ(dump(replayed.display_file()), dump(system.display_file()));
+}
+
 /// A height that is not known is a hole whatever the sign of its NaN is.
 TEST(RecordReplay, HolesOfSurfaces) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();

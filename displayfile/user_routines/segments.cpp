@@ -73,7 +73,28 @@ void GraphicsSystem::close(Segment& segment) {
   segment.close();
 }
 
+GraphicsSystem::Entered GraphicsSystem::entered() const {
+  return {.segments = display_file_.segments().size(),
+          .pen = pen_,
+          .ordinal = ordinal_,
+          .triangulated = triangulated_,
+          .empty_solids = empty_solids_,
+          .pick = pick_,
+          .has_hatching = has_hatching_,
+          .said = said_,
+          .modelling = modelling_,
+          .attributes = attributes_,
+          .background = background_,
+          .vertex_normals = vertex_normals_,
+          .cutting_planes = cutting_planes_,
+          .cut_faces = cut_faces_,
+          .surface_curves = surface_curves_,
+          .surface_sides = surface_sides_,
+          .lower_line = lower_line_};
+}
+
 void GraphicsSystem::take_back(const Entered& before) {
+  while (!solids_.empty()) discard_solid();
   open_.reset();
   while (display_file_.segments().size() > before.segments) {
     const int name = display_file_.segments().back().name();
@@ -83,6 +104,19 @@ void GraphicsSystem::take_back(const Entered& before) {
   pen_ = before.pen;
   ordinal_ = before.ordinal;
   triangulated_ = before.triangulated;
+  empty_solids_ = before.empty_solids;
+  pick_ = before.pick;
+  has_hatching_ = before.has_hatching;
+  said_ = before.said;
+  modelling_ = before.modelling;
+  attributes_ = before.attributes;
+  background_ = before.background;
+  vertex_normals_ = before.vertex_normals;
+  cutting_planes_ = before.cutting_planes;
+  cut_faces_ = before.cut_faces;
+  surface_curves_ = before.surface_curves;
+  surface_sides_ = before.surface_sides;
+  lower_line_ = before.lower_line;
 }
 
 void GraphicsSystem::delete_segment(int name) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cctype>
 #include <cstdint>
 #include <sstream>
 #include <string>
@@ -259,6 +260,20 @@ TEST_F(MeshTest, StlOfTextAndBytes) {
   const Mesh mesh = read_mesh(file("b.STL", binary));
   EXPECT_EQ(faces_of(mesh), ": 0 1 2; 3 4 5;");
   EXPECT_EQ(mesh.vertices[5], Point3(0, 1, 0.1f));
+}
+
+TEST_F(MeshTest, StlTextsMayBeginWithBlanksAndBeInCapitals) {
+  const std::string facet =
+      "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+      "endfacet\n";
+  const std::string text = "solid Part\n" + facet + "endsolid\n";
+  for (const std::string before : {"\xEF\xBB\xBF", " ", "\n", "\r\n\t", "\xEF\xBB\xBF\n"}) {
+    EXPECT_EQ(faces_of(read_mesh(file("a.stl", before + text))), "Part: 0 1 2;") << before;
+  }
+  std::string capitals = text;
+  std::ranges::transform(capitals, capitals.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  EXPECT_EQ(faces_of(read_mesh(file("b.stl", capitals))), "PART: 0 1 2;");
 }
 
 TEST_F(MeshTest, AFileTellsItsFormatByItsBeginning) {

@@ -117,7 +117,17 @@ TEST_F(MeshTest, TruncatedFiles) {
   expect_refused(file("d.stl", facet + "facet normal 0 0 1\n"), ":6:1: facet: expected endfacet");
   std::string stl(80, ' ');
   stl += bytes(std::uint32_t{2}) + std::string(50, '\0');
-  expect_refused(file("a.stl", stl), "announces 2 facets: expected 184 bytes");
+  expect_refused(file("a.stl", stl), "expected 184 bytes for 2 facets, not 134");
+}
+
+TEST_F(MeshTest, AnStlFileThatIsNeitherTextNorBytes) {
+  expect_refused(
+      file("a.stl", "<html>not found</html>"),
+      "neither STL text, which begins with 'solid', nor binary STL: expected 84 bytes for "
+      "0 facets, not 22");
+  std::string stl(80, ' ');
+  stl += bytes(std::uint32_t{2}) + std::string(50, '\0');
+  expect_refused(file("b.stl", stl), "nor binary STL: expected 184 bytes for 2 facets, not 134");
 }
 
 TEST_F(MeshTest, FilesThatAnnounceTooMuch) {

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
 
 #include "clip/error.h"
+#include "displayfile/characters.h"
 #include "displayfile/mesh/binary_values.h"
 #include "displayfile/mesh/mesh_builder.h"
 #include "displayfile/mesh/mesh_file.h"
@@ -24,11 +26,21 @@ std::uint64_t announced_facets(std::string_view data) {
   return binary_value<std::uint32_t>(data.substr(kHeader), std::endian::little);
 }
 
+/// Words of the text may be in letters of either case.
+bool is_word(std::string_view word, std::string_view in_lower_case) {
+  return std::equal(
+      word.begin(), word.end(), in_lower_case.begin(), in_lower_case.end(),
+      [](char c, char lower) { return (c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) == lower; });
+}
+
 /// A binary file may begin with "solid" too: then its size tells.
 bool is_text(std::string_view data) {
+  constexpr std::string_view kSolid = "solid";
   const bool size_fits = data.size() >= kHeader + kCount &&
                          data.size() - kHeader - kCount == kFacet * announced_facets(data);
-  return !size_fits && data.starts_with("solid");
+  const std::string_view text = without_byte_order_mark(data);
+  const std::size_t start = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+  return !size_fits && is_word(text.substr(start, kSolid.size()), kSolid);
 }
 
 void add_facet(MeshBuilder& mesh) {
@@ -40,9 +52,10 @@ Mesh read_binary(const MeshFile& file) {
   const std::string_view data = file.data;
   const std::uint64_t announced = announced_facets(data);
   if (data.size() < kHeader + kCount || announced > (data.size() - kHeader - kCount) / kFacet) {
-    throw Error(fmt::format("{}: binary STL of {} bytes announces {} facets: expected {} bytes",
-                            file.path, data.size(), announced,
-                            kHeader + kCount + kFacet * announced));
+    throw Error(
+        fmt::format("{}: neither STL text, which begins with 'solid', nor binary STL: expected {} "
+                    "bytes for {} facets, not {}",
+                    file.path, kHeader + kCount + kFacet * announced, announced, data.size()));
   }
   const auto facets = static_cast<std::size_t>(announced);
   MeshBuilder mesh(file.path);
@@ -83,26 +96,26 @@ class StlText {
 
  private:
   void read_part(std::string_view word) {
-    if (word == "vertex") {
+    if (is_word(word, "vertex")) {
       mesh_.add_vertex(text_.position());
       ++vertices_;
-    } else if (word == "facet") {
+    } else if (is_word(word, "facet")) {
       require_whole_facet(word);
       vertices_ = 0;
       in_facet_ = true;
-    } else if (word == "endfacet") {
+    } else if (is_word(word, "endfacet")) {
       if (!in_facet_ || vertices_ != 3) {
         text_.fail(word, fmt::format("a facet of {} vertices: expected 3", vertices_));
       }
       add_facet(mesh_);
       vertices_ = 0;
       in_facet_ = false;
-    } else if (word == "solid") {
+    } else if (is_word(word, "solid")) {
       require_whole_facet(word);
       mesh_.begin_object(text_.field());
       text_.rest_of_line();
       in_solid_ = true;
-    } else if (word == "endsolid") {
+    } else if (is_word(word, "endsolid")) {
       require_whole_facet(word);
       text_.rest_of_line();
       in_solid_ = false;

@@ -276,6 +276,44 @@ TEST_F(MeshTest, StlTextsMayBeginWithBlanksAndBeInCapitals) {
   EXPECT_EQ(faces_of(read_mesh(file("b.stl", capitals))), "PART: 0 1 2;");
 }
 
+std::string binary_stl(std::uint32_t announced, int facets) {
+  std::string binary(80, ' ');
+  binary += bytes(announced);
+  for (int i = 0; i < facets; ++i) {
+    for (const float c : {0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.1f}) {
+      binary += bytes(c);
+    }
+    binary += "xx";
+  }
+  return binary;
+}
+
+/// What stands behind all that a file announces is not lost without a word.
+TEST_F(MeshTest, FacesThatAreNotAnnouncedAreTold) {
+  const auto expect = [&](const std::string& name, const std::string& text, std::size_t faces,
+                          const std::vector<std::string>& warnings) {
+    const Mesh mesh = read_mesh(file(name, text));
+    EXPECT_EQ(mesh.faces(), faces) << name;
+    EXPECT_EQ(mesh.skipped.warnings, warnings) << name;
+  };
+  const std::string corners = "0 0 0\n1 0 0\n0 1 0\n", face = "3 0 1 2\n";
+  expect("all.stl", binary_stl(3, 3), 3, {});
+  expect("few.stl", binary_stl(2, 5), 2, {"3 facets follow those that it announces: left out"});
+  expect("one.stl", binary_stl(2, 3), 2, {"1 facet follows those that it announces: left out"});
+  expect("padded.stl", binary_stl(2, 2) + "any bytes", 2, {});
+  expect("all.off", "OFF\n3 2 0\n" + corners + face + face + "\n# the end\n", 2, {});
+  expect("few.off", "OFF\n3 1 0\n" + corners + face + "\n# more\n" + face + face, 1,
+         {"2 lines follow what it announces: left out"});
+  const auto ply = [&](int announced, const std::string& lines) {
+    return fmt::format(
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n{}",
+        announced, corners + lines);
+  };
+  expect("all.ply", ply(2, face + face + "\n"), 2, {});
+  expect("few.ply", ply(2, face + face + face), 2, {"1 line follows what it announces: left out"});
+}
+
 TEST_F(MeshTest, AFileTellsItsFormatByItsBeginning) {
   EXPECT_EQ(read_mesh(file("mesh.dat", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")).faces(), 1u);
   EXPECT_EQ(read_mesh(file("mesh.obj", survey_ply("ascii"))).faces(), 1u);

@@ -77,6 +77,12 @@ void MeshBuilder::add_vertex(const Point3& position) {
   mesh_.vertices.push_back(position);
 }
 
+void MeshBuilder::warn_of_lines_left(std::size_t lines) {
+  if (lines == 0) return;
+  warn(fmt::format("{} what it announces: left out",
+                   lines == 1 ? "1 line follows" : fmt::format("{} lines follow", lines)));
+}
+
 void MeshBuilder::add_normal(const Point3& normal) {
   mesh_.normals.push_back(in_range(normal) ? normal : Point3(0.0));
 }

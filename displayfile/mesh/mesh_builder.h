@@ -56,6 +56,9 @@ class MeshBuilder {
   /// Something that the file lost, in a sentence.
   void warn(std::string sentence) { mesh_.skipped.warnings.push_back(std::move(sentence)); }
 
+  /// Warns of so many lines behind all that the file announces, if there are any.
+  void warn_of_lines_left(std::size_t lines);
+
   std::size_t vertices() const { return mesh_.vertices.size(); }
   std::size_t normals() const { return mesh_.normals.size(); }
 

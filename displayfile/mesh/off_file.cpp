@@ -70,6 +70,7 @@ class OffReader {
       next("face", i, faces);
       read_face(vertices);
     }
+    mesh_.warn_of_lines_left(text_.count_filled_lines());
     mesh_.share_normals_as_vertices();
     return std::move(mesh_).finish();
   }

@@ -155,6 +155,7 @@ class PlyText {
     return text_.announced(next(place), "values of a list", 2);
   }
   void skip(PlyType, const PlyPlace& place) { next(place); }
+  std::size_t lines_left() { return text_.count_filled_lines(); }
   /// Throws Error about the value that was read last.
   [[noreturn]] void fail(const PlyPlace&, const std::string& what) const {
     text_.fail(last_, what);
@@ -203,6 +204,7 @@ class PlyBinary {
     return count;
   }
   void skip(PlyType type, const PlyPlace& place) { next(size_of(type), place); }
+  static std::size_t lines_left() { return 0; }
   [[noreturn]] void fail(const PlyPlace& place, const std::string& what) const {
     throw Error(fmt::format("{}: {} {}: {}", path_, place.element.name, place.number, what));
   }
@@ -286,6 +288,7 @@ class PlyReader {
         skip(element);
       }
     }
+    mesh_.warn_of_lines_left(values_.lines_left());
     mesh_.share_normals_as_vertices();
     return std::move(mesh_).finish();
   }

@@ -78,6 +78,12 @@ Mesh read_binary(const MeshFile& file) {
     }
     add_facet(mesh);
   }
+  const std::size_t left = data.size() - kHeader - kCount - kFacet * facets;
+  if (left > 0 && left % kFacet == 0) {
+    mesh.warn(fmt::format(
+        "{} those that it announces: left out",
+        left == kFacet ? "1 facet follows" : fmt::format("{} facets follow", left / kFacet)));
+  }
   return std::move(mesh).finish();
 }
 

@@ -113,6 +113,12 @@ bool TextCursor::next_filled_line() {
   return false;
 }
 
+std::size_t TextCursor::count_filled_lines() {
+  std::size_t lines = 0;
+  while (next_filled_line()) ++lines;
+  return lines;
+}
+
 Point3 TextCursor::position(int dimension) {
   Point3 p(0.0);
   for (int axis = 0; axis < dimension; ++axis) p[axis] = coordinate(field());

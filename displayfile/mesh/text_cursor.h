@@ -92,6 +92,8 @@ class TextCursor {
   bool next_line();
   /// Moves to the start of the next line that is not blank or a comment; false if there is none.
   bool next_filled_line();
+  /// How many filled lines follow this one; it stands at the end of the file then.
+  std::size_t count_filled_lines();
 
   /// The next fields of this line as a position of so many coordinates, the others 0.
   Point3 position(int dimension = 3);

@@ -117,6 +117,14 @@ TEST_F(SurfaceCommandTest, AMissingCellIsAHole) {
           "before decimals");
 }
 
+/// A file of that name that is no grid makes no difference to an expression.
+TEST_F(SurfaceCommandTest, AnExpressionMayBeCalledAsAFileIs) {
+  if (!reads_expressions()) GTEST_SKIP() << "no muParser";
+  fs::create_directory(folder_ / "x");
+  write("x*y", "any text");
+  EXPECT_EQ(run("surface x 'x*y' -o s.svg"), 0) << err_;
+}
+
 TEST_F(SurfaceCommandTest, ATextAndAnArrayAreTheSame) {
   write("g.txt", "# heights\n0 1, 2\n3;4\t5e0 # the last row\n");
   const std::vector<double> heights{0, 1, 2, 3, 4, 5};

@@ -116,6 +116,19 @@ bool is_there(const std::string& file) {
   return std::filesystem::exists(file, failed);
 }
 
+/// A file that is no grid may be meant; one that an expression is called after is not.
+std::vector<double> heights_of_words(const std::string& words, const GridRange& range) {
+  Progress progress("evaluating " + words);
+  try {
+    return heights_of(words, range, progress.told());
+  } catch (const LimitReached&) {
+    throw;
+  } catch (const Error&) {
+    if (is_there(words)) throw Error(words + ": expected heights in a file .npy, .txt or .csv");
+    throw;
+  }
+}
+
 }  // namespace
 
 void read_range(const char* option, const std::string& text, double& low, double& high) {
@@ -162,14 +175,11 @@ SurfaceData read_surface(const std::string& expression_or_file, const GridRange&
     read_text_grid(expression_or_file, surface);
   } else if (expression_or_file == "-") {
     throw Error("-: expected an expression in x and y, or heights in a file .npy, .txt or .csv");
-  } else if (is_there(expression_or_file)) {
-    throw Error(expression_or_file + ": expected heights in a file .npy, .txt or .csv");
   } else {
-    Progress progress("evaluating " + expression_or_file);
     surface.heights = with_memory(
         range.points() * sizeof(double),
         [&] { return fmt::format("a grid of {} x {} points", range.x_points, range.y_points); },
-        [&] { return heights_of(expression_or_file, range, progress.told()); });
+        [&] { return heights_of_words(expression_or_file, range); });
   }
   try {
     require_surface(surface.grid());

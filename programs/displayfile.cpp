@@ -58,7 +58,9 @@ std::string wrong_command_line(const CLI::App& app, const CLI::ParseError& error
   const std::string help =
       (chosen.empty() ? "" : app.get_name() + " ") + command.get_name() + " --help lists all";
   const std::vector<std::string> extras = app.remaining(true);
-  const auto starts_with_dash = [](const std::string& word) { return word.starts_with('-'); };
+  const auto starts_with_dash = [](const std::string& word) {
+    return word.starts_with('-') && word != "--";  // which ends the options
+  };
   const auto unknown = std::ranges::find_if(extras, starts_with_dash);
   if (unknown == extras.end()) return fmt::format("{}: {}", error.what(), help);
   std::vector<std::string> names;

@@ -115,6 +115,17 @@ TEST_F(MeshCommand, WhatIsNotDrawnIsSaidOnce) {
   expect_error("draw bad.obj -o x.png", "bad.mtl:2:6: 'nan'");
 }
 
+TEST_F(MeshCommand, MaterialsWithoutANameAreNone) {
+  write("t.mtl", "newmtl red\nKd 1 0 0\n");
+  write("t.obj", std::string("mtllib t.mtl\nusemtl\n") + kCorners + kFaces);
+  write("plain.obj", std::string(kCorners) + kFaces);
+  EXPECT_EQ(run("dump t.obj"), 0);
+  EXPECT_EQ(err_, "");
+  const std::string dumped = out_;
+  EXPECT_EQ(run("dump plain.obj"), 0);
+  EXPECT_EQ(out_, dumped);
+}
+
 TEST_F(MeshCommand, NoSegmentNameIsLeftForAMesh) {
   write("last.draw", "open-segment 2147483647\nclose-segment\n");
   expect_error("dump last.draw m.obj",

@@ -109,7 +109,7 @@ class ObjReader {
     } else if (keyword == "g") {
       begin_group(text_.rest_of_line());
     } else if (keyword == "usemtl") {
-      mesh_.use_material(materials_.named(text_.rest_of_line(), mesh_));
+      use_material(text_.rest_of_line());
     } else if (keyword == "mtllib") {
       materials_.add_library(text_.rest_of_line());
     }
@@ -161,6 +161,11 @@ class ObjReader {
       corner.remove_prefix(slash + 1);
     }
     text_.fail(corner, "expected at most three indices, vertex/texture/normal");
+  }
+
+  /// No name is no material.
+  void use_material(std::string_view name) {
+    mesh_.use_material(name.empty() ? Mesh::kNoMaterial : materials_.named(name, mesh_));
   }
 
   /// An object that is named again goes on.

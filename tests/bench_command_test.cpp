@@ -65,6 +65,15 @@ TEST_F(Bench, SaysThatItsProgramIsNotThere) {
 }
 
 /// Wherever the command's own parser ends, the program's says what it takes.
+/// All that is generated is: the city that is walked through, too.
+TEST_F(Bench, TheSeedIsThatOfTheWalk) {
+  ASSERT_EQ(run("bench walk --polygons 60 --sizes 16 --rounds 1 --seed 2 --json b.json"), 0)
+      << err_;
+  const Json scenes = json("b.json")["scenes"];
+  ASSERT_EQ(scenes.size(), 1u);
+  EXPECT_NE(scenes[0]["scene"].get<std::string>().find("seed=2"), std::string::npos);
+}
+
 TEST_F(Bench, HelpIsThatOfTheProgram) {
   for (const char* line : {"bench --help", "bench -h", "--help bench", "bench soup --help"}) {
     ASSERT_EQ(run(line), 0) << line;

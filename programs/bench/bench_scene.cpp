@@ -70,8 +70,8 @@ void add_generated(BenchScene::Kind kind, std::string_view name, const SceneChoi
 /// With the number of polygons and the size that the series of the city share.
 void add_walk(const SceneChoice& choice, std::vector<BenchScene>& scenes) {
   const auto shared = shared_scene("city", choice);
-  scenes.push_back(
-      {BenchScene::Kind::walk, std::string(kWalk), shared.polygons, 0.0, false, shared.size});
+  scenes.push_back({BenchScene::Kind::walk, std::string(kWalk), shared.polygons, 0.0, false,
+                    shared.size, choice.seed});
 }
 
 /// Gaps of 1e-1 to 1e-17 where there is one, and otherwise the severities of the table.
@@ -168,7 +168,7 @@ std::string BenchScene::id_but_size() const {
 
 void BenchScene::enter(GraphicsSystem& system) const {
   switch (kind) {
-    case Kind::walk: return displayfile::enter(walk(n).front(), system);
+    case Kind::walk: return displayfile::enter(walk(n, seed).front(), system);
     case Kind::generated: return displayfile::enter(generated_scene(name).make(n, seed), system);
     case Kind::surface: return enter_waves(n, seed, system);
     case Kind::hard_case:

@@ -52,7 +52,7 @@ Picture truth_of_walk(const std::vector<displayfile::Scene>& views, int size) {
 
 Measurer::Scene::Scene(const BenchScene& s) : scene(s), file(s.make()) {
   if (scene.kind == BenchScene::Kind::walk) {
-    views = walk(scene.n);
+    views = walk(scene.n, scene.seed);
     truth = truth_of_walk(views, scene.size);
   } else {
     truth = displayfile::truth(file, scene.size, scene.size, true);

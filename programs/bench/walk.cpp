@@ -93,10 +93,10 @@ View view_of_step(int k) {
 
 }  // namespace
 
-std::vector<Scene> walk(std::size_t n) {
+std::vector<Scene> walk(std::size_t n, std::uint64_t seed) {
   std::vector<Scene> views;
   for (int k = 0; k < kViewsOfWalk; ++k) {
-    views.push_back(generated_scene("city").make(n, 1));
+    views.push_back(generated_scene("city").make(n, seed));
     views.back().view = view_of_step(k);
   }
   return views;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace displayfile::bench {
 
 /// A walk through a level: the generated city of about n polygons, seen by an eye that goes down
 /// its middle and turns, a scene a view. All polygons are the same, bit for bit.
-std::vector<Scene> walk(std::size_t n);
+std::vector<Scene> walk(std::size_t n, std::uint64_t seed);
 inline constexpr int kViewsOfWalk = 8;
 
 /// Draws all views, each entered in a display file of its own, which is part of the time. What is

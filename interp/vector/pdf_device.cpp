@@ -48,6 +48,16 @@ std::string without_date(std::string eps) {
 }
 
 }  // namespace
+/// Cairo's boxes are those of what is drawn; here they are the picture's.
+std::string with_boxes(std::string eps, int width, int height) {
+  constexpr std::string_view kBox = "BoundingBox:", kEndOfBoxes = "%%EndPageSetup";
+  for (std::size_t at = eps.find(kBox); at < eps.find(kEndOfBoxes); at = eps.find(kBox, at)) {
+    at += kBox.size();
+    eps.replace(at, eps.find('\n', at) - at, fmt::format(" 0 0 {} {}", width, height));
+  }
+  return eps;
+}
+
 
 void PdfDevice::Destroy::operator()(_cairo* context) const { cairo().destroy(context); }
 void PdfDevice::Destroy::operator()(_cairo_surface* surface) const {
@@ -167,7 +177,7 @@ void PdfDevice::finish() {
   document_.require_whole();
   require_success(cairo().surface_status(surface_.get()));
   if (format_ == PageFormat::eps) {
-    out_ << without_date(std::move(document_).str());
+    out_ << with_boxes(without_date(std::move(document_).str()), width(), height());
     return;
   }
   out_ << (layers_.empty() ? std::move(document_).str()

@@ -24,7 +24,7 @@ namespace {
 constexpr double kTick = 0.4, kGap = 0.45, kCapital = 0.7, kLetterWidth = 0.6;
 constexpr double kBeside = 2.8, kAbove = 1.4;  // from a number to the next in a row, in a column
 constexpr double kNearest = kTick + 2.0 * kGap, kFarthest = 30.0, kFarther = 0.25;  // of names
-constexpr double kBetweenNumbers = 0.15;
+constexpr double kBetweenNumbers = 0.15, kFarthestNumbers = 5.0;
 const Point2 kAroundNames(1.0, kGap);  // beside a number a name would be read as its unit
 constexpr int kMostSteps = 5;          // between the ends of an axis
 constexpr double kStep = 1e-3;         // of the box, to see which way a direction goes
@@ -131,47 +131,55 @@ class AxesOfBox {
     }
   }
 
-  /// Farther out where another axis' number is in the way; left out where that does not help.
+  /// So far out that it is beside its axis, which it may lie across and be long; farther where
+  /// another number is in the way, and left out where that does not help.
   void append_number(const Point3& at, const Point2& outward, const std::string& number,
                      Axes& axes) const {
+    double distance = kTick + kGap;
+    while (distance < kFarthestNumbers && meets_box(label(at, outward, distance, number))) {
+      distance += kFarther;
+    }
     for (double farther = 0.0; farther <= 1.5; farther += kFarther) {
-      Label placed = label(at, outward, kTick + kGap + farther, number);
+      Label placed = label(at, outward, distance + farther, number);
       if (has_room(placed, Point2(kBetweenNumbers), axes)) return append(std::move(placed), axes);
     }
   }
 
-  /// In the picture beside the middle of its axis, as near to it as there is room beside the
-  /// numbers and the other names; or beside another place of the axis; or beyond its high end, or
-  /// its low one. Where nothing helps, beside the middle, if it is cut off there.
+  /// In the picture beside the middle of its axis, as near to it as there is room beside the box,
+  /// the numbers and the other names; or beside another place of the axis; or beyond its high end,
+  /// or its low one; or the same over the box. Where nothing helps, beside the middle, if it is cut
+  /// off there.
   void append_name(const Edge& edge, std::string_view name, Axes& axes) const {
-    for (const double t : {0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2, 0.9, 0.1}) {
-      auto placed = beside(edge, t, name, axes);
-      if (placed && is_in_picture(*placed)) return append(std::move(*placed), axes);
+    for (const bool over_box : {false, true}) {
+      for (const double t : {0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2, 0.9, 0.1}) {
+        auto placed = beside(edge, t, name, over_box, axes);
+        if (placed && is_in_picture(*placed)) return append(std::move(*placed), axes);
+      }
+      for (const bool high : {true, false}) {
+        auto placed = beyond(edge, high, name, over_box, axes);
+        if (placed) return append(std::move(*placed), axes);
+      }
     }
-    for (const bool high : {true, false}) {
-      auto placed = beyond(edge, high, name, axes);
-      if (placed) return append(std::move(*placed), axes);
-    }
-    auto placed = beside(edge, 0.5, name, axes);
+    auto placed = beside(edge, 0.5, name, true, axes);
     if (!placed)
       placed = label(middle(edge.from, edge.to), edge.outward, kNearest, std::string(name));
     append(std::move(*placed), axes);
   }
 
   /// The nearest place beside an axis at which there is room, if any.
-  std::optional<Label> beside(const Edge& edge, double t, std::string_view name,
+  std::optional<Label> beside(const Edge& edge, double t, std::string_view name, bool over_box,
                               const Axes& axes) const {
     for (double distance = kNearest; distance <= kFarthest; distance += kFarther) {
       Label placed =
           label((1.0 - t) * edge.from + t * edge.to, edge.outward, distance, std::string(name));
-      if (has_room(placed, kAroundNames, axes)) return placed;
+      if (has_room(placed, kAroundNames, axes) && (over_box || !meets_box(placed))) return placed;
     }
     return std::nullopt;
   }
 
-  /// Above or below an end of an axis, as it is seen, where there is room in the picture and
-  /// beside the box; moved along its line as far as the picture asks for.
-  std::optional<Label> beyond(const Edge& edge, bool high, std::string_view name,
+  /// Above or below an end of an axis, as it is seen, where there is room in the picture; moved
+  /// along its line as far as the picture asks for.
+  std::optional<Label> beyond(const Edge& edge, bool high, std::string_view name, bool over_box,
                               const Axes& axes) const {
     const Point3& end = high ? edge.to : edge.from;
     const Point2 away(0.0, seen(end).y >= seen(high ? edge.from : edge.to).y ? 1.0 : -1.0);
@@ -181,9 +189,8 @@ class AxesOfBox {
       const double right_by = std::max(0.0, picture().low.x - box.low.x);
       const double left_by = std::max(0.0, box.high.x - picture().high.x);
       placed.at = moved(placed.at, Point2(right_by - left_by, 0.0));
-      if (is_in_picture(placed) && has_room(placed, kAroundNames, axes) && !meets_box(placed)) {
-        return placed;
-      }
+      const bool has_place = is_in_picture(placed) && has_room(placed, kAroundNames, axes);
+      if (has_place && (over_box || !meets_box(placed))) return placed;
     }
     return std::nullopt;
   }

@@ -157,19 +157,79 @@ Rectangle covered_by(const ViewedText& text) {
   return {left, left + width, text.anchor.y, text.anchor.y + 0.7 * text.style.size};
 }
 
+/// Whether a text covers a point of an edge of the box from low to high.
+bool is_over_an_edge(const Rectangle& text, const GraphicsSystem& g, const Point3& low,
+                     const Point3& high) {
+  for (int from = 0; from < 8; ++from) {
+    for (int axis = 0; axis < 3; ++axis) {
+      Point3 a, b;
+      for (int k = 0; k < 3; ++k) a[k] = b[k] = ((from >> k) & 1) != 0 ? high[k] : low[k];
+      b[axis] = high[axis];
+      for (double t = 0.0; a != b && t <= 1.0; t += 0x1p-9) {
+        const Point3 p = g.to_device((1.0 - t) * a + t * b).value();
+        if (p.x > text.x_min && p.x < text.x_max && p.y > text.y_min && p.y < text.y_max) {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+/// An axis that rises little, with a text across it that is as long as half of the axis.
+TEST(Axes, NoTextRunsThroughAnAxisThatRisesALittle) {
+  for (const double turned : {-23.0, -21.0, -12.0, -3.0, 3.0, 12.0, 21.0, 23.0}) {
+    GraphicsSystem g;
+    g.set_window(-1, 1, -1, 1);
+    g.rotate_z_3(turned);
+    const Point3 low(-0.6, -0.2, 0), high(0.6, 0.3, 0);
+    g.open_segment(1);
+    axes_3(g, low, high, {"distance from the source in metres", "", ""});
+    g.close_segment();
+    const std::vector<ViewedText> texts = drawn_texts(g);
+    EXPECT_TRUE(std::ranges::any_of(texts, [](const ViewedText& text) {
+      return text.characters.starts_with("distance");
+    })) << turned;
+    for (const ViewedText& text : texts) {
+      EXPECT_FALSE(is_over_an_edge(covered_by(text), g, low, high))
+          << turned << " " << text.characters;
+    }
+  }
+}
+
+TEST(Axes, NoLongNumberRunsThroughItsAxis) {
+  for (const double turned : {-22.0, -15.0, 15.0, 22.0}) {
+    GraphicsSystem g;
+    g.set_window(-1, 1, -1, 1);
+    g.translate_3(-1000000.5, 0, 0);
+    g.rotate_z_3(turned);
+    const Point3 low(1000000, -0.3, 0), high(1000001, 0.3, 0);
+    g.open_segment(1);
+    axes_3(g, low, high);
+    g.close_segment();
+    const std::vector<ViewedText> texts = drawn_texts(g);
+    EXPECT_GE(texts.size(), 5u) << turned;
+    for (const ViewedText& text : texts) {
+      EXPECT_FALSE(is_over_an_edge(covered_by(text), g, low, high))
+          << turned << " " << text.characters;
+    }
+  }
+}
+
 TEST(Axes, LongNamesAreInThePictureAndNoTextIsOverAnother) {
   const Names names{"temperature of the air", "distance from the shore", "height above the sea"};
   for (const bool perspective : {false, true}) {
     for (int azimuth = 7; azimuth < 360; azimuth += 24) {
       for (int elevation = -63; elevation < 70; elevation += 18) {
         SCOPED_TRACE(testing::Message() << azimuth << ' ' << elevation << ' ' << perspective);
-        std::vector<ViewedText> texts =
-            drawn_texts(box_seen_from(azimuth, elevation, perspective, names));
+        const GraphicsSystem g = box_seen_from(azimuth, elevation, perspective, names);
+        std::vector<ViewedText> texts = drawn_texts(g);
         for (std::size_t i = 0; i < texts.size(); ++i) {
           if (texts[i].characters.starts_with("\u2212")) texts[i].characters.replace(0, 3, "-");
           const Rectangle box = covered_by(texts[i]);
           EXPECT_TRUE(box.x_min >= 0.0 && box.x_max <= 1.0 && box.y_min >= 0.0 && box.y_max <= 1.0)
               << texts[i].characters;
+          EXPECT_FALSE(is_over_an_edge(box, g, Point3(-1), Point3(1))) << texts[i].characters;
           for (std::size_t k = 0; k < i; ++k) {
             const Rectangle other = covered_by(texts[k]);
             EXPECT_FALSE(box.x_min < other.x_max && other.x_min < box.x_max &&

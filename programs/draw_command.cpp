@@ -200,8 +200,8 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
   };
   if (turntable) {
     make_folders();
-    return draw_turntable(drawn, file, drawing, entering(), shading.shading(), views_drawn(), stats,
-                          left_out);
+    return draw_turntable(drawn, file, drawing, entering(), shading.shading(), views_drawn(),
+                          {.explanation = explain, .statistics = stats}, left_out);
   }
   if (stats) reset_predicate_counts();
   const PictureKind kind = picture_kind(file, drawing);
@@ -345,6 +345,9 @@ int DrawCommand::run() {
                              lists_);
   std::ostringstream unheard;
   std::optional<CollectedWarnings> collected;
+  if (pick && turntable) {
+    throw Error(fmt::format("--pick {}: expected one picture, and not a turntable's views", *pick));
+  }
   if (quiet) collected.emplace(unheard);
   const std::string text = draw_into(inputs, output, drawing, nullptr, left_out);
   left_out.warn(output);

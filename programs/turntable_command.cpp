@@ -46,6 +46,16 @@ std::string statistics(const GraphicsSystem& system, const ViewRenderer&, int vi
          fmt::format("views              {}, each viewed anew and not sorted\n", views);
 }
 
+std::string explanation(const DrawOptions& options) {
+  const HiddenMethod method = options.hidden.value_or(HiddenMethod::automatic);
+  if (surfaces_of(method) == HiddenMethod::automatic) {
+    return "auto: bsp: a turntable's views are drawn from one BSP tree in world coordinates\n";
+  }
+  return fmt::format(
+      "{}: {}\n", name_of(method),
+      options.pens ? "for pens: the lines that are seen, and nothing else" : "as asked for");
+}
+
 }  // namespace
 
 int turntable_views(const std::string& text) {
@@ -61,7 +71,8 @@ int turntable_views(const std::string& text) {
 
 std::string draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
                            const DrawOptions& options, const MeshWords& meshes, Shading shading,
-                           const ViewsDrawn& views, bool stats, NotInVectors& left_out) {
+                           const ViewsDrawn& views, const TurntableReport& report,
+                           NotInVectors& left_out) {
   require_turntable_method(options);
   for (const auto& file : {output, options.ids, options.depth}) {
     if (file == "-") throw Error("--turntable draws many views: expected a file name, not -");
@@ -91,9 +102,10 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
     turntable.draw_numbered(k, output);
     progress.update(static_cast<std::size_t>(k - views.first) + 1, static_cast<std::size_t>(count));
   }
-  if (!stats) return "";
-  return std::visit([&](const auto& source) { return statistics(system, source, count); },
-                    turntable.source());
+  std::string text = report.explanation ? explanation(turntable.options()) : "";
+  if (!report.statistics) return text;
+  return text + std::visit([&](const auto& source) { return statistics(system, source, count); },
+                           turntable.source());
 }
 
 }  // namespace displayfile

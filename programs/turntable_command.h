@@ -15,6 +15,11 @@ namespace displayfile {
 /// The number of views of a turntable. Throws Error for anything but an integer from 1 to 10000.
 int turntable_views(const std::string& text);
 
+/// What is asked to be told of a turntable.
+struct TurntableReport {
+  bool explanation = false, statistics = false;
+};
+
 /// Draws the inputs turned about the view-up axis through their middle, before a camera and lights
 /// that stay, in views evenly around, all from one BSP tree in world coordinates
 /// (hidden/sort/world_tree.md), by rays from one tree of boxes (interp/visibility/ray_cast.md), or
@@ -27,9 +32,10 @@ int turntable_views(const std::string& text);
 /// could not be written at the start. Throws Error for a hidden-surface method other than those,
 /// and if the segments were drawn in several views.
 ///
-/// Notes what vectors leave out. Returns the statistics, if they are asked for.
+/// Notes what vectors leave out. Returns the report.
 std::string draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
                            const DrawOptions& options, const MeshWords& meshes, Shading shading,
-                           const ViewsDrawn& views, bool stats, NotInVectors& left_out);
+                           const ViewsDrawn& views, const TurntableReport& report,
+                           NotInVectors& left_out);
 
 }  // namespace displayfile

@@ -135,6 +135,19 @@ TEST_F(Command, SomeViewsAndSomeRowsAreThoseOfAll) {
   expect_error("draw a.draw -o b.png --views 0:3", "expected --turntable");
 }
 
+TEST_F(Command, TurntableExplainsItsMethod) {
+  write("t.draw", kTriangle);
+  ASSERT_EQ(run("draw t.draw -o t.png --size 9x9 --turntable 2 --explain"), 0) << err_;
+  EXPECT_EQ(out_,
+            "auto: bsp: a turntable's views are drawn from one BSP tree in world coordinates\n");
+  ASSERT_EQ(run("draw t.draw -o t.png --size 9x9 --turntable 2 --explain --hidden z-buffer"), 0);
+  EXPECT_EQ(out_, "z-buffer: as asked for\n");
+  ASSERT_EQ(run("draw t.draw -o t.svg --turntable 2 --explain --pens"), 0) << err_;
+  EXPECT_EQ(out_, "franklin: for pens: the lines that are seen, and nothing else\n");
+  expect_error("draw t.draw -o t.png --turntable 2 --pick 1,1",
+               "--pick 1,1: expected one picture, and not a turntable's views");
+}
+
 TEST_F(Command, TurntableRefuses) {
   write("t.draw", kTriangle);
   for (const char* views : {"0", "-1", "10001", "99999999999999999999", "nan", "1e2", "4.5"}) {

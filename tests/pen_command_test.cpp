@@ -58,6 +58,33 @@ TEST_F(PenCommand, TellsThatTextsAreLeftOut) {
   EXPECT_NE(err_.find("vectors leave out texts"), std::string::npos) << err_;
 }
 
+/// A renderer draws nothing by a width of 0.
+TEST_F(PenCommand, ThePenOfAHairlineHasAWidth) {
+  write("hair.draw",
+        "set-line-style solid 1 0 0 0.001\nopen-segment 1\nmove-abs-2 0 0\nline-abs-2 1 1\n"
+        "close-segment\n");
+  ASSERT_EQ(run("draw hair.draw --pens -o a.svg"), 0) << err_;
+  EXPECT_NE(read(folder_ / "a.svg").find("\"1 #ff0000 0.001 mm\""), std::string::npos);
+  ASSERT_EQ(run("draw flat.draw --hatch 2,0,width=0.0001 -o a.svg"), 0) << err_;
+  EXPECT_NE(read(folder_ / "a.svg").find("\"2 #000000 0.001 mm\""), std::string::npos);
+}
+
+/// In all vectors.
+TEST_F(PenCommand, ADashedLineOfNoLengthIsADot) {
+  for (const std::string style : {"solid 1 0 0 3", "dashed 1 0 0 3"}) {
+    write("dot.draw", "set-line-style " + style +
+                          "\nopen-segment 1\nmove-abs-2 0.5 0.5\nline-abs-2 0.5 0.5\n"
+                          "close-segment\n");
+    ASSERT_EQ(run("draw dot.draw --pens -o a.svg"), 0) << err_;
+    EXPECT_NE(read(folder_ / "a.svg").find("<path"), std::string::npos) << style;
+    ASSERT_EQ(run("draw dot.draw -o a.svg"), 0) << err_;
+    EXPECT_NE(read(folder_ / "a.svg").find("stroke-linecap=\"square\""), std::string::npos);
+    // To be read where the PDF is compressed.
+    ASSERT_EQ(run("draw dot.draw --background none -o a.eps"), 0) << err_;
+    EXPECT_NE(read(folder_ / "a.eps").find("1 0 0 rg"), std::string::npos) << style;
+  }
+}
+
 TEST_F(PenCommand, MistakesAreTold) {
   expect_error("draw box.obj --paper A11 -o a.svg", "unknown paper 'A11'");
   expect_error("draw box.obj --paper A4 -o a.png", ".png files have no size on paper");

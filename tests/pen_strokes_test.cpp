@@ -309,6 +309,12 @@ TEST(Dashes, GoOnAroundCorners) {
   EXPECT_NEAR(length_of_all(dashes({loop}, 300.0, 100.0)), 3000.0, 1e-9);
 }
 
+TEST(Dashes, ADotIsDrawn) {
+  const Stroke dot{{7, 9}, {7, 9}};
+  EXPECT_EQ(dashes({{{{7, 9}}, false}}, 300.0, 200.0), (std::vector<Stroke>{dot}));
+  EXPECT_EQ(dashes({{{{7, 9}}, false}}, 300.0, 0.0), (std::vector<Stroke>{dot}));
+}
+
 /// What is left of a dash at a corner may be less than the coordinates there can tell.
 TEST(Dashes, EndOnPathsOfManyCorners) {
   std::mt19937 random(7);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <ostream>
 #include <utility>
@@ -47,7 +48,6 @@ std::string without_date(std::string eps) {
   return eps;
 }
 
-}  // namespace
 /// Cairo's boxes are those of what is drawn; here they are the picture's.
 std::string with_boxes(std::string eps, int width, int height) {
   constexpr std::string_view kBox = "BoundingBox:", kEndOfBoxes = "%%EndPageSetup";
@@ -58,6 +58,7 @@ std::string with_boxes(std::string eps, int width, int height) {
   return eps;
 }
 
+}  // namespace
 
 void PdfDevice::Destroy::operator()(_cairo* context) const { cairo().destroy(context); }
 void PdfDevice::Destroy::operator()(_cairo_surface* surface) const {
@@ -149,16 +150,18 @@ void PdfDevice::paint_lines(const Path& path, const LineStyle& style, LineKinds 
   begin_layer(first_name_of(kinds));
   cairo_t* context = context_.get();
   set_colour(style.colour);
+  const auto& p = path.points;
+  if (std::ranges::all_of(p, [&](const Point2& other) { return other == p.front(); })) {
+    // Cairo draws nothing for a line of no length; here it is a dot.
+    const double w = style.width;
+    cairo().rectangle(context, p.front().x - 0.5 * w, p.front().y - 0.5 * w, w, w);
+    return cairo().fill(context);
+  }
   cairo().set_line_width(context, style.width);
   const double dashes[] = {style.dash, style.gap};
   cairo().set_dash(context, dashes, style.kind == LineStyle::Kind::dashed ? 2 : 0, 0.0);
   set_path(path);
-  // Cairo draws nothing for a line of no length with butt ends; here it is a dot.
-  const auto& p = path.points;
-  const bool dot = p.size() == 2 && p[0] == p[1];
-  if (dot) cairo().set_line_cap(context, CAIRO_LINE_CAP_SQUARE);
   cairo().stroke(context);
-  if (dot) cairo().set_line_cap(context, CAIRO_LINE_CAP_BUTT);
 }
 
 void PdfDevice::paint_text(const ViewedText& text, const Point2& anchor, double size) {

@@ -13,6 +13,7 @@ std::vector<Stroke> dashes(const std::vector<PenPath>& paths, double drawn, doub
     bool draws = true;
     double rest = drawn;  // of the dash or gap
     const std::size_t n = path.points.size();
+    if (n == 1) strokes.push_back({path.points[0], path.points[0]});
     for (std::size_t i = 1; i < n + (path.closed ? 1 : 0); ++i) {
       const SheetPoint &from = path.points[i - 1], &to = path.points[i % n];
       if (whole) {

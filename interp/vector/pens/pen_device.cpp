@@ -23,9 +23,10 @@ Colour pen_on(const Colour& paper, const std::optional<Hatching>& hatching) {
   return Darkness::luma(paper) < 0.5 ? Colour(1.0) : Colour(0.0);
 }
 
-std::int32_t units(double millimetres) {
-  return static_cast<std::int32_t>(
-      std::lround(std::clamp(millimetres, 0.0, kLargestSheet) * kUnitsOfMillimetre));
+/// Of a pen's line, which is nothing without a width.
+std::int32_t units_of_width(double millimetres) {
+  const double units = std::clamp(millimetres, 0.0, kLargestSheet) * kUnitsOfMillimetre;
+  return static_cast<std::int32_t>(std::lround(std::max(1.0, units)));
 }
 
 }  // namespace
@@ -37,7 +38,7 @@ PenDevice::PenDevice(const Picture& picture, const std::optional<Hatching>& hatc
   frame_ = {fit.left, fit.left + fit.pixel * picture.width, fit.top,
             fit.top + fit.pixel * picture.height};
   if (!hatching) return;
-  hatching_pen_ = {pixel_of(pen_on(background, hatching)), units(hatching->width)};
+  hatching_pen_ = {pixel_of(pen_on(background, hatching)), units_of_width(hatching->width)};
   hatched_.emplace(*hatching, frame_);
 }
 
@@ -49,7 +50,7 @@ Point2 PenDevice::on_sheet(const Point3& device) const {
 
 std::vector<Stroke>& PenDevice::strokes_of(const LineStyle& style) {
   const double of_pixel = picture_.fit.pixel;
-  const Pen pen{pixel_of(style.colour), units(style.width * of_pixel)};
+  const Pen pen{pixel_of(style.colour), units_of_width(style.width * of_pixel)};
   const bool dashed = style.kind == LineStyle::Kind::dashed;
   const double dash = dashed ? style.dash * of_pixel * kUnitsOfMillimetre : 0.0;
   const double gap = dashed ? style.gap * of_pixel * kUnitsOfMillimetre : 0.0;

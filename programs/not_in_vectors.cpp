@@ -28,12 +28,9 @@ void NotInVectors::note(const GraphicsSystem& system, const DrawOptions& options
                         PictureKind kind) {
   if (kind != PictureKind::vector) return;
   const DisplayFile& drawn = system.display_file();
-  if (options.pens) {  // what pens hatch has its shades
-    if (drawn.has_texts()) texts_ = true;
-    return;
-  }
+  if (options.pens && drawn.has_texts()) texts_ = true;
   const HiddenMethod by = drawing_method(system, options, kind);
-  const bool fills = !finds_lines(by);
+  const bool fills = !finds_lines(by) && (!options.pens || options.pens->hatching);
   if (fills && has_stored(drawn, &Instructions::stored_normals)) phong_ = true;
   const bool by_map = by == HiddenMethod::map || is_image_space(by);
   const bool each_segment = options.scope == HiddenScope::segment && by == HiddenMethod::map;

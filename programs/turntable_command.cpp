@@ -73,6 +73,10 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
                            const DrawOptions& options, const MeshWords& meshes, Shading shading,
                            const ViewsDrawn& views, const TurntableReport& report,
                            NotInVectors& left_out) {
+  if (options.pens && options.pens->hatching) {
+    throw Error(
+        "a turntable's views are not hatched: expected --pens without --hatch, or no --turntable");
+  }
   require_turntable_method(options);
   for (const auto& file : {output, options.ids, options.depth}) {
     if (file == "-") throw Error("--turntable draws many views: expected a file name, not -");

@@ -58,6 +58,24 @@ TEST_F(PenCommand, TellsThatTextsAreLeftOut) {
   EXPECT_NE(err_.find("vectors leave out texts"), std::string::npos) << err_;
 }
 
+TEST_F(PenCommand, TellsWhatElseIsLeftOut) {
+  write("shadow.draw",
+        "set-light 1 0 1 0.2\nset-shadows on\nopen-segment 1\n"
+        "polygon-abs-3 -0.8 -0.8 -0.5  0.8 -0.8 -0.5  0.8 0.8 -0.5\n"
+        "polygon-abs-3 -0.3 -0.3 0.5  0.3 -0.3 0.5  0.3 0.3 0.5\nclose-segment\n");
+  const auto told = [&](const std::string& options, const std::string& what) {
+    EXPECT_EQ(run("draw shadow.draw -o a.svg " + options), 0) << err_;
+    return err_.find(what) != std::string::npos;
+  };
+  EXPECT_TRUE(told("--hatch 3 --hidden none", "vectors leave out shadows"));
+  EXPECT_TRUE(told("--hatch 3 --hidden back-face", "shadows"));
+  EXPECT_FALSE(told("--hatch 3 --hidden map", "shadows"));
+  EXPECT_FALSE(told("--pens", "shadows"));  // lines have none
+  EXPECT_TRUE(told("--hatch 3 --samples 4", "--samples"));
+  EXPECT_TRUE(told("--pens --samples 4", "--samples"));
+  EXPECT_FALSE(told("--pens", "leave out"));
+}
+
 /// A renderer draws nothing by a width of 0.
 TEST_F(PenCommand, ThePenOfAHairlineHasAWidth) {
   write("hair.draw",
@@ -96,6 +114,11 @@ TEST_F(PenCommand, MistakesAreTold) {
   expect_error("draw box.obj --pens --hidden z-buffer -o a.svg", "hides by painting over");
   expect_error("draw box.obj --pens --turntable 3 --hidden bsp -o a.svg", "hides by painting over");
   expect_error("draw flat.draw --hatch 1 --hidden franklin -o a.svg", "draws no fills");
+  for (const std::string method : {"", " --hidden map", " --hidden none", " --hidden bsp"}) {
+    expect_error("draw box.obj --hatch 1 --turntable 1 -o a.svg" + method,
+                 "a turntable's views are not hatched: expected --pens without --hatch, or no "
+                 "--turntable");
+  }
   for (const char* const hatch :
        {"x", "1,", "1,45,", ",45", "1,45,60", "1,cross,45,7", "1,blue?"}) {
     expect_error(std::string("draw flat.draw --hatch '") + hatch + "' -o a.svg",

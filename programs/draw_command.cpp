@@ -7,6 +7,7 @@
 #include <array>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -228,6 +229,17 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
   return text;
 }
 
+/// An output's files: those of a turntable's views have numbers.
+std::vector<std::string> DrawCommand::files_written(const std::filesystem::path& file) const {
+  if (!turntable || file.empty()) return {file.string()};
+  const ViewsDrawn drawn = views_drawn();
+  std::vector<std::string> files;
+  for (int k = drawn.first; k < drawn.end; ++k) {
+    files.push_back(numbered(file, k, drawn.all).string());
+  }
+  return files;
+}
+
 /// The files of each input, checked before any is drawn.
 std::vector<DrawCommand::Outputs> DrawCommand::outputs_of_each(const DrawOptions& drawing) const {
   std::vector<Outputs> of_each;
@@ -241,22 +253,25 @@ std::vector<DrawCommand::Outputs> DrawCommand::outputs_of_each(const DrawOptions
   const auto name = [&](const std::filesystem::path& pattern, std::size_t k) {
     if (pattern.empty()) return std::filesystem::path();
     std::filesystem::path file = output_name(pattern.string(), inputs[k], k, inputs.size());
-    const auto leads_to = file_at(file);
-    if (!leads_to) return file;
-    if (read.contains(*leads_to)) {
-      throw Error(fmt::format("{}: the output of {} and an input: expected another name",
-                              file.string(), input_name(inputs[k])));
+    for (const std::string& written : files_written(file)) {
+      const auto leads_to = file_at(written);
+      if (!leads_to) continue;
+      if (read.contains(*leads_to)) {
+        throw Error(fmt::format("{}: the output of {} and an input: expected another name", written,
+                                input_name(inputs[k])));
+      }
+      const auto [other, is_new] = made.emplace(*leads_to, k);
+      if (is_new) continue;
+      if (other->second == k) {
+        throw Error(fmt::format("{}: two outputs of {} are one file: expected a file for each",
+                                written, input_name(inputs[k])));
+      }
+      throw Error(
+          fmt::format("{}: the output of {} and of {}: expected a name for each, by {{name}}, "
+                      "{{ext}}, {{folder}} or {{number}}",
+                      written, input_name(inputs[other->second]), input_name(inputs[k])));
     }
-    const auto [other, is_new] = made.emplace(*leads_to, k);
-    if (is_new) return file;
-    if (other->second == k) {
-      throw Error(fmt::format("{}: two outputs of {} are one file: expected a file for each",
-                              file.string(), input_name(inputs[k])));
-    }
-    throw Error(
-        fmt::format("{}: the output of {} and of {}: expected a name for each, by {{name}}, "
-                    "{{ext}}, {{folder}} or {{number}}",
-                    file.string(), input_name(inputs[other->second]), input_name(inputs[k])));
+    return file;
   };
   for (std::size_t k = 0; k < inputs.size(); ++k) {
     of_each.push_back({name(output, k), name(drawing.ids, k), name(drawing.depth, k)});
@@ -329,6 +344,9 @@ int DrawCommand::run() {
   hidden_surfaces.line_selection();
   views_drawn();
   if (pick) pick_option(*pick);
+  if (pick && turntable) {
+    throw Error(fmt::format("--pick {}: expected one picture, and not a turntable's views", *pick));
+  }
   NotInVectors left_out;
   if (quiet) Progress::show_none();
   if (is_name_pattern(output)) {
@@ -341,13 +359,13 @@ int DrawCommand::run() {
     throw Error(fmt::format("{}: has a field, and {} has none: expected both or neither",
                             file.string(), output));
   }
-  require_files_of_their_own({output, drawing.ids.string(), drawing.depth.string()}, inputs,
-                             lists_);
+  std::vector<std::string> written;
+  for (const auto& file : {std::filesystem::path(output), drawing.ids, drawing.depth}) {
+    std::ranges::move(files_written(file), std::back_inserter(written));
+  }
+  require_files_of_their_own(written, inputs, lists_);
   std::ostringstream unheard;
   std::optional<CollectedWarnings> collected;
-  if (pick && turntable) {
-    throw Error(fmt::format("--pick {}: expected one picture, and not a turntable's views", *pick));
-  }
   if (quiet) collected.emplace(unheard);
   const std::string text = draw_into(inputs, output, drawing, nullptr, left_out);
   left_out.warn(output);

@@ -62,6 +62,7 @@ struct DrawCommand {
   std::string draw_into(std::span<const std::string> drawn, const std::filesystem::path& file,
                         const DrawOptions& drawing, MadeFolders* folders,
                         NotInVectors& left_out) const;
+  std::vector<std::string> files_written(const std::filesystem::path& file) const;
   std::vector<Outputs> outputs_of_each(const DrawOptions& drawing) const;
   int draw_each(const DrawOptions& drawing, NotInVectors& left_out) const;
 

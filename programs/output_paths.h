@@ -1,10 +1,10 @@
 #pragma once
 
 #include <filesystem>
-#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace displayfile {
 

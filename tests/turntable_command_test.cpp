@@ -148,6 +148,24 @@ TEST_F(Command, TurntableExplainsItsMethod) {
                "--pick 1,1: expected one picture, and not a turntable's views");
 }
 
+/// Its files are those with numbers.
+TEST_F(Command, TurntableDrawsIntoFilesOfTheirOwn) {
+  write("t.draw", kTriangle);
+  const std::string other = "open-segment 2\npolygon-abs-3 0 0 0  1 0 0  0 1 1\nclose-segment\n";
+  write("b-001.draw", other);
+  const std::string of_two = " -o b.draw --format svg --size 9x9 --turntable 2";
+  expect_error("draw t.draw b-001.draw" + of_two, "b-001.draw: is an input and an output");
+  EXPECT_EQ(read(folder_ / "b-001.draw"), other);
+  expect_error("draw t.draw -o a.png --ids a.png --turntable 2", "two outputs are one file");
+  ASSERT_EQ(run("draw t.draw b-001.draw" + of_two + " --views 0:1"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "b-001.draw"), other);
+  // A picture of each input: one of the first's views is the second.
+  write("b.draw", kTriangle);
+  expect_error("draw b.draw b-001.draw -o '{name}.draw' --format svg --turntable 2",
+               "b-001.draw: the output of b.draw and an input");
+  EXPECT_EQ(read(folder_ / "b-001.draw"), other);
+}
+
 TEST_F(Command, TurntableRefuses) {
   write("t.draw", kTriangle);
   for (const char* views : {"0", "-1", "10001", "99999999999999999999", "nan", "1e2", "4.5"}) {

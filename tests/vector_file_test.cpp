@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -73,6 +74,46 @@ TEST_F(VectorFile, ALoopOfLinesIsAClosedPath) {
   const std::string drawn = svg(g, 40, 40, false);
   EXPECT_EQ(count(drawn, "d=\"M10 30l20 0-10-20Z\""), 1u) << drawn;
   EXPECT_EQ(count(drawn, "d=\"M0 40l10 0-10 0\""), 1u) << drawn;
+}
+
+/// The line drawing of a hidden edge may stick out at a corner of the outline by its rounding.
+TEST(SvgDevice, ALineOfNoMoreThanRoundingIsNotDrawn) {
+  using Counts = std::array<std::size_t, 3>;  // of paths, of dots, of closed paths
+  const auto drawn = [](const std::vector<Point3>& points) {
+    SvgDevice device(100, 100);
+    device.begin_segment(1);
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      device.line({points[k - 1], points[k], {LineStyle::Kind::solid, Colour(0.0), 14.0}});
+    }
+    device.end_segment();
+    std::ostringstream out;
+    device.finish(out);
+    const std::string svg = std::move(out).str();
+    EXPECT_EQ(count(svg, "l0 0"), count(svg, "square"));
+    return Counts{count(svg, "<path"), count(svg, "square"), count(svg, "Z\"")};
+  };
+  const Point3 a(0.25, 0.25, 0), b(0.75, 0.25, 0), c(0.25, 0.75, 0),
+      beside_a(0.25, 0.25 + 1e-15, 0);
+  EXPECT_EQ(drawn({a, beside_a}), (Counts{0, 0, 0}));
+  EXPECT_EQ(drawn({a, a}), (Counts{1, 1, 0}));
+  EXPECT_EQ(drawn({b, a, beside_a, c}), (Counts{1, 0, 0}));
+  EXPECT_EQ(drawn({beside_a, a, b, c, a}), (Counts{1, 0, 1}));
+  EXPECT_EQ(drawn({a, b, c, a, beside_a}), (Counts{1, 0, 1}));
+}
+
+/// However many of them there are.
+TEST(SvgDevice, ShortLinesThatContinueEachOtherAreDrawn) {
+  SvgDevice device(100, 100);
+  device.begin_segment(1);
+  const LineStyle style{LineStyle::Kind::solid, Colour(0.0), 1.0};
+  const auto at = [](int k) { return Point3(0.25 + 1e-9 * k, 0.5, 0.0); };
+  device.line({{0.0, 0.5, 0.0}, at(0), style});
+  for (int k = 0; k < 1000; ++k) device.line({at(k), at(k + 1), style});
+  device.end_segment();
+  std::ostringstream out;
+  device.finish(out);
+  EXPECT_NE(out.str().find("M0 50l25"), std::string::npos) << out.str();
+  EXPECT_EQ(count(out.str(), "<path"), 1u);
 }
 
 TEST_F(VectorFile, SvgOfASmallScene) {

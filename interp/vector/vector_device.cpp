@@ -17,6 +17,9 @@ namespace {
 /// off first: renderers keep coordinates in fixed point, some with 16 bits for whole pixels.
 constexpr double kReach = 10'000.0;
 
+/// In pixels: a line so short is no longer than its rounding, or not to be seen at least.
+constexpr double kNoLength = 1e-6;
+
 /// A path of more points is slow to draw; a solid line loses nothing by being drawn in parts.
 constexpr std::size_t kLongestPath = 1000;
 
@@ -24,6 +27,10 @@ constexpr std::size_t kLongestPath = 1000;
 bool edges_cover_seams(const DrawnPolygon& polygon) {
   return polygon.line.kind == LineStyle::Kind::solid && polygon.line.width >= kSeamWidth &&
          std::ranges::all_of(polygon.sides, [](std::int32_t side) { return side == op::line; });
+}
+
+bool is_short(const Point2& a, const Point2& b) {
+  return std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) < kNoLength;
 }
 
 bool finite(const Point2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
@@ -191,8 +198,16 @@ void VectorDevice::line(const DrawnLine& line) {
   if (!clip_to_neighbourhood(a, b, reach)) return finish_lines();
   const bool full =
       lines_.points.size() >= kLongestPath && line.style.kind == LineStyle::Kind::solid;
-  if (lines_.empty() || full || lines_end_ != line.from || lines_style_ != line.style ||
-      lines_kinds_ != line.kinds || a != whole_a) {
+  const bool goes_on = !lines_.empty() && !full && lines_end_ == line.from &&
+                       lines_style_ == line.style && lines_kinds_ == line.kinds && a == whole_a;
+  // What was entered as a line of no length is a dot. What sticks out at a corner by its rounding
+  // is not drawn, and an outline is closed without it.
+  const bool is_dot = Point2(line.from) == Point2(line.to);
+  if (!is_dot && is_short(goes_on ? lines_.points.back() : a, b)) {
+    if (goes_on) lines_end_ = line.to;
+    return;
+  }
+  if (!goes_on) {
     finish_lines();
     lines_style_ = line.style;
     lines_kinds_ = line.kinds;

@@ -206,6 +206,31 @@ TEST_F(SurfaceCommandTest, TheLegendHasRoundNumbers) {
   EXPECT_EQ(program.find("text \"0.99\""), std::string::npos);
 }
 
+/// Its margins and letters are smaller then.
+TEST_F(SurfaceCommandTest, TheLegendIsBesideTheAxesInANarrowPictureToo) {
+  write("g.txt", "-1 0 1\n0 0 0\n1 0 -1\n");
+  for (const int width : {120, 200, 300, 400, 600, 900}) {
+    const std::string size = " --size " + std::to_string(width) + "x800";
+    ASSERT_EQ(run("surface g.txt --colour height -o s.svg --program s.draw" + size), 0) << err_;
+    const std::string program = read(folder_ / "s.draw"), legend = "open-segment 2";
+    std::istringstream bar(program.substr(program.find("polygon-abs-3", program.find(legend))));
+    std::string routine;
+    double left = 0.0;
+    bar >> routine >> left;
+    std::istringstream lines(read(folder_ / "s.svg"));
+    int texts = 0;
+    bool of_legend = false;
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("<g id=")) of_legend = line.starts_with("<g id=\"segment-2");
+      const std::size_t x = line.find(" x=\"");
+      if (!line.starts_with("<text") || of_legend || x == std::string::npos) continue;
+      ++texts;
+      EXPECT_LT(std::stod(line.substr(x + 4)), left * 800) << width << ": " << line;
+    }
+    EXPECT_GT(texts, 5) << width;
+  }
+}
+
 TEST_F(SurfaceCommandTest, OptionsSayWhatIsDrawn) {
   write("g.txt", "0 1 0\n1 2 1\n0 1 0\n");
   EXPECT_GT(count("g.txt", "text"), 8u);

@@ -16,7 +16,7 @@ namespace displayfile {
 
 namespace {
 
-constexpr double kLetterHeight = 0.026;  // of the picture's height
+constexpr double kLetterHeight = 0.026;  // of the picture's height, where that is not narrow
 constexpr LineStyle kAxisStyle{LineStyle::Kind::solid, {0.15, 0.15, 0.15}, 1.0};
 constexpr LineStyle kBoxStyle{LineStyle::Kind::solid, {0.6, 0.6, 0.6}, 0.75};
 constexpr LineStyle kContourStyle{LineStyle::Kind::solid, {0.35, 0.35, 0.45}, 0.75};
@@ -75,17 +75,20 @@ Point3 corner_of_box(const SurfaceBox& box, unsigned number) {
 /// axes, and at the right for the legend.
 struct Margins {
   double left, right, bottom, top;
+  double scale;  ///< of these, of letters and of the legend: less than 1 in a narrow picture
 };
-Margins margins_of(const SurfaceLook& look) {
-  constexpr double kBare = 0.03, kLegend = 0.24;
-  Margins margins{kBare, kBare, kBare, kBare};
-  if (look.axes) margins = {0.14, 0.12, 0.09, kBare};
+Margins margins_of(const SurfaceLook& look, double aspect) {
+  constexpr double kBare = 0.03, kLegend = 0.24, kMostOfWidth = 2.0 / 3.0;
+  Margins margins{kBare, kBare, kBare, kBare, 1.0};
+  if (look.axes) margins = {0.14, 0.12, 0.09, kBare, 1.0};
   if (look.coloured) margins.right += kLegend;
-  return margins;
+  const double s = std::min(1.0, kMostOfWidth * aspect / (margins.left + margins.right));
+  return {s * margins.left, s * margins.right, s * margins.bottom, s * margins.top, s};
 }
 
 /// The box as large as the picture has room for it between its margins, in their middle.
-void set_view_of_box(GraphicsSystem& system, const SurfaceBox& box, const SurfaceLook& look) {
+void set_view_of_box(GraphicsSystem& system, const SurfaceBox& box, const Margins& margins,
+                     const SurfaceLook& look) {
   std::array<Point3, 8> corners;
   for (unsigned k = 0; k < 8; ++k) {
     corners[k] = system.modelling_transformation().apply(corner_of_box(box, k));
@@ -105,10 +108,9 @@ void set_view_of_box(GraphicsSystem& system, const SurfaceBox& box, const Surfac
   }
   system.set_window_fit(WindowFit::widen);
   if (!(low.x < high.x && low.y < high.y)) return;  // the eye is within it
-  const Margins margins = margins_of(look);
   const double aspect = system.aspect_ratio();
   const double high_part = 1.0 - margins.bottom - margins.top;
-  const double wide_part = std::max(aspect - margins.left - margins.right, 0.25 * aspect);
+  const double wide_part = aspect - margins.left - margins.right;
   const double height = std::max((high.y - low.y) / high_part, (high.x - low.x) / wide_part);
   const double left = low.x - margins.left * height - 0.5 * (wide_part * height - (high.x - low.x));
   const double bottom =
@@ -183,7 +185,8 @@ void draw_coloured(GraphicsSystem& system, const SurfaceData& surface, double lo
 }
 
 /// A bar of all colours at the right, with the heights beside it.
-void draw_legend(GraphicsSystem& system, double low, double high, const std::string& name) {
+void draw_legend(GraphicsSystem& system, double low, double high, const std::string& name,
+                 double scale) {
   system.create_transformation_3();
   system.set_view_reference_point({0, 0, 0});
   system.set_view_plane_normal({0, 0, -1});
@@ -195,7 +198,8 @@ void draw_legend(GraphicsSystem& system, double low, double high, const std::str
   const double aspect = system.aspect_ratio();
   system.set_window(0, aspect, 0, 1);
   system.open_segment(2);
-  const double left = aspect - 0.14, right = aspect - 0.115, bottom = 0.25, top = 0.75;
+  const double left = aspect - 0.14 * scale, right = aspect - 0.115 * scale;
+  const double bottom = 0.25, top = 0.75, letter_height = kLetterHeight * scale;
   const auto at = [&](double part) { return bottom + part * (top - bottom); };
   system.set_line_style({LineStyle::Kind::none});
   for (int step = 0; step < kHeightColours; ++step) {
@@ -211,17 +215,17 @@ void draw_legend(GraphicsSystem& system, double low, double high, const std::str
     system.line_abs_3(p.x, p.y, 0);
   }
   system.set_text_style(
-      {.size = kLetterHeight, .alignment = TextStyle::Alignment::left, .always = true});
+      {.size = letter_height, .alignment = TextStyle::Alignment::left, .always = true});
   constexpr int kMostSteps = 8;
   const bool is_flat = !(low < high);
   for (const double height : is_flat ? std::vector{low} : axis_ticks(low, high, kMostSteps)) {
     const double part = is_flat ? 0.5 : (height - low) / (high - low);
     system.move_abs_3(right, at(part), 0);
-    system.line_abs_3(right + 0.008, at(part), 0);
-    system.move_abs_3(right + 0.014, at(part) - 0.35 * kLetterHeight, 0);
+    system.line_abs_3(right + 0.008 * scale, at(part), 0);
+    system.move_abs_3(right + 0.014 * scale, at(part) - 0.35 * letter_height, 0);
     system.text(axis_number(height));
   }
-  system.move_abs_3(left, top + kLetterHeight, 0);
+  system.move_abs_3(left, top + letter_height, 0);
   system.text(name);
   system.close_segment();
 }
@@ -232,7 +236,8 @@ void enter_surfaces(GraphicsSystem& system, std::span<const SurfaceData> surface
                     const SurfaceLook& look) {
   SurfaceBox box = box_of_surfaces(surfaces, look);
   set_box_proportions(system, box, look.true_scale);
-  set_view_of_box(system, box, look);
+  const Margins margins = margins_of(look, system.aspect_ratio());
+  set_view_of_box(system, box, margins, look);
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const SurfaceData& surface : surfaces) {
     for (const double z : surface.heights) {
@@ -247,7 +252,7 @@ void enter_surfaces(GraphicsSystem& system, std::span<const SurfaceData> surface
   if (look.box) draw_box(system, box);
   if (look.axes) {
     system.set_line_style(kAxisStyle);
-    system.set_text_style({.size = kLetterHeight});
+    system.set_text_style({.size = kLetterHeight * margins.scale});
     axes_3(system, box.low, box.high, {look.names[0], look.names[1], look.names[2]});
   }
   if (look.contours > 0) {
@@ -270,7 +275,7 @@ void enter_surfaces(GraphicsSystem& system, std::span<const SurfaceData> surface
     }
   }
   system.close_segment();
-  if (look.coloured) draw_legend(system, low, high, look.names[2]);
+  if (look.coloured) draw_legend(system, low, high, look.names[2], margins.scale);
 }
 
 }  // namespace displayfile

@@ -116,7 +116,8 @@ void WorkLimitWords::add_to(CLI::App& command, bool for_this_machine) {
           : "";
   command
       .add_option("--limit-seconds", seconds,
-                  "how long the command may take; at the limit nothing is written [none]")
+                  "how long the command may take; at the limit nothing is written, but of many "
+                  "inputs or views the pictures that were whole before stay [none]")
       ->type_name("SECONDS")
       ->transform(number_in(1e-3, kMostSeconds))
       ->group(kLimitOptions);

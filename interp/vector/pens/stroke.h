@@ -26,7 +26,7 @@ struct Stroke {
 /// A pen: its colour (pixel_of, interp/picture.h) and the width of its line.
 struct Pen {
   std::uint32_t colour;
-  std::int32_t width;  ///< thousandths of a millimetre
+  std::int32_t width;  ///< thousandths of a millimetre, at least 1
   auto operator<=>(const Pen&) const = default;
 };
 

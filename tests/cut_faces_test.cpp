@@ -297,7 +297,7 @@ TEST(CutFaces, HatchingTurnsAndIsAPartOfTheSolidWhereNoSpacingIsSet) {
   for (const Point3& step : lines_of({Kind::hatched})) EXPECT_NEAR(step.x, step.z, 1e-12);
 }
 
-/// Of a face that is turned away nothing is seen, nor of its hatching, beyond its outline or in
+/// Nothing is seen of a face that is turned away, nor of its hatching, beyond its outline or in
 /// another way.
 TEST(CutFaces, HatchingIsNoPartOfAViewInWhichItsFaceIsTurnedAway) {
   const auto dump_of = [](const CutFaces& faces, bool removes_back_faces) {

@@ -289,7 +289,7 @@ bool is_between(const Point3& p, const Point3& from, const Point3& to) {
   return glm::length(p - from) + glm::length(to - p) < glm::length(to - from) + 1e-12;
 }
 
-/// Of the lengths of all sides of faces behind, those along the plane, and those of no side.
+/// How long the sides of faces behind are together that run along the plane, and those of no side.
 struct LengthsOfSides {
   double in_plane = 0.0, none = 0.0;
 };

@@ -105,7 +105,7 @@ struct Link {
   std::uint32_t from, to;
 };
 
-/// Of a face: a vertex, or a cut edge, and what the side that ends there is (Section::side_of).
+/// A vertex of a face, or a cut edge, and what the side that ends there is (Section::side_of).
 struct Corner {
   std::uint32_t vertex;
   std::size_t side;

@@ -20,8 +20,8 @@ struct Section {
   /// Closed polylines in the plane: counterclockwise around what is solid, seen from where the
   /// normal points, clockwise around holes. Empty if nothing is cut, or the mesh is not closed.
   std::vector<std::vector<Point3>> loops;
-  /// Of each loop, which of the mesh's objects it is of; of objects that are only closed together,
-  /// as many as there are.
+  /// Which of the mesh's objects each loop is of; if objects are only closed together, the number
+  /// of all objects.
   std::vector<std::size_t> object_of;
   double area = 0.0;  ///< of the cut face
   /// The part of the mesh behind the plane. What is left of a flat face is one face, even-odd, its
@@ -30,8 +30,8 @@ struct Section {
   /// Its objects are the mesh's: some may have no face left.
   Mesh behind;
   std::vector<std::size_t> face_of;  ///< of each face behind, which of the mesh it is a part of
-  /// Of each corner behind, for the side that ends there, at which of the mesh's corners the side
-  /// ends that it is a part of; kInPlane; or kNoSide: a bridge, or a diagonal.
+  /// What the side is that ends at each corner behind: the mesh's corner at which the side ends
+  /// that it is a part of; kInPlane; or kNoSide for a bridge, or a diagonal.
   std::vector<std::size_t> side_of;
   bool closed = true;  ///< each edge is used as often in one direction as in the other
 };

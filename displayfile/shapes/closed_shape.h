@@ -13,8 +13,8 @@ struct ClosedShape {
   std::vector<Point3> vertices;        ///< also those that no polygon uses
   std::vector<std::uint32_t> corners;  ///< indices into vertices, polygon after polygon
   std::vector<std::uint32_t> sides;    ///< of each polygon
-  /// Of each corner, of length 1, where the solid stands for a curved one; zero at the corners of a
-  /// polygon that is flat. Empty if all are.
+  /// One for each corner, of length 1, where the solid stands for a curved one; zero at the corners
+  /// of a polygon that is flat. Empty if all are.
   std::vector<Point3> normals;
 
   void add(std::initializer_list<std::uint32_t> polygon) {

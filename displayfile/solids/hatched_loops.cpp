@@ -9,7 +9,7 @@ namespace displayfile {
 
 namespace {
 
-/// Of a side with a hatching line.
+/// Where a side crosses a hatching line.
 struct Crossing {
   std::int64_t line;
   double along;

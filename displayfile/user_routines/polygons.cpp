@@ -19,7 +19,7 @@ void GraphicsSystem::require_open() const {
   if (!open_) throw Error("no segment open: open one first");
 }
 
-/// Of the next polygon.
+/// The pick identifier of the next polygon.
 int GraphicsSystem::next_pick() const { return pick_ >= 0 ? pick_ : pick_of_ordinal(ordinal_); }
 
 Point3 GraphicsSystem::to_world(const Point3& object) const {

@@ -11,7 +11,7 @@
 
 namespace displayfile {
 
-/// Of the vertices that faces use.
+/// The box around the vertices that faces use.
 Bounds bounds_of_used(const Mesh& mesh);
 
 struct LinesWanted {

@@ -23,7 +23,7 @@ Colour pen_on(const Colour& paper, const std::optional<Hatching>& hatching) {
   return Darkness::luma(paper) < 0.5 ? Colour(1.0) : Colour(0.0);
 }
 
-/// Of a pen's line, which is nothing without a width.
+/// The width of a pen's line, which is nothing without one.
 std::int32_t units_of_width(double millimetres) {
   const double units = std::clamp(millimetres, 0.0, kLargestSheet) * kUnitsOfMillimetre;
   return static_cast<std::int32_t>(std::lround(std::max(1.0, units)));

@@ -47,7 +47,7 @@ std::int64_t name_after_all_in_use(const DisplayFile& display_file) {
   return largest + 1;
 }
 
-/// The names of the mesh's segments, which follow all that are there.
+/// The name of the mesh's first segment: they follow all that are there.
 int first_segment_name(const Mesh& mesh, const GraphicsSystem& system) {
   const std::int64_t name = name_after_all_in_use(system.display_file());
   require_free_names(mesh, system, name);

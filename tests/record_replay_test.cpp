@@ -81,7 +81,7 @@ TEST(RecordReplay, RandomApplications) {
   if (test::kSlower == 1) {
     EXPECT_EQ(routines.size(), 64u);
   }
-  EXPECT_GT(instructions, 100000u / test::kSlower);
+  EXPECT_GT(instructions, 50000u / test::kSlower);
   EXPECT_GT(refused, 1000 / test::kSlower);
 }
 

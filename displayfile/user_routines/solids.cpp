@@ -131,13 +131,13 @@ void GraphicsSystem::enter_solid(const SolidFaces& whole, double spacing) {
   };
   // Back-face removal takes a face that is turned away out of the scene, and its hatching with it;
   // what is retained has it in other views.
-  const auto polygons = [&] { return display_file_.segment(*open_).polygons(); };
+  const Segment& segment = display_file_.segment(*open_);
   std::vector<bool> is_there;
   try {
     for (std::size_t i = 0; i < solid->faces.size(); ++i) {
-      const std::size_t before = polygons();
+      const std::size_t before = segment.polygons();
       enter_face(*solid, i, !is_cut);
-      is_there.push_back(polygons() > before);
+      is_there.push_back(segment.polygons() > before);
     }
   } catch (...) {
     restore();

@@ -24,14 +24,8 @@ class Painter : public OutputDevice {
   void begin_segment(int name) override { lines_.begin_segment(name); }
   void end_segment() override { lines_.end_segment(plot()); }
   void fill(const DrawnPolygon& polygon) override;
-  void edges(const DrawnPolygon& polygon) override {
-    painted_.add(polygon.vertices.size());
-    lines_.edges(polygon, plot());
-  }
-  void line(const DrawnLine& line) override {
-    painted_.add(1);
-    lines_.line(line, plot());
-  }
+  void edges(const DrawnPolygon& polygon) override { lines_.edges(polygon, plot()); }
+  void line(const DrawnLine& line) override { lines_.line(line, plot()); }
   /// After all instructions.
   void end() { lines_.end(plot()); }
 
@@ -39,7 +33,7 @@ class Painter : public OutputDevice {
   RasterBand band_;
   SegmentLines lines_;
   ScanConverter converter_;
-  RowsPainted painted_;  // a line counts as a row
+  RowsPainted painted_;
 };
 
 }  // namespace displayfile

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "clip/work_budget.h"
 #include "interp/output_device.h"
 #include "interp/raster/line_painter.h"
 #include "interp/raster/lines_over_fills.h"
@@ -19,11 +20,15 @@ class SegmentLines {
   }
   template <class Plot>
   void edges(const DrawnPolygon& polygon, Plot&& plot) {
-    if (group_ == nullptr) painter_.edges(polygon, plot);
+    if (group_ != nullptr) return;
+    painted_.add(polygon.vertices.size());
+    painter_.edges(polygon, plot);
   }
   template <class Plot>
   void line(const DrawnLine& line, Plot&& plot) {
-    if (group_ == nullptr) painter_.line(line, plot);
+    if (group_ != nullptr) return;
+    painted_.add(1);
+    painter_.line(line, plot);
   }
   template <class Plot>
   void end_segment(Plot&& plot) {
@@ -43,6 +48,7 @@ class SegmentLines {
   }
 
   LinePainter painter_;
+  RowsPainted painted_;  // a line counts as a row
   const LinesOverFills& found_;
   double line_scale_;
   const LinesOverFills::Group* group_ = nullptr;  // of the segment that has begun

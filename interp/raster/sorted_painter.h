@@ -31,14 +31,8 @@ class SortedPainter : public OutputDevice {
   void begin_segment(int name) override;
   void end_segment() override { lines_.end_segment(plot()); }
   void fill(const DrawnPolygon& polygon) override;
-  void edges(const DrawnPolygon& polygon) override {
-    painted_.add(polygon.vertices.size());
-    lines_.edges(polygon, plot());
-  }
-  void line(const DrawnLine& line) override {
-    painted_.add(1);
-    lines_.line(line, plot());
-  }
+  void edges(const DrawnPolygon& polygon) override { lines_.edges(polygon, plot()); }
+  void line(const DrawnLine& line) override { lines_.line(line, plot()); }
 
   /// After all instructions: the lines of what was sorted together; what is seen where painting
   /// does not tell, and the depths if they are asked for. Returns the number of centres so decided.
@@ -67,7 +61,7 @@ class SortedPainter : public OutputDevice {
   RasterBand band_;
   SegmentLines lines_;
   ScanConverter converter_;
-  RowsPainted painted_;                          // a line counts as a row
+  RowsPainted painted_;
   Undecided undecided_fills_ = Undecided::none;  // of the segment
   Point2 boundary_error_{0.0};                   // of the segment's sort, in pixels
   PixelSet undecided_;                           // centres that the order does not decide

@@ -128,8 +128,9 @@ std::string_view reason_of_method(const GraphicsSystem& system, const DrawOption
 MethodChoice drawing_choice(const GraphicsSystem& system, const DrawOptions& options,
                             PictureKind kind) {
   const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
-  if (surfaces_of(method) != HiddenMethod::automatic)
+  if (surfaces_of(method) != HiddenMethod::automatic) {
     return {method, reason_of_method(system, options)};
+  }
   if (options.pens && !options.pens->hatching && !is_colour_rule(method)) {
     return {HiddenMethod::franklin, "for pens: the lines that are seen, and nothing else"};
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "clip/error.h"
+#include "displayfile/characters.h"
 
 namespace displayfile {
 
@@ -36,7 +37,7 @@ std::size_t after_joined_line_end(std::string_view text, std::size_t at) {
 }  // namespace
 
 TextCursor::TextCursor(std::string_view path, std::string_view text) : path_(path), text_(text) {
-  if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
+  at_ = text_.size() - without_byte_order_mark(text_).size();
 }
 
 std::string_view TextCursor::field() {

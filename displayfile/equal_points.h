@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "clip/point.h"
+#include "clip/secret_hash.h"
 
 namespace displayfile {
 
@@ -22,7 +23,7 @@ class EqualPoints {
   void forget() { first_ = points_.size(); }
   /// The number of that point, which is added if there is none.
   std::uint32_t number_of(const Point3& p) {
-    std::size_t at = hash(p) & (table_.size() - 1);
+    std::size_t at = hash_(p) & (table_.size() - 1);
     while (table_[at] != kFree && !is(table_[at], p)) at = (at + 1) & (table_.size() - 1);
     if (table_[at] == kFree) {
       table_[at] = static_cast<std::uint32_t>(points_.size());
@@ -35,18 +36,11 @@ class EqualPoints {
   static constexpr std::uint32_t kFree = std::numeric_limits<std::uint32_t>::max();
   using Bits = std::array<std::uint64_t, 3>;
 
-  static std::size_t hash(const Point3& p) {
-    std::uint64_t h = 0;
-    for (const std::uint64_t bits : std::bit_cast<Bits>(p)) {
-      h = (h ^ bits) * 0x9E3779B97F4A7C15u;
-      h ^= h >> 32;
-    }
-    return static_cast<std::size_t>(h);
-  }
   bool is(std::uint32_t number, const Point3& p) const {
     return number >= first_ && std::bit_cast<Bits>(points_[number]) == std::bit_cast<Bits>(p);
   }
 
+  SecretHash hash_;
   std::vector<Point3>& points_;
   std::vector<std::uint32_t> table_;
   std::size_t first_ = 0;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "clip/secret_hash.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/mesh/welded_faces.h"
 #include "hidden/disjoint_sets.h"
@@ -19,7 +20,8 @@ namespace {
 bool edges_may_pair_up(const Mesh& mesh) {
   std::vector<std::uint64_t> key;
   key.reserve(mesh.vertices.size());
-  for (const Point3& p : mesh.vertices) key.push_back(position_hash(p));
+  const SecretHash hash;
+  for (const Point3& p : mesh.vertices) key.push_back(hash(p));
   const auto number = [](std::uint64_t low, std::uint64_t high) {
     return (low ^ std::rotl(high, 32)) * 0x9E3779B97F4A7C15u;
   };

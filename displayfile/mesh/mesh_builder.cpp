@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "clip/error.h"
-#include "displayfile/mesh/welded_faces.h"
+#include "clip/secret_hash.h"
 
 namespace displayfile {
 
@@ -46,8 +46,8 @@ void bring_to_unit_range(std::span<Rgba> colours) {
   }
 }
 
-std::uint64_t hash_of(const Rgba& c) { return position_hash(Point3(c)); }
-std::uint64_t hash_of(const Mesh::Material& m) { return m.colour ? position_hash(*m.colour) : 0; }
+std::size_t hash_of(const Rgba& c) { return SecretHash()(Point3(c)); }
+std::size_t hash_of(const Mesh::Material& m) { return m.colour ? SecretHash()(*m.colour) : 0; }
 
 }  // namespace
 

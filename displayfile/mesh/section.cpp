@@ -11,6 +11,7 @@
 
 #include "clip/error.h"
 #include "clip/planarity.h"
+#include "clip/secret_hash.h"
 #include "displayfile/mesh/joined_by_bridges.h"
 #include "displayfile/mesh/welded_faces.h"
 #include "hidden/exact/double_double.h"
@@ -97,7 +98,7 @@ class CutEdges {
  private:
   const CuttingPlane& plane_;
   const WeldedFaces& faces_;
-  std::unordered_map<std::uint64_t, std::uint32_t> numbers_;
+  std::unordered_map<std::uint64_t, std::uint32_t, SecretHash> numbers_;
 };
 
 /// From one cut edge to another, through a face.

@@ -2,6 +2,8 @@
 
 #include <bit>
 
+#include "clip/secret_hash.h"
+
 namespace displayfile {
 
 namespace {
@@ -27,22 +29,13 @@ class Positions {
   void prefetch(const Point3& p) const { __builtin_prefetch(&slots_[first_slot(p)]); }
 
  private:
-  std::size_t first_slot(const Point3& p) const { return position_hash(p) & (slots_.size() - 1); }
+  std::size_t first_slot(const Point3& p) const { return hash_(p) & (slots_.size() - 1); }
 
+  SecretHash hash_;
   std::vector<std::uint32_t> slots_;  // open addressing, at most half full
 };
 
 }  // namespace
-
-std::uint64_t position_hash(const Point3& p) {
-  constexpr std::uint64_t odd = 0x9E3779B97F4A7C15u;  // 2^64 over the golden ratio
-  std::uint64_t h = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    h = (h ^ std::bit_cast<std::uint64_t>(p[axis] + 0.0)) * odd;  // -0 is 0
-    h ^= h >> 32;
-  }
-  return h;
-}
 
 WeldedFaces weld(const Mesh& mesh) {
   constexpr std::uint32_t kUsed = 0;

@@ -22,9 +22,6 @@ struct WeldedFaces {
   }
 };
 
-/// A hash of a position; equal positions have equal hashes.
-std::uint64_t position_hash(const Point3& p);
-
 /// All faces of a mesh, which must outlive them.
 WeldedFaces weld(const Mesh& mesh);
 

@@ -7,6 +7,8 @@
 #include <limits>
 #include <tuple>
 
+#include "clip/secret_hash.h"
+
 namespace displayfile {
 
 namespace {
@@ -37,26 +39,15 @@ class Joints {
   }
   std::uint64_t key(End end) const { return pieces_[end / 2].key; }
 
-  /// A mixing of all bits: numbers that differ little are to be far apart.
-  static std::uint64_t mixed(std::uint64_t h, std::uint64_t more) {
-    h = (h ^ more) * 0x9e3779b97f4a7c15u;
-    return h ^ (h >> 29);
-  }
-  std::size_t hash(End end) const {
-    const Point3& p = point(end);
-    std::uint64_t h = key(end);
-    for (const double v : {p.x, p.y, p.z}) h = mixed(h, std::bit_cast<std::uint64_t>(v + 0.0));
-    return static_cast<std::size_t>(mixed(h, 0));
-  }
-
   /// Ends at one point and of one key have one number: in a table of more than twice as many places
   /// as ends.
   void number_points() {
     const std::size_t mask = std::bit_ceil(2 * mate_.size() + 1) - 1;
+    const SecretHash hash;
     std::vector<End> table(mask + 1, kNone);
     number_.resize(mate_.size());
     for (End end = 0; end < mate_.size(); ++end) {
-      std::size_t at = hash(end) & mask;
+      std::size_t at = hash(point(end), key(end)) & mask;
       while (table[at] != kNone &&
              !(key(table[at]) == key(end) && point(table[at]) == point(end))) {
         at = (at + 1) & mask;

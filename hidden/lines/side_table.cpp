@@ -5,26 +5,20 @@
 #include <limits>
 #include <tuple>
 
+#include "clip/secret_hash.h"
+
 namespace displayfile {
 
 namespace {
 
-/// Equal points have the same, whichever zero they are written with.
-std::uint64_t hash_of(const Point3& p) {
-  const auto bits = [](double v) { return std::bit_cast<std::uint64_t>(v + 0.0); };
-  std::uint64_t h = bits(p.x) * 0x9e3779b97f4a7c15u;
-  h = (h ^ (h >> 32) ^ bits(p.y)) * 0xd6e8feb86659fd93u;
-  h = (h ^ (h >> 32) ^ bits(p.z)) * 0x9e3779b97f4a7c15u;
-  return h ^ (h >> 32);
-}
-
 /// For each point, the first that is equal to it.
 std::vector<std::uint32_t> first_equal_points(std::span<const Point3> points) {
   constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  const SecretHash hash;
   const std::size_t places = std::bit_ceil(2 * points.size() + 1);
   std::vector<std::uint32_t> table(places, kNone), same(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) {
-    std::size_t at = hash_of(points[i]) & (places - 1);
+    std::size_t at = hash(points[i]) & (places - 1);
     while (table[at] != kNone && points[table[at]] != points[i]) at = (at + 1) & (places - 1);
     if (table[at] == kNone) table[at] = i;
     same[i] = table[at];

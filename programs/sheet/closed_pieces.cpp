@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "clip/secret_hash.h"
 #include "displayfile/mesh/welded_faces.h"
 
 namespace displayfile {
@@ -30,7 +31,7 @@ class SideBalance {
     if (side->second == 0) uses_.erase(side);
   }
 
-  std::unordered_map<std::uint64_t, int> uses_;  // of sides that are not balanced
+  std::unordered_map<std::uint64_t, int, SecretHash> uses_;  // of sides that are not balanced
 };
 
 /// Objects that are closed by themselves, and what those in a row that are not make together.

@@ -477,5 +477,25 @@ TEST(CutFaces, WordsThatAreNoneAreRefusedAndTheOldOnesStay) {
   EXPECT_NE(error_of_program("set-cut-faces hatched x\n").find("p:1:23"), std::string::npos);
 }
 
+/// A comb, each of whose teeth nearly all of very many hatching lines cross.
+TEST(CutFaces, HatchingThatIsCutIntoTooManyPartsIsRefused) {
+  std::vector<Point2> comb{{60, -1}, {60, 0}};
+  for (int k = 59; k >= 0; --k) {
+    comb.emplace_back(k + 0.9, 0.0);
+    comb.emplace_back(k + 0.5, 60.0);
+    comb.emplace_back(k + 0.1, 0.0);
+  }
+  comb.emplace_back(0, -1);
+  GraphicsSystem g;
+  g.set_cutting_plane(1, 0, 0, 1, 0);
+  g.open_segment(1);
+  g.set_cut_faces({Kind::hatched, 1.3e-3, 0.0});
+  expect_error([&] { extrude_3(g, -0.5, 0.5, comb); },
+               "cross hatching lines at most 4000000 times");
+  g.set_cut_faces({Kind::hatched, 0.5, 0.0});
+  extrude_3(g, -0.5, 0.5, comb);
+  g.close_segment();
+}
+
 }  // namespace
 }  // namespace displayfile

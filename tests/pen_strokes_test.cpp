@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "clip/work_budget.h"
 #include "interp/vector/pens/dashes.h"
 #include "interp/vector/pens/pen_order.h"
 #include "interp/vector/pens/point_tree.h"
@@ -447,6 +448,17 @@ TEST(PenOrder, FollowsARow) {
   }
   order_for_pen(paths);
   EXPECT_NEAR(travel(paths), 199 * 100.0, 1e-6);
+}
+
+/// All cross in one place.
+TEST(UniqueStrokes, AskTheBudget) {
+  std::vector<Stroke> strokes;
+  for (int k = 0; k < 400; ++k) strokes.push_back({{-100'000, -500 * k}, {100'000, 500 * k}});
+  WorkBudget budget;
+  const BudgetInForce in_force(budget);
+  EXPECT_EQ(unique_strokes(strokes).size(), strokes.size());
+  budget.stop();
+  EXPECT_THROW(unique_strokes(strokes), LimitReached);
 }
 
 }  // namespace

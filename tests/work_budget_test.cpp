@@ -359,5 +359,24 @@ TEST_F(Budgets, BudgetsAreInForceInTurnAndOnEveryThread) {
   EXPECT_LT(calls, 1000);
 }
 
+/// A line of a program may stand for very many polygons.
+TEST_F(Budgets, ShapesAndManyPolygonsAreStoppedBeforeTheyAreEntered) {
+  GraphicsSystem g;
+  g.open_segment(1);
+  WorkBudget budget;
+  const BudgetInForce in_force(budget);
+  replay("sphere-3 0 0 0 1 9\n", "p.draw", g);
+  const std::int64_t entered = g.polygons_entered();
+  EXPECT_GT(entered, 9);
+  budget.stop();
+  for (const char* line : {"sphere-3 0 0 0 1 9\n", "box-3 0 1 0 1 0 1\n",
+                           "turn-3 5  0 0  1 0  0 1\n", "surface-3 0 1 2 0 1 2  0 0 0 0\n"}) {
+    EXPECT_NE(reached([&] { replay(line, "p.draw", g); }).find("p.draw:1:1: stopped"),
+              std::string::npos)
+        << line;
+    EXPECT_EQ(g.polygons_entered(), entered);
+  }
+}
+
 }  // namespace
 }  // namespace displayfile

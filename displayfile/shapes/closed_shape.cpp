@@ -6,6 +6,7 @@
 #include <span>
 
 #include "clip/error.h"
+#include "clip/work_budget.h"
 
 namespace displayfile {
 
@@ -63,6 +64,7 @@ void enter_as_it_is(GraphicsSystem& system, const ClosedShape& solid) {
 }  // namespace
 
 void enter(GraphicsSystem& system, const ClosedShape& solid) {
+  ask_budget();
   const bool mirrored = system.modelling_transformation().mirrors();
   mirrored ? enter_as_it_is(system, turned_over(solid)) : enter_as_it_is(system, solid);
 }

@@ -9,6 +9,7 @@
 #include "clip/error.h"
 #include "clip/memory.h"
 #include "clip/transformation.h"
+#include "clip/work_budget.h"
 
 namespace displayfile {
 
@@ -91,6 +92,7 @@ class TurnedProfile {
     if (on_axis(p) && on_axis(q)) return;
     const bool is_level = profile_.points[p].y == profile_.points[q].y;
     if (is_level && (on_axis(p) || on_axis(q))) return add_cap(on_axis(p) ? q : p, on_axis(q));
+    steps_.step(static_cast<std::size_t>(facets_));
     for (int j = 0; j < facets_; ++j) {
       std::uint32_t sides = 0;
       const auto add = [&](std::size_t point, int at) {
@@ -130,6 +132,7 @@ class TurnedProfile {
   std::vector<Point2> around_;
   std::vector<std::uint32_t> ring_;  // the first vertex of each point's
   ClosedShape solid_;
+  WorkSteps steps_;
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "clip/error.h"
 #include "clip/memory.h"
 #include "clip/planarity.h"
+#include "clip/work_budget.h"
 #include "displayfile/pick_of_ordinal.h"
 #include "displayfile/solids/solid_faces.h"
 #include "displayfile/user_routines/ranges.h"
@@ -201,6 +202,7 @@ void GraphicsSystem::polygons_abs_3(const ManyPolygons& many) {
     throw Error("normals of one polygon's vertices are set: expected none before many polygons");
   }
   require_looks(many, polygons);
+  ask_budget();  // nothing is entered yet, and all is when it is asked again
   Segment& segment = display_file_.segment(*open_);
   const std::size_t styles = attributes_.light ? polygons : fills.size();
   bool is_solid = takes_whole_solids();

@@ -85,7 +85,28 @@ bool GraphicsSystem::hatches_cut_faces() const {
   return cut_faces_.kind == CutFaces::Kind::hatched && cutting_planes_.any();
 }
 
-/// Between hatching lines on a solid. Error: there would be too many.
+namespace {
+
+/// About how often the outlines of cut faces cross hatching lines, or somewhat less often: each
+/// side of a cut face is in a face of the solid.
+double hatching_crossings(const SolidFaces& solid, double spacing) {
+  double lengths = 0.0;
+  for (std::size_t i = 0; i < solid.faces.size(); ++i) {
+    if (solid.first_loop(i) == solid.faces[i].end_loop) continue;
+    Point3 low(HUGE_VAL), high(-HUGE_VAL);
+    for (const SolidFaces::Corner& corner : solid.loop(solid.first_loop(i))) {  // its outline
+      low = glm::min(low, solid.vertices[corner.vertex]);
+      high = glm::max(high, solid.vertices[corner.vertex]);
+    }
+    lengths += glm::length(high - low);
+  }
+  return lengths / spacing;
+}
+
+}  // namespace
+
+/// Between hatching lines on a solid. Error: there would be too many, or they would be cut into too
+/// many parts.
 double GraphicsSystem::hatching_spacing(const SolidFaces& solid) const {
   if (solid.corners.empty()) return 1.0;
   Point3 low = solid.vertices[solid.corners.front().vertex], high = low, farthest(0.0);
@@ -101,7 +122,12 @@ double GraphicsSystem::hatching_spacing(const SolidFaces& solid) const {
   const double spacing = cut_faces_.spacing.value_or(longest > 0.0 ? longest / kParts : 1.0);
   if (2.0 * longest / spacing <= kMostHatchingLines &&
       std::max({farthest.x, farthest.y, farthest.z}) / spacing <= 1e12) {
-    return spacing;
+    constexpr double kMostCrossings = 40.0 * kMostHatchingLines;
+    if (hatching_crossings(solid, spacing) <= kMostCrossings) return spacing;
+    throw Error(fmt::format(
+        "cut faces hatched {} apart: expected a spacing at which the sides of the solid "
+        "cross hatching lines at most {} times in all",
+        spacing, kMostCrossings));
   }
   throw Error(fmt::format(
       "cut faces hatched {} apart: expected at most {} lines on a solid {:.6g} long, and less than "

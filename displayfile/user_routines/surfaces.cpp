@@ -9,6 +9,7 @@
 #include "clip/back_face.h"
 #include "clip/error.h"
 #include "clip/memory.h"
+#include "clip/work_budget.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/pick_of_ordinal.h"
 
@@ -48,6 +49,7 @@ void GraphicsSystem::surface_3(const SurfaceGrid& grid) {
   if (!vertex_normals_.empty()) {
     throw Error("normals of one polygon's vertices are set: expected none before a surface");
   }
+  ask_budget();
   const std::vector<Point3> world = with_memory(
       grid.heights.size() * sizeof(Point3),
       [&] { return fmt::format("a surface of {} x {} points", grid.x_points, grid.y_points); },

@@ -6,6 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "clip/work_budget.h"
+
 namespace displayfile {
 
 namespace {
@@ -119,6 +121,7 @@ class Uniqueness {
  private:
   void subtract_kept_of(std::uint32_t longer) {
     for (std::size_t i = first_kept_[longer]; i < first_kept_[longer + 1]; ++i) {
+      steps_.step();
       rest_.clear();
       for (const Stroke& part : parts_) subtract(part, kept_[i]);
       std::swap(parts_, rest_);
@@ -161,6 +164,7 @@ class Uniqueness {
   std::span<const Stroke> strokes_;
   StrokeCells cells_;
   std::vector<std::uint32_t> looked_at_;  // for which stroke last
+  WorkSteps steps_;
   std::vector<Stroke> kept_;
   std::vector<std::size_t> first_kept_;  // of each stroke, and where the last one's end
   std::vector<Stroke> parts_, rest_;

@@ -68,6 +68,12 @@ std::string no_temporary_folder() {
 
 }  // namespace
 
+/// By a name that leads to a file, that would be replaced, and nothing that is written there later
+/// would be in it.
+bool is_standard_output(const std::string& path) {
+  return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+}
+
 void OutputFile::fail(const std::string& what) const { throw Error(path_ + ": " + what); }
 
 void OutputFile::fail_to_write() const {
@@ -90,14 +96,11 @@ void OutputFile::fail_at_the_end(const std::string& what, int reason) {
 OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_) {
   if (path_.empty()) throw Error("the output file has no name");
   std::error_code error;
-  if (path_ == "-") {
+  if (is_standard_output(path_)) {
     path_ = "standard output";
     if (!can_write(STDOUT_FILENO)) fail_to_write();
     standard_output_ = true;
-    const fs::path folder = fs::temp_directory_path(error);
-    if (error) fail("cannot be written: " + no_temporary_folder());
-    target_ = (folder / "displayfile").string();
-    create_temporary();
+    create_to_be_copied();
     return;
   }
   const fs::file_status status = fs::status(path_, error);
@@ -117,6 +120,15 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_
 }
 
 // ---- The temporary file -------------------------------------------------------------------------
+
+void OutputFile::create_to_be_copied() {
+  std::error_code error;
+  const fs::path folder = fs::temp_directory_path(error);
+  if (error) fail("cannot be written: " + no_temporary_folder());
+  target_ = (folder / "displayfile").string() + fs::path(target_).extension().string();
+  copied_ = true;
+  create_temporary();
+}
 
 void OutputFile::create_temporary() {
   if (create_nameless()) return;
@@ -166,7 +178,9 @@ void OutputFile::name_temporary() {
 }
 
 const std::string& OutputFile::temporary_path() {
-  if (!direct_ && !pending_) name_temporary();
+  // A library may look back at what it wrote.
+  if (std::exchange(direct_, false)) create_to_be_copied();
+  if (!pending_) name_temporary();
   return temporary_;
 }
 
@@ -201,14 +215,14 @@ void OutputFile::finish() {
     if (!stream_) fail_at_the_end("not all could be written", blocks_->reason());
   }
   finished_ = true;
-  if (direct_ || standard_output_) return;
+  if (direct_ || copied_) return;
   if (!put_on_disk(descriptor_)) fail_at_the_end("not all could be put on the disk", errno);
 }
 
 void OutputFile::commit() {
   finish();
   if (direct_) return remove_temporary();  // nothing but the descriptor
-  if (standard_output_) return copy_to_standard_output();
+  if (copied_) return copy_to_target();
   replace_target();
   ::close(std::exchange(descriptor_, -1));
   if (!put_names_on_disk(fs::path(target_).parent_path())) {
@@ -238,8 +252,11 @@ bool OutputFile::link_to_target() const { return link_nameless(descriptor_, targ
 
 /// The temporary file has no name any more when the first byte is written: a reader that goes away
 /// may end this process.
-void OutputFile::copy_to_standard_output() {
-  std::cout.flush();
+void OutputFile::copy_to_target() {
+  const int to =
+      standard_output_ ? STDOUT_FILENO : ::open(path_.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
+  if (to < 0) fail_to_write();
+  if (standard_output_) std::cout.flush();
   const int from = std::exchange(descriptor_, -1);
   remove_temporary();
   ::lseek(from, 0, SEEK_SET);
@@ -247,10 +264,11 @@ void OutputFile::copy_to_standard_output() {
   ssize_t count = 0;
   bool written = true;
   while (written && (count = ::read(from, block.data(), block.size())) > 0) {
-    written = write_all(STDOUT_FILENO, block.data(), static_cast<std::size_t>(count));
+    written = write_all(to, block.data(), static_cast<std::size_t>(count));
   }
   const int reason = errno;
   ::close(from);
+  if (!standard_output_) ::close(to);
   errno = reason;
   if (!written || count < 0) fail_to_write();
 }

@@ -21,8 +21,8 @@ namespace displayfile {
 ///   out.stream() << ...;          // or hand out.temporary_path() to a library that writes
 ///   out.commit();
 ///
-/// The path "-" is standard output: what is written goes to a temporary file too, and commit()
-/// copies it there.
+/// The path "-" is standard output, and so are /dev/stdout and its other names: what is written
+/// goes to a temporary file too, and commit() copies it there.
 class OutputFile : public Output {
  public:
   /// Creates the temporary file. Throws Error, naming the path, if the folder does not exist
@@ -33,8 +33,8 @@ class OutputFile : public Output {
 
   const std::string& name() const override { return path_; }  ///< the target's path
   /// What to open for a writer that takes a path; the file exists and is empty. It is in the
-  /// target's folder, or for standard output in that for temporary files, and ends in the target's
-  /// extension. Do not use stream() then.
+  /// target's folder, or in that for temporary files if it is to be copied to standard output, a
+  /// device or a pipe; and ends in the target's extension. Do not use stream() then.
   const std::string& temporary_path();
   /// Binary; the first call opens it.
   std::ostream& stream() override;
@@ -58,13 +58,15 @@ class OutputFile : public Output {
   template <class Create>
   void create_named(const Create& create);
   void name_temporary();
+  void create_to_be_copied();
   void replace_target();
   bool link_to_target() const;
   void remove_temporary();
-  void copy_to_standard_output();
+  void copy_to_target();
 
   std::string path_, target_, temporary_;  // target_: path_ with a symbolic link followed
   bool standard_output_ = false;
+  bool copied_ = false;    // standard output, a device or a pipe takes what is in a temporary file
   bool direct_ = false;    // the target is written to in place
   bool pending_ = false;   // the temporary file has a name that is ours to remove
   bool finished_ = false;  // and on the disk
@@ -73,5 +75,8 @@ class OutputFile : public Output {
   std::unique_ptr<BlockBuffer> blocks_;
   std::ostream stream_{nullptr};
 };
+
+/// True for "-" and for the system's names of standard output.
+bool is_standard_output(const std::string& path);
 
 }  // namespace displayfile

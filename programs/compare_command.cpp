@@ -63,6 +63,7 @@ int CompareCommand::run() const {
   if (!marks.empty() && extension_of(marks) != ".png") {
     throw Error(fmt::format("{}: expected a .png file for the marks", marks));
   }
+  if (a == "-" && b == "-") throw Error("-: standard input is read twice: expected it once");
   const std::array<std::string, 2> inputs{a, b};
   require_files_of_their_own({marks}, inputs);
   const auto print = [](const PictureDifference& difference, bool passes) {

@@ -247,14 +247,14 @@ std::vector<DrawCommand::Outputs> DrawCommand::outputs_of_each(const DrawOptions
   std::set<std::filesystem::path> read;
   for (const auto files_read : {std::span(inputs), std::span(lists_)}) {
     for (const std::string& name : files_read) {
-      if (const auto file = file_at(name); file && *file != "-") read.insert(*file);
+      if (const auto file = input_at(name)) read.insert(*file);
     }
   }
   const auto name = [&](const std::filesystem::path& pattern, std::size_t k) {
     if (pattern.empty()) return std::filesystem::path();
     std::filesystem::path file = output_name(pattern.string(), inputs[k], k, inputs.size());
     for (const std::string& written : files_written(file)) {
-      const auto leads_to = file_at(written);
+      const auto leads_to = output_at(written);
       if (!leads_to) continue;
       if (read.contains(*leads_to)) {
         throw Error(fmt::format("{}: the output of {} and an input: expected another name", written,

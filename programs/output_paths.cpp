@@ -7,15 +7,17 @@
 
 #include "clip/error.h"
 #include "displayfile/file_extension.h"
+#include "displayfile/output_file.h"
 #include "displayfile/real_path.h"
 
 namespace displayfile {
 
 namespace fs = std::filesystem;
 
+namespace {
+
 std::optional<fs::path> file_at(const fs::path& name) {
   if (name.empty()) return std::nullopt;
-  if (name == "-") return name;
   std::error_code error;
   const fs::file_status status = fs::status(name, error);
   if (fs::exists(status) && !fs::is_regular_file(status)) return std::nullopt;
@@ -24,16 +26,26 @@ std::optional<fs::path> file_at(const fs::path& name) {
   return file;
 }
 
+}  // namespace
+
+std::optional<fs::path> output_at(const fs::path& name) {
+  return is_standard_output(name.string()) ? file_at("/dev/stdout").value_or("-") : file_at(name);
+}
+
+std::optional<fs::path> input_at(const fs::path& name) {
+  return file_at(name == "-" ? "/dev/stdin" : name);
+}
+
 void require_files_of_their_own(std::span<const std::string> outputs,
                                 std::span<const std::string> inputs,
                                 std::span<const std::string> lists) {
   std::map<fs::path, std::string> names;
   bool is_any_there = false;
   for (const std::string& output : outputs) {
-    const auto file = file_at(output);
+    const auto file = output_at(output);
     if (!file) continue;
     const auto [other, is_new] = names.emplace(*file, output);
-    if (!is_new && output == "-") {
+    if (!is_new && is_standard_output(output) && is_standard_output(other->second)) {
       throw Error("-: two outputs on standard output: expected one, and file names for the others");
     }
     if (!is_new) {
@@ -46,7 +58,7 @@ void require_files_of_their_own(std::span<const std::string> outputs,
   if (!is_any_there) return;  // nor is any an input
   for (const auto files_read : {inputs, lists}) {
     for (const std::string& input : files_read) {
-      const auto file = input == "-" ? std::nullopt : file_at(input);
+      const auto file = input_at(input);
       if (file && names.contains(*file)) {
         throw Error(
             fmt::format("{}: is an input and an output: expected another file for the output",

@@ -8,9 +8,12 @@
 
 namespace displayfile {
 
-/// The file that a name leads to, by which two names of one file are the same; "-" is itself. None
-/// for a device or a pipe, which may be several outputs, for no name, and where it cannot be told.
-std::optional<std::filesystem::path> file_at(const std::filesystem::path& name);
+/// The file that an output's name leads to, by which two names of one file are the same: that of
+/// standard output, too, or "-" if it is none. None for another device or pipe, which may be
+/// several outputs, for no name, and where it cannot be told.
+std::optional<std::filesystem::path> output_at(const std::filesystem::path& name);
+/// The same of an input's name, where "-" is standard input.
+std::optional<std::filesystem::path> input_at(const std::filesystem::path& name);
 
 /// Throws Error, before any work, if two outputs of a command are one file, or both are standard
 /// output; or if one of them is one of its inputs, or a list of these (input_lists). Empty names

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -289,6 +290,30 @@ TEST_F(OutputFileTest, TargetThatBecameAFolderIsAnErrorAtCommit) {
   fs::create_directories(fs::path(target_) / "inside");
   EXPECT_THROW(file.commit(), Error);
   EXPECT_EQ(files(), 1);  // the temporary file is gone
+}
+
+/// By its name it would be replaced, and what else is written there lost.
+TEST_F(OutputFileTest, StandardOutputHasSeveralNames) {
+  for (const char* name : {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) {
+    EXPECT_TRUE(is_standard_output(name)) << name;
+  }
+  EXPECT_FALSE(is_standard_output("stdout"));
+}
+
+/// A library that writes by itself may look back at what it wrote.
+TEST_F(OutputFileTest, APipeTakesWhatATemporaryFileHas) {
+  const std::string pipe = file("pipe").string();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  OutputFile output(pipe);
+  write(output.temporary_path(), "first\n");
+  EXPECT_EQ(content(output.temporary_path()), "first\n");
+  output.commit();
+  char read_there[16] = {};
+  EXPECT_EQ(::read(reader, read_there, sizeof read_there), 6);
+  EXPECT_EQ(std::string(read_there), "first\n");
+  ::close(reader);
+  EXPECT_EQ(files(), 1);
 }
 
 }  // namespace

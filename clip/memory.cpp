@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <fstream>
@@ -33,13 +34,17 @@ std::size_t available_to_all() {
   return std::numeric_limits<std::size_t>::max();
 }
 
-/// The least that the system limits this process to, of data or of addresses.
-std::uint64_t limit_of_process() {
+std::atomic<std::size_t> lent{0};  // changed while `lending` is held
+
+/// The least that the system limits this process to, of data or of addresses; with what of it is
+/// lent to others meanwhile, or without.
+std::uint64_t limit_of_process(std::uint64_t lent_of_data) {
   std::uint64_t least = WorkLimits::kNone;
   for (const auto kind : {RLIMIT_AS, RLIMIT_DATA}) {
     rlimit limit{};
     if (::getrlimit(kind, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
-      least = std::min<std::uint64_t>(least, limit.rlim_cur);
+      const std::uint64_t of_kind = kind == RLIMIT_DATA ? lent_of_data : 0;
+      least = std::min<std::uint64_t>(least, limit.rlim_cur + of_kind);
     }
   }
   return least;
@@ -54,12 +59,36 @@ std::size_t number_in(const char* file, int words_before) {
   return in >> number ? number : 0;
 }
 
+/// The least that the groups of this process (cgroup) are limited to, from its own to the root.
+/// Those of version 2 have no list of controllers.
+std::uint64_t limit_of_groups() {
+  std::uint64_t least = WorkLimits::kNone;
+  std::ifstream groups("/proc/self/cgroup");
+  for (std::string line; std::getline(groups, line);) {  // NUMBER:CONTROLLERS:/PATH
+    const std::size_t list = line.find(':') + 1, path = line.find(":/", list) + 1;
+    if (list == 0 || path == 0) continue;
+    const bool is_second = path == list + 1;
+    if (!is_second && line.substr(list, path - 1 - list) != "memory") continue;
+    const std::string root = is_second ? "/sys/fs/cgroup" : "/sys/fs/cgroup/memory";
+    const char* const file = is_second ? "/memory.max" : "/memory.limit_in_bytes";
+    std::string group = line.substr(path);
+    for (;;) {
+      if (const std::size_t limit = number_in((root + group + file).c_str(), 0); limit != 0) {
+        least = std::min<std::uint64_t>(least, limit);
+      }
+      if (group.empty()) break;
+      group.resize(group.rfind('/'));
+    }
+  }
+  return least;
+}
+
 std::size_t page() { return static_cast<std::size_t>(std::max(1L, ::sysconf(_SC_PAGESIZE))); }
 
 }  // namespace
 
 std::size_t offered_memory() {
-  return static_cast<std::size_t>(std::min<std::uint64_t>(available_to_all(), limit_of_process()));
+  return static_cast<std::size_t>(std::min<std::uint64_t>(available_to_all(), limit_of_process(0)));
 }
 
 /// Where more was allowed than what is known to be needed, it ran out in the middle of the work: by
@@ -69,7 +98,7 @@ void out_of_memory(std::size_t bytes, const std::string& what) {
   const WorkDone left = NamedWork::left_by_exception();
   const std::string instead =
       left.instead == nullptr ? "" : std::string(", or ").append(left.instead);
-  if (limit_of_process() != WorkLimits::kNone && bytes <= allowed) {
+  if (limit_of_process(lent) != WorkLimits::kNone && bytes <= allowed) {
     throw LimitReached(
         fmt::format("out of memory: {}: {} bytes are not enough: expected a higher limit of "
                     "memory{}",
@@ -99,8 +128,7 @@ std::size_t memory_of_process() { return page() * number_in("/proc/self/statm", 
 std::size_t memory_of_machine() {
   const std::size_t all =
       page() * static_cast<std::size_t>(std::max(0L, ::sysconf(_SC_PHYS_PAGES)));
-  const std::size_t of_group = number_in("/sys/fs/cgroup/memory.max", 0);
-  return of_group == 0 ? all : std::min(all, of_group);
+  return static_cast<std::size_t>(std::min<std::uint64_t>(all, limit_of_groups()));
 }
 
 /// RLIMIT_DATA counts what the process may write to and nobody shares, as it is mapped: unlike the
@@ -120,7 +148,6 @@ namespace {
 
 std::mutex lending;
 std::condition_variable given_back;
-std::size_t lent = 0;
 
 /// That of data; nothing if there is none.
 std::optional<rlimit> limit_of_data() {
@@ -171,7 +198,7 @@ LentMemory::~LentMemory() {
 std::uint64_t bytes_allowed() {
   const WorkBudget* const budget = work_in_force().budget;
   const std::uint64_t in_budget = budget == nullptr ? WorkLimits::kNone : budget->limits().bytes;
-  return std::min(in_budget, limit_of_process());
+  return std::min(in_budget, limit_of_process(lent));
 }
 
 std::string out_of_memory_message() {

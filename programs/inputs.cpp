@@ -69,8 +69,11 @@ void replay_ahead(const std::string& program, const std::string& name, GraphicsS
   const std::size_t saved = ahead.transformations_saved();
   try {
     replay(program, name, ahead);
+  } catch (const LimitReached&) {
+    throw;
   } catch (const Error&) {
     while (ahead.solids_open() > 0) ahead.discard_solid();
+    ahead.set_hidden_line_removal(false);
     if (ahead.open_segment_name()) ahead.close_segment();
     while (ahead.transformations_saved() > saved) ahead.restore_transformation_3();
   }

@@ -372,6 +372,8 @@ TEST_F(Command, OutputsAreFilesOfTheirOwn) {
   expect_error("draw t.draw -o '" + root + "/x.png' --ids x.png", one_file);
   expect_error("truth t.draw --ids i.npy --depth ./i.npy", one_file);
   expect_error("truth t.draw --ids - --depth -", "-: two outputs on standard output");
+  expect_error("truth t.draw --ids - --depth /dev/stdout", "two outputs");
+  expect_error("compare - -", "-: standard input is read twice", "t.draw");
   expect_error("surface x -o x.draw --program x.draw", "x.draw");
   EXPECT_EQ(run("draw t.draw -o x.ppm --size 9x9 --ids /dev/null --depth /dev/null"), 0) << err_;
 
@@ -660,6 +662,60 @@ TEST_F(Command, AnEpsWithoutABackgroundHasTheSizeAskedFor) {
     }
     EXPECT_GE(boxes, 2) << name;
   }
+}
+
+/// What is a file may not be another output, or an input; and what stands in it stays.
+TEST_F(Command, StandardStreamsThatAreFilesAreFilesOfTheirOwn) {
+  write("t.draw", kTriangle);
+  write("s.draw", kTriangle);
+  const auto shell = [&](const std::string& arguments) {
+    const std::string line =
+        "cd '" + folder_.string() + "' && '" DISPLAYFILE_COMMAND "' " + arguments;
+    const int status = std::system((line + " 2>.err").c_str());
+    err_ = read(folder_ / ".err");
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  };
+  EXPECT_EQ(shell("draw t.draw -o - --format svg --ids f.npy >f.npy"), 2);
+  EXPECT_NE(err_.find("two outputs"), err_.npos) << err_;
+  EXPECT_EQ(shell("draw t.draw -o p.svg --ids /dev/stdout >p.svg"), 2);
+  EXPECT_EQ(shell("draw - -o s.draw --format svg <s.draw"), 2);
+  EXPECT_NE(err_.find("input"), err_.npos) << err_;
+  EXPECT_EQ(read(folder_ / "s.draw"), kTriangle);
+  write("log", "old\n");
+  EXPECT_EQ(shell("draw t.draw -o /dev/stdout --format svg >>log"), 0) << err_;
+  EXPECT_TRUE(read(folder_ / "log").starts_with("old\n<"));
+}
+
+/// What is wrong with a program is told, and not what sorting its half would have taken.
+TEST_F(Command, AWrongProgramBeforeAMeshIsTold) {
+  std::string program = "set-hidden-line-removal on\nset-hidden-method bsp\nopen-segment 9\n";
+  for (int k = 0; k < 30; ++k) {
+    program +=
+        fmt::format("polygon-abs-3 0 {} 0  1 {} .3  .5 1 {}\n", 0.03 * k, 0.9 - 0.03 * k, 0.02 * k);
+  }
+  write("p.draw", program + "no-such-routine 1\n");
+  write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  expect_error("draw p.draw m.obj -o x.svg --limit-pieces 31", "p.draw:34:1: unknown routine");
+}
+
+TEST_F(Command, ATurntableDrawsASurfaceInCurvesWhateverWasDeleted) {
+  write("s.draw",
+        "set-perspective 3 4 6\nset-window -3 3 -3 3\nset-hidden-line-removal on\nrotate-x-3 -90\n"
+        "open-segment 1\nbox-3 5 6 5 6 5 6\nclose-segment\nopen-segment 2\n"
+        "surface-3 -1 1 3 -1 1 3  0 .1 0 .2 .5 .1 0 .3 0\nclose-segment\ndelete-segment 1\n");
+  EXPECT_EQ(run("draw s.draw -o t.svg --turntable 3 --hidden perimeter"), 0) << err_;
+  ASSERT_EQ(run("draw s.draw -o s.svg --hidden perimeter"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "t-000.svg"), read(folder_ / "s.svg"));
+}
+
+TEST_F(Command, ATurntableSaysWhatAPictureSays) {
+  write("t.draw", "set-precision roundoff=1e-6\n" + kTriangle);
+  const std::string exact = "precision exact";
+  expect_error("draw t.draw -o x.png --hidden world-ray-cast", exact);
+  expect_error("draw t.draw -o x.png --hidden world-ray-cast --turntable 2", exact);
+  write("u.draw", kTriangle);
+  EXPECT_EQ(run("draw u.draw -o x.png --turntable 2 --explain --hidden colour-rule"), 0) << err_;
+  EXPECT_TRUE((out_ + err_).find("colour-rule: ") != std::string::npos) << out_ << err_;
 }
 
 }  // namespace

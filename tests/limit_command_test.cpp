@@ -154,4 +154,13 @@ TEST_F(Limits, OfManyInputs) {
   EXPECT_NE(err_.find("1 of 2 inputs not drawn"), err_.npos) << err_;
 }
 
+/// That of a mesh in a file of ours.
+TEST_F(Limits, MemoryOfAMesh) {
+  std::string mesh;
+  for (int k = 0; k < 400'000; ++k) mesh += fmt::format("v {} {} 0.5\n", k % 3, k % 2);
+  write("large.obj", mesh + "f 1 2 3\n");
+  expect_error("draw large.obj -o p.png --limit-memory 20M",
+               "large.obj: out of memory (the limit is 20971520 bytes)");
+}
+
 }  // namespace

@@ -153,6 +153,16 @@ TEST_F(MeshCommand, TextInUtf16IsNamedAsSuch) {
   }
 }
 
+/// A limit is one, whatever the file.
+TEST_F(MeshCommand, ALimitIsNotTakenForUtf16) {
+  write("m.dae", in_utf16("<COLLADA/>", false));
+  EXPECT_EQ(run("draw m.dae -o m.png --import-seconds 0.000001"), 2);
+  if (err_.find("import library is not") != std::string::npos) GTEST_SKIP() << "no import library";
+  EXPECT_NE(err_.find("--import-seconds"), std::string::npos) << err_;
+  before_ = "DISPLAYFILE_IMPORT_PROGRAM=/nonexistent ";
+  expect_error("draw m.dae -o m.png", "cannot be started");
+}
+
 /// The reason is that of the reader that the extension names, or none: what another format's reader
 /// says is of no use.
 TEST_F(MeshCommand, RefusedFilesGetTheRightReadersReason) {

@@ -19,12 +19,14 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "clip/error.h"
 #include "clip/memory.h"
 #include "clip/work_budget.h"
+#include "displayfile/characters.h"
 #include "displayfile/mesh/import_protocol.h"
 #include "displayfile/mesh/import_start.h"
 #include "displayfile/mesh/mesh_reply.h"
@@ -41,6 +43,19 @@ void require_limits(const std::string& path, const ImportLimits& limits) {
   if (limits.memory > 0 && limits.seconds > 0.0) return;  // false for NaN too
   throw Error(fmt::format("{}: import limits of {} bytes and {} seconds: expected more than 0",
                           path, limits.memory, limits.seconds));
+}
+
+/// What a reader wrote, which may be words of the file: nothing but lines of characters reach a
+/// terminal.
+std::string lines_drawable(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t length = std::min(text.find('\n'), text.size());
+    result += drawable(text.substr(0, length));
+    if (length < text.size()) result += '\n';
+    text.remove_prefix(std::min(length + 1, text.size()));
+  }
+  return result;
 }
 
 /// As `--import-memory` takes it, too.
@@ -306,7 +321,7 @@ class ImportProcess {
     }
     child_ = 0;
     take_messages();
-    if (!said_.empty()) std::cerr << said_ << std::flush;
+    if (!said_.empty()) std::cerr << lines_drawable(said_) << std::flush;
     return status_;
   }
 
@@ -390,7 +405,9 @@ Mesh read_by_import_process(const std::string& path, bool with_normals,
     process.end();
     if (auto* const mesh = std::get_if<Mesh>(&reply)) return std::move(*mesh);
     const std::string& message = std::get<std::string>(reply);
-    throw Error(message.starts_with(path) ? message : fmt::format("{}: {}", path, message));
+    const bool names_file = message.starts_with(path);
+    throw NotRead(path + (names_file ? "" : ": ") +
+                  drawable(std::string_view(message).substr(names_file ? path.size() : 0)));
   } catch (const NoAnswer&) {
     throw without_answer(path, limits, process.memory(), process.end());
   } catch (const BadReply& e) {

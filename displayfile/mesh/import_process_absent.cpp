@@ -1,3 +1,4 @@
+#include "clip/work_budget.h"
 #include "displayfile/mesh/allowed_formats.h"
 #include "displayfile/mesh/import_library.h"
 #include "displayfile/mesh/import_process.h"
@@ -9,7 +10,13 @@ namespace displayfile {
 Mesh read_by_import_process(const std::string& path, bool with_normals,
                             const ImportLimits& limits) {
   if (!limits.any_format) require_allowed_format(path);
-  return read_by_import_library(path, with_normals);
+  try {
+    return read_by_import_library(path, with_normals);
+  } catch (const LimitReached&) {
+    throw;
+  } catch (const Error& error) {
+    throw NotRead(error.what());
+  }
 }
 
 }  // namespace displayfile

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "clip/memory.h"
+#include "clip/work_budget.h"
 #include "displayfile/characters.h"
 #include "displayfile/file_extension.h"
 #include "displayfile/mesh/import_process.h"
@@ -86,7 +88,7 @@ Mesh read_utf16(const std::string& path, bool with_normals, const ImportLimits& 
                 const Format* format) {
   try {
     if (format == nullptr) return read_by_import_process(path, with_normals, limits);
-  } catch (const Error&) {
+  } catch (const NotRead&) {
   }
   throw Error(fmt::format("{}: not a mesh that can be read: UTF-16, expected UTF-8 text", path));
 }
@@ -123,7 +125,7 @@ Mesh read_mesh(const std::string& path, bool with_normals, const ImportLimits& l
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {
-    throw Error(fmt::format("{}: not enough memory for the mesh", path));
+    throw LimitReached(fmt::format("{}: {}", path, out_of_memory_message()));
   } catch (const std::exception& e) {
     throw Error(fmt::format("{}: not a mesh that can be read: {}", path, e.what()));
   }

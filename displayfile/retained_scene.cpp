@@ -182,6 +182,7 @@ void RetainedScene::append(const RetainedScene& other, const Segment& segment) {
   });
   segments_.back().sides = segment.sides;
   segments_.back().intersections = segment.intersections;
+  segments_.back().surfaces = segment.surfaces;
 }
 
 void RetainedScene::open_segment(int name, const View& view) {

@@ -42,7 +42,7 @@ DrawOptions with_settings(const GraphicsSystem& system, DrawOptions options) {
     options.hidden = method;
     require_turntable_method(options);
   }
-  if (!options.precision && !casts_into_world(options)) options.precision = system.precision();
+  if (!options.precision) options.precision = system.precision();
   options.hidden_lines = hidden_lines_in_force(system, hidden_surface_options(options));
   if (!options.background) options.background = system.background();
   if (draws_each_anew(options) || casts_into_world(options)) {

@@ -188,7 +188,9 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
       ->type_name("KIND,...")
       ->capture_default_str()
       ->group(kHiddenSurfaceOptions);
-  command.add_option("--title", title, "in the title block; if not given, the part's file name")
+  command
+      .add_option("--title", title,
+                  "in the title block; if not given, or empty, the part's file name")
       ->type_name("TITLE")
       ->group(kPictureOptions);
   command.add_option("--date", date, "in the title block; if not given, there is none")

@@ -48,6 +48,10 @@ std::string statistics(const GraphicsSystem& system, const ViewRenderer&, int vi
 
 std::string explanation(const DrawOptions& options) {
   const HiddenMethod method = options.hidden.value_or(HiddenMethod::automatic);
+  if (is_colour_rule(method)) {
+    return fmt::format("{}: the rule's colours, by one BSP tree in world coordinates\n",
+                       name_of(method));
+  }
   if (surfaces_of(method) == HiddenMethod::automatic) {
     return "auto: bsp: a turntable's views are drawn from one BSP tree in world coordinates\n";
   }

@@ -1,6 +1,7 @@
 // Sections on sheets: cut faces, their hatching, and their marks.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -281,6 +282,79 @@ TEST_F(SheetCommandTest, EndsThatACuttingPlaneLeavesAreLines) {
         std::abs(stroke[2] - stroke[0]) < 1e-9 && std::abs(stroke[3] - stroke[1] - 20.0) < 1e-9;
   }
   EXPECT_EQ(upright, 2 + 2);  // of the front and the side view
+}
+
+/// What is behind a bore or a ring is seen through it, whatever fills or overlaps its hole.
+TEST_F(SheetCommandTest, WhatIsBehindAHoleIsSeenThroughIt) {
+  const std::string behind =
+      "open-segment 1\nbox-3 -10 10 -10 10 -6 -5\nbox-3 -0.4 0.4 -0.4 0.4 -5 -4\n";
+  const std::string profile =
+      "3 -3  3 3  -1 3  -1 2  -2 2  -2 1  -3 1  -3 -1  -2 -1  -2 -2  -1 -2  -1 -3\n";
+  const std::string bush = "begin-solid difference\nbox-3 -9 9 -9 9 -2 2\nextrude-3 -3 3 " +
+                           profile + "end-solid\nbegin-solid difference\nextrude-3 -2 2 " +
+                           profile + "box-3 -0.75 0.75 -0.75 0.75 -3 3\nend-solid\n";
+  const std::string rings =
+      "turn-3 24  0.8 -2  9 -2  9 2  0.8 2\nturn-3 24  2 -2  5 -2  5 2  2 2\n";
+  for (const std::string& bodies : {bush, rings}) {
+    write("part.draw", behind + bodies + "close-segment\n");
+    ASSERT_EQ(run("sheet part.draw -o s.svg --scale 1:1 --section front=0"), 0) << err_;
+    int of_block = 0;
+    for (const Stroke& stroke : strokes_of(path_of("s.svg", "VISIBLE"))) {
+      of_block += std::abs(std::hypot(stroke[2] - stroke[0], stroke[3] - stroke[1]) - 0.8) < 1e-6;
+    }
+    EXPECT_GE(of_block, 4) << bodies;
+  }
+}
+
+/// The plane touches a ridge: the cut face has no area there, and hides nothing.
+TEST_F(SheetCommandTest, ARidgeThatIsTouchedHidesNothing) {
+  write("ring.draw",
+        "open-segment 1\nbox-3 -10 10 -10 10 -6 -5\nbox-3 8 9 8 9 -5 5\ntorus-3 0 0 0 3 1 8\n"
+        "box-3 -1 1 -1 1 -5 -2\nclose-segment\n");
+  const auto hidden = [&](const char* front) {
+    EXPECT_EQ(run(std::string("sheet ring.draw -o s.svg --scale 1:1 --section front=") + front), 0);
+    int of_box = 0;
+    for (const Stroke& stroke : strokes_of(path_of("s.svg", "HIDDEN"))) {
+      of_box += std::abs(std::hypot(stroke[2] - stroke[0], stroke[3] - stroke[1]) - 2.0) < 1e-6;
+    }
+    return of_box;
+  };
+  EXPECT_EQ(hidden("1"), hidden("1.001"));
+}
+
+/// A pin that reaches from a hole into what is around it, its faces turned in or out.
+TEST_F(SheetCommandTest, APinInAHoleIsSolidWhicheverWayItIsTurned) {
+  const std::string block =
+      "open-segment 1\nbegin-solid difference\nbox-3 0 10 0 10 0 10\n"
+      "box-3 3.5 6.5 3.5 6.5 -1 11\nend-solid\nclose-segment\nopen-segment 2\n";
+  const std::array<std::array<const char*, 4>, 6> faces{{{"3 7 10", "7 7 10", "7 3 10", "3 3 10"},
+                                                         {"7 3 0", "7 7 0", "3 7 0", "3 3 0"},
+                                                         {"7 3 10", "7 7 10", "7 7 0", "7 3 0"},
+                                                         {"3 7 0", "3 7 10", "3 3 10", "3 3 0"},
+                                                         {"7 7 0", "7 7 10", "3 7 10", "3 7 0"},
+                                                         {"3 3 10", "7 3 10", "7 3 0", "3 3 0"}}};
+  const auto hatching = [&](bool reversed) {
+    std::string pin;
+    for (const auto& face : faces) {
+      pin += "polygon-abs-3";
+      for (std::size_t k = 0; k < 4; ++k) pin += std::string("  ") + face[reversed ? 3 - k : k];
+      pin += "\n";
+    }
+    write("pin.draw", block + pin + "close-segment\n");
+    EXPECT_EQ(run("sheet pin.draw -o s.svg --scale 1:1 --section front=5"), 0) << err_;
+    return path_of("s.svg", "HATCH");
+  };
+  EXPECT_EQ(hatching(false), hatching(true));
+}
+
+/// Names of segments that a program deletes are those of what was entered before it.
+TEST_F(SheetCommandTest, AProgramMayDeleteWhatAnotherOneEntered) {
+  write("a.draw", "open-segment 1\nbox-3 0 4 0 4 0 4\nclose-segment\n");
+  write("b.draw", "delete-segment 1\nopen-segment 1\nbox-3 0 8 0 4 0 4\nclose-segment\n");
+  ASSERT_EQ(run("sheet a.draw b.draw --title one -o s.svg"), 0) << err_;
+  write("c.draw", "open-segment 1\nbox-3 0 8 0 4 0 4\nclose-segment\n");
+  ASSERT_EQ(run("sheet c.draw --title one -o t.svg"), 0) << err_;
+  EXPECT_EQ(path_of("s.svg", "VISIBLE"), path_of("t.svg", "VISIBLE"));
 }
 
 }  // namespace

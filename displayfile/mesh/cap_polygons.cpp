@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
-#include <tuple>
+#include <span>
 
 #include "displayfile/mesh/joined_by_bridges.h"
 
@@ -49,72 +49,104 @@ bool is_inside(const Point2& p, const Outline& outline) {
   return inside;
 }
 
-/// Whether most of a hole's vertices and middles of sides are inside: some of them may be on the
-/// outline.
-bool is_within(const FlatLoop& hole, const FlatLoop& other) {
-  if (glm::any(glm::lessThan(hole.low, other.low)) ||
-      glm::any(glm::greaterThan(hole.high, other.high))) {
-    return false;
+/// The loops of an object.
+class FlatObject {
+ public:
+  void add(const FlatLoop& loop, std::size_t number) {
+    loops_.push_back(&loop);
+    numbers_.push_back(number);
+    low_ = glm::min(low_, loop.low);
+    high_ = glm::max(high_, loop.high);
+    area_ += loop.area;
   }
-  std::size_t inside = 0;
-  Point2 from = hole.points.back();
-  for (const Point2& to : hole.points) {
-    if (is_inside(to, other.points)) ++inside;
-    if (is_inside(0.5 * (from + to), other.points)) ++inside;
-    from = to;
-  }
-  return inside > hole.points.size();
-}
+  double area() const { return area_; }
+  std::span<const std::size_t> numbers() const { return numbers_; }  ///< of the section's loops
 
-std::vector<FlatLoop> flat_loops(const Section& section, const SectionPlane& plane) {
-  int axis = 0;
-  for (int k = 1; k < 3; ++k) {
-    if (std::abs(plane.normal[k]) > std::abs(plane.normal[axis])) axis = k;
+  /// Whether what is within its outlines is material of the other one, all of it: no hole of the
+  /// other is in it.
+  bool is_within(const FlatObject& other) const {
+    if (numbers_.empty() || glm::any(glm::lessThan(low_, other.low_)) ||
+        glm::any(glm::greaterThan(high_, other.high_))) {
+      return false;
+    }
+    return std::ranges::all_of(loops_, [&](auto* loop) { return other.has_inside(*loop); }) &&
+           std::ranges::none_of(other.loops_, [&](auto* loop) { return has_inside(*loop); });
   }
-  const double facing = plane.normal[axis] < 0.0 ? -1.0 : 1.0;
-  std::vector<FlatLoop> flat;
-  flat.reserve(section.loops.size());
-  for (const auto& loop : section.loops) flat.emplace_back(loop, axis, facing);
-  return flat;
-}
+
+ private:
+  /// Even-odd.
+  bool has_inside(const Point2& p) const {
+    return std::ranges::count_if(loops_, [&](auto* of) { return is_inside(p, of->points); }) % 2 ==
+           1;
+  }
+  /// Whether most of the loop's vertices and middles of sides are inside. Where the loop touches an
+  /// outline some of them are on it; where it runs along it all the way either answer will do.
+  bool has_inside(const FlatLoop& loop) const {
+    std::size_t inside = 0;
+    Point2 from = loop.points.back();
+    for (const Point2& to : loop.points) {
+      if (has_inside(to)) ++inside;
+      if (has_inside(0.5 * (from + to))) ++inside;
+      from = to;
+    }
+    return inside > loop.points.size();
+  }
+
+  std::vector<const FlatLoop*> loops_;
+  std::vector<std::size_t> numbers_;
+  Point2 low_{HUGE_VAL}, high_{-HUGE_VAL};
+  double area_ = 0.0;
+};
+
+/// A section's loops in the plane.
+struct FlatSection {
+  std::vector<FlatLoop> loops;
+  std::vector<FlatObject> objects;
+
+  FlatSection(const Section& section, const SectionPlane& plane) {
+    int axis = 0;
+    for (int k = 1; k < 3; ++k) {
+      if (std::abs(plane.normal[k]) > std::abs(plane.normal[axis])) axis = k;
+    }
+    const double facing = plane.normal[axis] < 0.0 ? -1.0 : 1.0;
+    loops.reserve(section.loops.size());
+    for (const auto& loop : section.loops) loops.emplace_back(loop, axis, facing);
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+      const std::size_t object = section.object_of[i];
+      if (object >= objects.size()) objects.resize(object + 1);
+      objects[object].add(loops[i], i);
+    }
+  }
+};
 
 }  // namespace
 
 void turn_bodies_out(Section& section, const SectionPlane& plane) {
-  const std::vector<FlatLoop> flat = flat_loops(section, plane);
-  std::vector<double> area_of_object;
-  for (std::size_t i = 0; i < flat.size(); ++i) {
-    const std::size_t object = section.object_of[i];
-    if (object >= area_of_object.size()) area_of_object.resize(object + 1, 0.0);
-    area_of_object[object] += flat[i].area;
-  }
-  const auto size = [&](std::size_t i) { return std::abs(flat[i].area); };
-  for (std::size_t i = 0; i < flat.size(); ++i) {
-    std::size_t outermost = i;
-    for (std::size_t k = 0; k < flat.size(); ++k) {
-      if (size(k) > size(outermost) && is_within(flat[i], flat[k])) outermost = k;
+  const FlatSection flat(section, plane);
+  const auto size = [](const FlatObject& object) { return std::abs(object.area()); };
+  for (const FlatObject& object : flat.objects) {
+    const FlatObject* outermost = &object;
+    for (const FlatObject& other : flat.objects) {
+      if (size(other) > size(*outermost) && object.is_within(other)) outermost = &other;
     }
-    if (area_of_object[section.object_of[outermost]] < 0.0) {
-      std::reverse(section.loops[i].begin(), section.loops[i].end());
-    }
+    if (outermost->area() >= 0.0) continue;
+    for (const std::size_t i : object.numbers()) std::ranges::reverse(section.loops[i]);
   }
 }
 
 std::vector<std::vector<Point3>> cap_polygons(const Section& section, const SectionPlane& plane) {
-  const std::vector<FlatLoop> flat = flat_loops(section, plane);
-  std::vector<std::vector<std::vector<Point3>>> faces(flat.size());  // a loop, and its holes
-  for (std::size_t i = 0; i < flat.size(); ++i) {
-    if (flat[i].area > 0.0) faces[i].push_back(section.loops[i]);
-  }
-  for (std::size_t i = 0; i < flat.size(); ++i) {
-    if (flat[i].area > 0.0) continue;
-    std::size_t around = i;  // nothing
-    for (std::size_t k = 0; k < flat.size(); ++k) {
-      if (!(flat[k].area > 0.0) || !is_within(flat[i], flat[k])) continue;
-      const auto size = [&](std::size_t j) { return std::tuple(flat[j].area, faces[j].size()); };
-      if (around == i || size(k) < size(around)) around = k;
+  const FlatSection flat(section, plane);
+  const auto is_cavity = [](const FlatObject& object) { return object.area() < 0.0; };
+  std::vector<std::vector<std::vector<Point3>>> faces(flat.objects.size());  // loops of each
+  for (std::size_t k = 0; k < flat.objects.size(); ++k) {
+    const FlatObject& object = flat.objects[k];
+    std::size_t around = k;  // nothing
+    for (std::size_t i = 0; is_cavity(object) && i < flat.objects.size(); ++i) {
+      const FlatObject& other = flat.objects[i];
+      if (is_cavity(other) || !object.is_within(other)) continue;
+      if (around == k || other.area() < flat.objects[around].area()) around = i;
     }
-    faces[around].push_back(section.loops[i]);
+    for (const std::size_t i : object.numbers()) faces[around].push_back(section.loops[i]);
   }
   std::vector<std::vector<Point3>> polygons;
   for (const auto& face : faces) {

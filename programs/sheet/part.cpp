@@ -7,11 +7,13 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <map>
 #include <string_view>
 #include <system_error>
 #include <unordered_map>
 
 #include "clip/error.h"
+#include "clip/secret_hash.h"
 #include "displayfile/input_file.h"
 #include "displayfile/mesh/up_axis.h"
 #include "displayfile/mesh/welded_faces.h"
@@ -45,17 +47,32 @@ std::optional<Upright> upright_of(const GraphicsSystem& system, const RetainedSc
   return upright_of(drawn.empty() ? system.view() : drawn.front().view);
 }
 
-/// Names of the segments that a program opens.
-std::vector<int> names_opened(std::string_view program) {
-  constexpr std::string_view kOpen = "open-segment";
-  std::vector<int> names;
-  for (auto at = program.find(kOpen); at != program.npos; at = program.find(kOpen, at)) {
-    at += kOpen.size();
+/// Names of segments that stand after a routine's, and where they do for the first time.
+std::map<int, std::size_t> names_after(std::string_view program, std::string_view routine) {
+  std::map<int, std::size_t> names;
+  for (auto at = program.find(routine); at != program.npos; at = program.find(routine, at)) {
+    at += routine.size();
     const auto number = std::min(program.find_first_not_of(" \t", at), program.size());
     const char* const end = program.data() + program.size();
     if (int name = 0; std::from_chars(program.data() + number, end, name).ec == std::errc{}) {
-      names.push_back(name);
+      names.emplace(name, at);
     }
+  }
+  return names;
+}
+
+/// Names of the segments that a program opens, but for those that it deletes or renames before.
+std::vector<int> names_opened(std::string_view program) {
+  const auto deleted = names_after(program, "delete-segment");
+  const auto renamed = names_after(program, "rename-segment");
+  const auto is_before = [](const auto& others, int name, std::size_t place) {
+    const auto other = others.find(name);
+    return other != others.end() && other->second < place;
+  };
+  std::vector<int> names;
+  for (const auto& [name, place] : names_after(program, "open-segment")) {
+    if (is_before(deleted, name, place) || is_before(renamed, name, place)) continue;
+    names.push_back(name);
   }
   return names;
 }
@@ -128,7 +145,7 @@ Part polygons_of(const RetainedScene& scene, const DisplayFile& display_file) {
 void show_ends(Part& part) {
   if (std::ranges::all_of(part.side_visible, [](auto visible) { return visible != 0; })) return;
   const WeldedFaces faces = weld(part.mesh);
-  std::unordered_map<std::uint64_t, std::size_t> alone;  // corners of sides, or kTwice
+  std::unordered_map<std::uint64_t, std::size_t, SecretHash> alone;  // corners of sides, or kTwice
   constexpr auto kTwice = static_cast<std::size_t>(-1);
   std::size_t corner = 0;
   for (std::size_t i = 0; i < faces.faces(); ++i) {

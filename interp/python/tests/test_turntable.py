@@ -221,3 +221,15 @@ def test_a_camera_needs_a_view_that_nobody_set(mesh):
         system.import_mesh(mesh, eye=(30, 20, 5))
     system.import_mesh(mesh)
     assert system.segments == [1]
+
+
+def test_draws_surfaces_in_curves() -> None:
+    system = System(retain=True)
+    system.set_perspective(3, 4, 6)
+    system.set_window(-3, 3, -3, 3)
+    system.rotate_x_3(-90)
+    system.open_segment(1)
+    system.surface_3(-1, 1, 3, -1, 1, 3, 0, 0.1, 0, 0.2, 0.5, 0.1, 0, 0.3, 0)
+    system.close_segment()
+    turned = system.turntable(3, 100, hidden="perimeter")
+    assert np.array_equal(turned.draw(0), system.draw(100, hidden="perimeter"))

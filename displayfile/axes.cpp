@@ -24,11 +24,12 @@ namespace {
 constexpr double kTick = 0.4, kGap = 0.45, kCapital = 0.7, kLetterWidth = 0.6;
 constexpr double kBeside = 2.8, kAbove = 1.4;  // from a number to the next in a row, in a column
 constexpr double kNearest = kTick + 2.0 * kGap, kFarthest = 30.0, kFarther = 0.25;  // of names
-constexpr double kBetweenNumbers = 0.15, kFarthestNumbers = 5.0;
-const Point2 kAroundNames(1.0, kGap);  // beside a number a name would be read as its unit
-constexpr int kMostSteps = 5;          // between the ends of an axis
-constexpr double kStep = 1e-3;         // of the box, to see which way a direction goes
-constexpr double kUnseen = 1e-6;       // a length where the picture's height is 1
+constexpr double kFarthestNumbers = 5.0;
+const Point2 kAroundNumbers(0.5, 0.15);  // closer in a row they would be read as one
+const Point2 kAroundNames(1.0, kGap);    // beside a number a name would be read as its unit
+constexpr int kMostSteps = 5;            // between the ends of an axis
+constexpr double kStep = 1e-3;           // of the box, to see which way a direction goes
+constexpr double kUnseen = 1e-6;         // a length where the picture's height is 1
 
 double dot(const Point2& a, const Point2& b) { return a.x * b.x + a.y * b.y; }
 double cross(const Point2& a, const Point2& b) { return a.x * b.y - a.y * b.x; }
@@ -141,7 +142,7 @@ class AxesOfBox {
     }
     for (double farther = 0.0; farther <= 1.5; farther += kFarther) {
       Label placed = label(at, outward, distance + farther, number);
-      if (has_room(placed, Point2(kBetweenNumbers), axes)) return append(std::move(placed), axes);
+      if (has_room(placed, kAroundNumbers, axes)) return append(std::move(placed), axes);
     }
   }
 

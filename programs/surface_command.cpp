@@ -216,6 +216,13 @@ int SurfaceCommand::run() const {
     require_memory(entered, surface, has_holes(data.back()) ? kBytesOfOthers : bytes_of_cell);
   }
   if (!options.hidden) options.hidden = usual_method(data, shown.coloured);
+  if (shown.coloured && finds_lines(*options.hidden)) {
+    throw Error(
+        fmt::format("--colour height: {} draws lines alone, which have no colours of heights: "
+                    "expected a method "
+                    "that draws surfaces, as map or z-buffer",
+                    name_of(*options.hidden)));
+  }
   GraphicsSystem system;
   system.set_aspect_ratio(static_cast<double>(options.width) / options.height);
   if (surfaces_of(*options.hidden) == HiddenMethod::world_ray_cast) system.retain();

@@ -1,9 +1,12 @@
 // `displayfile surface`: expressions and grids, what is drawn beside them, and what is refused.
 
+#include <fmt/format.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -343,6 +346,38 @@ TEST_F(SurfaceCommandTest, AnExpressionThatIsNoneIsToldWithItsPlace) {
   refuses("'1/x' --x 0:1 -o s.svg", "1/x: height inf of point 1 1 of the surface");
   refuses("x --grid 2000000000x2000000000 -o s.svg",
           "out of memory: x: drawing 4000000000000000000 points needs");
+}
+
+/// Numbers of many letters, and a long name, are not cut off at the picture's side.
+TEST_F(SurfaceCommandTest, TheLegendHasRoomForItsTexts) {
+  const std::string name = "temperature in K";
+  for (const char* heights : {"1013250+50*x", "0.00012+0.00001*x*y", "(-101325.5)+0.5*x", "x"}) {
+    ASSERT_EQ(run(fmt::format("surface '{}' --colour height -o s.svg --size 640x640 "
+                              "--labels 'x,y,{}'",
+                              heights, name)),
+              0)
+        << err_;
+    std::istringstream lines(read(folder_ / "s.svg"));
+    const std::regex text(" x=\"([^\"]+)\"[^>]*>([^<]*)<");
+    int texts = 0;
+    bool of_legend = false;
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("<g id=")) of_legend = line.starts_with("<g id=\"segment-2");
+      std::smatch found;
+      if (!line.starts_with("<text") || !of_legend || !std::regex_search(line, found, text))
+        continue;
+      ++texts;
+      const auto letters = std::ranges::count_if(
+          found[2].str(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+      EXPECT_LT(std::stod(found[1]) + 0.6 * 16.64 * static_cast<double>(letters), 640.0) << line;
+    }
+    EXPECT_GT(texts, 3) << heights;
+  }
+}
+
+TEST_F(SurfaceCommandTest, LinesHaveNoColoursOfHeights) {
+  expect_error("surface x --colour height --hidden franklin -o s.svg",
+               "franklin draws lines alone");
 }
 
 }  // namespace

@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "clip/error.h"
@@ -71,17 +74,61 @@ Point3 corner_of_box(const SurfaceBox& box, unsigned number) {
           (number & 4u) != 0 ? box.high.z : box.low.z};
 }
 
+/// The colours of heights, and the texts beside them.
+struct Legend {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  std::string name;
+
+  Legend(std::span<const SurfaceData> surfaces, std::string of_heights)
+      : name(std::move(of_heights)) {
+    for (const SurfaceData& surface : surfaces) {
+      for (const double z : surface.heights) {
+        if (std::isnan(z)) continue;
+        low = std::min(low, z);
+        high = std::max(high, z);
+      }
+    }
+  }
+  bool is_flat() const { return !(low < high); }
+  double part(double height) const { return is_flat() ? 0.5 : (height - low) / (high - low); }
+  std::vector<double> heights() const {
+    constexpr int kMostSteps = 8;
+    return is_flat() ? std::vector{low} : axis_ticks(low, high, kMostSteps);
+  }
+};
+
+// Where it stands, in parts of the picture's height: between the picture's right side and the bar
+// there is room for numbers of six letters.
+constexpr double kLegendRoom = 0.24, kBarLeft = 0.14, kBarRight = 0.115, kNumbers = 0.014;
+constexpr double kLetterWidth = 0.64 * kLetterHeight;  // about: fonts differ
+constexpr double kMostForTexts = 0.4;
+
+/// What its texts need beyond that.
+double room_for_texts(const Legend& legend) {
+  const auto width = [](std::string_view text) {
+    const auto letters = std::ranges::count_if(
+        text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+    return kLetterWidth * static_cast<double>(letters);
+  };
+  constexpr double kEdge = 0.01;
+  double room = width(legend.name) + kEdge - kBarLeft;
+  for (const double height : legend.heights()) {
+    room = std::max(room, width(axis_number(height)) + kEdge - (kBarRight - kNumbers));
+  }
+  return std::clamp(room, 0.0, kMostForTexts);
+}
+
 /// Margins around the box, in parts of the picture's height: for numbers and names where there are
 /// axes, and at the right for the legend.
 struct Margins {
   double left, right, bottom, top;
   double scale;  ///< of these, of letters and of the legend: less than 1 in a narrow picture
 };
-Margins margins_of(const SurfaceLook& look, double aspect) {
-  constexpr double kBare = 0.03, kLegend = 0.24, kMostOfWidth = 2.0 / 3.0;
+Margins margins_of(const SurfaceLook& look, const Legend& legend, double aspect) {
+  constexpr double kBare = 0.03, kMostOfWidth = 2.0 / 3.0;
   Margins margins{kBare, kBare, kBare, kBare, 1.0};
   if (look.axes) margins = {0.14, 0.12, 0.09, kBare, 1.0};
-  if (look.coloured) margins.right += kLegend;
+  if (look.coloured) margins.right += kLegendRoom + room_for_texts(legend);
   const double s = std::min(1.0, kMostOfWidth * aspect / (margins.left + margins.right));
   return {s * margins.left, s * margins.right, s * margins.bottom, s * margins.top, s};
 }
@@ -185,8 +232,7 @@ void draw_coloured(GraphicsSystem& system, const SurfaceData& surface, double lo
 }
 
 /// A bar of all colours at the right, with the heights beside it.
-void draw_legend(GraphicsSystem& system, double low, double high, const std::string& name,
-                 double scale) {
+void draw_legend(GraphicsSystem& system, const Legend& legend, double scale) {
   system.create_transformation_3();
   system.set_view_reference_point({0, 0, 0});
   system.set_view_plane_normal({0, 0, -1});
@@ -198,7 +244,9 @@ void draw_legend(GraphicsSystem& system, double low, double high, const std::str
   const double aspect = system.aspect_ratio();
   system.set_window(0, aspect, 0, 1);
   system.open_segment(2);
-  const double left = aspect - 0.14 * scale, right = aspect - 0.115 * scale;
+  const double texts = room_for_texts(legend);
+  const double left = aspect - (kBarLeft + texts) * scale;
+  const double right = aspect - (kBarRight + texts) * scale;
   const double bottom = 0.25, top = 0.75, letter_height = kLetterHeight * scale;
   const auto at = [&](double part) { return bottom + part * (top - bottom); };
   system.set_line_style({LineStyle::Kind::none});
@@ -216,17 +264,15 @@ void draw_legend(GraphicsSystem& system, double low, double high, const std::str
   }
   system.set_text_style(
       {.size = letter_height, .alignment = TextStyle::Alignment::left, .always = true});
-  constexpr int kMostSteps = 8;
-  const bool is_flat = !(low < high);
-  for (const double height : is_flat ? std::vector{low} : axis_ticks(low, high, kMostSteps)) {
-    const double part = is_flat ? 0.5 : (height - low) / (high - low);
+  for (const double height : legend.heights()) {
+    const double part = legend.part(height);
     system.move_abs_3(right, at(part), 0);
     system.line_abs_3(right + 0.008 * scale, at(part), 0);
-    system.move_abs_3(right + 0.014 * scale, at(part) - 0.35 * letter_height, 0);
+    system.move_abs_3(right + kNumbers * scale, at(part) - 0.35 * letter_height, 0);
     system.text(axis_number(height));
   }
   system.move_abs_3(left, top + letter_height, 0);
-  system.text(name);
+  system.text(legend.name);
   system.close_segment();
 }
 
@@ -236,16 +282,10 @@ void enter_surfaces(GraphicsSystem& system, std::span<const SurfaceData> surface
                     const SurfaceLook& look) {
   SurfaceBox box = box_of_surfaces(surfaces, look);
   set_box_proportions(system, box, look.true_scale);
-  const Margins margins = margins_of(look, system.aspect_ratio());
+  const Legend legend(surfaces, look.names[2]);
+  const double low = legend.low, high = legend.high;
+  const Margins margins = margins_of(look, legend, system.aspect_ratio());
   set_view_of_box(system, box, margins, look);
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const SurfaceData& surface : surfaces) {
-    for (const double z : surface.heights) {
-      if (std::isnan(z)) continue;
-      low = std::min(low, z);
-      high = std::max(high, z);
-    }
-  }
   system.set_surface_curves(look.curves);
   system.set_surface_sides(look.sides);
   system.open_segment(1);
@@ -275,7 +315,7 @@ void enter_surfaces(GraphicsSystem& system, std::span<const SurfaceData> surface
     }
   }
   system.close_segment();
-  if (look.coloured) draw_legend(system, low, high, look.names[2], margins.scale);
+  if (look.coloured) draw_legend(system, legend, margins.scale);
 }
 
 }  // namespace displayfile

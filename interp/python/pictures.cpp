@@ -226,8 +226,29 @@ py::tuple arrays_of(Picture&& picture, const DrawOptions& options,
 
 namespace {
 
+/// What was viewed for pictures of another shape.
+void warn_if_distorted(System& self, const DrawOptions& options) {
+  const auto [aspect, wider] = self.call([&](GraphicsSystem& system) {
+    const auto& stretched = system.stretched_window();
+    const double shape = static_cast<double>(options.width) / options.height;
+    const double meant = stretched ? stretched->window / stretched->viewport : 1.0;
+    const bool says_nothing =
+        system.display_file().segments().empty() || shape == system.aspect_ratio();
+    const bool is_meant = says_nothing || system.said().contains(Setting::window_fit);
+    return std::pair(shape, is_meant ? 1.0 : shape / (system.aspect_ratio() * meant));
+  });
+  constexpr double kRounded = 0.01;  // the shape of a picture in whole pixels
+  if (std::abs(wider - 1.0) <= kRounded + 1.0 / std::min(options.width, options.height)) return;
+  const std::string message = fmt::format(
+      "a picture of {} x {} shows this system {:.3g} times as wide as it was viewed: expected "
+      "System(aspect={:.4g}), or set_aspect_ratio, before the first segment",
+      options.width, options.height, wider, aspect);
+  if (PyErr_WarnEx(PyExc_UserWarning, message.c_str(), 2) < 0) throw py::error_already_set();
+}
+
 py::tuple draw(System& self, py::handle size, const py::kwargs& said) {
   const DrawOptions options = draw_options_in(size, said);
+  warn_if_distorted(self, options);
   Picture picture = self.work([&](GraphicsSystem& system, Renderer& renderer) {
     renderer.give_back(self.spare()->take());
     renderer.draw(system, options);
@@ -247,6 +268,7 @@ py::tuple require_drawn(System& self, py::handle to, py::handle size, const py::
 
 py::object draw_as(System& self, py::handle format, py::handle size, const py::kwargs& said) {
   const DrawOptions options = draw_options_in(size, said);
+  warn_if_distorted(self, options);
   const std::string name = word_in(format, "format");
   const std::string bytes = self.work([&](GraphicsSystem& system, Renderer& renderer) {
     DrawOptions in_format = options;
@@ -263,6 +285,7 @@ void save(System& self, py::handle to, py::handle format, py::handle size, const
   DrawOptions options = draw_options_in(size, said);
   const std::string path = path_in(to, "path");
   if (!format.is_none()) options.format = word_in(format, "format");
+  warn_if_distorted(self, options);
   self.work(
       [&](GraphicsSystem& system, Renderer& renderer) { renderer.draw(system, path, options); });
 }

@@ -83,7 +83,8 @@ class System(_displayfile.System):
 
         Args:
             aspect: The width over the height of its pictures; 1 if it is not said. A window that
-                the program does not set is widened to it.
+                the program does not set is widened to it. A picture of another shape is
+                stretched, with a warning.
             lines: Which sides of polygons are lines, in place of what set_lines says: all, or
                 several of outline, boundary, crease, crease=DEGREES, material and intersection,
                 with commas between them.

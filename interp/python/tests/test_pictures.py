@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import subprocess
 import sys
+import warnings
 
 import numpy as np
 import pytest
@@ -238,3 +239,32 @@ def test_importing_loads_little():
 
 def test_the_version_is_the_commands(command):
     assert displayfile.__version__ in command("--version").stdout
+
+
+def test_a_picture_of_another_shape_is_told():
+    def drawn(aspect=None, window=None, fit=None):
+        system = System(aspect=aspect)
+        if fit:
+            system.set_window_fit(fit)
+        if window:
+            system.set_window(*window)
+        system.open_segment(1)
+        system.polygon_abs_2([(0, 0), (1, 0), (0, 1)])
+        system.close_segment()
+        return system
+
+    for draw in (
+        lambda s: s.draw((640, 480)),
+        lambda s: s.svg((640, 480)),
+        lambda s: s.png((640, 480)),
+    ):
+        with pytest.warns(UserWarning, match=r"1.33 times as wide.*aspect=1.333"):
+            draw(drawn())
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        drawn().draw(100)
+        drawn(aspect=640 / 480).draw((640, 480))
+        drawn(aspect=1.333).draw((640, 480))
+        drawn(window=(0, 4, 0, 3)).draw((640, 480))
+        drawn(fit="stretch").draw((640, 480))
+        System().draw((640, 480))

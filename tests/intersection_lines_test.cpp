@@ -227,6 +227,30 @@ TEST(IntersectionLines, TwoToriMakeClosedOutlinesAndOneMakesNone) {
   EXPECT_GT(loops(lines), 0);
 }
 
+/// Caps and walls of more than three sides: rounding takes their vertices off their planes.
+TEST(IntersectionLines, FacesOfOneSolidHaveNone) {
+  constexpr int kSides = 12;
+  for (int tilt = 1; tilt < 60; ++tilt) {
+    const double s = std::sin(0.1 * tilt), c = std::cos(0.1 * tilt);
+    const auto at = [&](int k, double z) {
+      const double u = 2.0 * std::numbers::pi * (k % kSides) / kSides;
+      const double x = 0.3 * std::cos(u), y = 0.3 * std::sin(u);
+      return Point3(0.5 + c * x - s * z, 0.5 + 0.8 * y - 0.6 * (s * x + c * z),
+                    0.5 + 0.6 * y + 0.8 * (s * x + c * z));
+    };
+    ItemList list;
+    Loop top, bottom;
+    for (int k = 0; k < kSides; ++k) {
+      top.push_back(at(k, 0.2));
+      bottom.push_back(at(kSides - k, -0.2));
+      list.solid({at(k, -0.2), at(k + 1, -0.2), at(k + 1, 0.2), at(k, 0.2)});
+    }
+    list.solid(top);
+    list.solid(bottom);
+    EXPECT_TRUE(ends_of(list).empty()) << tilt;
+  }
+}
+
 // ---- What is seen of them -----------------------------------------------------------------------
 
 using Parts = std::vector<std::pair<double, double>>;

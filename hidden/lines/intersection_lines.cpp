@@ -39,6 +39,7 @@ class Intersections {
     if (touches_line(kA)) meet_inside(a, kA, false);
     if (touches_line(kB)) meet_inside(b, kB, false);
     join_inside();
+    if (inside_.empty() || share_a_side(a, b)) return;
     for (const auto& [from, to] : inside_) {
       if (ends_ == IntersectionEnds::defined) {
         lines.push_back({a, b, well_known(from), well_known(to), {}, {}});
@@ -91,6 +92,31 @@ class Intersections {
       behind |= s < 0;
     }
     return before && behind;
+  }
+
+  /// Then they meet along it, and nowhere else: what rounding makes of their planes is no line.
+  bool share_a_side(std::uint32_t a, std::uint32_t b) {
+    list_sides(a, sides_of_[kA]);
+    list_sides(b, sides_of_[kB]);
+    const auto &of_a = sides_of_[kA], &of_b = sides_of_[kB];
+    for (std::size_t i = 0, j = 0; i < of_a.size() && j < of_b.size();) {
+      if (of_a[i] == of_b[j]) return true;
+      ++(of_a[i] < of_b[j] ? i : j);
+    }
+    return false;
+  }
+  using Side = std::array<double, 6>;  // its ends, the lesser one first
+  void list_sides(std::uint32_t item, std::vector<Side>& sides) const {
+    sides.clear();
+    const std::uint32_t n = scene_.sides(item);
+    std::uint32_t k = n - 1;
+    for (std::uint32_t next = 0; next < n; k = next++) {
+      const Point3 &p = items_.points[point(item, k)], &q = items_.points[point(item, next)];
+      const bool in_order = std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+      const Point3 &from = in_order ? p : q, &to = in_order ? q : p;
+      sides.push_back({from.x, from.y, from.z, to.x, to.y, to.z});
+    }
+    std::ranges::sort(sides);
   }
 
   bool touches_line(std::uint32_t own) const {
@@ -220,6 +246,7 @@ class Intersections {
   std::array<std::vector<std::int8_t>, 2> side_;  // of the other's plane, each corner
   std::vector<DefinedPoint> crossings_;
   std::vector<Part> inside_, others_, more_;
+  std::array<std::vector<Side>, 2> sides_of_;
 };
 
 }  // namespace

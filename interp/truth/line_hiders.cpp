@@ -236,6 +236,25 @@ std::vector<Hider> LineHiders::hiders(const ExactLine& line) const {
 
 // ---- Where polygons pass through each other --------------------------------------------------
 
+namespace {
+
+/// Whether some two points follow each other in both, either way round.
+template <class Points>
+bool share_a_side(const Points& of_a, const Points& of_b) {
+  const Point3* from = &of_a.back();
+  for (const Point3& to : of_a) {
+    const Point3* p = &of_b.back();
+    for (const Point3& q : of_b) {
+      if ((*from == *p && to == q) || (*from == q && to == *p)) return true;
+      p = &q;
+    }
+    from = &to;
+  }
+  return false;
+}
+
+}  // namespace
+
 std::vector<ExactLine> LineHiders::intersections(std::uint32_t item_a, std::uint32_t item_b) const {
   std::vector<ExactLine> lines;
   for (const std::uint32_t item : {item_a, item_b}) {
@@ -250,9 +269,9 @@ std::vector<ExactLine> LineHiders::intersections(std::uint32_t item_a, std::uint
   const int way = line.b > 0 || (line.b == 0 && line.a < 0) ? 1 : -1;
   line.ahead_x = way * line.b;
   line.ahead_y = -way * line.a;
-  for (const ExactPart& part : common(inside(item_a, line), inside(item_b, line))) {
-    lines.push_back(between(line, part, *p));
-  }
+  const ExactParts parts = common(inside(item_a, line), inside(item_b, line));
+  if (parts.empty() || share_a_side(items_.points(item_a), items_.points(item_b))) return lines;
+  for (const ExactPart& part : parts) lines.push_back(between(line, part, *p));
   return lines;
 }
 

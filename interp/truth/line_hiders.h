@@ -55,7 +55,8 @@ class LineHiders {
   std::vector<Hider> hiders(const ExactLine& line) const;
   /// The parts of the line on which both planes have the same depth that are inside both polygons:
   /// where points close to it on either side are. Each runs from the end that is lower by x, then
-  /// y, to the other; in this order. None of polygons that are not solid or have no plane.
+  /// y, to the other; in this order. None of polygons that are not solid or have no plane, or
+  /// that share a side.
   std::vector<ExactLine> intersections(std::uint32_t item_a, std::uint32_t item_b) const;
 
  private:

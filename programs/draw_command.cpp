@@ -194,7 +194,7 @@ MeshWords DrawCommand::entering() const {
 
 std::string DrawCommand::draw_into(std::span<const std::string> drawn,
                                    const std::filesystem::path& file, const DrawOptions& drawing,
-                                   MadeFolders* folders, NotInVectors& left_out) const {
+                                   MadeFolders* folders, NotInPicture& left_out) const {
   const auto make_folders = [&] {
     if (folders == nullptr) return;
     for (const auto& written : {file, drawing.ids, drawing.depth}) folders->make_for(written);
@@ -303,7 +303,7 @@ void require_drawable_names(const std::string& output, const DrawOptions& option
 
 }  // namespace
 
-int DrawCommand::draw_each(const DrawOptions& drawing, NotInVectors& left_out) const {
+int DrawCommand::draw_each(const DrawOptions& drawing, NotInPicture& left_out) const {
   const std::vector<Outputs> outputs = outputs_of_each(drawing);
   require_drawable_names(output, drawing, outputs[0].picture, outputs[0].ids, outputs[0].depth);
   // llvmpipe has threads of its own, and the exact stage counts for the whole process.
@@ -347,7 +347,7 @@ int DrawCommand::run() {
   if (pick && turntable) {
     throw Error(fmt::format("--pick {}: expected one picture, and not a turntable's views", *pick));
   }
-  NotInVectors left_out;
+  NotInPicture left_out;
   if (quiet) Progress::show_none();
   if (is_name_pattern(output)) {
     const int status = draw_each(drawing, left_out);

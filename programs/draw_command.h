@@ -12,7 +12,7 @@
 #include "programs/hidden_surface_words.h"
 #include "programs/made_folders.h"
 #include "programs/mesh_words.h"
-#include "programs/not_in_vectors.h"
+#include "programs/not_in_picture.h"
 #include "programs/paper_options.h"
 #include "programs/pick_option.h"
 #include "programs/picture_size.h"
@@ -61,10 +61,10 @@ struct DrawCommand {
   /// Returns what the printed options have to say of it.
   std::string draw_into(std::span<const std::string> drawn, const std::filesystem::path& file,
                         const DrawOptions& drawing, MadeFolders* folders,
-                        NotInVectors& left_out) const;
+                        NotInPicture& left_out) const;
   std::vector<std::string> files_written(const std::filesystem::path& file) const;
   std::vector<Outputs> outputs_of_each(const DrawOptions& drawing) const;
-  int draw_each(const DrawOptions& drawing, NotInVectors& left_out) const;
+  int draw_each(const DrawOptions& drawing, NotInPicture& left_out) const;
 
   std::vector<std::string> lists_;  ///< of inputs, as files (input_lists)
 };

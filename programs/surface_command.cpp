@@ -12,7 +12,7 @@
 #include "displayfile/output_file.h"
 #include "interp/draw.h"
 #include "programs/keep_freed_memory.h"
-#include "programs/not_in_vectors.h"
+#include "programs/not_in_picture.h"
 #include "programs/number_in.h"
 #include "programs/output_paths.h"
 #include "programs/picture_words.h"
@@ -248,7 +248,7 @@ int SurfaceCommand::run() const {
   Progress progress("drawing " + output);
   options.progress = progress.told();
   draw(system, output, options);
-  NotInVectors left_out;
+  NotInPicture left_out;
   left_out.note(system, options, picture_kind(output, options));
   left_out.warn(output);
   if (recorded) recorded->commit();

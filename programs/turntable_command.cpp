@@ -76,7 +76,7 @@ int turntable_views(const std::string& text) {
 std::string draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
                            const DrawOptions& options, const MeshWords& meshes, Shading shading,
                            const ViewsDrawn& views, const TurntableReport& report,
-                           NotInVectors& left_out) {
+                           NotInPicture& left_out) {
   if (options.pens && options.pens->hatching) {
     throw Error(
         "a turntable's views are not hatched: expected --pens without --hatch, or no --turntable");

@@ -8,7 +8,7 @@
 #include "interp/draw.h"
 #include "interp/turntable_renderer.h"
 #include "programs/mesh_words.h"
-#include "programs/not_in_vectors.h"
+#include "programs/not_in_picture.h"
 
 namespace displayfile {
 
@@ -36,6 +36,6 @@ struct TurntableReport {
 std::string draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
                            const DrawOptions& options, const MeshWords& meshes, Shading shading,
                            const ViewsDrawn& views, const TurntableReport& report,
-                           NotInVectors& left_out);
+                           NotInPicture& left_out);
 
 }  // namespace displayfile

@@ -718,4 +718,16 @@ TEST_F(Command, ATurntableSaysWhatAPictureSays) {
   EXPECT_TRUE((out_ + err_).find("colour-rule: ") != std::string::npos) << out_ << err_;
 }
 
+TEST_F(Command, WhatAPictureLeavesOutIsTold) {
+  write("t.draw", kTriangle);
+  ASSERT_EQ(run("draw t.draw -o x.png --pick-ids --seams butted --vector-precision 0.5"), 0);
+  EXPECT_NE(err_.find("x.png: pixels leave out --pick-ids, --seams, --vector-precision\n"),
+            err_.npos)
+      << err_;
+  ASSERT_EQ(run("draw t.draw -o x.svg --pick-ids --hidden bsp"), 0);
+  EXPECT_NE(err_.find("x.svg: vectors leave out --pick-ids"), err_.npos) << err_;
+  ASSERT_EQ(run("draw t.draw -o x.svg --pick-ids --hidden map"), 0);
+  EXPECT_EQ(err_, "");
+}
+
 }  // namespace

@@ -7,8 +7,8 @@
 
 namespace displayfile {
 
-/// What vectors leave out, told once for all pictures of a call of the command.
-class NotInVectors {
+/// What vectors leave out, or pixels, told once for all pictures of a call of the command.
+class NotInPicture {
  public:
   /// Notes what a picture of that kind leaves out of what the application drew, and of the options.
   /// Shadows are the map's, which is drawn for methods of image space too. Several threads may call
@@ -19,6 +19,8 @@ class NotInVectors {
 
  private:
   std::atomic<bool> phong_ = false, shadows_ = false, samples_ = false, texts_ = false;
+  std::atomic<bool> pick_ids_ = false;  // of vectors by other methods
+  std::atomic<bool> elements_ = false, seams_ = false, precision_ = false;  // in pixels
 };
 
 }  // namespace displayfile

@@ -1,4 +1,4 @@
-#include "programs/not_in_vectors.h"
+#include "programs/not_in_picture.h"
 
 #include <fmt/format.h>
 
@@ -24,8 +24,13 @@ bool has_stored(const DisplayFile& drawn, Stored stored) {
 
 }  // namespace
 
-void NotInVectors::note(const GraphicsSystem& system, const DrawOptions& options,
+void NotInPicture::note(const GraphicsSystem& system, const DrawOptions& options,
                         PictureKind kind) {
+  if (kind == PictureKind::raster) {
+    if (options.vectors.pick_ids) elements_ = true;
+    if (options.vectors.seams != VectorOptions().seams) seams_ = true;
+    if (options.vectors.precision != VectorOptions().precision) precision_ = true;
+  }
   if (kind != PictureKind::vector) return;
   const DisplayFile& drawn = system.display_file();
   if (options.pens && drawn.has_texts()) texts_ = true;
@@ -36,16 +41,25 @@ void NotInVectors::note(const GraphicsSystem& system, const DrawOptions& options
   const bool each_segment = options.scope == HiddenScope::segment && by == HiddenMethod::map;
   if (fills && drawn.has_shadows() && (!by_map || each_segment)) shadows_ = true;
   if (options.samples > 1) samples_ = true;
+  if (options.vectors.pick_ids && !by_map) pick_ids_ = true;
 }
 
-void NotInVectors::warn(const std::string& output) const {
+void NotInPicture::warn(const std::string& output) const {
   std::vector<std::string_view> left_out;
   if (phong_) left_out.emplace_back("Phong shading (drawn as Gouraud shading)");
   if (shadows_) left_out.emplace_back("shadows (those of map are drawn, of all segments)");
   if (samples_) left_out.emplace_back("--samples");
   if (texts_) left_out.emplace_back("texts, whose letters no pen draws");
-  if (left_out.empty()) return;
-  warnings() << fmt::format("{}: vectors leave out {}\n", output, fmt::join(left_out, ", "));
+  if (pick_ids_) left_out.emplace_back("--pick-ids, which name fills of map");
+  if (!left_out.empty()) {
+    warnings() << fmt::format("{}: vectors leave out {}\n", output, fmt::join(left_out, ", "));
+  }
+  std::vector<std::string_view> not_in_pixels;
+  if (elements_) not_in_pixels.emplace_back("--pick-ids");
+  if (seams_) not_in_pixels.emplace_back("--seams");
+  if (precision_) not_in_pixels.emplace_back("--vector-precision");
+  if (not_in_pixels.empty()) return;
+  warnings() << fmt::format("{}: pixels leave out {}\n", output, fmt::join(not_in_pixels, ", "));
 }
 
 }  // namespace displayfile

@@ -359,6 +359,23 @@ TEST_F(Budgets, BudgetsAreInForceInTurnAndOnEveryThread) {
   EXPECT_LT(calls, 1000);
 }
 
+/// Slivers along a diagonal: each is in the boxes of most others, and overlaps none.
+TEST_F(Budgets, PairsThatAreLookedAtCountAlsoWhereNoneOverlaps) {
+  WorkBudget budget({.comparisons = 5000});
+  GraphicsSystem g;
+  g.set_hidden_line_removal(true);
+  g.set_back_face_removal(false);
+  g.set_hidden_method(HiddenMethod::bsp);
+  g.set_budget(&budget);
+  g.open_segment(1);
+  for (int k = 0; k < 400; ++k) {
+    const double x = 1e-3 * k;
+    g.polygon_abs_3({{x - 0.6, -0.5, 0}, {x + 0.4, 0.5, 0}, {x + 0.4002, 0.5, 0}});
+  }
+  EXPECT_NE(reached([&] { g.close_segment(); }).find("5000 comparisons are not enough"),
+            std::string::npos);
+}
+
 /// A line of a program may stand for very many polygons.
 TEST_F(Budgets, ShapesAndManyPolygonsAreStoppedBeforeTheyAreEntered) {
   GraphicsSystem g;

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "clip/work_budget.h"
 #include "hidden/exact/depth_order.h"
 #include "hidden/exact/order_on_line.h"
 #include "hidden/lines/depth_boxes.h"
@@ -271,10 +272,13 @@ std::vector<IntersectionLine> intersection_lines(const Primitives& items, const 
                                                    kLeavesOfAPart);
   in_parallel(threads, found.size(), [&](std::size_t part) {
     Intersections intersections(items, scene, ends);
+    WorkSteps steps;
+    constexpr std::uint32_t kCornersOfAStep = 16;
     const auto first = static_cast<std::uint32_t>(part) * kLeavesOfAPart;
     const std::uint32_t end = std::min(first + kLeavesOfAPart, tree.leaves());
     tree.pairs(first, end, [&](DepthTree::Position p, DepthTree::Position q) {
       const std::uint32_t i = solids[tree.order()[p]], j = solids[tree.order()[q]];
+      steps.step(1 + (scene.sides(i) + scene.sides(j)) / kCornersOfAStep);
       intersections.find(i, j, found[part]);
     });
   });

@@ -92,19 +92,23 @@ bool overlap_in_projection(const VertexTable<Policy>& table, const EnteredTriang
   return !separated_by_side_of(table, a, b) && !separated_by_side_of(table, b, a);
 }
 
+/// How many turns separated_by_side_of asks for of a polygon's sides, at most; and how many are too
+/// many.
+inline std::size_t most_turns(const Outline& a, const Outline& b) {
+  const std::size_t na = a.vertices.size(), nb = b.vertices.size();
+  return na * (a.turning != 0 ? nb : na + nb);
+}
+inline constexpr std::size_t kMostTurns = 1 << 16;
+
 /// False only if no point of the projection lies inside both. Polygons of so many sides that
 /// comparing would take too long, and such as are not convex but could only be told apart by more
 /// than one straight line, are taken to overlap.
 template <class Policy>
 bool overlap_in_projection(const VertexTable<Policy>& table, const Outline& a, const Outline& b) {
-  constexpr std::size_t kMostComparisons = 1 << 16;
-  const std::size_t na = a.vertices.size(), nb = b.vertices.size();
-  const std::size_t work_a = na * (a.turning != 0 ? nb : na + nb);
-  const std::size_t work_b = nb * (b.turning != 0 ? na : na + nb);
   // A line is drawn where a polygon's boundary is, and then the order matters.
-  const bool line = na == 2 || nb == 2;
-  if (work_a <= kMostComparisons && separated_by_side_of(table, a, b, line)) return false;
-  if (work_b <= kMostComparisons && separated_by_side_of(table, b, a, line)) return false;
+  const bool line = a.vertices.size() == 2 || b.vertices.size() == 2;
+  if (most_turns(a, b) <= kMostTurns && separated_by_side_of(table, a, b, line)) return false;
+  if (most_turns(b, a) <= kMostTurns && separated_by_side_of(table, b, a, line)) return false;
   return true;
 }
 

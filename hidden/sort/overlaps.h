@@ -1,13 +1,13 @@
 #pragma once
 
-#include <atomic>
-
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "clip/work_budget.h"
 #include "hidden/parallel.h"
 #include "hidden/sort/sort_scene.h"
 
@@ -76,13 +76,16 @@ OverlappingPairs overlapping_pairs(const SortScene<Policy>& scene, std::size_t m
       triangles[p] = entered_triangle(scene.vertices, outline);
     }
   });
-  const auto overlap = [&](std::uint32_t p, std::uint32_t q) {
+  constexpr std::size_t kTurnsOfAStep = 256;  // that are asked for of two polygons of many sides
+  const auto overlap = [&](std::uint32_t p, std::uint32_t q, WorkSteps& steps) {
     if (triangles[p].turning != 0 && triangles[q].turning != 0) {
+      steps.step();
       return overlap_in_projection(scene.vertices, triangles[p], triangles[q]);
     }
-    return overlap_in_projection(scene.vertices,
-                                 Outline{scene.table.vertices(order[p]), turning[p]},
-                                 Outline{scene.table.vertices(order[q]), turning[q]});
+    const Outline a{scene.table.vertices(order[p]), turning[p]};
+    const Outline b{scene.table.vertices(order[q]), turning[q]};
+    steps.step(1 + std::min(most_turns(a, b), kMostTurns) / kTurnsOfAStep);
+    return overlap_in_projection(scene.vertices, a, b);
   };
   constexpr std::uint32_t kLeaves = 128;
   std::vector<std::vector<Overlaps::Pair>> found((tree.leaves() + kLeaves - 1) / kLeaves);
@@ -90,6 +93,7 @@ OverlappingPairs overlapping_pairs(const SortScene<Policy>& scene, std::size_t m
   in_parts(tree.leaves(), kLeaves, threads,
            [&](std::uint32_t part, std::uint32_t from, std::uint32_t to) {
              auto& here = found[part];
+             WorkSteps steps;
              for (std::uint32_t leaf = from; leaf < to && count <= most; ++leaf) {
                const std::size_t before = here.size();
                tree.pairs(leaf, leaf + 1, [&](std::uint32_t p, std::uint32_t q) {
@@ -97,7 +101,7 @@ OverlappingPairs overlapping_pairs(const SortScene<Policy>& scene, std::size_t m
                  if (kinds[p] == Kind::nothing || kinds[q] == Kind::nothing) return;
                  if (kinds[p] != Kind::hides && kinds[q] != Kind::hides) return;
                  if (here.size() - before > most) return;
-                 if (overlap(p, q)) here.push_back(std::minmax({order[p], order[q]}));
+                 if (overlap(p, q, steps)) here.push_back(std::minmax({order[p], order[q]}));
                });
                count += here.size() - before;
              }

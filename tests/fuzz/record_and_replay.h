@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "clip/error.h"
+#include "clip/work_budget.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
 #include "displayfile/text/dump_compare.h"
@@ -21,6 +22,8 @@ inline void replay_lines(std::string_view program, GraphicsSystem& system) {
     const std::size_t length = std::min(program.find('\n'), program.size());
     try {
       replay(program.substr(0, length), "line", system);
+    } catch (const LimitReached&) {
+      throw;
     } catch (const Error&) {  // or it opened what is still open at its end
     }
     program.remove_prefix(std::min(length + 1, program.size()));
@@ -29,7 +32,7 @@ inline void replay_lines(std::string_view program, GraphicsSystem& system) {
 
 /// Replays a program, which may be wrong, without its wrong lines while recording it; replays the
 /// recording, and tells the first difference between the two display files. An Error from the
-/// recording is not caught: what was recorded must replay.
+/// recording is not caught: what was recorded must replay. Throws LimitReached under a budget.
 inline std::optional<std::string> difference_after_record_and_replay(std::string_view program) {
   std::ostringstream recording;
   Recorder recorder(recording);

@@ -40,7 +40,7 @@ class Intersections {
     if (touches_line(kA)) meet_inside(a, kA, false);
     if (touches_line(kB)) meet_inside(b, kB, false);
     join_inside();
-    if (inside_.empty() || share_a_side(a, b)) return;
+    if (inside_.empty() || (ends_ == IntersectionEnds::rounded && share_a_side(a, b))) return;
     for (const auto& [from, to] : inside_) {
       if (ends_ == IntersectionEnds::defined) {
         lines.push_back({a, b, well_known(from), well_known(to), {}, {}});

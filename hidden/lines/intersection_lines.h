@@ -31,7 +31,8 @@ std::vector<IntersectionLine> intersection_lines(const Primitives& items, int th
 
 /// What is kept of an intersection line's ends.
 enum class IntersectionEnds {
-  rounded,  ///< `near` is rounded once; lines whose ends are rounded alike are left out
+  rounded,  ///< to be drawn: `near` is rounded once; lines whose ends are rounded alike are left
+            ///< out, and those of polygons that share a side
   defined,  ///< `near` is close to the end, so that filters decide; nothing is drawn, and no line
             ///< left out
 };

@@ -26,12 +26,16 @@ std::uint64_t drawn() {
   return h;
 }
 
+bool is_known = false;
+
 std::uint64_t secret() {
-  static const std::uint64_t of_process = drawn();
+  static const std::uint64_t of_process = is_known ? 1 : drawn();
   return of_process;
 }
 
 }  // namespace
+
+void SecretHash::use_known_numbers() noexcept { is_known = true; }
 
 SecretHash::SecretHash() noexcept : secret_(secret()), odd_(scrambled(secret_ + 1) | 1u) {}
 

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "clip/error.h"
+#include "clip/secret_hash.h"
 #include "displayfile/file_extension.h"
 #include "displayfile/output_file.h"
 #include "hidden/exact/precision.h"
@@ -447,6 +448,7 @@ bool exact_methods_are_right(const Report& report) {
 
 int BenchCommand::run() const {
   if (features_under_callgrind) {
+    SecretHash::use_known_numbers();
     draw_features_to_be_counted();
     return 0;
   }

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string_view>
 
+#include "clip/secret_hash.h"
 #include "programs/bench/callgrind.h"
 #include "programs/bench/features.h"
 #include "programs/exit_status.h"
@@ -63,5 +64,6 @@ int run(int argc, char** argv) {
 }  // namespace displayfile::bench
 
 int main(int argc, char** argv) {
+  displayfile::SecretHash::use_known_numbers();
   return displayfile::exit_status(displayfile::bench::run, argc, argv);
 }

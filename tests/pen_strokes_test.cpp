@@ -453,6 +453,7 @@ TEST(PenOrder, FollowsARow) {
 /// All cross in one place.
 TEST(UniqueStrokes, AskTheBudget) {
   std::vector<Stroke> strokes;
+  strokes.reserve(400);
   for (int k = 0; k < 400; ++k) strokes.push_back({{-100'000, -500 * k}, {100'000, 500 * k}});
   WorkBudget budget;
   const BudgetInForce in_force(budget);

@@ -2,12 +2,8 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <sys/types.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <filesystem>
 #include <sstream>
 #include <string>
@@ -64,25 +60,6 @@ TEST_F(Command, DumpCheckAndCompareTellDifferences) {
   write("cut.txt", "displayfile-dump 1\nsegment 1 visible\n");
   expect_error("compare t.txt cut.txt", "cut.txt:3:1: the dump is cut short");
   expect_error("compare t.draw t.txt", "t.draw:1:1: not a display-file dump");
-}
-
-/// Whatever command prints it.
-TEST_F(Command, AReportThatCannotBeWrittenIsAnError) {
-  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
-  write("t.draw", kTriangle);
-  ASSERT_EQ(run("dump t.draw -o t.txt"), 0) << err_;
-  for (const char* line :
-       {"dump t.draw", "draw t.draw -o t.png --size 9x9 --stats",
-        "draw t.draw -o t.png --size 9x9 --explain", "draw t.draw -o t.png --size 9x9 --pick 4,4",
-        "check t.draw --golden t.txt --summary", "truth t.draw --size 9x9 --hidden franklin",
-        "compare t.txt t.txt", "--version", "draw --help"}) {
-    const int status = std::system(("cd '" + folder_.string() + "' && '" DISPLAYFILE_COMMAND "' " +
-                                    line + " >/dev/full 2>.err")
-                                       .c_str());
-    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 2) << line;
-    EXPECT_EQ(read(folder_ / ".err"), "displayfile: standard output: not all could be written\n")
-        << line;
-  }
 }
 
 TEST_F(Command, CompareCountsWrongPixels) {
@@ -359,81 +336,6 @@ TEST_F(Command, EmptyValuesAreRefused) {
   EXPECT_EQ(run("sheet t.draw -o s.svg --title '' --date ''"), 0) << err_;
 }
 
-/// One that is lost would be no error otherwise.
-TEST_F(Command, OutputsAreFilesOfTheirOwn) {
-  write("t.draw", kTriangle);
-  fs::create_symlink("x.png", folder_ / "link.png");
-  fs::create_directory(folder_ / "sub");
-  const std::string root = folder_.string();
-  const std::string one_file = ": two outputs are one file: expected a file for each";
-  expect_error("draw t.draw -o x.png --ids ./x.png", "x.png and ./x.png" + one_file);
-  expect_error("draw t.draw -o x.png --ids i.npy --depth sub/../i.npy", one_file);
-  expect_error("draw t.draw -o x.png --ids link.png", "x.png and link.png" + one_file);
-  expect_error("draw t.draw -o '" + root + "/x.png' --ids x.png", one_file);
-  expect_error("truth t.draw --ids i.npy --depth ./i.npy", one_file);
-  expect_error("truth t.draw --ids - --depth -", "-: two outputs on standard output");
-  expect_error("truth t.draw --ids - --depth /dev/stdout", "two outputs");
-  expect_error("compare - -", "-: standard input is read twice", "t.draw");
-  expect_error("surface x -o x.draw --program x.draw", "x.draw");
-  EXPECT_EQ(run("draw t.draw -o x.ppm --size 9x9 --ids /dev/null --depth /dev/null"), 0) << err_;
-
-  const std::string is_input = ": is an input and an output: expected another file";
-  fs::create_symlink("t.draw", folder_ / "same.draw");
-  expect_error("dump t.draw -o ./t.draw", "./t.draw" + is_input);
-  expect_error("dump same.draw -o t.draw", "t.draw" + is_input);
-  expect_error("draw t.draw -o t.draw --format svg", "t.draw" + is_input);
-  expect_error("draw t.draw same.draw -o '{name}.draw' --format svg",
-               "t.draw: the output of t.draw and an input");
-  ASSERT_EQ(run("draw t.draw -o a.png --size 9x9"), 0) << err_;
-  expect_error("compare a.png a.png --marks a.png", "a.png" + is_input);
-  // So is a list of inputs, whatever it is called.
-  for (const char* list : {"names.txt", "names.svg", "names.npy", "names.html"}) {
-    write(list, "t.draw\n");
-  }
-  write("names.draw", "m.obj\n");
-  expect_error("dump @names.txt -o names.txt", "names.txt" + is_input);
-  expect_error("draw @names.svg -o ./names.svg", "./names.svg" + is_input);
-  expect_error("draw t.draw -o x.png @names.npy --ids names.npy", "names.npy" + is_input);
-  expect_error("truth @names.npy --ids names.npy", "names.npy" + is_input);
-  expect_error("page @names.html -o names.html", "names.html" + is_input);
-  expect_error("steps @names.html -o names.html --hidden bsp", "names.html" + is_input);
-  expect_error("import @names.draw -o names.draw", "names.draw" + is_input);
-  expect_error("sheet @names.svg -o names.svg", "names.svg" + is_input);
-  write("t.svg", "t.draw\n");
-  expect_error("draw @t.svg -o '{name}.svg'", "t.svg: the output of t.draw and an input");
-  EXPECT_EQ(read(folder_ / "names.txt"), "t.draw\n");
-  EXPECT_EQ(read(folder_ / "t.draw"), kTriangle);
-
-  write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  expect_error("page t.draw -o t.draw", "t.draw: expected a page that ends in .html, or -");
-  expect_error("import m.obj -o m.obj", "m.obj: expected a drawing program that ends in .draw");
-  expect_error("surface x -o x.svg --program x.png", "x.png: expected a drawing program that ends");
-  expect_error("draw - - -o x.png", "-: standard input is read twice: expected it once");
-}
-
-/// Nothing that is opened takes the place of a standard error that is closed: what is said there is
-/// in no file.
-TEST_F(Command, ClosedStandardErrorIsInNoPicture) {
-  std::string inputs;
-  for (int k = 0; k < 16; ++k) {
-    inputs += fmt::format(" t{}.draw", k);
-    write(fmt::format("t{}.draw", k), "set-window 0 2 0 1\n" + kTriangle);
-  }
-  for (const char* folder : {"said", "closed"}) fs::create_directory(folder_ / folder);
-  const auto draw_into = [&](const std::string& folder, const std::string& standard_error) {
-    const std::string line = "cd '" + folder_.string() + "' && '" DISPLAYFILE_COMMAND "' draw" +
-                             inputs + " -o '" + folder + "/{name}.ppm' --size 900x300 2>" +
-                             standard_error;
-    return std::system(line.c_str());
-  };
-  EXPECT_EQ(draw_into("said", ".err"), 0);
-  EXPECT_EQ(draw_into("closed", "&-"), 0);
-  for (int k = 0; k < 16; ++k) {
-    const std::string name = fmt::format("t{}.ppm", k);
-    EXPECT_TRUE(read(folder_ / "said" / name) == read(folder_ / "closed" / name)) << name;
-  }
-}
-
 TEST_F(Command, SaysWhatAnUnknownWordMayHaveMeant) {
   write("t.draw", kTriangle);
   expect_error("drew t.draw -o x.png", "unknown command 'drew': did you mean 'draw'? expected one");
@@ -553,15 +455,6 @@ TEST_F(Command, SaysThatALibraryIsNotThere) {
   unsetenv("LD_LIBRARY_PATH");
 }
 
-TEST_F(Command, AFailedRunLeavesTheOldOutput) {
-  write("t.draw", kTriangle);
-  EXPECT_EQ(run("draw t.draw -o x.png"), 0);
-  const std::string before = read(folder_ / "x.png");
-  write("t.draw", "nonsense\n");
-  EXPECT_EQ(run("draw t.draw -o x.png"), 2);
-  EXPECT_EQ(read(folder_ / "x.png"), before);
-}
-
 TEST_F(Command, PickSaysWhatIsSeenThere) {
   write("p.draw",
         "open-segment 3\nset-pick-id 12\npolygon-abs-3 -1 -1 0  1 -1 0  1 0 0  -1 0 0\n"
@@ -580,23 +473,6 @@ TEST_F(Command, PickSaysWhatIsSeenThere) {
                             "1,2,1e9", "1,2 ", "''"}) {
     expect_error(std::string("draw p.draw -o p.png --pick \"") + wrong + "\"", "--pick");
   }
-}
-
-/// All outputs of a command or none.
-TEST_F(Command, TruthWritesAllOrNothing) {
-  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
-  write("t.draw", kTriangle);
-  write("old", "old");
-  fs::create_symlink("/dev/full", folder_ / "full");
-  for (const std::string outputs :
-       {"--ids old --depth full", "--seen-lines old --ids full", "--ids full --seen-lines old"}) {
-    EXPECT_EQ(run("truth t.draw --size 32x32 " + outputs), 2) << outputs;
-    EXPECT_NE(err_.find("full"), std::string::npos) << err_;
-    EXPECT_EQ(read(folder_ / "old"), "old") << outputs;
-  }
-  EXPECT_EQ(run("truth t.draw --size 32x32 --ids - --hidden franklin"), 0);
-  EXPECT_TRUE(out_.starts_with("\x93NUMPY")) << out_.substr(0, 100);
-  EXPECT_NE(err_.find("missing length  0"), std::string::npos) << err_;
 }
 
 /// A picture in which nothing is seen is drawn, however little is left to say why.
@@ -664,28 +540,6 @@ TEST_F(Command, AnEpsWithoutABackgroundHasTheSizeAskedFor) {
   }
 }
 
-/// What is a file may not be another output, or an input; and what stands in it stays.
-TEST_F(Command, StandardStreamsThatAreFilesAreFilesOfTheirOwn) {
-  write("t.draw", kTriangle);
-  write("s.draw", kTriangle);
-  const auto shell = [&](const std::string& arguments) {
-    const std::string line =
-        "cd '" + folder_.string() + "' && '" DISPLAYFILE_COMMAND "' " + arguments;
-    const int status = std::system((line + " 2>.err").c_str());
-    err_ = read(folder_ / ".err");
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  };
-  EXPECT_EQ(shell("draw t.draw -o - --format svg --ids f.npy >f.npy"), 2);
-  EXPECT_NE(err_.find("two outputs"), err_.npos) << err_;
-  EXPECT_EQ(shell("draw t.draw -o p.svg --ids /dev/stdout >p.svg"), 2);
-  EXPECT_EQ(shell("draw - -o s.draw --format svg <s.draw"), 2);
-  EXPECT_NE(err_.find("input"), err_.npos) << err_;
-  EXPECT_EQ(read(folder_ / "s.draw"), kTriangle);
-  write("log", "old\n");
-  EXPECT_EQ(shell("draw t.draw -o /dev/stdout --format svg >>log"), 0) << err_;
-  EXPECT_TRUE(read(folder_ / "log").starts_with("old\n<"));
-}
-
 /// What is wrong with a program is told, and not what sorting its half would have taken.
 TEST_F(Command, AWrongProgramBeforeAMeshIsTold) {
   std::string program = "set-hidden-line-removal on\nset-hidden-method bsp\nopen-segment 9\n";
@@ -696,38 +550,6 @@ TEST_F(Command, AWrongProgramBeforeAMeshIsTold) {
   write("p.draw", program + "no-such-routine 1\n");
   write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   expect_error("draw p.draw m.obj -o x.svg --limit-pieces 31", "p.draw:34:1: unknown routine");
-}
-
-TEST_F(Command, ATurntableDrawsASurfaceInCurvesWhateverWasDeleted) {
-  write("s.draw",
-        "set-perspective 3 4 6\nset-window -3 3 -3 3\nset-hidden-line-removal on\nrotate-x-3 -90\n"
-        "open-segment 1\nbox-3 5 6 5 6 5 6\nclose-segment\nopen-segment 2\n"
-        "surface-3 -1 1 3 -1 1 3  0 .1 0 .2 .5 .1 0 .3 0\nclose-segment\ndelete-segment 1\n");
-  EXPECT_EQ(run("draw s.draw -o t.svg --turntable 3 --hidden perimeter"), 0) << err_;
-  ASSERT_EQ(run("draw s.draw -o s.svg --hidden perimeter"), 0) << err_;
-  EXPECT_EQ(read(folder_ / "t-000.svg"), read(folder_ / "s.svg"));
-}
-
-TEST_F(Command, ATurntableSaysWhatAPictureSays) {
-  write("t.draw", "set-precision roundoff=1e-6\n" + kTriangle);
-  const std::string exact = "precision exact";
-  expect_error("draw t.draw -o x.png --hidden world-ray-cast", exact);
-  expect_error("draw t.draw -o x.png --hidden world-ray-cast --turntable 2", exact);
-  write("u.draw", kTriangle);
-  EXPECT_EQ(run("draw u.draw -o x.png --turntable 2 --explain --hidden colour-rule"), 0) << err_;
-  EXPECT_TRUE((out_ + err_).find("colour-rule: ") != std::string::npos) << out_ << err_;
-}
-
-TEST_F(Command, WhatAPictureLeavesOutIsTold) {
-  write("t.draw", kTriangle);
-  ASSERT_EQ(run("draw t.draw -o x.png --pick-ids --seams butted --vector-precision 0.5"), 0);
-  EXPECT_NE(err_.find("x.png: pixels leave out --pick-ids, --seams, --vector-precision\n"),
-            err_.npos)
-      << err_;
-  ASSERT_EQ(run("draw t.draw -o x.svg --pick-ids --hidden bsp"), 0);
-  EXPECT_NE(err_.find("x.svg: vectors leave out --pick-ids"), err_.npos) << err_;
-  ASSERT_EQ(run("draw t.draw -o x.svg --pick-ids --hidden map"), 0);
-  EXPECT_EQ(err_, "");
 }
 
 }  // namespace

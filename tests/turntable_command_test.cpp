@@ -183,4 +183,24 @@ TEST_F(Command, TurntableRefuses) {
   expect_error("draw two.draw -o two.png --turntable 3", "different views");
 }
 
+TEST_F(Command, ATurntableDrawsASurfaceInCurvesWhateverWasDeleted) {
+  write("s.draw",
+        "set-perspective 3 4 6\nset-window -3 3 -3 3\nset-hidden-line-removal on\nrotate-x-3 -90\n"
+        "open-segment 1\nbox-3 5 6 5 6 5 6\nclose-segment\nopen-segment 2\n"
+        "surface-3 -1 1 3 -1 1 3  0 .1 0 .2 .5 .1 0 .3 0\nclose-segment\ndelete-segment 1\n");
+  EXPECT_EQ(run("draw s.draw -o t.svg --turntable 3 --hidden perimeter"), 0) << err_;
+  ASSERT_EQ(run("draw s.draw -o s.svg --hidden perimeter"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "t-000.svg"), read(folder_ / "s.svg"));
+}
+
+TEST_F(Command, ATurntableSaysWhatAPictureSays) {
+  write("t.draw", "set-precision roundoff=1e-6\n" + kTriangle);
+  const std::string exact = "precision exact";
+  expect_error("draw t.draw -o x.png --hidden world-ray-cast", exact);
+  expect_error("draw t.draw -o x.png --hidden world-ray-cast --turntable 2", exact);
+  write("u.draw", kTriangle);
+  EXPECT_EQ(run("draw u.draw -o x.png --turntable 2 --explain --hidden colour-rule"), 0) << err_;
+  EXPECT_TRUE((out_ + err_).find("colour-rule: ") != std::string::npos) << out_ << err_;
+}
+
 }  // namespace

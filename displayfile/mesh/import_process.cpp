@@ -404,10 +404,10 @@ Mesh read_by_import_process(const std::string& path, bool with_normals,
         receive_reply([&](std::span<std::byte> bytes) { process.fill(bytes); }, limits.memory);
     process.end();
     if (auto* const mesh = std::get_if<Mesh>(&reply)) return std::move(*mesh);
-    const std::string& message = std::get<std::string>(reply);
+    std::string_view message = std::get<std::string>(reply);
     const bool names_file = message.starts_with(path);
-    throw NotRead(path + (names_file ? "" : ": ") +
-                  drawable(std::string_view(message).substr(names_file ? path.size() : 0)));
+    if (names_file) message.remove_prefix(path.size());
+    throw NotRead(path + (names_file ? "" : ": ") + drawable(message));
   } catch (const NoAnswer&) {
     throw without_answer(path, limits, process.memory(), process.end());
   } catch (const BadReply& e) {

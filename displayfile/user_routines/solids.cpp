@@ -120,19 +120,21 @@ double GraphicsSystem::hatching_spacing(const SolidFaces& solid) const {
   const double longest = std::max({extent.x, extent.y, extent.z});
   constexpr double kParts = 24.0;
   const double spacing = cut_faces_.spacing.value_or(longest > 0.0 ? longest / kParts : 1.0);
-  if (2.0 * longest / spacing <= kMostHatchingLines &&
-      std::max({farthest.x, farthest.y, farthest.z}) / spacing <= 1e12) {
-    constexpr double kMostCrossings = 40.0 * kMostHatchingLines;
-    if (hatching_crossings(solid, spacing) <= kMostCrossings) return spacing;
+  if (2.0 * longest / spacing > kMostHatchingLines ||
+      std::max({farthest.x, farthest.y, farthest.z}) / spacing > 1e12) {
     throw Error(fmt::format(
-        "cut faces hatched {} apart: expected a spacing at which the sides of the solid "
-        "cross hatching lines at most {} times in all",
+        "cut faces hatched {} apart: expected at most {} lines on a solid {:.6g} long, and less "
+        "than 1e12 from it to the origin",
+        spacing, kMostHatchingLines, longest));
+  }
+  constexpr double kMostCrossings = 40.0 * kMostHatchingLines;
+  if (hatching_crossings(solid, spacing) > kMostCrossings) {
+    throw Error(fmt::format(
+        "cut faces hatched {} apart: expected a spacing at which the sides of the solid cross "
+        "hatching lines at most {} times in all",
         spacing, kMostCrossings));
   }
-  throw Error(fmt::format(
-      "cut faces hatched {} apart: expected at most {} lines on a solid {:.6g} long, and less than "
-      "1e12 from it to the origin",
-      spacing, kMostHatchingLines, longest));
+  return spacing;
 }
 
 /// Cut, if its cut faces are to be closed, and its polygons entered, each with what it is drawn

@@ -1,12 +1,8 @@
 // The command's outputs: files of their own, whole or not there, and what is told of them.
 
 #include <fmt/format.h>
-#include <sys/types.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <csignal>
 #include <filesystem>
 #include <string>
 

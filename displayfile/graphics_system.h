@@ -224,7 +224,8 @@ class GraphicsSystem {
   /// Shadows (interp/raster/shadows.md): where there is light, the solid polygons that follow are
   /// drawn in the ambient light alone where a solid polygon hides the light from them, whether that
   /// one was entered with shadows on or off. What is clipped or removed as a back face hides no
-  /// light. In pixels of the software device only.
+  /// light. Pixels show them by every method, vectors by the map (displayfile/lit_parts.md);
+  /// vectors of a sort and the OSMesa device draw fills as lit.
   void set_shadows(bool on);
   /// The normals of the vertices of the next polygon, in its order: directions of any length, in
   /// the coordinates of its vertices, as Newell's sums turn out of the light face. Zero stands for

@@ -74,8 +74,9 @@ struct HiddenMethodEntry {
 };
 std::span<const HiddenMethodEntry> hidden_methods();
 
-/// The method of that name, or of colour-rule=METHOD the colour rule by a method of surfaces;
-/// throws Error if there is none or it is not built yet, naming those that are.
+/// The method of that name; for colour-rule=METHOD the colour rule by that method of surfaces.
+/// Throws Error for any other name, after colour-rule= also for a method that finds no surfaces,
+/// and lists the names that are allowed there.
 HiddenMethod hidden_method(std::string_view name);
 std::string_view name_of(HiddenMethod method);
 

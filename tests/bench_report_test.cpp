@@ -243,6 +243,62 @@ TEST_F(Bench, WritesAReadmesBlocksFromTheReport) {
   EXPECT_EQ(std::ranges::count(read(folder_ / "R.md"), '\n'), std::ranges::count(written, '\n'));
 }
 
+/// Times are those of ordinary scenes: their errors stand beside them, and those of the scenes that
+/// are made to be hard in a column of their own, with the size of their pictures.
+TEST_F(Bench, TableOfMethodsHasTheErrorsOfWhatIsTimedAndOfStressScenes) {
+  write("R.md", block("methods", ""));
+  ASSERT_EQ(run(kTiny + "--threads 1 --json b.json --readme R.md"), 0) << err_;
+  const Json report = json("b.json");
+  std::map<std::string, double> pixels;
+  for (const Json& scene : report["scenes"]) pixels[scene["scene"]] = scene["pixels"];
+  std::map<std::string, std::pair<double, double>> timed, stress;  // wrong pixels, and all
+  for (const Json& cell : report["cells"]) {
+    const std::string precision = cell["precision"], scene = cell["scene"];
+    if (scene != "soup n=24 24x24" && !scene.starts_with("cycle_of_3 ")) continue;
+    auto& error =
+        (scene == "soup n=24 24x24" ? timed : stress)[cell["method"].get<std::string>() +
+                                                      (precision.empty() ? "" : ", " + precision)];
+    error.first += cell["wrong_pixels"].get<double>();
+    error.second += pixels.at(scene);
+  }
+  const std::string written = read(folder_ / "R.md");
+  EXPECT_NE(written.find("| method | anew | again | wrong, %: scenes timed | "
+                         "wrong, %: stress scenes, 16 x 16 to 24 x 24 | bytes a polygon |"),
+            written.npos)
+      << written;
+  int rows = 0, unlike = 0;
+  std::istringstream lines(written);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("| ") || line.starts_with("| method |")) continue;
+    const std::vector<std::string> row = fields(on_page(line));
+    const auto percent = [&](const auto& errors) {
+      const auto& [wrong, all] = errors.at(row.at(0));
+      return fmt::format("{:.3g}", 100.0 * wrong / all);
+    };
+    EXPECT_EQ(row.at(3), percent(timed)) << line;
+    EXPECT_EQ(row.at(4), percent(stress)) << line;
+    ++rows;
+    unlike += row.at(3) != row.at(4);
+  }
+  EXPECT_GE(rows, 13);
+  EXPECT_GT(unlike, 3);
+  EXPECT_NE(written.find("\n| plain-z-buffer, double |"), written.npos) << written;
+
+  // Without stress scenes there is no column of them; with one size it is that.
+  ASSERT_EQ(
+      run("bench soup --polygons 24 --sizes 16 --rounds 1 --threads 1 --methods z-buffer,none "
+          "-o a.html --readme R.md"),
+      0)
+      << err_;
+  EXPECT_NE(read(folder_ / "R.md").find("| wrong, %: scenes timed | bytes a polygon |"),
+            std::string::npos);
+  ASSERT_EQ(run("bench soup cycle_of_3 --polygons 24 --sizes 16 --rounds 1 --threads 1 "
+                "--methods z-buffer,none -o c.html --readme R.md"),
+            0)
+      << err_;
+  EXPECT_NE(read(folder_ / "R.md").find("| wrong, %: stress scenes, 16 x 16 |"), std::string::npos);
+}
+
 /// The comparisons of a report, by scene, threads, other and what.
 std::map<std::string, Json> compared(const Json& report) {
   std::map<std::string, Json> all;
@@ -350,40 +406,10 @@ TEST_F(Bench, HoldsNewViewsOfRetainedScenesAgainstOsmesaAndTheTruth) {
   EXPECT_EQ(std::ranges::count(out_, '\n'), 8) << out_;  // title, head, three rows, last lines
 }
 
-/// The page begins with the plot of all, which is a file of its own too; who is on its front
-/// follows from the cells.
-TEST_F(Bench, ThePageBeginsWithSpeedAgainstErrorOfAll) {
-  write("R.md", block("front", ""));
-  ASSERT_EQ(run(kTiny + "--threads 1 --json b.json -o p.html --plot front.svg --readme R.md"), 0)
-      << err_;
-  const std::string page = read(folder_ / "p.html"), plot = read(folder_ / "front.svg");
-  EXPECT_LT(page.find("<svg"), page.find("<table"));
-  EXPECT_LT(page.find("<table"), page.find("<h2>Error against time"));
-  EXPECT_TRUE(plot.starts_with("<svg xmlns='http://www.w3.org/2000/svg'")) << plot.substr(0, 99);
-  std::map<std::string, double> times;                      // of the scene with the most polygons
-  std::map<std::string, std::pair<double, double>> errors;  // of the hard cases
-  const Json report = json("b.json");
-  std::string largest;
-  std::map<std::string, double> pixels;
-  for (const Json& scene : report["scenes"]) {
-    pixels[scene["scene"]] = scene["pixels"];
-    if (scene["kind"] != "hard case" && scene["scene"].get<std::string>().starts_with("soup n=24 "))
-      largest = scene["scene"];
-  }
-  for (const Json& cell : report["cells"]) {
-    const std::string precision = cell["precision"], scene = cell["scene"];
-    const std::string name =
-        cell["method"].get<std::string>() + (precision.empty() ? "" : ", " + precision);
-    if (cell["method"] == "auto") continue;  // it is one of the others
-    ASSERT_FALSE(cell.contains("skipped")) << cell;
-    EXPECT_NE(plot.find(name), plot.npos) << name;
-    if (scene == largest) times[name] = cell["time"]["median"];
-    if (!scene.starts_with("cycle_of_3")) continue;
-    errors[name].first += cell["wrong_pixels"].get<double>();
-    errors[name].second += pixels[scene];
-  }
-  ASSERT_GT(times.size(), 20u);
-  const std::string written = read(folder_ / "R.md");
+/// Who is named on the front is who none is as fast and as accurate as; errors are wrong pixels and
+/// all of them.
+void expect_front(const std::string& written, const std::map<std::string, double>& times,
+                  const std::map<std::string, std::pair<double, double>>& errors) {
   for (const auto& timed : times) {
     const auto& name = timed.first;
     const double time = timed.second;
@@ -402,6 +428,50 @@ TEST_F(Bench, ThePageBeginsWithSpeedAgainstErrorOfAll) {
         written.find(fmt::format(" {} (time {:.3g}, ", name, time)) != written.npos;
     EXPECT_EQ(on_front, !beaten) << name << '\n' << written;
   }
+}
+
+/// The page begins with the plot of all, which is a file of its own too; who is on its front
+/// follows from the cells.
+TEST_F(Bench, ThePageBeginsWithSpeedAgainstErrorOfAll) {
+  write("R.md", block("front", ""));
+  ASSERT_EQ(run(kTiny + "--threads 1 --json b.json -o p.html --plot front.svg --readme R.md"), 0)
+      << err_;
+  const std::string page = read(folder_ / "p.html"), plot = read(folder_ / "front.svg");
+  EXPECT_LT(page.find("<svg"), page.find("<table"));
+  EXPECT_LT(page.find("<table"), page.find("<h2>Error against time"));
+  EXPECT_TRUE(plot.starts_with("<svg xmlns='http://www.w3.org/2000/svg'")) << plot.substr(0, 99);
+  std::map<std::string, double> times;  // of the scene with the most polygons
+  // Wrong pixels and all of them: of that scene, and of the hard cases.
+  std::map<std::string, std::pair<double, double>> timed_errors, stress_errors;
+  const Json report = json("b.json");
+  std::string largest;
+  std::map<std::string, double> pixels;
+  for (const Json& scene : report["scenes"]) {
+    pixels[scene["scene"]] = scene["pixels"];
+    if (scene["kind"] != "hard case" && scene["scene"].get<std::string>().starts_with("soup n=24 "))
+      largest = scene["scene"];
+  }
+  for (const Json& cell : report["cells"]) {
+    const std::string precision = cell["precision"], scene = cell["scene"];
+    const std::string name =
+        cell["method"].get<std::string>() + (precision.empty() ? "" : ", " + precision);
+    if (cell["method"] == "auto") continue;  // it is one of the others
+    ASSERT_FALSE(cell.contains("skipped")) << cell;
+    EXPECT_NE(plot.find(name), plot.npos) << name;
+    if (scene == largest) times[name] = cell["time"]["median"];
+    if (scene != largest && !scene.starts_with("cycle_of_3")) continue;
+    auto& error = (scene == largest ? timed_errors : stress_errors)[name];
+    error.first += cell["wrong_pixels"].get<double>();
+    error.second += pixels[scene];
+  }
+  ASSERT_GT(times.size(), 20u);
+  const std::string written = read(folder_ / "R.md");
+  EXPECT_NE(plot.find("stress scenes, 16 x 16 to 24 x 24, %</text>"), plot.npos);
+  EXPECT_NE(plot.find(">plain-z-buffer, double</text>"), plot.npos);
+  // One front by either error, or two.
+  const std::size_t second = written.find("By those of the stress scenes: ");
+  expect_front(written.substr(0, second), times, timed_errors);
+  expect_front(second == written.npos ? written : written.substr(second), times, stress_errors);
 }
 
 /// A sort that would take too long is said to be skipped, with the reason, and nothing is advised

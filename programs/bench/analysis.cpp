@@ -1,5 +1,7 @@
 #include "programs/bench/analysis.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -222,8 +224,8 @@ std::vector<Column> columns(const Report& report) {
 }
 
 bool is_in_series(const Column& column) {
-  constexpr std::array<std::string_view, 5> kOthers{"", "float", "24 bits", "single",
-                                                    "bsp, best root"};
+  constexpr std::array<std::string_view, 6> kOthers{"",        "float",  "double",
+                                                    "24 bits", "single", "bsp, best root"};
   return column.exact || std::ranges::find(kOthers, column.precision) != kOthers.end();
 }
 
@@ -270,15 +272,15 @@ std::vector<Mean> means(const Report& report, const Rows& rows,
 
 namespace {
 
-double percent_wrong(const Rows& rows, const Column& column) {
-  Wrong sum;
-  for (const SceneRow* row : rows) {
-    const Cell* cell = measured(*row, column.method, column.precision);
-    if (cell == nullptr) continue;
-    sum.wrong += cell->wrong_pixels;
-    sum.pixels += static_cast<std::int64_t>(row->scene.pixels());
+/// Those of `all`, which are in the order of time, that none before is as accurate as.
+std::vector<SpeedAndError> front_by(double SpeedAndError::*error, std::vector<SpeedAndError> all) {
+  std::ranges::stable_sort(
+      all, {}, [&](const SpeedAndError& one) { return std::pair(one.time, one.*error); });
+  std::vector<SpeedAndError> front;
+  for (SpeedAndError& one : all) {
+    if (front.empty() || one.*error < front.back().*error) front.push_back(std::move(one));
   }
-  return sum.percent();
+  return front;
 }
 
 }  // namespace
@@ -293,18 +295,16 @@ std::optional<FrontOfAll> front_of_all(const Report& report) {
   found.hard_cases = static_cast<std::size_t>(std::ranges::count(
       report.scenes, BenchScene::Kind::hard_case, [](const SceneRow& r) { return r.scene.kind; }));
   for (const Mean& mean : means(report, rows, any, time_of)) {
-    const double percent = found.hard_cases > 0 ? wrong_pixels(report, "", mean.column).percent()
-                                                : percent_wrong(rows, mean.column);
-    found.all.push_back({mean.column, mean.time, figure(percent)});
+    const double timed = wrong_pixels(rows, mean.column).percent();
+    const double percent =
+        found.hard_cases > 0 ? wrong_pixels(report, "", mean.column).percent() : timed;
+    found.all.push_back({mean.column, mean.time, figure(percent), figure(timed)});
   }
   if (found.all.empty()) return std::nullopt;
   std::ranges::stable_sort(
       found.all, {}, [](const SpeedAndError& one) { return std::pair(one.time, one.percent); });
-  for (const SpeedAndError& one : found.all) {
-    if (found.front.empty() || one.percent < found.front.back().percent) {
-      found.front.push_back(one);
-    }
-  }
+  found.front = front_by(&SpeedAndError::percent, found.all);
+  found.front_timed = front_by(&SpeedAndError::percent_timed, found.all);
   return found;
 }
 
@@ -315,6 +315,29 @@ const Beside* find_beside(const Report& report, const std::string& scene, int th
            beside.what == what;
   });
   return found == report.beside.end() ? nullptr : &*found;
+}
+
+Wrong wrong_pixels(const Rows& rows, const Column& column) {
+  Wrong sum;
+  for (const SceneRow* row : rows) {
+    const Cell* cell = measured(*row, column.method, column.precision);
+    if (cell == nullptr) continue;
+    sum.wrong += cell->wrong_pixels;
+    sum.pixels += static_cast<std::int64_t>(row->scene.pixels());
+  }
+  return sum;
+}
+
+std::string picture_sizes_of_hard_cases(const Report& report) {
+  int least = std::numeric_limits<int>::max(), most = 0;
+  for (const SceneRow& row : report.scenes) {
+    if (row.scene.kind != BenchScene::Kind::hard_case) continue;
+    least = std::min(least, row.scene.size);
+    most = std::max(most, row.scene.size);
+  }
+  if (most == 0) return "";
+  return least == most ? fmt::format("{0} x {0}", most)
+                       : fmt::format("{0} x {0} to {1} x {1}", least, most);
 }
 
 Wrong wrong_pixels(const Report& report, std::string_view family, const Column& column,

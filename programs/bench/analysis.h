@@ -116,16 +116,16 @@ inline std::optional<double> time_of(const Cell& cell) { return cell.time.median
 /// A method's place between speed and error.
 struct SpeedAndError {
   Column column;
-  double time;     ///< mean of a picture, in reference times
-  double percent;  ///< of pixels that are wrong
+  double time;           ///< mean of a picture, in reference times
+  double percent;        ///< of pixels that are wrong: of the hard cases, if there are any
+  double percent_timed;  ///< the same of the scenes that were timed
 };
 /// All methods and peers but `auto`, which is one of them, over the scenes on which none was left
-/// out; errors are those of the hard
-/// cases, or, without any, of the scenes.
+/// out.
 struct FrontOfAll {
   std::vector<SpeedAndError> all;  ///< by time
-  /// Those that none is both faster and righter than, by time.
-  std::vector<SpeedAndError> front;
+  /// Those that none is both faster and more accurate than, by time; by either error.
+  std::vector<SpeedAndError> front, front_timed;
   std::size_t scenes = 0, scenes_left_out = 0, hard_cases = 0;
 };
 /// Nothing if there is no such scene.
@@ -142,6 +142,11 @@ struct Wrong {
     return pixels == 0 ? 0.0 : 100.0 * static_cast<double>(wrong) / static_cast<double>(pixels);
   }
 };
+/// Those of a column on one thread, on the rows on which it was measured.
+Wrong wrong_pixels(const Rows& rows, const Column& column);
+/// The sides of the pictures of the hard cases: "32 x 32", or "16 x 16 to 24 x 24"; empty if there
+/// are none.
+std::string picture_sizes_of_hard_cases(const Report& report);
 /// The wrong pixels of one family, or of all if the name is empty; on one thread. `gap` limits them
 /// to that severity of the families with a gap, unless it is negative.
 Wrong wrong_pixels(const Report& report, std::string_view family, const Column& column,

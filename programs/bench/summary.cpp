@@ -324,12 +324,25 @@ std::string pieces_a_triangle(const Report& report, const Rows& rows, const Colu
   return fmt::format("{:.3g}", geometric_mean(each));
 }
 
-/// One screen: a row a method or peer, of several precisions one.
+/// What is said of the hard cases beside figures of them.
+std::string about_hard_cases(const Report& report, std::size_t count) {
+  return fmt::format(
+      "{} stress scenes of {} pixels each: the hard cases, which are made so that rounding decides",
+      count, picture_sizes_of_hard_cases(report));
+}
+
+std::string in_a_hundred(const Wrong& wrong) {
+  return wrong.pixels == 0 ? "" : fmt::format("{:.3g}", wrong.percent());
+}
+
+/// One screen: a row a method or peer, of the precisions of one those in a series.
 std::optional<Summary> methods(const Report& report) {
   const auto shown = [](const Column& c) { return is_in_series(c); };
   const Rows still = still_scenes(report);
   const Rows rows = with_nothing_left_out(report, still, shown);
   if (rows.empty()) return std::nullopt;
+  const auto hard_cases = static_cast<std::size_t>(std::ranges::count(
+      report.scenes, BenchScene::Kind::hard_case, [](const SceneRow& r) { return r.scene.kind; }));
   std::string names;
   for (const SceneRow* row : rows) {
     names += (names.empty() ? "" : ", ") + short_name(row->scene.name);
@@ -342,12 +355,18 @@ std::optional<Summary> methods(const Report& report) {
           "none was left out ({}): anew, from the display file; and the same picture again. A peer "
           "is "
           "warm, and has the polygons in its own form. gl2ps sorts, and draws no pixels. Wrong "
-          "pixels "
-          "are those of the hard cases; pieces those of a triangle, of the same triangles; the "
-          "map's "
-          "are those that are seen.",
-          report.reference, rows.size(), names),
-      {{"method", "anew", "again", "wrong pixels, %", "bytes a polygon", "pieces", "advised for"}}};
+          "pixels are in a hundred of all: {}. Pieces are those of a triangle, of the same "
+          "triangles; the map's are those that are seen.",
+          report.reference, rows.size(), names,
+          hard_cases == 0
+              ? "of the scenes that were timed"
+              : "of the scenes that were timed, and of " + about_hard_cases(report, hard_cases)),
+      {{"method", "anew", "again", "wrong, %: scenes timed"}}};
+  Row& head = summary.rows.front();
+  if (hard_cases > 0) {
+    head.push_back(fmt::format("wrong, %: stress scenes, {}", picture_sizes_of_hard_cases(report)));
+  }
+  head.insert(head.end(), {"bytes a polygon", "pieces", "advised for"});
   const std::vector<Advice> advised = advice(report);
   const auto mean_of = [&](const Column& column, const auto& value) -> std::string {
     const auto all = means(
@@ -365,47 +384,60 @@ std::optional<Summary> methods(const Report& report) {
       bytes.push_back(static_cast<double>(std::max<std::int64_t>(1, *cell->bytes)) /
                       static_cast<double>(std::max<std::size_t>(1, row->polygons)));
     }
-    const Wrong wrong = wrong_pixels(report, "", column);
-    summary.rows.push_back({column.name(), anew,
-                            mean_of(column,
-                                    [](const Cell& cell) {
-                                      return cell.again ? std::optional(cell.again->median)
-                                                        : std::nullopt;
-                                    }),
-                            wrong.pixels == 0 ? "" : fmt::format("{:.3g}", wrong.percent()),
-                            bytes.empty() ? "" : fmt::format("{:.0f}", geometric_mean(bytes)),
-                            pieces_a_triangle(report, rows, column), used_for(advised, column)});
+    Row cells{column.name(), anew,
+              mean_of(column,
+                      [](const Cell& cell) {
+                        return cell.again ? std::optional(cell.again->median) : std::nullopt;
+                      }),
+              in_a_hundred(wrong_pixels(rows, column))};
+    if (hard_cases > 0) cells.push_back(in_a_hundred(wrong_pixels(report, "", column)));
+    cells.insert(cells.end(), {bytes.empty() ? "" : fmt::format("{:.0f}", geometric_mean(bytes)),
+                               pieces_a_triangle(report, rows, column), used_for(advised, column)});
+    summary.rows.push_back(std::move(cells));
   }
   if (summary.rows.size() == 1) return std::nullopt;
   return summary;
 }
 
-/// Who is on the front, in words.
+/// Who is on a front: name, time, and the errors.
+std::string listed(const std::vector<SpeedAndError>& front, bool has_hard_cases) {
+  std::string text;
+  for (const SpeedAndError& one : front) {
+    text += fmt::format("{}{} (time {:.3g}, {:.3g} % wrong", text.empty() ? "" : "; ",
+                        one.column.name(), one.time, one.percent_timed);
+    if (has_hard_cases)
+      text += fmt::format(" of the scenes timed, {:.3g} % of the stress scenes", one.percent);
+    text += ")";
+  }
+  return text;
+}
+
+/// Who is on the fronts, in words.
 std::optional<Summary> front(const Report& report) {
   const auto found = front_of_all(report);
   if (!found) return std::nullopt;
-  std::string text;
-  for (const SpeedAndError& one : found->front) {
-    text += fmt::format("{} {} (time {:.3g}, {:.3g} % wrong)", text.empty() ? "" : ";",
-                        one.column.name(), one.time, one.percent);
-  }
-  return Summary{
-      "front",
-      "Speed against error",
-      fmt::format(
-          "On the front, from the fastest to the rightest:{}. Behind it something is both faster "
-          "and "
-          "righter. Time is that of a picture from the display file, in those of {}, the geometric "
-          "mean over the {} scene{} from which no method was left out{}; peers are warm, and have "
-          "the polygons in their own form. Errors are pixels in a hundred whose polygon is not the "
-          "one that exact arithmetic gives, {}.",
-          text, report.reference, found->scenes, found->scenes == 1 ? "" : "s",
-          found->scenes_left_out == 0
-              ? ""
-              : fmt::format(" ({} more do not count)", found->scenes_left_out),
-          found->hard_cases == 0 ? "of these scenes"
-                                 : fmt::format("of {} hard cases", found->hard_cases)),
-      {}};
+  const bool has_hard_cases = found->hard_cases > 0;
+  const std::string timed = listed(found->front_timed, has_hard_cases);
+  const std::string stress = listed(found->front, has_hard_cases);
+  std::string text =
+      timed == stress
+          ? fmt::format("On the front, from fastest to most accurate: {}.", timed)
+          : fmt::format(
+                "On the front, from fastest to most accurate, by the errors of the scenes timed: "
+                "{}. By those of the stress scenes: {}.",
+                timed, stress);
+  text += fmt::format(
+      " For anything else something is both faster and more accurate. Time is that of a picture "
+      "from the display file, in those of {}, the geometric mean over the {} scene{} from which no "
+      "method was left out{}; peers are warm, and have the polygons in their own form. Errors are "
+      "pixels in a hundred whose polygon is not the one that exact arithmetic gives",
+      report.reference, found->scenes, found->scenes == 1 ? "" : "s",
+      found->scenes_left_out == 0 ? ""
+                                  : fmt::format(" ({} more do not count)", found->scenes_left_out));
+  text += has_hard_cases ? fmt::format(": of the scenes timed, and of {}.",
+                                       about_hard_cases(report, found->hard_cases))
+                         : ", of these scenes.";
+  return Summary{"front", "Speed against error", text, {}};
 }
 
 std::optional<Summary> automatic(const Report& report) {

@@ -4,6 +4,7 @@
 
 #include "displayfile/mesh/import_library.h"
 #include "interp/opengl/osmesa.h"
+#include "programs/licence.h"
 
 namespace displayfile {
 
@@ -18,9 +19,10 @@ std::string version() {
   return fmt::format(
       "displayfile {}\n"
       "import library (Assimp)  {}\n"
-      "OSMesa                   {}{}",
+      "OSMesa                   {}\n"
+      "licence                  {}{}",
       version_number(), assimp,
-      osmesa_available() ? osmesa_description() : "not found: no --device osmesa",
+      osmesa_available() ? osmesa_description() : "not found: no --device osmesa", licence_text(),
       std::string_view(kLeftOut).empty() ? ""
                                          : fmt::format("\nbuilt without            {}", kLeftOut));
 }

@@ -368,6 +368,30 @@ TEST_F(Command, VersionIsTheProjectsAndTellsLibraries) {
   EXPECT_NE(out_.find("\nOSMesa  "), std::string::npos) << out_;
 }
 
+/// CGAL and dxflib are under the GPL, and so is what is built with them.
+TEST_F(Command, VersionSaysTheLicenceOfThisBuild) {
+  EXPECT_EQ(run("--version"), 0) << err_;
+  const std::size_t at = out_.find("\nbuilt without ");
+  const std::string without = at == out_.npos ? "" : out_.substr(at);
+  const bool cgal = without.find("CGAL") == without.npos;
+  const bool dxflib = without.find("dxflib") == without.npos;
+  const std::string licence = cgal     ? "GPL-3.0-or-later, because of CGAL"
+                              : dxflib ? "GPL-2.0-or-later, because of dxflib"
+                                       : "MIT";
+  const std::string why = std::string(cgal && dxflib ? " and dxflib" : "") +
+                          (cgal || dxflib ? "; the source is under MIT" : "");
+  EXPECT_NE(out_.find("\nlicence                  " + licence + why + "\n"), out_.npos) << out_;
+  for (const char* page : {"--manual", "--manual draw", "--manual bench"}) {
+    EXPECT_EQ(run(page), 0) << err_;
+    EXPECT_NE(out_.find(".SH LICENCE\n"), out_.npos) << page << out_;
+    EXPECT_NE(out_.find(cgal     ? "\nGPL\\-3.0\\-or\\-later, because of CGAL"
+                        : dxflib ? "\nGPL\\-2.0\\-or\\-later, because of dxflib"
+                                 : "\nMIT."),
+              out_.npos)
+        << page << out_;
+  }
+}
+
 TEST_F(Command, HelpGroupsOptionsByWhatTheyAreFor) {
   for (const char* command : {"draw", "check", "dump"}) {
     EXPECT_EQ(run(std::string(command) + " --help"), 0);

@@ -18,11 +18,18 @@ def version() -> str:
     return re.search(r"project\(displayfile VERSION ([0-9.]+)", project)[1]
 
 
+def licence_of(build: Path) -> str:
+    """What CMake says that the extension in a build folder is under: CGAL makes it the GPL."""
+    metadata = (build / "interp" / "python" / "METADATA").read_text()
+    return re.search("^License: (.*)$", metadata, re.MULTILINE)[1]
+
+
 class CMakeBuild(build_ext):
     """Builds the extension and what it starts, and puts them where setuptools wants them.
 
     Where CMake has built them already (the target displayfile_python), the environment variable
-    DISPLAYFILE_PYTHON_BUILT may name the folder: they are taken from there.
+    DISPLAYFILE_PYTHON_BUILT may name the folder: they are taken from there. From then on the
+    package has the licence of what was built.
     """
 
     def build_extension(self, ext: Extension) -> None:
@@ -33,6 +40,7 @@ class CMakeBuild(build_ext):
             for file in Path(built).iterdir():
                 if file.name.startswith(("_displayfile.", "displayfile-import")):
                     shutil.copy2(file, folder)
+            self.distribution.metadata.license = licence_of(Path(built).resolve().parents[2])
             return
         build = Path(self.build_temp).resolve()
         build.mkdir(parents=True, exist_ok=True)
@@ -53,10 +61,12 @@ class CMakeBuild(build_ext):
             ["cmake", "--build", ".", "--target", "displayfile_python", "--parallel", jobs],
             cwd=build,
         )
+        self.distribution.metadata.license = licence_of(build)
 
 
 setup(
     version=version(),
+    license="MIT",  # of the source
     ext_modules=[Extension("displayfile._displayfile", sources=[])],
     cmdclass={"build_ext": CMakeBuild},
 )

@@ -111,18 +111,25 @@ string(REGEX REPLACE "^.*\n\n(Permission.*)$" "\\1" licence "${licence}")
 string(STRIP "${licence}" licence)
 string(REGEX REPLACE "\n\n" "\n.\n" licence "${licence}")
 string(REPLACE "\n" "\n " licence "${licence}")
-set(comment "")
-if(NOT CGAL_absent)
-  set(comment "Comment:
- Programs and libraries of these packages are compiled with headers of CGAL, which
- are under the GPL, version 3 or later: whoever passes the packages on does so under
- that licence, too.
+# With one of these libraries the packages as a whole are under another licence than the source.
+set(licence_of_all "")
+if(NOT DISPLAYFILE_LICENCE STREQUAL MIT)
+  string(REGEX MATCH "[23]" gpl ${DISPLAYFILE_LICENCE})
+  string(REPLACE CGAL "CGAL (GPL, version 3 or later)" with "${DISPLAYFILE_LICENCE_BECAUSE_OF}")
+  string(REPLACE dxflib "dxflib (GPL, version 2 or later)" with "${with}")
+  set(licence_of_all "License: GPL-${gpl}+
+ The source is under the Expat licence, which is also called the MIT licence. These
+ packages are compiled with ${with}.
+ So, as a whole, they are under the GNU General Public License, version ${gpl} or later.
+ .
+ On Debian systems, the complete text of the GNU General Public License, version ${gpl}, is in
+ /usr/share/common-licenses/GPL-${gpl}.
 ")
 endif()
 file(CONFIGURE OUTPUT debian/copyright CONTENT [[
 Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
 Upstream-Name: Display File
-@comment@
+@licence_of_all@
 Files: *
 Copyright: @copyright@
 License: Expat

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "programs/licence.h"
 #include "programs/manual/value_name.h"
 
 namespace displayfile {
@@ -216,7 +217,8 @@ void print_manual_page(const CLI::App& app, const CLI::App& command, std::ostrea
     if (option->get_positional()) print_option(*option, positional_text(*option), out);
   }
   print_options(command, out);
-  out << kExitStatus;
+  out << kExitStatus << ".SH LICENCE\n";
+  print_text(licence_text() + '.', out);
 }
 
 }  // namespace displayfile

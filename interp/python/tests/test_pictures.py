@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import gc
+import importlib.metadata
+import re
 import subprocess
 import sys
 import warnings
@@ -239,6 +241,13 @@ def test_importing_loads_little():
 
 def test_the_version_is_the_commands(command):
     assert displayfile.__version__ in command("--version").stdout
+
+
+def test_the_version_is_the_commands_and_the_licence_what_it_is_built_with_makes_it(command):
+    without = re.search("^built without (.*)$", command("--version").stdout, re.MULTILINE)
+    has_cgal = without is None or "CGAL" not in without[1]
+    licence = importlib.metadata.metadata("displayfile")["License"]
+    assert licence == ("GPL-3.0-or-later" if has_cgal else "MIT")
 
 
 def test_a_picture_of_another_shape_is_told():

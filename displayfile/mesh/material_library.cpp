@@ -24,7 +24,7 @@ class MaterialReader {
  private:
   void read_statement(std::string_view keyword) {
     if (keyword == "newmtl") {
-      material_ = &library_[std::string(text_.rest_of_line())];
+      material_ = &library_[std::string(without_quotation_marks(text_.rest_of_line()))];
       has_dissolve_ = false;
     } else if (material_ == nullptr) {
       return;  // of no material

@@ -8,6 +8,7 @@
 
 #include "clip/error.h"
 #include "clip/secret_hash.h"
+#include "displayfile/mesh/left_out_sentence.h"
 
 namespace displayfile {
 
@@ -75,6 +76,10 @@ void MeshBuilder::add_vertex(const Point3& position) {
     throw Error(fmt::format("{}: more than {} vertices", path_, mesh_.vertices.size()));
   }
   mesh_.vertices.push_back(position);
+}
+
+void MeshBuilder::warn_left_out(std::size_t count, std::string_view one, std::string_view many) {
+  if (count > 0) warn(left_out_sentence(count, one, many));
 }
 
 void MeshBuilder::warn_of_lines_left(std::size_t lines) {

@@ -56,6 +56,9 @@ class MeshBuilder {
   /// Something that the file lost, in a sentence.
   void warn(std::string sentence) { mesh_.skipped.warnings.push_back(std::move(sentence)); }
 
+  /// Warns of what was left out, in the singular or the plural, each with a {} for the count; not
+  /// where that is 0.
+  void warn_left_out(std::size_t count, std::string_view one, std::string_view many);
   /// Warns of so many lines behind all that the file announces, if there are any.
   void warn_of_lines_left(std::size_t lines);
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "displayfile/mesh/mesh_builder.h"
@@ -38,18 +40,46 @@ class ObjIndices {
     return static_cast<std::uint32_t>(index - 1);
   }
 
+  /// Texture coordinates are not drawn: one that is not there makes no bad file.
+  void note_texture(std::string_view field, const TextCursor& text) {
+    const std::int64_t index = text.integer(field, "an index");
+    if (index > defined_[texture]) {
+      look_ahead(texture, index, text.offset(field));
+    } else if (index == 0 || index < -defined_[texture]) {
+      if (!missing_texture_) {
+        missing_texture_ = {text.offset(field), message(texture, index)};
+      }
+    }
+  }
+
   void check_all_defined(const TextCursor& text) const {
-    for (const Kind kind : {vertex, texture, normal}) {
+    for (const Kind kind : {vertex, normal}) {
       for (const auto& [index, at] : ahead_[kind]) {
         if (index > defined_[kind]) fail(kind, at, index, text);
       }
     }
   }
 
+  /// Where the first texture coordinate is named that is not there, and what to say of it.
+  std::optional<std::string> missing_texture(const TextCursor& text) const {
+    std::optional<Missing> first = missing_texture_;
+    for (const auto& [index, at] : ahead_[texture]) {
+      if (index <= defined_[texture] || (first && first->at < at)) continue;
+      first = Missing{at, message(texture, index)};
+      break;
+    }
+    if (!first) return std::nullopt;
+    return fmt::format("{}: {}: the face is drawn without", text.place(first->at), first->what);
+  }
+
  private:
   struct Ahead {
     std::int64_t index;
     std::size_t at;
+  };
+  struct Missing {
+    std::size_t at;
+    std::string what;
   };
 
   /// Only an index larger than all before it can be the first error.
@@ -60,14 +90,19 @@ class ObjIndices {
 
   [[noreturn]] void fail(Kind kind, std::size_t at, std::int64_t index,
                          const TextCursor& text) const {
+    text.fail(at, message(kind, index));
+  }
+
+  std::string message(Kind kind, std::int64_t index) const {
     constexpr std::array names = {"vertex", "texture coordinate", "normal"};
     const std::string what = fmt::format("{} index {} out of range: ", names[kind], index);
-    if (defined_[kind] == 0) text.fail(at, what + fmt::format("no {} was given", names[kind]));
-    text.fail(at, what + fmt::format("expected 1 to {0} or -{0} to -1", defined_[kind]));
+    if (defined_[kind] == 0) return what + fmt::format("no {} was given", names[kind]);
+    return what + fmt::format("expected 1 to {0} or -{0} to -1", defined_[kind]);
   }
 
   std::array<std::int64_t, 3> defined_{};
   std::array<std::vector<Ahead>, 3> ahead_;
+  std::optional<Missing> missing_texture_;  // one that no later one can stand for
 };
 
 class ObjReader {
@@ -83,6 +118,7 @@ class ObjReader {
       read_statement(text_.field());
     } while (text_.next_line());
     indices_.check_all_defined(text_);
+    if (auto missing = indices_.missing_texture(text_)) mesh_.warn(std::move(*missing));
     materials_.tell(mesh_);
     return std::move(mesh_).finish();
   }
@@ -150,7 +186,9 @@ class ObjReader {
     for (const auto kind : {ObjIndices::vertex, ObjIndices::texture, ObjIndices::normal}) {
       const std::size_t slash = std::min(corner.find('/'), corner.size());
       const std::string_view field = corner.substr(0, slash);
-      if (!field.empty()) {
+      if (kind == ObjIndices::texture) {
+        if (!field.empty()) indices_.note_texture(field, text_);
+      } else if (!field.empty()) {
         const std::uint32_t index = indices_.resolved(kind, field, text_);
         if (kind == ObjIndices::vertex) corners_.push_back(index);
         if (kind == ObjIndices::normal && with_normals_) normals_.back() = index;
@@ -164,7 +202,8 @@ class ObjReader {
   }
 
   /// No name is no material.
-  void use_material(std::string_view name) {
+  void use_material(std::string_view name_as_written) {
+    const std::string_view name = without_quotation_marks(name_as_written);
     mesh_.use_material(name.empty() ? Mesh::kNoMaterial : materials_.named(name, mesh_));
   }
 

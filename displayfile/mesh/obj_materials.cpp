@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "displayfile/input_file.h"
@@ -12,11 +13,43 @@ namespace displayfile {
 
 namespace {
 
-std::vector<std::string_view> words(std::string_view text) {
-  TextCursor cursor({}, text);
-  std::vector<std::string_view> found;
-  for (auto f = cursor.field(); !f.empty(); f = cursor.field()) found.push_back(f);
-  return found;
+/// A word of a list of names; one in quotation marks may hold blanks.
+struct Word {
+  std::string_view text;
+  bool quoted;
+};
+
+std::vector<Word> words_of(std::string_view list) {
+  constexpr std::string_view kBlanks = " \t";
+  std::vector<Word> words;
+  for (;;) {
+    list.remove_prefix(std::min(list.find_first_not_of(kBlanks), list.size()));
+    if (list.empty()) return words;
+    const std::size_t closing = list.front() == '"' ? list.find('"', 1) : list.npos;
+    if (closing != list.npos) {
+      words.push_back({list.substr(1, closing - 1), true});
+      list.remove_prefix(closing + 1);
+    } else {
+      words.push_back({list.substr(0, list.find_first_of(kBlanks)), false});
+      list.remove_prefix(words.back().text.size());
+    }
+  }
+}
+
+/// Whether a word ends a name that may hold blanks: by the extension of material libraries.
+bool ends_name(std::string_view word) {
+  const std::string_view end = word.substr(word.size() - std::min<std::size_t>(word.size(), 4));
+  return std::ranges::equal(end, std::string_view(".mtl"), [](char c, char lower) {
+    return c == lower || (c >= 'A' && c <= 'Z' && c - 'A' + 'a' == lower);
+  });
+}
+
+/// How many words the first name takes: one in quotation marks, or all to one that ends it.
+std::size_t words_of_name(std::span<const Word> words) {
+  if (words[0].quoted) return 1;
+  std::size_t n = 1;
+  while (n < words.size() && !words[n].quoted && !ends_name(words[n - 1].text)) ++n;
+  return n;
 }
 
 /// The first of the names, and how many others there are.
@@ -36,8 +69,19 @@ std::uint32_t ObjMaterials::named(std::string_view name, MeshBuilder& mesh) {
 
 void ObjMaterials::add_library(std::string_view names) {
   if (!libraries_.emplace(names).second || read_library(names)) return;
-  for (const std::string_view name : words(names)) {
-    if (!read_library(name)) missing_.emplace_back(name);
+  const std::vector<Word> words = words_of(names);
+  for (std::span<const Word> rest = words; !rest.empty();) {
+    const auto name = rest.first(words_of_name(rest));
+    rest = rest.subspan(name.size());
+    const std::string_view first = name.front().text, last = name.back().text;
+    const bool has_blanks =
+        name.size() > 1 &&
+        read_library(
+            {first.data(), static_cast<std::size_t>(last.data() - first.data()) + last.size()});
+    if (has_blanks) continue;
+    for (const Word& word : name) {
+      if (!read_library(word.text)) missing_.emplace_back(word.text);
+    }
   }
 }
 

@@ -25,10 +25,10 @@ class ObjMaterials {
 
   /// usemtl: the index of a material, which the builder has from now on.
   std::uint32_t named(std::string_view name, MeshBuilder& mesh);
-  /// mtllib: a library's name, which may hold blanks, or several parted by blanks. A library is
-  /// looked for in the OBJ file's folder and below it, and nowhere else (neighbour_files.h); one
-  /// that is not there gives way to the one that has the OBJ file's own name. Throws Error if it
-  /// is bad.
+  /// mtllib: a library's name, which may hold blanks, or several parted by blanks; each may stand
+  /// in quotation marks, and one that ends in .mtl may hold blanks without. A library is looked for
+  /// in the OBJ file's folder and below it, and nowhere else (neighbour_files.h); one that is not
+  /// there gives way to the one that has the OBJ file's own name. Throws Error if it is bad.
   void add_library(std::string_view names);
   /// Tells the builder what the materials look like, and which of them are not known.
   void tell(MeshBuilder& mesh);

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
 #include <vector>
 
 #include "displayfile/mesh/mesh_builder.h"
@@ -49,19 +52,26 @@ OffVertex off_header(TextCursor& text) {
   return vertex;
 }
 
+/// Whether three numbers may be a normal's.
+bool is_unit(const Rgba& c) {
+  constexpr double kRounded = 1e-3;
+  return std::abs(c.r * c.r + c.g * c.g + c.b * c.b - 1.0) < kRounded;
+}
+
 class OffReader {
  public:
   explicit OffReader(const MeshFile& file)
       : text_(text_of(file.path, file.data)), mesh_(file.path), with_normals_(file.with_normals) {}
 
   Mesh read() && {
-    const OffVertex vertex = off_header(text_);
+    OffVertex vertex = off_header(text_);
     const auto count = [&](std::string_view what, std::size_t least_bytes) {
       return text_.announced(text_.field_on_any_line(), what, least_bytes);
     };
     const auto numbers = static_cast<std::size_t>(vertex.numbers());
     const std::int64_t vertices = count("vertices", 2 * numbers), faces = count("faces", 2);
     mesh_.reserve(static_cast<std::size_t>(vertices), static_cast<std::size_t>(faces));
+    vertex.colour |= has_unannounced_colours(text_, vertex, vertices);
     for (std::int64_t i = 0; i < vertices; ++i) {
       next("vertex", i, vertices);
       read_vertex(vertex);
@@ -70,6 +80,7 @@ class OffReader {
       next("face", i, faces);
       read_face(vertices);
     }
+    warn_of_what_was_left_out();
     mesh_.warn_of_lines_left(text_.count_filled_lines());
     mesh_.share_normals_as_vertices();
     return std::move(mesh_).finish();
@@ -86,18 +97,62 @@ class OffReader {
     mesh_.add_vertex(vertex.homogeneous ? text_.over_weight(p, text_.field()) : p);
     if (vertex.normal && with_normals_) {
       mesh_.add_normal(text_.direction());
-    } else if (vertex.normal && vertex.colour) {
+    } else if (vertex.normal) {
       for (int axis = 0; axis < 3; ++axis) text_.field();
     }
-    if (vertex.colour) read_colour_of_vertex(vertex.texture);
+    std::array<std::string_view, 7> room;
+    const auto rest = before_texture(text_.fields(room), vertex);
+    if (!vertex.colour) {
+      more_behind_vertices_ += rest.empty() ? 0 : 1;
+    } else if (const auto colour = text_.colour(rest)) {
+      mesh_.add_vertex_colour(*colour);
+    } else {
+      ++other_colours_of_vertices_;
+    }
   }
 
-  /// Texture coordinates stand after it.
-  void read_colour_of_vertex(bool texture) {
-    std::array<std::string_view, 7> fields;
-    auto rest = text_.fields(fields);
-    if (texture && rest.size() > 2) rest = rest.first(rest.size() - 2);
-    if (const auto colour = text_.colour(rest)) mesh_.add_vertex_colour(*colour);
+  using Fields = std::span<const std::string_view>;
+
+  /// What of the fields behind a vertex's position and normal is not its texture coordinates.
+  static Fields before_texture(Fields fields, const OffVertex& vertex) {
+    return vertex.texture ? fields.first(fields.size() - std::min<std::size_t>(2, fields.size()))
+                          : fields;
+  }
+
+  /// Some programs write colours of vertices under a keyword without the C. What stands behind each
+  /// vertex is one, if it is three or four numbers from 0 up. Three numbers that are all of length
+  /// 1 may be normals.
+  static bool has_unannounced_colours(TextCursor text, const OffVertex& vertex, std::int64_t n) {
+    if (vertex.colour) return false;
+    bool may_be_normals = !vertex.normal;
+    for (std::int64_t i = 0; i < n; ++i) {
+      if (!text.next_filled_line()) return false;
+      for (int k = 0; k < vertex.numbers() + (vertex.normal ? 3 : 0); ++k) text.field();
+      std::array<std::string_view, 7> room;
+      const auto rest = before_texture(text.fields(room), vertex);
+      const bool are_numbers = (rest.size() == 3 || rest.size() == 4) &&
+                               std::ranges::all_of(rest, [](std::string_view f) {
+                                 const auto value = number<double>(f);
+                                 return value && *value >= 0.0 && std::isfinite(*value);
+                               });
+      if (!are_numbers) return false;
+      may_be_normals &= rest.size() == 3 && is_unit(*text.colour(rest));
+    }
+    return !may_be_normals;
+  }
+
+  void warn_of_what_was_left_out() {
+    mesh_.warn_left_out(more_behind_vertices_,
+                        "the numbers behind {} vertex, which the keyword does not tell of",
+                        "the numbers behind {} vertices, which the keyword does not tell of");
+    mesh_.warn_left_out(other_colours_of_vertices_,
+                        "the colour of {} vertex, which is not three or four numbers",
+                        "the colours of {} vertices, which are not three or four numbers");
+    mesh_.warn_left_out(indexed_faces_, "the colour of {} face, which is an index into a map",
+                        "the colours of {} faces, which are indices into a map");
+    mesh_.warn_left_out(other_colours_of_faces_,
+                        "the colour of {} face, which is not three or four numbers",
+                        "the colours of {} faces, which are not three or four numbers");
   }
 
   void read_face(std::int64_t vertices) {
@@ -114,16 +169,28 @@ class OffReader {
       }
       corners_.push_back(static_cast<std::uint32_t>(index));
     }
-    // One number is an index into a map of colours that the file does not have.
-    std::array<std::string_view, 5> fields;
-    mesh_.use_colour(text_.colour(text_.fields(fields)));
+    read_colour_of_face();
     mesh_.add_face(corners_);
+  }
+
+  /// One number is an index into a map of colours that the file does not have.
+  void read_colour_of_face() {
+    std::array<std::string_view, 5> room;
+    const auto fields = text_.fields(room);
+    const auto colour = text_.colour(fields);
+    mesh_.use_colour(colour);
+    if (colour || fields.empty()) return;
+    const bool is_index = fields.size() == 1 && number<std::int64_t>(fields[0]);
+    ++(is_index ? indexed_faces_ : other_colours_of_faces_);
   }
 
   TextCursor text_;
   MeshBuilder mesh_;
   bool with_normals_;
   std::vector<std::uint32_t> corners_;  // of the face that is read
+  // How many have something that is left out:
+  std::size_t more_behind_vertices_ = 0, other_colours_of_vertices_ = 0;
+  std::size_t indexed_faces_ = 0, other_colours_of_faces_ = 0;
 };
 
 }  // namespace

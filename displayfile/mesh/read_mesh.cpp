@@ -14,6 +14,7 @@
 #include "clip/work_budget.h"
 #include "displayfile/characters.h"
 #include "displayfile/file_extension.h"
+#include "displayfile/mesh/format_not_read.h"
 #include "displayfile/mesh/import_process.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/mesh/mesh_file.h"
@@ -93,6 +94,13 @@ Mesh read_utf16(const std::string& path, bool with_normals, const ImportLimits& 
   throw Error(fmt::format("{}: not a mesh that can be read: UTF-16, expected UTF-8 text", path));
 }
 
+void require_format_that_is_read(const std::string& path) {
+  if (const auto format = format_not_read(path)) {
+    throw Error(fmt::format("{}: {}, which is not read: export it as STL, OBJ, PLY or glTF", path,
+                            *format));
+  }
+}
+
 Mesh read_any(const std::string& path, bool with_normals, const ImportLimits& limits) {
   constexpr std::size_t kBeginning = 4;
   InputFile in(path);
@@ -100,6 +108,7 @@ Mesh read_any(const std::string& path, bool with_normals, const ImportLimits& li
   in.read_to(file.data, std::min(in.size(), kBeginning));
   const Format* format = format_of(path, file.data);
   if (begins_in_utf16(file.data)) return read_utf16(path, with_normals, limits, format);
+  if (format == nullptr) require_format_that_is_read(path);
   const std::string extension =
       format != nullptr ? std::string(format->extension) : extension_of(path);
   if (format != nullptr || text_says_upright(extension)) in.read_to(file.data, in.size());

@@ -33,11 +33,12 @@ bool is_word(std::string_view word, std::string_view in_lower_case) {
       [](char c, char lower) { return (c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) == lower; });
 }
 
-/// A binary file may begin with "solid" too: then its size tells.
+/// A binary file may begin with "solid" too: then its size tells, also where some bytes follow its
+/// facets. Where a text has characters in the place of the count, that is more than 150 million.
 bool is_text(std::string_view data) {
   constexpr std::string_view kSolid = "solid";
-  const bool size_fits = data.size() >= kHeader + kCount &&
-                         data.size() - kHeader - kCount == kFacet * announced_facets(data);
+  const std::uint64_t size = kHeader + kCount + kFacet * announced_facets(data);
+  const bool size_fits = data.size() == size || (data.size() > size && announced_facets(data) > 0);
   const std::string_view text = without_byte_order_mark(data);
   const std::size_t start = std::min(text.find_first_not_of(" \t\r\n"), text.size());
   return !size_fits && is_word(text.substr(start, kSolid.size()), kSolid);

@@ -12,39 +12,43 @@ namespace displayfile {
 
 namespace {
 
-constexpr bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
-}
-/// Whether each character ends a field.
+/// Whether each character ends a field: blanks and line ends of every kind.
 constexpr std::array<bool, 256> kEndsField = [] {
   std::array<bool, 256> ends{};
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    const char c = static_cast<char>(i);
-    ends[i] = is_blank(c) || c == '\n';
-  }
+  for (const unsigned char c : {' ', '\t', '\r', '\n', '\f', '\v'}) ends[c] = true;
   return ends;
 }();
 bool ends_field(char c) { return kEndsField[static_cast<unsigned char>(c)]; }
 
-/// Where a backslash before a line end is followed by the next line; npos if it is none.
-std::size_t after_joined_line_end(std::string_view text, std::size_t at) {
-  if (text[at] != '\\') return std::string_view::npos;
-  std::size_t next = at + 1;
-  if (next < text.size() && text[next] == '\r') ++next;
-  return next < text.size() && text[next] == '\n' ? next + 1 : std::string_view::npos;
+char line_end_of(std::string_view text, LineEnds ends) {
+  const std::size_t cr = std::min(text.find_first_of("\r\n"), text.size());
+  const std::size_t next = std::min(text.find_first_not_of('\r', cr), text.size());
+  if (next == cr || (next < text.size() && text[next] == '\n')) return '\n';
+  if (ends == LineEnds::as_first) return '\r';
+  return std::ranges::count(text, '\r') > 2 * std::ranges::count(text, '\n') ? '\r' : '\n';
 }
 
 }  // namespace
 
-TextCursor::TextCursor(std::string_view path, std::string_view text) : path_(path), text_(text) {
+TextCursor::TextCursor(std::string_view path, std::string_view text, LineEnds ends)
+    : path_(path), text_(text), line_end_(line_end_of(text, ends)) {
   at_ = text_.size() - without_byte_order_mark(text_).size();
+}
+
+bool TextCursor::is_blank(char c) const { return c != line_end_ && ends_field(c); }
+
+std::size_t TextCursor::after_joined_line_end(std::size_t at) const {
+  if (text_[at] != '\\') return std::string_view::npos;
+  std::size_t next = at + 1;
+  while (next < text_.size() && text_[next] == '\r' && line_end_ != '\r') ++next;
+  return next < text_.size() && text_[next] == line_end_ ? next + 1 : std::string_view::npos;
 }
 
 std::string_view TextCursor::field() {
   while (at_ < text_.size()) {
     if (is_blank(text_[at_])) {
       ++at_;
-    } else if (const std::size_t next = after_joined_line_end(text_, at_);
+    } else if (const std::size_t next = after_joined_line_end(at_);
                next != std::string_view::npos) {
       at_ = next;
     } else {
@@ -54,7 +58,7 @@ std::string_view TextCursor::field() {
   const std::size_t start = at_;
   while (at_ < text_.size() && !ends_field(text_[at_])) ++at_;
   if (at_ > start && text_[at_ - 1] == '\\' &&
-      after_joined_line_end(text_, at_ - 1) != std::string_view::npos) {
+      after_joined_line_end(at_ - 1) != std::string_view::npos) {
     --at_;  // the line goes on, the field does not
   }
   return text_.substr(start, at_ - start);
@@ -74,7 +78,7 @@ std::span<const std::string_view> TextCursor::fields(std::span<std::string_view>
 }
 
 std::string_view TextCursor::rest_of_line() {
-  const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+  const std::size_t end = std::min(text_.find(line_end_, at_), text_.size());
   std::string_view line = text_.substr(at_, end - at_);
   at_ = end;
   while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
@@ -98,8 +102,8 @@ std::optional<TextCursor::Digits> TextCursor::next_digits() {
 
 bool TextCursor::next_line() {
   lines_.step();
-  const bool is_here = at_ < text_.size() && text_[at_] == '\n';
-  const std::size_t end = is_here ? at_ : text_.find('\n', at_);
+  const bool is_here = at_ < text_.size() && text_[at_] == line_end_;
+  const std::size_t end = is_here ? at_ : text_.find(line_end_, at_);
   at_ = end == std::string_view::npos ? text_.size() : end + 1;
   return at_ < text_.size();
 }
@@ -189,10 +193,14 @@ std::int64_t TextCursor::announced(std::string_view f, std::string_view what,
 }
 
 void TextCursor::fail(std::size_t at, const std::string& what) const {
+  throw Error(fmt::format("{}:{}: {}", path_, place(at), what));
+}
+
+std::string TextCursor::place(std::size_t at) const {
   const std::string_view before = text_.substr(0, at);
-  const auto line = std::count(before.begin(), before.end(), '\n') + 1;
-  const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
-  throw Error(fmt::format("{}:{}:{}: {}", path_, line, at - line_start + 1, what));
+  const auto line = std::count(before.begin(), before.end(), line_end_) + 1;
+  const std::size_t line_start = before.rfind(line_end_) + 1;  // npos + 1 is 0
+  return fmt::format("{}:{}", line, at - line_start + 1);
 }
 
 std::string TextCursor::quoted(std::string_view f) {

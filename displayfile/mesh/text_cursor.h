@@ -63,11 +63,16 @@ std::optional<Number> number(std::string_view field) {
   return value;
 }
 
-/// A file's text, read field by field: fields are parted by blanks, lines end in LF or CR LF, a
-/// byte order mark of UTF-8 at the beginning is passed over.
+/// Where lines end in a text whose first line ends in a CR without an LF behind it: at each CR, if
+/// most line ends are such ones, or without a look at the rest, where that is no text.
+enum class LineEnds { as_most, as_first };
+
+/// A file's text, read field by field: fields are parted by blanks, lines end in LF, CR LF, or all
+/// in one CR as on the Macintosh before 2001; a byte order mark of UTF-8 at the beginning is passed
+/// over.
 class TextCursor {
  public:
-  TextCursor(std::string_view path, std::string_view text);
+  TextCursor(std::string_view path, std::string_view text, LineEnds ends = LineEnds::as_most);
 
   /// The next field of this line; empty at its end. A backslash before a line end joins lines.
   std::string_view field();
@@ -121,6 +126,8 @@ class TextCursor {
     fail(f.empty() ? at_ : offset(f), what);
   }
   [[noreturn]] void fail(std::size_t at, const std::string& what) const;
+  /// The line and the column of a place, as messages have them: "3:5".
+  std::string place(std::size_t at) const;
 
   std::size_t offset(std::string_view f) const {
     return static_cast<std::size_t>(f.data() - text_.data());
@@ -133,10 +140,21 @@ class TextCursor {
   static std::string quoted(std::string_view f);
 
  private:
+  bool is_blank(char c) const;
+  /// Where a backslash before a line end is followed by the next line; npos if it is none.
+  std::size_t after_joined_line_end(std::size_t at) const;
+
   std::string_view path_, text_;
+  char line_end_;
   std::size_t at_ = 0;
   WorkSteps lines_;
 };
+
+/// A name as some programs write it, in quotation marks, without them.
+constexpr std::string_view without_quotation_marks(std::string_view name) {
+  const bool quoted = name.size() > 1 && name.starts_with('"') && name.ends_with('"');
+  return quoted ? name.substr(1, name.size() - 2) : name;
+}
 
 /// A cursor over data that must be text: throws Error at the first zero byte.
 TextCursor text_of(std::string_view path, std::string_view data);

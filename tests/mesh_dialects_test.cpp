@@ -1,0 +1,295 @@
+// What programs write that formats do not quite allow, or not in so many words: line ends of one
+// CR, bytes behind a binary STL, names in quotation marks, colours that no keyword announces,
+// indices of what is not there. And formats that are not read are named.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "clip/error.h"
+#include "displayfile/mesh/mesh.h"
+#include "tests/error_of.h"
+#include "tests/mesh_files.h"
+
+namespace displayfile {
+namespace {
+
+using test::bytes;
+using test::expect_error;
+using Sentences = std::vector<std::string>;
+
+class MeshDialects : public test::MeshFiles {};
+
+constexpr const char* kTriangle = "0 0 0\n1 0 0\n0 1 0\n";
+
+/// Of each face, as bytes; "-" for one without.
+std::string colours_of(const Mesh& mesh) {
+  std::string text;
+  for (std::size_t i = 0; i < mesh.faces(); ++i) {
+    const auto c = mesh.colour(i);
+    text += c ? fmt::format("{:.0f},{:.0f},{:.0f} ", 255 * c->r, 255 * c->g, 255 * c->b) : "- ";
+  }
+  return text;
+}
+
+// ---- Line ends -------------------------------------------------------------------------
+
+std::string with_line_ends(std::string text, const std::string& end) {
+  std::string all;
+  for (const char c : text) all += c == '\n' ? end : std::string(1, c);
+  return all;
+}
+
+const std::string kPlyHeader =
+    "element vertex 3\ncomment made here\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+
+TEST_F(MeshDialects, LinesMayEndInOneCr) {
+  const std::vector<std::pair<std::string, std::string>> files{
+      {"a.obj", "# a \\\nmtllib m.mtl\nv 0 0 0\nv 1 \\\n0 0\n\nv 0 1 0\nusemtl red one\nf 1 2 3\n"},
+      {"a.off", "OFF # of Geomview\n\n3 1 0\n# corners\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n"},
+      {"a.ply", "ply\nformat ascii 1.0\n" + kPlyHeader + kTriangle + "3 0 1 2\n"},
+      {"a.stl",
+       "solid a b\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+       "vertex 0 1 0\nendloop\nendfacet\nendsolid a b\n"}};
+  const std::string library = "# red\nnewmtl red one\nKd 1 0 0\n";
+  for (const char* end : {"\n", "\r\n", "\r", "\r\r\n"}) {
+    file("m.mtl", with_line_ends(library, end));
+    for (const auto& [name, text] : files) {
+      const Mesh mesh = read_mesh(file(name, with_line_ends(text, end)));
+      ASSERT_EQ(mesh.faces(), 1u) << name;
+      EXPECT_EQ(mesh.vertices, (std::vector<Point3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})) << name;
+      EXPECT_EQ(mesh.skipped.warnings, Sentences{}) << name;
+      EXPECT_EQ(mesh.objects[0].name, name == "a.stl" ? "a" : "");
+      const bool coloured = name == "a.obj" || name == "a.off";
+      EXPECT_EQ(colours_of(mesh), coloured ? "255,0,0 " : "- ") << name;
+    }
+  }
+}
+
+TEST_F(MeshDialects, LinesThatEndInCrAreCounted) {
+  expect_error([&] { read("a.obj", "v 0 0 0\rv 1 0 0\rv 0 x 0\rf 1 2 3\r"); }, "a.obj:3:5: 'x'");
+}
+
+/// One CR among lines that end otherwise ends none.
+TEST_F(MeshDialects, MostLineEndsAreTheLineEnds) {
+  const std::string rest = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  EXPECT_EQ(read("a.obj", "# a comment\rv 9 9 9\n" + rest).vertices.size(), 3u);
+  EXPECT_EQ(read("b.obj", with_line_ends("# a comment\n" + rest, "\r") + "\n").vertices.size(), 3u);
+}
+
+/// The byte behind the header's last CR may be that of an LF, and belong to the numbers.
+TEST_F(MeshDialects, ABinaryPlyHeaderMayEndItsLinesInCr) {
+  for (const char* end : {"\n", "\r\n", "\r"}) {
+    const std::string header =
+        with_line_ends("ply\nformat binary_little_endian 1.0\n" + kPlyHeader, end);
+    std::string data = "\n\n\n\x3F";  // a float's first byte is 10
+    data += std::string(8, '\0');
+    for (const float c : {1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) data += bytes(c);
+    data += '\3' + bytes(0) + bytes(1) + bytes(2);
+    const Mesh mesh = read("a.ply", header + data);
+    EXPECT_EQ(mesh.faces(), 1u);
+    EXPECT_EQ(mesh.vertices[0].x, std::bit_cast<float>(0x3F0A0A0Au));
+    EXPECT_EQ(mesh.vertices[2], Point3(0, 1, 0));
+  }
+}
+
+// ---- STL -------------------------------------------------------------------------------
+
+std::string binary_stl(const std::string& header, int facets) {
+  std::string stl = header;
+  stl.resize(80, ' ');
+  stl += bytes(static_cast<std::uint32_t>(facets));
+  for (int i = 0; i < facets; ++i) {
+    for (const float c : {0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) {
+      stl += bytes(c);
+    }
+    stl += std::string(2, '\0');
+  }
+  return stl;
+}
+
+TEST_F(MeshDialects, ABinaryStlMayBeginWithSolidAndBeFollowedByBytes) {
+  for (const std::string& more : {std::string(), std::string(1, '\0'), std::string("\n"),
+                                  std::string(49, 'x'), std::string(3000, '\0')}) {
+    for (const char* header : {"solid part one exported", "SOLID", "made here"}) {
+      const Mesh mesh = read("a.stl", binary_stl(header, 12) + more);
+      EXPECT_EQ(mesh.faces(), 12u) << header << more.size();
+    }
+  }
+  EXPECT_EQ(read("b.stl", binary_stl("solid", 2) + std::string(50, '\0')).skipped.warnings,
+            Sentences{"1 facet follows those that it announces: left out"});
+}
+
+TEST_F(MeshDialects, AnStlTextStaysOne) {
+  std::string text = "solid " + std::string(60, 'n') + "\n";
+  for (int i = 0; i < 3; ++i) {
+    text +=
+        "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+        "endfacet\n";
+  }
+  EXPECT_EQ(read("a.stl", text + "endsolid\n").faces(), 3u);
+  expect_error([&] { read("b.stl", text); }, "end of file: expected endsolid");
+  expect_error([&] { read("c.stl", binary_stl("solid", 2).substr(0, 150)); }, "c.stl");
+}
+
+// ---- OBJ -------------------------------------------------------------------------------
+
+TEST_F(MeshDialects, NamesOfObjMayStandInQuotationMarks) {
+  file("my materials.mtl", "newmtl Warm Red\nKd 1 0 0\nnewmtl \"cold blue\"\nKd 0 0 1\n");
+  file("other.mtl", "newmtl green\nKd 0 1 0\n");
+  const auto colours = [&](const std::string& libraries, const std::string& red) {
+    const Mesh mesh = read("a.obj", libraries + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl " + red +
+                                        "\nf 1 2 3\nusemtl cold blue\nf 1 2 3\nusemtl green\n"
+                                        "f 1 2 3\n");
+    EXPECT_EQ(mesh.skipped.warnings, Sentences{}) << libraries;
+    return colours_of(mesh);
+  };
+  for (const char* libraries :
+       {"mtllib \"my materials.mtl\" other.mtl", "mtllib other.mtl \"my materials.mtl\"",
+        "mtllib \"my materials.mtl\" \"other.mtl\"", "mtllib my materials.mtl other.mtl",
+        "mtllib other.mtl my materials.mtl", "mtllib my materials.mtl\nmtllib other.mtl",
+        "mtllib \"my materials.mtl\"\nmtllib \"other.mtl\"",
+        "mtllib \"C:\\parts\\my materials.mtl\" other.mtl"}) {
+    for (const char* red : {"Warm Red", "\"Warm Red\""}) {
+      EXPECT_EQ(colours(libraries, red), "255,0,0 0,0,255 0,255,0 ") << libraries << red;
+    }
+  }
+  const Mesh mesh = read("b.obj",
+                         "mtllib \"no such.mtl\" \"other.mtl\"\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"
+                         "usemtl red\nf 1 2 3\n");
+  EXPECT_EQ(mesh.skipped.warnings, Sentences{"no material library 'no such.mtl' beside it"});
+}
+
+TEST_F(MeshDialects, TextureCoordinatesThatAreNotThereAreAWarning) {
+  const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+  const auto warnings = [&](const std::string& faces) {
+    const Mesh mesh = read("a.obj", square + faces);
+    EXPECT_EQ(mesh.face(0).size(), 4u);
+    return mesh.skipped.warnings;
+  };
+  const std::string end = ": the face is drawn without";
+  EXPECT_EQ(
+      warnings("f 1/5 2/6 3/7 4/8\n"),
+      Sentences{"5:5: texture coordinate index 5 out of range: no texture coordinate was given" +
+                end});
+  EXPECT_EQ(warnings("vt 0 0\nvt 1 1\nf 1/1 2/2 3/3 4/4\nf 1/9 2/9 3/9\n"),
+            Sentences{"7:13: texture coordinate index 3 out of range: expected 1 to 2 or -2 to -1" +
+                      end});
+  EXPECT_EQ(warnings("f 1/0 2/0 3/0 4/0\n").size(), 1u);
+  EXPECT_EQ(warnings("vt 0 0\nf 1/-2 2/-1 3/-1 4/-1\n").size(), 1u);
+  EXPECT_EQ(warnings("f 1/1 2/2 3/3 4/4\nvt 0 0\nvt 1 1\nvt 0 0\nvt 0 0\n"), Sentences{})
+      << "they may follow";
+  expect_error([&] { read("b.obj", square + "f 1/x 2/6 3/7\n"); }, ":5:5: 'x'");
+  expect_error([&] { read("c.obj", square + "f 1/1/1 2/1/2 3/1/3\n"); }, "normal index 1");
+  expect_error([&] { read("d.obj", square + "f 1/5 2/6 9/7\n"); }, "vertex index 9");
+}
+
+// ---- OFF -------------------------------------------------------------------------------
+
+TEST_F(MeshDialects, OffColoursOfVerticesNeedNoKeyword) {
+  const auto colours = [&](const std::string& text) {
+    const Mesh mesh = read("a.off", text + "3 0 1 2\n");
+    EXPECT_EQ(mesh.skipped.warnings, Sentences{}) << text;
+    return colours_of(mesh);
+  };
+  EXPECT_EQ(colours("OFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 255 0 0 255\n0 1 0 255 0 0 255\n"),
+            "255,0,0 ");
+  EXPECT_EQ(colours("3 1 0\n0 0 0 255 0 0\n1 0 0 255 0 0 # red\n0 1 0 255 0 0\n"), "255,0,0 ");
+  EXPECT_EQ(colours("OFF\n3 1 0\n0 0 0 .2 .4 .6 1\n1 0 0 .2 .4 .6 1\n0 1 0 .2 .4 .6 1\n"),
+            "51,102,153 ");
+  EXPECT_EQ(colours("OFF\n3 1 0\n0 0 0 .2 .4 .6\n1 0 0 .2 .4 .6\n0 1 0 .2 .4 .6\n"), "51,102,153 ");
+  EXPECT_EQ(colours("NOFF\n3 1 0\n0 0 0 0 0 1 255 0 0\n1 0 0 0 0 1 255 0 0\n0 1 0 0 0 1 255 0 0\n"),
+            "255,0,0 ");
+  EXPECT_EQ(colours("STOFF\n3 1 0\n0 0 0 255 0 0 1 1\n1 0 0 255 0 0 1 1\n0 1 0 255 0 0 1 1\n"),
+            "255,0,0 ");
+  EXPECT_EQ(colours("4OFF\n3 1 0\n0 0 0 1 255 0 0\n1 0 0 1 255 0 0\n0 1 0 1 255 0 0\n"),
+            "255,0,0 ");
+}
+
+TEST_F(MeshDialects, OffNumbersThatAreNoColoursAreTold) {
+  const auto read_off = [&](const std::string& keyword, const std::string& behind_vertices,
+                            const std::string& behind_face) {
+    std::string text = keyword + "\n3 1 0\n";
+    for (const char* p : {"0 0 0", "1 0 0", "0 1 0"}) text += p + (" " + behind_vertices) + "\n";
+    return read("a.off", text + "3 0 1 2 " + behind_face + "\n");
+  };
+  const auto losses = [&](const std::string& keyword, const std::string& behind_vertices,
+                          const std::string& behind_face) {
+    const Mesh mesh = read_off(keyword, behind_vertices, behind_face);
+    EXPECT_EQ(colours_of(mesh), "- ") << keyword << behind_vertices << behind_face;
+    return mesh.skipped.warnings;
+  };
+  const Sentences behind{
+      "left out: the numbers behind 3 vertices, which the keyword does not tell of"};
+  EXPECT_EQ(losses("OFF", "0 0 1", ""), behind) << "perhaps normals";
+  EXPECT_EQ(losses("OFF", "0.6 0 0.8", ""), behind);
+  EXPECT_EQ(losses("OFF", "-0.5 0 0", ""), behind);
+  EXPECT_EQ(losses("OFF", "0.5 0.5", ""), behind) << "perhaps texture coordinates";
+  EXPECT_EQ(losses("OFF", "7", ""), behind);
+  EXPECT_EQ(losses("OFF", "0 0 1 255 0 0", ""), behind);
+  EXPECT_EQ(losses("OFF", "nan 0 0", ""), behind);
+  EXPECT_EQ(losses("NOFF", "0 0 1 2 3", ""), behind);
+  EXPECT_EQ(losses("COFF", "7", ""),
+            Sentences{"left out: the colours of 3 vertices, which are not three or four numbers"});
+  EXPECT_EQ(losses("OFF", "", "7"),
+            Sentences{"left out: the colour of 1 face, which is an index into a map"});
+  EXPECT_EQ(losses("OFF", "", "red"),
+            Sentences{"left out: the colour of 1 face, which is not three or four numbers"});
+  EXPECT_EQ(losses("OFF", "", "1 2"),
+            Sentences{"left out: the colour of 1 face, which is not three or four numbers"});
+  for (const char* keyword : {"OFF", "NOFF 0 0 1", "STOFF .5 .5", "STNOFF 0 0 1 .5 .5"}) {
+    const std::string words = keyword;
+    const auto blank = std::min(words.find(' '), words.size());
+    EXPECT_EQ(losses(words.substr(0, blank), words.substr(blank), ""), Sentences{}) << keyword;
+  }
+  const Mesh mixed = read("b.off", "OFF\n3 1 0\n0 0 0 255 0 0\n1 0 0\n0 1 0 255 0 0\n3 0 1 2\n");
+  EXPECT_EQ(
+      mixed.skipped.warnings,
+      Sentences{"left out: the numbers behind 2 vertices, which the keyword does not tell of"});
+}
+
+// ---- Formats that are not read ---------------------------------------------------------
+
+TEST_F(MeshDialects, FormatsThatAreNotReadAreNamed) {
+  const std::string step =
+      "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nENDSEC;\nDATA;\n"
+      "#1=CARTESIAN_POINT('',(0.,0.,0.));\nENDSEC;\nEND-ISO-10303-21;\n";
+  const std::string of_ap214 =
+      "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\n";
+  const std::string advice = ", which is not read: export it as STL, OBJ, PLY or glTF";
+  for (const std::string& text : {step, of_ap214}) {
+    for (const char* name : {"a.step", "a.STP", "a.weird", "a"}) {
+      expect_error([&] { read(name, text); }, fmt::format("{}: a STEP file{}", name, advice));
+    }
+  }
+  for (const auto& [extension, format] :
+       {std::pair("iges", "an IGES file"), std::pair("igs", "an IGES file"),
+        std::pair("dwg", "a DWG drawing"), std::pair("SLDPRT", "a SOLIDWORKS part"),
+        std::pair("f3d", "a Fusion design"), std::pair("3dm", "a Rhino model")}) {
+    const std::string name = fmt::format("a.{}", extension);
+    expect_error([&] { read(name, "something\n"); }, name + ": " + format + advice);
+  }
+  // What tells that it is a mesh of another format is read.
+  EXPECT_EQ(read("a.dwg", "OFF\n3 1 0\n" + std::string(kTriangle) + "3 0 1 2\n").faces(), 1u);
+}
+
+/// A building in the same notation is one that the import library may take.
+TEST_F(MeshDialects, IfcIsNotTakenForStep) {
+  const std::string ifc =
+      "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_SCHEMA(('IFC2X3'));\nENDSEC;\n"
+      "DATA;\nENDSEC;\nEND-ISO-10303-21;\n";
+  for (const char* name : {"a.ifc", "a.step"}) {
+    const std::string message = test::error_of([&] { read(name, ifc); });
+    EXPECT_NE(message, "") << name;
+    EXPECT_EQ(message.find("STEP"), std::string::npos) << message;
+  }
+}
+
+}  // namespace
+}  // namespace displayfile

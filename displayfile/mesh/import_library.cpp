@@ -20,9 +20,11 @@
 #include "clip/error.h"
 #include "displayfile/file_extension.h"
 #include "displayfile/mesh/import_library_files.h"
+#include "displayfile/mesh/import_losses.h"
 #include "displayfile/mesh/lost_detail.h"
 #include "displayfile/mesh/mesh_builder.h"
 #include "displayfile/mesh/neighbour_files.h"
+#include "displayfile/mesh/skins.h"
 #include "displayfile/mesh/up_axis.h"
 #include "displayfile/shared_library.h"
 
@@ -84,12 +86,14 @@ const ImportLibrary& library_for(const std::string& path) {
 
 using Scene = std::unique_ptr<const aiScene, decltype(&aiReleaseImport)>;
 
-Scene import_scene(const ImportLibrary& library, const std::string& path) {
+Scene import_scene(const ImportLibrary& library, const std::string& path,
+                   const ImportLosses& losses) {
   const std::unique_ptr<aiPropertyStore, decltype(&aiReleasePropertyStore)> properties(
       library.create_properties(), library.release_properties);
   library.set_property(properties.get(), AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
   const NeighbourFiles neighbours(path);
-  aiFileIO files = files_among(neighbours);
+  const OpenFiles open_files{neighbours, losses.meant_names};
+  aiFileIO files = files_among(open_files);
   // The library keeps the message of what failed last in one place for all threads.
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
@@ -104,26 +108,12 @@ Scene import_scene(const ImportLibrary& library, const std::string& path) {
 
 // ---- Its scene -------------------------------------------------------------------------
 
-glm::dmat4 matrix(const aiMatrix4x4& m) {
-  glm::dmat4 result(1.0);  // [column][row]
-  for (unsigned row = 0; row < 4; ++row) {
-    for (unsigned column = 0; column < 4; ++column) {
-      result[static_cast<int>(column)][static_cast<int>(row)] = m[row][column];
-    }
-  }
-  return result;
-}
-
-struct Node {
-  const aiNode* node;
-  glm::dmat4 to_world;
-};
-
 /// The nodes in the order of the file, parents first.
-std::vector<Node> nodes_in_order(const aiScene& scene) {
-  std::vector<Node> order, waiting{{scene.mRootNode, matrix(scene.mRootNode->mTransformation)}};
+std::vector<SceneNode> nodes_in_order(const aiScene& scene) {
+  std::vector<SceneNode> order,
+      waiting{{scene.mRootNode, matrix(scene.mRootNode->mTransformation)}};
   while (!waiting.empty()) {
-    const Node next = waiting.back();
+    const SceneNode next = waiting.back();
     waiting.pop_back();
     order.push_back(next);
     for (unsigned i = next.node->mNumChildren; i-- > 0;) {
@@ -220,7 +210,7 @@ class SceneReader {
     materials_ = scene.mNumMaterials;
   }
 
-  void add(const aiScene& scene, const Node& node) {
+  void add(const aiScene& scene, const SceneNode& node) {
     name_ = node.node->mName.C_Str();
     mesh_.begin_object(name_);
     for (unsigned i = 0; i < node.node->mNumMeshes; ++i) {
@@ -232,14 +222,15 @@ class SceneReader {
     }
   }
 
-  Mesh take() && {
-    const auto lost = lost_detail_.sentence();
-    if (lost) mesh_.warn(*lost);
+  /// With a warning of each of these, and of detail that was lost.
+  Mesh take(std::vector<std::string> warnings) && {
+    if (auto lost = lost_detail_.sentence()) warnings.push_back(std::move(*lost));
+    for (const std::string& warning : warnings) mesh_.warn(warning);
     try {
       return std::move(mesh_).finish();
     } catch (const Error& e) {
-      if (lost) throw Error(fmt::format("{}; {}", e.what(), *lost));
-      throw;
+      if (warnings.empty()) throw;
+      throw Error(fmt::format("{}; {}", e.what(), fmt::join(warnings, "; ")));
     }
   }
 
@@ -344,12 +335,17 @@ class SceneReader {
   MeshBuilder mesh_;
 };
 
-Mesh read_by(const ImportLibrary& library, const std::string& path, bool with_normals) {
-  const Scene scene = import_scene(library, path);
+/// `by_extension`: that of the file's name is one that the library knows.
+Mesh read_by(const ImportLibrary& library, const std::string& path, bool with_normals,
+             bool by_extension) {
+  ImportLosses losses = losses_of(path, by_extension, library.library);
+  const Scene scene = import_scene(library, path, losses);
   SceneReader reader(path, with_normals);
   reader.add_materials(library, *scene);
-  for (const Node& node : nodes_in_order(*scene)) reader.add(*scene, node);
-  Mesh mesh = std::move(reader).take();
+  const std::vector<SceneNode> nodes = nodes_in_order(*scene);
+  for (const SceneNode& node : nodes) reader.add(*scene, node);
+  losses.add(skins_that_move(*scene, nodes), "the skin of {} object", "the skins of {} objects");
+  Mesh mesh = std::move(reader).take(std::move(losses.left_out));
   mesh.upright = upright_said(*scene);
   return mesh;
 }
@@ -362,10 +358,10 @@ Mesh read_by_import_library(const std::string& path, bool with_normals) {
   const ImportLibrary& library = library_for(path);
   const std::string extension = extension_of(path);
   if (!extension.empty() && library.supports(extension.c_str()) == AI_TRUE) {
-    return read_by(library, path, with_normals);
+    return read_by(library, path, with_normals, true);
   }
   try {
-    return read_by(library, path, with_normals);
+    return read_by(library, path, with_normals, false);
   } catch (const Error&) {
     throw Error(fmt::format(
         "{}: not a mesh that can be read: no reader takes {}", path,

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace displayfile {
@@ -42,11 +43,27 @@ static aiReturn seek_in_neighbour(aiFile* file, size_t offset, aiOrigin origin) 
 
 static void flush_nothing(aiFile*) {}
 
+/// A neighbour's path as the library asks for it, or what it means; nothing if it may not be
+/// opened.
+static std::optional<std::string> path_of_neighbour(const OpenFiles& files,
+                                                    const std::string& path) {
+  for (const auto& [written, meant] : files.meant_names) {
+    if (!path.ends_with(written)) continue;
+    const std::string folder = path.substr(0, path.size() - written.size());
+    if (!folder.empty() && folder.back() != '/' && folder.back() != '\\') continue;
+    if (files.neighbours.allows(folder + meant)) return folder + meant;
+  }
+  if (!files.neighbours.allows(path)) return std::nullopt;
+  return path;
+}
+
 static aiFile* open_neighbour(aiFileIO* io, const char* path, const char* mode) {
-  const auto& neighbours = *reinterpret_cast<const NeighbourFiles*>(io->UserData);
+  const auto& files = *reinterpret_cast<const OpenFiles*>(io->UserData);
   try {
-    if (mode == nullptr || mode[0] != 'r' || !neighbours.allows(path)) return nullptr;
-    std::FILE* const opened = std::fopen(path, "rb");
+    if (mode == nullptr || mode[0] != 'r') return nullptr;
+    const auto allowed = path_of_neighbour(files, path);
+    if (!allowed) return nullptr;
+    std::FILE* const opened = std::fopen(allowed->c_str(), "rb");
     if (opened == nullptr) return nullptr;
     return new aiFile{read_neighbour,
                       write_nothing,
@@ -70,9 +87,9 @@ static void close_neighbour(aiFileIO*, aiFile* file) {
 
 }  // namespace
 
-aiFileIO files_among(const NeighbourFiles& neighbours) {
+aiFileIO files_among(const OpenFiles& files) {
   // The library's own type for it is not const.
-  auto* const data = reinterpret_cast<aiUserData>(const_cast<NeighbourFiles*>(&neighbours));
+  auto* const data = reinterpret_cast<aiUserData>(const_cast<OpenFiles*>(&files));
   return {open_neighbour, close_neighbour, data};
 }
 

@@ -1,0 +1,29 @@
+#include "displayfile/mesh/import_losses.h"
+
+#include <array>
+#include <fstream>
+#include <string_view>
+
+#include "displayfile/file_extension.h"
+#include "displayfile/mesh/left_out_sentence.h"
+
+namespace displayfile {
+
+void ImportLosses::add(std::size_t count, const std::string& one, const std::string& many) {
+  if (count > 0) left_out.push_back(left_out_sentence(count, one, many));
+}
+
+ImportLosses losses_of(const std::string& path, bool by_extension, const SharedLibrary& library) {
+  const std::string extension = extension_of(path);
+  if (extension == ".gltf" || extension == ".glb") return losses_of_gltf(path);
+  if (extension == ".3mf") return losses_of_3mf(path, library);
+  if (by_extension) return {};
+  std::array<char, 4> bytes{};
+  std::ifstream(path, std::ios::binary).read(bytes.data(), bytes.size());
+  const std::string_view beginning(bytes.data(), bytes.size());
+  if (beginning == "glTF" || beginning.starts_with('{')) return losses_of_gltf(path);
+  if (beginning.starts_with("PK")) return losses_of_3mf(path, library);
+  return {};
+}
+
+}  // namespace displayfile

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace displayfile {
+
+/// A start tag of an XML text, as it is written: names with their prefixes, values of attributes
+/// without entities replaced.
+struct XmlTag {
+  std::string_view name;
+  std::vector<std::pair<std::string_view, std::string_view>> attributes;
+
+  /// The name behind its prefix.
+  std::string_view local_name() const;
+  /// The value of the attribute with this whole name; nothing if there is none.
+  std::optional<std::string_view> value(std::string_view name_of_attribute) const;
+};
+
+/// The start tags of an XML text in UTF-8, in their order. Comments, CDATA sections, processing
+/// instructions, declarations and end tags are passed over. This is no check of the text: one that
+/// is not well-formed gives fewer tags or wrong ones.
+class XmlTags {
+ public:
+  /// The text must outlive the tags.
+  explicit XmlTags(std::string_view text) : rest_(text) {}
+
+  /// The next one, until another one is taken; nothing at the end.
+  const XmlTag* next();
+
+ private:
+  bool pass_over_what_is_no_tag();
+  void pass_over_past(std::string_view end);
+  void pass_over_blanks();
+  std::string_view take_name();
+  bool read_attribute();
+
+  std::string_view rest_;
+  XmlTag tag_;
+};
+
+}  // namespace displayfile

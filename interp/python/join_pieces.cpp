@@ -9,7 +9,8 @@ namespace displayfile::python {
 
 namespace {
 
-/// What overlaps by less, in a picture from 0 to 1, is not seen.
+/// Two pieces that overlap only within a strip of this width, in a picture from 0 to 1, are drawn
+/// in either order: nobody sees which.
 constexpr double kTolerance = 1e-9;
 /// Polygons of more pieces stay in pieces.
 constexpr std::size_t kMostPieces = 512;
@@ -21,24 +22,36 @@ constexpr std::size_t kMostCells = 16;
 
 using Corners = std::span<const Point3>;
 
-/// Whether the normal of one of the sides of `a` shows that they do not overlap.
-bool a_side_separates(Corners a, Corners b) {
+/// Whether, across one of the sides of `a`, the two reach over each other by no more than `reach`.
+/// If so, all that they share lies in a strip of that width along the side, whatever the polygons:
+/// they may be concave, and the side may be short and its direction that of rounding. A corner that
+/// is repeated, as one that a cut made may be, is a side of length 0: it has no direction, and
+/// separates nothing.
+bool a_side_separates(Corners a, Corners b, double reach) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Point3& p = a[i];
     const Point3& q = a[(i + 1) % a.size()];
-    const double nx = p.y - q.y, ny = q.x - p.x;
-    const double tolerance = kTolerance * std::hypot(nx, ny);
+    const double length = std::hypot(q.x - p.x, q.y - p.y);
+    if (length == 0.0) continue;
+    const double nx = (p.y - q.y) / length, ny = (q.x - p.x) / length;
     const auto along = [&](const Point3& r) { return (r.x - p.x) * nx + (r.y - p.y) * ny; };
     const auto [a_low, a_high] = std::ranges::minmax(a, {}, along);
     const auto [b_low, b_high] = std::ranges::minmax(b, {}, along);
-    if (along(a_high) <= along(b_low) + tolerance || along(b_high) <= along(a_low) + tolerance) {
+    if (along(a_high) <= along(b_low) + reach || along(b_high) <= along(a_low) + reach) {
       return true;
     }
   }
   return false;
 }
 
-bool overlap(Corners a, Corners b) { return !a_side_separates(a, b) && !a_side_separates(b, a); }
+/// False only if the two share nothing but a strip of width kTolerance; of two of which one is a
+/// line, only if there is a gap of that width between them, since lines are drawn with a width.
+/// Pieces that are not convex may count as overlapping where only their hulls do.
+bool overlap(Corners a, Corners b) {
+  const bool is_line = a.size() == 2 || b.size() == 2;
+  const double reach = is_line ? -kTolerance : kTolerance;
+  return !a_side_separates(a, b, reach) && !a_side_separates(b, a, reach);
+}
 
 /// The pieces that lie in each cell of a grid over the picture, in their order.
 class Cells {
@@ -128,8 +141,18 @@ bool overlap_each_other(const DrawnPieces& pieces, std::span<const std::uint32_t
   return false;
 }
 
-/// The piece after which each is drawn, or itself: the next of its polygon if nothing between
-/// covers it.
+/// The place of each piece in the order: its own, or that of a later piece of its polygon that
+/// stays where it is.
+///
+/// Drawn by their places, and those of one place as the sort has them, any two pieces that overlap
+/// are in the sort's order. For let piece a come before piece b there, and overlap it.
+///  - places[a] < b: a is drawn first, as no piece moves back and places[b] >= b.
+///  - places[a] == b: a piece that others move to stays, so places[b] == b too; of one place a
+///  comes
+///    first.
+///  - places[a] > b: b is between a and places[a] and overlaps a. a moves in spite of that only if
+///  b
+///    is of the same polygon and has the same place; and there a comes first.
 std::vector<std::uint32_t> places_of(const DrawnPieces& pieces,
                                      const std::vector<std::vector<std::uint32_t>>& own) {
   std::vector<std::uint32_t> places(pieces.size());
@@ -161,6 +184,9 @@ void join_pieces(std::span<const std::uint32_t> sides, std::span<const Point3> p
   std::size_t begin = 0;
   for (std::size_t item = 0; item < sides.size(); begin += sides[item++]) {
     if (own[item].size() < 2 || own[item].size() > kMostPieces) continue;
+    // All in one place and not over each other, they are drawn as the polygon itself. Sides that
+    // cuts made are in two pieces, in opposite directions: together the pieces wind around each
+    // point as often as the polygon does.
     const std::uint32_t last = own[item].back();
     const auto stays = [&](std::uint32_t k) { return places[k] != last; };
     if (std::ranges::any_of(own[item], stays) || overlap_each_other(pieces, own[item])) continue;

@@ -386,6 +386,81 @@ def test_a_given_order_is_kept() -> None:
     assert at(pixels(ax), ax, (0, 0, 0)) == rgb("red")
 
 
+@pytest.mark.parametrize("ring", [False, True])
+def test_a_closed_ring_hides_as_much_as_its_corners_do(ring: bool) -> None:
+    flat = np.array([(0, 0, 0), (2, 0, 0), (2, 1, 0), (0, 1, 0)], float)
+    rising = np.array([(0, 0.2, -1), (2, 0.2, 1), (2, 0.8, 1), (0, 0.8, -1)])
+    if ring:
+        rising = np.concatenate([rising, rising[:1]])
+    figure = pyplot.figure(figsize=(3, 3), dpi=100)
+    ax = figure.add_axes([0, 0, 1, 1], projection="3d", proj_type="ortho")
+    ax.set_axis_off()
+    ax.view_init(90, -90)
+    for corners, colour in ((flat, "yellow"), (rising, "blue")):
+        ax.add_collection3d(art3d.Poly3DCollection([corners], facecolor=colour, linewidth=0))
+    ax.set(xlim=(0, 2), ylim=(0, 1), zlim=(-1, 1))
+    exact(ax)
+    picture = pixels(ax)
+    blue, yellow = ((picture == rgb(c)).all(axis=2).sum() for c in ("blue", "yellow"))
+    assert blue / (blue + yellow) == pytest.approx(0.3, abs=0.01)
+
+
+def nearest_faces(ax: Any, faces: Any) -> np.ndarray[Any, Any]:
+    """For each pixel's centre the number of the quadrilateral that is nearest there; -1 for none."""
+    width, height = (int(v) for v in ax.figure.bbox.size)
+    found, depth = np.full((height, width), -1), np.full((height, width), np.inf)
+    columns, rows = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
+    for number, corners in enumerate(faces):
+        x, y, z = proj3d.proj_transform(*np.transpose(corners), ax.get_proj())
+        x, y = ax.transData.transform(np.column_stack([x, y])).T
+        y = height - y
+        for a, b, c in ((0, 1, 2), (0, 2, 3)):
+            area = (x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a])
+            if abs(area) < 1e-9:
+                continue
+            u = ((columns - x[a]) * (y[c] - y[a]) - (rows - y[a]) * (x[c] - x[a])) / area
+            v = ((x[b] - x[a]) * (rows - y[a]) - (y[b] - y[a]) * (columns - x[a])) / area
+            at = z[a] + u * (z[b] - z[a]) + v * (z[c] - z[a])
+            nearer = (u >= 0) & (v >= 0) & (u + v <= 1) & (at < depth - 1e-12)
+            found[nearer], depth[nearer] = number, at[nearer]
+    return found
+
+
+def away_from_edges(numbers: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+    """Whether all pixels within two of one have its number."""
+    same = np.ones(numbers.shape, bool)
+    for axis in (0, 1):
+        for step in (-2, -1, 1, 2):
+            same &= np.roll(numbers, step, axis) == numbers
+    return same
+
+
+def test_of_bars_that_touch_the_nearest_are_seen() -> None:
+    figure = pyplot.figure(figsize=(4, 4), dpi=100)
+    ax = figure.add_axes([0, 0, 1, 1], projection="3d")
+    ax.set_axis_off()
+    ax.view_init(30, -60)
+    x, y = (v.ravel() for v in np.meshgrid(np.arange(8), np.arange(8)))
+    colour = np.random.default_rng(3).random((64, 3)) * 0.8 + 0.1
+    ax.bar3d(x, y, 0 * x, 1, 1, x + y, color=colour, shade=False, linewidth=0, antialiased=False)
+    exact(ax)
+    picture = pixels(ax)
+    base = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
+    faces, bar = [], []
+    for k in range(64):
+        foot = np.column_stack([base + (x[k], y[k]), np.zeros(4)])
+        top = foot + (0, 0, x[k] + y[k])
+        sides = [[foot[i - 1], foot[i], top[i], top[i - 1]] for i in range(4)]
+        faces += [foot, top, *sides]
+        bar += 6 * [k]
+    nearest = nearest_faces(ax, faces)
+    nearest = np.where(nearest < 0, -1, np.array(bar)[nearest])
+    expected = np.where(nearest[..., None] < 0, 255, np.round(255 * colour[nearest]))
+    judged = away_from_edges(nearest)
+    assert judged.sum() > 50_000 and (nearest[judged] >= 0).sum() > 30_000
+    assert (np.abs(picture - expected).max(axis=2)[judged] <= 6).all()
+
+
 @pytest.mark.parametrize("format", ["svg", "pdf", "png"])
 def test_all_formats_are_written(format: str) -> None:
     ax = axes()

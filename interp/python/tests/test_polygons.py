@@ -109,6 +109,79 @@ def test_random_polygons_in_order(method):
         assert seen == (None if nearest is None else nearest[1])
 
 
+def painted_last(pieces, x: float, y: float) -> int:
+    """The polygon whose piece is drawn last at a place, by the even-odd rule."""
+    last = -1
+    for k, item in enumerate(pieces.item):
+        a = pieces.points[pieces.first[k] : pieces.first[k + 1], :2]
+        b = np.roll(a, -1, axis=0)
+        crosses = (a[:, 1] < y) != (b[:, 1] < y)
+        a, b = a[crosses], b[crosses]
+        left = a[:, 0] + (y - a[:, 1]) / (b[:, 1] - a[:, 1]) * (b[:, 0] - a[:, 0]) < x
+        if np.count_nonzero(left) % 2 == 1:
+            last = int(item)
+    return last
+
+
+@pytest.mark.parametrize("whole", [False, True])
+@pytest.mark.parametrize("ring", [False, True])
+def test_a_closed_ring_is_cut_like_the_polygon_without_its_last_corner(whole, ring):
+    flat = np.array([(0, 0, 0), (2, 0, 0), (2, 1, 0), (0, 1, 0)], float)
+    rising = np.array([(0, 0.2, -1), (2, 0.2, 1), (2, 0.8, 1), (0, 0.8, -1)])
+    if ring:
+        rising = np.concatenate([rising, rising[:1]])
+    for polygons, number in (([flat, rising], 1), ([rising, flat], 0)):
+        pieces = sort(polygons, whole=whole)
+        assert painted_last(pieces, 0.5, 0.5) != number
+        assert painted_last(pieces, 1.5, 0.5) == number
+
+
+# Neighbours in two surfaces that pass through each other: cuts make corners that are rounded to
+# one place.
+FIVE_QUADS = np.array(
+    [
+        [
+            [-0.056592109101313424, -0.034531420198526244, 0.976140949776999],
+            [-0.05693235811922504, -0.024325415976193848, 0.9820098068452228],
+            [-0.0500766860122244, -0.01862489528592297, 0.9727058456581802],
+            [-0.04978022773489556, -0.02876852368341705, 0.9669473436023308],
+        ],
+        [
+            [-0.04628233217461176, -0.02249883255347979, 0.9904569441239012],
+            [-0.03533941668801413, -0.025858631225102877, 0.9960045658766007],
+            [-0.028594449983821685, -0.02006292083819694, 0.9864348231160281],
+            [-0.03947001418078983, -0.016767198402897015, 0.9809930025607217],
+        ],
+        [
+            [-0.039117599058952505, -0.032082416668108606, 0.9722340300674394],
+            [-0.03947001418078983, -0.016767198402897015, 0.9809930025607217],
+            [-0.028594449983821685, -0.02006292083819694, 0.9864348231160281],
+            [-0.028337735734206428, -0.035432745609827135, 0.9775788431774783],
+        ],
+        [
+            [-0.03501909767643309, -0.04132367968129574, 0.9869767089402977],
+            [-0.03544749587523067, -0.02064055235067145, 0.9990506649363063],
+            [-0.02868105813046631, -0.014877575499095035, 0.9894225809454018],
+            [-0.028337735734206428, -0.035432745609827135, 0.9775788431774783],
+        ],
+        [
+            [-0.04978022773489556, -0.02876852368341705, 0.9669473436023308],
+            [-0.039117599058952505, -0.032082416668108606, 0.9722340300674394],
+            [-0.03947001418078983, -0.016767198402897015, 0.9809930025607217],
+            [-0.05022624323830241, -0.013507639194561707, 0.9756108938882286],
+        ],
+    ]
+)
+
+
+@pytest.mark.parametrize("method", ["depth-sort", "bsp"])
+@pytest.mark.parametrize("whole", [False, True])
+def test_pieces_with_corners_that_were_rounded_to_one_place_keep_their_order(whole, method):
+    pieces = sort(FIVE_QUADS, whole=whole, method=method)
+    # There polygon 3 has the depth 0.99335, 1 has 0.98684 and 2 has 0.98376.
+    assert painted_last(pieces, -0.03233124999999999, -0.020306249999999998) == 3
+
+
 def test_corners_are_given_back_as_they_were():
     triangles = random_triangles(30, 3)
     given = {tuple(p) for p in triangles.reshape(-1, 3)}

@@ -9,12 +9,13 @@
 #include <vector>
 
 #include "displayfile/segment.h"
+#include "displayfile/watched.h"
 
 namespace displayfile {
 
 /// The display file: the segments, in order of creation. Copies share the instructions of closed
 /// segments.
-class DisplayFile {
+class DisplayFile : public Watched<DisplayFile> {
  public:
   /// Throws Error if the name is not positive or in use.
   Segment& create(int name);

@@ -196,11 +196,13 @@ void RetainedScene::close_segment(const LineSelection& lines) {
   segment.intersections = contains(lines.kinds, LineKind::intersection);
   segment.sides =
       lines.is_all_alone() ? nullptr : std::make_shared<const SideKinds>(*this, segment, lines);
+  edited();
 }
 
 void RetainedScene::reopen_segment() {
   segments_.back().intersections = false;
   segments_.back().sides = nullptr;
+  edited();
 }
 
 bool RetainedScene::has_intersections() const {
@@ -240,6 +242,7 @@ void RetainedScene::remove_all() { *this = RetainedScene(); }
 void RetainedScene::rename(int from, int to) {
   const auto segment = std::ranges::find(segments_, from, &Segment::name);
   if (segment != segments_.end()) segment->name = to;
+  edited();
 }
 
 void RetainedScene::enter_polygon(const WorldPolygon& polygon, const Attributes& attributes) {

@@ -12,6 +12,7 @@
 #include "clip/view.h"
 #include "displayfile/attributes.h"
 #include "displayfile/view_stage.h"
+#include "displayfile/watched.h"
 #include "hidden/exact/eye.h"
 #include "hidden/line_kinds.h"
 #include "hidden/primitives.h"
@@ -24,7 +25,7 @@ class SideKinds;
 /// What an application drew, before viewing: polygons and lines in world coordinates, after the
 /// modelling transformation, in segments. A GraphicsSystem that was told to retain
 /// (GraphicsSystem::retain) fills it; displayfile/retained_views.h draws it in other views.
-class RetainedScene {
+class RetainedScene : public Watched<RetainedScene> {
  public:
   /// A polygon, or a line of two points.
   struct Primitive {
@@ -57,6 +58,18 @@ class RetainedScene {
     std::uint32_t attributes;
     std::string characters;
   };
+
+  /// Another one since some time if the scene is no longer what it was then. For who watches it.
+  struct Edition {
+    std::uint64_t edits = 0;
+    std::size_t segments = 0, primitives = 0, corners = 0, points = 0, texts = 0;
+    bool shares_points = false;
+    bool operator==(const Edition& o) const = default;
+  };
+  Edition edition() const {
+    return {place()->edits, segments_.size(), primitives_.size(), all_corners(),
+            points_.size(), texts_.size(),    has_shared()};
+  }
 
   /// Segments in order of creation. What they are drawn with, visibility and image
   /// transformation, is in the display file, under the same name.

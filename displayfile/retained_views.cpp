@@ -201,16 +201,23 @@ class RetainedViews::Part {
 
 RetainedViews::RetainedViews(const RetainedScene& scene, const DisplayFile& attributes,
                              const Options& options)
-    : options_(options) {
-  RetainedScene visible = scene.visible_in(attributes);
+    : taken_(scene, attributes), options_(options) {
+  take();
+}
+
+/// Sorts what is visible now. If it throws, what was taken before stays.
+void RetainedViews::take() {
+  const DisplayFile& attributes = taken_.attributes();
+  std::vector<std::unique_ptr<Part>> parts;
+  RetainedScene visible = taken_.scene().visible_in(attributes);
   const auto image_of = [&](const RetainedScene::Segment& segment) {
     return attributes.segment(segment.name).image;
   };
   const auto add = [&](RetainedScene world) {
     const ImageTransformation image = image_of(world.segments().front());
-    parts_.push_back(std::make_unique<Part>(std::move(world), image, options));
+    parts.push_back(std::make_unique<Part>(std::move(world), image, options_));
   };
-  if (options.scope == HiddenScope::segment) {
+  if (options_.scope == HiddenScope::segment) {
     for (const RetainedScene::Segment& part : visible.segments()) {
       add(visible.selected([&](const auto& segment) { return segment.name == part.name; }));
     }
@@ -225,7 +232,14 @@ RetainedViews::RetainedViews(const RetainedScene& scene, const DisplayFile& attr
     }
     add(std::move(visible));
   }
+  taken_.take();
+  parts_ = std::move(parts);
+  counts_ = {};
   for (const auto& part : parts_) counts_ += part->counts();
+}
+
+void RetainedViews::bring_up_to_date() {
+  if (!taken_.is_gone() && !taken_.is_same()) take();
 }
 
 RetainedViews::RetainedViews(RetainedViews&&) noexcept = default;
@@ -233,6 +247,7 @@ RetainedViews& RetainedViews::operator=(RetainedViews&&) noexcept = default;
 RetainedViews::~RetainedViews() = default;
 
 DisplayFile RetainedViews::view(const View& view, const glm::dmat3& lights_turned) {
+  bring_up_to_date();
   DisplayFile file;
   for (const auto& part : parts_) {
     const auto sorted = part->draw(view, lights_turned, file);

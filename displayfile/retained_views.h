@@ -10,6 +10,7 @@
 #include "displayfile/hidden_scope.h"
 #include "displayfile/retained_scene.h"
 #include "displayfile/sorted_scene.h"
+#include "displayfile/taken_scene.h"
 #include "hidden/exact/precision.h"
 
 namespace displayfile {
@@ -26,9 +27,10 @@ class RetainedViews {
     std::size_t most_pieces = kMostPieces;  ///< of a tree; Error for more
   };
 
-  /// Takes the visible segments of the scene, as they now are; `attributes` is the display file of
-  /// the system that retained them and says which are visible, and their image transformations.
-  /// Throws Error for more than 2^32 - 1 points, and if segments with different image
+  /// Takes the visible segments of the scene; `attributes` is the display file of the system that
+  /// retained them and says which are visible, and their image transformations. Both may be edited
+  /// and moved: the next view sorts anew. Once one of them is gone, views are of what was taken
+  /// last. Throws Error for more than 2^32 - 1 points, and if segments with different image
   /// transformations are to be sorted together: those act after viewing.
   RetainedViews(const RetainedScene& scene, const DisplayFile& attributes, const Options& options);
   RetainedViews(RetainedViews&&) noexcept;
@@ -39,9 +41,11 @@ class RetainedViews {
   /// and checked for back faces, whole and in order of entry; and sorted, with the lines over them
   /// that close-segment would find: where polygons pass through each other, if segments select
   /// that, and hidden ones if the options ask for them. Lights are turned by
-  /// `lights_turned`, a rotation. Throws Error as ViewVolume does.
+  /// `lights_turned`, a rotation. Throws Error as ViewVolume does, and as the constructor for a
+  /// scene that was edited.
   DisplayFile view(const View& view, const glm::dmat3& lights_turned = glm::dmat3(1.0));
 
+  /// Here as below of the scene as it was taken last.
   std::size_t trees() const { return parts_.size(); }
   /// The counts of the trees, for all views. Comparisons are those of building them.
   const SortCounts& counts() const { return counts_; }
@@ -50,6 +54,9 @@ class RetainedViews {
 
  private:
   class Part;
+  void take();
+  void bring_up_to_date();
+  TakenScene taken_;
   std::vector<std::unique_ptr<Part>> parts_;
   Options options_;
   SortCounts counts_;

@@ -347,8 +347,36 @@ class SceneViewer::Part {
 };
 
 SceneViewer::SceneViewer(const RetainedScene& scene, const DisplayFile& attributes)
-    : scene_(&scene), attributes_(&attributes), palette_(new_number()) {
+    : taken_(scene, attributes) {
+  bring_up_to_date();
+}
+
+bool SceneViewer::bring_up_to_date() {
+  scene_ = &taken_.scene();
+  attributes_ = &taken_.attributes();
+  if (taken_.has_same_scene()) {
+    if (scene_->has_shared()) points_ = scene_->primitives({}).points;  // room was made for more
+    return false;
+  }
+  take_up_scene();
+  taken_.take();
+  return true;
+}
+
+/// All that is kept is made anew.
+void SceneViewer::take_up_scene() {
+  const RetainedScene& scene = *scene_;
   const Primitives all = scene.primitives({});
+  palette_ = new_number();
+  viewed_ = {};
+  last_.reset();
+  welded_.clear();
+  sides_.clear();
+  looks_.clear();
+  segments_.clear();
+  blocks_.clear();
+  parts_.clear();
+  shows_shadows_ = shows_lines_ = is_lit_ = false;
   corners_ = all.all_corners();
   selects_lines_ = scene.selects_lines();
   all_edges_drawn_ = !selects_lines_ && std::ranges::find(all.visible, 0) == all.visible.end();
@@ -435,6 +463,7 @@ bool SceneViewer::has_images() const {
 
 const ViewedScene& SceneViewer::view(const Wanted& wanted) {
   const ViewVolume volume(wanted.view);
+  bring_up_to_date();
   const auto last = std::exchange(last_, std::nullopt);
   const bool same_segments = take_segments();
   if (!same_segments || !last || !(last->view == wanted.view) ||
@@ -551,12 +580,12 @@ DisplayFile SceneViewer::display_file(const View& view, const glm::dmat3& lights
   DisplayFile file;
   const ViewVolume volume(view);
   ViewStage stage(volume);
-  for (const RetainedScene::Segment& part : scene_->segments()) {
-    const Segment& now = attributes_->segment(part.name);
+  for (const RetainedScene::Segment& part : scene().segments()) {
+    const Segment& now = taken_.attributes().segment(part.name);
     if (!now.visible) continue;
     Segment& segment = file.create(part.name);
     segment.image = now.image;
-    scene_->enter_viewed(part, Eye::of(view), stage, lights_turned, segment, [](std::uint32_t) {});
+    scene().enter_viewed(part, Eye::of(view), stage, lights_turned, segment, [](std::uint32_t) {});
     segment.close();
   }
   return file;

@@ -11,6 +11,7 @@
 #include "clip/view.h"
 #include "displayfile/display_file.h"
 #include "displayfile/retained_scene.h"
+#include "displayfile/taken_scene.h"
 #include "displayfile/triangle_sieve.h"
 #include "displayfile/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
@@ -25,9 +26,8 @@ namespace displayfile {
 class SceneViewer {
  public:
   /// The scene, and the display file of the system that retained it, which says which segments are
-  /// visible and how their images are transformed. Both must live on; of the scene nothing may
-  /// change. Vertices that are equal to the last bit are found here, if the application shared
-  /// none.
+  /// visible and how their images are transformed. Both must live on. Vertices that are equal to
+  /// the last bit are found here, if the application shared none.
   SceneViewer(const RetainedScene& scene, const DisplayFile& attributes);
   ~SceneViewer();
   SceneViewer(SceneViewer&&) noexcept;
@@ -41,8 +41,15 @@ class SceneViewer {
     std::optional<PictureSize> centres_of = std::nullopt;
     int threads = 1;  ///< the scene is the same for any number
   };
+  /// Takes up anew a scene that is no longer what it was. Returns true if it was not, and view()
+  /// does it too. Throws Error if the scene or the display file is gone.
+  bool bring_up_to_date();
+  const RetainedScene& scene() const { return taken_.scene(); }
+  const DisplayFile& attributes() const { return taken_.attributes(); }
+
   /// The visible segments as they are now, in that view: the scene that display_file(view) has, but
-  /// for what is left out. It stays until the next call. Throws Error as ViewVolume does.
+  /// for what is left out. It stays until the next call. Throws Error as ViewVolume does, and as
+  /// bring_up_to_date.
   const ViewedScene& view(const Wanted& wanted);
 
   /// The primitives of the scene that the items of the last view are of, in order; empty where no
@@ -79,6 +86,7 @@ class SceneViewer {
     bool visible = false;
     ImageTransformation image = {};
   };
+  void take_up_scene();
   bool take_segments();
   void share_equal_vertices();
   void view_points(const Wanted& wanted, const ViewVolume& volume);
@@ -87,9 +95,10 @@ class SceneViewer {
   void number_own_corners();
   void view_texts(const ViewVolume& volume);
 
-  const RetainedScene* scene_;
-  const DisplayFile* attributes_;
-  std::uint64_t palette_;           // of all its viewed scenes
+  TakenScene taken_;
+  const RetainedScene* scene_ = nullptr;  // in the view at hand, as the next
+  const DisplayFile* attributes_ = nullptr;
+  std::uint64_t palette_ = 0;       // of all its viewed scenes
   std::vector<Point3> welded_;      // points, if the application shared none
   std::span<const Point3> points_;  // in world coordinates
   std::size_t corners_ = 0;         // of the retained scene

@@ -313,6 +313,7 @@ void ViewedScene::finish(bool in_place) {
 }
 
 bool ViewedScene::is_of(const DisplayFile& display_file) const {
+  if (geometry_ != 0) return false;  // of a retained scene
   std::size_t k = 0;
   for (const Segment& segment : display_file.segments()) {
     if (!segment.visible) continue;

@@ -1,11 +1,14 @@
 #include "interp/other_eye.h"
 
 #include <optional>
+#include <tuple>
 #include <utility>
 
+#include "clip/error.h"
 #include "clip/view_volume.h"
 #include "displayfile/scene_in_one_view.h"
 #include "displayfile/sorted_display_file.h"
+#include "displayfile/taken_scene.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/program_in_view.h"
 #include "interp/picture_formats.h"
@@ -14,19 +17,44 @@
 
 namespace displayfile {
 
+namespace {
+
+/// What pictures follow beside what was drawn.
+auto settings_of(const GraphicsSystem& system) {
+  return std::tuple(system.hidden_line_removal(), system.z_buffer(), system.hidden_method(),
+                    system.hidden_scope(), system.precision(), system.hidden_lines(),
+                    system.lines(), system.background(), system.aspect_ratio());
+}
+
+}  // namespace
+
 struct OtherEye::Kept {
   const GraphicsSystem& told;
+  const DisplayFile* file;
+  TakenScene taken;
+  decltype(settings_of(std::declval<const GraphicsSystem&>())) settings;
   std::string program;
   View drawn_in, view;
   ViewRenderer renderer;
   std::optional<GraphicsSystem> replayed = std::nullopt;
+
+  /// The program is that of the system as it was.
+  void require_same() const {
+    const bool is_there = !taken.is_gone() && &taken.attributes() == file;
+    if (is_there && taken.is_same() && settings_of(told) == settings) return;
+    throw Error(
+        "another eye, and the system has changed since it was made: expected a new one, with what "
+        "was recorded since");
+  }
 };
 
 OtherEye::OtherEye(const GraphicsSystem& system, const RetainedScene& scene, std::string program) {
   const DisplayFile& file = system.display_file();
   const View view = scene_in_one_view(scene, file, system.view()).view;
-  kept_ = std::make_unique<Kept>(
-      Kept{system, std::move(program), view, view, ViewRenderer(scene, file)});
+  TakenScene taken(scene, file);
+  taken.take();
+  kept_ = std::make_unique<Kept>(Kept{system, &file, std::move(taken), settings_of(system),
+                                      std::move(program), view, view, ViewRenderer(scene, file)});
 }
 OtherEye::OtherEye(OtherEye&& other) noexcept = default;
 OtherEye& OtherEye::operator=(OtherEye&& other) noexcept = default;
@@ -43,6 +71,7 @@ void OtherEye::set_view(const View& view) {
 
 const GraphicsSystem& OtherEye::system() {
   Kept& kept = *kept_;
+  kept.require_same();
   if (!kept.replayed) {
     GraphicsSystem replayed;
     replayed.set_aspect_ratio(kept.told.aspect_ratio());
@@ -52,9 +81,13 @@ const GraphicsSystem& OtherEye::system() {
   return *kept.replayed;
 }
 
-std::string OtherEye::program() const { return program_in_view(kept_->program, kept_->view); }
+std::string OtherEye::program() const {
+  kept_->require_same();
+  return program_in_view(kept_->program, kept_->view);
+}
 
 bool OtherEye::draws(const DrawOptions& options) const {
+  kept_->require_same();
   const HiddenMethod method = drawing_method(kept_->told, options);
   return !kept_->told.has_hatching() && is_image_space(method) &&
          surfaces_of(method) != HiddenMethod::world_ray_cast &&
@@ -63,6 +96,7 @@ bool OtherEye::draws(const DrawOptions& options) const {
 
 const Picture& OtherEye::draw(const DrawOptions& options) {
   Kept& kept = *kept_;
+  kept.require_same();
   const HiddenSurfaceOptions asked = hidden_surface_options(options);
   DrawOptions said = options;
   said.hidden = drawing_method(kept.told, options);

@@ -16,8 +16,9 @@ namespace displayfile {
 /// view, once for each.
 class OtherEye {
  public:
-  /// The system, which must live on and not change, the scene that it retained, and all that was
-  /// recorded of it. Throws Error as scene_in_one_view (displayfile/scene_in_one_view.h) does.
+  /// The system, which must live on where it is, the scene that it retained, and all that was
+  /// recorded of it: when more was called since, whatever draws or tells throws Error. Throws Error
+  /// as scene_in_one_view (displayfile/scene_in_one_view.h) does.
   OtherEye(const GraphicsSystem& system, const RetainedScene& scene, std::string program);
   OtherEye(OtherEye&& other) noexcept;
   OtherEye& operator=(OtherEye&& other) noexcept;

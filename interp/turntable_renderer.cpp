@@ -8,6 +8,7 @@
 
 #include "clip/error.h"
 #include "clip/work_budget.h"
+#include "displayfile/taken_scene.h"
 #include "interp/picture_checks.h"
 #include "interp/visibility/image_space.h"
 
@@ -57,9 +58,9 @@ RetainedViews::Options tree_options(const GraphicsSystem& system, const DrawOpti
           options.hidden_lines.value_or(HiddenLines::none), options.threads, options.most_pieces};
 }
 
-Turntable turntable_of(const GraphicsSystem& system, const RetainedScene& scene,
-                       const DisplayFile& display_file, const TurntableViews& views) {
-  Turntable turntable(scene, display_file, system.view());
+Turntable turntable_of(const TakenScene& taken, const View& otherwise,
+                       const TurntableViews& views) {
+  Turntable turntable(taken.scene(), taken.attributes(), otherwise);
   if (views.axis) turntable.set_axis(*views.axis);
   if (views.fit_window) turntable.fit_window(views.number);
   return turntable;
@@ -119,10 +120,20 @@ void require_views_drawable(const ViewsDrawn& views, const std::filesystem::path
 }
 
 struct TurntableRenderer::Kept {
-  int views;
+  TakenScene taken;
+  View otherwise;
+  TurntableViews turned;
   Turntable turntable;
   DrawOptions options;
   Source source;
+  int views = turned.number;
+
+  /// The sources do it too.
+  void bring_up_to_date() {
+    if (taken.is_gone() || taken.is_same()) return;
+    turntable = turntable_of(taken, otherwise, turned);
+    taken.take();
+  }
 
   void require_view(int view) const {
     if (view >= 0 && view < views) return;
@@ -134,6 +145,7 @@ struct TurntableRenderer::Kept {
   auto in_view(int view, const ByRenderer& by_renderer, const OfScene& of_scene) {
     require_view(view);
     const BudgetInForce in_force(options.budget);
+    bring_up_to_date();
     const auto [seen, lights] = turntable.at(360.0 * view / views);
     if (auto* const renderer = std::get_if<ViewRenderer>(&source)) {
       return by_renderer(*renderer, seen, lights);
@@ -161,10 +173,12 @@ TurntableRenderer::TurntableRenderer(const GraphicsSystem& system, const Retaine
   require_turntable_method(options);
   require_drawable_in_memory(options);
   const BudgetInForce in_force(options.budget);
-  Turntable turntable = turntable_of(system, scene, display_file, views);
+  TakenScene taken(scene, display_file);
+  Turntable turntable = turntable_of(taken, system.view(), views);
   const DrawOptions settled = with_settings(system, options);
-  kept_ = std::make_unique<Kept>(Kept{views.number, std::move(turntable), settled,
-                                      source_of(system, scene, display_file, settled)});
+  taken.take();
+  kept_ = std::make_unique<Kept>(Kept{std::move(taken), system.view(), views, std::move(turntable),
+                                      settled, source_of(system, scene, display_file, settled)});
 }
 TurntableRenderer::TurntableRenderer(TurntableRenderer&& other) noexcept = default;
 TurntableRenderer& TurntableRenderer::operator=(TurntableRenderer&& other) noexcept = default;

@@ -46,13 +46,14 @@ void require_views_drawable(const ViewsDrawn& views, const std::filesystem::path
 /// of some views evenly around: all from one BSP tree in world coordinates
 /// (hidden/sort/world_tree.md), by rays from one tree of boxes (interp/visibility/ray_cast.md), or
 /// each anew by a method that works in image space or finds lines (interp/view_renderer.h). A view
-/// is the same, bit for bit, whichever others are drawn. For one thread, which shares the work
-/// among as many as the options say.
+/// is the same, bit for bit, whichever others are drawn. Where the application edited the scene, it
+/// is taken up anew, with its middle and what the window is fitted to. For one thread, which shares
+/// the work among as many as the options say.
 class TurntableRenderer {
  public:
   /// What is to be drawn: `scene`, which a system retained, and the display file of that system,
   /// which says which segments are visible and how their images are transformed. Both must live on,
-  /// and nothing of them may change. What the options do not say is as `system` has it; it need not
+  /// and may be edited and moved. What the options do not say is as `system` has it; it need not
   /// live on. Throws Error as require_turntable_views and require_turntable_method do, for options
   /// out of their range, if the segments were drawn in several views, and as RetainedViews and
   /// WorldViews do.
@@ -67,7 +68,8 @@ class TurntableRenderer {
   /// With what the system had set.
   const DrawOptions& options() const;
 
-  /// Throws Error as draw (interp/draw.h) does, and for a view that there is not: here as below.
+  /// Throws Error as draw (interp/draw.h) does, for a view that there is not, and as the
+  /// constructor for a scene that was edited: here as below.
   Picture draw(int view);
   /// For a file the options' format or its extension says how, as for draw.
   void draw(int view, const Destination& to);

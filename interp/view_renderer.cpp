@@ -40,16 +40,24 @@ RasterRequest raster_request_of_view(const DrawOptions& options) {
 }  // namespace
 
 struct ViewRenderer::Kept {
-  const RetainedScene& scene;
   SceneViewer viewer;
   SoftwareRenderer software = {};
   std::unique_ptr<RetainedCasters> casters = nullptr;
+  std::size_t caster_trees = 0, caster_lists = 0;  // that were made; lists of former casters
   Picture picture = {};
+
+  /// The casters are those of the scene as it was.
+  void bring_up_to_date() {
+    if (!viewer.bring_up_to_date() || casters == nullptr) return;
+    caster_lists += casters->lists_made();
+    casters.reset();
+  }
 
   /// Null where no shadows are seen.
   RetainedCasters* casters_of_shadows(int threads) {
     if (viewer.shows_shadows() && casters == nullptr) {
-      casters = std::make_unique<RetainedCasters>(scene, threads);
+      casters = std::make_unique<RetainedCasters>(viewer.scene(), threads);
+      ++caster_trees;
     }
     return casters.get();
   }
@@ -58,6 +66,8 @@ struct ViewRenderer::Kept {
   template <class Draw>
   auto in_view(const View& view, const glm::dmat3& lights_turned, const DrawOptions& options,
                RasterRequest request, const Draw& draw) {
+    bring_up_to_date();
+    const RetainedScene& scene = viewer.scene();
     if (finds_lines(request.method)) {
       SortedDisplayFile lines;
       HiddenSurfaceOptions asked = hidden_surface_options(options);
@@ -76,7 +86,7 @@ struct ViewRenderer::Kept {
 };
 
 ViewRenderer::ViewRenderer(const RetainedScene& scene, const DisplayFile& attributes)
-    : kept_(std::make_unique<Kept>(Kept{scene, SceneViewer(scene, attributes)})) {}
+    : kept_(std::make_unique<Kept>(Kept{SceneViewer(scene, attributes)})) {}
 ViewRenderer::~ViewRenderer() = default;
 ViewRenderer::ViewRenderer(ViewRenderer&& other) noexcept = default;
 ViewRenderer& ViewRenderer::operator=(ViewRenderer&& other) noexcept = default;
@@ -117,8 +127,8 @@ void ViewRenderer::give_back(Picture picture) { kept_->picture = std::move(pictu
 
 ViewRenderer::Made ViewRenderer::made() const {
   const RetainedCasters* const casters = kept_->casters.get();
-  return {kept_->software.surfaces_found(), casters != nullptr ? 1u : 0u,
-          casters != nullptr ? casters->lists_made() : 0u};
+  return {kept_->software.surfaces_found(), kept_->caster_trees,
+          kept_->caster_lists + (casters != nullptr ? casters->lists_made() : 0u)};
 }
 
 std::size_t ViewRenderer::bytes_of_casters() const {

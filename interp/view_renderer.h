@@ -17,12 +17,12 @@ namespace displayfile {
 /// vertex is viewed once, what no pixel's centre can show is left out, and memory is kept from
 /// picture to picture; so is what a moving eye leaves as it was of shadows, and a moving light of
 /// visible surfaces. What is seen is what the system would have drawn in that view, to the last
-/// bit. For one thread, which shares the work among as many as the options say.
+/// bit. Where the application edited the scene, it is taken up anew. For one thread, which shares
+/// the work among as many as the options say.
 class ViewRenderer {
  public:
   /// The scene, and the display file of the system that retained it, which says which segments are
-  /// visible and how their images are transformed. Both must live on, and nothing of the scene may
-  /// change.
+  /// visible and how their images are transformed. Both must live on, and may be edited and moved.
   ViewRenderer(const RetainedScene& scene, const DisplayFile& attributes);
   ~ViewRenderer();
   ViewRenderer(ViewRenderer&& other) noexcept;
@@ -31,8 +31,9 @@ class ViewRenderer {
   /// The visible segments in that view, with the lights turned by a rotation. The options' method
   /// is `automatic`, the z-buffer, unless they say otherwise; scope has a meaning for methods of
   /// lines alone: without one all segments are drawn together. The picture stays until the next
-  /// call, which uses its memory again. Throws Error as draw (interp/draw.h) and ViewVolume do, and
-  /// for a method that neither works in image space nor finds lines.
+  /// call, which uses its memory again. Throws Error as draw (interp/draw.h) and ViewVolume do, for
+  /// a method that neither works in image space nor finds lines, and if the scene or the display
+  /// file is gone.
   const Picture& draw(const View& view, const DrawOptions& options = {},
                       const glm::dmat3& lights_turned = glm::dmat3(1.0));
   void draw(const View& view, const Destination& to, const DrawOptions& options = {},
@@ -43,8 +44,8 @@ class ViewRenderer {
   void give_back(Picture picture);
 
   /// How often what is kept was made, since the beginning: while only lights change, no surfaces
-  /// are found; for all views one tree of what casts shadows is made; and while the lights stay,
-  /// for each polygon that is seen one list of what can hide its light.
+  /// are found; for all views of a scene that is not edited one tree of what casts shadows is made;
+  /// and while the lights stay, for each polygon that is seen one list of what can hide its light.
   struct Made {
     std::size_t surfaces, caster_trees, caster_lists;
   };

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include "clip/error.h"
+#include "displayfile/taken_scene.h"
 #include "displayfile/view_stage.h"
 #include "interp/visibility/world_rays.h"
 
@@ -42,20 +44,43 @@ class ViewedSegments {
 
 }  // namespace
 
+struct WorldViews::Kept {
+  TakenScene taken;
+  std::shared_ptr<const WorldRays> rays;
+  std::mutex mutex;
+
+  Kept(const RetainedScene& scene, const DisplayFile& attributes) : taken(scene, attributes) {
+    take();
+  }
+  void take() {
+    rays = std::make_shared<WorldRays>(taken.scene(), taken.attributes());
+    taken.take();
+  }
+};
+
 WorldViews::WorldViews(const RetainedScene& scene, const DisplayFile& attributes)
-    : rays_(std::make_shared<WorldRays>(scene, attributes)) {}
+    : kept_(std::make_shared<Kept>(scene, attributes)) {}
+
+/// Of the scene as it is now.
+std::shared_ptr<const WorldRays> WorldViews::rays() const {
+  const std::lock_guard in_turn(kept_->mutex);
+  if (!kept_->taken.is_gone() && !kept_->taken.is_same()) kept_->take();
+  return kept_->rays;
+}
 
 ViewedWorld WorldViews::view(const View& view, const glm::dmat3& lights_turned) const {
-  ViewedSegments segments(rays_);
-  for (const RetainedScene::Segment& part : rays_->scene().segments()) {
+  const auto world = rays();
+  ViewedSegments segments(world);
+  for (const RetainedScene::Segment& part : world->scene().segments()) {
     segments.enter(part, view, lights_turned);
   }
   return segments.take();
 }
 
 ViewedWorld WorldViews::as_drawn() const {
-  ViewedSegments segments(rays_);
-  for (const RetainedScene::Segment& part : rays_->scene().segments()) {
+  const auto world = rays();
+  ViewedSegments segments(world);
+  for (const RetainedScene::Segment& part : world->scene().segments()) {
     segments.enter(part, part.view, glm::dmat3(1.0));
   }
   return segments.take();
@@ -63,15 +88,16 @@ ViewedWorld WorldViews::as_drawn() const {
 
 std::optional<Pick> WorldViews::pick(const View& view, double x, double y) const {
   if (!std::isfinite(x) || !std::isfinite(y)) throw Error("a point to pick at is not finite");
-  const auto seen = rays_->seen_at(view, {x, y});
+  const auto world = rays();
+  const auto seen = world->seen_at(view, {x, y});
   if (!seen) return std::nullopt;
-  const RetainedScene& scene = rays_->scene();
+  const RetainedScene& scene = world->scene();
   const ViewVolume volume(view);
   return Pick{Pick::Kind::polygon, scene[seen->primitive].pick,
               scene.segment_of(seen->primitive).name,
               volume.to_device(volume.transform(seen->point)).z, seen->point};
 }
 
-std::size_t WorldViews::polygons() const { return rays_->polygons(); }
+std::size_t WorldViews::polygons() const { return rays()->polygons(); }
 
 }  // namespace displayfile

@@ -36,13 +36,15 @@ struct ViewedWorld {
 /// unrounded; of equally near ones it is the one entered later.
 class WorldViews {
  public:
-  /// Takes the visible segments of the scene, as they now are; `attributes` is the display file of
-  /// the system that retained them. Throws Error if one has an image transformation: those act
-  /// after viewing.
+  /// Takes the visible segments of the scene; `attributes` is the display file of the system that
+  /// retained them. Both may be edited and moved, while no other thread calls: the next view, or
+  /// pick, takes them anew. Once one of them is gone, views are of what was taken last. Throws
+  /// Error if a segment has an image transformation: those act after viewing.
   WorldViews(const RetainedScene& scene, const DisplayFile& attributes);
 
   /// The scene in a view. Lights are turned by `lights_turned`, a rotation. Throws Error as
-  /// ViewVolume does.
+  /// ViewVolume does, and here as below as the constructor for a scene that was edited. Several
+  /// threads may call it at a time.
   ViewedWorld view(const View& view, const glm::dmat3& lights_turned = glm::dmat3(1.0)) const;
   /// Each segment in the view that the application drew it in. Where these overlap in the picture
   /// the nearer polygon is seen, by its depth in its own view.
@@ -59,7 +61,9 @@ class WorldViews {
   std::size_t polygons() const;  ///< in the tree
 
  private:
-  std::shared_ptr<const WorldRays> rays_;
+  struct Kept;
+  std::shared_ptr<const WorldRays> rays() const;
+  std::shared_ptr<Kept> kept_;  // by copies too
 };
 
 }  // namespace displayfile

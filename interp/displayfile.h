@@ -20,6 +20,7 @@
 #include "displayfile/text/user_routine.h"
 #include "displayfile/turntable.h"
 #include "interp/draw.h"
+#include "interp/nothing_seen.h"
 #include "interp/other_eye.h"
 #include "interp/renderer.h"
 #include "interp/turntable_renderer.h"

@@ -163,6 +163,17 @@ void require_drawable(const GraphicsSystem& system, const DrawOptions& options) 
 
 namespace {
 
+/// What tells why nothing is seen, if the display file is what is drawn.
+EnteredScene retained_beside(const GraphicsSystem& system) {
+  return {.scene = system.retains_alone() ? nullptr : system.retained()};
+}
+
+DisplayFileSource source_of(const ViewedWorld& world, const DrawOptions& options,
+                            SoftwareRenderer& software) {
+  const View* const view = world.views.size() == 1 ? &world.views.front() : nullptr;
+  return {world.display_file, true, options, software, {&world.rays->scene(), view}};
+}
+
 /// What is kept from one picture to the next.
 struct KeptForPictures {
   SortedDisplayFile& sorted;
@@ -195,8 +206,9 @@ Picture draw_in_memory(const GraphicsSystem& system, const DrawOptions& as_asked
         system, options, method_in_force(system, hidden_surface_options(options)),
         PictureKind::raster, kept.sorted,
         [&](const DisplayFile& sorted, const RasterRequest& request) {
-          return draw_pixels(DisplayFileSource(sorted, false, options, kept.software), request,
-                             options);
+          return draw_pixels(
+              DisplayFileSource(sorted, false, options, kept.software, retained_beside(system)),
+              request, options);
         },
         [](const ViewedWorld& world, const DrawOptions& exact) { return draw(world, exact); });
   });
@@ -218,7 +230,8 @@ void draw_to(const GraphicsSystem& system, const Destination& to, const DrawOpti
     draw_up_to_date(
         system, options, method, kind, kept.sorted,
         [&](const DisplayFile& sorted, const RasterRequest& request) {
-          const DisplayFileSource source(sorted, is_image_space(method), options, kept.software);
+          const DisplayFileSource source(sorted, is_image_space(method), options, kept.software,
+                                         retained_beside(system));
           write_picture(source, request, to, options);
         },
         [&](const ViewedWorld& world, const DrawOptions& exact) { draw(world, to, exact); });
@@ -278,8 +291,7 @@ void draw(const ViewedWorld& world, const Destination& to, const DrawOptions& op
   const NamedWork named(kDrawing);
   require_drawable(to, options);
   SoftwareRenderer software;
-  write_picture(DisplayFileSource(world.display_file, true, options, software),
-                raster_request(world, options), to, options);
+  write_picture(source_of(world, options, software), raster_request(world, options), to, options);
 }
 
 Picture draw(const ViewedWorld& world, const DrawOptions& options) {
@@ -287,8 +299,8 @@ Picture draw(const ViewedWorld& world, const DrawOptions& options) {
   const NamedWork named(kDrawing);
   SoftwareRenderer software;
   return with_memory_of_picture(options, software, [&] {
-    return draw_pixels(DisplayFileSource(world.display_file, true, options, software),
-                       raster_request(world, options), options);
+    return draw_pixels(source_of(world, options, software), raster_request(world, options),
+                       options);
   });
 }
 

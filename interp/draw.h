@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +19,16 @@
 #include "interp/world_views.h"
 
 namespace displayfile {
+
+/// What a picture does not show that its user may have expected.
+struct DrawWarning {
+  enum class Kind {
+    nothing_seen,  ///< there is nothing but the background, and why
+  };
+  Kind kind;
+  std::string text;  ///< a sentence, such as "nothing is seen: the only polygon or line is ..."
+};
+using Warn = std::function<void(const DrawWarning& warning)>;
 
 /// How a display file becomes a picture.
 struct DrawOptions {
@@ -52,6 +63,9 @@ struct DrawOptions {
   bool with_ids = false, with_depth = false;  ///< a picture in memory has them: Picture's members
   VectorOptions vectors = {};                 ///< of vectors
   WorkProgress progress = {};                 ///< as HiddenSurfaceOptions's
+  /// Is told, if not empty, once the picture is drawn, in the thread that draws. Nothing is written
+  /// or looked for otherwise. More of why nothing is seen is told where the scene is retained.
+  Warn warn = {};
   /// What drawing may use at most, and a way to stop it, if not null: LimitReached for more, and no
   /// file is written (clip/work_budget.md).
   WorkBudget* budget = nullptr;

@@ -1,8 +1,13 @@
 #include "interp/picture_source.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
+#include <new>
+#include <string>
 #include <vector>
 
+#include "clip/work_budget.h"
 #include "displayfile/background.h"
 #include "displayfile/sorted_display_file.h"
 #include "interp/files/npy_file.h"
@@ -51,7 +56,49 @@ void DisplayFileSource::write_vectors(const PictureFormat& format, const Destina
                        is_colour_rule(request.method), vectors_);
 }
 
+std::string DisplayFileSource::why_nothing_is_seen(const SeenIn& in) const {
+  SeenIn as_entered = in;
+  if (entered_.view != nullptr) as_entered.view = *entered_.view;
+  if (!nothing_is_seen(file_, in)) return "";
+  return entered_.scene != nullptr
+             ? displayfile::why_nothing_is_seen(*entered_.scene, file_, as_entered)
+             : displayfile::why_nothing_is_seen(file_, in);
+}
+
 namespace {
+
+/// Whether pixels show more than the background: then something is seen, without a look at what was
+/// to be drawn.
+class PixelsShown {
+ public:
+  /// Does not look if nobody is to be warned.
+  PixelsShown(const DrawOptions& options, const RasterRequest& request)
+      : shown_(!options.warn), background_(pixel_of(request.background)) {}
+  void look_at(const Picture& rows) {
+    shown_ = shown_ || std::ranges::any_of(rows.pixels, [this](std::uint32_t pixel) {
+               return pixel != background_;
+             });
+  }
+  bool any() const { return shown_; }
+
+ private:
+  bool shown_;
+  std::uint32_t background_;
+};
+
+void warn_if_nothing_is_seen(const PictureSource& source, const DrawOptions& options,
+                             PictureKind kind) {
+  std::string why;
+  try {
+    why = source.why_nothing_is_seen(seen_in(options, kind));
+  } catch (const LimitReached&) {  // the picture is there
+    return;
+  } catch (const std::bad_alloc&) {
+    return;
+  }
+  if (why.empty()) return;
+  options.warn({DrawWarning::Kind::nothing_seen, "nothing is seen: " + why});
+}
 
 /// A pixel's samples in place of the pixel: colours only.
 RasterRequest request_of_samples(RasterRequest request, int samples) {
@@ -73,9 +120,10 @@ void draw_colours(const PictureSource& source, const RasterRequest& request,
 
 }  // namespace
 
-Picture draw_pixels(const PictureSource& source, const RasterRequest& request,
-                    const DrawOptions& options) {
-  require_drawable_by(request.method, options);
+namespace {
+
+Picture draw_samples(const PictureSource& source, const RasterRequest& request,
+                     const DrawOptions& options) {
   if (options.samples == 1) return source.draw(request);
   Picture picture;
   if (request.ids || request.depth) picture = source.draw(request);
@@ -88,12 +136,25 @@ Picture draw_pixels(const PictureSource& source, const RasterRequest& request,
   return picture;
 }
 
+}  // namespace
+
+Picture draw_pixels(const PictureSource& source, const RasterRequest& request,
+                    const DrawOptions& options) {
+  require_drawable_by(request.method, options);
+  Picture picture = draw_samples(source, request, options);
+  PixelsShown shown(options, request);
+  shown.look_at(picture);
+  if (!shown.any()) warn_if_nothing_is_seen(source, options, PictureKind::raster);
+  return picture;
+}
+
 namespace {
 
 using RowFiles = std::vector<std::unique_ptr<RowFile>>;
 
-TakeRows write_rows(const RowFiles& files) {
-  return [&files](const Picture& rows) {
+TakeRows write_rows(const RowFiles& files, PixelsShown& shown) {
+  return [&](const Picture& rows) {
+    shown.look_at(rows);
     for (const auto& file : files) file->write(rows);
   };
 }
@@ -117,8 +178,9 @@ void write_picture(const PictureSource& source, const RasterRequest& request, co
   }
   RasterRequest of_files = request;
   of_files.texts = format.is_of_pixels();
-  if (!files.empty()) source.draw(of_files, write_rows(files));
-  if (!colours.empty()) draw_colours(source, request, options, write_rows(colours));
+  PixelsShown shown(options, request);
+  if (!files.empty()) source.draw(of_files, write_rows(files, shown));
+  if (!colours.empty()) draw_colours(source, request, options, write_rows(colours, shown));
   for (const auto* written : {&files, &colours}) {
     for (const auto& pixel_file : *written) pixel_file->finish();
   }
@@ -126,6 +188,9 @@ void write_picture(const PictureSource& source, const RasterRequest& request, co
   for (const auto* written : {&files, &colours}) {
     for (const auto& pixel_file : *written) pixel_file->commit();
   }
+  if (!options.warn) return;
+  const PictureKind kind = format.is_of_pixels() ? PictureKind::raster : PictureKind::vector;
+  if (kind == PictureKind::vector || !shown.any()) warn_if_nothing_is_seen(source, options, kind);
 }
 
 }  // namespace displayfile

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <glm/mat3x3.hpp>
+#include <string>
+#include <tuple>
 
 #include "clip/view.h"
 #include "displayfile/destination.h"
 #include "displayfile/display_file.h"
 #include "displayfile/scene_viewer.h"
 #include "interp/draw.h"
+#include "interp/nothing_seen.h"
 #include "interp/picture.h"
 #include "interp/picture_checks.h"
 #include "interp/picture_formats.h"
@@ -24,14 +27,24 @@ class PictureSource {
   virtual void draw(const RasterRequest& request, const TakeRows& take) const = 0;
   virtual void write_vectors(const PictureFormat& format, const Destination& to,
                              const RasterRequest& request) const = 0;
+  /// Why nothing is seen of it in such a picture; empty if something is.
+  virtual std::string why_nothing_is_seen(const SeenIn& in) const = 0;
+};
+
+/// What the application drew into the display file, if it is known, and if it was not in its own
+/// views, in which.
+struct EnteredScene {
+  const RetainedScene* scene = nullptr;
+  const View* view = nullptr;
 };
 
 class DisplayFileSource : public PictureSource {
  public:
   /// `by_depth`: vectors of it are its map, as where a method of image space is asked for.
   DisplayFileSource(const DisplayFile& file, bool by_depth, const DrawOptions& options,
-                    SoftwareRenderer& kept)
+                    SoftwareRenderer& kept, const EnteredScene& entered = {})
       : file_(file),
+        entered_(entered),
         by_depth_(by_depth),
         device_(device_of(options.device)),
         pens_(options.pens),
@@ -47,9 +60,11 @@ class DisplayFileSource : public PictureSource {
   }
   void write_vectors(const PictureFormat& format, const Destination& to,
                      const RasterRequest& request) const override;
+  std::string why_nothing_is_seen(const SeenIn& in) const override;
 
  private:
   const DisplayFile& file_;
+  EnteredScene entered_;
   bool by_depth_;
   const RasterDevice& device_;
   std::optional<Pens> pens_;
@@ -92,6 +107,12 @@ class ViewSource : public PictureSource {
   void write_vectors(const PictureFormat& format, const Destination& to,
                      const RasterRequest& request) const override {
     of_display_file([&](const PictureSource& s) { s.write_vectors(format, to, request); });
+  }
+  std::string why_nothing_is_seen(const SeenIn& in) const override {
+    const SeenIn in_view{in.pixels, view_};
+    const auto& [scene, attributes] = std::tie(viewer_.scene(), viewer_.attributes());
+    if (!nothing_is_seen(scene, attributes, in_view)) return "";
+    return displayfile::why_nothing_is_seen(scene, attributes, in_view);
   }
 
  private:

@@ -217,13 +217,14 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
   const std::string pick_found =
       pick ? picked(system, pick_option(*pick), entered.options()) : std::string();
   SortedDisplayFile sorted;
+  std::vector<DrawWarning> warned;
   {
     Progress progress(fmt::format("drawing {} polygons", entered.polygons()));
     make_folders();
-    entered.draw(file, sorted, progress.told());
+    warned = entered.draw(file, sorted, progress.told());
   }
   left_out.note(system, entered.options(), kind);
-  entered.warn_if_nothing_is_seen();
+  entered.warn_if_nothing_is_seen(warned, kind);
   text += pick_found;
   if (stats) text += drawing_statistics(system, sorted.display_file(), entered.options(), kind);
   return text;

@@ -9,7 +9,7 @@
 
 #include "clip/work_budget.h"
 #include "displayfile/input_file.h"
-#include "displayfile/nothing_seen.h"
+#include "interp/nothing_seen.h"
 #include "interp/view_renderer.h"
 #include "interp/visibility/image_space.h"
 #include "programs/inputs.h"
@@ -20,8 +20,7 @@ namespace displayfile {
 namespace {
 
 /// What is said where it would take more to know more.
-constexpr const char* kNoReason =
-    "nothing that was entered is inside of the view volume and turned to the viewer";
+constexpr const char* kNoReason = "why would take more to find than the limits allow";
 
 /// By a method that views a retained scene, on a device that needs no display file.
 bool draws_views(const DrawOptions& options) {
@@ -52,16 +51,24 @@ std::size_t DrawnInputs::polygons() const {
   return system_.retains_alone() ? scene_.size() : system_.display_file().polygons();
 }
 
-/// Bare meshes are drawn in one view.
-void DrawnInputs::draw(const std::filesystem::path& file, SortedDisplayFile& kept,
-                       const WorkProgress& progress) const {
+/// Bare meshes are drawn in one view, in image space, where the scope has no meaning.
+std::vector<DrawWarning> DrawnInputs::draw(const std::filesystem::path& file,
+                                           SortedDisplayFile& kept,
+                                           const WorkProgress& progress) const {
+  std::vector<DrawWarning> warned;
   DrawOptions options = options_;
   options.progress = progress;
-  if (!system_.retains_alone()) return displayfile::draw(system_, file, options, kept);
+  options.warn = [&](const DrawWarning& warning) { warned.push_back(warning); };
+  if (!system_.retains_alone()) {
+    displayfile::draw(system_, file, options, kept);
+    return warned;
+  }
+  options.scope.reset();
   if (!options.background) options.background = system_.background();
   if (!options.precision) options.precision = system_.precision();
   ViewRenderer renderer(scene_, system_.display_file());
   renderer.draw(scene_.segments().front().view, file, options);
+  return warned;
 }
 
 void DrawnInputs::enter(GraphicsSystem& system) const {
@@ -72,20 +79,23 @@ void DrawnInputs::enter(GraphicsSystem& system) const {
 }
 
 /// What they drew is retained for that when they are read once more, as standard input cannot be.
-std::string DrawnInputs::why_nothing_is_seen() const {
+std::string DrawnInputs::why_nothing_is_seen(PictureKind kind) const {
   const DisplayFile& drawn = system_.display_file();
-  if (system_.retained() != nullptr) {
-    return displayfile::why_nothing_is_seen(*system_.retained(), drawn);
-  }
-  if (std::ranges::find(inputs_, "-") != inputs_.end()) return kNoReason;
+  const SeenIn picture = seen_in(options_, kind);
   std::ostringstream said_before;
   const CollectedWarnings collected(said_before);
   try {
+    if (system_.retained() != nullptr) {
+      return displayfile::why_nothing_is_seen(*system_.retained(), drawn, picture);
+    }
+    if (std::ranges::find(inputs_, "-") != inputs_.end()) {
+      return displayfile::why_nothing_is_seen(drawn, picture);
+    }
     RetainedScene scene;
     GraphicsSystem again;
     again.retain(&scene);
     enter(again);
-    return displayfile::why_nothing_is_seen(scene, drawn);
+    return displayfile::why_nothing_is_seen(scene, drawn, picture);
   } catch (const LimitReached&) {  // the picture is there
     return kNoReason;
   } catch (const std::bad_alloc&) {
@@ -93,15 +103,13 @@ std::string DrawnInputs::why_nothing_is_seen() const {
   }
 }
 
-bool DrawnInputs::nothing_is_seen() const {
-  const DisplayFile& drawn = system_.display_file();
-  return system_.retains_alone() ? displayfile::nothing_is_seen(scene_, drawn)
-                                 : displayfile::nothing_is_seen(drawn);
-}
-
-void DrawnInputs::warn_if_nothing_is_seen() const {
-  if (!nothing_is_seen()) return;
-  const std::string why = why_nothing_is_seen();
+void DrawnInputs::warn_if_nothing_is_seen(const std::vector<DrawWarning>& warned,
+                                          PictureKind kind) const {
+  const bool is_empty = std::ranges::any_of(warned, [](const DrawWarning& warning) {
+    return warning.kind == DrawWarning::Kind::nothing_seen;
+  });
+  if (!is_empty) return;
+  const std::string why = why_nothing_is_seen(kind);
   warnings() << fmt::format("{}{}: nothing is seen: {}\n", input_name(inputs_.front()),
                             inputs_.size() > 1 ? " and others" : "", why);
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "displayfile/graphics_system.h"
 #include "displayfile/retained_scene.h"
@@ -32,19 +33,18 @@ class DrawnInputs {
   std::size_t polygons() const;  ///< of the display file, or retained
 
   /// Draws them; `kept` is the display file as it was sorted, if one was. Progress is told as
-  /// DrawOptions says.
-  void draw(const std::filesystem::path& file, SortedDisplayFile& kept,
-            const WorkProgress& progress) const;
+  /// DrawOptions says. Returns what drawing warned of.
+  std::vector<DrawWarning> draw(const std::filesystem::path& file, SortedDisplayFile& kept,
+                                const WorkProgress& progress) const;
 
-  /// Warns, with the reason, if the picture is empty. The reason is worked out only then, for which
-  /// inputs that were not retained are entered once more.
-  void warn_if_nothing_is_seen() const;
+  /// Warns, with the reason, if such a picture is empty. To work out the reason, inputs that were
+  /// not retained are entered once more.
+  void warn_if_nothing_is_seen(const std::vector<DrawWarning>& warned, PictureKind kind) const;
 
  private:
   void enter(GraphicsSystem& system) const;
   bool are_bare_meshes() const;
-  bool nothing_is_seen() const;
-  std::string why_nothing_is_seen() const;
+  std::string why_nothing_is_seen(PictureKind kind) const;
 
   std::span<const std::string> inputs_;
   DrawOptions options_;

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <span>
+#include <vector>
 
 #include "clip/error.h"
 #include "interp/files/picture_compare.h"
@@ -44,8 +45,11 @@ bool PictureCheck::asked_for(const CheckedInputs& inputs) {
 
 Picture PictureCheck::picture_of(const std::string& input, const DrawOptions& options) const {
   const DrawnInputs entered(std::span(&input, 1), options, meshes_, Shading::flat);
-  Picture picture = draw(entered.system(), entered.options());
-  entered.warn_if_nothing_is_seen();
+  std::vector<DrawWarning> warned;
+  DrawOptions drawing = entered.options();
+  drawing.warn = [&](const DrawWarning& warning) { warned.push_back(warning); };
+  Picture picture = draw(entered.system(), drawing);
+  entered.warn_if_nothing_is_seen(warned, PictureKind::raster);
   return picture;
 }
 

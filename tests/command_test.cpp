@@ -427,6 +427,35 @@ TEST_F(Command, WarnsWhyNothingIsSeen) {
   EXPECT_NE(err_.find("t.draw: nothing is seen"), std::string::npos) << err_;
 }
 
+TEST_F(Command, WarnsOfWhatIsSeenEdgeOnOrSmallerThanAPixel) {
+  const std::string fill = "set-line-style none\nopen-segment 1\npolygon-abs-3 ";
+  write("edge.draw", fill + "0.1 0 0  0.1 0.5 0  0.1 0 0.5\nclose-segment\n");
+  write("small.draw", fill + "0.001 0.001 0  0.003 0.001 0  0.001 0.003 0\nclose-segment\n");
+  write("small.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const std::string edge_on =
+      "edge.draw: nothing is seen: the only polygon or line is seen edge-on, with no line style\n";
+  const std::string thin =
+      ": nothing is seen: the only polygon or line is smaller or thinner than a pixel, over no "
+      "pixel's centre\n";
+  for (const std::string hidden : {"", " --hidden z-buffer", " --hidden map"}) {
+    for (const std::string file : {"t.png", "t.svg"}) {
+      EXPECT_EQ(run("draw edge.draw -o " + file + hidden), 0);
+      EXPECT_EQ(err_, edge_on);
+    }
+    EXPECT_EQ(run("draw small.draw -o t.png --size 100x100" + hidden), 0);
+    EXPECT_EQ(err_, "small.draw" + thin);
+    EXPECT_EQ(run("draw small.draw -o t.svg --size 100x100" + hidden), 0);
+    EXPECT_EQ(err_, "");
+    EXPECT_EQ(run("draw small.draw -o t.png --size 4000x4000" + hidden), 0);
+    EXPECT_EQ(err_, "");
+  }
+  EXPECT_EQ(run("draw - -o t.png --size 100x100", "small.draw"), 0);
+  EXPECT_NE(err_.find("in the view volume is smaller or thinner than a pixel"), std::string::npos);
+  EXPECT_EQ(run("draw small.obj -o t.png --size 1x1"), 0);  // retained alone
+  EXPECT_EQ(run("check edge.draw --golden gold --picture --update"), 0);
+  EXPECT_NE(err_.find(edge_on), std::string::npos) << err_;
+}
+
 TEST_F(Command, HelpNamesEveryFormatAndDevice) {
   ASSERT_EQ(run("draw --help"), 0);
   const std::string help = out_;

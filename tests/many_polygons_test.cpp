@@ -13,12 +13,12 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "displayfile/nothing_seen.h"
 #include "displayfile/pick_of_ordinal.h"
 #include "displayfile/retained_views.h"
 #include "displayfile/scene_viewer.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
+#include "interp/nothing_seen.h"
 #include "tests/error_of.h"
 
 namespace displayfile {

@@ -1,28 +1,46 @@
 // Why a picture is empty.
 
-#include "displayfile/nothing_seen.h"
+#include "interp/nothing_seen.h"
 
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <ostream>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "displayfile/collected_text.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/text/drawing_program.h"
+#include "interp/renderer.h"
+#include "interp/turntable_renderer.h"
+#include "interp/view_renderer.h"
+#include "interp/world_views.h"
 
 namespace displayfile {
 namespace {
 
 /// Nothing if something is seen.
-std::string why(std::string_view program) {
+std::string why(std::string_view program, const SeenIn& in = {}) {
   GraphicsSystem system;
   RetainedScene scene;
   system.retain(&scene);
   replay(program, "program", system);
-  EXPECT_EQ(nothing_is_seen(scene, system.display_file()), nothing_is_seen(system.display_file()));
-  return nothing_is_seen(system.display_file()) ? why_nothing_is_seen(scene, system.display_file())
-                                                : "";
+  const DisplayFile& file = system.display_file();
+  EXPECT_EQ(nothing_is_seen(scene, file, in), nothing_is_seen(file, in));
+  return nothing_is_seen(file, in) ? why_nothing_is_seen(scene, file, in) : "";
 }
+
+/// The same where nothing is retained.
+std::string why_by_display_file(std::string_view program, const SeenIn& in = {}) {
+  GraphicsSystem system;
+  replay(program, "program", system);
+  const DisplayFile& file = system.display_file();
+  return nothing_is_seen(file, in) ? why_nothing_is_seen(file, in) : "";
+}
+
+SeenIn pixels(int side) { return {.pixels = PictureSize{side, side}}; }
 
 std::string triangle_at(const std::string& x, const std::string& y, const std::string& z) {
   return "translate-3 " + x + " " + y + " " + z +
@@ -62,6 +80,162 @@ TEST(NothingSeen, TellsWhatIsNotDrawn) {
   EXPECT_EQ(why("set-back-face-removal on\nopen-segment 1\n"
                 "polygon-abs-3 0 0 0  0 0.5 0  0.5 0 0\nclose-segment\n"),
             "the only polygon or line is turned away, as back faces are removed");
+}
+
+/// A triangle in the segment 1, and what is called before.
+std::string triangle(const std::string& vertices, const std::string& before = "") {
+  return "set-line-style none\n" + before + "open-segment 1\npolygon-abs-3 " + vertices +
+         "\nclose-segment\n";
+}
+constexpr const char* kEdgeOn = "0.1 0 0  0.1 0.5 0  0.1 0 0.5";
+constexpr const char* kSmall = "0.001 0.001 0  0.003 0.001 0  0.001 0.003 0";
+
+TEST(NothingSeen, TellsWhatIsSeenEdgeOn) {
+  const std::string words = "the only polygon or line is seen edge-on, with no line style";
+  const std::string removed = "set-back-face-removal on\n";
+  for (const SeenIn& in : {SeenIn{}, pixels(64)}) {
+    EXPECT_EQ(why(triangle(kEdgeOn), in), words);
+    EXPECT_EQ(why(triangle(kEdgeOn, removed), in), words);
+    EXPECT_EQ(why(triangle("0.1 0 0  0.2 0.1 0  0.3 0.2 0"), in), words);  // from everywhere
+    EXPECT_EQ(why(triangle(kEdgeOn, "set-line-style solid 0 0 0 1\n"), in), "");
+    EXPECT_EQ(why_by_display_file(triangle(kEdgeOn), in),
+              "the only polygon or line in the view volume is seen edge-on, with no line style");
+  }
+  // The eye is in its plane but for rounding: vertices are seen on one line within that.
+  const std::string eye = "set-perspective 0.3 0.7 3\nset-window -3 3 -3 3\n";
+  const std::string plane = "0.3 0.7 0  0.4 0.9 0  0.6333333333333333 1.3666666666666667 1";
+  EXPECT_EQ(why(triangle(plane, eye)), words);
+  EXPECT_EQ(why(triangle(plane, eye), pixels(100)), words);
+}
+
+TEST(NothingSeen, TellsWhatIsSmallerThanAPixel) {
+  const std::string words =
+      "the only polygon or line is smaller or thinner than a pixel, over no pixel's centre";
+  EXPECT_EQ(why(triangle(kSmall), pixels(100)), words);
+  EXPECT_EQ(why(triangle(kSmall), pixels(4000)), "");
+  EXPECT_EQ(why(triangle(kSmall)), "");  // vectors
+  EXPECT_EQ(why(triangle(kSmall, "set-line-style solid 0 0 0 1\n"), pixels(100)), "");
+  EXPECT_EQ(why(triangle("-0.9 0.001 0  0.9 0.001 0  0 0.003 0"), pixels(100)), words);
+  EXPECT_EQ(
+      why_by_display_file(triangle(kSmall), pixels(100)),
+      "the only polygon or line in the view volume is smaller or thinner than a pixel, over no "
+      "pixel's centre");
+}
+
+TEST(NothingSeen, TellsWhatImagesMoveAway) {
+  const std::string moved = triangle("0 0 0  0.5 0 0  0 0.5 0") + "set-image-translation 1 3 0\n";
+  EXPECT_EQ(why(moved),
+            "the only polygon or line is moved out of the picture by image transformations");
+  EXPECT_EQ(why(moved + "set-image-translation 1 0.1 0\n"), "");
+}
+
+TEST(NothingSeen, TellsLessWhereNothingIsRetained) {
+  EXPECT_EQ(why_by_display_file(""), "no polygon or line was entered");
+  EXPECT_EQ(why_by_display_file(triangle_at("0", "0", "0")), "");
+  EXPECT_EQ(why_by_display_file(triangle_at("5", "0", "0")),
+            "nothing that was entered is inside of the view volume and turned to the viewer");
+  EXPECT_EQ(why_by_display_file(triangle_at("0", "0", "0") + "set-visibility 1 off\n"),
+            "what was entered is in segments that are not visible");
+  EXPECT_EQ(why_by_display_file("set-line-style none\nopen-segment 1\npolygon-abs-3 " +
+                                    std::string(kEdgeOn) + "\npolygon-abs-3 " + kSmall +
+                                    "\nset-fill-style hollow\npolygon-abs-3 " + kSmall +
+                                    "\nclose-segment\n",
+                                pixels(50)),
+            "of 3 polygons and lines in the view volume 1 is hollow, with no line style, 1 is seen "
+            "edge-on, with no line style, 1 is smaller or thinner than a pixel, over no pixel's "
+            "centre");
+}
+
+/// Every way to draw tells it, once, and only where there is nothing to be seen.
+class WarnedPictures {
+ public:
+  explicit WarnedPictures(std::string_view program) {
+    system_.retain(&scene_);
+    replay(program, "program", system_);
+    options_.warn = [this](const DrawWarning& warning) {
+      EXPECT_EQ(warning.kind, DrawWarning::Kind::nothing_seen);
+      warned_.push_back(warning.text);
+    };
+  }
+
+  /// What each of them says, in pixels and in vectors.
+  void expect(const std::string& in_pixels, const std::string& in_vectors) {
+    const DisplayFile& file = system_.display_file();
+    const View view = system_.view();
+    Renderer renderer;
+    ViewRenderer views(scene_, file);
+    const WorldViews world(scene_, file);
+    DrawOptions samples = options_;
+    samples.samples = 2;
+    DrawOptions anew = options_;
+    anew.hidden = HiddenMethod::z_buffer;
+    TurntableRenderer turntable(system_, scene_, file, {3}, anew);
+    const auto told = [&](const std::string& expected, const auto& draw) {
+      warned_.clear();
+      draw();
+      const std::string text = expected.empty() ? "" : "nothing is seen: " + expected;
+      EXPECT_EQ(warned_, text.empty() ? std::vector<std::string>() : std::vector{text});
+    };
+    told(in_pixels, [&] { draw(system_, options_); });
+    told(in_pixels, [&] { draw(system_, samples); });
+    told(in_pixels, [&] { renderer.draw(system_, options_); });
+    told(in_pixels, [&] { views.draw(view, options_); });
+    told(in_pixels, [&] { draw(world.view(view), options_); });
+    told(in_pixels, [&] { turntable.draw(0); });
+    for (const char* format : {"ppm", "svg"}) {
+      const std::string& expected = std::string(format) == "ppm" ? in_pixels : in_vectors;
+      const auto to_file = [&](const auto& write) {
+        CollectedText bytes;
+        told(expected, [&] { write(bytes, format); });
+      };
+      to_file([&](std::ostream& to, const char* as) { draw(system_, to, in(options_, as)); });
+      to_file([&](std::ostream& to, const char* as) { draw(system_, to, in(samples, as)); });
+      to_file([&](std::ostream& to, const char* as) { views.draw(view, to, in(options_, as)); });
+      to_file(
+          [&](std::ostream& to, const char* as) { draw(world.view(view), to, in(options_, as)); });
+    }
+  }
+
+ private:
+  static DrawOptions in(DrawOptions options, const char* format) {
+    options.format = format;
+    return options;
+  }
+  RetainedScene scene_;
+  GraphicsSystem system_;
+  std::vector<std::string> warned_;
+  DrawOptions options_{.width = 40, .height = 40};
+};
+
+TEST(NothingSeen, IsToldByWhateverDraws) {
+  const std::string only = "the only polygon or line is ";
+  const std::string edge_on = only + "seen edge-on, with no line style";
+  WarnedPictures(triangle(kEdgeOn)).expect(edge_on, edge_on);
+  WarnedPictures(triangle(kSmall))
+      .expect(only + "smaller or thinner than a pixel, over no pixel's centre", "");
+  const std::string right = only + "to the right of the window";
+  WarnedPictures(triangle("5 0 0  6 0 0  5 1 0")).expect(right, right);
+  WarnedPictures(triangle("0 0 0  0.5 0 0  0 0.5 0")).expect("", "");
+  // In the background's colour it is there all the same.
+  WarnedPictures("set-background 1 0 0\nset-fill-style solid 1 0 0\n" +
+                 triangle("0 0 0  0.5 0 0  0 0.5 0"))
+      .expect("", "");
+}
+
+/// What a sample's centre is covered by is seen.
+TEST(NothingSeen, IsToldOfThePictureThatIsDrawn) {
+  GraphicsSystem system;
+  replay(triangle("0.03 0.03 0  0.06 0.03 0  0.03 0.06 0"), "program", system);
+  const auto warned = [&](int samples, std::optional<PictureRows> rows = std::nullopt) {
+    int count = 0;
+    DrawOptions options{.width = 10, .height = 10, .rows = rows, .samples = samples};
+    options.warn = [&](const DrawWarning&) { ++count; };
+    draw(system, options);
+    return count;
+  };
+  EXPECT_EQ(warned(1), 1);
+  EXPECT_EQ(warned(8), 0);
+  EXPECT_EQ(warned(8, PictureRows{0, 2}), 0);  // it is in others
 }
 
 TEST(NothingSeen, CountsEachReason) {

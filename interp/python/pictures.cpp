@@ -226,6 +226,29 @@ py::tuple arrays_of(Picture&& picture, const DrawOptions& options,
 
 namespace {
 
+void warn(const std::string& message) {
+  constexpr int kOfCaller = 2;  // of the method that called
+  if (PyErr_WarnEx(PyExc_UserWarning, message.c_str(), kOfCaller) < 0) {
+    throw py::error_already_set();
+  }
+}
+
+/// What drawing warns of, without the interpreter's lock, until it is told with it.
+class Warned {
+ public:
+  explicit Warned(DrawOptions& options) {
+    options.warn = [this](const DrawWarning& warning) { texts_.push_back(warning.text); };
+  }
+  Warned(const Warned&) = delete;
+  Warned& operator=(const Warned&) = delete;
+  void tell() const {
+    for (const std::string& text : texts_) warn(text);
+  }
+
+ private:
+  std::vector<std::string> texts_;
+};
+
 /// What was viewed for pictures of another shape.
 void warn_if_distorted(System& self, const DrawOptions& options) {
   const auto [aspect, wider] = self.call([&](GraphicsSystem& system) {
@@ -239,21 +262,22 @@ void warn_if_distorted(System& self, const DrawOptions& options) {
   });
   constexpr double kRounded = 0.01;  // the shape of a picture in whole pixels
   if (std::abs(wider - 1.0) <= kRounded + 1.0 / std::min(options.width, options.height)) return;
-  const std::string message = fmt::format(
+  warn(fmt::format(
       "a picture of {} x {} shows this system {:.3g} times as wide as it was viewed: expected "
       "System(aspect={:.4g}), or set_aspect_ratio, before the first segment",
-      options.width, options.height, wider, aspect);
-  if (PyErr_WarnEx(PyExc_UserWarning, message.c_str(), 2) < 0) throw py::error_already_set();
+      options.width, options.height, wider, aspect));
 }
 
 py::tuple draw(System& self, py::handle size, const py::kwargs& said) {
-  const DrawOptions options = draw_options_in(size, said);
+  DrawOptions options = draw_options_in(size, said);
+  const Warned warned(options);
   warn_if_distorted(self, options);
   Picture picture = self.work([&](GraphicsSystem& system, Renderer& renderer) {
     renderer.give_back(self.spare()->take());
     renderer.draw(system, options);
     return renderer.take_picture();
   });
+  warned.tell();
   return arrays_of(std::move(picture), options, self.spare());
 }
 
@@ -267,7 +291,8 @@ py::tuple require_drawn(System& self, py::handle to, py::handle size, const py::
 }
 
 py::object draw_as(System& self, py::handle format, py::handle size, const py::kwargs& said) {
-  const DrawOptions options = draw_options_in(size, said);
+  DrawOptions options = draw_options_in(size, said);
+  const Warned warned(options);
   warn_if_distorted(self, options);
   const std::string name = word_in(format, "format");
   const std::string bytes = self.work([&](GraphicsSystem& system, Renderer& renderer) {
@@ -278,6 +303,7 @@ py::object draw_as(System& self, py::handle format, py::handle size, const py::k
     renderer.draw(system, written, in_format);
     return std::move(written).str();
   });
+  warned.tell();
   return py::bytes(bytes);
 }
 
@@ -285,9 +311,11 @@ void save(System& self, py::handle to, py::handle format, py::handle size, const
   DrawOptions options = draw_options_in(size, said);
   const std::string path = path_in(to, "path");
   if (!format.is_none()) options.format = word_in(format, "format");
+  const Warned warned(options);
   warn_if_distorted(self, options);
   self.work(
       [&](GraphicsSystem& system, Renderer& renderer) { renderer.draw(system, path, options); });
+  warned.tell();
 }
 
 py::object pick(System& self, py::handle x, py::handle y, py::handle reach, py::handle size,

@@ -313,6 +313,8 @@ class System(_displayfile.System):
         """Draw the visible segments into memory.
 
         What is None is as the system's routines say. Drawing again is quick where little changed.
+        Where nothing is seen but the background, a UserWarning says why, here as by svg, save and the
+        like; it says most of System(retain=True).
 
         Args:
             size: (width, height) in pixels, or one number for both: 1 to 65535.

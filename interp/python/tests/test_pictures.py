@@ -8,6 +8,7 @@ import re
 import subprocess
 import sys
 import warnings
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -276,4 +277,45 @@ def test_a_picture_of_another_shape_is_told():
         drawn(aspect=1.333).draw((640, 480))
         drawn(window=(0, 4, 0, 3)).draw((640, 480))
         drawn(fit="stretch").draw((640, 480))
-        System().draw((640, 480))
+
+
+def test_what_shows_nothing_is_warned_of_with_the_reason(tmp_path):
+    def drawn(triangle, retain=False, line_style="none"):
+        system = System(retain=retain)
+        system.set_line_style(*line_style.split())
+        system.open_segment(1)
+        system.polygon_abs_3(triangle)
+        system.close_segment()
+        return system
+
+    edge_on = [(0.1, 0, 0), (0.1, 0.5, 0), (0.1, 0, 0.5)]
+    small = [(0.001, 0.001, 0), (0.003, 0.001, 0), (0.001, 0.003, 0)]
+    right = [(5, 0, 0), (6, 0, 0), (5, 1, 0)]
+    draws = [
+        lambda s: s.draw(100),
+        lambda s: s.draw(100, samples=2, ids=True),
+        lambda s: s.png(100),
+        lambda s: s.save(tmp_path / "t.ppm", 100),
+    ]
+    draws_vectors = [lambda s: s.svg(100), lambda s: s.save(tmp_path / "t.svg", 100)]
+    for draw in draws + draws_vectors:
+        with pytest.warns(UserWarning, match="^nothing is seen: no polygon or line was entered$"):
+            draw(System())
+        with pytest.warns(UserWarning, match="nothing is seen: the only .* is seen edge-on"):
+            draw(drawn(edge_on))
+        with pytest.warns(UserWarning, match="nothing is seen: nothing that was entered is inside"):
+            draw(drawn(right))
+        with pytest.warns(UserWarning, match="nothing is seen: the only .* right of the window"):
+            draw(drawn(right, retain=True))
+    for draw in draws:
+        with pytest.warns(UserWarning, match="nothing is seen: the only .* smaller or thinner"):
+            draw(drawn(small))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for draw in draws_vectors:
+            draw(drawn(small))
+        for draw in draws + draws_vectors:
+            draw(drawn(edge_on, line_style="solid 0 0 0 1"))
+    with pytest.warns(UserWarning) as told:
+        drawn(edge_on).draw(10)
+    assert [Path(w.filename).name for w in told] == [Path(__file__).name]

@@ -1,0 +1,301 @@
+#include "interp/nothing_seen.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "clip/back_face.h"
+#include "clip/bounds.h"
+#include "clip/clip_pipeline.h"
+#include "clip/transformation.h"
+#include "displayfile/view_stage.h"
+#include "displayfile/viewed_scene.h"
+#include "hidden/exact/support_plane.h"
+#include "interp/scan/scan_convert.h"
+
+namespace displayfile {
+
+namespace {
+
+enum class Reason {
+  eye,
+  front,
+  back,
+  left,
+  right,
+  bottom,
+  top,
+  corner,
+  turned_away,
+  style,
+  edge_on,
+  small,
+  moved
+};
+constexpr std::array<std::string_view, 13> kWords{
+    "behind the eye",
+    "before the front plane",
+    "behind the back plane",
+    "to the left of the window",
+    "to the right of the window",
+    "below the window",
+    "above the window",
+    "outside of the view volume",
+    "turned away, as back faces are removed",
+    "hollow, with no line style",
+    "seen edge-on, with no line style",
+    "smaller or thinner than a pixel, over no pixel's centre",
+    "moved out of the picture by image transformations",
+};
+using Counts = std::array<std::size_t, kWords.size()>;
+
+constexpr std::array kPlanes{
+    std::pair{ClipPlane::front, Reason::front},   std::pair{ClipPlane::back, Reason::back},
+    std::pair{ClipPlane::left, Reason::left},     std::pair{ClipPlane::right, Reason::right},
+    std::pair{ClipPlane::bottom, Reason::bottom}, std::pair{ClipPlane::top, Reason::top}};
+
+/// All vertices are on one line, but for the rounding of their coordinates.
+bool is_edge_on(std::span<const Point3> vertices) {
+  constexpr double kRounding = 1e-12;
+  const SupportVertices support = support_vertices(vertices);
+  if (support.edge_on) return true;
+  const auto& [p, q, r] = support.index;
+  const std::array farthest{vertices[p], vertices[q], vertices[r]};
+  Bounds bounds;
+  for (const Point3& point : farthest) bounds.include(point);
+  const double size = std::max(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y);
+  return std::abs(newell_c(farthest)) <= kRounding * size * size;
+}
+
+/// Looks at what is drawn in device coordinates, after the image transformation.
+class Shown {
+ public:
+  explicit Shown(const SeenIn& in) : pixels_(in.pixels) {}
+
+  /// Why nothing is seen of a polygon or a line; nothing if something is.
+  std::optional<Reason> why_not(std::span<const Point3> points, bool is_filled, bool has_lines) {
+    if (is_off_picture(points)) return Reason::moved;
+    if (has_lines) return std::nullopt;
+    if (!is_filled) return Reason::style;
+    if (pixels_ && covers_centre(points)) return std::nullopt;
+    if (is_edge_on(points)) return Reason::edge_on;
+    return pixels_ ? std::optional(Reason::small) : std::nullopt;
+  }
+
+ private:
+  static bool is_off_picture(std::span<const Point3> points) {
+    Bounds bounds;
+    for (const Point3& p : points) bounds.include(p);
+    return bounds.high.x < 0.0 || bounds.low.x > 1.0 || bounds.high.y < 0.0 || bounds.low.y > 1.0;
+  }
+  bool covers_centre(std::span<const Point3> points) {
+    bool covers = false;
+    converter_.scan_convert(points, {*pixels_, 0, pixels_->height},
+                            [&](int, int first, int end) { covers = covers || first < end; });
+    return covers;
+  }
+
+  std::optional<PictureSize> pixels_;
+  ScanConverter converter_;
+};
+
+std::vector<Point3> transformed(std::span<const Point3> points, const ImageTransformation& image) {
+  std::vector<Point3> moved(points.begin(), points.end());
+  if (image.is_identity()) return moved;
+  const ImageMatrix matrix(image);
+  for (Point3& p : moved) p = matrix.apply(p);
+  return moved;
+}
+
+// ---- A display file ----------------------------------------------------------------------
+
+/// Why nothing is seen of an item of a viewed scene; nothing if something is.
+std::optional<Reason> why_not(const ViewedScene& scene, ViewedScene::Item item, Shown& shown) {
+  const PointRow row = scene.points(item);
+  const std::span points(row.data(), row.size());
+  if (scene.kind(item) == Primitives::Kind::line) return shown.why_not(points, false, true);
+  bool has_lines = false;
+  if (scene.line_style(item).kind != LineStyle::Kind::none) {
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      has_lines = has_lines || scene.edge_visible(item, k);
+    }
+  }
+  return shown.why_not(points, scene.kind(item) == Primitives::Kind::solid, has_lines);
+}
+
+bool shows(const Segment& segment, Shown& shown) {
+  if (!segment.visible) return false;
+  if (segment.has_texts()) return true;
+  if (!segment.shows()) return false;
+  const ViewedScene scene(segment.entered(), segment.image);
+  for (ViewedScene::Item item = 0; item < scene.items(); ++item) {
+    if (!why_not(scene, item, shown)) return true;
+  }
+  return false;
+}
+
+// ---- A retained scene --------------------------------------------------------------------
+
+/// What is asked of one segment.
+struct SegmentInView {
+  const RetainedScene& scene;
+  ViewStage stage;
+  ImageTransformation image;
+  Shown& shown;
+};
+
+std::optional<Reason> why_not(SegmentInView& at, std::uint32_t i) {
+  const RetainedScene& scene = at.scene;
+  if (!scene.draws(i)) return Reason::style;
+  if (scene[i].is_line()) {
+    std::array<Point3, 2> ends;
+    const PointRow line = scene.points(i);
+    if (!at.stage.pipeline().clip_line(line[0], line[1], ends[0], ends[1])) return Reason::corner;
+    return at.shown.why_not(transformed(ends, at.image), false, true);
+  }
+  const Attributes& attributes = scene.shared_attributes(i);
+  const ViewedPolygon viewed = at.stage.view_polygon(scene.polygon(i), attributes);
+  const ClippedPolygon& polygon = viewed.polygon;
+  if (polygon.vertices.empty()) return Reason::corner;
+  const bool has_lines =
+      attributes.is_outlined() &&
+      std::ranges::any_of(polygon.edge_visible, [](LineKinds kinds) { return kinds != 0; });
+  return at.shown.why_not(transformed(polygon.vertices, at.image),
+                          attributes.fill.kind == FillStyle::Kind::solid, has_lines);
+}
+
+/// The same, and where it is, if it is in no view.
+Reason reason_of(SegmentInView& at, std::uint32_t i) {
+  const RetainedScene& scene = at.scene;
+  ClipPipeline& pipeline = at.stage.pipeline();
+  Outcode all = ~0u;
+  bool behind_eye = true;
+  for (const Point3& p : scene.points(i)) {
+    const HomogeneousPoint in_volume = pipeline.volume().transform(p);
+    all &= pipeline.volume().outcode(in_volume);
+    behind_eye = behind_eye && !(in_volume.w > 0.0);
+  }
+  const bool before_front = (all & bit_of(ClipPlane::front)) != 0;
+  const bool before_eye = (all & bit_of(ClipPlane::eye)) != 0;
+  if (behind_eye || (before_eye && !before_front)) return Reason::eye;
+  for (const auto& [plane, reason] : kPlanes) {
+    if ((all & bit_of(plane)) != 0) return reason;
+  }
+  if (!scene.draws(i)) return Reason::style;
+  if (!scene[i].is_line()) {
+    const ClippedPolygon clipped = pipeline.clip_polygon(scene.points(i));
+    const bool removed = clipped.vertices.size() >= 3 &&
+                         scene.shared_attributes(i).back_face_removal &&
+                         is_back_face(clipped.vertices);
+    if (removed) return is_edge_on(clipped.vertices) ? Reason::edge_on : Reason::turned_away;
+  }
+  return why_not(at, i).value_or(Reason::corner);
+}
+
+View view_of(const RetainedScene::Segment& segment, const SeenIn& in) {
+  return in.view.value_or(segment.view);
+}
+
+// ---- In words ----------------------------------------------------------------------------
+
+constexpr std::string_view kEntered = "", kInView = " in the view volume";
+
+std::string in_words(const Counts& counts, std::size_t all, std::string_view which) {
+  const auto whole = std::ranges::find(counts, all);
+  if (whole != counts.end()) {
+    const std::string_view words = kWords[static_cast<std::size_t>(whole - counts.begin())];
+    return all == 1 ? fmt::format("the only polygon or line{} is {}", which, words)
+                    : fmt::format("all {} polygons and lines{} are {}", all, which, words);
+  }
+  std::string text;
+  for (std::size_t r = 0; r < counts.size(); ++r) {
+    if (counts[r] == 0) continue;
+    text += text.empty() ? fmt::format("of {} polygons and lines{} ", all, which) : ", ";
+    text += fmt::format("{} {} {}", counts[r], counts[r] == 1 ? "is" : "are", kWords[r]);
+  }
+  return text;
+}
+
+}  // namespace
+
+SeenIn seen_in(const DrawOptions& options, PictureKind kind) {
+  if (kind == PictureKind::vector) return {};
+  return {.pixels = PictureSize{options.width * options.samples, options.height * options.samples}};
+}
+
+bool nothing_is_seen(const DisplayFile& display_file, const SeenIn& in) {
+  Shown shown(in);
+  return std::ranges::none_of(display_file.segments(),
+                              [&](const Segment& segment) { return shows(segment, shown); });
+}
+
+bool nothing_is_seen(const RetainedScene& scene, const DisplayFile& display_file,
+                     const SeenIn& in) {
+  Shown shown(in);
+  for (const RetainedScene::Segment& segment : scene.segments()) {
+    const Segment& now = display_file.segment(segment.name);
+    if (!now.visible) continue;
+    SegmentInView at{scene, ViewStage(ViewVolume(view_of(segment, in))), now.image, shown};
+    for (std::uint32_t i = segment.first; i < segment.end; ++i) {
+      if (!why_not(at, i)) return false;
+    }
+    for (const RetainedScene::Text& text : scene.texts(segment)) {
+      if (at.stage.pipeline().view(text.anchor).outcode == 0) return false;
+    }
+  }
+  return true;
+}
+
+std::string why_nothing_is_seen(const RetainedScene& scene, const DisplayFile& display_file,
+                                const SeenIn& in) {
+  if (scene.size() == 0) {
+    const bool texts = std::ranges::any_of(
+        scene.segments(), [&](const auto& segment) { return !scene.texts(segment).empty(); });
+    return texts ? "no polygon or line was entered, and no text is in the view volume"
+                 : "no polygon or line was entered";
+  }
+  Shown shown(in);
+  Counts counts{};
+  std::size_t all = 0;
+  for (const RetainedScene::Segment& segment : scene.segments()) {
+    const Segment& now = display_file.segment(segment.name);
+    if (!now.visible) continue;
+    SegmentInView at{scene, ViewStage(ViewVolume(view_of(segment, in))), now.image, shown};
+    for (std::uint32_t i = segment.first; i < segment.end; ++i, ++all) {
+      ++counts[static_cast<std::size_t>(reason_of(at, i))];
+    }
+  }
+  return all == 0 ? "what was entered is in segments that are not visible"
+                  : in_words(counts, all, kEntered);
+}
+
+std::string why_nothing_is_seen(const DisplayFile& display_file, const SeenIn& in) {
+  if (display_file.segments().empty()) return "no polygon or line was entered";
+  Shown shown(in);
+  Counts counts{};
+  std::size_t all = 0, stored = 0;
+  for (const Segment& segment : display_file.segments()) {
+    const std::size_t own = segment.polygons() + segment.lines();
+    stored += own;
+    if (!segment.visible || own == 0) continue;
+    all += own;
+    const ViewedScene scene(segment.entered(), segment.image);
+    counts[static_cast<std::size_t>(Reason::style)] += own - scene.items();
+    for (ViewedScene::Item item = 0; item < scene.items(); ++item) {
+      const Reason reason = why_not(scene, item, shown).value_or(Reason::corner);
+      ++counts[static_cast<std::size_t>(reason)];
+    }
+  }
+  if (all > 0) return in_words(counts, all, kInView);
+  return stored > 0 ? "what was entered is in segments that are not visible"
+                    : "nothing that was entered is inside of the view volume and turned to the "
+                      "viewer";
+}
+
+}  // namespace displayfile

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "clip/view.h"
+#include "displayfile/display_file.h"
+#include "displayfile/retained_scene.h"
+#include "hidden/exact/pixel_centre.h"
+#include "interp/draw.h"
+
+namespace displayfile {
+
+/// In what picture something is to be seen.
+struct SeenIn {
+  /// Of pixels, where a fill without lines is seen if it covers one's centre (with several samples
+  /// a pixel, one of theirs); none: of vectors, where it is seen if it has an area.
+  std::optional<PictureSize> pixels = std::nullopt;
+  /// Of a retained scene: not those that its segments were drawn in, but this.
+  std::optional<View> view = std::nullopt;
+};
+
+SeenIn seen_in(const DrawOptions& options, PictureKind kind);
+
+/// True if the visible segments hold nothing that shows. Looks no further than the first segment
+/// that does.
+bool nothing_is_seen(const DisplayFile& display_file, const SeenIn& in = {});
+
+/// The same of what the application drew, where that is not in the display file
+/// (GraphicsSystem::retain_alone). Looks no further than the first polygon or line that shows.
+bool nothing_is_seen(const RetainedScene& scene, const DisplayFile& display_file,
+                     const SeenIn& in = {});
+
+/// Why that is so, from what the application drew, such as "all 6 polygons and lines are behind the
+/// eye": the display file is that of the system that retained the scene.
+std::string why_nothing_is_seen(const RetainedScene& scene, const DisplayFile& display_file,
+                                const SeenIn& in = {});
+/// The same where nothing is retained: it tells no more than what is in the view volume.
+std::string why_nothing_is_seen(const DisplayFile& display_file, const SeenIn& in = {});
+
+}  // namespace displayfile

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <new>
 #include <string_view>
 #include <utility>
 
@@ -9,6 +10,8 @@
 #include "clip/memory.h"
 #include "clip/work_budget.h"
 #include "displayfile/collected_text.h"
+#include "displayfile/hidden_lines_left.h"
+#include "displayfile/hidden_surface_check.h"
 #include "interp/drawing_choice.h"
 #include "interp/picture_checks.h"
 #include "interp/picture_source.h"
@@ -55,6 +58,7 @@ RasterRequest raster_request(const ViewedWorld& world, const DrawOptions& option
       colour_rule ? colour_rule_by(HiddenMethod::world_ray_cast) : HiddenMethod::world_ray_cast;
   request.world = &world;
   request.hidden_lines = options.hidden_lines.value_or(HiddenLines::none);
+  require_scope_of_view(options);
   require_hidden_lines_drawn(request.hidden_lines, request.method, options);
   request.intersections = world.rays->scene().has_intersections();
   if (options.precision && !options.precision->exact) {
@@ -74,9 +78,10 @@ std::optional<ViewedWorld> world_in_force(const GraphicsSystem& system, HiddenMe
   return WorldViews(*system.retained(), system.display_file()).as_drawn();
 }
 
-/// With what the application set, for what is drawn without it.
+/// With what the application set, for what is drawn without it; the scope has no meaning there.
 DrawOptions with_settings(const GraphicsSystem& system, HiddenMethod method, DrawOptions options) {
   options.hidden = method;
+  options.scope.reset();
   options.precision = precision_in_force(system, hidden_surface_options(options));
   options.hidden_lines = hidden_lines_in_force(system, hidden_surface_options(options));
   return options;
@@ -156,9 +161,47 @@ void require_drawable_by(HiddenMethod method, const GraphicsSystem& system,
 
 }  // namespace
 
+namespace {
+
+/// Lines are to be drawn where they are hidden, and the method draws in order of entry.
+bool may_leave_hidden_lines(const GraphicsSystem& system, HiddenMethod method,
+                            const DrawOptions& options) {
+  return hidden_lines_in_force(system, hidden_surface_options(options)) != HiddenLines::none &&
+         !is_image_space(method) && !is_object_space(method);
+}
+
+/// What the options ask for is refused, and what the application set is left out with a warning.
+/// The display file has been brought up to date.
+void look_for_hidden_lines_left(const GraphicsSystem& system, const DisplayFile& drawn,
+                                HiddenMethod method, const DrawOptions& options) {
+  if (!options.hidden_lines && !options.warn) return;
+  if (!may_leave_hidden_lines(system, method, options)) return;
+  if (options.hidden_lines) {
+    if (leaves_hidden_lines(drawn, true, options.threads)) {
+      throw Error(words_of_hidden_lines_left(method));
+    }
+    return;
+  }
+  try {
+    if (!leaves_hidden_lines(drawn, true, options.threads)) return;
+  } catch (const LimitReached&) {  // of what is not drawn
+    return;
+  } catch (const std::bad_alloc&) {
+    return;
+  }
+  options.warn({DrawWarning::Kind::hidden_lines, words_of_hidden_lines_left(method)});
+}
+
+}  // namespace
+
 void require_drawable(const GraphicsSystem& system, const DrawOptions& options) {
   require_drawable_in_memory(options);
-  require_drawable_by(method_in_force(system, hidden_surface_options(options)), system, options);
+  const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
+  require_drawable_by(method, system, options);
+  if (options.hidden_lines && may_leave_hidden_lines(system, method, options) &&
+      leaves_hidden_lines(system.display_file(), !options.hidden, options.threads)) {
+    throw Error(words_of_hidden_lines_left(method));
+  }
 }
 
 namespace {
@@ -190,6 +233,7 @@ auto draw_up_to_date(const GraphicsSystem& system, const DrawOptions& options, H
   HiddenSurfaceOptions asked = hidden_surface_options(options);
   asked.shadows = kind == PictureKind::vector;
   const DisplayFile& sorted = kept.update(system, method, asked);
+  look_for_hidden_lines_left(system, sorted, method, options);
   if (const auto world = world_in_force(system, method)) {
     return draw_world(*world, with_settings(system, method, options));
   }
@@ -271,6 +315,7 @@ void draw(const DisplayFile& display_file, const Destination& to, const DrawOpti
   const BudgetInForce in_force(options.budget);
   const NamedWork named(kDrawing);
   require_drawable(to, options);
+  require_order_as_it_is(display_file, options);
   SoftwareRenderer software;
   write_picture(DisplayFileSource(display_file, false, options, software),
                 raster_request(display_file, options), to, options);
@@ -281,6 +326,7 @@ Picture draw(const DisplayFile& display_file, const DrawOptions& options) {
   const NamedWork named(kDrawing);
   SoftwareRenderer software;
   return with_memory_of_picture(options, software, [&] {
+    require_order_as_it_is(display_file, options);
     return draw_pixels(DisplayFileSource(display_file, false, options, software),
                        raster_request(display_file, options), options);
   });
@@ -290,6 +336,7 @@ void draw(const ViewedWorld& world, const Destination& to, const DrawOptions& op
   const BudgetInForce in_force(options.budget);
   const NamedWork named(kDrawing);
   require_drawable(to, options);
+  require_drawn_by_rays(options, picture_kind(to, options));
   SoftwareRenderer software;
   write_picture(source_of(world, options, software), raster_request(world, options), to, options);
 }
@@ -299,6 +346,7 @@ Picture draw(const ViewedWorld& world, const DrawOptions& options) {
   const NamedWork named(kDrawing);
   SoftwareRenderer software;
   return with_memory_of_picture(options, software, [&] {
+    require_drawn_by_rays(options, PictureKind::raster);
     return draw_pixels(source_of(world, options, software), raster_request(world, options),
                        options);
   });

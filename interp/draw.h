@@ -24,6 +24,7 @@ namespace displayfile {
 struct DrawWarning {
   enum class Kind {
     nothing_seen,  ///< there is nothing but the background, and why
+    hidden_lines,  ///< those that the application set to be drawn dashed: nothing finds them
   };
   Kind kind;
   std::string text;  ///< a sentence, such as "nothing is seen: the only polygon or line is ..."
@@ -103,7 +104,8 @@ Picture draw(const GraphicsSystem& system, const DrawOptions& options = {});
 /// extension says the format if the options do not, which they must for a stream. It appears whole
 /// or not at all. Throws Error for an unknown extension, a size that a device cannot draw, or a
 /// file or stream that cannot be written; and as in memory for hidden lines by the colour rule or
-/// on the OSMesa device, unless fills are put in order.
+/// on the OSMesa device, unless fills are put in order, and where the options ask for hidden lines,
+/// there are some, and the method, such as `none`, draws in order of entry.
 void draw(const GraphicsSystem& system, const Destination& to, const DrawOptions& options,
           SortedDisplayFile& kept);
 void draw(const GraphicsSystem& system, const Destination& to, const DrawOptions& options = {});
@@ -113,14 +115,17 @@ std::string draw_as(const GraphicsSystem& system, std::string_view format,
                     const DrawOptions& options = {});
 
 /// Draws a display file that is ready: the visible segments in the order that it has. Of the
-/// options that say how hidden surfaces are found, the colour rule has a meaning alone; otherwise
-/// it does what drawing a system into a file does.
+/// options that say how hidden surfaces are found, the colour rule has a meaning alone: Error for
+/// a method, scope, precision or hidden lines other than those of the order. Otherwise it does what
+/// drawing a system into a file does.
 void draw(const DisplayFile& display_file, const Destination& to, const DrawOptions& options);
 Picture draw(const DisplayFile& display_file, const DrawOptions& options = {});
 
 /// Draws a retained scene in a view (interp/world_views.h): pixels by rays cast in world
 /// coordinates, world_ray_cast, vectors and what the OSMesa device draws as by any image-space
-/// method. Otherwise the same. Throws Error too for a precision with a ROUNDOFF.
+/// method. Otherwise the same. Throws Error too for a precision with a ROUNDOFF, scope `segment`,
+/// and a method that is drawn by no rays: in pixels another than `automatic` and world_ray_cast,
+/// the colour rule by these too; in vectors one that is neither the map nor works in image space.
 void draw(const ViewedWorld& world, const Destination& to, const DrawOptions& options);
 Picture draw(const ViewedWorld& world, const DrawOptions& options = {});
 

@@ -99,6 +99,7 @@ const Picture& OtherEye::draw(const DrawOptions& options) {
   kept.require_same();
   const HiddenSurfaceOptions asked = hidden_surface_options(options);
   DrawOptions said = options;
+  said.scope.reset();  // as for a system, in image space
   said.hidden = drawing_method(kept.told, options);
   said.precision = precision_in_force(kept.told, asked);
   said.hidden_lines = hidden_lines_in_force(kept.told, asked);

@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "clip/error.h"
 #include "displayfile/hidden_surface_check.h"
 #include "displayfile/output.h"
@@ -108,6 +113,91 @@ void require_hidden_lines_drawn(HiddenLines hidden_lines, HiddenMethod method,
                     "bsp, depth-sort, map, or hidden lines none",
                     device.choice.name, name_of(method), first_device().choice.name));
   }
+}
+
+void require_scope_of_view(const DrawOptions& options) {
+  if (options.scope != HiddenScope::segment) return;
+  throw Error(
+      "scope 'segment' for a view of a retained scene, whose visible segments are drawn together: "
+      "expected all, or no scope");
+}
+
+namespace {
+
+/// How visible segments were put in order.
+struct OrderMade {
+  HiddenMethod method = HiddenMethod::none;
+  std::optional<Precision> precision = std::nullopt;
+  HiddenLines hidden_lines = HiddenLines::none;
+  std::optional<HiddenScope> scope = std::nullopt;
+
+  static OrderMade by(const SortedScene& sorted, HiddenScope scope) {
+    return {sorted.method, sorted.precision, sorted.hidden_lines, scope};
+  }
+};
+
+std::vector<OrderMade> orders_of(const DisplayFile& file) {
+  const auto visible = file.visible_segments();
+  if (visible.empty()) return {};
+  if (file.sorted() != nullptr) return {OrderMade::by(*file.sorted(), HiddenScope::all)};
+  std::vector<OrderMade> orders;
+  for (const Segment* segment : visible) {
+    const auto& sorted = segment->sorted();
+    orders.push_back(sorted == nullptr ? OrderMade{}
+                                       : OrderMade::by(*sorted, HiddenScope::segment));
+  }
+  return orders;
+}
+
+bool is_method_of(const OrderMade& order, HiddenMethod method) {
+  const HiddenMethod surfaces = surfaces_of(method);
+  return surfaces == HiddenMethod::automatic || surfaces == order.method ||
+         (surfaces == HiddenMethod::back_face && order.method == HiddenMethod::none);
+}
+
+std::string words_of(const Precision& precision) {
+  return precision.exact ? "exact" : fmt::format("roundoff={}", precision.roundoff);
+}
+
+/// `what` is as it is, and not as asked for.
+[[noreturn]] void refuse_for_order(std::string_view what, std::string_view asked,
+                                   std::string_view made) {
+  throw Error(fmt::format(
+      "{} '{}' for a display file that is drawn in the order that it has, of {} '{}': expected {}, "
+      "or no {}",
+      what, asked, what, made, made, what));
+}
+
+}  // namespace
+
+void require_order_as_it_is(const DisplayFile& display_file, const DrawOptions& options) {
+  for (const OrderMade& order : orders_of(display_file)) {
+    if (options.hidden && !is_method_of(order, *options.hidden)) {
+      refuse_for_order("hidden-surface method", name_of(*options.hidden), name_of(order.method));
+    }
+    if (options.precision && order.precision && !(*options.precision == *order.precision)) {
+      refuse_for_order("precision", words_of(*options.precision), words_of(*order.precision));
+    }
+    if (options.hidden_lines && *options.hidden_lines != order.hidden_lines) {
+      refuse_for_order("hidden lines", name_of(*options.hidden_lines), name_of(order.hidden_lines));
+    }
+    const bool of_several = display_file.visible_segments().size() > 1;
+    if (options.scope && order.scope && of_several && *options.scope != *order.scope) {
+      refuse_for_order("scope", name_of(*options.scope), name_of(*order.scope));
+    }
+  }
+}
+
+void require_drawn_by_rays(const DrawOptions& options, PictureKind kind) {
+  if (!options.hidden) return;
+  const HiddenMethod method = surfaces_of(*options.hidden);
+  if (method == HiddenMethod::automatic || method == HiddenMethod::world_ray_cast) return;
+  const bool by_rays = kind == PictureKind::raster && &device_of(options.device) == &first_device();
+  if (!by_rays && (is_image_space(method) || method == HiddenMethod::map)) return;
+  throw Error(fmt::format(
+      "hidden-surface method '{}' for a view into which rays are cast: expected world-ray-cast, {}"
+      "auto, or no method",
+      name_of(*options.hidden), by_rays ? "" : "map, a method of image space, "));
 }
 
 void require_drawable_in_memory(const DrawOptions& options) {

@@ -33,6 +33,15 @@ void require_drawn_by_pens(HiddenMethod method, const Pens& pens);
 void require_hidden_lines_drawn(HiddenLines hidden_lines, HiddenMethod method,
                                 const DrawOptions& options);
 
+/// Throws Error for scope `segment`, of a view of a retained scene: all its segments are drawn
+/// together.
+void require_scope_of_view(const DrawOptions& options);
+/// Throws Error if the options say how hidden surfaces are found, and the display file, which is
+/// drawn in the order that it has, was put in order otherwise.
+void require_order_as_it_is(const DisplayFile& display_file, const DrawOptions& options);
+/// Throws Error for a method that a retained scene's rays do not draw.
+void require_drawn_by_rays(const DrawOptions& options, PictureKind kind);
+
 /// What `draw` returns: a picture in memory, for which there must be room before any work is done.
 template <class Draw>
 Picture with_memory_of_picture(const DrawOptions& options, const SoftwareRenderer& kept,

@@ -84,6 +84,7 @@ void require_turntable_views(int number) {
 void require_turntable_method(const DrawOptions& options) {
   const HiddenMethod method = surfaces_asked_for(options);
   if (options.pens) require_drawn_by_pens(method, *options.pens);
+  if (method != HiddenMethod::automatic && is_image_space(method)) require_scope_of_view(options);
   if (method == HiddenMethod::bsp || is_image_space(method)) return;
   if (finds_lines(method)) return require_drawable_by(method, options);
   throw Error(fmt::format(

@@ -25,7 +25,8 @@ struct TurntableViews {
 /// Throws Error for anything but 1 to TurntableViews::kMost views.
 void require_turntable_views(int number);
 
-/// Throws Error if the options' method does not draw views of a retained scene.
+/// Throws Error if the options' method does not draw views of a retained scene, or if it draws all
+/// segments together and the scope is each.
 void require_turntable_method(const DrawOptions& options);
 
 /// Which views of a turntable are drawn: of so many, from one up to, but not including, another.

@@ -28,6 +28,7 @@ RasterRequest raster_request_of_view(const DrawOptions& options) {
                     "expected a method of image space or of lines",
                     name_of(request.method)));
   }
+  if (!finds_lines(request.method)) require_scope_of_view(options);
   require_drawable_by(request.method, options);
   require_hidden_lines_drawn(options.hidden_lines.value_or(HiddenLines::none), request.method,
                              options);

@@ -32,8 +32,8 @@ class ViewRenderer {
   /// is `automatic`, the z-buffer, unless they say otherwise; scope has a meaning for methods of
   /// lines alone: without one all segments are drawn together. The picture stays until the next
   /// call, which uses its memory again. Throws Error as draw (interp/draw.h) and ViewVolume do, for
-  /// a method that neither works in image space nor finds lines, and if the scene or the display
-  /// file is gone.
+  /// a method that neither works in image space nor finds lines, for scope `segment` where it has
+  /// no meaning, and if the scene or the display file is gone.
   const Picture& draw(const View& view, const DrawOptions& options = {},
                       const glm::dmat3& lights_turned = glm::dmat3(1.0));
   void draw(const View& view, const Destination& to, const DrawOptions& options = {},

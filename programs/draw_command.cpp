@@ -224,6 +224,7 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
     warned = entered.draw(file, sorted, progress.told());
   }
   left_out.note(system, entered.options(), kind);
+  left_out.note(warned);
   entered.warn_if_nothing_is_seen(warned, kind);
   text += pick_found;
   if (stats) text += drawing_statistics(system, sorted.display_file(), entered.options(), kind);

@@ -13,6 +13,7 @@
 #include "clip/error.h"
 #include "displayfile/background.h"
 #include "displayfile/file_extension.h"
+#include "displayfile/hidden_lines_left.h"
 #include "displayfile/input_file.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/text/drawing_program.h"
@@ -254,6 +255,7 @@ DrawnFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptio
   HiddenSurfaceOptions shown = options;
   shown.progress = progress.told();
   DrawnFile drawn{SortedDisplayFile{}.update(system, method, shown), std::nullopt};
+  require_hidden_lines_dumped(drawn.file, method, options);
   if (!is_colour_rule(method)) return drawn;
   require_colour_of_fills(method, system.background());
   drawn.fills = system.background().colour;

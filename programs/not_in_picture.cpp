@@ -44,7 +44,18 @@ void NotInPicture::note(const GraphicsSystem& system, const DrawOptions& options
   if (options.vectors.pick_ids && !by_map) pick_ids_ = true;
 }
 
+void NotInPicture::note(const std::vector<DrawWarning>& warned) {
+  for (const DrawWarning& warning : warned) {
+    if (warning.kind == DrawWarning::Kind::hidden_lines) hidden_lines_ = true;
+  }
+}
+
 void NotInPicture::warn(const std::string& output) const {
+  if (hidden_lines_) {
+    warnings()
+        << output
+        << ": left out: set-hidden-lines dashed, as nothing finds hidden lines in order of entry\n";
+  }
   std::vector<std::string_view> left_out;
   if (phong_) left_out.emplace_back("Phong shading (drawn as Gouraud shading)");
   if (shadows_) left_out.emplace_back("shadows (those of map are drawn, of all segments)");

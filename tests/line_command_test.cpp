@@ -1,7 +1,9 @@
 // Line drawings by the command: hidden lines dashed, and what is joined into chains.
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "interp/opengl/osmesa.h"
@@ -123,6 +125,52 @@ TEST_F(LineCommand, ATurntableHasTheLinesOfASceneDrawnAlone) {
     EXPECT_EQ(drawn("plain.draw -o t.png --turntable 1 --hidden-lines dashed"), dashed) << by;
     EXPECT_EQ(drawn("dashed.draw -o t.png --turntable 1 --hidden-lines none"), none) << by;
     EXPECT_NE(drawn("plain.draw -o t.png --turntable 1 --lines all"), none) << by;
+  }
+}
+
+/// In order of entry nothing finds where lines are hidden: who asks for them is told, and a
+/// program that sets them is drawn without, with a warning.
+TEST_F(LineCommand, HiddenLinesOfADrawingInOrderOfEntryAreRefused) {
+  const std::string plate =
+      "set-back-face-removal off\nopen-segment 1\n"
+      "polygon-abs-3 -0.5 -0.5 0  0.5 -0.5 0  0.5 0.5 0  -0.5 0.5 0\n";
+  const std::string behind =
+      plate + "move-abs-3 -0.9 0.1 -1\nline-abs-3 0.9 0.3 -1\nclose-segment\n";
+  write("behind.draw", behind);
+  write("before.draw", plate + "move-abs-3 -0.9 0.1 1\nline-abs-3 0.9 0.3 1\nclose-segment\n");
+  write("dashed.draw", "set-hidden-lines dashed\n" + behind);
+  const std::vector<std::pair<std::string, std::string>> in_order_of_entry{
+      {"", "none"}, {" --hidden none", "none"}, {" --hidden back-face", "back-face"}};
+  for (const auto& [with, method] : in_order_of_entry) {
+    for (const std::string file : {"x.png", "x.svg"}) {
+      expect_error("draw behind.draw --hidden-lines dashed -o " + file + with,
+                   "hidden lines are not found by hidden-surface method '" + method +
+                       "', which draws in order of entry: expected a method that hides, such as "
+                       "map or franklin, or hidden lines none");
+      EXPECT_FALSE(std::filesystem::exists(folder_ / file));
+      // Where no line is hidden, there is none to be dashed.
+      EXPECT_EQ(run("draw before.draw --hidden-lines dashed -o " + file + with), 0) << err_;
+      EXPECT_EQ(err_, "");
+      std::filesystem::remove(folder_ / file);
+      EXPECT_EQ(run("draw dashed.draw -o " + file + with), 0) << err_;
+      EXPECT_EQ(err_, file +
+                          ": left out: set-hidden-lines dashed, as nothing finds hidden lines "
+                          "in order of entry\n");
+      EXPECT_EQ(run("draw dashed.draw --hidden-lines none -o " + file + with), 0) << err_;
+      EXPECT_EQ(err_, "");
+      std::filesystem::remove(folder_ / file);
+    }
+  }
+  for (const std::string method : {"none", "back-face", "z-buffer", "world-ray-cast", "auto"}) {
+    expect_error("dump behind.draw --hidden-lines dashed --hidden " + method,
+                 "hidden lines are found where a method puts in order, which '" + method +
+                     "' does not: expected bsp, ");
+    EXPECT_EQ(run("dump before.draw --hidden-lines dashed --hidden " + method), 0) << err_;
+    EXPECT_EQ(run("dump dashed.draw --hidden " + method), 0) << err_;
+  }
+  for (const std::string method : {"z-buffer", "bsp", "map", "franklin", "auto"}) {
+    EXPECT_EQ(run("draw dashed.draw -o y.png --hidden " + method), 0) << err_;
+    EXPECT_EQ(err_, "");
   }
 }
 

@@ -17,6 +17,7 @@
 #include "clip/work_budget.h"
 #include "displayfile/drawn_pieces.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/hidden_lines_left.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
@@ -295,8 +296,10 @@ int df_drawn_pieces(df_system* system, const df_options* options, df_pieces* pie
     require_given(pieces, "df_pieces");
     const GraphicsSystem& from = looked_at(*system);
     const HiddenMethod method = drawing_method(from, asked, PictureKind::vector);
-    system->pieces =
-        drawn_pieces(system->sorted.update(from, method, hidden_surface_options(asked)));
+    const HiddenSurfaceOptions hidden = hidden_surface_options(asked);
+    const DisplayFile& file = system->sorted.update(from, method, hidden);
+    require_hidden_lines_dumped(file, method, hidden);
+    system->pieces = drawn_pieces(file);
     hand_out(arrays_of(system->pieces), pieces, "df_pieces");
   });
 }

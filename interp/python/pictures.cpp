@@ -13,6 +13,7 @@
 #include "clip/error.h"
 #include "displayfile/collected_text.h"
 #include "displayfile/drawn_pieces.h"
+#include "displayfile/hidden_lines_left.h"
 #include "displayfile/sorted_display_file.h"
 #include "displayfile/text/dump.h"
 #include "hidden/line_kinds.h"
@@ -337,7 +338,10 @@ py::tuple pieces(System& self, const py::kwargs& said) {
   return arrays_of(self.work([&](GraphicsSystem& system, Renderer&) {
     SortedDisplayFile sorted;
     const HiddenMethod method = drawing_method(system, options, PictureKind::vector);
-    return drawn_pieces(sorted.update(system, method, hidden_surface_options(options)));
+    const HiddenSurfaceOptions asked = hidden_surface_options(options);
+    const DisplayFile& file = sorted.update(system, method, asked);
+    require_hidden_lines_dumped(file, method, asked);
+    return drawn_pieces(file);
   }));
 }
 
@@ -348,6 +352,7 @@ std::string dump_of(System& self, const py::kwargs& said) {
     require_hidden_lines_found(hidden_lines_in_force(system, options), method);
     SortedDisplayFile sorted;
     const DisplayFile& file = sorted.update(system, method, options);
+    require_hidden_lines_dumped(file, method, options);
     if (!is_colour_rule(method)) return dump(file);
     require_colour_of_fills(method, system.background());
     return dump(file, system.background().colour);

@@ -324,7 +324,8 @@ class System(_displayfile.System):
                 "z-buffer" or "franklin".
             lines: Which sides of polygons are lines, as System has it. They are selected as segments
                 are closed, so that it must be what the system selects.
-            hidden_lines: "none", or "dashed" to draw lines where they are hidden, too.
+            hidden_lines: "none", or "dashed" to draw lines where they are hidden, too. An Error where
+                some are and the method, such as "none", draws in order of entry.
             scope: "segment" or "all": what is put in order together.
             precision: "exact", or "roundoff=EPS" for the textbook's ROUNDOFF.
             background: A colour, or "none" for a transparent one.

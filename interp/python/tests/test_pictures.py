@@ -319,3 +319,33 @@ def test_what_shows_nothing_is_warned_of_with_the_reason(tmp_path):
     with pytest.warns(UserWarning) as told:
         drawn(edge_on).draw(10)
     assert [Path(w.filename).name for w in told] == [Path(__file__).name]
+
+
+def test_hidden_lines_that_nothing_finds_are_refused_or_warned_of():
+    def drawn(z):
+        system = System()
+        system.open_segment(1)
+        system.polygon_abs_3([(-0.5, -0.5, 0), (0.5, -0.5, 0), (0.5, 0.5, 0), (-0.5, 0.5, 0)])
+        system.move_abs_3(-0.9, 0.1, z)
+        system.line_abs_3(0.9, 0.3, z)
+        system.close_segment()
+        return system
+
+    for hidden in (None, "none", "back-face"):
+        options = {"hidden": hidden, "hidden_lines": "dashed"}
+        for call in (lambda s: s.draw(64, **options), lambda s: s.svg(64, **options)):
+            with pytest.raises(Error, match="hidden lines are not found by"):
+                call(drawn(-1))
+            call(drawn(1))
+        for call in (lambda s: s.dump(**options), lambda s: s.pieces(**options)):
+            with pytest.raises(Error, match="hidden lines are found where a method puts in order"):
+                call(drawn(-1))
+            call(drawn(1))
+        behind = drawn(-1)
+        behind.set_hidden_lines("dashed")
+        with pytest.warns(UserWarning, match="hidden lines are not found by"):
+            behind.draw(64, hidden=hidden)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        behind.draw(64, hidden="z-buffer")
+        behind.svg(64, hidden="map")

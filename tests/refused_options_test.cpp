@@ -1,0 +1,190 @@
+// Options that say how hidden surfaces are found: whoever draws a retained scene, or a display file
+// that is ready, does what they say or refuses them.
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "displayfile/retained_views.h"
+#include "displayfile/sorted_display_file.h"
+#include "interp/draw.h"
+#include "interp/turntable_renderer.h"
+#include "interp/view_renderer.h"
+#include "interp/world_views.h"
+#include "tests/error_of.h"
+#include "tests/retained_truth.h"
+
+namespace displayfile {
+namespace {
+
+using test::error_of;
+using test::Retained;
+
+class RefusedOptions : public testing::Test {
+ protected:
+  RefusedOptions() { test::enter_two_segments(retained_.system); }
+
+  const DisplayFile& file() const { return retained_.system.display_file(); }
+  static DrawOptions options(std::optional<HiddenMethod> method = std::nullopt) {
+    DrawOptions options{.width = 40, .height = 30};
+    options.hidden = method;
+    return options;
+  }
+  /// What drawing into a file of that format says, or in memory if it is empty; nothing if it is
+  /// drawn.
+  template <class Drawn>
+  static std::string refusal(const Drawn& drawn, DrawOptions options, const std::string& format) {
+    if (format.empty()) return error_of([&] { draw(drawn, options); });
+    options.format = format;
+    std::ostringstream bytes;
+    const std::string error = error_of([&] { draw(drawn, bytes, options); });
+    EXPECT_EQ(error.empty(), !bytes.str().empty()) << error;
+    return error;
+  }
+
+  Retained retained_;
+};
+
+constexpr const char* kFormats[] = {"", "ppm", "svg"};
+
+TEST_F(RefusedOptions, ADisplayFileThatIsReadyHasTheOrderThatItHas) {
+  for (const HiddenScope scope : {HiddenScope::all, HiddenScope::segment}) {
+    RetainedViews views(retained_.scene, file(), {.scope = scope, .precision = {}});
+    const DisplayFile view = views.view(retained_.system.view());
+    for (const std::string format : kFormats) {
+      SCOPED_TRACE(format);
+      for (const HiddenMethodEntry& entry : hidden_methods()) {
+        if (!entry.available || is_colour_rule(entry.method)) continue;
+        const bool as_it_is =
+            entry.method == HiddenMethod::bsp || entry.method == HiddenMethod::automatic;
+        EXPECT_EQ(refusal(view, options(entry.method), format).empty(), as_it_is) << entry.name;
+      }
+      EXPECT_EQ(refusal(view, options(HiddenMethod::map), format),
+                "hidden-surface method 'map' for a display file that is drawn in the order that it "
+                "has, of hidden-surface method 'bsp': expected bsp, or no hidden-surface method");
+      EXPECT_EQ(refusal(view, options(HiddenMethod::colour_rule), format), "");
+      EXPECT_EQ(refusal(view, options(colour_rule_by(HiddenMethod::bsp)), format), "");
+      EXPECT_NE(refusal(view, options(colour_rule_by(HiddenMethod::map)), format), "");
+      DrawOptions with = options();
+      with.precision = Precision{};
+      with.scope = scope;
+      with.hidden_lines = HiddenLines::none;
+      EXPECT_EQ(refusal(view, with, format), "");
+      DrawOptions other = options();
+      other.precision = Precision{false, 0.25};
+      EXPECT_EQ(refusal(view, other, format),
+                "precision 'roundoff=0.25' for a display file that is drawn in the order that it "
+                "has, of precision 'exact': expected exact, or no precision");
+      other = options();
+      other.scope = scope == HiddenScope::all ? HiddenScope::segment : HiddenScope::all;
+      EXPECT_TRUE(refusal(view, other, format).starts_with("scope '")) << format;
+      other = options();
+      other.hidden_lines = HiddenLines::dashed;
+      EXPECT_TRUE(refusal(view, other, format).starts_with("hidden lines 'dashed' for ")) << format;
+    }
+  }
+  RetainedViews dashed(retained_.scene, file(),
+                       {.precision = {}, .hidden_lines = HiddenLines::dashed});
+  DrawOptions hidden = options();
+  hidden.hidden_lines = HiddenLines::dashed;
+  EXPECT_EQ(refusal(dashed.view(retained_.system.view()), hidden, "svg"), "");
+  hidden.hidden_lines = HiddenLines::none;
+  EXPECT_NE(refusal(dashed.view(retained_.system.view()), hidden, "svg"), "");
+}
+
+/// In order of entry, which is that of the heedless painter; and where nothing is, anything goes.
+TEST_F(RefusedOptions, ADisplayFileInOrderOfEntry) {
+  for (const std::string format : kFormats) {
+    EXPECT_EQ(refusal(file(), options(HiddenMethod::none), format), "");
+    EXPECT_EQ(refusal(file(), options(HiddenMethod::colour_rule), format), "");
+    EXPECT_EQ(refusal(file(), options(HiddenMethod::map), format),
+              "hidden-surface method 'map' for a display file that is drawn in the order that it "
+              "has, of hidden-surface method 'none': expected none, or no hidden-surface method");
+    EXPECT_EQ(refusal(DisplayFile(), options(HiddenMethod::map), format), "");
+  }
+  SortedDisplayFile sorted;
+  sorted.update(retained_.system, HiddenMethod::map, {.method = HiddenMethod::map});
+  EXPECT_EQ(refusal(sorted.display_file(), options(HiddenMethod::map), "svg"), "");
+}
+
+TEST_F(RefusedOptions, RaysDrawWhatRaysFind) {
+  const WorldViews views(retained_.scene, file());
+  const ViewedWorld world = views.view(retained_.system.view());
+  for (const HiddenMethod method : {HiddenMethod::automatic, HiddenMethod::world_ray_cast}) {
+    for (const std::string format : kFormats) {
+      EXPECT_EQ(refusal(world, options(method), format), "");
+    }
+  }
+  for (const HiddenMethod method : {HiddenMethod::map, HiddenMethod::z_buffer}) {
+    EXPECT_EQ(refusal(world, options(method), "svg"), "");  // all of them are the map there
+    for (const std::string format : {"", "ppm"}) {
+      EXPECT_EQ(refusal(world, options(method), format),
+                "hidden-surface method '" + std::string(name_of(method)) +
+                    "' for a view into which rays are cast: expected world-ray-cast, auto, or no "
+                    "method");
+    }
+  }
+  for (const HiddenMethod method :
+       {HiddenMethod::bsp, HiddenMethod::none, HiddenMethod::franklin}) {
+    for (const std::string format : kFormats) {
+      EXPECT_NE(refusal(world, options(method), format), "") << name_of(method);
+    }
+  }
+  for (const std::string format : kFormats) {
+    DrawOptions each = options();
+    each.scope = HiddenScope::segment;
+    EXPECT_TRUE(refusal(world, each, format).starts_with("scope 'segment' for a view")) << format;
+    each.scope = HiddenScope::all;
+    EXPECT_EQ(refusal(world, each, format), "");
+  }
+  // A system, whose methods of image space have no use for a scope, draws by rays all the same.
+  DrawOptions of_system = options(HiddenMethod::world_ray_cast);
+  of_system.scope = HiddenScope::segment;
+  EXPECT_EQ(refusal(retained_.system, of_system, "ppm"), "");
+}
+
+TEST_F(RefusedOptions, ViewsInImageSpaceAreOfAllSegments) {
+  ViewRenderer renderer(retained_.scene, file());
+  const View& view = retained_.system.view();
+  DrawOptions each = options(HiddenMethod::z_buffer);
+  each.scope = HiddenScope::segment;
+  const std::string words =
+      "scope 'segment' for a view of a retained scene, whose visible segments are drawn together: "
+      "expected all, or no scope";
+  EXPECT_EQ(error_of([&] { renderer.draw(view, each); }), words);
+  std::ostringstream bytes;
+  each.format = "svg";
+  EXPECT_EQ(error_of([&] { renderer.draw(view, bytes, each); }), words);
+  EXPECT_EQ(bytes.str(), "");
+  EXPECT_EQ(
+      error_of([&] { TurntableRenderer(retained_.system, retained_.scene, file(), {3}, each); }),
+      words);
+  each.hidden = HiddenMethod::franklin;  // each segment's own polygons hide its lines
+  EXPECT_EQ(error_of([&] { renderer.draw(view, each); }), "");
+  each.hidden = HiddenMethod::map;
+  EXPECT_NE(error_of([&] { renderer.draw(view, each); }), "");
+}
+
+/// Of a tree, of rays, of a view: what a turntable is asked for it does in each view.
+TEST_F(RefusedOptions, ATurntableDrawsWhatItWasMadeFor) {
+  for (const std::optional<HiddenMethod> method :
+       {std::optional<HiddenMethod>(), std::optional(HiddenMethod::bsp),
+        std::optional(HiddenMethod::colour_rule), std::optional(HiddenMethod::world_ray_cast),
+        std::optional(HiddenMethod::z_buffer), std::optional(HiddenMethod::franklin)}) {
+    for (const HiddenLines hidden : {HiddenLines::none, HiddenLines::dashed}) {
+      DrawOptions with = options(method);
+      with.hidden_lines = hidden;
+      with.precision = Precision{};
+      with.scope = HiddenScope::all;
+      if (method != HiddenMethod::colour_rule || hidden == HiddenLines::none) {
+        TurntableRenderer views(retained_.system, retained_.scene, file(), {3}, with);
+        EXPECT_EQ(error_of([&] { views.draw(1); }), "");
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace displayfile

@@ -154,15 +154,15 @@ TEST_F(GltfLosses, PositionsAndNormalsOfIntegersAreRefused) {
   }
 }
 
-/// One joint and weights for it; the joint's node is placed.
-Gltf skinned(const Json& joint, const Json& body = {{"mesh", 0}, {"skin", 0}}) {
+/// One joint and weights for it; the joint's node is placed, and was bound at this height.
+Gltf skinned(const Json& joint, const Json& body = {{"mesh", 0}, {"skin", 0}}, float bound_z = 0) {
   Gltf gltf;
-  std::string unit, weights;
-  for (int i = 0; i < 16; ++i) unit += bytes(i % 5 == 0 ? 1.f : 0.f);
+  std::string inverse_bind, weights;
+  for (int i = 0; i < 16; ++i) inverse_bind += bytes(i % 5 == 0 ? 1.f : i == 14 ? -bound_z : 0.f);
   for (int i = 0; i < 12; ++i) weights += bytes(i % 4 == 0 ? 1.f : 0.f);
   gltf.primitive()["attributes"]["JOINTS_0"] = gltf.add(std::string(12, '\0'), 5121, 3, "VEC4");
   gltf.primitive()["attributes"]["WEIGHTS_0"] = gltf.add(weights, 5126, 3, "VEC4");
-  const std::size_t inverse = gltf.add(unit, 5126, 1, "MAT4");
+  const std::size_t inverse = gltf.add(inverse_bind, 5126, 1, "MAT4");
   gltf.file["skins"] =
       Json::parse(fmt::format(R"([{{"joints":[1],"inverseBindMatrices":{}}}])", inverse));
   gltf.file["nodes"] = {body, joint};
@@ -186,6 +186,8 @@ TEST_F(GltfLosses, ASkinThatMovesWhatItIsOnIsTold) {
 
 TEST_F(GltfLosses, ASkinThatMovesNothingIsNoLoss) {
   expect_losses(skinned({{"name", "j"}}), {});
+  expect_losses(skinned({{"name", "j"}, {"translation", {0, 0, 2}}}, {{"mesh", 0}, {"skin", 0}}, 2),
+                {});
   expect_losses(skinned({{"name", "j"}, {"translation", {3, 0, 0}}},
                         {{"mesh", 0}, {"skin", 0}, {"translation", {3, 0, 0}}}),
                 {});

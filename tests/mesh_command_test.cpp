@@ -180,6 +180,26 @@ TEST_F(MeshCommand, RefusedFilesGetTheRightReadersReason) {
   }
 }
 
+TEST_F(MeshCommand, FormatsThatAreNotReadAreNamed) {
+  write("part.step", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n");
+  const std::string message =
+      "part.step: a STEP file, which is not read: export it as STL, OBJ, PLY or glTF";
+  expect_error("draw part.step -o x.png", message);
+  expect_error("import part.step -o x.draw", message);
+}
+
+TEST_F(MeshCommand, WhatTheLibraryPassesOverIsSaidOnce) {
+  fs::copy(DISPLAYFILE_SOURCE_DIR "/tests/meshes/gltf-skin.gltf", folder_ / "skin.gltf");
+  if (run("draw skin.gltf -o a.png"); err_.find("import library") != std::string::npos) {
+    GTEST_SKIP() << "no import library";
+  }
+  EXPECT_EQ(err_, "skin.gltf: left out: the skin of 1 object\n");
+  EXPECT_EQ(run("import skin.gltf -o a.draw"), 0);
+  EXPECT_EQ(err_, "skin.gltf: left out: the skin of 1 object\n");
+  fs::copy(DISPLAYFILE_SOURCE_DIR "/tests/meshes/gltf-quantized.gltf", folder_ / "q.gltf");
+  expect_error("draw q.gltf -o x.png", "q.gltf: requires the glTF extension KHR_mesh_quantization");
+}
+
 /// A library writes some of its messages to standard error itself, without a name.
 TEST_F(MeshCommand, WhatAReaderSaysItselfIsToldWithTheFilesName) {
   write("m.ogex", "CameraObject {}\n");

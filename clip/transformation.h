@@ -34,6 +34,8 @@ class ModellingTransformation {
   void rotate_z(double degrees);
 
   bool is_identity() const { return identity_; }
+  /// Its last row is 0 0 0 1.
+  const glm::dmat4& matrix() const { return matrix_; }
   /// What runs counterclockwise, seen from outside, runs clockwise afterwards.
   bool mirrors() const;
   Point3 apply(const Point3& p) const {

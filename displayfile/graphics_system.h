@@ -506,8 +506,8 @@ class GraphicsSystem {
   std::span<const Point3> shared_world(std::span<const Point3> vertices);
   void make_room_for_shared(std::span<const Point3> world, std::size_t polygons,
                             std::size_t corners, std::size_t fills);
-  void enter_shared(std::span<const Point3> world, std::span<const std::uint32_t> corners,
-                    Segment& segment);
+  void enter_shared(const RetainedScene::SharedVertices& vertices,
+                    std::span<const std::uint32_t> corners, Segment& segment);
   void enter_with_normals(std::span<const Point3> vertices, std::span<const Point3> normals,
                           std::span<const std::uint32_t> corners);
   RetainedScene* retaining() { return own_retained_ ? &*own_retained_ : retained_; }
@@ -517,7 +517,12 @@ class GraphicsSystem {
   void attributes_changed() {
     if (view_stage_) view_stage_->attributes_changed();
   }
-  void enter_triangles(const Point3& normal, std::span<const Point3> vertex_normals, int pick);
+  /// The matrix of the modelling transformation; null if that is the identity.
+  const glm::dmat4* modelling_matrix() const {
+    return modelling_.is_identity() ? nullptr : &modelling_.matrix();
+  }
+  void enter_triangles(std::span<const Point3> entered, const Point3& normal,
+                       std::span<const Point3> vertex_normals, int pick);
   std::span<const Point3> world_normals(const Point3& own);
   std::vector<Point3> world_points_of(const SurfaceGrid& grid) const;
   void enter_cells(const SurfaceGrid& grid, std::span<const Point3> world, Segment& segment);

@@ -25,6 +25,14 @@ constexpr std::uint32_t kNotKept = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace
 
+const RetainedScene::ModellingMatrix& RetainedScene::modelling_matrix(std::uint32_t i) const {
+  static constexpr ModellingMatrix kIdentity(1.0);
+  const std::uint32_t first = primitives_[i].first;
+  const std::uint32_t point = corners_.empty() ? first : corners_[first];
+  const auto after = std::ranges::upper_bound(modellings_, point, {}, &Modelling::first_point);
+  return after == modellings_.begin() ? kIdentity : std::prev(after)->matrix;
+}
+
 const RetainedScene::Segment& RetainedScene::segment_of(std::uint32_t primitive) const {
   return *std::ranges::upper_bound(segments_, primitive, {}, &Segment::end);
 }
@@ -163,12 +171,30 @@ bool RetainedScene::enter_viewed(std::uint32_t i, const Attributes& attributes,
   return !stage.enter_polygon(world, attributes, segment).empty();
 }
 
+/// The points of a segment of another scene, as they were entered there too.
+void RetainedScene::append_points(const RetainedScene& other, const Segment& segment) {
+  const auto points = other.points(segment);
+  if (other.modellings_.empty()) {
+    begin_modelling(nullptr);
+    points_.insert(points_.end(), points.begin(), points.end());
+    if (!modellings_.empty()) entered_.insert(entered_.end(), points.begin(), points.end());
+    return;
+  }
+  auto next = std::ranges::upper_bound(other.modellings_, segment.first_point, {},
+                                       &Modelling::first_point);
+  begin_modelling(next == other.modellings_.begin() ? ModellingMatrix(1.0)
+                                                    : std::prev(next)->matrix);
+  for (std::uint32_t k = segment.first_point; k < segment.end_point; ++k) {
+    if (next != other.modellings_.end() && next->first_point == k) begin_modelling(next++->matrix);
+    enter_point(other.points_[k], other.entered_[k]);
+  }
+}
+
 /// A segment of another scene, with all its primitives; what they shared they share here.
 void RetainedScene::append(const RetainedScene& other, const Segment& segment) {
   open_segment(segment.name, segment.view);
   const auto moved_by = static_cast<std::uint32_t>(points_.size()) - segment.first_point;
-  const auto points = other.points(segment);
-  points_.insert(points_.end(), points.begin(), points.end());
+  append_points(other, segment);
   const auto append_primitive = [&](std::uint32_t i) {
     const Primitive& primitive = other.primitives_[i];
     begin_primitive(primitive.sides, other.attributes(i), primitive.pick);
@@ -248,7 +274,9 @@ void RetainedScene::rename(int from, int to) {
 void RetainedScene::enter_polygon(const WorldPolygon& polygon, const Attributes& attributes) {
   if (segments_.empty()) return;  // opened before the scene was retained
   begin_primitive(polygon.vertices.size(), attributes, polygon.pick);
-  enter_corners(polygon.vertices);
+  begin_modelling(polygon.modelling);
+  const std::span<const Point3> world = polygon.vertices;
+  enter_corners(world, polygon.modelling != nullptr ? polygon.entered : world);
   finish_primitive(polygon);
 }
 
@@ -257,7 +285,8 @@ void RetainedScene::enter_line(const Point3& from, const Point3& to, const Attri
   if (segments_.empty()) return;
   begin_primitive(2, attributes, pick);
   const std::array ends{from, to};
-  enter_corners(ends);
+  begin_modelling(nullptr);
+  enter_corners(ends, ends);
   finish_primitive({.vertices = ends,
                     .edge_visible = {},
                     .normal = kNoDirection,
@@ -279,11 +308,12 @@ void RetainedScene::begin_shared(std::size_t vertices, std::size_t polygons, std
 }
 
 /// A corner of a polygon that is being entered: its vertex is kept if no polygon had it before.
-void RetainedScene::enter_shared_corner(std::uint32_t corner, const Point3& vertex) {
+void RetainedScene::enter_shared_corner(std::uint32_t corner, const Point3& world,
+                                        const Point3& entered) {
   std::uint32_t& number = number_of_shared_[corner];
   if (number == kNotKept) {
     number = static_cast<std::uint32_t>(points_.size());
-    points_.push_back(vertex);
+    enter_point(world, entered);
   }
   corners_.push_back(number);
 }
@@ -292,26 +322,34 @@ void RetainedScene::enter_shared(std::span<const std::uint32_t> corners,
                                  const WorldPolygon& polygon, const Attributes& attributes) {
   if (segments_.empty()) return;
   begin_primitive(corners.size(), attributes, polygon.pick);
+  begin_modelling(polygon.modelling);
   name_points();
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    enter_shared_corner(corners[k], polygon.vertices[k]);
+    const Point3& world = polygon.vertices[k];
+    enter_shared_corner(corners[k], world,
+                        polygon.modelling != nullptr ? polygon.entered[k] : world);
   }
   finish_primitive(polygon);
 }
 
-void RetainedScene::enter_shared_triangles(std::span<const Point3> world,
+void RetainedScene::enter_shared_triangles(const SharedVertices& vertices,
                                            std::span<const std::uint32_t> corners,
                                            const Attributes& attributes, std::int32_t pick,
                                            std::int32_t step) {
   if (segments_.empty() || corners.empty()) return;
   require_room(corners.size());
+  begin_modelling(vertices.modelling);
   name_points();
+  const std::span world = vertices.world;
+  const std::span entered = vertices.modelling != nullptr ? vertices.entered : world;
   const std::uint32_t look = look_of(attributes);
   auto first = static_cast<std::uint32_t>(all_corners());
   for (std::size_t k = 0; k < corners.size(); k += 3, first += 3) {
     const auto triangle = corners.subspan(k, 3);
     primitives_.push_back({first, 3, look, pick});
-    for (const std::uint32_t corner : triangle) enter_shared_corner(corner, world[corner]);
+    for (const std::uint32_t corner : triangle) {
+      enter_shared_corner(corner, world[corner], entered[corner]);
+    }
     pick = pick_of_ordinal(std::int64_t{pick} + step);
   }
   edge_visible_.resize(first, 1);
@@ -342,11 +380,30 @@ void RetainedScene::begin_primitive(std::size_t sides, const Attributes& attribu
 }
 
 /// Corners with points of their own.
-void RetainedScene::enter_corners(std::span<const Point3> points) {
-  for (const Point3& p : points) {
+void RetainedScene::enter_corners(std::span<const Point3> points,
+                                  std::span<const Point3> entered) {
+  for (std::size_t k = 0; k < points.size(); ++k) {
     if (has_shared()) corners_.push_back(static_cast<std::uint32_t>(points_.size()));
-    points_.push_back(p);
+    enter_point(points[k], entered[k]);
   }
+}
+
+void RetainedScene::enter_point(const Point3& world, const Point3& entered) {
+  points_.push_back(world);
+  if (!modellings_.empty()) entered_.push_back(entered);
+}
+
+/// Null: the identity.
+void RetainedScene::begin_modelling(const glm::dmat4* matrix) {
+  if (matrix == nullptr && modellings_.empty()) return;
+  begin_modelling(matrix == nullptr ? ModellingMatrix(1.0) : ModellingMatrix(*matrix));
+}
+
+/// Of the points that are entered next.
+void RetainedScene::begin_modelling(const ModellingMatrix& matrix) {
+  if (modellings_.empty()) entered_ = points_;
+  if (!modellings_.empty() && modellings_.back().matrix == matrix) return;
+  modellings_.push_back({static_cast<std::uint32_t>(points_.size()), matrix});
 }
 
 /// What it has besides its corners, which have been entered.

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <functional>
 #include <glm/mat3x3.hpp>
+#include <glm/mat4x3.hpp>
+#include <glm/mat4x4.hpp>
 #include <memory>
 #include <span>
 #include <string>
@@ -23,7 +25,8 @@ class DisplayFile;
 class SideKinds;
 
 /// What an application drew, before viewing: polygons and lines in world coordinates, after the
-/// modelling transformation, in segments. A GraphicsSystem that was told to retain
+/// modelling transformation, in segments; of polygons also the points as they were entered, and
+/// the modelling matrices that were in force. A GraphicsSystem that was told to retain
 /// (GraphicsSystem::retain) fills it; displayfile/retained_views.h draws it in other views.
 class RetainedScene : public Watched<RetainedScene> {
  public:
@@ -71,6 +74,9 @@ class RetainedScene : public Watched<RetainedScene> {
             points_.size(), texts_.size(),    has_shared()};
   }
 
+  /// A modelling matrix: x' = column 0 x + column 1 y + column 2 z + column 3.
+  using ModellingMatrix = glm::dmat4x3;
+
   /// Segments in order of creation. What they are drawn with, visibility and image
   /// transformation, is in the display file, under the same name.
   const std::vector<Segment>& segments() const { return segments_; }
@@ -91,6 +97,16 @@ class RetainedScene : public Watched<RetainedScene> {
   }
   /// The indices of its points; there must be shared ones.
   std::span<const std::uint32_t> corners(std::uint32_t i) const { return of(corners_, i); }
+  /// A polygon's points as they were entered, before the modelling transformation. What cutting
+  /// planes and operations of solids made counts as entered in world coordinates; so do the ends of
+  /// lines.
+  PointRow entered_points(std::uint32_t i) const {
+    if (entered_.empty()) return points(i);
+    if (corners_.empty()) return of(entered_, i);
+    return {entered_, corners(i)};
+  }
+  /// The modelling matrix under which they were entered.
+  const ModellingMatrix& modelling_matrix(std::uint32_t i) const;
   /// Where the corners of a segment's primitives begin.
   std::uint32_t first_corner(const Segment& segment) const {
     return segment.first < size() ? primitives_[segment.first].first
@@ -171,13 +187,21 @@ class RetainedScene : public Watched<RetainedScene> {
   /// The polygons that are entered by enter_shared from here on share so many vertices; those that
   /// some polygon uses are kept, once each. Makes room for so many polygons and corners.
   void begin_shared(std::size_t vertices, std::size_t polygons = 0, std::size_t corners = 0);
+  /// Vertices that polygons share: in world coordinates, and as they were entered, before the
+  /// modelling transformation of that matrix. Null: they were entered as they are.
+  struct SharedVertices {
+    std::span<const Point3> world;
+    std::span<const Point3> entered = {};
+    const glm::dmat4* modelling = nullptr;
+  };
   /// A polygon whose vertices are those of these indices among the shared ones.
   void enter_shared(std::span<const std::uint32_t> corners, const WorldPolygon& polygon,
                     const Attributes& attributes);
   /// The same for triangles, three corners each, all sides visible: the first has that pick
-  /// identifier, each other `step` more than the one before it. `world` are the shared vertices.
-  void enter_shared_triangles(std::span<const Point3> world, std::span<const std::uint32_t> corners,
-                              const Attributes& attributes, std::int32_t pick, std::int32_t step);
+  /// identifier, each other `step` more than the one before it.
+  void enter_shared_triangles(const SharedVertices& vertices,
+                              std::span<const std::uint32_t> corners, const Attributes& attributes,
+                              std::int32_t pick, std::int32_t step);
   void enter_text(const Point3& anchor, std::string_view characters, const Attributes& attributes);
   /// Its cells follow.
   void mark_surface(const Surface& surface) { segments_.back().surfaces.push_back(surface); }
@@ -190,8 +214,11 @@ class RetainedScene : public Watched<RetainedScene> {
   std::size_t all_corners() const { return edge_visible_.size(); }
   void require_room(std::size_t corners) const;
   void begin_primitive(std::size_t sides, const Attributes& attributes, std::int32_t pick);
-  void enter_shared_corner(std::uint32_t corner, const Point3& vertex);
-  void enter_corners(std::span<const Point3> points);
+  void enter_shared_corner(std::uint32_t corner, const Point3& world, const Point3& entered);
+  void enter_corners(std::span<const Point3> points, std::span<const Point3> entered);
+  void enter_point(const Point3& world, const Point3& entered);
+  void begin_modelling(const glm::dmat4* matrix);
+  void begin_modelling(const ModellingMatrix& matrix);
   void finish_primitive(const WorldPolygon& polygon);
   void name_points();
   std::uint32_t look_of(const Attributes& attributes);
@@ -202,6 +229,7 @@ class RetainedScene : public Watched<RetainedScene> {
   bool enter_viewed(std::uint32_t i, const Attributes& attributes, std::span<const LineKinds> sides,
                     ViewStage& stage, displayfile::Segment& segment) const;
   void append(const RetainedScene& other, const Segment& segment);
+  void append_points(const RetainedScene& other, const Segment& segment);
 
   std::vector<Segment> segments_;
   std::vector<Primitive> primitives_;
@@ -210,6 +238,12 @@ class RetainedScene : public Watched<RetainedScene> {
   std::vector<std::uint32_t> attributes_of_look_;  // in attributes_
   std::vector<Colour> colours_;                    // of looks
   std::vector<Point3> points_;
+  std::vector<Point3> entered_;  // the same as entered; empty: all were entered as they are
+  struct Modelling {
+    std::uint32_t first_point;
+    ModellingMatrix matrix;
+  };
+  std::vector<Modelling> modellings_;       // of the points from there on; the identity before
   std::vector<std::uint32_t> corners_;      // their points; empty: these in a row
   std::vector<std::uint8_t> edge_visible_;  // of the side that ends at the corner
   std::vector<Point3> normals_;  // where they are not Newell's, of primitives up to the last such

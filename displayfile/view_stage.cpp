@@ -17,7 +17,7 @@ ViewedPolygon ViewStage::view_polygon(const WorldPolygon& polygon, const Attribu
 
 /// With what is interpolated over it; equal normals, whatever their length, need nothing.
 ClippedPolygon ViewStage::clip_smooth(const WorldPolygon& polygon, const Attributes& attributes) {
-  const auto& [vertices, edge_visible, normal, normals, pick] = polygon;
+  const auto& [vertices, edge_visible, normal, normals, pick, entered, modelling] = polygon;
   if (attributes.shading != Shading::phong) {
     return gouraud_.clip(pipeline_, vertices, edge_visible, normals, *attributes.light);
   }

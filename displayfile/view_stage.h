@@ -23,6 +23,10 @@ struct WorldPolygon {
   Point3 normal;  ///< Newell's of the whole polygon that it is of, where there is light
   std::span<const Point3> vertex_normals;  ///< if it is shaded smoothly, and where there is light
   std::int32_t pick;
+  /// The vertices as the application entered them, before the modelling transformation of that
+  /// matrix. Null: the vertices are what was entered.
+  std::span<const Point3> entered = {};
+  const glm::dmat4* modelling = nullptr;
 };
 
 /// What is drawn of a polygon in a view. Valid until the stage's next call, and as long as the

@@ -17,7 +17,9 @@
 #include "displayfile/output_file.h"
 #include "displayfile/retained_scene.h"
 #include "displayfile/text/dump.h"
+#include "hidden/touching.h"
 #include "interp/files/npy_file.h"
+#include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
 #include "interp/truth/world_truth.h"
 #include "programs/input_names.h"
@@ -44,9 +46,15 @@ CLI::App& TruthCommand::add_to(CLI::App& app) {
       ->type_name("DEPTH.npy");
   command
       .add_option("--from", from,
-                  "display-file, whose coordinates viewing has rounded; or world: viewing in "
-                  "exact arithmetic too, and how many pixels of the former differ from it")
-      ->type_name("display-file|world");
+                  "display-file, whose coordinates viewing has rounded; world: viewing in exact "
+                  "arithmetic too; or entered: modelling transformations too, and polygons that "
+                  "touch lie in one plane. The last two print how many pixels of the first differ")
+      ->type_name("display-file|world|entered");
+  command
+      .add_option("--touching", touching,
+                  "with --from entered, within which distance polygons touch: auto, by the "
+                  "precision of doubles; off; or a length in the coordinates of the input")
+      ->type_name("auto|off|LENGTH");
   command
       .add_option("--seen-lines", seen_lines,
                   "what is seen of the lines that are drawn, as a dump: that of a right method of "
@@ -73,14 +81,19 @@ CLI::App& TruthCommand::add_to(CLI::App& app) {
 int TruthCommand::run() {
   const std::vector<std::string> lists = input_lists(inputs);
   inputs = input_names(inputs);
-  const bool from_world = is_from_world();
-  if (ids.empty() && !from_world && !wants_lines()) {
+  const From from_what = judged_from();
+  const bool retains = from_what != From::display_file;
+  if (ids.empty() && !retains && !wants_lines()) {
     throw Error(
         "truth: --ids is required: expected a file for the item buffer, or --seen-lines or "
         "--hidden for lines");
   }
-  if (from_world && wants_lines()) {
-    throw Error("--from world: lines are judged in display-file coordinates: expected --ids alone");
+  if (retains && wants_lines()) {
+    throw Error(fmt::format(
+        "--from {}: lines are judged in display-file coordinates: expected --ids alone", from));
+  }
+  if (!touching.empty() && from_what != From::entered) {
+    throw Error("--touching: expected --from entered");
   }
   if (ids.empty() && !depth.empty() && wants_lines()) {
     throw Error("--depth: expected --ids too");
@@ -94,7 +107,7 @@ int TruthCommand::run() {
   size.read(width, height);
   RetainedScene retained;
   GraphicsSystem system;
-  if (from_world) system.retain(&retained);
+  if (retains) system.retain(&retained);
   // Methods of lines draw the sides of bare meshes.
   const auto drawn_by = wants_lines() ? std::optional(judging.method) : std::nullopt;
   enter_inputs(inputs, system, meshes, size.aspect(), {.method = drawn_by});
@@ -110,8 +123,8 @@ int TruthCommand::run() {
   int status = 0;
   if (lines_file) write_seen_lines(file, lines_file->stream());
   if (!hidden.empty()) status = judge_lines(file, judging, report);
-  if (!ids.empty() || from_world) {
-    const Picture picture = true_picture(system, from_world ? &retained : nullptr, report);
+  if (!ids.empty() || retains) {
+    const Picture picture = true_picture(system, retained, from_what, report);
     for (const auto& array : arrays) array->write(picture);
   }
   if (lines_file) lines_file->finish();
@@ -122,27 +135,38 @@ int TruthCommand::run() {
   return status;
 }
 
-/// That of the display file, or from world coordinates, of which the report tells in how many
-/// pixels they differ.
-Picture TruthCommand::true_picture(const GraphicsSystem& system, const RetainedScene* world,
-                                   std::string& report) const {
+/// That of the display file; or one from before viewing, and then the report has the number of
+/// pixels in which the two differ.
+Picture TruthCommand::true_picture(const GraphicsSystem& system, const RetainedScene& retained,
+                                   From judged_from, std::string& report) const {
   const DisplayFile& file = system.display_file();
   int width = 0, height = 0;
   size.read(width, height);
-  const auto with_progress = [&](const char* what, auto&& judge) {
+  const auto with_progress = [&](std::string_view what, auto&& judge) {
     Progress progress(fmt::format("the truth of {} {}polygons", file.polygons(), what));
     return judge([&](std::size_t done, std::size_t polygons) { progress.update(done, polygons); });
   };
   Picture picture = with_progress("", [&](const WorkProgress& progress) {
-    return truth(file, width, height, !depth.empty() && world == nullptr, progress);
+    const bool is_wanted = judged_from == From::display_file;
+    return truth(file, width, height, !depth.empty() && is_wanted, progress);
   });
-  if (world == nullptr) return picture;
-  Picture of_world = with_progress("world ", [&](const WorkProgress& progress) {
-    return world_truth(*world, file, width, height, !depth.empty(), progress);
+  if (judged_from == From::display_file) return picture;
+  std::size_t touching_polygons = 0;
+  Picture before_viewing = with_progress(from + " ", [&](const WorkProgress& progress) {
+    if (judged_from == From::world) {
+      return world_truth(retained, file, width, height, !depth.empty(), progress);
+    }
+    EnteredTruth entered = entered_truth(retained, file, width, height, !depth.empty(),
+                                         touching.empty() ? Touching{} : displayfile::touching(touching), progress);
+    touching_polygons = entered.touching;
+    return std::move(entered.picture);
   });
   report += fmt::format("{} of {} pixels differ: there the rounding of viewing decides\n",
-                        different_pixels(picture, of_world), picture.ids.size());
-  return of_world;
+                        different_pixels(picture, before_viewing), picture.ids.size());
+  if (judged_from == From::entered) {
+    report += fmt::format("polygons in the planes of others: {}\n", touching_polygons);
+  }
+  return before_viewing;
 }
 
 /// By Franklin's method if none is judged.
@@ -195,13 +219,14 @@ std::ostream& TruthCommand::reports() const {
   return is_output ? std::cerr : std::cout;
 }
 
-bool TruthCommand::is_from_world() const {
-  constexpr std::array<std::string_view, 2> kWords{"display-file", "world"};
-  if (std::ranges::find(kWords, from) == kWords.end()) {
-    throw Error(fmt::format("--from {}:{} expected display-file or world", from,
+TruthCommand::From TruthCommand::judged_from() const {
+  constexpr std::array<std::string_view, 3> kWords{"display-file", "world", "entered"};
+  const auto* const word = std::ranges::find(kWords, from);
+  if (word == kWords.end()) {
+    throw Error(fmt::format("--from {}:{} expected display-file, world or entered", from,
                             did_you_mean(from, kWords)));
   }
-  return from == "world";
+  return static_cast<From>(word - kWords.begin());
 }
 
 }  // namespace displayfile

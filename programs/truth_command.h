@@ -15,8 +15,9 @@
 
 namespace displayfile {
 
-/// `displayfile truth`: the exact item buffer, of the display file or from world coordinates; and
-/// of the display file's lines, what is seen, and how wrong what a method finds is.
+/// `displayfile truth`: the exact item buffer, from the display file's coordinates, from world
+/// coordinates or from what was entered; and of the display file's lines, what is seen, and how
+/// wrong what a method finds is.
 struct TruthCommand {
   std::vector<std::string> inputs;
   PictureSizeWord size;
@@ -25,6 +26,7 @@ struct TruthCommand {
   std::string depth;  ///< not written if empty
 
   std::string from = "display-file";
+  std::string touching;  ///< as it was written; empty: automatic
 
   std::string seen_lines;  ///< not written if empty
   std::string hidden;      ///< a method of lines that is judged, if not empty
@@ -36,14 +38,16 @@ struct TruthCommand {
   int run();
 
  private:
-  bool is_from_world() const;
+  /// What the item buffer is judged from.
+  enum class From { display_file, world, entered };
+  From judged_from() const;
   bool wants_lines() const { return !seen_lines.empty() || !hidden.empty(); }
   LineJudging judging() const;
   std::ostream& reports() const;
   void write_seen_lines(const DisplayFile& file, std::ostream& to) const;
   int judge_lines(const DisplayFile& file, const LineJudging& judging, std::string& report) const;
-  Picture true_picture(const GraphicsSystem& system, const RetainedScene* world,
-                       std::string& report) const;
+  Picture true_picture(const GraphicsSystem& system, const RetainedScene& retained,
+                       From judged_from, std::string& report) const;
 };
 
 }  // namespace displayfile

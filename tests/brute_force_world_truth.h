@@ -29,6 +29,7 @@ namespace displayfile::test {
 class BruteForceWorldTruth {
  public:
   using Q = mpq_class;
+  using Place = std::array<Q, 3>;  ///< in world coordinates
 
   /// A polygon of more than three sides must lie in a plane, if the front or the back plane or the
   /// eye clips it. Pick identifiers are all different.
@@ -65,7 +66,9 @@ class BruteForceWorldTruth {
     return result;
   }
 
- private:
+ protected:
+  BruteForceWorldTruth(int width, int height) : width_(width), height_(height) {}
+
   /// Homogeneous; in the picture x and y are in pixels. `unit` is 1 for world coordinates.
   struct Vertex {
     Q x, y, z, w, unit = 1;
@@ -83,6 +86,7 @@ class BruteForceWorldTruth {
   struct Polygon {
     std::vector<Vertex> vertices;
     std::array<std::size_t, 3> support;
+    std::optional<std::array<Vertex, 3>> plane;  // its depth is that of; nothing: of the support
     std::int32_t pick;
     std::optional<Q> back, front;  // where planes clip, in view-plane coordinates
     bool eye;
@@ -103,41 +107,52 @@ class BruteForceWorldTruth {
   void enter(const RetainedScene& scene, const RetainedScene::Segment& part,
              const ImageTransformation& image) {
     const ViewVolume volume(part.view);
-    const glm::dmat4& m = volume.matrix();
     const View& view = part.view;
-    const Rectangle& port = view.viewport;
-    const ImageMatrix on_image(image);
-    const auto entry = [&](const HomogeneousPoint& basis, int row) {
-      return Q(on_image.apply(basis)[row]);
-    };
     for (std::uint32_t i = part.first; i < part.end; ++i) {
       if (scene[i].is_line() || scene.attributes(i).fill.kind != FillStyle::Kind::solid) continue;
-      Polygon polygon{{}, {0, 1, 2}, scene[i].pick, std::nullopt, std::nullopt, false};
-      if (view.back_clipping) polygon.back = Q(view.distance - view.back);
-      if (view.front_clipping) polygon.front = Q(view.distance - view.front);
-      polygon.eye = !polygon.front && view.projection == View::Projection::perspective;
+      const Looking look{volume, view, image};
+      Polygon polygon = seen_through(look, scene[i].pick);
       for (const Point3& p : scene.points(i)) {
-        const auto row = [&](int r) -> Q {
-          return Q(m[0][r]) * Q(p.x) + Q(m[1][r]) * Q(p.y) + Q(m[2][r]) * Q(p.z) + Q(m[3][r]);
-        };
-        Vertex v{row(0), row(1), row(2), row(3), 1, 0, 0, 0};
-        const glm::dmat4& plane = volume.view_plane();
-        v.toward = Q(plane[0][2]) * Q(p.x) + Q(plane[1][2]) * Q(p.y) + Q(plane[2][2]) * Q(p.z) +
-                   Q(plane[3][2]);
-        const Q x = Q(port.x_min) * (v.w - v.x) + Q(port.x_max) * v.x;
-        const Q y = Q(port.y_min) * (v.w - v.y) + Q(port.y_max) * v.y;
-        const auto on = [&](int r) -> Q {
-          return entry({1, 0, 0, 0}, r) * x + entry({0, 1, 0, 0}, r) * y +
-                 entry({0, 0, 0, 1}, r) * v.w;
-        };
-        v.u = on(0) * width_;
-        v.v = on(1) * height_;
-        polygon.vertices.push_back(v);
+        polygon.vertices.push_back(vertex(look, {Q(p.x), Q(p.y), Q(p.z)}));
       }
       if (scene.attributes(i).back_face_removal && turned_away(polygon)) continue;
       polygon.support = support_of(polygon);
       polygons_.push_back(polygon);
     }
+  }
+
+  struct Looking {
+    const ViewVolume& volume;
+    const View& view;
+    const ImageTransformation& image;
+  };
+  static Polygon seen_through(const Looking& look, std::int32_t pick) {
+    const View& view = look.view;
+    Polygon polygon{{}, {0, 1, 2}, std::nullopt, pick, std::nullopt, std::nullopt, false};
+    if (view.back_clipping) polygon.back = Q(view.distance - view.back);
+    if (view.front_clipping) polygon.front = Q(view.distance - view.front);
+    polygon.eye = !polygon.front && view.projection == View::Projection::perspective;
+    return polygon;
+  }
+  Vertex vertex(const Looking& look, const Place& p) const {
+    const glm::dmat4 &m = look.volume.matrix(), &plane = look.volume.view_plane();
+    const Rectangle& port = look.view.viewport;
+    const ImageMatrix on_image(look.image);
+    const auto entry = [&](const HomogeneousPoint& basis, int row) {
+      return Q(on_image.apply(basis)[row]);
+    };
+    const auto along = [&](const glm::dmat4& of, int r) -> Q {
+      return Q(of[0][r]) * p[0] + Q(of[1][r]) * p[1] + Q(of[2][r]) * p[2] + Q(of[3][r]);
+    };
+    Vertex v{along(m, 0), along(m, 1), along(m, 2), along(m, 3), 1, 0, 0, along(plane, 2)};
+    const Q x = Q(port.x_min) * (v.w - v.x) + Q(port.x_max) * v.x;
+    const Q y = Q(port.y_min) * (v.w - v.y) + Q(port.y_max) * v.y;
+    const auto on = [&](int r) -> Q {
+      return entry({1, 0, 0, 0}, r) * x + entry({0, 1, 0, 0}, r) * y + entry({0, 0, 0, 1}, r) * v.w;
+    };
+    v.u = on(0) * width_;
+    v.v = on(1) * height_;
+    return v;
   }
 
   /// Whether a triangle or a convex polygon turns its back to the viewer.
@@ -243,7 +258,10 @@ class BruteForceWorldTruth {
     if (polygon.eye && is_outside([](const Vertex& a) -> Q { return a.w - Q(1e-6) * a.unit; })) {
       return std::nullopt;
     }
-    return value([](const Vertex& a) -> Q { return a.z; }).at;
+    if (!polygon.plane) return value([](const Vertex& a) -> Q { return a.z; }).at;
+    const auto& [a, b, c] = *polygon.plane;
+    const auto parts = parts_at(a, b, c, x, y);
+    return sum(*parts, a.z, b.z, c.z).at;
   }
 
   int width_, height_;

@@ -1,13 +1,27 @@
 // The truth by the command, of pixels and of lines, and pictures compared with it.
 
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <string>
+#include <vector>
 
 #include "tests/command_fixture.h"
 
 namespace {
 
-class TruthCommand : public Command {};
+class TruthCommand : public Command {
+ protected:
+  /// What a .npy file of identifiers holds.
+  std::vector<std::int32_t> ids(const std::string& name) const {
+    constexpr std::uintmax_t kHeader = 128;
+    std::vector<std::int32_t> values((fs::file_size(folder_ / name) - kHeader) / 4);
+    std::ifstream in(folder_ / name, std::ios::binary);
+    in.seekg(kHeader);
+    in.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(4 * values.size()));
+    return values;
+  }
+};
 
 TEST_F(TruthCommand, IsTheItemBufferWhateverTheMethod) {
   write("t.draw",
@@ -91,6 +105,35 @@ TEST_F(TruthCommand, FromWorldCountsWhatTheRoundingOfViewingDecides) {
   EXPECT_EQ(out_, "");
   EXPECT_EQ(run("compare w.npy d.npy"), 1);
   EXPECT_NE(out_.find(different), std::string::npos) << out_;
+}
+
+/// The rug lies in the floor's plane as it was entered, under one modelling transformation.
+TEST_F(TruthCommand, FromEnteredPolygonsThatTouchLieInOnePlane) {
+  write("view.draw",
+        "set-view-plane-normal -3 -2 -6\nset-perspective 3 2 6\nset-line-style none\n"
+        "rotate-x-3 12.3\nrotate-y-3 31.7\n");
+  const std::string floor = "polygon-abs-3 -1 0.1 1  1 0.1 1  1 0.1 -1  -1 0.1 -1\n";
+  const std::string rug = "polygon-abs-3 -0.7 0.1 0.6  0.9 0.1 0.7  0.3 0.1 -0.8\n";
+  write("both.draw", "open-segment 1\n" + floor + rug + "close-segment\n");
+  write("rug.draw", "set-pick-id 1\nopen-segment 1\n" + rug + "close-segment\n");
+  EXPECT_EQ(run("truth view.draw both.draw --from entered --size 64x64 --ids e.npy"), 0) << err_;
+  EXPECT_GT(std::stoi(out_), 10) << out_;
+  EXPECT_NE(out_.find("polygons in the planes of others: 1\n"), std::string::npos) << out_;
+  EXPECT_EQ(run("truth view.draw rug.draw --from entered --size 64x64 --ids r.npy"), 0) << err_;
+  const auto both = ids("e.npy"), alone = ids("r.npy");
+  ASSERT_EQ(both.size(), alone.size());
+  std::size_t covered = 0;
+  for (std::size_t k = 0; k < alone.size(); ++k) {
+    if (alone[k] != 1) continue;
+    ++covered;
+    EXPECT_EQ(both[k], 1);
+  }
+  EXPECT_GT(covered, 100u);
+  EXPECT_EQ(run("truth view.draw both.draw --from entered --touching off --size 64x64"), 0);
+  EXPECT_NE(out_.find("polygons in the planes of others: 0\n"), std::string::npos) << out_;
+  expect_error("truth view.draw --from entered --touching on", "expected auto, off, or a length");
+  expect_error("truth view.draw --from world --touching off", "--touching: expected --from entered");
+  expect_error("truth view.draw --from entered --hidden franklin", "display-file coordinates");
 }
 
 TEST_F(TruthCommand, AndMarksRefuse) {

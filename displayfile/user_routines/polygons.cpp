@@ -88,9 +88,9 @@ void GraphicsSystem::polygon(std::span<const Point3> object) {
   const auto vertex_normals = smooth ? world_normals(normal) : std::span<const Point3>();
   const bool flat = is_flat(world_points_);
   if (flat && (object.size() == 3 || !differ(vertex_normals))) {
-    enter({world_points_, {}, normal, vertex_normals, pick});
+    enter({world_points_, {}, normal, vertex_normals, pick, object, modelling_matrix()});
   } else {
-    enter_triangles(normal, vertex_normals, pick);
+    enter_triangles(object, normal, vertex_normals, pick);
   }
   triangulated_ += flat ? 0 : 1;
   if (!vertex_normals_.empty()) vertex_normals_.clear();
@@ -105,18 +105,20 @@ std::span<const Point3> GraphicsSystem::world_normals(const Point3& own) {
   return world_normals_;
 }
 
-void GraphicsSystem::enter_triangles(const Point3& normal, std::span<const Point3> vertex_normals,
-                                     int pick) {
+/// Of the polygon whose vertices are world_points_, and were entered as those.
+void GraphicsSystem::enter_triangles(std::span<const Point3> entered, const Point3& normal,
+                                     std::span<const Point3> vertex_normals, int pick) {
   const auto corners = [](std::span<const Point3> of_polygon, const auto& vertex) {
     return std::array{of_polygon[vertex[0]], of_polygon[vertex[1]], of_polygon[vertex[2]]};
   };
   for (const auto& [vertex, edge_visible] : triangulation_.triangulate(world_points_)) {
     const auto triangle = corners(world_points_, vertex);
+    const auto as_entered = corners(entered, vertex);
     if (vertex_normals.empty()) {
-      enter({triangle, edge_visible, normal, {}, pick});
+      enter({triangle, edge_visible, normal, {}, pick, as_entered, modelling_matrix()});
     } else {
       const auto of_corners = corners(vertex_normals, vertex);
-      enter({triangle, edge_visible, normal, of_corners, pick});
+      enter({triangle, edge_visible, normal, of_corners, pick, as_entered, modelling_matrix()});
     }
   }
 }
@@ -219,12 +221,13 @@ void GraphicsSystem::polygons_abs_3(const ManyPolygons& many) {
         return of_all;
       });
   const std::int32_t pick_in_force = pick_;
+  const RetainedScene::SharedVertices shared{world, vertices, modelling_matrix()};
   const auto enter_all = [&] {
     const bool of_one_kind = sides.empty() && fills.size() <= 1 && picks.empty() && normals.empty();
     const bool at_once = of_one_kind && !cutting_planes_.any() && solids_.empty();
     if (retains_alone_ && at_once && recorder_ == nullptr) {
       if (!fills.empty() && fills[0] != attributes_.fill) set_fill_style(fills[0]);
-      retaining()->enter_shared_triangles(world, corners, attributes_, next_pick(),
+      retaining()->enter_shared_triangles(shared, corners, attributes_, next_pick(),
                                           pick_ >= 0 ? 0 : 1);
       ordinal_ += static_cast<std::int64_t>(polygons);
       return;
@@ -239,7 +242,7 @@ void GraphicsSystem::polygons_abs_3(const ManyPolygons& many) {
         enter_with_normals(vertices, normals, polygon);
         continue;
       }
-      enter_shared(world, polygon, segment);
+      enter_shared(shared, polygon, segment);
       if (recorder_ == nullptr) continue;
       object_points_.clear();
       for (const std::uint32_t corner : polygon) object_points_.push_back(vertices[corner]);
@@ -290,8 +293,9 @@ void GraphicsSystem::make_room_for_shared(std::span<const Point3> world, std::si
 }
 
 /// One polygon of many.
-void GraphicsSystem::enter_shared(std::span<const Point3> world,
+void GraphicsSystem::enter_shared(const RetainedScene::SharedVertices& shared,
                                   std::span<const std::uint32_t> corners, Segment& segment) {
+  const std::span world = shared.world;
   const int pick = next_pick();
   ++ordinal_;
   const bool cutting = cutting_planes_.any();
@@ -303,13 +307,15 @@ void GraphicsSystem::enter_shared(std::span<const Point3> world,
     return;
   }
   const PointRow vertices(world, corners);
+  const PointRow entered(shared.entered, corners);
   const Point3 normal = attributes_.light ? newell_normal(vertices) : Point3(0.0);
   if (corners.size() != 3 && !is_flat(vertices)) {
     ++triangulated_;
     world_points_.assign(vertices.begin(), vertices.end());
-    return enter_triangles(normal, {}, pick);
+    return enter_triangles(entered, normal, {}, pick);
   }
-  const WorldPolygon polygon{std::span<const Point3>(vertices), {}, normal, {}, pick};
+  const WorldPolygon polygon{
+      std::span<const Point3>(vertices), {}, normal, {}, pick, entered, shared.modelling};
   if (!solids_.empty()) return enter(polygon);
   if (cutting && cutting_planes_.cut_some(vertices)) return enter_cut(polygon);
   if (RetainedScene* scene = retaining()) scene->enter_shared(corners, polygon, attributes_);

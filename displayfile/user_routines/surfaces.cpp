@@ -20,6 +20,13 @@ namespace {
 /// Where the height is unknown there is no cell, but the current position may come to be there.
 double known_height(double z) { return std::isnan(z) ? 0.0 : z; }
 
+/// The point of that number, as it is entered.
+Point3 point_of(const SurfaceGrid& grid, std::size_t k) {
+  const auto columns = static_cast<std::size_t>(grid.x_points);
+  return {grid.x(static_cast<int>(k % columns)), grid.y(static_cast<int>(k / columns)),
+          known_height(grid.heights[k])};
+}
+
 }  // namespace
 
 void GraphicsSystem::set_surface_curves(SurfaceCurves curves) {
@@ -132,12 +139,7 @@ void GraphicsSystem::enter_cells_in_order(const SurfaceGrid& grid, std::span<con
 std::vector<Point3> GraphicsSystem::world_points_of(const SurfaceGrid& grid) const {
   std::vector<Point3> world;
   world.reserve(grid.heights.size());
-  for (int j = 0; j < grid.y_points; ++j) {
-    for (int i = 0; i < grid.x_points; ++i) {
-      const double z = known_height(grid.heights[world.size()]);
-      world.push_back(to_world({grid.x(i), grid.y(j), z}));
-    }
-  }
+  for (std::size_t k = 0; k < grid.heights.size(); ++k) world.push_back(to_world(point_of(grid, k)));
   return world;
 }
 
@@ -168,7 +170,10 @@ void GraphicsSystem::enter_cell(const SurfaceGrid& grid, std::span<const Point3>
     }
     const Point3 normal =
         attributes_.light ? newell_normal(PointRow(world, of_triangle)) : Point3(0.0);
-    const WorldPolygon triangle{PointRow(world, of_triangle), edge_visible, normal, {}, pick};
+    const std::array entered{point_of(grid, of_triangle[0]), point_of(grid, of_triangle[1]),
+                             point_of(grid, of_triangle[2])};
+    const WorldPolygon triangle{
+        PointRow(world, of_triangle), edge_visible, normal, {}, pick, entered, modelling_matrix()};
     if (cutting_planes_.any()) return enter_cut(triangle);
     if (RetainedScene* scene = retaining()) scene->enter_polygon(triangle, attributes_);
     if (!retains_alone_) view_stage_->enter_shared(of_triangle, triangle, attributes_, segment);

@@ -10,15 +10,6 @@ namespace displayfile {
 
 namespace {
 
-std::size_t bits(int places) { return static_cast<std::size_t>(places); }
-
-/// The binary places that all of the doubles need.
-int common_places(std::span<const double> values) {
-  int places = 0;
-  for (const double v : values) places = std::max(places, binary_places(v));
-  return places;
-}
-
 /// Takes away what the numbers have in common of powers of two: they stay short.
 void shorten(std::initializer_list<Integer*> numbers) {
   std::size_t common = trailing_zeros(Integer(0));
@@ -80,13 +71,10 @@ ExactView::ExactView(const View& view, const ImageTransformation& image, int wid
   picture_places_ = viewport_places + image_places;
 }
 
-ExactView::Vertex ExactView::viewed(const Point3& world) const {
-  const std::array coordinates{world.x, world.y, world.z};
-  const int places = common_places(coordinates);
-  const Integer x = scaled(world.x, places), y = scaled(world.y, places),
-                z = scaled(world.z, places), one = Integer(1) << bits(places);
+ExactView::Vertex ExactView::viewed(const WholePoint& world) const {
+  const Integer one = Integer(1) << bits(world.places);
   const auto along = [&](const Row& row) -> Integer {
-    return row[0] * x + row[1] * y + row[2] * z + row[3] * one;
+    return row[0] * world.x + row[1] * world.y + row[2] * world.z + row[3] * one;
   };
   return {along(matrix_[0]), along(matrix_[1]), along(matrix_[2]),
           along(matrix_[3]), along(toward_),    one << bits(places_)};

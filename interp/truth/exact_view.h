@@ -8,6 +8,7 @@
 #include "clip/transformation.h"
 #include "clip/view.h"
 #include "interp/truth/true_picture.h"
+#include "interp/truth/whole_points.h"
 
 namespace displayfile {
 
@@ -26,7 +27,7 @@ class ExactView {
   /// Throws what ViewVolume throws.
   ExactView(const View& view, const ImageTransformation& image, int width, int height);
 
-  Vertex viewed(const Point3& world) const;
+  Vertex viewed(const WholePoint& world) const;
   /// Clips the polygon in place against all planes of the view volume; empty if nothing is inside.
   void clip(std::vector<Vertex>& polygon);
   /// Where the vertex is seen; one with w not positive has no such place, but a plane through it

@@ -2,6 +2,7 @@
 // own.
 
 #include "clip/error.h"
+#include "interp/truth/entered_truth.h"
 #include "interp/truth/judged_lines.h"
 #include "interp/truth/truth.h"
 #include "interp/truth/world_truth.h"
@@ -21,6 +22,11 @@ namespace {
 Picture truth(const DisplayFile&, int, int, bool, const WorkProgress&) { refuse_truth(); }
 
 Picture world_truth(const RetainedScene&, const DisplayFile&, int, int, bool, const WorkProgress&) {
+  refuse_truth();
+}
+
+EnteredTruth entered_truth(const RetainedScene&, const DisplayFile&, int, int, bool,
+                           const Touching&, const WorkProgress&) {
   refuse_truth();
 }
 

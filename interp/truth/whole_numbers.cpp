@@ -23,6 +23,12 @@ int binary_places(double value) {
   return std::max(0, kMantissaBits - exponent - trailing_zeros);
 }
 
+int common_places(std::span<const double> values) {
+  int places = 0;
+  for (const double v : values) places = std::max(places, binary_places(v));
+  return places;
+}
+
 Integer scaled(double value, int places) {
   int exponent = 0;
   const double fraction = std::frexp(value, &exponent);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "interp/truth/integer.h"  // one of integer_*.h, which the build chooses
 
@@ -11,6 +12,11 @@ namespace displayfile {
 
 /// How many binary digits the double, which is finite, has after its point.
 int binary_places(double value);
+/// As many as all of the doubles need.
+int common_places(std::span<const double> values);
+
+/// That many binary places, to shift by.
+inline std::size_t bits(int places) { return static_cast<std::size_t>(places); }
 
 /// value 2^places, which must be whole.
 Integer scaled(double value, int places);

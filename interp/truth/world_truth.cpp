@@ -1,7 +1,5 @@
 #include "interp/truth/world_truth.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -9,10 +7,10 @@
 #include <vector>
 
 #include "clip/clip_pipeline.h"
-#include "clip/memory.h"
 #include "clip/transformation.h"
 #include "clip/work_budget.h"
 #include "interp/truth/exact_view.h"
+#include "interp/truth/retained_picture.h"
 #include "interp/truth/true_picture.h"
 
 namespace displayfile {
@@ -85,7 +83,7 @@ class SegmentView {
 void SegmentView::enter(std::uint32_t primitive) {
   const PointRow world = retained_.points(primitive);
   viewed_.clear();
-  for (const Point3& p : world) viewed_.push_back(exact_.viewed(p));
+  for (const Point3& p : world) viewed_.push_back(exact_.viewed(whole(p)));
   const bool is_triangle = viewed_.size() == 3;
   const auto in_picture = [&](std::vector<TruePoint>& points) {
     points.clear();
@@ -119,43 +117,17 @@ std::optional<Indices> SegmentView::support_in_display_file(std::span<const Poin
   return support_of(device_);
 }
 
-bool is_solid_polygon(const RetainedScene& scene, std::uint32_t i) {
-  return !scene[i].is_line() && scene.shared_attributes(i).fill.kind == FillStyle::Kind::solid;
-}
-
 }  // namespace
 
 Picture world_truth(const RetainedScene& retained, const DisplayFile& display_file, int width,
                     int height, bool depth, const WorkProgress& progress) {
   require_picture_size(width, height);
   const NamedWork named({"the truth from world coordinates", "a smaller picture"});
-  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  const auto each_segment = [&](auto&& visit) {
-    for (const RetainedScene::Segment& part : retained.segments()) {
-      const Segment& segment = display_file.segment(part.name);
-      if (segment.visible) visit(part, segment);
-    }
+  const auto view_of = [&](const RetainedScene::Segment& part, const Segment& segment,
+                           TruePicture& picture) {
+    return SegmentView(retained, part.view, segment.image, width, height, picture);
   };
-  return with_memory(
-      TruePicture::kBytesOfPixel * pixels,
-      [&] { return fmt::format("the truth of {} x {} pixels", width, height); },
-      [&] {
-        TruePicture picture(width, height);
-        std::size_t done = 0, all = 0;
-        each_segment([&](const RetainedScene::Segment& part, const Segment&) {
-          all += part.end - part.first;
-        });
-        each_segment([&](const RetainedScene::Segment& part, const Segment& segment) {
-          SegmentView view(retained, part.view, segment.image, width, height, picture);
-          for (std::uint32_t i = part.first; i < part.end; ++i) {
-            ask_budget();
-            if (is_solid_polygon(retained, i)) view.enter(i);
-            ++done;
-            if (progress) progress(done, all);
-          }
-        });
-        return picture.take(depth);
-      });
+  return retained_picture(retained, display_file, width, height, depth, progress, view_of);
 }
 
 std::size_t different_pixels(const Picture& a, const Picture& b) {

@@ -1,0 +1,25 @@
+#include "hidden/touching.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "clip/error.h"
+#include "clip/point.h"
+
+namespace displayfile {
+
+Touching touching(std::string_view word) {
+  if (word == "auto") return {Touching::Kind::automatic};
+  if (word == "off") return {Touching::Kind::off};
+  double length = 0.0;
+  const char* const end = word.data() + word.size();
+  const auto [read, error] = std::from_chars(word.data(), end, length);
+  if (error == std::errc() && read == end && length > 0.0 && length <= kCoordinateLimit) {
+    return {Touching::Kind::length, length};
+  }
+  throw Error(fmt::format(
+      "touching {}: expected auto, off, or a length above 0 and at most 1e100", word));
+}
+
+}  // namespace displayfile

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace displayfile {
+
+/// Within which distance parts of a scene touch: their *reach* (interp/truth/entered_truth.md).
+/// Files and decimals say less exactly than they mean, so that what is meant to touch lies a few
+/// units of its last digit apart.
+struct Touching {
+  enum class Kind {
+    automatic,  ///< by the precision of the input's numbers
+    off,        ///< nothing touches but what coincides exactly
+    length,     ///< within that length
+  };
+  Kind kind = Kind::automatic;
+  double length = 0.0;  ///< in the coordinates of the input, before its modelling transformation
+
+  bool operator==(const Touching&) const = default;
+};
+
+/// `auto`, `off` or a positive number up to kCoordinateLimit; throws Error for anything else.
+Touching touching(std::string_view word);
+
+}  // namespace displayfile

@@ -1,0 +1,83 @@
+#include "interp/truth/entered_truth.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "interp/truth/exact_view.h"
+#include "interp/truth/retained_picture.h"
+#include "interp/truth/true_planes.h"
+
+namespace displayfile {
+
+namespace {
+
+/// The polygons of one segment, on their way into the picture.
+class EnteredView {
+ public:
+  EnteredView(const RetainedScene& retained, const TruePlanes& planes, ExactView view,
+              TruePicture& picture)
+      : retained_(retained), planes_(planes), exact_(std::move(view)), picture_(picture) {}
+
+  void enter(std::uint32_t primitive);
+
+ private:
+  using Support = std::array<TruePoint, 3>;
+  std::optional<Support> support_of(std::uint32_t primitive) const;
+
+  const RetainedScene& retained_;
+  const TruePlanes& planes_;
+  ExactView exact_;
+  TruePicture& picture_;
+  std::vector<ExactView::Vertex> viewed_;  // of the polygon on its way
+  std::vector<TruePoint> points_;
+};
+
+void EnteredView::enter(std::uint32_t primitive) {
+  viewed_.clear();
+  for (std::size_t k = 0; k < retained_[primitive].sides; ++k) {
+    viewed_.push_back(exact_.viewed(planes_.vertex(primitive, k)));
+  }
+  exact_.clip(viewed_);
+  if (viewed_.empty()) return;
+  // An image transformation may turn polygons over: that does not count.
+  if (retained_.shared_attributes(primitive).back_face_removal && !ExactView::faces_viewer(viewed_))
+    return;
+  std::optional<Support> support = support_of(planes_.plane_of(primitive));
+  if (!support) support = support_of(primitive);
+  if (!support) return;
+  points_.clear();
+  for (const ExactView::Vertex& v : viewed_) points_.push_back(exact_.in_picture(v));
+  const auto& [p, q, r] = *support;
+  picture_.enter(points_, {&p, &q, &r}, retained_[primitive].pick);
+}
+
+/// Where they are seen; nothing if the polygon has no plane, or it is seen edge-on.
+std::optional<EnteredView::Support> EnteredView::support_of(std::uint32_t primitive) const {
+  const auto plane = planes_.own_plane(primitive);
+  if (!plane) return std::nullopt;
+  const auto seen = [&](const WholePoint& p) { return exact_.in_picture(exact_.viewed(p)); };
+  const auto& [p, q, r] = *plane;
+  Support support{seen(p), seen(q), seen(r)};
+  if (ExactDepth(support[0], support[1], support[2]).edge_on()) return std::nullopt;
+  return support;
+}
+
+}  // namespace
+
+EnteredTruth entered_truth(const RetainedScene& retained, const DisplayFile& display_file,
+                           int width, int height, bool depth, const Touching& touching,
+                           const WorkProgress& progress) {
+  require_picture_size(width, height);
+  const NamedWork named({"the truth from what was entered", "a smaller picture"});
+  const TruePlanes planes(retained, touching);
+  const auto view_of = [&](const RetainedScene::Segment& part, const Segment& segment,
+                           TruePicture& picture) {
+    return EnteredView(retained, planes, ExactView(part.view, segment.image, width, height),
+                       picture);
+  };
+  return {retained_picture(retained, display_file, width, height, depth, progress, view_of),
+          planes.touching()};
+}
+
+}  // namespace displayfile

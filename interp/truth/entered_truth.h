@@ -1,0 +1,24 @@
+#pragma once
+
+#include "displayfile/retained_scene.h"
+#include "hidden/touching.h"
+#include "interp/truth/truth.h"
+
+namespace displayfile {
+
+/// What is seen at each pixel centre, judged from what the application entered: the points of its
+/// polygons as they were entered, the modelling matrices, the views, the viewports and the image
+/// transformations are taken as the doubles that they are, and nothing is rounded. Polygons that
+/// touch lie in one plane. interp/truth/entered_truth.md has the definition. Nothing is shared with
+/// the methods but the input.
+struct EnteredTruth {
+  Picture picture;           ///< as truth() returns it
+  std::size_t touching = 0;  ///< polygons that lie in the plane of another
+};
+
+/// `retained` is what was drawn into the display file, all of it. Errors as in truth().
+EnteredTruth entered_truth(const RetainedScene& retained, const DisplayFile& display_file,
+                           int width, int height, bool depth, const Touching& touching,
+                           const WorkProgress& progress = {});
+
+}  // namespace displayfile

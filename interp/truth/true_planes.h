@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "displayfile/retained_scene.h"
+#include "hidden/touching.h"
+#include "interp/truth/whole_points.h"
+
+namespace displayfile {
+
+/// Which three of a polygon's vertices its support plane goes through, by the definition
+/// (interp/truth/entered_truth.md), from the points as they were entered; nothing if all of them
+/// are in line, exactly.
+std::optional<std::array<std::size_t, 3>> entered_support(std::span<const Point3> entered);
+
+/// The planes that the polygons of a scene lie in, by the definition alone: each polygon's own, or
+/// that of a polygon that it touches. Exact, and nothing is shared with the methods.
+class TruePlanes {
+ public:
+  /// The scene must live on. Asks the thread's budget.
+  TruePlanes(const RetainedScene& scene, const Touching& touching);
+
+  /// A polygon's vertex in world coordinates.
+  WholePoint vertex(std::uint32_t polygon, std::size_t corner) const;
+  /// Three points of the polygon's support plane as it was entered; nothing if it has none.
+  std::optional<std::array<WholePoint, 3>> own_plane(std::uint32_t polygon) const;
+  /// The polygon whose support plane the polygon lies in: itself where it touches no other's.
+  std::uint32_t plane_of(std::uint32_t polygon) const { return plane_of_[polygon]; }
+  /// Of all polygons, how many lie in the plane of another.
+  std::size_t touching() const;
+
+ private:
+  struct Plane;
+  /// A reach is the square root of `squared` / 4^places.
+  struct Reach {
+    Integer squared;
+    int places = 0;
+  };
+  struct Placed {
+    WholeMatrix matrix;
+    Reach reach;
+  };
+
+  void find_placings(const Touching& touching);
+  void find_planes();
+  const Placed& placed(std::uint32_t polygon) const { return placings_[placing_of_[polygon]]; }
+  Plane plane_through(std::uint32_t polygon) const;
+  bool lies_in(std::uint32_t polygon, const Plane& plane) const;
+
+  const RetainedScene& scene_;
+  std::vector<Placed> placings_;             // of each modelling matrix one
+  std::vector<std::uint32_t> placing_of_;    // by primitive
+  std::vector<std::uint32_t> plane_of_;      // by primitive
+};
+
+}  // namespace displayfile

@@ -15,7 +15,8 @@ namespace {
 /// Whether each character ends a field: blanks and line ends of every kind.
 constexpr std::array<bool, 256> kEndsField = [] {
   std::array<bool, 256> ends{};
-  for (const unsigned char c : {' ', '\t', '\r', '\n', '\f', '\v'}) ends[c] = true;
+  for (const char c : {' ', '\t', '\r', '\n', '\f', '\v'})
+    ends[static_cast<unsigned char>(c)] = true;
   return ends;
 }();
 bool ends_field(char c) { return kEndsField[static_cast<unsigned char>(c)]; }

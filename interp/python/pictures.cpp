@@ -271,7 +271,7 @@ void warn_if_distorted(System& self, const DrawOptions& options) {
 
 py::tuple draw(System& self, py::handle size, const py::kwargs& said) {
   DrawOptions options = draw_options_in(size, said);
-  const Warned warned(options);
+  Warned warned(options);
   warn_if_distorted(self, options);
   Picture picture = self.work([&](GraphicsSystem& system, Renderer& renderer) {
     renderer.give_back(self.spare()->take());
@@ -293,7 +293,7 @@ py::tuple require_drawn(System& self, py::handle to, py::handle size, const py::
 
 py::object draw_as(System& self, py::handle format, py::handle size, const py::kwargs& said) {
   DrawOptions options = draw_options_in(size, said);
-  const Warned warned(options);
+  Warned warned(options);
   warn_if_distorted(self, options);
   const std::string name = word_in(format, "format");
   const std::string bytes = self.work([&](GraphicsSystem& system, Renderer& renderer) {
@@ -312,7 +312,7 @@ void save(System& self, py::handle to, py::handle format, py::handle size, const
   DrawOptions options = draw_options_in(size, said);
   const std::string path = path_in(to, "path");
   if (!format.is_none()) options.format = word_in(format, "format");
-  const Warned warned(options);
+  Warned warned(options);
   warn_if_distorted(self, options);
   self.work(
       [&](GraphicsSystem& system, Renderer& renderer) { renderer.draw(system, path, options); });

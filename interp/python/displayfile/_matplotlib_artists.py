@@ -216,7 +216,8 @@ class Polygons:
         self.add(outline, np.array([len(outline)]), attributes)
 
     def finish(self) -> None:
-        if not self._sides:
+        """Joins all that was added. Where no polygon is left, attributes stays None."""
+        if not any(len(sides) for sides in self._sides):
             return
         self.points = np.concatenate(self._points)
         self.sides = np.concatenate(self._sides)
@@ -311,6 +312,8 @@ def _rings(points: Floats, codes: Any) -> list[tuple[Floats, bool]]:
 
 def _without_repeats(ring: Floats, closed: bool) -> tuple[Floats, bool]:
     """Without points like the one before; a ring that ends where it begins is closed."""
+    if not len(ring):
+        return ring, closed
     ring = ring[np.concatenate([[True], (ring[1:] != ring[:-1]).any(axis=1)])]
     if len(ring) > 1 and (ring[0] == ring[-1]).all():
         return ring[:-1], True

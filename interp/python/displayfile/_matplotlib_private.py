@@ -162,6 +162,13 @@ def patch_points(artist: Any) -> tuple[npt.NDArray[np.float64], Any]:
     return points, getattr(artist, "_code3d", None)
 
 
+def project_patch(artist: Any) -> None:
+    """Sets the outline in the picture of a Patch3D, which a tight bounding box reads. One without
+    points has none."""
+    if len(artist._segment3d):
+        artist.do_3d_projection()
+
+
 def dashes(artist: Any) -> tuple[float, Any]:
     """The offset and dashes, in points, of a Line3D or Patch3D."""
     return artist._dash_pattern  # type: ignore[no-any-return]

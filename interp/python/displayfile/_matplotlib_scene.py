@@ -83,6 +83,7 @@ class Scene(Collection):  # type: ignore[misc]
             if isinstance(artist, art3d.Poly3DCollection):
                 add_polygons(artist, matrix, polygons, styles)
             elif isinstance(artist, art3d.Patch3D):
+                private.project_patch(artist)
                 add_patch(artist, matrix, polygons, styles)
             elif isinstance(artist, art3d.Line3DCollection):
                 add_lines(artist, matrix, lines, styles)

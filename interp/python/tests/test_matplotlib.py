@@ -406,7 +406,7 @@ def test_a_closed_ring_hides_as_much_as_its_corners_do(ring: bool) -> None:
 
 
 def nearest_faces(ax: Any, faces: Any) -> np.ndarray[Any, Any]:
-    """For each pixel's centre the number of the quadrilateral that is nearest there; -1 for none."""
+    """For each pixel's centre the number of the nearest quadrilateral there; -1 for none."""
     width, height = (int(v) for v in ax.figure.bbox.size)
     found, depth = np.full((height, width), -1), np.full((height, width), np.inf)
     columns, rows = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
@@ -491,6 +491,102 @@ def test_what_cannot_be_drawn_is_left_out() -> None:
     assert at(picture, ax, (0.5, 0.25, 0)) == rgb("red")
     assert at(picture, ax, (-0.9, -0.9, 0)) == rgb("white")
     assert at(picture, ax, (1, 0.4, 0.5)) == rgb("black")
+
+
+GRID = np.meshgrid(np.linspace(-1, 1, 5), np.linspace(-1, 1, 5))
+NO_HEIGHTS = np.full((5, 5), np.nan)
+POINT = np.zeros((4, 3))
+
+
+def add_patch(ax: Any, patch: Any) -> None:
+    ax.add_patch(patch)
+    art3d.patch_2d_to_3d(patch)
+
+
+@pytest.mark.parametrize(
+    "fill",
+    [
+        lambda ax: None,
+        lambda ax: ax.plot_surface(*GRID, NO_HEIGHTS),
+        lambda ax: ax.plot_surface(*GRID, NO_HEIGHTS, cmap="viridis"),
+        lambda ax: ax.plot_surface(*GRID, NO_HEIGHTS, alpha=0.5),
+        lambda ax: ax.plot_surface(*GRID, np.full((5, 5), np.inf)),
+        lambda ax: ax.plot_surface(*GRID, np.ma.masked_all((5, 5))),
+        lambda ax: ax.plot_wireframe(*GRID, NO_HEIGHTS),
+        lambda ax: ax.plot_trisurf(*(v.ravel() for v in GRID), NO_HEIGHTS.ravel()),
+        lambda ax: ax.contour(*GRID, 0 * GRID[0]),
+        lambda ax: ax.contour(*GRID, NO_HEIGHTS),
+        lambda ax: ax.contourf(*GRID, GRID[0], levels=[5, 6, 7]),
+        lambda ax: ax.bar([0, 1, 2], [1, 2, 3]),
+        lambda ax: ax.bar([0, 1, 2], [1, 2, 3], zs=1, zdir="y"),
+        lambda ax: ax.bar([], []),
+        lambda ax: ax.bar3d([0, 1], 0, 0, 1, 1, [1, 2]),
+        lambda ax: ax.bar3d([0, 1], 0, 0, 1, 1, [np.nan, np.nan]),
+        lambda ax: ax.scatter([], [], []),
+        lambda ax: ax.scatter([np.nan], [np.nan], [np.nan]),
+        lambda ax: ax.plot([], [], [], "o-"),
+        lambda ax: ax.plot(3 * [np.nan], 3 * [np.nan], 3 * [np.nan], "o--"),
+        lambda ax: ax.plot([0], [0], [0], "--"),
+        lambda ax: ax.quiver([], [], [], [], [], []),
+        lambda ax: ax.quiver(0, 0, 0, 0, 0, 0),
+        lambda ax: ax.text(0, 0, 0, "text"),
+        lambda ax: ax.voxels(np.zeros((2, 2, 2), bool)),
+        lambda ax: ax.add_collection3d(art3d.Poly3DCollection([])),
+        lambda ax: ax.add_collection3d(art3d.Poly3DCollection([NO_HEIGHTS[:3, :3]])),
+        lambda ax: ax.add_collection3d(art3d.Poly3DCollection([NO_HEIGHTS[:3, :3]], closed=False)),
+        lambda ax: ax.add_collection3d(art3d.Poly3DCollection([POINT])),
+        lambda ax: ax.add_collection3d(art3d.Poly3DCollection([POINT[:2]])),
+        lambda ax: ax.add_collection3d(art3d.Line3DCollection([])),
+        lambda ax: ax.add_collection3d(art3d.Line3DCollection([NO_HEIGHTS[:3, :3]])),
+        lambda ax: add_patch(ax, Rectangle((0, 0), 1, 1)),
+        lambda ax: add_patch(ax, Rectangle((0, 0), 0, 0)),
+        lambda ax: surface(ax, *SQUARE, 0.0, "red").set_visible(False),
+    ],
+)
+def test_axes_with_little_or_nothing_to_draw_are_drawn_as_before(
+    fill: Callable[[Any], Any],
+) -> None:
+    ax = axes()
+    ax.set_axis_on()
+    fill(ax)
+    exact(ax)
+    ax.figure.savefig(io.BytesIO(), format="svg", bbox_inches="tight")
+    drawn = pixels(ax)
+    exact(ax, off=True)
+    mean, far = differ(drawn, pixels(ax))
+    assert mean <= 0.5 and far <= 0.002
+
+
+@pytest.mark.parametrize("format", ["png", "svg", "pdf"])
+@pytest.mark.parametrize("computed_zorder", [True, False])
+def test_bars_alone_are_saved(format: str, computed_zorder: bool) -> None:
+    ax = axes(computed_zorder=computed_zorder)
+    ax.bar([0, 1, 2], [1, 2, 3])
+    ax.plot_surface(*GRID, NO_HEIGHTS, zorder=7)
+    exact(ax)
+    file = io.BytesIO()
+    ax.figure.savefig(file, format=format, bbox_inches="tight")
+    assert file.getvalue()
+
+
+def test_surfaces_in_one_plane_are_saved() -> None:
+    ax = axes()
+    ax.contourf(*GRID, 0 * GRID[0])
+    ax.bar3d([0, 1], 0, 0, 1, 1, [0, 0])
+    exact(ax)
+    ax.figure.savefig(io.BytesIO(), format="svg", bbox_inches="tight")
+
+
+def test_lines_and_markers_are_drawn_beside_a_surface_without_heights() -> None:
+    ax = axes(proj_type="ortho")
+    ax.view_init(90, -90)
+    ax.plot_surface(*GRID, NO_HEIGHTS)
+    ax.plot([-1, 1], [0.5, 0.5], [0, 0], "blue", lw=4)
+    ax.scatter([0], [0], [0], c="red", s=100, alpha=1)
+    exact(ax)
+    picture = pixels(ax)
+    assert at(picture, ax, (0.5, 0.5, 0)) == rgb("blue")
+    assert at(picture, ax, (0, 0, 0)) == rgb("red")
 
 
 def test_copies_and_pickles_do_no_harm() -> None:

@@ -18,6 +18,7 @@
 #include "displayfile/text/dump.h"
 #include "hidden/line_kinds.h"
 #include "interp/drawing_choice.h"
+#include "interp/picture.h"
 #include "interp/python/arguments.h"
 #include "interp/python/arrays.h"
 #include "interp/python/errors.h"
@@ -250,8 +251,10 @@ class Warned {
   std::vector<std::string> texts_;
 };
 
-/// What was viewed for pictures of another shape.
+/// What was viewed for pictures of another shape. Error: a size that no picture has, and so no
+/// shape.
 void warn_if_distorted(System& self, const DrawOptions& options) {
+  require_picture_size(options.width, options.height);
   const auto [aspect, wider] = self.call([&](GraphicsSystem& system) {
     const auto& stretched = system.stretched_window();
     const double shape = static_cast<double>(options.width) / options.height;

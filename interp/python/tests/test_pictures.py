@@ -349,3 +349,14 @@ def test_hidden_lines_that_nothing_finds_are_refused_or_warned_of():
         warnings.simplefilter("error")
         behind.draw(64, hidden="z-buffer")
         behind.svg(64, hidden="map")
+
+
+@pytest.mark.parametrize("size", [0, -1, (0, 480), (640, 0), (-640, 480), (640, -480), (10**6, 1)])
+def test_a_size_of_no_picture_is_an_error_alone(g, tmp_path, size):
+    calls = (g.draw, g.svg, g.pdf, g.png, lambda size: g.save(tmp_path / "a.svg", size=size))
+    for draw in calls:
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            with pytest.raises(Error, match="size"):
+                draw(size)
+    assert not list(tmp_path.iterdir())

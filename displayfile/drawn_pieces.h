@@ -11,9 +11,12 @@
 namespace displayfile {
 
 /// What the visible segments of a display file draw, in the order in which it is drawn, as arrays:
-/// for who draws it by other means. Of a display file whose hidden surfaces were sorted
-/// (sorted_display_file.h) they are the sort's pieces, those of the map, or the lines that are
-/// seen.
+/// for programs that draw it by other means. Of a display file whose hidden surfaces were sorted
+/// (sorted_display_file.h) they are
+///  - by bsp or depth_sort all polygons from back to front, also those that others hide,
+///  - by map, and by automatic, the visible pieces only,
+///  - by a method that finds lines, the visible lines.
+/// Of one that was not sorted they are all polygons and lines, as they were entered.
 struct DrawnPieces {
   enum class Kind : std::uint8_t {
     solid,   ///< a polygon that is filled

@@ -93,7 +93,8 @@ void require_hidden_lines_found(HiddenLines hidden_lines, HiddenMethod method) {
 const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, HiddenMethod by,
                                              const HiddenSurfaceOptions& options) {
   const BudgetInForce in_force(options.budget);
-  const HiddenMethod method = surfaces_of(by);
+  const HiddenMethod named = surfaces_of(by);
+  const HiddenMethod method = named == HiddenMethod::automatic ? HiddenMethod::map : named;
   const bool applications =
       !options.method && surfaces_of(method_in_force(system, options)) == method;
   const bool finds_shadows =

@@ -232,7 +232,7 @@ auto draw_up_to_date(const GraphicsSystem& system, const DrawOptions& options, H
   require_drawable_by(method, system, options);
   HiddenSurfaceOptions asked = hidden_surface_options(options);
   asked.shadows = kind == PictureKind::vector;
-  const DisplayFile& sorted = kept.update(system, method, asked);
+  const DisplayFile& sorted = kept.update(system, unsorted_if_automatic(method), asked);
   look_for_hidden_lines_left(system, sorted, method, options);
   if (const auto world = world_in_force(system, method)) {
     return draw_world(*world, with_settings(system, method, options));

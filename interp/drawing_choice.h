@@ -9,4 +9,11 @@ namespace displayfile {
 MethodChoice drawing_choice(const GraphicsSystem& system, const DrawOptions& options,
                             PictureKind kind);
 
+/// The method to bring a display file up to date with where nothing is to be sorted for
+/// `automatic`: for pixels, whose renderer picks a method itself, and for dumps of what was
+/// entered.
+constexpr HiddenMethod unsorted_if_automatic(HiddenMethod method) {
+  return surfaces_of(method) == HiddenMethod::automatic ? HiddenMethod::none : method;
+}
+
 }  // namespace displayfile

@@ -17,6 +17,7 @@
 #include "displayfile/input_file.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/text/drawing_program.h"
+#include "interp/drawing_choice.h"
 #include "programs/keep_freed_memory.h"
 #include "programs/progress.h"
 #include "programs/warnings.h"
@@ -254,7 +255,8 @@ DrawnFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptio
       fmt::format("hidden surfaces of {} polygons", system.display_file().polygons()));
   HiddenSurfaceOptions shown = options;
   shown.progress = progress.told();
-  DrawnFile drawn{SortedDisplayFile{}.update(system, method, shown), std::nullopt};
+  DrawnFile drawn{SortedDisplayFile{}.update(system, unsorted_if_automatic(method), shown),
+                  std::nullopt};
   require_hidden_lines_dumped(drawn.file, method, options);
   if (!is_colour_rule(method)) return drawn;
   require_colour_of_fills(method, system.background());

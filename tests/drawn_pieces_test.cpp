@@ -90,6 +90,38 @@ TEST(DrawnPieces, OfTheMapTileWhatIsSeen) {
   }
 }
 
+/// A square, and behind it one that is not seen; entered in either order.
+GraphicsSystem square_before_another(bool nearer_first) {
+  GraphicsSystem system;
+  set_device_view(system);
+  system.set_line_style({LineStyle::Kind::none});
+  system.open_segment(1);
+  for (const bool nearer : {nearer_first, !nearer_first}) {
+    const double low = nearer ? 0.0 : 0.25, high = 1.0 - low, z = nearer ? 0.75 : 0.25;
+    system.set_pick_id(nearer ? 1 : 2);
+    system.polygon_abs_3({{low, low, z}, {high, low, z}, {high, high, z}, {low, high, z}});
+  }
+  system.close_segment();
+  return system;
+}
+
+TEST(DrawnPieces, OfTheAutomaticMethodAreTheVisibleOnes) {
+  for (const bool nearer_first : {false, true}) {
+    GraphicsSystem system = square_before_another(nearer_first);
+    for (const HiddenMethod method :
+         {HiddenMethod::map, HiddenMethod::automatic, HiddenMethod::colour_rule}) {
+      EXPECT_EQ(pieces_by(system, method).picks, std::vector<std::int32_t>{1}) << name_of(method);
+    }
+    EXPECT_EQ(pieces_by(system, HiddenMethod::depth_sort).picks, (std::vector<std::int32_t>{2, 1}));
+    // The same where the application set it.
+    system.set_hidden_line_removal(true);
+    system.set_hidden_method(HiddenMethod::automatic);
+    SortedDisplayFile sorted;
+    EXPECT_EQ(drawn_pieces(sorted.update(system, HiddenMethod::automatic)).picks,
+              std::vector<std::int32_t>{1});
+  }
+}
+
 TEST(DrawnPieces, OfLinesKeepTheirPicks) {
   GraphicsSystem system;
   set_device_view(system);

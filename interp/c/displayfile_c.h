@@ -140,8 +140,10 @@ DF_API int df_draw_file(df_system* system, const df_options* options, const char
 /* Every instruction of the display file, as text. */
 DF_API int df_dump(df_system* system, const char** text, size_t* length);
 
-/* What is drawn, in order, as arrays: a sort's pieces, those of the map, or the lines that are
- * seen, as the method is. */
+/* What is drawn in vectors, in order, as arrays. By "depth-sort" and "bsp" all polygons from back
+ * to front, also those that others hide; by "map" the visible pieces only, and so by "auto", which
+ * is the map unless there are only lines to see; by a method that finds lines, the visible lines.
+ */
 typedef struct {
   size_t size; /* sizeof(df_pieces), set by the caller */
   size_t pieces;

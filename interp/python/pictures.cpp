@@ -354,7 +354,7 @@ std::string dump_of(System& self, const py::kwargs& said) {
     const HiddenMethod method = method_in_force(system, options);
     require_hidden_lines_found(hidden_lines_in_force(system, options), method);
     SortedDisplayFile sorted;
-    const DisplayFile& file = sorted.update(system, method, options);
+    const DisplayFile& file = sorted.update(system, unsorted_if_automatic(method), options);
     require_hidden_lines_dumped(file, method, options);
     if (!is_colour_rule(method)) return dump(file);
     require_colour_of_fills(method, system.background());

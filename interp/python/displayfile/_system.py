@@ -500,6 +500,10 @@ class System(_displayfile.System):
     def pieces(self, **options: typing.Any) -> Pieces:
         """Find what is drawn in vectors, for programs that draw by themselves.
 
+        By "depth-sort" and "bsp" they are all polygons from back to front, also those that others
+        hide; by "map" the visible pieces only, and so by "auto", which is the map unless there are
+        only lines to see.
+
         Args:
             options: hidden, hidden_lines, scope, precision and threads, as draw has them.
 

@@ -88,6 +88,14 @@ def test_pieces(g):
     assert pieces.fills.tolist() == [[1, 0, 0]]
     assert pieces.points[:, :2].max(axis=0).tolist() == [0.5, 1]
     assert len(g.pieces(hidden="franklin").kinds) == 0  # there are no lines
+    # Behind it:
+    g.open_segment(5)
+    g.set_pick_id(8)
+    g.polygon_abs_3([(-0.9, -0.9, -0.5), (-0.1, -0.9, -0.5), (-0.1, 0.9, -0.5)])
+    g.close_segment()
+    assert g.pieces(hidden="map").picks.tolist() == [9]
+    assert g.pieces(hidden="auto").picks.tolist() == [9]
+    assert g.pieces(hidden="depth-sort").picks.tolist() == [8, 9]
 
 
 def test_formats(g, tmp_path):

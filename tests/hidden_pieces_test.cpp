@@ -7,14 +7,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numbers>
+#include <numeric>
+#include <span>
 #include <sstream>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
-#include "hidden/exact/orientation.h"
 #include "hidden/lines/line_ends.h"
+#include "hidden/lines/lines_on_lines.h"
 #include "tests/slower.h"
 #include "tests/sort_scenes.h"
 
@@ -111,10 +115,13 @@ TEST(UncoveredPieces, WhatALineBeforeCoversIsLeftOut) {
   EXPECT_EQ(left_of_line({near(0.25, 0.375), near(0.375, 0.5)}, a, b),
             (Shares{{0.0, 0.25}, {0.75, 1.0}}));
   EXPECT_EQ(left_of_line({near(0.625, 0.75)}, a, b), (Shares{{0.0, 1.0}}));  // touches its end
-  // Beside it by as little as can be.
-  Loop beside = near(0.125, 0.625);
-  beside[0].y = std::nextafter(beside[0].y, 1.0);
-  EXPECT_EQ(left_of_line({beside}, a, b), (Shares{{0.0, 1.0}}));
+  // Beside it by as little as can be, and by more than may be.
+  for (const auto& [off, left] : std::vector<std::pair<double, Shares>>{
+           {0x1p-54, {}}, {1e-12, {}}, {9e-10, {}}, {1e-8, {{0.0, 1.0}}}, {1e-4, {{0.0, 1.0}}}}) {
+    Loop beside = near(0.125, 0.625);
+    for (Point3& p : beside) p += Point3(-off, off, 0.0) / std::numbers::sqrt2;
+    EXPECT_EQ(left_of_line({beside}, a, b), left) << off;
+  }
 }
 
 TEST(UncoveredPieces, OfHiddenOnesThatCoverEachOtherTheFirstIsDrawn) {
@@ -163,9 +170,152 @@ TEST(UncoveredPieces, WhicheverWayLinesRun) {
   }
 }
 
+// ---- What is covered but for rounding
+// ------------------------------------------------------------
+
+/// Lines on one line, each end off it by no more than so much; hidden by a square but for some that
+/// are seen.
+struct NearLines {
+  ItemList list;
+  std::vector<Point2> ways;  // of each item, its ends as places along the line
+
+  NearLines(std::uint64_t seed, double off) {
+    Source s(seed);
+    list.add(ItemList::Kind::solid, box(-1.0, -1.0, 2.0, 2.0, 0.5), {0, 0, 0, 0});
+    ways.emplace_back(0.0);
+    const auto part = [&] { return s.between(0, 1 << 20) * 0x1p-20; };
+    constexpr double kTurns[] = {0.0, 0.25, 0.5, 0.75, 0.125, 0.375};  // axes, and in between
+    const double turn = s.below(2) == 0 ? kTurns[s.below(6)] : part();
+    const double angle = 2.0 * std::numbers::pi * turn;
+    const Point2 along(std::cos(angle), std::sin(angle)), across(-along.y, along.x);
+    const Point2 middle(0.4 + 0.2 * part(), 0.4 + 0.2 * part());
+    for (int k = 0; k < 8; ++k) {
+      const double from = part() - 0.5, length = std::pow(0.1, 2.0 * part());
+      const double to = s.below(2) == 0 ? from + length : from - length;
+      const double z = s.below(4) == 0 ? 0.75 : 0.25 * part();
+      const auto at = [&](double t) {
+        return Point3(middle + t * along + off * (2.0 * part() - 1.0) * across, z);
+      };
+      list.line(at(from), at(to));
+      ways.emplace_back(from, to);
+    }
+  }
+
+  struct Stretch {
+    double low, high;
+    bool is_hidden;
+  };
+  /// The pieces along the line.
+  std::vector<Stretch> along(std::span<const VisiblePiece> pieces, bool is_hidden) const {
+    std::vector<Stretch> all;
+    for (const VisiblePiece& piece : pieces) {
+      if (piece.item == 0) continue;
+      const Point2& way = ways[piece.item];
+      const auto at = [&](double share) { return way.x + share * (way.y - way.x); };
+      const auto [low, high] = std::minmax({at(piece.from), at(piece.to)});
+      all.push_back({low, high, is_hidden});
+    }
+    return all;
+  }
+};
+
+double length_of_union(std::vector<NearLines::Stretch> all) {
+  std::ranges::sort(all, {}, &NearLines::Stretch::low);
+  double length = 0.0, end = -10.0;
+  for (const auto& [low, high, is_hidden] : all) {
+    length += std::max(0.0, high - std::max(low, end));
+    end = std::max(end, high);
+  }
+  return length;
+}
+
+/// Whatever covers whatever, no dash is over another, nor over what is seen, and none is missing.
+TEST(UncoveredPieces, OfLinesThatAreOneButForRoundingOneIsDrawn) {
+  constexpr double kCrumbs = 1e-7;
+  std::size_t covered = 0;
+  for (const double off : {0.0, 1e-16, 1e-12, 4e-10}) {
+    for (std::uint64_t seed = 0; seed < 400 / kSlower; ++seed) {
+      const NearLines lines(seed, off);
+      const Found all = found(lines.list);
+      std::vector<NearLines::Stretch> drawn = lines.along(all.left, true);
+      double of_left = 0.0;
+      for (const auto& piece : drawn) of_left += piece.high - piece.low;
+      const auto seen = lines.along(all.seen.pieces, false), hidden = lines.along(all.hidden, true);
+      const double of_seen = length_of_union(seen);
+      auto every = hidden;
+      every.insert(every.end(), seen.begin(), seen.end());
+      ASSERT_NEAR(of_seen + of_left, length_of_union(every), kCrumbs) << off << " " << seed;
+      drawn.insert(drawn.end(), seen.begin(), seen.end());
+      ASSERT_NEAR(length_of_union(drawn), length_of_union(every), kCrumbs) << off << " " << seed;
+      covered += all.left.size() < all.hidden.size() ? 1 : 0;
+    }
+  }
+  EXPECT_GT(covered, 400U / kSlower);
+}
+
+/// Each is drawn whole where it is hidden.
+TEST(UncoveredPieces, OfLinesThatArePlainlyApartEachIsDrawn) {
+  for (const double off : {1e-3, 1e-5}) {
+    for (std::uint64_t seed = 0; seed < 100 / kSlower; ++seed) {
+      const Found all = found(NearLines(seed, off).list);
+      ASSERT_EQ(described(all.left), described(all.hidden)) << off << " " << seed;
+    }
+  }
+}
+
+/// Also of many lines of many lengths and directions, any of which may be on each other.
+TEST(LeadingLines, AreFoundAsAmongAllPairs) {
+  for (std::uint64_t seed = 0; seed < 60 / kSlower; ++seed) {
+    Source s(seed);
+    std::vector<LineOfPicture> lines;
+    const auto part = [&] { return s.between(0, 1 << 20) * 0x1p-20; };
+    for (int k = 0; k < 60; ++k) {
+      const double angle = std::numbers::pi * (s.below(3) == 0 ? 0.25 * s.below(9) : part());
+      const Point2 along(std::cos(angle), std::sin(angle)), at(part(), part());
+      for (int copies = s.between(1, 4); copies > 0; --copies) {
+        const double from = part() - 0.5, to = from + std::pow(10.0, -4.0 * part());
+        const Point2 a = at + from * along, b = at + to * along;
+        s.below(2) == 0 ? lines.push_back({a, b}) : lines.push_back({b, a});
+      }
+    }
+    std::vector<std::uint32_t> order(lines.size()), leaders;
+    std::iota(order.begin(), order.end(), 0U);
+    const auto length = [&](std::uint32_t k) {
+      return std::hypot(lines[k].to.x - lines[k].from.x, lines[k].to.y - lines[k].from.y);
+    };
+    std::ranges::stable_sort(order, std::greater(), length);
+    const auto found = leading_lines(lines);
+    std::size_t followers = 0;
+    for (const std::uint32_t line : order) {
+      const auto follows = [&](std::uint32_t leader) {
+        const auto& [from, to] = lines[leader];
+        const auto off = [&](const Point2& p) {
+          const double twice_area =
+              (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
+          return std::abs(twice_area) / length(leader);
+        };
+        return off(lines[line].from) < 1e-12 && off(lines[line].to) < 1e-12;
+      };
+      const auto first = std::ranges::find_if(leaders, follows);
+      ASSERT_EQ(found[line], first == leaders.end() ? line : *first) << seed << " " << line;
+      followers += first == leaders.end() ? 0 : 1;
+      if (first == leaders.end()) leaders.push_back(line);
+    }
+    ASSERT_GT(followers, 40U);
+  }
+  EXPECT_TRUE(leading_lines({}).empty());
+}
+
 // ---- What is covered, against all pairs ---------------------------------------------------------
 
-/// The same by comparing each hidden piece with each other piece.
+/// Twice the area, over the length of the first two, of a line and a point.
+double off_line(const Point3& from, const Point3& to, const Point3& p) {
+  const double area = (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
+  return std::abs(area) / std::hypot(to.x - from.x, to.y - from.y);
+}
+
+/// The same by comparing each hidden piece with each other piece, of lines that are one but for
+/// rounding or plainly apart.
 std::vector<HiddenPiece> left_by_all_pairs(const ItemList& list, const Found& all) {
   std::vector<HiddenPiece> left;
   for (const HiddenPiece& piece : all.hidden) {
@@ -173,8 +323,9 @@ std::vector<HiddenPiece> left_by_all_pairs(const ItemList& list, const Found& al
     std::vector<std::pair<double, double>> covered;
     const auto cover = [&](const VisiblePiece& other) {
       const LineEnds ends(list.view(), {other.item, other.corner});
-      if (orientation(own.from, own.to, ends.from) != 0) return;
-      if (orientation(own.from, own.to, ends.to) != 0) return;
+      constexpr double kRounding = 1e-13;
+      if (off_line(own.from, own.to, ends.from) > kRounding) return;
+      if (off_line(own.from, own.to, ends.to) > kRounding) return;
       const Point3 way = glm::abs(own.to - own.from);
       const int axis = way.x >= way.y ? 0 : 1;
       const auto share = [&](const Point3& p) {

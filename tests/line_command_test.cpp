@@ -1,7 +1,9 @@
 // Line drawings by the command: hidden lines dashed, and what is joined into chains.
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -62,6 +64,65 @@ TEST_F(LineCommand, HiddenLinesThatAreCoveredAreLeftOut) {
   EXPECT_EQ(count("line "), 9u) << out_;
   out_ = out_.substr(0, out_.find("line-style solid"));
   EXPECT_EQ(count("line "), 2u);
+}
+
+/// A box within a box, seen along an axis and off it by a rounding: two of its hidden sides are
+/// behind two others, whose gaps their dashes would fill.
+TEST_F(LineCommand, HiddenLinesThatRoundingPartsAreDrawnOnce) {
+  const auto program = [](const std::string& off) {
+    return "set-view-plane-normal " + off + " -" + off + " -1\nset-parallel -" + off + " " + off +
+           " 1\nset-window -1 21 -1 13\nset-view-depth -60 60\nset-hidden-method franklin\n"
+           "set-hidden-line-removal on\nset-back-face-removal off\nset-hidden-lines dashed\n"
+           "set-lines outline crease\nset-line-style solid 0 0 0 1\nopen-segment 1\n"
+           "box-3 0 20 0 12 0 10\nbox-3 5.01 15.03 4.01 8.03 -1 5\nclose-segment\n";
+  };
+  write("along.draw", program("0"));
+  write("off.draw", program("1.7e-16"));
+  constexpr std::size_t kWidth = 440, kHeight = 280;
+  // Without the outer box, whose sides are between pixels.
+  const auto dark_inside = [&](const std::string& ppm) {
+    const std::size_t first = ppm.size() - 3 * kWidth * kHeight;
+    std::size_t dark = 0;
+    for (std::size_t y = 40; y < 240; ++y) {
+      for (std::size_t x = 40; x < 400; ++x) {
+        dark += static_cast<unsigned char>(ppm[first + 3 * (y * kWidth + x)]) < 128 ? 1 : 0;
+      }
+    }
+    return static_cast<double>(dark);
+  };
+  struct Drawn {
+    std::size_t dashed;
+    double dark, strokes;
+  };
+  const auto drawn = [&](const std::string& name, const std::string& method) {
+    const std::string options = name + ".draw --size 440x280" + method;
+    Drawn all{};
+    EXPECT_EQ(run("dump " + name + ".draw" + method), 0) << err_;
+    std::istringstream dashed(out_.substr(out_.find("line-style dashed")));
+    double x = 0.0, y = 0.0;
+    for (std::string line; std::getline(dashed, line) && !line.starts_with("line-style solid");) {
+      double to_x = 0.0, to_y = 0.0;
+      const bool is_line = line.starts_with("line ");
+      if (!is_line && !line.starts_with("move ")) continue;
+      std::istringstream(line.substr(5)) >> to_x >> to_y;
+      if (is_line && std::hypot(to_x - x, to_y - y) > 1e-9) ++all.dashed;
+      x = to_x;
+      y = to_y;
+    }
+    EXPECT_EQ(run("draw " + options + " -o a.ppm"), 0) << err_;
+    all.dark = dark_inside(read(folder_ / "a.ppm"));
+    EXPECT_EQ(run("draw " + options + " --pens -o a.svg"), 0) << err_;
+    all.strokes = static_cast<double>(std::ranges::count(read(folder_ / "a.svg"), 'M'));
+    return all;
+  };
+  for (const std::string method : {"", " --hidden roberts", " --hidden appel"}) {
+    const Drawn along = drawn("along", method), off = drawn("off", method);
+    EXPECT_EQ(along.dashed, 4U) << method;
+    EXPECT_EQ(off.dashed, 4U) << method;
+    EXPECT_GT(along.dark, 300.0);
+    EXPECT_NEAR(off.dark, along.dark, 8.0) << method;
+    EXPECT_NEAR(off.strokes, along.strokes, 2.0) << method;
+  }
 }
 
 TEST_F(LineCommand, AProgramSetsHiddenLinesAndTheCommandOtherwise) {

@@ -6,9 +6,8 @@
 #include <tuple>
 #include <utility>
 
-#include "hidden/exact/exact_number.h"
-#include "hidden/exact/orientation.h"
 #include "hidden/lines/line_ends.h"
+#include "hidden/lines/lines_on_lines.h"
 
 namespace displayfile {
 
@@ -28,67 +27,11 @@ std::vector<HiddenPiece> hidden_pieces(std::span<const LineName> lines, const Se
 
 namespace {
 
-/// Which way the direction from c to d is turned from that from a to b: 1 counterclockwise, 0 if
-/// they are parallel. The true sign: each factor is a difference of two doubles, as in
-/// orientation_value, whose bound holds here.
-int turn_of_direction(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
-  if (a == c && b == d) return 0;
-  constexpr double kBound = 4.0 * kUnit * kInflate;
-  const double left = (b.x - a.x) * (d.y - c.y), right = (b.y - a.y) * (d.x - c.x);
-  const double turn = left - right;
-  if (std::abs(turn) > kBound * std::abs(left + right) + kTiny) return decided_sign(turn);
-  const auto difference = [](double p, double q) { return ExactNumber(p) - ExactNumber(q); };
-  return (difference(b.x, a.x) * difference(d.y, c.y) - difference(b.y, a.y) * difference(d.x, c.x))
-      .sign();
-}
-
-/// A line that has pieces, with what its supporting line is about. Lines of which pieces can cover
-/// each other have the same direction and distance but for rounding.
-struct SupportedLine {
-  double direction;  ///< as angles grow: the slope, from 0 to 1, and so on up to 4 at half a turn
-  double distance;   ///< from the origin, times the larger part of the direction
-  Point2 from, to;   ///< the line's own ends, or exchanged: it runs up, or to the right
+/// A line's pieces, by their numbers.
+struct PiecesOfLine {
   std::uint32_t first_seen, end_seen, first_hidden, end_hidden;
+  std::uint32_t leader;  ///< which line it lies on (leading_lines)
 };
-
-// Rounding of either is less than 2^-49.
-constexpr double kDirectionsApart = 0x1p-46;
-constexpr double kDistancesApart = 0x1p-46;  // times the largest coordinate
-
-/// Where the measure begins and ends, at lines that run to the right, signs decide, which are
-/// exact: lines of one direction are not parted there.
-void find_support(SupportedLine& line) {
-  double dx = line.to.x - line.from.x, dy = line.to.y - line.from.y;
-  if (dy < 0.0 || (dy == 0.0 && dx < 0.0)) {
-    std::swap(line.from, line.to);
-    dx = -dx;
-    dy = -dy;
-  }
-  const double larger = std::max(std::abs(dx), dy);
-  line.direction = dy >= std::abs(dx) ? 2.0 - dx / dy : dy / dx + (dx < 0.0 ? 4.0 : 0.0);
-  line.distance = line.from.y * (dx / larger) - line.from.x * (dy / larger);
-}
-
-/// By direction, then from right to left: lines that are neither before nor after each other lie on
-/// one line.
-bool lies_before(const SupportedLine& one, const SupportedLine& other) {
-  const int turn = turn_of_direction(one.from, one.to, other.from, other.to);
-  if (turn != 0) return turn > 0;
-  if (one.from == other.from || one.to == other.from) return false;
-  return orientation(one.from, one.to, other.from) > 0;
-}
-
-/// Calls visit with the runs of what is in order, no more than `slack` apart by its value, one to
-/// the next.
-template <class T, class Value, class Visit>
-void for_each_run(std::span<T> all, double slack, const Value& value, const Visit& visit) {
-  for (std::size_t from = 0; from < all.size();) {
-    std::size_t to = from + 1;
-    while (to < all.size() && value(all[to]) - value(all[to - 1]) <= slack) ++to;
-    visit(all.subspan(from, to - from));
-    from = to;
-  }
-}
 
 class Uncovering {
  public:
@@ -98,10 +41,13 @@ class Uncovering {
 
   std::vector<HiddenPiece> pieces() {
     list_lines();
-    std::ranges::sort(lines_, {}, &SupportedLine::direction);
-    for_each_run(
-        std::span(lines_), kDirectionsApart, [](const auto& line) { return line.direction; },
-        [&](std::span<SupportedLine> alike) { among_directions(alike); });
+    std::ranges::stable_sort(lines_, {}, &PiecesOfLine::leader);
+    for (std::size_t from = 0; from < lines_.size();) {
+      std::size_t to = from + 1;
+      while (to < lines_.size() && lines_[to].leader == lines_[from].leader) ++to;
+      on_one_line(std::span(lines_).subspan(from, to - from));
+      from = to;
+    }
     std::ranges::sort(left_, [](const HiddenPiece& a, const HiddenPiece& b) {
       return std::tie(a.item, a.corner, a.from) < std::tie(b.item, b.corner, b.from);
     });
@@ -117,7 +63,7 @@ class Uncovering {
       const bool seen_next =
           h == hidden_.size() || (s < seen_.size() && name(seen_[s]) < name(hidden_[h]));
       const LineName next = name(seen_next ? seen_[s] : hidden_[h]);
-      SupportedLine line{};
+      PiecesOfLine line{};
       const auto end_of = [&](std::span<const VisiblePiece> pieces, std::size_t& k) {
         while (k < pieces.size() && name(pieces[k]) == next) ++k;
         return static_cast<std::uint32_t>(k);
@@ -127,45 +73,22 @@ class Uncovering {
       line.end_seen = end_of(seen_, s);
       line.end_hidden = end_of(hidden_, h);
       const LineEnds ends(items_, next);
-      line.from = Point2(ends.from);
-      line.to = Point2(ends.to);
-      for (const Point2& p : {line.from, line.to}) {
-        largest_ = std::max({largest_, std::abs(p.x), std::abs(p.y)});
-      }
-      find_support(line);
+      in_picture_.push_back({Point2(ends.from), Point2(ends.to)});
       lines_.push_back(line);
     }
+    const std::vector<std::uint32_t> leaders = leading_lines(in_picture_);
+    for (std::size_t k = 0; k < lines_.size(); ++k) lines_[k].leader = leaders[k];
   }
 
-  static bool has_hidden(std::span<const SupportedLine> lines) {
+  static bool has_hidden(std::span<const PiecesOfLine> lines) {
     return std::ranges::any_of(
-        lines, [](const SupportedLine& line) { return line.first_hidden < line.end_hidden; });
+        lines, [](const PiecesOfLine& line) { return line.first_hidden < line.end_hidden; });
   }
 
-  void leave(std::span<const SupportedLine> lines) {
-    for (const SupportedLine& line : lines) {
+  void leave(std::span<const PiecesOfLine> lines) {
+    for (const PiecesOfLine& line : lines) {
       left_.insert(left_.end(), hidden_.begin() + line.first_hidden,
                    hidden_.begin() + line.end_hidden);
-    }
-  }
-
-  void among_directions(std::span<SupportedLine> lines) {
-    if (lines.size() == 1 || !has_hidden(lines)) return leave(lines);
-    std::ranges::sort(lines, {}, &SupportedLine::distance);
-    for_each_run(
-        lines, kDistancesApart * largest_, [](const auto& line) { return line.distance; },
-        [&](std::span<SupportedLine> close) { among_close(close); });
-  }
-
-  /// What is close may lie on one line; that is decided exactly.
-  void among_close(std::span<SupportedLine> lines) {
-    if (lines.size() == 1 || !has_hidden(lines)) return leave(lines);
-    std::ranges::sort(lines, lies_before);
-    for (std::size_t from = 0; from < lines.size();) {
-      std::size_t to = from + 1;
-      while (to < lines.size() && !lies_before(lines[from], lines[to])) ++to;
-      on_one_line(lines.subspan(from, to - from));
-      from = to;
     }
   }
 
@@ -204,16 +127,14 @@ class Uncovering {
     events_.push_back({placed_.back().high, index, false});
   }
 
-  void on_one_line(std::span<SupportedLine> lines) {
+  void on_one_line(std::span<const PiecesOfLine> lines) {
     if (lines.size() == 1 || !has_hidden(lines)) return leave(lines);
-    std::ranges::sort(lines, [](const SupportedLine& a, const SupportedLine& b) {
-      return std::tie(a.first_seen, a.first_hidden) < std::tie(b.first_seen, b.first_hidden);
-    });
-    const Point2 along = lines.front().to - lines.front().from;
+    const Point2 along =
+        in_picture_[lines.front().leader].to - in_picture_[lines.front().leader].from;
     axis_ = std::abs(along.x) >= std::abs(along.y) ? 0 : 1;
     placed_.clear();
     events_.clear();
-    for (const SupportedLine& line : lines) {
+    for (const PiecesOfLine& line : lines) {
       for (std::uint32_t k = line.first_seen; k < line.end_seen; ++k) place(k, seen_[k], false);
       for (std::uint32_t k = line.first_hidden; k < line.end_hidden; ++k)
         place(k, hidden_[k], true);
@@ -251,13 +172,14 @@ class Uncovering {
     }
   }
 
-  /// Adds what is drawn of a hidden piece. A crumb that is no longer than the rounding of its ends
-  /// is no part.
+  /// Adds what is drawn of a hidden piece. A crumb that is no longer than lines may be apart, or
+  /// than the rounding of its ends, is no part.
   void add_part(const Placed& placed, double low, double high) {
-    constexpr double kCrumb = 0x1p-46;
+    constexpr double kRounding = 0x1p-46;
     const HiddenPiece& whole = hidden_[placed.piece];
     if (low == placed.low && high == placed.high) return left_.push_back(whole);
-    if (high - low <= kCrumb * std::max(std::abs(low), std::abs(high))) return;
+    const double crumb = std::max(kLinesApart, kRounding * std::max(std::abs(low), std::abs(high)));
+    if (high - low <= crumb) return;
     const LineEnds ends(items_, name(whole));
     const Places own = places(whole);
     const auto share = [&](double at) {
@@ -276,8 +198,8 @@ class Uncovering {
   const Primitives& items_;
   std::span<const VisiblePiece> seen_;
   std::span<const HiddenPiece> hidden_;
-  std::vector<SupportedLine> lines_;
-  double largest_ = 0.0;
+  std::vector<LineOfPicture> in_picture_;
+  std::vector<PiecesOfLine> lines_;
   std::vector<HiddenPiece> left_;
   int axis_ = 0;
   std::vector<Placed> placed_;

@@ -1,0 +1,218 @@
+#include "hidden/lines/lines_on_lines.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+
+#include "clip/secret_hash.h"
+
+namespace displayfile {
+
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// A short line near another has the other's direction only by accident if it is turned by more.
+constexpr double kMostTurned = 0x1p-16;
+
+/// As far beyond its ends as a leader is long its supporting line is so many times less certain
+/// than between them.
+constexpr double kBeyond = 3.0;
+
+/// What rounding makes of a direction, and of a distance as a share of the largest coordinate: less
+/// than 2^-49.
+constexpr double kRounding = 0x1p-46;
+
+/// What a supporting line is about. Lines of nearly the same direction and distance can lie on each
+/// other.
+struct Support {
+  double direction;  ///< as angles grow: the slope, from 0 to 1, and so on up to 4 at half a turn
+  double distance;   ///< from the middle of all lines, times the larger part of the direction
+};
+
+Support support_of(const LineOfPicture& line, const Point2& middle) {
+  Point2 way = line.to - line.from;
+  if (way.y < 0.0 || (way.y == 0.0 && way.x < 0.0)) way = -way;
+  const double larger = std::max(std::abs(way.x), way.y);
+  const Point2 from = line.from - middle;
+  return {
+      way.y >= std::abs(way.x) ? 2.0 - way.x / way.y : way.y / way.x + (way.x < 0.0 ? 4.0 : 0.0),
+      from.y * (way.x / larger) - from.x * (way.y / larger)};
+}
+
+double length_of(const LineOfPicture& line) {
+  return std::hypot(line.to.x - line.from.x, line.to.y - line.from.y);
+}
+
+/// Leaders by cells of directions and distances, in which few lines are close to another cell.
+class LeaderTable {
+ public:
+  /// By how much the directions and distances of a line and its leader may differ, and how many
+  /// leaders there may be, at least 1.
+  LeaderTable(double directions, double distances, std::size_t most)
+      : directions_(directions), distances_(distances), first_(std::bit_ceil(most), kNone) {
+    leaders_.reserve(most);
+  }
+
+  void add(const Support& support, std::uint32_t leader) {
+    std::uint32_t& first = first_[place_of_cell(cell(support.direction, directions_),
+                                                cell(support.distance, distances_))];
+    leaders_.push_back({leader, first});
+    first = static_cast<std::uint32_t>(leaders_.size() - 1);
+  }
+
+  /// Calls visit with the leaders that are near, and some that are not, or with some twice.
+  template <class Visit>
+  void near(const Support& support, const Visit& visit) const {
+    visit_around(support, visit);
+    // Where half a turn begins and ends lines have two names.
+    if (support.direction <= directions_) {
+      visit_around({support.direction + 4.0, -support.distance}, visit);
+    } else if (support.direction >= 4.0 - directions_) {
+      visit_around({support.direction - 4.0, -support.distance}, visit);
+    }
+  }
+
+ private:
+  static constexpr double kOfCell = 8.0;
+
+  struct Leader {
+    std::uint32_t line, next;  // of those in one place
+  };
+
+  static double cell(double value, double part) { return std::floor(value / (kOfCell * part)); }
+  /// Other cells may have the same.
+  std::size_t place_of_cell(double direction, double distance) const {
+    return hash_({direction, distance, 0.0}) & (first_.size() - 1);
+  }
+
+  template <class Visit>
+  void visit_around(const Support& support, const Visit& visit) const {
+    const auto [direction, distance] = support;
+    if (!std::isfinite(direction) || !std::isfinite(distance)) return;
+    const double last_i = cell(direction + directions_, directions_),
+                 last_k = cell(distance + distances_, distances_);
+    for (double i = cell(direction - directions_, directions_); i <= last_i; ++i) {
+      for (double k = cell(distance - distances_, distances_); k <= last_k; ++k) {
+        for (std::uint32_t n = first_[place_of_cell(i, k)]; n != kNone; n = leaders_[n].next) {
+          visit(leaders_[n].line);
+        }
+      }
+    }
+  }
+
+  double directions_, distances_;
+  SecretHash hash_;
+  std::vector<std::uint32_t> first_;
+  std::vector<Leader> leaders_;
+};
+
+class LeadingLines {
+ public:
+  explicit LeadingLines(std::span<const LineOfPicture> lines) : lines_(lines) {
+    Point2 low(std::numeric_limits<double>::infinity()), high(-low);
+    double largest = 0.0;
+    for (const LineOfPicture& line : lines) {
+      for (const Point2& p : {line.from, line.to}) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+        largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+      }
+    }
+    middle_ = low + 0.5 * (high - low);
+    reach_ = std::max(high.x - low.x, high.y - low.y);
+    apart_ = std::max(kLinesApart, kRounding * largest);
+  }
+
+  std::vector<std::uint32_t> numbers() {
+    leader_.assign(lines_.size(), kNone);
+    order_lines();
+    for (std::size_t from = 0; from < order_.size();) from = find_leaders_of_level(from);
+    return std::move(leader_);
+  }
+
+ private:
+  /// From the longest to the shortest; `rank_` are the places in this order.
+  void order_lines() {
+    order_.resize(lines_.size());
+    std::iota(order_.begin(), order_.end(), 0u);
+    length_.reserve(lines_.size());
+    supports_.reserve(lines_.size());
+    for (const LineOfPicture& line : lines_) {
+      length_.push_back(length_of(line));
+      supports_.push_back(support_of(line, middle_));
+    }
+    std::ranges::stable_sort(order_, std::greater(), [&](std::uint32_t k) { return length_[k]; });
+    rank_.resize(lines_.size());
+    for (std::uint32_t n = 0; n < order_.size(); ++n) rank_[order_[n]] = n;
+  }
+
+  /// Lines of about one length, which have cells of one size: from those of that place on. Returns
+  /// where the next level begins.
+  std::size_t find_leaders_of_level(std::size_t from) {
+    constexpr double kOfLevel = 1.0 / 16.0;
+    const double apart = kBeyond * apart_;
+    const double least_turned = 2.0 * apart / kMostTurned;
+    const double longest = length_[order_[from]];
+    const bool is_last = longest * kOfLevel <= least_turned;
+    const double shortest = is_last ? 0.0 : longest * kOfLevel;
+    // Slopes change at most twice as fast as angles.
+    const double turned =
+        2.0 * (is_last ? kBeyond * kMostTurned : 2.0 * apart / shortest) + kRounding;
+    LeaderTable table(turned, turned * reach_ + 2.0 * apart, lines_.size());
+    for (const std::uint32_t leader : leaders_) table.add(supports_[leader], leader);
+    std::size_t n = from;
+    for (; n < order_.size() && (is_last || length_[order_[n]] > shortest); ++n) {
+      find_leader(order_[n], table);
+    }
+    return n;
+  }
+
+  void find_leader(std::uint32_t line, LeaderTable& table) {
+    const Support& own = supports_[line];
+    std::uint32_t first = kNone;
+    table.near(own, [&](std::uint32_t leader) {
+      if (first != kNone && rank_[first] < rank_[leader]) return;
+      if (lies_on(line, leader)) first = leader;
+    });
+    leader_[line] = first == kNone ? line : first;
+    if (first != kNone) return;
+    leaders_.push_back(line);
+    table.add(own, line);
+  }
+
+  bool lies_on(std::uint32_t line, std::uint32_t leader) const {
+    const auto& [from, to] = lines_[leader];
+    const double length = length_[leader];
+    if (!std::isfinite(length)) return false;
+    const Point2 way = (to - from) / length;
+    const double apart = std::min(apart_, 0.5 * kMostTurned * length_[line]);
+    const auto is_near = [&](const Point2& p) {
+      const Point2 from_it = p - from;
+      const double along = way.x * from_it.x + way.y * from_it.y;
+      const double beyond = std::clamp(std::max(-along, along - length) / length, 0.0, 1.0);
+      return std::abs(way.x * from_it.y - way.y * from_it.x) <=
+             apart * (1.0 + (kBeyond - 1.0) * beyond);
+    };
+    return is_near(lines_[line].from) && is_near(lines_[line].to);
+  }
+
+  std::span<const LineOfPicture> lines_;
+  Point2 middle_{0.0};
+  double reach_ = 0.0, apart_ = 0.0;
+  std::vector<double> length_;
+  std::vector<Support> supports_;
+  std::vector<std::uint32_t> order_, rank_, leader_, leaders_;
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> leading_lines(std::span<const LineOfPicture> lines) {
+  if (lines.empty()) return {};
+  return LeadingLines(lines).numbers();
+}
+
+}  // namespace displayfile

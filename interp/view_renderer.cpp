@@ -46,6 +46,7 @@ struct ViewRenderer::Kept {
   std::unique_ptr<RetainedCasters> casters = nullptr;
   std::size_t caster_trees = 0, caster_lists = 0;  // that were made; lists of former casters
   Picture picture = {};
+  DisplayFile lines_for_pens = {};
 
   /// The casters are those of the scene as it was.
   void bring_up_to_date() {
@@ -76,6 +77,7 @@ struct ViewRenderer::Kept {
       const DisplayFile& seen =
           lines.update(viewer.display_file(view, lights_turned), request.method, asked);
       request.sorted = has_exact_order(seen);
+      if (options.pens) lines_for_pens = seen;
       return draw(DisplayFileSource(seen, false, options, software), request);
     }
     request.hidden_lines = options.hidden_lines.value_or(HiddenLines::none);
@@ -125,6 +127,8 @@ void ViewRenderer::draw(const View& view, const Destination& to, const DrawOptio
 Picture ViewRenderer::take_picture() { return std::exchange(kept_->picture, Picture()); }
 
 void ViewRenderer::give_back(Picture picture) { kept_->picture = std::move(picture); }
+
+const DisplayFile& ViewRenderer::lines_for_pens() const { return kept_->lines_for_pens; }
 
 ViewRenderer::Made ViewRenderer::made() const {
   const RetainedCasters* const casters = kept_->casters.get();

@@ -43,6 +43,9 @@ class ViewRenderer {
   Picture take_picture();
   void give_back(Picture picture);
 
+  /// What the last call of draw for pens drew: the lines that it found.
+  const DisplayFile& lines_for_pens() const;
+
   /// How often what is kept was made, since the beginning: while only lights change, no surfaces
   /// are found; for all views of a scene that is not edited one tree of what casts shadows is made;
   /// and while the lights stay, for each polygon that is seen one list of what can hide its light.

@@ -25,6 +25,7 @@
 #include "programs/input_names.h"
 #include "programs/inputs.h"
 #include "programs/made_folders.h"
+#include "programs/nothing_by_pens.h"
 #include "programs/number_in.h"
 #include "programs/number_range.h"
 #include "programs/option_groups.h"
@@ -186,8 +187,8 @@ MeshWords DrawCommand::entering() const {
   MeshWords words = meshes;
   words.lines = hidden_surfaces.line_selection();
   const bool for_pens = paper.pens || !paper.hatch.empty();
-  if (for_pens && !words.lines && std::ranges::none_of(inputs, is_drawing_program)) {
-    words.lines = displayfile::line_selection("outline,boundary,crease");
+  if (for_pens && !words.lines && !std::ranges::all_of(inputs, is_drawing_program)) {
+    words.lines_of_meshes = displayfile::line_selection("outline,boundary,crease");
   }
   return words;
 }
@@ -225,7 +226,13 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
   }
   left_out.note(system, entered.options(), kind);
   left_out.note(warned);
-  entered.warn_if_nothing_is_seen(warned, kind);
+  if (!entered.warn_if_nothing_is_seen(warned, kind)) {
+    DrawOptions with_background = entered.options();
+    if (!with_background.background) with_background.background = system.background();
+    if (pens_draw_nothing(sorted.display_file(), with_background)) {
+      warn_that_pens_draw_nothing(file.string(), with_background);
+    }
+  }
   text += pick_found;
   if (stats) text += drawing_statistics(system, sorted.display_file(), entered.options(), kind);
   return text;

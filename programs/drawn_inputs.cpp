@@ -103,15 +103,16 @@ std::string DrawnInputs::why_nothing_is_seen(PictureKind kind) const {
   }
 }
 
-void DrawnInputs::warn_if_nothing_is_seen(const std::vector<DrawWarning>& warned,
+bool DrawnInputs::warn_if_nothing_is_seen(const std::vector<DrawWarning>& warned,
                                           PictureKind kind) const {
   const bool is_empty = std::ranges::any_of(warned, [](const DrawWarning& warning) {
     return warning.kind == DrawWarning::Kind::nothing_seen;
   });
-  if (!is_empty) return;
+  if (!is_empty) return false;
   const std::string why = why_nothing_is_seen(kind);
   warnings() << fmt::format("{}{}: nothing is seen: {}\n", input_name(inputs_.front()),
                             inputs_.size() > 1 ? " and others" : "", why);
+  return true;
 }
 
 }  // namespace displayfile

@@ -37,9 +37,9 @@ class DrawnInputs {
   std::vector<DrawWarning> draw(const std::filesystem::path& file, SortedDisplayFile& kept,
                                 const WorkProgress& progress) const;
 
-  /// Warns, with the reason, if such a picture is empty. To work out the reason, inputs that were
-  /// not retained are entered once more.
-  void warn_if_nothing_is_seen(const std::vector<DrawWarning>& warned, PictureKind kind) const;
+  /// Warns, with the reason, if such a picture is empty, and returns true then. To work out the
+  /// reason, inputs that were not retained are entered once more.
+  bool warn_if_nothing_is_seen(const std::vector<DrawWarning>& warned, PictureKind kind) const;
 
  private:
   void enter(GraphicsSystem& system) const;

@@ -178,8 +178,21 @@ class ToldOfClosing {
   GraphicsSystem& system_;
 };
 
+/// The meshes' lines, if there is a selection of them, hold where none is set, and for these
+/// meshes alone.
+void enter_meshes_with_lines(std::span<const Mesh> meshes, GraphicsSystem& system,
+                             const MeshOptions& options,
+                             const std::optional<LineSelection>& lines) {
+  if (!lines) return enter_meshes(meshes, system, options);
+  const LineSelection before = system.lines();
+  system.by_default(Setting::lines, [&] { system.set_lines(*lines); });
+  enter_meshes(meshes, system, options);
+  system.by_default(Setting::lines, [&] { system.set_lines(before); });
+}
+
 std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsSystem& system,
-                                  const MeshOptions& options) {
+                                  const MeshOptions& options,
+                                  const std::optional<LineSelection>& lines_of_meshes) {
   if (std::ranges::all_of(inputs, is_drawing_program)) {
     for (const std::string& input : inputs) {
       Progress progress("replaying " + input);
@@ -206,7 +219,9 @@ std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsS
     }
     const std::size_t begin = i;
     while (i < inputs.size() && !is_drawing_program(inputs[i])) ++i;
-    naming_mesh(inputs[begin], [&] { enter_meshes(meshes.first(i - begin), system, options); });
+    naming_mesh(inputs[begin], [&] {
+      enter_meshes_with_lines(meshes.first(i - begin), system, options, lines_of_meshes);
+    });
     for (std::size_t k = begin; k < i; ++k) {
       report_skipped(inputs.subspan(k, 1), std::span(&meshes[k - begin].skipped, 1));
     }
@@ -216,12 +231,11 @@ std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsS
   return read.upright.upright();
 }
 
-}  // namespace
-
-std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
-                                    const MeshOptions& options) {
+std::optional<Upright> enter_all(std::span<const std::string> inputs, GraphicsSystem& system,
+                                 const MeshOptions& options,
+                                 const std::optional<LineSelection>& lines_of_meshes) {
   const std::int64_t empty_before = system.empty_solids();
-  const std::optional<Upright> upright = enter_each(inputs, system, options);
+  const std::optional<Upright> upright = enter_each(inputs, system, options, lines_of_meshes);
   if (const std::int64_t empty = system.empty_solids() - empty_before; empty > 0) {
     warnings() << fmt::format("{}: nothing is left of {} combined solid{}\n", inputs.front(), empty,
                               empty == 1 ? "" : "s");
@@ -229,17 +243,25 @@ std::optional<Upright> enter_inputs(std::span<const std::string> inputs, Graphic
   return upright;
 }
 
+}  // namespace
+
+std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
+                                    const MeshOptions& options) {
+  return enter_all(inputs, system, options, std::nullopt);
+}
+
 std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
                                     const MeshWords& meshes, double aspect,
                                     const HiddenSurfaceOptions& asked) {
   MeshOptions options = meshes.options();
-  options.sides_drawn = meshes.lines || (asked.method && shows_lines_only(*asked.method));
+  options.sides_drawn =
+      meshes.lines || meshes.lines_of_meshes || (asked.method && shows_lines_only(*asked.method));
   options.hidden_sides_drawn = asked.hidden_lines == HiddenLines::dashed;
   if (options.colour && std::ranges::all_of(inputs, is_drawing_program)) {
     throw Error("--colour: expected a mesh among the inputs");
   }
   meshes.start(system, aspect);
-  const std::optional<Upright> fitted = enter_inputs(inputs, system, options);
+  const std::optional<Upright> fitted = enter_all(inputs, system, options, meshes.lines_of_meshes);
   meshes.require_fitted(fitted.has_value());
   return fitted;
 }

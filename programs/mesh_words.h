@@ -17,6 +17,8 @@ struct MeshWords : CameraWords {
   std::string colour;
   ImportWords import;
   std::optional<LineSelection> lines;  ///< no option: what --lines selects of all inputs
+  /// No option: the lines of meshes, where neither --lines nor a program selects any.
+  std::optional<LineSelection> lines_of_meshes;
 
   void add_to(CLI::App& command);
   /// Throws Error for a word that is not understood.

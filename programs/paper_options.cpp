@@ -83,8 +83,8 @@ void PaperWords::add_to(CLI::App& command) {
           "--pens", pens,
           "for plotters and lasers: strokes alone, none twice, in an order with little travel "
           "between them, a layer for each pen (colour and width); on A4 unless --paper says "
-          "another; auto is franklin then, and bare meshes "
-          "have --lines outline,boundary,crease unless it is said")
+          "another; auto is franklin then, and meshes have the lines outline,boundary,crease "
+          "unless --lines or a program before them selects others")
       ->group(kPaperOptions);
   command
       .add_option(

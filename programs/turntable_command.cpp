@@ -7,6 +7,7 @@
 
 #include "clip/error.h"
 #include "programs/inputs.h"
+#include "programs/nothing_by_pens.h"
 #include "programs/progress.h"
 
 namespace displayfile {
@@ -106,9 +107,18 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
   TurntableRenderer turntable(system, scene, system.display_file(), turned, options);
   const int count = views.end - views.first;
   Progress progress(fmt::format("drawing {} views", count));
+  int empty = 0;
   for (int k = views.first; k < views.end; ++k) {
     turntable.draw_numbered(k, output);
+    const auto* const lines = std::get_if<ViewRenderer>(&turntable.source());
+    if (lines != nullptr && pens_draw_nothing(lines->lines_for_pens(), turntable.options())) {
+      ++empty;
+    }
     progress.update(static_cast<std::size_t>(k - views.first) + 1, static_cast<std::size_t>(count));
+  }
+  if (empty > 0) {
+    warn_that_pens_draw_nothing(fmt::format("{}: {} of {} views", output.string(), empty, count),
+                                turntable.options());
   }
   std::string text = report.explanation ? explanation(turntable.options()) : "";
   if (!report.statistics) return text;

@@ -1,5 +1,6 @@
 // --paper, --margin, --pens and --hatch by the command.
 
+#include <algorithm>
 #include <string>
 
 #include "tests/command_fixture.h"
@@ -34,6 +35,95 @@ TEST_F(PenCommand, DrawsTheLinesOfAMesh) {
   EXPECT_EQ(read(folder_ / "b.svg"), svg);
   ASSERT_EQ(run("draw box.obj --pens --turntable 2 -o t.svg"), 0) << err_;
   EXPECT_NE(read(folder_ / "t-000.svg").find("inkscape:label=\"1 "), std::string::npos);
+}
+
+/// What a program does not set is as without it, whichever stands first.
+TEST_F(PenCommand, AMeshBesideAProgramIsDrawnAsByItself) {
+  write("nothing.draw", "# nothing\n");
+  write("segment.draw", "open-segment 7\nclose-segment\n");
+  write("other.draw", "open-segment 20\nclose-segment\n");
+  write("light.draw", "set-light 0 0 1\n");
+  for (const std::string options :
+       {"--pens", "--hatch 2", "--pens --hidden roberts", "--pens --hidden-lines dashed",
+        "--pens --lines crease", "--pens --turntable 1"}) {
+    const bool turns = options.find("turntable") != std::string::npos;
+    const auto draw = [&](const std::string& inputs) {
+      EXPECT_EQ(run("draw " + inputs + " -o a.svg " + options), 0) << err_;
+      EXPECT_EQ(err_, "") << inputs << " " << options;
+      return read(folder_ / (turns ? "a-000.svg" : "a.svg"));
+    };
+    const std::string bare = draw("box.obj");
+    EXPECT_NE(bare.find("<path"), std::string::npos) << options;
+    EXPECT_EQ(draw("nothing.draw box.obj"), bare) << options;
+    EXPECT_EQ(draw("box.obj nothing.draw"), bare) << options;
+    EXPECT_EQ(draw("segment.draw box.obj other.draw"), bare) << options;
+    EXPECT_EQ(draw("box.obj"), bare) << options;
+    if (options != "--hatch 2") {
+      EXPECT_EQ(draw("light.draw box.obj"), bare) << options;
+    }
+  }
+  // Of many inputs each is drawn by itself.
+  ASSERT_EQ(run("draw box.obj -o alone.svg --pens"), 0) << err_;
+  ASSERT_EQ(run("draw box.obj flat.draw -o '{name}.svg' --pens"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "box.svg"), read(folder_ / "alone.svg"));
+}
+
+TEST_F(PenCommand, WhatAProgramSetsHoldsForAMeshBesideIt) {
+  write("roof.obj",
+        "v 0 0 0\nv 1 0 0\nv 1 1 0.05\nv 0 1 0.05\nv 1 2 0\nv 0 2 0\n"
+        "f 1 2 3 4\nf 4 3 5 6\n");  // 7 sides; that in the middle hardly bends
+  const auto draw = [&](const std::string& inputs, const std::string& options = "") {
+    EXPECT_EQ(run("draw " + inputs + " -o a.svg --pens " + options), 0) << err_;
+    return read(folder_ / "a.svg");
+  };
+  const std::string bare = draw("roof.obj");
+  const std::string all = draw("roof.obj", "--lines all");
+  EXPECT_NE(all, bare);
+  write("all.draw", "set-lines all\n");
+  EXPECT_EQ(draw("all.draw roof.obj"), all);
+  EXPECT_EQ(draw("roof.obj all.draw"), bare);
+  EXPECT_EQ(draw("all.draw roof.obj", "--lines outline,boundary,crease"), bare);
+  write("red.draw", "set-line-style solid 1 0 0 2\n");
+  const std::string red = draw("red.draw roof.obj");
+  EXPECT_NE(red.find("#ff0000"), std::string::npos);
+  EXPECT_EQ(std::ranges::count(red, 'M'), std::ranges::count(bare, 'M'));
+  // A program's own sides are drawn as without a mesh.
+  write("flat-pair.draw",
+        "open-segment 5\npolygon-abs-3 0 3 0  1 3 0  1 4 0\npolygon-abs-3 0 3 0  1 4 0  0 4 0\n"
+        "close-segment\n");
+  const auto moves = [&](const std::string& inputs, const std::string& options) {
+    const std::string svg = draw(inputs, options);
+    return svg.find("<path") == std::string::npos ? 0 : std::ranges::count(svg, ' ');
+  };
+  EXPECT_GT(moves("flat-pair.draw roof.obj", ""),
+            moves("flat-pair.draw roof.obj", "--lines boundary"));
+}
+
+/// Whatever the reason.
+TEST_F(PenCommand, SaysThatNothingIsDrawn) {
+  write("no-lines.draw", "set-line-style none\n");
+  write("fill.draw",
+        "set-window 0 1 0 1\nset-line-style none\nopen-segment 1\n"
+        "set-fill-style solid 1 1 1\npolygon-abs-2 0 0  1 0  1 1  0 1\nclose-segment\n");
+  for (const std::string arguments :
+       {"no-lines.draw box.obj --pens -o a.svg", "no-lines.draw box.obj --pens -o a.pdf",
+        "no-lines.draw box.obj --pens --hidden map -o a.svg", "fill.draw --pens -o a.svg",
+        "fill.draw --hatch 2 -o a.svg", "no-lines.draw box.obj --pens --turntable 3 -o a.svg"}) {
+    ASSERT_EQ(run("draw " + arguments), 0) << err_;
+    EXPECT_NE(err_.find("pens draw nothing"), std::string::npos) << arguments << "\n" << err_;
+    EXPECT_EQ(std::ranges::count(err_, '\n'), 1) << arguments << "\n" << err_;
+    ASSERT_EQ(run("draw --quiet " + arguments), 0) << err_;
+    EXPECT_EQ(err_, "");
+  }
+  ASSERT_EQ(run("draw no-lines.draw --pens -o a.svg"), 0) << err_;
+  EXPECT_EQ(std::ranges::count(err_, '\n'), 1) << err_;
+  EXPECT_NE(err_.find("nothing is seen"), std::string::npos) << err_;
+  for (const std::string arguments :
+       {"no-lines.draw box.obj --hatch 2 -o a.svg", "box.obj --pens -o a.svg",
+        "fill.draw --hatch 2 --background black -o a.svg", "no-lines.draw box.obj -o a.svg"}) {
+    ASSERT_EQ(run("draw " + arguments), 0) << err_;
+    EXPECT_EQ(err_, "") << arguments;
+  }
 }
 
 TEST_F(PenCommand, HatchesFills) {

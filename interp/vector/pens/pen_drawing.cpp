@@ -1,5 +1,6 @@
 #include "interp/vector/pens/pen_drawing.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "interp/interpreter.h"
@@ -28,6 +29,17 @@ PenDrawing pen_drawing(const DisplayFile& display_file, int width, int height, c
     if (!paths.empty()) drawing.layers.push_back({of_pen.pen, std::move(paths)});
   }
   return drawing;
+}
+
+/// Hatching is looked at last: it takes the longest.
+bool has_pen_strokes(const DisplayFile& display_file, int width, int height, const Paper& paper,
+                     const Pens& pens, const Background& background) {
+  const auto has = [&](const Pens& by) {
+    const auto all = pen_strokes(display_file, width, height, paper, by, background);
+    return std::ranges::any_of(all,
+                               [](const PenStrokes& of_pen) { return !of_pen.strokes.empty(); });
+  };
+  return has({}) || (pens.hatching && has(pens));
 }
 
 }  // namespace displayfile

@@ -30,5 +30,8 @@ std::vector<PenStrokes> pen_strokes(const DisplayFile& display_file, int width, 
 /// The same as they are to be drawn.
 PenDrawing pen_drawing(const DisplayFile& display_file, int width, int height, const Paper& paper,
                        const Pens& pens, const Background& background = {});
+/// True if a pen draws anything of it: then pen_drawing returns a layer. Errors as above.
+bool has_pen_strokes(const DisplayFile& display_file, int width, int height, const Paper& paper,
+                     const Pens& pens, const Background& background = {});
 
 }  // namespace displayfile

@@ -8,6 +8,7 @@
 #include "interp/draw.h"
 #include "tests/quad_meshes.h"
 #include "tests/temporary_folder.h"
+#include "tests/without_keys.h"
 
 namespace displayfile {
 namespace {
@@ -23,7 +24,7 @@ class LineKindsFiles : public test::TemporaryFolder {
     const GraphicsSystem g =
         drawn_with(words, [](GraphicsSystem& system) { enter(system, box()); });
     draw(g, file(name), {.hidden = method});
-    return test::content(file(name));
+    return test::without_keys(test::content(file(name)));
   }
 };
 

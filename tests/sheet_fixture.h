@@ -23,7 +23,7 @@ class SheetCommandTest : public Command {
   /// The path of a layer.
   std::string path_of(const std::string& file, const std::string& layer) {
     const std::string text = read(folder_ / file);
-    const std::size_t at = text.find("id=\"" + layer + "\"");
+    const std::size_t at = text.find("id=\"" + layer + "-");
     if (at == std::string::npos) return {};
     const std::size_t begin = text.find(" d=\"", at) + 4;
     return text.substr(begin, text.find('"', begin) - begin);

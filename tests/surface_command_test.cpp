@@ -224,7 +224,7 @@ TEST_F(SurfaceCommandTest, TheLegendIsBesideTheAxesInANarrowPictureToo) {
     int texts = 0;
     bool of_legend = false;
     for (std::string line; std::getline(lines, line);) {
-      if (line.starts_with("<g id=")) of_legend = line.starts_with("<g id=\"segment-2");
+      if (line.starts_with("<g id=")) of_legend = line.starts_with("<g id=\"segment-2-");
       const std::size_t x = line.find(" x=\"");
       if (!line.starts_with("<text") || of_legend || x == std::string::npos) continue;
       ++texts;
@@ -362,7 +362,7 @@ TEST_F(SurfaceCommandTest, TheLegendHasRoomForItsTexts) {
     int texts = 0;
     bool of_legend = false;
     for (std::string line; std::getline(lines, line);) {
-      if (line.starts_with("<g id=")) of_legend = line.starts_with("<g id=\"segment-2");
+      if (line.starts_with("<g id=")) of_legend = line.starts_with("<g id=\"segment-2-");
       std::smatch found;
       if (!line.starts_with("<text") || !of_legend || !std::regex_search(line, found, text))
         continue;

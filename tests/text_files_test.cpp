@@ -11,6 +11,7 @@
 #include "tests/replayed.h"
 #include "tests/temporary_folder.h"
 #include "tests/text_scenes.h"
+#include "tests/without_keys.h"
 
 namespace displayfile {
 namespace {
@@ -27,15 +28,16 @@ class TextFile : public TemporaryFolder {
 };
 
 TEST_F(TextFile, SvgHasTextElementsAfterAllElse) {
-  const std::string svg = drawn(scene_with("move-abs-3 .5 .25 0\nset-text-style .05 centre\n"
-                                           "text \"x < y & \\\"z\\\" > \u03c0\"\n"
-                                           "move-abs-3 .5 .5 -1\ntext \"hidden\"\n"
-                                           "set-text-style .05 centre always\ntext \" always\"\n"
-                                           "set-line-style solid 1 0 0\n"
-                                           "set-text-style .03 right\n"
-                                           "move-abs-3 .875 .875 0\ntext \"corner\"\n"
-                                           "polygon-abs-3 0 0 1  .1 0 1  .1 .1 1\n"),
-                                "a.svg");
+  const std::string svg =
+      test::without_keys(drawn(scene_with("move-abs-3 .5 .25 0\nset-text-style .05 centre\n"
+                                          "text \"x < y & \\\"z\\\" > \u03c0\"\n"
+                                          "move-abs-3 .5 .5 -1\ntext \"hidden\"\n"
+                                          "set-text-style .05 centre always\ntext \" always\"\n"
+                                          "set-line-style solid 1 0 0\n"
+                                          "set-text-style .03 right\n"
+                                          "move-abs-3 .875 .875 0\ntext \"corner\"\n"
+                                          "polygon-abs-3 0 0 1  .1 0 1  .1 .1 1\n"),
+                               "a.svg"));
   EXPECT_NE(
       svg.find("</g>\n"
                "<g id=\"segment-1-3\" class=\"segment\">\n"
@@ -46,10 +48,10 @@ TEST_F(TextFile, SvgHasTextElementsAfterAllElse) {
                "</g>\n</svg>\n"),
       svg.npos)
       << svg;
-  EXPECT_NE(svg.find("text{font-family:sans-serif}\n"
-                     ".t1{fill:#0033ff;font-size:25.6px;text-anchor:middle}\n"
-                     ".t2{fill:#ff0000;font-size:15.36px;text-anchor:end}\n"),
-            svg.npos)
+  EXPECT_NE(
+      svg.find(".t1{fill:#0033ff;font-family:sans-serif;font-size:25.6px;text-anchor:middle}\n"
+               ".t2{fill:#ff0000;font-family:sans-serif;font-size:15.36px;text-anchor:end}\n"),
+      svg.npos)
       << svg;
   EXPECT_EQ(svg.find("hidden"), svg.npos);
 }

@@ -18,6 +18,7 @@
 #include "interp/vector/polygon_paints.h"
 #include "interp/vector/svg_device.h"
 #include "tests/shaded_scenes.h"
+#include "tests/without_keys.h"
 
 namespace displayfile {
 namespace {
@@ -263,7 +264,7 @@ TEST(VectorRamps, PiecesBehindAnotherPolygonShareAPaint) {
     interpret(sorted(behind_a_bar(), HiddenMethod::map).display_file(), as_svg);
     std::ostringstream out;
     as_svg.finish(out);
-    return out.str();
+    return without_keys(out.str());
   }();
   EXPECT_NE(svg.find("id=\"r1\""), svg.npos) << svg;
   EXPECT_EQ(svg.find("id=\"r2\""), svg.npos) << svg;
@@ -276,7 +277,7 @@ std::string svg_of(const GraphicsSystem& g, int size) {
   interpret(g.display_file(), device);
   std::ostringstream out;
   device.finish(out);
-  return out.str();
+  return without_keys(out.str());
 }
 
 /// A triangle over the page, in units of a hundredth of a pixel or in pixels.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -15,6 +16,7 @@
 #include "interp/interpreter.h"
 #include "interp/picture.h"
 #include "interp/vector/escaped_xml.h"
+#include "interp/vector/file_key.h"
 #include "interp/vector/seams.h"
 #include "interp/vector/svg_sheet.h"
 
@@ -80,8 +82,8 @@ bool is_dot(std::span<const Point2> run) {
 
 void SvgDevice::open_group(int segment_name) {
   const int times = ++times_opened_[segment_name];
-  fmt::format_to(std::back_inserter(body_), "<g id=\"segment-{}{}\" class=\"segment\">\n",
-                 segment_name, times > 1 ? fmt::format("-{}", times) : "");
+  fmt::format_to(std::back_inserter(body_), "<g id=\"segment-{}{}{}\" class=\"segment{}\">\n",
+                 segment_name, times > 1 ? fmt::format("-{}", times) : "", kOwn, kOwn);
   joinable_ = {};
 }
 
@@ -121,11 +123,14 @@ void SvgDevice::paint_fill(const Path& path, const FillPaint& paint, bool seam) 
   body_ += "<path";
   if (paint.ramp) {
     const std::size_t number = ramps_.number(paint, 1.0);
-    fmt::format_to(std::back_inserter(body_), " fill=\"url(#r{})\"", number);
-    if (seam) fmt::format_to(std::back_inserter(body_), " stroke=\"url(#r{})\"", number);
+    fmt::format_to(std::back_inserter(body_), " fill=\"url(#r{}{})\"", number, kOwn);
+    if (seam) {
+      fmt::format_to(std::back_inserter(body_), " stroke=\"url(#r{}{})\"", number, kOwn);
+    }
     body_ += " class=\"shaded";
   } else {
-    fmt::format_to(std::back_inserter(body_), " class=\"f{}", fill_class({paint.pixel, seam}));
+    fmt::format_to(std::back_inserter(body_), " class=\"f{}{}", fill_class({paint.pixel, seam}),
+                   kOwn);
   }
   const std::size_t class_end = body_.size();
   body_ += "\" d=\"";
@@ -144,10 +149,10 @@ void SvgDevice::paint_lines(const Path& path, const LineStyle& style, LineKinds 
   const auto outline_before =
       std::string_view(body_).substr(joinable_.data, joinable_.data_end - joinable_.data);
   if (joinable_.class_end != 0 && outline_before == data_ && !has_kind(kinds)) {
-    body_.insert(joinable_.class_end, fmt::format(" l{}", number));
+    body_.insert(joinable_.class_end, fmt::format(" l{}{}", number, kOwn));
   } else {
     const bool dot = path.runs.size() == 1 && is_dot(path.run(0));
-    fmt::format_to(std::back_inserter(body_), "<path class=\"l{}{}{}\"{} d=\"", number,
+    fmt::format_to(std::back_inserter(body_), "<path class=\"l{}{}{}{}\"{} d=\"", number, kOwn,
                    has_kind(kinds) ? " " : "", names_of(kinds),
                    dot ? " stroke-linecap=\"square\"" : "");
     body_ += data_;
@@ -163,7 +168,7 @@ void SvgDevice::paint_text(const ViewedText& text, const Point2& anchor, double 
   const std::string& characters = text.characters;
   const bool blanks = characters.front() == ' ' || characters.back() == ' ' ||
                       characters.find("  ") != std::string::npos;
-  fmt::format_to(std::back_inserter(body_), "<text class=\"t{}\"{} x=\"", number,
+  fmt::format_to(std::back_inserter(body_), "<text class=\"t{}{}\"{} x=\"", number, kOwn,
                  blanks ? " xml:space=\"preserve\"" : "");
   append_coordinate(body_, anchor.x);
   body_ += "\" y=\"";
@@ -175,55 +180,68 @@ void SvgDevice::paint_text(const ViewedText& text, const Point2& anchor, double 
 
 void SvgDevice::finish(std::ostream& out) {
   finish_lines();
+  CollectedText beginning;
+  write_beginning(beginning);
+  const std::string before = std::move(beginning).str();
+  const std::string key = file_key({before, body_});
+  write_with_key(before, key, out);
+  write_with_key(body_, key, out);
+  out << "</svg>\n";
+}
+
+std::vector<std::string> SvgDevice::style_rules() const {
   std::vector<std::string> fills(fill_classes_.size()), lines(line_classes_.size()),
       texts(text_classes_.size());
   for (const auto& [key, number] : fill_classes_) {
     const auto [pixel, seam] = key;
-    fills[number - 1] = fmt::format(".f{}{{fill:{}{}}}\n", number, hex(pixel),
+    fills[number - 1] = fmt::format(".f{}{}{{fill:{}{}}}\n", number, kOwn, hex(pixel),
                                     seam ? fmt::format(";stroke:{}", hex(pixel)) : "");
   }
   for (const auto& [key, number] : line_classes_) {
     const auto [pixel, width, dash, gap] = key;
     lines[number - 1] =
-        fmt::format(".l{}{{stroke:{};stroke-width:{}{}}}\n", number, hex(pixel), width,
+        fmt::format(".l{}{}{{stroke:{};stroke-width:{}{}}}\n", number, kOwn, hex(pixel), width,
                     dash > 0.0 ? fmt::format(";stroke-dasharray:{} {}", dash, gap) : "");
   }
   for (const auto& [key, number] : text_classes_) {
     const auto [pixel, size, alignment] = key;
     std::string& rule = texts[number - 1];
-    rule = fmt::format(".t{}{{fill:{};font-size:", number, hex(pixel));
+    rule =
+        fmt::format(".t{}{}{{fill:{};font-family:sans-serif;font-size:", number, kOwn, hex(pixel));
     append_coordinate(rule, size);
     rule += fmt::format("px;text-anchor:{}}}\n", text_anchor(alignment));
   }
-  if (!texts.empty()) texts.insert(texts.begin(), "text{font-family:sans-serif}\n");
+  std::vector<std::string> all = std::move(fills);
+  for (auto* const more : {&lines, &texts}) std::ranges::move(*more, std::back_inserter(all));
+  return all;
+}
+
+/// All that stands before the body.
+void SvgDevice::write_beginning(std::ostream& out) const {
   const bool solid = background().kind == Background::Kind::solid;
   out << fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{0}\" height=\"{1}\" "
       "viewBox=\"0 0 {0} {1}\">\n"
       "<style>\n"
-      "{2}.segment{{fill:none;fill-rule:evenodd;stroke-width:{3};stroke-linejoin:round}}\n",
+      "{2}.segment{4}{{fill:none;fill-rule:evenodd;stroke-width:{3};stroke-linejoin:round}}\n",
       width(), height(),
-      solid ? fmt::format(".background{{fill:{}}}\n", hex(pixel_of(background()))) : "",
-      kSeamWidth);
+      solid ? fmt::format(".background{}{{fill:{}}}\n", kOwn, hex(pixel_of(background()))) : "",
+      kSeamWidth, kOwn);
   if (figures_ > 0) {
     out << fmt::format(
-        ".figure{{fill-rule:evenodd;stroke-linejoin:round;stroke-linecap:round}}\n"
-        ".pieces,.pieces .segment{{stroke-width:0}}\n.whole{{fill:#fff}}\n"
+        ".figure{0}{{fill-rule:evenodd;stroke-linejoin:round;stroke-linecap:round}}\n"
+        ".pieces{0},.pieces{0} .segment{0}{{stroke-width:0}}\n.whole{0}{{fill:#fff}}\n"
         // The class of what <use> draws again: outside of it no class is seen from there.
-        ".traps{{stroke-width:{:.0f}}}\n.sides path{{fill:none}}\n",
-        std::ceil(kTrapWidth / options().precision));
+        ".traps{0}{{stroke-width:{1:.0f}}}\n.sides{0} path{{fill:none}}\n",
+        kOwn, std::ceil(kTrapWidth / options().precision));
   }
-  for (const std::string& rule : fills) out << rule;
-  for (const std::string& rule : lines) out << rule;
-  for (const std::string& rule : texts) out << rule;
+  for (const std::string& rule : style_rules()) out << rule;
   out << "</style>\n";
   ramps_.write(out);
-  if (solid) {
-    out << fmt::format("<rect class=\"background\" width=\"{}\" height=\"{}\"/>\n", width(),
-                       height());
-  }
-  out << body_ << "</svg>\n";
+  if (!solid) return;
+  out << fmt::format("<rect class=\"background{}\" width=\"{}\" height=\"{}\"/>\n", kOwn, width(),
+                     height());
 }
 
 void write_svg(const DisplayFile& display_file, int width, int height, const Destination& to,

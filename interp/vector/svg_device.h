@@ -20,13 +20,15 @@
 namespace displayfile {
 
 /// Draws an SVG picture (version 1.1 with CSS classes), in pixels of the size asked for, on a
-/// background, or on nothing if it is none. Each segment is a group, `<g id="segment-NAME"
-/// class="segment">`; one that is opened again is `segment-NAME-2`, and so on. Every style is a
-/// class: f1, f2, ... of fills, l1, l2, ... of lines, t1, t2, ... of texts. Where lines were
-/// selected, each is also of a class for every kind that it is: outline, boundary, crease,
-/// material, intersection, all (displayfile/line_kinds.md). Coordinates have three decimals at
-/// most. Disjoint fills are a group of class "figure", in coordinates of its own: whole units of
-/// the stated precision (interp/vector/seams.md).
+/// background, or on nothing if it is none. Each segment is a group, `<g id="segment-NAME-KEY"
+/// class="segment-KEY">`; one that is opened again is `segment-NAME-2-KEY`, and so on. Every style
+/// is a class: f1-KEY, f2-KEY, ... of fills, l1-KEY, ... of lines, t1-KEY, ... of texts. Where
+/// lines were selected, each is also of a class for every kind that it is: outline, boundary,
+/// crease, material, intersection, all (displayfile/line_kinds.md). These have no rule and are the
+/// same in all files; every other name ends in the file's key (interp/vector/file_key.h), so that
+/// files in one page keep apart. Coordinates have three decimals at most. Disjoint fills are a
+/// group of class "figure-KEY", in coordinates of its own: whole units of the stated precision
+/// (interp/vector/seams.md).
 class SvgDevice : public VectorDevice {
  public:
   /// Throws Error unless both sides are 1 to kLargestSide.
@@ -34,8 +36,8 @@ class SvgDevice : public VectorDevice {
             const VectorOptions& options = {})
       : VectorDevice(width, height, background, options) {}
 
-  /// Writes the document. It is kept in memory until then: the classes come first and are
-  /// known last. To be called once.
+  /// Writes the document. It is kept in memory until then: the classes come first, and they and
+  /// the file's key are known last. To be called once.
   void finish(std::ostream& out);
 
  private:
@@ -53,12 +55,14 @@ class SvgDevice : public VectorDevice {
   std::size_t fill_class(const FillKey& key) {
     return fill_classes_.try_emplace(key, fill_classes_.size() + 1).first->second;
   }
+  std::vector<std::string> style_rules() const;
+  void write_beginning(std::ostream& out) const;
   void append_paint(const char* property, const FillPaint& paint, const Figure& figure);
   void append_traps(const Figure& figure);
   void append_regions(const Figure& figure);
   void append_path_data(const Path& path);
 
-  std::string body_;
+  std::string body_;  // with kOwn in its names
   std::map<FillKey, std::size_t> fill_classes_;
   SvgRamps ramps_;
   std::map<LineKey, std::size_t> line_classes_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "interp/vector/file_key.h"
 #include "interp/vector/path_data.h"
 #include "interp/vector/seams.h"
 #include "interp/vector/svg_device.h"
@@ -15,7 +16,7 @@ namespace displayfile {
 namespace {
 
 void append_white_path(std::string& out, const char* attributes, const LatticeLoops& loops) {
-  fmt::format_to(std::back_inserter(out), "<path class=\"whole\"{} d=\"", attributes);
+  fmt::format_to(std::back_inserter(out), "<path class=\"whole{}\"{} d=\"", kOwn, attributes);
   append_loops(out, loops);
   out += "\"/>\n";
 }
@@ -32,9 +33,9 @@ void append_mask(std::string& out, std::size_t number, const Figure& figure) {
   }
   const int room = static_cast<int>(std::ceil(kTrapWidth / figure.unit));
   fmt::format_to(std::back_inserter(out),
-                 "<mask id=\"figure-{}\" maskUnits=\"userSpaceOnUse\" x=\"{}\" y=\"{}\" "
+                 "<mask id=\"figure-{}{}\" maskUnits=\"userSpaceOnUse\" x=\"{}\" y=\"{}\" "
                  "width=\"{}\" height=\"{}\">\n",
-                 number, low.x - room, low.y - room, high.x - low.x + 2 * room,
+                 number, kOwn, low.x - room, low.y - room, high.x - low.x + 2 * room,
                  high.y - low.y + 2 * room);
   for (const LatticeLoops& part : figure.outline) append_white_path(out, "", part);
   for (const LatticeLoops& tents : figure.outline_tents) {
@@ -50,16 +51,19 @@ void append_mask(std::string& out, std::size_t number, const Figure& figure) {
 void SvgDevice::append_paint(const char* property, const FillPaint& paint, const Figure& figure) {
   auto out = std::back_inserter(body_);
   if (paint.ramp) {
-    fmt::format_to(out, "<path {}=\"url(#r{})\"", property, ramps_.number(paint, figure.unit));
+    fmt::format_to(out, "<path {}=\"url(#r{}{})\"", property, ramps_.number(paint, figure.unit),
+                   kOwn);
   } else {
-    fmt::format_to(out, "<path class=\"f{}\"", fill_class({paint.pixel, !figure.traps.empty()}));
+    fmt::format_to(out, "<path class=\"f{}{}\"", fill_class({paint.pixel, !figure.traps.empty()}),
+                   kOwn);
   }
 }
 
 /// Drawn once for each width: a group, and the same again.
 void SvgDevice::append_traps(const Figure& figure) {
   auto out = std::back_inserter(body_);
-  fmt::format_to(out, "<g class=\"traps\">\n<g id=\"traps-{}\" class=\"sides\">\n", figures_);
+  fmt::format_to(out, "<g class=\"traps{1}\">\n<g id=\"traps-{0}{1}\" class=\"sides{1}\">\n",
+                 figures_, kOwn);
   for (const FigureTrap& trap : figure.traps) {
     append_paint("stroke", trap.paint, figure);
     body_ += " d=\"";
@@ -68,8 +72,8 @@ void SvgDevice::append_traps(const Figure& figure) {
   }
   body_ += "</g>\n";
   for (std::size_t k = 1; k < kTrapWidths.size(); ++k) {
-    fmt::format_to(out, "<use xlink:href=\"#traps-{}\" stroke-width=\"{:.0f}\"/>\n", figures_,
-                   std::ceil(kTrapWidths[k] / figure.unit));
+    fmt::format_to(out, "<use xlink:href=\"#traps-{}{}\" stroke-width=\"{:.0f}\"/>\n", figures_,
+                   kOwn, std::ceil(kTrapWidths[k] / figure.unit));
   }
   body_ += "</g>\n";
 }
@@ -81,7 +85,7 @@ void SvgDevice::append_regions(const Figure& figure) {
     if (other != 0) open_group(other);
     segment = other;
   };
-  body_ += "<g class=\"pieces\">\n";
+  fmt::format_to(std::back_inserter(body_), "<g class=\"pieces{}\">\n", kOwn);
   for (const FigureRegion& region : figure.regions) {
     if (region.segment != segment) change_to(region.segment);
     append_paint("fill", region.paint, figure);
@@ -103,12 +107,12 @@ void SvgDevice::append_regions(const Figure& figure) {
 void SvgDevice::paint_figure(const Figure& figure) {
   ++figures_;
   const bool trapped = !figure.traps.empty();
-  fmt::format_to(std::back_inserter(body_), "<g class=\"figure\" transform=\"scale({})\"",
+  fmt::format_to(std::back_inserter(body_), "<g class=\"figure{}\" transform=\"scale({})\"", kOwn,
                  figure.unit);
   if (trapped) {
     fmt::format_to(std::back_inserter(body_),
-                   " mask=\"url(#figure-{})\" xmlns:xlink=\"http://www.w3.org/1999/xlink\"",
-                   figures_);
+                   " mask=\"url(#figure-{}{})\" xmlns:xlink=\"http://www.w3.org/1999/xlink\"",
+                   figures_, kOwn);
   }
   body_ += ">\n";
   if (trapped) {

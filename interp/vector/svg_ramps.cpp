@@ -4,6 +4,8 @@
 
 #include <iterator>
 
+#include "interp/vector/file_key.h"
+
 namespace displayfile {
 
 namespace {
@@ -25,14 +27,15 @@ std::size_t SvgRamps::number(const FillPaint& paint, double unit) {
   const auto [colour, new_colour] = colours_.try_emplace(paint.pixel, colours_.size() + 1);
   if (new_colour) {
     fmt::format_to(std::back_inserter(stops_),
-                   "<linearGradient id=\"c{}\" gradientUnits=\"userSpaceOnUse\">"
+                   "<linearGradient id=\"c{}{}\" gradientUnits=\"userSpaceOnUse\">"
                    "<stop offset=\"0\"/><stop offset=\"1\" stop-color=\"#{:02x}{:02x}{:02x}\"/>"
                    "</linearGradient>\n",
-                   colour->second, paint.pixel & 0xff, (paint.pixel >> 8) & 0xff,
+                   colour->second, kOwn, paint.pixel & 0xff, (paint.pixel >> 8) & 0xff,
                    (paint.pixel >> 16) & 0xff);
   }
-  fmt::format_to(std::back_inserter(ends_), "<linearGradient id=\"r{}\" xlink:href=\"#c{}\"",
-                 known->second, colour->second);
+  fmt::format_to(std::back_inserter(ends_),
+                 "<linearGradient id=\"r{0}{2}\" xlink:href=\"#c{1}{2}\"", known->second,
+                 colour->second, kOwn);
   append_ramp_end(ends_, "x1", paint.ramp->black_x / unit);
   append_ramp_end(ends_, "y1", paint.ramp->black_y / unit);
   append_ramp_end(ends_, "x2", paint.ramp->full_x / unit);

@@ -2,9 +2,13 @@
 #include <fmt/ostream.h>
 
 #include <ostream>
+#include <string>
+#include <utility>
 
+#include "displayfile/collected_text.h"
 #include "displayfile/output_file.h"
 #include "interp/vector/escaped_xml.h"
+#include "interp/vector/file_key.h"
 #include "programs/sheet/drawing_sheet.h"
 
 namespace displayfile {
@@ -34,15 +38,15 @@ void write_layer(const DrawingSheet& sheet, SheetLayer layer, std::ostream& out)
   if (path.empty()) return;
   const std::string dashes =
       pen.dashes.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", fmt::join(pen.dashes, " "));
-  fmt::print(out, "<path id=\"{}\" stroke-width=\"{}\"{} d=\"{}\"/>\n", pen.name, pen.width, dashes,
-             path);
+  fmt::print(out, "<path id=\"{}{}\" stroke-width=\"{}\"{} d=\"{}\"/>\n", pen.name, kOwn, pen.width,
+             dashes, path);
 }
 
 }  // namespace
 
 void write_sheet_svg(const DrawingSheet& sheet, const std::string& file) {
   OutputFile output(file);
-  std::ostream& out = output.stream();
+  CollectedText out;  // whose names end in kOwn
   fmt::print(out,
              "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}mm\" height=\"{1}mm\" "
              "viewBox=\"0 0 {0} {1}\">\n<title>{2}</title>\n"
@@ -62,6 +66,8 @@ void write_sheet_svg(const DrawingSheet& sheet, const std::string& file) {
                text.centred ? " text-anchor=\"middle\"" : "", escaped_text(text.characters));
   }
   out << "</g>\n</svg>\n";
+  const std::string document = std::move(out).str();
+  write_with_key(document, file_key({document}), output.stream());
   output.commit();
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "displayfile/output.h"
+#include "interp/vector/file_key.h"
 #include "interp/vector/pens/pen_files.h"
 
 namespace displayfile {
@@ -44,18 +45,14 @@ void append_path_data(std::string& out, const PenPath& path) {
   if (path.closed) out.push_back('z');
 }
 
-}  // namespace
-
-void write_pens_svg(const PenDrawing& drawing, const Destination& to) {
-  const std::unique_ptr<Output> output = output_to(to);
-  std::ostream& out = output->stream();
-  out << fmt::format(
+/// Its names end in kOwn.
+std::string document_of(const PenDrawing& drawing) {
+  std::string text = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" "
       "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\" "
       "width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n",
       drawing.fit.width, drawing.fit.height);
-  std::string text;
   int number = 0;
   for (const PenLayer& layer : drawing.layers) {
     const std::uint32_t c = layer.pen.colour;
@@ -64,19 +61,27 @@ void write_pens_svg(const PenDrawing& drawing, const Destination& to) {
     std::string width;
     append_millimetres(width, layer.pen.width);
     ++number;
-    text = fmt::format(
-        "<g id=\"pen-{0}\" inkscape:groupmode=\"layer\" inkscape:label=\"{0} {1} {2} mm\" "
+    text += fmt::format(
+        "<g id=\"pen-{0}{3}\" inkscape:groupmode=\"layer\" inkscape:label=\"{0} {1} {2} mm\" "
         "fill=\"none\" stroke=\"{1}\" stroke-width=\"{2}\" stroke-linecap=\"round\" "
         "stroke-linejoin=\"round\">\n",
-        number, colour, width);
+        number, colour, width, kOwn);
     for (const PenPath& path : layer.paths) {
       text += "<path d=\"";
       append_path_data(text, path);
       text += "\"/>\n";
     }
-    out << text << "</g>\n";
+    text += "</g>\n";
   }
-  out << "</svg>\n";
+  return text + "</svg>\n";
+}
+
+}  // namespace
+
+void write_pens_svg(const PenDrawing& drawing, const Destination& to) {
+  const std::unique_ptr<Output> output = output_to(to);
+  const std::string document = document_of(drawing);
+  write_with_key(document, file_key({document}), output->stream());
   output->commit();
 }
 

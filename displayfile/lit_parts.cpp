@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <map>
 #include <optional>
 #include <utility>
@@ -34,6 +35,25 @@ bool find_plane(const Primitives& items, const Primitives::Item& item, PlanePoin
   return !edge_on;
 }
 
+/// The same plane by points that tell where it is from anywhere. Of a polygon that is edge-on but
+/// for rounding, rounding picked the points of the support plane: these may be nearly in line in
+/// space, and are replaced then.
+bool find_plane_in_space(const Primitives& items, const Primitives::Item& item,
+                         PlanePoints& points) {
+  constexpr double kNearlyInLine = 0x1p-10;
+  if (!find_plane(items, item, points)) return false;
+  if (item.sides == 3) return true;
+  PlanePoints spread;
+  const auto index = spread_vertices(items.points_of(item)).index;
+  for (std::size_t k = 0; k < 3; ++k) spread[k] = items.point(item.first + index[k]);
+  const auto twice_area = [&](const PlanePoints& of) {
+    const Point3& p = items.points[of[0]];
+    return glm::length(glm::cross(items.points[of[1]] - p, items.points[of[2]] - p));
+  };
+  if (twice_area(points) < kNearlyInLine * twice_area(spread)) points = spread;
+  return true;
+}
+
 /// Polygons in one plane, but for rounding, hide no light from each other.
 class PlanesOfLight {
  public:
@@ -42,7 +62,8 @@ class PlanesOfLight {
       planes_.push_back({Primitives::kOwnPlane, 0, 0});
       const Primitives::Item& item = items.items[i];
       PlanePoints points;
-      if (item.kind != Primitives::Kind::solid || !find_plane(items, item, points)) continue;
+      if (item.kind != Primitives::Kind::solid) continue;
+      if (!find_plane_in_space(items, item, points)) continue;
       // A view from elsewhere would take other vertices of a polygon that is not flat.
       if (item.sides > 3) planes_.back() = points;
       add(i, points);
@@ -138,7 +159,7 @@ class PlanesOfLight {
   bool lies_over(Item low, Item high) const {
     if (has_a_side_between(low, high) || has_a_side_between(high, low)) return false;
     PlanePoints points;
-    find_plane(items_, items_.items[low], points);
+    find_plane_in_space(items_, items_.items[low], points);
     const Plane of_low = plane(points);
     return std::ranges::any_of(items_.points_of(items_.items[high]),
                                [&](const Point3& v) { return side_of_plane(v, of_low) != 0; });
@@ -307,6 +328,8 @@ class LitScene {
     Reached& reached = reached_[i];
     const Primitives::Item& item = items_.items[i];
     if (!find_plane(items_, item, reached.plane)) return;
+    PlanePoints in_space;
+    find_plane_in_space(items_, item, in_space);
     reached.first_part = part_first_.size();
     for (const SortedPiece& part : parts) {
       const std::size_t begin = part_corners_.size();
@@ -314,8 +337,7 @@ class LitScene {
         const std::uint32_t point =
             part.first == SortedPiece::kWhole
                 ? items_.point(item.first + c)
-                : device_point(item, reached.plane, Point2(pieces.points[part.first + c]), seen,
-                               view);
+                : device_point(item, in_space, Point2(pieces.points[part.first + c]), seen, view);
         part_corners_.push_back(point);
       }
       part_first_.push_back(begin);

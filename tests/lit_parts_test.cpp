@@ -16,6 +16,7 @@
 #include "interp/draw.h"
 #include "interp/files/picture_compare.h"
 #include "interp/raster/software.h"
+#include "tests/replayed.h"
 #include "tests/slower.h"
 #include "tests/truth_scenes.h"
 
@@ -190,6 +191,87 @@ TEST(LitParts, OfABallAboveAFloor) {
                               "seed " + std::to_string(seed));
     }
   }
+}
+
+/// A scene of triangles that shadows fall on, and of polygons in planes through the eye, or along
+/// the projectors, that cross themselves, are concave, or have corners twice: seen as lines.
+GraphicsSystem with_polygons_seen_edge_on(std::uint32_t seed) {
+  Dice dice{seed};
+  const auto below = [&](int n) { return dice.from(0, n - 1); };
+  GraphicsSystem g;
+  const bool along_x = below(2) == 0;
+  const auto placed = [&](double away, double across, double up) {  // away from the viewer
+    return along_x ? Point3(away, up, across) : Point3(across, up, -away);
+  };
+  if (along_x) g.set_view_plane_normal({1, 0, 0});
+  g.set_view_depth(-2, 4);
+  constexpr double kDistances[] = {4.256465140655326, 3.0, 2.5, 3.7};
+  const Point3 eye = placed(-kDistances[below(4)], 0.0, 0.0);
+  below(3) == 0 ? g.set_parallel(-eye) : g.set_perspective(eye);
+  g.set_line_style({LineStyle::Kind::none});
+  const double away = -0.2 - dice.part(), across = 2.0 * dice.part() - 1.0;
+  g.set_light(placed(away, across, 0.3 + dice.part()), 0.3);
+  g.set_shadows(true);
+  const auto coordinate = [&] {
+    return below(2) == 0 ? 0.25 * below(9) - 1.0 : below(2001) / 1000.0 - 1.0;
+  };
+  g.open_segment(1);
+  for (int k = 1 + below(2); k > 0; --k) {
+    std::vector<Point3> triangle;
+    for (int c = 0; c < 3; ++c) {
+      const double x = coordinate(), y = coordinate(), z = coordinate();
+      triangle.emplace_back(x, y, z);
+    }
+    g.polygon_abs_3(triangle);
+  }
+  for (int k = 1 + below(3); k > 0; --k) {
+    const bool is_regular = below(3) > 0;  // more of them in line in space, too
+    const double to_side = coordinate(), up = coordinate();
+    std::vector<Point3> polygon;
+    for (int sides = 4 + below(4); sides > 0; --sides) {
+      const double depth = is_regular ? 0.5 * below(4) - 1.0 : coordinate();
+      const double along = is_regular ? 0.5 * below(5) - 1.0 : coordinate();
+      polygon.push_back(placed(depth, along * to_side, along * up));
+    }
+    if (below(4) == 0) polygon.push_back(polygon[1]);
+    g.polygon_abs_3(polygon);
+  }
+  g.close_segment();
+  return g;
+}
+
+TEST(LitParts, OfPolygonsSeenEdgeOn) {
+  std::size_t shadows = 0;
+  for (std::uint32_t seed = 0; seed < 300 / kSlower; ++seed) {
+    const GraphicsSystem g = with_polygons_seen_edge_on(seed);
+    expect_the_same_shadows(g, "seed " + std::to_string(seed));
+    if (HasFailure()) return;
+    const Picture lit = by_rays(g);
+    for (std::size_t k = 1; k < lit.pixels.size(); ++k) {  // two colours of one polygon
+      const bool changes = lit.ids[k] == lit.ids[k - 1] && lit.pixels[k] != lit.pixels[k - 1];
+      if (lit.ids[k] >= 0 && changes) {
+        ++shadows;
+        break;
+      }
+    }
+  }
+  EXPECT_GT(shadows, 90U / kSlower);
+}
+
+/// Three of its corners are in line in space, and look from the eye as far apart as any.
+TEST(LitParts, OfOneThatCrossesItself) {
+  const GraphicsSystem g = test::replayed(R"(
+      set-view-plane-normal 1.0 0 0
+      set-perspective -4.256465140655326 0.0 0.0
+      set-view-depth -1.0 4.0
+      set-line-style none
+      set-light 1 2 3
+      set-shadows on
+      open-segment 1
+      polygon-abs-3 -1 -1 -0.75  0 1 -0.75  -0.352 -0.584 0.91
+      polygon-abs-3 -1 0 0.0  0 -0.5 -0.1  0.5 -0.5 -0.1  0 0.5 0.1  -1 0.5 0.1  -1 -0.5 -0.1
+      close-segment)");
+  expect_the_same_shadows(g, "one that crosses itself");
 }
 
 /// What is lit keeps its shades, and what is in shadow has none.

@@ -242,6 +242,25 @@ TEST_P(Rasterised, BesideALineThatRoundingLeavesIsTheBackground) {
   }
 }
 
+/// A polygon that crosses itself and is seen as a line, and the shadow that it throws.
+TEST_P(Rasterised, TheShadowOfAPolygonSeenEdgeOn) {
+  const GraphicsSystem g = replayed(R"(
+      set-view-plane-normal 1.0 0 0
+      set-view-up 0 1 0
+      set-perspective -4.256465140655326 0.0 0.0
+      set-view-depth -1.0 4.0
+      set-hidden-scope all
+      set-line-style none
+      set-light 1 2 3
+      set-shadows on
+      open-segment 1
+      polygon-abs-3 -1 -1 -0.75  0 1 -0.75  -0.352 -0.584 0.91
+      polygon-abs-3 -1 0 0.0  0 -0.5 -0.1  0.5 -0.5 -0.1  0 0.5 0.1  -1 0.5 0.1  -1 -0.5 -0.1
+      close-segment)");
+  // What rounding leaves of its width is a needle, which poppler paints.
+  EXPECT_GT(expect_the_z_buffers_colours(g, draw(g, 60, 60, true), svg_format() ? 0 : 20), 2'000);
+}
+
 TEST_P(Rasterised, NoSeamsBetweenNeighbours) {
   // Black triangles around a point: of 30 edges in all directions none may show the white
   // background. Without the lines that close the seams, a quarter of it would shine through.

@@ -1,9 +1,9 @@
-// Solids combined by CGAL. Nothing else includes it, and nothing here is seen from outside.
+// Solids combined by CGAL, which is included here and in touching_solids.cpp only.
 
 #include "displayfile/solids/exact_solid.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -17,18 +17,23 @@
 #include <exception>
 #include <iterator>
 #include <new>
+#include <numeric>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "clip/error.h"
+#include "displayfile/solids/combining_steps.h"
+#include "displayfile/solids/exact_surface.h"
+#include "displayfile/solids/touching_solids.h"
 
 namespace displayfile {
 
 namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using ExactPoint = Kernel::Point_3;
 using ExactMesh = CGAL::Surface_mesh<ExactPoint>;
 using Face = ExactMesh::Face_index;
 using Sources = ExactMesh::Property_map<Face, std::uint32_t>;
@@ -39,20 +44,27 @@ Sources sources_of(ExactMesh& mesh) {
   return mesh.add_property_map<Face, std::uint32_t>(kSource, 0).first;
 }
 
-/// Hands each face's source on to what it is cut into, and to the result.
+/// Hands each face's source on to what it is cut into, and to the result; and counts the steps.
 struct SourcesFollow : PMP::Corefinement::Default_visitor<ExactMesh> {
   struct Of {
     const ExactMesh* mesh;
     Sources sources;
   };
   std::array<Of, 3>* of = nullptr;
+  CombiningSteps* steps = nullptr;
   std::uint32_t cut = 0;
+
+  void edge_face_intersections_step() const { steps->step(); }
+  void intersection_of_coplanar_faces_step() const { steps->step(); }
 
   Sources& sources(const ExactMesh& mesh) const {
     return std::ranges::find(*of, &mesh, &Of::mesh)->sources;
   }
   void before_subface_creations(Face face, ExactMesh& mesh) { cut = sources(mesh)[face]; }
-  void after_subface_created(Face face, ExactMesh& mesh) { sources(mesh)[face] = cut; }
+  void after_subface_created(Face face, ExactMesh& mesh) {
+    steps->step();
+    sources(mesh)[face] = cut;
+  }
   void after_face_copy(Face from, const ExactMesh& mesh, Face to, ExactMesh& into) {
     sources(into)[to] = sources(mesh)[from];
   }
@@ -78,28 +90,131 @@ void require_simple(const ExactMesh& mesh, std::string_view name) {
   PMP::self_intersections<CGAL::Sequential_tag>(mesh, std::back_inserter(crossing));
   if (crossing.empty()) return;
   throw Error(fmt::format(
-      "{} passes through itself near {}: expected a surface that does not", name,
+      "{} passes through itself near {}, or touches itself: expected a surface that does not", name,
       in_words(mesh.point(mesh.target(mesh.halfedge(std::ranges::min(crossing).first))))));
 }
 
 /// The nearest double, or the one next to it.
-double nearest(const Kernel::FT& exact) { return CGAL::to_double(CGAL::exact(exact)); }
+double nearest(const ExactKernel::FT& exact) { return CGAL::to_double(CGAL::exact(exact)); }
 
-/// Whether the triangle beyond the half-edge lies in the plane of the one before it, and on its
-/// other side.
-bool is_flat_across(const ExactMesh& mesh, ExactMesh::Halfedge_index edge) {
-  const auto opposite = mesh.opposite(edge);
-  const ExactPoint &a = mesh.point(mesh.source(edge)), &b = mesh.point(mesh.target(edge));
-  const ExactPoint& here = mesh.point(mesh.target(mesh.next(edge)));
-  const ExactPoint& there = mesh.point(mesh.target(mesh.next(opposite)));
-  return CGAL::coplanar(a, b, here, there) &&
-         CGAL::coplanar_orientation(a, b, here, there) == CGAL::NEGATIVE;
+// ---- Solids that touch themselves ---------------------------------------------------------------
+
+/// Vertices keep their numbers: two may have one position.
+ExactSurface surface_of(ExactMesh& mesh) {
+  ExactSurface surface;
+  std::vector<std::uint32_t> number(mesh.num_vertices(), 0);
+  for (const auto vertex : mesh.vertices()) {
+    number[vertex.idx()] = static_cast<std::uint32_t>(surface.points.size());
+    surface.points.push_back(mesh.point(vertex));
+  }
+  const Sources sources = sources_of(mesh);
+  for (const Face face : mesh.faces()) {
+    auto& triangle = surface.triangles.emplace_back();
+    auto edge = mesh.halfedge(face);
+    for (std::uint32_t& corner : triangle) {
+      corner = number[mesh.target(edge).idx()];
+      edge = mesh.next(edge);
+    }
+    surface.sources.push_back(sources[face]);
+  }
+  return surface;
 }
+
+/// Points of one position are made one. Whether there were any.
+bool merge_points(ExactSurface& surface) {
+  std::vector<std::uint32_t> order(surface.points.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto at = [&](std::uint32_t i) -> const ExactPoint& { return surface.points[i]; };
+  std::ranges::sort(order, ExactKernel().less_xyz_3_object(), at);
+  std::vector<std::uint32_t> number(order.size());
+  std::vector<ExactPoint> merged;
+  for (const std::uint32_t i : order) {
+    if (merged.empty() || merged.back() != at(i)) merged.push_back(at(i));
+    number[i] = static_cast<std::uint32_t>(merged.size() - 1);
+  }
+  if (merged.size() == order.size()) return false;
+  surface.points = std::move(merged);
+  for (auto& triangle : surface.triangles) {
+    for (std::uint32_t& corner : triangle) corner = number[corner];
+  }
+  return true;
+}
+
+bool has_manifold_vertices(const ExactMesh& mesh) {
+  std::vector<ExactMesh::Halfedge_index> others;
+  PMP::non_manifold_vertices(mesh, std::back_inserter(others));
+  return others.empty();
+}
+
+/// Nothing if the surface touches itself.
+std::optional<ExactMesh> mesh_of(const ExactSurface& surface) {
+  if (!PMP::is_polygon_soup_a_polygon_mesh(surface.triangles)) return std::nullopt;
+  ExactMesh mesh;
+  PMP::polygon_soup_to_polygon_mesh(surface.points, surface.triangles, mesh);
+  if (!CGAL::is_closed(mesh) || !has_manifold_vertices(mesh)) return std::nullopt;
+  Sources sources = sources_of(mesh);
+  for (const Face face : mesh.faces()) sources[face] = surface.sources[face.idx()];
+  return mesh;
+}
+
+// ---- Which sides of triangles lie within a plane ------------------------------------------------
+
+/// Finds the triangles beside a side.
+class Neighbours {
+ public:
+  explicit Neighbours(const ExactSurface& surface) : surface_(surface) {
+    for (const auto& [a, b, c] : surface.triangles) {
+      sides_.insert(sides_.end(), {{a, b, c}, {b, c, a}, {c, a, b}});
+    }
+    std::ranges::sort(sides_, {}, &Side::ends);
+  }
+  /// Whether the triangle beyond the side lies in the plane of that before it, and on its other
+  /// side. Not where the surface touches itself.
+  bool is_flat_across(std::uint32_t from, std::uint32_t to) const {
+    const auto before = sides(from, to), beyond = sides(to, from);
+    if (before.size() != 1 || beyond.size() != 1) return false;
+    const ExactPoint &a = surface_.points[from], &b = surface_.points[to];
+    const ExactPoint& here = surface_.points[before[0].apex];
+    const ExactPoint& there = surface_.points[beyond[0].apex];
+    return CGAL::coplanar(a, b, here, there) &&
+           CGAL::coplanar_orientation(a, b, here, there) == CGAL::NEGATIVE;
+  }
+
+ private:
+  struct Side {
+    std::uint32_t from, to, apex;
+    std::pair<std::uint32_t, std::uint32_t> ends() const { return {from, to}; }
+  };
+  std::span<const Side> sides(std::uint32_t from, std::uint32_t to) const {
+    return std::ranges::equal_range(sides_, std::pair(from, to), {}, &Side::ends);
+  }
+
+  const ExactSurface& surface_;
+  std::vector<Side> sides_;
+};
 
 }  // namespace
 
+// ---- The solid ----------------------------------------------------------------------------------
+
+/// A mesh, unless it touches itself: then the surface.
 struct ExactSolid::Body {
   ExactMesh mesh;
+  ExactSurface surface;
+
+  static Body of(ExactSurface surface);
+  static Body of(ExactMesh mesh);
+  /// Throws what CGAL throws, too.
+  static Body combined(SolidOperation operation, const Body& a, const Body& b,
+                       CombiningSteps& steps);
+
+  bool has_mesh() const { return mesh.number_of_faces() > 0; }
+  bool is_empty() const { return !has_mesh() && surface.triangles.empty(); }
+  ExactSurface as_surface() const {
+    if (!has_mesh()) return surface;
+    ExactMesh copy = mesh;  // the properties of one that may not change are not found by name
+    return surface_of(copy);
+  }
 };
 
 ExactSolid::ExactSolid(const BoundingTriangles& triangles, std::string_view name) {
@@ -110,7 +225,7 @@ ExactSolid::ExactSolid(const BoundingTriangles& triangles, std::string_view name
   soup.reserve(triangles.triangles.size());
   for (const auto& [a, b, c] : triangles.triangles) soup.push_back({a, b, c});
   draw_the_same_lots();
-  // Where surfaces touch at a vertex or an edge it is made several.
+  // Where surfaces touch at a vertex or an edge it is made several, which require_simple refuses.
   PMP::orient_polygon_soup(points, soup);
   auto body = std::make_shared<Body>();
   ExactMesh& mesh = body->mesh;
@@ -126,6 +241,62 @@ ExactSolid::ExactSolid(const BoundingTriangles& triangles, std::string_view name
   body_ = std::move(body);
 }
 
+namespace {
+
+/// CGAL's corefinement, of meshes that do not touch themselves. Nothing if the result touches
+/// itself along an edge, which CGAL does not make. It may touch itself in points, where it is no
+/// valid mesh.
+std::optional<ExactMesh> corefined(SolidOperation operation, ExactMesh first, ExactMesh second,
+                                   CombiningSteps& steps) {
+  draw_the_same_lots();
+  ExactMesh result;
+  std::array<SourcesFollow::Of, 3> of{
+      {{&first, sources_of(first)}, {&second, sources_of(second)}, {&result, sources_of(result)}}};
+  SourcesFollow follow;
+  follow.of = &of;
+  follow.steps = &steps;
+  const auto parameters = CGAL::parameters::visitor(follow);
+  bool done = false;
+  switch (operation) {
+    case SolidOperation::unite:
+      done = PMP::corefine_and_compute_union(first, second, result, parameters);
+      break;
+    case SolidOperation::intersect:
+      done = PMP::corefine_and_compute_intersection(first, second, result, parameters);
+      break;
+    case SolidOperation::difference:
+      done = PMP::corefine_and_compute_difference(first, second, result, parameters);
+      break;
+  }
+  if (!done) return std::nullopt;
+  return result;
+}
+
+}  // namespace
+
+ExactSolid::Body ExactSolid::Body::of(ExactSurface surface) {
+  if (auto mesh = mesh_of(surface)) return {std::move(*mesh), {}};
+  return {{}, std::move(surface)};
+}
+
+ExactSolid::Body ExactSolid::Body::of(ExactMesh mesh) {
+  ExactSurface surface = surface_of(mesh);
+  const bool touches_itself = merge_points(surface) || !has_manifold_vertices(mesh);
+  if (touches_itself) return {{}, std::move(surface)};
+  return {std::move(mesh), {}};
+}
+
+ExactSolid::Body ExactSolid::Body::combined(SolidOperation operation, const Body& a, const Body& b,
+                                            CombiningSteps& steps) {
+  if (a.has_mesh() && b.has_mesh()) {
+    if (auto mesh = corefined(operation, a.mesh, b.mesh, steps)) {
+      if (mesh->number_of_faces() == 0) return {};
+      if (CGAL::is_closed(*mesh)) return of(std::move(*mesh));
+    }
+  }
+  return of(combined_by_arrangement(operation, a.as_surface(), b.as_surface(), steps));
+}
+
 ExactSolid ExactSolid::combined(SolidOperation operation, const ExactSolid& a, const ExactSolid& b,
                                 std::string_view name) {
   if (a.is_empty() || b.is_empty()) {
@@ -134,67 +305,39 @@ ExactSolid ExactSolid::combined(SolidOperation operation, const ExactSolid& a, c
     if (gone) return ExactSolid(std::make_shared<Body>());
     return a.is_empty() ? b : a;
   }
-  draw_the_same_lots();
-  ExactMesh first = a.body_->mesh, second = b.body_->mesh;  // both are cut
+  const NamedWork work({"combining solids"});
+  CombiningSteps steps(fmt::format("the {} with {}", name_of(operation), name));
   auto body = std::make_shared<Body>();
-  std::array<SourcesFollow::Of, 3> of{{{&first, sources_of(first)},
-                                       {&second, sources_of(second)},
-                                       {&body->mesh, sources_of(body->mesh)}}};
-  SourcesFollow follow;
-  follow.of = &of;
-  const auto parameters = CGAL::parameters::visitor(follow);
-  bool done = false;
   try {
-    switch (operation) {
-      case SolidOperation::unite:
-        done = PMP::corefine_and_compute_union(first, second, body->mesh, parameters);
-        break;
-      case SolidOperation::intersect:
-        done = PMP::corefine_and_compute_intersection(first, second, body->mesh, parameters);
-        break;
-      case SolidOperation::difference:
-        done = PMP::corefine_and_compute_difference(first, second, body->mesh, parameters);
-        break;
-    }
+    *body = Body::combined(operation, *a.body_, *b.body_, steps);
+  } catch (const Error&) {
+    throw;
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    throw Error(
-        fmt::format("the {} with {} was not found: {}", name_of(operation), name, error.what()));
-  }
-  if (!done) {
-    throw Error(
-        fmt::format("the {} with {} touches itself along an edge, or in a point: expected a solid; "
-                    "move or size "
-                    "a part a little",
-                    name_of(operation), name));
+    throw Error(fmt::format("{} was not found: {}", steps.what(), error.what()));
   }
   return ExactSolid(std::move(body));
 }
 
-bool ExactSolid::is_empty() const { return body_->mesh.number_of_faces() == 0; }
+bool ExactSolid::is_empty() const { return body_->is_empty(); }
 
 BoundingTriangles ExactSolid::rounded() const {
-  ExactMesh mesh = body_->mesh;
-  const Sources sources = sources_of(mesh);
+  const ExactSurface surface = body_->as_surface();
+  const Neighbours neighbours(surface);
   BoundingTriangles result;
-  std::vector<std::uint32_t> number(mesh.num_vertices(), 0);
-  for (const auto vertex : mesh.vertices()) {
-    const ExactPoint& p = mesh.point(vertex);
-    number[vertex.idx()] = static_cast<std::uint32_t>(result.vertices.size());
+  for (const ExactPoint& p : surface.points) {
     result.vertices.emplace_back(nearest(p.x()), nearest(p.y()), nearest(p.z()));
   }
-  for (const Face face : mesh.faces()) {
-    std::array<std::uint32_t, 3> triangle{};
-    std::array<std::uint8_t, 3> flat{};
-    auto edge = mesh.halfedge(face);
-    for (std::size_t k = 0; k < 3; ++k, edge = mesh.next(edge)) {
-      triangle[k] = number[mesh.target(edge).idx()];
-      flat[k] = is_flat_across(mesh, edge) ? 1 : 0;
+  result.triangles = surface.triangles;
+  result.source = surface.sources;
+  for (const auto& triangle : surface.triangles) {
+    auto& flat = result.is_flat.emplace_back();
+    std::uint32_t from = triangle[2];
+    for (std::size_t k = 0; k < 3; ++k) {
+      flat[k] = neighbours.is_flat_across(from, triangle[k]) ? 1 : 0;
+      from = triangle[k];
     }
-    result.triangles.push_back(triangle);
-    result.source.push_back(sources[face]);
-    result.is_flat.push_back(flat);
   }
   return result;
 }

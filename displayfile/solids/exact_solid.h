@@ -30,12 +30,12 @@ class ExactSolid {
   struct Body;  ///< the library's
 
   /// Triangles that are closed: turned so that they bound a volume, a shell within another being a
-  /// hollow. Throws Error if they are not closed, or pass through each other; `name` says which
-  /// solid that is.
+  /// hollow. Throws Error if they are not closed, pass through each other, or touch each other
+  /// elsewhere than at shared sides and corners of one fan; `name` says which solid that is.
   ExactSolid(const BoundingTriangles& triangles, std::string_view name);
 
-  /// Throws Error if the result is no solid whose surface parts inside from outside everywhere:
-  /// two that touch along an edge alone; `name` says which one b is.
+  /// The result may touch itself, in points and along edges. Throws Error if that takes more than
+  /// CombiningSteps::kMost steps, and LimitReached; `name` says which solid b is.
   static ExactSolid combined(SolidOperation operation, const ExactSolid& a, const ExactSolid& b,
                              std::string_view name);
 

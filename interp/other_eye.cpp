@@ -87,7 +87,6 @@ std::string OtherEye::program() const {
 }
 
 bool OtherEye::draws(const DrawOptions& options) const {
-  kept_->require_same();
   const HiddenMethod method = drawing_method(kept_->told, options);
   return !kept_->told.has_hatching() && is_image_space(method) &&
          surfaces_of(method) != HiddenMethod::world_ray_cast &&

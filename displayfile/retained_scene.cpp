@@ -180,8 +180,8 @@ void RetainedScene::append_points(const RetainedScene& other, const Segment& seg
     if (!modellings_.empty()) entered_.insert(entered_.end(), points.begin(), points.end());
     return;
   }
-  auto next = std::ranges::upper_bound(other.modellings_, segment.first_point, {},
-                                       &Modelling::first_point);
+  auto next =
+      std::ranges::upper_bound(other.modellings_, segment.first_point, {}, &Modelling::first_point);
   begin_modelling(next == other.modellings_.begin() ? ModellingMatrix(1.0)
                                                     : std::prev(next)->matrix);
   for (std::uint32_t k = segment.first_point; k < segment.end_point; ++k) {
@@ -380,8 +380,7 @@ void RetainedScene::begin_primitive(std::size_t sides, const Attributes& attribu
 }
 
 /// Corners with points of their own.
-void RetainedScene::enter_corners(std::span<const Point3> points,
-                                  std::span<const Point3> entered) {
+void RetainedScene::enter_corners(std::span<const Point3> points, std::span<const Point3> entered) {
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (has_shared()) corners_.push_back(static_cast<std::uint32_t>(points_.size()));
     enter_point(points[k], entered[k]);

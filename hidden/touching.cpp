@@ -18,8 +18,8 @@ Touching touching(std::string_view word) {
   if (error == std::errc() && read == end && length > 0.0 && length <= kCoordinateLimit) {
     return {Touching::Kind::length, length};
   }
-  throw Error(fmt::format(
-      "touching {}: expected auto, off, or a length above 0 and at most 1e100", word));
+  throw Error(
+      fmt::format("touching {}: expected auto, off, or a length above 0 and at most 1e100", word));
 }
 
 }  // namespace displayfile

@@ -156,8 +156,9 @@ Picture TruthCommand::true_picture(const GraphicsSystem& system, const RetainedS
     if (judged_from == From::world) {
       return world_truth(retained, file, width, height, !depth.empty(), progress);
     }
-    EnteredTruth entered = entered_truth(retained, file, width, height, !depth.empty(),
-                                         touching.empty() ? Touching{} : displayfile::touching(touching), progress);
+    EnteredTruth entered =
+        entered_truth(retained, file, width, height, !depth.empty(),
+                      touching.empty() ? Touching{} : displayfile::touching(touching), progress);
     touching_polygons = entered.touching;
     return std::move(entered.picture);
   });

@@ -23,8 +23,8 @@ class BruteForceEnteredTruth : public BruteForceWorldTruth {
       const ViewVolume volume(part.view);
       const Looking look{volume, part.view, segment.image};
       for (std::uint32_t i = part.first; i < part.end; ++i) {
-        const bool is_solid = !scene[i].is_line() &&
-                              scene.attributes(i).fill.kind == FillStyle::Kind::solid;
+        const bool is_solid =
+            !scene[i].is_line() && scene.attributes(i).fill.kind == FillStyle::Kind::solid;
         if (is_solid) enter(scene, i, look);
       }
     }
@@ -110,9 +110,8 @@ class BruteForceEnteredTruth : public BruteForceWorldTruth {
       if (found_.back().has_plane) order.push_back(i);
     }
     if (touching.kind == Touching::Kind::off) return;
-    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
-      return found_[a].area > found_[b].area;
-    });
+    std::ranges::stable_sort(
+        order, [&](std::size_t a, std::size_t b) { return found_[a].area > found_[b].area; });
     std::vector<std::size_t> planes;
     for (const std::size_t i : order) {
       const auto plane = std::ranges::find_if(planes, [&](std::size_t k) { return lies_in(i, k); });

@@ -126,8 +126,8 @@ void expect_second_on_first(Enter&& enter, bool transformed) {
     const RetainedScene::Primitive& polygon = retained.scene[1];
     ASSERT_EQ(polygon.pick, 1);
     second.set_pick_id(1);
-    second.polygon_abs_3(std::vector<Point3>(retained.scene.points(1).begin(),
-                                             retained.scene.points(1).end()));
+    second.polygon_abs_3(
+        std::vector<Point3>(retained.scene.points(1).begin(), retained.scene.points(1).end()));
     second.close_segment();
     const auto covered = entered_truth(alone, second.display_file(), 32, 32, false, {}).picture.ids;
     for (std::size_t k = 0; k < covered.size(); ++k) {
@@ -152,8 +152,12 @@ TEST(EnteredTruth, AWindowInDecimalsInAPitchedRoofIsWhole) {
 /// What lies farther than the reach is as far as it was entered, in front or behind.
 TEST(EnteredTruth, WhatLiesBeyondReachIsApart) {
   // The largest coordinate is 2, so the reach is 2^-48.
-  for (const auto& [lift, seen] : {std::pair{0x1p-48, 1}, {-0x1p-48, 1}, {0x1.8p-48, 1},
-                                   {-0x1.8p-48, 0}, {1e-9, 1}, {-1e-9, 0}}) {
+  for (const auto& [lift, seen] : {std::pair{0x1p-48, 1},
+                                   {-0x1p-48, 1},
+                                   {0x1.8p-48, 1},
+                                   {-0x1.8p-48, 0},
+                                   {1e-9, 1},
+                                   {-1e-9, 0}}) {
     SCOPED_TRACE(lift);
     Retained retained;
     GraphicsSystem& g = retained.system;
@@ -233,8 +237,8 @@ TEST(EnteredTruth, WithoutTouchingIsThatFromWorldCoordinates) {
   }
 }
 
-/// A scene that is retained keeps what was entered: points, matrices, also of shared vertices, after
-/// a segment is deleted, and of surfaces.
+/// A scene that is retained keeps what was entered: points, matrices, also of shared vertices,
+/// after a segment is deleted, and of surfaces.
 TEST(EnteredTruth, RetainedScenesKeepPointsAndMatricesAsEntered) {
   Retained retained;
   GraphicsSystem& g = retained.system;
@@ -251,7 +255,12 @@ TEST(EnteredTruth, RetainedScenesKeepPointsAndMatricesAsEntered) {
     if (turned) g.translate_3(0.1, 0.2, 0.3);
     matrix = g.modelling_transformation().matrix();
     g.polygons_abs_3(vertices, corners);
-    g.surface_3({.x_min = 0, .x_max = 0.3, .x_points = 2, .y_min = 0, .y_max = 0.7, .y_points = 2,
+    g.surface_3({.x_min = 0,
+                 .x_max = 0.3,
+                 .x_points = 2,
+                 .y_min = 0,
+                 .y_max = 0.7,
+                 .y_points = 2,
                  .heights = heights});
     g.close_segment();
   };
@@ -265,7 +274,8 @@ TEST(EnteredTruth, RetainedScenesKeepPointsAndMatricesAsEntered) {
     EXPECT_EQ(entered(first), triangle);
     EXPECT_EQ(scene.modelling_matrix(first), RetainedScene::ModellingMatrix(1.0));
     EXPECT_EQ(entered(first + 2), (std::vector{vertices[0], vertices[2], vertices[3]}));
-    EXPECT_EQ(entered(first + 3), (std::vector<Point3>{{0, 0, 0.1}, {0.3, 0, 0.2}, {0.3, 0.7, 0.4}}));
+    EXPECT_EQ(entered(first + 3),
+              (std::vector<Point3>{{0, 0, 0.1}, {0.3, 0, 0.2}, {0.3, 0.7, 0.4}}));
     for (std::uint32_t i = first + 1; i < first + 5; ++i) {
       EXPECT_EQ(scene.modelling_matrix(i), as_set) << i;
       const PointRow world = scene.points(i);

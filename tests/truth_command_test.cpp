@@ -18,7 +18,8 @@ class TruthCommand : public Command {
     std::vector<std::int32_t> values((fs::file_size(folder_ / name) - kHeader) / 4);
     std::ifstream in(folder_ / name, std::ios::binary);
     in.seekg(kHeader);
-    in.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(4 * values.size()));
+    in.read(reinterpret_cast<char*>(values.data()),
+            static_cast<std::streamsize>(4 * values.size()));
     return values;
   }
 };
@@ -132,7 +133,8 @@ TEST_F(TruthCommand, FromEnteredPolygonsThatTouchLieInOnePlane) {
   EXPECT_EQ(run("truth view.draw both.draw --from entered --touching off --size 64x64"), 0);
   EXPECT_NE(out_.find("polygons in the planes of others: 0\n"), std::string::npos) << out_;
   expect_error("truth view.draw --from entered --touching on", "expected auto, off, or a length");
-  expect_error("truth view.draw --from world --touching off", "--touching: expected --from entered");
+  expect_error("truth view.draw --from world --touching off",
+               "--touching: expected --from entered");
   expect_error("truth view.draw --from entered --hidden franklin", "display-file coordinates");
 }
 

@@ -139,7 +139,8 @@ void GraphicsSystem::enter_cells_in_order(const SurfaceGrid& grid, std::span<con
 std::vector<Point3> GraphicsSystem::world_points_of(const SurfaceGrid& grid) const {
   std::vector<Point3> world;
   world.reserve(grid.heights.size());
-  for (std::size_t k = 0; k < grid.heights.size(); ++k) world.push_back(to_world(point_of(grid, k)));
+  for (std::size_t k = 0; k < grid.heights.size(); ++k)
+    world.push_back(to_world(point_of(grid, k)));
   return world;
 }
 

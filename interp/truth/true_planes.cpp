@@ -13,9 +13,7 @@ namespace displayfile {
 
 namespace {
 
-double largest(const Point3& d) {
-  return std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-}
+double largest(const Point3& d) { return std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}); }
 
 bool are_in_line(const WholePoint& p, const WholePoint& q, const WholePoint& r) {
   return is_zero(cross(difference(q, p), difference(r, p)));

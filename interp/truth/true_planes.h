@@ -53,9 +53,9 @@ class TruePlanes {
   bool lies_in(std::uint32_t polygon, const Plane& plane) const;
 
   const RetainedScene& scene_;
-  std::vector<Placed> placings_;             // of each modelling matrix one
-  std::vector<std::uint32_t> placing_of_;    // by primitive
-  std::vector<std::uint32_t> plane_of_;      // by primitive
+  std::vector<Placed> placings_;           // of each modelling matrix one
+  std::vector<std::uint32_t> placing_of_;  // by primitive
+  std::vector<std::uint32_t> plane_of_;    // by primitive
 };
 
 }  // namespace displayfile

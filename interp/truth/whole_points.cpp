@@ -33,21 +33,17 @@ WholePoint difference(const WholePoint& a, const WholePoint& b) {
 }
 
 WholePoint cross(const WholePoint& a, const WholePoint& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x,
-          a.places + b.places};
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x, a.places + b.places};
 }
 
-Integer dot(const WholePoint& a, const WholePoint& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
+Integer dot(const WholePoint& a, const WholePoint& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 bool is_zero(const WholePoint& d) { return d.x == 0 && d.y == 0 && d.z == 0; }
 
 WholeMatrix::WholeMatrix(const glm::dmat4x3& m) : places_(common_places({&m[0][0], 12})) {
   for (std::size_t column = 0; column < 4; ++column) {
     for (std::size_t row = 0; row < 3; ++row) {
-      columns_[column][row] =
-          scaled(m[static_cast<int>(column)][static_cast<int>(row)], places_);
+      columns_[column][row] = scaled(m[static_cast<int>(column)][static_cast<int>(row)], places_);
     }
   }
   for (std::size_t column = 0; column < 3; ++column) {

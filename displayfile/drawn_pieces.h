@@ -16,7 +16,7 @@ namespace displayfile {
 ///  - by bsp or depth_sort all polygons from back to front, also those that others hide,
 ///  - by map, and by automatic, the visible pieces only,
 ///  - by a method that finds lines, the visible lines.
-/// Of one that was not sorted they are all polygons and lines, as they were entered.
+/// If they were not sorted these are all polygons and lines, as they were entered.
 struct DrawnPieces {
   enum class Kind : std::uint8_t {
     solid,   ///< a polygon that is filled

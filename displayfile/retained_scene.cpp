@@ -398,7 +398,7 @@ void RetainedScene::begin_modelling(const glm::dmat4* matrix) {
   begin_modelling(matrix == nullptr ? ModellingMatrix(1.0) : ModellingMatrix(*matrix));
 }
 
-/// Of the points that are entered next.
+/// The matrix of the points that are entered next.
 void RetainedScene::begin_modelling(const ModellingMatrix& matrix) {
   if (modellings_.empty()) entered_ = points_;
   if (!modellings_.empty() && modellings_.back().matrix == matrix) return;

@@ -9,9 +9,9 @@
 
 namespace displayfile {
 
-/// A retained scene, and the display file that has what its segments are drawn with, for who keeps
-/// something that is made of them: whether they still are what they were when it was made. Both may
-/// be moved.
+/// A retained scene, and the display file that has what its segments are drawn with, as an object
+/// keeps them that made something of both: it tells whether they still are what they were then.
+/// Both may be moved.
 class TakenScene {
  public:
   /// Nothing has been taken yet.

@@ -142,7 +142,7 @@ bool shows(const Segment& segment, Shown& shown) {
 
 // ---- A retained scene --------------------------------------------------------------------
 
-/// What is asked of one segment.
+/// One segment in the view in which it is looked at.
 struct SegmentInView {
   const RetainedScene& scene;
   ViewStage stage;

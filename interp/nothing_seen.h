@@ -13,10 +13,10 @@ namespace displayfile {
 
 /// In what picture something is to be seen.
 struct SeenIn {
-  /// Of pixels, where a fill without lines is seen if it covers one's centre (with several samples
-  /// a pixel, one of theirs); none: of vectors, where it is seen if it has an area.
+  /// A picture of pixels, where a fill without lines is seen if it covers one's centre (with
+  /// several samples a pixel, one of theirs); none: of vectors, where it is seen if it has an area.
   std::optional<PictureSize> pixels = std::nullopt;
-  /// Of a retained scene: not those that its segments were drawn in, but this.
+  /// For a retained scene: this view, not those that its segments were drawn in.
   std::optional<View> view = std::nullopt;
 };
 

@@ -61,7 +61,7 @@ struct WorldViews::Kept {
 WorldViews::WorldViews(const RetainedScene& scene, const DisplayFile& attributes)
     : kept_(std::make_shared<Kept>(scene, attributes)) {}
 
-/// Of the scene as it is now.
+/// Rays into the scene as it is now.
 std::shared_ptr<const WorldRays> WorldViews::rays() const {
   const std::lock_guard in_turn(kept_->mutex);
   if (!kept_->taken.is_gone() && !kept_->taken.is_same()) kept_->take();

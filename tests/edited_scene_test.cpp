@@ -138,7 +138,7 @@ class KeptObjects {
     expect_as_anew(system, scene);
   }
 
-  /// Of the scene as it is now, twice: what the first picture kept is of use for the second.
+  /// Draws the scene as it is now, twice: what the first picture kept is of use for the second.
   void expect_as_anew(const GraphicsSystem& system, const RetainedScene& scene) {
     const View view = look_at(system, scene);
     for (const auto& [name, make] : makers()) {

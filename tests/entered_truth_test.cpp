@@ -196,7 +196,7 @@ TEST(EnteredTruth, ReachGrowsWithTheModellingTransformation) {
   }
 }
 
-/// Of polygons within reach of each other the largest has the plane that all lie in; none is joined
+/// The largest of several polygons within reach has the plane that all lie in; none is joined
 /// to a plane that it is farther from than the reach, though others are between.
 TEST(EnteredTruth, PolygonsLieInThePlaneOfTheLargest) {
   Retained retained;

@@ -189,8 +189,8 @@ TEST_F(LineCommand, ATurntableHasTheLinesOfASceneDrawnAlone) {
   }
 }
 
-/// In order of entry nothing finds where lines are hidden: who asks for them is told, and a
-/// program that sets them is drawn without, with a warning.
+/// In order of entry no method finds where lines are hidden: the option is refused, and a program
+/// that sets hidden lines is drawn without them, with a warning.
 TEST_F(LineCommand, HiddenLinesOfADrawingInOrderOfEntryAreRefused) {
   const std::string plate =
       "set-back-face-removal off\nopen-segment 1\n"

@@ -27,7 +27,7 @@ class MeshDialects : public test::MeshFiles {};
 
 constexpr const char* kTriangle = "0 0 0\n1 0 0\n0 1 0\n";
 
-/// Of each face, as bytes; "-" for one without.
+/// The colour of each face, as bytes; "-" for one without.
 std::string colours_of(const Mesh& mesh) {
   std::string text;
   for (std::size_t i = 0; i < mesh.faces(); ++i) {

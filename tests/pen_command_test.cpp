@@ -62,7 +62,7 @@ TEST_F(PenCommand, AMeshBesideAProgramIsDrawnAsByItself) {
       EXPECT_EQ(draw("light.draw box.obj"), bare) << options;
     }
   }
-  // Of many inputs each is drawn by itself.
+  // Each of many inputs is drawn by itself.
   ASSERT_EQ(run("draw box.obj -o alone.svg --pens"), 0) << err_;
   ASSERT_EQ(run("draw box.obj flat.draw -o '{name}.svg' --pens"), 0) << err_;
   EXPECT_EQ(read(folder_ / "box.svg"), read(folder_ / "alone.svg"));

@@ -1,5 +1,5 @@
-// Options that say how hidden surfaces are found: whoever draws a retained scene, or a display file
-// that is ready, does what they say or refuses them.
+// Options that say how hidden surfaces are found: each way to draw a retained scene, or a display
+// file that is ready, obeys them or refuses them.
 
 #include <gtest/gtest.h>
 
@@ -167,7 +167,7 @@ TEST_F(RefusedOptions, ViewsInImageSpaceAreOfAllSegments) {
   EXPECT_NE(error_of([&] { renderer.draw(view, each); }), "");
 }
 
-/// Of a tree, of rays, of a view: what a turntable is asked for it does in each view.
+/// A turntable obeys its options in each view: of a tree, of rays, in image space.
 TEST_F(RefusedOptions, ATurntableDrawsWhatItWasMadeFor) {
   for (const std::optional<HiddenMethod> method :
        {std::optional<HiddenMethod>(), std::optional(HiddenMethod::bsp),

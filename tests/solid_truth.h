@@ -77,7 +77,8 @@ inline std::optional<Interval> interval_within(const Mesh& convex, const Ray& ra
   return within;
 }
 
-/// Of the tree's convex parts, in their order. False if one is not decided.
+/// Finds the intervals of the tree's convex parts, in their order. Returns false if one is not
+/// decided.
 inline bool find_intervals(const SolidTree& tree, const Ray& ray, std::vector<Interval>& all) {
   if (tree.parts.empty()) {
     const auto interval = interval_within(tree.polygons, ray);

@@ -14,7 +14,7 @@ struct OtherFormat {
   std::string_view extension, name;
 };
 
-/// Of programs that can export meshes.
+/// Formats of programs that can export meshes.
 constexpr OtherFormat kOtherFormats[] = {{".3dm", "a Rhino model"},
                                          {".catpart", "a CATIA part"},
                                          {".catproduct", "a CATIA product"},

@@ -32,8 +32,8 @@ ImportLosses losses_of_gltf(const std::string& path);
 /// what reads archives. Of an archive that is no 3MF file nothing is known.
 ImportLosses losses_of_3mf(const std::string& path, const SharedLibrary& library);
 
-/// Of a file of any format: by its name's extension, or else by how it begins, unless the extension
-/// is one that the library knows (`by_extension`).
+/// Looks at a file of any format, which is found by its name's extension, or else by how the file
+/// begins, unless the extension is one that the library knows (`by_extension`).
 ImportLosses losses_of(const std::string& path, bool by_extension, const SharedLibrary& library);
 
 }  // namespace displayfile

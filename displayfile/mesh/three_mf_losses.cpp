@@ -162,7 +162,7 @@ class Model {
   std::map<std::string_view, std::string_view> groups_;      // the element of each identifier
   std::size_t varied_ = 0, elsewhere_ = 0;
   std::map<std::string_view, std::size_t> by_group_, other_geometry_;
-  // Of the object that is read:
+  // These belong to the object that is being read.
   Property own_, first_;
   std::size_t triangles_ = 0;
   bool varies_ = false;

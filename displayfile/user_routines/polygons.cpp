@@ -105,7 +105,8 @@ std::span<const Point3> GraphicsSystem::world_normals(const Point3& own) {
   return world_normals_;
 }
 
-/// Of the polygon whose vertices are world_points_, and were entered as those.
+/// Enters triangles of the polygon whose vertices are world_points_; `entered` are the same as the
+/// application entered them.
 void GraphicsSystem::enter_triangles(std::span<const Point3> entered, const Point3& normal,
                                      std::span<const Point3> vertex_normals, int pick) {
   const auto corners = [](std::span<const Point3> of_polygon, const auto& vertex) {

@@ -31,7 +31,7 @@ class TruePlanes {
   std::optional<std::array<WholePoint, 3>> own_plane(std::uint32_t polygon) const;
   /// The polygon whose support plane the polygon lies in: itself where it touches no other's.
   std::uint32_t plane_of(std::uint32_t polygon) const { return plane_of_[polygon]; }
-  /// Of all polygons, how many lie in the plane of another.
+  /// How many polygons lie in the plane of another.
   std::size_t touching() const;
 
  private:

@@ -324,7 +324,7 @@ std::string pieces_a_triangle(const Report& report, const Rows& rows, const Colu
   return fmt::format("{:.3g}", geometric_mean(each));
 }
 
-/// What is said of the hard cases beside figures of them.
+/// A sentence that stands beside figures of the hard cases.
 std::string about_hard_cases(const Report& report, std::size_t count) {
   return fmt::format(
       "{} stress scenes of {} pixels each: the hard cases, which are made so that rounding decides",

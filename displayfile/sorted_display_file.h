@@ -49,7 +49,8 @@ class SortedDisplayFile {
  public:
   /// Brings it up to date with the application's display file.
   ///
-  /// `by` is the method in force, `automatic` replaced by what it means if that sorts. If so,
+  /// `by` is the method in force, `automatic` replaced by what it means if that sorts; else
+  /// `automatic` is sorted as the map, and `none` is passed where nothing is to be sorted. If so,
   ///  - a method that the application set leaves the segments as close-segment left them, unless
   ///    the scope is all; only a segment that has an image transformation since, or is asked for
   ///    in another precision or with hidden lines otherwise, is sorted again;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numeric>
@@ -179,8 +180,7 @@ void TruePlanes::find_planes() {
     area[i] = glm::length(newell_normal(scene_.points(i)));
     polygons.push_back(i);
   }
-  std::ranges::stable_sort(polygons, std::ranges::greater(),
-                           [&](std::uint32_t i) { return area[i]; });
+  std::ranges::stable_sort(polygons, std::greater(), [&](std::uint32_t i) { return area[i]; });
   // A distance in doubles is off by less than this: see FarFrom.
   const double error = 0x1p-45 * farthest;
   std::vector<Plane> planes;

@@ -329,8 +329,8 @@ TEST(ManyPolygons, OrdinalsBeginAtZeroAgain) {
   RetainedScene scene;
   scene.open_segment(1, View());
   scene.begin_shared(vertices.size());
-  scene.enter_shared_triangles(vertices, corners, Attributes(), kLargest - 1, 1);
-  scene.enter_shared_triangles(vertices, corners, Attributes(), kLargest, 0);
+  scene.enter_shared_triangles({.world = vertices}, corners, Attributes(), kLargest - 1, 1);
+  scene.enter_shared_triangles({.world = vertices}, corners, Attributes(), kLargest, 0);
   ASSERT_EQ(scene.size(), 6u);
   EXPECT_EQ(scene[0].pick, kLargest - 1);
   EXPECT_EQ(scene[1].pick, kLargest);

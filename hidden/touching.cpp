@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
+#include <system_error>
 
 #include "clip/error.h"
 #include "clip/point.h"
@@ -15,11 +17,13 @@ Touching touching(std::string_view word) {
   double length = 0.0;
   const char* const end = word.data() + word.size();
   const auto [read, error] = std::from_chars(word.data(), end, length);
-  if (error == std::errc() && read == end && length > 0.0 && length <= kCoordinateLimit) {
-    return {Touching::Kind::length, length};
+  if (error != std::errc() || read != end || std::isnan(length)) {
+    throw Error(fmt::format("touching {}: expected auto, off or LENGTH", word));
   }
-  throw Error(
-      fmt::format("touching {}: expected auto, off, or a length above 0 and at most 1e100", word));
+  if (!(length > 0.0 && length <= kCoordinateLimit)) {
+    throw Error(fmt::format("touching {}: expected a length above 0, at most 1e100", word));
+  }
+  return {Touching::Kind::length, length};
 }
 
 }  // namespace displayfile

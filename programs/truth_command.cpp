@@ -92,6 +92,7 @@ int TruthCommand::run() {
     throw Error(fmt::format(
         "--from {}: lines are judged in display-file coordinates: expected --ids alone", from));
   }
+  const Touching as_set = touching.empty() ? Touching{} : displayfile::touching(touching);
   if (!touching.empty() && from_what != From::entered) {
     throw Error("--touching: expected --from entered");
   }
@@ -124,7 +125,7 @@ int TruthCommand::run() {
   if (lines_file) write_seen_lines(file, lines_file->stream());
   if (!hidden.empty()) status = judge_lines(file, judging, report);
   if (!ids.empty() || retains) {
-    const Picture picture = true_picture(system, retained, from_what, report);
+    const Picture picture = true_picture(system, retained, {from_what, as_set}, report);
     for (const auto& array : arrays) array->write(picture);
   }
   if (lines_file) lines_file->finish();
@@ -138,7 +139,8 @@ int TruthCommand::run() {
 /// That of the display file; or one from before viewing, and then the report has the number of
 /// pixels in which the two differ.
 Picture TruthCommand::true_picture(const GraphicsSystem& system, const RetainedScene& retained,
-                                   From judged_from, std::string& report) const {
+                                   const Judging& judged, std::string& report) const {
+  const From judged_from = judged.from;
   const DisplayFile& file = system.display_file();
   int width = 0, height = 0;
   size.read(width, height);
@@ -157,8 +159,7 @@ Picture TruthCommand::true_picture(const GraphicsSystem& system, const RetainedS
       return world_truth(retained, file, width, height, !depth.empty(), progress);
     }
     EnteredTruth entered =
-        entered_truth(retained, file, width, height, !depth.empty(),
-                      touching.empty() ? Touching{} : displayfile::touching(touching), progress);
+        entered_truth(retained, file, width, height, !depth.empty(), judged.touching, progress);
     touching_polygons = entered.touching;
     return std::move(entered.picture);
   });

@@ -8,6 +8,7 @@
 
 #include "displayfile/display_file.h"
 #include "displayfile/retained_scene.h"
+#include "hidden/touching.h"
 #include "interp/picture.h"
 #include "interp/truth/judged_lines.h"
 #include "programs/mesh_words.h"
@@ -46,8 +47,12 @@ struct TruthCommand {
   std::ostream& reports() const;
   void write_seen_lines(const DisplayFile& file, std::ostream& to) const;
   int judge_lines(const DisplayFile& file, const LineJudging& judging, std::string& report) const;
+  struct Judging {
+    From from;
+    Touching touching;  ///< if it is from what was entered
+  };
   Picture true_picture(const GraphicsSystem& system, const RetainedScene& retained,
-                       From judged_from, std::string& report) const;
+                       const Judging& judged, std::string& report) const;
 };
 
 }  // namespace displayfile

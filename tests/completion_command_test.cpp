@@ -60,7 +60,7 @@ class Completion : public Command {
         "check m.obj --golden g --picture --update"}},
       {"truth",
        {"truth m.obj --hidden appel", "truth m.obj --ids x.npy", "truth m.obj",
-        "truth surface.draw"}},
+        "truth surface.draw", "truth m.obj --from entered"}},
       {"compare", {"compare t.draw t.draw"}},
       {"import", {"import m.obj -o x.draw"}},
       {"surface", {"surface x -o x.svg", "surface x -o x.png"}},

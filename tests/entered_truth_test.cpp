@@ -29,6 +29,7 @@ using test::Retained;
 using test::Source;
 
 constexpr Touching kOff{Touching::Kind::off};
+const test::Ball3 kAboutTheOrigin{Point3(0.0), 3.0};
 
 EnteredTruth truth_of(const Retained& retained, int width, int height,
                       const Touching& touching = {}) {
@@ -56,7 +57,8 @@ void enter_on_grid(Source& s, GraphicsSystem& g, Polygon (*polygon)(Source&)) {
   test::view_from_anywhere(s, g);
   g.set_front_plane_clipping(s.below(3) == 0);
   g.set_back_plane_clipping(s.below(3) == 0);
-  g.set_back_face_removal(s.below(3) == 0);
+  // Which way a concave polygon is turned the rationals do not tell.
+  g.set_back_face_removal(polygon == test::triangle && s.below(3) == 0);
   g.open_segment(1);
   for (int n = s.between(2, 6); n > 0; --n) {
     if (s.below(3) == 0) g.create_transformation_3();
@@ -70,7 +72,7 @@ void enter_on_grid(Source& s, GraphicsSystem& g, Polygon (*polygon)(Source&)) {
 
 void expect_brute_force_of(Polygon (*polygon)(Source&), const Touching& touching) {
   std::size_t covered = 0, touch = 0;
-  for (std::uint64_t seed = 0; seed < 40 / test::kSlower; ++seed) {
+  for (std::uint64_t seed = 0; seed < 24 / test::kSlower; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     Source s(seed);
     Retained retained;
@@ -80,7 +82,7 @@ void expect_brute_force_of(Polygon (*polygon)(Source&), const Touching& touching
     covered += covered_pixels(found.picture);
     touch += found.touching;
   }
-  EXPECT_GT(covered, test::kSlower == 1 ? 300u : 0u);
+  EXPECT_GT(covered, test::kSlower == 1 ? 150u : 0u);
   if (touching.kind == Touching::Kind::off) {
     EXPECT_EQ(touch, 0u);
   }
@@ -108,7 +110,7 @@ void expect_second_on_first(Enter&& enter, bool transformed) {
     Source s(seed);
     Retained retained;
     GraphicsSystem& g = retained.system;
-    test::view_from_anywhere(s, g);
+    test::view_from_anywhere(s, g, kAboutTheOrigin);
     if (transformed) test::turn_and_move(s, g);
     g.open_segment(1);
     enter(s, g);
@@ -121,7 +123,7 @@ void expect_second_on_first(Enter&& enter, bool transformed) {
     GraphicsSystem second;
     second.retain(&alone);
     Source again(seed);
-    test::view_from_anywhere(again, second);
+    test::view_from_anywhere(again, second, kAboutTheOrigin);
     second.open_segment(1);
     const RetainedScene::Primitive& polygon = retained.scene[1];
     ASSERT_EQ(polygon.pick, 1);
@@ -137,7 +139,7 @@ void expect_second_on_first(Enter&& enter, bool transformed) {
     }
     both += static_cast<std::size_t>(std::ranges::count(covered, 1));
   }
-  EXPECT_GT(both, test::kSlower == 1 ? 500u : 0u);
+  EXPECT_GT(both, test::kSlower == 1 ? 250u : 0u);
 }
 
 TEST(EnteredTruth, ARugInTheFloorsPlaneIsWhole) {
@@ -171,7 +173,8 @@ TEST(EnteredTruth, WhatLiesBeyondReachIsApart) {
     EXPECT_EQ(truth_of(retained, 4, 4).picture.ids[5], seen);
     EXPECT_EQ(truth_of(retained, 4, 4, kOff).picture.ids[5], lift > 0.0 ? 1 : 0);
     EXPECT_EQ(truth_of(retained, 4, 4, {Touching::Kind::length, 1e-8}).picture.ids[5], 1);
-    EXPECT_EQ(truth_of(retained, 4, 4, {Touching::Kind::length, 1e-10}).touching, touch ? 1u : 0u);
+    const EnteredTruth within = truth_of(retained, 4, 4, {Touching::Kind::length, 1e-10});
+    EXPECT_EQ(within.touching, std::abs(lift) <= 1e-10 ? 1u : 0u);
   }
 }
 

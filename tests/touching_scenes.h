@@ -20,9 +20,8 @@ inline double decimal(Source& s, double low, double high, int places = 2) {
   return std::round((low + (high - low) * s.unit()) * scale) / scale;
 }
 
-/// Everything about the origin, within a distance of 4.
-inline void view_from_anywhere(Source& s, GraphicsSystem& g) {
-  set_view(any_view(s, {Point3(0.0), 4.0}), g);
+inline void view_from_anywhere(Source& s, GraphicsSystem& g, const Ball3& scene = {}) {
+  set_view(any_view(s, scene), g);
 }
 
 inline void turn_and_move(Source& s, GraphicsSystem& g) {

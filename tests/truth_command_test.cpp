@@ -132,7 +132,7 @@ TEST_F(TruthCommand, FromEnteredPolygonsThatTouchLieInOnePlane) {
   EXPECT_GT(covered, 100u);
   EXPECT_EQ(run("truth view.draw both.draw --from entered --touching off --size 64x64"), 0);
   EXPECT_NE(out_.find("polygons in the planes of others: 0\n"), std::string::npos) << out_;
-  expect_error("truth view.draw --from entered --touching on", "expected auto, off, or a length");
+  expect_error("truth view.draw --from entered --touching on", "expected auto, off or LENGTH");
   expect_error("truth view.draw --from world --touching off",
                "--touching: expected --from entered");
   expect_error("truth view.draw --from entered --hidden franklin", "display-file coordinates");

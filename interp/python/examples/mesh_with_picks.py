@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import sys
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -59,7 +60,9 @@ def seen_from(eye: Any) -> Any:
         system.set_view_up(np.roll(toward, 1))
         system.set_view_depth(-0.999, 4)  # from the reference point: just before the eye
         system.mesh(vertices, cells)
-        ids = system.draw(2048, hidden="z-buffer", ids=True).ids
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # a side may show the sky alone
+            ids = system.draw(2048, hidden="z-buffer", ids=True).ids
         seen.append(ids[ids >= 0])
     return np.unique(np.concatenate(seen))
 

@@ -186,7 +186,9 @@ class Neighbours {
     std::pair<std::uint32_t, std::uint32_t> ends() const { return {from, to}; }
   };
   std::span<const Side> sides(std::uint32_t from, std::uint32_t to) const {
-    return std::ranges::equal_range(sides_, std::pair(from, to), {}, &Side::ends);
+    const std::pair ends(from, to);
+    return {std::ranges::lower_bound(sides_, ends, {}, &Side::ends),
+            std::ranges::upper_bound(sides_, ends, {}, &Side::ends)};
   }
 
   const ExactSurface& surface_;

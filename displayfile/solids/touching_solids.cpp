@@ -293,8 +293,7 @@ void Arrangement::find_pieces() {
       continue;
     }
     std::ranges::sort(cuts_[i]);
-    const auto repeated = std::ranges::unique(cuts_[i]);
-    cuts_[i].erase(repeated.begin(), repeated.end());
+    cuts_[i].erase(std::unique(cuts_[i].begin(), cuts_[i].end()), cuts_[i].end());
     CutTriangle cut(triangles_[i], points_);
     for (const Cut& along : cuts_[i]) {
       steps_.step();

@@ -185,7 +185,7 @@ class LeadingLines {
   }
 
   bool lies_on(std::uint32_t line, std::uint32_t leader) const {
-    const auto& [from, to] = lines_[leader];
+    const Point2 from = lines_[leader].from, to = lines_[leader].to;
     const double length = length_[leader];
     if (!std::isfinite(length)) return false;
     const Point2 way = (to - from) / length;

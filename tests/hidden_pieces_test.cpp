@@ -288,7 +288,7 @@ TEST(LeadingLines, AreFoundAsAmongAllPairs) {
     std::size_t followers = 0;
     for (const std::uint32_t line : order) {
       const auto follows = [&](std::uint32_t leader) {
-        const auto& [from, to] = lines[leader];
+        const Point2 from = lines[leader].from, to = lines[leader].to;
         const auto off = [&](const Point2& p) {
           const double twice_area =
               (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);

@@ -204,7 +204,7 @@ View view_of(const RetainedScene::Segment& segment, const SeenIn& in) {
 
 // ---- In words ----------------------------------------------------------------------------
 
-constexpr std::string_view kEntered = "", kInView = " in the view volume";
+constexpr std::string_view kEntered, kInView = " in the view volume";
 
 std::string in_words(const Counts& counts, std::size_t all, std::string_view which) {
   const auto whole = std::ranges::find(counts, all);

@@ -91,7 +91,7 @@ class Cells {
 
  private:
   std::size_t cell_of(double value) const {
-    const double cells = static_cast<double>(side_);
+    const auto cells = static_cast<double>(side_);
     return static_cast<std::size_t>(std::clamp(value * cells, 0.0, cells - 1.0));
   }
 

@@ -33,8 +33,8 @@ class Watched {
     place_->object = self();
     edited();
   }
-  Watched& operator=(const Watched&) {
-    edited();
+  Watched& operator=(const Watched& other) {
+    if (this != &other) edited();
     return *this;
   }
   Watched& operator=(Watched&& other) noexcept {

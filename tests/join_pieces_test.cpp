@@ -627,7 +627,7 @@ TEST(JoinPieces, WhatIsPaintedLastIsNearest) {
     ADD_FAILURE() << "seed " << seed << ": " << wrong << "\n" << text_of(scene);
   }
   EXPECT_EQ(counts.wrong, 0);
-  EXPECT_GT(counts.on_lines, counts.decided / (2 * of_scene));
+  EXPECT_GT(counts.on_lines, counts.decided / (2L * of_scene));
   EXPECT_GT(counts.decided, counts.asked / 8);
   EXPECT_LT(counts.at_cuts, 4 * counts.decided / 200);  // of four orders at each place
   EXPECT_LT(counts.joined_pieces, counts.sorted_pieces * 9 / 10);

@@ -39,7 +39,7 @@ class RefusedOptions : public testing::Test {
     if (format.empty()) return error_of([&] { draw(drawn, options); });
     options.format = format;
     std::ostringstream bytes;
-    const std::string error = error_of([&] { draw(drawn, bytes, options); });
+    std::string error = error_of([&] { draw(drawn, bytes, options); });
     EXPECT_EQ(error.empty(), !bytes.str().empty()) << error;
     return error;
   }

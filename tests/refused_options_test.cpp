@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -10,10 +11,12 @@
 #include "displayfile/retained_views.h"
 #include "displayfile/sorted_display_file.h"
 #include "interp/draw.h"
+#include "interp/opengl/osmesa.h"
 #include "interp/turntable_renderer.h"
 #include "interp/view_renderer.h"
 #include "interp/world_views.h"
 #include "tests/error_of.h"
+#include "tests/replayed.h"
 #include "tests/retained_truth.h"
 
 namespace displayfile {
@@ -94,10 +97,25 @@ TEST_F(RefusedOptions, ADisplayFileThatIsReadyHasTheOrderThatItHas) {
   EXPECT_NE(refusal(dashed.view(retained_.system.view()), hidden, "svg"), "");
 }
 
+/// Of one segment, all is what the segment is.
+TEST_F(RefusedOptions, TheScopeOfOneVisibleSegmentIsEither) {
+  retained_.system.set_visibility(2, false);
+  for (const HiddenScope made : {HiddenScope::all, HiddenScope::segment}) {
+    RetainedViews views(retained_.scene, file(), {.scope = made, .precision = {}});
+    const DisplayFile view = views.view(retained_.system.view());
+    for (const HiddenScope scope : {HiddenScope::all, HiddenScope::segment}) {
+      DrawOptions with = options();
+      with.scope = scope;
+      for (const std::string format : kFormats) EXPECT_EQ(refusal(view, with, format), "");
+    }
+  }
+}
+
 /// In order of entry, which is that of the heedless painter; and where nothing is, anything goes.
 TEST_F(RefusedOptions, ADisplayFileInOrderOfEntry) {
   for (const std::string format : kFormats) {
     EXPECT_EQ(refusal(file(), options(HiddenMethod::none), format), "");
+    EXPECT_EQ(refusal(file(), options(HiddenMethod::back_face), format), "");
     EXPECT_EQ(refusal(file(), options(HiddenMethod::colour_rule), format), "");
     EXPECT_EQ(refusal(file(), options(HiddenMethod::map), format),
               "hidden-surface method 'map' for a display file that is drawn in the order that it "
@@ -139,6 +157,11 @@ TEST_F(RefusedOptions, RaysDrawWhatRaysFind) {
     each.scope = HiddenScope::all;
     EXPECT_EQ(refusal(world, each, format), "");
   }
+  if (osmesa_available()) {  // which finds what is seen by depths of its own
+    DrawOptions other = options(HiddenMethod::z_buffer);
+    other.device = "osmesa";
+    EXPECT_EQ(refusal(world, other, "ppm"), "");
+  }
   // A system, whose methods of image space have no use for a scope, draws by rays all the same.
   DrawOptions of_system = options(HiddenMethod::world_ray_cast);
   of_system.scope = HiddenScope::segment;
@@ -165,6 +188,40 @@ TEST_F(RefusedOptions, ViewsInImageSpaceAreOfAllSegments) {
   EXPECT_EQ(error_of([&] { renderer.draw(view, each); }), "");
   each.hidden = HiddenMethod::map;
   EXPECT_NE(error_of([&] { renderer.draw(view, each); }), "");
+}
+
+/// A caller that shares a picture out refuses it before anything is drawn.
+TEST_F(RefusedOptions, WhatDrawingRefusesIsRefusedBefore) {
+  const std::string plate =
+      "set-back-face-removal off\nopen-segment 1\n"
+      "polygon-abs-3 -0.5 -0.5 0  0.5 -0.5 0  0.5 0.5 0  -0.5 0.5 0\n";
+  const std::string behind =
+      plate + "move-abs-3 -0.9 0.1 -1\nline-abs-3 0.9 0.3 -1\nclose-segment\n";
+  const std::string before = plate + "move-abs-3 -0.9 0.1 1\nline-abs-3 0.9 0.3 1\nclose-segment\n";
+  const std::string in_order = "set-hidden-line-removal on\nset-hidden-method bsp\n" + behind;
+  int refused = 0;
+  for (const std::string& program :
+       {behind, before, in_order, in_order + "set-hidden-line-removal off\n",
+        "set-hidden-lines dashed\n" + behind, "set-hidden-lines dashed\n" + in_order}) {
+    const GraphicsSystem system = test::replayed(program);
+    for (const std::optional<HiddenMethod> method :
+         {std::optional<HiddenMethod>(), std::optional(HiddenMethod::none),
+          std::optional(HiddenMethod::back_face), std::optional(HiddenMethod::bsp),
+          std::optional(HiddenMethod::map), std::optional(HiddenMethod::z_buffer),
+          std::optional(HiddenMethod::franklin)}) {
+      for (const std::optional<HiddenLines> lines :
+           {std::optional<HiddenLines>(), std::optional(HiddenLines::none),
+            std::optional(HiddenLines::dashed)}) {
+        DrawOptions with = options(method);
+        with.hidden_lines = lines;
+        const std::string error = error_of([&] { draw(system, with); });
+        EXPECT_EQ(error_of([&] { require_drawable(system, with); }), error)
+            << program << (method ? name_of(*method) : "");
+        refused += error.empty() ? 0 : 1;
+      }
+    }
+  }
+  EXPECT_GT(refused, 5);
 }
 
 /// A turntable obeys its options in each view: of a tree, of rays, in image space.

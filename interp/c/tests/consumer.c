@@ -56,6 +56,11 @@ static const char kProgram[] =
     "set-fill-style solid 0 0 1\npolygon-abs-3 0 0 1  1 0 0  1 1 0  0 1 1\n"
     "close-segment\n";
 
+/* After the program: a line behind both polygons. */
+static const char kLineBehind[] =
+    "set-line-style solid 0 0 0 1\nopen-segment 2\n"
+    "move-abs-3 0.4 0.2 0.1\nline-abs-3 0.6 0.2 0.1\nclose-segment\n";
+
 static void test_routines(void) {
   size_t i, found = 0;
   for (i = 0; i < df_routines(); ++i) {
@@ -181,6 +186,15 @@ static void test_pieces(void) {
   options.method = "franklin";
   DO(system, df_drawn_pieces(system, &options, &pieces));
   EXPECT(pieces.pieces == 0); /* no line style */
+  DO(system, df_replay(system, kLineBehind, sizeof kLineBehind - 1, NULL));
+  options.method = "none";
+  DO(system, df_drawn_pieces(system, &options, &pieces));
+  EXPECT(pieces.pieces == 3);
+  options.hidden_lines = "dashed";
+  REFUSED(system, df_drawn_pieces(system, &options, &pieces), "which 'none' does not");
+  options.method = "map";
+  DO(system, df_drawn_pieces(system, &options, &pieces));
+  EXPECT(pieces.pieces == 3);
   df_destroy(system);
 }
 

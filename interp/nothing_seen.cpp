@@ -34,11 +34,12 @@ enum class Reason {
   corner,
   turned_away,
   style,
+  sides,
   edge_on,
   small,
   moved
 };
-constexpr std::array<std::string_view, 13> kWords{
+constexpr std::array<std::string_view, 14> kWords{
     "behind the eye",
     "before the front plane",
     "behind the back plane",
@@ -49,6 +50,7 @@ constexpr std::array<std::string_view, 13> kWords{
     "outside of the view volume",
     "turned away, as back faces are removed",
     "hollow, with no line style",
+    "hollow, with no side that is drawn in the view volume",
     "seen edge-on, with no line style",
     "smaller or thinner than a pixel, over no pixel's centre",
     "moved out of the picture by image transformations",
@@ -63,9 +65,7 @@ constexpr std::array kPlanes{
 /// All vertices are on one line, but for the rounding of their coordinates.
 bool is_edge_on(std::span<const Point3> vertices) {
   constexpr double kRounding = 1e-12;
-  const SupportVertices support = support_vertices(vertices);
-  if (support.edge_on) return true;
-  const auto& [p, q, r] = support.index;
+  const auto [p, q, r] = support_vertices(vertices).index;
   const std::array farthest{vertices[p], vertices[q], vertices[r]};
   Bounds bounds;
   for (const Point3& point : farthest) bounds.include(point);
@@ -82,7 +82,7 @@ class Shown {
   std::optional<Reason> why_not(std::span<const Point3> points, bool is_filled, bool has_lines) {
     if (is_off_picture(points)) return Reason::moved;
     if (has_lines) return std::nullopt;
-    if (!is_filled) return Reason::style;
+    if (!is_filled) return Reason::sides;
     if (pixels_ && covers_centre(points)) return std::nullopt;
     if (is_edge_on(points)) return Reason::edge_on;
     return pixels_ ? std::optional(Reason::small) : std::nullopt;

@@ -190,7 +190,7 @@ void write_picture(const PictureSource& source, const RasterRequest& request, co
   }
   if (!options.warn) return;
   const PictureKind kind = format.is_of_pixels() ? PictureKind::raster : PictureKind::vector;
-  if (kind == PictureKind::vector || !shown.any()) warn_if_nothing_is_seen(source, options, kind);
+  if (!shown.any()) warn_if_nothing_is_seen(source, options, kind);
 }
 
 }  // namespace displayfile

@@ -451,6 +451,11 @@ TEST_F(Command, WarnsOfWhatIsSeenEdgeOnOrSmallerThanAPixel) {
   }
   EXPECT_EQ(run("draw - -o t.png --size 100x100", "small.draw"), 0);
   EXPECT_NE(err_.find("in the view volume is smaller or thinner than a pixel"), std::string::npos);
+  // It cannot be read again, and is retained for this method.
+  write("right.draw", fill + "5 0 0  6 0 0  5 1 0\nclose-segment\n");
+  EXPECT_EQ(run("draw - -o t.png --hidden world-ray-cast", "right.draw"), 0);
+  EXPECT_NE(err_.find("the only polygon or line is to the right of the window"), std::string::npos)
+      << err_;
   EXPECT_EQ(run("draw small.obj -o t.png --size 1x1"), 0);  // retained alone
   EXPECT_EQ(run("check edge.draw --golden gold --picture --update"), 0);
   EXPECT_NE(err_.find(edge_on), std::string::npos) << err_;

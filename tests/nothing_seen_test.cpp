@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -101,6 +102,7 @@ TEST(NothingSeen, TellsWhatIsSeenEdgeOn) {
     EXPECT_EQ(why_by_display_file(triangle(kEdgeOn), in),
               "the only polygon or line in the view volume is seen edge-on, with no line style");
   }
+  EXPECT_EQ(why(triangle("-0.9 0 0  0.9 0 0  0 1e-8 0")), "");  // thin, and in vectors an area
   // The eye is in its plane but for rounding: vertices are seen on one line within that.
   const std::string eye = "set-perspective 0.3 0.7 3\nset-window -3 3 -3 3\n";
   const std::string plane = "0.3 0.7 0  0.4 0.9 0  0.6333333333333333 1.3666666666666667 1";
@@ -120,6 +122,19 @@ TEST(NothingSeen, TellsWhatIsSmallerThanAPixel) {
       why_by_display_file(triangle(kSmall), pixels(100)),
       "the only polygon or line in the view volume is smaller or thinner than a pixel, over no "
       "pixel's centre");
+}
+
+/// Of a hollow polygon around the window no side is seen.
+TEST(NothingSeen, TellsWhatHasItsSidesOutside) {
+  const std::string around =
+      "open-segment 1\npolygon-abs-2 -9 -9  9 -9  9 9  -9 9\nclose-segment\n";
+  const std::string words = "hollow, with no side that is drawn in the view volume";
+  for (const SeenIn& in : {SeenIn{}, pixels(64)}) {
+    EXPECT_EQ(why("set-fill-style hollow\n" + around, in), "the only polygon or line is " + words);
+    EXPECT_EQ(why_by_display_file("set-fill-style hollow\n" + around, in),
+              "the only polygon or line in the view volume is " + words);
+    EXPECT_EQ(why(around, in), "");
+  }
 }
 
 TEST(NothingSeen, TellsWhatImagesMoveAway) {
@@ -161,42 +176,51 @@ class WarnedPictures {
   /// What each of them says, in pixels and in vectors.
   void expect(const std::string& in_pixels, const std::string& in_vectors) {
     const DisplayFile& file = system_.display_file();
-    const View view = system_.view();
     Renderer renderer;
-    ViewRenderer views(scene_, file);
-    const WorldViews world(scene_, file);
     DrawOptions samples = options_;
     samples.samples = 2;
     DrawOptions anew = options_;
     anew.hidden = HiddenMethod::z_buffer;
     TurntableRenderer turntable(system_, scene_, file, {3}, anew);
-    const auto told = [&](const std::string& expected, const auto& draw) {
-      warned_.clear();
-      draw();
-      const std::string text = expected.empty() ? "" : "nothing is seen: " + expected;
-      EXPECT_EQ(warned_, text.empty() ? std::vector<std::string>() : std::vector{text});
-    };
     told(in_pixels, [&] { draw(system_, options_); });
     told(in_pixels, [&] { draw(system_, samples); });
     told(in_pixels, [&] { renderer.draw(system_, options_); });
-    told(in_pixels, [&] { views.draw(view, options_); });
-    told(in_pixels, [&] { draw(world.view(view), options_); });
     told(in_pixels, [&] { turntable.draw(0); });
     for (const char* format : {"ppm", "svg"}) {
       const std::string& expected = std::string(format) == "ppm" ? in_pixels : in_vectors;
-      const auto to_file = [&](const auto& write) {
+      const auto to_file = [&](const DrawOptions& options) {
         CollectedText bytes;
-        told(expected, [&] { write(bytes, format); });
+        told(expected, [&] { draw(system_, bytes, in(options, format)); });
       };
-      to_file([&](std::ostream& to, const char* as) { draw(system_, to, in(options_, as)); });
-      to_file([&](std::ostream& to, const char* as) { draw(system_, to, in(samples, as)); });
-      to_file([&](std::ostream& to, const char* as) { views.draw(view, to, in(options_, as)); });
-      to_file(
-          [&](std::ostream& to, const char* as) { draw(world.view(view), to, in(options_, as)); });
+      to_file(options_);
+      to_file(samples);
+    }
+    expect_in_view(system_.view(), in_pixels, in_vectors);
+  }
+
+  /// The same of the retained scene in a view, which may be another than it was drawn in.
+  void expect_in_view(const View& view, const std::string& in_pixels,
+                      const std::string& in_vectors) {
+    ViewRenderer views(scene_, system_.display_file());
+    const WorldViews world(scene_, system_.display_file());
+    told(in_pixels, [&] { views.draw(view, options_); });
+    told(in_pixels, [&] { draw(world.view(view), options_); });
+    for (const char* format : {"ppm", "svg"}) {
+      const std::string& expected = std::string(format) == "ppm" ? in_pixels : in_vectors;
+      CollectedText bytes;
+      told(expected, [&] { views.draw(view, bytes, in(options_, format)); });
+      told(expected, [&] { draw(world.view(view), bytes, in(options_, format)); });
     }
   }
 
  private:
+  template <class Draw>
+  void told(const std::string& expected, const Draw& draw) {
+    warned_.clear();
+    draw();
+    const std::string text = expected.empty() ? "" : "nothing is seen: " + expected;
+    EXPECT_EQ(warned_, text.empty() ? std::vector<std::string>() : std::vector{text});
+  }
   static DrawOptions in(DrawOptions options, const char* format) {
     options.format = format;
     return options;
@@ -222,6 +246,22 @@ TEST(NothingSeen, IsToldByWhateverDraws) {
       .expect("", "");
 }
 
+TEST(NothingSeen, IsToldOfTheViewThatIsDrawn) {
+  WarnedPictures right(triangle("5 0 0  6 0 0  5 1 0"));
+  View view;
+  view.set_window({4.0, 7.0, -1.0, 1.0});
+  right.expect_in_view(view, "", "");
+  view.set_window({8.0, 11.0, -1.0, 1.0});
+  const std::string left = "the only polygon or line is to the left of the window";
+  right.expect_in_view(view, left, left);
+}
+
+TEST(NothingSeen, IsNotToldOfATextAlone) {
+  WarnedPictures(
+      "set-text-style 0.3 left\nopen-segment 1\nmove-abs-2 -0.5 0\ntext \"x\"\nclose-segment\n")
+      .expect("", "");
+}
+
 /// What a sample's centre is covered by is seen.
 TEST(NothingSeen, IsToldOfThePictureThatIsDrawn) {
   GraphicsSystem system;
@@ -236,6 +276,8 @@ TEST(NothingSeen, IsToldOfThePictureThatIsDrawn) {
   EXPECT_EQ(warned(1), 1);
   EXPECT_EQ(warned(8), 0);
   EXPECT_EQ(warned(8, PictureRows{0, 2}), 0);  // it is in others
+  const Picture unwarned = draw(system, {.width = 10, .height = 10});
+  EXPECT_EQ(unwarned.pixels, std::vector<std::uint32_t>(100, unwarned.pixels[0]));
 }
 
 TEST(NothingSeen, CountsEachReason) {

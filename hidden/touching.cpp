@@ -11,6 +11,16 @@
 
 namespace displayfile {
 
+double entered_reach(const Touching& touching, double largest) {
+  constexpr double kUnits = 8.0, kDouble = 0x1p-52;  // of double precision
+  switch (touching.kind) {
+    case Touching::Kind::automatic: return kUnits * kDouble * largest;
+    case Touching::Kind::off: return 0.0;
+    case Touching::Kind::length: return touching.length;
+  }
+  return 0.0;
+}
+
 Touching touching(std::string_view word) {
   if (word == "auto") return {Touching::Kind::automatic};
   if (word == "off") return {Touching::Kind::off};

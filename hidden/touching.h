@@ -20,6 +20,10 @@ struct Touching {
   bool operator==(const Touching&) const = default;
 };
 
+/// The reach before the modelling transformation. `largest` is the largest magnitude of a
+/// coordinate that was entered, of polygons and lines.
+double entered_reach(const Touching& touching, double largest);
+
 /// `auto`, `off` or a positive number up to kCoordinateLimit; throws Error for anything else.
 Touching touching(std::string_view word);
 

@@ -20,8 +20,9 @@ enum class Predicate : std::uint8_t {
   depth_at_pixel,  ///< two planes at a pixel centre
   depth_at_point,  ///< two planes along the projector through a point
   line_parameter,  ///< where along a line something meets it
+  within_reach,    ///< point as entered against a plane as entered
 };
-inline constexpr std::size_t kPredicates = 11;
+inline constexpr std::size_t kPredicates = 12;
 std::string_view name_of(Predicate predicate);
 
 /// How often a predicate's filter was undecided, and what decided then.

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <glm/mat4x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <optional>
+#include <span>
+
+#include "clip/point.h"
+#include "hidden/exact/double_double.h"
+#include "hidden/exact/exact_vector.h"
+
+namespace displayfile {
+
+/// Bounds of a length that need not be a double.
+struct Reach {
+  double low = 0.0, high = 0.0;
+};
+
+/// A modelling matrix, whose twelve doubles are taken as they are, and the reach of what is entered
+/// under it (hidden/touching_planes.md).
+class Modelling {
+ public:
+  /// Null: the identity. `reach` is before the modelling transformation, finite, at least 0.
+  Modelling(const glm::dmat4x3* matrix, double reach);
+
+  /// True if it is made of this matrix, null for the identity.
+  bool is_of(const glm::dmat4x3* matrix) const;
+  bool is_identity() const { return is_identity_; }
+  /// The matrix flattens space.
+  bool is_singular() const { return is_singular_; }
+  /// Three points are in line in the world, exactly.
+  bool puts_in_line(const Point3& p, const Point3& q, const Point3& r) const;
+  double entered_reach() const { return entered_reach_; }
+  /// The same times the length of the longest of the first three columns.
+  const Reach& reach() const { return reach_; }
+
+  /// World coordinates in doubles, as the system computes them.
+  Point3 apply(const Point3& p) const;
+  /// The largest sum of the magnitudes that are added up for a coordinate of the point in the
+  /// world; 0 under the identity. Each coordinate of apply(p) is off by at most 3.01 roundings of
+  /// it.
+  double magnitude(const Point3& p) const;
+  /// World coordinates as sums of two doubles, off by at most 13 u^2 magnitude(p), u = 2^-53.
+  std::array<DoubleDouble, 3> apply_closely(const Point3& p) const;
+  ExactVector apply_exactly(const Point3& p) const;
+
+  /// The square of the length of the longest column.
+  DoubleDouble longest_squared() const;  ///< off by at most 30 u^2 of it, without underflow
+  ExactNumber exact_longest_squared() const;
+
+ private:
+  glm::dmat4 matrix_;
+  bool is_identity_, is_singular_;
+  double entered_reach_;
+  Reach reach_;
+};
+
+/// Which three of a polygon's vertices its support plane goes through, by the definition
+/// (interp/truth/entered_truth.md), from the points as they were entered; nothing if all of them
+/// are in line, exactly.
+std::optional<std::array<std::size_t, 3>> support_of_entered(std::span<const Point3> entered);
+
+/// The support plane of a polygon as it was entered, made ready for many points.
+class EnteredPlane {
+ public:
+  using Corners = std::array<Point3, 3>;  ///< before the modelling transformation
+
+  /// Through three points that are not in line in the world. The matrix must stay.
+  EnteredPlane(const Corners& corners, const Modelling& modelling);
+
+  /// True if a point, as entered under that matrix, is no farther from the plane than the larger of
+  /// both reaches; exact.
+  bool reaches(const Point3& entered, const Modelling& of_point) const;
+
+  /// A unit normal in the world.
+  const Point3& normal() const { return normal_; }
+  /// By how much it is off at most, in length; infinite if nothing is known.
+  double normal_error() const { return direction_error_ + 8.0 * kRounding; }
+
+ private:
+  /// Half a unit of a double's last digit, in rounding to nearest.
+  static constexpr double kRounding = 0x1p-53;
+  enum class Answer { no, yes, undecided };
+
+  void find_normal(double error);
+  Answer by_doubles(const Point3& from_first, double error, const Reach& reach) const;
+  Answer closely(const std::array<DoubleDouble, 3>& v, double magnitude,
+                 const Modelling& of_point) const;
+  bool exactly(const Point3& entered, const Modelling& of_point) const;
+
+  Corners corners_;
+  const Modelling* modelling_;
+  bool is_sound_;
+  double magnitude_ = 0.0;             // of the corners
+  std::array<DoubleDouble, 3> first_;  // the first corner in the world
+  std::array<DoubleDouble, 3> cross_;  // (q - p) x (r - p)
+  double cross_error_ = 0.0;           // of a coordinate
+  Point3 normal_{0.0};
+  double direction_error_;
+};
+
+}  // namespace displayfile

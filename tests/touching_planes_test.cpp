@@ -1,0 +1,504 @@
+// Which polygons lie in the plane of another: against the truth's own search, which compares each
+// with all, and against rationals.
+
+#include "hidden/touching_planes.h"
+
+#include <fmt/format.h>
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "clip/work_budget.h"
+#include "hidden/exact/predicate_counts.h"
+#include "hidden/touching.h"
+#include "interp/truth/true_planes.h"
+#include "programs/scenes/scene.h"
+#include "tests/from_environment.h"
+#include "tests/retained_truth.h"
+#include "tests/scenes_that_clip.h"
+#include "tests/slower.h"
+#include "tests/touching_scenes.h"
+
+namespace displayfile {
+namespace {
+
+using test::decimal;
+using test::Retained;
+using test::Source;
+
+constexpr Touching kOff{Touching::Kind::off};
+Touching within(double length) { return {Touching::Kind::length, length}; }
+
+std::uint64_t scenes() {
+  return static_cast<std::uint64_t>(
+      test::from_environment("DISPLAYFILE_TOUCHING_SCENES", 60 / test::kSlower));
+}
+
+double reach_of(const RetainedScene& scene, const Touching& touching) {
+  double largest = 0.0;
+  for (std::uint32_t i = 0; i < scene.size(); ++i) {
+    for (const Point3& p : scene.entered_points(i)) {
+      largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    }
+  }
+  return entered_reach(touching, largest);
+}
+
+TouchingPlanes planes_of(const RetainedScene& scene, const Touching& touching) {
+  const auto polygon = [&](std::uint32_t i) {
+    return EnteredPolygon{scene.entered_points(i), &scene.modelling_matrix(i)};
+  };
+  return TouchingPlanes(scene.size(), polygon, reach_of(scene, touching));
+}
+
+/// Each plane that polygons share has its own polygon first, and each polygon that touches once, in
+/// order of entry among equal areas.
+void expect_members(const TouchingPlanes& planes, std::uint32_t polygons) {
+  std::vector<std::uint32_t> times(polygons, 0);
+  for (std::size_t k = 0; k < planes.shared_planes(); ++k) {
+    const auto members = planes.members(k);
+    ASSERT_GE(members.size(), 2u);
+    ASSERT_EQ(planes.plane_of(members[0]), members[0]);
+    for (const std::uint32_t i : members) {
+      ASSERT_EQ(planes.plane_of(i), members[0]);
+      ++times[i];
+    }
+  }
+  std::size_t touching = 0;
+  for (std::uint32_t i = 0; i < polygons; ++i) {
+    if (planes.plane_of(i) == i) continue;
+    ++touching;
+    ASSERT_EQ(times[i], 1u);
+  }
+  ASSERT_EQ(planes.touching(), touching);
+}
+
+/// The same answer as the truth's. Returns how many polygons touch another.
+std::size_t expect_truth(const RetainedScene& scene, const Touching& touching) {
+  const TruePlanes expected(scene, touching);
+  const TouchingPlanes found = planes_of(scene, touching);
+  for (std::uint32_t i = 0; i < scene.size(); ++i) {
+    EXPECT_EQ(found.plane_of(i), expected.plane_of(i)) << "polygon " << i;
+    EXPECT_EQ(found.has_plane(i), expected.own_plane(i).has_value()) << "polygon " << i;
+    if (testing::Test::HasFailure()) return 0;
+  }
+  EXPECT_EQ(found.touching(), expected.touching());
+  expect_members(found, scene.size());
+  return found.touching();
+}
+
+/// Calls enter(source, system) for scenes from many seeds and holds each against the truth. Returns
+/// how many polygons touch another in all of them.
+template <class Enter>
+std::size_t expect_truth_of(const Touching& touching, Enter&& enter) {
+  std::size_t touch = 0;
+  for (std::uint64_t seed = 0; seed < scenes(); ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    Source s(seed);
+    Retained retained;
+    retained.system.open_segment(1);
+    enter(s, retained.system);
+    retained.system.close_segment();
+    touch += expect_truth(retained.scene, touching);
+    if (testing::Test::HasFailure()) break;
+  }
+  return touch;
+}
+
+/// Three rotations and a translation, as parts are placed, and now and then a scale.
+void place_anywhere(Source& s, GraphicsSystem& g) {
+  g.create_transformation_3();
+  if (s.below(5) == 0) {
+    g.scale_3(decimal(s, 0.1, 3), decimal(s, -3, 3), decimal(s, 0.1, 3));
+  }
+  test::turn_and_move(s, g);
+}
+
+TEST(TouchingPlanes, OfPolygonsOnCoarseGrids) {
+  for (const Touching& touching : {Touching{}, kOff, within(0.3), within(0.05), within(1e-12)}) {
+    const std::size_t touch = expect_truth_of(touching, [](Source& s, GraphicsSystem& g) {
+      for (int n = s.between(10, 80); n > 0; --n) {
+        if (s.below(20) == 0) place_anywhere(s, g);
+        if (s.below(20) == 0) g.create_transformation_3();
+        g.polygon_abs_3(s.below(2) == 0 ? test::triangle(s) : test::flat(s));
+      }
+    });
+    EXPECT_EQ(touch > 0, touching.kind != Touching::Kind::off);
+  }
+}
+
+TEST(TouchingPlanes, OfWindowsInRoofsAndRugsOnFloors) {
+  const std::size_t touch = expect_truth_of({}, [](Source& s, GraphicsSystem& g) {
+    for (int n = s.between(4, 20); n > 0; --n) {
+      if (s.below(2) == 0) place_anywhere(s, g);
+      s.below(2) == 0 ? test::enter_rug_on_floor(s, g) : test::enter_window_in_roof(s, g);
+    }
+  });
+  EXPECT_GE(touch, scenes() * 4);
+}
+
+/// A polygon of so many sides in z = 0.
+std::vector<Point3> any_flat(Source& s, double size, int sides) {
+  std::vector<Point3> polygon;
+  for (int k = 0; k < sides; ++k) {
+    const double angle = 2.0 * std::numbers::pi * (k + 0.7 * s.unit()) / sides;
+    polygon.emplace_back(size * std::cos(angle), size * std::sin(angle), 0.0);
+  }
+  return polygon;
+}
+
+/// Sheets that are apart by fractions and multiples of the reach, entered in any order, in one call
+/// or several, of large, small, tiny and narrow polygons.
+void enter_sheets(Source& s, GraphicsSystem& g, double reach, bool placed) {
+  constexpr std::array<double, 8> kApart{0.25, 0.5, 0.99, 1.0, 1.01, 1.99, 2.0, 3.0};
+  const double apart = reach * kApart[static_cast<std::size_t>(s.below(8))];
+  for (int n = s.between(10, 100); n > 0; --n) {
+    if (placed && s.below(3) == 0) {
+      g.create_transformation_3();
+      g.rotate_x_3(30.0);
+      if (s.below(2) == 0) g.translate_3(0.1, 0.2, 0.3);
+      if (s.below(4) == 0) g.scale_3(1.0, 0.5, 1.5);
+    }
+    std::vector<Point3> polygon =
+        any_flat(s, std::ldexp(1.0, -s.below(s.below(4) == 0 ? 60 : 8)), s.between(3, 7));
+    const double narrow = s.below(5) == 0 ? std::ldexp(1.0, -s.below(55)) : 1.0;
+    const double x = decimal(s, -1, 1), y = decimal(s, -1, 1);
+    const double z = apart * s.between(-12, 12);
+    for (Point3& p : polygon) p = {p.x + x, narrow * p.y + y, z};
+    g.polygon_abs_3(polygon);
+  }
+  // The largest coordinate, and so the reach, is known.
+  g.create_transformation_3();
+  g.polygon_abs_3({{8, 0, 0}, {8, 1, 0}, {8, 0, 1}});
+}
+
+TEST(TouchingPlanes, OfSheetsApartByFractionsAndMultiplesOfTheReach) {
+  for (const bool placed : {false, true}) {
+    EXPECT_GT(expect_truth_of(
+                  {}, [&](Source& s, GraphicsSystem& g) { enter_sheets(s, g, 0x1p-46, placed); }),
+              scenes());
+    EXPECT_GT(
+        expect_truth_of(within(0.01),
+                        [&](Source& s, GraphicsSystem& g) { enter_sheets(s, g, 0.01, placed); }),
+        scenes());
+  }
+}
+
+/// Some in line, some with points that coincide, some so nearly in line that only exact numbers
+/// tell; also where a modelling transformation flattens them.
+void enter_degenerate(Source& s, GraphicsSystem& g) {
+  for (int n = s.between(10, 60); n > 0; --n) {
+    if (s.below(6) == 0) {
+      g.create_transformation_3();
+      const auto factor = [&] { return s.below(3) == 0 ? 0.0 : decimal(s, -2, 2, 1); };
+      const double x = factor(), y = factor(), z = factor();
+      g.scale_3(x, y, z);
+      if (s.below(2) == 0) test::turn_and_move(s, g);
+    }
+    std::vector<Point3> polygon;
+    const Point3 from(decimal(s, -1, 1), decimal(s, -1, 1), decimal(s, -1, 1));
+    const Point3 along(decimal(s, -1, 1), decimal(s, -1, 1), decimal(s, -1, 1));
+    for (int sides = s.between(3, 6); sides > 0; --sides) {
+      Point3 p = from + along * (0.25 * s.between(0, 6));
+      if (s.below(4) == 0) p = from;
+      if (s.below(4) == 0) p.x = std::nextafter(p.x, 9.0);
+      if (s.below(6) == 0) p.y += 0.5;
+      polygon.push_back(p);
+    }
+    g.polygon_abs_3(polygon);
+  }
+}
+
+TEST(TouchingPlanes, OfDegeneratePolygonsAndFlatteningTransformations) {
+  EXPECT_GT(expect_truth_of({}, enter_degenerate), 0u);
+  EXPECT_GT(expect_truth_of(within(0.01), enter_degenerate), 0u);
+  EXPECT_GT(expect_truth_of(within(1e-15), enter_degenerate), 0u);
+}
+
+/// Coordinates near the limit, tiny ones, and both, under scales up to the limit.
+TEST(TouchingPlanes, OfCoordinatesOfAnySize) {
+  std::size_t touch = 0;
+  for (const Touching& touching : {Touching{}, within(1e-300), within(1e80), within(1e100)}) {
+    touch += expect_truth_of(touching, [](Source& s, GraphicsSystem& g) {
+      const int exponent = s.between(-160, 98);
+      const double size = std::pow(10.0, exponent);
+      for (int n = s.between(5, 40); n > 0; --n) {
+        if (s.below(6) == 0) g.create_transformation_3();
+        if (s.below(6) == 0) {
+          g.create_transformation_3();
+          const double scale = std::pow(10.0, s.between(-99, std::min(98 - exponent, 99)));
+          g.scale_3(scale, scale, scale);
+          g.rotate_z_3(30.0);
+        }
+        std::vector<Point3> polygon = s.below(2) == 0 ? test::triangle(s) : test::flat(s);
+        const double here = s.below(4) == 0 ? size * std::pow(10.0, -s.below(40)) : size;
+        for (Point3& p : polygon) p *= here;
+        g.polygon_abs_3(polygon);
+      }
+    });
+  }
+  EXPECT_GT(touch, 0u);
+}
+
+/// A closed surface of triangles, larger ones first as it comes, whose planes the tree finds.
+std::vector<std::array<Point3, 3>> sphere(int rings) {
+  std::vector<std::array<Point3, 3>> triangles;
+  const auto at = [&](int ring, int k) {
+    const double u = std::numbers::pi * ring / rings, v = std::numbers::pi * k / rings;
+    return Point3(std::sin(u) * std::cos(v), std::sin(u) * std::sin(v), std::cos(u));
+  };
+  for (int ring = 0; ring < rings; ++ring) {
+    for (int k = 0; k < 2 * rings; ++k) {
+      const Point3 a = at(ring, k), b = at(ring, k + 1), c = at(ring + 1, k);
+      const Point3 d = at(ring + 1, k + 1);
+      if (ring > 0) triangles.push_back({a, c, b});
+      if (ring + 1 < rings) triangles.push_back({b, c, d});
+    }
+  }
+  return triangles;
+}
+
+TEST(TouchingPlanes, OfCurvedSurfacesWithinALength) {
+  for (const double length : {1e-9, 1e-4, 1e-3, 1e-2, 0.1, 0.7}) {
+    SCOPED_TRACE(length);
+    Retained retained;
+    retained.system.open_segment(1);
+    retained.system.rotate_x_3(30.0);
+    for (const auto& triangle : sphere(test::kSlower == 1 ? 18 : 6)) {
+      retained.system.polygon_abs_3(triangle);
+    }
+    retained.system.close_segment();
+    EXPECT_GT(expect_truth(retained.scene, within(length)), 0u);
+  }
+}
+
+using Q = mpq_class;
+using Place = std::array<Q, 3>;
+
+Place placed(const glm::dmat4x3* m, const Point3& p) {
+  if (m == nullptr) return {Q(p.x), Q(p.y), Q(p.z)};
+  Place world;
+  for (int r = 0; r < 3; ++r) {
+    world[static_cast<std::size_t>(r)] =
+        Q((*m)[0][r]) * Q(p.x) + Q((*m)[1][r]) * Q(p.y) + Q((*m)[2][r]) * Q(p.z) + Q((*m)[3][r]);
+  }
+  return world;
+}
+Q product(const Place& a, const Place& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Place minus(const Place& a, const Place& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Q longest_squared(const glm::dmat4x3* m) {
+  if (m == nullptr) return 1;
+  Q longest = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Place column{Q((*m)[k].x), Q((*m)[k].y), Q((*m)[k].z)};
+    longest = std::max(longest, product(column, column));
+  }
+  return longest;
+}
+
+/// By the definition, in rationals, for a triangle's plane.
+bool lies_in_rationally(const Point3& v, const glm::dmat4x3* of_point,
+                        const std::array<Point3, 3>& triangle, const glm::dmat4x3* of_plane,
+                        double reach) {
+  const Place p = placed(of_plane, triangle[0]);
+  const Place a = minus(placed(of_plane, triangle[1]), p);
+  const Place b = minus(placed(of_plane, triangle[2]), p);
+  const Place n{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  const Q s = product(n, minus(placed(of_point, v), p));
+  const Q longest = std::max(longest_squared(of_point), longest_squared(of_plane));
+  return s * s <= Q(reach) * Q(reach) * longest * product(n, n);
+}
+
+/// The modelling matrix of three rotations and a translation, scaled.
+glm::dmat4x3 any_matrix(Source& s) {
+  ModellingTransformation m;
+  if (s.below(2) == 0) {
+    const double x = decimal(s, 0.5, 2), y = decimal(s, -2, -0.5), z = decimal(s, 0.5, 2);
+    m.scale({x, y, z});
+  }
+  m.rotate_x(decimal(s, -180, 180));
+  m.rotate_y(decimal(s, -180, 180));
+  m.rotate_z(decimal(s, -180, 180));
+  m.translate({decimal(s, -1, 1), decimal(s, -1, 1), decimal(s, -1, 1)});
+  return glm::dmat4x3(m.matrix());
+}
+
+Point3 any_point(Source& s) {
+  const double x = decimal(s, -1, 1), y = decimal(s, -1, 1), z = decimal(s, -1, 1);
+  return {x, y, z};
+}
+
+/// Points at about the reach from a plane, and at about its fractions and multiples.
+TEST(TouchingPlanes, PointsLieInPlanesAsInRationals) {
+  std::size_t in = 0, out = 0;
+  const std::uint64_t trials = 200 * scenes();
+  for (std::uint64_t seed = 0; seed < trials; ++seed) {
+    Source s(seed);
+    const glm::dmat4x3 first = any_matrix(s), second = any_matrix(s);
+    const glm::dmat4x3* const of_plane = s.below(2) == 0 ? nullptr : &first;
+    const glm::dmat4x3* const of_point = s.below(2) == 0   ? of_plane
+                                         : s.below(2) == 0 ? nullptr
+                                                           : &second;
+    const std::array<Point3, 3> triangle{any_point(s), any_point(s), any_point(s)};
+    const Point3 a = triangle[1] - triangle[0], b = triangle[2] - triangle[0];
+    const Point3 n = glm::cross(a, b);
+    if (glm::length(n) < 1e-3) continue;
+    constexpr std::array<double, 6> kReach{0.0, 1e-200, 0x1p-52, 0x1p-49, 0x1p-49, 1e-3};
+    const double reach = kReach[static_cast<std::size_t>(s.below(6))];
+    constexpr std::array<double, 8> kHeight{0.0, 0.5, 0.9, 0.99, 1.0, 1.0, 1.01, 2.0};
+    const double height = kHeight[static_cast<std::size_t>(s.below(8))] * reach;
+    Point3 v = triangle[0] + a * decimal(s, -2, 2) + b * decimal(s, -2, 2);
+    v += glm::normalize(n) * (s.below(2) == 0 ? height : -height);
+    if (s.below(3) == 0) v.x = std::nextafter(v.x, s.below(2) == 0 ? 9.0 : -9.0);
+    if (s.below(4) == 0) v = triangle[static_cast<std::size_t>(s.below(3))];
+    if (of_point != of_plane) {
+      // The same place under the other matrix, but for rounding.
+      const glm::dmat4 there = of_plane == nullptr ? glm::dmat4(1.0) : glm::dmat4(*of_plane);
+      const glm::dmat4 here = of_point == nullptr ? glm::dmat4(1.0) : glm::dmat4(*of_point);
+      v = Point3(glm::inverse(here) * (there * HomogeneousPoint(v, 1.0)));
+    }
+    const TouchingPlanes planes(
+        1,
+        [&](std::uint32_t) {
+          return EnteredPolygon{triangle, of_plane};
+        },
+        reach);
+    ASSERT_TRUE(planes.has_plane(0));
+    const bool expected = lies_in_rationally(v, of_point, triangle, of_plane, reach);
+    ASSERT_EQ(planes.lies_in(v, of_point, 0), expected) << "seed " << seed;
+    ++(expected ? in : out);
+  }
+  EXPECT_GT(in, trials / 8);
+  EXPECT_GT(out, trials / 8);
+}
+
+/// Exactly at the reach it lies in the plane, a unit farther it does not.
+TEST(TouchingPlanes, PointsAtTheReachLieInThePlane) {
+  const std::array<Point3, 3> floor{Point3(0, 0, 0), Point3(1, 0, 0), Point3(0, 1, 0)};
+  for (const double reach : {0x1p-49, 0.1, 1e-30, 1e-200}) {
+    const TouchingPlanes planes(
+        1,
+        [&](std::uint32_t) {
+          return EnteredPolygon{floor, nullptr};
+        },
+        reach);
+    for (const double sign : {1.0, -1.0}) {
+      EXPECT_TRUE(planes.lies_in({0.7, 0.3, sign * reach}, nullptr, 0));
+      EXPECT_FALSE(planes.lies_in({0.7, 0.3, sign * std::nextafter(reach, 1.0)}, nullptr, 0));
+    }
+    // Under a matrix that doubles, both are twice as far, and so is the reach.
+    const glm::dmat4x3 twice(2.0);
+    EXPECT_TRUE(planes.lies_in({0.7, 0.3, reach}, &twice, 0));
+    EXPECT_FALSE(planes.lies_in({0.7, 0.3, std::nextafter(reach, 1.0)}, &twice, 0));
+  }
+}
+
+/// A polygon that touches has the plane of the other.
+TEST(TouchingPlanes, APointLiesInThePlaneThatThePolygonTakes) {
+  const std::vector<std::vector<Point3>> polygons{
+      {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}},
+      {{0, 0, 0.01}, {0.5, 0, 0.01}, {0, 0.5, 0.01}},
+      {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}},
+  };
+  const TouchingPlanes planes(
+      3,
+      [&](std::uint32_t i) {
+        return EnteredPolygon{polygons[i], nullptr};
+      },
+      0.01);
+  EXPECT_EQ(planes.plane_of(1), 0u);
+  EXPECT_TRUE(planes.lies_in({5, 5, -0.01}, nullptr, 1));
+  EXPECT_FALSE(planes.lies_in({5, 5, 0.015}, nullptr, 1));
+  EXPECT_FALSE(planes.has_plane(2));
+  EXPECT_EQ(planes.plane_of(2), 2u);
+  EXPECT_FALSE(planes.lies_in({0, 0, 0}, nullptr, 2));
+  ASSERT_EQ(planes.shared_planes(), 1u);
+  EXPECT_EQ(std::vector<std::uint32_t>(planes.members(0).begin(), planes.members(0).end()),
+            (std::vector<std::uint32_t>{0, 1}));
+}
+
+TEST(TouchingPlanes, OfNothing) {
+  const TouchingPlanes none;
+  EXPECT_EQ(none.touching(), 0u);
+  EXPECT_EQ(none.shared_planes(), 0u);
+  const TouchingPlanes empty(
+      0,
+      [](std::uint32_t) {
+        return EnteredPolygon{std::vector<Point3>(), nullptr};
+      },
+      0.1);
+  EXPECT_EQ(empty.touching(), 0u);
+}
+
+using Triangles = std::vector<std::array<Point3, 3>>;
+
+TouchingPlanes planes_of(const Triangles& triangles, double reach,
+                         const glm::dmat4x3* matrix = nullptr) {
+  return TouchingPlanes(
+      static_cast<std::uint32_t>(triangles.size()),
+      [&](std::uint32_t i) {
+        return EnteredPolygon{triangles[i], matrix};
+      },
+      reach);
+}
+
+std::array<Point3, 3> any_triangle(Source& s, double size) {
+  const auto any = [&] {
+    const double x = s.unit(), y = s.unit(), z = s.unit();
+    return Point3(x, y, z);
+  };
+  const Point3 at = any();
+  return {at, at + size * (any() - 0.5), at + size * (any() - 0.5)};
+}
+
+/// Triangles in planes z = k apart, k below `planes`.
+Triangles sheets(std::size_t n, std::size_t planes, double apart, double size) {
+  Source s(1);
+  Triangles triangles;
+  for (std::size_t k = 0; k < n; ++k) {
+    std::array<Point3, 3> triangle = any_triangle(s, size);
+    for (Point3& p : triangle) p.z = apart * static_cast<double>(k % planes);
+    triangles.push_back(triangle);
+  }
+  return triangles;
+}
+
+/// Where polygons touch but for rounding, exact numbers are hardly needed.
+TEST(TouchingPlanes, DecidesWhatTouchesWithoutExactNumbers) {
+  Source s(3);
+  const glm::dmat4x3 matrix = any_matrix(s);
+  Triangles triangles;
+  for (int k = 0; k < 500; ++k) {
+    const double rise = 0.37, foot = decimal(s, 0, 1);
+    std::array<Point3, 3> triangle;
+    for (Point3& p : triangle) {
+      const double x = decimal(s, -2, 2), z = decimal(s, -2, 2);
+      p = {x, foot + rise * z, z};
+    }
+    triangles.push_back(triangle);
+  }
+  for (const glm::dmat4x3* const placing : {static_cast<const glm::dmat4x3*>(nullptr), &matrix}) {
+    reset_predicate_counts();
+    EXPECT_GT(planes_of(triangles, 0x1p-48, placing).touching(), 300u);
+    EXPECT_EQ(predicate_counts()[static_cast<std::size_t>(Predicate::within_reach)].exact, 0u);
+  }
+}
+
+TEST(TouchingPlanes, ObeysTheBudget) {
+  const Triangles triangles = sheets(5000, 1, 0.0, 0.1);
+  WorkBudget budget;
+  const BudgetInForce in_force(budget);
+  budget.stop();
+  EXPECT_THROW(planes_of(triangles, 0x1p-49), LimitReached);
+}
+
+}  // namespace
+}  // namespace displayfile

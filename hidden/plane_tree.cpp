@@ -1,60 +1,87 @@
 #include "hidden/plane_tree.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 
 namespace displayfile {
 
 PlaneTree::PlaneTree(std::span<const Plane> planes) {
-  while (leaves_ * kLeaf < planes.size()) leaves_ *= 2;
-  entries_.reserve(planes.size());
+  std::vector<Entry> entries;
+  entries.reserve(planes.size());
   for (const Plane& plane : planes) {
-    entries_.push_back({plane, static_cast<std::uint32_t>(entries_.size()), false});
+    entries.push_back({plane, static_cast<std::uint32_t>(entries.size())});
   }
-  for (std::size_t nodes = 1; nodes < leaves_; nodes *= 2) {
-    for (std::size_t node = 0; node < nodes; ++node) divide(node, nodes);
+  // What a node of each level has is divided until it is what the node's branches have.
+  struct Part {
+    std::size_t first, size, unit;  // unit: what a branch has
+  };
+  std::size_t nodes = planes.size(), unit = 1;
+  do {
+    nodes = (nodes + kBranches - 1) / kBranches;
+    levels_.emplace_back(nodes);
+    unit *= kBranches;
+  } while (nodes > 1);
+  std::vector<Part> parts{{0, entries.size(), unit / kBranches}};
+  while (!parts.empty()) {
+    auto [first, size, branch] = parts.back();
+    parts.pop_back();
+    while (branch >= size) branch /= kBranches;
+    if (branch <= 1) continue;  // eight or fewer, in any order
+    const std::size_t half = (size / branch + 1) / 2 * branch;
+    divide(std::span(entries).subspan(first, size), half);
+    parts.push_back({first, half, branch});
+    parts.push_back({first + half, size - half, branch});
   }
-  place_.resize(entries_.size());
-  for (std::size_t k = 0; k < entries_.size(); ++k) {
-    place_[entries_[k].index] = static_cast<std::uint32_t>(k);
+  place_.resize(entries.size());
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    order_.push_back(entries[k].index);
+    place_[order_[k]] = static_cast<std::uint32_t>(k);
   }
-  nodes_.resize(2 * leaves_);
 }
 
-/// Across the axis along which the planes spread the farthest, in halves.
-void PlaneTree::divide(std::size_t node, std::size_t nodes) {
-  const auto at = [&](std::size_t k) { return entries_.begin() + static_cast<std::ptrdiff_t>(k); };
-  const auto first = at(begin(node, nodes)), end = at(begin(node + 1, nodes));
-  if (end - first < 2) return;
-  Plane low = first->plane, high = low;
-  for (auto entry = first; entry != end; ++entry) {
-    low = glm::min(low, entry->plane);
-    high = glm::max(high, entry->plane);
+/// Across the axis along which the planes spread the farthest; the lower ones come first.
+void PlaneTree::divide(std::span<Entry> entries, std::size_t half) {
+  Plane low = entries.front().plane, high = low;
+  for (const Entry& entry : entries) {
+    low = glm::min(low, entry.plane);
+    high = glm::max(high, entry.plane);
   }
+  const Plane spread = high - low;
   int widest = 0;
   for (int axis = 1; axis < 4; ++axis) {
-    if (high[axis] - low[axis] > high[widest] - low[widest]) widest = axis;
+    if (spread[axis] > spread[widest]) widest = axis;
   }
   std::nth_element(
-      first, at(begin(2 * node + 1, 2 * nodes)), end,
+      entries.begin(), entries.begin() + static_cast<std::ptrdiff_t>(half), entries.end(),
       [=](const Entry& a, const Entry& b) { return a.plane[widest] < b.plane[widest]; });
 }
 
-void PlaneTree::insert(std::uint32_t index, double area) {
-  const std::size_t place = place_[index];
-  entries_[place].is_inserted = true;
-  const Plane& plane = entries_[place].plane;
-  // The leaf whose entries have it: none begins after it, and the next one does.
-  std::size_t leaf = place * leaves_ / entries_.size();
-  while (begin(leaf + 1, leaves_) <= place) ++leaf;
-  for (std::size_t at = leaves_ + leaf; at > 0; at /= 2) {
-    Node& node = nodes_[at];
-    const bool is_empty = node.largest_area < 0.0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const double x = plane[static_cast<int>(k)];
-      node.low[k] = is_empty ? x : std::min(node.low[k], x);
-      node.high[k] = is_empty ? x : std::max(node.high[k], x);
-    }
-    node.largest_area = std::max(node.largest_area, area);
+PlaneTree::Node::Node() {
+  for (std::size_t axis = 0; axis < 4; ++axis) {
+    low[axis].fill(0.0);
+    high[axis].fill(0.0);
+  }
+  radius.fill(0.0);
+  largest_area.fill(-1.0);
+}
+
+void PlaneTree::Node::include(std::size_t branch, const Plane& plane, double of_radius,
+                              double area) {
+  const bool is_empty = largest_area[branch] < 0.0;
+  for (std::size_t axis = 0; axis < 4; ++axis) {
+    const double x = plane[static_cast<int>(axis)];
+    low[axis][branch] = is_empty ? x : std::min(low[axis][branch], x);
+    high[axis][branch] = is_empty ? x : std::max(high[axis][branch], x);
+  }
+  radius[branch] = std::max(radius[branch], of_radius);
+  largest_area[branch] = std::max(largest_area[branch], area);
+}
+
+void PlaneTree::insert(std::uint32_t index, const Plane& plane, double radius, double area) {
+  std::size_t place = place_[index];
+  for (std::vector<Node>& level : levels_) {
+    level[place / kBranches].include(place % kBranches, plane, radius, area);
+    place /= kBranches;
   }
 }
 

@@ -13,85 +13,119 @@ namespace displayfile {
 
 /// Finds planes that pass near points: a tree over planes as points of four numbers, the unit
 /// normal and the distance from the origin. All planes are known from the beginning and are put in
-/// order once; a search sees those that were inserted. The boxes of a branch have the inserted ones
-/// alone, so that what is not inserted costs a search nothing.
+/// order once; a search sees those that were inserted. The boxes of a branch are those of the
+/// inserted ones alone, so that what is not inserted costs a search nothing.
 class PlaneTree {
  public:
   /// Normal and distance: the points v with n . v = distance.
   using Plane = glm::dvec4;
 
+  /// Of planes of indices from 0; roughly, since they are only put in order.
   explicit PlaneTree(std::span<const Plane> planes);
 
-  /// A plane by its index; a search may leave out those of lesser area.
-  void insert(std::uint32_t plane, double area);
+  /// A plane by its index, which may be off by `radius` at points that are looked for; a search may
+  /// leave out those of lesser area.
+  void insert(std::uint32_t index, const Plane& plane, double radius, double area);
 
-  /// Calls visit(plane) for each inserted plane that may be within `near` of each of the points,
-  /// of an area that is no less than what visit returned last, at first `least`. Returns how many
-  /// nodes it looked at.
+  /// Calls visit(index) for each inserted plane that may be within `near` of each corner and has an
+  /// area no less than what visit returned last, at first `least`, and for others too. Returns how
+  /// many nodes it looked at.
   template <class Visit>
-  std::size_t visit_near(std::span<const Point3> points, double near, double least,
+  std::size_t visit_near(const std::array<Point3, 3>& corners, double near, double least,
                          Visit&& visit) const;
 
  private:
-  static constexpr std::size_t kLeaf = 8;
+  static constexpr std::size_t kBranches = 8;
+  using Lanes = std::array<double, kBranches>;
+  /// Of each branch the box of the inserted planes; it has none if the area is negative.
+  struct Node {
+    std::array<Lanes, 4> low, high;
+    Lanes radius, largest_area;
+    Node();
+    void include(std::size_t branch, const Plane& plane, double of_radius, double area);
+  };
+  /// What is asked of branches: one corner and two sides of a triangle.
+  struct Query {
+    Point3 corner, first_side, second_side;
+    double near;
+    void find_distances(const Node& node, const Point3& v, Lanes& least, Lanes& most) const;
+    std::uint32_t branches(const Node& node, double least_area) const;
+  };
   struct Entry {
     Plane plane;
     std::uint32_t index;
-    bool is_inserted;
   };
-  /// Of the inserted planes; of none if the area is negative.
-  struct Node {
-    std::array<double, 4> low, high;
-    double largest_area = -1.0;
-    bool may_pass(const Point3& v, double near) const;
-  };
+  static void divide(std::span<Entry> entries, std::size_t half);
 
-  /// Where the entries of a node begin, of a level of so many nodes.
-  std::size_t begin(std::size_t node, std::size_t nodes) const {
-    return entries_.size() * node / nodes;
-  }
-  void divide(std::size_t node, std::size_t nodes);
-
-  std::size_t leaves_ = 1;
-  std::vector<Node> nodes_;  // the root is 1, the branches of node k are 2 k and 2 k + 1
-  std::vector<Entry> entries_;
-  std::vector<std::uint32_t> place_;  // in entries_, by index
+  /// A level's nodes have eight nodes of the level below each, those of the first eight planes.
+  std::vector<std::vector<Node>> levels_;
+  std::vector<std::uint32_t> order_;  // indices of planes
+  std::vector<std::uint32_t> place_;  // in order_, by index
 };
 
-/// n . v - distance is 0 or nearly for some plane between the bounds.
-inline bool PlaneTree::Node::may_pass(const Point3& v, double near) const {
-  double least = -high[3], most = -low[3];
-  for (int k = 0; k < 3; ++k) {
-    const double a = low[static_cast<std::size_t>(k)] * v[k];
-    const double b = high[static_cast<std::size_t>(k)] * v[k];
-    least += a < b ? a : b;
-    most += a < b ? b : a;
+/// Between which values n . v is for planes of each branch.
+inline void PlaneTree::Query::find_distances(const Node& node, const Point3& v, Lanes& least,
+                                             Lanes& most) const {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double x = v[static_cast<int>(axis)];
+    const Lanes& low = x < 0.0 ? node.high[axis] : node.low[axis];
+    const Lanes& high = x < 0.0 ? node.low[axis] : node.high[axis];
+    for (std::size_t k = 0; k < kBranches; ++k) {
+      least[k] += low[k] * x;
+      most[k] += high[k] * x;
+    }
   }
-  return !(least > near) && !(most < -near);
+}
+
+/// A bit for each branch that may have a plane near all corners: then the distances of two corners
+/// differ by no more than twice as much.
+inline std::uint32_t PlaneTree::Query::branches(const Node& node, double least_area) const {
+  Lanes least{}, most{}, first_least{}, first_most{}, second_least{}, second_most{};
+  for (std::size_t k = 0; k < kBranches; ++k) {
+    least[k] = -node.high[3][k];
+    most[k] = -node.low[3][k];
+  }
+  find_distances(node, first_side, first_least, first_most);
+  find_distances(node, second_side, second_least, second_most);
+  find_distances(node, corner, least, most);
+  std::uint32_t found = 0;
+  for (std::size_t k = 0; k < kBranches; ++k) {
+    const double one = near + node.radius[k], two = 2.0 * one;
+    const bool is_apart = (least[k] > one) | (most[k] < -one) | (first_least[k] > two) |
+                          (first_most[k] < -two) | (second_least[k] > two) |
+                          (second_most[k] < -two);
+    const bool is_wanted = (node.largest_area[k] >= 0.0) & (node.largest_area[k] >= least_area);
+    found |= static_cast<std::uint32_t>(is_wanted & !is_apart) << k;
+  }
+  return found;
 }
 
 template <class Visit>
-std::size_t PlaneTree::visit_near(std::span<const Point3> points, double near, double least,
+std::size_t PlaneTree::visit_near(const std::array<Point3, 3>& corners, double near, double least,
                                   Visit&& visit) const {
-  constexpr std::size_t kDeepest = 64;
-  std::array<std::size_t, kDeepest> waiting;
-  waiting[0] = 1;
+  struct Waiting {
+    double largest_area;
+    std::uint32_t node, level;
+  };
+  constexpr std::size_t kDeepest = 11;  // 8^11 exceeds all indices
+  std::array<Waiting, kBranches * kDeepest> waiting;
+  const Query query{corners[0], corners[1] - corners[0], corners[2] - corners[0], near};
+  waiting[0] = {least, 0, static_cast<std::uint32_t>(levels_.size() - 1)};
   std::size_t looked_at = 0;
-  for (std::size_t count = 1; count > 0; ++looked_at) {
-    const std::size_t at = waiting[--count];
-    const Node& node = nodes_[at];
-    if (node.largest_area < 0.0 || node.largest_area < least) continue;
-    bool may_pass = true;
-    for (const Point3& v : points) may_pass = may_pass && node.may_pass(v, near);
-    if (!may_pass) continue;
-    if (at < leaves_) {
-      waiting[count++] = 2 * at + 1;
-      waiting[count++] = 2 * at;
-      continue;
-    }
-    const std::size_t leaf = at - leaves_;
-    for (std::size_t k = begin(leaf, leaves_); k < begin(leaf + 1, leaves_); ++k) {
-      if (entries_[k].is_inserted) least = visit(entries_[k].index);
+  for (std::size_t count = 1; count > 0;) {
+    const auto [largest_area, at, level] = waiting[--count];
+    if (largest_area < least) continue;
+    ++looked_at;
+    const Node& node = levels_[level][at];
+    const std::uint32_t branches = query.branches(node, least);
+    for (std::uint32_t k = 0; k < kBranches; ++k) {
+      if ((branches >> k & 1) == 0) continue;
+      const std::uint32_t branch = static_cast<std::uint32_t>(kBranches) * at + k;
+      if (level > 0) {
+        waiting[count++] = {node.largest_area[k], branch, level - 1};
+      } else {
+        least = visit(order_[branch]);
+      }
     }
   }
   return looked_at;

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include "clip/back_face.h"
@@ -22,10 +23,13 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Pays for the rounding of a tolerance's own computation.
 constexpr double kWider = 1.0 + 0x1p-40;
 
+/// Keys are distances from here: a point in the frame that no scene has a special relation to.
+constexpr Point3 kFrom(0.5719, -0.8327, 0.4113);
+
 }  // namespace
 
 /// While the planes are looked for. Polygons that have a plane are numbered anew, in order of
-/// entry: by their own planes, in `own`.
+/// entry: by their own planes, in `own_`. Planes are known by their ranks, in order of their keys.
 class TouchingPlanes::Search {
  public:
   Search(TouchingPlanes& result, const PolygonOf& polygon_of)
@@ -36,36 +40,50 @@ class TouchingPlanes::Search {
   void keep(std::uint32_t polygons);
 
  private:
-  /// What it takes to compare a polygon with planes in doubles.
-  struct Tolerance {
-    double key;   ///< the plane's distance from one fixed point
-    double wide;  ///< by how much more or less the key of a plane that it touches may be
+  using Plane = PlaneTree::Plane;
+  /// A plane in the frame, in doubles.
+  struct Estimate {
+    Plane plane{0.0};
+    double radius = 0.0;  ///< by how much the distance of a point of the scene from it may be off
+    double tilt = 0.0;    ///< of what touches it, and is not larger: the sine of the angle, at most
   };
   struct Ranked {
-    double key;
+    double key;  ///< the plane's distance from one fixed point
     std::uint32_t own;
   };
-  /// Recently used planes, made ready; one of them for each remainder.
+  /// What is known of a plane by its rank, once it is needed.
+  struct Known {
+    Plane plane;
+    double radius = 0.0;  ///< 0: nothing is known
+    bool is_close = false;
+  };
+  /// Recently used planes, made ready.
   struct Ready {
     std::uint32_t own = kNone;
     std::optional<EnteredPlane> plane;
   };
 
   std::uint32_t modelling_of(const EnteredPolygon& polygon);
-  void measure();
   void find_frame();
-  double estimate(std::uint32_t own);
   void rank_by_key();
+  void find_linked();
+  Estimate estimate(const OwnPlane& plane) const;
+  Estimate estimate_closely(const EnteredPlane& plane, const OwnPlane& own) const;
+  Plane in_frame(const Point3& normal, const Point3& through) const;
+  double key_of(const Plane& plane) const;
+
   void find_plane(std::uint32_t own);
   std::size_t look_among_neighbours(std::uint32_t own, std::size_t most);
   void look_in_tree(std::uint32_t own);
   void build_tree();
   void found(std::uint32_t own);
-  void consider(std::uint32_t plane, std::uint32_t own);
+  void consider(std::size_t rank, std::uint32_t own);
   bool comes_before(std::uint32_t a, std::uint32_t b) const {
     return area_[a] > area_[b] || (area_[a] == area_[b] && a < b);
   }
-  bool passes_near(std::uint32_t plane) const;
+  const Known& known(std::size_t rank);
+  const Known& known_closely(std::size_t rank);
+  bool passes_near(const Known& plane) const;
   bool touches(std::uint32_t own, std::uint32_t plane);
   const EnteredPlane& ready(std::uint32_t plane);
   void keep_members(const std::vector<std::uint32_t>& sharing);
@@ -81,15 +99,14 @@ class TouchingPlanes::Search {
   // A frame in which all points lie between -1 and 1.
   Point3 low_{kInfinity}, high_{-kInfinity}, centre_{0.0};
   double scale_ = 1.0, magnitude_ = 0.0, rounding_ = 0x1p-52;
-  double point_error_ = 0.0, reach_ = 0.0, diameter_ = 0.0;
+  double point_error_ = 0.0, reach_ = 0.0, diameter_ = 0.0, close_radius_ = 0.0;
 
-  std::vector<PlaneTree::Plane> planes_;  // in the frame
-  std::vector<Tolerance> tolerance_;
-  double largest_radius_ = 0.0, near_ = 0.0;
   std::vector<Ranked> ranked_;
-  std::vector<std::uint32_t> rank_;
-  std::optional<NumberSet> founders_;  // by rank
+  std::vector<double> wide_;         // by how much more or less the key of what it touches may be
+  std::vector<std::uint32_t> rank_;  // by own
   std::vector<std::uint32_t> linked_;
+  std::optional<NumberSet> founded_;  // ranks of planes that polygons lie in
+  std::vector<Known> known_;
   std::optional<PlaneTree> tree_;
   std::uint64_t looked_at_ = 0;
   WorkSteps steps_;
@@ -110,6 +127,9 @@ std::uint32_t TouchingPlanes::Search::modelling_of(const EnteredPolygon& polygon
 /// Takes the polygons' own planes, areas and bounds.
 void TouchingPlanes::Search::enter(std::uint32_t polygons) {
   std::vector<Point3> world;
+  own_.reserve(polygons);
+  sides_.reserve(polygons);
+  area_.reserve(polygons);
   for (std::uint32_t i = 0; i < polygons; ++i) {
     steps_.step();
     const EnteredPolygon polygon = polygon_of_(i);
@@ -133,17 +153,20 @@ void TouchingPlanes::Search::enter(std::uint32_t polygons) {
     own_.push_back({corners, i, number});
     sides_.push_back(static_cast<std::uint32_t>(points.size()));
     area_.push_back(glm::length(newell_normal(world)));
-    taken_.push_back(static_cast<std::uint32_t>(taken_.size()));
   }
 }
 
 void TouchingPlanes::Search::find_planes() {
-  if (own_.empty()) return;
+  taken_.resize(own_.size());
+  std::iota(taken_.begin(), taken_.end(), 0u);
+  if (own_.empty() || !(result_.reach_ > 0.0)) return;
   find_frame();
-  measure();
   rank_by_key();
+  find_linked();
+  if (linked_.empty()) return;
   std::ranges::sort(linked_, [&](std::uint32_t a, std::uint32_t b) { return comes_before(a, b); });
-  ready_.resize(std::min<std::size_t>(1024, own_.size()));
+  known_.resize(own_.size());
+  ready_.resize(std::min<std::size_t>(256, own_.size()));
   for (const std::uint32_t own : linked_) find_plane(own);
 }
 
@@ -158,91 +181,101 @@ void TouchingPlanes::Search::find_frame() {
     reach_ = std::max(reach_, modelling.reach().high);
   }
   reach_ *= scale_ * kWider;
-  // Of what is off, the length. Three roundings of a sum are 3.01 of a coordinate.
+  // A coordinate in the world is off by 3.01 roundings of a sum.
   const double world_error = 5.3 * rounding_ * magnitude_ * scale_;
   point_error_ = world_error + 2.0 * rounding_;
   diameter_ = 3.5 + 4.0 * world_error;
+  close_radius_ = std::max(16.0 * reach_, 0x1p-45);
 }
 
-void TouchingPlanes::Search::measure() {
-  planes_.resize(own_.size());
-  tolerance_.resize(own_.size());
-  for (std::uint32_t k = 0; k < own_.size(); ++k) {
-    largest_radius_ = std::max(largest_radius_, estimate(k));
-  }
-  for (Tolerance& tolerance : tolerance_) tolerance.wide += largest_radius_;
-  near_ = (reach_ + largest_radius_) * kWider;
+/// A plane in the frame, of the normal that is the smaller turn from the fixed point's direction.
+TouchingPlanes::Search::Plane TouchingPlanes::Search::in_frame(const Point3& normal,
+                                                               const Point3& through) const {
+  const double distance = glm::dot(normal, in_frame(through));
+  return glm::dot(normal, kFrom) < 0.0 ? Plane(-normal, -distance) : Plane(normal, distance);
 }
 
-/// The plane in the frame, and its key; returns by how much the key may be off.
-double TouchingPlanes::Search::estimate(std::uint32_t own) {
-  const OwnPlane& plane = own_[own];
-  const Modelling& modelling = result_.modellings_[plane.modelling];
-  const Point3 p = modelling.apply(plane.corners[0]);
-  const Point3 u = (modelling.apply(plane.corners[1]) - p) * scale_;
-  const Point3 v = (modelling.apply(plane.corners[2]) - p) * scale_;
+double TouchingPlanes::Search::key_of(const Plane& plane) const {
+  return std::abs(glm::dot(Point3(plane), kFrom) - plane.w);
+}
+
+TouchingPlanes::Search::Estimate TouchingPlanes::Search::estimate(const OwnPlane& own) const {
+  const Modelling& modelling = result_.modellings_[own.modelling];
+  const Point3 p = modelling.apply(own.corners[0]);
+  const Point3 u = (modelling.apply(own.corners[1]) - p) * scale_;
+  const Point3 v = (modelling.apply(own.corners[2]) - p) * scale_;
   const double error = modelling.is_identity() ? 0.0 : point_error_;
   const double a = glm::length(u), b = glm::length(v);
-  Point3 normal = glm::cross(u, v);
+  const Point3 normal = glm::cross(u, v);
   const double length = glm::length(normal);
   const double off =
       (2.1 * error * (a + b) + 6.0 * rounding_ * a * b + 5.0 * error * error) * kWider;
   const double relative = length > 0x1p-450 ? off / length : kInfinity;
-  double radius = kInfinity, wide = kInfinity;
-  if (relative <= 0.125) {
-    normal /= length;
-    radius = (2.0 * relative + 8.0 * rounding_) * diameter_;
-    const double tilt = 2.0 * reach_ * (a + b + 4.0 * error) / (length * (1.0 - relative)) * kWider;
-    if (tilt <= 0.5) wide = 1.5 * tilt * diameter_ + reach_;
-  }
-  if (!(radius <= std::max(16.0 * reach_, 0x1p-32))) {
-    const EnteredPlane exact(plane.corners, modelling);
-    if (exact.normal_error() * diameter_ < radius) {
-      normal = exact.normal();
-      radius = exact.normal_error() * diameter_;
-    }
-  }
-  if (!(radius <= diameter_)) {
-    normal = Point3(1.0, 0.0, 0.0);
-    radius = kInfinity;
-  }
-  radius = (radius + 2.0 * point_error_ + 24.0 * rounding_) * kWider;
-  // Far from whatever a scene is made of; which side of it a plane has does not matter.
-  constexpr Point3 kFrom(0.5719, -0.8327, 0.4113);
-  const double distance = glm::dot(normal, in_frame(p)), from = glm::dot(normal, kFrom);
-  planes_[own] =
-      from < 0.0 ? PlaneTree::Plane(-normal, -distance) : PlaneTree::Plane(normal, distance);
-  tolerance_[own] = {std::abs(from - distance), (wide + radius) * kWider};
-  return radius;
+  if (!(relative <= 0.125)) return {in_frame(Point3(1.0, 0.0, 0.0), p), kInfinity, kInfinity};
+  const double radius =
+      ((2.0 * relative + 8.0 * rounding_) * diameter_ + 2.0 * point_error_ + 24.0 * rounding_) *
+      kWider;
+  const double tilt = 2.0 * reach_ * (a + b + 4.0 * error) / (length * (1.0 - relative)) * kWider;
+  return {in_frame(normal / length, p), radius, tilt};
 }
 
-/// Puts planes in order of their keys. Where no other key is within a polygon's tolerance, it lies
-/// in its own plane; the others remain to be looked at.
+TouchingPlanes::Search::Estimate TouchingPlanes::Search::estimate_closely(
+    const EnteredPlane& plane, const OwnPlane& own) const {
+  const Point3 p = result_.modellings_[own.modelling].apply(own.corners[0]);
+  const double off = plane.normal_error();
+  if (!(off <= 1.0)) return {in_frame(Point3(1.0, 0.0, 0.0), p), kInfinity, kInfinity};
+  const double radius = (off * diameter_ + 2.0 * point_error_ + 24.0 * rounding_) * kWider;
+  return {in_frame(plane.normal(), p), radius, kInfinity};
+}
+
+/// Puts planes in order of their keys, and finds the tolerances of keys.
 void TouchingPlanes::Search::rank_by_key() {
-  for (std::uint32_t k = 0; k < own_.size(); ++k) ranked_.push_back({tolerance_[k].key, k});
+  constexpr double kGood = 0x1p-32;  // so close are the keys of few planes by chance
+  ranked_.reserve(own_.size());
+  wide_.reserve(own_.size());
+  double largest_radius = 0.0;
+  for (std::uint32_t k = 0; k < own_.size(); ++k) {
+    steps_.step();
+    Estimate of = estimate(own_[k]);
+    const double tilt = of.tilt;
+    if (!(of.radius <= std::max(close_radius_, kGood))) {
+      const EnteredPlane plane(own_[k].corners, result_.modellings_[own_[k].modelling]);
+      const Estimate close = estimate_closely(plane, own_[k]);
+      if (close.radius < of.radius) of = close;
+    }
+    ranked_.push_back({key_of(of.plane), k});
+    const double wide = tilt <= 0.5 ? 1.5 * tilt * diameter_ + reach_ : kInfinity;
+    wide_.push_back((wide + of.radius) * kWider);
+    largest_radius = std::max(largest_radius, of.radius);
+  }
+  for (double& wide : wide_) wide += largest_radius;
   std::ranges::sort(ranked_, [](const Ranked& a, const Ranked& b) {
     return a.key != b.key ? a.key < b.key : a.own < b.own;
   });
+}
+
+/// Where no other key is within a polygon's tolerance, it lies in its own plane; the others remain
+/// to be looked at.
+void TouchingPlanes::Search::find_linked() {
   rank_.resize(own_.size());
-  founders_.emplace(own_.size());
+  founded_.emplace(own_.size());
   for (std::size_t k = 0; k < ranked_.size(); ++k) {
     const auto [key, own] = ranked_[k];
     rank_[own] = static_cast<std::uint32_t>(k);
-    const double wide = tolerance_[own].wide;
-    const bool is_linked = (k > 0 && !(key - ranked_[k - 1].key > wide)) ||
-                           (k + 1 < ranked_.size() && !(ranked_[k + 1].key - key > wide));
+    const bool is_linked = (k > 0 && !(key - ranked_[k - 1].key > wide_[own])) ||
+                           (k + 1 < ranked_.size() && !(ranked_[k + 1].key - key > wide_[own]));
     if (is_linked) {
       linked_.push_back(own);
     } else {
-      founders_->insert(k);
+      founded_->insert(k);
     }
   }
 }
 
 /// The first plane that the polygon lies in, or else its own is a new one.
 void TouchingPlanes::Search::find_plane(std::uint32_t own) {
-  constexpr std::size_t kFew = 64;         // are compared sooner than the tree is searched
-  constexpr std::uint64_t kPatience = 64;  // comparisons a plane, about what a tree costs to build
+  constexpr std::size_t kFew = 8;          // are compared sooner than the tree is searched
+  constexpr std::uint64_t kPatience = 16;  // comparisons a polygon, about what a tree costs
   const Modelling& modelling = result_.modellings_[own_[own].modelling];
   for (std::size_t k = 0; k < 3; ++k) {
     corners_[k] = in_frame(modelling.apply(own_[own].corners[k]));
@@ -265,56 +298,86 @@ void TouchingPlanes::Search::find_plane(std::uint32_t own) {
 /// or `most`, if there are more.
 std::size_t TouchingPlanes::Search::look_among_neighbours(std::uint32_t own, std::size_t most) {
   const std::size_t rank = rank_[own];
-  const auto [key, wide] = tolerance_[own];
+  const double key = ranked_[rank].key, wide = wide_[own];
   std::size_t count = 0;
-  for (std::size_t k = founders_->before(rank); k != NumberSet::kNone; k = founders_->before(k)) {
+  for (std::size_t k = founded_->before(rank); k != NumberSet::kNone; k = founded_->before(k)) {
     if (key - ranked_[k].key > wide) break;
     if (count++ == most) return most;
-    consider(ranked_[k].own, own);
+    consider(k, own);
   }
-  for (std::size_t k = founders_->after(rank); k != NumberSet::kNone; k = founders_->after(k)) {
+  for (std::size_t k = founded_->after(rank); k != NumberSet::kNone; k = founded_->after(k)) {
     if (ranked_[k].key - key > wide) break;
     if (count++ == most) return most;
-    consider(ranked_[k].own, own);
+    consider(k, own);
   }
   return count;
 }
 
 void TouchingPlanes::Search::build_tree() {
-  tree_.emplace(planes_);
-  if (founders_->contains(0)) tree_->insert(ranked_[0].own, area_[ranked_[0].own]);
-  for (std::size_t k = founders_->after(0); k != NumberSet::kNone; k = founders_->after(k)) {
-    tree_->insert(ranked_[k].own, area_[ranked_[k].own]);
+  std::vector<Plane> planes;
+  planes.reserve(own_.size());
+  for (std::size_t k = 0; k < own_.size(); ++k) planes.push_back(known(k).plane);
+  tree_.emplace(planes);
+  for (std::size_t k = 0; k < own_.size(); ++k) {
+    if (founded_->contains(k)) found(ranked_[k].own);
   }
 }
 
 void TouchingPlanes::Search::look_in_tree(std::uint32_t own) {
-  const auto best_area = [&] { return first_plane_ == kNone ? area_[own] : area_[first_plane_]; };
+  const auto best_area = [&] { return area_[first_plane_ == kNone ? own : first_plane_]; };
   const std::size_t looked_at =
-      tree_->visit_near(corners_, near_, best_area(), [&](std::uint32_t plane) {
-        consider(plane, own);
+      tree_->visit_near(corners_, reach_, best_area(), [&](std::uint32_t rank) {
+        consider(rank, own);
         return best_area();
       });
   result_.counts_.compared += looked_at;
   steps_.step(looked_at);
 }
 
+/// The polygon's own plane is one that polygons lie in.
 void TouchingPlanes::Search::found(std::uint32_t own) {
-  founders_->insert(rank_[own]);
-  if (tree_) tree_->insert(own, area_[own]);
+  const std::uint32_t rank = rank_[own];
+  founded_->insert(rank);
+  if (!tree_) return;
+  const Known& plane = known_closely(rank);
+  tree_->insert(rank, plane.plane, plane.radius, area_[own]);
 }
 
 /// Takes a founded plane if it is the first so far that the polygon lies in.
-void TouchingPlanes::Search::consider(std::uint32_t plane, std::uint32_t own) {
+void TouchingPlanes::Search::consider(std::size_t rank, std::uint32_t own) {
   ++result_.counts_.compared;
+  const std::uint32_t plane = ranked_[rank].own;
   if (!comes_before(plane, first_plane_ == kNone ? own : first_plane_)) return;
-  if (passes_near(plane) && touches(own, plane)) first_plane_ = plane;
+  if (!passes_near(known(rank)) || !passes_near(known_closely(rank))) return;
+  if (touches(own, plane)) first_plane_ = plane;
 }
 
-bool TouchingPlanes::Search::passes_near(std::uint32_t plane) const {
-  const PlaneTree::Plane& n = planes_[plane];
+const TouchingPlanes::Search::Known& TouchingPlanes::Search::known(std::size_t rank) {
+  Known& plane = known_[rank];
+  if (plane.radius == 0.0) {
+    const Estimate of = estimate(own_[ranked_[rank].own]);
+    plane = {of.plane, of.radius, of.radius <= close_radius_};
+  }
+  return plane;
+}
+
+const TouchingPlanes::Search::Known& TouchingPlanes::Search::known_closely(std::size_t rank) {
+  known(rank);
+  Known& plane = known_[rank];
+  if (!plane.is_close) {
+    const std::uint32_t own = ranked_[rank].own;
+    const Estimate of = estimate_closely(ready(own), own_[own]);
+    if (of.radius < plane.radius) plane = {of.plane, of.radius, true};
+    plane.is_close = true;
+  }
+  return plane;
+}
+
+bool TouchingPlanes::Search::passes_near(const Known& known) const {
+  const Plane& n = known.plane;
+  const double near = (reach_ + known.radius) * kWider;
   for (const Point3& v : corners_) {
-    if (std::abs(n.x * v.x + n.y * v.y + n.z * v.z - n.w) > near_) return false;
+    if (std::abs(n.x * v.x + n.y * v.y + n.z * v.z - n.w) > near) return false;
   }
   return true;
 }
@@ -342,22 +405,28 @@ const EnteredPlane& TouchingPlanes::Search::ready(std::uint32_t plane) {
 
 /// Keeps the planes that polygons lie in, and which polygons share one.
 void TouchingPlanes::Search::keep(std::uint32_t polygons) {
-  std::vector<std::uint32_t> number(own_.size(), kNone);
-  result_.plane_.assign(polygons, kNone);
   std::vector<std::uint32_t> sharing(own_.size(), 0);
+  for (const std::uint32_t k : linked_) {
+    if (taken_[k] == k) continue;
+    ++sharing[taken_[k]];
+    ++result_.touching_;
+  }
+  keep_members(sharing);
+  std::vector<std::uint32_t>& number = sharing;  // of the planes that are kept
+  result_.plane_.assign(polygons, kNone);
+  std::uint32_t kept = 0;
   for (std::uint32_t k = 0; k < own_.size(); ++k) {
-    if (taken_[k] == k) {
-      number[k] = static_cast<std::uint32_t>(result_.planes_.size());
-      result_.planes_.push_back(own_[k]);
-    } else {
-      ++sharing[taken_[k]];
-      ++result_.touching_;
-    }
+    if (taken_[k] == k) number[k] = kept++;
   }
   for (std::uint32_t k = 0; k < own_.size(); ++k) {
     result_.plane_[own_[k].polygon] = number[taken_[k]];
   }
-  keep_members(sharing);
+  for (std::uint32_t k = 0; k < own_.size(); ++k) {
+    if (taken_[k] == k) own_[number[k]] = own_[k];
+  }
+  own_.resize(kept);
+  own_.shrink_to_fit();
+  result_.planes_ = std::move(own_);
 }
 
 /// `sharing`: of each plane how many polygons lie in it besides its own.
@@ -387,7 +456,7 @@ TouchingPlanes::TouchingPlanes(std::uint32_t polygons, const PolygonOf& polygon_
     : reach_(reach) {
   Search search(*this, polygon_of);
   search.enter(polygons);
-  if (reach > 0.0) search.find_planes();
+  search.find_planes();
   search.keep(polygons);
 }
 

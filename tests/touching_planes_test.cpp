@@ -14,10 +14,12 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "clip/work_budget.h"
 #include "hidden/exact/predicate_counts.h"
+#include "hidden/number_set.h"
 #include "hidden/touching.h"
 #include "interp/truth/true_planes.h"
 #include "programs/scenes/scene.h"
@@ -469,6 +471,63 @@ Triangles sheets(std::size_t n, std::size_t planes, double apart, double size) {
     triangles.push_back(triangle);
   }
   return triangles;
+}
+
+/// How many comparisons a polygon takes part in.
+double per_polygon(const Triangles& triangles, double reach) {
+  const TouchingPlanes::Counts counts = planes_of(triangles, reach).counts();
+  return static_cast<double>(counts.compared + counts.tested) /
+         static_cast<double>(triangles.size());
+}
+
+Triangles soup(std::size_t n, double size) {
+  Source s(2);
+  Triangles triangles;
+  while (triangles.size() < n) triangles.push_back(any_triangle(s, size));
+  return triangles;
+}
+
+/// A polygon is compared with few planes, however many there are.
+TEST(TouchingPlanes, APolygonIsComparedWithFew) {
+  constexpr double kReach = 0x1p-49;
+  const std::size_t n = test::kSlower == 1 ? 16000 : 3000;
+  EXPECT_LT(per_polygon(sheets(n, 1, 0.0, 0.1), kReach), 5.0);
+  EXPECT_LT(per_polygon(soup(n, 1.0), kReach), 1.0);
+  EXPECT_LT(per_polygon(soup(n, 1e-4), kReach), 1.0);
+  constexpr double kFew = 120.0;
+  EXPECT_LT(per_polygon(sheets(n, n, 1.01 * kReach, 1.0), kReach), kFew);
+  EXPECT_LT(per_polygon(sheets(n, n, 1.01 * kReach, 1e-4), kReach), kFew);
+  EXPECT_LT(per_polygon(sheets(n, n, 0.4 * kReach, 1e-3), kReach), kFew);
+  EXPECT_LT(per_polygon(sheets(n, n / 10, 0.9 * kReach, 1e-3), kReach), kFew);
+  EXPECT_LT(per_polygon(sheets(n, n, 0x1p-53, 1.0), kReach), kFew);
+  EXPECT_LT(per_polygon(sheets(n, n, 1e-12, 1e-3), kReach), kFew);
+  EXPECT_LT(per_polygon(soup(n, 1e-10), kReach), kFew);
+  const Triangles ball = sphere(static_cast<int>(std::sqrt(static_cast<double>(n) / 4.0)));
+  for (const double reach : {kReach, 0x1p-30, 0x1p-21, 0x1p-15}) {
+    EXPECT_LT(per_polygon(ball, reach), kFew) << reach;
+  }
+}
+
+TEST(NumberSet, FindsWhatIsAfterAndBefore) {
+  for (const std::size_t limit : {1u, 63u, 64u, 65u, 4096u, 4097u, 300000u}) {
+    Source s(limit);
+    NumberSet set(limit);
+    std::set<std::size_t> expected;
+    for (int k = 0; k < 30; ++k) {
+      const std::size_t number = s.bits() % limit;
+      set.insert(number);
+      expected.insert(number);
+      for (int trial = 0; trial < 20; ++trial) {
+        const std::size_t from = s.below(3) == 0 ? number : s.bits() % limit;
+        EXPECT_EQ(set.contains(from), expected.count(from) == 1);
+        const auto after = expected.upper_bound(from);
+        EXPECT_EQ(set.after(from), after == expected.end() ? NumberSet::kNone : *after);
+        const auto least = expected.lower_bound(from);
+        EXPECT_EQ(set.before(from),
+                  least == expected.begin() ? NumberSet::kNone : *std::prev(least));
+      }
+    }
+  }
 }
 
 /// Where polygons touch but for rounding, exact numbers are hardly needed.

@@ -11,6 +11,7 @@
 
 #include "clip/back_face.h"
 #include "clip/work_budget.h"
+#include "hidden/exact/round_to_nearest.h"
 #include "hidden/number_set.h"
 #include "hidden/plane_tree.h"
 
@@ -454,6 +455,7 @@ void TouchingPlanes::Search::keep_members(const std::vector<std::uint32_t>& shar
 
 TouchingPlanes::TouchingPlanes(std::uint32_t polygons, const PolygonOf& polygon_of, double reach)
     : reach_(reach) {
+  const RoundToNearest mode;
   Search search(*this, polygon_of);
   search.enter(polygons);
   search.find_planes();
@@ -463,6 +465,7 @@ TouchingPlanes::TouchingPlanes(std::uint32_t polygons, const PolygonOf& polygon_
 bool TouchingPlanes::lies_in(const Point3& entered, const glm::dmat4x3* modelling,
                              std::uint32_t polygon) const {
   if (plane_[polygon] == kNone) return false;
+  const RoundToNearest mode;
   const OwnPlane& plane = planes_[plane_[polygon]];
   const Modelling& of_plane = modellings_[plane.modelling];
   const EnteredPlane ready(plane.corners, of_plane);

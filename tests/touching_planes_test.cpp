@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfenv>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -248,6 +249,40 @@ TEST(TouchingPlanes, OfCoordinatesOfAnySize) {
     });
   }
   EXPECT_GT(touch, 0u);
+}
+
+/// Whatever rounding mode the host has set when planes are looked for.
+TEST(TouchingPlanes, InEveryRoundingMode) {
+  for (const int mode : test::kModes) {
+    for (std::uint64_t seed = 0; seed < scenes() / 4; ++seed) {
+      SCOPED_TRACE(fmt::format("mode {}, seed {}", mode, seed));
+      Source s(seed);
+      Retained retained;
+      retained.system.open_segment(1);
+      s.below(2) == 0 ? enter_sheets(s, retained.system, 0x1p-46, true)
+                      : enter_degenerate(s, retained.system);
+      retained.system.close_segment();
+      const RetainedScene& scene = retained.scene;
+      const TruePlanes expected(scene, {});
+      TouchingPlanes found;
+      // Which leaves the mode what it was.
+      ASSERT_EQ(test::in_mode(mode,
+                              [&] {
+                                found = planes_of(scene, {});
+                                return std::fegetround();
+                              }),
+                mode);
+      ASSERT_GT(scene.size(), 0u);
+      const Point3 v = scene.entered_points(0)[0];
+      const bool lies_in_first = found.lies_in(v, &scene.modelling_matrix(0), 0);
+      for (std::uint32_t i = 0; i < scene.size(); ++i) {
+        ASSERT_EQ(found.plane_of(i), expected.plane_of(i)) << "polygon " << i;
+      }
+      ASSERT_EQ(test::in_mode(
+                    mode, [&] { return found.lies_in(v, &scene.modelling_matrix(0), 0) ? 1 : 0; }),
+                lies_in_first ? 1 : 0);
+    }
+  }
 }
 
 /// A closed surface of triangles, larger ones first as it comes, whose planes the tree finds.

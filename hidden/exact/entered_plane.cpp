@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -67,6 +68,21 @@ bool are_in_line(const Point3& p, const Point3& q, const Point3& r) {
   return is_zero(displayfile::cross(exact_difference(q, p), exact_difference(r, p)));
 }
 
+/// Of the first three rows and columns; exact.
+bool is_zero_determinant(const glm::dmat4& matrix) {
+  const Point3 a(matrix[0]), b(matrix[1]), c(matrix[2]);
+  const double value = glm::dot(a, glm::cross(b, c));
+  const Point3 u = glm::abs(a), v = glm::abs(b), w = glm::abs(c);
+  const double sum =
+      u.x * (v.y * w.z + w.y * v.z) + u.y * (v.z * w.x + w.z * v.x) + u.z * (v.x * w.y + w.x * v.y);
+  // Five roundings of each of six products.
+  if (std::abs(value) > 6.0 * kUnit * sum + kTiny * (1.0 + u.x + u.y + u.z)) return false;
+  const auto exact = [](const Point3& p) {
+    return ExactVector{ExactNumber(p.x), ExactNumber(p.y), ExactNumber(p.z)};
+  };
+  return dot(exact(a), cross(exact(b), exact(c))).sign() == 0;
+}
+
 /// The index of the point of which the measure is greatest, the first of equal ones.
 template <class Measure>
 std::size_t index_of_greatest(std::span<const Point3> points, const Measure& measure) {
@@ -93,13 +109,7 @@ Modelling::Modelling(const glm::dmat4x3* matrix, double reach)
   if (is_identity_) return;
   reach_ = bounds_of_reach(reach, std::max({length(Point3(matrix_[0])), length(Point3(matrix_[1])),
                                             length(Point3(matrix_[2]))}));
-  std::array<ExactVector, 3> columns;
-  for (int k = 0; k < 3; ++k) {
-    columns[static_cast<std::size_t>(k)] = {ExactNumber(matrix_[k].x), ExactNumber(matrix_[k].y),
-                                            ExactNumber(matrix_[k].z)};
-  }
-  is_singular_ =
-      displayfile::dot(columns[0], displayfile::cross(columns[1], columns[2])).sign() == 0;
+  is_singular_ = is_zero_determinant(matrix_);
 }
 
 bool Modelling::is_of(const glm::dmat4x3* matrix) const {

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cfenv>
+
+namespace displayfile {
+
+/// While it lives, this thread rounds to nearest, whatever mode the host has set.
+class RoundToNearest {
+ public:
+  RoundToNearest() : before_(std::fegetround()) {
+    if (before_ != FE_TONEAREST) std::fesetround(FE_TONEAREST);
+  }
+  ~RoundToNearest() {
+    if (before_ != FE_TONEAREST) std::fesetround(before_);
+  }
+  RoundToNearest(const RoundToNearest&) = delete;
+  RoundToNearest& operator=(const RoundToNearest&) = delete;
+
+ private:
+  const int before_;
+};
+
+}  // namespace displayfile

@@ -116,6 +116,18 @@ std::size_t expect_truth_of(const Touching& touching, Enter&& enter) {
   return touch;
 }
 
+using Triangles = std::vector<std::array<Point3, 3>>;
+
+TouchingPlanes planes_of(const Triangles& triangles, double reach,
+                         const glm::dmat4x3* matrix = nullptr) {
+  return TouchingPlanes(
+      static_cast<std::uint32_t>(triangles.size()),
+      [&](std::uint32_t i) {
+        return EnteredPolygon{triangles[i], matrix};
+      },
+      reach);
+}
+
 /// Three rotations and a translation, as parts are placed, and now and then a scale.
 void place_anywhere(Source& s, GraphicsSystem& g) {
   g.create_transformation_3();
@@ -193,6 +205,38 @@ TEST(TouchingPlanes, OfSheetsApartByFractionsAndMultiplesOfTheReach) {
                         [&](Source& s, GraphicsSystem& g) { enter_sheets(s, g, 0.01, placed); }),
         scenes());
   }
+}
+
+/// Narrower and smaller than sums of two doubles tell, in two planes, or off them by hairs.
+TEST(TouchingPlanes, OfSliversOfAnyWidth) {
+  const std::size_t touch = expect_truth_of(within(1e-60), [](Source& s, GraphicsSystem& g) {
+    for (int n = s.below(2) == 0 ? s.between(5, 40) : 3; n > 0; --n) {
+      const int slope = s.below(2), size = s.below(90);
+      const int width = s.below(3) == 0 ? size : s.below(160);
+      std::vector<Point3> polygon;
+      for (int sides = 3; sides > 0; --sides) {
+        const double x = std::ldexp(s.between(-9, 9), -size);
+        const double y = std::ldexp(s.between(-9, 9), -width);
+        const double off = s.below(20) == 0 ? std::ldexp(s.between(-3, 3), -200) : 0.0;
+        polygon.emplace_back(x, y, slope * y + off);
+      }
+      g.polygon_abs_3(polygon);
+    }
+  });
+  EXPECT_GT(touch, scenes());
+}
+
+/// A polygon lies in the plane of one that is larger but so narrow that nothing short of exact
+/// numbers knows its plane.
+TEST(TouchingPlanes, APolygonLiesInThePlaneOfALargerSliver) {
+  const double narrow = 0x1p-120, small = 0x1p-62;
+  const Triangles triangles{{Point3(0, 0, 0), Point3(1, 0, 0), Point3(0.5, narrow, narrow)},
+                            {Point3(0, 0, 0), Point3(small, 0, 0), Point3(0, small, small)},
+                            {Point3(0, 0, 0), Point3(small, 0, 0), Point3(0, small, -small)}};
+  const TouchingPlanes planes = planes_of(triangles, 1e-60);
+  EXPECT_EQ(planes.plane_of(0), 0u);
+  EXPECT_EQ(planes.plane_of(1), 0u);
+  EXPECT_EQ(planes.plane_of(2), 2u);
 }
 
 /// Some in line, some with points that coincide, some so nearly in line that only exact numbers
@@ -286,8 +330,8 @@ TEST(TouchingPlanes, InEveryRoundingMode) {
 }
 
 /// A closed surface of triangles, larger ones first as it comes, whose planes the tree finds.
-std::vector<std::array<Point3, 3>> sphere(int rings) {
-  std::vector<std::array<Point3, 3>> triangles;
+Triangles sphere(int rings) {
+  Triangles triangles;
   const auto at = [&](int ring, int k) {
     const double u = std::numbers::pi * ring / rings, v = std::numbers::pi * k / rings;
     return Point3(std::sin(u) * std::cos(v), std::sin(u) * std::sin(v), std::cos(u));
@@ -473,18 +517,6 @@ TEST(TouchingPlanes, OfNothing) {
       },
       0.1);
   EXPECT_EQ(empty.touching(), 0u);
-}
-
-using Triangles = std::vector<std::array<Point3, 3>>;
-
-TouchingPlanes planes_of(const Triangles& triangles, double reach,
-                         const glm::dmat4x3* matrix = nullptr) {
-  return TouchingPlanes(
-      static_cast<std::uint32_t>(triangles.size()),
-      [&](std::uint32_t i) {
-        return EnteredPolygon{triangles[i], matrix};
-      },
-      reach);
 }
 
 std::array<Point3, 3> any_triangle(Source& s, double size) {

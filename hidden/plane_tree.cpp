@@ -77,6 +77,42 @@ void PlaneTree::Node::include(std::size_t branch, const Plane& plane, double of_
   largest_area[branch] = std::max(largest_area[branch], area);
 }
 
+/// Between which values n . v is for planes of each branch.
+void PlaneTree::Query::find_distances(const Node& node, const Point3& v, Lanes& least,
+                                      Lanes& most) const {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double x = v[static_cast<int>(axis)];
+    const Lanes& low = x < 0.0 ? node.high[axis] : node.low[axis];
+    const Lanes& high = x < 0.0 ? node.low[axis] : node.high[axis];
+    for (std::size_t k = 0; k < kBranches; ++k) {
+      least[k] += low[k] * x;
+      most[k] += high[k] * x;
+    }
+  }
+}
+
+/// A bit for each branch that may have a plane near all corners: then the distances of two corners
+/// differ by no more than twice as much.
+std::uint32_t PlaneTree::Query::branches(const Node& node, double least_area) const {
+  Lanes least{}, most{}, first_least{}, first_most{}, second_least{}, second_most{};
+  for (std::size_t k = 0; k < kBranches; ++k) {
+    least[k] = -node.high[3][k];
+    most[k] = -node.low[3][k];
+  }
+  find_distances(node, first_side, first_least, first_most);
+  find_distances(node, second_side, second_least, second_most);
+  find_distances(node, corner, least, most);
+  std::uint32_t found = 0;
+  for (std::size_t k = 0; k < kBranches; ++k) {
+    const double of_sides =
+        std::max({first_least[k], -first_most[k], second_least[k], -second_most[k]});
+    const double distance = std::max({least[k], -most[k], 0.5 * of_sides});
+    const bool is_wanted = node.largest_area[k] >= std::max(least_area, 0.0);
+    if (is_wanted && !(distance > near + node.radius[k])) found |= 1U << k;
+  }
+  return found;
+}
+
 void PlaneTree::insert(std::uint32_t index, const Plane& plane, double radius, double area) {
   std::size_t place = place_[index];
   for (std::vector<Node>& level : levels_) {

@@ -63,43 +63,6 @@ class PlaneTree {
   std::vector<std::uint32_t> place_;  // in order_, by index
 };
 
-/// Between which values n . v is for planes of each branch.
-inline void PlaneTree::Query::find_distances(const Node& node, const Point3& v, Lanes& least,
-                                             Lanes& most) const {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double x = v[static_cast<int>(axis)];
-    const Lanes& low = x < 0.0 ? node.high[axis] : node.low[axis];
-    const Lanes& high = x < 0.0 ? node.low[axis] : node.high[axis];
-    for (std::size_t k = 0; k < kBranches; ++k) {
-      least[k] += low[k] * x;
-      most[k] += high[k] * x;
-    }
-  }
-}
-
-/// A bit for each branch that may have a plane near all corners: then the distances of two corners
-/// differ by no more than twice as much.
-inline std::uint32_t PlaneTree::Query::branches(const Node& node, double least_area) const {
-  Lanes least{}, most{}, first_least{}, first_most{}, second_least{}, second_most{};
-  for (std::size_t k = 0; k < kBranches; ++k) {
-    least[k] = -node.high[3][k];
-    most[k] = -node.low[3][k];
-  }
-  find_distances(node, first_side, first_least, first_most);
-  find_distances(node, second_side, second_least, second_most);
-  find_distances(node, corner, least, most);
-  std::uint32_t found = 0;
-  for (std::size_t k = 0; k < kBranches; ++k) {
-    const double one = near + node.radius[k], two = 2.0 * one;
-    const bool is_apart = (least[k] > one) | (most[k] < -one) | (first_least[k] > two) |
-                          (first_most[k] < -two) | (second_least[k] > two) |
-                          (second_most[k] < -two);
-    const bool is_wanted = (node.largest_area[k] >= 0.0) & (node.largest_area[k] >= least_area);
-    found |= static_cast<std::uint32_t>(is_wanted & !is_apart) << k;
-  }
-  return found;
-}
-
 template <class Visit>
 std::size_t PlaneTree::visit_near(const std::array<Point3, 3>& corners, double near, double least,
                                   Visit&& visit) const {

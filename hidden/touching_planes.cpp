@@ -74,7 +74,8 @@ class TouchingPlanes::Search {
   double key_of(const Plane& plane) const;
 
   void find_plane(std::uint32_t own);
-  std::size_t look_among_neighbours(std::uint32_t own, std::size_t most);
+  bool has_neighbours(std::uint32_t own, std::size_t count) const;
+  void look_among_neighbours(std::uint32_t own);
   void look_in_tree(std::uint32_t own);
   void build_tree();
   void found(std::uint32_t own);
@@ -109,7 +110,6 @@ class TouchingPlanes::Search {
   std::optional<NumberSet> founded_;  // ranks of planes that polygons lie in
   std::vector<Known> known_;
   std::optional<PlaneTree> tree_;
-  std::uint64_t looked_at_ = 0;
   WorkSteps steps_;
 
   std::array<Point3, 3> corners_;  // of the polygon that is looked for, in the frame
@@ -282,36 +282,41 @@ void TouchingPlanes::Search::find_plane(std::uint32_t own) {
     corners_[k] = in_frame(modelling.apply(own_[own].corners[k]));
   }
   first_plane_ = kNone;
-  const std::size_t most = tree_ ? kFew : std::numeric_limits<std::size_t>::max();
-  const std::size_t looked_at = look_among_neighbours(own, most);
-  if (looked_at == most) look_in_tree(own);
-  looked_at_ += looked_at;
-  steps_.step(looked_at + 1);
+  if (tree_ && has_neighbours(own, kFew)) {
+    look_in_tree(own);
+  } else {
+    look_among_neighbours(own);
+  }
   if (first_plane_ == kNone) {
     found(own);
   } else {
     taken_[own] = first_plane_;
   }
-  if (!tree_ && looked_at_ > kPatience * own_.size()) build_tree();
+  if (!tree_ && result_.counts_.compared > kPatience * own_.size()) build_tree();
 }
 
-/// Compares the polygon with founded planes whose keys are within its tolerance; returns how many,
-/// or `most`, if there are more.
-std::size_t TouchingPlanes::Search::look_among_neighbours(std::uint32_t own, std::size_t most) {
+/// As many planes have keys within the polygon's tolerance, founded or not.
+bool TouchingPlanes::Search::has_neighbours(std::uint32_t own, std::size_t count) const {
   const std::size_t rank = rank_[own];
   const double key = ranked_[rank].key, wide = wide_[own];
-  std::size_t count = 0;
+  const bool above = rank + count < ranked_.size() && !(ranked_[rank + count].key - key > wide);
+  return above || (rank >= count && !(key - ranked_[rank - count].key > wide));
+}
+
+/// Compares the polygon with founded planes whose keys are within its tolerance.
+void TouchingPlanes::Search::look_among_neighbours(std::uint32_t own) {
+  const std::size_t rank = rank_[own];
+  const double key = ranked_[rank].key, wide = wide_[own];
+  const std::uint64_t before = result_.counts_.compared;
   for (std::size_t k = founded_->before(rank); k != NumberSet::kNone; k = founded_->before(k)) {
     if (key - ranked_[k].key > wide) break;
-    if (count++ == most) return most;
     consider(k, own);
   }
   for (std::size_t k = founded_->after(rank); k != NumberSet::kNone; k = founded_->after(k)) {
     if (ranked_[k].key - key > wide) break;
-    if (count++ == most) return most;
     consider(k, own);
   }
-  return count;
+  steps_.step(result_.counts_.compared - before + 1);
 }
 
 void TouchingPlanes::Search::build_tree() {

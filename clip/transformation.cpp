@@ -110,6 +110,7 @@ void ModellingTransformation::then(const glm::dmat4& step) {
 
 void ModellingTransformation::compose() {
   matrix_ = saved_.empty() ? called_ : saved_.back().matrix * called_;
+  affine_ = glm::dmat4x3(matrix_);
   identity_ = matrix_ == glm::dmat4(1.0);
 }
 

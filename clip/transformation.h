@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/mat4x3.hpp>
 #include <vector>
 
 #include "clip/point.h"
@@ -36,6 +37,8 @@ class ModellingTransformation {
   bool is_identity() const { return identity_; }
   /// Its last row is 0 0 0 1.
   const glm::dmat4& matrix() const { return matrix_; }
+  /// The same without that row: x' = column 0 x + column 1 y + column 2 z + column 3.
+  const glm::dmat4x3& affine() const { return affine_; }
   /// What runs counterclockwise, seen from outside, runs clockwise afterwards.
   bool mirrors() const;
   Point3 apply(const Point3& p) const {
@@ -59,7 +62,8 @@ class ModellingTransformation {
   };
   glm::dmat4 called_{1.0};  // since it was saved last, in order
   std::vector<Saved> saved_;
-  glm::dmat4 matrix_{1.0};  // all of it
+  glm::dmat4 matrix_{1.0};    // all of it
+  glm::dmat4x3 affine_{1.0};  // the same
   bool identity_ = true;
 };
 

@@ -283,6 +283,13 @@ class GraphicsSystem {
   /// (hidden/lines/README.md): as a segment is closed, or when all are looked at together.
   void set_hidden_lines(HiddenLines lines);
   void set_z_buffer(bool on);
+  /// Within which distance polygons touch, of segments that are opened from now on
+  /// (hidden/touching_planes.md): what touches another's plane lies in it. Error: a length that is
+  /// not above 0 and at most kCoordinateLimit.
+  void set_touching(const Touching& touching);
+  /// Does what set_touching does, and from now on set_touching has no effect, but that its errors
+  /// are reported: for what decides in place of the application. It is not recorded.
+  void replace_touching(const Touching& touching);
 
   /// Which sides of polygons are lines (displayfile/line_kinds.md), of the segments that are closed
   /// from now on, whatever the method: what is selected, of what has a line style. Unless that is
@@ -353,6 +360,7 @@ class GraphicsSystem {
   const Precision& precision() const { return sort_options_.precision; }
   HiddenLines hidden_lines() const { return sort_options_.hidden_lines; }
   bool z_buffer() const { return z_buffer_; }
+  const Touching& touching() const { return touching_; }
   const LineSelection& lines() const { return lines_; }
   std::size_t transformations_saved() const { return modelling_.saved(); }
   /// Calls of the polygon routines, and cells of surfaces.
@@ -504,7 +512,7 @@ class GraphicsSystem {
   void require_no_solid(std::string_view what) const;
   void enter_whole(const WorldPolygon& polygon);
   std::span<const Point3> shared_world(std::span<const Point3> vertices);
-  void make_room_for_shared(std::span<const Point3> world, std::size_t polygons,
+  void make_room_for_shared(const RetainedScene::SharedVertices& shared, std::size_t polygons,
                             std::size_t corners, std::size_t fills);
   void enter_shared(const RetainedScene::SharedVertices& vertices,
                     std::span<const std::uint32_t> corners, Segment& segment);
@@ -518,8 +526,8 @@ class GraphicsSystem {
     if (view_stage_) view_stage_->attributes_changed();
   }
   /// The matrix of the modelling transformation; null if that is the identity.
-  const glm::dmat4* modelling_matrix() const {
-    return modelling_.is_identity() ? nullptr : &modelling_.matrix();
+  const glm::dmat4x3* modelling_matrix() const {
+    return modelling_.is_identity() ? nullptr : &modelling_.affine();
   }
   void enter_triangles(std::span<const Point3> entered, const Point3& normal,
                        std::span<const Point3> vertex_normals, int pick);
@@ -556,6 +564,8 @@ class GraphicsSystem {
   std::vector<BeforeSolid> before_solids_;  // of each that is open
   std::int64_t empty_solids_ = 0;
   bool has_hatching_ = false;  // since all segments were deleted
+  Touching touching_ = kUnlessSet;
+  bool touching_replaced_ = false;
   SurfaceCurves surface_curves_ = SurfaceCurves::both;
   SurfaceSides surface_sides_ = SurfaceSides::both;
   std::optional<LineStyle> lower_line_;

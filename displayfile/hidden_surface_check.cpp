@@ -17,7 +17,9 @@ SortedPieces pieces_of(const ViewedScene& scene, HiddenMethod method, const Sort
     return lines_in_order(scene, find_lines(scene, method, options), options.hidden_lines);
   }
   if (method == HiddenMethod::map) return map_in_order(scene, options);
-  SortedPieces sorted = sort_hidden_surfaces(scene.primitives(), method, options);
+  Primitives items = scene.primitives();
+  if (!options.precision.exact) items.planes = {};  // a ROUNDOFF decides what is in one plane
+  SortedPieces sorted = sort_hidden_surfaces(items, method, options);
   append_lines(scene, options, sorted);
   return sorted;
 }

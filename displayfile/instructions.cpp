@@ -153,7 +153,8 @@ std::size_t Instructions::bytes() const {
          flat_points_.size() * sizeof(flat_points_[0]) +
          style_operands_.size() * sizeof(style_operands_[0]) +
          intensities_.size() * sizeof(intensities_[0]) + normals_.size() * sizeof(normals_[0]) +
-         side_kinds_.size() + texts_.size() * sizeof(texts_[0]) + characters_.size();
+         side_kinds_.size() + texts_.size() * sizeof(texts_[0]) + characters_.size() +
+         (as_entered_ ? as_entered_->bytes() : 0);
 }
 
 /// At least twice the room there is, so that many small calls cost no more than one.
@@ -176,6 +177,7 @@ void Instructions::shrink_to_fit() {
   side_kinds_.shrink_to_fit();
   texts_.shrink_to_fit();
   characters_.shrink_to_fit();
+  if (as_entered_) as_entered_->shrink_to_fit();
 }
 
 }  // namespace displayfile

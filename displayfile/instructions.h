@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "clip/transformation.h"
+#include "displayfile/entered_polygons.h"
 #include "displayfile/style.h"
 #include "displayfile/vertex_shading.h"
 #include "hidden/line_kinds.h"
@@ -68,6 +69,17 @@ class Instructions {
   /// or the kinds of line that it is.
   void enter_polygon(std::span<const Point3> vertices, std::span<const std::uint8_t> edge_visible,
                      const VertexShading& shading = {});
+
+  /// Keeps the polygons that follow as the application entered them, beside their instructions:
+  /// each enter_polygon is followed by one call of what this returns.
+  EnteredPolygons& keep_entered(const Touching& touching, const EnteredPolygons::Viewed& viewed) {
+    return as_entered_.emplace(touching, viewed);
+  }
+  EnteredPolygons* keeping_entered() { return as_entered_ ? &*as_entered_ : nullptr; }
+  /// The polygons as they were entered; null if they are not kept, of each one.
+  const EnteredPolygons* as_entered() const {
+    return as_entered_ && as_entered_->size() == polygons_ ? &*as_entered_ : nullptr;
+  }
 
   /// A surface's cells follow: the next polygons, if all of it is inside of the view.
   void mark_surface(const SurfaceMark& mark) { surfaces_.push_back(mark); }
@@ -183,6 +195,7 @@ class Instructions {
   std::vector<TextAt> texts_;
   std::string characters_;  // of all texts
   std::vector<SurfaceMark> surfaces_;
+  std::optional<EnteredPolygons> as_entered_;
   double flat_z_ = 0.0;
   bool stores_z_ = false;
   std::size_t polygons_ = 0, lines_ = 0;

@@ -389,7 +389,8 @@ class LitScene {
       visible_.push_back(items_.visible_at(c));
     }
     all_.push_back({first, item.sides, item.kind});
-    planes_.push_back({Primitives::kOwnPlane, 0, 0});
+    planes_.push_back(items_.has_own_plane(i) ? PlanePoints{Primitives::kOwnPlane, 0, 0}
+                                              : items_.planes[i]);
     sources_.push_back({i, lit, false});
   }
   void add_part(Item i, const PlanePoints& plane, std::span<const std::uint32_t> corners) {
@@ -397,7 +398,7 @@ class LitScene {
     corners_.insert(corners_.end(), corners.begin(), corners.end());
     visible_.resize(corners_.size(), 0);
     all_.push_back({first, static_cast<std::uint32_t>(corners.size()), Primitives::Kind::solid});
-    planes_.push_back(plane);
+    planes_.push_back(items_.has_own_plane(i) ? plane : items_.planes[i]);
     sources_.push_back({i, Lit::lit, true});
   }
 

@@ -33,13 +33,44 @@ const RetainedScene::ModellingMatrix& RetainedScene::modelling_matrix(std::uint3
   return after == modellings_.begin() ? kIdentity : std::prev(after)->matrix;
 }
 
+std::uint32_t RetainedScene::primitive_of_corner(std::uint32_t first) const {
+  const auto found = std::ranges::lower_bound(primitives_, first, {}, &Primitive::first);
+  return static_cast<std::uint32_t>(found - primitives_.begin());
+}
+
+double RetainedScene::longest_column() const {
+  double most = 1.0;
+  for (const auto& [first, m] : modellings_) {
+    for (int k = 0; k < 3; ++k) most = std::max(most, glm::length(m[k]));
+  }
+  return most;
+}
+
+double RetainedScene::largest_in_world() const {
+  double entered = 0.0;
+  for (const Point3& p : entered_.empty() ? points_ : entered_) {
+    entered = std::max({entered, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  }
+  double most = entered;
+  for (const auto& [first, m] : modellings_) {
+    for (int k = 0; k < 3; ++k) {
+      const double row = std::abs(m[0][k]) + std::abs(m[1][k]) + std::abs(m[2][k]);
+      most = std::max(most, row * entered + std::abs(m[3][k]));
+    }
+  }
+  return most;
+}
+
 const RetainedScene::Segment& RetainedScene::segment_of(std::uint32_t primitive) const {
   return *std::ranges::upper_bound(segments_, primitive, {}, &Segment::end);
 }
 
 WorldPolygon RetainedScene::polygon(std::uint32_t i) const {
-  return {points(i), of(edge_visible_, i), normal(i),
-          is_smooth(i) ? of(vertex_normals_, i) : std::span<const Point3>(), primitives_[i].pick};
+  const auto normals = is_smooth(i) ? of(vertex_normals_, i) : std::span<const Point3>();
+  if (modellings_.empty())
+    return {points(i), of(edge_visible_, i), normal(i), normals, primitives_[i].pick};
+  return {points(i),           of(edge_visible_, i), normal(i),           normals,
+          primitives_[i].pick, entered_points(i),    &modelling_matrix(i)};
 }
 
 Point3 RetainedScene::normal(std::uint32_t i) const {
@@ -125,6 +156,10 @@ void RetainedScene::in_order_of_entry(const Segment& segment, OnPrimitive&& on_p
 void RetainedScene::enter_viewed(const Segment& part, const Eye& eye, ViewStage& stage,
                                  const glm::dmat3& lights_turned, displayfile::Segment& segment,
                                  const std::function<void(std::uint32_t)>& is_item) const {
+  if (part.touching.kind != Touching::Kind::off) {
+    const ViewVolume& volume = stage.pipeline().volume();
+    segment.keep_entered(part.touching, {volume.matrix(), volume.viewport()});
+  }
   std::optional<std::uint32_t> in_force;
   Attributes attributes;
   std::vector<LineKinds> selected;
@@ -168,7 +203,7 @@ bool RetainedScene::enter_viewed(std::uint32_t i, const Attributes& attributes,
   WorldPolygon world = polygon(i);
   world.edge_visible = sides;
   if (has_shared()) return stage.enter_shared(corners(i), world, attributes, segment);
-  return !stage.enter_polygon(world, attributes, segment).empty();
+  return stage.enter_polygon(world, attributes, segment);
 }
 
 /// The points of a segment of another scene, as they were entered there too.
@@ -192,7 +227,7 @@ void RetainedScene::append_points(const RetainedScene& other, const Segment& seg
 
 /// A segment of another scene, with all its primitives; what they shared they share here.
 void RetainedScene::append(const RetainedScene& other, const Segment& segment) {
-  open_segment(segment.name, segment.view);
+  open_segment(segment.name, segment.view, segment.touching);
   const auto moved_by = static_cast<std::uint32_t>(points_.size()) - segment.first_point;
   append_points(other, segment);
   const auto append_primitive = [&](std::uint32_t i) {
@@ -211,10 +246,11 @@ void RetainedScene::append(const RetainedScene& other, const Segment& segment) {
   segments_.back().surfaces = segment.surfaces;
 }
 
-void RetainedScene::open_segment(int name, const View& view) {
+void RetainedScene::open_segment(int name, const View& view, const Touching& touching) {
   const auto points = static_cast<std::uint32_t>(points_.size());
   const auto texts = static_cast<std::uint32_t>(texts_.size());
   segments_.push_back({name, view, size(), size(), points, points, texts, texts, nullptr});
+  segments_.back().touching = touching;
 }
 
 void RetainedScene::close_segment(const LineSelection& lines) {
@@ -276,7 +312,8 @@ void RetainedScene::enter_polygon(const WorldPolygon& polygon, const Attributes&
   begin_primitive(polygon.vertices.size(), attributes, polygon.pick);
   begin_modelling(polygon.modelling);
   const std::span<const Point3> world = polygon.vertices;
-  enter_corners(world, polygon.modelling != nullptr ? polygon.entered : world);
+  enter_corners(world,
+                polygon.modelling != nullptr ? std::span<const Point3>(polygon.entered) : world);
   finish_primitive(polygon);
 }
 
@@ -393,9 +430,9 @@ void RetainedScene::enter_point(const Point3& world, const Point3& entered) {
 }
 
 /// Null: the identity.
-void RetainedScene::begin_modelling(const glm::dmat4* matrix) {
+void RetainedScene::begin_modelling(const ModellingMatrix* matrix) {
   if (matrix == nullptr && modellings_.empty()) return;
-  begin_modelling(matrix == nullptr ? ModellingMatrix(1.0) : ModellingMatrix(*matrix));
+  begin_modelling(matrix == nullptr ? ModellingMatrix(1.0) : *matrix);
 }
 
 /// The matrix of the points that are entered next.

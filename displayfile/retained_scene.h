@@ -4,7 +4,6 @@
 #include <functional>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x3.hpp>
-#include <glm/mat4x4.hpp>
 #include <memory>
 #include <span>
 #include <string>
@@ -18,6 +17,7 @@
 #include "hidden/exact/eye.h"
 #include "hidden/line_kinds.h"
 #include "hidden/primitives.h"
+#include "hidden/touching.h"
 
 namespace displayfile {
 
@@ -53,6 +53,7 @@ class RetainedScene : public Watched<RetainedScene> {
     std::shared_ptr<const SideKinds> sides = nullptr;
     bool intersections = false;  ///< lines are too where polygons pass through each other
     std::vector<Surface> surfaces = {};
+    Touching touching{Touching::Kind::off};
   };
   /// A text is no primitive: it hides nothing.
   struct Text {
@@ -97,6 +98,12 @@ class RetainedScene : public Watched<RetainedScene> {
   }
   /// The indices of its points; there must be shared ones.
   std::span<const std::uint32_t> corners(std::uint32_t i) const { return of(corners_, i); }
+  /// The length of the longest column of the modelling matrices, at least 1.
+  double longest_column() const;
+  /// No world coordinate, nor any of the products that it is a sum of, is larger.
+  double largest_in_world() const;
+  /// No modelling transformation was in force.
+  bool is_entered_in_world() const { return modellings_.empty(); }
   /// A polygon's points as they were entered, before the modelling transformation. What cutting
   /// planes and operations of solids made counts as entered in world coordinates; so do the ends of
   /// lines.
@@ -112,6 +119,8 @@ class RetainedScene : public Watched<RetainedScene> {
     return segment.first < size() ? primitives_[segment.first].first
                                   : static_cast<std::uint32_t>(all_corners());
   }
+  /// The primitive whose first corner that is.
+  std::uint32_t primitive_of_corner(std::uint32_t first) const;
   /// True if the application may see the side that ends at that corner of the primitive, counted
   /// from 0: it is none that cutting a polygon into triangles made.
   bool edge_visible(std::uint32_t i, std::uint32_t corner) const {
@@ -171,7 +180,7 @@ class RetainedScene : public Watched<RetainedScene> {
                     const std::function<void(std::uint32_t)>& is_item) const;
 
   // For the GraphicsSystem, when the call has succeeded.
-  void open_segment(int name, const View& view);
+  void open_segment(int name, const View& view, const Touching& touching = {Touching::Kind::off});
   /// The segment opened last is complete: its lines are those that are selected.
   void close_segment(const LineSelection& lines);
   /// It is not: more is to come.
@@ -192,7 +201,7 @@ class RetainedScene : public Watched<RetainedScene> {
   struct SharedVertices {
     std::span<const Point3> world;
     std::span<const Point3> entered = {};
-    const glm::dmat4* modelling = nullptr;
+    const ModellingMatrix* modelling = nullptr;
   };
   /// A polygon whose vertices are those of these indices among the shared ones.
   void enter_shared(std::span<const std::uint32_t> corners, const WorldPolygon& polygon,
@@ -217,7 +226,7 @@ class RetainedScene : public Watched<RetainedScene> {
   void enter_shared_corner(std::uint32_t corner, const Point3& world, const Point3& entered);
   void enter_corners(std::span<const Point3> points, std::span<const Point3> entered);
   void enter_point(const Point3& world, const Point3& entered);
-  void begin_modelling(const glm::dmat4* matrix);
+  void begin_modelling(const ModellingMatrix* matrix);
   void begin_modelling(const ModellingMatrix& matrix);
   void finish_primitive(const WorldPolygon& polygon);
   void name_points();

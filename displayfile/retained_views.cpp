@@ -12,6 +12,7 @@
 #include "clip/clip_pipeline.h"
 #include "clip/error.h"
 #include "displayfile/scene_lines.h"
+#include "displayfile/shared_planes.h"
 #include "displayfile/view_rounding.h"
 #include "displayfile/view_stage.h"
 #include "hidden/sort/world_tree.h"
@@ -30,6 +31,7 @@ class RetainedViews::Part {
                .hidden_lines = options.hidden_lines},
         world_(std::move(world)),
         items_(world_.items(primitive_of_)),
+        shared_planes_(of_items(shared_planes(world_))),
         any_sides_(world_.selects_lines() ? world_.sides_in_any_view() : std::vector<LineKinds>()),
         tree_(sorted_in_world(), SortOptions{.precision = options.precision,
                                              .names_sides = world_.selects_lines(),
@@ -80,7 +82,16 @@ class RetainedViews::Part {
   Primitives sorted_in_world() const {
     Primitives world = world_.primitives(items_);
     if (!any_sides_.empty()) world.visible = any_sides_;
+    if (lines_.precision.exact) world.planes = shared_planes_;
     return world;
+  }
+
+  std::vector<Primitives::PlanePoints> of_items(
+      const std::vector<Primitives::PlanePoints>& of_primitives) const {
+    std::vector<Primitives::PlanePoints> planes;
+    if (of_primitives.empty()) return planes;
+    for (const std::uint32_t primitive : primitive_of_) planes.push_back(of_primitives[primitive]);
+    return planes;
   }
 
   /// Notes which item of the viewed scene each primitive becomes.
@@ -191,6 +202,7 @@ class RetainedViews::Part {
   RetainedScene world_;
   std::vector<std::uint32_t> primitive_of_;  // the items' primitives
   std::vector<Primitives::Item> items_;
+  std::vector<Primitives::PlanePoints> shared_planes_;
   std::vector<LineKinds> any_sides_;  // empty: no segment selects any
   WorldTree tree_;
   MovingEye moving_eye_;

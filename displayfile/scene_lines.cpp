@@ -17,9 +17,10 @@ namespace {
 /// The items, of which those sides are visible that are drawn.
 class DrawnItems {
  public:
-  explicit DrawnItems(const ViewedScene& scene)
+  explicit DrawnItems(const ViewedScene& scene, bool exact = true)
       : sides_(scene.drawn_sides()), items_(scene.primitives()) {
     items_.visible = sides_;
+    if (!exact) items_.planes = {};  // a ROUNDOFF decides what is in one plane
   }
   DrawnItems(const DrawnItems&) = delete;
   DrawnItems& operator=(const DrawnItems&) = delete;
@@ -71,7 +72,8 @@ std::vector<LineToDraw> lines_to_draw(const ViewedScene& scene) {
 }
 
 FoundLines find_lines(const ViewedScene& scene, HiddenMethod method, const SortOptions& options) {
-  return find_lines(*DrawnItems(scene), scene.picks(), method, options);
+  const DrawnItems items(scene, options.precision.exact);
+  return find_lines(*items, scene.picks(), method, options);
 }
 
 SortedPieces lines_in_order(const ViewedScene& scene, const FoundLines& found,

@@ -10,6 +10,7 @@
 #include "clip/back_face.h"
 #include "clip/view_points.h"
 #include "displayfile/equal_points.h"
+#include "displayfile/polygons_as_entered.h"
 #include "displayfile/view_stage.h"
 #include "hidden/exact/few_centres.h"
 #include "hidden/exact/orientation.h"
@@ -42,6 +43,12 @@ bool is_solid(const Attributes& attributes) {
 }
 
 }  // namespace
+
+struct SceneViewer::Touching {
+  std::shared_ptr<const PolygonsAsEntered> polygons;
+  double reach = 0.0, in_world = 0.0;
+  std::shared_ptr<const TouchingPlanes> planes;  // null: not found yet
+};
 
 /// Some primitives of one segment, and what of them is in the view: the items of a scene whose
 /// points are those of all, and after these its own.
@@ -299,6 +306,7 @@ class SceneViewer::Part {
         return;
       }
       take_points(clipped);
+      seen_->entered_of_item_.push_back(i);
       return seen_->add_item({first, 2, Primitives::Kind::line},
                              {attributes_.fill, attributes_.line, primitive.pick});
     }
@@ -319,6 +327,7 @@ class SceneViewer::Part {
       seen_->note_edges(shared_.corners + own_corner, polygon.edge_visible);
     }
     take_points(polygon.vertices);
+    seen_->entered_of_item_.push_back(i);
     const auto vertices = std::span(seen_->own_points_).last(polygon.vertices.size());
     seen_->add_polygon(first, vertices, {*fill, *viewed.line, primitive.pick}, viewed.shading());
   }
@@ -352,6 +361,10 @@ SceneViewer::SceneViewer(const RetainedScene& scene, const DisplayFile& attribut
 }
 
 bool SceneViewer::bring_up_to_date() {
+  if (scene_ != &taken_.scene()) {
+    viewed_.planes_.reset();
+    if (touching_ != nullptr) touching_->polygons.reset();
+  }
   scene_ = &taken_.scene();
   attributes_ = &taken_.attributes();
   if (taken_.has_same_scene()) {
@@ -377,6 +390,11 @@ void SceneViewer::take_up_scene() {
   blocks_.clear();
   parts_.clear();
   shows_shadows_ = shows_lines_ = is_lit_ = false;
+  const bool may_touch =
+      std::ranges::any_of(scene.segments(), [](const RetainedScene::Segment& segment) {
+        return segment.touching.kind != displayfile::Touching::Kind::off;
+      });
+  touching_ = may_touch ? std::make_shared<Touching>() : nullptr;
   corners_ = all.all_corners();
   selects_lines_ = scene.selects_lines();
   all_edges_drawn_ = !selects_lines_ && std::ranges::find(all.visible, 0) == all.visible.end();
@@ -471,6 +489,7 @@ const ViewedScene& SceneViewer::view(const Wanted& wanted) {
     view_points(wanted, volume);
     if (selects_lines_) scene_->sides_in_view(Eye::of(wanted.view), sides_);
     viewed_.geometry_ = new_number();
+    begin_planes();
   }
   const bool by_centres = wanted.centres_of && !shows_shadows_ && !shows_lines_;
   const Part::InView in_view{*this, wanted, volume, by_centres};
@@ -491,8 +510,72 @@ const ViewedScene& SceneViewer::view(const Wanted& wanted) {
     });
   }
   view_texts(volume);
+  find_radius(volume);
   last_ = wanted;
   return viewed_;
+}
+
+/// Of the items of a viewed scene, in order: those whose points are the scene's begin at the same
+/// corner as there, of the others it was noted.
+void SceneViewer::find_primitives(const RetainedScene& scene, const ViewedScene& viewed,
+                                  std::size_t corners, std::vector<std::uint32_t>& primitives) {
+  primitives.clear();
+  std::uint32_t next = 0;
+  std::size_t noted = 0;
+  for (ViewedScene::Item item = 0; item < viewed.items(); ++item) {
+    const std::uint32_t first = viewed.items_[item].first;
+    if (first >= corners) {
+      next = viewed.entered_of_item_[noted++];
+    } else {
+      while (scene[next].first != first) ++next;
+    }
+    primitives.push_back(next++);
+  }
+}
+
+void SceneViewer::begin_planes() {
+  if (touching_ == nullptr) return viewed_.planes_.reset();
+  if (viewed_.planes_ != nullptr) return viewed_.planes_->are_found.store(false);
+  if (touching_->polygons == nullptr) {
+    auto polygons = std::make_shared<PolygonsAsEntered>();
+    polygons->add(*scene_);
+    touching_->reach = polygons->reach() * scene_->longest_column();
+    touching_->in_world = scene_->largest_in_world();
+    touching_->polygons = std::move(polygons);
+  }
+  viewed_.planes_ = std::make_shared<ViewedScene::Planes>();
+  viewed_.planes_->reach = touching_->reach;
+  viewed_.planes_->find_touching = [touching = touching_] {
+    if (touching->planes == nullptr) {
+      TouchingPlanes planes = touching->polygons->planes();
+      planes.keep_members_alone();
+      touching->planes = std::make_shared<const TouchingPlanes>(std::move(planes));
+    }
+    return touching->planes;
+  };
+  viewed_.planes_->polygon_of = [touching = touching_](std::uint32_t number) {
+    return touching->polygons->polygon(number);
+  };
+  viewed_.planes_->polygon_of_item = [scene = scene_, corners = corners_](std::uint32_t first) {
+    return first < corners ? scene->primitive_of_corner(first) : ViewedScene::kNotEntered;
+  };
+  viewed_.planes_->polygons_of_items = [scene = scene_, corners = corners_](
+                                           const ViewedScene& viewed,
+                                           std::vector<std::uint32_t>& primitives) {
+    find_primitives(*scene, viewed, corners, primitives);
+  };
+}
+
+/// Where the planes were found for another view already, they are had for little.
+void SceneViewer::find_radius(const ViewVolume& volume) {
+  if (touching_ == nullptr) return;
+  if (viewed_.planes_ == nullptr) begin_planes();  // the scene has moved
+  const bool looks_for_them = touching_->planes == nullptr && !has_images();
+  viewed_.planes_->radius = looks_for_them
+                                ? ViewedScene::radius_in(volume.matrix(), touching_->in_world,
+                                                         touching_->reach, viewed_.largest_depth())
+                                : 0.0;
+  if (viewed_.planes_->radius == 0.0) viewed_.planes();  // while the scene is where it is
 }
 
 void SceneViewer::view_points(const Wanted& wanted, const ViewVolume& volume) {
@@ -541,6 +624,11 @@ void SceneViewer::take_parts(Take&& take) {
   for (std::uint32_t segment = 0; segment < segments_.size(); ++segment) {
     if (!segments_[segment].visible) continue;
     viewed_.segments_.push_back({scene_->segments()[segment].name, viewed_.items()});
+    const auto same_image = std::ranges::find_if(segments_, [&](const SegmentNow& other) {
+      return other.visible && other.image == segments_[segment].image;
+    });
+    viewed_.looks_.push_back(
+        {viewed_.items(), static_cast<std::uint32_t>(same_image - segments_.begin())});
     while (k < parts_.size() && parts_[k]->segment() < segment) ++k;
     for (; k < parts_.size() && parts_[k]->segment() == segment; ++k) {
       take(*parts_[k]);

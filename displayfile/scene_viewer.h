@@ -87,6 +87,10 @@ class SceneViewer {
     ImageTransformation image = {};
   };
   void take_up_scene();
+  void begin_planes();
+  void find_radius(const ViewVolume& volume);
+  static void find_primitives(const RetainedScene& scene, const ViewedScene& viewed,
+                              std::size_t corners, std::vector<std::uint32_t>& primitives);
   bool take_segments();
   void share_equal_vertices();
   void view_points(const Wanted& wanted, const ViewVolume& volume);
@@ -98,7 +102,10 @@ class SceneViewer {
   TakenScene taken_;
   const RetainedScene* scene_ = nullptr;  // in the view at hand, as the next
   const DisplayFile* attributes_ = nullptr;
-  std::uint64_t palette_ = 0;       // of all its viewed scenes
+  std::uint64_t palette_ = 0;  // of all its viewed scenes
+  /// Which of the scene's polygons touch, found once for all views; null: none do.
+  struct Touching;
+  std::shared_ptr<Touching> touching_;
   std::vector<Point3> welded_;      // points, if the application shared none
   std::span<const Point3> points_;  // in world coordinates
   std::size_t corners_ = 0;         // of the retained scene

@@ -67,10 +67,18 @@ class Segment {
   void enter_next_polygon(std::uint32_t n, const PointAt& point, const IsDrawn& is_drawn) {
     writable().enter_next_polygon(n, point, is_drawn);
   }
+  /// Keeps the polygons entered from here on as the application entered them, too
+  /// (displayfile/entered_polygons.h). Nothing was entered yet.
+  void keep_entered(const Touching& touching, const EnteredPolygons::Viewed& viewed) {
+    writable().keep_entered(touching, viewed);
+  }
+  /// What is to be called after each polygon that is entered; null if they are not kept.
+  EnteredPolygons* keeping_entered() { return entered_->keeping_entered(); }
   /// Makes room for polygons of so many corners and fill styles in all.
   void reserve_polygons(std::size_t polygons, std::size_t corners, std::size_t fills) {
     constexpr std::size_t kOtherCodes = 3;  // the polygon's own, and a pick identifier
     writable().reserve_more(corners + kOtherCodes * polygons, corners, fills);
+    if (EnteredPolygons* const kept = keeping_entered()) kept->reserve_more(polygons, corners);
   }
   /// In place of all instructions entered so far, those of another segment.
   void take_instructions(Segment&& other) {

@@ -25,13 +25,57 @@ ClippedPolygon ViewStage::clip_smooth(const WorldPolygon& polygon, const Attribu
   return phong_.clip(pipeline_, vertices, edge_visible, normals);
 }
 
-std::span<const Point3> ViewStage::enter_polygon(const WorldPolygon& polygon,
-                                                 const Attributes& attributes, Segment& segment) {
-  return enter(view_polygon(polygon, attributes), attributes, polygon.pick, segment);
+namespace {
+
+const PointRow& as_entered(const WorldPolygon& polygon) {
+  return polygon.modelling == nullptr ? polygon.vertices : polygon.entered;
+}
+
+void note_coordinates(const WorldPolygon& polygon, Segment& segment) {
+  EnteredPolygons* const kept = segment.keeping_entered();
+  if (kept == nullptr) return;
+  for (const Point3& p : as_entered(polygon)) kept->include(p);
+}
+
+/// As the application entered it, beside the instruction that was made of it.
+void keep_entered(const WorldPolygon& polygon, Segment& segment) {
+  EnteredPolygons* const kept = segment.keeping_entered();
+  if (kept != nullptr) kept->enter(as_entered(polygon), polygon.modelling);
+}
+
+}  // namespace
+
+bool ViewStage::enter_polygon(const WorldPolygon& polygon, const Attributes& attributes,
+                              Segment& segment) {
+  note_coordinates(polygon, segment);
+  if (!enter(view_polygon(polygon, attributes), attributes, polygon.pick, segment)) return false;
+  keep_entered(polygon, segment);
+  return true;
+}
+
+void ViewStage::note_entered(std::span<const Point3> vertices, const glm::dmat4x3* modelling,
+                             Segment& segment) {
+  EnteredPolygons* const kept = segment.keeping_entered();
+  if (kept == nullptr) return;
+  kept->begin_shared(vertices.size());
+  entered_shared_ = vertices;
+  modelling_of_shared_ = modelling;
+}
+
+void ViewStage::note_shared(std::span<const std::uint32_t> corners, Segment& segment) const {
+  EnteredPolygons* const kept = segment.keeping_entered();
+  if (kept == nullptr) return;
+  for (const std::uint32_t corner : corners) kept->include(entered_shared_[corner]);
+}
+
+void ViewStage::keep_shared(std::span<const std::uint32_t> corners, Segment& segment) const {
+  EnteredPolygons* const kept = segment.keeping_entered();
+  if (kept != nullptr) kept->enter_shared(entered_shared_, corners, modelling_of_shared_);
 }
 
 void ViewStage::view_vertices(std::span<const Point3> world, std::uint32_t first) {
   first_shared_ = first;
+  entered_shared_ = {};
   shared_.clear();
   shared_.reserve(world.size());
   for (const Point3& p : world) shared_.push_back(pipeline_.view(p));
@@ -50,6 +94,7 @@ std::optional<bool> ViewStage::enter_triangle(std::span<const Point3> world,
                                               const SharedTriangle& triangle,
                                               const Attributes& attributes, Segment& segment) {
   const auto& corners = triangle.corners;
+  note_shared(corners, segment);
   const Outcodes codes = outcodes(corners);
   if (codes.all != 0) return false;  // wholly outside of one plane
   const bool needs_more = (attributes.light && attributes.shadows) || attributes.dark_line;
@@ -70,16 +115,22 @@ std::optional<bool> ViewStage::enter_triangle(std::span<const Point3> world,
   segment.enter_next_polygon(
       3, [&](std::uint32_t i) { return device[i]; },
       [&](std::uint32_t i) { return triangle.edge_visible[i] != 0; });
+  keep_shared(corners, segment);
   return true;
 }
 
 bool ViewStage::enter_shared(std::span<const std::uint32_t> corners, const WorldPolygon& polygon,
                              const Attributes& attributes, Segment& segment) {
+  if (entered_shared_.empty()) {
+    note_coordinates(polygon, segment);
+  } else {
+    note_shared(corners, segment);
+  }
   const bool all_drawn = polygon.edge_visible.empty();
   const Outcodes codes = outcodes(corners);
   if (codes.all != 0) return false;
   if (codes.any != 0 || !polygon.vertex_normals.empty()) {
-    return !enter_polygon(polygon, attributes, segment).empty();
+    return enter_polygon(polygon, attributes, segment);
   }
   device_.clear();
   for (const std::uint32_t corner : corners) device_.push_back(viewed(corner).device);
@@ -87,7 +138,13 @@ bool ViewStage::enter_shared(std::span<const std::uint32_t> corners, const World
   const ClippedPolygon whole{
       device_, all_drawn ? std::span(all_edges_).first(corners.size()) : polygon.edge_visible};
   const ViewedPolygon drawn = view_clipped(whole, polygon, attributes);
-  return !enter(drawn, attributes, polygon.pick, segment).empty();
+  if (!enter(drawn, attributes, polygon.pick, segment)) return false;
+  if (entered_shared_.empty()) {
+    keep_entered(polygon, segment);
+  } else {
+    keep_shared(corners, segment);
+  }
+  return true;
 }
 
 /// BACK-FACE-CHECK (algorithm 9.3) and the light.
@@ -115,14 +172,14 @@ const LineStyle& ViewStage::line_of(const Attributes& attributes, ClippedPolygon
   return attributes.line_of(!dark);
 }
 
-std::span<const Point3> ViewStage::enter(const ViewedPolygon& viewed, const Attributes& attributes,
-                                         std::int32_t pick, Segment& segment) {
+bool ViewStage::enter(const ViewedPolygon& viewed, const Attributes& attributes, std::int32_t pick,
+                      Segment& segment) {
   const ClippedPolygon& polygon = viewed.polygon;
-  if (polygon.vertices.empty()) return {};
+  if (polygon.vertices.empty()) return false;
   enter_styles(*viewed.fill, *viewed.line, attributes, segment);
   segment.set_pick(pick);
   segment.enter_polygon(polygon.vertices, polygon.edge_visible, viewed.shading());
-  return polygon.vertices;
+  return true;
 }
 
 void ViewStage::enter_styles(const FillStyle& fill, const LineStyle& line,
@@ -153,6 +210,9 @@ FillStyle ViewStage::lit_fill(const WorldPolygon& polygon, const Attributes& att
 
 bool ViewStage::enter_line(const Point3& from, const Point3& to, const LineStyle& style,
                            Segment& segment) {
+  if (EnteredPolygons* const kept = segment.keeping_entered()) {
+    for (const Point3& end : {from, to}) kept->include(end);
+  }
   Point3 a, b;
   if (!pipeline_.clip_line(from, to, a, b)) return false;
   segment.set_style(style);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/mat4x3.hpp>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -25,8 +26,8 @@ struct WorldPolygon {
   std::int32_t pick;
   /// The vertices as the application entered them, before the modelling transformation of that
   /// matrix. Null: the vertices are what was entered.
-  std::span<const Point3> entered = {};
-  const glm::dmat4* modelling = nullptr;
+  PointRow entered = std::span<const Point3>();
+  const glm::dmat4x3* modelling = nullptr;
 };
 
 /// What is drawn of a polygon in a view. Valid until the stage's next call, and as long as the
@@ -55,13 +56,16 @@ class ViewStage {
   /// last call: a style is entered only then, but for fills where there is light.
   void attributes_changed() { fill_entered_ = line_entered_ = false; }
 
-  /// What was entered of the polygon, in device coordinates: nothing if it is outside or a back
-  /// face that is removed. Valid until the next call.
-  std::span<const Point3> enter_polygon(const WorldPolygon& polygon, const Attributes& attributes,
-                                        Segment& segment);
+  /// True if something of the polygon was entered: it is neither outside nor a back face that is
+  /// removed.
+  bool enter_polygon(const WorldPolygon& polygon, const Attributes& attributes, Segment& segment);
   /// Views vertices that several polygons share, once each, for enter_shared; they are numbered
   /// from `first` on.
   void view_vertices(std::span<const Point3> world, std::uint32_t first = 0);
+  /// The same vertices as they were entered, before the modelling transformation of that matrix;
+  /// null: in world coordinates. Both must stay as long as the vertices are entered.
+  void note_entered(std::span<const Point3> vertices, const glm::dmat4x3* modelling,
+                    Segment& segment);
   /// A triangle of such vertices.
   struct SharedTriangle {
     std::array<std::uint32_t, 3> corners;      ///< their numbers
@@ -96,8 +100,10 @@ class ViewStage {
   ClippedPolygon clip_smooth(const WorldPolygon& polygon, const Attributes& attributes);
   ViewedPolygon view_clipped(ClippedPolygon clipped, const WorldPolygon& polygon,
                              const Attributes& attributes);
-  std::span<const Point3> enter(const ViewedPolygon& viewed, const Attributes& attributes,
-                                std::int32_t pick, Segment& segment);
+  bool enter(const ViewedPolygon& viewed, const Attributes& attributes, std::int32_t pick,
+             Segment& segment);
+  void note_shared(std::span<const std::uint32_t> corners, Segment& segment) const;
+  void keep_shared(std::span<const std::uint32_t> corners, Segment& segment) const;
   void enter_styles(const FillStyle& fill, const LineStyle& line, const Attributes& attributes,
                     Segment& segment);
   const LineStyle& line_of(const Attributes& attributes, ClippedPolygon& clipped);
@@ -112,6 +118,8 @@ class ViewStage {
   bool fill_entered_ = false, line_entered_ = false;
   std::vector<ViewedVertex> shared_;
   std::uint32_t first_shared_ = 0;
+  std::span<const Point3> entered_shared_;  // the same vertices, if they were noted
+  const glm::dmat4x3* modelling_of_shared_ = nullptr;
   std::vector<Point3> device_;           // of a polygon
   std::vector<std::uint8_t> all_edges_;  // ones
   std::vector<std::uint8_t> no_edges_;   // zeros

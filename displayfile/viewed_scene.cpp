@@ -2,12 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <iterator>
+#include <mutex>
 #include <numeric>
 #include <utility>
 
+#include "clip/back_face.h"
 #include "clip/error.h"
 #include "displayfile/display_file.h"
+#include "displayfile/polygons_as_entered.h"
 #include "hidden/exact/support_plane.h"
 
 namespace displayfile {
@@ -44,6 +49,8 @@ struct ViewedScene::Collector {
   std::span<const LineKinds> kinds{};  // of its sides
   // Items of these styles were added, and none of others since.
   bool fill_added = false, line_added = false;
+  bool is_entered = false;         // polygons are kept as they were entered
+  std::uint32_t next_entered = 0;  // of them all
 
   void fill(const FillStyle& s) {
     fill_style = s;
@@ -72,10 +79,12 @@ struct ViewedScene::Collector {
     if (!look.is_outlined()) return;
     scene.add_item({static_cast<std::uint32_t>(points - 2), 2, Primitives::Kind::line}, look);
     line_added = true;
+    if (is_entered) scene.entered_of_item_.push_back(kNotEntered);
   }
   /// SAVE-POLY-FOR-HSC (algorithm 9.7): collects one polygon.
   void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
     const std::size_t first = points;
+    const std::uint32_t entered = next_entered++;
     take(vertices);
     const auto shading = std::exchange(of_vertices, {});
     const auto of_sides = std::exchange(kinds, {});
@@ -87,6 +96,7 @@ struct ViewedScene::Collector {
       scene.note_sides(first, sides);
     }
     scene.add_polygon(static_cast<std::uint32_t>(first), vertices, look, shading);
+    if (is_entered) scene.entered_of_item_.push_back(entered);
     fill_added = fill_style.kind == FillStyle::Kind::solid;
     line_added = true;
   }
@@ -98,6 +108,191 @@ struct ViewedScene::Collector {
     if (!in_place) scene.own_points_.insert(scene.own_points_.end(), more.begin(), more.end());
   }
 };
+
+/// Of all sources; 0 if it is not small, or not known.
+void ViewedScene::find_radius(Planes& planes) const {
+  for (const Source& source : sources_) {
+    const EnteredPolygons* const kept = source.instructions->as_entered();
+    if (kept == nullptr) continue;
+    if (!source.image.is_identity()) return;
+    planes.reach =
+        std::max(planes.reach, entered_reach(kept->touching(), kept->largest()) * kept->longest());
+  }
+  for (const Source& source : sources_) {
+    const EnteredPolygons* const kept = source.instructions->as_entered();
+    if (kept == nullptr) continue;
+    const double radius =
+        radius_in(kept->viewed().matrix, kept->largest_in_world(), planes.reach, largest_depth_);
+    planes.radius = radius > 0.0 ? std::max(planes.radius, radius) : 0.0;
+    if (radius == 0.0) return;
+  }
+}
+
+/// With u = 2^-53: a world point is a sum of products, off by 4 u of the sum of their sizes, and so
+/// is each homogeneous coordinate of a viewed one; a plane's points are off it by the reach too. W
+/// is at least what it is at the nearest depth in the scene: depth is A + B / W.
+double ViewedScene::radius_in(const glm::dmat4& view, double in_world, double reach,
+                              double largest_depth) {
+  constexpr double kU = 0x1p-53, kLargest = 0x1p-43;
+  const double off = reach + 4.0 * kU * in_world;  // in the world, each coordinate
+  const auto row = [&](int k) {
+    return std::abs(view[0][k]) + std::abs(view[1][k]) + std::abs(view[2][k]);
+  };
+  const auto error = [&](int k) {
+    return row(k) * (off + 4.0 * kU * in_world) + 4.0 * kU * std::abs(view[3][k]);
+  };
+  double least_w = 1.0;
+  if (row(3) > 0.0) {  // perspective: the rows of Z and W are the same but for a factor and a sum
+    int axis = 0;
+    for (int k = 1; k < 3; ++k) {
+      if (std::abs(view[k][3]) > std::abs(view[axis][3])) axis = k;
+    }
+    const double a = view[axis][2] / view[axis][3], b = view[3][2] - a * view[3][3];
+    least_w = 0.5 * std::abs(b) / (largest_depth + std::abs(a));
+  }
+  const double of_row = std::max({error(0), error(1), error(2)});
+  const double radius = 2.0 * (of_row + error(3) * (1.0 + largest_depth)) / least_w + 8.0 * kU;
+  return radius <= kLargest ? radius : 0.0;
+}
+
+namespace {
+
+/// Twice the area of a polygon as entered, along its normal, and what that may be off by where its
+/// vertices are within a reach of a plane.
+struct Normal {
+  Point3 along{0.0};
+  double error = 0.0;
+};
+Normal normal_of(const EnteredPolygon& polygon, double reach) {
+  const auto world = [&](const Point3& p) {
+    return polygon.modelling == nullptr ? p : Point3(*polygon.modelling * glm::dvec4(p, 1.0));
+  };
+  const std::size_t sides = polygon.points.size();
+  if (sides < 3) return {Point3(0.0), std::numeric_limits<double>::infinity()};
+  const Point3 first = world(polygon.points[0]);
+  Normal normal;
+  double size = 0.0, largest = glm::length(first);
+  Point3 before(0.0);
+  for (std::size_t k = 1; k < sides; ++k) {
+    const Point3 p = world(polygon.points[k]), here = p - first;
+    normal.along += glm::cross(before, here);
+    size = std::max(size, glm::length(here));
+    largest = std::max(largest, glm::length(p));
+    before = here;
+  }
+  if (polygon.modelling != nullptr) largest += 4.0 * glm::length((*polygon.modelling)[3]);
+  const double off = reach + 0x1p-47 * largest;
+  normal.error = static_cast<double>(sides) * size * (2.0 * off + 0x1p-48 * size);
+  return normal;
+}
+
+}  // namespace
+
+/// In one plane of normal n they have normals A n + E and B n + F, with E and F no larger than
+/// their errors, so that the cross product of these is no larger than the sum below. True only if
+/// there is a radius, and the planes were not looked for yet.
+bool ViewedScene::is_certainly_apart(Item a, Item b) const {
+  if (!(planes_->radius > 0.0) || planes_->are_found.load(std::memory_order_acquire)) return false;
+  const auto polygon = [this](Item item) {
+    return planes_->polygon_of_item ? planes_->polygon_of_item(items_[item].first)
+                                    : entered_of_item_[item];
+  };
+  const std::uint32_t of_a = polygon(a), of_b = polygon(b);
+  if (of_a == kNotEntered || of_b == kNotEntered) return !planes_->polygon_of_item;
+  const Normal n = normal_of(planes_->polygon_of(of_a), planes_->reach);
+  const Normal m = normal_of(planes_->polygon_of(of_b), planes_->reach);
+  const double n_size = glm::length(n.along), m_size = glm::length(m.along);
+  const double most = (n_size + n.error) * m.error + (m_size + m.error) * n.error +
+                      n.error * m.error + 0x1p-45 * n_size * m_size;
+  return glm::length(glm::cross(n.along, m.along)) > most;
+}
+
+std::span<const Primitives::PlanePoints> ViewedScene::planes() const {
+  if (planes_ == nullptr) return {};
+  if (!planes_->are_found.load(std::memory_order_acquire)) {
+    const std::lock_guard in_turn(planes_->in_turn);
+    if (!planes_->are_found.load(std::memory_order_relaxed)) {
+      find_planes(*planes_);
+      planes_->are_found.store(true, std::memory_order_release);
+    }
+  }
+  return planes_->of_items;
+}
+
+void ViewedScene::find_planes(Planes& found) const {
+  found.of_items.clear();
+  const std::shared_ptr<const TouchingPlanes> touching = found.find_touching();
+  if (touching->touching() == 0) return;
+  if (found.polygons_of_items) {
+    found.polygons_of_items(*this, found.polygons);
+  } else {
+    found.polygons = entered_of_item_;
+  }
+  found.item_of.clear();
+  for (Item item = 0; item < items(); ++item) {
+    const std::uint32_t polygon = found.polygons[item];
+    if (polygon == kNotEntered) continue;
+    if (polygon >= found.item_of.size()) found.item_of.resize(std::size_t{polygon} + 1, kNone);
+    found.item_of[polygon] = item;
+  }
+  const auto look = [this](Item item) { return look_of(item); };
+  for (std::size_t k = 0; k < touching->shared_planes(); ++k) {
+    const auto members = touching->members(k);
+    found.in_plane.clear();
+    for (const std::uint32_t polygon : members) {
+      if (polygon >= found.item_of.size() || found.item_of[polygon] == kNone) continue;
+      const PointRow vertices = points(found.item_of[polygon]);
+      if (support_vertices({vertices.data(), vertices.size()}).edge_on) continue;
+      found.in_plane.push_back(found.item_of[polygon]);
+    }
+    if (looks_.size() > 1) std::ranges::stable_sort(found.in_plane, {}, look);
+    const std::uint32_t founder =
+        members.front() < found.item_of.size() ? found.item_of[members.front()] : kNone;
+    for (std::size_t first = 0, end = 0; first < found.in_plane.size(); first = end) {
+      while (end < found.in_plane.size() &&
+             look(found.in_plane[end]) == look(found.in_plane[first])) {
+        ++end;
+      }
+      share_plane(std::span(found.in_plane).subspan(first, end - first), founder, found.of_items);
+    }
+  }
+}
+
+namespace {
+
+/// Where a plane is so steep rounding decides how it lies; far from the polygon that it was taken
+/// from it would be anywhere.
+bool is_nearly_edge_on(const Plane& plane) {
+  constexpr double kSteepest = 0x1p20;
+  const Point3 normal = glm::abs(plane.normal);
+  return !(std::max(normal.x, normal.y) <= kSteepest * normal.z);
+}
+
+}  // namespace
+
+/// Of several polygons of a plane, viewed alike and none of them edge-on, the one whose plane it is
+/// as entered stands for it; or else, if that is not in the scene or little of it, from which the
+/// plane would be known badly elsewhere, the one that is seen largest.
+void ViewedScene::share_plane(std::span<const std::uint32_t> in_plane, std::uint32_t founder,
+                              std::vector<Primitives::PlanePoints>& of_items) const {
+  if (in_plane.size() < 2) return;
+  const auto area = [&](Item item) {
+    constexpr double kOfFounder = 16.0;
+    return std::abs(newell_c(points(item))) * (item == founder ? kOfFounder : 1.0);
+  };
+  const Item largest = *std::ranges::max_element(in_plane, {}, area);
+  const PointRow vertices = points(largest);
+  const auto index = support_vertices({vertices.data(), vertices.size()}).index;
+  Primitives::PlanePoints plane;
+  for (std::size_t k = 0; k < 3; ++k) plane[k] = point_number(items_[largest].first + index[k]);
+  if (is_nearly_edge_on({points_[plane[0]], points_[plane[1]], points_[plane[2]]})) return;
+  if (of_items.empty()) of_items.resize(items(), {Primitives::kOwnPlane, 0, 0});
+  for (const Item item : in_plane) of_items[item] = plane;
+}
+
+std::uint32_t ViewedScene::look_of(Item item) const {
+  return looks_.size() < 2 ? 0 : style_at(looks_, item);
+}
 
 void ViewedScene::note_edges(std::size_t first, std::span<const std::uint8_t> visible) {
   edge_visible_.resize(first, 1);
@@ -168,6 +363,8 @@ void ViewedScene::clear() {
   shadows_.clear();
   has_lines_ = false;
   largest_depth_ = 0.0;
+  entered_of_item_.clear();
+  looks_.clear();
 }
 
 void ViewedScene::append(const ViewedScene& part, std::size_t corners, std::size_t points) {
@@ -216,6 +413,7 @@ void ViewedScene::append(const ViewedScene& part, std::size_t corners, std::size
     }
   }
   fills_ += part.fills_;
+  append_all(entered_of_item_, part.entered_of_item_);
   const std::size_t end = items_.size();
   append_all(items_, part.items_);
   append_all(pick_, part.pick_);
@@ -303,12 +501,45 @@ void ViewedScene::collect(const std::shared_ptr<const Instructions>& entered,
     mark.upward = ImageMatrix(image).apply(mark.upward);
     surfaces_.push_back(mark);
   }
-  entered->walk_transformed(image, Collector{*this, in_place, own_points_.size()});
+  Collector collector{*this, in_place, own_points_.size()};
+  if (const EnteredPolygons* const kept = entered->as_entered(); kept != nullptr) {
+    entered_of_item_.resize(items_.size(), kNotEntered);
+    looks_.push_back({this->items(), look_of_source(*kept, image)});
+    collector.is_entered = true;
+    collector.next_entered = entered_polygons_;
+    entered_polygons_ += static_cast<std::uint32_t>(kept->size());
+  }
+  entered->walk_transformed(image, collector);
+}
+
+/// That of the first source that is viewed like it.
+std::uint32_t ViewedScene::look_of_source(const EnteredPolygons& kept,
+                                          const ImageTransformation& image) const {
+  std::uint32_t number = 0;
+  for (const Source& source : sources_) {
+    const EnteredPolygons* const other = source.instructions->as_entered();
+    if (other != nullptr && other->viewed() == kept.viewed() && source.image == image) break;
+    ++number;
+  }
+  return number;
 }
 
 /// The arrays have their final places.
 void ViewedScene::finish(bool in_place) {
   points_ = in_place ? sources_.front().instructions->stored_points() : own_points_;
+  if (!entered_of_item_.empty()) {
+    entered_of_item_.resize(items_.size(), kNotEntered);
+    planes_ = std::make_shared<Planes>();
+    PolygonsAsEntered polygons;
+    for (const Source& source : sources_) {
+      if (const auto* kept = source.instructions->as_entered()) polygons.add(*kept);
+    }
+    planes_->polygon_of = [polygons](std::uint32_t number) { return polygons.polygon(number); };
+    planes_->find_touching = [polygons] {
+      return std::make_shared<const TouchingPlanes>(polygons.planes());
+    };
+    find_radius(*planes_);
+  }
   if (!edge_visible_.empty()) edge_visible_.resize(points_.size(), 1);
 }
 
@@ -329,7 +560,7 @@ bool ViewedScene::is_of(const DisplayFile& display_file) const {
 }
 
 std::vector<std::uint8_t> ViewedScene::drawn_sides() const {
-  std::vector<std::uint8_t> drawn(primitives().all_corners(), 0);
+  std::vector<std::uint8_t> drawn(corners_.empty() ? points_.size() : corners_.size(), 0);
   for (std::size_t k = 0; k < lines_.size(); ++k) {
     if (lines_[k].style.kind == LineStyle::Kind::none) continue;
     const Item end = k + 1 < lines_.size() ? lines_[k + 1].first : items();

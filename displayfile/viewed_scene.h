@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,6 +22,7 @@
 #include "displayfile/vertex_values.h"
 #include "hidden/exact/plane.h"
 #include "hidden/primitives.h"
+#include "hidden/touching_planes.h"
 
 namespace displayfile {
 
@@ -48,6 +52,9 @@ struct ViewedText {
 /// later has the larger number.
 ///
 /// Texts hide nothing and are drawn after all else: they are no items.
+///
+/// Polygons that lie in one plane as they were entered (hidden/touching_planes.md) lie in one plane
+/// here: that of one of them stands for the planes of all.
 class ViewedScene {
  public:
   using Item = std::uint32_t;
@@ -78,8 +85,10 @@ class ViewedScene {
   // ---- Items -----------------------------------------------------------------------------
 
   Primitives primitives() const {
-    return {points_, corners_, edge_visible_, items_, {}, surfaces_};
+    return {points_, corners_, edge_visible_, items_, planes(), surfaces_};
   }
+  /// As Primitives::planes. They are found when they are first needed, by whichever thread.
+  std::span<const Primitives::PlanePoints> planes() const;
   std::uint32_t items() const { return static_cast<std::uint32_t>(items_.size()); }
   Primitives::Kind kind(Item item) const { return items_[item].kind; }
   PointRow points(Item item) const {
@@ -151,6 +160,19 @@ class ViewedScene {
   std::size_t all_points() const { return points_.size(); }
   /// The fills' vertices have none larger, |z|.
   double largest_depth() const { return largest_depth_; }
+  /// Where polygons may touch by as little as rounding does: what bounds how far points of one
+  /// plane as entered are apart in the scene, in each coordinate. Which fills lie in one plane is
+  /// looked for where two are that close. 0 if nothing touches, or the planes are found.
+  double touching_radius() const { return planes_ == nullptr ? 0.0 : planes_->radius; }
+  Plane plane_through(const Primitives::PlanePoints& plane) const {
+    return {points_[plane[0]], points_[plane[1]], points_[plane[2]]};
+  }
+  /// The plane that the fill shares with others as entered, the same for all of these, or else its
+  /// own.
+  Plane plane_in_common(Fill fill) const {
+    const auto* const shared = shared_plane(item_of(fill));
+    return shared != nullptr ? plane_through(*shared) : plane(fill);
+  }
   /// The plane through the support vertices (interp/truth/truth.md), which are not in line.
   Plane plane(Fill fill) const {
     const Item item = item_of(fill);
@@ -158,6 +180,17 @@ class ViewedScene {
     if (items_[item].sides == 3) return {point(first), point(first + 1), point(first + 2)};
     const auto& [p, q, r] = of_many_sided_[many_sided_[item]].support;
     return {point(first + p), point(first + q), point(first + r)};
+  }
+  /// The plane that the item's polygon shares with others as entered; null if it shares none.
+  const Primitives::PlanePoints* shared_plane(Item item) const {
+    const auto all = planes();
+    return all.empty() || all[item][0] == Primitives::kOwnPlane ? nullptr : &all[item];
+  }
+  /// As they were entered.
+  bool are_in_one_plane(Fill a, Fill b) const {
+    if (planes_ == nullptr || is_certainly_apart(item_of(a), item_of(b))) return false;
+    const auto *of_a = shared_plane(item_of(a)), *of_b = shared_plane(item_of(b));
+    return of_a != nullptr && of_b != nullptr && *of_a == *of_b;
   }
   /// How many corners the polygons of more than three sides have in all; and those before a fill
   /// that is one of them.
@@ -204,12 +237,43 @@ class ViewedScene {
     std::size_t codes;
   };
 
+  static constexpr std::uint32_t kNotEntered = kNone;
+  /// The planes of the items, found when they are first needed.
+  struct Planes {
+    std::function<std::shared_ptr<const TouchingPlanes>()> find_touching;
+    /// Writes the number of each item's polygon among those entered; if empty they are
+    /// entered_of_item_.
+    std::function<void(const ViewedScene&, std::vector<std::uint32_t>&)> polygons_of_items;
+    /// A polygon as it was entered, by its number; empty if that is not at hand.
+    TouchingPlanes::PolygonOf polygon_of;
+    /// The number of the polygon whose first corner that is, or kNotEntered where that is not at
+    /// hand; if empty they are entered_of_item_.
+    std::function<std::uint32_t(std::uint32_t)> polygon_of_item;
+    double reach = 0.0;   ///< in world coordinates, the largest
+    double radius = 0.0;  ///< touching_radius
+    std::mutex in_turn;
+    std::atomic<bool> are_found = false;
+    std::vector<Primitives::PlanePoints> of_items;           ///< empty: none lie in one plane
+    std::vector<std::uint32_t> polygons, item_of, in_plane;  // memory of find_planes
+  };
+  std::uint32_t look_of(Item item) const;
+  bool is_certainly_apart(Item a, Item b) const;
+  /// touching_radius, from the view's matrix and bounds of world coordinates and of the reach
+  /// there.
+  static double radius_in(const glm::dmat4& view, double in_world, double reach,
+                          double largest_depth);
+  void find_radius(Planes& planes) const;
+  void find_planes(Planes& found) const;
+  void share_plane(std::span<const std::uint32_t> in_plane, std::uint32_t founder,
+                   std::vector<Primitives::PlanePoints>& of_items) const;
+  std::uint32_t look_of_source(const EnteredPolygons& kept, const ImageTransformation& image) const;
   void collect(std::span<const Segment* const> segments);
   void collect(const std::shared_ptr<const Instructions>& entered, const ImageTransformation& image,
                bool in_place);
-  const Point3& point(std::uint32_t corner) const {
-    return points_[corners_.empty() ? corner : corners_[corner]];
+  std::uint32_t point_number(std::uint32_t corner) const {
+    return corners_.empty() ? corner : corners_[corner];
   }
+  const Point3& point(std::uint32_t corner) const { return points_[point_number(corner)]; }
   void finish(bool in_place);
   void add_item(const Primitives::Item& item, const Look& look);
   /// A polygon of which something can be seen, its first corner and its vertices.
@@ -291,6 +355,13 @@ class ViewedScene {
   void note_sides(std::size_t first, std::span<const std::int32_t> codes);
 
   std::vector<Source> sources_;
+  /// The number of each item's polygon among those entered, or kNotEntered; of a scene in a new
+  /// view those of the items that have points of their own.
+  std::vector<std::uint32_t> entered_of_item_;
+  std::uint32_t entered_polygons_ = 0;  // of all sources
+  /// The number of how the items from one on are viewed: by which view, viewport and image.
+  std::vector<Run<std::uint32_t>> looks_;
+  std::shared_ptr<Planes> planes_;  // null: none touch
   std::span<const Point3> points_;  // the source's own, or else own_points_
   std::vector<Point3> own_points_;
   std::vector<std::uint32_t> corners_;      // their points; empty: these in a row

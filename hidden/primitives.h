@@ -31,9 +31,10 @@ struct Primitives {
   /// kinds of lines (hidden/line_kinds.h). Empty: all are, and nobody asked as which.
   std::span<const std::uint8_t> visible;
   std::span<const Item> items;
-  /// The plane that each polygon counts as lying in, for the map and who finds lines: three points
-  /// that are not in line in the projection, maybe another's; each of its vertices counts as moved
-  /// along z on to it. Empty, and where the first is kOwnPlane: the support plane.
+  /// The plane that each polygon counts as lying in: three points that are not in line in the
+  /// projection, maybe another's; each of its vertices counts as moved along z on to it. Polygons
+  /// with the same three lie in one plane. Empty, and where the first is kOwnPlane: the support
+  /// plane. The sorts take from it alone which polygons lie in one plane.
   using PlanePoints = std::array<std::uint32_t, 3>;
   std::span<const PlanePoints> planes = {};
   static constexpr std::uint32_t kOwnPlane = 0xffffffffu;

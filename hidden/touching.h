@@ -23,6 +23,13 @@ struct Touching {
 /// The reach before the modelling transformation. `largest` is the largest magnitude of a
 /// coordinate that was entered, of polygons and lines.
 double entered_reach(const Touching& touching, double largest);
+/// What holds unless it is set.
+inline constexpr Touching kUnlessSet{Touching::Kind::automatic};
+
+/// Throws Error unless a length is above 0 and at most kCoordinateLimit.
+void require_touching(const Touching& touching);
+/// As `touching` reads it.
+std::string word_of(const Touching& touching);
 
 /// `auto`, `off` or a positive number up to kCoordinateLimit; throws Error for anything else.
 Touching touching(std::string_view word);

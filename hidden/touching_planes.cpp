@@ -483,4 +483,10 @@ std::size_t TouchingPlanes::bytes() const {
   return size(modellings_) + size(planes_) + size(plane_) + size(first_member_) + size(members_);
 }
 
+void TouchingPlanes::keep_members_alone() {
+  modellings_ = {};
+  planes_ = {};
+  plane_ = {};
+}
+
 }  // namespace displayfile

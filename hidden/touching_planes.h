@@ -56,6 +56,10 @@ class TouchingPlanes {
   /// has no plane. With a reach of 0: if it is on the plane.
   bool lies_in(const Point3& entered, const glm::dmat4x3* modelling, std::uint32_t polygon) const;
 
+  /// Keeps shared_planes, members and touching alone, in little memory: nothing else may be called
+  /// from here on.
+  void keep_members_alone();
+
   const Counts& counts() const { return counts_; }
   std::size_t bytes() const;  ///< of the arrays, as used
 

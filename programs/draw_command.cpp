@@ -186,6 +186,7 @@ ViewsDrawn DrawCommand::views_drawn() const {
 MeshWords DrawCommand::entering() const {
   MeshWords words = meshes;
   words.lines = hidden_surfaces.line_selection();
+  words.touching = hidden_surfaces.touching_in_force();
   const bool for_pens = paper.pens || !paper.hatch.empty();
   if (for_pens && !words.lines && !std::ranges::all_of(inputs, is_drawing_program)) {
     words.lines_of_meshes = displayfile::line_selection("outline,boundary,crease");
@@ -351,6 +352,7 @@ int DrawCommand::run() {
   const DrawOptions drawing = all_options();
   shading.shading();
   hidden_surfaces.line_selection();
+  hidden_surfaces.touching_in_force();
   views_drawn();
   if (pick) pick_option(*pick);
   if (pick && turntable) {

@@ -29,6 +29,7 @@ int DumpCommand::run() {
   require_files_of_their_own({output}, inputs, lists);
   MeshWords entering = meshes;
   entering.lines = hidden_surfaces.line_selection();
+  entering.touching = hidden_surfaces.touching_in_force();
   const DrawnFile drawn =
       as_drawn(inputs, hidden_surfaces.options(threads), entering, size.aspect());
   if (output.empty()) {

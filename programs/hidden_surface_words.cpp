@@ -39,6 +39,31 @@ void HiddenSurfaceWords::add_to(CLI::App& command) {
                   "over fills")
       ->type_name("none|dashed")
       ->group(kHiddenSurfaceOptions);
+  add_touching_option(command, touching);
+}
+
+void add_touching_option(CLI::App& command, std::optional<std::string>& touching) {
+  command
+      .add_option("--touching", touching,
+                  "within which distance polygons touch, in place of what programs set: what "
+                  "touches a plane lies in it, and of polygons in one plane the one entered later "
+                  "is seen; auto (by the precision of the numbers), off, or a length in the "
+                  "coordinates of the input")
+      ->type_name("auto|off|LENGTH")
+      ->group(kHiddenSurfaceOptions);
+}
+
+Touching touching_of_option(const std::string& word) {
+  try {
+    return touching(word);
+  } catch (const Error& error) {
+    throw Error("--touching: " + std::string(error.what()));
+  }
+}
+
+std::optional<Touching> HiddenSurfaceWords::touching_in_force() const {
+  if (!touching) return std::nullopt;
+  return touching_of_option(*touching);
 }
 
 HiddenSurfaceOptions HiddenSurfaceWords::options(int threads) const {

@@ -7,6 +7,7 @@
 #include "clip/error.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/output_file.h"
+#include "programs/hidden_surface_words.h"
 #include "programs/input_names.h"
 #include "programs/inputs.h"
 #include "programs/output_paths.h"
@@ -24,6 +25,7 @@ CLI::App& ImportCommand::add_to(CLI::App& app) {
   shading.add_to(command);
   size.add_to(command);
   options.add_to(command);
+  add_touching_option(command, touching);
   return command;
 }
 
@@ -35,6 +37,7 @@ int ImportCommand::run() {
   const Shading start_with = shading.shading();
   const MeshOptions entering = options.options();
   const double aspect = size.aspect();
+  const auto in_force = touching ? std::optional(touching_of_option(*touching)) : std::nullopt;
   OutputFile file(output);
   GraphicsSystem system;
   Recorder recorder(file.stream());
@@ -45,6 +48,7 @@ int ImportCommand::run() {
   options.start(system, aspect);
   system.set_window_fit(WindowFit::widen);  // whatever the size that it will be drawn in
   if (start_with != Shading::flat) system.set_shading(start_with);
+  if (in_force) system.set_touching(*in_force);
   const Progress progress("importing " + meshes.front());
   std::vector<Mesh::Skipped> skipped;
   {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct ImportCommand {
   PictureSizeWord size;  ///< of the picture that the window is made for
   ShadingWord shading;   ///< gouraud: with normals of vertices
   MeshWords options;
+  std::optional<std::string> touching;
   std::string output;
 
   CLI::App& add_to(CLI::App& app);

@@ -37,6 +37,7 @@ MeshOptions MeshWords::options() const {
 void MeshWords::start(GraphicsSystem& system, double aspect) const {
   CameraWords::start(system, aspect);
   if (lines) system.replace_lines(*lines);
+  if (touching) system.replace_touching(*touching);
   // Lines are selected among what is retained, also after a program's segments.
   if (lines_of_meshes) system.retain();
 }

@@ -17,6 +17,8 @@ struct MeshWords : CameraWords {
   std::string colour;
   ImportWords import;
   std::optional<LineSelection> lines;  ///< no option: what --lines selects of all inputs
+  /// No option: what --touching sets of all inputs.
+  std::optional<Touching> touching;
   /// No option: the lines of meshes, where neither --lines nor a program selects any.
   std::optional<LineSelection> lines_of_meshes;
 

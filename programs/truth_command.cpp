@@ -17,11 +17,11 @@
 #include "displayfile/output_file.h"
 #include "displayfile/retained_scene.h"
 #include "displayfile/text/dump.h"
-#include "hidden/touching.h"
 #include "interp/files/npy_file.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
 #include "interp/truth/world_truth.h"
+#include "programs/hidden_surface_words.h"
 #include "programs/input_names.h"
 #include "programs/inputs.h"
 #include "programs/number_in.h"
@@ -50,11 +50,7 @@ CLI::App& TruthCommand::add_to(CLI::App& app) {
                   "arithmetic too; or entered: modelling transformations too, and polygons that "
                   "touch lie in one plane. The last two print how many pixels of the first differ")
       ->type_name("display-file|world|entered");
-  command
-      .add_option("--touching", touching,
-                  "with --from entered, within which distance polygons touch: auto, by the "
-                  "precision of doubles; off; or a length in the coordinates of the input")
-      ->type_name("auto|off|LENGTH");
+  add_touching_option(command, touching);
   command
       .add_option("--seen-lines", seen_lines,
                   "what is seen of the lines that are drawn, as a dump: that of a right method of "
@@ -92,10 +88,10 @@ int TruthCommand::run() {
     throw Error(fmt::format(
         "--from {}: lines are judged in display-file coordinates: expected --ids alone", from));
   }
-  const Touching as_set = touching.empty() ? Touching{} : displayfile::touching(touching);
-  if (!touching.empty() && from_what != From::entered) {
-    throw Error("--touching: expected --from entered");
+  if (touching && from_what == From::world) {
+    throw Error("--touching: expected --from display-file or entered");
   }
+  if (touching) meshes.touching = touching_of_option(*touching);
   if (ids.empty() && !depth.empty() && wants_lines()) {
     throw Error("--depth: expected --ids too");
   }
@@ -125,7 +121,7 @@ int TruthCommand::run() {
   if (lines_file) write_seen_lines(file, lines_file->stream());
   if (!hidden.empty()) status = judge_lines(file, judging, report);
   if (!ids.empty() || retains) {
-    const Picture picture = true_picture(system, retained, {from_what, as_set}, report);
+    const Picture picture = true_picture(system, retained, from_what, report);
     for (const auto& array : arrays) array->write(picture);
   }
   if (lines_file) lines_file->finish();
@@ -139,8 +135,7 @@ int TruthCommand::run() {
 /// That of the display file; or one from before viewing, and then the report has the number of
 /// pixels in which the two differ.
 Picture TruthCommand::true_picture(const GraphicsSystem& system, const RetainedScene& retained,
-                                   const Judging& judged, std::string& report) const {
-  const From judged_from = judged.from;
+                                   From judged_from, std::string& report) const {
   const DisplayFile& file = system.display_file();
   int width = 0, height = 0;
   size.read(width, height);
@@ -159,7 +154,7 @@ Picture TruthCommand::true_picture(const GraphicsSystem& system, const RetainedS
       return world_truth(retained, file, width, height, !depth.empty(), progress);
     }
     EnteredTruth entered =
-        entered_truth(retained, file, width, height, !depth.empty(), judged.touching, progress);
+        entered_truth(retained, file, width, height, !depth.empty(), std::nullopt, progress);
     touching_polygons = entered.touching;
     return std::move(entered.picture);
   });

@@ -8,7 +8,6 @@
 
 #include "displayfile/display_file.h"
 #include "displayfile/retained_scene.h"
-#include "hidden/touching.h"
 #include "interp/picture.h"
 #include "interp/truth/judged_lines.h"
 #include "programs/mesh_words.h"
@@ -27,7 +26,7 @@ struct TruthCommand {
   std::string depth;  ///< not written if empty
 
   std::string from = "display-file";
-  std::string touching;  ///< as it was written; empty: automatic
+  std::optional<std::string> touching;
 
   std::string seen_lines;  ///< not written if empty
   std::string hidden;      ///< a method of lines that is judged, if not empty
@@ -47,12 +46,8 @@ struct TruthCommand {
   std::ostream& reports() const;
   void write_seen_lines(const DisplayFile& file, std::ostream& to) const;
   int judge_lines(const DisplayFile& file, const LineJudging& judging, std::string& report) const;
-  struct Judging {
-    From from;
-    Touching touching;  ///< if it is from what was entered
-  };
   Picture true_picture(const GraphicsSystem& system, const RetainedScene& retained,
-                       const Judging& judged, std::string& report) const;
+                       From judged_from, std::string& report) const;
 };
 
 }  // namespace displayfile

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
+#include <cstdlib>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -88,6 +91,24 @@ TEST(HiddenLinesTruth, WithRoundoffSomeAreWrong) {
 
 /// The oracle's drawing of lines is that of a method that is right, instruction by instruction:
 /// groups of segments, image transformations, styles, pick identifiers, texts.
+/// Word by word, numbers within rounding: where a polygon touches another at a vertex, the truth
+/// may have an end one unit of the last place beside it.
+void expect_nearly_equal(const std::string& a, const std::string& b) {
+  std::istringstream words_a(a), words_b(b);
+  std::string word_a, word_b;
+  while (words_a >> word_a) {
+    ASSERT_TRUE(words_b >> word_b) << word_a;
+    if (word_a == word_b) continue;
+    for (const std::string& word : {word_a, word_b}) {
+      ASSERT_TRUE(std::isdigit(static_cast<unsigned char>(word.back())) != 0)
+          << word_a << " " << word_b;
+    }
+    ASSERT_NEAR(std::strtod(word_a.c_str(), nullptr), std::strtod(word_b.c_str(), nullptr), 1e-14)
+        << word_a << " " << word_b;
+  }
+  EXPECT_FALSE(words_b >> word_b) << word_b;
+}
+
 TEST(HiddenLinesTruth, IsTheSameDrawing) {
   const HiddenSurfaceOptions options{.method = HiddenMethod::franklin,
                                      .scope = HiddenScope::all,
@@ -96,7 +117,8 @@ TEST(HiddenLinesTruth, IsTheSameDrawing) {
   test::for_each_in_gallery([&](const std::string&, const test::Retained& retained) {
     const DisplayFile truth = true_line_drawing(retained.system.display_file(), 2);
     SortedDisplayFile sorted;
-    EXPECT_EQ(dump(truth), dump(sorted.update(retained.system, HiddenMethod::franklin, options)));
+    expect_nearly_equal(dump(truth),
+                        dump(sorted.update(retained.system, HiddenMethod::franklin, options)));
     lines += truth.sorted()->counts.pieces > 0 ? 1 : 0;
     EXPECT_TRUE(judged_lines(retained.system.display_file(), {.method = HiddenMethod::roberts})
                     .are_right());

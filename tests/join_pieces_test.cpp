@@ -50,6 +50,7 @@ struct Scene {
 
 DrawnPieces sorted_pieces(const Scene& scene, HiddenMethod method) {
   GraphicsSystem system;
+  system.set_touching({Touching::Kind::off});  // places are judged by these coordinates
   system.set_window(0, 1, 0, 1);
   system.set_view_depth(-1, 0);
   system.open_segment(1);

@@ -84,6 +84,11 @@ Precision ProgramLine::take<Precision>() {
 }
 
 template <>
+Touching ProgramLine::take<Touching>() {
+  return understood(take_word(), touching);
+}
+
+template <>
 TextStyle::Alignment ProgramLine::take<TextStyle::Alignment>() {
   return understood(take_word(), alignment);
 }

@@ -32,6 +32,8 @@ WindowFit ProgramLine::take<WindowFit>();
 template <>
 Precision ProgramLine::take<Precision>();
 template <>
+Touching ProgramLine::take<Touching>();
+template <>
 TextStyle::Alignment ProgramLine::take<TextStyle::Alignment>();
 
 }  // namespace displayfile

@@ -260,6 +260,11 @@ constexpr auto kHiddenSurfaces = std::to_array<Routine>({
         "exact, and the lines over it heed a ROUNDOFF [exact; EPS 1e-9]."),
     fixed<&G::set_hidden_lines>("set-hidden-lines", "none|dashed",
                                 "Whether lines are drawn dashed where they are hidden [none]."),
+    fixed<&G::set_touching>(
+        "set-touching", "auto|off|LENGTH",
+        "Within which distance polygons of segments opened from then on touch: what touches a "
+        "plane lies in it, and of polygons in one plane the one entered later is seen. auto is by "
+        "the precision of the numbers, a LENGTH is before the modelling transformation [auto]."),
     fixed<&G::set_z_buffer>("set-z-buffer", "on|off",
                             "The interpreter's z-buffer, whatever the method [off]."),
 });

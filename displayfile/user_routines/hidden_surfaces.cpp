@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <string>
+#include <string_view>
+
 #include "clip/error.h"
 
 namespace displayfile {
@@ -44,6 +47,20 @@ void GraphicsSystem::set_precision(const Precision& precision) {
 void GraphicsSystem::set_hidden_lines(HiddenLines lines) {
   sort_options_.hidden_lines = lines;
   record("set-hidden-lines", {name_of(lines)});
+}
+
+void GraphicsSystem::set_touching(const Touching& touching) {
+  require_touching(touching);
+  if (!touching_replaced_) touching_ = touching;
+  if (recorder_ == nullptr) return;
+  const std::string word = word_of(touching);
+  record("set-touching", {std::string_view(word)});
+}
+
+void GraphicsSystem::replace_touching(const Touching& touching) {
+  require_touching(touching);
+  touching_ = touching;
+  touching_replaced_ = true;
 }
 
 void GraphicsSystem::set_z_buffer(bool on) {

@@ -217,7 +217,8 @@ void GraphicsSystem::polygons_abs_3(const ManyPolygons& many) {
         const std::span<const Point3> of_all = shared_world(vertices);
         is_solid = is_solid && !open_side(of_all, corners, sides);
         if (!is_solid && solids_.empty() && normals.empty()) {
-          make_room_for_shared(of_all, polygons, corners.size(), styles);
+          make_room_for_shared({of_all, vertices, modelling_matrix()}, polygons, corners.size(),
+                               styles);
         }
         return of_all;
       });
@@ -285,12 +286,16 @@ std::span<const Point3> GraphicsSystem::shared_world(std::span<const Point3> ver
   return shared_world_;
 }
 
-void GraphicsSystem::make_room_for_shared(std::span<const Point3> world, std::size_t polygons,
-                                          std::size_t corners, std::size_t fills) {
-  if (RetainedScene* scene = retaining()) scene->begin_shared(world.size(), polygons, corners);
+void GraphicsSystem::make_room_for_shared(const RetainedScene::SharedVertices& shared,
+                                          std::size_t polygons, std::size_t corners,
+                                          std::size_t fills) {
+  const std::size_t vertices = shared.world.size();
+  if (RetainedScene* scene = retaining()) scene->begin_shared(vertices, polygons, corners);
   if (retains_alone_) return;
-  view_stage_->view_vertices(world);
-  display_file_.segment(*open_).reserve_polygons(polygons, corners, fills);
+  Segment& segment = display_file_.segment(*open_);
+  view_stage_->view_vertices(shared.world);
+  view_stage_->note_entered(shared.entered, shared.modelling, segment);
+  segment.reserve_polygons(polygons, corners, fills);
 }
 
 /// One polygon of many.
@@ -315,8 +320,13 @@ void GraphicsSystem::enter_shared(const RetainedScene::SharedVertices& shared,
     world_points_.assign(vertices.begin(), vertices.end());
     return enter_triangles(entered, normal, {}, pick);
   }
-  const WorldPolygon polygon{
-      std::span<const Point3>(vertices), {}, normal, {}, pick, entered, shared.modelling};
+  const WorldPolygon polygon{std::span<const Point3>(vertices),
+                             {},
+                             normal,
+                             {},
+                             pick,
+                             std::span<const Point3>(entered),
+                             shared.modelling};
   if (!solids_.empty()) return enter(polygon);
   if (cutting && cutting_planes_.cut_some(vertices)) return enter_cut(polygon);
   if (RetainedScene* scene = retaining()) scene->enter_shared(corners, polygon, attributes_);

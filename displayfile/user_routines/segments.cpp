@@ -29,10 +29,13 @@ void GraphicsSystem::open_segment(int name) {
   if (open_) throw Error(fmt::format("segment already open: segment {}; close it first", *open_));
   const View view = windows_.in_picture(view_, said_);
   const ViewVolume volume(view);
-  display_file_.create(name);
+  Segment& segment = display_file_.create(name);
+  if (touching_.kind != Touching::Kind::off && !retains_alone_) {
+    segment.keep_entered(touching_, {volume.matrix(), volume.viewport()});
+  }
   view_stage_.emplace(volume);
   open_ = name;
-  if (RetainedScene* scene = retaining()) scene->open_segment(name, view);
+  if (RetainedScene* scene = retaining()) scene->open_segment(name, view, touching_);
   windows_.opened(name, view, said_);
   record("open-segment", {name});
 }

@@ -67,10 +67,15 @@ void GraphicsSystem::surface_3(const SurfaceGrid& grid) {
   auto y_points = static_cast<std::uint32_t>(grid.y_points);
   if (modelling_.mirrors()) std::swap(x_points, y_points);
   if (RetainedScene* scene = retaining()) scene->mark_surface({upward, x_points, y_points});
+  std::vector<Point3> entered;
   if (!retains_alone_) {
     segment.mark_surface(
         {view_stage_->pipeline().volume().infinitely_far(upward), x_points, y_points});
     view_stage_->view_vertices(world);
+    if (segment.keeping_entered() != nullptr) {
+      for (std::size_t k = 0; k < world.size(); ++k) entered.push_back(point_of(grid, k));
+      view_stage_->note_entered(entered, modelling_matrix(), segment);
+    }
     const std::size_t triangles = 2 * grid.cells();
     segment.reserve_polygons(triangles, 3 * triangles, attributes_.light ? triangles : 0);
   }

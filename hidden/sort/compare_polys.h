@@ -86,7 +86,7 @@ class ComparePolys {
   template <class Keep>
   PlaneSide compare(Index test, std::uint32_t plane, const Keep& keep) const {
     const auto& entry = table_[test];
-    if (entry.plane == plane) return PlaneSide::on;
+    if (vertices_.in_one_plane(entry.plane, plane)) return PlaneSide::on;
     bool front = false, back = false;
     for (std::uint32_t i = 0; i < entry.sides; ++i) {
       const int sign = vertices_.side(table_.d.vertex(entry.start + i), plane);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct SortScene {
   SortScene(const Primitives& items_, const Policy& policy, SortSpace space_ = SortSpace::device)
       : items(items_), space(space_), vertices(items_.points, planes_of(items_, space_), policy) {
     save_items();
+    find_shared_planes();
   }
 
   const Primitives& items;
@@ -95,6 +97,18 @@ struct SortScene {
       } else {
         save_poly_for_hsc(i, next_plane++);
       }
+    }
+  }
+
+  /// Polygons that share a plane (Primitives::planes) keep their own, on which their vertices are
+  /// exactly, and count as lying in one.
+  void find_shared_planes() {
+    if (items.planes.empty()) return;
+    std::map<Primitives::PlanePoints, std::uint32_t> first_of;
+    for (const PolygonTable::Entry& entry : table.entries) {
+      if (entry.plane == kNoPlane || items.has_own_plane(entry.item)) continue;
+      const auto first = first_of.try_emplace(items.planes[entry.item], entry.plane).first;
+      vertices.share_plane(entry.plane, first->second);
     }
   }
 

@@ -45,6 +45,18 @@ class VertexTable {
   /// Replaces a plane that no vertex is defined by.
   void set_plane(std::uint32_t i, const Plane& plane) { planes_[i] = plane; }
 
+  /// A plane counts as that one: what lies in either lies in both.
+  void share_plane(std::uint32_t plane, std::uint32_t with) {
+    while (counts_as_.size() < planes_.size()) {
+      counts_as_.push_back(static_cast<std::uint32_t>(counts_as_.size()));
+    }
+    counts_as_[plane] = with;
+  }
+  bool in_one_plane(std::uint32_t p, std::uint32_t q) const {
+    if (p == q) return true;
+    return p < counts_as_.size() && q < counts_as_.size() && counts_as_[p] == counts_as_[q];
+  }
+
   double tolerance() const { return policy_.tolerance(); }
   int side(std::uint32_t v, std::uint32_t plane) const {
     if (v < points_.size()) [[likely]]
@@ -122,6 +134,7 @@ class VertexTable {
   std::span<const Point3> points_;
   mutable std::vector<Vertex> made_;
   std::vector<Plane> planes_;
+  std::vector<std::uint32_t> counts_as_;  // of planes; empty: none is shared
   Policy policy_;
 };
 

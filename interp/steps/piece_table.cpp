@@ -48,7 +48,7 @@ std::vector<PieceTable::Index> PieceTable::all() const {
 
 PieceTable::Sides PieceTable::sides_of(Index test, std::uint32_t plane) const {
   Sides sides;
-  const bool in_plane = entry(test).plane == plane;
+  const bool in_plane = sort_.vertices.in_one_plane(entry(test).plane, plane);
   for (const std::uint32_t v : sort_.table.vertices(test)) {
     const int side = in_plane ? 0 : sort_.vertices.side(v, plane);
     auto& points = side > 0 ? sides.front : side < 0 ? sides.back : sides.on;

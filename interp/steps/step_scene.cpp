@@ -13,7 +13,7 @@ StepScene::StepScene(const DisplayFile& file, const PictureSize& size) : scene_(
   for (ViewedScene::Fill fill = 1; fill < scene_.end(); ++fill) {
     const Polygon polygon = scene_.item_of(fill);
     fills_.push_back(polygon);
-    planes_[polygon] = scene_.plane(fill);
+    planes_[polygon] = scene_.plane_in_common(fill);
   }
 }
 

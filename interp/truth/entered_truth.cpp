@@ -66,8 +66,8 @@ std::optional<EnteredView::Support> EnteredView::support_of(std::uint32_t primit
 }  // namespace
 
 EnteredTruth entered_truth(const RetainedScene& retained, const DisplayFile& display_file,
-                           int width, int height, bool depth, const Touching& touching,
-                           const WorkProgress& progress) {
+                           int width, int height, bool depth,
+                           const std::optional<Touching>& touching, const WorkProgress& progress) {
   require_picture_size(width, height);
   const NamedWork named({"the truth from what was entered", "a smaller picture"});
   const TruePlanes planes(retained, touching);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "displayfile/retained_scene.h"
 #include "hidden/touching.h"
 #include "interp/truth/truth.h"
@@ -16,9 +18,11 @@ struct EnteredTruth {
   std::size_t touching = 0;  ///< polygons that lie in the plane of another
 };
 
-/// `retained` is what was drawn into the display file, all of it. Errors as in truth().
+/// `retained` is what was drawn into the display file, all of it; `touching` is in place of what
+/// its segments have. Errors as in truth().
 EnteredTruth entered_truth(const RetainedScene& retained, const DisplayFile& display_file,
-                           int width, int height, bool depth, const Touching& touching,
+                           int width, int height, bool depth,
+                           const std::optional<Touching>& touching,
                            const WorkProgress& progress = {});
 
 }  // namespace displayfile

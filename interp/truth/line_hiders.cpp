@@ -1,6 +1,7 @@
 #include "interp/truth/line_hiders.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
@@ -98,15 +99,19 @@ LineHiders::LineHiders(const LineItems& items, int threads) : items_(items) {
   enter_cells();
 }
 
-/// The plane of the polygon's support vertices p, q and r; nothing if it is edge-on, in doubles or
-/// exactly.
-/// With (a, b, c) the cross product of q - p and r - p, a (x - px) + b (y - py) + c (z - pz) = 0.
+/// The plane through p, q and r, those of the plane that the polygon shares or its support
+/// vertices; nothing if it is edge-on, in doubles or exactly. With (a, b, c) the cross product of q
+/// - p and r - p, a (x - px) + b (y - py) + c (z - pz) = 0.
 std::optional<LineHiders::DepthPlane> LineHiders::plane(std::uint32_t item) const {
   const auto vertices = items_.points(item);
   const auto support = support_of(vertices);
   if (!support) return std::nullopt;
   const auto [i, j, k] = *support;
-  const Point p = point(vertices[i]), q = point(vertices[j]), r = point(vertices[k]);
+  const auto of_plane = [&](std::size_t number, std::size_t vertex) {
+    const std::array<Point3, 3>* const shared = items_.shared_plane(item);
+    return point(shared != nullptr ? (*shared)[number] : vertices[vertex]);
+  };
+  const Point p = of_plane(0, i), q = of_plane(1, j), r = of_plane(2, k);
   const Integer ux = q.x - p.x, uy = q.y - p.y, uz = q.z - p.z;
   const Integer vx = r.x - p.x, vy = r.y - p.y, vz = r.z - p.z;
   DepthPlane plane{uy * vz - uz * vy, uz * vx - ux * vz, 0, ux * vy - uy * vx};
@@ -127,7 +132,7 @@ double LineHiders::depth(const Integer& over, const Integer& under) const {
 double LineHiders::nearest(std::uint32_t item) const {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   double nearest = -kInfinite;
-  if (items_.points(item).size() == 3) {
+  if (items_.points(item).size() == 3 && items_.shared_plane(item) == nullptr) {
     for (const Point3& p : items_.points(item)) nearest = std::max(nearest, p.z);
     return nearest;
   }
@@ -148,7 +153,9 @@ EndDepths LineHiders::depths(const ExactLine& line, const DepthPlane& plane) con
 /// That of the sharer's support plane; a line's, and an edge-on polygon's, that of its own ends. A
 /// triangle's ends lie on its plane.
 EndDepths LineHiders::depths(const ExactLine& line, LineId sharer) const {
-  if (items_.kind(sharer.item) != LineItems::Kind::line && items_.points(sharer.item).size() > 3) {
+  const bool is_moved =
+      items_.points(sharer.item).size() > 3 || items_.shared_plane(sharer.item) != nullptr;
+  if (items_.kind(sharer.item) != LineItems::Kind::line && is_moved) {
     if (const auto plane = this->plane(sharer.item)) return depths(line, *plane);
   }
   return {scaled(line.start.z, depth_places_), scaled(line.end.z, depth_places_), 1};

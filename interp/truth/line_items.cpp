@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "clip/error.h"
+#include "displayfile/viewed_scene.h"
+#include "hidden/primitives.h"
 
 namespace displayfile {
 
@@ -51,6 +53,21 @@ struct LineItems::Walk {
 LineItems::LineItems(const DisplayFile& display_file) {
   for (const Segment& segment : display_file.segments()) {
     if (segment.visible) segment.walk_entered_drawn(Walk{*this, segment.name()});
+  }
+  take_planes(display_file);
+}
+
+/// The items are those of a viewed scene. Which polygons touch has a judge of its own.
+void LineItems::take_planes(const DisplayFile& display_file) {
+  const ViewedScene scene(display_file);
+  const auto points = scene.primitives().points;
+  if (scene.planes().empty()) return;
+  for (std::uint32_t item = 0; item < size(); ++item) {
+    const Primitives::PlanePoints* const plane = scene.shared_plane(item);
+    plane_of_.push_back(plane == nullptr ? kNoPlane : static_cast<std::uint32_t>(planes_.size()));
+    if (plane == nullptr) continue;
+    const auto& [p, q, r] = *plane;
+    planes_.push_back({points[p], points[q], points[r]});
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -36,6 +37,12 @@ class LineItems {
     return std::span(points_).subspan(items_[item].first, items_[item].points);
   }
 
+  /// Three points of the plane that a polygon shares with others as they were entered; null if it
+  /// shares none.
+  const std::array<Point3, 3>* shared_plane(std::uint32_t item) const {
+    return plane_of_.empty() || plane_of_[item] == kNoPlane ? nullptr : &planes_[plane_of_[item]];
+  }
+
   /// True if there is such a line, drawn or not.
   bool contains(LineId line) const;
   const Point3& from(LineId line) const;
@@ -59,7 +66,11 @@ class LineItems {
     std::uint32_t points;  // how many
     Kind kind;
   };
+  static constexpr std::uint32_t kNoPlane = 0xffffffffu;
+  void take_planes(const DisplayFile& display_file);
   std::vector<Item> items_;
+  std::vector<std::array<Point3, 3>> planes_;
+  std::vector<std::uint32_t> plane_of_;  // of the items, in planes_; empty: none share one
   std::vector<Point3> points_;
   std::vector<std::uint8_t> drawn_;  // of the points: the line that ends there is drawn
 };

@@ -20,24 +20,13 @@ bool are_in_line(const WholePoint& p, const WholePoint& q, const WholePoint& r) 
   return is_zero(cross(difference(q, p), difference(r, p)));
 }
 
-/// The largest magnitude of a coordinate that a polygon was entered with.
-double largest_coordinate(const RetainedScene& scene) {
+/// The largest magnitude of a coordinate that something of the segment was entered with.
+double largest_coordinate(const RetainedScene& scene, const RetainedScene::Segment& segment) {
   double most = 0.0;
-  for (std::uint32_t i = 0; i < scene.size(); ++i) {
+  for (std::uint32_t i = segment.first; i < segment.end; ++i) {
     for (const Point3& p : scene.entered_points(i)) most = std::max(most, largest(p));
   }
   return most;
-}
-
-/// Before the modelling transformation.
-double entered_reach(const RetainedScene& scene, const Touching& touching) {
-  constexpr double kUnits = 8.0, kUnit = 0x1p-52;
-  switch (touching.kind) {
-    case Touching::Kind::automatic: return kUnits * kUnit * largest_coordinate(scene);
-    case Touching::Kind::off: return 0.0;
-    case Touching::Kind::length: return touching.length;
-  }
-  return 0.0;
 }
 
 }  // namespace
@@ -85,15 +74,30 @@ struct TruePlanes::Plane {
   Integer normal_squared;
 };
 
-TruePlanes::TruePlanes(const RetainedScene& scene, const Touching& touching) : scene_(scene) {
-  find_placings(touching);
+TruePlanes::TruePlanes(const RetainedScene& scene, const std::optional<Touching>& touching)
+    : scene_(scene), touching_(touching) {
+  find_placings();
   plane_of_.resize(scene.size());
   std::iota(plane_of_.begin(), plane_of_.end(), 0u);
-  if (touching.kind != Touching::Kind::off) find_planes();
+  find_planes();
 }
 
-void TruePlanes::find_placings(const Touching& touching) {
-  const double reach = entered_reach(scene_, touching);
+/// The largest of the segments', before the modelling transformation.
+double TruePlanes::entered_reach() const {
+  constexpr double kUnits = 8.0, kDouble = 0x1p-52;
+  double reach = 0.0;
+  for (const RetainedScene::Segment& segment : scene_.segments()) {
+    const auto [kind, length] = touching_of(segment);
+    if (kind == Touching::Kind::length) reach = std::max(reach, length);
+    if (kind == Touching::Kind::automatic) {
+      reach = std::max(reach, kUnits * kDouble * largest_coordinate(scene_, segment));
+    }
+  }
+  return reach;
+}
+
+void TruePlanes::find_placings() {
+  const double reach = entered_reach();
   const int places = binary_places(reach);
   const Integer entered = scaled(reach, places);
   const RetainedScene::ModellingMatrix* last = nullptr;
@@ -176,7 +180,9 @@ void TruePlanes::find_planes() {
   double farthest = 0.0;
   for (std::uint32_t i = 0; i < scene_.size(); ++i) {
     for (const Point3& p : scene_.points(i)) farthest = std::max(farthest, largest(p));
-    if (scene_[i].is_line()) continue;
+    if (scene_[i].is_line() || touching_of(scene_.segment_of(i)).kind == Touching::Kind::off) {
+      continue;
+    }
     area[i] = glm::length(newell_normal(scene_.points(i)));
     polygons.push_back(i);
   }

@@ -22,8 +22,9 @@ std::optional<std::array<std::size_t, 3>> entered_support(std::span<const Point3
 /// that of a polygon that it touches. Exact, and nothing is shared with the methods.
 class TruePlanes {
  public:
-  /// The scene must live on. Asks the thread's budget.
-  TruePlanes(const RetainedScene& scene, const Touching& touching);
+  /// The scene must live on; in place of what its segments have, `touching`. Asks the thread's
+  /// budget.
+  TruePlanes(const RetainedScene& scene, const std::optional<Touching>& touching);
 
   /// A polygon's vertex in world coordinates.
   WholePoint vertex(std::uint32_t polygon, std::size_t corner) const;
@@ -46,13 +47,18 @@ class TruePlanes {
     Reach reach;
   };
 
-  void find_placings(const Touching& touching);
+  Touching touching_of(const RetainedScene::Segment& segment) const {
+    return touching_.value_or(segment.touching);
+  }
+  double entered_reach() const;
+  void find_placings();
   void find_planes();
   const Placed& placed(std::uint32_t polygon) const { return placings_[placing_of_[polygon]]; }
   Plane plane_through(std::uint32_t polygon) const;
   bool lies_in(std::uint32_t polygon, const Plane& plane) const;
 
   const RetainedScene& scene_;
+  std::optional<Touching> touching_;
   std::vector<Placed> placings_;           // of each modelling matrix one
   std::vector<std::uint32_t> placing_of_;  // by primitive
   std::vector<std::uint32_t> plane_of_;    // by primitive

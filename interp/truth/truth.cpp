@@ -6,21 +6,44 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "clip/error.h"
 #include "clip/memory.h"
 #include "clip/work_budget.h"
+#include "displayfile/viewed_scene.h"
+#include "hidden/primitives.h"
 #include "interp/truth/true_picture.h"
 
 namespace displayfile {
 
 namespace {
 
+/// The planes that polygons share with others as they were entered, of the solid polygons in order.
+class SharedPlanes {
+ public:
+  explicit SharedPlanes(const DisplayFile& display_file) : scene_(display_file) {}
+
+  /// Three points of the next polygon's; nothing if it shares none.
+  std::optional<std::array<Point3, 3>> next() {
+    while (scene_.kind(item_) != Primitives::Kind::solid) ++item_;
+    const Primitives::PlanePoints* const plane = scene_.shared_plane(item_++);
+    if (plane == nullptr) return std::nullopt;
+    const auto points = scene_.primitives().points;
+    return std::array{points[(*plane)[0]], points[(*plane)[1]], points[(*plane)[2]]};
+  }
+
+ private:
+  ViewedScene scene_;
+  ViewedScene::Item item_ = 0;
+};
+
 /// Hands a segment's solid polygons to the picture.
 struct SegmentWalk {
   TruePicture& picture;
+  SharedPlanes& shared;
   int segment;
   const WorkProgress& progress;
   std::size_t& done;
@@ -38,18 +61,23 @@ struct SegmentWalk {
     ask_budget();
     if (solid) {
       require_finite(vertices);
-      enter(vertices);
+      enter(vertices, shared.next());
     }
     ++done;
     if (progress) progress(done, polygons);
   }
 
-  void enter(std::span<const Point3> vertices) {
+  void enter(std::span<const Point3> vertices, const std::optional<std::array<Point3, 3>>& plane) {
     const auto support = support_of(vertices);
     if (!support) return;
     points.resize(vertices.size());
     std::ranges::transform(vertices, points.begin(),
                            [&](const Point3& v) { return picture.point(v); });
+    if (plane) {
+      const auto& [p, q, r] = *plane;
+      const std::array of_plane{picture.point(p), picture.point(q), picture.point(r)};
+      return picture.enter(points, {&of_plane[0], &of_plane[1], &of_plane[2]}, pick_id);
+    }
     const auto& [p, q, r] = *support;
     picture.enter(points, {&points[p], &points[q], &points[r]}, pick_id);
   }
@@ -76,6 +104,7 @@ Picture truth(const DisplayFile& display_file, int width, int height, bool depth
       [&] { return fmt::format("the truth of {} x {} pixels", width, height); },
       [&] {
         TruePicture picture(width, height);
+        SharedPlanes shared(display_file);
         std::size_t done = 0, polygons = 0;
         for (const Segment& segment : display_file.segments()) {
           if (segment.visible) polygons += segment.polygons();
@@ -83,7 +112,7 @@ Picture truth(const DisplayFile& display_file, int width, int height, bool depth
         for (const Segment& segment : display_file.segments()) {
           if (!segment.visible) continue;
           segment.walk_entered_drawn(
-              SegmentWalk{picture, segment.name(), progress, done, polygons});
+              SegmentWalk{picture, shared, segment.name(), progress, done, polygons});
         }
         return picture.take(depth);
       });

@@ -26,7 +26,7 @@ Picture world_truth(const RetainedScene&, const DisplayFile&, int, int, bool, co
 }
 
 EnteredTruth entered_truth(const RetainedScene&, const DisplayFile&, int, int, bool,
-                           const Touching&, const WorkProgress&) {
+                           const std::optional<Touching>&, const WorkProgress&) {
   refuse_truth();
 }
 

@@ -27,12 +27,43 @@ DepthBound depth_bound(std::span<const Point3> vertices, const Plane& plane,
           std::abs(depth.z0) + std::abs(depth.dz_dx) * dx + std::abs(depth.dz_dy) * dy};
 }
 
+namespace {
+
+/// How far the depth of a fill is from that of a plane, at most, over the polygon: both are linear.
+double distance_of_depths(std::span<const Point3> vertices, const PixelDepth& depth,
+                          const Plane& plane, const PictureSize& size) {
+  const PixelDepth other(plane, size.width, size.height);
+  double most = 0.0, dx = 0.0, dy = 0.0;
+  for (const Point3& v : vertices) {
+    const double x = v.x * size.width, y = v.y * size.height;
+    most = std::max(most, std::abs(depth.at_point(x, y) - other.at_point(x, y)));
+    dx = std::max(dx, std::abs(x - other.x0));
+    dy = std::max(dy, std::abs(y - other.y0));
+  }
+  return most + other.error(plane, size.width, size.height, dx + 1.0, dy + 1.0);
+}
+
+}  // namespace
+
+double touching_error(const ViewedScene& scene, ViewedScene::Fill fill, const PixelDepth& depth,
+                      const PictureSize& size) {
+  constexpr double kOfThreePoints = 8.0;
+  if (const double radius = scene.touching_radius(); radius > 0.0) {
+    const double slopes = std::abs(depth.dz_dx) * size.width + std::abs(depth.dz_dy) * size.height;
+    return kOfThreePoints * radius * (1.0 + slopes);
+  }
+  const Primitives::PlanePoints* const shared = scene.shared_plane(scene.item_of(fill));
+  if (shared == nullptr) return 0.0;
+  return distance_of_depths(scene.vertices(fill), depth, scene.plane_through(*shared), size);
+}
+
 FillDepth::FillDepth(const ViewedScene& scene, ViewedScene::Fill fill, const PictureSize& size,
                      std::optional<double> roundoff) {
   const Plane plane = scene.plane(fill);
   depth = PixelDepth(plane, size.width, size.height);
   error = roundoff ? error_of_roundoff(*roundoff)
-                   : depth_bound(scene.vertices(fill), plane, depth, size).error;
+                   : depth_bound(scene.vertices(fill), plane, depth, size).error +
+                         touching_error(scene, fill, depth, size);
 }
 
 FillDepths::FillDepths(const ViewedScene& scene, const PictureSize& size,

@@ -41,6 +41,14 @@ PairOrder PairOrders::order_if_often(Fill earlier, Fill later) {
   return find_order(asked, earlier, later, comparison_of(earlier, later));
 }
 
+/// As they were entered, or as exact arithmetic found them.
+bool PairOrders::are_in_one_plane(Pair& pair, Fill earlier, Fill later) {
+  if (coplanar_.are(earlier, later)) return true;
+  if (pair.are_apart) return false;
+  pair.are_apart = !scene_->are_in_one_plane(earlier, later);
+  return !pair.are_apart;
+}
+
 DepthComparison PairOrders::comparison_of(Fill earlier, Fill later) const {
   return {scene_->plane(earlier), scene_->plane(later)};
 }
@@ -48,8 +56,9 @@ DepthComparison PairOrders::comparison_of(Fill earlier, Fill later) const {
 PairOrder PairOrders::find_order(Pair& pair, Fill earlier, Fill later,
                                  const DepthComparison& comparison) {
   pair.looked_for = true;
-  pair.order =
-      coplanar_.are(earlier, later) ? Order::second : order_of_extents(earlier, later, comparison);
+  pair.order = are_in_one_plane(pair, earlier, later)
+                   ? Order::second
+                   : order_of_extents(earlier, later, comparison);
   times_learnt_ += pair.order != Order::varies;
   return pair.order;
 }
@@ -78,7 +87,7 @@ bool PairOrders::later_is_seen(Fill earlier, Fill later, const PixelCentre& cent
   if (asked.is_ready) return comparisons_[asked.comparison].order(centre) <= 0;
   DepthComparison comparison = comparison_of(earlier, later);
   const bool is_often = ++asked.times_asked == kOften && !asked.looked_for;
-  if (is_often || coplanar_.are(earlier, later)) {
+  if (is_often || are_in_one_plane(asked, earlier, later)) {
     const Order order = find_order(asked, earlier, later, comparison);
     if (order != Order::varies) return order == Order::second;
   }

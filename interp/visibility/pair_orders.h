@@ -57,6 +57,7 @@ class PairOrders {
   struct Pair {
     Order order = Order::varies;
     bool looked_for = false;           ///< the order
+    bool are_apart = false;            ///< in no plane both, as they were entered
     bool is_ready = false;             ///< more is known than the filter tells,
     std::uint8_t times_asked = 0;      ///< before it was
     std::uint32_t comparison = kNone;  ///< and this knows it: a place in comparisons_
@@ -66,6 +67,7 @@ class PairOrders {
   /// A pair that is asked for again: its order is looked for, and then exact arithmetic asked.
   static constexpr int kOften = 2, kVeryOften = 8;
 
+  bool are_in_one_plane(Pair& pair, Fill earlier, Fill later);
   DepthComparison comparison_of(Fill earlier, Fill later) const;
   Order find_order(Pair& pair, Fill earlier, Fill later, const DepthComparison& comparison);
   Order order_of_extents(Fill earlier, Fill later, const DepthComparison& comparison) const;

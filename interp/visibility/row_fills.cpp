@@ -29,6 +29,19 @@ int first_column_after(double x, int width) {
   return column < from_first ? column + 1 : column;
 }
 
+/// A triangle whose plane is that of its corners.
+bool has_own_plane(const ViewedScene& scene, ViewedScene::Fill fill) {
+  if (scene.sides(fill) != 3) return false;
+  return scene.touching_radius() > 0.0 || scene.shared_plane(scene.item_of(fill)) == nullptr;
+}
+
+/// Where fills are compared in their own planes: of those that are no steeper the touching_error is
+/// within kOfTouching, as the radius is at most 2^-43.
+constexpr double kSteepest = 0x1p18, kOfTouching = 0x1p-21;
+bool is_not_too_steep(double dz_dx, double dz_dy, const PictureSize& size) {
+  return std::abs(dz_dx) * size.width + std::abs(dz_dy) * size.height <= kSteepest;
+}
+
 }  // namespace
 
 int turn_if_convex(std::span<const Point3> vertices) {
@@ -49,7 +62,7 @@ int turn_if_convex(std::span<const Point3> vertices) {
 class RowFills::Triangles {
  public:
   Triangles(RowFills& fills, const ViewedScene& scene, const PictureSize& size)
-      : fills_(fills), scene_(scene), size_(size) {}
+      : fills_(fills), scene_(scene), size_(size), touches_(scene.touching_radius() > 0.0) {}
 
   void add(Fill fill) {
     const auto corners = scene_.corners_of_triangle(fill);
@@ -62,7 +75,7 @@ class RowFills::Triangles {
     if (waiting_ == TriangleBlock::kMost) make();
   }
   void make() {
-    make_row_triangles(block_, waiting_, size_, static_cast<double>(fills_.depth_error_), made_);
+    make_row_triangles(block_, waiting_, size_, fills_.error_of_certain_, made_);
     for (int i = 0; i < waiting_; ++i) take(i);
     waiting_ = 0;
   }
@@ -80,6 +93,9 @@ class RowFills::Triangles {
     made.column_end = made_.column_end[i];
     made.turned_away = is(made_.turned_away, i);
     made.certain = is(made_.is_certain, i);
+    if (touches_ && made.certain) {
+      made.certain = is_not_too_steep(made_.dz_dx[i], made_.dz_dy[i], size_);
+    }
     made.left = made.right = 0;
     made.z = made_.z[i];  // of no meaning where it is not certain
     made.dz_dx = made_.dz_dx[i];
@@ -109,6 +125,7 @@ class RowFills::Triangles {
   RowFills& fills_;
   const ViewedScene& scene_;
   PictureSize size_;
+  bool touches_;
   int waiting_ = 0;
   Fill fill_[TriangleBlock::kMost] = {};
   TriangleBlock block_{};
@@ -120,6 +137,8 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, int threa
   fills_.reserve(scene.most_fills() + 1);
   fills_.resize(scene.end());
   depth_error_ = static_cast<float>(kDepthError * std::max(1.0, scene.largest_depth()));
+  touches_ = scene.touching_radius() > 0.0;
+  error_of_certain_ = static_cast<double>(depth_error_) - (touches_ ? kOfTouching : 0.0);
   batches_ = batches_of(scene);
   edges_.resize(scene.many_sided_corners());
   in_parallel(threads, batches(), [&](std::size_t k) {
@@ -138,7 +157,7 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, const Bat
         __builtin_prefetch(corner);
       }
     }
-    scene.sides(fill) == 3 ? triangles.add(fill) : make(scene, size, fill);
+    has_own_plane(scene, fill) ? triangles.add(fill) : make(scene, size, fill);
   }
   triangles.make();
 }
@@ -148,7 +167,7 @@ static_assert(sizeof(RowFill) == 64);
 void RowFills::make(const ViewedScene& scene, const PictureSize& size, Fill fill) {
   RowFill& made = fills_[fill];
   made = {};
-  if (scene.sides(fill) == 3 && make_triangle(scene, size, fill)) return;
+  if (has_own_plane(scene, fill) && make_triangle(scene, size, fill)) return;
   const auto vertices = scene.vertices(fill);
   const Rectangle extent = bounding_rectangle(vertices);
   const double left = extent.x_min * size.width, right = extent.x_max * size.width;
@@ -171,8 +190,9 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, Fill fill
   const double z = depth.at(depth.row(row_begin), made.column);
   const double largest =
       std::abs(z) + columns * std::abs(depth.dz_dx) + (row_end - row_begin) * std::abs(depth.dz_dy);
-  const double error = depth_bound(vertices, plane, depth, size).error + kDepthUnit * largest;
-  set_depth(z, depth.dz_dx, depth.dz_dy, {largest, error}, made);
+  const double error = depth_bound(vertices, plane, depth, size).error + kDepthUnit * largest +
+                       touching_error(scene, fill, depth, size);
+  set_depth(z, depth.dz_dx, depth.dz_dy, {largest, error}, size, made);
 
   if (vertices.size() > kMostSides) return;
   if (vertices.size() > 3) made.edges = scene.many_sided_corners_before(fill);
@@ -182,8 +202,9 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, Fill fill
 
 /// Its depths, if they are known well enough and there are floats for them.
 void RowFills::set_depth(double z, double dz_dx, double dz_dy, const DepthRange& range,
-                         RowFill& made) const {
-  made.certain = range.error <= static_cast<double>(depth_error_) && range.largest <= kLargestDepth;
+                         const PictureSize& size, RowFill& made) const {
+  made.certain = range.error <= error_of_certain_ && range.largest <= kLargestDepth &&
+                 (!touches_ || is_not_too_steep(dz_dx, dz_dy, size));
   if (!made.certain) return;
   made.z = static_cast<float>(z);
   made.dz_dx = static_cast<float>(dz_dx);
@@ -236,7 +257,7 @@ bool RowFills::make_triangle(const ViewedScene& scene, const PictureSize& size, 
   made.column = first;
   made.column_end = end;
   made.turned_away = area < 0.0;
-  set_depth(z, dz_dx, dz_dy, {largest, error}, made);
+  set_depth(z, dz_dx, dz_dy, {largest, error}, size, made);
   make_edges_of_triangle(x, y, rows, area > 0.0, made);
   return true;
 }

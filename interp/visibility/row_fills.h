@@ -83,7 +83,7 @@ class RowFills {
     double largest, error;
   };
   void set_depth(double z, double dz_dx, double dz_dy, const DepthRange& range,
-                 RowFill& made) const;
+                 const PictureSize& size, RowFill& made) const;
   bool make_triangle(const ViewedScene& scene, const PictureSize& size, Fill fill);
   static void make_edges_of_triangle(const double (&x)[3], const double (&y)[3],
                                      const int (&rows)[3], bool counterclockwise, RowFill& made);
@@ -94,6 +94,8 @@ class RowFills {
   std::vector<RowEdge> edges_;  // a place for each side of polygons of more than three
   std::size_t batches_ = 0;
   float depth_error_ = 0.0F;
+  double error_of_certain_ = 0.0;  // no more than depth_error_
+  bool touches_ = false;           // fills are compared in their own planes, and some may touch
 };
 
 /// 1 or -1 if the polygon goes once around and turns one way only, counterclockwise or clockwise; 0

@@ -12,6 +12,7 @@
 #include "clip/clip_pipeline.h"
 #include "clip/error.h"
 #include "clip/view_volume.h"
+#include "displayfile/shared_planes.h"
 #include "hidden/exact/orientation.h"
 #include "hidden/exact/plane.h"
 #include "hidden/exact/support_plane.h"
@@ -50,7 +51,7 @@ int way_around(std::span<const Point3> polygon, int axis) {
 // ---- The world, once for all views --------------------------------------------------------------
 
 WorldRays::WorldRays(const RetainedScene& scene, const DisplayFile& attributes)
-    : world_(scene.visible_in(attributes)) {
+    : world_(scene.visible_in(attributes)), shared_planes_(displayfile::shared_planes(world_)) {
   for (const RetainedScene::Segment& segment : world_.segments()) {
     if (!attributes.segment(segment.name).image.is_identity()) {
       throw Error("segment " + std::to_string(segment.name) +
@@ -67,10 +68,16 @@ void WorldRays::enter(std::uint32_t primitive) {
   const auto polygon = world_.points(primitive);
   const SupportVertices spread = spread_vertices(polygon);
   if (spread.edge_on) return;
-  const Plane plane = plane_of(polygon, spread.index);
-  const bool flat = std::ranges::all_of(polygon, [&](const Point3& v) {
+  Plane plane = plane_of(polygon, spread.index);
+  bool flat = std::ranges::all_of(polygon, [&](const Point3& v) {
     return plane.goes_through(v) || side_of_plane(v, plane) == 0;
   });
+  if (shares_plane(primitive)) {
+    const auto points = world_.primitives({}).points;
+    const auto& [p, q, r] = shared_planes_[primitive];
+    plane = Plane(points[p], points[q], points[r]);
+    flat = true;
+  }
   int turn = 0;
   if (flat) {
     const int axis = facing_axis(plane);
@@ -85,7 +92,7 @@ void WorldRays::enter(std::uint32_t primitive) {
 Bounds WorldRays::bounds_of(const Polygon& polygon) const {
   Bounds bounds;
   for (const Point3& p : points(polygon)) bounds.include(p);
-  if (polygon.flat) return bounds;
+  if (polygon.flat && !shares_plane(polygon.primitive)) return bounds;
   // In nearly all views it is off the plane that it is seen in by less than this.
   constexpr double kWider = 0x1p-10;
   const Point3 size = bounds.high - bounds.low;
@@ -293,6 +300,12 @@ class WorldRays::Caster {
       return {world_point<Number>(of[v[0]]), world_point<Number>(of[v[1]]),
               world_point<Number>(of[v[2]])};
     };
+    if (world_.shares_plane(polygon.primitive)) {
+      const auto points = world_.scene().primitives({}).points;
+      const auto& [p, q, r] = world_.shared_planes_[polygon.primitive];
+      return {world_point<Number>(points[p]), world_point<Number>(points[q]),
+              world_point<Number>(points[r])};
+    }
     if (polygon.flat) return through(polygon.spread);
     const auto [support, is_cut, seen] = viewed(polygon);
     if (!is_cut) return through(support);

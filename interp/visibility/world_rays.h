@@ -11,6 +11,7 @@
 #include "displayfile/display_file.h"
 #include "displayfile/retained_scene.h"
 #include "hidden/exact/pixel_centre.h"
+#include "hidden/primitives.h"
 #include "hidden/space_tree.h"
 
 namespace displayfile {
@@ -68,12 +69,16 @@ class WorldRays {
   class PictureRays;
 
   void enter(std::uint32_t primitive);
+  bool shares_plane(std::uint32_t primitive) const {
+    return !shared_planes_.empty() && shared_planes_[primitive][0] != Primitives::kOwnPlane;
+  }
   Bounds bounds_of(const Polygon& polygon) const;
   void build();
   PointRow points(const Polygon& polygon) const { return world_.points(polygon.primitive); }
 
   RetainedScene world_;
-  std::vector<Polygon> polygons_;       // as the tree has them
+  std::vector<Primitives::PlanePoints> shared_planes_;  // of its primitives; empty: none share one
+  std::vector<Polygon> polygons_;                       // as the tree has them
   std::vector<std::uint32_t> by_view_;  // those that are not flat, or may turn either way
   SpaceTree tree_;
   Point3 size_{0.0};  // no coordinate of a box is larger

@@ -166,10 +166,20 @@ std::string BenchScene::id_but_size() const {
   return text;
 }
 
+namespace {
+
+/// With what touches found, as it is unless a program sets otherwise.
+void enter_as_users(Scene scene, GraphicsSystem& system) {
+  scene.touching = kUnlessSet;
+  enter(scene, system);
+}
+
+}  // namespace
+
 void BenchScene::enter(GraphicsSystem& system) const {
   switch (kind) {
-    case Kind::walk: return displayfile::enter(walk(n, seed).front(), system);
-    case Kind::generated: return displayfile::enter(generated_scene(name).make(n, seed), system);
+    case Kind::walk: return enter_as_users(walk(n, seed).front(), system);
+    case Kind::generated: return enter_as_users(generated_scene(name).make(n, seed), system);
     case Kind::surface: return enter_waves(n, seed, system);
     case Kind::hard_case:
       return displayfile::enter(hard_case(name).make(n, severity, seed), system);

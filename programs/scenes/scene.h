@@ -8,6 +8,7 @@
 #include "clip/view.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/set_view.h"
+#include "hidden/touching.h"
 
 namespace displayfile {
 
@@ -29,6 +30,8 @@ struct Scene {
   std::vector<Point3> points;        ///< world coordinates, polygon after polygon
   std::vector<std::uint32_t> sides;  ///< of each polygon
   std::vector<Segment> segments;     ///< none: one, without image transformation
+  /// Gaps are what many are about, also such as are less than numbers can tell.
+  Touching touching{Touching::Kind::off};
 
   std::size_t polygons() const { return sides.size(); }
   void add(std::span<const Point3> polygon);

@@ -1,0 +1,109 @@
+#include "displayfile/entered_polygons.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <numeric>
+
+namespace displayfile {
+
+PointRow EnteredPolygons::points(std::size_t i) const {
+  const std::size_t first = first_[i];
+  const std::size_t end = i + 1 < first_.size() ? first_[i + 1] : corners();
+  if (corners_.empty()) return std::span(points_).subspan(first, end - first);
+  return {points_, std::span(corners_).subspan(first, end - first)};
+}
+
+const EnteredPolygons::Matrix* EnteredPolygons::modelling(std::size_t i) const {
+  const auto after = std::ranges::upper_bound(runs_, i, {}, &Run::first);
+  if (after == runs_.begin()) return nullptr;
+  const Matrix& matrix = std::prev(after)->matrix;
+  return matrix == Matrix(1.0) ? nullptr : &matrix;
+}
+
+double EnteredPolygons::largest_in_world() const {
+  double most = largest_;
+  for (const auto& [first, m] : runs_) {
+    for (int k = 0; k < 3; ++k) {
+      const double row = std::abs(m[0][k]) + std::abs(m[1][k]) + std::abs(m[2][k]);
+      most = std::max(most, row * largest_ + std::abs(m[3][k]));
+    }
+  }
+  return most;
+}
+
+double EnteredPolygons::longest() const {
+  double most = 1.0;
+  for (const auto& [first, m] : runs_) {
+    for (int k = 0; k < 3; ++k) most = std::max(most, glm::length(m[k]));
+  }
+  return most;
+}
+
+std::size_t EnteredPolygons::bytes() const {
+  const auto size = [](const auto& array) { return array.size() * sizeof(array[0]); };
+  return size(points_) + size(corners_) + size(first_) + size(runs_);
+}
+
+void EnteredPolygons::enter(const PointRow& points, const Matrix* modelling) {
+  begin_polygon(modelling);
+  for (const Point3& p : points) {
+    if (!corners_.empty()) corners_.push_back(static_cast<std::uint32_t>(points_.size()));
+    points_.push_back(p);
+  }
+}
+
+void EnteredPolygons::enter_shared(std::span<const Point3> vertices,
+                                   std::span<const std::uint32_t> corners,
+                                   const Matrix* modelling) {
+  if (corners_.empty()) {
+    corners_.resize(points_.size());
+    std::iota(corners_.begin(), corners_.end(), 0u);
+  }
+  begin_polygon(modelling);
+  for (const std::uint32_t corner : corners) {
+    std::uint32_t& number = number_of_shared_[corner];
+    if (number == kNotKept) {
+      number = static_cast<std::uint32_t>(points_.size());
+      points_.push_back(vertices[corner]);
+    }
+    corners_.push_back(number);
+  }
+}
+
+/// At least twice the room there is, so that many small calls cost no more than one.
+void EnteredPolygons::reserve_more(std::size_t polygons, std::size_t corners) {
+  const auto make_room = [](auto& array, std::size_t more) {
+    const std::size_t size = array.size() + more;
+    if (size > array.capacity()) array.reserve(std::max(size, 2 * array.capacity()));
+  };
+  make_room(first_, polygons);
+  make_room(corners_, corners);
+}
+
+void EnteredPolygons::shrink_to_fit() {
+  number_of_shared_ = {};
+  for (auto* array : {&corners_, &first_}) array->shrink_to_fit();
+  points_.shrink_to_fit();
+}
+
+void EnteredPolygons::begin_polygon(const Matrix* modelling) {
+  if (modelling != nullptr) {
+    begin_run(*modelling);
+  } else if (!runs_.empty()) {
+    begin_run(Matrix(1.0));
+  }
+  first_.push_back(static_cast<std::uint32_t>(this->corners()));
+}
+
+void EnteredPolygons::begin_run(const Matrix& matrix) {
+  if (!runs_.empty() && runs_.back().matrix == matrix) return;
+  runs_.push_back({static_cast<std::uint32_t>(first_.size()), matrix});
+}
+
+void EnteredPolygons::include(const Point3& p) {
+  largest_ = std::max({largest_, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+}
+
+}  // namespace displayfile

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/mat4x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <span>
+#include <vector>
+
+#include "clip/point_row.h"
+#include "clip/rectangle.h"
+#include "hidden/touching.h"
+
+namespace displayfile {
+
+/// The polygons of a segment as the application entered them, before the modelling transformation:
+/// one for each polygon instruction, in the same order. What touches is judged by them
+/// (hidden/touching_planes.md), since viewing rounds.
+class EnteredPolygons {
+ public:
+  using Matrix = glm::dmat4x3;  ///< x' = column 0 x + column 1 y + column 2 z + column 3
+
+  /// How a segment is viewed. In the picture polygons lie in one plane only if they are viewed
+  /// alike.
+  struct Viewed {
+    glm::dmat4 matrix;  ///< ViewVolume::matrix
+    Rectangle viewport;
+    bool operator==(const Viewed&) const = default;
+  };
+
+  EnteredPolygons(const Touching& touching, const Viewed& viewed)
+      : touching_(touching), viewed_(viewed) {}
+
+  const Viewed& viewed() const { return viewed_; }
+
+  /// Within which distance they touch others.
+  const Touching& touching() const { return touching_; }
+  std::size_t size() const { return first_.size(); }
+  std::size_t corners() const { return corners_.empty() ? points_.size() : corners_.size(); }
+  /// The points of a polygon, counted from 0.
+  PointRow points(std::size_t i) const;
+  /// The modelling matrix that was in force; null if the points are in world coordinates. It stays
+  /// until a polygon is entered.
+  const Matrix* modelling(std::size_t i) const;
+  /// Of all that was entered, also of what is outside of the view: the largest |coordinate|.
+  double largest() const { return largest_; }
+  /// No coordinate of what is kept, nor any of the products that it is a sum of, is larger in world
+  /// coordinates.
+  double largest_in_world() const;
+  /// The length of the longest column of the modelling matrices, at least 1.
+  double longest() const;
+  std::size_t bytes() const;  ///< of the arrays, as used
+
+  /// Takes note of a coordinate that was entered, whether or not an instruction is made of it.
+  void include(const Point3& p);
+  /// A polygon with points of its own. Null: they are in world coordinates.
+  void enter(const PointRow& points, const Matrix* modelling);
+  /// The polygons entered by enter_shared from here on share so many vertices; those that some
+  /// polygon uses are kept, once each.
+  void begin_shared(std::size_t vertices) { number_of_shared_.assign(vertices, kNotKept); }
+  /// A polygon whose points are those of these indices among the shared ones.
+  void enter_shared(std::span<const Point3> vertices, std::span<const std::uint32_t> corners,
+                    const Matrix* modelling);
+  /// Makes room for so many polygons that share vertices, and corners of theirs, more.
+  void reserve_more(std::size_t polygons, std::size_t corners);
+  void shrink_to_fit();
+
+ private:
+  static constexpr std::uint32_t kNotKept = 0xffffffffu;
+  struct Run {
+    std::uint32_t first;  ///< polygon
+    Matrix matrix;
+  };
+  void begin_polygon(const Matrix* modelling);
+  void begin_run(const Matrix& matrix);
+
+  Touching touching_;
+  Viewed viewed_;
+  std::vector<Point3> points_;
+  std::vector<std::uint32_t> corners_;  // their points; empty: these in a row
+  std::vector<std::uint32_t> first_;    // corner of each polygon
+  std::vector<Run> runs_;               // polygons before the first are in world coordinates
+  double largest_ = 0.0;
+  std::vector<std::uint32_t> number_of_shared_;  // as points, or kNotKept
+};
+
+}  // namespace displayfile

@@ -1,0 +1,68 @@
+#include "displayfile/polygons_as_entered.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "displayfile/entered_polygons.h"
+#include "displayfile/retained_scene.h"
+
+namespace displayfile {
+
+namespace {
+
+double largest_coordinate(const PointRow& points) {
+  double largest = 0.0;
+  for (const Point3& p : points) {
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  }
+  return largest;
+}
+
+}  // namespace
+
+void PolygonsAsEntered::add(const EnteredPolygons& polygons) {
+  const std::uint32_t first = parts_.empty() ? 0 : parts_.back().end;
+  const auto end = first + static_cast<std::uint32_t>(polygons.size());
+  add({first, end, &polygons, nullptr, 0, true}, polygons.touching(), polygons.largest());
+}
+
+void PolygonsAsEntered::add(const RetainedScene& scene) {
+  for (const RetainedScene::Segment& segment : scene.segments()) {
+    const std::uint32_t first = parts_.empty() ? 0 : parts_.back().end;
+    const std::uint32_t end = first + segment.end - segment.first;
+    const bool may_touch = segment.touching.kind != Touching::Kind::off;
+    double largest = 0.0;
+    for (std::uint32_t i = segment.first; may_touch && i < segment.end; ++i) {
+      largest = std::max(largest, largest_coordinate(scene.entered_points(i)));
+    }
+    add({first, end, nullptr, &scene, segment.first, may_touch}, segment.touching, largest);
+  }
+}
+
+void PolygonsAsEntered::add(const Part& part, const Touching& touching, double largest) {
+  parts_.push_back(part);
+  reach_ = std::max(reach_, entered_reach(touching, largest));
+}
+
+TouchingPlanes PolygonsAsEntered::planes() const {
+  const std::uint32_t polygons = parts_.empty() ? 0 : parts_.back().end;
+  return {polygons, [this](std::uint32_t number) { return polygon(number); }, reach_};
+}
+
+EnteredPolygon PolygonsAsEntered::polygon(std::uint32_t number) const {
+  const Part& part = part_of(number);
+  const std::uint32_t i = number - part.first;
+  if (part.polygons != nullptr) return {part.polygons->points(i), part.polygons->modelling(i)};
+  const std::uint32_t primitive = part.first_of_scene + i;
+  if (!part.may_touch || (*part.scene)[primitive].is_line()) return {std::span<const Point3>()};
+  if (part.scene->is_entered_in_world()) return {part.scene->entered_points(primitive)};
+  return {part.scene->entered_points(primitive), &part.scene->modelling_matrix(primitive)};
+}
+
+const PolygonsAsEntered::Part& PolygonsAsEntered::part_of(std::uint32_t number) const {
+  if (parts_.size() == 1) return parts_.front();
+  return *std::ranges::upper_bound(parts_, number, {}, &Part::end);
+}
+
+}  // namespace displayfile

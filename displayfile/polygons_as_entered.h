@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hidden/entered_polygon.h"
+#include "hidden/touching.h"
+#include "hidden/touching_planes.h"
+
+namespace displayfile {
+
+class EnteredPolygons;
+class RetainedScene;
+
+/// The polygons of a scene as they were entered, by numbers, to find which of them lie in one
+/// plane. What is added must stay.
+class PolygonsAsEntered {
+ public:
+  /// Those of a segment, which are numbered on from those before.
+  void add(const EnteredPolygons& polygons);
+  /// The primitives of a scene, each numbered as there if nothing was added before. Those of
+  /// segments in which nothing may touch, and lines, have no points.
+  void add(const RetainedScene& scene);
+
+  /// Throws LimitReached where the thread's budget is used up.
+  TouchingPlanes planes() const;
+  EnteredPolygon polygon(std::uint32_t number) const;
+  double reach() const { return reach_; }  ///< the largest, before modelling transformations
+
+ private:
+  struct Part {
+    std::uint32_t first, end;         ///< of their numbers
+    const EnteredPolygons* polygons;  ///< null: they are those of the scene
+    const RetainedScene* scene;
+    std::uint32_t first_of_scene;
+    bool may_touch;
+  };
+  const Part& part_of(std::uint32_t number) const;
+  void add(const Part& part, const Touching& touching, double largest);
+
+  std::vector<Part> parts_;
+  double reach_ = 0.0;
+};
+
+}  // namespace displayfile

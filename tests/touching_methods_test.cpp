@@ -1,0 +1,111 @@
+// What touches, by every method of surfaces: polygons that lie in one plane as they were entered,
+// whatever viewing rounds. Judged by the truth from what was entered.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "displayfile/retained_views.h"
+#include "displayfile/scene_viewer.h"
+#include "interp/draw.h"
+#include "interp/truth/entered_truth.h"
+#include "interp/truth/truth.h"
+#include "interp/view_renderer.h"
+#include "interp/world_views.h"
+#include "tests/from_environment.h"
+#include "tests/retained_truth.h"
+#include "tests/slower.h"
+#include "tests/touching_scenes.h"
+
+namespace displayfile {
+namespace {
+
+using test::from_environment;
+using test::Retained;
+using test::Source;
+
+constexpr int kSize = 48;
+const test::Ball3 kAboutTheOrigin{Point3(0.0), 3.0};
+constexpr HiddenMethod kMethods[] = {
+    HiddenMethod::z_buffer,   HiddenMethod::scan_line, HiddenMethod::scan_line_z,
+    HiddenMethod::ray_cast,   HiddenMethod::warnock,   HiddenMethod::bsp,
+    HiddenMethod::depth_sort, HiddenMethod::map,       HiddenMethod::world_ray_cast};
+
+using Enter = void (*)(Source&, GraphicsSystem&);
+
+/// Enters a scene in several segments or one, in a random view.
+void enter_in_view(Source& s, GraphicsSystem& g, Enter enter, bool transformed) {
+  test::view_from_anywhere(s, g, kAboutTheOrigin);
+  if (s.below(3) == 0) g.set_viewport(0.1, 0.8, 0.2, 0.9);
+  if (transformed) test::turn_and_move(s, g);
+  g.open_segment(1);
+  enter(s, g);
+  g.close_segment();
+}
+
+std::size_t wrong_pixels(const std::vector<std::int32_t>& ids, const Picture& truth) {
+  std::size_t wrong = 0;
+  for (std::size_t k = 0; k < ids.size(); ++k) wrong += ids[k] != truth.ids[k] ? 1 : 0;
+  return wrong;
+}
+
+std::vector<std::int32_t> ids_by(const GraphicsSystem& g, HiddenMethod method) {
+  DrawOptions options;
+  options.width = options.height = kSize;
+  options.hidden = method;
+  options.with_ids = true;
+  if (method == HiddenMethod::world_ray_cast) {
+    return draw(WorldViews(*g.retained(), g.display_file()).as_drawn(), options).ids;
+  }
+  return draw(g, options).ids;
+}
+
+/// No pixel is wrong by any method, and the scene touches in most views.
+void expect_no_wrong_pixel(Enter enter, bool transformed) {
+  const int views = from_environment("DISPLAYFILE_TOUCHING_VIEWS", 24 / test::kSlower);
+  std::size_t touching = 0;
+  for (int seed = 0; seed < views; ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    Source s(static_cast<std::uint64_t>(seed));
+    Retained retained;
+    enter_in_view(s, retained.system, enter, transformed);
+    const EnteredTruth truth = entered_truth(retained.scene, retained.system.display_file(), kSize,
+                                             kSize, false, std::nullopt);
+    touching += truth.touching > 0 ? 1 : 0;
+    for (const HiddenMethod method : kMethods) {
+      EXPECT_EQ(wrong_pixels(ids_by(retained.system, method), truth.picture), 0u)
+          << name_of(method);
+    }
+    EXPECT_EQ(
+        wrong_pixels(displayfile::truth(retained.system.display_file(), kSize, kSize, false).ids,
+                     truth.picture),
+        0u)
+        << "truth";
+  }
+  EXPECT_GT(10 * touching, 9 * static_cast<std::size_t>(views));
+}
+
+TEST(TouchingMethods, ARugOnAFloor) {
+  expect_no_wrong_pixel(test::enter_rug_on_floor, false);
+  expect_no_wrong_pixel(test::enter_rug_on_floor, true);
+}
+TEST(TouchingMethods, AWindowInARoof) {
+  expect_no_wrong_pixel(test::enter_window_in_roof, false);
+  expect_no_wrong_pixel(test::enter_window_in_roof, true);
+}
+TEST(TouchingMethods, BoxesOnAFloor) {
+  expect_no_wrong_pixel(test::enter_boxes_on_floor, false);
+  expect_no_wrong_pixel(test::enter_boxes_on_floor, true);
+}
+TEST(TouchingMethods, WindowsFlushInWalls) {
+  expect_no_wrong_pixel(test::enter_flush_windows, false);
+  expect_no_wrong_pixel(test::enter_flush_windows, true);
+}
+
+}  // namespace
+}  // namespace displayfile

@@ -10,8 +10,8 @@ namespace displayfile {
 namespace {
 
 constexpr std::array<std::string_view, kPredicates> kNames = {
-    "orientation-2",  "orientation-3",  "facing",        "row",
-    "crossing",       "side-of-plane",  "side-of-line",  "compare",
+    "orientation-2",  "orientation-3",  "facing",         "row",
+    "crossing",       "side-of-plane",  "side-of-line",   "compare",
     "depth-at-pixel", "depth-at-point", "line-parameter", "within-reach"};
 
 /// Written by one thread, read by any.

@@ -79,9 +79,8 @@ void RayCast::find_targets(int threads) {
     enter_edges(target);
     targets_.push_back(target);
     const PixelDepth& depth = depths_.depth(fill);
-    const double error = roundoff
-                             ? depth_bound(polygon, scene.plane(fill), depth, size).error
-                             : depths_.error(fill);
+    const double error =
+        roundoff ? depth_bound(polygon, scene.plane(fill), depth, size).error : depths_.error(fill);
     boxes.push_back({target.pixels, nearest(polygon, target.pixels, depth, error)});
   }
   tree_.build(boxes, threads);

@@ -42,7 +42,7 @@ class EnteredPolygons {
   /// The modelling matrix that was in force; null if the points are in world coordinates. It stays
   /// until a polygon is entered.
   const Matrix* modelling(std::size_t i) const;
-  /// Of all that was entered, also of what is outside of the view: the largest |coordinate|.
+  /// The largest |coordinate| that was entered, also of what is outside of the view.
   double largest() const { return largest_; }
   /// No coordinate of what is kept, nor any of the products that it is a sum of, is larger in world
   /// coordinates.

@@ -515,8 +515,8 @@ const ViewedScene& SceneViewer::view(const Wanted& wanted) {
   return viewed_;
 }
 
-/// Of the items of a viewed scene, in order: those whose points are the scene's begin at the same
-/// corner as there, of the others it was noted.
+/// The primitives of the items of a viewed scene, in order. Items whose points are the scene's
+/// begin at the same corner as there; of the others it was noted.
 void SceneViewer::find_primitives(const RetainedScene& scene, const ViewedScene& viewed,
                                   std::size_t corners, std::vector<std::uint32_t>& primitives) {
   primitives.clear();

@@ -109,7 +109,7 @@ struct ViewedScene::Collector {
   }
 };
 
-/// Of all sources; 0 if it is not small, or not known.
+/// The largest of all sources; 0 if it is not small, or not known.
 void ViewedScene::find_radius(Planes& planes) const {
   for (const Source& source : sources_) {
     const EnteredPolygons* const kept = source.instructions->as_entered();
@@ -270,8 +270,8 @@ bool is_nearly_edge_on(const Plane& plane) {
 
 }  // namespace
 
-/// Of several polygons of a plane, viewed alike and none of them edge-on, the one whose plane it is
-/// as entered stands for it; or else, if that is not in the scene or little of it, from which the
+/// Several polygons of a plane are viewed alike, none of them edge-on: the one whose plane it is as
+/// entered stands for it; or else, if that is not in the scene or little of it, from which the
 /// plane would be known badly elsewhere, the one that is seen largest.
 void ViewedScene::share_plane(std::span<const std::uint32_t> in_plane, std::uint32_t founder,
                               std::vector<Primitives::PlanePoints>& of_items) const {

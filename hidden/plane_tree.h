@@ -44,7 +44,7 @@ class PlaneTree {
     Node();
     void include(std::size_t branch, const Plane& plane, double of_radius, double area);
   };
-  /// What is asked of branches: one corner and two sides of a triangle.
+  /// A search: one corner and two sides of a triangle, which branches are held against.
   struct Query {
     Point3 corner, first_side, second_side;
     double near;

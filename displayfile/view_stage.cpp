@@ -175,7 +175,7 @@ const LineStyle& ViewStage::line_of(const Attributes& attributes, ClippedPolygon
 bool ViewStage::enter(const ViewedPolygon& viewed, const Attributes& attributes, std::int32_t pick,
                       Segment& segment) {
   const ClippedPolygon& polygon = viewed.polygon;
-  if (polygon.vertices.empty()) return false;
+  if (viewed.fill == nullptr || viewed.line == nullptr) return false;  // nothing of it is drawn
   enter_styles(*viewed.fill, *viewed.line, attributes, segment);
   segment.set_pick(pick);
   segment.enter_polygon(polygon.vertices, polygon.edge_visible, viewed.shading());

@@ -19,7 +19,7 @@ namespace displayfile {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
 /// Pays for the rounding of a tolerance's own computation.
 constexpr double kWider = 1.0 + 0x1p-40;
@@ -99,7 +99,7 @@ class TouchingPlanes::Search {
   std::vector<std::uint32_t> taken_;  // the plane that each lies in
 
   // A frame in which all points lie between -1 and 1.
-  Point3 low_{kInfinity}, high_{-kInfinity}, centre_{0.0};
+  Point3 low_{kNoBound}, high_{-kNoBound}, centre_{0.0};
   double scale_ = 1.0, magnitude_ = 0.0, rounding_ = 0x1p-52;
   double point_error_ = 0.0, reach_ = 0.0, diameter_ = 0.0, close_radius_ = 0.0;
 
@@ -211,8 +211,8 @@ TouchingPlanes::Search::Estimate TouchingPlanes::Search::estimate(const OwnPlane
   const double length = glm::length(normal);
   const double off =
       (2.1 * error * (a + b) + 6.0 * rounding_ * a * b + 5.0 * error * error) * kWider;
-  const double relative = length > 0x1p-450 ? off / length : kInfinity;
-  if (!(relative <= 0.125)) return {in_frame(Point3(1.0, 0.0, 0.0), p), kInfinity, kInfinity};
+  const double relative = length > 0x1p-450 ? off / length : kNoBound;
+  if (!(relative <= 0.125)) return {in_frame(Point3(1.0, 0.0, 0.0), p), kNoBound, kNoBound};
   const double radius =
       ((2.0 * relative + 8.0 * rounding_) * diameter_ + 2.0 * point_error_ + 24.0 * rounding_) *
       kWider;
@@ -224,9 +224,9 @@ TouchingPlanes::Search::Estimate TouchingPlanes::Search::estimate_closely(
     const EnteredPlane& plane, const OwnPlane& own) const {
   const Point3 p = result_.modellings_[own.modelling].apply(own.corners[0]);
   const double off = plane.normal_error();
-  if (!(off <= 1.0)) return {in_frame(Point3(1.0, 0.0, 0.0), p), kInfinity, kInfinity};
+  if (!(off <= 1.0)) return {in_frame(Point3(1.0, 0.0, 0.0), p), kNoBound, kNoBound};
   const double radius = (off * diameter_ + 2.0 * point_error_ + 24.0 * rounding_) * kWider;
-  return {in_frame(plane.normal(), p), radius, kInfinity};
+  return {in_frame(plane.normal(), p), radius, kNoBound};
 }
 
 /// Puts planes in order of their keys, and finds the tolerances of keys.
@@ -245,7 +245,7 @@ void TouchingPlanes::Search::rank_by_key() {
       if (close.radius < of.radius) of = close;
     }
     ranked_.push_back({key_of(of.plane), k});
-    const double wide = tilt <= 0.5 ? 1.5 * tilt * diameter_ + reach_ : kInfinity;
+    const double wide = tilt <= 0.5 ? 1.5 * tilt * diameter_ + reach_ : kNoBound;
     wide_.push_back((wide + of.radius) * kWider);
     largest_radius = std::max(largest_radius, of.radius);
   }

@@ -15,7 +15,7 @@ namespace displayfile {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
 double largest(const Point3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
 
@@ -48,7 +48,7 @@ double length(const Point3& v) {
 
 /// A reach that a modelling matrix multiplies by the length of its longest column.
 Reach bounds_of_reach(double entered, double column) {
-  if (!(column >= 1e-200 && column <= 1e200)) return {0.0, kInfinity};
+  if (!(column >= 1e-200 && column <= 1e200)) return {0.0, kNoBound};
   const double reach = entered * column;
   return {std::max(0.0, reach * (1.0 - 0x1p-46) - kTiny), reach * (1.0 + 0x1p-46) + kTiny};
 }
@@ -201,7 +201,7 @@ EnteredPlane::EnteredPlane(const Corners& corners, const Modelling& modelling)
     : corners_(corners),
       modelling_(&modelling),
       is_sound_(is_double_double_sound()),
-      direction_error_(kInfinity) {
+      direction_error_(kNoBound) {
   if (!is_sound_) return;
   constexpr double kSquare = kRounding * kRounding;
   first_ = modelling.apply_closely(corners[0]);

@@ -75,8 +75,8 @@ struct SegmentWalk {
                            [&](const Point3& v) { return picture.point(v); });
     if (plane) {
       const auto& [p, q, r] = *plane;
-      const std::array of_plane{picture.point(p), picture.point(q), picture.point(r)};
-      return picture.enter(points, {&of_plane[0], &of_plane[1], &of_plane[2]}, pick_id);
+      const TruePoint on_p = picture.point(p), on_q = picture.point(q), on_r = picture.point(r);
+      return picture.enter(points, {&on_p, &on_q, &on_r}, pick_id);
     }
     const auto& [p, q, r] = *support;
     picture.enter(points, {&points[p], &points[q], &points[r]}, pick_id);

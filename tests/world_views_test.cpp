@@ -111,7 +111,7 @@ TEST(WorldViews, DrawAllViewsFromOneTreeOnSeveralThreads) {
 TEST(WorldViews, DrawAMesh) {
   constexpr int kSide = 24;
   Mesh mesh;
-  mesh.objects = {{"waves", 0, 2 * kSide * kSide}};
+  mesh.objects = {{"waves", 0, std::size_t{2} * kSide * kSide}};
   mesh.first_corner = {0};
   for (int i = 0; i <= kSide; ++i) {
     for (int j = 0; j <= kSide; ++j) {
@@ -135,7 +135,7 @@ TEST(WorldViews, DrawAMesh) {
   retained.system.set_light({1.0, 2.0, 3.0});
   enter_mesh(mesh, retained.system, 1);
   const DisplayFile& file = retained.system.display_file();
-  ASSERT_EQ(file.polygons(), std::size_t{2 * kSide * kSide});
+  ASSERT_EQ(file.polygons(), std::size_t{2} * kSide * kSide);
   const Picture picture = draw(retained.system, options_of(HiddenMethod::world_ray_cast));
   expect_right(picture, file);
   EXPECT_GT(std::ranges::count_if(picture.ids, [](int id) { return id >= 0; }), 800);

@@ -20,7 +20,7 @@ class PlaneTree {
   /// Normal and distance: the points v with n . v = distance.
   using Plane = glm::dvec4;
 
-  /// Of planes of indices from 0; roughly, since they are only put in order.
+  /// The planes have indices from 0; they are rough, since they are only put in order.
   explicit PlaneTree(std::span<const Plane> planes);
 
   /// A plane by its index, which may be off by `radius` at points that are looked for; a search may
@@ -37,7 +37,7 @@ class PlaneTree {
  private:
   static constexpr std::size_t kBranches = 8;
   using Lanes = std::array<double, kBranches>;
-  /// Of each branch the box of the inserted planes; it has none if the area is negative.
+  /// Each branch has the box of the inserted planes; it has none if the area is negative.
   struct Node {
     std::array<Lanes, 4> low, high;
     Lanes radius, largest_area;

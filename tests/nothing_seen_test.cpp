@@ -124,7 +124,7 @@ TEST(NothingSeen, TellsWhatIsSmallerThanAPixel) {
       "pixel's centre");
 }
 
-/// Of a hollow polygon around the window no side is seen.
+/// No side of a hollow polygon around the window is seen.
 TEST(NothingSeen, TellsWhatHasItsSidesOutside) {
   const std::string around =
       "open-segment 1\npolygon-abs-2 -9 -9  9 -9  9 9  -9 9\nclose-segment\n";

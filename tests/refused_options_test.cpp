@@ -97,7 +97,7 @@ TEST_F(RefusedOptions, ADisplayFileThatIsReadyHasTheOrderThatItHas) {
   EXPECT_NE(refusal(dashed.view(retained_.system.view()), hidden, "svg"), "");
 }
 
-/// Of one segment, all is what the segment is.
+/// With one segment, all is what the segment is.
 TEST_F(RefusedOptions, TheScopeOfOneVisibleSegmentIsEither) {
   retained_.system.set_visibility(2, false);
   for (const HiddenScope made : {HiddenScope::all, HiddenScope::segment}) {

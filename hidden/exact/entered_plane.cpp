@@ -68,7 +68,7 @@ bool are_in_line(const Point3& p, const Point3& q, const Point3& r) {
   return is_zero(displayfile::cross(exact_difference(q, p), exact_difference(r, p)));
 }
 
-/// Of the first three rows and columns; exact.
+/// Whether the determinant of the first three rows and columns is 0, exactly.
 bool is_zero_determinant(const glm::dmat4& matrix) {
   const Point3 a(matrix[0]), b(matrix[1]), c(matrix[2]);
   const double value = glm::dot(a, glm::cross(b, c));
@@ -211,7 +211,7 @@ EnteredPlane::EnteredPlane(const Corners& corners, const Modelling& modelling)
   const auto u = minus(q, first_), v = minus(r, first_);
   cross_ = cross(u, v);
   const double a = largest(u), b = largest(v);
-  // Of a coordinate of u and v; under the identity they are exact.
+  // The error of a coordinate of u and v; under the identity they are exact.
   const double error = modelling.is_identity() ? 0.0 : 35.0 * kSquare * magnitude_ + kTiny;
   cross_error_ = (2.0 * error * (a + b + error) + 19.0 * kSquare * a * b) * (1.0 + 0x1p-40) + kTiny;
   find_normal(cross_error_);

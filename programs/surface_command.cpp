@@ -227,6 +227,7 @@ int SurfaceCommand::run() const {
   system.set_aspect_ratio(static_cast<double>(options.width) / options.height);
   if (surfaces_of(*options.hidden) == HiddenMethod::world_ray_cast) system.retain();
   const auto lines = hidden_surfaces.line_selection();
+  const auto touching = hidden_surfaces.touching_in_force();
   std::optional<OutputFile> recorded;
   std::optional<Recorder> recorder;
   if (!program.empty()) {
@@ -235,6 +236,7 @@ int SurfaceCommand::run() const {
     record_drawing(*recorder, options, lines);
     system.set_recorder(&*recorder);
   }
+  if (touching) system.set_touching(*touching);  // the program has it too
   if (lines) {
     system.replace_lines(*lines);
   } else if (data.size() > 1 && !needs_surface(*options.hidden)) {

@@ -380,4 +380,13 @@ TEST_F(SurfaceCommandTest, LinesHaveNoColoursOfHeights) {
                "franklin draws lines alone");
 }
 
+TEST_F(SurfaceCommandTest, WhatTouchesIsSetInTheProgramToo) {
+  ASSERT_EQ(run("surface 'x^2 - 2*y' --x 0:2 --y -1:1 --grid 3x2 -o s.svg --program s.draw "
+                "--touching 0.25"),
+            0)
+      << err_;
+  EXPECT_NE(read(folder_ / "s.draw").find("set-touching 0.25\n"), std::string::npos);
+  expect_error("surface x -o t.svg --touching on", "--touching");
+}
+
 }  // namespace

@@ -316,7 +316,7 @@ void TouchingPlanes::Search::look_among_neighbours(std::uint32_t own) {
     if (ranked_[k].key - key > wide) break;
     consider(k, own);
   }
-  steps_.step(result_.counts_.compared - before + 1);
+  steps_.step(static_cast<std::size_t>(result_.counts_.compared - before + 1));
 }
 
 void TouchingPlanes::Search::build_tree() {

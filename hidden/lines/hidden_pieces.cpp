@@ -175,10 +175,11 @@ class Uncovering {
   /// Adds what is drawn of a hidden piece. A crumb that is no longer than lines may be apart, or
   /// than the rounding of its ends, is no part.
   void add_part(const Placed& placed, double low, double high) {
-    constexpr double kRounding = 0x1p-46;
+    constexpr double kRoundingOfEnds = 0x1p-46;
     const HiddenPiece& whole = hidden_[placed.piece];
     if (low == placed.low && high == placed.high) return left_.push_back(whole);
-    const double crumb = std::max(kLinesApart, kRounding * std::max(std::abs(low), std::abs(high)));
+    const double crumb =
+        std::max(kLinesApart, kRoundingOfEnds * std::max(std::abs(low), std::abs(high)));
     if (high - low <= crumb) return;
     const LineEnds ends(items_, name(whole));
     const Places own = places(whole);

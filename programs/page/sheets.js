@@ -8,10 +8,10 @@ const kSheetsSide = 320;
 const kSheetColours = ['0.95 0.55 0.15', '0.15 0.35 0.75'];
 
 /** A chequerboard of both sheets. The view is such that device coordinates are those of the world:
- *  what is `gap` apart here is so in the display file, too. */
+ *  what is `gap` apart here is so in the display file, too; and nothing counts as touching. */
 function sheets_program(gap) {
   const height = (x, y) => 0.2 + 0.43 * x + 0.31 * y;
-  const lines = ['set-view-depth -1 0', 'set-window 0 1 0 1', 'set-line-style none'];
+  const lines = ['set-touching off', 'set-view-depth -1 0', 'set-window 0 1 0 1', 'set-line-style none'];
   kSheetColours.forEach((colour, sheet) => {
     lines.push(`open-segment ${sheet + 1}`, `set-pick-id ${sheet}`, `set-fill-style solid ${colour}`);
     for (let row = 0; row < kSquares; ++row) {
